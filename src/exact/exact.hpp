@@ -1,0 +1,42 @@
+// The decision in exact arithmetic, degenerate cases included.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <touchstone/answer.hpp>
+#include <touchstone/query.hpp>
+
+namespace touchstone::exact {
+
+/// The first contact in [0, t_max]; level is Level::exact. The query must be valid (finite, t_max in [0, 1],
+/// well-formed fractions) and the floating-point environment the default one: callers in `solver` see to both.
+Answer decide(const Query& query, double t_max);
+Answer decide(const RationalQuery& query, double t_max);
+
+/// One candidate time and the signs that decide it.
+struct CandidateStory {
+  double lower = 0, upper = 0;  ///< the neighbouring doubles around the candidate time
+  std::string time;             ///< its exact value for a person: "1/3", "root of ... in [...]"
+  int multiplicity = 1;         ///< as a root of V; 0 when it is a candidate for another reason
+  struct Condition {
+    std::string name;  ///< "n_z", "(r x w)_z", ...
+    int sign;          ///< -1, 0 or 1 at the exact time
+  };
+  std::vector<Condition> conditions;
+  bool touching = false;
+};
+
+/// How the exact level comes to its answer.
+struct Story {
+  bool has_cubic = false;                 ///< edge-edge and vertex-face have one
+  std::vector<std::string> coefficients;  ///< V's exact coefficients, constant first, as fractions or integers times 2^k
+  std::string why;                        ///< one sentence: which case this is
+  std::vector<CandidateStory> candidates;
+  Answer answer;
+};
+Story explain(const Query& query, double t_max);
+Story explain(const RationalQuery& query, double t_max);
+
+}  // namespace touchstone::exact
