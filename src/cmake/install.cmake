@@ -1,0 +1,29 @@
+# What `cmake --install` puts where: library, program, public headers, licence and the package config.
+# SPDX-License-Identifier: MIT
+include(CMakePackageConfigHelpers)
+
+set(touchstone_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/touchstone)
+
+install(TARGETS touchstone EXPORT touchstone-targets
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+if(TARGET touchstone_program)
+  install(TARGETS touchstone_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/touchstone DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  FILES_MATCHING PATTERN "*.hpp")
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+install(EXPORT touchstone-targets NAMESPACE touchstone:: DESTINATION ${touchstone_package_dir})
+configure_package_config_file(
+  ${CMAKE_CURRENT_LIST_DIR}/touchstone-config.cmake.in ${PROJECT_BINARY_DIR}/touchstone-config.cmake
+  INSTALL_DESTINATION ${touchstone_package_dir})
+write_basic_package_version_file(
+  ${PROJECT_BINARY_DIR}/touchstone-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(
+  FILES
+    ${PROJECT_BINARY_DIR}/touchstone-config.cmake
+    ${PROJECT_BINARY_DIR}/touchstone-config-version.cmake
+    ${CMAKE_CURRENT_LIST_DIR}/touchstone-dependencies.cmake
+  DESTINATION ${touchstone_package_dir})
