@@ -1,0 +1,139 @@
+// Touchstone: queries from Eigen vectors and matrices. Include it beside touchstone.hpp; it needs Eigen 3.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+
+#include <touchstone/error.hpp>
+#include <touchstone/query.hpp>
+
+namespace touchstone {
+
+namespace detail {
+
+/// What stands in memory as it is, any other expression evaluated once.
+template <typename Derived>
+decltype(auto) eigen_values(const Eigen::DenseBase<Derived>& expression) {
+  if constexpr ((Derived::Flags & Eigen::DirectAccessBit) != 0) {
+    return (expression.derived());
+  } else {
+    return expression.eval();
+  }
+}
+
+}  // namespace detail
+
+/// A corner from any Eigen vector of doubles: fixed or dynamic size, row or column, Map, block or expression. Two
+/// coordinates are a position in the plane z = 0. An expression is evaluated once, in the caller's floating-point
+/// environment; after that the values are only copied.
+/// @throws InvalidQuery  for a vector of dynamic size that has neither two nor three coordinates
+template <typename Derived>
+Vec3 to_vec3(const Eigen::DenseBase<Derived>& position) {
+  static_assert(std::is_same_v<typename Derived::Scalar, double>, "a corner is made of doubles: cast it to double");
+  static_assert(Derived::IsVectorAtCompileTime, "a corner is a row or column vector");
+  constexpr int size = Derived::SizeAtCompileTime;
+  static_assert(size == Eigen::Dynamic || size == 2 || size == 3, "a corner has two or three coordinates");
+  const auto& values = detail::eigen_values(position);
+  if (values.size() != 2 && values.size() != 3) {
+    throw InvalidQuery("a corner has " + std::to_string(values.size()) + " coordinates, not two or three");
+  }
+  Vec3 corner;
+  corner.x = values.coeff(0);
+  corner.y = values.coeff(1);
+  if constexpr (size != 2) {
+    if (values.size() == 3) corner.z = values.coeff(2);
+  }
+  return corner;
+}
+
+/// The other way, for positions and for the weights of an answer.
+inline Eigen::Vector3d to_eigen(const Vec3& v) { return {v.x, v.y, v.z}; }
+inline Eigen::Vector3d to_eigen(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+
+/// Corners from the rows of a matrix of doubles, N x 3 or N x 2 (z = 0).
+/// @throws InvalidQuery  for a matrix of dynamic size that has another number of rows or columns
+template <std::size_t N, typename Derived>
+std::array<Vec3, N> to_corners(const Eigen::DenseBase<Derived>& rows) {
+  static_assert(std::is_same_v<typename Derived::Scalar, double>, "corners are made of doubles: cast them to double");
+  constexpr int row_count = Derived::RowsAtCompileTime;
+  constexpr int column_count = Derived::ColsAtCompileTime;
+  static_assert(row_count == Eigen::Dynamic || row_count == static_cast<int>(N), "one row for each corner");
+  static_assert(column_count == Eigen::Dynamic || column_count == 2 || column_count == 3,
+                "two or three columns: the coordinates of a corner");
+  const auto& values = detail::eigen_values(rows);
+  if (values.rows() != static_cast<Eigen::Index>(N) || (values.cols() != 2 && values.cols() != 3)) {
+    throw InvalidQuery("the corners are " + std::to_string(values.rows()) + " x " + std::to_string(values.cols()) +
+                       ", not " + std::to_string(N) + " rows of two or three coordinates");
+  }
+  std::array<Vec3, N> corners;
+  for (std::size_t i = 0; i < N; ++i) corners[i] = to_vec3(values.row(static_cast<Eigen::Index>(i)));
+  return corners;
+}
+
+/// Edge a0 a1 against edge b0 b1; `start` at t = 0 and `end` at t = 1 hold one corner a row, in this order.
+template <typename Start, typename End>
+EdgeEdge edge_edge(const Eigen::DenseBase<Start>& start, const Eigen::DenseBase<End>& end) {
+  return {to_corners<4>(start), to_corners<4>(end)};
+}
+
+/// The same, corner by corner: first where each is at t = 0, then where each is at t = 1.
+template <typename A0, typename A1, typename B0, typename B1, typename A0End, typename A1End, typename B0End,
+          typename B1End>
+EdgeEdge edge_edge(const Eigen::DenseBase<A0>& a0, const Eigen::DenseBase<A1>& a1, const Eigen::DenseBase<B0>& b0,
+                   const Eigen::DenseBase<B1>& b1, const Eigen::DenseBase<A0End>& a0_end,
+                   const Eigen::DenseBase<A1End>& a1_end, const Eigen::DenseBase<B0End>& b0_end,
+                   const Eigen::DenseBase<B1End>& b1_end) {
+  return {{to_vec3(a0), to_vec3(a1), to_vec3(b0), to_vec3(b1)},
+          {to_vec3(a0_end), to_vec3(a1_end), to_vec3(b0_end), to_vec3(b1_end)}};
+}
+
+/// Vertex v against triangle f0 f1 f2; one corner a row, in this order.
+template <typename Start, typename End>
+VertexFace vertex_face(const Eigen::DenseBase<Start>& start, const Eigen::DenseBase<End>& end) {
+  return {to_corners<4>(start), to_corners<4>(end)};
+}
+
+/// The same, corner by corner: first where each is at t = 0, then where each is at t = 1.
+template <typename V, typename F0, typename F1, typename F2, typename VEnd, typename F0End, typename F1End,
+          typename F2End>
+VertexFace vertex_face(const Eigen::DenseBase<V>& v, const Eigen::DenseBase<F0>& f0, const Eigen::DenseBase<F1>& f1,
+                       const Eigen::DenseBase<F2>& f2, const Eigen::DenseBase<VEnd>& v_end,
+                       const Eigen::DenseBase<F0End>& f0_end, const Eigen::DenseBase<F1End>& f1_end,
+                       const Eigen::DenseBase<F2End>& f2_end) {
+  return {{to_vec3(v), to_vec3(f0), to_vec3(f1), to_vec3(f2)},
+          {to_vec3(v_end), to_vec3(f0_end), to_vec3(f1_end), to_vec3(f2_end)}};
+}
+
+/// Point p against edge e0 e1; one corner a row, in this order.
+template <typename Start, typename End>
+PointEdge point_edge(const Eigen::DenseBase<Start>& start, const Eigen::DenseBase<End>& end) {
+  return {to_corners<3>(start), to_corners<3>(end)};
+}
+
+/// The same, corner by corner: first where each is at t = 0, then where each is at t = 1.
+template <typename P, typename E0, typename E1, typename PEnd, typename E0End, typename E1End>
+PointEdge point_edge(const Eigen::DenseBase<P>& p, const Eigen::DenseBase<E0>& e0, const Eigen::DenseBase<E1>& e1,
+                     const Eigen::DenseBase<PEnd>& p_end, const Eigen::DenseBase<E0End>& e0_end,
+                     const Eigen::DenseBase<E1End>& e1_end) {
+  return {{to_vec3(p), to_vec3(e0), to_vec3(e1)}, {to_vec3(p_end), to_vec3(e0_end), to_vec3(e1_end)}};
+}
+
+/// Point p against point q; one corner a row, in this order.
+template <typename Start, typename End>
+PointPoint point_point(const Eigen::DenseBase<Start>& start, const Eigen::DenseBase<End>& end) {
+  return {to_corners<2>(start), to_corners<2>(end)};
+}
+
+/// The same, point by point: first where each is at t = 0, then where each is at t = 1.
+template <typename P, typename Q, typename PEnd, typename QEnd>
+PointPoint point_point(const Eigen::DenseBase<P>& p, const Eigen::DenseBase<Q>& q, const Eigen::DenseBase<PEnd>& p_end,
+                       const Eigen::DenseBase<QEnd>& q_end) {
+  return {{to_vec3(p), to_vec3(q)}, {to_vec3(p_end), to_vec3(q_end)}};
+}
+
+}  // namespace touchstone

@@ -1,0 +1,123 @@
+// The Eigen overloads copy every coordinate to the right corner, bit for bit, from whatever Eigen calls a vector.
+// SPDX-License-Identifier: MIT
+#include <Eigen/Dense>
+
+#include <cstring>
+#include <limits>
+
+#include <touchstone/eigen.hpp>
+#include <touchstone/touchstone.hpp>
+
+#include "support/catch.hpp"
+
+using Eigen::MatrixXd;
+using Eigen::RowVector3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using touchstone::Vec3;
+
+namespace {
+
+bool same_bits(const Vec3& a, const Vec3& b) { return std::memcmp(&a, &b, sizeof(Vec3)) == 0; }
+
+/// Corner i of N x 3 numbered coordinates, as `numbered` fills them.
+Vec3 numbered_corner(int i, double offset) { return {offset + 3 * i, offset + 3 * i + 1, offset + 3 * i + 2}; }
+
+MatrixXd numbered(int corners, double offset) {
+  MatrixXd m(corners, 3);
+  for (int i = 0; i < corners; ++i) {
+    const Vec3 corner = numbered_corner(i, offset);
+    m.row(i) << corner.x, corner.y, corner.z;
+  }
+  return m;
+}
+
+template <typename QueryType>
+void check_numbered(const QueryType& query) {
+  for (std::size_t i = 0; i < query.start.size(); ++i) {
+    CAPTURE(i);
+    CHECK(same_bits(query.start[i], numbered_corner(static_cast<int>(i), 0)));
+    CHECK(same_bits(query.end[i], numbered_corner(static_cast<int>(i), 100)));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a corner keeps its bits, whatever kind of Eigen vector it comes from") {
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  const Vec3 expected{-0.0, tiny, 1e300};
+  const Vector3d column(-0.0, tiny, 1e300);
+  const RowVector3d row = column.transpose();
+  const VectorXd dynamic = column;
+  const double memory[5] = {-0.0, 7, tiny, 7, 1e300};
+  MatrixXd columns(3, 2);
+  columns << column, column;
+
+  CHECK(same_bits(touchstone::to_vec3(column), expected));
+  CHECK(same_bits(touchstone::to_vec3(row), expected));
+  CHECK(same_bits(touchstone::to_vec3(dynamic), expected));
+  CHECK(same_bits(touchstone::to_vec3(column.array()), expected));
+  CHECK(same_bits(touchstone::to_vec3(columns.col(1)), expected));
+  CHECK(same_bits(touchstone::to_vec3(columns.transpose().row(1)), expected));
+  CHECK(same_bits(touchstone::to_vec3(dynamic.head<3>()), expected));
+  CHECK(same_bits(touchstone::to_vec3(Eigen::Map<const Vector3d, 0, Eigen::InnerStride<2>>(memory)), expected));
+  CHECK(same_bits(touchstone::to_vec3(Eigen::Ref<const Vector3d>(column)), expected));
+}
+
+TEST_CASE("an expression is evaluated") {
+  const Vector3d a(1, 2, 3);
+  const Vector3d b(10, 20, 30);
+  Eigen::Matrix3d swap;
+  swap << 0, 1, 0, 1, 0, 0, 0, 0, 1;
+  CHECK(same_bits(touchstone::to_vec3(a + 2 * b), Vec3{21, 42, 63}));
+  CHECK(same_bits(touchstone::to_vec3(swap * a), Vec3{2, 1, 3}));
+  CHECK(same_bits(touchstone::to_vec3(Vector3d::Zero()), Vec3{0, 0, 0}));
+  CHECK(same_bits(touchstone::to_vec3(a.cast<float>().cast<double>()), Vec3{1, 2, 3}));
+}
+
+TEST_CASE("two coordinates lie in the plane z = 0") {
+  CHECK(same_bits(touchstone::to_vec3(Vector2d(4, 5)), Vec3{4, 5, 0}));
+  CHECK(same_bits(touchstone::to_vec3(VectorXd(Vector2d(4, 5))), Vec3{4, 5, 0}));
+  MatrixXd flat(2, 2);
+  flat << 1, 2, 3, 4;
+  const touchstone::PointPoint query = touchstone::point_point(flat, flat);
+  CHECK(same_bits(query.start[1], Vec3{3, 4, 0}));
+}
+
+TEST_CASE("a dynamic size that is no corner's is an error that names it") {
+  CHECK_THROWS_AS(touchstone::to_vec3(VectorXd(4)), touchstone::InvalidQuery);
+  CHECK_THROWS_AS(touchstone::edge_edge(MatrixXd(3, 3), MatrixXd(4, 3)), touchstone::InvalidQuery);
+  CHECK_THROWS_WITH(touchstone::edge_edge(MatrixXd(4, 3), MatrixXd(4, 1)),
+                    "the corners are 4 x 1, not 4 rows of two or three coordinates");
+}
+
+TEST_CASE("every corner of every kind of query lands in its place") {
+  const MatrixXd start = numbered(4, 0);
+  const MatrixXd end = numbered(4, 100);
+  const auto s = [&](int i) { return start.row(i); };
+  const auto e = [&](int i) { return Vector3d(end.row(i)); };
+
+  check_numbered(touchstone::edge_edge(start, end));
+  check_numbered(touchstone::vertex_face(start, end));
+  check_numbered(touchstone::point_edge(start.topRows(3), end.topRows<3>()));
+  check_numbered(touchstone::point_point(start.topRows(2), end.topRows<2>()));
+  check_numbered(touchstone::edge_edge(Eigen::Matrix<double, 4, 3, Eigen::RowMajor>(start), end));
+
+  check_numbered(touchstone::edge_edge(s(0), s(1), s(2), s(3), e(0), e(1), e(2), e(3)));
+  check_numbered(touchstone::vertex_face(s(0), s(1), s(2), s(3), e(0), e(1), e(2), e(3)));
+  check_numbered(touchstone::point_edge(s(0), s(1), s(2), e(0), e(1), e(2)));
+  check_numbered(touchstone::point_point(s(0), s(1), e(0), e(1)));
+}
+
+TEST_CASE("a query from Eigen is solved, and its weights go back to Eigen") {
+  Eigen::Matrix<double, 4, 3> start;
+  start << -1, 0, 0,  1, 0, 0,  0, -1, 1,  0, 1, 1;
+  Eigen::Matrix<double, 4, 3> end = start;
+  end.bottomRows<2>().col(2).setConstant(-1);
+  const touchstone::Answer answer = touchstone::solve(touchstone::edge_edge(start, end));
+  REQUIRE(answer.contact);
+  CHECK(answer.toi == 0.5);
+  CHECK(touchstone::to_eigen(answer.weights_a) == Vector3d(0.5, 0.5, 0));
+  CHECK(touchstone::to_eigen(Vec3{1, 2, 3}) == Vector3d(1, 2, 3));
+}
