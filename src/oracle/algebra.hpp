@@ -1,0 +1,17 @@
+// The number types of the oracle: integers without limit, and polynomials over them in the time t.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CGAL/Gmpz.h>
+#include <CGAL/Polynomial.h>
+
+#ifndef CGAL_HAS_THREADS
+#error "CGAL without thread support keeps plain static variables: the oracle would not be safe to call from two threads"
+#endif
+
+namespace touchstone::oracle {
+
+using Integer = CGAL::Gmpz;
+using Polynomial = CGAL::Polynomial<Integer>;
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,26 @@
+// A query's corners as exact motions: each coordinate an integer polynomial of degree at most one in t.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+
+#include <touchstone/query.hpp>
+
+#include "oracle/algebra.hpp"
+
+namespace touchstone::oracle {
+
+/// One moving corner: x, y and z over t.
+using Corner = std::array<Polynomial, 3>;
+
+/// The moving corners of a query, in its order; those past corner_count(kind) are zero.
+using Corners = std::array<Corner, 4>;
+
+/// The motions in units that make every position at t = 0 and t = 1 an integer. Each axis has its own unit (a power
+/// of two for doubles, the common denominator for rationals): scaling an axis is an invertible linear map of space,
+/// so touching, its times and barycentric coordinates are those of the query. Distances are not, and nothing here
+/// needs them.
+Corners read_motion(const Query& query);
+Corners read_motion(const RationalQuery& query);
+
+}  // namespace touchstone::oracle
