@@ -112,7 +112,7 @@ TEST_CASE("every corner of every kind of query lands in its place") {
 
 TEST_CASE("a query from Eigen is solved, and its weights go back to Eigen") {
   Eigen::Matrix<double, 4, 3> start;
-  start << -1, 0, 0,  1, 0, 0,  0, -1, 1,  0, 1, 1;
+  start << -1, 0, 0, 1, 0, 0, 0, -1, 1, 0, 1, 1;
   Eigen::Matrix<double, 4, 3> end = start;
   end.bottomRows<2>().col(2).setConstant(-1);
   const touchstone::Answer answer = touchstone::solve(touchstone::edge_edge(start, end));

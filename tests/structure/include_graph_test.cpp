@@ -1,0 +1,82 @@
+// The include graph of the sources is the layer table's, and the public headers include nobody's library.
+// SPDX-License-Identifier: MIT
+#include <string>
+#include <vector>
+
+#include "structure/include_rules.hpp"
+#include "structure/source_tree.hpp"
+#include "support/catch.hpp"
+
+using namespace touchstone::structure;
+
+TEST_CASE("every source file includes only what its layer may use") {
+  const auto files = cpp_files("src");
+  CHECK(files.size() >= 15);  // an empty walk proves nothing
+  for (const auto& file : files) {
+    const auto violations =
+        source_violations(file.generic_string(), text_of(std::filesystem::path(TOUCHSTONE_SOURCE_DIR) / "src" / file));
+    INFO(lines_of(violations));
+    CHECK(violations.empty());
+  }
+}
+
+TEST_CASE("public headers include the standard library and each other only") {
+  const auto files = cpp_files("include/touchstone");
+  CHECK(files.size() >= 9);
+  for (const auto& file : files) {
+    const auto violations = public_header_violations(
+        file.generic_string(), text_of(std::filesystem::path(TOUCHSTONE_SOURCE_DIR) / "include/touchstone" / file));
+    INFO(lines_of(violations));
+    CHECK(violations.empty());
+  }
+}
+
+TEST_CASE("a planted violation of the layer table is found") {
+  struct Planted {
+    const char* path;
+    const char* text;
+    const char* reason;
+  };
+  const Planted planted =
+      GENERATE(Planted{"exact/x.cpp", "#include \"solver/cascade.hpp\"\n", "`exact` may not use `solver`"},
+               Planted{"oracle/x.cpp", "#include \"exact/exact.hpp\"\n", "`oracle` may not use `exact`"},
+               Planted{"oracle/x.cpp", "#include \"filters/same_side.hpp\"\n", "`oracle` may not use `filters`"},
+               Planted{"geometry/x.hpp", "#include \"numbers/fraction.hpp\"\n", "`geometry` may not use `numbers`"},
+               Planted{"io/x.cpp", "#include \"solver/solve.hpp\"\n", "`io` may not use `solver`"},
+               Planted{"solver/x.cpp", "#include \"io/query_file.hpp\"\n", "`solver` may not use `io`"},
+               Planted{"certify/x.cpp", "#include \"cli/main.hpp\"\n", "`certify` may not use `cli`"},
+               Planted{"version.cpp", "#include \"geometry/x.hpp\"\n", "may not use `geometry`"},
+               Planted{"exact/x.cpp", "#include <CGAL/Mpzf.h>\n", "only numbers and oracle"},
+               Planted{"filters/x.hpp", "  #  include <gmp.h>\n", "only numbers and oracle"},
+               Planted{"cli/x.cpp", "#include <mpfr.h>\n", "only numbers and oracle"},
+               Planted{"solver/x.cpp", "#include \"boost/multiprecision/gmp.hpp\"\n", "only numbers and oracle"},
+               Planted{"exact/x.cpp", "#include \"exact.hpp\"\n", "names the layer"},
+               Planted{"exact/x.cpp", "#include \"../solver/cascade.hpp\"\n", "names the layer"},
+               Planted{"exact/x.cpp", "#include <solver/cascade.hpp>\n", "with quotes"},
+               Planted{"io/x.cpp", "#include <touchstone/eigen.hpp>\n", "without Eigen"},
+               Planted{"unheard_of/x.cpp", "", "has no `unheard_of`"});
+  CAPTURE(planted.path, planted.text);
+  const auto violations = source_violations(planted.path, planted.text);
+  REQUIRE(violations.size() == 1);
+  CHECK(violations[0].find(planted.reason) != std::string::npos);
+}
+
+TEST_CASE("what the layer table allows is no violation") {
+  CHECK(source_violations("exact/x.cpp",
+                          "#include \"numbers/a.hpp\"\n#include \"exact/b.hpp\"\n#include <touchstone/query.hpp>\n")
+            .empty());
+  CHECK(source_violations("solver/x.cpp", "#include \"oracle/oracle.hpp\"\n#include <vector>\n").empty());
+  CHECK(source_violations("numbers/x.hpp", "#include <CGAL/Mpzf.h>\n#include <gmp.h>\n").empty());
+  CHECK(source_violations("exact/x.cpp", "// #include \"solver/cascade.hpp\"\n").empty());
+}
+
+TEST_CASE("a planted violation in a public header is found") {
+  const char* text = GENERATE("#include <CGAL/Mpzf.h>\n", "#include <gmp.h>\n", "#include <mpfr.h>\n",
+                              "#include <boost/version.hpp>\n", "#include <tbb/version.h>\n", "#include <Eigen/Core>\n",
+                              "#include \"solver/cascade.hpp\"\n", "#include <touchstone/eigen.hpp>\n");
+  CAPTURE(text);
+  const auto violations = public_header_violations("solve.hpp", std::string("#include <vector>\n") + text);
+  REQUIRE(violations.size() == 1);
+  CHECK(violations[0].find("include/touchstone/solve.hpp:2:") == 0);
+  CHECK(public_header_violations("eigen.hpp", "#include <Eigen/Core>\n").empty());
+}

@@ -1,0 +1,70 @@
+// Each public header compiles by itself, in every mode that a user may compile it, without a warning.
+// SPDX-License-Identifier: MIT
+#include <string>
+
+#include "structure/include_rules.hpp"
+#include "structure/shell.hpp"
+#include "structure/source_tree.hpp"
+#include "support/catch.hpp"
+
+using namespace touchstone::structure;
+
+namespace {
+
+/// The compiler's word on a translation unit of this text.
+ShellResult compile(const std::string& text, const std::string& options) {
+  std::string command = "printf '%s\\n' " + shell_quoted(text) + " | " + shell_quoted(TOUCHSTONE_COMPILER) +
+                        " -x c++ " + options + " -I " + shell_quoted(std::string(TOUCHSTONE_SOURCE_DIR) + "/include");
+  if (!std::string(TOUCHSTONE_EIGEN_INCLUDE).empty()) command += " -isystem " + shell_quoted(TOUCHSTONE_EIGEN_INCLUDE);
+  return run_shell(command + " -");
+}
+
+const char* const kModes[] = {"-std=c++17", "-std=c++20", "-std=c++17 -O2 -ffast-math", "-std=c++20 -O2 -ffast-math"};
+const std::string kStrict = " -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -fsyntax-only";
+
+bool can_be_compiled(const std::string& header) {
+  return header != "eigen.hpp" || !std::string(TOUCHSTONE_EIGEN_INCLUDE).empty();
+}
+
+}  // namespace
+
+TEST_CASE("each public header compiles by itself") {
+  for (const auto& header : cpp_files("include/touchstone")) {
+    const std::string name = header.generic_string();
+    if (!can_be_compiled(name)) continue;
+    for (const char* mode : kModes) {
+      const ShellResult result = compile("#include <touchstone/" + name + ">", mode + kStrict);
+      INFO(name << " " << mode << "\n" << result.output);
+      CHECK(result.status == 0);
+    }
+  }
+}
+
+TEST_CASE("a header that does not compile by itself, or warns, is found") {
+  for (const char* mode : kModes) {
+    CHECK(compile("namespace touchstone { struct Ok {}; }", mode + kStrict).status == 0);
+    CHECK(compile("namespace touchstone { std::string name(); }", mode + kStrict).status != 0);
+    CHECK(compile("inline int unused(int parameter) { return 0; }", mode + kStrict).status != 0);
+    CHECK(compile("#include <touchstone/no_such_header.hpp>", mode + kStrict).status != 0);
+  }
+  CHECK(compile("template <class T> concept Any = true;", "-std=c++17" + kStrict).status != 0);
+}
+
+TEST_CASE("public headers bring no header of CGAL, GMP, MPFR or Boost along") {
+  const auto reads_number_library = [](const std::string& header) {
+    const ShellResult result = compile("#include <" + header + ">", "-std=c++17 -M");
+    INFO(result.output);
+    REQUIRE(result.status == 0);
+    for (const char* part : {"/CGAL/", "/boost/", "/gmp", "/mpfr", "/tbb/"}) {
+      if (result.output.find(part) != std::string::npos) return true;
+    }
+    return false;
+  };
+  for (const auto& header : cpp_files("include/touchstone")) {
+    CAPTURE(header.generic_string());
+    if (can_be_compiled(header.generic_string())) {
+      CHECK_FALSE(reads_number_library("touchstone/" + header.generic_string()));
+    }
+  }
+  CHECK(reads_number_library("gmp.h"));
+}
