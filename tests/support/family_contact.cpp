@@ -1,0 +1,191 @@
+// Queries with a contact at a known dyadic time and known dyadic weights, exact in doubles, and their neighbours.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "support/family_makers.hpp"
+
+namespace touchstone::tests::makers {
+namespace {
+
+// A coordinate on a lattice of spacing 2^(2 - bits) within [-4, 4].
+double grid_number(Rng& rng, int bits) {
+  const int reach = 1 << bits;
+  return std::ldexp(rng.between(-reach, reach), 2 - bits);
+}
+
+Vec3 grid_point(Rng& rng, int bits) {
+  const double x = grid_number(rng, bits);
+  const double y = grid_number(rng, bits);
+  const double z = grid_number(rng, bits);
+  return {x, y, z};
+}
+
+Moving grid_motion(Rng& rng, int bits) {
+  const Vec3 start = grid_point(rng, bits);
+  return {start, grid_point(rng, bits)};
+}
+
+// Exact when time is a small dyadic and the corners lie on a lattice.
+Vec3 position(const Moving& corner, double time) { return corner.start + time * (corner.end - corner.start); }
+
+// Barycentric coordinates in eighths, one of which (returned second) is a power of two.
+struct Weights {
+  std::array<double, 3> value{};
+  std::size_t power_of_two = 0;
+};
+
+Weights random_weights(std::size_t corners, Rng& rng, Where where) {
+  Weights weights;
+  const auto last = static_cast<int>(corners) - 1;
+  if (corners == 1 || where == Where::joint) {
+    weights.power_of_two = static_cast<std::size_t>(rng.between(0, last));
+    weights.value[weights.power_of_two] = 1;
+    return weights;
+  }
+  static constexpr std::array<std::array<double, 3>, 7> edge{
+      {{0.5, 0.5}, {0.25, 0.75}, {0.125, 0.875}, {0.5, 0.5}, {0.25, 0.75}, {1, 0}, {1, 0}}};
+  static constexpr std::array<std::array<double, 3>, 7> face{{{0.5, 0.25, 0.25},
+                                                              {0.25, 0.25, 0.5},
+                                                              {0.125, 0.5, 0.375},
+                                                              {0.5, 0.5, 0},
+                                                              {0.25, 0.75, 0},
+                                                              {1, 0, 0},
+                                                              {0.125, 0.125, 0.75}}};
+  const std::array<double, 3>& chosen = corners == 2 ? rng.pick(edge) : rng.pick(face);
+  const auto turn = static_cast<std::size_t>(rng.between(0, last));
+  for (std::size_t i = 0; i < corners; ++i) weights.value[(i + turn) % corners] = chosen[i];
+  weights.power_of_two = turn;  // the first entry of every row
+  return weights;
+}
+
+// Adds one ulp to a coordinate, up or down; of zero it makes the least subnormal.
+void move_one_ulp(double& x, Rng& rng) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  x = std::nextafter(x, rng.one_in(2) ? infinity : -infinity);
+}
+
+// Axes permuted and reflected: exact, and keeps every property of a query.
+Query turned(Query query, Rng& rng) {
+  std::array<std::size_t, 3> axes{0, 1, 2};
+  std::swap(axes[0], axes[static_cast<std::size_t>(rng.between(0, 2))]);
+  std::swap(axes[1], axes[static_cast<std::size_t>(rng.between(1, 2))]);
+  const Vec3 signs{rng.one_in(2) ? 1.0 : -1.0, rng.one_in(2) ? 1.0 : -1.0, rng.one_in(2) ? 1.0 : -1.0};
+  return mapped_corners(query, [&](const Vec3& corner) {
+    Vec3 result;
+    for (std::size_t i = 0; i < 3; ++i) {
+      coordinate(result, i) = coordinate(signs, i) * coordinate(corner, axes[i]) + 0.0;  // + 0.0: no -0.0
+    }
+    return result;
+  });
+}
+
+}  // namespace
+
+double dyadic_time(Rng& rng) {
+  const int bits = rng.between(1, 6);
+  return std::ldexp(rng.between(1, (1 << bits) - 1), -bits);
+}
+
+// Every corner is random but one, of a power-of-two weight, which is put where the weighted sums agree at `time`.
+Sample prescribed(Kind kind, Rng& rng, double time, Where where) {
+  static constexpr std::array<int, 4> widths{2, 3, 8, 17};
+  const int bits = rng.pick(widths);
+  const ElementSizes sizes = element_sizes(kind);
+  const Weights wa = random_weights(sizes.a, rng, where);
+  const Weights wb = random_weights(sizes.b, rng, where == Where::joint && rng.one_in(2) ? Where::anywhere : where);
+  std::array<Moving, 4> corners{};
+  Vec3 difference;  // the touching point on b less that on a, without the corner to be solved for
+  const std::size_t solved = wa.power_of_two;
+  for (std::size_t i = 0; i < corner_count(kind); ++i) {
+    corners[i] = grid_motion(rng, bits);
+    if (i == solved) continue;
+    const double weight = i < sizes.a ? -wa.value[i] : wb.value[i - sizes.a];
+    difference = difference + weight * position(corners[i], time);
+  }
+  const Vec3 target = (1 / wa.value[solved]) * difference;
+  const Vec3 velocity = rng.one_in(4) ? Vec3{} : grid_point(rng, bits);
+  corners[solved].start = target - time * velocity;
+  corners[solved].end = corners[solved].start + velocity;
+  return {query_of(kind, corners), time};
+}
+
+Sample chain_joint(Kind kind, Rng& rng) {
+  Sample sample = prescribed(kind, rng, dyadic_time(rng), Where::joint);
+  if (rng.one_in(2)) {
+    const auto corner = static_cast<std::size_t>(rng.between(0, static_cast<int>(corner_count(kind)) - 1));
+    auto& corners = rng.one_in(2) ? sample.query.start : sample.query.end;
+    move_one_ulp(coordinate(corners[corner], static_cast<std::size_t>(rng.between(0, 2))), rng);
+    sample.touches_at.reset();
+  }
+  return sample;
+}
+
+Query near_hit(Kind kind, Rng& rng) {
+  static constexpr std::array<double, 2> ends{0, 1};
+  const double time = rng.one_in(4) ? rng.pick(ends) : dyadic_time(rng);
+  Query query = prescribed(kind, rng, time, rng.one_in(3) ? Where::joint : Where::anywhere).query;
+  const bool zero_may_move = rng.one_in(4);
+  const int moves = rng.one_in(4) ? 2 : 1;
+  for (int done = 0, tries = 0; done < moves && tries < 100; ++tries) {
+    const auto corner = static_cast<std::size_t>(rng.between(0, static_cast<int>(corner_count(kind)) - 1));
+    auto& corners = rng.one_in(2) ? query.start : query.end;
+    double& x = coordinate(corners[corner], static_cast<std::size_t>(rng.between(0, 2)));
+    if (x == 0 && !zero_may_move) continue;
+    move_one_ulp(x, rng);
+    ++done;
+  }
+  return query;
+}
+
+// With s = k (t - time), u = (1, s, 0), w = (0, 1, s) and r = f u + g w + (c, 0, d):  V = (u x w) . r = c s^2 + d.
+// A constant c gives a double root at s = 0 when d is zero, two roots just apart when c d < 0, none when c d > 0;
+// c proportional to s with d = e s gives c' s^3 + e s, a triple root when e is zero.
+// Point-edge: u = (1, s, 0) and r = (1/2 + h s, s/2 + d, 0) give (u x r)_z = d - h s^2 in the same way.
+Sample grazing(Kind kind, Rng& rng, Graze graze) {
+  const double time = rng.between(0, 8) / 8.0;
+  const double direction = rng.one_in(2) ? 1.0 : -1.0;
+  const double speed = std::ldexp(direction, rng.between(0, 3));
+  const Linear s{-speed * time, speed * (1 - time)};
+  const Vec3 ex{1, 0, 0}, ey{0, 1, 0}, ez{0, 0, 1};
+  const double tiny = std::ldexp(1.0, -rng.between(4, 46));
+  const double sign = rng.one_in(2) ? 1.0 : -1.0;
+  const double curve = sign * 0.25;
+  const double gap = graze == Graze::apart ? -sign * tiny : graze == Graze::gone ? sign * tiny : 0;
+  const Moving origin = lattice_motion(rng, 2);
+
+  const bool triple = graze == Graze::triple;
+  const double split = rng.one_in(2) ? 0 : (rng.one_in(2) ? tiny : -tiny);
+  const Moving bend = triple ? Linear{curve * s.start, curve * s.end} * ex + Linear{split * s.start, split * s.end} * ez
+                             : fixed(curve * ex + gap * ez);
+  const Moving u = fixed(ex) + s * ey;
+  const Moving w = fixed(ey) + s * ez;
+  const double g = rng.between(1, 2) / 4.0;
+  std::optional<double> touches_at;
+  if (graze == Graze::merged || triple) touches_at = time;
+  switch (kind) {
+    case Kind::edge_edge: {
+      const Moving c = origin + rng.between(1, 3) / 4.0 * u - g * w + bend;
+      return {turned(query_of(kind, {origin, origin + u, c, c + w}), rng), touches_at};
+    }
+    case Kind::vertex_face: {
+      const Moving v = origin + 0.25 * u + g * w + bend;
+      return {turned(query_of(kind, {v, origin, origin + u, origin + w}), rng), touches_at};
+    }
+    case Kind::point_edge: {
+      const Linear height{s.start / 2 - gap, s.end / 2 - gap};
+      Moving p = origin + fixed(0.5 * ex) + Linear{curve * s.start, curve * s.end} * ex + height * ey;
+      if (triple) p = p + Linear{split * s.start, split * s.end} * ez;
+      return {turned(query_of(kind, {p, origin, origin + u, Moving{}}), rng), touches_at};
+    }
+    case Kind::point_point: {
+      const Moving q = origin + s * ex + s * ey + fixed(gap * ey);
+      return {turned(query_of(kind, {origin, q, Moving{}, Moving{}}), rng), touches_at};
+    }
+  }
+  return {};
+}
+
+}  // namespace touchstone::tests::makers

@@ -1,0 +1,56 @@
+// The generators behind query_families.hpp, one per family or per few that share a construction.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "support/motion.hpp"
+#include "support/query_families.hpp"
+#include "support/random.hpp"
+
+namespace touchstone::tests::makers {
+
+Vec3 lattice_point(Rng& rng, int reach);
+Moving lattice_motion(Rng& rng, int reach);
+
+// family_lattice.cpp
+Query lattice(Kind kind, Rng& rng, int reach);
+Query signed_zero(Kind kind, Rng& rng);
+Query static_step(Kind kind, Rng& rng);
+Query few_moving(Kind kind, Rng& rng);
+
+// family_coplanar.cpp
+Query planar_axis(Kind kind, Rng& rng);
+Query planar_general(Kind kind, Rng& rng);
+Query moving_plane(Kind kind, Rng& rng);
+Query collinear(Kind kind, Rng& rng);
+Query moving_line(Kind kind, Rng& rng);
+Query shared_corner(Kind kind, Rng& rng);
+Query parallel(Kind kind, Rng& rng);
+Query sliding(Kind kind, Rng& rng);
+Query flat(Kind kind, Rng& rng);
+
+// family_contact.cpp
+enum class Where { anywhere, joint };
+Sample prescribed(Kind kind, Rng& rng, double time, Where where);
+double dyadic_time(Rng& rng);  ///< a multiple of 1/64 strictly inside (0, 1)
+Sample chain_joint(Kind kind, Rng& rng);
+Query near_hit(Kind kind, Rng& rng);
+enum class Graze { merged, apart, gone, triple };
+Sample grazing(Kind kind, Rng& rng, Graze graze);
+
+// family_perturbed.cpp
+Query sliver(Kind kind, Rng& rng);
+Query near_rigid(Kind kind, Rng& rng);
+Query ulp_lattice(Kind kind, Rng& rng);
+Sample far_offset(Kind kind, Rng& rng);
+Query random_doubles(Kind kind, Rng& rng);
+Query simulation(Kind kind, Rng& rng);
+
+// family_scale.cpp
+Sample uniform_scale(Kind kind, Rng& rng);
+Sample axis_scale(Kind kind, Rng& rng);
+Query subnormal(Kind kind, Rng& rng);
+Query huge(Kind kind, Rng& rng);
+Query corner_scale(Kind kind, Rng& rng);
+Query mixed_scale(Kind kind, Rng& rng);
+
+}  // namespace touchstone::tests::makers

@@ -1,0 +1,137 @@
+// The registry of query families and the dispatch to their makers.
+// SPDX-License-Identifier: MIT
+#include "support/query_families.hpp"
+
+#include <sstream>
+
+#include "support/family_makers.hpp"
+
+namespace touchstone::tests {
+
+const std::vector<FamilyInfo>& families() {
+  static const std::vector<FamilyInfo> all{
+      {Family::lattice1, Group::lattice, "lattice1", "integers from -1 to 1", true},
+      {Family::lattice2, Group::lattice, "lattice2", "integers from -2 to 2", true},
+      {Family::lattice4, Group::lattice, "lattice4", "integers from -4 to 4", true},
+      {Family::signed_zero, Group::lattice, "signed_zero", "integers from -1 to 1, zeros of both signs", true},
+      {Family::static_step, Group::lattice, "static_step", "one element or both stand still", true},
+      {Family::few_moving, Group::lattice, "few_moving", "translation of all, of one element or of one corner", true},
+
+      {Family::planar_axis, Group::coplanar, "planar_axis", "motion in a plane across an axis", true},
+      {Family::planar_general, Group::coplanar, "planar_general", "motion in a plane in general position", true},
+      {Family::moving_plane, Group::coplanar, "moving_plane", "coplanar all the time in a plane that turns", true},
+      {Family::collinear, Group::coplanar, "collinear", "all corners on a line that may translate", true},
+      {Family::moving_line, Group::coplanar, "moving_line", "all corners on a line that turns", true},
+      {Family::shared_corner, Group::coplanar, "shared_corner", "one particle is a corner of both elements", true},
+      {Family::parallel, Group::coplanar, "parallel", "parallel edges, motion parallel to a face", true},
+      {Family::sliding, Group::coplanar, "sliding", "a corner slides along the other element", true},
+      {Family::flat, Group::coplanar, "flat", "zero-length edges and flat faces, always or for an instant", true},
+
+      {Family::prescribed, Group::contact, "prescribed", "contact at a dyadic time inside the step", true},
+      {Family::at_start, Group::contact, "at_start", "contact at t = 0", true},
+      {Family::at_end, Group::contact, "at_end", "contact at t = 1", true},
+      {Family::chain_joint, Group::contact, "chain_joint", "a corner is hit exactly, or one ulp beside it", false},
+      {Family::near_hit, Group::contact, "near_hit", "a contact with one coordinate moved by one ulp", false},
+      {Family::grazing_merged, Group::contact, "grazing_merged", "V has a double root, a contact", true},
+      {Family::grazing_apart, Group::contact, "grazing_apart", "V's two roots are just apart", false},
+      {Family::grazing_gone, Group::contact, "grazing_gone", "V's two roots are just gone", false},
+      {Family::triple_root, Group::contact, "triple_root", "V has a triple root, or three close ones", false},
+
+      {Family::sliver, Group::perturbed, "sliver", "a degenerate query, a few coordinates off by a little", false},
+      {Family::near_rigid, Group::perturbed, "near_rigid", "one displacement for all but rounding noise", false},
+      {Family::ulp_lattice, Group::perturbed, "ulp_lattice", "a lattice of spacing one ulp far from the origin", false},
+      {Family::far_offset, Group::perturbed, "far_offset", "a small query around 1e8 or farther", false},
+      {Family::random_doubles, Group::perturbed, "random_doubles", "full significands, one scale a query", false},
+      {Family::simulation, Group::perturbed, "simulation", "what a broad phase hands over", false},
+
+      {Family::uniform_scale, Group::scale, "uniform_scale", "any query times a power of two", false},
+      {Family::axis_scale, Group::scale, "axis_scale", "any query, each axis times a power of two", false},
+      {Family::subnormal, Group::scale, "subnormal", "subnormal coordinates", false},
+      {Family::huge, Group::scale, "huge", "coordinates up to the greatest double", false},
+      {Family::corner_scale, Group::scale, "corner_scale", "each corner times a power of two", false},
+      {Family::mixed_scale, Group::scale, "mixed_scale", "each coordinate times a power of two", false},
+  };
+  return all;
+}
+
+const FamilyInfo& info(Family family) { return families()[static_cast<std::size_t>(family)]; }
+
+Sample make_sample(Family family, Kind kind, Rng& rng) {
+  using namespace makers;
+  switch (family) {
+    case Family::lattice1: return {lattice(kind, rng, 1), {}};
+    case Family::lattice2: return {lattice(kind, rng, 2), {}};
+    case Family::lattice4: return {lattice(kind, rng, 4), {}};
+    case Family::signed_zero: return {signed_zero(kind, rng), {}};
+    case Family::static_step: return {static_step(kind, rng), {}};
+    case Family::few_moving: return {few_moving(kind, rng), {}};
+    case Family::planar_axis: return {planar_axis(kind, rng), {}};
+    case Family::planar_general: return {planar_general(kind, rng), {}};
+    case Family::moving_plane: return {moving_plane(kind, rng), {}};
+    case Family::collinear: return {collinear(kind, rng), {}};
+    case Family::moving_line: return {moving_line(kind, rng), {}};
+    case Family::shared_corner: return {shared_corner(kind, rng), 0.0};
+    case Family::parallel: return {parallel(kind, rng), {}};
+    case Family::sliding: return {sliding(kind, rng), {}};
+    case Family::flat: return {flat(kind, rng), {}};
+    case Family::prescribed: return prescribed(kind, rng, dyadic_time(rng), Where::anywhere);
+    case Family::at_start: return prescribed(kind, rng, 0, rng.one_in(3) ? Where::joint : Where::anywhere);
+    case Family::at_end: return prescribed(kind, rng, 1, rng.one_in(3) ? Where::joint : Where::anywhere);
+    case Family::chain_joint: return chain_joint(kind, rng);
+    case Family::near_hit: return {near_hit(kind, rng), {}};
+    case Family::grazing_merged: return grazing(kind, rng, Graze::merged);
+    case Family::grazing_apart: return grazing(kind, rng, Graze::apart);
+    case Family::grazing_gone: return grazing(kind, rng, Graze::gone);
+    case Family::triple_root: return grazing(kind, rng, Graze::triple);
+    case Family::sliver: return {sliver(kind, rng), {}};
+    case Family::near_rigid: return {near_rigid(kind, rng), {}};
+    case Family::ulp_lattice: return {ulp_lattice(kind, rng), {}};
+    case Family::far_offset: return far_offset(kind, rng);
+    case Family::random_doubles: return {random_doubles(kind, rng), {}};
+    case Family::simulation: return {simulation(kind, rng), {}};
+    case Family::uniform_scale: return uniform_scale(kind, rng);
+    case Family::axis_scale: return axis_scale(kind, rng);
+    case Family::subnormal: return {subnormal(kind, rng), {}};
+    case Family::huge: return {huge(kind, rng), {}};
+    case Family::corner_scale: return {corner_scale(kind, rng), {}};
+    case Family::mixed_scale: return {mixed_scale(kind, rng), {}};
+  }
+  return {};
+}
+
+Query make(Family family, Kind kind, Rng& rng) { return make_sample(family, kind, rng).query; }
+
+Rng rng_of(const CaseId& id) {
+  std::uint64_t state = id.seed;
+  std::uint64_t mixed = splitmix64(state) ^ id.index;
+  mixed = splitmix64(mixed) ^ (static_cast<std::uint64_t>(id.family) << 8 | static_cast<std::uint64_t>(id.kind));
+  return Rng(splitmix64(mixed));
+}
+
+Sample make_sample(const CaseId& id) {
+  Rng rng = rng_of(id);
+  return make_sample(id.family, id.kind, rng);
+}
+
+Query make(const CaseId& id) { return make_sample(id).query; }
+
+std::string case_name(const CaseId& id) {
+  return std::string(info(id.family).name) + " " + std::string(kind_name(id.kind)) + " " + std::to_string(id.seed) +
+         " " + std::to_string(id.index);
+}
+
+std::optional<CaseId> parse_case(std::string_view text) {
+  std::istringstream in{std::string(text)};
+  std::string family, kind;
+  std::uint64_t seed = 0, index = 0;
+  if (!(in >> family >> kind >> seed >> index)) return std::nullopt;
+  for (const FamilyInfo& candidate : families()) {
+    if (candidate.name != family) continue;
+    for (const Kind k : kKinds) {
+      if (kind_name(k) == kind) return CaseId{candidate.family, k, seed, index};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace touchstone::tests

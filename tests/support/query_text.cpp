@@ -1,0 +1,48 @@
+// Queries as hexfloats and answers as text.
+// SPDX-License-Identifier: MIT
+#include "support/query_text.hpp"
+
+#include <array>
+#include <cstdio>
+
+namespace touchstone::tests {
+namespace {
+
+std::string rows(const std::array<Vec3, 4>& corners, std::size_t count) {
+  std::string text = "{{";
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i > 0) text += ", ";
+    text += "{" + hexfloat(corners[i].x) + ", " + hexfloat(corners[i].y) + ", " + hexfloat(corners[i].z) + "}";
+  }
+  return text + "}}";
+}
+
+std::string weights_text(const std::array<double, 3>& weights) {
+  return "(" + hexfloat(weights[0]) + ", " + hexfloat(weights[1]) + ", " + hexfloat(weights[2]) + ")";
+}
+
+}  // namespace
+
+std::string hexfloat(double value) {
+  std::array<char, 40> buffer;
+  const int length = std::snprintf(buffer.data(), buffer.size(), "%a", value);
+  return std::string(buffer.data(), static_cast<std::size_t>(length));
+}
+
+std::string cpp_initializer(const Query& query) {
+  static constexpr std::array<const char*, 4> types{"EdgeEdge", "VertexFace", "PointEdge", "PointPoint"};
+  const std::size_t count = corner_count(query.kind);
+  return std::string(types[static_cast<std::size_t>(query.kind)]) + "{" + rows(query.start, count) + ",\n    " +
+         rows(query.end, count) + "}";
+}
+
+std::string describe(const Answer& answer) {
+  const std::string by = " by " + std::string(level_name(answer.level));
+  if (!answer.contact) return "no contact" + by;
+  return "contact at [" + hexfloat(answer.toi) + ", " + hexfloat(answer.toi_upper) + "] " +
+         std::string(nature_name(answer.nature)) + " " + std::string(feature_name(answer.feature_a)) + " " +
+         std::string(feature_name(answer.feature_b)) + " weights " + weights_text(answer.weights_a) + " " +
+         weights_text(answer.weights_b) + by;
+}
+
+}  // namespace touchstone::tests

@@ -1,0 +1,21 @@
+// What a failing test prints: queries as hexfloats that can be pasted into a test, answers field by field.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include <touchstone/answer.hpp>
+#include <touchstone/query.hpp>
+
+namespace touchstone::tests {
+
+/// The shortest C hexfloat of a double: "0x1.8p+1", "-0x0p+0", "inf".
+std::string hexfloat(double value);
+
+/// A C++ initializer of the query's struct: "EdgeEdge{{{{0x1p+0, ...}, ...}}, {{...}}}".
+std::string cpp_initializer(const Query& query);
+
+/// "contact at [0x1p-1, 0x1p-1] crossing a0 b weights (...) (...) by exact", or "no contact by filter".
+std::string describe(const Answer& answer);
+
+}  // namespace touchstone::tests

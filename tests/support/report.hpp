@@ -1,0 +1,77 @@
+// Collects what went wrong over thousands of seeded queries: fails the test case, prints the first few with all that is
+// needed to repeat them, counts the rest.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdlib>
+#include <string>
+
+#include "support/catch.hpp"
+#include "support/query_families.hpp"
+#include "support/query_text.hpp"
+
+// Sanitizers and debug builds are an order of magnitude slower; they run fewer of the same queries.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(NDEBUG)
+#define TOUCHSTONE_SLOW_BUILD 1
+#else
+#define TOUCHSTONE_SLOW_BUILD 0
+#endif
+
+namespace touchstone::tests {
+
+/// How many cases to run where a release build runs `count`.
+constexpr std::size_t effort(std::size_t count) {
+  return TOUCHSTONE_SLOW_BUILD ? (count + 19) / 20 : count;
+}
+
+/// The one case to run instead of all, from the environment variable TOUCHSTONE_CASE.
+inline std::optional<CaseId> chosen_case() {
+  const char* text = std::getenv("TOUCHSTONE_CASE");
+  if (text == nullptr || *text == '\0') return std::nullopt;
+  const std::optional<CaseId> id = parse_case(text);
+  if (!id) FAIL("TOUCHSTONE_CASE is not \"family kind seed index\": " << text);
+  return id;
+}
+
+class Report {
+ public:
+  /// `message` is empty when all is well.
+  void add(const CaseId& id, const Query& query, const std::string& message) {
+    ++checked_;
+    if (message.empty()) return;
+    if (++failed_ > kPrinted) return;
+    UNSCOPED_INFO("repeat this alone with TOUCHSTONE_CASE=\"" << case_name(id) << "\"");
+    FAIL_CHECK(case_name(id) << ": " << message << "\n  " << cpp_initializer(query));
+  }
+
+  std::size_t checked() const { return checked_; }
+
+  /// To be called at the end of a test case: fails when anything did, or when nothing was checked.
+  void finish() const {
+    if (failed_ > 0) FAIL_CHECK(failed_ << " of " << checked_ << " failed");
+    CHECK(checked_ > 0);
+  }
+
+ private:
+  static constexpr std::size_t kPrinted = 5;
+  std::size_t checked_ = 0;
+  std::size_t failed_ = 0;
+};
+
+/// Calls f(CaseId) for `count` cases of every kind and family that `wanted` accepts, or for the chosen case alone.
+template <typename Wanted, typename F>
+void for_each_case(std::uint64_t seed, std::size_t count, Wanted&& wanted, F&& f) {
+  if (const std::optional<CaseId> only = chosen_case()) {
+    if (only->seed == seed && wanted(info(only->family), only->kind)) f(*only);
+    return;
+  }
+  for (const FamilyInfo& family : families()) {
+    for (const Kind kind : kKinds) {
+      if (!wanted(family, kind)) continue;
+      for (std::size_t index = 0; index < effort(count); ++index) f(CaseId{family.family, kind, seed, index});
+    }
+  }
+}
+
+}  // namespace touchstone::tests
