@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "io/answer_writer.hpp"
+
+#include "io/times.hpp"
+
+namespace touchstone::io {
+
+std::string csv_field(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string field = "\"";
+  for (const char c : text) {
+    if (c == '"') field += '"';
+    field += c;
+  }
+  return field + '"';
+}
+
+void append_answer(std::string& out, std::string_view file_field, std::uint64_t query, const Answer& answer) {
+  out.append(file_field).append(",").append(std::to_string(query));
+  if (answer.contact) {
+    out.append(",1,").append(hexfloat(answer.toi)).append(",").append(hexfloat(answer.toi_upper));
+    out.append(",").append(nature_name(answer.nature));
+    out.append(",").append(feature_name(answer.feature_a));
+    out.append(",").append(feature_name(answer.feature_b));
+  } else {
+    out.append(",0,,,,,");
+  }
+  out.append(",").append(level_name(answer.level)).append("\n");
+}
+
+}  // namespace touchstone::io

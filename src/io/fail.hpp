@@ -1,0 +1,26 @@
+// How the io layer says what is wrong with a file: one line, "FILE:ROW: reason", whatever bytes the file holds.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace touchstone::io {
+
+/// @throws FileError "FILE: reason"
+[[noreturn]] void fail(std::string_view file, std::string_view reason);
+
+/// @throws FileError "FILE:ROW: reason"; rows are the file's lines, counted from 1
+[[noreturn]] void fail(std::string_view file, std::uint64_t row, std::string_view reason);
+
+/// `name` with its control characters escaped, so that a message stays one line.
+std::string printable(std::string_view name);
+
+/// 'text' in quotes for a message: control characters and bytes past ASCII escaped, cut after 40 bytes.
+std::string in_quotes(std::string_view text);
+
+/// What the operating system says of `error_number`, for example "No such file or directory".
+std::string system_reason(int error_number);
+
+}  // namespace touchstone::io

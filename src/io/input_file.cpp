@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "io/input_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <utility>
+
+#include "io/fail.hpp"
+
+namespace touchstone::io {
+namespace {
+
+void refuse_folder(const std::string& path, const struct stat& status) {
+  if (S_ISDIR(status.st_mode)) fail(path, "is a folder; name the files in it");
+}
+
+}  // namespace
+
+InputFile InputFile::open(const std::string& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) fail(path, "cannot be opened: " + system_reason(errno));
+  InputFile file(path, descriptor, {});
+  struct stat status {};
+  if (::fstat(descriptor, &status) == 0) refuse_folder(path, status);
+#ifdef POSIX_FADV_SEQUENTIAL
+  ::posix_fadvise(descriptor, 0, 0, POSIX_FADV_SEQUENTIAL);  // only a hint: a pipe refuses it
+#endif
+  return file;
+}
+
+InputFile InputFile::from_memory(std::string name, std::string_view content) { return {std::move(name), -1, content}; }
+
+std::optional<std::uint64_t> InputFile::check(const std::string& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0 || ::access(path.c_str(), R_OK) != 0) {
+    fail(path, "cannot be opened: " + system_reason(errno));
+  }
+  refuse_folder(path, status);
+  if (!S_ISREG(status.st_mode)) return std::nullopt;
+  return static_cast<std::uint64_t>(status.st_size);
+}
+
+std::size_t InputFile::read(char* to, std::size_t capacity) {
+  if (descriptor_ < 0) {
+    const std::size_t count = content_.copy(to, capacity);
+    content_.remove_prefix(count);
+    return count;
+  }
+  for (;;) {
+    const ssize_t count = ::read(descriptor_, to, capacity);
+    if (count >= 0) return static_cast<std::size_t>(count);
+    if (errno != EINTR) fail(name_, "cannot be read: " + system_reason(errno));
+  }
+}
+
+InputFile::InputFile(InputFile&& other) noexcept
+    : name_(std::move(other.name_)), descriptor_(std::exchange(other.descriptor_, -1)), content_(other.content_) {}
+
+InputFile& InputFile::operator=(InputFile&& other) noexcept {
+  std::swap(name_, other.name_);
+  std::swap(descriptor_, other.descriptor_);
+  std::swap(content_, other.content_);
+  return *this;
+}
+
+InputFile::~InputFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+}  // namespace touchstone::io

@@ -1,0 +1,46 @@
+// Where bytes come from: a file, a pipe, or text that is already in memory.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace touchstone::io {
+
+class InputFile {
+ public:
+  /// Opens a file, pipe or device for reading. @throws FileError when there is none, or it is a folder
+  static InputFile open(const std::string& path);
+
+  /// Reads `content`, which must outlive the result, as if it were a file called `name`.
+  static InputFile from_memory(std::string name, std::string_view content);
+
+  /// Everything that open() can find out without opening (a pipe can be opened only once).
+  /// @returns the size in bytes, or nothing for a pipe or device. @throws FileError as open() does
+  static std::optional<std::uint64_t> check(const std::string& path);
+
+  /// The next bytes, at most `capacity` of them, into `to`; how many there were, 0 at the end.
+  /// @throws FileError when the operating system cannot read
+  std::size_t read(char* to, std::size_t capacity);
+
+  const std::string& name() const noexcept { return name_; }
+
+  InputFile(InputFile&& other) noexcept;
+  InputFile& operator=(InputFile&& other) noexcept;
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+  ~InputFile();
+
+ private:
+  InputFile(std::string name, int descriptor, std::string_view content)
+      : name_(std::move(name)), descriptor_(descriptor), content_(content) {}
+
+  std::string name_;
+  int descriptor_;  ///< -1: reads content_
+  std::string_view content_;
+};
+
+}  // namespace touchstone::io

@@ -1,0 +1,66 @@
+// Files that appear whole or not at all.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace touchstone::io {
+
+/// Writes beside the target under a temporary name, and takes the target's place in commit(). Destroyed without a
+/// commit, it removes what it wrote: whatever stood under the target's name still stands there.
+/// A target that is a device or pipe, and standard output, are written straight away: they have nothing to replace.
+class OutputFile {
+ public:
+  /// @throws FileError when the target is a folder or nothing can be written beside it
+  explicit OutputFile(const std::string& path);
+
+  static OutputFile standard_output();
+
+  /// @throws FileError when the disk is full, the reader of a pipe has gone, and so on
+  void write(std::string_view bytes);
+
+  /// Everything is on the disk, and under the final name. @throws FileError
+  void commit();
+
+  const std::string& name() const noexcept { return name_; }
+
+  OutputFile(OutputFile&& other) noexcept;
+  OutputFile& operator=(OutputFile&&) = delete;
+  ~OutputFile();
+
+ private:
+  OutputFile() = default;
+  void flush();
+
+  std::string name_;       ///< for messages
+  std::string target_;     ///< the final name, symbolic links followed
+  std::string temporary_;  ///< empty: written straight away
+  std::string buffer_;
+  int descriptor_ = -1;
+  bool owned_ = true;
+};
+
+/// A nameless file for bytes that do not fit into memory; it vanishes with the object, or with the process.
+class SpoolFile {
+ public:
+  /// In the folder of `path`, or in the system's folder for temporary files when `path` is no regular file's.
+  explicit SpoolFile(const std::string& path);
+
+  void write(std::string_view bytes);  ///< @throws FileError
+  void copy_to(OutputFile& out);       ///< everything written so far @throws FileError
+  bool empty() const noexcept { return written_ == 0; }
+
+  SpoolFile(const SpoolFile&) = delete;
+  SpoolFile& operator=(const SpoolFile&) = delete;
+  ~SpoolFile();
+
+ private:
+  std::string name_;
+  std::string buffer_;
+  std::uint64_t written_ = 0;
+  int descriptor_ = -1;
+};
+
+}  // namespace touchstone::io

@@ -1,0 +1,50 @@
+// The queries of one chunk of a query file.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <variant>
+
+#include <touchstone/query.hpp>
+
+#include "io/query_chunks.hpp"
+
+namespace touchstone::io {
+
+/// One query of a file, with what the file claims of it.
+struct QueryRecord {
+  std::variant<Query, RationalQuery> query;  ///< rational when some coordinate is not a double
+  bool truth = false;                        ///< the file's truth column
+  std::uint64_t number = 0;                  ///< counted from 0 within the file
+  std::uint64_t first_row = 0;               ///< line number of its first row, counted from 1
+  std::uint64_t last_row = 0;
+  std::string_view text;  ///< its rows as they stand in the chunk, which must outlive it
+};
+
+class QueryParser {
+ public:
+  /// The chunk must outlive the parser.
+  explicit QueryParser(const QueryChunk& chunk);
+
+  /// The next query into `record`. @returns false after the last one
+  /// @throws FileError  naming the row of the query's first fault; there is no going on after that
+  bool next(QueryRecord& record);
+
+ private:
+  std::string_view line_at(const char* start) const noexcept;
+  void skip_to_row() noexcept;
+  void check_truth(QueryRecord& record, std::size_t row, bool truth) const;
+  [[noreturn]] void refuse_truncated(std::size_t rows) const;
+
+  const QueryChunk& chunk_;
+  const char* at_;  ///< the start of a line
+  const char* end_;
+  std::uint64_t row_;  ///< the line number of at_
+  std::uint64_t query_;
+};
+
+/// All corners as the file gives them, for reports. @param text  QueryRecord::text
+RationalQuery query_as_given(Kind kind, std::string_view text);
+
+}  // namespace touchstone::io

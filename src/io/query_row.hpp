@@ -1,0 +1,41 @@
+// One row of a query file: x_num,x_den,y_num,y_den,z_num,z_den,truth.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include <touchstone/query.hpp>
+
+namespace touchstone::io {
+
+/// More digits than this in one integer are refused. The longest denominator that a double needs, 2^1074, has 324.
+inline constexpr std::size_t kMostDigits = 4096;
+
+/// A row whose coordinates are doubles.
+struct DoubleRow {
+  Vec3 corner;
+  bool truth = false;
+};
+
+/// Reads the row at `text` when it is of the usual sort: no blanks, coordinates that are doubles, numerators of at
+/// most 2^53 in lowest terms and denominators of at most 38 digits. @returns where the next line starts, or nullptr
+/// when the row is of another sort, damaged ones included. Eight bytes past the end of the line must be readable, and
+/// the last line must be followed by a zero byte.
+const char* read_usual_row(const char* text, DoubleRow& row) noexcept;
+
+/// Any well-formed row, as text.
+struct RowFields {
+  std::array<Fraction, 3> corner;
+  bool truth = false;
+};
+
+/// Takes a line (with or without its '\r') apart and checks all of it: seven columns, decimal integers with an optional
+/// '-' and blanks around them, positive denominators, truth 0 or 1. A sign on a denominator, a leading '+', decimal
+/// points and exponents are refused: whoever wrote them meant another format.
+/// @returns nothing when the line is not such a row; `reason` then says why
+std::optional<RowFields> read_row(std::string_view line, std::string& reason);
+
+}  // namespace touchstone::io
