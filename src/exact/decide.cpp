@@ -1,0 +1,163 @@
+// The first contact, all contacts, and their story.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <utility>
+
+#include "exact/corners.hpp"
+#include "exact/elements.hpp"
+#include "exact/exact.hpp"
+#include "exact/exact_times.hpp"
+
+namespace touchstone::exact {
+namespace {
+
+/// Times in [0, limit] among which are all ends of touching intervals, ascending and distinct; both ends included.
+/// For elements that are coplanar at all times or have no coplanarity cubic.
+template <class Elements>
+std::vector<RealRoot> candidate_times(const Elements& elements, const Exact& limit) {
+  std::vector<RealRoot> times = {RealRoot::rational(Exact(0), Exact(1), 1)};
+  for (const Quadratic& event : elements.events()) {
+    const numbers::RootList roots = numbers::isolate_roots(event, limit);
+    for (int i = 0; i < roots.size(); ++i) times.push_back(roots[i]);
+  }
+  times.push_back(RealRoot::rational(limit, Exact(1), 1));
+  std::sort(times.begin(), times.end(), [](const RealRoot& a, const RealRoot& b) { return a.compare(b) < 0; });
+  times.erase(std::unique(times.begin(), times.end(), [](const RealRoot& a, const RealRoot& b) { return a.compare(b) == 0; }),
+              times.end());
+  return times;
+}
+
+template <class Elements>
+const Cubic* nonzero_cubic(const Elements& elements) {
+  if constexpr (Elements::kHasCubic) {
+    if (!numbers::is_zero(elements.coplanarity())) return &elements.coplanarity();
+  }
+  return nullptr;
+}
+
+CandidateStory* new_chapter(Story* story, const RealRoot& root, int multiplicity) {
+  if (story == nullptr) return nullptr;
+  CandidateStory& chapter = story->candidates.emplace_back();
+  chapter.lower = root.lower();
+  chapter.upper = root.upper();
+  chapter.time = root.to_string();
+  chapter.multiplicity = multiplicity;
+  return &chapter;
+}
+
+template <class Elements>
+bool touching_at(const Elements& elements, const RealRoot& root, CandidateStory* chapter) {
+  const bool touching = elements.touching(Moment::at(root, chapter != nullptr ? &chapter->conditions : nullptr));
+  if (chapter != nullptr) chapter->touching = touching;
+  return touching;
+}
+
+template <class Elements>
+Answer contact_at(const Elements& elements, const RealRoot& root, Nature nature) {
+  Answer answer;
+  answer.contact = true;
+  answer.nature = nature;
+  answer.toi = root.lower();
+  answer.toi_upper = root.upper();
+  elements.locate(root, answer);
+  return answer;
+}
+
+template <class Elements>
+Answer first_contact(const Elements& elements, const Exact& limit, Story* story) {
+  if (const Cubic* cubic = nonzero_cubic(elements)) {
+    const numbers::RootList roots = numbers::isolate_roots(*cubic, limit);
+    for (int i = 0; i < roots.size(); ++i) {
+      const RealRoot& root = roots[i];
+      if (touching_at(elements, root, new_chapter(story, root, root.multiplicity()))) {
+        return contact_at(elements, root, root.multiplicity() % 2 == 1 ? Nature::crossing : Nature::grazing);
+      }
+    }
+    return Answer();
+  }
+  const auto nature_at = [&](const RealRoot& root) {
+    const bool lasts = root.compare(limit) < 0 && elements.touching(Moment::just_after(root));
+    return lasts ? Nature::sustained : Nature::isolated;
+  };
+  const RealRoot start = RealRoot::rational(Exact(0), Exact(1), 1);
+  if (story == nullptr && touching_at(elements, start, nullptr)) return contact_at(elements, start, nature_at(start));
+  for (const RealRoot& root : candidate_times(elements, limit)) {
+    if (touching_at(elements, root, new_chapter(story, root, 0))) return contact_at(elements, root, nature_at(root));
+  }
+  return Answer();
+}
+
+template <class Elements>
+std::vector<RootInterval> all_contacts(const Elements& elements, const Exact& limit) {
+  std::vector<RootInterval> intervals;
+  if (const Cubic* cubic = nonzero_cubic(elements)) {
+    const numbers::RootList roots = numbers::isolate_roots(*cubic, limit);
+    for (int i = 0; i < roots.size(); ++i) {
+      if (elements.touching(Moment::at(roots[i]))) intervals.push_back({roots[i], roots[i]});
+    }
+    return intervals;
+  }
+  // Between neighbouring candidates the elements touch always or never.
+  bool lasting = false;
+  for (const RealRoot& root : candidate_times(elements, limit)) {
+    if (lasting) {
+      intervals.back().last = root;  // the set is closed
+    } else if (elements.touching(Moment::at(root))) {
+      intervals.push_back({root, root});
+    } else {
+      continue;
+    }
+    lasting = root.compare(limit) < 0 && elements.touching(Moment::just_after(root));
+  }
+  return intervals;
+}
+
+template <class Elements>
+void describe(const Elements& elements, Story& story) {
+  if constexpr (Elements::kHasCubic) {
+    story.has_cubic = true;
+    for (const Exact& c : elements.coplanarity().c) story.coefficients.push_back(numbers::to_string(c));
+    story.why = numbers::is_zero(elements.coplanarity())
+                    ? "V is identically zero: the corners are coplanar at all times, and touching may begin only where a "
+                      "corner of one element meets the border of the other"
+                    : "contact is possible only at the roots of V";
+  } else {
+    story.why = "this kind has no coplanarity cubic: touching may begin only where the point meets the line or the ends "
+                "of the other element";
+  }
+}
+
+template <class Q>
+Story tell(const Q& query, double t_max) {
+  return with_elements(query, [&](const auto& elements) {
+    Story story;
+    describe(elements, story);
+    story.answer = first_contact(elements, Exact(t_max), &story);
+    return story;
+  });
+}
+
+template <class Q>
+Answer decide_any(const Q& query, double t_max) {
+  return with_elements(query, [&](const auto& elements) { return first_contact(elements, Exact(t_max), nullptr); });
+}
+
+template <class Q>
+std::vector<RootInterval> touching_times_of_any(const Q& query, double t_max) {
+  return with_elements(query, [&](const auto& elements) { return all_contacts(elements, Exact(t_max)); });
+}
+
+}  // namespace
+
+Answer decide(const Query& query, double t_max) { return decide_any(query, t_max); }
+Answer decide(const RationalQuery& query, double t_max) { return decide_any(query, t_max); }
+
+Story explain(const Query& query, double t_max) { return tell(query, t_max); }
+Story explain(const RationalQuery& query, double t_max) { return tell(query, t_max); }
+
+std::vector<RootInterval> touching_times(const Query& query, double t_max) { return touching_times_of_any(query, t_max); }
+std::vector<RootInterval> touching_times(const RationalQuery& query, double t_max) {
+  return touching_times_of_any(query, t_max);
+}
+
+}  // namespace touchstone::exact

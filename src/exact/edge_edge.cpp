@@ -1,0 +1,130 @@
+// Edge a0 a1 against edge b0 b1: u = a1 - a0, w = b1 - b0, r = b0 - a0, n = u x w, V = n . r.
+// SPDX-License-Identifier: MIT
+#include "exact/elements.hpp"
+#include "exact/vectors_at.hpp"
+
+namespace touchstone::exact {
+
+using geometry::cross;
+using geometry::cross_component;
+using geometry::dot;
+
+EdgeEdgeElements::EdgeEdgeElements(const std::array<Point, 4>& corners)
+    : corners_(corners),
+      u_(corners[1] - corners[0]),
+      w_(corners[3] - corners[2]),
+      r_(corners[2] - corners[0]),
+      n_(cross(u_, w_)),
+      coplanarity_(dot(n_, r_)) {}
+
+const PointOnEdge& EdgeEdgeElements::pair(Pair which) const {
+  static constexpr PointOnEdge::Names names[] = {{"(a0 - b0) x (b1 - b0)", "(a0 - b0) . (a0 - b1)"},
+                                                 {"(a1 - b0) x (b1 - b0)", "(a1 - b0) . (a1 - b1)"},
+                                                 {"(b0 - a0) x (a1 - a0)", "(b0 - a0) . (b0 - a1)"},
+                                                 {"(b1 - a0) x (a1 - a0)", "(b1 - a0) . (b1 - a1)"}};
+  std::optional<PointOnEdge>& made = pairs_[which];
+  if (!made) {
+    const bool on_b = which == a0_on_b || which == a1_on_b;
+    made.emplace(corners_[which], corners_[on_b ? 2 : 0], corners_[on_b ? 3 : 1], names[which]);
+  }
+  return *made;
+}
+
+bool EdgeEdgeElements::touching(const Moment& moment) const {
+  const auto [k, s] = nonzero_axis(n_, moment, "n");
+  if (k < 0) {  // parallel or of zero length: they touch exactly when some corner lies on the other edge
+    return pair(a0_on_b).touching(moment) || pair(a1_on_b).touching(moment) || pair(b0_on_a).touching(moment) ||
+           pair(b1_on_a).touching(moment);
+  }
+  // The lines meet at f1 = (r x w)_k / n_k on the first edge and f2 = (r x u)_k / n_k on the second; each in [0, 1].
+  const std::size_t axis = static_cast<std::size_t>(k);
+  const Quadratic f1 = cross_component(r_, w_, axis);
+  if (s * moment.sign(f1, "(r x w)", k) < 0) return false;
+  if (s * moment.sign(n_[axis] - f1, "n - (r x w)", k) < 0) return false;
+  const Quadratic f2 = cross_component(r_, u_, axis);
+  if (s * moment.sign(f2, "(r x u)", k) < 0) return false;
+  return s * moment.sign(n_[axis] - f2, "n - (r x u)", k) >= 0;
+}
+
+void EdgeEdgeElements::locate(const RealRoot& root, Answer& answer) const {
+  const int k = nonzero_axis(n_, Moment::at(root), "n").axis;
+  if (k < 0) return locate_parallel(root, answer);
+  const std::size_t axis = static_cast<std::size_t>(k);
+  const auto place = [&](const Quadratic& f, Feature corner0, Feature corner1, Feature interior, Feature& feature) {
+    if (root.sign_at(f) == 0) {
+      feature = corner0;
+      return std::array<double, 3>{1, 0, 0};
+    }
+    if (root.sign_at(n_[axis] - f) == 0) {
+      feature = corner1;
+      return std::array<double, 3>{0, 1, 0};
+    }
+    feature = interior;
+    const double weight = root.quotient(f, n_[axis]);
+    return std::array<double, 3>{1 - weight, weight, 0};
+  };
+  answer.weights_a = place(cross_component(r_, w_, axis), Feature::a0, Feature::a1, Feature::a, answer.feature_a);
+  answer.weights_b = place(cross_component(r_, u_, axis), Feature::b0, Feature::b1, Feature::b, answer.feature_b);
+}
+
+void EdgeEdgeElements::locate_parallel(const RealRoot& root, Answer& answer) const {
+  static constexpr Feature a_features[] = {Feature::a0, Feature::a1, Feature::a};
+  static constexpr Feature b_features[] = {Feature::b0, Feature::b1, Feature::b};
+  const bool a_is_point = vanishes(u_, root);
+  const bool b_is_point = vanishes(w_, root);
+  if (a_is_point) {
+    answer.feature_a = Feature::a0;
+    answer.weights_a = {1, 0, 0};
+    answer.feature_b = b_features[pair(a0_on_b).place(root)];  // b0 when the second edge is a point, too
+    answer.weights_b = pair(a0_on_b).weights(root);
+    return;
+  }
+  if (b_is_point) {
+    answer.feature_b = Feature::b0;
+    answer.weights_b = {1, 0, 0};
+    answer.feature_a = a_features[pair(b0_on_a).place(root)];
+    answer.weights_a = pair(b0_on_a).weights(root);
+    return;
+  }
+  // Both have a length, and they are collinear: they share one point iff a corner of one is a corner of the other and
+  // they leave it in opposite directions; a longer part otherwise.
+  for (const Pair a_corner : {a0_on_b, a1_on_b}) {
+    const PointOnEdge& corner = pair(a_corner);
+    if (!corner.touching(Moment::at(root))) continue;
+    const int b_place = corner.place(root);
+    if (b_place == 2) break;
+    // Directions away from the shared corner: +-u and +-w.
+    const int direction = root.sign_at(dot(u_, w_)) * (a_corner == a0_on_b ? 1 : -1) * (b_place == 0 ? 1 : -1);
+    if (direction > 0) break;
+    answer.feature_a = a_features[a_corner];
+    answer.feature_b = b_features[b_place];
+    answer.weights_a = a_corner == a0_on_b ? std::array<double, 3>{1, 0, 0} : std::array<double, 3>{0, 1, 0};
+    answer.weights_b = corner.weights(root);
+    return;
+  }
+  locate_overlap(root, answer);
+}
+
+/// The lexicographically smallest weights (a0, a1, b0, b1): the end of the shared part that is farthest along a.
+void EdgeEdgeElements::locate_overlap(const RealRoot& root, Answer& answer) const {
+  answer.feature_a = answer.feature_b = Feature::overlap;
+  if (pair(a1_on_b).touching(Moment::at(root))) {
+    answer.weights_a = {0, 1, 0};
+    answer.weights_b = pair(a1_on_b).weights(root);
+    return;
+  }
+  // The shared part ends at the corner of b that lies farther along a; the other one may be beyond a0.
+  const bool same_direction = root.sign_at(dot(u_, w_)) > 0;
+  answer.weights_a = pair(same_direction ? b1_on_a : b0_on_a).weights(root);
+  answer.weights_b = same_direction ? std::array<double, 3>{0, 1, 0} : std::array<double, 3>{1, 0, 0};
+}
+
+std::vector<Quadratic> EdgeEdgeElements::events() const {
+  // While coplanar, two edges start or stop touching only where a corner of one lies on the other: a crossing of both
+  // interiors at n != 0 persists.
+  std::vector<Quadratic> events;
+  for (const Pair which : {a0_on_b, a1_on_b, b0_on_a, b1_on_a}) pair(which).append_events(events);
+  return events;
+}
+
+}  // namespace touchstone::exact

@@ -1,0 +1,21 @@
+// All touching times with exact ends: what contact_times is made of. SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include <touchstone/query.hpp>
+
+#include "numbers/real_root.hpp"
+
+namespace touchstone::exact {
+
+struct RootInterval {
+  numbers::RealRoot first;
+  numbers::RealRoot last;
+};
+
+/// The set of touching times in [0, t_max], ascending and disjoint. Preconditions as for decide.
+std::vector<RootInterval> touching_times(const Query& query, double t_max);
+std::vector<RootInterval> touching_times(const RationalQuery& query, double t_max);
+
+}  // namespace touchstone::exact

@@ -1,0 +1,92 @@
+// Vertex v against triangle f0 f1 f2: u = f1 - f0, w = f2 - f0, r = v - f0, n = u x w, V = n . r.
+// SPDX-License-Identifier: MIT
+#include "exact/elements.hpp"
+#include "exact/vectors_at.hpp"
+
+namespace touchstone::exact {
+
+using geometry::cross;
+using geometry::cross_component;
+using geometry::dot;
+
+VertexFaceElements::VertexFaceElements(const std::array<Point, 4>& corners)
+    : corners_(corners),
+      u_(corners[2] - corners[1]),
+      w_(corners[3] - corners[1]),
+      r_(corners[0] - corners[1]),
+      n_(cross(u_, w_)),
+      coplanarity_(dot(n_, r_)) {}
+
+const PointOnEdge& VertexFaceElements::side(std::size_t which) const {
+  static constexpr PointOnEdge::Names names[] = {{"(v - f0) x (f1 - f0)", "(v - f0) . (v - f1)"},
+                                                 {"(v - f1) x (f2 - f1)", "(v - f1) . (v - f2)"},
+                                                 {"(v - f2) x (f0 - f2)", "(v - f2) . (v - f0)"}};
+  std::optional<PointOnEdge>& made = sides_[which];
+  if (!made) made.emplace(corners_[0], corners_[1 + which], corners_[1 + (which + 1) % 3], names[which]);
+  return *made;
+}
+
+bool VertexFaceElements::touching(const Moment& moment) const {
+  const auto [k, s] = nonzero_axis(n_, moment, "n");
+  if (k < 0) return side(0).touching(moment) || side(1).touching(moment) || side(2).touching(moment);
+  // r = w1 u + w2 w with w1 = (r x w)_k / n_k and w2 = (u x r)_k / n_k; inside iff w1, w2 and 1 - w1 - w2 are >= 0.
+  const std::size_t axis = static_cast<std::size_t>(k);
+  const Quadratic w1 = cross_component(r_, w_, axis);
+  if (s * moment.sign(w1, "(r x w)", k) < 0) return false;
+  const Quadratic w2 = cross_component(u_, r_, axis);
+  if (s * moment.sign(w2, "(u x r)", k) < 0) return false;
+  return s * moment.sign(n_[axis] - w1 - w2, "n - (r x w) - (u x r)", k) >= 0;
+}
+
+void VertexFaceElements::locate(const RealRoot& root, Answer& answer) const {
+  answer.feature_a = Feature::v;
+  answer.weights_a = {1, 0, 0};
+  const int k = nonzero_axis(n_, Moment::at(root), "n").axis;
+  if (k < 0) return locate_flat(root, answer);
+  const std::size_t axis = static_cast<std::size_t>(k);
+  const Quadratic w1 = cross_component(r_, w_, axis);
+  const Quadratic w2 = cross_component(u_, r_, axis);
+  const Quadratic weights[3] = {n_[axis] - w1 - w2, w1, w2};
+  unsigned support = 0;  // bit i: weight i is positive
+  for (unsigned i = 0; i < 3; ++i) {
+    if (root.sign_at(weights[i]) != 0) support |= 1U << i;
+  }
+  static constexpr Feature by_support[8] = {Feature::none, Feature::f0,  Feature::f1,  Feature::f01,
+                                            Feature::f2,   Feature::f20, Feature::f12, Feature::f};
+  answer.feature_b = by_support[support];
+  for (unsigned i = 0; i < 3; ++i) {
+    if ((support & (1U << i)) != 0) {
+      answer.weights_b[i] = support == 1U << i ? 1.0 : root.quotient(weights[i], n_[axis]);
+    }
+  }
+}
+
+void VertexFaceElements::locate_flat(const RealRoot& root, Answer& answer) const {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (side(i).place(root) == 0) {
+      static constexpr Feature corners[] = {Feature::f0, Feature::f1, Feature::f2};
+      answer.feature_b = corners[i];
+      answer.weights_b[i] = 1;
+      return;
+    }
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (side(i).touching(Moment::at(root))) {
+      static constexpr Feature edges[] = {Feature::f01, Feature::f12, Feature::f20};
+      answer.feature_b = edges[i];
+      const std::array<double, 3> along = side(i).weights(root);
+      answer.weights_b[i] = along[0];
+      answer.weights_b[(i + 1) % 3] = along[1];
+      return;
+    }
+  }
+}
+
+std::vector<Quadratic> VertexFaceElements::events() const {
+  // While coplanar, touching starts or stops only on the border of the triangle.
+  std::vector<Quadratic> events;
+  for (std::size_t i = 0; i < 3; ++i) side(i).append_events(events);
+  return events;
+}
+
+}  // namespace touchstone::exact

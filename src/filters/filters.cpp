@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "filters/filters.hpp"
+
+#include "filters/same_side.hpp"
+#include "filters/separating_direction.hpp"
+
+namespace touchstone::filters {
+namespace {
+
+Vector difference(const Vec3& a, const Vec3& b) noexcept { return {{a.x - b.x, a.y - b.y, a.z - b.z}}; }
+
+/// Edge-edge: u = a1 - a0, w = b1 - b0, r = b0 - a0. Vertex-face: u = f1 - f0, w = f2 - f0, r = v - f0.
+Frame frame_of(const Query& q) noexcept {
+  if (q.kind == Kind::edge_edge) {
+    return {difference(q.start[1], q.start[0]), difference(q.start[3], q.start[2]), difference(q.start[2], q.start[0]),
+            difference(q.end[1], q.end[0]),     difference(q.end[3], q.end[2]),     difference(q.end[2], q.end[0])};
+  }
+  return {difference(q.start[2], q.start[1]), difference(q.start[3], q.start[1]), difference(q.start[0], q.start[1]),
+          difference(q.end[2], q.end[1]),     difference(q.end[3], q.end[1]),     difference(q.end[0], q.end[1])};
+}
+
+}  // namespace
+
+Proof separation_proof(const Query& query) noexcept {
+  const bool has_cubic = query.kind == Kind::edge_edge || query.kind == Kind::vertex_face;
+  if (has_cubic && same_side_all_along(frame_of(query))) return Proof::same_side;
+  if (boxes_disjoint(query)) return Proof::boxes;
+  const RelativeCorners corners = relative_corners(query);
+  if (separates(corners, between_closest_points(corners, query.kind))) return Proof::closest_points;
+  if (has_cubic && separates(corners, normal_at_mid_step(corners, query.kind))) return Proof::normal;
+  if (separates(corners, between_centres(corners))) return Proof::centres;
+  return Proof::none;
+}
+
+}  // namespace touchstone::filters

@@ -1,0 +1,16 @@
+// Rational coordinates brought to integers. SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "numbers/exact_number.hpp"
+
+namespace touchstone::numbers {
+
+/// The fractions (numerator, denominator) times the least common multiple of their denominators: integers in the
+/// fractions' proportions. Texts are decimal integers and no denominator is zero.
+std::vector<Exact> over_common_denominator(const std::vector<std::pair<std::string_view, std::string_view>>& fractions);
+
+}  // namespace touchstone::numbers

@@ -1,0 +1,46 @@
+// Polynomials in t of small, fixed formal degree over any ring: the coefficient of t^i is c[i]. The formal degree is
+// an upper bound; leading coefficients may be zero.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace touchstone::numbers {
+
+template <class R, int Degree>
+struct Polynomial {
+  std::array<R, Degree + 1> c;
+
+  const R& operator[](int i) const { return c[static_cast<std::size_t>(i)]; }
+  R& operator[](int i) { return c[static_cast<std::size_t>(i)]; }
+};
+
+template <class R, int D>
+Polynomial<R, D> operator+(const Polynomial<R, D>& p, const Polynomial<R, D>& q) {
+  Polynomial<R, D> sum;
+  for (int i = 0; i <= D; ++i) sum[i] = p[i] + q[i];
+  return sum;
+}
+
+template <class R, int D>
+Polynomial<R, D> operator-(const Polynomial<R, D>& p, const Polynomial<R, D>& q) {
+  Polynomial<R, D> difference;
+  for (int i = 0; i <= D; ++i) difference[i] = p[i] - q[i];
+  return difference;
+}
+
+template <class R, int D, int E>
+Polynomial<R, D + E> operator*(const Polynomial<R, D>& p, const Polynomial<R, E>& q) {
+  Polynomial<R, D + E> product;
+  for (int k = 0; k <= D + E; ++k) {
+    const int first = k > E ? k - E : 0;
+    const int last = k < D ? k : D;
+    R sum = p[first] * q[k - first];
+    for (int i = first + 1; i <= last; ++i) sum = sum + p[i] * q[k - i];
+    product[k] = sum;
+  }
+  return product;
+}
+
+}  // namespace touchstone::numbers

@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: MIT
+#include "numbers/real_root.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+
+namespace touchstone::numbers {
+namespace {
+
+constexpr int kMaxSize = 6;  // coefficients of p'q for two cubics
+
+Exact evaluate(Coefficients q, const Exact& t) {
+  Exact value = q.c[q.size - 1];
+  for (int i = q.size - 2; i >= 0; --i) value = value * t + q.c[i];
+  return value;
+}
+
+/// The sign of q(numerator / denominator), denominator > 0.
+int sign_at_rational(Coefficients q, const Exact& numerator, const Exact& denominator) {
+  if (is_zero(numerator)) return sign_of(q.c[0]);
+  Exact value = q.c[q.size - 1];
+  Exact power = denominator;
+  for (int i = q.size - 2; i >= 0; --i) {
+    value = value * numerator + q.c[i] * power;
+    if (i > 0) power = power * denominator;
+  }
+  return sign_of(value);
+}
+
+/// A polynomial whose leading coefficient is not zero; empty for the zero polynomial.
+struct Dense {
+  std::array<Exact, kMaxSize> c;
+  int size = 0;
+
+  Dense() = default;
+  explicit Dense(Coefficients q) : size(q.size) {
+    for (int i = 0; i < size; ++i) c[static_cast<std::size_t>(i)] = q.c[i];
+    trim();
+  }
+  void trim() {
+    while (size > 0 && is_zero(c[static_cast<std::size_t>(size - 1)])) --size;
+  }
+  const Exact& leading() const { return c[static_cast<std::size_t>(size - 1)]; }
+  int sign_at(const Exact& t) const { return size == 0 ? 0 : sign_of(evaluate({c.data(), size}, t)); }
+};
+
+/// A positive multiple of the remainder of a by b, b not zero.
+Dense positive_remainder(Dense a, const Dense& b) {
+  const bool negative = sign_of(b.leading()) < 0;
+  const Exact scale = negative ? -b.leading() : b.leading();
+  while (a.size >= b.size) {
+    const Exact factor = negative ? -a.leading() : a.leading();
+    const int shift = a.size - b.size;
+    for (int i = 0; i < a.size - 1; ++i) {
+      Exact& target = a.c[static_cast<std::size_t>(i)];
+      target = target * scale;
+      if (i >= shift) target = target - factor * b.c[static_cast<std::size_t>(i - shift)];
+    }
+    --a.size;
+    a.trim();
+  }
+  return a;
+}
+
+Dense product_with_derivative(Coefficients p, const Dense& q) {
+  Dense product;
+  product.size = p.size - 1 + q.size - 1;
+  for (int i = 1; i < p.size; ++i) {
+    const Exact derivative = p.c[i] * Exact(i);
+    for (int j = 0; j < q.size; ++j) {
+      Exact& target = product.c[static_cast<std::size_t>(i - 1 + j)];
+      target = target + derivative * q.c[static_cast<std::size_t>(j)];
+    }
+  }
+  product.trim();
+  return product;
+}
+
+std::string hexfloat(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%a", x);
+  return text;
+}
+
+}  // namespace
+
+RealRoot RealRoot::rational(const Exact& numerator, const Exact& denominator, int multiplicity) {
+  RealRoot root;
+  root.is_rational_ = true;
+  root.multiplicity_ = multiplicity;
+  const bool negate = sign_of(denominator) < 0;
+  root.numerator_ = negate ? -numerator : numerator;
+  root.denominator_ = negate ? -denominator : denominator;
+  root.find_neighbouring_doubles();
+  return root;
+}
+
+RealRoot RealRoot::isolated(Coefficients p, const Exact& low, const Exact& high, int sign_low) {
+  RealRoot root;
+  root.degree_ = p.size - 1;
+  std::copy(p.c, p.c + p.size, root.p_.begin());
+  root.low_ = low;
+  root.high_ = high;
+  root.sign_low_ = sign_low;
+  root.find_neighbouring_doubles();
+  return root;
+}
+
+int RealRoot::compare(const Exact& value) const {
+  if (is_rational_) return sign_of(numerator_ - value * denominator_);
+  if (value <= low_) return 1;
+  if (value >= high_) return -1;
+  const int sign = sign_of(evaluate({p_.data(), degree_ + 1}, value));
+  return sign == 0 ? 0 : sign == sign_low_ ? 1 : -1;
+}
+
+int RealRoot::compare(const RealRoot& other) const {
+  if (upper_ < other.lower_) return -1;
+  if (lower_ > other.upper_) return 1;
+  if (other.is_rational_) {
+    if (is_rational_) return sign_of(numerator_ * other.denominator_ - other.numerator_ * denominator_);
+    return -other.compare(*this);
+  }
+  // The other is the only root of its polynomial in its interval: find the side of it on which this root lies.
+  if (compare(other.low_) <= 0) return -1;
+  if (compare(other.high_) >= 0) return 1;
+  const int sign = sign_at({other.p_.data(), other.degree_ + 1});
+  return sign == 0 ? 0 : sign == other.sign_low_ ? -1 : 1;
+}
+
+/// A double near the root, by safeguarded Newton iteration in doubles; only a hint.
+double RealRoot::estimate() const {
+  if (is_rational_) return approximate_quotient(numerator_, denominator_);
+  std::array<Approximation, 4> terms;
+  long largest = 0;
+  bool any = false;
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(degree_); ++i) {
+    terms[i] = approximate(p_[i]);
+    if (terms[i].significand != 0 && (!any || terms[i].exponent > largest)) largest = terms[i].exponent;
+    any = any || terms[i].significand != 0;
+  }
+  std::array<double, 4> c{};
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(degree_); ++i) {
+    const long exponent = std::max(terms[i].exponent - largest, -2000L);
+    c[i] = std::ldexp(terms[i].significand, static_cast<int>(exponent));
+  }
+  double low = low_.to_double();
+  double high = high_.to_double();
+  double t = 0.5 * (low + high);
+  double slope = 0;
+  constexpr int kIterations = 50;
+  for (int i = 0; i < kIterations; ++i) {
+    const double value = ((c[3] * t + c[2]) * t + c[1]) * t + c[0];
+    slope = (3 * c[3] * t + 2 * c[2]) * t + c[1];
+    if ((value < 0) == (sign_low_ < 0)) {
+      low = t;
+    } else {
+      high = t;
+    }
+    double next = t - value / slope;
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    const bool converged = std::fabs(next - t) <= 0x1p-52 * t;
+    t = next;
+    if (converged) break;
+  }
+  // One Newton step with the exact residual makes up for the rounding of the coefficients.
+  const Approximation residual = approximate(evaluate({p_.data(), degree_ + 1}, Exact(t)));
+  if (residual.exponent - largest > -2000 && residual.exponent - largest < 2000) {
+    const double better = t - std::ldexp(residual.significand, static_cast<int>(residual.exponent - largest)) / slope;
+    if (better >= low_.to_double() && better <= high_.to_double()) t = better;
+  }
+  return t;
+}
+
+void RealRoot::find_neighbouring_doubles() {
+  // Doubles >= 0 are ordered as their bit patterns: `below` <= root <= `above`, one probe at a time.
+  const auto settle = [this](double time) {
+    lower_ = upper_ = time;
+    if (!is_rational_) become_rational(Exact(time));
+  };
+  if (is_rational_ && is_zero(numerator_)) return settle(0.0);
+  if (is_rational_ && numerator_ == denominator_) return settle(1.0);
+  std::uint64_t below = std::bit_cast<std::uint64_t>(0.0);
+  std::uint64_t above = std::bit_cast<std::uint64_t>(1.0);
+  const double hint = estimate();
+  std::uint64_t probe = hint > 0 && hint < 1 ? std::bit_cast<std::uint64_t>(hint) : below + (above - below) / 2;
+  std::uint64_t stride = 1;
+  int previous = 0;
+  while (above - below > 1) {
+    probe = std::clamp(probe, below + 1, above - 1);
+    const double time = std::bit_cast<double>(probe);
+    const int side = compare(Exact(time));
+    if (side == 0) return settle(time);
+    (side > 0 ? below : above) = probe;
+    // Gallop away from the hint until the root is passed, then bisect.
+    if (previous != 0 && side != previous) stride = 0;
+    previous = side;
+    if (stride == 0) {
+      probe = below + (above - below) / 2;
+    } else {
+      probe = side > 0 ? (above - probe > stride ? probe + stride : above) : (probe - below > stride ? probe - stride : below);
+      stride *= 2;
+    }
+  }
+  lower_ = std::bit_cast<double>(below);
+  upper_ = std::bit_cast<double>(above);
+  if (!is_rational_) {
+    if (Exact(lower_) > low_) low_ = Exact(lower_);
+    if (Exact(upper_) < high_) high_ = Exact(upper_);
+  }
+}
+
+void RealRoot::become_rational(const Exact& value) {
+  is_rational_ = true;
+  numerator_ = value;
+  denominator_ = Exact(1);
+}
+
+/// Whether q's Bernstein coefficients over the bracket all have one strict sign, which is then q's sign at the root.
+bool RealRoot::sign_over_bracket(Coefficients q, int& sign) const {
+  sign = sign_of(evaluate(q, low_));
+  if (sign == 0 || sign_of(evaluate(q, high_)) != sign) return false;
+  if (q.size <= 2) return true;
+  if (q.size > 3) return false;  // only quadratics are asked often
+  const Exact middle = Exact(2) * q.c[0] + q.c[1] * (low_ + high_) + Exact(2) * q.c[2] * low_ * high_;
+  return sign_of(middle) == sign;
+}
+
+/// Sturm-Tarski: over (low, high) the signed remainder sequence of (p, p'q) loses as many sign variations as the sum of
+/// the signs of q at the distinct roots of p there (Basu, Pollack, Roy, Algorithms in Real Algebraic Geometry, 2.61).
+/// There is one root, so the sum is the sign. The sequence may start with p'q mod p in place of p'q: the entries
+/// p, p'q, -p have one variation at either end.
+int RealRoot::sign_by_remainders(Coefficients q) const {
+  const Coefficients p(p_.data(), degree_ + 1);
+  const Dense dense_p(p);
+  const Dense reduced = positive_remainder(Dense(q), dense_p);
+  if (reduced.size == 0) return 0;
+  int variations = 0;  // at low minus at high
+  int previous_low = sign_low_;
+  int previous_high = -sign_low_;
+  Dense first = dense_p;
+  Dense second = positive_remainder(product_with_derivative(p, reduced), dense_p);
+  while (second.size > 0) {
+    const int at_low = second.sign_at(low_);
+    const int at_high = second.sign_at(high_);
+    if (at_low != 0) {
+      variations += at_low != previous_low;
+      previous_low = at_low;
+    }
+    if (at_high != 0) {
+      variations -= at_high != previous_high;
+      previous_high = at_high;
+    }
+    Dense next = positive_remainder(first, second);
+    for (int i = 0; i < next.size; ++i) next.c[static_cast<std::size_t>(i)] = -next.c[static_cast<std::size_t>(i)];
+    first = second;
+    second = next;
+  }
+  return variations;
+}
+
+int RealRoot::sign_at(Coefficients q) const {
+  if (is_rational_) return sign_at_rational(q, numerator_, denominator_);
+  int sign = 0;
+  return sign_over_bracket(q, sign) ? sign : sign_by_remainders(q);
+}
+
+int RealRoot::sign_after(Coefficients q) const {
+  // Just after the root, q has the sign of its first derivative that does not vanish there.
+  std::array<Exact, kMaxSize> derivative;
+  std::copy(q.c, q.c + q.size, derivative.begin());
+  for (int size = q.size; size > 0; --size) {
+    const int sign = sign_at({derivative.data(), size});
+    if (sign != 0) return sign;
+    for (int i = 1; i < size; ++i) derivative[static_cast<std::size_t>(i - 1)] = derivative[static_cast<std::size_t>(i)] * Exact(i);
+  }
+  return 0;
+}
+
+RealRoot RealRoot::reversed() const {
+  if (is_rational_) return rational(denominator_ - numerator_, denominator_, multiplicity_);
+  // p(1 - t) by the binomial theorem.
+  const Exact& c1 = p_[1];
+  const Exact& c2 = p_[2];
+  const Exact& c3 = p_[3];
+  const std::array<Exact, 4> mirrored = {p_[0] + c1 + c2 + c3, -(c1 + Exact(2) * c2 + Exact(3) * c3), c2 + Exact(3) * c3, -c3};
+  RealRoot root = isolated({mirrored.data(), degree_ + 1}, Exact(1) - high_, Exact(1) - low_, -sign_low_);
+  root.multiplicity_ = multiplicity_;
+  return root;
+}
+
+/// Uses what p's sign at `value` says of the root's side; true when the root is `value` itself.
+bool RealRoot::keep_side(const Exact& value) {
+  if (value <= low_ || value >= high_) return false;
+  const int sign = sign_of(evaluate({p_.data(), degree_ + 1}, value));
+  if (sign == 0) {
+    become_rational(value);
+    return true;
+  }
+  (sign == sign_low_ ? low_ : high_) = value;
+  return false;
+}
+
+/// Makes the bracket of an isolated root much smaller: around a Newton step from its lower end when that proves right
+/// (its error is squared), by a few bisections otherwise.
+void RealRoot::narrow() {
+  const Exact start = low_;
+  const Exact width = high_ - low_;
+  const Approximation value = approximate(evaluate({p_.data(), degree_ + 1}, start));
+  const Approximation slope =
+      approximate(p_[1] + start * (Exact(2) * p_[2] + Exact(3) * p_[3] * start));
+  if (slope.significand != 0) {
+    const Exact step = Exact(-value.significand / slope.significand) * power_of_two(value.exponent - slope.exponent);
+    const Exact radius = (sign_of(step) < 0 ? -step : step) * Exact(0x1p-40);
+    if (keep_side(start + step - radius) || keep_side(start + step + radius)) return;
+  }
+  if ((high_ - low_) * Exact(16) < width) return;
+  constexpr int kBisections = 8;
+  for (int i = 0; i < kBisections; ++i) {
+    if (keep_side((low_ + high_) * Exact(0.5))) return;
+  }
+}
+
+double RealRoot::quotient(const Polynomial<Exact, 2>& numerator, const Polynomial<Exact, 2>& denominator) const {
+  RealRoot root = *this;
+  for (;;) {
+    if (root.is_rational_) {
+      const Exact power = root.denominator_ * root.denominator_;
+      const auto homogeneous = [&](const Polynomial<Exact, 2>& q) {
+        return (q[2] * root.numerator_ + q[1] * root.denominator_) * root.numerator_ + q[0] * power;
+      };
+      const Exact n = homogeneous(numerator);
+      const Exact d = homogeneous(denominator);
+      return std::clamp(approximate_quotient(n, d), 0.0, 1.0);
+    }
+    // Both polynomials lie between the least and the greatest of their Bernstein coefficients over the bracket. Twice
+    // those of a quadratic: 2 q(low), its polar form, 2 q(high).
+    const auto enclose = [&root](Coefficients q, Exact& least, Exact& greatest) {
+      const Exact at_low = Exact(2) * evaluate(q, root.low_);
+      const Exact at_high = Exact(2) * evaluate(q, root.high_);
+      const Exact middle = Exact(2) * q.c[0] + q.c[1] * (root.low_ + root.high_) + Exact(2) * q.c[2] * root.low_ * root.high_;
+      least = std::min({at_low, at_high, middle});
+      greatest = std::max({at_low, at_high, middle});
+    };
+    Exact n_least, n_greatest, d_least, d_greatest;
+    enclose(numerator, n_least, n_greatest);
+    enclose(denominator, d_least, d_greatest);
+    if (sign_of(d_greatest) < 0) {
+      std::swap(n_least, n_greatest);
+      std::swap(d_least, d_greatest);
+      n_least = -n_least;
+      n_greatest = -n_greatest;
+      d_least = -d_least;
+      d_greatest = -d_greatest;
+    }
+    if (sign_of(n_least) < 0) n_least = Exact(0);  // the quotient is known not to be negative
+    if (sign_of(d_least) > 0 &&
+        n_greatest * d_greatest - n_least * d_least <= Exact(0x1p-53) * d_least * d_greatest) {
+      return std::clamp(approximate_quotient(n_least + n_greatest, d_least + d_greatest), 0.0, 1.0);
+    }
+    root.narrow();
+  }
+}
+
+std::string RealRoot::to_string() const {
+  if (is_rational_) return quotient_to_string(numerator_, denominator_);
+  std::string text = "root of";
+  for (int i = degree_; i >= 0; --i) {
+    const Exact& c = p_[static_cast<std::size_t>(i)];
+    if (is_zero(c)) continue;
+    if (i < degree_) text += " +";
+    text += " (" + numbers::to_string(c) + ")";
+    if (i > 0) text += i == 1 ? " t" : " t^" + std::to_string(i);
+  }
+  return text + " in [" + hexfloat(lower_) + ", " + hexfloat(upper_) + "]";
+}
+
+void RootList::push(RealRoot root) { roots_[static_cast<std::size_t>(size_++)] = std::move(root); }
+
+}  // namespace touchstone::numbers

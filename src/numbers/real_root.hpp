@@ -1,0 +1,99 @@
+// Real roots of polynomials of degree at most 3 with exact coefficients, and the signs of other polynomials there,
+// decided without approximating the root: zero means zero.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "numbers/exact_number.hpp"
+#include "numbers/polynomial.hpp"
+
+namespace touchstone::numbers {
+
+/// Coefficients of a polynomial, constant first; the formal degree is size - 1.
+struct Coefficients {
+  const Exact* c;
+  int size;
+
+  template <int D>
+  Coefficients(const Polynomial<Exact, D>& p) : c(p.c.data()), size(D + 1) {}
+  Coefficients(const Exact* first, int count) : c(first), size(count) {}
+};
+
+/// One real root in [0, 1]: either a rational, or the only root of a polynomial inside an open dyadic interval, where
+/// that polynomial changes sign.
+class RealRoot {
+ public:
+  /// numerator / denominator; the denominator is not zero.
+  static RealRoot rational(const Exact& numerator, const Exact& denominator, int multiplicity);
+
+  /// The one root of p, a simple one, in the open interval (low, high) inside [0, 1]; p(low) and p(high) have opposite
+  /// signs, `sign_low` being p(low)'s. p's leading coefficient is not zero.
+  static RealRoot isolated(Coefficients p, const Exact& low, const Exact& high, int sign_low);
+
+  /// As a root of the polynomial that was isolated.
+  int multiplicity() const { return multiplicity_; }
+
+  /// The neighbouring doubles around the root: the largest double <= it and the smallest >= it.
+  double lower() const { return lower_; }
+  double upper() const { return upper_; }
+
+  /// The sign of q at the root; exact.
+  int sign_at(Coefficients q) const;
+
+  /// The sign of q just after the root: at all t in (root, root + delta) for some delta > 0. Zero only for q == 0.
+  int sign_after(Coefficients q) const;
+
+  /// The sign of (this - other), of (this - value); exact.
+  int compare(const RealRoot& other) const;
+  int compare(const Exact& value) const;
+
+  /// 1 - this root.
+  RealRoot reversed() const;
+
+  /// numerator(root) / denominator(root) within an absolute error of 2^-50.5, given that the quotient lies in [0, 1] and the denominator is not zero at the root.
+  double quotient(const Polynomial<Exact, 2>& numerator, const Polynomial<Exact, 2>& denominator) const;
+
+  /// For a person: "1/3", "root of 3 t^3 + -1 t + -1 in [0x1.8p-1, 0x1.9p-1]".
+  std::string to_string() const;
+
+ private:
+  RealRoot() = default;
+
+  void find_neighbouring_doubles();
+  double estimate() const;
+  bool sign_over_bracket(Coefficients q, int& sign) const;
+  int sign_by_remainders(Coefficients q) const;
+  void narrow();
+  bool keep_side(const Exact& value);
+  void become_rational(const Exact& value);
+
+  bool is_rational_ = false;
+  int multiplicity_ = 1;
+  Exact numerator_, denominator_;  // of a rational root; the denominator is positive
+  int degree_ = 0;                 // of the polynomial of an isolated root
+  std::array<Exact, 4> p_;
+  Exact low_, high_;
+  int sign_low_ = 0;
+  double lower_ = 0, upper_ = 0;
+};
+
+/// Up to three roots, ascending and distinct.
+class RootList {
+ public:
+  int size() const { return size_; }
+  const RealRoot& operator[](int i) const { return *roots_[static_cast<std::size_t>(i)]; }
+  void push(RealRoot root);
+
+ private:
+  std::array<std::optional<RealRoot>, 3> roots_;
+  int size_ = 0;
+};
+
+/// The distinct roots of p in the closed interval [0, limit], 0 <= limit <= 1, ascending, each with its multiplicity
+/// over the real line. p has formal degree at most 3 and is not identically zero.
+RootList isolate_roots(Coefficients p, const Exact& limit);
+
+}  // namespace touchstone::numbers

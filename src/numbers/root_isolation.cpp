@@ -1,0 +1,267 @@
+// Isolation of the roots of a polynomial of degree at most 3 in [0, limit]. Most calls end at the sign variations of
+// the Bernstein coefficients (Descartes' rule: none, or exactly one root); the rest is decided by discriminants.
+// SPDX-License-Identifier: MIT
+#include <gmp.h>
+
+#include <CGAL/Gmpq.h>
+#include <CGAL/Gmpz.h>
+
+#include "numbers/real_root.hpp"
+
+namespace touchstone::numbers {
+namespace {
+
+/// Signs of the Bernstein coefficients over [0, limit] of a polynomial of degree 1, 2 or 3.
+struct BernsteinSigns {
+  std::array<int, 4> sign{};
+  int size;
+  int variations = 0;
+
+  BernsteinSigns(Coefficients p, const Exact& limit) : size(p.size) {
+    // With c_i scaled by limit^i the interval is [0, 1], and coefficient k is sum_i binomial(k, i) / binomial(n, i) c_i.
+    std::array<Exact, 4> c;
+    Exact power(1);
+    for (int i = 0; i < size; ++i) {
+      c[static_cast<std::size_t>(i)] = p.c[i] * power;
+      power = power * limit;
+    }
+    sign[0] = sign_of(c[0]);
+    if (size == 2) sign[1] = sign_of(c[0] + c[1]);
+    if (size == 3) {
+      sign[1] = sign_of(Exact(2) * c[0] + c[1]);
+      sign[2] = sign_of(c[0] + c[1] + c[2]);
+    }
+    if (size == 4) {
+      sign[1] = sign_of(Exact(3) * c[0] + c[1]);
+      sign[2] = sign_of(Exact(3) * c[0] + Exact(2) * c[1] + c[2]);
+      sign[3] = sign_of(c[0] + c[1] + c[2] + c[3]);
+    }
+    int previous = sign[0];
+    for (int i = 1; i < size; ++i) {
+      const int s = sign[static_cast<std::size_t>(i)];
+      if (s == 0) continue;
+      variations += previous != 0 && s != previous;
+      previous = s;
+    }
+  }
+};
+
+int sign_at_point(Coefficients p, const Exact& t) {
+  Exact value = p.c[p.size - 1];
+  for (int i = p.size - 2; i >= 0; --i) value = value * t + p.c[i];
+  return sign_of(value);
+}
+
+/// A GMP float that frees itself.
+struct Float {
+  mpf_t value;
+  explicit Float(mp_bitcnt_t bits) { mpf_init2(value, bits); }
+  Float(mp_bitcnt_t bits, const Exact& x) : Float(bits) { mpf_set_q(value, static_cast<CGAL::Gmpq>(x).mpq()); }
+  ~Float() { mpf_clear(value); }
+  Float(const Float&) = delete;
+  Float& operator=(const Float&) = delete;
+};
+
+/// x rounded towards zero to `bits` bits after the binary point.
+Exact truncated(Float& x, mp_bitcnt_t bits) {
+  mpf_mul_2exp(x.value, x.value, bits);
+  CGAL::Gmpz integer;
+  mpz_set_f(integer.mpz(), x.value);
+  return exact_from_integer(integer) * power_of_two(-static_cast<long>(bits));
+}
+
+/// Approximations that improve with `bits`, without a bound: their users check them exactly and ask again.
+Exact approximate_vertex(Coefficients quadratic, mp_bitcnt_t bits) {
+  Float b(bits, quadratic.c[1]);
+  const Float a(bits, Exact(-2) * quadratic.c[2]);
+  mpf_div(b.value, b.value, a.value);
+  return truncated(b, bits);
+}
+
+/// The root of p' on the given side (-1: left, 1: right) of the cubic's inflection, for a positive discriminant of p'.
+Exact approximate_critical_point(Coefficients cubic, int side, mp_bitcnt_t bits) {
+  const Exact& b = cubic.c[2];
+  const Exact three_a = Exact(3) * cubic.c[3];
+  Float root(bits, b * b - three_a * cubic.c[1]);
+  mpf_sqrt(root.value, root.value);
+  // t = (-b + s root) / 3a = c / (-b - s root), with s = side for a > 0: take the form without cancellation.
+  const int s = sign_of(three_a) > 0 ? side : -side;
+  const Float minus_b(bits, -b);
+  const bool same_sign = mpf_sgn(minus_b.value) == 0 || (mpf_sgn(minus_b.value) > 0) == (s > 0);
+  Float result(bits);
+  if (same_sign) {
+    if (s > 0) mpf_add(result.value, minus_b.value, root.value);
+    else mpf_sub(result.value, minus_b.value, root.value);
+    const Float denominator(bits, three_a);
+    mpf_div(result.value, result.value, denominator.value);
+  } else {
+    Float denominator(bits);
+    if (s > 0) mpf_sub(denominator.value, minus_b.value, root.value);
+    else mpf_add(denominator.value, minus_b.value, root.value);
+    const Float numerator(bits, cubic.c[1]);
+    mpf_div(result.value, numerator.value, denominator.value);
+  }
+  return truncated(result, bits);
+}
+
+constexpr mp_bitcnt_t kFirstPrecision = 64;
+
+/// Collects the roots in the open interval (0, limit) of a polynomial whose leading coefficient and whose values at
+/// both ends are not zero.
+class OpenInterval {
+ public:
+  OpenInterval(Coefficients p, const Exact& limit, RootList& roots) : p_(p), limit_(limit), roots_(roots) {}
+
+  void isolate() {
+    if (p_.size < 2) return;
+    const BernsteinSigns bernstein(p_, limit_);
+    if (bernstein.variations == 0) return;
+    if (p_.size == 2) {
+      roots_.push(RealRoot::rational(-p_.c[0], p_.c[1], 1));
+    } else if (bernstein.variations == 1) {
+      push_between(Exact(0), limit_);
+    } else if (p_.size == 3) {
+      isolate_quadratic();
+    } else {
+      isolate_cubic(bernstein.variations);
+    }
+  }
+
+ private:
+  // Two variations: p has the leading coefficient's sign at both ends, and its vertex lies inside.
+  void isolate_quadratic() {
+    const int discriminant = sign_of(p_.c[1] * p_.c[1] - Exact(4) * p_.c[0] * p_.c[2]);
+    if (discriminant < 0) return;
+    if (discriminant == 0) {
+      roots_.push(RealRoot::rational(-p_.c[1], Exact(2) * p_.c[2], 2));
+      return;
+    }
+    const int wanted = -sign_of(p_.c[2]);
+    for (mp_bitcnt_t bits = kFirstPrecision;; bits *= 2) {
+      const Exact separator = approximate_vertex(p_, bits);
+      if (!inside(separator) || sign_at_point(p_, separator) != wanted) continue;
+      push_between(Exact(0), separator);
+      push_between(separator, limit_);
+      return;
+    }
+  }
+
+  void isolate_cubic(int variations) {
+    const Exact &d = p_.c[0], &c = p_.c[1], &b = p_.c[2], &a = p_.c[3];
+    const Exact b2_3ac = b * b - Exact(3) * a * c;
+    const Exact ad9_bc = Exact(9) * a * d - b * c;
+    const Exact c2_3bd = c * c - Exact(3) * b * d;
+    // The discriminant is (4 (b^2 - 3ac)(c^2 - 3bd) - (bc - 9ad)^2) / 3.
+    const int discriminant = sign_of(Exact(4) * b2_3ac * c2_3bd - ad9_bc * ad9_bc);
+    if (discriminant < 0) {  // one real root; inside iff p's sign differs at the ends, which is an odd number of variations
+      if (variations % 2 == 1) push_between(Exact(0), limit_);
+    } else if (discriminant == 0) {
+      push_repeated(b2_3ac, ad9_bc);
+    } else {
+      push_three();
+    }
+  }
+
+  // A repeated root of a cubic, and the one beside it, are rational.
+  void push_repeated(const Exact& b2_3ac, const Exact& ad9_bc) {
+    const Exact &d = p_.c[0], &c = p_.c[1], &b = p_.c[2], &a = p_.c[3];
+    if (is_zero(b2_3ac)) {
+      push_rational_inside(-b, Exact(3) * a, 3);
+      return;
+    }
+    const Exact double_numerator = ad9_bc;
+    const Exact double_denominator = Exact(2) * b2_3ac;
+    const Exact single_numerator = Exact(4) * a * b * c - Exact(9) * a * a * d - b * b * b;
+    const Exact single_denominator = a * b2_3ac;
+    // b^2 - 3ac > 0 (it is (a (double - single))^2), so the denominators' signs are known.
+    const bool single_first = sign_of(single_numerator * double_denominator - double_numerator * single_denominator) *
+                                  sign_of(single_denominator) < 0;
+    if (single_first) push_rational_inside(single_numerator, single_denominator, 1);
+    push_rational_inside(double_numerator, double_denominator, 2);
+    if (!single_first) push_rational_inside(single_numerator, single_denominator, 1);
+  }
+
+  // Three simple real roots x1 < x2 < x3. A point between x1 and x2 is recognised by lying left of the inflection with
+  // p of the sign of its leading coefficient; one between x2 and x3 by mirror image. Such points exist around p's
+  // critical points; they matter where a critical point lies inside (0, limit).
+  void push_three() {
+    const Exact minus_b = -p_.c[2];
+    const Exact three_a = Exact(3) * p_.c[3];
+    const int orientation = sign_of(three_a);
+    const auto side_of_inflection = [&](const Exact& t) { return orientation * sign_of(t * three_a - minus_b); };
+    const std::array<Exact, 3> derivative = {p_.c[1], Exact(2) * p_.c[2], three_a};
+    const auto slope_sign = [&](const Exact& t) { return orientation * sign_at_point({derivative.data(), 3}, t); };
+
+    Exact low(0);
+    for (const int side : {-1, 1}) {
+      // The critical point is > 0 iff: left one, slope > 0 at 0 left of the inflection; right one, not (slope >= 0 right of it).
+      const int side0 = side_of_inflection(Exact(0));
+      const int side_limit = side_of_inflection(limit_);
+      const bool after_zero = side < 0 ? side0 < 0 && slope_sign(Exact(0)) > 0 : !(side0 >= 0 && slope_sign(Exact(0)) >= 0);
+      const bool before_limit =
+          side < 0 ? !(side_limit <= 0 && slope_sign(limit_) >= 0) : side_limit > 0 && slope_sign(limit_) > 0;
+      if (!after_zero || !before_limit) continue;
+      const int wanted = side < 0 ? orientation : -orientation;
+      for (mp_bitcnt_t bits = kFirstPrecision;; bits *= 2) {
+        const Exact separator = approximate_critical_point(p_, side, bits);
+        if (!inside(separator) || side_of_inflection(separator) != side || sign_at_point(p_, separator) != wanted) continue;
+        push_if_inside(low, separator);
+        low = separator;
+        break;
+      }
+    }
+    push_if_inside(low, limit_);
+  }
+
+  bool inside(const Exact& t) const { return sign_of(t) > 0 && t < limit_; }
+
+  void push_rational_inside(const Exact& numerator, const Exact& denominator, int multiplicity) {
+    const int s = sign_of(denominator);
+    if (s * sign_of(numerator) > 0 && s * sign_of(numerator - limit_ * denominator) < 0) {
+      roots_.push(RealRoot::rational(numerator, denominator, multiplicity));
+    }
+  }
+
+  void push_if_inside(const Exact& low, const Exact& high) {
+    if (sign_at_point(p_, low) != sign_at_point(p_, high)) push_between(low, high);
+  }
+
+  void push_between(const Exact& low, const Exact& high) {
+    roots_.push(RealRoot::isolated(p_, low, high, sign_at_point(p_, low)));
+  }
+
+  Coefficients p_;
+  const Exact& limit_;
+  RootList& roots_;
+};
+
+}  // namespace
+
+RootList isolate_roots(Coefficients p, const Exact& limit) {
+  std::array<Exact, 4> c;
+  int size = p.size;
+  while (size > 0 && is_zero(p.c[size - 1])) --size;
+  RootList roots;
+
+  // Divide out the roots at 0 and, for a limit of its own, at the limit.
+  int first = 0;
+  while (first < size && is_zero(p.c[first])) ++first;
+  if (first > 0) roots.push(RealRoot::rational(Exact(0), Exact(1), first));
+  if (is_zero(limit)) return roots;
+  size -= first;
+  for (int i = 0; i < size; ++i) c[static_cast<std::size_t>(i)] = p.c[first + i];
+  int at_limit = 0;
+  while (size > 1 && sign_at_point({c.data(), size}, limit) == 0) {
+    for (int i = size - 2; i > 0; --i) {  // synthetic division by (t - limit)
+      c[static_cast<std::size_t>(i)] = c[static_cast<std::size_t>(i)] + limit * c[static_cast<std::size_t>(i + 1)];
+    }
+    for (int i = 0; i < size - 1; ++i) c[static_cast<std::size_t>(i)] = c[static_cast<std::size_t>(i + 1)];
+    --size;
+    ++at_limit;
+  }
+  OpenInterval({c.data(), size}, limit, roots).isolate();
+  if (at_limit > 0) roots.push(RealRoot::rational(limit, Exact(1), at_limit));
+  return roots;
+}
+
+}  // namespace touchstone::numbers

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include <touchstone/contact_times.hpp>
+
+#include <utility>
+
+#include "exact/exact_times.hpp"
+#include "numbers/float_environment.hpp"
+#include "solver/validate.hpp"
+
+namespace touchstone {
+
+struct ExactTime::Impl {
+  numbers::RealRoot root;
+};
+
+namespace {
+
+std::vector<ContactInterval> with_exact_times(std::vector<exact::RootInterval> intervals) {
+  const auto time = [](numbers::RealRoot& root) {
+    return ExactTime(std::make_shared<const ExactTime::Impl>(ExactTime::Impl{std::move(root)}));
+  };
+  std::vector<ContactInterval> times;
+  times.reserve(intervals.size());
+  for (exact::RootInterval& interval : intervals) times.push_back({time(interval.first), time(interval.last)});
+  return times;
+}
+
+}  // namespace
+
+ExactTime::ExactTime(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
+
+double ExactTime::lower() const noexcept { return impl_->root.lower(); }
+double ExactTime::upper() const noexcept { return impl_->root.upper(); }
+
+int ExactTime::compare(const ExactTime& other) const {
+  const numbers::DefaultFloatEnvironment environment;
+  return impl_->root.compare(other.impl_->root);
+}
+
+int ExactTime::compare(double time) const {
+  const numbers::DefaultFloatEnvironment environment;
+  solver::validate_finite_time(time);
+  return impl_->root.compare(numbers::Exact(time));
+}
+
+ExactTime ExactTime::reversed() const {
+  const numbers::DefaultFloatEnvironment environment;
+  return ExactTime(std::make_shared<const Impl>(Impl{impl_->root.reversed()}));
+}
+
+std::string ExactTime::to_string() const {
+  const numbers::DefaultFloatEnvironment environment;
+  return impl_->root.to_string();
+}
+
+std::vector<ContactInterval> contact_times(const Query& query, double t_max) {
+  const numbers::DefaultFloatEnvironment environment;
+  solver::validate(query.kind, query.start.data(), query.end.data(), t_max);
+  return with_exact_times(exact::touching_times(query, t_max));
+}
+
+std::vector<ContactInterval> contact_times(const RationalQuery& query, double t_max) {
+  const numbers::DefaultFloatEnvironment environment;
+  solver::validate(query, t_max);
+  return with_exact_times(exact::touching_times(query, t_max));
+}
+
+}  // namespace touchstone

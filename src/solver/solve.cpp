@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include <touchstone/solve.hpp>
+
+#include "exact/exact.hpp"
+#include "numbers/float_environment.hpp"
+#include "numbers/fraction.hpp"
+#include "oracle/oracle.hpp"
+#include "solver/cascade.hpp"
+#include "solver/validate.hpp"
+
+namespace touchstone {
+namespace {
+
+/// The query in doubles when every coordinate is one.
+bool in_doubles(const RationalQuery& query, Query& result) {
+  result.kind = query.kind;
+  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+    for (int side = 0; side < 2; ++side) {
+      const auto& fractions = (side == 0 ? query.start : query.end)[i];
+      double coordinates[3];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto exact = numbers::exact_double(fractions[k].numerator, fractions[k].denominator);
+        if (!exact) return false;
+        coordinates[k] = *exact;
+      }
+      (side == 0 ? result.start : result.end)[i] = {coordinates[0], coordinates[1], coordinates[2]};
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+Answer solve(const Query& query, Method method, double t_max) {
+  const numbers::DefaultFloatEnvironment environment;
+  solver::validate(query.kind, query.start.data(), query.end.data(), t_max);
+  Answer result;
+  solver::answer(query, method, t_max, result);
+  return result;
+}
+
+Answer solve(const Query& query, double t_max) { return solve(query, Method::fast, t_max); }
+Answer solve(const EdgeEdge& query, double t_max) { return solve(Query(query), Method::fast, t_max); }
+Answer solve(const VertexFace& query, double t_max) { return solve(Query(query), Method::fast, t_max); }
+Answer solve(const PointEdge& query, double t_max) { return solve(Query(query), Method::fast, t_max); }
+Answer solve(const PointPoint& query, double t_max) { return solve(Query(query), Method::fast, t_max); }
+
+Answer solve(const RationalQuery& query, Method method, double t_max) {
+  const numbers::DefaultFloatEnvironment environment;
+  solver::validate(query, t_max);
+  Query doubles;
+  if (in_doubles(query, doubles)) {
+    Answer result;
+    solver::answer(doubles, method, t_max, result);
+    return result;
+  }
+  return method == Method::oracle ? oracle::decide(query, t_max) : exact::decide(query, t_max);
+}
+
+}  // namespace touchstone

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "solver/validate.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "numbers/fraction.hpp"
+
+namespace touchstone::solver {
+namespace {
+
+constexpr char kAxes[] = "xyz";
+
+std::string where(Kind kind, std::size_t corner, int end, std::size_t axis) {
+  std::string text(kind_name(kind));
+  text.append(" query: corner ").append(corner_name(kind, corner)).append(" at t = ").append(std::to_string(end));
+  return text.append(" has ").append(1, kAxes[axis]).append(" = ");
+}
+
+std::string number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", x);
+  return text;
+}
+
+std::string shortened(const std::string& text) {
+  constexpr std::size_t kShown = 40;
+  return text.size() <= kShown ? text : text.substr(0, kShown) + "...";
+}
+
+}  // namespace
+
+void validate_t_max(double t_max) {
+  if (is_time(t_max)) return;
+  throw InvalidQuery("t_max is " + number(t_max) + "; it must be in [0, 1]");
+}
+
+void validate_finite_time(double time) {
+  if (!std::isfinite(time)) throw InvalidQuery("the time is " + number(time) + "; it must be finite");
+}
+
+void throw_not_finite(Kind kind, const Vec3* start, const Vec3* end) {
+  for (int side = 0; side < 2; ++side) {
+    const Vec3* corners = side == 0 ? start : end;
+    for (std::size_t i = 0; i < corner_count(kind); ++i) {
+      const double coordinates[3] = {corners[i].x, corners[i].y, corners[i].z};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (std::isfinite(coordinates[axis])) continue;
+        throw InvalidQuery(where(kind, i, side, axis) + number(coordinates[axis]) + "; coordinates must be finite");
+      }
+    }
+  }
+  throw InvalidQuery("a coordinate is not finite");
+}
+
+void validate(const RationalQuery& query, double t_max) {
+  validate_t_max(t_max);
+  for (int side = 0; side < 2; ++side) {
+    const auto& corners = side == 0 ? query.start : query.end;
+    for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto& [numerator, denominator] = corners[i][axis];
+        const bool integers = numbers::is_decimal_integer(numerator) && numbers::is_decimal_integer(denominator);
+        if (integers && denominator.find_first_not_of("-0") != std::string::npos) continue;
+        throw InvalidQuery(where(query.kind, i, side, axis) + shortened(numerator) + "/" + shortened(denominator) +
+                           (integers ? "; the denominator must not be 0"
+                                     : "; numerator and denominator must be decimal integers"));
+      }
+    }
+  }
+}
+
+}  // namespace touchstone::solver
