@@ -1,0 +1,157 @@
+# Sourced by src/certify-bundled.sh and tests/run-all.sh: installs what is missing, configures and builds.
+# shellcheck shell=bash
+# SPDX-License-Identifier: MIT
+
+touchstone_root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
+
+say() { printf '==> %s\n' "$*" >&2; }
+die() {
+  printf 'error: %s\n' "$*" >&2
+  exit 3
+}
+
+# What the build needs: name | how to tell that it is there | package for apt-get | dnf | pacman.
+# A name with a '.' is a header, given by the alternatives that hold it; the others are commands.
+readonly -a touchstone_needs=(
+  'compiler|c++ g++ clang++|g++|gcc-c++|gcc'
+  'cmake|cmake|cmake|cmake|cmake'
+  'ninja|ninja ninja-build|ninja-build|ninja-build|ninja'
+  'cgal.h|CGAL/version.h|libcgal-dev|CGAL-devel|cgal'
+  'gmp.h|gmp.h|libgmp-dev|gmp-devel|gmp'
+  'mpfr.h|mpfr.h|libmpfr-dev|mpfr-devel|mpfr'
+  'eigen.h|eigen3/Eigen/Core Eigen/Core|libeigen3-dev|eigen3-devel|eigen'
+  'tbb.h|tbb/version.h oneapi/tbb/version.h|libtbb-dev|tbb-devel|onetbb'
+  'fmt.h|fmt/core.h|libfmt-dev|fmt-devel|fmt'
+  'json.h|nlohmann/json.hpp|nlohmann-json3-dev|json-devel|nlohmann-json'
+  'cli11.h|CLI/CLI.hpp|libcli11-dev|cli11-devel|cli11'
+  'catch.h|catch2/catch.hpp catch2/catch_all.hpp|catch2|catch-devel|catch2'
+)
+
+compiler() {
+  local name
+  for name in ${CXX:+"$CXX"} c++ g++ clang++; do
+    if command -v "$name" >/dev/null; then
+      printf '%s\n' "$name"
+      return
+    fi
+  done
+  return 1
+}
+
+# The names in touchstone_needs that are not there, one a line. Without a compiler no header can be looked for, so
+# they all count as missing.
+missing_needs() {
+  local need name places place cxx probe=''
+  cxx=$(compiler) || cxx=''
+  for need in "${touchstone_needs[@]}"; do
+    IFS='|' read -r name places _ <<<"$need"
+    if [[ $name == compiler ]]; then
+      [[ -n $cxx ]] || printf '%s\n' "$name"
+    elif [[ $name != *.* ]]; then
+      for place in $places; do
+        command -v "$place" >/dev/null && continue 2
+      done
+      printf '%s\n' "$name"
+    elif [[ -z $cxx ]]; then
+      printf '%s\n' "$name"
+    else
+      probe+="#if !(0"
+      for place in $places; do probe+=" || __has_include(<$place>)"; done
+      probe+=$')\n'"missing $name"$'\n#endif\n'
+    fi
+  done
+  [[ -z $probe ]] || "$cxx" -E -P -x c++ - <<<"$probe" | sed -n 's/^missing //p'
+}
+
+# Column `which` of touchstone_needs for the names that follow.
+packages_for() {
+  local which=$1 need name fields
+  shift
+  for name in "$@"; do
+    for need in "${touchstone_needs[@]}"; do
+      IFS='|' read -r -a fields <<<"$need"
+      [[ ${fields[0]} != "$name" ]] || printf '%s\n' "${fields[$which]}"
+    done
+  done
+}
+
+as_root() {
+  if ((EUID == 0)); then
+    "$@"
+  elif [[ -t 0 ]]; then
+    sudo "$@"
+  else
+    sudo -n "$@"
+  fi
+}
+
+install_missing() {
+  local -a missing packages
+  local manager
+  mapfile -t missing < <(missing_needs)
+  ((${#missing[@]})) || return 0
+
+  for manager in apt-get dnf pacman none; do
+    command -v "$manager" >/dev/null && break
+  done
+  case $manager in
+    apt-get) mapfile -t packages < <(packages_for 2 "${missing[@]}") ;;
+    dnf) mapfile -t packages < <(packages_for 3 "${missing[@]}") ;;
+    pacman) mapfile -t packages < <(packages_for 4 "${missing[@]}") ;;
+    *) die "no apt-get, dnf or pacman here; please install by hand (Debian's names): $(packages_for 2 "${missing[@]}" | paste -sd ' ' -)" ;;
+  esac
+  local by_hand="please install by hand: ${packages[*]}"
+  if ((EUID != 0)) && ! command -v sudo >/dev/null; then
+    die "not root and no sudo; $by_hand"
+  fi
+
+  say "installing with $manager: ${packages[*]}"
+  case $manager in
+    apt-get)
+      as_root apt-get update -q >&2 || die "apt-get update failed (no network?); $by_hand"
+      as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${packages[@]}" \
+        </dev/null >&2 || die "apt-get install failed; $by_hand"
+      ;;
+    dnf) as_root dnf install -y "${packages[@]}" </dev/null >&2 || die "dnf install failed; $by_hand" ;;
+    pacman) as_root pacman -S --needed --noconfirm "${packages[@]}" </dev/null >&2 || die "pacman failed; $by_hand" ;;
+  esac
+
+  mapfile -t missing < <(missing_needs)
+  ((${#missing[@]} == 0)) || die "still missing after the install: ${missing[*]}; $by_hand"
+}
+
+core_count() { getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1; }
+
+# One compile job a core, and no more than one for each 2 GiB of memory that is free: CGAL's templates need up to that.
+compile_jobs() {
+  local jobs memory_kib=0 limit limit_kib
+  jobs=$(core_count)
+  if [[ -r /proc/meminfo ]]; then
+    memory_kib=$(sed -n 's/^MemAvailable: *\([0-9]*\) kB/\1/p' /proc/meminfo)
+  fi
+  if [[ -r /sys/fs/cgroup/memory.max ]] && read -r limit </sys/fs/cgroup/memory.max && [[ $limit != max ]]; then
+    limit_kib=$((limit / 1024))
+    ((limit_kib < memory_kib)) && memory_kib=$limit_kib
+  fi
+  if ((memory_kib > 0 && jobs > memory_kib / (2 * 1024 * 1024))); then
+    jobs=$((memory_kib / (2 * 1024 * 1024)))
+  fi
+  ((jobs >= 1)) || jobs=1
+  printf '%s\n' "$jobs"
+}
+
+# build_preset PRESET TARGET OPTION...: after install_missing. Configures with the options given and builds into
+# $touchstone_root/build/PRESET.
+build_preset() {
+  local preset=$1 target=$2 jobs version
+  shift 2
+  version=$(cmake --version | sed -n '1s/[^0-9]*\([0-9.]*\).*/\1/p')
+  [[ $(printf '%s\n' 3.21 "$version" | sort -V | head -n 1) == 3.21 ]] ||
+    die "cmake $version is too old: the presets need 3.21 or newer"
+  jobs=$(compile_jobs)
+  cd -- "$touchstone_root" || exit 3
+  say "configuring build/$preset"
+  cmake --preset "$preset" "$@" >&2 || die "cmake failed"
+  say "building build/$preset with $jobs jobs at a time"
+  cmake --build --preset "$preset" --parallel "$jobs" --target "$target" >&2 || die "the build failed"
+}

@@ -1,0 +1,51 @@
+# Configures, builds and runs the consumer project. The caller's -D: SOURCE_DIR (the project's), SCRATCH (a folder of
+# this test's own), GENERATOR, COMPILER, FLAGS (the consumer's, for both languages' sake also the linker's), VERSION, and
+#   WAY=installed  BUILD_DIR and CONFIG: install that build into a fresh prefix and find it there
+#   WAY=fetched    build the sources as a part of the consumer, with every flag of the consumer's own hostile to exact
+#                  arithmetic; as a static library, then shared, then install the shared one and find it
+# SPDX-License-Identifier: MIT
+cmake_minimum_required(VERSION 3.18)
+
+set(consumer ${SOURCE_DIR}/tests/packaging/consumer)
+
+function(run)
+  list(JOIN ARGN " " line)
+  message(STATUS "${line}")
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "exit status ${status} from: ${line}\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+# Configure and build the consumer in `build` with further -D options, and run both programs.
+function(consume build)
+  run(${CMAKE_COMMAND} -S ${consumer} -B ${build} -G ${GENERATOR}
+    -DCMAKE_CXX_COMPILER=${COMPILER} -DCONSUMER_EXPECTS_VERSION=${VERSION} ${ARGN})
+  run(${CMAKE_COMMAND} --build ${build} --parallel 2)
+  foreach(mode plain fast_math)
+    run(${build}/consumer_${mode})
+    message(STATUS "${output}")
+  endforeach()
+endfunction()
+
+# Nothing of CGAL may be needed by who uses an installed touchstone.
+set(found_in -DCONSUMER_FETCHES=OFF -DCMAKE_BUILD_TYPE=Release -DCMAKE_DISABLE_FIND_PACKAGE_CGAL=ON
+  -DCMAKE_DISABLE_FIND_PACKAGE_Boost=ON)
+
+file(REMOVE_RECURSE ${SCRATCH}/prefix ${SCRATCH}/found)
+if(WAY STREQUAL "installed")
+  run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${SCRATCH}/prefix --config ${CONFIG})
+  consume(${SCRATCH}/found ${found_in} -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix
+    -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_EXE_LINKER_FLAGS=${FLAGS})
+elseif(WAY STREQUAL "fetched")
+  set(fetched -DCONSUMER_FETCHES=ON -DFETCHCONTENT_SOURCE_DIR_TOUCHSTONE=${SOURCE_DIR} -DCMAKE_BUILD_TYPE=
+    "-DCMAKE_CXX_FLAGS=-O1 -ffast-math" -DTOUCHSTONE_INSTALL=ON)
+  foreach(shared OFF ON)  # the same object files: only the library is linked anew
+    consume(${SCRATCH}/fetched ${fetched} -DBUILD_SHARED_LIBS=${shared})
+  endforeach()
+  run(${CMAKE_COMMAND} --install ${SCRATCH}/fetched --prefix ${SCRATCH}/prefix)
+  consume(${SCRATCH}/found ${found_in} -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix)
+else()
+  message(FATAL_ERROR "WAY is installed or fetched, not \"${WAY}\"")
+endif()

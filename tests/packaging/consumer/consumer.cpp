@@ -1,0 +1,98 @@
+// Asks a few queries whose answers are known by construction, and checks all of each answer. Exit status 0 when right.
+// SPDX-License-Identifier: MIT
+#include <touchstone/touchstone.hpp>
+
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <vector>
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+namespace {
+
+int failures = 0;
+
+void check(bool ok, const char* what) {
+  if (!ok) {
+    std::printf("wrong: %s\n", what);
+    ++failures;
+  }
+}
+
+/// Flush-to-zero and denormals-are-zero, as the start-up code of -ffast-math sets them.
+bool flushes() {
+#if defined(__SSE2__)
+  return (_mm_getcsr() & 0x8040U) == 0x8040U;
+#else
+  return CONSUMER_FLUSHES != 0;
+#endif
+}
+
+constexpr double kTiny = std::numeric_limits<double>::denorm_min();
+
+/// p moves from 0 to 4 tiny past q at 3 tiny: contact at t = 3/4. A flushed subnormal would put it at t = 0.
+touchstone::PointPoint subnormal_contact() {
+  return {{touchstone::Vec3{0, 0, 0}, touchstone::Vec3{3 * kTiny, 0, 0}},
+          {touchstone::Vec3{4 * kTiny, 0, 0}, touchstone::Vec3{3 * kTiny, 0, 0}}};
+}
+
+/// Edges that cross at right angles in projection, the smallest subnormal apart all along: no contact.
+touchstone::EdgeEdge subnormal_gap() {
+  const std::array<touchstone::Vec3, 4> corners = {touchstone::Vec3{-1, 0, 0}, touchstone::Vec3{1, 0, 0},
+                                                   touchstone::Vec3{0, -1, kTiny}, touchstone::Vec3{0, 1, kTiny}};
+  return {corners, corners};
+}
+
+/// v falls from z = 1 to z = -1 through the middle of the edge f0 f1 at t = 1/2.
+touchstone::VertexFace falling_vertex() {
+  const touchstone::Vec3 f0{-1, 0, 0};
+  const touchstone::Vec3 f1{1, 0, 0};
+  const touchstone::Vec3 f2{0, 1, 0};
+  return {{touchstone::Vec3{0, 0, 1}, f0, f1, f2}, {touchstone::Vec3{0, 0, -1}, f0, f1, f2}};
+}
+
+}  // namespace
+
+int main() {
+  check(std::string(touchstone::version()) == EXPECTED_VERSION, "the version");
+  check(flushes() == (CONSUMER_FLUSHES != 0), "the program was not started with the floating-point environment under test");
+
+  for (const auto method : {touchstone::Method::fast, touchstone::Method::exact, touchstone::Method::oracle}) {
+    const touchstone::Answer contact = touchstone::solve(subnormal_contact(), method);
+    check(contact.contact && contact.toi == 0.75 && contact.toi_upper == 0.75, "subnormal contact at t = 3/4");
+    check(contact.nature == touchstone::Nature::isolated, "subnormal contact is isolated");
+
+    check(!touchstone::solve(subnormal_gap(), method).contact, "edges a subnormal apart do not touch");
+
+    const touchstone::Answer face = touchstone::solve(falling_vertex(), method);
+    check(face.contact && face.toi == 0.5 && face.toi_upper == 0.5, "vertex-face contact at t = 1/2");
+    check(face.nature == touchstone::Nature::crossing, "vertex-face contact crosses");
+    check(face.feature_a == touchstone::Feature::v && face.feature_b == touchstone::Feature::f01, "features v and f01");
+    check(face.weights_b[0] == 0.5 && face.weights_b[1] == 0.5 && face.weights_b[2] == 0, "weights 1/2, 1/2, 0");
+  }
+
+  touchstone::BatchOptions options;
+  options.threads = 2;
+  const std::vector<touchstone::Query> queries = {subnormal_contact(), subnormal_gap(), falling_vertex()};
+  const std::vector<touchstone::Answer> answers = touchstone::solve_batch(queries, options);
+  check(answers.size() == 3 && answers[0].toi == 0.75 && !answers[1].contact && answers[2].toi == 0.5, "a batch");
+
+  const auto times = touchstone::contact_times(subnormal_contact());
+  check(times.size() == 1 && times[0].first.compare(0.75) == 0 && times[0].last.to_string() == "3/4", "contact times");
+
+  bool refused = false;
+  try {
+    touchstone::solve(subnormal_contact(), 2.0);
+  } catch (const touchstone::InvalidQuery&) {
+    refused = true;
+  }
+  check(refused, "t_max = 2 is refused with the library's own exception");
+  check(flushes() == (CONSUMER_FLUSHES != 0), "the floating-point environment was not restored");
+
+  std::printf("touchstone %s, %s: %s\n", touchstone::version(), CONSUMER_FLUSHES ? "flush-to-zero" : "default environment",
+              failures == 0 ? "every answer is right" : "some answers are wrong");
+  return failures == 0 ? 0 : 1;
+}

@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# From a fresh machine to all tests run: installs what is missing, builds everything with warnings as errors, and runs
+# every test. Its last words and its exit status are ctest's. Arguments are passed on to ctest (-R NAME, say).
+# TOUCHSTONE_QUERY_DATA, when set, is the folder of the public benchmark's queries.
+# SPDX-License-Identifier: MIT
+set -euo pipefail
+if [[ -n ${TOUCHSTONE_QUERY_DATA:-} ]]; then
+  TOUCHSTONE_QUERY_DATA=$(cd -- "$TOUCHSTONE_QUERY_DATA" && pwd -P) # the tests run elsewhere
+  export TOUCHSTONE_QUERY_DATA
+fi
+# shellcheck source-path=SCRIPTDIR source=../src/setup.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/../src/setup.sh"
+
+install_missing
+build_preset ci all "-DTOUCHSTONE_QUERY_DATA=${TOUCHSTONE_QUERY_DATA:-}"
+exec ctest --preset ci --parallel "$(core_count)" "$@"
