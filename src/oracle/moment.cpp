@@ -3,22 +3,35 @@
 #include "oracle/moment.hpp"
 
 #include <CGAL/Algebraic_kernel_d_1.h>
-#include <CGAL/Gmpq.h>
 
 #include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <iterator>
 
+#include "oracle/bracket.hpp"
+
 namespace touchstone::oracle {
-namespace {
 
 using Kernel = CGAL::Algebraic_kernel_d_1<Integer>;
 using Real = Kernel::Algebraic_real_1;
-using Rational = Kernel::Bound;
 
-constexpr int kFirstPrecision = 64;   // bits of the first bracket of a time; a double needs 53, a weight a few more
-constexpr int kWeightPrecision = 56;  // a quotient within 2^-56 leaves room for its rounding to a double
+struct Moment::Impl {
+  Real time;
+  mutable Bracket bracket;
+
+  explicit Impl(const Real& real) : time(real), bracket(real.polynomial(), real.low(), real.high()) {}
+
+  const Bracket& narrowed(unsigned bits) const {
+    bracket.narrow(bits);
+    return bracket;
+  }
+};
+
+namespace {
+
+constexpr unsigned kFirstPrecision = 64;  // bits of the first bracket of a time: a double needs 53, a weight a few more
+constexpr int kWeightPrecision = 56;      // a quotient within 2^-56 leaves room for its rounding to a double
 
 /// Whether the Bernstein coefficients over [0, 1] have one strict sign: the polynomial is a convex combination of
 /// them there, so it has no root. Degree at most 3, raised to 3; each coefficient is times 3.
@@ -34,39 +47,28 @@ bool has_one_sign_over_the_step(const Polynomial& p) {
          CGAL::sign(Integer(3 * p0 + p1)) == first && CGAL::sign(Integer(3 * p0 + 2 * p1 + p2)) == first;
 }
 
-/// A value known to within an error.
-struct Measured {
-  Rational value;
-  Rational error;
-};
+using SharedImpl = std::shared_ptr<const Moment::Impl>;
 
-/// p over the bracket [low, high], |low|, |high| <= 2: by the mean value theorem p differs from p(low) by at most
-/// (high - low) times the largest |p'| <= sum of k |p_k| 2^(k-1).
-Measured measure(const Polynomial& p, const std::pair<Rational, Rational>& bracket) {
-  Integer slope(0);
-  for (int k = p.degree(); k >= 1; --k) slope = 2 * slope + k * CGAL::abs(p[k]);
-  return {p.evaluate(bracket.first), (bracket.second - bracket.first) * Rational(slope)};
-}
+SharedImpl make(const Real& time) { return std::make_shared<const Moment::Impl>(time); }
+SharedImpl make(const Rational& time) { return make(Real(time)); }
 
-/// Distances between doubles >= 0 are distances between their bit patterns.
-double from_bits(std::uint64_t bits) { return std::bit_cast<double>(bits); }
-
-}  // namespace
-
-struct Moment::Impl {
-  Real time;
-
-  /// An interval around the time, at most 2^-bits long, not necessarily isolating; both ends equal when it is known
-  /// to be rational.
-  std::pair<Rational, Rational> bracket(int bits) const { return Kernel().approximate_absolute_1_object()(time, bits); }
-};
-
-namespace {
-
-Moment make_moment(const Real& time) { return Moment(std::make_shared<const Moment::Impl>(Moment::Impl{time})); }
-
-bool is_within(const Real& time, const Rational& t_max) {
-  return time.compare(Rational(0)) != CGAL::SMALLER && time.compare(t_max) != CGAL::LARGER;
+/// The kernel's Compare_1 would separate different times by halving their intervals; here they narrow faster.
+CGAL::Comparison_result compare(const SharedImpl& a, const SharedImpl& b) {
+  bool may_be_equal = true;
+  for (unsigned bits = kFirstPrecision;; bits *= 2) {
+    const Bracket& first = a->narrowed(bits);
+    const Bracket& second = b->narrowed(bits);
+    if (second.is_exact()) return first.compare(second.low());
+    if (first.is_exact()) return -second.compare(first.low());
+    if (first.high() <= second.low()) return CGAL::SMALLER;
+    if (second.high() <= first.low()) return CGAL::LARGER;
+    if (may_be_equal && Kernel().is_zero_at_1_object()(b->time.polynomial(), a->time)) {
+      // a is a root of b's polynomial, so it is b unless it lies outside the interval that b has to itself.
+      const CGAL::Comparison_result with_low = first.compare(second.low());
+      return with_low == CGAL::LARGER && first.compare(second.high()) == CGAL::SMALLER ? CGAL::EQUAL : with_low;
+    }
+    may_be_equal = false;
+  }
 }
 
 }  // namespace
@@ -74,44 +76,45 @@ bool is_within(const Real& time, const Rational& t_max) {
 Moment::Moment(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
 
 CGAL::Sign Moment::sign(const Polynomial& polynomial) const {
-  return Kernel().sign_at_1_object()(polynomial, impl_->time);
+  if (polynomial.is_zero()) return CGAL::ZERO;
+  const CGAL::Sign first = impl_->narrowed(kFirstPrecision).sign_throughout(polynomial);
+  if (first != CGAL::ZERO || impl_->bracket.is_exact()) return first;
+  // A common root is found by the kernel through the greatest common divisor. Its Sign_at_1 would go on from here by
+  // halving, and breaks its own precondition when a half ends on the root.
+  if (Kernel().is_zero_at_1_object()(polynomial, impl_->time)) return CGAL::ZERO;
+  for (unsigned bits = 2 * kFirstPrecision;; bits *= 2) {
+    const CGAL::Sign sign = impl_->narrowed(bits).sign_throughout(polynomial);
+    if (sign != CGAL::ZERO) return sign;
+  }
 }
 
 double Moment::ratio(const Polynomial& numerator, const Polynomial& denominator) const {
   const Rational tolerance = Rational(1) / CGAL::ipower(Rational(2), kWeightPrecision);
-  for (int bits = kFirstPrecision;; bits *= 2) {
-    const auto around = impl_->bracket(bits);
-    const Measured n = measure(numerator, around);
-    const Measured d = measure(denominator, around);
-    const Rational size = CGAL::abs(d.value);
-    if (size <= d.error) continue;
-    // With n = n0 + e, d = d0 + f: n/d - n0/d0 = (e d0 - n0 f) / (d d0).
-    const Rational error = n.error * size + CGAL::abs(n.value) * d.error;
-    if (error > tolerance * (size - d.error) * size) continue;
-    const Rational quotient = n.value / d.value;
+  for (unsigned bits = kFirstPrecision;; bits *= 2) {
+    const Bracket& around = impl_->narrowed(bits);
+    const auto [n, n_error] = around.value_and_error(numerator);
+    const auto [d, d_error] = around.value_and_error(denominator);
+    const Rational size = CGAL::abs(d);
+    if (size <= d_error) continue;
+    // (n + e) / (d + f) - n / d = (e d - n f) / (d (d + f))
+    if (n_error * size + CGAL::abs(n) * d_error > tolerance * size * (size - d_error)) continue;
+    const Rational quotient = n / d;
     return std::clamp(::mpq_get_d(quotient.mpq()), 0.0, 1.0);  // truncates: less than 2^-53 off
   }
 }
 
 std::pair<double, double> Moment::enclosing_doubles() const {
-  const auto around = impl_->bracket(kFirstPrecision);
-  const Polynomial polynomial = impl_->time.polynomial();
-  const CGAL::Sign sign_before = polynomial.sign_at(around.first);
-  const auto compare_with = [&](const Rational& time) {
-    if (around.first == around.second) return CGAL::compare(around.first, time);
-    if (time <= around.first) return CGAL::LARGER;
-    if (around.second <= time) return CGAL::SMALLER;
-    const CGAL::Sign there = polynomial.sign_at(time);
-    return there == CGAL::ZERO ? CGAL::EQUAL : there == sign_before ? CGAL::LARGER : CGAL::SMALLER;
-  };
-  std::uint64_t below = 0;                                      // bits of a double <= the time
-  std::uint64_t above = std::bit_cast<std::uint64_t>(1.0) + 1;  // bits of one that is greater
+  const Bracket& around = impl_->narrowed(kFirstPrecision);
+  // Doubles >= 0 are ordered like their bit patterns.
+  const auto to_double = [](std::uint64_t bits) { return std::bit_cast<double>(bits); };
+  std::uint64_t below = 0;                                      // of a double <= the time
+  std::uint64_t above = std::bit_cast<std::uint64_t>(1.0) + 1;  // of one that is greater
   while (above - below > 1) {
     const std::uint64_t middle = below + (above - below) / 2;
-    (compare_with(Rational(from_bits(middle))) == CGAL::SMALLER ? above : below) = middle;
+    (around.compare(Rational(to_double(middle))) == CGAL::SMALLER ? above : below) = middle;
   }
-  const bool is_double = compare_with(Rational(from_bits(below))) == CGAL::EQUAL;
-  return {from_bits(below), from_bits(is_double ? below : above)};
+  const bool is_double = around.compare(Rational(to_double(below))) == CGAL::EQUAL;
+  return {to_double(below), to_double(is_double ? below : above)};
 }
 
 std::vector<Root> roots_within(const Polynomial& polynomial, double t_max) {
@@ -119,8 +122,11 @@ std::vector<Root> roots_within(const Polynomial& polynomial, double t_max) {
   if (has_one_sign_over_the_step(polynomial)) return roots;
   std::vector<std::pair<Real, int>> all;
   Kernel().solve_1_object()(polynomial, std::back_inserter(all));
-  for (const auto& [time, multiplicity] : all) {
-    if (is_within(time, Rational(t_max))) roots.push_back({make_moment(time), multiplicity});
+  for (const auto& [real, multiplicity] : all) {
+    const SharedImpl time = make(real);
+    if (time->bracket.compare(Rational(0)) == CGAL::SMALLER) continue;
+    if (time->bracket.compare(Rational(t_max)) == CGAL::LARGER) break;
+    roots.push_back({Moment(time), multiplicity});
   }
   return roots;
 }
@@ -132,30 +138,31 @@ std::vector<Moment> times_dividing(double t_max, const std::vector<Polynomial>& 
     const Polynomial canonical = CGAL::canonicalize(polynomial);
     if (std::find(distinct.begin(), distinct.end(), canonical) == distinct.end()) distinct.push_back(canonical);
   }
-  std::vector<Real> times = {Real(Rational(0)), Real(Rational(t_max))};
+  std::vector<SharedImpl> times;
   for (const auto& polynomial : distinct) {
     std::vector<std::pair<Real, int>> all;
     Kernel().solve_1_object()(polynomial, std::back_inserter(all));
     for (const auto& root : all) {
-      if (is_within(root.first, Rational(t_max))) times.push_back(root.first);
+      const SharedImpl time = make(root.first);
+      const bool inside =
+          time->bracket.compare(Rational(0)) == CGAL::LARGER && time->bracket.compare(Rational(t_max)) == CGAL::SMALLER;
+      if (inside) times.push_back(time);
     }
   }
-  const auto compare = Kernel().compare_1_object();
-  std::sort(times.begin(), times.end(), [&](const Real& a, const Real& b) { return compare(a, b) == CGAL::SMALLER; });
-  times.erase(std::unique(times.begin(), times.end(),
-                          [&](const Real& a, const Real& b) { return compare(a, b) == CGAL::EQUAL; }),
-              times.end());
-  std::vector<Moment> moments;
-  for (const auto& time : times) moments.push_back(make_moment(time));
-  return moments;
+  times.push_back(make(Rational(0)));
+  times.push_back(make(Rational(t_max)));
+  std::sort(times.begin(), times.end(), [](const auto& a, const auto& b) { return compare(a, b) == CGAL::SMALLER; });
+  const auto last = std::unique(times.begin(), times.end(),
+                                [](const auto& a, const auto& b) { return compare(a, b) == CGAL::EQUAL; });
+  return std::vector<Moment>(times.begin(), last);
 }
 
 Moment between(const Moment& earlier, const Moment& later) {
   // The kernel's own Bound_between_1 needs MPFI or LEDA.
-  for (int bits = kFirstPrecision;; bits *= 2) {
-    const Rational low = earlier.impl().bracket(bits).second;
-    const Rational high = later.impl().bracket(bits).first;
-    if (low < high) return make_moment(Real((low + high) / Rational(2)));
+  for (unsigned bits = kFirstPrecision;; bits *= 2) {
+    const Rational low = earlier.impl().narrowed(bits).high();
+    const Rational high = later.impl().narrowed(bits).low();
+    if (low < high) return Moment(make(Rational((low + high) / Rational(2))));
   }
 }
 
