@@ -8,17 +8,30 @@
 namespace touchstone::tests {
 namespace {
 
+// Three numbers between brackets.
+std::string listed(char open, const std::array<double, 3>& numbers, char close) {
+  std::string text(1, open);
+  text += hexfloat(numbers[0]);
+  for (const double number : {numbers[1], numbers[2]}) {
+    text += ", ";
+    text += hexfloat(number);
+  }
+  text += close;
+  return text;
+}
+
 std::string rows(const std::array<Vec3, 4>& corners, std::size_t count) {
-  std::string text = "{{";
+  std::string text("{{");
   for (std::size_t i = 0; i < count; ++i) {
     if (i > 0) text += ", ";
-    text += "{" + hexfloat(corners[i].x) + ", " + hexfloat(corners[i].y) + ", " + hexfloat(corners[i].z) + "}";
+    text += listed('{', {corners[i].x, corners[i].y, corners[i].z}, '}');
   }
-  return text + "}}";
+  text += "}}";
+  return text;
 }
 
 std::string weights_text(const std::array<double, 3>& weights) {
-  return "(" + hexfloat(weights[0]) + ", " + hexfloat(weights[1]) + ", " + hexfloat(weights[2]) + ")";
+  return listed('(', weights, ')');
 }
 
 }  // namespace

@@ -1,0 +1,60 @@
+// Who decides, family by family: a level that never runs is dead code, and so is its test.
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+
+#include <touchstone/solve.hpp>
+
+#include "support/report.hpp"
+
+namespace touchstone::tests {
+namespace {
+
+constexpr std::uint64_t kSeed = 4;
+constexpr std::size_t kCount = 2000;  // also in slow builds: a tally of few says little
+
+// Families in which every query touches, or misses by so little that no filter can tell.
+bool no_filter_can_decide(Family family, Kind kind) {
+  switch (family) {
+    case Family::shared_corner:
+    case Family::prescribed:
+    case Family::at_start:
+    case Family::at_end:
+    case Family::chain_joint:
+    case Family::near_hit:
+    case Family::grazing_merged:
+    case Family::grazing_apart:
+    case Family::triple_root: return true;
+    case Family::grazing_gone: return kind == Kind::point_edge;
+    default: return false;
+  }
+}
+
+// Points in general position hardly ever come near enough to one another for a filter to be uncertain.
+bool filters_decide_nearly_all(Family family, Kind kind) {
+  return kind == Kind::point_point && family == Family::simulation;
+}
+
+TEST_CASE("levels: the filters and the exact level both decide in every family that has work for them") {
+  std::size_t contacts = 0;
+  for (const FamilyInfo& family : families()) {
+    for (const Kind kind : kKinds) {
+      std::vector<Answer> answers;
+      for (std::size_t index = 0; index < kCount; ++index) {
+        answers.push_back(solve(make(CaseId{family.family, kind, kSeed, index}), Method::fast));
+        contacts += answers.back().contact;
+      }
+      const LevelCounts counts = count_levels(answers);
+      std::printf("%-15s %-12s filter %5zu  bracket %5zu  exact %5zu\n", family.name.data(), kind_name(kind).data(),
+                  counts.filter, counts.bracket, counts.exact);
+      INFO(family.name << " " << kind_name(kind) << ", seed " << kSeed);
+      CHECK(counts.filter + counts.bracket + counts.exact == kCount);
+      CHECK(counts.oracle == 0);
+      if (!no_filter_can_decide(family.family, kind)) CHECK(counts.filter > 0);
+      if (!filters_decide_nearly_all(family.family, kind)) CHECK(counts.exact > 0);
+    }
+  }
+  CHECK(contacts > 0);
+}
+
+}  // namespace
+}  // namespace touchstone::tests

@@ -1,0 +1,102 @@
+// The cascade against the exact level against the oracle, in everything that an answer says.
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <cstdio>
+
+#include <touchstone/solve.hpp>
+
+#include "support/answer_check.hpp"
+#include "support/report.hpp"
+
+namespace touchstone::tests {
+namespace {
+
+constexpr std::uint64_t kSeed = 1;
+
+std::string against(const char* names, const Answer& one, const Answer& other, const std::string& difference) {
+  if (difference.empty()) return "";
+  return std::string(names) + ": " + difference + "\n    " + describe(one) + "\n    " + describe(other);
+}
+
+// Empty when the three methods agree and their answers are well formed.
+std::string disagreement(const Query& query, double t_max, Answer& fast) {
+  fast = solve(query, Method::fast, t_max);
+  const Answer exact = solve(query, Method::exact, t_max);
+  const Answer oracle = solve(query, Method::oracle, t_max);
+  if (exact.level != Level::exact) return "Method::exact does not answer by Level::exact";
+  if (oracle.level != Level::oracle) return "Method::oracle does not answer by Level::oracle";
+  if (fast.level == Level::oracle) return "Method::fast answers by Level::oracle";
+  std::string found = against("fast and exact", fast, exact, bit_difference(fast, exact, false));
+  if (found.empty()) found = against("exact and oracle", exact, oracle, decision_difference(exact, oracle));
+  if (found.empty()) found = against("exact and oracle", exact, oracle, weight_difference(exact, oracle));
+  if (found.empty()) found = malformation(query.kind, fast, t_max);
+  if (found.empty()) found = malformation(query.kind, oracle, t_max);
+  if (found.empty() || t_max == 1) return found;
+  return "t_max = " + hexfloat(t_max) + ": " + found;
+}
+
+// An end of the time range that matters to this answer.
+double interesting_t_max(const Answer& whole, Rng& rng) {
+  const double at = whole.contact ? whole.toi : 0.5;
+  switch (rng.between(0, 5)) {
+    case 0: return 0;
+    case 1: return at;
+    case 2: return whole.contact ? whole.toi_upper : 0x1p-1074;
+    case 3: return at > 0 ? std::nextafter(at, 0.0) : 0x1p-1074;
+    case 4: return at < 1 ? std::nextafter(at, 1.0) : 1;
+    default: return rng.unit();
+  }
+}
+
+// Every case with t_max = 1, and every fourth again with a t_max of its own.
+void methods_agree(Kind kind, Group group, std::size_t count) {
+  Report report;
+  std::size_t queries = 0;
+  const auto wanted = [&](const FamilyInfo& family, Kind k) { return family.group == group && k == kind; };
+  for_each_case(kSeed, count, wanted, [&](const CaseId& id) {
+    Rng rng = rng_of(id);
+    const Sample sample = make_sample(id.family, kind, rng);
+    Answer answer;
+    std::string wrong = disagreement(sample.query, 1, answer);
+    if (wrong.empty() && sample.touches_at && !(answer.contact && answer.toi <= *sample.touches_at)) {
+      wrong = "misses the contact that is there by construction at " + hexfloat(*sample.touches_at);
+    }
+    ++queries;
+    if (wrong.empty() && id.index % 4 == 0) {
+      Answer cut;
+      wrong = disagreement(sample.query, interesting_t_max(answer, rng), cut);
+      ++queries;
+    }
+    report.add(id, sample.query, wrong);
+  });
+  std::printf("seed %llu, %s: %zu queries by fast, exact and oracle\n", static_cast<unsigned long long>(kSeed),
+              kind_name(kind).data(), queries);
+  report.finish();
+}
+
+TEST_CASE("methods agree: lattice edge-edge") { methods_agree(Kind::edge_edge, Group::lattice, 6000); }
+TEST_CASE("methods agree: coplanar edge-edge") { methods_agree(Kind::edge_edge, Group::coplanar, 6000); }
+TEST_CASE("methods agree: contact edge-edge") { methods_agree(Kind::edge_edge, Group::contact, 6000); }
+TEST_CASE("methods agree: perturbed edge-edge") { methods_agree(Kind::edge_edge, Group::perturbed, 6000); }
+TEST_CASE("methods agree: scale edge-edge") { methods_agree(Kind::edge_edge, Group::scale, 2000); }
+
+TEST_CASE("methods agree: lattice vertex-face") { methods_agree(Kind::vertex_face, Group::lattice, 6000); }
+TEST_CASE("methods agree: coplanar vertex-face") { methods_agree(Kind::vertex_face, Group::coplanar, 6000); }
+TEST_CASE("methods agree: contact vertex-face") { methods_agree(Kind::vertex_face, Group::contact, 6000); }
+TEST_CASE("methods agree: perturbed vertex-face") { methods_agree(Kind::vertex_face, Group::perturbed, 6000); }
+TEST_CASE("methods agree: scale vertex-face") { methods_agree(Kind::vertex_face, Group::scale, 2000); }
+
+TEST_CASE("methods agree: lattice point-edge") { methods_agree(Kind::point_edge, Group::lattice, 6000); }
+TEST_CASE("methods agree: coplanar point-edge") { methods_agree(Kind::point_edge, Group::coplanar, 6000); }
+TEST_CASE("methods agree: contact point-edge") { methods_agree(Kind::point_edge, Group::contact, 6000); }
+TEST_CASE("methods agree: perturbed point-edge") { methods_agree(Kind::point_edge, Group::perturbed, 6000); }
+TEST_CASE("methods agree: scale point-edge") { methods_agree(Kind::point_edge, Group::scale, 2000); }
+
+TEST_CASE("methods agree: lattice point-point") { methods_agree(Kind::point_point, Group::lattice, 6000); }
+TEST_CASE("methods agree: coplanar point-point") { methods_agree(Kind::point_point, Group::coplanar, 6000); }
+TEST_CASE("methods agree: contact point-point") { methods_agree(Kind::point_point, Group::contact, 6000); }
+TEST_CASE("methods agree: perturbed point-point") { methods_agree(Kind::point_point, Group::perturbed, 6000); }
+TEST_CASE("methods agree: scale point-point") { methods_agree(Kind::point_point, Group::scale, 2000); }
+
+}  // namespace
+}  // namespace touchstone::tests
