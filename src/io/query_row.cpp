@@ -14,6 +14,9 @@ namespace {
 
 constexpr std::array<std::string_view, 7> kColumns = {"x_num", "x_den", "y_num", "y_den", "z_num", "z_den", "truth"};
 
+/// std::has_single_bit counts bits, which the oldest x86-64 processors have no instruction for: a library call.
+constexpr bool is_power_of_two(std::uint64_t value) { return value != 0 && (value & (value - 1)) == 0; }
+
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Whether the eight characters in `word` are digits: no high nibble but 3, and none of them above 9.
@@ -50,7 +53,7 @@ int read_power_of_two(const char*& text) noexcept {
   std::uint64_t high = 0;
   const char* end = read_digits(text, kDigitsOf64Bits, high);
   if (*end == ',') {
-    if (end == text || !std::has_single_bit(high)) return -1;
+    if (end == text || !is_power_of_two(high)) return -1;
     text = end + 1;
     return std::countr_zero(high);
   }
@@ -69,8 +72,8 @@ int read_power_of_two(const char*& text) noexcept {
   const auto top = static_cast<std::uint64_t>(value >> 64);
   const auto bottom = static_cast<std::uint64_t>(value);
   text = last + 1;
-  if (top == 0) return std::has_single_bit(bottom) ? std::countr_zero(bottom) : -1;
-  return bottom == 0 && std::has_single_bit(top) ? 64 + std::countr_zero(top) : -1;
+  if (top == 0) return is_power_of_two(bottom) ? std::countr_zero(bottom) : -1;
+  return bottom == 0 && is_power_of_two(top) ? 64 + std::countr_zero(top) : -1;
 }
 
 /// Reads "numerator,denominator," as a double.

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "certify/tally.hpp"
+
+#include <cstddef>
+
+namespace touchstone::certify {
+
+void VerdictCounts::add(Verdict verdict) noexcept {
+  switch (verdict) {
+    case Verdict::holds: ++holds; break;
+    case Verdict::missed: ++missed; break;
+    case Verdict::phantom: ++phantom; break;
+    case Verdict::late: ++late; break;
+  }
+}
+
+void VerdictCounts::merge(const VerdictCounts& other) noexcept {
+  holds += other.holds;
+  missed += other.missed;
+  phantom += other.phantom;
+  late += other.late;
+}
+
+void Tally::add(const Claim& claim, const Answer& answer, Verdict verdict) noexcept {
+  verdicts.add(verdict);
+  ++levels[static_cast<std::size_t>(answer.level)];
+  ++natures[static_cast<std::size_t>(answer.nature)];
+  if (verdict == Verdict::holds && claim.contact && claim.toi) early.add(*claim.toi, answer.toi);
+}
+
+void Tally::merge(const Tally& other) noexcept {
+  verdicts.merge(other.verdicts);
+  for (std::size_t i = 0; i < levels.size(); ++i) levels[i] += other.levels[i];
+  for (std::size_t i = 0; i < natures.size(); ++i) natures[i] += other.natures[i];
+  early.merge(other.early);
+}
+
+}  // namespace touchstone::certify

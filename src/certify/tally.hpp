@@ -1,0 +1,58 @@
+// Counts of verdicts and of what the exact answers were. Tallies of parts of the queries add up to that of the whole.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include <touchstone/answer.hpp>
+#include <touchstone/certify.hpp>
+#include <touchstone/query.hpp>
+
+#include "certify/early.hpp"
+
+namespace touchstone::certify {
+
+struct VerdictCounts {
+  std::uint64_t holds = 0;
+  std::uint64_t missed = 0;
+  std::uint64_t phantom = 0;
+  std::uint64_t late = 0;
+
+  std::uint64_t refuted() const noexcept { return missed + phantom + late; }
+  std::uint64_t claims() const noexcept { return holds + refuted(); }
+  void add(Verdict verdict) noexcept;
+  void merge(const VerdictCounts& other) noexcept;
+};
+
+struct Tally {
+  VerdictCounts verdicts;
+  std::array<std::uint64_t, 4> levels{};   ///< by Level: who decided
+  std::array<std::uint64_t, 5> natures{};  ///< by Nature of the exact answer, Nature::none first
+  EarlyTally early;                        ///< of claims that hold and have a toi
+
+  void add(const Claim& claim, const Answer& answer, Verdict verdict) noexcept;
+  void merge(const Tally& other) noexcept;
+};
+
+/// The verdicts on one file's claims.
+struct FileTally {
+  std::string file;
+  Kind kind = Kind::edge_edge;
+  VerdictCounts verdicts;
+};
+
+/// A claim that does not hold, with all that a person needs to check it.
+struct RefutedClaim {
+  std::string file;
+  std::uint64_t query = 0;      ///< counted from 0 within the file
+  std::uint64_t first_row = 0;  ///< lines of the file, counted from 1
+  std::uint64_t last_row = 0;
+  Claim claim;
+  Verdict verdict = Verdict::missed;
+  Answer answer;
+  RationalQuery as_given;  ///< the coordinates as the file writes them
+};
+
+}  // namespace touchstone::certify

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include <touchstone/certify.hpp>
+
+#include "cli/commands.hpp"
+#include "cli/inputs.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/story.hpp"
+#include "cli/words.hpp"
+#include "io/fail.hpp"
+#include "io/output_file.hpp"
+#include "io/query_parser.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+/// The pieces of a file are read until the one that holds the query; only that one is parsed.
+struct FoundQuery {
+  io::QueryChunk chunk;  ///< record.text lies in here
+  io::QueryRecord record;
+};
+
+std::unique_ptr<FoundQuery> find_query(const Input& input, std::uint64_t number) {
+  io::QueryChunkReader reader(input.open(), input.kind);
+  std::uint64_t count = 0;
+  auto found = std::make_unique<FoundQuery>();
+  while (auto chunk = reader.next()) {
+    throw_if_interrupted();
+    count += chunk->query_count;
+    if (number >= count && !chunk->truncated) continue;
+    found->chunk = std::move(*chunk);
+    io::QueryParser parser(found->chunk);
+    while (parser.next(found->record)) {
+      if (found->record.number == number) return found;
+    }
+  }
+  io::fail(input.name, fmt::format("has no query {}; it has {}, counted from 0", number, counted(count, "query")));
+}
+
+std::string heading(const Input& input, const io::QueryRecord& record) {
+  return fmt::format("query {} of {} (rows {} to {}), {}\n\n", record.number, io::printable(input.name),
+                     record.first_row, record.last_row, kind_name(input.kind));
+}
+
+}  // namespace
+
+int run_explain(const ExplainOptions& options) {
+  const Input input = find_inputs({options.file}, options.kind).front();
+  const auto found = find_query(input, options.query);
+  const auto& record = found->record;
+  // Through solve first: it refuses what exact::explain may not be given.
+  std::visit([&](const auto& query) { static_cast<void>(solve(query, Method::exact, options.t_max)); }, record.query);
+  const exact::Story story =
+      std::visit([&](const auto& query) { return exact::explain(query, options.t_max); }, record.query);
+
+  auto console = io::OutputFile::standard_output();
+  console.write(heading(input, record));
+  console.write(corners_for_person(record.query, io::query_as_given(input.kind, record.text)));
+  console.write(story_for_person(input.kind, story, options.t_max));
+  if (options.t_max == 1) {
+    console.write(fmt::format("the file's truth column says {}: {}\n", record.truth ? 1 : 0,
+                              verdict_name(judge({record.truth, std::nullopt}, story.answer))));
+  }
+  console.commit();
+  return kAllHold;
+}
+
+void add_explain(CLI::App& program, Command& command) {
+  const auto options = std::make_shared<ExplainOptions>();
+  CLI::App* const subcommand = program.add_subcommand("explain", "Tell how one query is decided");
+  subcommand->add_option("FILE", options->file, "The query file")->required()->type_name("");
+  subcommand->add_option("--query", options->query, "Which of its queries, counted from 0")->required()->type_name("N");
+  add_kind_option(*subcommand, options->kind);
+  subcommand->add_option("--t-max", options->t_max, "The end of the time range (default: 1)")
+      ->type_name("T")
+      ->check(CLI::Range(0.0, 1.0));
+  subcommand->footer(
+      "Shows the corners as given and as doubles, the coplanarity cubic's exact coefficients, each time at which "
+      "contact\n"
+      "may begin with the exact signs that decide it, and the answer.");
+  subcommand->callback([options, &command] { command = [options] { return run_explain(*options); }; });
+}
+
+}  // namespace touchstone::cli

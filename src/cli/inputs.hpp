@@ -1,0 +1,60 @@
+// The query files that a command is about: named on the command line, or bundled with the program.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <touchstone/query.hpp>
+
+#include "io/input_file.hpp"
+#include "io/query_chunks.hpp"
+
+namespace touchstone::cli {
+
+struct Input {
+  std::string name;  ///< as given; bundled files are called "bundled/KIND/FAMILY.csv"
+  Kind kind = Kind::edge_edge;
+  std::optional<std::uint64_t> bytes;  ///< nothing for a pipe
+  std::string_view content;            ///< of a bundled file
+  bool bundled = false;
+
+  io::InputFile open() const;
+};
+
+/// The files of these names, each checked to be there; a name that is no file may be that of a bundled one.
+/// @param kind  what they hold; by default what their folders are called
+/// @throws FileError
+std::vector<Input> find_inputs(const std::vector<std::string>& names, std::optional<Kind> kind);
+
+/// Every bundled file. @throws FileError when the program was built without them
+std::vector<Input> bundled_inputs();
+
+/// A piece of work for the pipeline: some queries of one input.
+struct QueryItem {
+  std::size_t input = 0;  ///< index into the inputs
+  io::QueryChunk chunk;
+  std::exception_ptr error;  ///< what went wrong after the queries of this item that are well
+};
+
+/// The chunks of several files, one file after the other.
+class QueryStream {
+ public:
+  QueryStream(const std::vector<Input>& inputs, std::size_t chunk_bytes);
+
+  /// @returns false after the last chunk of the last file. @throws FileError
+  bool next(QueryItem& item);
+
+ private:
+  const std::vector<Input>& inputs_;
+  std::size_t chunk_bytes_;
+  std::size_t current_ = 0;
+  std::optional<io::QueryChunkReader> reader_;
+};
+
+}  // namespace touchstone::cli

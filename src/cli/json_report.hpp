@@ -1,0 +1,55 @@
+// The report of `touchstone certify` as JSON.
+//
+//   {
+//     "touchstone": "0.1.0",                   version of the program
+//     "method": "fast",                        which code answered: "fast", "exact" or "oracle"
+//     "claims_from": "truth column",           or the name of the answers file
+//     "claims": {"judged", "holds", "missed", "phantom", "late"},            counts
+//     "decided_by": {"filter", "bracket", "exact", "oracle"},                counts
+//     "natures": {"none", "crossing", "grazing", "sustained", "isolated"},   counts, of the exact answers
+//     "early": {                               of the claims that hold and have a toi: how early it is
+//       "claims": 3,                           how many there are; when 0 the rest is left out
+//       "ulps": {"least", "most",              the number of doubles from the claimed toi to the exact answer's
+//                "median": {"from", "below"},  where the lower median lies: from <= median < below
+//                "histogram": [{"from", "below", "claims"}]},    "below" is null when there is no greater one
+//       "time": {...}                          the same for their difference, as hexfloats
+//     },
+//     "files": [{"file", "kind", "claims": {as above}}],
+//     "refuted": [{                            every claim that does not hold, in input order
+//       "file", "kind", "query",               its number counted from 0 within the file
+//       "rows": [97, 104],                     first and last line, counted from 1
+//       "verdict": "missed",                   "missed", "phantom" or "late"
+//       "claim": {"contact": 0, "toi": null},
+//       "answer": {"contact": 1, "toi", "toi_upper", "nature", "feature_a", "feature_b", "level"},   as in answers.csv,
+//                                              null without contact
+//       "corners": {"a0": {"start": ["1/3", "0/1", "1/1"], "end": [...]}, ...}   x, y, z as the file writes them
+//     }]
+//   }
+//
+// Times are hexfloats in strings. File names that are no valid UTF-8 have the bad bytes replaced by U+FFFD. The report
+// depends on nothing but the input: no clock, no number of threads.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "certify/tally.hpp"
+
+namespace touchstone::cli {
+
+struct ReportHeading {
+  std::string method;       ///< "fast", "exact" or "oracle"
+  std::string claims_from;  ///< "truth column" or the name of an answers file
+};
+
+/// One element of "refuted". There may be more of them than fit into memory, so that the caller strings them together:
+/// report_begin, the claims separated by kClaimSeparator, kReportEnd.
+std::string refuted_claim_json(const certify::RefutedClaim& refuted);
+
+std::string report_begin(const ReportHeading& heading, const certify::Tally& tally,
+                         const std::vector<certify::FileTally>& files);
+inline constexpr const char* kClaimSeparator = ",\n";
+inline constexpr const char* kReportEnd = "\n]}\n";
+
+}  // namespace touchstone::cli

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#include "cli/interrupt.hpp"
+#include "cli/program.hpp"
+
+int main(int argc, char** argv) {
+  using namespace touchstone::cli;
+  watch_for_signals();
+  try {
+    return run_program(argc, argv);
+  } catch (const Interrupted&) {
+    end_by_signal();
+  }
+}

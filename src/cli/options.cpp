@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <map>
+#include <system_error>
+
+#include "cli/commands.hpp"
+#include "cli/pipeline.hpp"
+#include "cli/words.hpp"
+#include "io/fail.hpp"
+#include "io/kind_of_file.hpp"
+
+namespace touchstone::cli {
+
+void add_kind_option(CLI::App& subcommand, std::optional<Kind>& kind) {
+  subcommand
+      .add_option_function<std::string>(
+          "--kind", [&kind](const std::string& name) { kind = io::kind_from_name(name); },
+          "What the files hold: " + io::kind_names() + " (default: the name of the folder just above each file)")
+      ->type_name("KIND")
+      ->check([](const std::string& name) {
+        return io::kind_from_name(name) ? std::string() : name + " is no kind; it must be " + io::kind_names();
+      });
+}
+
+void add_query_options(CLI::App& subcommand, QueryOptions& options) {
+  add_kind_option(subcommand, options.kind);
+  subcommand
+      .add_option_function<std::string>(
+          "--level",
+          [&options](const std::string& name) {
+            for (const Method method : {Method::fast, Method::exact, Method::oracle}) {
+              if (name == method_name(method)) options.method = method;
+            }
+          },
+          "Which code answers; all of them give the same answer. fast: filters, and exact arithmetic where they are "
+          "uncertain (default). exact: exact arithmetic alone. oracle: an independent decider that shares no code "
+          "with the others; a thousand times slower")
+      ->type_name("LEVEL")
+      ->check(CLI::IsMember({"fast", "exact", "oracle"}));
+  subcommand.add_option("--threads", options.threads, "How many threads to use (default: all that the machine has)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+}
+
+void refuse_to_overwrite(const std::string& output, const std::vector<std::string>& inputs) {
+  if (output.empty() || output == "-") return;
+  for (const auto& input : inputs) {
+    std::error_code ignored;  // files that are not there are no danger
+    if (std::filesystem::is_regular_file(output, ignored) && std::filesystem::equivalent(output, input, ignored)) {
+      io::fail(output, "is also an input; writing there would destroy it");
+    }
+  }
+}
+
+int thread_count(int threads) noexcept { return threads > 0 ? threads : default_threads(); }
+
+Answer answer_to(const std::variant<Query, RationalQuery>& query, Method method) {
+  return std::visit([method](const auto& q) { return solve(q, method); }, query);
+}
+
+}  // namespace touchstone::cli

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#include "cli/pipeline.hpp"
+
+#if TOUCHSTONE_WITH_TBB
+#include <oneapi/tbb/info.h>
+#endif
+
+namespace touchstone::cli {
+
+int default_threads() noexcept {
+#if TOUCHSTONE_WITH_TBB
+  return tbb::info::default_concurrency();  // what this process may use, which may be less than the machine has
+#else
+  return 1;
+#endif
+}
+
+}  // namespace touchstone::cli

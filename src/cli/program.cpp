@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "cli/program.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include <touchstone/error.hpp>
+#include <touchstone/version.hpp>
+
+#include "cli/commands.hpp"
+#include "cli/interrupt.hpp"
+#include "io/output_file.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+void print(const std::string& text) {
+  auto console = io::OutputFile::standard_output();
+  console.write(text);
+  console.commit();
+}
+
+int complain(const std::string& line) {
+  fmt::print(stderr, "{}\n", line);
+  return kBadInput;
+}
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+int parse_and_run(int argc, const char* const* argv) {
+  CLI::App program(
+      "Touchstone: do two moving elements ever touch, and when first? Exact answers, and verdicts on claimed\n"
+      "ones. An element is an edge, a face or a point whose corners move on straight lines for t in [0, 1].",
+      "touchstone");
+  program.set_version_flag("--version", std::string("touchstone ") + version());
+  program.require_subcommand(1);
+  program.footer(
+      "Examples\n"
+      "  touchstone certify                                the queries bundled with the program\n"
+      "  touchstone certify data/*/edge-edge/*.csv         are the truth columns of these files true?\n"
+      "  touchstone certify --claims mine.csv edge-edge/a.csv --report report.json\n"
+      "  touchstone solve --out answers.csv edge-edge/a.csv vertex-face/b.csv\n"
+      "  touchstone explain --query 12 edge-edge/a.csv\n\n"
+      "A query file has a row for each corner at t = 0 and then for each at t = 1, in the order\n"
+      "  edge-edge    a0 a1 b0 b1      vertex-face  v f0 f1 f2      point-edge  p e0 e1      point-point  p q\n"
+      "and seven integers a row: x_num,x_den,y_num,y_den,z_num,z_den,truth. Its folder's name, or --kind, says which "
+      "of\n"
+      "the four it holds. Lines that start with # and blank lines are skipped; rows are counted as lines, queries from "
+      "0.\n\n"
+      "Exit status: 0 done and every claim holds, 1 some claim is refuted, 2 bad usage or bad input.");
+  Command command;
+  add_solve(program, command);
+  add_certify(program, command);
+  add_explain(program, command);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    print(program.help());
+    return kAllHold;
+  } catch (const CLI::CallForVersion& version_text) {
+    print(std::string(version_text.what()) + "\n");
+    return kAllHold;
+  } catch (const CLI::ParseError& error) {
+    return complain("touchstone: " + first_line(error.what()) + " (see touchstone --help)");
+  }
+  return command();
+}
+
+}  // namespace
+
+int run_program(int argc, const char* const* argv) {
+  try {
+    return parse_and_run(argc, argv);
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const FileError& error) {
+    return complain(error.what());
+  } catch (const std::bad_alloc&) {
+    return complain("touchstone: out of memory");
+  } catch (const std::exception& error) {
+    return complain(std::string("touchstone: ") + error.what());
+  }
+}
+
+}  // namespace touchstone::cli

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "cli/inputs.hpp"
+#include "cli/pipeline.hpp"
+#include "cli/progress.hpp"
+#include "cli/summary.hpp"
+#include "io/answer_writer.hpp"
+#include "io/output_file.hpp"
+#include "io/query_parser.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+struct SolveItem : QueryItem {
+  std::string rows;  ///< of answers.csv
+  Counts counts;
+};
+
+void solve_queries(SolveItem& item, const std::vector<Input>& inputs, Method method) {
+  if (item.chunk.file == nullptr) return;  // reading failed
+  const std::string file = io::csv_field(inputs[item.input].name);
+  io::QueryParser parser(item.chunk);
+  io::QueryRecord record;
+  while (parser.next(record)) {
+    const Answer answer = answer_to(record.query, method);
+    io::append_answer(item.rows, file, record.number, answer);
+    item.counts.add(answer);
+  }
+}
+
+}  // namespace
+
+int run_solve(const SolveOptions& options) {
+  const std::vector<Input> inputs = find_inputs(options.files, options.kind);
+  refuse_to_overwrite(options.out, options.files);
+  const bool to_standard_output = options.out == "-";
+  io::OutputFile out = to_standard_output ? io::OutputFile::standard_output() : io::OutputFile(options.out);
+  const int threads = thread_count(options.threads);
+
+  QueryStream stream(inputs, options.chunk_bytes);
+  Counts counts;
+  Progress progress(inputs);
+  out.write(io::kAnswerHeader);
+  run_in_order<SolveItem>(
+      threads, [&](SolveItem& item) { return stream.next(item); },
+      [&](SolveItem& item) { solve_queries(item, inputs, options.method); },
+      [&](SolveItem& item) {
+        out.write(item.rows);
+        counts.merge(item.counts);
+        progress.add(item.chunk.text().size(), item.counts.queries);
+      });
+  out.commit();
+  if (to_standard_output) return kAllHold;
+
+  auto console = io::OutputFile::standard_output();
+  console.write(fmt::format("{} in {} answered in {}\n", counted(counts.queries, "query"),
+                            counted(inputs.size(), "file"), options.out));
+  console.write(counts_for_person(counts));
+  console.write(speed_for_person(counts.queries, progress.seconds(), threads));
+  console.commit();
+  return kAllHold;
+}
+
+void add_solve(CLI::App& program, Command& command) {
+  const auto options = std::make_shared<SolveOptions>();
+  CLI::App* const subcommand = program.add_subcommand("solve", "Answer the queries of files, exactly");
+  subcommand->add_option("FILE", options->files, "Query files")->required()->type_name("");
+  add_query_options(*subcommand, *options);
+  subcommand
+      ->add_option("--out", options->out,
+                   "Where the answers go (default: standard output). The file appears "
+                   "when all is done, and not at all after an error")
+      ->type_name("FILE");
+  subcommand->footer(
+      "The answers are CSV with the columns file,query,contact,toi,toi_upper,nature,feature_a,feature_b,level: one "
+      "row\n"
+      "a query, in input order, the same for any number of threads. toi and toi_upper are the neighbouring doubles\n"
+      "around the exact first time of contact (equal when it is a double), as C hexfloats; empty without contact.");
+  subcommand->callback([options, &command] { command = [options] { return run_solve(*options); }; });
+}
+
+}  // namespace touchstone::cli

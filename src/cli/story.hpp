@@ -1,0 +1,20 @@
+// One query and how it is decided, for a person.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include <touchstone/query.hpp>
+
+#include "exact/exact.hpp"
+
+namespace touchstone::cli {
+
+/// Every corner at both ends, as the file gives it, and as a hexfloat where it is a double. Whole lines.
+std::string corners_for_person(const std::variant<Query, RationalQuery>& query, const RationalQuery& as_given);
+
+/// The cubic, the candidate times with the signs that decide them, and the answer. Whole lines.
+std::string story_for_person(Kind kind, const exact::Story& story, double t_max);
+
+}  // namespace touchstone::cli
