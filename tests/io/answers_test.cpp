@@ -1,0 +1,180 @@
+// answers.csv: rows as they are written, and as claims are read from them.
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <string>
+#include <vector>
+
+#include <touchstone/error.hpp>
+
+#include "io/answer_reader.hpp"
+#include "io/answer_writer.hpp"
+#include "support/catch.hpp"
+#include "support/random.hpp"
+
+using namespace touchstone;
+
+namespace {
+
+constexpr std::array<std::size_t, 4> kChunks = {1, 3, 100, io::kChunkBytes};
+
+struct ReadRow {
+  std::string file;
+  bool has_file;
+  std::uint64_t query;
+  bool contact;
+  std::optional<double> toi;
+  std::uint64_t row;
+};
+
+struct ReadAnswers {
+  std::vector<ReadRow> rows;
+  std::string error;
+};
+
+ReadAnswers read(std::string_view content, std::size_t chunk) {
+  ReadAnswers result;
+  try {
+    io::AnswerReader reader(io::InputFile::from_memory("a.csv", content), chunk);
+    io::AnswerRow row;
+    while (reader.next(row)) {
+      result.rows.push_back(
+          {std::string(row.file.value_or("")), row.file.has_value(), row.query, row.contact, row.toi, row.row});
+    }
+  } catch (const FileError& error) {
+    result.error = error.what();
+  }
+  return result;
+}
+
+std::string error_of(std::string_view content) {
+  const std::string error = read(content, kChunks[0]).error;
+  for (const std::size_t chunk : kChunks) CHECK(read(content, chunk).error == error);
+  return error;
+}
+
+}  // namespace
+
+TEST_CASE("an answer is one row, empty where there is nothing to say") {
+  Answer answer;
+  answer.contact = true;
+  answer.level = Level::exact;
+  answer.nature = Nature::grazing;
+  answer.feature_a = Feature::a0;
+  answer.feature_b = Feature::b;
+  answer.toi = 0.375;
+  answer.toi_upper = 0x1.8000000000001p-2;
+  std::string text(io::kAnswerHeader);
+  io::append_answer(text, "x.csv", 12, answer);
+  Answer none;
+  none.level = Level::filter;
+  io::append_answer(text, io::csv_field("a,\"b\".csv"), 13, none);
+  CHECK(text ==
+        "file,query,contact,toi,toi_upper,nature,feature_a,feature_b,level\n"
+        "x.csv,12,1,0x1.8p-2,0x1.8000000000001p-2,grazing,a0,b,exact\n"
+        "\"a,\"\"b\"\".csv\",13,0,,,,,,filter\n");
+}
+
+TEST_CASE("written answers are read back as claims, whatever the files are called") {
+  const std::array<std::string, 8> names = {"edge-edge/a.csv", "",         "with, comma", "\"quoted\"",
+                                            "line\nend",       "cr\r\nlf", "\"",          " blank "};
+  constexpr std::uint64_t kSeed = 11;
+  CAPTURE(kSeed);
+  tests::Rng rng(kSeed);
+  std::string text(io::kAnswerHeader);
+  std::vector<ReadRow> expected;
+  for (std::uint64_t i = 0; i < 500; ++i) {
+    const std::string& name = rng.pick(names);
+    Answer answer;
+    answer.contact = rng.one_in(2);
+    if (answer.contact) answer.toi = answer.toi_upper = rng.unit();
+    io::append_answer(text, io::csv_field(name), i, answer);
+    expected.push_back({name, true, i, answer.contact, std::nullopt, 0});
+    if (answer.contact) expected.back().toi = answer.toi;
+  }
+  for (const std::size_t chunk : kChunks) {
+    CAPTURE(chunk);
+    const ReadAnswers answers = read(text, chunk);
+    REQUIRE(answers.error == "");
+    REQUIRE(answers.rows.size() == expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      REQUIRE(answers.rows[i].file == expected[i].file);
+      REQUIRE(answers.rows[i].query == expected[i].query);
+      REQUIRE(answers.rows[i].contact == expected[i].contact);
+      REQUIRE(answers.rows[i].toi == expected[i].toi);
+    }
+  }
+}
+
+TEST_CASE("only query and contact are needed, in any order and layout") {
+  for (const std::size_t chunk : kChunks) {
+    const ReadAnswers answers = read(
+        "\xEF\xBB\xBF"
+        "contact,query\r\n1,0\r\n\r\n0,1\r\n\n1,2",
+        chunk);
+    REQUIRE(answers.error == "");
+    REQUIRE(answers.rows.size() == 3);
+    CHECK(answers.rows[0].contact);
+    CHECK_FALSE(answers.rows[1].contact);
+    CHECK_FALSE(answers.rows[0].has_file);
+    CHECK_FALSE(answers.rows[0].toi);
+    CHECK(answers.rows[2].query == 2);
+    CHECK(answers.rows[0].row == 2);
+    CHECK(answers.rows[1].row == 4);
+    CHECK(answers.rows[2].row == 6);
+  }
+  const ReadAnswers decimal = read("query,toi,contact,level,nature\n7,0.375,1,mine,\"whatever, it is skipped\"\n", 10);
+  REQUIRE(decimal.error == "");
+  CHECK(decimal.rows.at(0).toi == 0.375);
+}
+
+TEST_CASE("a row in quotes that spans lines counts them") {
+  const ReadAnswers answers = read("file,query,contact\n\"a\nb\",0,1\n\"a\nb\",1,2\n", 7);
+  REQUIRE(answers.rows.size() == 1);
+  CHECK(answers.rows[0].file == "a\nb");
+  CHECK(answers.rows[0].row == 2);
+  CHECK(answers.error == "a.csv:4: contact is '2'; it must be 0 or 1");
+}
+
+TEST_CASE("faults of a claims file are named with file, row and reason") {
+  CHECK(error_of("") == "a.csv: is empty; its first line must name the columns, for example query,contact,toi");
+  CHECK(error_of("query,contact,speed\n") ==
+        "a.csv:1: unknown column 'speed'; the columns are query, contact and optionally file, toi, toi_upper, nature, "
+        "feature_a, feature_b, level");
+  CHECK(error_of("query,contact,Toi\n").substr(0, 29) == "a.csv:1: unknown column 'Toi'");
+  CHECK(error_of("query,contact,\n").substr(0, 26) == "a.csv:1: unknown column ''");
+  CHECK(error_of("query,contact,query\n") == "a.csv:1: column 'query' is there twice");
+  CHECK(error_of("query,contact,level,level\n") == "a.csv:1: column 'level' is there twice");
+  CHECK(error_of("query,toi\n0,1\n") == "a.csv:1: column 'contact' is missing");
+  CHECK(error_of("contact\n1\n") == "a.csv:1: column 'query' is missing");
+  CHECK(error_of("0,1\n1,1\n").substr(0, 27) == "a.csv:1: unknown column '0'");
+
+  const std::string head = "query,contact,toi\n0,0,\n";
+  CHECK(error_of(head + "1,0\n") == "a.csv:3: 2 columns; the header has 3");
+  CHECK(error_of(head + "1,0,,\n") == "a.csv:3: 4 columns; the header has 3");
+  CHECK(error_of(head + "x,0,\n") == "a.csv:3: query is 'x'; it must be a number counted from 0");
+  CHECK(error_of(head + "-1,0,\n") == "a.csv:3: query is '-1'; it must be a number counted from 0");
+  CHECK(error_of(head + "1.0,0,\n") == "a.csv:3: query is '1.0'; it must be a number counted from 0");
+  CHECK(error_of(head + "99999999999999999999,0,\n").substr(0, 18) == "a.csv:3: query is ");
+  CHECK(error_of(head + "1,yes,\n") == "a.csv:3: contact is 'yes'; it must be 0 or 1");
+  CHECK(error_of(head + "1, 1,\n") == "a.csv:3: contact is ' 1'; it must be 0 or 1");
+  const std::string finite = "; it must be a finite number such as 0x1.8p-2 or 0.375, or empty";
+  CHECK(error_of(head + "1,1,nan\n") == "a.csv:3: toi is 'nan'" + finite);
+  CHECK(error_of(head + "1,1,inf\n") == "a.csv:3: toi is 'inf'" + finite);
+  CHECK(error_of(head + "1,1,-inf\n") == "a.csv:3: toi is '-inf'" + finite);
+  CHECK(error_of(head + "1,1,1e400\n") == "a.csv:3: toi is '1e400'" + finite);
+  CHECK(error_of(head + "1,0,inf\n") == "a.csv:3: toi is 'inf'" + finite);
+  CHECK(error_of(head + "1,0,0.5\n") == "a.csv:3: contact is 0 and toi is '0.5'; without contact toi must be empty");
+}
+
+TEST_CASE("broken quotes, zero bytes and endless rows of a claims file are refused") {
+  using namespace std::string_literals;
+  const std::string head = "file,query,contact\n";
+  CHECK(error_of(head + "\"a\"b,0,1\n") == "a.csv:2: text after a closing quote");
+  CHECK(error_of(head + "a\"b\",0,1\n") == "a.csv:2: a quote inside a field that does not start with one");
+  CHECK(error_of(head + "\"a,0,1\nb,1,1\n") == "a.csv:2: the file ends inside quotes");
+  CHECK(error_of(head + "a\0,0,1\n"s) == "a.csv:2: a zero byte; this is no text file");
+  const std::string longest(io::kLongestLine + 1, 'x');
+  CHECK(read(head + longest, io::kChunkBytes).error == "a.csv:2: the row is longer than 1048576 bytes");
+  CHECK(read(head + "\"\n" + longest, io::kChunkBytes).error ==
+        "a.csv:2: the row is longer than 1048576 bytes; is a quote not closed?");
+}
