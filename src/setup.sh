@@ -105,6 +105,8 @@ install_missing() {
     die "not root and no sudo; $by_hand"
   fi
 
+  as_root true || die "sudo refused; $by_hand"
+
   say "installing with $manager: ${packages[*]}"
   case $manager in
     apt-get)
