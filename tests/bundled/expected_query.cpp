@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "bundled/expected_query.hpp"
+
+#include <array>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "numbers/fraction.hpp"
+
+namespace touchstone::tests {
+namespace {
+
+constexpr std::string_view kExpect = "# expect ";
+const std::set<std::string> kFields = {"contact", "toi", "toi_upper", "nature", "feature_a", "feature_b"};
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+Kind kind_of_name(const std::string& name) {
+  const auto parts = split(name, '/');
+  if (parts.size() == 3 && parts[0] == "bundled") {
+    for (const Kind kind : {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point}) {
+      if (parts[1] == kind_name(kind)) return kind;
+    }
+  }
+  throw std::runtime_error(name + ": not bundled/KIND/FAMILY.csv");
+}
+
+/// Reads one file line by line.
+class Parser {
+ public:
+  explicit Parser(const cli::BundledFile& file) : name_(file.name), kind_(kind_of_name(name_)), text_(file.content) {}
+
+  std::vector<ExpectedQuery> queries() {
+    std::istringstream lines(text_);
+    for (std::string line; std::getline(lines, line);) {
+      ++line_;
+      if (line.substr(0, kExpect.size()) == kExpect) {
+        read_expectation(line.substr(kExpect.size()));
+      } else if (line.empty() || line.front() != '#') {
+        read_row(line);
+      }
+    }
+    if (row_ != 0) fail("the file ends within a query");
+    if (!expect_.empty()) fail("an expectation without a query");
+    return std::move(queries_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& reason) const {
+    throw std::runtime_error(name_ + ":" + std::to_string(line_) + ": " + reason);
+  }
+
+  void read_expectation(const std::string& text) {
+    if (row_ != 0 || !expect_.empty()) fail("an expectation that does not stand alone above its query");
+    for (const auto& item : split(text, ' ')) {
+      const std::size_t equals = item.find('=');
+      const std::string field = item.substr(0, equals);
+      if (equals == std::string::npos || kFields.count(field) == 0) fail("not a field: " + item);
+      if (!expect_.emplace(field, item.substr(equals + 1)).second) fail("twice: " + field);
+    }
+    if (expect_.count("contact") == 0) fail("an expectation without contact");
+  }
+
+  void read_row(const std::string& line) {
+    const auto columns = split(line, ',');
+    if (columns.size() != 7) fail("not a row of 7 columns");
+    if (columns[6] != "0" && columns[6] != "1") fail("truth is neither 0 nor 1");
+    const std::size_t corners = corner_count(kind_);
+    if (row_ == 0) {
+      if (expect_.empty()) fail("a query without an expectation");
+      queries_.emplace_back();
+      ExpectedQuery& query = queries_.back();
+      query.file = name_;
+      query.number = queries_.size() - 1;
+      query.query.kind = kind_;
+      query.truth = columns[6] == "1";
+      query.expect = std::move(expect_);
+      expect_.clear();
+    }
+    ExpectedQuery& query = queries_.back();
+    if (query.truth != (columns[6] == "1")) fail("truth differs within the query");
+    auto& corner = row_ < corners ? query.query.start[row_] : query.query.end[row_ - corners];
+    for (std::size_t axis = 0; axis < 3; ++axis) corner[axis] = {columns[2 * axis], columns[2 * axis + 1]};
+    row_ = (row_ + 1) % (2 * corners);
+  }
+
+  std::string name_;
+  Kind kind_;
+  std::string text_;
+  std::size_t line_ = 0;
+  std::size_t row_ = 0;  ///< within the query
+  std::map<std::string, std::string> expect_;
+  std::vector<ExpectedQuery> queries_;
+};
+
+}  // namespace
+
+std::string ExpectedQuery::name() const {
+  return file + ", query " + std::to_string(number) + " (touchstone explain --query " + std::to_string(number) + " " +
+         file + ")";
+}
+
+std::vector<ExpectedQuery> parse_bundled_file(const cli::BundledFile& file) { return Parser(file).queries(); }
+
+const std::vector<ExpectedQuery>& expected_queries() {
+  static const std::vector<ExpectedQuery> all = [] {
+    std::vector<ExpectedQuery> queries;
+    for (const auto& file : cli::bundled_files()) {
+      for (auto& query : parse_bundled_file(file)) queries.push_back(std::move(query));
+    }
+    return queries;
+  }();
+  return all;
+}
+
+std::optional<Query> in_doubles(const RationalQuery& query) {
+  Query result;
+  result.kind = query.kind;
+  const auto convert = [](const std::array<Fraction, 3>& from, Vec3& to) {
+    std::array<std::optional<double>, 3> values;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      values[axis] = numbers::exact_double(from[axis].numerator, from[axis].denominator);
+      if (!values[axis]) return false;
+    }
+    to = {*values[0], *values[1], *values[2]};
+    return true;
+  };
+  for (std::size_t corner = 0; corner < corner_count(query.kind); ++corner) {
+    if (!convert(query.start[corner], result.start[corner]) || !convert(query.end[corner], result.end[corner])) {
+      return std::nullopt;
+    }
+  }
+  return result;
+}
+
+}  // namespace touchstone::tests
