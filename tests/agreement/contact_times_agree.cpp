@@ -55,7 +55,8 @@ std::string contradiction(const Query& query, const Answer& answer, const std::v
   const ContactInterval& first = times.front();
   if (first.first.lower() != answer.toi || first.first.upper() != answer.toi_upper) return "toi is not the first end";
   const bool lasts = first.first < first.last;
-  if (lasts != (answer.nature == Nature::sustained)) return "sustained and an instant, or an interval and not sustained";
+  if (lasts != (answer.nature == Nature::sustained))
+    return "sustained and an instant, or an interval and not sustained";
   if (!coplanarity_cubic(query).empty()) {
     if (times.size() > 3) return "more times than a cubic has roots";
     for (const ContactInterval& interval : times) {
@@ -103,17 +104,19 @@ std::string membership_error(const Query& query, const std::vector<ContactInterv
 void check_contact_times(Group group, std::size_t count) {
   Report report;
   std::size_t intervals = 0, instants = 0, several = 0;
-  for_each_case(kSeed, count, [&](const FamilyInfo& f, Kind) { return f.group == group; }, [&](const CaseId& id) {
-    const Query query = make(id);
-    const std::vector<ContactInterval> times = contact_times(query);
-    std::string wrong = set_malformation(times);
-    if (wrong.empty()) wrong = contradiction(query, solve(query, Method::exact), times);
-    if (!wrong.empty()) wrong += "\n    " + interval_text(times) + "\n    " + describe(solve(query, Method::exact));
-    if (wrong.empty()) wrong = membership_error(query, times);
-    report.add(id, query, wrong);
-    several += times.size() > 1;
-    for (const ContactInterval& interval : times) ++(interval.first < interval.last ? intervals : instants);
-  });
+  for_each_case(
+      kSeed, count, [&](const FamilyInfo& f, Kind) { return f.group == group; },
+      [&](const CaseId& id) {
+        const Query query = make(id);
+        const std::vector<ContactInterval> times = contact_times(query);
+        std::string wrong = set_malformation(times);
+        if (wrong.empty()) wrong = contradiction(query, solve(query, Method::exact), times);
+        if (!wrong.empty()) wrong += "\n    " + interval_text(times) + "\n    " + describe(solve(query, Method::exact));
+        if (wrong.empty()) wrong = membership_error(query, times);
+        report.add(id, query, wrong);
+        several += times.size() > 1;
+        for (const ContactInterval& interval : times) ++(interval.first < interval.last ? intervals : instants);
+      });
   if (!chosen_case()) {
     std::printf("seed %llu: %zu sets of times; %zu intervals, %zu instants, %zu sets of several\n",
                 static_cast<unsigned long long>(kSeed), report.checked(), intervals, instants, several);

@@ -80,13 +80,15 @@ std::string refuted(const Query& query, const Answer& answer) {
 void check_answers(Group group, std::size_t count) {
   Report report;
   std::size_t exact_times = 0, other_times = 0;
-  for_each_case(kSeed, count, [&](const FamilyInfo& f, Kind) { return f.group == group; }, [&](const CaseId& id) {
-    const Query query = make(id);
-    const Answer answer = solve(query, Method::fast);
-    const std::string wrong = refuted(query, answer);
-    report.add(id, query, wrong.empty() ? "" : wrong + "\n    " + describe(answer));
-    if (answer.contact) ++(answer.toi == answer.toi_upper ? exact_times : other_times);
-  });
+  for_each_case(
+      kSeed, count, [&](const FamilyInfo& f, Kind) { return f.group == group; },
+      [&](const CaseId& id) {
+        const Query query = make(id);
+        const Answer answer = solve(query, Method::fast);
+        const std::string wrong = refuted(query, answer);
+        report.add(id, query, wrong.empty() ? "" : wrong + "\n    " + describe(answer));
+        if (answer.contact) ++(answer.toi == answer.toi_upper ? exact_times : other_times);
+      });
   if (!chosen_case()) {
     std::printf("seed %llu: %zu contacts at a double, %zu between doubles, of %zu queries\n",
                 static_cast<unsigned long long>(kSeed), exact_times, other_times, report.checked());

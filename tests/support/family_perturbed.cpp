@@ -26,8 +26,8 @@ Vec3 random_point(Rng& rng, double reach) {
 // Nearly parallel edges, nearly flat faces, nearly coplanar motion: a degenerate query with a few coordinates off by
 // a little.
 Query sliver(Kind kind, Rng& rng) {
-  static constexpr std::array<Family, 7> bases{Family::parallel, Family::flat,           Family::sliding,
-                                               Family::collinear, Family::planar_general, Family::moving_plane,
+  static constexpr std::array<Family, 7> bases{Family::parallel,   Family::flat,           Family::sliding,
+                                               Family::collinear,  Family::planar_general, Family::moving_plane,
                                                Family::static_step};
   Query query = make(rng.pick(bases), kind, rng);
   const double tiny = std::ldexp(1.0, -rng.between(8, 49));
@@ -73,7 +73,7 @@ Query ulp_lattice(Kind kind, Rng& rng) {
 }
 
 Sample far_offset(Kind kind, Rng& rng) {
-  static constexpr std::array<Family, 6> bases{Family::prescribed, Family::lattice4,       Family::sliding,
+  static constexpr std::array<Family, 6> bases{Family::prescribed,  Family::lattice4,       Family::sliding,
                                                Family::chain_joint, Family::grazing_merged, Family::parallel};
   static constexpr std::array<double, 6> offsets{0, 1e8, -1e8, 1e8, 0x1p40, -0x1p50};
   Sample sample = make_sample(rng.pick(bases), kind, rng);

@@ -17,15 +17,46 @@ namespace touchstone::tests {
 
 enum class Family : std::uint8_t {
   // Small integers, where coincidences of every sort happen by themselves.
-  lattice1, lattice2, lattice4, signed_zero, static_step, few_moving,
+  lattice1,
+  lattice2,
+  lattice4,
+  signed_zero,
+  static_step,
+  few_moving,
   // V vanishes identically, or an element is degenerate.
-  planar_axis, planar_general, moving_plane, collinear, moving_line, shared_corner, parallel, sliding, flat,
+  planar_axis,
+  planar_general,
+  moving_plane,
+  collinear,
+  moving_line,
+  shared_corner,
+  parallel,
+  sliding,
+  flat,
   // A contact at a known dyadic time with dyadic weights, and its neighbours.
-  prescribed, at_start, at_end, chain_joint, near_hit, grazing_merged, grazing_apart, grazing_gone, triple_root,
+  prescribed,
+  at_start,
+  at_end,
+  chain_joint,
+  near_hit,
+  grazing_merged,
+  grazing_apart,
+  grazing_gone,
+  triple_root,
   // Hard for doubles.
-  sliver, near_rigid, ulp_lattice, far_offset, random_doubles, simulation,
+  sliver,
+  near_rigid,
+  ulp_lattice,
+  far_offset,
+  random_doubles,
+  simulation,
   // Magnitudes.
-  uniform_scale, axis_scale, subnormal, huge, corner_scale, mixed_scale
+  uniform_scale,
+  axis_scale,
+  subnormal,
+  huge,
+  corner_scale,
+  mixed_scale
 };
 
 /// What a family is like, so that a test can choose.

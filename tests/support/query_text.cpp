@@ -30,9 +30,7 @@ std::string rows(const std::array<Vec3, 4>& corners, std::size_t count) {
   return text;
 }
 
-std::string weights_text(const std::array<double, 3>& weights) {
-  return listed('(', weights, ')');
-}
+std::string weights_text(const std::array<double, 3>& weights) { return listed('(', weights, ')'); }
 
 }  // namespace
 

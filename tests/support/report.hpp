@@ -21,9 +21,7 @@
 namespace touchstone::tests {
 
 /// How many cases to run where a release build runs `count`.
-constexpr std::size_t effort(std::size_t count) {
-  return TOUCHSTONE_SLOW_BUILD ? (count + 19) / 20 : count;
-}
+constexpr std::size_t effort(std::size_t count) { return TOUCHSTONE_SLOW_BUILD ? (count + 19) / 20 : count; }
 
 /// The one case to run instead of all, from the environment variable TOUCHSTONE_CASE.
 inline std::optional<CaseId> chosen_case() {
@@ -32,6 +30,11 @@ inline std::optional<CaseId> chosen_case() {
   const std::optional<CaseId> id = parse_case(text);
   if (!id) FAIL("TOUCHSTONE_CASE is not \"family kind seed index\": " << text);
   return id;
+}
+
+/// "label: wrong", or nothing when nothing is wrong.
+inline std::string labelled(std::string label, const std::string& wrong) {
+  return wrong.empty() ? wrong : label.append(": ").append(wrong);
 }
 
 class Report {

@@ -74,7 +74,8 @@ struct SegmentContact {
 };
 
 // Segment from a along u (of length zero, perhaps) and segment from c along w:  s u - q w = c - a.
-SegmentContact segments(const RationalPoint& a, const RationalPoint& u, const RationalPoint& c, const RationalPoint& w) {
+SegmentContact segments(const RationalPoint& a, const RationalPoint& u, const RationalPoint& c,
+                        const RationalPoint& w) {
   const RationalPoint zero{};
   const Solutions solutions = solve_for_two(u, minus(zero, w), minus(c, a));
   SegmentContact contact;

@@ -1,0 +1,122 @@
+// solve allocates nothing when a filter decides: operator new and GMP's allocators are counted.
+// SPDX-License-Identifier: MIT
+#include <gmp.h>
+
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+#include <touchstone/solve.hpp>
+
+#include "support/report.hpp"
+
+namespace {
+
+std::atomic<std::size_t> allocations{0};
+
+void* counted_allocation(std::size_t size) {
+  allocations.fetch_add(1, std::memory_order_relaxed);
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+
+void* counted_allocation(std::size_t size, std::align_val_t alignment) {
+  allocations.fetch_add(1, std::memory_order_relaxed);
+  const auto align = static_cast<std::size_t>(alignment);
+  if (void* memory = std::aligned_alloc(align, (size + align - 1) / align * align)) return memory;
+  throw std::bad_alloc();
+}
+
+void* gmp_allocate(std::size_t size) { return counted_allocation(size); }
+void* gmp_reallocate(void* memory, std::size_t, std::size_t size) {
+  allocations.fetch_add(1, std::memory_order_relaxed);
+  return std::realloc(memory, size);
+}
+void gmp_free(void* memory, std::size_t) { std::free(memory); }
+
+const bool gmp_is_counted = [] {
+  mp_set_memory_functions(gmp_allocate, gmp_reallocate, gmp_free);
+  return true;
+}();
+
+}  // namespace
+
+void* operator new(std::size_t size) { return counted_allocation(size); }
+void* operator new[](std::size_t size) { return counted_allocation(size); }
+void* operator new(std::size_t size, std::align_val_t alignment) { return counted_allocation(size, alignment); }
+void* operator new[](std::size_t size, std::align_val_t alignment) { return counted_allocation(size, alignment); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace touchstone::tests {
+namespace {
+
+constexpr std::uint64_t kSeed = 31;
+
+TEST_CASE("the counter sees what operator new and GMP allocate") {
+  const std::size_t before = allocations;
+  ::operator delete(::operator new(8));
+  ::operator delete(::operator new(64, std::align_val_t(64)), std::align_val_t(64));
+  CHECK(allocations == before + 2);
+  REQUIRE(gmp_is_counted);
+  mpz_t number;
+  mpz_init_set_ui(number, 1);
+  mpz_mul_2exp(number, number, 10000);
+  mpz_clear(number);
+  CHECK(allocations > before + 2);
+}
+
+TEST_CASE("solve allocates nothing when a filter decides") {
+  Report report;
+  std::array<std::size_t, 4> by_filter{};
+  std::size_t allocating = 0;
+  for_each_case(
+      kSeed, 1000, [](const FamilyInfo&, Kind) { return true; },
+      [&](const CaseId& id) {
+        const Query query = make(id);
+        const std::size_t before = allocations;
+        const Answer answer = solve(query);
+        const std::size_t during = allocations - before;
+        if (answer.level != Level::filter) {
+          allocating += during > 0;
+          return;
+        }
+        ++by_filter[static_cast<std::size_t>(id.kind)];
+        report.add(id, query, during == 0 ? "" : std::to_string(during) + " allocations");
+      });
+  if (!chosen_case()) {
+    for (const Kind kind : kKinds) {
+      std::printf("%-12s %zu queries decided by a filter\n", kind_name(kind).data(),
+                  by_filter[static_cast<std::size_t>(kind)]);
+      CHECK(by_filter[static_cast<std::size_t>(kind)] > 0);
+    }
+    CHECK(allocating > 0);  // the exact level does, or the counter sees nothing
+  }
+  report.finish();
+}
+
+TEST_CASE("a batch into the caller's memory allocates nothing when filters decide") {
+  std::vector<Query> queries;
+  for_each_case(
+      kSeed, 200, [](const FamilyInfo&, Kind) { return true; },
+      [&](const CaseId& id) {
+        const Query query = make(id);
+        if (solve(query).level == Level::filter) queries.push_back(query);
+      });
+  std::vector<Answer> answers(queries.size());
+  const std::size_t before = allocations;
+  solve_batch(queries.data(), queries.size(), answers.data());
+  CHECK(allocations == before);
+  CHECK_FALSE(queries.empty());
+}
+
+}  // namespace
+}  // namespace touchstone::tests

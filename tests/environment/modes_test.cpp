@@ -1,0 +1,242 @@
+// Answers do not depend on the caller's floating-point environment, and leave it as it was. The build that defines
+// TOUCHSTONE_FAST_MATH_CALLER is a caller's with -ffast-math.
+// SPDX-License-Identifier: MIT
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include <touchstone/contact_times.hpp>
+#include <touchstone/error.hpp>
+#include <touchstone/solve.hpp>
+
+#include "environment/float_mode.hpp"
+#include "support/answer_check.hpp"
+#include "support/report.hpp"
+
+namespace touchstone::tests {
+namespace {
+
+constexpr std::uint64_t kSeed = 21;
+
+// Everything the library says of one query, and whether it left the environment alone.
+struct Outcome {
+  std::array<Answer, 3> answers;
+  std::vector<std::array<double, 4>> times;
+  std::string times_text;
+  int comparisons = 0;
+  bool restored = true;
+};
+
+// No floating-point operation of its own, so that it may run in any mode.
+Outcome ask(const Query& query, const ControlBits& expected) {
+  Outcome outcome;
+  outcome.answers[0] = solve(query, Method::fast);
+  outcome.restored = outcome.restored && control_bits() == expected;
+  outcome.answers[1] = solve(query, Method::exact);
+  outcome.restored = outcome.restored && control_bits() == expected;
+  outcome.answers[2] = solve(query, Method::oracle);
+  outcome.restored = outcome.restored && control_bits() == expected;
+  for (const ContactInterval& interval : contact_times(query)) {
+    const ExactTime reversed = interval.first.reversed();
+    outcome.times.push_back({interval.first.lower(), interval.first.upper(), reversed.lower(), reversed.upper()});
+    outcome.times_text += interval.first.to_string() + interval.last.to_string();
+    outcome.comparisons = 3 * outcome.comparisons + interval.first.compare(interval.last);
+    outcome.comparisons = 3 * outcome.comparisons + interval.first.compare(0x1p-1060);
+  }
+  outcome.restored = outcome.restored && control_bits() == expected;
+  return outcome;
+}
+
+// Compares bits alone; NaN and infinity mean nothing to a fast-math caller.
+std::string outcome_difference(const Outcome& expected, const Outcome& found) {
+  if (!found.restored) return "the environment is not restored";
+  static constexpr std::array<const char*, 3> methods{"fast", "exact", "oracle"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string wrong = bit_difference(expected.answers[i], found.answers[i], true);
+    if (!wrong.empty()) return labelled(methods[i], wrong);
+  }
+  const bool same_times =
+      expected.times.size() == found.times.size() &&
+      (expected.times.empty() ||
+       std::memcmp(expected.times.data(), found.times.data(), expected.times.size() * sizeof expected.times[0]) == 0);
+  if (!same_times || expected.times_text != found.times_text) return "contact_times differ";
+  if (expected.comparisons != found.comparisons) return "comparisons of times differ";
+  return "";
+}
+
+struct Asked {
+  CaseId id;
+  Query query;
+};
+
+// Made in the default environment: a fast-math program does not start in it.
+std::vector<Asked> asked_queries(std::size_t count) {
+  const WithFloatMode ordinary{FloatMode{}};
+  std::vector<Asked> asked;
+  for_each_case(
+      kSeed, count, [](const FamilyInfo&, Kind) { return true; },
+      [&](const CaseId& id) {
+        asked.push_back({id, make(id)});
+      });
+  return asked;
+}
+
+std::vector<Outcome> outcomes_in(const FloatMode& mode, const std::vector<Asked>& asked) {
+  std::vector<Outcome> outcomes;
+  outcomes.reserve(asked.size());
+  const WithFloatMode with(mode);
+  const ControlBits bits = control_bits();
+  for (const Asked& one : asked) outcomes.push_back(ask(one.query, bits));
+  return outcomes;
+}
+
+std::uint64_t to_bits(double x) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &x, sizeof bits);
+  return bits;
+}
+
+TEST_CASE("a mode that is set is seen") {  // else the tests below would test nothing
+  for (const FloatMode& mode : float_modes()) {
+    if (mode.traps) continue;
+    INFO(mode.name());
+    volatile double one = 1, three = 3, tiny = 0x1p-1070;
+    volatile double third = 0, minus_third = 0, twice_tiny = 0;
+    {
+      const WithFloatMode with(mode);
+      third = one / three;
+      minus_third = -one / three;
+      twice_tiny = tiny + tiny;
+      CHECK(control_bits().rounding == mode.rounding);
+    }
+    const std::uint64_t low = 0x3FD5555555555555u, high = low + 1, sign = std::uint64_t{1} << 63;
+    CHECK(to_bits(third) == (mode.rounding == FE_UPWARD ? high : low));
+    CHECK(to_bits(minus_third) == (sign | (mode.rounding == FE_DOWNWARD ? high : low)));
+#if TOUCHSTONE_X86
+    CHECK((to_bits(twice_tiny) == 0) == mode.flush);
+#endif
+  }
+}
+
+#if defined(TOUCHSTONE_FAST_MATH_CALLER) && TOUCHSTONE_X86
+TEST_CASE("a fast-math program starts with flush-to-zero and denormals-are-zero") {
+  CHECK((control_bits().mxcsr & 0x8040u) == 0x8040u);
+}
+#endif
+
+TEST_CASE("answers are the same bit for bit in every floating-point mode, and the mode is restored") {
+  const std::vector<Asked> asked = asked_queries(6);
+  const std::vector<Outcome> expected = outcomes_in(FloatMode{}, asked);
+  Report report;
+  for (const FloatMode& mode : float_modes()) {
+    const std::vector<Outcome> found = outcomes_in(mode, asked);
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      const std::string wrong = outcome_difference(expected[i], found[i]);
+      report.add(asked[i].id, asked[i].query, labelled(mode.name(), wrong));
+    }
+  }
+  report.finish();
+}
+
+TEST_CASE("answers are the same in the mode that the program starts with") {
+  const std::vector<Asked> asked = asked_queries(20);
+  const std::vector<Outcome> expected = outcomes_in(FloatMode{}, asked);
+  Report report;
+  const ControlBits bits = control_bits();
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    report.add(asked[i].id, asked[i].query, outcome_difference(expected[i], ask(asked[i].query, bits)));
+  }
+  report.finish();
+}
+
+TEST_CASE("batches are the same bit for bit in every floating-point mode, on one thread and on two") {
+  const std::vector<Asked> asked = asked_queries(20);
+  std::vector<Query> queries;
+  for (const Asked& one : asked) queries.push_back(one.query);
+  std::vector<Answer> expected;
+  {
+    const WithFloatMode ordinary{FloatMode{}};
+    expected = solve_batch(queries);
+  }
+  Report report;
+  for (const FloatMode& mode : float_modes()) {
+    for (const int threads : {1, 2}) {
+      BatchOptions options;
+      options.threads = threads;
+      std::vector<Answer> found;
+      bool restored = false;
+      {
+        const WithFloatMode with(mode);
+        const ControlBits bits = control_bits();
+        found = solve_batch(queries, options);
+        restored = control_bits() == bits;
+      }
+      CHECK(restored);
+      for (std::size_t i = 0; i < asked.size(); ++i) {
+        const std::string wrong = bit_difference(expected[i], found[i], true);
+        report.add(asked[i].id, asked[i].query, labelled(mode.name() + (threads == 1 ? "" : ", 2 threads"), wrong));
+      }
+    }
+  }
+  report.finish();
+}
+
+// A double from its bits: a fast-math compiler may take it that no NaN or infinity exists.
+double from_bits(std::uint64_t bits) {
+  double x = 0;
+  std::memcpy(&x, &bits, sizeof x);
+  return x;
+}
+constexpr std::uint64_t kNan = 0x7FF8000000000000u;
+constexpr std::uint64_t kInfinity = 0x7FF0000000000000u;
+
+template <typename Call>
+bool refused(Call&& call) {
+  try {
+    call();
+  } catch (const InvalidQuery&) {
+    return true;
+  }
+  return false;
+}
+
+TEST_CASE("a query without meaning is refused in every mode, and the mode is restored") {
+  const EdgeEdge good{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 1}, {0, -1, 1}}},
+                      {{{0, 0, 0}, {1, 0, 0}, {0, 1, -1}, {0, -1, -1}}}};
+  for (const FloatMode& mode : float_modes()) {
+    for (const std::uint64_t bad : {kNan, kInfinity}) {
+      Query query = good;
+      query.end[3].y = from_bits(bad);
+      const double bad_t_max = from_bits(bad);
+      RationalQuery fractions;
+      fractions.start[0][0] = Fraction{"1", "0"};
+      int refusals = 0;
+      bool restored = true;
+      {
+        const WithFloatMode with(mode);
+        const ControlBits bits = control_bits();
+        const auto count = [&](bool was_refused) {
+          refusals += was_refused;
+          restored = restored && control_bits() == bits;
+        };
+        for (const Method method : {Method::fast, Method::exact, Method::oracle}) {
+          count(refused([&] { solve(query, method); }));
+          count(refused([&] { solve(Query(good), method, bad_t_max); }));
+          count(refused([&] { solve(fractions, method); }));
+        }
+        count(refused([&] { contact_times(query); }));
+        count(refused([&] { contact_times(Query(good), bad_t_max); }));
+        count(refused([&] { contact_times(fractions); }));
+        for (const int threads : {1, 2}) {
+          count(refused([&] { solve_batch({good, query}, BatchOptions{1.0, Method::fast, threads}); }));
+        }
+      }
+      INFO(mode.name());
+      CHECK(refusals == 14);
+      CHECK(restored);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace touchstone::tests

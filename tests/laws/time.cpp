@@ -1,0 +1,147 @@
+// The law of time: reversing it, ending it early, and taking a step in two halves.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "laws/law.hpp"
+#include "laws/time_sets.hpp"
+
+namespace touchstone::tests {
+namespace {
+
+constexpr std::uint64_t kSeed = 13;
+
+Query run_backwards(Query query) {
+  std::swap(query.start, query.end);
+  return query;
+}
+
+TEST_CASE("law: reversing time maps the touching times to one minus themselves") {
+  check_law(kSeed, 150, every_family, 1,
+            [](const Query& query, Method, Rng&) -> Finding {
+              return set_difference(reversed(contact_times(query)), contact_times(run_backwards(query)));
+            },
+            {Method::exact});
+}
+
+TEST_CASE("law: the first time backwards is the last time forwards") {
+  check_law(kSeed, 150, every_family, 1, [](const Query& query, Method method, Rng&) -> Finding {
+    const TimeSet times = contact_times(query);
+    const Answer backwards = solve(run_backwards(query), method);
+    if (backwards.contact == times.empty()) return "contact depends on the direction of time";
+    if (times.empty()) return "";
+    const ExactTime last = times.back().last.reversed();
+    if (backwards.toi == last.lower() && backwards.toi_upper == last.upper()) return "";
+    return "T = " + text(times) + "\n    but backwards: " + describe(backwards);
+  });
+}
+
+TEST_CASE("law: contact_times with a t_max is T cut off there") {
+  check_law(kSeed, 100, every_family, 1,
+            [](const Query& query, Method, Rng& rng) -> Finding {
+              const TimeSet whole = contact_times(query);
+              std::vector<double> ends{0, 1, 0.5, rng.unit()};
+              for (const ContactInterval& interval : whole) {
+                for (const double bound : {interval.first.lower(), interval.first.upper(), interval.last.lower()}) {
+                  ends.push_back(bound);
+                  ends.push_back(std::nextafter(bound, 0.0));
+                }
+              }
+              for (const double t_max : ends) {
+                const std::string wrong = cut_difference(whole, t_max, contact_times(query, t_max));
+                if (!wrong.empty()) return "t_max = " + hexfloat(t_max) + ": " + wrong;
+              }
+              return "";
+            },
+            {Method::exact});
+}
+
+// The answer with a t_max, given the answer without one.
+Answer cut_off(const Answer& whole, double t_max) {
+  if (!whole.contact || whole.toi_upper > t_max) return {};
+  Answer cut = whole;
+  // What would last longer is a single instant of the range that ends with it.
+  if (whole.toi == t_max && whole.nature == Nature::sustained) cut.nature = Nature::isolated;
+  return cut;
+}
+
+TEST_CASE("law: solve with a t_max forgets what happens later and changes nothing else") {
+  check_law(kSeed, 100, every_family, 1, [](const Query& query, Method method, Rng& rng) -> Finding {
+    const Answer whole = solve(query, method);
+    std::vector<double> ends{0, 1, rng.unit()};
+    if (whole.contact) {
+      for (const double bound : {whole.toi, whole.toi_upper}) {
+        ends.push_back(bound);
+        ends.push_back(std::nextafter(bound, 0.0));
+        ends.push_back(std::min(1.0, std::nextafter(bound, 2.0)));
+      }
+    }
+    for (const double t_max : ends) {
+      const Answer cut = solve(query, method, t_max);
+      std::string wrong = difference(cut_off(whole, t_max), cut, query);
+      if (wrong.empty()) wrong = malformation(query.kind, cut, t_max);
+      if (!wrong.empty()) return "t_max = " + hexfloat(t_max) + ": " + wrong;
+    }
+    return "";
+  });
+}
+
+// Both halves of a step, as queries of their own; exact for dyadic coordinates.
+std::pair<Query, Query> halves(const Query& query) {
+  Query first = query, second = query;
+  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+    const Vec3 middle = 0.5 * (query.start[i] + query.end[i]);
+    first.end[i] = middle;
+    second.start[i] = middle;
+  }
+  return {first, second};
+}
+
+// The neighbouring doubles around (1 + time) / 2, from those around `time`. Doubles in [1/2, 1] are the multiples of
+// 2^-53, and twice one less 1 is a double, so that none lies between where these round to and the time.
+std::pair<double, double> in_second_half(const Answer& answer) {
+  const double lower = std::floor((0.5 * answer.toi) * 0x1p53) * 0x1p-53;
+  const double upper = std::ceil((0.5 * answer.toi_upper) * 0x1p53) * 0x1p-53;
+  return {0.5 + lower, 0.5 + upper};
+}
+
+TEST_CASE("law: a step is its two halves") {
+  check_law(kSeed, 200, dyadic_families, 1, [](const Query& query, Method method, Rng&) -> Finding {
+    const auto [first, second] = halves(query);
+    const Answer whole = solve(query, method);
+    Answer expected = solve(first, method);
+    if (expected.contact) {
+      // The first half may see a single instant of what lasts through the second.
+      const bool at_its_end = expected.toi == 1;
+      expected.toi *= 0.5;
+      expected.toi_upper *= 0.5;
+      if (at_its_end && expected.nature == Nature::isolated) expected.nature = whole.nature;
+    } else {
+      expected = solve(second, method);
+      if (expected.contact) std::tie(expected.toi, expected.toi_upper) = in_second_half(expected);
+    }
+    return difference(expected, whole, first);
+  });
+}
+
+TEST_CASE("law: the touching times of the first half are those of the whole, twice as late") {
+  check_law(kSeed, 200, dyadic_families, 1,
+            [](const Query& query, Method, Rng&) -> Finding {
+              const TimeSet whole = contact_times(query, 0.5);
+              const TimeSet half = contact_times(halves(query).first);
+              const auto twice = [](const ExactTime& slow, const ExactTime& fast) {
+                return 2 * slow.lower() == fast.lower() && 2 * slow.upper() == fast.upper();
+              };
+              bool same = whole.size() == half.size();
+              for (std::size_t i = 0; same && i < whole.size(); ++i) {
+                same = twice(whole[i].first, half[i].first) && twice(whole[i].last, half[i].last);
+              }
+              return same ? "" : "whole " + text(whole) + "\n    half  " + text(half);
+            },
+            {Method::exact});
+}
+
+}  // namespace
+}  // namespace touchstone::tests
