@@ -1,0 +1,112 @@
+// How early claims are: counts in buckets against a sorted list of the same distances.
+// SPDX-License-Identifier: MIT
+#include "certify/early.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cfloat>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "support/catch.hpp"
+#include "support/random.hpp"
+
+using namespace touchstone;
+using certify::ulps_between;
+
+namespace {
+
+template <class Distance>
+bool holds(const certify::EarlyBucket<Distance>& bucket, Distance value) {
+  return bucket.from <= value && (!bucket.below || value < *bucket.below);
+}
+
+template <class Distance>
+void check_buckets(const std::vector<certify::EarlyBucket<Distance>>& buckets, const std::vector<Distance>& values) {
+  std::uint64_t claims = 0;
+  for (std::size_t i = 0; i < buckets.size(); ++i) {
+    const auto& bucket = buckets[i];
+    const auto inside = std::count_if(values.begin(), values.end(), [&](Distance v) { return holds(bucket, v); });
+    CHECK(bucket.claims == static_cast<std::uint64_t>(inside));
+    CHECK(bucket.claims > 0);
+    if (i > 0) CHECK(*buckets[i - 1].below <= bucket.from);
+    claims += bucket.claims;
+  }
+  CHECK(claims == values.size());
+}
+
+}  // namespace
+
+TEST_CASE("ulps count the doubles from one to the other") {
+  constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+  CHECK(ulps_between(0.5, 0.5) == 0);
+  CHECK(ulps_between(0.5, std::nextafter(0.5, 1.0)) == 1);
+  CHECK(ulps_between(0.5, 1.0) == std::uint64_t{1} << 52);
+  CHECK(ulps_between(0.0, kLeast) == 1);
+  CHECK(ulps_between(-0.0, kLeast) == 1);
+  CHECK(ulps_between(-0.0, 0.0) == 0);
+  CHECK(ulps_between(0.0, -0.0) == 0);
+  CHECK(ulps_between(-kLeast, kLeast) == 2);
+  CHECK(ulps_between(-1.0, -0.5) == std::uint64_t{1} << 52);
+  CHECK(ulps_between(-DBL_MAX, 1.0) > ulps_between(0.0, 1.0));
+}
+
+TEST_CASE("buckets, median and extremes are those of the sorted distances, in however many parts they are counted") {
+  constexpr std::uint64_t kSeed = 77;
+  CAPTURE(kSeed);
+  tests::Rng rng(kSeed);
+  for (const int count : {1, 2, 3, 10, 1001}) {
+    CAPTURE(count);
+    certify::EarlyTally whole;
+    std::array<certify::EarlyTally, 3> parts;
+    std::vector<std::uint64_t> ulps;
+    std::vector<double> times;
+    for (int i = 0; i < count; ++i) {
+      const double toi = rng.one_in(10) ? 0.0 : rng.unit();
+      double claimed = toi;
+      switch (rng.between(0, 3)) {
+        case 0: claimed = std::nextafter(toi, -1.0); break;
+        case 1: claimed = toi * rng.unit(); break;
+        case 2: claimed = toi - std::ldexp(rng.unit(), rng.between(-60, 3)); break;
+        default: break;
+      }
+      if (rng.one_in(100)) claimed = -DBL_MAX;
+      whole.add(claimed, toi);
+      parts[static_cast<std::size_t>(rng.between(0, 2))].add(claimed, toi);
+      ulps.push_back(ulps_between(claimed, toi));
+      times.push_back(toi - claimed);
+    }
+    certify::EarlyTally merged;
+    for (const auto& part : parts) merged.merge(part);
+    std::sort(ulps.begin(), ulps.end());
+    std::sort(times.begin(), times.end());
+    const std::size_t middle = (ulps.size() - 1) / 2;
+    for (const auto* tally : {&whole, &merged}) {
+      CHECK(tally->claims() == ulps.size());
+      CHECK(tally->least_ulps() == ulps.front());
+      CHECK(tally->most_ulps() == ulps.back());
+      CHECK(tally->least_time() == times.front());
+      CHECK(tally->most_time() == times.back());
+      CHECK(holds(tally->median_ulps(), ulps[middle]));
+      CHECK(holds(tally->median_time(), times[middle]));
+      check_buckets(tally->ulps(), ulps);
+      check_buckets(tally->times(), times);
+    }
+  }
+}
+
+TEST_CASE("the widest distances have a bucket") {
+  certify::EarlyTally tally;
+  tally.add(-DBL_MAX, 1.0);
+  tally.add(0.0, std::numeric_limits<double>::denorm_min());
+  REQUIRE(tally.ulps().size() == 2);
+  CHECK(tally.ulps().front().from == 1);
+  CHECK(tally.ulps().front().below == 2u);
+  CHECK(tally.ulps().back().from == std::uint64_t{1} << 63);
+  CHECK_FALSE(tally.ulps().back().below);
+  REQUIRE(tally.times().size() == 2);
+  CHECK(tally.times().front().from == std::numeric_limits<double>::denorm_min());
+  CHECK(tally.times().back().from == 0x1p1023);
+  CHECK_FALSE(tally.times().back().below);
+}
