@@ -45,8 +45,8 @@ bool same(const Query& a, const Query& b) {
 bool same(const RationalQuery& a, const RationalQuery& b) {
   for (std::size_t corner = 0; corner < corner_count(a.kind); ++corner) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (const auto& [one, other] : {std::pair{a.start[corner][axis], b.start[corner][axis]},
-                                       {a.end[corner][axis], b.end[corner][axis]}}) {
+      for (const auto& [one, other] :
+           {std::pair{a.start[corner][axis], b.start[corner][axis]}, {a.end[corner][axis], b.end[corner][axis]}}) {
         if (one.numerator != other.numerator || one.denominator != other.denominator) return false;
       }
     }
