@@ -1,9 +1,7 @@
 // Queries with a contact at a known dyadic time and known dyadic weights, exact in doubles, and their neighbours.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "support/family_makers.hpp"
 
@@ -67,21 +65,6 @@ void move_one_ulp(double& x, Rng& rng) {
   x = std::nextafter(x, rng.one_in(2) ? infinity : -infinity);
 }
 
-// Axes permuted and reflected: exact, and keeps every property of a query.
-Query turned(Query query, Rng& rng) {
-  std::array<std::size_t, 3> axes{0, 1, 2};
-  std::swap(axes[0], axes[static_cast<std::size_t>(rng.between(0, 2))]);
-  std::swap(axes[1], axes[static_cast<std::size_t>(rng.between(1, 2))]);
-  const Vec3 signs{rng.one_in(2) ? 1.0 : -1.0, rng.one_in(2) ? 1.0 : -1.0, rng.one_in(2) ? 1.0 : -1.0};
-  return mapped_corners(query, [&](const Vec3& corner) {
-    Vec3 result;
-    for (std::size_t i = 0; i < 3; ++i) {
-      coordinate(result, i) = coordinate(signs, i) * coordinate(corner, axes[i]) + 0.0;  // + 0.0: no -0.0
-    }
-    return result;
-  });
-}
-
 }  // namespace
 
 double dyadic_time(Rng& rng) {
@@ -138,54 +121,6 @@ Query near_hit(Kind kind, Rng& rng) {
     ++done;
   }
   return query;
-}
-
-// With s = k (t - time), u = (1, s, 0), w = (0, 1, s) and r = f u + g w + (c, 0, d):  V = (u x w) . r = c s^2 + d.
-// A constant c gives a double root at s = 0 when d is zero, two roots just apart when c d < 0, none when c d > 0;
-// c proportional to s with d = e s gives c' s^3 + e s, a triple root when e is zero.
-// Point-edge: u = (1, s, 0) and r = (1/2 + h s, s/2 + d, 0) give (u x r)_z = d - h s^2 in the same way.
-Sample grazing(Kind kind, Rng& rng, Graze graze) {
-  const double time = rng.between(0, 8) / 8.0;
-  const double direction = rng.one_in(2) ? 1.0 : -1.0;
-  const double speed = std::ldexp(direction, rng.between(0, 3));
-  const Linear s{-speed * time, speed * (1 - time)};
-  const Vec3 ex{1, 0, 0}, ey{0, 1, 0}, ez{0, 0, 1};
-  const double tiny = std::ldexp(1.0, -rng.between(4, 46));
-  const double sign = rng.one_in(2) ? 1.0 : -1.0;
-  const double curve = sign * 0.25;
-  const double gap = graze == Graze::apart ? -sign * tiny : graze == Graze::gone ? sign * tiny : 0;
-  const Moving origin = lattice_motion(rng, 2);
-
-  const bool triple = graze == Graze::triple;
-  const double split = rng.one_in(2) ? 0 : (rng.one_in(2) ? tiny : -tiny);
-  const Moving bend = triple ? Linear{curve * s.start, curve * s.end} * ex + Linear{split * s.start, split * s.end} * ez
-                             : fixed(curve * ex + gap * ez);
-  const Moving u = fixed(ex) + s * ey;
-  const Moving w = fixed(ey) + s * ez;
-  const double g = rng.between(1, 2) / 4.0;
-  std::optional<double> touches_at;
-  if (graze == Graze::merged || triple) touches_at = time;
-  switch (kind) {
-    case Kind::edge_edge: {
-      const Moving c = origin + rng.between(1, 3) / 4.0 * u - g * w + bend;
-      return {turned(query_of(kind, {origin, origin + u, c, c + w}), rng), touches_at};
-    }
-    case Kind::vertex_face: {
-      const Moving v = origin + 0.25 * u + g * w + bend;
-      return {turned(query_of(kind, {v, origin, origin + u, origin + w}), rng), touches_at};
-    }
-    case Kind::point_edge: {
-      const Linear height{s.start / 2 - gap, s.end / 2 - gap};
-      Moving p = origin + fixed(0.5 * ex) + Linear{curve * s.start, curve * s.end} * ex + height * ey;
-      if (triple) p = p + Linear{split * s.start, split * s.end} * ez;
-      return {turned(query_of(kind, {p, origin, origin + u, Moving{}}), rng), touches_at};
-    }
-    case Kind::point_point: {
-      const Moving q = origin + s * ex + s * ey + fixed(gap * ey);
-      return {turned(query_of(kind, {origin, q, Moving{}, Moving{}}), rng), touches_at};
-    }
-  }
-  return {};
 }
 
 }  // namespace touchstone::tests::makers

@@ -34,8 +34,13 @@ Sample prescribed(Kind kind, Rng& rng, double time, Where where);
 double dyadic_time(Rng& rng);  ///< a multiple of 1/64 strictly inside (0, 1)
 Sample chain_joint(Kind kind, Rng& rng);
 Query near_hit(Kind kind, Rng& rng);
+
+// family_roots.cpp
 enum class Graze { merged, apart, gone, triple };
 Sample grazing(Kind kind, Rng& rng, Graze graze);
+Query irrational_joint(Kind kind, Rng& rng);
+Query layers(Kind kind, Rng& rng);
+Query extreme_time(Kind kind, Rng& rng);
 
 // family_perturbed.cpp
 Query sliver(Kind kind, Rng& rng);

@@ -15,11 +15,11 @@ int any_exponent(Rng& rng) { return rng.between(kLeastExponent, kGreatestExponen
 
 // A query of ordinary magnitude, most often one that touches by construction.
 Sample base(Kind kind, Rng& rng) {
-  static constexpr std::array<Family, 16> bases{
-      Family::lattice2,       Family::lattice4,     Family::planar_general, Family::moving_plane,
-      Family::shared_corner,  Family::parallel,     Family::sliding,        Family::flat,
-      Family::prescribed,     Family::prescribed,   Family::at_start,       Family::at_end,
-      Family::grazing_merged, Family::grazing_gone, Family::near_hit,       Family::simulation};
+  static constexpr std::array<Family, 18> bases{
+      Family::lattice2,   Family::lattice4,         Family::planar_general, Family::moving_plane, Family::shared_corner,
+      Family::parallel,   Family::sliding,          Family::flat,           Family::prescribed,   Family::prescribed,
+      Family::at_start,   Family::at_end,           Family::grazing_merged, Family::grazing_gone, Family::near_hit,
+      Family::simulation, Family::irrational_joint, Family::layers};
   return make_sample(rng.pick(bases), kind, rng);
 }
 

@@ -36,6 +36,9 @@ const std::vector<FamilyInfo>& families() {
       {Family::grazing_apart, Group::contact, "grazing_apart", "V's two roots are just apart", false},
       {Family::grazing_gone, Group::contact, "grazing_gone", "V's two roots are just gone", false},
       {Family::triple_root, Group::contact, "triple_root", "V has a triple root, or three close ones", false},
+      {Family::irrational_joint, Group::contact, "irrational_joint", "a corner on an edge at an irrational time", true},
+      {Family::layers, Group::contact, "layers", "motion in parallel planes; parallel or flat at V's roots", true},
+      {Family::extreme_time, Group::contact, "extreme_time", "contact just after 0 or just before 1", false},
 
       {Family::sliver, Group::perturbed, "sliver", "a degenerate query, a few coordinates off by a little", false},
       {Family::near_rigid, Group::perturbed, "near_rigid", "one displacement for all but rounding noise", false},
@@ -83,6 +86,9 @@ Sample make_sample(Family family, Kind kind, Rng& rng) {
     case Family::grazing_apart: return grazing(kind, rng, Graze::apart);
     case Family::grazing_gone: return grazing(kind, rng, Graze::gone);
     case Family::triple_root: return grazing(kind, rng, Graze::triple);
+    case Family::irrational_joint: return {irrational_joint(kind, rng), {}};
+    case Family::layers: return {layers(kind, rng), {}};
+    case Family::extreme_time: return {extreme_time(kind, rng), {}};
     case Family::sliver: return {sliver(kind, rng), {}};
     case Family::near_rigid: return {near_rigid(kind, rng), {}};
     case Family::ulp_lattice: return {ulp_lattice(kind, rng), {}};

@@ -43,6 +43,9 @@ enum class Family : std::uint8_t {
   grazing_apart,
   grazing_gone,
   triple_root,
+  irrational_joint,
+  layers,
+  extreme_time,
   // Hard for doubles.
   sliver,
   near_rigid,
