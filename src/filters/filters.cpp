@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "filters/filters.hpp"
 
+#include "filters/bracket.hpp"
 #include "filters/same_side.hpp"
 #include "filters/separating_direction.hpp"
 
@@ -19,17 +20,48 @@ Frame frame_of(const Query& q) noexcept {
           difference(q.end[2], q.end[1]),     difference(q.end[3], q.end[1]),     difference(q.end[0], q.end[1])};
 }
 
-}  // namespace
+bool has_cubic(Kind kind) noexcept { return kind == Kind::edge_edge || kind == Kind::vertex_face; }
 
-Proof separation_proof(const Query& query) noexcept {
-  const bool has_cubic = query.kind == Kind::edge_edge || query.kind == Kind::vertex_face;
-  if (has_cubic && same_side_all_along(frame_of(query))) return Proof::same_side;
+/// The proofs that do without the cubic.
+Proof direction_proof(const Query& query) noexcept {
   if (boxes_disjoint(query)) return Proof::boxes;
   const RelativeCorners corners = relative_corners(query);
   if (separates(corners, between_closest_points(corners, query.kind))) return Proof::closest_points;
-  if (has_cubic && separates(corners, normal_at_mid_step(corners, query.kind))) return Proof::normal;
+  if (has_cubic(query.kind) && separates(corners, normal_at_mid_step(corners, query.kind))) return Proof::normal;
   if (separates(corners, between_centres(corners))) return Proof::centres;
   return Proof::none;
+}
+
+void answer_no_contact(Level level, Answer& answer) noexcept {
+  answer = Answer();
+  answer.level = level;
+}
+
+}  // namespace
+
+Proof separation_proof(const Query& query) noexcept {
+  if (has_cubic(query.kind)) {
+    const Frame frame = frame_of(query);
+    if (same_side_all_along(coplanarity_coefficients(frame), coplanarity_bounds(frame))) return Proof::same_side;
+  }
+  return direction_proof(query);
+}
+
+Decision decide(const Query& query, double t_max, Answer& answer) noexcept {
+  if (!has_cubic(query.kind)) {
+    if (direction_proof(query) == Proof::none) return Decision::uncertain;
+    answer_no_contact(Level::filter, answer);
+    return Decision::no_contact;
+  }
+  const Frame frame = frame_of(query);
+  const auto coefficients = coplanarity_coefficients(frame);
+  if (same_side_all_along(coefficients, coplanarity_bounds(frame)) || direction_proof(query) != Proof::none) {
+    answer_no_contact(Level::filter, answer);
+    return Decision::no_contact;
+  }
+  const Decision decision = bracket(query, frame, coefficients, t_max, answer);
+  if (decision == Decision::no_contact) answer_no_contact(Level::bracket, answer);
+  return decision;
 }
 
 }  // namespace touchstone::filters

@@ -1,20 +1,26 @@
-// Fast tests in doubles that prove "no contact in [0, 1]" or say that they are uncertain; never a guess. Every test is
-// sound by itself for any finite input, in the default floating-point environment.
+// Fast tests in doubles, each sound by itself for any finite input in the default floating-point environment: they
+// prove, or say that they are uncertain; never a guess.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
 
+#include <touchstone/answer.hpp>
 #include <touchstone/query.hpp>
 
 namespace touchstone::filters {
 
-/// Which test proved that there is no contact; `none` when all are uncertain.
+/// What a level says.
+enum class Decision : std::uint8_t { uncertain, no_contact, contact };
+
+/// Which test proved that there is no contact in [0, 1]; `none` when all are uncertain.
 enum class Proof : std::uint8_t { none, same_side, boxes, closest_points, normal, centres };
 
-/// Runs the tests in order until one proves that the elements never touch.
+/// Runs the tests that can only prove separation, in order, until one does.
 Proof separation_proof(const Query& query) noexcept;
 
-inline bool separated(const Query& query) noexcept { return separation_proof(query) != Proof::none; }
+/// All of it: separation (Level::filter), then the bracket level (Level::bracket). The answer is written unless the
+/// decision is uncertain.
+Decision decide(const Query& query, double t_max, Answer& answer) noexcept;
 
 }  // namespace touchstone::filters

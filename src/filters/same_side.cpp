@@ -60,9 +60,8 @@ CoefficientBounds coplanarity_bounds(const Frame& f) noexcept {
   return {kEndsBound * uwr, kMiddleBound * uwr};
 }
 
-bool same_side_all_along(const Frame& frame) noexcept {
-  const auto [ends, middle] = coplanarity_bounds(frame);
-  const auto b = coplanarity_coefficients(frame);
+bool same_side_all_along(const std::array<double, 4>& b, const CoefficientBounds& bounds) noexcept {
+  const auto [ends, middle] = bounds;
   const bool positive = b[0] > ends && b[1] > middle && b[2] > middle && b[3] > ends;
   const bool negative = b[0] < -ends && b[1] < -middle && b[2] < -middle && b[3] < -ends;
   return positive || negative;

@@ -29,6 +29,6 @@ struct CoefficientBounds {
 CoefficientBounds coplanarity_bounds(const Frame& frame) noexcept;
 
 /// True proves that V has no root in [0, 1]: all four coefficients have one certain sign, and V lies in their hull.
-bool same_side_all_along(const Frame& frame) noexcept;
+bool same_side_all_along(const std::array<double, 4>& coefficients, const CoefficientBounds& bounds) noexcept;
 
 }  // namespace touchstone::filters

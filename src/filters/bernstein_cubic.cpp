@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "filters/bernstein_cubic.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchstone::filters {
+namespace {
+
+// e = 2^-53 and P = size throughout. The given coefficients are off by at most 49 e P (b0, b3) and 175 e P (3 b1, 3 b2)
+// (see same_side.cpp), and in absolute value at most 6 P and 18 P.
+constexpr double kUnit = 0x1p-53;
+
+// Coefficients over a part of [0, 1], by interpolating b0, b1, b2, b3 three times. 3 b1 / 3: 175 / 3 + 6 < 65 e P. An
+// interpolation (1 - x) a + x b passes each operand through at most 3 roundings, of values of at most 6 P: 18 e P a time.
+constexpr double kPartBound = 120 * kUnit;
+
+// The value (c0 s + c1 t) s^2 + (c2 s + c3 t) t^2 with s = 1 - t: the coefficients' errors weigh 49 (s^3 + t^3) + 175 s t
+// = 49 + 28 s t <= 56 e P; each monomial passes through at most 8 roundings, and their absolute values sum to at most
+// 6 P: 48 e P.
+constexpr double kValueBound = 106 * kUnit;
+
+// The derivative's Bernstein coefficients 3 b1 - 3 b0, 3 b2 - 3 b1, 3 b3 - 3 b2, at most 36 P: off by at most
+// (2 * 175 + 36) e P = 386 e P. Its value: 5 roundings of monomials that sum to at most 36 P: 180 e P more.
+constexpr double kSlopeBound = 570 * kUnit;
+
+// Twice the difference of two of these: 2 (2 * 386 + 72) e P.
+constexpr double kCurvatureBound = 1700 * kUnit;
+
+double between(double a, double b, double x) noexcept { return (1 - x) * a + x * b; }
+
+/// Sign of a value that is off by at most `bound`; 0 when uncertain.
+int certain_sign(double value, double bound) noexcept { return value > bound ? 1 : value < -bound ? -1 : 0; }
+
+}  // namespace
+
+BernsteinCubic::BernsteinCubic(const std::array<double, 4>& c, double size) noexcept
+    : c_(c), size_(size), d0_(c[1] - 3 * c[0]), d1_(c[2] - c[1]), d2_(3 * c[3] - c[2]) {
+  curvature_ = 2 * std::max(std::fabs(d1_ - d0_), std::fabs(d2_ - d1_)) + kCurvatureBound * size;
+}
+
+double BernsteinCubic::slope_error() const noexcept { return kSlopeBound * size_; }
+
+double BernsteinCubic::value(double t) const noexcept {
+  const double s = 1 - t;
+  return (c_[0] * s + c_[1] * t) * (s * s) + (c_[2] * s + c_[3] * t) * (t * t);
+}
+
+double BernsteinCubic::slope(double t) const noexcept {
+  const double s = 1 - t;
+  return (d0_ * s + 2 * d1_ * t) * s + d2_ * t * t;
+}
+
+int BernsteinCubic::split_points(double (&split)[4]) const noexcept {
+  split[0] = 0;
+  int count = 1;
+  if (variations(0, 1) == Variations::uncertain) {
+    // The critical points: roots of d0 s^2 + 2 d1 s t + d2 t^2.
+    const double a = d0_ - 2 * d1_ + d2_;
+    const double half_b = d1_ - d0_;
+    const double discriminant = half_b * half_b - a * d0_;
+    if (discriminant > 0) {
+      const double q = -(half_b + std::copysign(std::sqrt(discriminant), half_b));
+      double critical[2] = {q / a, d0_ / q};
+      if (critical[1] < critical[0]) std::swap(critical[0], critical[1]);
+      for (const double t : critical) {
+        if (t > split[count - 1] && t < 1) split[count++] = t;
+      }
+    }
+    if (count == 1) split[count++] = 0.5;  // monotone, but too curved for the coefficients to show it
+  }
+  split[count] = 1;
+  return count;
+}
+
+BernsteinCubic::Variations BernsteinCubic::variations(double p, double q) const noexcept {
+  double b[4];
+  int sign[4];
+  if (p == 0 && q == 1) {
+    constexpr double kEnds = 49 * kUnit;
+    constexpr double kMiddle = 175 * kUnit;
+    for (int i = 0; i < 4; ++i) sign[i] = certain_sign(c_[static_cast<std::size_t>(i)], (i % 3 == 0 ? kEnds : kMiddle) * size_);
+  } else {
+    const double b1 = c_[1] / 3;
+    const double b2 = c_[2] / 3;
+    const double at_p[3] = {between(c_[0], b1, p), between(b1, b2, p), between(b2, c_[3], p)};
+    const double at_q[3] = {between(c_[0], b1, q), between(b1, b2, q), between(b2, c_[3], q)};
+    const double pp[2] = {between(at_p[0], at_p[1], p), between(at_p[1], at_p[2], p)};
+    const double pq[2] = {between(at_p[0], at_p[1], q), between(at_p[1], at_p[2], q)};
+    const double qq[2] = {between(at_q[0], at_q[1], q), between(at_q[1], at_q[2], q)};
+    b[0] = between(pp[0], pp[1], p);
+    b[1] = between(pp[0], pp[1], q);
+    b[2] = between(pq[0], pq[1], q);
+    b[3] = between(qq[0], qq[1], q);
+    for (int i = 0; i < 4; ++i) sign[i] = certain_sign(b[i], kPartBound * size_);
+  }
+  if (sign[0] == 0 || sign[3] == 0) return Variations::uncertain;
+  if (sign[0] == sign[3]) {
+    return sign[1] == sign[0] && sign[2] == sign[0] ? Variations::none : Variations::uncertain;
+  }
+  // One variation whatever the uncertain ones are, unless the middle may go back and forth.
+  return sign[1] == sign[0] || sign[2] == sign[3] ? Variations::one : Variations::uncertain;
+}
+
+BernsteinCubic::Root BernsteinCubic::root_between(double p, double q) const noexcept {
+  // Newton's method, kept inside by bisection; what it finds is certified below.
+  const double value_p = value(p);
+  const double value_q = value(q);
+  double low = p;
+  double high = q;
+  double t = p + (q - p) * (value_p / (value_p - value_q));  // the chord's zero
+  double v = value(t);
+  double d = slope(t);
+  constexpr int kIterations = 30;
+  for (int i = 0; i < kIterations; ++i) {
+    ((v < 0) == (value_p < 0) ? low : high) = t;
+    double next = t - v / d;
+    if (!(next > low && next < high)) next = 0.5 * low + 0.5 * high;
+    const double step = std::fabs(next - t);
+    t = next;
+    v = value(t);
+    d = slope(t);
+    if (step <= 0x1p-27 * t) break;  // quadratic convergence: the step after this one is below a unit in the last place
+  }
+  const double error = std::fabs(v) + kValueBound * size_;
+  const double steepness = std::fabs(d);
+  // A root lies within the radius: the slope is at least half of |d| there, and half of |d| times the radius reaches
+  // beyond any value that V(t) may have. The factor has slack for the rounding of these lines.
+  const double radius = 2.0625 * error / steepness;
+  const bool certain = radius <= 0x1p-10 && 1.0625 * (curvature_ * radius + slope_error()) <= 0.5 * steepness &&
+                       t - radius > p && t + radius < q;
+  return {certain, t, radius, d};
+}
+
+}  // namespace touchstone::filters

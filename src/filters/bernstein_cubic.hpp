@@ -1,0 +1,49 @@
+// A cubic over [0, 1] known up to rounding errors: certified sign variations, and one root certified to an interval.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace touchstone::filters {
+
+class BernsteinCubic {
+ public:
+  /// `coefficients` b0, 3 b1, 3 b2, b3 as coplanarity_coefficients computes them, from vectors whose coordinates'
+  /// bounds have the product `size`.
+  BernsteinCubic(const std::array<double, 4>& coefficients, double size) noexcept;
+
+  /// Points 0 = split[0] < ... < split[n] = 1 between which the cubic promises to have at most one sign variation;
+  /// returns n, at most 3. Only a promise: `variations` certifies.
+  int split_points(double (&split)[4]) const noexcept;
+
+  /// The sign variations of the Bernstein coefficients over [p, q], the values at both ends being certainly not zero:
+  /// `one` proves exactly one root there, a simple one inside; `none` proves that there is none.
+  enum class Variations : std::uint8_t { none, one, uncertain };
+  Variations variations(double p, double q) const noexcept;
+
+  /// Where [p, q] has exactly one root: proves that it lies in [t - radius, t + radius], inside [p, q], where the cubic's
+  /// slope keeps the sign of `slope` and is at least half of it. Certain only if so.
+  struct Root {
+    bool certain;
+    double t;
+    double radius;  ///< at most 2^-10
+    double slope;   ///< the cubic's derivative at t, off by at most slope_error()
+  };
+  Root root_between(double p, double q) const noexcept;
+
+  double size() const noexcept { return size_; }
+  double slope_error() const noexcept;
+  double curvature_bound() const noexcept { return curvature_; }  ///< of the second derivative's absolute value over [0, 1]
+
+ private:
+  double value(double t) const noexcept;
+  double slope(double t) const noexcept;
+
+  std::array<double, 4> c_;       // b0, 3 b1, 3 b2, b3
+  double size_;
+  double d0_, d1_, d2_;           // Bernstein coefficients of the derivative
+  double curvature_;
+};
+
+}  // namespace touchstone::filters

@@ -1,0 +1,20 @@
+// The bracket level: the sign changes of V isolated with certified signs, the side conditions decided over each
+// bracket, and the time of a contact driven to its two neighbouring doubles, all in error-bounded doubles.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <touchstone/answer.hpp>
+#include <touchstone/query.hpp>
+
+#include "filters/filters.hpp"
+#include "filters/same_side.hpp"
+
+namespace touchstone::filters {
+
+/// Decides an edge-edge or vertex-face query whose contact, if any, is an ordinary crossing inside both elements.
+/// On `contact` the answer is complete (nature, features, times, weights; level is Level::bracket); on anything else it
+/// is untouched. `frame` is the query's and `coefficients` are its coplanarity_coefficients.
+Decision bracket(const Query& query, const Frame& frame, const std::array<double, 4>& coefficients, double t_max,
+                 Answer& answer) noexcept;
+
+}  // namespace touchstone::filters
