@@ -14,6 +14,7 @@
 #include "io/fail.hpp"
 #include "io/output_file.hpp"
 #include "io/query_parser.hpp"
+#include "io/times.hpp"
 
 namespace touchstone::cli {
 namespace {
@@ -73,11 +74,23 @@ void add_explain(CLI::App& program, Command& command) {
   const auto options = std::make_shared<ExplainOptions>();
   CLI::App* const subcommand = program.add_subcommand("explain", "Tell how one query is decided");
   subcommand->add_option("FILE", options->file, "The query file")->required()->type_name("");
-  subcommand->add_option("--query", options->query, "Which of its queries, counted from 0")->required()->type_name("N");
+  subcommand->add_option("--query", options->query, "Which of its queries, counted from 0")
+      ->required()
+      ->type_name("N")
+      ->check([](const std::string& text) {
+        const bool number = !text.empty() && text.size() < 19 && text.find_first_not_of("0123456789") == text.npos;
+        return number ? std::string() : text + " must be a number counted from 0";
+      });
   add_kind_option(*subcommand, options->kind);
-  subcommand->add_option("--t-max", options->t_max, "The end of the time range (default: 1)")
+  subcommand
+      ->add_option_function<std::string>(
+          "--t-max", [options](const std::string& text) { options->t_max = io::parse_finite_double(text).value_or(1); },
+          "The end of the time range, in [0, 1], decimal or hexfloat (default: 1)")
       ->type_name("T")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check([](const std::string& text) {
+        const auto value = io::parse_finite_double(text);
+        return value && *value >= 0 && *value <= 1 ? std::string() : text + " must be a number in [0, 1]";
+      });
   subcommand->footer(
       "Shows the corners as given and as doubles, the coplanarity cubic's exact coefficients, each time at which "
       "contact\n"

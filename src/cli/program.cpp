@@ -65,6 +65,12 @@ int parse_and_run(int argc, const char* const* argv) {
   } catch (const CLI::CallForVersion& version_text) {
     print(std::string(version_text.what()) + "\n");
     return kAllHold;
+  } catch (const CLI::RequiredError& error) {
+    const auto unknown = program.remaining();
+    if (program.get_subcommands().empty() && !unknown.empty()) {
+      return complain("touchstone: " + unknown.front() + " is no subcommand; they are solve, certify and explain");
+    }
+    return complain("touchstone: " + first_line(error.what()) + " (see touchstone --help)");
   } catch (const CLI::ParseError& error) {
     return complain("touchstone: " + first_line(error.what()) + " (see touchstone --help)");
   }

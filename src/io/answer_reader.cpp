@@ -93,6 +93,7 @@ bool AnswerReader::next_record() {
     if (record.empty()) continue;
     if (record.find('\0') != std::string_view::npos) refuse("a zero byte; this is no text file");
     split_record(record);
+    last_row_ = record_row_;
     return true;
   }
 }

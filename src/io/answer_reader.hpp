@@ -38,7 +38,7 @@ class AnswerReader {
   const std::string& name() const noexcept { return file_.name(); }
 
   /// The line where the last row started.
-  std::uint64_t last_row() const noexcept { return record_row_; }
+  std::uint64_t last_row() const noexcept { return last_row_; }
 
  private:
   enum Column : std::size_t { kFile, kQuery, kContact, kToi, kOther };
@@ -54,9 +54,10 @@ class AnswerReader {
   std::size_t chunk_bytes_;
   bool at_end_ = false;
   std::string buffer_;
-  std::size_t at_ = 0;      ///< where the next record starts in buffer_
-  std::uint64_t line_ = 1;  ///< the line number of at_
-  std::uint64_t record_row_ = 0;
+  std::size_t at_ = 0;            ///< where the next record starts in buffer_
+  std::uint64_t line_ = 1;        ///< the line number of at_
+  std::uint64_t record_row_ = 0;  ///< where the record that is being read starts
+  std::uint64_t last_row_ = 0;
 
   std::vector<std::string> unquoted_;     ///< what quoted fields of the current record stand for
   std::vector<std::string_view> fields_;  ///< of the current record

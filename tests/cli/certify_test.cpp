@@ -1,0 +1,211 @@
+// touchstone certify: what it refutes, how it says so, and its report.
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include <touchstone/version.hpp>
+
+#include "cli/commands.hpp"
+#include "cli/run_program.hpp"
+#include "cli/sample_files.hpp"
+#include "io/times.hpp"
+#include "support/catch.hpp"
+
+using namespace touchstone;
+using namespace touchstone::tests;
+using nlohmann::json;
+
+namespace {
+
+/// The sample as a file in which the truth of each query in `flipped` is wrong.
+std::string with_flipped_truth(const SampleFile& sample, const std::vector<std::size_t>& flipped) {
+  std::string text;
+  for (std::size_t i = 0; i < sample.queries.size(); ++i) {
+    const bool wrong = std::find(flipped.begin(), flipped.end(), i) != flipped.end();
+    io::append_query(text, sample.queries[i], sample.answers[i].contact != wrong);
+  }
+  return text;
+}
+
+std::size_t first_with_contact(const SampleFile& sample, bool contact) {
+  for (std::size_t i = 0; i < sample.answers.size(); ++i) {
+    if (sample.answers[i].contact == contact) return i;
+  }
+  FAIL("no such query");
+  return 0;
+}
+
+json hexfloat_or_null(bool contact, double value) { return contact ? json(io::hexfloat(value)) : json(nullptr); }
+
+}  // namespace
+
+TEST_CASE("true claims hold at every level") {
+  const TemporaryFolder folder;
+  const SampleFile sample = sample_file(Kind::edge_edge, 12, 1);
+  const std::string file = folder.write("edge-edge/a.csv", sample.text);
+  for (const std::string level : {"fast", "exact", "oracle"}) {
+    const Run run = run_program({"certify", "--level", level, file});
+    CAPTURE(run.out, run.err);
+    CHECK(run.status == 0);
+    CHECK(run.err == "");
+    CHECK(run.out.rfind(
+              "all " + std::to_string(sample.queries.size()) + " claims hold (claims of the truth column, 1 file)\n",
+              0) == 0);
+    if (level != "fast")
+      CHECK(occurrences(run.out, level + " " + std::to_string(sample.queries.size()) + " (100.0 %)") == 1);
+  }
+}
+
+TEST_CASE("one flipped truth bit is refuted, and its query is named with the exact answer") {
+  for (const Kind kind : kKinds) {
+    const TemporaryFolder folder;
+    const SampleFile sample = sample_file(kind, 5, 2);
+    for (const bool contact : {true, false}) {
+      const std::size_t wrong = first_with_contact(sample, contact);
+      const std::string file =
+          folder.write(std::string(kind_name(kind)) + "/a.csv", with_flipped_truth(sample, {wrong}));
+      const std::string rows = std::to_string(2 * corner_count(kind) * wrong + 1) + " to " +
+                               std::to_string(2 * corner_count(kind) * (wrong + 1));
+      for (const std::string threads : {"1", "2", "5"}) {
+        const Run run = run_program({"certify", "--threads", threads, file});
+        CAPTURE(run.out);
+        CHECK(run.status == 1);
+        CHECK(run.out.rfind("1 of " + std::to_string(sample.queries.size()) + " claims refuted", 0) == 0);
+        CHECK(occurrences(run.out,
+                          "  " + file + " query " + std::to_string(wrong) + " (rows " + rows +
+                              "): " + (contact ? "missed" : "phantom") +
+                              "\n    claim: " + (contact ? "no contact" : "contact") + "\n    exact: " +
+                              (contact ? "contact at " + io::hexfloat(sample.answers[wrong].toi) : "no contact")) == 1);
+        CHECK(occurrences(run.out, "touchstone explain --query " + std::to_string(wrong) + " " + file + "\n") == 1);
+      }
+    }
+  }
+}
+
+TEST_CASE("the report lists every refuted claim with its exact answer and corners as given") {
+  const TemporaryFolder folder;
+  const SampleFile sample = sample_file(Kind::vertex_face, 6, 3);
+  std::vector<std::size_t> wrong;
+  for (std::size_t i = 0; i < sample.queries.size(); i += 7) wrong.push_back(i);
+  const std::string good = folder.write("point-point/good.csv", two_point_queries());
+  const std::string bad = folder.write("vertex-face/bad.csv", with_flipped_truth(sample, wrong));
+  const Run run = run_program({"certify", "--report", folder.path("r.json"), good, bad});
+  CHECK(run.status == 1);
+  CHECK(occurrences(run.out, "and " + std::to_string(wrong.size() - 5) + " more; " + folder.path("r.json") +
+                                 " lists them all") == 1);
+
+  const json report = json::parse(folder.read("r.json"));
+  CHECK(report["touchstone"] == version());
+  CHECK(report["method"] == "fast");
+  CHECK(report["claims_from"] == "truth column");
+  const std::size_t judged = sample.queries.size() + 2;
+  CHECK(report["claims"]["judged"] == judged);
+  CHECK(report["claims"]["holds"] == judged - wrong.size());
+  CHECK(report["claims"]["missed"].get<std::size_t>() + report["claims"]["phantom"].get<std::size_t>() == wrong.size());
+  CHECK(report["claims"]["late"] == 0);
+  std::size_t decided = 0;
+  for (const char* level : {"filter", "bracket", "exact", "oracle"})
+    decided += report["decided_by"][level].get<std::size_t>();
+  CHECK(decided == judged);
+  std::size_t natures = 0;
+  for (const char* nature : {"none", "crossing", "grazing", "sustained", "isolated"}) {
+    natures += report["natures"][nature].get<std::size_t>();
+  }
+  CHECK(natures == judged);
+  CHECK(report["early"] == json{{"claims", 0}});
+  REQUIRE(report["files"].size() == 2);
+  CHECK(report["files"][0] ==
+        json{{"file", good},
+             {"kind", "point-point"},
+             {"claims", {{"judged", 2}, {"holds", 2}, {"missed", 0}, {"phantom", 0}, {"late", 0}}}});
+  CHECK(report["files"][1]["claims"]["judged"] == sample.queries.size());
+
+  REQUIRE(report["refuted"].size() == wrong.size());
+  for (std::size_t i = 0; i < wrong.size(); ++i) {
+    const json& refuted = report["refuted"][i];
+    const Answer& answer = sample.answers[wrong[i]];
+    CAPTURE(wrong[i]);
+    CHECK(refuted["file"] == bad);
+    CHECK(refuted["kind"] == "vertex-face");
+    CHECK(refuted["query"] == wrong[i]);
+    CHECK(refuted["rows"] == json{8 * wrong[i] + 1, 8 * wrong[i] + 8});
+    CHECK(refuted["verdict"] == (answer.contact ? "missed" : "phantom"));
+    CHECK(refuted["claim"] == json{{"contact", answer.contact ? 0 : 1}, {"toi", nullptr}});
+    CHECK(refuted["answer"]["contact"] == (answer.contact ? 1 : 0));
+    CHECK(refuted["answer"]["toi"] == hexfloat_or_null(answer.contact, answer.toi));
+    CHECK(refuted["answer"]["toi_upper"] == hexfloat_or_null(answer.contact, answer.toi_upper));
+    CHECK(refuted["answer"]["nature"] == (answer.contact ? json(nature_name(answer.nature)) : json(nullptr)));
+    CHECK(refuted["answer"]["level"] == level_name(answer.level));
+    const Fraction x = io::fraction_of(sample.queries[wrong[i]].end[3].x);
+    CHECK(refuted["corners"]["f2"]["end"][0] == x.numerator + "/" + x.denominator);
+    CHECK(refuted["corners"].size() == 4);
+  }
+}
+
+TEST_CASE("the report of claims that are early is exact") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("point-point/a.csv", two_point_queries());
+  const std::string claims = folder.write("c.csv", "query,contact,toi\n0,1,0x1.5555555555551p-2\n1,0,\n");
+  REQUIRE(run_program({"certify", "--claims", claims, "--report", folder.path("r.json"), file}).status == 0);
+  const json report = json::parse(folder.read("r.json"));
+  CHECK(report["claims_from"] == claims);
+  CHECK(report["refuted"] == json::array());
+  const json early = json::parse(R"({"claims": 1,
+      "ulps": {"least": 4, "most": 4, "median": {"from": 4, "below": 8}, "histogram": [{"from": 4, "below": 8, "claims": 1}]},
+      "time": {"least": "0x1p-52", "most": "0x1p-52", "median": {"from": "0x1p-52", "below": "0x1p-51"},
+               "histogram": [{"from": "0x1p-52", "below": "0x1p-51", "claims": 1}]}})");
+  CHECK(report["early"] == early);
+}
+
+TEST_CASE("the report is the same for any number of threads and any chunk size") {
+  const TemporaryFolder folder;
+  const SampleFile sample = sample_file(Kind::edge_edge, 9, 2);
+  std::vector<std::size_t> wrong;
+  for (std::size_t i = 1; i < sample.queries.size(); i += 3) wrong.push_back(i);
+  cli::CertifyOptions options;
+  options.files = {folder.write("edge-edge/a.csv", with_flipped_truth(sample, wrong)),
+                   folder.write("edge-edge/b.csv", sample.text)};
+  options.report = folder.path("r.json");
+  std::string first;
+  for (const int threads : {1, 2, 5}) {
+    for (const std::size_t chunk : {std::size_t{3}, std::size_t{5000}, io::kChunkBytes}) {
+      CAPTURE(threads, chunk);
+      options.threads = threads;
+      options.chunk_bytes = chunk;
+      const Run run = run_here([&] { return cli::run_certify(options); });
+      CHECK(run.status == 1);
+      const std::string report = folder.read("r.json");
+      if (first.empty()) first = report;
+      REQUIRE(report == first);
+    }
+  }
+  CHECK(json::parse(first)["refuted"].size() == wrong.size());
+}
+
+TEST_CASE("a report on standard output stands alone there, and bad UTF-8 in a file's name is replaced") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("point-point/\xFF.csv", two_point_queries());
+  const Run run = run_program({"certify", "--report", "-", file});
+  CHECK(run.status == 0);
+  const json report = json::parse(run.out);
+  CHECK(report["claims"]["judged"] == 2);
+  CHECK(report["files"][0]["file"].get<std::string>().find("\xEF\xBF\xBD.csv") != std::string::npos);
+}
+
+TEST_CASE("without a file the bundled queries are certified, and each can be explained by its name") {
+  const TemporaryFolder folder;
+  const Run run = run_program({"certify", "--report", folder.path("r.json")});
+  CAPTURE(run.out, run.err);
+  CHECK(run.status == 0);
+  CHECK(occurrences(run.out, "the bundled queries") == 1);
+  const json report = json::parse(folder.read("r.json"));
+  REQUIRE(report["files"].size() > 0);
+  CHECK(report["claims"]["judged"].get<std::size_t>() > report["files"].size());
+  for (const json& file : report["files"]) {
+    const std::string name = file["file"];
+    CAPTURE(name);
+    CHECK(name.rfind("bundled/" + file["kind"].get<std::string>() + "/", 0) == 0);
+    CHECK(run_program({"explain", "--query", "0", name}).status == 0);
+  }
+}

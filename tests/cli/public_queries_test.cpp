@@ -1,0 +1,50 @@
+// The public benchmark's queries with known truth through the program: every claim holds.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/run_program.hpp"
+#include "support/catch.hpp"
+
+using namespace touchstone::tests;
+
+TEST_CASE("every claim of the public queries holds") {
+  const std::string data = TOUCHSTONE_QUERY_DATA;
+  if (data.empty()) {
+    WARN("TOUCHSTONE_QUERY_DATA is not set: the public queries are not certified");
+    return;
+  }
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(data)) {
+    if (entry.path().extension() == ".csv") files.push_back(entry.path().string());
+  }
+  std::sort(files.begin(), files.end());
+  REQUIRE(files.size() == 22);
+  std::vector<std::string> arguments = {"certify"};
+  arguments.insert(arguments.end(), files.begin(), files.end());
+  const Run run = run_program(arguments);
+  CAPTURE(run.out, run.err);
+  CHECK(run.status == 0);
+  CHECK(run.out.rfind("all 4,884 claims hold (claims of the truth column, 22 files)\n", 0) == 0);
+
+  SECTION("and one flipped bit among them is found") {
+    const TemporaryFolder folder;
+    const std::string original = *std::find_if(files.begin(), files.end(), [](const std::string& name) {
+      return name.find("unit-tests/vertex-face") != std::string::npos;
+    });
+    std::filesystem::create_directories(folder.path("vertex-face"));
+    std::filesystem::copy_file(original, folder.path("vertex-face/a.csv"));
+    std::string text = folder.read("vertex-face/a.csv");
+    std::size_t row = 0;
+    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1), ++row) {
+      if (row / 8 == 12) text[at - 1] = text[at - 1] == '1' ? '0' : '1';
+    }
+    const std::string file = folder.write("vertex-face/a.csv", text);
+    const Run refuted = run_program({"certify", file});
+    CHECK(refuted.status == 1);
+    CHECK(refuted.out.rfind("1 of 125 claims refuted", 0) == 0);
+    CHECK(occurrences(refuted.out, file + " query 12 (rows 97 to 104): missed\n") == 1);
+  }
+}

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "cli/run_program.hpp"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <stdexcept>
+#include <thread>
+
+namespace touchstone::tests {
+namespace {
+
+int open_for_writing(const std::string& path) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT, 0600);
+  if (descriptor < 0) throw std::runtime_error("cannot write " + path);
+  return descriptor;
+}
+
+int closed_pipe() {
+  int ends[2];
+  if (::pipe(ends) != 0) throw std::runtime_error("no pipe");
+  ::close(ends[0]);
+  return ends[1];
+}
+
+}  // namespace
+
+Run run_program(const std::vector<std::string>& arguments, const RunOptions& options) {
+  const TemporaryFolder folder;
+  const std::string out = options.standard_output.empty() ? folder.path("out") : options.standard_output;
+  const int out_descriptor = options.closed_pipe ? closed_pipe() : open_for_writing(out);
+  const int err_descriptor = open_for_writing(folder.path("err"));
+
+  std::vector<std::string> words = {TOUCHSTONE_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (auto& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+
+  const pid_t child = ::fork();
+  if (child == 0) {
+    if (!options.folder.empty() && ::chdir(options.folder.c_str()) != 0) ::_exit(126);
+    ::dup2(out_descriptor, STDOUT_FILENO);
+    ::dup2(err_descriptor, STDERR_FILENO);
+    ::execv(argv[0], argv.data());
+    ::_exit(127);
+  }
+  ::close(out_descriptor);
+  ::close(err_descriptor);
+  if (child < 0) throw std::runtime_error("cannot fork");
+  if (options.interrupt_after > 0) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(options.interrupt_after));
+    ::kill(child, SIGINT);
+  }
+  int status = 0;
+  struct rusage usage {};
+  if (::wait4(child, &status, 0, &usage) != child) throw std::runtime_error("cannot wait");
+  Run run;
+  run.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  if (options.standard_output.empty() && !options.closed_pipe) run.out = folder.read("out");
+  run.err = folder.read("err");
+  run.peak_kilobytes = usage.ru_maxrss;
+  return run;
+}
+
+Run run_here(const std::function<int()>& command) {
+  const TemporaryFolder folder;
+  const int saved = ::dup(STDOUT_FILENO);
+  const int captured = open_for_writing(folder.path("out"));
+  ::dup2(captured, STDOUT_FILENO);
+  ::close(captured);
+  const auto restore = [&] {
+    ::dup2(saved, STDOUT_FILENO);
+    ::close(saved);
+  };
+  Run run;
+  try {
+    run.status = command();
+  } catch (...) {
+    restore();
+    throw;
+  }
+  restore();
+  run.out = folder.read("out");
+  return run;
+}
+
+std::size_t occurrences(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
+  return count;
+}
+
+}  // namespace touchstone::tests

@@ -1,0 +1,35 @@
+// Runs the built program as a user does, or one of its commands within the test, and keeps what it printed.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "io/temporary_folder.hpp"
+
+namespace touchstone::tests {
+
+struct Run {
+  int status = -1;  ///< exit status; 128 + N when signal N ended it
+  std::string out;
+  std::string err;
+  long peak_kilobytes = 0;  ///< the largest resident memory
+};
+
+struct RunOptions {
+  std::string folder = {};           ///< working folder; empty: the test's own
+  std::string standard_output = {};  ///< a file or device to write to; empty: kept in Run::out
+  bool closed_pipe = false;          ///< standard output is a pipe whose reader has gone
+  double interrupt_after = 0;        ///< seconds until it gets SIGINT; 0: never
+};
+
+Run run_program(const std::vector<std::string>& arguments, const RunOptions& options = {});
+
+/// Calls `command` with standard output going to a file. @returns status and output; exceptions pass through
+Run run_here(const std::function<int()>& command);
+
+/// How often `part` occurs in `text`.
+std::size_t occurrences(const std::string& text, const std::string& part);
+
+}  // namespace touchstone::tests

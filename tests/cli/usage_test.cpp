@@ -1,0 +1,136 @@
+// The program's arguments, messages and exit statuses.
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <touchstone/version.hpp>
+
+#include "cli/run_program.hpp"
+#include "cli/sample_files.hpp"
+#include "support/catch.hpp"
+
+using namespace touchstone::tests;
+
+namespace {
+
+/// Bad usage: status 2, nothing on standard output, one line on standard error.
+void check_refused(const std::vector<std::string>& arguments, const std::string& part) {
+  const Run run = run_program(arguments);
+  CAPTURE(arguments, run.err);
+  CHECK(run.status == 2);
+  CHECK(run.out == "");
+  CHECK(occurrences(run.err, "\n") == 1);
+  CHECK(occurrences(run.err, part) == 1);
+}
+
+}  // namespace
+
+TEST_CASE("the program says what it is and how it is used") {
+  const Run version = run_program({"--version"});
+  CHECK(version.status == 0);
+  CHECK(version.out == std::string("touchstone ") + touchstone::version() + "\n");
+  const Run help = run_program({"--help"});
+  CHECK(help.status == 0);
+  CHECK(help.err == "");
+  for (const char* word :
+       {"solve", "certify", "explain", "Exit status: 0", "x_num,x_den,y_num,y_den,z_num,z_den,truth"}) {
+    CAPTURE(word);
+    CHECK(occurrences(help.out, word) > 0);
+  }
+  for (const char* command : {"solve", "certify", "explain"}) {
+    const Run run = run_program({command, "--help"});
+    CHECK(run.status == 0);
+    CHECK(occurrences(run.out, "--kind") > 0);
+  }
+}
+
+TEST_CASE("bad usage ends with status 2 and one line") {
+  check_refused({}, "subcommand");
+  check_refused({"juggle"}, "juggle is no subcommand; they are solve, certify and explain");
+  check_refused({"certify", "a.csv", "--level", "fast", "--level", "exact"}, "--level");
+  check_refused({"explain", "--query", "99999999999999999999", "a.csv"}, "--query");
+  check_refused({"solve"}, "FILE");
+  check_refused({"explain", "a.csv"}, "--query");
+  check_refused({"explain", "--query", "1"}, "FILE");
+  check_refused({"certify", "--speed", "9"}, "--speed");
+  check_refused({"certify", "--threads", "0"}, "--threads");
+  check_refused({"certify", "--threads", "-1"}, "--threads");
+  check_refused({"certify", "--threads", "2000"}, "--threads");
+  check_refused({"certify", "--threads", "two"}, "--threads");
+  check_refused({"certify", "--level", "best", "a.csv"}, "--level");
+  check_refused({"certify", "--kind", "edge-face", "a.csv"}, "edge-face is no kind");
+  check_refused({"certify", "--kind", "edge-edge"}, "the bundled queries know theirs");
+  check_refused({"explain", "--query", "-1", "a.csv"}, "--query");
+  check_refused({"explain", "--query", "0", "--t-max", "1.5", "a.csv"}, "--t-max");
+  check_refused({"explain", "--query", "0", "--t-max", "nan", "a.csv"}, "--t-max");
+}
+
+TEST_CASE("files that are missing, folders, or of no known kind end with status 2 and one line") {
+  const TemporaryFolder folder;
+  const std::string text = two_point_queries();
+  const std::string good = folder.write("point-point/good.csv", text);
+  const std::string no_kind = folder.write("x/a.csv", text);
+  const std::string missing = folder.path("point-point/missing.csv");
+  for (const std::string command : {"solve", "certify"}) {
+    check_refused({command, good, missing}, missing + ": cannot be opened: No such file or directory");
+    check_refused({command, folder.path("point-point")}, folder.path("point-point") + ": is a folder");
+    check_refused({command, no_kind}, no_kind + ": of which kind are its queries?");
+    CHECK(run_program({command, "--kind", "point-point", no_kind}).status == 0);
+    check_refused({command, folder.write("point-point/empty.csv", "")}, "point-point/empty.csv: holds no query");
+  }
+  check_refused({"explain", "--query", "0", missing}, missing + ": cannot be opened: No such file or directory");
+}
+
+TEST_CASE("a file in the working folder is of that folder's kind") {
+  const TemporaryFolder folder;
+  folder.write("point-point/a.csv", two_point_queries());
+  RunOptions options;
+  options.folder = folder.path("point-point");
+  CHECK(run_program({"certify", "a.csv"}, options).status == 0);
+}
+
+TEST_CASE("an output that cannot be written ends with status 2") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("point-point/a.csv", two_point_queries());
+  RunOptions options;
+  SECTION("a full disk") {
+    if (!std::filesystem::is_character_file("/dev/full")) {
+      WARN("there is no /dev/full here: skipped");
+      return;
+    }
+    const std::string reason = ": cannot be written: No space left on device\n";
+    check_refused({"solve", "--out", "/dev/full", file}, "/dev/full" + reason);
+    check_refused({"certify", "--report", "/dev/full", file}, "/dev/full" + reason);
+    options.standard_output = "/dev/full";
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{"--help"},
+                                               {"--version"},
+                                               {"solve", file},
+                                               {"certify", file},
+                                               {"certify", "--report", "-", file},
+                                               {"explain", "--query", "0", file}}) {
+      const Run run = run_program(arguments, options);
+      CAPTURE(arguments);
+      CHECK(run.status == 2);
+      CHECK(run.err == "standard output" + reason);
+    }
+  }
+  SECTION("a pipe whose reader has gone") {
+    options.closed_pipe = true;
+    const Run run = run_program({"solve", file}, options);
+    CHECK(run.status == 2);
+    CHECK(run.err == "standard output: cannot be written: Broken pipe\n");
+  }
+  SECTION("a folder, and a place in no folder") {
+    check_refused({"solve", "--out", folder.path(""), file}, ": is a folder; name a file to write");
+    check_refused({"certify", "--report", folder.path("no/r.json"), file}, ": cannot be written: No such file");
+  }
+  SECTION("a file that is read") {
+    check_refused({"solve", "--out", file, file}, ": is also an input");
+    check_refused({"certify", "--report", file, file}, ": is also an input");
+    const std::string claims = folder.write("claims.csv", "query,contact\n0,1\n1,0\n");
+    check_refused({"certify", "--claims", claims, "--report", claims, file}, ": is also an input");
+    CHECK(folder.read("point-point/a.csv") == two_point_queries());
+  }
+}

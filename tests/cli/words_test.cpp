@@ -1,0 +1,40 @@
+// Numbers and names for a person.
+// SPDX-License-Identifier: MIT
+#include "cli/words.hpp"
+
+#include "support/catch.hpp"
+
+using namespace touchstone;
+using namespace touchstone::cli;
+
+TEST_CASE("numbers are grouped and counted") {
+  CHECK(grouped(0) == "0");
+  CHECK(grouped(999) == "999");
+  CHECK(grouped(1000) == "1,000");
+  CHECK(grouped(1234567) == "1,234,567");
+  CHECK(counted(1, "query") == "1 query");
+  CHECK(counted(2, "query") == "2 queries");
+  CHECK(counted(0, "file") == "0 files");
+  CHECK(counted(1024, "thread") == "1,024 threads");
+}
+
+TEST_CASE("shares never round to all or nothing when it is not") {
+  CHECK(share(0, 0) == "0.0 %");
+  CHECK(share(0, 10) == "0.0 %");
+  CHECK(share(1, 8) == "12.5 %");
+  CHECK(share(10, 10) == "100.0 %");
+  CHECK(share(1, 1'000'000) == "< 0.1 %");
+  CHECK(share(999'999, 1'000'000) == "> 99.9 %");
+}
+
+TEST_CASE("the explain command can be pasted into a shell") {
+  CHECK(explain_command("data/edge-edge/a.csv", Kind::edge_edge, 3) ==
+        "touchstone explain --query 3 data/edge-edge/a.csv");
+  CHECK(explain_command("data/a b.csv", Kind::point_edge, 3) ==
+        "touchstone explain --kind point-edge --query 3 'data/a b.csv'");
+  CHECK(explain_command("edge-edge/it's.csv", Kind::edge_edge, 0) ==
+        "touchstone explain --query 0 'edge-edge/it'\\''s.csv'");
+  CHECK(explain_command("-x/edge-edge/a.csv", Kind::edge_edge, 0) ==
+        "touchstone explain --query 0 -- -x/edge-edge/a.csv");
+  CHECK(shell_word("") == "''");
+}
