@@ -26,7 +26,11 @@ std::string disagreement(const Query& query, double t_max, Answer& fast) {
   if (exact.level != Level::exact) return "Method::exact does not answer by Level::exact";
   if (oracle.level != Level::oracle) return "Method::oracle does not answer by Level::oracle";
   if (fast.level == Level::oracle) return "Method::fast answers by Level::oracle";
-  std::string found = against("fast and exact", fast, exact, bit_difference(fast, exact, false));
+  std::string found = against("fast and exact", fast, exact, decision_difference(fast, exact));
+  if (found.empty()) found = against("fast and exact", fast, exact, weight_difference(fast, exact));
+  if (found.empty() && fast.level == Level::exact) {
+    found = against("fast and exact", fast, exact, bit_difference(fast, exact, true));
+  }
   if (found.empty()) found = against("exact and oracle", exact, oracle, decision_difference(exact, oracle));
   if (found.empty()) found = against("exact and oracle", exact, oracle, weight_difference(exact, oracle));
   if (found.empty()) found = malformation(query.kind, fast, t_max);

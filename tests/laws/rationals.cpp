@@ -44,7 +44,8 @@ TEST_CASE("law: a fraction is its value, however it is written") {
     const RationalQuery asked = rational(query, same, [&](const mpq_class& x) {
       return Fraction{mpz_class(x.get_num() * factor).get_str(), mpz_class(x.get_den() * factor).get_str()};
     });
-    const Answer expected = solve(query, method);
+    const Query without_minus_zero = mapped_corners(query, [](const Vec3& corner) { return corner + Vec3{}; });
+    const Answer expected = solve(without_minus_zero, method);
     const Answer found = solve(asked, method);
     const std::string wrong = bit_difference(expected, found, true);
     return wrong.empty() ? wrong : wrong + "\n    " + describe(expected) + "\n    " + describe(found);

@@ -144,7 +144,7 @@ TEST_CASE("law: an integer shear changes nothing") {
   });
 }
 
-TEST_CASE("law: the sign of zero changes nothing, not even a bit") {
+TEST_CASE("law: the sign of zero changes nothing") {
   const auto with_zeros = [](const FamilyInfo& family, Kind) { return family.group != Group::perturbed; };
   check_law(kSeed, 150, with_zeros, 0.5, [](const Query& query, Method method, Rng& rng) -> Finding {
     Query flipped = query;
@@ -155,7 +155,10 @@ TEST_CASE("law: the sign of zero changes nothing, not even a bit") {
       any = true;
     });
     if (!any) return std::nullopt;
-    return bit_difference(solve(query, method), solve(flipped, method), true);
+    const Answer expected = solve(query, method);
+    const Answer found = solve(flipped, method);
+    if (method == Method::exact) return bit_difference(expected, found, true);
+    return difference(expected, found, flipped);  // a filter may take another way to the same answer
   });
 }
 
