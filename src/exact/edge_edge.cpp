@@ -22,12 +22,10 @@ const PointOnEdge& EdgeEdgeElements::pair(Pair which) const {
                                                  {"(a1 - b0) x (b1 - b0)", "(a1 - b0) . (a1 - b1)"},
                                                  {"(b0 - a0) x (a1 - a0)", "(b0 - a0) . (b0 - a1)"},
                                                  {"(b1 - a0) x (a1 - a0)", "(b1 - a0) . (b1 - a1)"}};
-  std::optional<PointOnEdge>& made = pairs_[which];
-  if (!made) {
+  return pairs_[which].value_or_make([&] {
     const bool on_b = which == a0_on_b || which == a1_on_b;
-    made.emplace(corners_[which], corners_[on_b ? 2 : 0], corners_[on_b ? 3 : 1], names[which]);
-  }
-  return *made;
+    return PointOnEdge(corners_[which], corners_[on_b ? 2 : 0], corners_[on_b ? 3 : 1], names[which]);
+  });
 }
 
 bool EdgeEdgeElements::touching(const Moment& moment) const {

@@ -4,13 +4,13 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include <touchstone/answer.hpp>
 
 #include "exact/exact.hpp"
+#include "exact/lazy.hpp"
 #include "geometry/vector.hpp"
 #include "numbers/real_root.hpp"
 
@@ -90,7 +90,7 @@ class EdgeEdgeElements {
   Point u_, w_, r_;
   geometry::Vector<Quadratic> n_;
   Cubic coplanarity_;
-  mutable std::array<std::optional<PointOnEdge>, 4> pairs_;  // made when asked for
+  mutable std::array<Lazy<PointOnEdge>, 4> pairs_;
 };
 
 /// Vertex v against triangle f0 f1 f2.
@@ -112,7 +112,7 @@ class VertexFaceElements {
   Point u_, w_, r_;
   geometry::Vector<Quadratic> n_;
   Cubic coplanarity_;
-  mutable std::array<std::optional<PointOnEdge>, 3> sides_;
+  mutable std::array<Lazy<PointOnEdge>, 3> sides_;
 };
 
 /// Point p against edge e0 e1.

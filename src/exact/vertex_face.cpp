@@ -21,9 +21,9 @@ const PointOnEdge& VertexFaceElements::side(std::size_t which) const {
   static constexpr PointOnEdge::Names names[] = {{"(v - f0) x (f1 - f0)", "(v - f0) . (v - f1)"},
                                                  {"(v - f1) x (f2 - f1)", "(v - f1) . (v - f2)"},
                                                  {"(v - f2) x (f0 - f2)", "(v - f2) . (v - f0)"}};
-  std::optional<PointOnEdge>& made = sides_[which];
-  if (!made) made.emplace(corners_[0], corners_[1 + which], corners_[1 + (which + 1) % 3], names[which]);
-  return *made;
+  return sides_[which].value_or_make([&] {
+    return PointOnEdge(corners_[0], corners_[1 + which], corners_[1 + (which + 1) % 3], names[which]);
+  });
 }
 
 bool VertexFaceElements::touching(const Moment& moment) const {

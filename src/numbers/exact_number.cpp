@@ -1,102 +1,91 @@
 // SPDX-License-Identifier: MIT
 #include "numbers/exact_number.hpp"
 
-#include <CGAL/Gmpq.h>
-#include <CGAL/Gmpz.h>
+#include <gmpxx.h>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+
+#include "numbers/gmp_conversions.hpp"
 
 namespace touchstone::numbers {
 namespace {
 
-std::string digits_of(mpz_srcptr value) {
-  std::string digits(mpz_sizeinbase(value, 10) + 2, '\0');  // a sign and the end mark
-  mpz_get_str(digits.data(), 10, value);
-  digits.resize(std::char_traits<char>::length(digits.c_str()));
-  return digits;
+constexpr int kLimbBits = 64;
+
+double scaled(double significand, long exponent) {
+  constexpr long kBeyondDoubles = 5000;
+  return std::ldexp(significand, static_cast<int>(std::clamp(exponent, -kBeyondDoubles, kBeyondDoubles)));
 }
 
 }  // namespace
 
-Exact exact_from_integer(const CGAL::Gmpz& integer) {
-  const int sign = mpz_sgn(integer.mpz());
-  if (sign == 0) return Exact(0);
-  const Exact magnitude(integer);
-  return sign < 0 ? -magnitude : magnitude;
-}
-
-Exact power_of_two(long exponent) {
-  constexpr long kStep = 1000;  // within the range of normal doubles
-  Exact power(1);
-  while (exponent > kStep) {
-    power = power * Exact(std::ldexp(1.0, kStep));
-    exponent -= kStep;
-  }
-  while (exponent < -kStep) {
-    power = power * Exact(std::ldexp(1.0, -kStep));
-    exponent += kStep;
-  }
-  return power * Exact(std::ldexp(1.0, static_cast<int>(exponent)));
-}
-
 Approximation approximate(const Exact& x) {
-  // Mpzf::to_double takes the two leading limbs; it overflows beyond 2^1024 and loses bits below 2^-1022, so bring
-  // such values near 1 first. Each pass moves the exponent by 960, a multiple of the limb size: a copy, no shift.
-  constexpr int kStep = 960;
-  constexpr double kSmall = 0x1p-900;
   if (is_zero(x)) return {0.0, 0};
-  double value = x.to_double();
-  long exponent = 0;
-  if (!std::isfinite(value) || std::fabs(value) < kSmall) {
-    Exact scaled = x;
-    const Exact down(std::ldexp(1.0, -kStep));
-    const Exact up(std::ldexp(1.0, kStep));
-    while (!std::isfinite(value)) {
-      scaled = scaled * down;
-      exponent += kStep;
-      value = scaled.to_double();
-    }
-    while (std::fabs(value) < kSmall) {
-      scaled = scaled * up;
-      exponent -= kStep;
-      value = scaled.to_double();
-    }
-  }
-  int binary = 0;
-  const double significand = std::frexp(value, &binary);
-  return {significand, exponent + binary};
+  // The leading 64 bits, cut off (2^-63) and rounded to a double (2^-53).
+  const int count = x.limb_count();
+  const Exact::Limb top = x.limb(count - 1);
+  const int zeros = std::countl_zero(top);
+  Exact::Limb bits = top << zeros;
+  if (zeros > 0 && count > 1) bits |= x.limb(count - 2) >> (kLimbBits - zeros);
+  const double significand = static_cast<double>(bits) * 0x1p-64;
+  return {x.sign() < 0 ? -significand : significand, (static_cast<long>(x.limb_exponent()) + count) * kLimbBits - zeros};
+}
+
+double to_double(const Exact& x) {
+  const Approximation a = approximate(x);
+  return scaled(a.significand, a.exponent);
 }
 
 double approximate_quotient(const Exact& numerator, const Exact& denominator) {
   const Approximation n = approximate(numerator);
   if (n.significand == 0) return 0;
   const Approximation d = approximate(denominator);
-  const long exponent = n.exponent - d.exponent;
-  const int clamped = exponent > 5000 ? 5000 : exponent < -5000 ? -5000 : static_cast<int>(exponent);
-  return std::ldexp(n.significand / d.significand, clamped);
+  return scaled(n.significand / d.significand, n.exponent - d.exponent);
+}
+
+Exact exact_from_integer(const mpz_class& integer) {
+  return Exact::from_limbs(mpz_limbs_read(integer.get_mpz_t()), static_cast<int>(mpz_size(integer.get_mpz_t())),
+                           sgn(integer) < 0);
+}
+
+mpq_class to_rational(const Exact& x) {
+  mpz_class magnitude;
+  const int count = x.limb_count();
+  if (count > 0) {
+    mp_limb_t* limbs = mpz_limbs_write(magnitude.get_mpz_t(), count);
+    for (int i = 0; i < count; ++i) limbs[i] = x.limb(i);
+    mpz_limbs_finish(magnitude.get_mpz_t(), x.sign() < 0 ? -count : count);
+  }
+  mpq_class rational(magnitude);
+  const long shift = static_cast<long>(x.limb_exponent()) * kLimbBits;
+  if (shift >= 0) {
+    mpq_mul_2exp(rational.get_mpq_t(), rational.get_mpq_t(), static_cast<mp_bitcnt_t>(shift));
+  } else {
+    mpq_div_2exp(rational.get_mpq_t(), rational.get_mpq_t(), static_cast<mp_bitcnt_t>(-shift));
+  }
+  return rational;
 }
 
 std::string to_string(const Exact& x) {
   if (is_zero(x)) return "0";
-  const CGAL::Gmpq quotient = static_cast<CGAL::Gmpq>(x);
-  CGAL::Gmpz numerator = quotient.numerator();
-  long exponent = 1 - static_cast<long>(mpz_sizeinbase(quotient.denominator().mpz(), 2));
-  const auto twos = mpz_scan1(numerator.mpz(), 0);
-  constexpr long kPlainBits = 64;  // an integer of this size is written out
-  if (exponent == 0 && mpz_sizeinbase(numerator.mpz(), 2) > kPlainBits) {
-    mpz_tdiv_q_2exp(numerator.mpz(), numerator.mpz(), twos);
+  const mpq_class rational = to_rational(x);
+  mpz_class numerator = rational.get_num();
+  long exponent = 1 - static_cast<long>(mpz_sizeinbase(rational.get_den_mpz_t(), 2));
+  constexpr std::size_t kPlainBits = 64;  // an integer of this size is written out
+  if (exponent == 0 && mpz_sizeinbase(numerator.get_mpz_t(), 2) > kPlainBits) {
+    const mp_bitcnt_t twos = mpz_scan1(numerator.get_mpz_t(), 0);
+    numerator >>= twos;
     exponent += static_cast<long>(twos);
   }
-  std::string text = digits_of(numerator.mpz());
+  std::string text = numerator.get_str();
   if (exponent != 0) text.append(" * 2^").append(std::to_string(exponent));
   return text;
 }
 
 std::string quotient_to_string(const Exact& numerator, const Exact& denominator) {
-  const CGAL::Gmpq quotient = static_cast<CGAL::Gmpq>(numerator) / static_cast<CGAL::Gmpq>(denominator);
-  std::string text = digits_of(quotient.numerator().mpz());
-  if (mpz_cmp_ui(quotient.denominator().mpz(), 1) != 0) text.append("/").append(digits_of(quotient.denominator().mpz()));
-  return text;
+  return mpq_class(to_rational(numerator) / to_rational(denominator)).get_str();
 }
 
 }  // namespace touchstone::numbers

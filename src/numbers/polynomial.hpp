@@ -36,9 +36,8 @@ Polynomial<R, D + E> operator*(const Polynomial<R, D>& p, const Polynomial<R, E>
   for (int k = 0; k <= D + E; ++k) {
     const int first = k > E ? k - E : 0;
     const int last = k < D ? k : D;
-    R sum = p[first] * q[k - first];
-    for (int i = first + 1; i <= last; ++i) sum = sum + p[i] * q[k - i];
-    product[k] = sum;
+    product[k] = p[first] * q[k - first];
+    for (int i = first + 1; i <= last; ++i) product[k] = product[k] + p[i] * q[k - i];
   }
   return product;
 }

@@ -147,8 +147,8 @@ double RealRoot::estimate() const {
     const long exponent = std::max(terms[i].exponent - largest, -2000L);
     c[i] = std::ldexp(terms[i].significand, static_cast<int>(exponent));
   }
-  double low = low_.to_double();
-  double high = high_.to_double();
+  double low = to_double(low_);
+  double high = to_double(high_);
   double t = 0.5 * (low + high);
   double slope = 0;
   constexpr int kIterations = 50;
@@ -170,7 +170,7 @@ double RealRoot::estimate() const {
   const Approximation residual = approximate(evaluate({p_.data(), degree_ + 1}, Exact(t)));
   if (residual.exponent - largest > -2000 && residual.exponent - largest < 2000) {
     const double better = t - std::ldexp(residual.significand, static_cast<int>(residual.exponent - largest)) / slope;
-    if (better >= low_.to_double() && better <= high_.to_double()) t = better;
+    if (better >= to_double(low_) && better <= to_double(high_)) t = better;
   }
   return t;
 }

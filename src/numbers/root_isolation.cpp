@@ -1,11 +1,9 @@
 // Isolation of the roots of a polynomial of degree at most 3 in [0, limit]. Most calls end at the sign variations of
 // the Bernstein coefficients (Descartes' rule: none, or exactly one root); the rest is decided by discriminants.
 // SPDX-License-Identifier: MIT
-#include <gmp.h>
+#include <gmpxx.h>
 
-#include <CGAL/Gmpq.h>
-#include <CGAL/Gmpz.h>
-
+#include "numbers/gmp_conversions.hpp"
 #include "numbers/real_root.hpp"
 
 namespace touchstone::numbers {
@@ -52,56 +50,32 @@ int sign_at_point(Coefficients p, const Exact& t) {
   return sign_of(value);
 }
 
-/// A GMP float that frees itself.
-struct Float {
-  mpf_t value;
-  explicit Float(mp_bitcnt_t bits) { mpf_init2(value, bits); }
-  Float(mp_bitcnt_t bits, const Exact& x) : Float(bits) { mpf_set_q(value, static_cast<CGAL::Gmpq>(x).mpq()); }
-  ~Float() { mpf_clear(value); }
-  Float(const Float&) = delete;
-  Float& operator=(const Float&) = delete;
-};
+mpf_class to_float(const Exact& x, mp_bitcnt_t bits) { return mpf_class(to_rational(x), bits); }
 
 /// x rounded towards zero to `bits` bits after the binary point.
-Exact truncated(Float& x, mp_bitcnt_t bits) {
-  mpf_mul_2exp(x.value, x.value, bits);
-  CGAL::Gmpz integer;
-  mpz_set_f(integer.mpz(), x.value);
-  return exact_from_integer(integer) * power_of_two(-static_cast<long>(bits));
+Exact truncated(mpf_class x, mp_bitcnt_t bits) {
+  mpf_mul_2exp(x.get_mpf_t(), x.get_mpf_t(), bits);
+  return exact_from_integer(mpz_class(x)) * power_of_two(-static_cast<long>(bits));
 }
 
 /// Approximations that improve with `bits`, without a bound: their users check them exactly and ask again.
 Exact approximate_vertex(Coefficients quadratic, mp_bitcnt_t bits) {
-  Float b(bits, quadratic.c[1]);
-  const Float a(bits, Exact(-2) * quadratic.c[2]);
-  mpf_div(b.value, b.value, a.value);
-  return truncated(b, bits);
+  const mpf_class vertex = to_float(quadratic.c[1], bits) / to_float(Exact(-2) * quadratic.c[2], bits);
+  return truncated(vertex, bits);
 }
 
 /// The root of p' on the given side (-1: left, 1: right) of the cubic's inflection, for a positive discriminant of p'.
 Exact approximate_critical_point(Coefficients cubic, int side, mp_bitcnt_t bits) {
   const Exact& b = cubic.c[2];
   const Exact three_a = Exact(3) * cubic.c[3];
-  Float root(bits, b * b - three_a * cubic.c[1]);
-  mpf_sqrt(root.value, root.value);
-  // t = (-b + s root) / 3a = c / (-b - s root), with s = side for a > 0: take the form without cancellation.
-  const int s = sign_of(three_a) > 0 ? side : -side;
-  const Float minus_b(bits, -b);
-  const bool same_sign = mpf_sgn(minus_b.value) == 0 || (mpf_sgn(minus_b.value) > 0) == (s > 0);
-  Float result(bits);
-  if (same_sign) {
-    if (s > 0) mpf_add(result.value, minus_b.value, root.value);
-    else mpf_sub(result.value, minus_b.value, root.value);
-    const Float denominator(bits, three_a);
-    mpf_div(result.value, result.value, denominator.value);
-  } else {
-    Float denominator(bits);
-    if (s > 0) mpf_sub(denominator.value, minus_b.value, root.value);
-    else mpf_add(denominator.value, minus_b.value, root.value);
-    const Float numerator(bits, cubic.c[1]);
-    mpf_div(result.value, numerator.value, denominator.value);
-  }
-  return truncated(result, bits);
+  const mpf_class root = sqrt(to_float(b * b - three_a * cubic.c[1], bits));
+  // t = (-b + r) / 3a = c / (-b - r), with r = side * root for a > 0: take the form without cancellation.
+  const mpf_class r = sign_of(three_a) * side > 0 ? root : mpf_class(-root);
+  const mpf_class minus_b = to_float(-b, bits);
+  const bool same_sign = sgn(minus_b) == 0 || sgn(minus_b) == sgn(r);
+  const mpf_class point = same_sign ? mpf_class((minus_b + r) / to_float(three_a, bits))
+                                    : mpf_class(to_float(cubic.c[1], bits) / (minus_b - r));
+  return truncated(point, bits);
 }
 
 constexpr mp_bitcnt_t kFirstPrecision = 64;
