@@ -18,6 +18,13 @@ std::string against(const char* names, const Answer& one, const Answer& other, c
   return std::string(names) + ": " + difference + "\n    " + describe(one) + "\n    " + describe(other);
 }
 
+std::string fast_against_exact(const Answer& fast, const Answer& exact) {
+  std::string found = against("fast and exact", fast, exact, decision_difference(fast, exact));
+  if (found.empty()) found = against("fast and exact", fast, exact, weight_difference(fast, exact));
+  if (!found.empty() || fast.level != Level::exact) return found;
+  return against("fast and exact", fast, exact, bit_difference(fast, exact, true));
+}
+
 // Empty when the three methods agree and their answers are well formed.
 std::string disagreement(const Query& query, double t_max, Answer& fast) {
   fast = solve(query, Method::fast, t_max);
@@ -26,11 +33,7 @@ std::string disagreement(const Query& query, double t_max, Answer& fast) {
   if (exact.level != Level::exact) return "Method::exact does not answer by Level::exact";
   if (oracle.level != Level::oracle) return "Method::oracle does not answer by Level::oracle";
   if (fast.level == Level::oracle) return "Method::fast answers by Level::oracle";
-  std::string found = against("fast and exact", fast, exact, decision_difference(fast, exact));
-  if (found.empty()) found = against("fast and exact", fast, exact, weight_difference(fast, exact));
-  if (found.empty() && fast.level == Level::exact) {
-    found = against("fast and exact", fast, exact, bit_difference(fast, exact, true));
-  }
+  std::string found = fast_against_exact(fast, exact);
   if (found.empty()) found = against("exact and oracle", exact, oracle, decision_difference(exact, oracle));
   if (found.empty()) found = against("exact and oracle", exact, oracle, weight_difference(exact, oracle));
   if (found.empty()) found = malformation(query.kind, fast, t_max);
@@ -77,6 +80,27 @@ void methods_agree(Kind kind, Group group, std::size_t count) {
               kind_name(kind).data(), queries);
   report.finish();
 }
+
+// The cheap pair on many more queries, where the levels before the exact one have work to do.
+void fast_and_exact_agree(Kind kind, std::size_t count) {
+  Report report;
+  std::size_t before_exact = 0;
+  const auto wanted = [&](const FamilyInfo& family, Kind k) { return family.group != Group::coplanar && k == kind; };
+  for_each_case(kSeed + 1, count, wanted, [&](const CaseId& id) {
+    const Query query = make(id);
+    const Answer fast = solve(query, Method::fast);
+    before_exact += fast.level != Level::exact;
+    report.add(id, query, fast_against_exact(fast, solve(query, Method::exact)));
+  });
+  std::printf("seed %llu, %s: %zu queries by fast and exact, %zu of them decided before the exact level\n",
+              static_cast<unsigned long long>(kSeed + 1), kind_name(kind).data(), report.checked(), before_exact);
+  report.finish();
+}
+
+TEST_CASE("methods agree: fast and exact on many edge-edge") { fast_and_exact_agree(Kind::edge_edge, 20000); }
+TEST_CASE("methods agree: fast and exact on many vertex-face") { fast_and_exact_agree(Kind::vertex_face, 20000); }
+TEST_CASE("methods agree: fast and exact on many point-edge") { fast_and_exact_agree(Kind::point_edge, 10000); }
+TEST_CASE("methods agree: fast and exact on many point-point") { fast_and_exact_agree(Kind::point_point, 10000); }
 
 TEST_CASE("methods agree: lattice edge-edge") { methods_agree(Kind::edge_edge, Group::lattice, 6000); }
 TEST_CASE("methods agree: coplanar edge-edge") { methods_agree(Kind::edge_edge, Group::coplanar, 6000); }
