@@ -21,8 +21,9 @@ const std::map<std::string, Layers>& layer_table() {
       {"oracle", {"geometry", "numbers"}},
       {"solver", {"filters", "exact", "oracle", "geometry", "numbers"}},
       {"certify", {"solver", "oracle", "geometry", "numbers"}},
+      {"baselines", {"geometry"}},
       {"io", {"geometry", "numbers"}},
-      {"cli", {"geometry", "numbers", "filters", "exact", "oracle", "solver", "certify", "io"}},
+      {"cli", {"geometry", "numbers", "filters", "exact", "oracle", "solver", "certify", "baselines", "io"}},
   };
   return table;
 }

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "baselines/first_touch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "baselines/distance.hpp"
+
+namespace touchstone::baselines {
+
+using geometry::cross;
+using geometry::dot;
+
+namespace {
+
+// Below this sine, squared, the projection along the common normal loses all its digits.
+constexpr double kParallel = 0x1p-80;
+
+/// Where u and w span a plane, its normal; the projections divide by its squared length.
+struct Normal {
+  Vector n;
+  double nn;
+  bool parallel;
+
+  Normal(const Vector& u, const Vector& w)
+      : n(cross(u, w)), nn(dot(n, n)), parallel(!(nn > kParallel * dot(u, u) * dot(w, w))) {}
+};
+
+bool between(double f, double slack) { return f >= -slack && f <= 1 + slack; }
+
+/// Whether the elements touch at t, a root of V for the kinds that have one.
+bool touches(const Frame& frame, double t, double slack) {
+  if (frame.kind == Kind::point_edge || frame.kind == Kind::point_point) return distance_at(frame, t) <= slack;
+  const Vector u = frame.u.at(t);
+  const Vector w = frame.w.at(t);
+  const Vector r = frame.r.at(t);
+  const Normal normal(u, w);
+  if (normal.parallel) return distance_at(frame, t) <= slack;
+  const double f1 = dot(cross(r, w), normal.n) / normal.nn;
+  if (frame.kind == Kind::edge_edge) return between(f1, slack) && between(dot(cross(r, u), normal.n) / normal.nn, slack);
+  const double f2 = dot(cross(u, r), normal.n) / normal.nn;
+  return f1 >= -slack && f2 >= -slack && f1 + f2 <= 1 + slack;
+}
+
+class Search {
+ public:
+  Search(double t_max, RootFinder roots, double tolerance) : t_max_(t_max), roots_(roots), tolerance_(tolerance) {}
+
+  void add_roots(const Cubic& p) { roots_(p, t_max_, tolerance_, times_); }
+  void add_start() { times_.add(0.0); }
+
+  /// When the point r is on the line of the edge from the origin to u; if it always is, when it passes one of its ends.
+  void add_point_edge(const Motion& r, const Motion& u) {
+    const auto collinear = cross(linear(r), linear(u));
+    bool always = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Cubic component = as_cubic(collinear[k]);
+      if (is_noise(component)) continue;
+      always = false;
+      add_roots(component);
+    }
+    if (always) {
+      add_point_point(r);
+      add_point_point(r - u);
+    }
+  }
+
+  void add_point_point(const Motion& r) {
+    const auto components = linear(r);
+    for (std::size_t k = 0; k < 3; ++k) add_roots(as_cubic(components[k]));
+  }
+
+  Times& sorted() {
+    std::sort(times_.begin(), times_.end());
+    return times_;
+  }
+
+ private:
+  double t_max_;
+  RootFinder roots_;
+  double tolerance_;
+  Times times_;
+};
+
+/// While the elements stay coplanar they can only start to touch where a corner of one meets an edge of the other.
+void add_coplanar_times(const Frame& frame, Search& search) {
+  const auto& [kind, u, w, r, exponent] = frame;
+  search.add_start();
+  search.add_point_edge(r, u);
+  if (kind == Kind::edge_edge) {
+    search.add_point_edge(r + w, u);
+    search.add_point_edge(-r, w);
+    search.add_point_edge(u - r, w);
+  } else {
+    search.add_point_edge(r, w);
+    search.add_point_edge(r - u, w - u);
+  }
+}
+
+}  // namespace
+
+Result first_touch(const Query& query, double t_max, RootFinder roots, double tolerance, double slack) {
+  const Frame frame = frame_of(query);
+  Search search(t_max, roots, tolerance);
+  switch (frame.kind) {
+    case Kind::edge_edge:
+    case Kind::vertex_face: {
+      const Cubic v = dot(cross(linear(frame.u), linear(frame.w)), linear(frame.r));
+      if (is_noise(v)) {
+        add_coplanar_times(frame, search);
+      } else {
+        search.add_roots(v);
+      }
+      break;
+    }
+    case Kind::point_edge:
+      search.add_start();
+      search.add_point_edge(frame.r, frame.u);
+      break;
+    case Kind::point_point:
+      search.add_start();
+      search.add_point_point(frame.r);
+      break;
+  }
+  for (const double t : search.sorted()) {
+    if (touches(frame, t, slack)) return {true, t};
+  }
+  return {};
+}
+
+}  // namespace touchstone::baselines
