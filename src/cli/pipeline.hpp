@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
+#include <cstddef>
 #include <exception>
 #include <memory>
 
@@ -27,8 +29,11 @@ int default_threads() noexcept;
 template <class Item, class Read, class Work, class Write>
 void run_in_order(int threads, Read read, Work work, Write write) {
   bool more = true;
+  // Nothing is thrown through the pipeline: oneTBB would forget the items that are under way. They drain instead.
+  std::exception_ptr failure;
+  std::atomic<bool> failed = false;
   const auto read_item = [&]() -> std::shared_ptr<Item> {
-    if (!more) return nullptr;
+    if (!more || failed) return nullptr;
     auto item = std::make_shared<Item>();
     try {
       throw_if_interrupted();
@@ -41,15 +46,23 @@ void run_in_order(int threads, Read read, Work work, Write write) {
     return item;
   };
   const auto work_on = [&](Item& item) {
+    if (failed) return;
     try {
+      throw_if_interrupted();
       work(item);
     } catch (...) {
       item.error = std::current_exception();
     }
   };
   const auto write_item = [&](Item& item) {
-    write(item);
-    if (item.error) std::rethrow_exception(item.error);
+    if (failed) return;
+    try {
+      write(item);
+      if (item.error) std::rethrow_exception(item.error);
+    } catch (...) {
+      failure = std::current_exception();
+      failed = true;
+    }
   };
 
 #if TOUCHSTONE_WITH_TBB
@@ -73,6 +86,7 @@ void run_in_order(int threads, Read read, Work work, Write write) {
             write_item(*item);
           }));
     });
+    if (failure) std::rethrow_exception(failure);
     return;
   }
 #endif
@@ -81,6 +95,7 @@ void run_in_order(int threads, Read read, Work work, Write write) {
     work_on(*item);
     write_item(*item);
   }
+  if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace touchstone::cli
