@@ -15,6 +15,9 @@ namespace touchstone::exact {
 Answer decide(const Query& query, double t_max);
 Answer decide(const RationalQuery& query, double t_max);
 
+/// The sign of V(t), for edge-edge and vertex-face queries and 0 <= t <= 1; exact.
+int coplanarity_sign(const Query& query, double t);
+
 /// One candidate time and the signs that decide it.
 struct CandidateStory {
   double lower = 0, upper = 0;  ///< the neighbouring doubles around the candidate time

@@ -42,7 +42,12 @@ struct Bounded {
   double error;
 };
 
-enum class Side : std::uint8_t { inside, outside, uncertain };
+enum class Side : std::uint8_t {
+  inside,
+  outside,
+  close,   ///< to a border: a closer look may tell
+  unknown  ///< n may be zero
+};
 
 /// Where the contact of the two lines, or of the point and the plane, lies at the roots within [t - h, t + h].
 // At t the vectors u, w and r are off by at most 4 e times their bound: s = 1 - t, two products, a sum and the rounded
@@ -64,7 +69,7 @@ Sides sides(const Query& query, const Frame& f, const Magnitudes& m, double t, d
   if (std::fabs(n[2]) > std::fabs(n[k])) k = 2;
   const double spread = 21 * kUnit + 8.01 * h;
   const double n_error = spread * m.u * m.w;
-  if (!(std::fabs(n[k]) > n_error)) return {k, Side::uncertain};
+  if (!(std::fabs(n[k]) > n_error)) return {k, Side::unknown};
   const double sign = n[k] > 0 ? 1 : -1;
   const Bounded normal = {std::fabs(n[k]), n_error};
   const Bounded first = {sign * geometry::cross_component(r, w, k), spread * m.r * m.w};
@@ -87,7 +92,7 @@ Sides sides(const Query& query, const Frame& f, const Magnitudes& m, double t, d
   Side side = Side::inside;
   for (int i = 0; i < count; ++i) {
     if (conditions[i].value < -conditions[i].error) return {k, Side::outside};
-    if (!(conditions[i].value > conditions[i].error)) side = Side::uncertain;
+    if (!(conditions[i].value > conditions[i].error)) side = Side::close;
   }
   return {k, side};
 }
@@ -95,7 +100,7 @@ Sides sides(const Query& query, const Frame& f, const Magnitudes& m, double t, d
 }  // namespace
 
 Decision bracket(const Query& query, const Frame& frame, const std::array<double, 4>& coefficients, double t_max,
-                 Answer& answer) noexcept {
+                 ExactSign exact_sign, Answer& answer) {
   const Magnitudes m = {largest(frame.u0, frame.u1), largest(frame.w0, frame.w1), largest(frame.r0, frame.r1)};
   if (!within_range(m)) return Decision::uncertain;
   const BernsteinCubic cubic(coefficients, m.u * m.w * m.r);
@@ -113,8 +118,14 @@ Decision bracket(const Query& query, const Frame& frame, const std::array<double
     if (root.t - root.radius > t_max) return Decision::no_contact;
     const Sides where = sides(query, frame, m, root.t, root.radius);
     if (where.side == Side::outside) continue;
-    if (where.side == Side::uncertain) return Decision::uncertain;
-    return refine_contact(query, cubic, root, {m.u, m.w, m.r, where.axis}, t_max, answer);
+    if (where.side == Side::unknown) return Decision::uncertain;
+    const bool inside = where.side == Side::inside;
+    switch (refine_root(query, cubic, root, {m.u, m.w, m.r, where.axis}, inside, t_max, exact_sign, answer)) {
+      case RootVerdict::contact: return Decision::contact;
+      case RootVerdict::outside: continue;
+      case RootVerdict::too_late: return Decision::no_contact;
+      case RootVerdict::uncertain: return Decision::uncertain;
+    }
   }
   return Decision::no_contact;
 }

@@ -47,7 +47,7 @@ Proof separation_proof(const Query& query) noexcept {
   return direction_proof(query);
 }
 
-Decision decide(const Query& query, double t_max, Answer& answer) noexcept {
+Decision decide(const Query& query, double t_max, ExactSign exact_sign, Answer& answer) {
   if (!has_cubic(query.kind)) {
     if (direction_proof(query) == Proof::none) return Decision::uncertain;
     answer_no_contact(Level::filter, answer);
@@ -59,7 +59,7 @@ Decision decide(const Query& query, double t_max, Answer& answer) noexcept {
     answer_no_contact(Level::filter, answer);
     return Decision::no_contact;
   }
-  const Decision decision = bracket(query, frame, coefficients, t_max, answer);
+  const Decision decision = bracket(query, frame, coefficients, t_max, exact_sign, answer);
   if (decision == Decision::no_contact) answer_no_contact(Level::bracket, answer);
   return decision;
 }

@@ -19,8 +19,11 @@ enum class Proof : std::uint8_t { none, same_side, boxes, closest_points, normal
 /// Runs the tests that can only prove separation, in order, until one does.
 Proof separation_proof(const Query& query) noexcept;
 
-/// All of it: separation (Level::filter), then the bracket level (Level::bracket). The answer is written unless the
+/// The exact sign of V(t) for a double t: what doubles cannot tell, from the level below.
+using ExactSign = int (*)(const Query& query, double t);
+
+/// All of it: separation (Level::filter), then the bracket level (Level::bracket). The answer is meaningful unless the
 /// decision is uncertain.
-Decision decide(const Query& query, double t_max, Answer& answer) noexcept;
+Decision decide(const Query& query, double t_max, ExactSign exact_sign, Answer& answer);
 
 }  // namespace touchstone::filters

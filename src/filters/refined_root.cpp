@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 
 #include "geometry/vector.hpp"
 #include "numbers/double_double.hpp"
@@ -75,74 +75,133 @@ Component component(const AtRoot& a, const AtRoot& b, std::size_t k) noexcept {
           cross_component(a.slope, in_doubles(b.value), k) + cross_component(in_doubles(a.value), b.slope, k)};
 }
 
-}  // namespace
+Component operator-(const Component& a, const Component& b) noexcept { return {a.value - b.value, a.slope - b.slope}; }
 
-Decision refine_contact(const Query& query, const BernsteinCubic& cubic, const BernsteinCubic::Root& root,
-                        const ContactFrame& frame, double t_max, Answer& answer) noexcept {
-  const ElementVectors at = vectors_at(query, root.t);
-  const Precise n = geometry::cross(at.u.value, at.w.value);
-  const double value = rounded(geometry::dot(n, at.r.value));
+/// The root as an offset from a double: t - V(t) / V'(x) for some x between.
+struct Offset {
+  double value;
+  double error;  ///< the true offset is off by at most this
+  double reach;  ///< and at most this far away
+};
+
+std::optional<Offset> offset_of(const BernsteinCubic& cubic, const BernsteinCubic::Root& root, double value) noexcept {
   const double value_error = kValueBound * cubic.size() + kUnit * std::fabs(value);
-
-  // The root is t - V(t) / V'(x) for some x between, at most `reach` away; V'(x) differs from the computed slope by at
-  // most `slope_spread`, which is below half of it (see BernsteinCubic::Root).
+  // V'(x) differs from the computed slope by at most `spread`, which is below half of it (see BernsteinCubic::Root).
   const double steepness = std::fabs(root.slope);
   const double offset = -value / root.slope;
   const double reach = 2 * (std::fabs(offset) + value_error / steepness);
-  const double slope_spread = cubic.slope_error() + cubic.curvature_bound() * reach;
-  if (!(slope_spread < 0.5 * steepness)) return Decision::uncertain;
+  const double spread = cubic.slope_error() + cubic.curvature_bound() * reach;
+  if (!(spread < 0.5 * steepness)) return std::nullopt;
   const double error =
-      1.0625 * (2 * value_error / steepness + std::fabs(offset) * (2 * slope_spread / steepness + kUnit));
+      1.0625 * (2 * value_error / steepness + std::fabs(offset) * (2 * spread / steepness + kUnit));
+  return Offset{offset, error, reach};
+}
 
-  // The exact root is nearest + rest, give or take the error; it must certainly lie on one side of the double `nearest`.
-  const DoubleDouble sum = numbers::two_sum(root.t, offset);
+/// The sign of a component at the root; 0 when uncertain. With M the product of its vectors' bounds (or the sum of such
+/// products): its double-double value is off by 540 e^2 M (and 100 more for a difference); its slope, at most 8 M, by
+/// 48 e M times the offset; its second derivative is at most 16 M, so 8 M reach^2; the offset's error weighs 8 M; and the
+/// last two operations round.
+int sign_at_root(const Component& component, const Offset& offset, double m) noexcept {
+  const double value = rounded(component.value) + component.slope * offset.value;
+  const double bound = m * (800 * kUnitSquared + 64 * kUnit * std::fabs(offset.value) + 8.25 * offset.reach * offset.reach +
+                            8.25 * offset.error) +
+                       4 * kUnit * std::fabs(value);
+  return value > bound ? 1 : value < -bound ? -1 : 0;
+}
+
+/// The two neighbouring doubles around the root, equal when it is a double.
+struct Times {
+  double toi, toi_upper;
+};
+
+std::optional<Times> neighbouring_doubles(const Query& query, const BernsteinCubic::Root& root, const Offset& offset,
+                                          ExactSign exact_sign) {
+  // The root is nearest + rest, give or take the error.
+  const DoubleDouble sum = numbers::two_sum(root.t, offset.value);
   const double nearest = sum.high;
   const double rest = sum.low;
-  if (!(nearest > 0 && nearest < 1 && std::fabs(rest) > error)) return Decision::uncertain;
-  const double toi = rest > 0 ? nearest : std::nextafter(nearest, 0.0);
-  const double toi_upper = rest > 0 ? std::nextafter(nearest, 1.0) : nearest;
-  if (!(std::fabs(rest) + error < toi_upper - toi)) return Decision::uncertain;
-  if (toi >= t_max) return Decision::no_contact;
+  if (!(nearest > 0 && nearest < 1)) return std::nullopt;
+  int side = rest > offset.error ? 1 : rest < -offset.error ? -1 : 0;  // of the root, seen from `nearest`
+  if (side == 0) {
+    if (!(std::fabs(nearest - root.t) <= root.radius)) return std::nullopt;
+    const int sign = exact_sign(query, nearest);
+    if (sign == 0) return Times{nearest, nearest};
+    side = (sign > 0) == (root.slope > 0) ? -1 : 1;  // V is monotone between the two
+  }
+  const Times times = side > 0 ? Times{nearest, std::nextafter(nearest, 1.0)} : Times{std::nextafter(nearest, 0.0), nearest};
+  if (!(std::fabs(rest) + offset.error < times.toi_upper - times.toi)) return std::nullopt;
+  return times;
+}
 
-  // A weight is f(t + offset) = f + f' offset with f = a / n: the slope's own error, second-order terms (|f''| <= 2 K + 2 K^2
-  // with K the bound below on |f'|) and the error of the offset are negligible under these two conditions; so are the
-  // double-double errors of a and n, 540 e^2 K. What remains are 4 roundings.
+}  // namespace
+
+RootVerdict refine_root(const Query& query, const BernsteinCubic& cubic, const BernsteinCubic::Root& root,
+                        const ContactFrame& frame, bool inside, double t_max, ExactSign exact_sign, Answer& answer) {
+  const ElementVectors at = vectors_at(query, root.t);
+  const Precise n = geometry::cross(at.u.value, at.w.value);
+  const std::optional<Offset> offset = offset_of(cubic, root, rounded(geometry::dot(n, at.r.value)));
+  if (!offset) return RootVerdict::uncertain;
+
+  const bool edges = query.kind == Kind::edge_edge;
   const std::size_t k = frame.axis;
   const Component normal = component(at.u, at.w, k);
+  const Component first = component(at.r, at.w, k);
+  const Component second = edges ? component(at.r, at.u, k) : component(at.u, at.r, k);
+  const Component rest_of = normal - first - second;  // of a face's weights
   const double n_value = rounded(normal.value);
-  const double slope_bound = 8 * (frame.u * frame.w + std::max(frame.u, frame.w) * frame.r) / std::fabs(n_value);
-  if (!(slope_bound <= 0x1p40 && slope_bound * (std::fabs(offset) + error) <= 0x1p-29 && slope_bound * error <= 0x1p-56)) {
-    return Decision::uncertain;
+  const double uw = frame.u * frame.w;
+  const double rw = frame.r * frame.w;
+  const double ru = frame.r * frame.u;
+  if (!inside) {
+    const int s = n_value > 0 ? 1 : -1;
+    int signs[4] = {s * sign_at_root(first, *offset, rw), s * sign_at_root(second, *offset, ru), 1, 1};
+    if (edges) {
+      signs[2] = s * sign_at_root(normal - first, *offset, uw + rw);
+      signs[3] = s * sign_at_root(normal - second, *offset, uw + ru);
+    } else {
+      signs[2] = s * sign_at_root(rest_of, *offset, uw + rw + ru);
+    }
+    const int least = std::min({signs[0], signs[1], signs[2], signs[3]});
+    if (least < 0) return RootVerdict::outside;
+    if (least == 0) return RootVerdict::uncertain;
+  }
+
+  const std::optional<Times> times = neighbouring_doubles(query, root, *offset, exact_sign);
+  if (!times) return RootVerdict::uncertain;
+  if (times->toi > t_max || (times->toi == t_max && times->toi < times->toi_upper)) return RootVerdict::too_late;
+
+  // A weight is f(t + offset) = f + f' offset with f = a / n: the slope's own error, second-order terms (|f''| <= 2 K + 2 K^2
+  // with K the bound below on |f'|) and the error of the offset are negligible under these conditions; so are the
+  // double-double errors of a and n, 800 e^2 K. What remains are 4 roundings.
+  const double slope_bound = 8 * (uw + rw + ru) / std::fabs(n_value);
+  if (!(slope_bound <= 0x1p40 && slope_bound * offset->reach <= 0x1p-29 && slope_bound * offset->error <= 0x1p-56)) {
+    return RootVerdict::uncertain;
   }
   const auto weight = [&](const Component& numerator) {
     const double f = rounded(numerator.value) / n_value;
     const double f_slope = (numerator.slope - f * normal.slope) / n_value;
-    return std::clamp(f + f_slope * offset, 0.0, 1.0);
+    return std::clamp(f + f_slope * offset->value, 0.0, 1.0);
   };
-  Answer contact;
-  contact.contact = true;
-  contact.level = Level::bracket;
-  contact.nature = Nature::crossing;
-  contact.toi = toi;
-  contact.toi_upper = toi_upper;
-  const Component first = component(at.r, at.w, k);
-  if (query.kind == Kind::edge_edge) {
+  answer = Answer();
+  answer.contact = true;
+  answer.level = Level::bracket;
+  answer.nature = Nature::crossing;
+  answer.toi = times->toi;
+  answer.toi_upper = times->toi_upper;
+  if (edges) {
     const double f1 = weight(first);
-    const double f2 = weight(component(at.r, at.u, k));
-    contact.feature_a = Feature::a;
-    contact.feature_b = Feature::b;
-    contact.weights_a = {1 - f1, f1, 0};
-    contact.weights_b = {1 - f2, f2, 0};
+    const double f2 = weight(second);
+    answer.feature_a = Feature::a;
+    answer.feature_b = Feature::b;
+    answer.weights_a = {1 - f1, f1, 0};
+    answer.weights_b = {1 - f2, f2, 0};
   } else {
-    const Component second = component(at.u, at.r, k);
-    const Component rest_of = {normal.value - first.value - second.value, normal.slope - first.slope - second.slope};
-    contact.feature_a = Feature::v;
-    contact.feature_b = Feature::f;
-    contact.weights_a = {1, 0, 0};
-    contact.weights_b = {weight(rest_of), weight(first), weight(second)};
+    answer.feature_a = Feature::v;
+    answer.feature_b = Feature::f;
+    answer.weights_a = {1, 0, 0};
+    answer.weights_b = {weight(rest_of), weight(first), weight(second)};
   }
-  answer = contact;
-  return Decision::contact;
+  return RootVerdict::contact;
 }
 
 }  // namespace touchstone::filters

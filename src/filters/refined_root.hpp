@@ -18,9 +18,17 @@ struct ContactFrame {
   std::size_t axis;
 };
 
-/// For a root of V that is certainly a crossing of both interiors: the complete answer, or no contact when the root lies
-/// after t_max, or uncertain when a time or a weight cannot be certified (a time that is a double, for one).
-Decision refine_contact(const Query& query, const BernsteinCubic& cubic, const BernsteinCubic::Root& root,
-                        const ContactFrame& frame, double t_max, Answer& answer) noexcept;
+/// What is to be said of one root of V.
+enum class RootVerdict : std::uint8_t {
+  contact,    ///< the elements touch there; the answer is written
+  outside,    ///< they do not touch there
+  too_late,   ///< the root lies after t_max
+  uncertain   ///< a time, a side or a weight cannot be certified: a touched corner or border, for one
+};
+
+/// Decides a simple root of V, given as BernsteinCubic certifies it. `inside` says that the side conditions are known to
+/// hold; otherwise they are decided here. Asks `exact_sign` when the time is too close to a double.
+RootVerdict refine_root(const Query& query, const BernsteinCubic& cubic, const BernsteinCubic::Root& root,
+                        const ContactFrame& frame, bool inside, double t_max, ExactSign exact_sign, Answer& answer);
 
 }  // namespace touchstone::filters

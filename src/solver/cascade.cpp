@@ -10,7 +10,7 @@ namespace touchstone::solver {
 void answer(const Query& query, Method method, double t_max, Answer& result) {
   switch (method) {
     case Method::fast:
-      if (filters::decide(query, t_max, result) != filters::Decision::uncertain) return;
+      if (filters::decide(query, t_max, exact::coplanarity_sign, result) != filters::Decision::uncertain) return;
       break;
     case Method::exact: break;
     case Method::oracle: result = oracle::decide(query, t_max); return;
