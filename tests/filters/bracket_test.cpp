@@ -1,0 +1,152 @@
+// What the bracket level certifies on the way to its answer, against exact arithmetic.
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "exact/exact.hpp"
+#include "filters/bernstein_cubic.hpp"
+#include "filters/bound_search.hpp"
+#include "filters/same_side.hpp"
+#include "numbers/exact_number.hpp"
+#include "support/catch.hpp"
+
+using namespace touchstone;
+using namespace touchstone::tests;
+using filters::BernsteinCubic;
+using numbers::Exact;
+
+namespace {
+
+/// A frame given by 18 doubles (differences that are doubles themselves), and V's exact power coefficients, from the
+/// rule of Sarrus over polynomials.
+struct Sample {
+  filters::Frame frame;
+  double size;
+  std::array<Exact, 4> power;
+
+  explicit Sample(const std::vector<double>& x) {
+    const auto vector = [&](std::size_t i) { return filters::Vector{{x[3 * i], x[3 * i + 1], x[3 * i + 2]}}; };
+    frame = {vector(0), vector(1), vector(2), vector(3), vector(4), vector(5)};
+    const auto largest = [&](std::size_t i) {
+      double m = 0;
+      for (std::size_t k = 0; k < 3; ++k) m = std::max({m, std::fabs(x[3 * i + k]), std::fabs(x[9 + 3 * i + k])});
+      return m;
+    };
+    size = largest(0) * largest(1) * largest(2);
+    static constexpr int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}, {0, 2, 1}, {1, 0, 2}};
+    for (int o = 0; o < 6; ++o) {
+      std::array<Exact, 4> term = {Exact(1), Exact(0), Exact(0), Exact(0)};
+      for (std::size_t v = 0; v < 3; ++v) {
+        const std::size_t at = 3 * v + static_cast<std::size_t>(orders[o][v]);
+        const Exact start(x[at]);
+        const Exact change = Exact(x[9 + at]) - start;
+        for (std::size_t i = 4; i-- > 0;) term[i] = term[i] * start + (i > 0 ? term[i - 1] * change : Exact(0));
+      }
+      for (std::size_t i = 0; i < 4; ++i) power[i] = o < 3 ? power[i] + term[i] : power[i] - term[i];
+    }
+  }
+
+  BernsteinCubic cubic() const { return {filters::coplanarity_coefficients(frame), size}; }
+  Exact value(const Exact& t) const { return ((power[3] * t + power[2]) * t + power[1]) * t + power[0]; }
+  Exact slope(const Exact& t) const { return (Exact(3) * power[3] * t + Exact(2) * power[2]) * t + power[1]; }
+  Exact second(const Exact& t) const { return Exact(6) * power[3] * t + Exact(2) * power[2]; }
+};
+
+Exact magnitude(const Exact& x) { return x.sign() < 0 ? -x : x; }
+
+std::vector<double> random_frame(Rng& rng) {
+  std::vector<double> x(18);
+  const int spread = rng.between(0, 30);
+  for (double& v : x) v = std::ldexp(rng.symmetric(), -rng.between(0, spread));
+  if (rng.one_in(2)) {  // V's ends of opposite signs
+    for (std::size_t k = 0; k < 3; ++k) x[15 + k] = -x[6 + k] * (1 + 0.25 * rng.symmetric());
+  }
+  if (rng.one_in(3)) {  // small integers: zeros and ties
+    for (double& v : x) v = rng.between(-3, 3);
+  }
+  return x;
+}
+
+}  // namespace
+
+TEST_CASE("a certified root is there, and its slope and curvature bounds hold") {
+  Rng rng(61);
+  long certain = 0, none = 0, split = 0;
+  for (int i = 0; i < 60000; ++i) {
+    const Sample sample(random_frame(rng));
+    if (sample.size == 0) continue;
+    const BernsteinCubic cubic = sample.cubic();
+    double points[4];
+    const int segments = cubic.split_points(points);
+    REQUIRE(points[0] == 0);
+    REQUIRE(points[segments] == 1);
+    split += segments > 1;
+    for (int s = 0; s < segments; ++s) {
+      REQUIRE(points[s] < points[s + 1]);
+      const BernsteinCubic::Variations variations = cubic.variations(points[s], points[s + 1]);
+      if (variations == BernsteinCubic::Variations::uncertain) break;
+      const int at_start = sample.value(Exact(points[s])).sign();
+      const int at_end = sample.value(Exact(points[s + 1])).sign();
+      REQUIRE(at_start != 0);
+      if (variations == BernsteinCubic::Variations::none) {
+        ++none;
+        REQUIRE(at_start == at_end);
+        for (int k = 1; k < 8; ++k) {
+          REQUIRE(sample.value(Exact(points[s] + (points[s + 1] - points[s]) * k / 8)).sign() == at_start);
+        }
+        continue;
+      }
+      REQUIRE(at_start == -at_end);
+      const BernsteinCubic::Root root = cubic.root_between(points[s], points[s + 1]);
+      if (!root.certain) continue;
+      ++certain;
+      const Exact low = Exact(root.t) - Exact(root.radius);
+      const Exact high = Exact(root.t) + Exact(root.radius);
+      REQUIRE(low > Exact(points[s]));
+      REQUIRE(high < Exact(points[s + 1]));
+      REQUIRE(sample.value(low).sign() == at_start);
+      REQUIRE(sample.value(high).sign() == at_end);
+      for (const Exact& t : {low, Exact(root.t), high}) {
+        REQUIRE(magnitude(sample.second(t)) <= Exact(cubic.curvature_bound()));
+        REQUIRE(sample.slope(t).sign() == (root.slope > 0 ? 1 : -1));
+        REQUIRE(Exact(2) * magnitude(sample.slope(t)) >= magnitude(Exact(root.slope)));
+      }
+      REQUIRE(magnitude(sample.slope(Exact(root.t)) - Exact(root.slope)) <= Exact(cubic.slope_error()));
+    }
+  }
+  std::printf("bracket: %ld certified roots, %ld certified empty parts, %ld cubics split\n", certain, none, split);
+  CHECK(certain > 5000);
+  CHECK(none > 1000);
+  CHECK(split > 1000);
+}
+
+TEST_CASE("the slope's bound holds under search") {
+  Rng rng(62);
+  BoundSearch search;
+  for (const int exponent : {0, 40, -40, 240, -240}) {
+    search_bound(search, rng, 18, exponent, 0, 2, 2000, [](const std::vector<double>& x) {
+      const Sample sample(x);
+      const BernsteinCubic cubic = sample.cubic();
+      if (cubic.variations(0, 1) != BernsteinCubic::Variations::one) return std::nan("");
+      const BernsteinCubic::Root root = cubic.root_between(0, 1);
+      const Exact error = sample.slope(Exact(root.t)) - Exact(root.slope);
+      return std::fabs(numbers::approximate_quotient(error, Exact(cubic.slope_error())));
+    });
+  }
+  std::printf("slope: worst observed error / bound = %.4f in %ld evaluations\n", search.worst, search.evaluations);
+  CHECK(search.worst <= 1);
+  CHECK(search.worst > 0.005);
+}
+
+TEST_CASE("the exact sign of V at a double") {
+  const Query query(EdgeEdge{{{{-1, 0, 0}, {1, 0, 0}, {0, -1, 1}, {0, 1, 1}}}, {{{-1, 0, 0}, {1, 0, 0}, {0, -1, -1}, {0, 1, -1}}}});
+  CHECK(exact::coplanarity_sign(query, 0.5) == 0);  // V = 4 - 8t
+  CHECK(exact::coplanarity_sign(query, std::nextafter(0.5, 0)) == 1);
+  CHECK(exact::coplanarity_sign(query, std::nextafter(0.5, 1)) == -1);
+  // v falls from z = 1 to -1 through the face z = 0 with n = (0, 0, 16): V = 16 - 32 t.
+  const Query face(VertexFace{{{{1, 1, 1}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}, {{{1, 1, -1}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}});
+  CHECK(exact::coplanarity_sign(face, 0.5) == 0);
+  CHECK(exact::coplanarity_sign(face, 0.25) == 1);
+  CHECK(exact::coplanarity_sign(face, 0x1.0000000000001p-1) == -1);
+}
