@@ -22,8 +22,10 @@ const std::map<std::string, Layers>& layer_table() {
       {"solver", {"filters", "exact", "oracle", "geometry", "numbers"}},
       {"certify", {"solver", "oracle", "geometry", "numbers"}},
       {"baselines", {"geometry"}},
+      {"generators", {"geometry", "io"}},
       {"io", {"geometry", "numbers"}},
-      {"cli", {"geometry", "numbers", "filters", "exact", "oracle", "solver", "certify", "baselines", "io"}},
+      {"cli",
+       {"geometry", "numbers", "filters", "exact", "oracle", "solver", "certify", "baselines", "generators", "io"}},
   };
   return table;
 }

@@ -1,0 +1,54 @@
+// Simulation-like queries: the pairs of elements of a moving scene that come close enough to be asked about.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include <touchstone/query.hpp>
+
+#include "generators/scene.hpp"
+
+namespace touchstone::generators {
+
+struct CandidateOptions {
+  SceneName scene = SceneName::cloth;
+  std::uint64_t seed = 1;
+  std::size_t edges = 4000;  ///< about how many the scene has; in [kFewestEdges, kMostEdges]
+  std::size_t steps = 20;    ///< how many steps the scene moves on
+  double speed = 1;          ///< 1: most corners move by a tenth of an edge's length a step; finite, >= 0
+  bool edge_edge = true;
+  bool vertex_face = true;
+  bool shared_corners = false;  ///< also the pairs that share a corner, which touch in it all the time
+  std::uint64_t count = 0;      ///< at most so many of each kind, drawn evenly from all the steps; 0: every one
+};
+
+inline constexpr double kGreatestSpeed = 1000;
+
+/// Queries of one kind from one step. The step's ends are the same doubles in all of its queries, and the end of one
+/// step is the start of the next.
+struct Batch {
+  std::size_t step = 0;
+  Kind kind = Kind::edge_edge;
+  std::vector<Query> queries;
+};
+inline constexpr std::size_t kBatchQueries = 4096;
+
+struct CandidateCounts {
+  std::uint64_t edge_edge = 0;
+  std::uint64_t vertex_face = 0;
+};
+
+/// Calls take(batch) with batches of at most kBatchQueries, step by step; memory does not grow with their number.
+/// A pair is a candidate when the boxes around the two elements' paths overlap: every contact is among them. The same
+/// options give the same queries, bit for bit, on every machine.
+/// @returns how many queries were handed out
+/// @throws InvalidQuery  for options outside their ranges
+CandidateCounts for_each_batch(const CandidateOptions& options, const std::function<void(const Batch&)>& take);
+
+/// All of them, or the `count` that the options ask for, at once.
+std::vector<Query> candidates(const CandidateOptions& options);
+
+}  // namespace touchstone::generators

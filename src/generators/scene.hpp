@@ -1,0 +1,58 @@
+// Deforming surfaces and cables in motion, as closed formulas of time.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <touchstone/query.hpp>
+
+#include "generators/mesh.hpp"
+
+namespace touchstone::generators {
+
+enum class SceneName : std::uint8_t {
+  cloth,   ///< a cloth that is draped over a deforming, turning sphere and slides on it
+  sheets,  ///< two crumpled sheets, pressed together and sliding along each other
+  cables   ///< two bundles of whipping cables, one across the other; no faces
+};
+
+inline constexpr std::array<SceneName, 3> kScenes{SceneName::cloth, SceneName::sheets, SceneName::cables};
+
+std::string_view scene_name(SceneName scene) noexcept;  ///< "cloth", "sheets", "cables"
+std::optional<SceneName> scene_from_name(std::string_view name) noexcept;
+bool has_faces(SceneName scene) noexcept;
+
+/// Things move at about one unit of length a unit of time, within a ball of radius 2 around the origin. What comes in
+/// contact passes through: a scene does not respond, so it has as much contact at the end as at the start.
+class Scene {
+ public:
+  virtual ~Scene() = default;
+
+  const Mesh& mesh() const noexcept { return mesh_; }
+  double edge_length() const noexcept { return edge_length_; }  ///< about that of most edges
+
+  /// Where the corners are: `corners` gets mesh().corner_count positions. The same bits on every machine.
+  virtual void place_corners(double time, std::vector<Vec3>& corners) const = 0;
+
+ protected:
+  Mesh mesh_;
+  double edge_length_ = 0;
+};
+
+/// @param edges  about how many edges it has, at least kFewestEdges
+inline constexpr std::size_t kFewestEdges = 100;
+inline constexpr std::size_t kMostEdges = 1'000'000;
+std::unique_ptr<Scene> make_scene(SceneName scene, std::uint64_t seed, std::size_t edges);
+
+// One for each name.
+std::unique_ptr<Scene> make_cloth(std::uint64_t seed, std::size_t edges);
+std::unique_ptr<Scene> make_sheets(std::uint64_t seed, std::size_t edges);
+std::unique_ptr<Scene> make_cables(std::uint64_t seed, std::size_t edges);
+
+}  // namespace touchstone::generators
