@@ -112,15 +112,13 @@ BernsteinCubic::Root BernsteinCubic::root_between(double p, double q) const noex
   double v = value(t);
   double d = slope(t);
   constexpr int kIterations = 30;
-  for (int i = 0; i < kIterations; ++i) {
+  for (int i = 0; i < kIterations && std::fabs(v) > kValueBound * size_; ++i) {  // below the bound a sign means nothing
     ((v < 0) == (value_p < 0) ? low : high) = t;
     double next = t - v / d;
     if (!(next > low && next < high)) next = 0.5 * low + 0.5 * high;
-    const double step = std::fabs(next - t);
     t = next;
     v = value(t);
     d = slope(t);
-    if (step <= 0x1p-27 * t) break;  // quadratic convergence: the step after this one is below a unit in the last place
   }
   const double error = std::fabs(v) + kValueBound * size_;
   const double steepness = std::fabs(d);
