@@ -22,19 +22,17 @@ Frame frame_of(const Query& q) noexcept {
 
 bool has_cubic(Kind kind) noexcept { return kind == Kind::edge_edge || kind == Kind::vertex_face; }
 
-/// The proofs that do without the cubic.
-Proof direction_proof(const Query& query) noexcept {
+/// Proofs that do without the cubic: first those that often succeed, then those that are only worth their time before
+/// exact arithmetic.
+Proof likely_direction(const Query& query, RelativeCorners& corners) noexcept {
   if (boxes_disjoint(query)) return Proof::boxes;
-  const RelativeCorners corners = relative_corners(query);
-  if (separates(corners, between_closest_points(corners, query.kind))) return Proof::closest_points;
-  if (has_cubic(query.kind) && separates(corners, normal_at_mid_step(corners, query.kind))) return Proof::normal;
-  if (separates(corners, between_centres(corners))) return Proof::centres;
-  return Proof::none;
+  corners = relative_corners(query);
+  return separates(corners, between_closest_points(corners, query.kind)) ? Proof::closest_points : Proof::none;
 }
 
-void answer_no_contact(Level level, Answer& answer) noexcept {
-  answer = Answer();
-  answer.level = level;
+Proof other_direction(const Query& query, const RelativeCorners& corners) noexcept {
+  if (has_cubic(query.kind) && separates(corners, normal_at_mid_step(corners, query.kind))) return Proof::normal;
+  return separates(corners, between_centres(corners)) ? Proof::centres : Proof::none;
 }
 
 }  // namespace
@@ -44,23 +42,27 @@ Proof separation_proof(const Query& query) noexcept {
     const Frame frame = frame_of(query);
     if (same_side_all_along(coplanarity_coefficients(frame), coplanarity_bounds(frame))) return Proof::same_side;
   }
-  return direction_proof(query);
+  RelativeCorners corners;
+  const Proof proof = likely_direction(query, corners);
+  return proof != Proof::none ? proof : other_direction(query, corners);
 }
 
 Decision decide(const Query& query, double t_max, ExactSign exact_sign, Answer& answer) {
+  answer.level = Level::filter;
+  RelativeCorners corners;
   if (!has_cubic(query.kind)) {
-    if (direction_proof(query) == Proof::none) return Decision::uncertain;
-    answer_no_contact(Level::filter, answer);
-    return Decision::no_contact;
+    const bool proved = likely_direction(query, corners) != Proof::none || other_direction(query, corners) != Proof::none;
+    return proved ? Decision::no_contact : Decision::uncertain;
   }
   const Frame frame = frame_of(query);
   const auto coefficients = coplanarity_coefficients(frame);
-  if (same_side_all_along(coefficients, coplanarity_bounds(frame)) || direction_proof(query) != Proof::none) {
-    answer_no_contact(Level::filter, answer);
-    return Decision::no_contact;
-  }
+  if (same_side_all_along(coefficients, coplanarity_bounds(frame))) return Decision::no_contact;
+  if (likely_direction(query, corners) != Proof::none) return Decision::no_contact;
   const Decision decision = bracket(query, frame, coefficients, t_max, exact_sign, answer);
-  if (decision == Decision::no_contact) answer_no_contact(Level::bracket, answer);
+  if (decision == Decision::uncertain) {
+    return other_direction(query, corners) != Proof::none ? Decision::no_contact : Decision::uncertain;
+  }
+  answer.level = Level::bracket;
   return decision;
 }
 

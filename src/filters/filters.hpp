@@ -22,8 +22,8 @@ Proof separation_proof(const Query& query) noexcept;
 /// The exact sign of V(t) for a double t: what doubles cannot tell, from the level below.
 using ExactSign = int (*)(const Query& query, double t);
 
-/// All of it: separation (Level::filter), then the bracket level (Level::bracket). The answer is meaningful unless the
-/// decision is uncertain.
+/// All of it: separation (Level::filter) and the bracket level (Level::bracket). `answer` comes in as one without
+/// contact, Answer(); it is complete when it goes out, unless the decision is uncertain.
 Decision decide(const Query& query, double t_max, ExactSign exact_sign, Answer& answer);
 
 }  // namespace touchstone::filters

@@ -182,9 +182,7 @@ RootVerdict refine_root(const Query& query, const BernsteinCubic& cubic, const B
     const double f_slope = (numerator.slope - f * normal.slope) / n_value;
     return std::clamp(f + f_slope * offset->value, 0.0, 1.0);
   };
-  answer = Answer();
   answer.contact = true;
-  answer.level = Level::bracket;
   answer.nature = Nature::crossing;
   answer.toi = times->toi;
   answer.toi_upper = times->toi_upper;

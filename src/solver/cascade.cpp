@@ -7,15 +7,14 @@
 
 namespace touchstone::solver {
 
-void answer(const Query& query, Method method, double t_max, Answer& result) {
-  switch (method) {
-    case Method::fast:
-      if (filters::decide(query, t_max, exact::coplanarity_sign, result) != filters::Decision::uncertain) return;
-      break;
-    case Method::exact: break;
-    case Method::oracle: result = oracle::decide(query, t_max); return;
+Answer answer(const Query& query, Method method, double t_max) {
+  if (method == Method::oracle) return oracle::decide(query, t_max);
+  if (method == Method::exact) return exact::decide(query, t_max);
+  Answer result;
+  if (filters::decide(query, t_max, exact::coplanarity_sign, result) == filters::Decision::uncertain) {
+    result = exact::decide(query, t_max);
   }
-  result = exact::decide(query, t_max);
+  return result;
 }
 
 }  // namespace touchstone::solver

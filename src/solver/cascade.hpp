@@ -12,6 +12,6 @@ namespace touchstone::solver {
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-void answer(const Query& query, Method method, double t_max, Answer& result);
+Answer answer(const Query& query, Method method, double t_max);
 
 }  // namespace touchstone::solver

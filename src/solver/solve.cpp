@@ -34,9 +34,7 @@ bool in_doubles(const RationalQuery& query, Query& result) {
 Answer solve(const Query& query, Method method, double t_max) {
   const numbers::DefaultFloatEnvironment environment;
   solver::validate(query.kind, query.start.data(), query.end.data(), t_max);
-  Answer result;
-  solver::answer(query, method, t_max, result);
-  return result;
+  return solver::answer(query, method, t_max);
 }
 
 Answer solve(const Query& query, double t_max) { return solve(query, Method::fast, t_max); }
@@ -49,11 +47,7 @@ Answer solve(const RationalQuery& query, Method method, double t_max) {
   const numbers::DefaultFloatEnvironment environment;
   solver::validate(query, t_max);
   Query doubles;
-  if (in_doubles(query, doubles)) {
-    Answer result;
-    solver::answer(doubles, method, t_max, result);
-    return result;
-  }
+  if (in_doubles(query, doubles)) return solver::answer(doubles, method, t_max);
   return method == Method::oracle ? oracle::decide(query, t_max) : exact::decide(query, t_max);
 }
 

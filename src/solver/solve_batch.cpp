@@ -38,7 +38,7 @@ void validate_batch(const Query* queries, std::size_t count, const BatchOptions&
 
 void answer_range(const Query* queries, std::size_t first, std::size_t last, Answer* answers, const BatchOptions& options) {
   const numbers::DefaultFloatEnvironment environment;  // each thread has its own
-  for (std::size_t i = first; i < last; ++i) solver::answer(queries[i], options.method, options.t_max, answers[i]);
+  for (std::size_t i = first; i < last; ++i) answers[i] = solver::answer(queries[i], options.method, options.t_max);
 }
 
 }  // namespace

@@ -9,17 +9,18 @@
 
 namespace touchstone::solver {
 
-/// Whether all coordinates of `count` corners are finite. Looks at bits: sound under any compiler flags.
+/// Whether all coordinates of `count` corners are finite: x - x is +0 for those and a NaN for the others. In the default
+/// floating-point environment, which the callers see to.
 inline bool all_finite(const Vec3* corners, std::size_t count) noexcept {
-  constexpr std::uint64_t kExponent = 0x7FF0000000000000;
-  bool finite = true;
+  std::uint64_t differences = 0;
   const double* x = &corners->x;
   for (std::size_t i = 0; i < 3 * count; ++i) {
+    const double difference = x[i] - x[i];
     std::uint64_t bits;
-    std::memcpy(&bits, x + i, sizeof bits);
-    finite &= (bits & kExponent) != kExponent;
+    std::memcpy(&bits, &difference, sizeof bits);
+    differences |= bits;
   }
-  return finite;
+  return differences == 0;
 }
 
 /// Whether 0 <= t_max <= 1, -0.0 included. Looks at bits: in flush-to-zero mode a comparison takes a negative
@@ -44,7 +45,9 @@ void validate_finite_time(double time);
 inline void validate(Kind kind, const Vec3* start, const Vec3* end, double t_max) {
   if (!is_time(t_max)) validate_t_max(t_max);
   const std::size_t count = corner_count(kind);
-  if (!(all_finite(start, count) & all_finite(end, count))) throw_not_finite(kind, start, end);
+  const bool finite = count == 4 ? all_finite(start, 4) && all_finite(end, 4)
+                                 : all_finite(start, count) && all_finite(end, count);
+  if (!finite) throw_not_finite(kind, start, end);
 }
 
 /// @throws InvalidQuery  naming the first coordinate that is not a fraction
