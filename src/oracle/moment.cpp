@@ -52,9 +52,8 @@ using SharedImpl = std::shared_ptr<const Moment::Impl>;
 SharedImpl make(const Real& time) { return std::make_shared<const Moment::Impl>(time); }
 SharedImpl make(const Rational& time) { return make(Real(time)); }
 
-/// The kernel's Compare_1 would separate different times by halving their intervals; here they narrow faster.
+/// Different times are told apart by their brackets, which narrow faster than the kernel's intervals.
 CGAL::Comparison_result compare(const SharedImpl& a, const SharedImpl& b) {
-  bool may_be_equal = true;
   for (unsigned bits = kFirstPrecision;; bits *= 2) {
     const Bracket& first = a->narrowed(bits);
     const Bracket& second = b->narrowed(bits);
@@ -62,12 +61,9 @@ CGAL::Comparison_result compare(const SharedImpl& a, const SharedImpl& b) {
     if (first.is_exact()) return -second.compare(first.low());
     if (first.high() <= second.low()) return CGAL::SMALLER;
     if (second.high() <= first.low()) return CGAL::LARGER;
-    if (may_be_equal && Kernel().is_zero_at_1_object()(b->time.polynomial(), a->time)) {
-      // a is a root of b's polynomial, so it is b unless it lies outside the interval that b has to itself.
-      const CGAL::Comparison_result with_low = first.compare(second.low());
-      return with_low == CGAL::LARGER && first.compare(second.high()) == CGAL::SMALLER ? CGAL::EQUAL : with_low;
-    }
-    may_be_equal = false;
+    // Equal times are a common root of their polynomials; where there is one, the kernel decides.
+    const bool may_be_equal = bits == kFirstPrecision && Kernel().is_zero_at_1_object()(b->time.polynomial(), a->time);
+    if (may_be_equal) return Kernel().compare_1_object()(a->time, b->time);
   }
 }
 

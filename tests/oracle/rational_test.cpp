@@ -11,50 +11,63 @@ namespace {
 
 using Position = std::array<Fraction, 3>;
 
-const Fraction kZero = {"0", "1"};
-const Fraction kOne = {"1", "1"};
-const Fraction kThirdPart = {"1", "3"};
+/// "1/3" or "5".
+Fraction fraction(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  Fraction result;
+  result.numerator = text.substr(0, slash);
+  if (slash != std::string::npos) result.denominator = text.substr(slash + 1);
+  return result;
+}
+
+Position position(const std::string& x, const std::string& y, const std::string& z) {
+  Position result;
+  result[0] = fraction(x);
+  result[1] = fraction(y);
+  result[2] = fraction(z);
+  return result;
+}
 
 /// The vertex falls from height 1/7 to -2/7 over (x, y) onto the triangle (0, 0), (2/3, 0), (0, 2/3): t = 1/3.
-RationalQuery falling_over(const Fraction& x, const Fraction& y) {
+RationalQuery falling_over(const std::string& x, const std::string& y) {
   RationalQuery query;
   query.kind = Kind::vertex_face;
-  const Position f0 = {kZero, kZero, kZero};
-  const Position f1 = {{{"2", "3"}, kZero, kZero}};
-  const Position f2 = {{kZero, {"2", "3"}, kZero}};
-  query.start = {{{{x, y, {"1", "7"}}}, f0, f1, f2}};
-  query.end = {{{{x, y, {"-2", "7"}}}, f0, f1, f2}};
+  query.start[0] = position(x, y, "1/7");
+  query.end[0] = position(x, y, "-2/7");
+  query.start[1] = query.end[1] = position("0", "0", "0");
+  query.start[2] = query.end[2] = position("2/3", "0", "0");
+  query.start[3] = query.end[3] = position("0", "2/3", "0");
   return query;
+}
+
+Expected falls_on(Feature feature, const Weights& weights) {
+  return {kOneThird, Nature::crossing, Feature::v, feature, kFirst, weights};
 }
 
 }  // namespace
 
 TEST_CASE("a vertex over thirds of a face") {
-  const auto expected = [](Feature feature, Weights weights) {
-    return Expected{kOneThird, Nature::crossing, Feature::v, feature, kFirst, weights};
-  };
-  check_answer(oracle::decide(falling_over(kThirdPart, kThirdPart), 1), expected(Feature::f12, {0, 0.5, 0.5}));
-  check_answer(oracle::decide(falling_over({"2", "9"}, {"2", "9"}), 1),
-               expected(Feature::f, {1.0 / 3, 1.0 / 3, 1.0 / 3}));
-  check_answer(oracle::decide(falling_over({"2", "3"}, kZero), 1), expected(Feature::f1, kSecond));
-  check_no_contact(oracle::decide(falling_over({"333333333333333333334", "1000000000000000000000"}, kThirdPart), 1));
-  check_no_contact(oracle::decide(falling_over(kThirdPart, kThirdPart), kOneThird.first));
+  check_answer(oracle::decide(falling_over("1/3", "1/3"), 1), falls_on(Feature::f12, {0, 0.5, 0.5}));
+  check_answer(oracle::decide(falling_over("2/9", "2/9"), 1), falls_on(Feature::f, {1.0 / 3, 1.0 / 3, 1.0 / 3}));
+  check_answer(oracle::decide(falling_over("2/3", "0"), 1), falls_on(Feature::f1, kSecond));
+  check_no_contact(oracle::decide(falling_over("333333333333333333334/1000000000000000000000", "1/3"), 1));
+  check_no_contact(oracle::decide(falling_over("1/3", "1/3"), kOneThird.first));
 }
 
 TEST_CASE("fractions need not be reduced and their denominators may be negative") {
-  check_answer(oracle::decide(falling_over({"-100", "-300"}, {"-7", "-21"}), 1),
-               {kOneThird, Nature::crossing, Feature::v, Feature::f12, kFirst, {0, 0.5, 0.5}});
+  check_answer(oracle::decide(falling_over("-100/-300", "-7/-21"), 1), falls_on(Feature::f12, {0, 0.5, 0.5}));
   const std::string zeros(400, '0');
-  check_answer(oracle::decide(falling_over({"1" + zeros, "3" + zeros}, {"-0", "-5"}), 1),
-               {kOneThird, Nature::crossing, Feature::v, Feature::f01, kFirst, {0.5, 0.5, 0}});
+  const std::string third = "1" + zeros + "/3" + zeros;
+  check_answer(oracle::decide(falling_over(third, "-0/-5"), 1), falls_on(Feature::f01, {0.5, 0.5, 0}));
+  check_no_contact(oracle::decide(falling_over(third, "1/-" + std::string(400, '9')), 1));
 }
 
 TEST_CASE("points that meet at a third") {
   RationalQuery query;
   query.kind = Kind::point_point;
-  query.start[0] = {kZero, kZero, kZero};
-  query.end[0] = {kOne, kZero, kZero};
-  query.start[1] = query.end[1] = {kThirdPart, kZero, kZero};
+  query.start[0] = position("0", "0", "0");
+  query.end[0] = position("1", "0", "0");
+  query.start[1] = query.end[1] = position("1/3", "0", "0");
   check_answer(oracle::decide(query, 1), {kOneThird, Nature::isolated, Feature::p, Feature::q, kFirst, kFirst});
 }
 
@@ -62,20 +75,21 @@ TEST_CASE("edges of thirds and sevenths that meet corner to corner") {
   // Edge a leans up from (1/3, 1/7, h), h from 1/5 to -1/5; edge b ends at (1/3, 1/7, 0).
   RationalQuery query;
   query.kind = Kind::edge_edge;
-  const Fraction seventh = {"1", "7"};
-  const Position b0 = {{{"-1", "3"}, {"4", "7"}, kZero}};
-  const Position b1 = {{kThirdPart, seventh, kZero}};
-  query.start = {{{{kThirdPart, seventh, {"1", "5"}}}, {{kOne, kOne, kOne}}, b0, b1}};
-  query.end = {{{{kThirdPart, seventh, {"-1", "5"}}}, {{kOne, kOne, {"3", "5"}}}, b0, b1}};
+  query.start[0] = position("1/3", "1/7", "1/5");
+  query.end[0] = position("1/3", "1/7", "-1/5");
+  query.start[1] = position("1", "1", "1");
+  query.end[1] = position("1", "1", "3/5");
+  query.start[2] = query.end[2] = position("-1/3", "4/7", "0");
+  query.start[3] = query.end[3] = position("1/3", "1/7", "0");
   check_answer(oracle::decide(query, 1), {at(0.5), Nature::crossing, Feature::a0, Feature::b1, kFirst, kSecond});
 }
 
 TEST_CASE("a point on an edge of thirds, all the time") {
   RationalQuery query;
   query.kind = Kind::point_edge;
-  query.start[0] = query.end[0] = {kThirdPart, kThirdPart, kThirdPart};
-  query.start[1] = query.end[1] = {kZero, kZero, kZero};
-  query.start[2] = query.end[2] = {kOne, kOne, kOne};
+  query.start[0] = query.end[0] = position("1/3", "1/3", "1/3");
+  query.start[1] = query.end[1] = position("0", "0", "0");
+  query.start[2] = query.end[2] = position("1", "1", "1");
   check_answer(oracle::decide(query, 1),
                {at(0), Nature::sustained, Feature::p, Feature::e, kFirst, {2.0 / 3, 1.0 / 3, 0}});
 }
