@@ -162,7 +162,8 @@ void add_generate(CLI::App& program, Command& command) {
   const auto options = std::make_shared<GenerateOptions>();
   auto& candidates = options->candidates;
   candidates.count = 10'000;
-  CLI::App* const subcommand = program.add_subcommand("generate", "Make query files like a simulation's, with true answers");
+  CLI::App* const subcommand =
+      program.add_subcommand("generate", "Make query files like a simulation's, with true answers");
   add_scene_option(*subcommand, *options);
   add_kind(*subcommand, *options);
   add_number(*subcommand, "--count", candidates.count, 0, kAnyNumber,

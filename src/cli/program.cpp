@@ -12,7 +12,9 @@
 #include <touchstone/error.hpp>
 #include <touchstone/version.hpp>
 
+#include "cli/bench.hpp"
 #include "cli/commands.hpp"
+#include "cli/generate.hpp"
 #include "cli/interrupt.hpp"
 #include "io/output_file.hpp"
 
@@ -45,7 +47,9 @@ int parse_and_run(int argc, const char* const* argv) {
       "  touchstone certify data/*/edge-edge/*.csv         are the truth columns of these files true?\n"
       "  touchstone certify --claims mine.csv edge-edge/a.csv --report report.json\n"
       "  touchstone solve --out answers.csv edge-edge/a.csv vertex-face/b.csv\n"
-      "  touchstone explain --query 12 edge-edge/a.csv\n\n"
+      "  touchstone explain --query 12 edge-edge/a.csv\n"
+      "  touchstone generate --out queries                 query files like a simulation's\n"
+      "  touchstone bench --filter simulation              how long answers take\n\n"
       "A query file has a row for each corner at t = 0 and then for each at t = 1, in the order\n"
       "  edge-edge    a0 a1 b0 b1      vertex-face  v f0 f1 f2      point-edge  p e0 e1      point-point  p q\n"
       "and seven integers a row: x_num,x_den,y_num,y_den,z_num,z_den,truth. Its folder's name, or --kind, says which "
@@ -57,6 +61,8 @@ int parse_and_run(int argc, const char* const* argv) {
   add_solve(program, command);
   add_certify(program, command);
   add_explain(program, command);
+  add_generate(program, command);
+  add_bench(program, command);
   try {
     program.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -68,7 +74,8 @@ int parse_and_run(int argc, const char* const* argv) {
   } catch (const CLI::RequiredError& error) {
     const auto unknown = program.remaining();
     if (program.get_subcommands().empty() && !unknown.empty()) {
-      return complain("touchstone: " + unknown.front() + " is no subcommand; they are solve, certify and explain");
+      return complain("touchstone: " + unknown.front() +
+                      " is no subcommand; they are solve, certify, explain, generate and bench");
     }
     return complain("touchstone: " + first_line(error.what()) + " (see touchstone --help)");
   } catch (const CLI::ParseError& error) {

@@ -1,0 +1,40 @@
+// What `touchstone bench` compares: passes over a set of queries.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include <touchstone/answer.hpp>
+#include <touchstone/query.hpp>
+
+namespace touchstone::cli {
+
+enum class BenchMethod : std::uint8_t {
+  floor,       ///< reads the query and computes V's four Bernstein coefficients in doubles; decides nothing
+  touchstone,  ///< solve
+  batch,       ///< solve_batch on one thread
+  exact,       ///< solve with Method::exact
+  oracle       ///< solve with Method::oracle
+};
+inline constexpr std::array<BenchMethod, 5> kBenchMethods{BenchMethod::floor, BenchMethod::touchstone,
+                                                          BenchMethod::batch, BenchMethod::exact, BenchMethod::oracle};
+
+std::string_view bench_method_name(BenchMethod method) noexcept;  ///< "touchstone_batch" for batch
+
+/// How many queries of a set are asked at most: a slow method gets a few, spread evenly over the set.
+std::size_t most_queries(BenchMethod method) noexcept;
+
+/// Every n-th query, such that there are at most `most`.
+std::vector<Query> spread(const std::vector<Query>& queries, std::size_t most);
+
+/// Asks every query once. `answers` has room for them.
+void ask_all(BenchMethod method, const std::vector<Query>& queries, std::vector<Answer>& answers);
+
+/// Microseconds that the slowest query takes, the clock's own time included: each gets three tries and the shortest
+/// counts, which drops interrupts. Negative for batch, which has no single query.
+double slowest_microseconds(BenchMethod method, const std::vector<Query>& queries);
+
+}  // namespace touchstone::cli
