@@ -38,6 +38,10 @@ Answer solve(const Query& query, Method method, double t_max = 1.0);
 /// @throws InvalidQuery  also for a fraction that is not a pair of decimal integers or has a zero denominator
 Answer solve(const RationalQuery& query, Method method = Method::fast, double t_max = 1.0);
 
+/// Whether the two elements touch at any t in [0, t_max]; no time, and less work where the time would take some.
+/// Equal to solve(query, t_max).contact. @throws InvalidQuery as `solve` does.
+bool solve_any(const Query& query, double t_max = 1.0);
+
 struct BatchOptions {
   double t_max = 1.0;
   Method method = Method::fast;

@@ -100,7 +100,7 @@ Sides sides(const Query& query, const Frame& f, const Magnitudes& m, double t, d
 }  // namespace
 
 Decision bracket(const Query& query, const Frame& frame, const std::array<double, 4>& coefficients, double t_max,
-                 ExactSign exact_sign, Answer& answer) {
+                 Want want, ExactSign exact_sign, Answer& answer) {
   const Magnitudes m = {largest(frame.u0, frame.u1), largest(frame.w0, frame.w1), largest(frame.r0, frame.r1)};
   if (!within_range(m)) return Decision::uncertain;
   const BernsteinCubic cubic(coefficients, m.u * m.w * m.r);
@@ -120,6 +120,7 @@ Decision bracket(const Query& query, const Frame& frame, const std::array<double
     if (where.side == Side::outside) continue;
     if (where.side == Side::unknown) return Decision::uncertain;
     const bool inside = where.side == Side::inside;
+    if (want == Want::contact_only && inside && root.t + root.radius <= t_max) return Decision::contact;
     switch (refine_root(query, cubic, root, {m.u, m.w, m.r, where.axis}, inside, t_max, exact_sign, answer)) {
       case RootVerdict::contact: return Decision::contact;
       case RootVerdict::outside: continue;

@@ -4,6 +4,7 @@
 #include "filters/bracket.hpp"
 #include "filters/same_side.hpp"
 #include "filters/separating_direction.hpp"
+#include "filters/shared_corner.hpp"
 
 namespace touchstone::filters {
 namespace {
@@ -47,18 +48,20 @@ Proof separation_proof(const Query& query) noexcept {
   return proof != Proof::none ? proof : other_direction(query, corners);
 }
 
-Decision decide(const Query& query, double t_max, ExactSign exact_sign, Answer& answer) {
+Decision decide(const Query& query, double t_max, Want want, ExactSign exact_sign, Answer& answer) {
   answer.level = Level::filter;
   RelativeCorners corners;
   if (!has_cubic(query.kind)) {
+    if (touch_in_shared_corner(query, t_max, answer)) return Decision::contact;
     const bool proved = likely_direction(query, corners) != Proof::none || other_direction(query, corners) != Proof::none;
     return proved ? Decision::no_contact : Decision::uncertain;
   }
   const Frame frame = frame_of(query);
   const auto coefficients = coplanarity_coefficients(frame);
   if (same_side_all_along(coefficients, coplanarity_bounds(frame))) return Decision::no_contact;
+  if (touch_in_shared_corner(query, t_max, answer)) return Decision::contact;
   if (likely_direction(query, corners) != Proof::none) return Decision::no_contact;
-  const Decision decision = bracket(query, frame, coefficients, t_max, exact_sign, answer);
+  const Decision decision = bracket(query, frame, coefficients, t_max, want, exact_sign, answer);
   if (decision == Decision::uncertain) {
     return other_direction(query, corners) != Proof::none ? Decision::no_contact : Decision::uncertain;
   }

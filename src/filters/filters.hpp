@@ -22,8 +22,11 @@ Proof separation_proof(const Query& query) noexcept;
 /// The exact sign of V(t) for a double t: what doubles cannot tell, from the level below.
 using ExactSign = int (*)(const Query& query, double t);
 
-/// All of it: separation (Level::filter) and the bracket level (Level::bracket). `answer` comes in as one without
-/// contact, Answer(); it is complete when it goes out, unless the decision is uncertain.
-Decision decide(const Query& query, double t_max, ExactSign exact_sign, Answer& answer);
+/// How much of the answer is wanted.
+enum class Want : std::uint8_t { everything, contact_only };
+
+/// All of it: separation and shared corners (Level::filter) and the bracket level (Level::bracket). `answer` comes in as one without
+/// contact, Answer(); it is complete when it goes out, unless the decision is uncertain or only contact is wanted.
+Decision decide(const Query& query, double t_max, Want want, ExactSign exact_sign, Answer& answer);
 
 }  // namespace touchstone::filters

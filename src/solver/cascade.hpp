@@ -14,4 +14,10 @@ __attribute__((noinline))
 #endif
 Answer answer(const Query& query, Method method, double t_max);
 
+/// answer(query, Method::fast, t_max).contact.
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+bool any_contact(const Query& query, double t_max);
+
 }  // namespace touchstone::solver

@@ -43,6 +43,12 @@ Answer solve(const VertexFace& query, double t_max) { return solve(Query(query),
 Answer solve(const PointEdge& query, double t_max) { return solve(Query(query), Method::fast, t_max); }
 Answer solve(const PointPoint& query, double t_max) { return solve(Query(query), Method::fast, t_max); }
 
+bool solve_any(const Query& query, double t_max) {
+  const numbers::DefaultFloatEnvironment environment;
+  solver::validate(query.kind, query.start.data(), query.end.data(), t_max);
+  return solver::any_contact(query, t_max);
+}
+
 Answer solve(const RationalQuery& query, Method method, double t_max) {
   const numbers::DefaultFloatEnvironment environment;
   solver::validate(query, t_max);
