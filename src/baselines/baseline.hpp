@@ -76,7 +76,7 @@ Result solve_interval(const Query& query, double t_max, double tolerance);
 Result solve_conservative_advancement(const Query& query, double t_max, double tolerance);
 
 /// Boxes that `interval` looks at before it gives up and says contact at the earliest time left.
-constexpr int kIntervalSteps = 1 << 17;
+constexpr int kIntervalSteps = 1 << 16;
 
 /// Steps of `conservative_advancement` before it gives up and says contact at the time it has reached.
 constexpr int kAdvancementSteps = 10000;

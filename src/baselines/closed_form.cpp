@@ -1,6 +1,7 @@
 // The cubic in closed form, with the care that doubles allow: the degree is decided against the coefficients' own rounding
 // noise, no large term is divided by a small one, S comes from the sum without cancellation and T = -Q / S, a double root
-// is looked for where V is stationary, and Newton steps polish what the formulas give.
+// is looked for where V is stationary, a root at an end of the step where V is all but zero there, and Newton steps polish
+// what the formulas give.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
@@ -20,8 +21,8 @@ constexpr double kTimeSlack = 1e-14;
 // to first order, and the formulas of the cubic would lose them in the difference of two numbers near b / a.
 constexpr double kSmallLeading = 1e-6;
 
-// A stationary value within this share of the terms is taken for a double root.
-constexpr double kStationary = 0x1p-46;
+// A value within this share of the terms may be zero.
+constexpr double kZero = 0x1p-46;
 
 double polished(const Cubic& p, double t) {
   for (int step = 0; step < 4; ++step) {
@@ -41,10 +42,9 @@ class Roots {
     if (t >= -kTimeSlack && t <= t_max_ + kTimeSlack) times_.add(std::clamp(t, 0.0, t_max_));
   }
 
-  void add_stationary(double t, double noise) {
-    if (t < -kTimeSlack || t > t_max_ + kTimeSlack) return;
-    t = std::clamp(t, 0.0, t_max_);
-    if (std::fabs(value(p_, t)) <= noise) times_.add(t);
+  /// A double root, or one at an end of the step, that rounding may have lost.
+  void add_where_noise(double t, double noise) {
+    if (t >= 0 && t <= t_max_ && std::fabs(value(p_, t)) <= noise) times_.add(t);
   }
 
  private:
@@ -85,8 +85,8 @@ void closed_form_roots(const Cubic& polynomial, double t_max, double, Times& tim
     if (is_noise(p, i)) p.c[i] = 0;
   }
   const auto& [d, c, b, a] = p.c;
-  const double sizes = p.size[0] + p.size[1] + p.size[2] + p.size[3];
-  if (one_sided(p, kStationary * sizes)) return;
+  const double noise = kZero * (p.size[0] + p.size[1] + p.size[2] + p.size[3]);
+  if (one_sided(p, noise)) return;
 
   Roots roots(p, t_max, times);
   if (std::fabs(a) > kSmallLeading * std::max({std::fabs(b), std::fabs(c), std::fabs(d)})) {
@@ -96,7 +96,9 @@ void closed_form_roots(const Cubic& polynomial, double t_max, double, Times& tim
     for (std::size_t i = 0; i < near.count; ++i) roots.add(near.t[i]);
   }
   const QuadraticRoots stationary = quadratic_roots(3 * a, 2 * b, c);
-  for (std::size_t i = 0; i < stationary.count; ++i) roots.add_stationary(stationary.t[i], kStationary * sizes);
+  for (std::size_t i = 0; i < stationary.count; ++i) roots.add_where_noise(stationary.t[i], noise);
+  roots.add_where_noise(0, noise);
+  roots.add_where_noise(t_max, noise);
 }
 
 }  // namespace

@@ -13,6 +13,10 @@ using geometry::dot;
 
 namespace {
 
+// Below this sine, squared, the direction of the common normal is rounding noise, and the boundaries are as near as the
+// interiors but for the same share of a length.
+constexpr double kParallel = 0x1p-80;
+
 double length(const Vector& v) { return std::sqrt(dot(v, v)); }
 
 }  // namespace
@@ -29,7 +33,7 @@ double segment_distance(const Vector& u, const Vector& w, const Vector& r) {
                            point_segment_distance(-r, w), point_segment_distance(u - r, w)});
   const Vector n = cross(u, w);
   const double nn = dot(n, n);
-  if (nn > 0) {
+  if (nn > kParallel * dot(u, u) * dot(w, w)) {
     const double f1 = dot(cross(r, w), n);
     const double f2 = dot(cross(r, u), n);
     if (f1 >= 0 && f1 <= nn && f2 >= 0 && f2 <= nn) least = std::min(least, std::fabs(dot(r, n)) / std::sqrt(nn));
@@ -42,7 +46,7 @@ double point_triangle_distance(const Vector& u, const Vector& w, const Vector& r
       std::min({point_segment_distance(r, u), point_segment_distance(r, w), point_segment_distance(r - u, w - u)});
   const Vector n = cross(u, w);
   const double nn = dot(n, n);
-  if (nn > 0) {
+  if (nn > kParallel * dot(u, u) * dot(w, w)) {
     const double f1 = dot(cross(r, w), n);
     const double f2 = dot(cross(u, r), n);
     if (f1 >= 0 && f2 >= 0 && f1 + f2 <= nn) least = std::min(least, std::fabs(dot(r, n)) / std::sqrt(nn));

@@ -13,17 +13,21 @@ using geometry::dot;
 
 namespace {
 
-// Below this sine, squared, the projection along the common normal loses all its digits.
-constexpr double kParallel = 0x1p-80;
+// Below this sine, squared, the projection along the common normal loses its digits; so does it where a length, squared and
+// in the frame's unit, is less than this: an edge or a face that is flat for an instant.
+constexpr double kFlat = 0x1p-80;
 
 /// Where u and w span a plane, its normal; the projections divide by its squared length.
 struct Normal {
   Vector n;
   double nn;
-  bool parallel;
+  bool flat;
 
-  Normal(const Vector& u, const Vector& w)
-      : n(cross(u, w)), nn(dot(n, n)), parallel(!(nn > kParallel * dot(u, u) * dot(w, w))) {}
+  Normal(const Vector& u, const Vector& w) : n(cross(u, w)), nn(dot(n, n)) {
+    const double uu = dot(u, u);
+    const double ww = dot(w, w);
+    flat = !(nn > kFlat * uu * ww && nn > kFlat * std::max(uu, ww));
+  }
 };
 
 bool between(double f, double slack) { return f >= -slack && f <= 1 + slack; }
@@ -35,7 +39,7 @@ bool touches(const Frame& frame, double t, double slack) {
   const Vector w = frame.w.at(t);
   const Vector r = frame.r.at(t);
   const Normal normal(u, w);
-  if (normal.parallel) return distance_at(frame, t) <= slack;
+  if (normal.flat) return distance_at(frame, t) <= slack;
   const double f1 = dot(cross(r, w), normal.n) / normal.nn;
   if (frame.kind == Kind::edge_edge) return between(f1, slack) && between(dot(cross(r, u), normal.n) / normal.nn, slack);
   const double f2 = dot(cross(u, r), normal.n) / normal.nn;

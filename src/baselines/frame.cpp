@@ -10,9 +10,14 @@ namespace {
 double largest(const Vector& v) { return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])}); }
 double largest(const Motion& m) { return std::max(largest(m.start), largest(m.end)); }
 
-// scalbn, as one factor of 2^-exponent may not be a double.
 Vector scaled(const Vector& v, int by) { return {{std::scalbn(v[0], by), std::scalbn(v[1], by), std::scalbn(v[2], by)}}; }
-Motion scaled(const Motion& m, int by) { return {scaled(m.start, by), scaled(m.end, by)}; }
+
+/// Times 2^by: one multiplication where that factor is a normal double.
+Motion scaled(const Motion& m, int by) {
+  if (by < -1000 || by > 1000) return {scaled(m.start, by), scaled(m.end, by)};
+  const double factor = std::scalbn(1.0, by);
+  return {factor * m.start, factor * m.end};
+}
 
 }  // namespace
 

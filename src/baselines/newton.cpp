@@ -50,7 +50,9 @@ void newton_roots(const Cubic& p, double t_max, double tolerance, Times& times) 
 }  // namespace
 
 Result solve_newton(const Query& query, double t_max, double tolerance) {
-  return first_touch(query, t_max, newton_roots, tolerance, tolerance);
+  // In the frame's unit a point moves by less than 2 sqrt(3) relative to another one, so at a time that is right to a quarter of
+  // the tolerance it is within the tolerance of its place.
+  return first_touch(query, t_max, newton_roots, 0.25 * tolerance, tolerance);
 }
 
 }  // namespace touchstone::baselines
