@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <optional>
@@ -29,7 +30,7 @@ namespace touchstone::tests {
 /// How many cases to run where a release build runs `count`; TOUCHSTONE_EFFORT=10 asks for ten times as many.
 inline std::size_t effort(std::size_t count) {
   if (const char* factor = std::getenv("TOUCHSTONE_EFFORT")) {
-    return static_cast<std::size_t>(std::atof(factor) * static_cast<double>(count));
+    return std::max<std::size_t>(1, static_cast<std::size_t>(std::atof(factor) * static_cast<double>(count)));
   }
   return TOUCHSTONE_SLOW_BUILD ? (count + 19) / 20 : count;
 }
