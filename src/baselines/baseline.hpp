@@ -11,7 +11,8 @@
 
 namespace touchstone::baselines {
 
-/// What a method says of one query. No guarantee comes with it: each method's `about` says what it is known to get wrong.
+/// What a method says of one query. No guarantee comes with it: each method's `about` says what it is known to get
+/// wrong.
 struct Result {
   bool contact = false;
   double toi = std::numeric_limits<double>::infinity();  ///< in [0, t_max]; +infinity without contact
@@ -59,20 +60,21 @@ Result solve_paper(const Query& query, double t_max, double tolerance);
 Result solve_closed_form(const Query& query, double t_max, double tolerance);
 
 /// V's roots by bracketed Newton steps between its critical points, to `tolerance` in time; inside tests with the same
-/// share of slack. Near misses within it are phantoms. The position at a time that is off by the tolerance may be off by
-/// more than that share of a short edge, so small fast elements are missed.
+/// share of slack. Near misses within it are phantoms. The position at a time that is off by the tolerance may be off
+/// by more than that share of a short edge, so small fast elements are missed.
 Result solve_newton(const Query& query, double t_max, double tolerance);
 
 /// Bisection of (time, weights), earliest time first, keeping each box whose image may contain the origin, until an
-/// image is smaller than `tolerance`: B. Wang, Z. Ferguson, T. Schneider, X. Jiang, M. Attene, D. Panozzo, "A large-scale
-/// benchmark and an inclusion-based algorithm for continuous collision detection", ACM TOG 40 (2021). Conservative: misses
-/// nothing and its toi is never late. Elements that pass within the tolerance are phantoms, and so are all that are not
-/// settled after kIntervalSteps boxes.
+/// image is smaller than `tolerance`: B. Wang, Z. Ferguson, T. Schneider, X. Jiang, M. Attene, D. Panozzo, "A
+/// large-scale benchmark and an inclusion-based algorithm for continuous collision detection", ACM TOG 40 (2021).
+/// Conservative: misses nothing and its toi is never late. Elements that pass within the tolerance are phantoms, and so
+/// are all that are not settled after kIntervalSteps boxes.
 Result solve_interval(const Query& query, double t_max, double tolerance);
 
-/// Steps of distance / (bound on the relative speed) until the distance is at most `tolerance`: B. Mirtich, "Impulse-based
-/// dynamic simulation of rigid body systems" (1996). Contact within the tolerance is a phantom where none follows. A
-/// rounded step past the contact, or past t_max, loses it; after kAdvancementSteps steps it says contact where it stands.
+/// Steps of distance / (bound on the relative speed) until the distance is at most `tolerance`: B. Mirtich,
+/// "Impulse-based dynamic simulation of rigid body systems" (1996). Contact within the tolerance is a phantom where
+/// none follows. A rounded step past the contact, or past t_max, loses it; after kAdvancementSteps steps it says
+/// contact where it stands.
 Result solve_conservative_advancement(const Query& query, double t_max, double tolerance);
 
 /// Boxes that `interval` looks at before it gives up and says contact at the earliest time left.

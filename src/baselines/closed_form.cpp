@@ -1,13 +1,13 @@
-// The cubic in closed form, with the care that doubles allow: the degree is decided against the coefficients' own rounding
-// noise, no large term is divided by a small one, S comes from the sum without cancellation and T = -Q / S, a double root
-// is looked for where V is stationary, a root at an end of the step where V is all but zero there, and Newton steps polish
-// what the formulas give.
+// The cubic in closed form, with the care that doubles allow.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
 
 #include "baselines/first_touch.hpp"
 
+// The degree is decided against the coefficients' own rounding noise, no large term is divided by a small one, S comes
+// from the sum without cancellation and T = -Q / S, a double root is looked for where V is stationary and a root at an
+// end of the step where V is all but zero there, and Newton steps polish what the formulas give.
 namespace touchstone::baselines {
 namespace {
 
@@ -17,8 +17,8 @@ constexpr double kSlack = 1e-12;
 // A root this far outside [0, t_max] is taken for one at its end.
 constexpr double kTimeSlack = 1e-14;
 
-// With a smaller leading coefficient than this share of the others, the two roots near [0, 1] are those of the quadratic,
-// to first order, and the formulas of the cubic would lose them in the difference of two numbers near b / a.
+// With a smaller leading coefficient than this share of the others, the two roots near [0, 1] are those of the
+// quadratic, to first order, and the formulas of the cubic would lose them in the difference of two numbers near b / a.
 constexpr double kSmallLeading = 1e-6;
 
 // A value within this share of the terms may be zero.

@@ -11,8 +11,8 @@ namespace {
 
 double squared_length(const Vector& v) { return geometry::dot(v, v); }
 
-/// An upper bound on the relative speed of any point of one element and any of the other. Their relative displacement is a
-/// convex combination of those of pairs of corners, and the longest of these bounds it.
+/// An upper bound on the relative speed of any point of one element and any of the other. Their relative displacement
+/// is a convex combination of those of pairs of corners, and the longest of these bounds it.
 double speed_bound(const Frame& frame) {
   const Vector u = frame.u.delta();
   const Vector w = frame.w.delta();

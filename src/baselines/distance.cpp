@@ -1,11 +1,12 @@
-// The least over interiors and boundaries, each by its own projection: more work than to search for the closest pair of
-// features, but no case depends on which side of a threshold a rounded number fell.
+// Distances in doubles, each the least over interiors and boundaries.
 // SPDX-License-Identifier: MIT
 #include "baselines/distance.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+// Every feature has its own projection: more work than to search for the closest pair of features, but no case depends
+// on which side of a threshold a rounded number fell.
 namespace touchstone::baselines {
 
 using geometry::cross;

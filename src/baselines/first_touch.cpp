@@ -13,8 +13,8 @@ using geometry::dot;
 
 namespace {
 
-// Below this sine, squared, the projection along the common normal loses its digits; so does it where a length, squared and
-// in the frame's unit, is less than this: an edge or a face that is flat for an instant.
+// Below this sine, squared, the projection along the common normal loses its digits; so does it where a length, squared
+// and in the frame's unit, is less than this: an edge or a face that is flat for an instant.
 constexpr double kFlat = 0x1p-80;
 
 /// Where u and w span a plane, its normal; the projections divide by its squared length.
@@ -41,7 +41,8 @@ bool touches(const Frame& frame, double t, double slack) {
   const Normal normal(u, w);
   if (normal.flat) return distance_at(frame, t) <= slack;
   const double f1 = dot(cross(r, w), normal.n) / normal.nn;
-  if (frame.kind == Kind::edge_edge) return between(f1, slack) && between(dot(cross(r, u), normal.n) / normal.nn, slack);
+  if (frame.kind == Kind::edge_edge)
+    return between(f1, slack) && between(dot(cross(r, u), normal.n) / normal.nn, slack);
   const double f2 = dot(cross(u, r), normal.n) / normal.nn;
   return f1 >= -slack && f2 >= -slack && f1 + f2 <= 1 + slack;
 }

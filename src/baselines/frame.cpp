@@ -10,7 +10,9 @@ namespace {
 double largest(const Vector& v) { return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])}); }
 double largest(const Motion& m) { return std::max(largest(m.start), largest(m.end)); }
 
-Vector scaled(const Vector& v, int by) { return {{std::scalbn(v[0], by), std::scalbn(v[1], by), std::scalbn(v[2], by)}}; }
+Vector scaled(const Vector& v, int by) {
+  return {{std::scalbn(v[0], by), std::scalbn(v[1], by), std::scalbn(v[2], by)}};
+}
 
 /// Times 2^by: one multiplication where that factor is a normal double.
 Motion scaled(const Motion& m, int by) {

@@ -1,9 +1,4 @@
 // Conservative inclusion over t and the weights, after Wang et al. 2021 (the idea; see baseline.hpp).
-//
-// The difference of a point of one element and one of the other is affine in t and in each weight, so its image over a box
-// of them lies in the convex hull of its values at the box's corners: per axis, between the least and the greatest. A box
-// whose image, widened by the rounding error, holds no origin touches nowhere and is dropped. Boxes are taken earliest t
-// first: the first one small enough to call a hit starts no later than any contact that is left.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
@@ -13,6 +8,10 @@
 
 #include "baselines/baseline.hpp"
 
+// The difference of a point of one element and one of the other is affine in t and in each weight, so its image over a
+// box of them lies in the convex hull of its values at the box's corners: per axis, between the least and the greatest.
+// A box whose image, widened by the rounding error, holds no origin touches nowhere and is dropped. Boxes are taken
+// earliest t first: the first one small enough to call a hit starts no later than any contact that is left.
 namespace touchstone::baselines {
 namespace {
 
@@ -44,12 +43,12 @@ struct Coordinate {
   double error = 0;  ///< bound on the rounding error of `difference`
 };
 
-/// Rounding of one coordinate of the difference. With u = 2^-53 and M the largest absolute coordinate: each of (1 - t) x0 and
-/// t x1 has at most three roundings, so a position is off by 3 u M. Edges: each term passes three more roundings and the
-/// difference one, 7 u M a side, 14 u M in all. Face: 1 - f1 - f2 is off by 2 u and at most 1 in size, so the three terms are
-/// off by 2 u M + 3 (3 + 1 + 2) u M = 20 u M, the vertex by 3 u M, and their difference, at most 4 M, by 4 u M: 27 u M.
-/// Second-order terms are far below the 5 u M that remain to 32 u M = 2^-48 M. Where products underflow they lose 2^-1075
-/// each, as do coordinates that are scaled down: fewer than 64 such losses.
+/// Rounding of one coordinate of the difference. With u = 2^-53 and M the largest absolute coordinate: each of (1 - t)
+/// x0 and t x1 has at most three roundings, so a position is off by 3 u M. Edges: each term passes three more roundings
+/// and the difference one, 7 u M a side, 14 u M in all. Face: 1 - f1 - f2 is off by 2 u and at most 1 in size, so the
+/// three terms are off by 2 u M + 3 (3 + 1 + 2) u M = 20 u M, the vertex by 3 u M, and their difference, at most 4 M,
+/// by 4 u M: 27 u M. Second-order terms are far below the 5 u M that remain to 32 u M = 2^-48 M. Where products
+/// underflow they lose 2^-1075 each, as do coordinates that are scaled down: fewer than 64 such losses.
 constexpr double kRounding = 0x1p-48;
 constexpr double kUnderflow = 0x1p-1068;
 
@@ -85,7 +84,8 @@ class Difference {
       const std::array<std::array<double, 4>, 2> x{positions(c, box.range[0].low), positions(c, box.range[0].high)};
       std::array<double, 8> values{};
       for (std::size_t i = 0; i < corners; ++i) values[i] = value(x[i & 1], box, i);
-      const auto [low, high] = std::minmax_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(corners));
+      const auto [low, high] =
+          std::minmax_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(corners));
       if (!(*low <= c.error && *high >= -c.error)) {  // also when they are not numbers
         image.may_touch = false;
         return image;
@@ -116,8 +116,7 @@ class Difference {
       return (bits >> axis & 1) != 0 ? range.high : range.low;
     };
     switch (kind_) {
-      case Kind::edge_edge:
-        return ((1 - end(1)) * x[0] + end(1) * x[1]) - ((1 - end(2)) * x[2] + end(2) * x[3]);
+      case Kind::edge_edge: return ((1 - end(1)) * x[0] + end(1) * x[1]) - ((1 - end(2)) * x[2] + end(2) * x[3]);
       case Kind::vertex_face: return x[0] - (((1 - end(1) - end(2)) * x[1] + end(1) * x[2]) + end(2) * x[3]);
       case Kind::point_edge: return x[0] - ((1 - end(1)) * x[1] + end(1) * x[2]);
       case Kind::point_point: break;

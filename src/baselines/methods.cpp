@@ -16,7 +16,8 @@ const std::vector<Method>& methods() {
   static const std::vector<Method> all{
       {"paper", "the cubic by Cardano's formulas as printed; misses planar, parallel, grazing and boundary contacts",
        Tolerance::none, 0, coplanar_kinds, solve_paper},
-      {"closed_form", "the same with every care that doubles allow; fixed slacks, so rare misses and phantoms",
+      {"closed_form",
+       "the same with every care that doubles allow; fixed slacks: rare misses, phantoms, toi late by ulps",
        Tolerance::none, 0, every_kind, solve_closed_form},
       {"newton", "bracketed Newton steps to a tolerance; phantoms within it, misses small fast elements",
        Tolerance::share, 1e-6, every_kind, solve_newton},

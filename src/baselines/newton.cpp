@@ -1,11 +1,12 @@
-// Bracketed iteration in doubles: the critical points cut [0, t_max] into pieces on which V is monotone, and each piece with
-// a change of sign holds one root, which Newton steps approach and bisection steps keep in its bracket.
+// Bracketed iteration in doubles, to a tolerance.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
 
 #include "baselines/first_touch.hpp"
 
+// The critical points cut [0, t_max] into pieces on which V is monotone. Each piece with a change of sign holds one
+// root, which Newton steps approach and bisection steps keep in its bracket.
 namespace touchstone::baselines {
 namespace {
 
@@ -30,7 +31,8 @@ double bracketed_root(const Cubic& p, double low, double high, double tolerance)
 }
 
 void newton_roots(const Cubic& p, double t_max, double tolerance, Times& times) {
-  const double flat = tolerance * std::max({std::fabs(p.c[0]), std::fabs(p.c[1]), std::fabs(p.c[2]), std::fabs(p.c[3])});
+  const double flat =
+      tolerance * std::max({std::fabs(p.c[0]), std::fabs(p.c[1]), std::fabs(p.c[2]), std::fabs(p.c[3])});
   if (flat == 0 && is_noise(p)) return;
   const QuadraticRoots critical = quadratic_roots(3 * p.c[3], 2 * p.c[2], p.c[1]);
   std::array<double, 4> ends{0, t_max, t_max, t_max};
@@ -50,8 +52,8 @@ void newton_roots(const Cubic& p, double t_max, double tolerance, Times& times) 
 }  // namespace
 
 Result solve_newton(const Query& query, double t_max, double tolerance) {
-  // In the frame's unit a point moves by less than 2 sqrt(3) relative to another one, so at a time that is right to a quarter of
-  // the tolerance it is within the tolerance of its place.
+  // In the frame's unit a point moves by less than 2 sqrt(3) relative to another one, so at a time that is right to a
+  // quarter of the tolerance it is within the tolerance of its place.
   return first_touch(query, t_max, newton_roots, 0.25 * tolerance, tolerance);
 }
 

