@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "generators/step.hpp"
+
+#include <array>
+#include <utility>
+
+#include "generators/random.hpp"
+
+namespace touchstone::generators {
+
+Step::Step(SceneName scene, std::uint64_t seed, std::size_t edges, double speed)
+    : scene_(make_scene(scene, seed_of_part(seed, 0), edges)),
+      first_time_(Random(seed_of_part(seed, 1)).between(0, 100)),
+      duration_(0.1 * speed * scene_->edge_length()) {
+  scene_->place_corners(first_time_, end_);
+  start_ = end_;
+}
+
+void Step::advance() {
+  ++number_;
+  std::swap(start_, end_);
+  scene_->place_corners(first_time_ + duration_ * static_cast<double>(number_), end_);
+}
+
+template <std::size_t N>
+std::vector<Box> Step::boxes(const std::vector<std::array<Index, N>>& elements) const {
+  std::vector<Box> all;
+  all.reserve(elements.size());
+  for (const auto& element : elements) {
+    Box box = empty_box();
+    for (const Index corner : element) {
+      extend(box, start_[corner]);
+      extend(box, end_[corner]);
+    }
+    all.push_back(box);
+  }
+  return all;
+}
+
+std::vector<Box> Step::corner_boxes() const {
+  std::vector<std::array<Index, 1>> corners;
+  for (std::size_t i = 0; i < start_.size(); ++i) corners.push_back({static_cast<Index>(i)});
+  return boxes(corners);
+}
+
+void Step::for_each_candidate(Kind kind, bool shared_corners, const PairConsumer& found) const {
+  if (kind == Kind::edge_edge) {
+    for_each_overlap(boxes(mesh().edges), [&](Index i, Index j) {
+      const auto &a = mesh().edges[i], &b = mesh().edges[j];
+      const bool shared = a[0] == b[0] || a[0] == b[1] || a[1] == b[0] || a[1] == b[1];
+      if (shared_corners || !shared) found(i, j);
+    });
+  } else {
+    for_each_overlap(corner_boxes(), boxes(mesh().faces), [&](Index i, Index j) {
+      const auto& f = mesh().faces[j];
+      const bool shared = f[0] == i || f[1] == i || f[2] == i;
+      if (shared_corners || !shared) found(i, j);
+    });
+  }
+}
+
+Query Step::query(Kind kind, Index i, Index j) const {
+  Query query;
+  query.kind = kind;
+  std::array<Index, 4> corners;
+  if (kind == Kind::edge_edge) {
+    corners = {mesh().edges[i][0], mesh().edges[i][1], mesh().edges[j][0], mesh().edges[j][1]};
+  } else {
+    corners = {i, mesh().faces[j][0], mesh().faces[j][1], mesh().faces[j][2]};
+  }
+  for (std::size_t k = 0; k < 4; ++k) {
+    query.start[k] = start_[corners[k]];
+    query.end[k] = end_[corners[k]];
+  }
+  return query;
+}
+
+}  // namespace touchstone::generators

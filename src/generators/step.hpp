@@ -1,0 +1,47 @@
+// One step of a moving scene: where the corners are at both ends, and which elements come close in between.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <touchstone/query.hpp>
+
+#include "generators/broad_phase.hpp"
+#include "generators/scene.hpp"
+
+namespace touchstone::generators {
+
+class Step {
+ public:
+  /// The scene before its first step. @param speed  as in CandidateOptions
+  Step(SceneName scene, std::uint64_t seed, std::size_t edges, double speed);
+
+  /// The next step; it starts where this one ends.
+  void advance();
+
+  const Mesh& mesh() const noexcept { return scene_->mesh(); }
+  const std::vector<Vec3>& start() const noexcept { return start_; }
+  const std::vector<Vec3>& end() const noexcept { return end_; }
+
+  /// Calls found(i, j) once for each pair whose boxes around the whole step overlap: edges i < j, or corner i and face
+  /// j. An element moves inside its box, so every contact is among them.
+  void for_each_candidate(Kind kind, bool shared_corners, const PairConsumer& found) const;
+
+  Query query(Kind kind, Index i, Index j) const;
+
+ private:
+  template <std::size_t N>
+  std::vector<Box> boxes(const std::vector<std::array<Index, N>>& elements) const;
+  std::vector<Box> corner_boxes() const;
+
+  std::unique_ptr<Scene> scene_;
+  double first_time_;
+  double duration_;
+  std::size_t number_ = 0;
+  std::vector<Vec3> start_, end_;
+};
+
+}  // namespace touchstone::generators
