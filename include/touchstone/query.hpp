@@ -76,8 +76,8 @@ struct Fraction {
 /// A query whose coordinates are rationals that doubles may not hold. Each corner is {x, y, z}.
 struct RationalQuery {
   Kind kind = Kind::edge_edge;
-  std::array<std::array<Fraction, 3>, 4> start{};
-  std::array<std::array<Fraction, 3>, 4> end{};
+  std::array<std::array<Fraction, 3>, 4> start;
+  std::array<std::array<Fraction, 3>, 4> end;
 };
 
 /// The name of corner `index` of a query of this kind: "a0", "b1", "v", "f2", "p", "e0", "q".
