@@ -21,9 +21,6 @@ constexpr double kTimeSlack = 1e-14;
 // quadratic, to first order, and the formulas of the cubic would lose them in the difference of two numbers near b / a.
 constexpr double kSmallLeading = 1e-6;
 
-// A value within this share of the terms may be zero.
-constexpr double kZero = 0x1p-46;
-
 double polished(const Cubic& p, double t) {
   for (int step = 0; step < 4; ++step) {
     const double next = t - value(p, t) / slope(p, t);
@@ -53,15 +50,6 @@ class Roots {
   Times& times_;
 };
 
-/// Every Bernstein coefficient over [0, 1] on one side of zero, rounding included: no root.
-bool one_sided(const Cubic& p, double noise) {
-  const double third = p.c[1] / 3;
-  const double b1 = p.c[0] + third;
-  const double b2 = b1 + third + p.c[2] / 3;
-  const double b3 = ((p.c[0] + p.c[1]) + p.c[2]) + p.c[3];
-  return std::min({p.c[0], b1, b2, b3}) > noise || std::max({p.c[0], b1, b2, b3}) < -noise;
-}
-
 /// Equations (20) to (22), for t^3 + b t^2 + c t + d.
 void add_cubic_roots(double b, double c, double d, Roots& roots) {
   const double shift = b / 3;
@@ -86,7 +74,7 @@ void closed_form_roots(const Cubic& polynomial, double t_max, double, Times& tim
   }
   const auto& [d, c, b, a] = p.c;
   const double noise = kZero * (p.size[0] + p.size[1] + p.size[2] + p.size[3]);
-  if (one_sided(p, noise)) return;
+  if (one_sided(p.c, noise)) return;
 
   Roots roots(p, t_max, times);
   if (std::fabs(a) > kSmallLeading * std::max({std::fabs(b), std::fabs(c), std::fabs(d)})) {

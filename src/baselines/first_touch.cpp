@@ -47,6 +47,15 @@ bool touches(const Frame& frame, double t, double slack) {
   return f1 >= -slack && f2 >= -slack && f1 + f2 <= 1 + slack;
 }
 
+template <class N>
+auto coplanarity(const Frame& frame) {
+  return dot(cross(linear<N>(frame.u), linear<N>(frame.w)), linear<N>(frame.r));
+}
+
+/// The sizes of V's coefficients add up to at most this many times `frame.box`: six products of three components, each of
+/// which is |start| + (|start| + |end|) in size.
+constexpr double kSizes = 6 * 27;
+
 class Search {
  public:
   Search(double t_max, RootFinder roots, double tolerance) : t_max_(t_max), roots_(roots), tolerance_(tolerance) {}
@@ -56,10 +65,11 @@ class Search {
 
   /// When the point r is on the line of the edge from the origin to u; if it always is, when it passes one of its ends.
   void add_point_edge(const Motion& r, const Motion& u) {
-    const auto collinear = cross(linear(r), linear(u));
+    const auto collinear = cross(linear<double>(r), linear<double>(u));
+    const auto sizes = cross(linear<Magnitude>(r), linear<Magnitude>(u));
     bool always = true;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Cubic component = as_cubic(collinear[k]);
+      const Cubic component = cubic_of(collinear[k], sizes[k]);
       if (is_noise(component)) continue;
       always = false;
       add_roots(component);
@@ -71,8 +81,9 @@ class Search {
   }
 
   void add_point_point(const Motion& r) {
-    const auto components = linear(r);
-    for (std::size_t k = 0; k < 3; ++k) add_roots(as_cubic(components[k]));
+    const auto components = linear<double>(r);
+    const auto sizes = linear<Magnitude>(r);
+    for (std::size_t k = 0; k < 3; ++k) add_roots(cubic_of(components[k], sizes[k]));
   }
 
   Times& sorted() {
@@ -89,7 +100,7 @@ class Search {
 
 /// While the elements stay coplanar they can only start to touch where a corner of one meets an edge of the other.
 void add_coplanar_times(const Frame& frame, Search& search) {
-  const auto& [kind, u, w, r, exponent] = frame;
+  const auto& [kind, u, w, r, exponent, box] = frame;
   search.add_start();
   search.add_point_edge(r, u);
   if (kind == Kind::edge_edge) {
@@ -110,7 +121,9 @@ Result first_touch(const Query& query, double t_max, RootFinder roots, double to
   switch (frame.kind) {
     case Kind::edge_edge:
     case Kind::vertex_face: {
-      const Cubic v = dot(cross(linear(frame.u), linear(frame.w)), linear(frame.r));
+      const Polynomial<3> values = coplanarity<double>(frame);
+      if (one_sided(values.c, kZero * kSizes * frame.box)) return {};
+      const Cubic v = cubic_of(values, coplanarity<Magnitude>(frame));
       if (is_noise(v)) {
         add_coplanar_times(frame, search);
       } else {

@@ -57,13 +57,17 @@ Frame frame_of(const Query& query) {
       break;
     case Kind::point_point: frame.r = corner[1] - corner[0]; break;
   }
-  const double size = std::max({largest(frame.u), largest(frame.w), largest(frame.r)});
+  const double u = largest(frame.u);
+  const double w = largest(frame.w);
+  const double r = largest(frame.r);
+  const double size = std::max({u, w, r});
   int exponent = 0;
   if (size > 0 && std::isfinite(size)) std::frexp(size, &exponent);
   if (exponent != 0) {
     for (Motion* motion : {&frame.u, &frame.w, &frame.r}) *motion = scaled(*motion, -exponent);
   }
   frame.exponent = exponent + lowered;
+  frame.box = std::scalbn(u, -exponent) * std::scalbn(w, -exponent) * std::scalbn(r, -exponent);
   return frame;
 }
 

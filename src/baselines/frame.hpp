@@ -37,6 +37,7 @@ struct Frame {
   Kind kind = Kind::edge_edge;
   Motion u, w, r;
   int exponent = 0;
+  double box = 0;  ///< the product of the largest components of u, w and r
 };
 
 Frame frame_of(const Query& query);

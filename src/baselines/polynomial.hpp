@@ -1,76 +1,95 @@
-// Polynomials in t whose coefficients know how much was added up to make them.
+// Polynomials in t, and how much was added up to make their coefficients.
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 #include "baselines/frame.hpp"
 
 namespace touchstone::baselines {
 
-/// Constant first. `size[i]` is the sum of the absolute values of all terms of c[i], so that c[i] can be told from the
-/// rounding noise of its own computation.
-template <std::size_t Degree>
+/// What a formula's terms add up to in absolute value: computed in this type, it gives the size against which the
+/// result in doubles may be rounding noise.
+struct Magnitude {
+  double m = 0;
+};
+inline Magnitude operator+(Magnitude a, Magnitude b) { return {a.m + b.m}; }
+inline Magnitude operator-(Magnitude a, Magnitude b) { return {a.m + b.m}; }
+inline Magnitude operator*(Magnitude a, Magnitude b) { return {a.m * b.m}; }
+
+/// Constant first.
+template <std::size_t Degree, class N = double>
 struct Polynomial {
-  std::array<double, Degree + 1> c{};
-  std::array<double, Degree + 1> size{};
+  std::array<N, Degree + 1> c{};
 };
 
-using Linear = Polynomial<1>;
-using Cubic = Polynomial<3>;
-
-template <std::size_t A, std::size_t B>
-Polynomial<A + B> operator*(const Polynomial<A>& a, const Polynomial<B>& b) {
-  Polynomial<A + B> product;
+template <std::size_t A, std::size_t B, class N>
+Polynomial<A + B, N> operator*(const Polynomial<A, N>& a, const Polynomial<B, N>& b) {
+  Polynomial<A + B, N> product;
   for (std::size_t i = 0; i <= A; ++i) {
-    for (std::size_t j = 0; j <= B; ++j) {
-      product.c[i + j] += a.c[i] * b.c[j];
-      product.size[i + j] += a.size[i] * b.size[j];
-    }
+    for (std::size_t j = 0; j <= B; ++j) product.c[i + j] = product.c[i + j] + a.c[i] * b.c[j];
   }
   return product;
 }
 
-template <std::size_t D>
-Polynomial<D> operator+(Polynomial<D> a, const Polynomial<D>& b) {
-  for (std::size_t i = 0; i <= D; ++i) {
-    a.c[i] += b.c[i];
-    a.size[i] += b.size[i];
-  }
+template <std::size_t D, class N>
+Polynomial<D, N> operator+(Polynomial<D, N> a, const Polynomial<D, N>& b) {
+  for (std::size_t i = 0; i <= D; ++i) a.c[i] = a.c[i] + b.c[i];
   return a;
 }
 
-template <std::size_t D>
-Polynomial<D> operator-(Polynomial<D> a, const Polynomial<D>& b) {
-  for (std::size_t i = 0; i <= D; ++i) {
-    a.c[i] -= b.c[i];
-    a.size[i] += b.size[i];
-  }
+template <std::size_t D, class N>
+Polynomial<D, N> operator-(Polynomial<D, N> a, const Polynomial<D, N>& b) {
+  for (std::size_t i = 0; i <= D; ++i) a.c[i] = a.c[i] - b.c[i];
   return a;
 }
 
 /// Each component of the motion as a polynomial.
-inline geometry::Vector<Linear> linear(const Motion& m) {
-  geometry::Vector<Linear> v;
+template <class N>
+geometry::Vector<Polynomial<1, N>> linear(const Motion& m) {
+  geometry::Vector<Polynomial<1, N>> v;
   for (std::size_t k = 0; k < 3; ++k) {
-    v[k].c = {m.start[k], m.end[k] - m.start[k]};
-    v[k].size = {std::fabs(m.start[k]), std::fabs(m.start[k]) + std::fabs(m.end[k])};
+    if constexpr (std::is_same_v<N, Magnitude>) {
+      v[k].c = {Magnitude{std::fabs(m.start[k])}, Magnitude{std::fabs(m.start[k]) + std::fabs(m.end[k])}};
+    } else {
+      v[k].c = {m.start[k], m.end[k] - m.start[k]};
+    }
   }
   return v;
 }
 
+/// A polynomial of degree at most 3, with the size of the terms of each coefficient.
+struct Cubic {
+  std::array<double, 4> c{};
+  std::array<double, 4> size{};
+};
+
 template <std::size_t D>
-Cubic as_cubic(const Polynomial<D>& p) {
+Cubic cubic_of(const Polynomial<D>& p, const Polynomial<D, Magnitude>& sizes) {
   static_assert(D <= 3);
   Cubic cubic;
   for (std::size_t i = 0; i <= D; ++i) {
     cubic.c[i] = p.c[i];
-    cubic.size[i] = p.size[i];
+    cubic.size[i] = sizes.c[i].m;
   }
   return cubic;
 }
+
+/// Every Bernstein coefficient over [0, 1] farther from zero than `noise`, all on one side: no root.
+inline bool one_sided(const std::array<double, 4>& c, double noise) {
+  const double third = c[1] / 3;
+  const double b1 = c[0] + third;
+  const double b2 = b1 + third + c[2] / 3;
+  const double b3 = ((c[0] + c[1]) + c[2]) + c[3];
+  return std::min({c[0], b1, b2, b3}) > noise || std::max({c[0], b1, b2, b3}) < -noise;
+}
+
+/// A value within this share of the sizes of all terms may be zero.
+constexpr double kZero = 0x1p-46;
 
 /// A coefficient within this share of its size is taken for zero: a determinant of differences has seven roundings.
 constexpr double kNoise = 0x1p-50;
