@@ -1,0 +1,110 @@
+// `touchstone bench`: what it prints and writes. How fast anything is, is not tested.
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/run_program.hpp"
+#include "cli/sample_files.hpp"
+#include "support/catch.hpp"
+
+using namespace touchstone::tests;
+
+namespace {
+
+std::vector<std::string> bench(const std::vector<std::string>& more) {
+  std::vector<std::string> arguments = {"bench", "--min-time", "0.0001", "--repetitions", "2", "--count", "60"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+/// Built without Google Benchmark the command must say so; then there is nothing else to test.
+bool can_measure() {
+  static const Run run = run_program(bench({"--filter", "random/point-point/all/floor"}));
+  if (run.status == 0) return true;
+  CHECK(run.status == 2);
+  CHECK(occurrences(run.err, "libbenchmark-dev") == 1);
+  WARN("built without Google Benchmark: skipped");
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("bench prints every method beside the floor") {
+  if (!can_measure()) return;
+  const TemporaryFolder folder;
+  const Run run = run_program(
+      bench({"--filter", "^simulation/edge-edge/all", "--csv", folder.path("b.csv"), "--json", folder.path("b.json")}));
+  CAPTURE(run.out, run.err);
+  CHECK(run.status == 0);
+  CHECK(run.err == "");
+  CHECK(occurrences(run.out, "simulation/edge-edge/all: 180 queries, ") == 1);  // 60 of each scene
+  for (const char* method :
+       {"  floor ", "  touchstone ", "  touchstone_batch ", "  exact ", "  oracle (20 of them) "}) {
+    CHECK(occurrences(run.out, method) == 1);
+  }
+  CHECK(occurrences(run.out, "simulation/vertex-face") == 0);
+
+  const std::string csv = folder.read("b.csv");
+  CHECK(csv.starts_with("set,method,queries,set_queries,set_contacts,median_ns,least_ns,greatest_ns,ratio_to_floor,"));
+  CHECK(occurrences(csv, "\n") == 6);
+  CHECK(occurrences(csv, "simulation/edge-edge/all,floor,180,180,") == 1);
+  const auto json = nlohmann::json::parse(folder.read("b.json"));
+  REQUIRE(json["results"].size() == 5);
+  for (const auto& result : json["results"]) {
+    CHECK(result["repetitions_ns"].size() == 2);
+    CHECK(result["median_ns"] > 0);
+    CHECK(result["ratio_to_floor"] > 0);
+    if (result["method"] == "floor") {
+      CHECK(result["ratio_to_floor"] == 1);
+    } else {
+      const auto& levels = result["levels"];
+      const int decided = levels["filter"].get<int>() + levels["bracket"].get<int>() + levels["exact"].get<int>() +
+                          levels["oracle"].get<int>();
+      CHECK(decided == result["queries"]);
+    }
+  }
+}
+
+TEST_CASE("the filter leaves out all but what it finds and its floor") {
+  if (!can_measure()) return;
+  const Run run = run_program(bench({"--filter", "bundled/point-edge/.*/touchstone$"}));
+  CHECK(run.status == 0);
+  CHECK(occurrences(run.out, "  floor ") == 3);  // all, hits and misses
+  CHECK(occurrences(run.out, "  touchstone ") == 3);
+  CHECK(occurrences(run.out, "exact ") == 0);
+}
+
+TEST_CASE("given files are a source of their own") {
+  if (!can_measure()) return;
+  const TemporaryFolder folder;
+  const std::string file = folder.write("point-point/a.csv", two_point_queries());
+  const Run run = run_program(bench({"--filter", "^files", file}));
+  CHECK(run.status == 0);
+  CHECK(occurrences(run.out, "files/point-point/all: 2 queries, 50.0 % with contact") == 1);
+  CHECK(occurrences(run.out, "files/point-point/hits: 1 query, 100.0 % with contact") == 1);
+  const std::string same = folder.read("point-point/a.csv");
+  CHECK(run_program(bench({"--filter", "^files", "--csv", file, file})).status == 2);
+  CHECK(folder.read("point-point/a.csv") == same);
+}
+
+TEST_CASE("bad options of bench end with status 2 and one line") {
+  if (!can_measure()) return;
+  const TemporaryFolder folder;
+  const auto check_refused = [](const std::vector<std::string>& more, const std::string& part) {
+    const Run run = run_program(bench(more));
+    CAPTURE(more, run.err);
+    CHECK(run.status == 2);
+    CHECK(run.out == "");
+    CHECK(occurrences(run.err, "\n") == 1);
+    CHECK(occurrences(run.err, part) == 1);
+  };
+  check_refused({"--filter", "["}, "[ is no regular expression");
+  check_refused({"--filter", "no such thing"}, "no such thing");
+  check_refused({folder.path("edge-edge/missing.csv")}, "cannot be opened");
+  check_refused({"--csv", folder.path("no/b.csv")}, "cannot be written");
+  CHECK(run_program({"bench", "--repetitions", "0"}).status == 2);
+  CHECK(run_program({"bench", "--min-time", "0"}).status == 2);
+  CHECK(run_program({"bench", "--count", "0"}).status == 2);
+  CHECK(folder.names().empty());
+}

@@ -1,0 +1,127 @@
+// `touchstone generate`: files that certify, the same every time, and nothing after an error.
+// SPDX-License-Identifier: MIT
+#include <string>
+#include <vector>
+
+#include "cli/run_program.hpp"
+#include "support/catch.hpp"
+
+using namespace touchstone::tests;
+
+namespace {
+
+std::vector<std::string> generate(const std::string& out, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> arguments = {"generate", "--size", "1000", "--steps", "4", "--count", "250", "--out", out};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+const std::vector<std::string> kFiles = {"cloth/edge-edge/seed-1.csv", "cloth/vertex-face/seed-1.csv",
+                                         "sheets/edge-edge/seed-1.csv", "sheets/vertex-face/seed-1.csv",
+                                         "cables/edge-edge/seed-1.csv"};
+
+}  // namespace
+
+TEST_CASE("generated files hold what was asked for, and their truth columns are true") {
+  const TemporaryFolder folder;
+  const Run run = run_program(generate(folder.path("q")));
+  CAPTURE(run.err);
+  CHECK(run.status == 0);
+  CHECK(run.err == "");
+  std::vector<std::string> certify = {"certify"};
+  std::string text;
+  for (const auto& name : kFiles) {
+    CAPTURE(name);
+    CHECK(occurrences(run.out, folder.path("q/" + name) + ": 250 queries, ") == 1);
+    text = folder.read("q/" + name);
+    CHECK(occurrences(text, "\n") == 8 * 250);
+    certify.push_back(folder.path("q/" + name));
+  }
+  CHECK(folder.names() == std::set<std::string>{"q"});
+  const Run certified = run_program(certify);
+  CHECK(certified.status == 0);
+  CHECK(occurrences(certified.out, "all 1,250 claims hold") == 1);
+
+  SECTION("the same options write the same bytes, another seed other ones") {
+    CHECK(run_program(generate(folder.path("again"))).status == 0);
+    for (const auto& name : kFiles) CHECK(folder.read("q/" + name) == folder.read("again/" + name));
+    CHECK(run_program(generate(folder.path("q"), {"--seed", "2", "--scene", "cables"})).status == 0);
+    CHECK(folder.read("q/cables/edge-edge/seed-2.csv") != text);
+    CHECK(folder.read("q/cables/edge-edge/seed-1.csv") == text);
+  }
+}
+
+TEST_CASE("scene and kind leave out the others") {
+  const TemporaryFolder folder;
+  const Run run = run_program(generate(folder.path("q"), {"--scene", "sheets", "--kind", "vertex-face"}));
+  CHECK(run.status == 0);
+  CHECK(folder.read("q/sheets/vertex-face/seed-1.csv") != "");
+  CHECK_FALSE(std::filesystem::exists(folder.path("q/sheets/edge-edge")));
+  CHECK_FALSE(std::filesystem::exists(folder.path("q/cloth")));
+  const Run all = run_program(generate(folder.path("all"), {"--kind", "vertex-face"}));
+  CHECK(all.status == 0);
+  CHECK_FALSE(std::filesystem::exists(folder.path("all/cables")));
+}
+
+TEST_CASE("every candidate, and pairs that share a corner") {
+  const TemporaryFolder folder;
+  const std::vector<std::string> more = {"--scene", "cables", "--count", "0"};
+  auto arguments = generate(folder.path("q"), more);
+  arguments.erase(arguments.begin() + 5, arguments.begin() + 7);  // the other --count
+  CHECK(run_program(arguments).status == 0);
+  const std::string without = folder.read("q/cables/edge-edge/seed-1.csv");
+  arguments.emplace_back("--shared-corners");
+  CHECK(run_program(arguments).status == 0);
+  CHECK(folder.read("q/cables/edge-edge/seed-1.csv").size() > without.size());
+  CHECK(run_program({"certify", folder.path("q/cables/edge-edge/seed-1.csv")}).status == 0);
+}
+
+TEST_CASE("bad options end with status 2, one line, and nothing written") {
+  const TemporaryFolder folder;
+  const auto check_refused = [&](const std::vector<std::string>& arguments, const std::string& part) {
+    const Run run = run_program(arguments);
+    CAPTURE(arguments, run.err);
+    CHECK(run.status == 2);
+    CHECK(run.out == "");
+    CHECK(occurrences(run.err, "\n") == 1);
+    CHECK(occurrences(run.err, part) > 0);
+    CHECK(folder.names().empty());
+  };
+  const std::string out = folder.path("a/b");
+  check_refused({"generate"}, "--out");
+  check_refused({"generate", "--out", out, "--scene", "kitchen"}, "kitchen is no scene; it must be cloth, sheets or");
+  check_refused({"generate", "--out", out, "--kind", "point-edge"}, "--kind");
+  check_refused({"generate", "--out", out, "--scene", "cables", "--kind", "vertex-face"}, "scene cables has no faces");
+  check_refused({"generate", "--out", out, "--size", "99"}, "99 must be a whole number from 100");
+  check_refused({"generate", "--out", out, "--steps", "0"}, "--steps");
+  check_refused({"generate", "--out", out, "--count", "-1"}, "--count");
+  check_refused({"generate", "--out", out, "--seed", "x"}, "--seed");
+  check_refused({"generate", "--out", out, "--seed", "99999999999999999999"}, "--seed");
+  check_refused({"generate", "--out", out, "--speed", "-1"}, "--speed");
+  check_refused({"generate", "--out", out, "--speed", "fast"}, "--speed");
+}
+
+TEST_CASE("a place where nothing can be written ends with status 2, and what was there stays") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("file", "mine");
+  const Run run = run_program(generate(file));
+  CHECK(run.status == 2);
+  CHECK(occurrences(run.err, "no folder can be made here") == 1);
+  CHECK(folder.read("file") == "mine");
+  CHECK(folder.names() == std::set<std::string>{"file"});
+
+  folder.write("q/cables/edge-edge/seed-1.csv/in the way", "");
+  CHECK(run_program(generate(folder.path("q"))).status == 2);
+  CHECK_FALSE(std::filesystem::exists(folder.path("q/cloth")));
+  CHECK_FALSE(std::filesystem::exists(folder.path("q/sheets")));
+}
+
+TEST_CASE("an interrupt leaves nothing behind") {
+  const TemporaryFolder folder;
+  RunOptions options;
+  options.interrupt_after = 0.5;
+  const Run run = run_program(
+      {"generate", "--size", "20000", "--steps", "100000", "--count", "0", "--out", folder.path("q")}, options);
+  CHECK(run.status == 128 + 2);
+  CHECK(folder.names().empty());
+}
