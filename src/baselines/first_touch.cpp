@@ -52,8 +52,8 @@ auto coplanarity(const Frame& frame) {
   return dot(cross(linear<N>(frame.u), linear<N>(frame.w)), linear<N>(frame.r));
 }
 
-/// The sizes of V's coefficients add up to at most this many times `frame.box`: six products of three components, each of
-/// which is |start| + (|start| + |end|) in size.
+/// The sizes of V's coefficients add up to at most this many times `frame.box`: six products of three components, each
+/// of which is |start| + (|start| + |end|) in size.
 constexpr double kSizes = 6 * 27;
 
 class Search {
