@@ -34,6 +34,7 @@ std::string disagreement(const Query& query, double t_max, Answer& fast) {
   if (oracle.level != Level::oracle) return "Method::oracle does not answer by Level::oracle";
   if (fast.level == Level::oracle) return "Method::fast answers by Level::oracle";
   std::string found = fast_against_exact(fast, exact);
+  if (found.empty() && solve_any(query, t_max) != exact.contact) found = "solve_any and exact: contact differs";
   if (found.empty()) found = against("exact and oracle", exact, oracle, decision_difference(exact, oracle));
   if (found.empty()) found = against("exact and oracle", exact, oracle, weight_difference(exact, oracle));
   if (found.empty()) found = malformation(query.kind, fast, t_max);
@@ -92,7 +93,10 @@ void fast_and_exact_agree(Kind kind, std::size_t count) {
     const Query query = make(id);
     const Answer fast = solve(query, Method::fast);
     before_exact += fast.level != Level::exact;
-    report.add(id, query, fast_against_exact(fast, solve(query, Method::exact)));
+    const Answer exact = solve(query, Method::exact);
+    std::string wrong = fast_against_exact(fast, exact);
+    if (wrong.empty() && solve_any(query) != exact.contact) wrong = "solve_any and exact: contact differs";
+    report.add(id, query, wrong);
   });
   std::printf("seed %llu, %s: %zu queries by fast and exact, %zu of them decided before the exact level\n",
               static_cast<unsigned long long>(kSeed + 1), kind_name(kind).data(), report.checked(), before_exact);

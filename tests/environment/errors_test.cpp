@@ -60,6 +60,7 @@ TEST_CASE("every coordinate that is not finite is refused by name") {
                                       " has " + "xyz"[axis] + " = " + value;
             for (const Method method : kMethods) check_message(refusal([&] { solve(query, method); }), {where});
             check_message(refusal([&] { solve(query); }), {where});
+            check_message(refusal([&] { solve_any(query); }), {where});
             check_message(refusal([&] { contact_times(query); }), {where});
             check_message(refusal([&] { solve_batch({good, query, good}); }), {"query 1", where});
           }
@@ -90,6 +91,7 @@ TEST_CASE("a t_max outside [0, 1] is refused") {
     for (const double t_max : {kNan, kInfinity, -kInfinity, -1.0, -0x1p-1074, std::nextafter(1.0, 2.0), 2.0}) {
       for (const Method method : kMethods) check_message(refusal([&] { solve(query, method, t_max); }), {"t_max"});
       check_message(refusal([&] { solve(query, t_max); }), {"t_max"});
+      check_message(refusal([&] { solve_any(query, t_max); }), {"t_max"});
       check_message(refusal([&] { contact_times(query, t_max); }), {"t_max"});
       check_message(refusal([&] { solve(RationalQuery{}, Method::fast, t_max); }), {"t_max"});
       check_message(refusal([&] { contact_times(RationalQuery{}, t_max); }), {"t_max"});

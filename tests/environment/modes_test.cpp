@@ -21,6 +21,7 @@ constexpr std::uint64_t kSeed = 21;
 // Everything the library says of one query, and whether it left the environment alone.
 struct Outcome {
   std::array<Answer, 3> answers;
+  bool any = false;
   std::vector<std::array<double, 4>> times;
   std::string times_text;
   int comparisons = 0;
@@ -31,6 +32,8 @@ struct Outcome {
 Outcome ask(const Query& query, const ControlBits& expected) {
   Outcome outcome;
   outcome.answers[0] = solve(query, Method::fast);
+  outcome.restored = outcome.restored && control_bits() == expected;
+  outcome.any = solve_any(query);
   outcome.restored = outcome.restored && control_bits() == expected;
   outcome.answers[1] = solve(query, Method::exact);
   outcome.restored = outcome.restored && control_bits() == expected;
@@ -60,6 +63,7 @@ std::string outcome_difference(const Outcome& expected, const Outcome& found) {
       (expected.times.empty() ||
        std::memcmp(expected.times.data(), found.times.data(), expected.times.size() * sizeof expected.times[0]) == 0);
   if (!same_times || expected.times_text != found.times_text) return "contact_times differ";
+  if (expected.any != found.any) return "solve_any differs";
   if (expected.comparisons != found.comparisons) return "comparisons of times differ";
   return "";
 }
@@ -224,6 +228,8 @@ TEST_CASE("a query without meaning is refused in every mode, and the mode is res
           count(refused([&] { solve(Query(good), method, bad_t_max); }));
           count(refused([&] { solve(fractions, method); }));
         }
+        count(refused([&] { solve_any(query); }));
+        count(refused([&] { solve_any(Query(good), bad_t_max); }));
         count(refused([&] { contact_times(query); }));
         count(refused([&] { contact_times(Query(good), bad_t_max); }));
         count(refused([&] { contact_times(fractions); }));
@@ -232,7 +238,7 @@ TEST_CASE("a query without meaning is refused in every mode, and the mode is res
         }
       }
       INFO(mode.name());
-      CHECK(refusals == 14);
+      CHECK(refusals == 16);
       CHECK(restored);
     }
   }
