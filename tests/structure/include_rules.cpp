@@ -24,8 +24,10 @@ const std::map<std::string, Layers>& layer_table() {
       {"baselines", {"geometry"}},
       {"generators", {"geometry", "io"}},
       {"io", {"geometry", "numbers"}},
+      {"report", {"solver", "baselines", "generators", "io", "geometry"}},
       {"cli",
-       {"geometry", "numbers", "filters", "exact", "oracle", "solver", "certify", "baselines", "generators", "io"}},
+       {"geometry", "numbers", "filters", "exact", "oracle", "solver", "certify", "baselines", "generators", "io",
+        "report"}},
   };
   return table;
 }

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "report/contestant.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include <touchstone/solve.hpp>
+
+namespace touchstone::report {
+namespace {
+
+constexpr double kWholeStep = 1;
+
+/// Makes the compiler believe that `value` is used.
+template <class Value>
+void keep(const Value& value) {
+#if defined(__GNUC__)
+  asm volatile("" : : "m"(value) : "memory");
+#else
+  static volatile const Value* kept;
+  kept = &value;
+#endif
+}
+
+Claim claim_of(bool contact, double toi) {
+  Claim claim;
+  claim.contact = contact;
+  if (contact && std::isfinite(toi)) claim.toi = toi;
+  return claim;
+}
+
+}  // namespace
+
+std::string Contestant::tolerance_text() const {
+  if (tolerance == 0) return {};
+  const double power = std::round(std::log10(tolerance));
+  const std::string text = fmt::format("1e{:.0f}", power);
+  return std::stod(text) == tolerance ? text : fmt::format("{:g}", tolerance);
+}
+
+std::string Contestant::label() const { return tolerance == 0 ? name : name + " " + tolerance_text(); }
+
+std::vector<Contestant> contestants(const std::vector<double>& tolerances) {
+  std::vector<Contestant> all;
+  for (const baselines::Method& method : baselines::methods()) {
+    Contestant contestant{std::string(method.name), std::string(method.about), &method, false, 0};
+    if (!method.has_tolerance()) {
+      all.push_back(contestant);
+      continue;
+    }
+    for (const double tolerance : tolerances) {
+      contestant.tolerance = tolerance;
+      all.push_back(contestant);
+    }
+  }
+  all.push_back({"exact_only", "exact arithmetic alone; never wrong", nullptr, true, 0});
+  all.push_back(
+      {"touchstone", "the whole cascade: filters, brackets, exact arithmetic; never wrong", nullptr, false, 0});
+  return all;
+}
+
+Reply ask(const Contestant& contestant, const Query& query) {
+  Reply reply;
+  if (contestant.baseline != nullptr) {
+    const auto result = contestant.baseline->solve(query, kWholeStep, contestant.tolerance);
+    reply.claim = claim_of(result.contact, result.toi);
+  } else {
+    const Answer answer = contestant.exact ? solve(query, Method::exact) : solve(query);
+    reply.claim = claim_of(answer.contact, answer.toi);
+    reply.level = answer.level;
+  }
+  return reply;
+}
+
+void ask_all(const Contestant& contestant, const std::vector<Query>& queries, std::size_t count) {
+  // One loop a sort of method, so that none pays for the choice.
+  if (contestant.baseline != nullptr) {
+    const auto function = contestant.baseline->solve;
+    for (std::size_t i = 0; i < count; ++i) keep(function(queries[i], kWholeStep, contestant.tolerance));
+  } else if (contestant.exact) {
+    for (std::size_t i = 0; i < count; ++i) keep(solve(queries[i], Method::exact));
+  } else {
+    for (std::size_t i = 0; i < count; ++i) keep(solve(queries[i]));
+  }
+}
+
+}  // namespace touchstone::report

@@ -1,0 +1,49 @@
+// Who is compared: every baseline at every tolerance, exact arithmetic alone, and the whole solver.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <touchstone/answer.hpp>
+#include <touchstone/certify.hpp>
+#include <touchstone/query.hpp>
+
+#include "baselines/baseline.hpp"
+
+namespace touchstone::report {
+
+/// A method, at one tolerance where it has one.
+struct Contestant {
+  std::string name;
+  std::string about;
+  const baselines::Method* baseline = nullptr;  ///< null: the solver, cascade or exact level
+  bool exact = false;                           ///< Method::exact; only without a baseline
+  double tolerance = 0;                         ///< 0: it has none
+
+  bool supports(Kind kind) const { return baseline == nullptr || baseline->supports(kind); }
+  bool is_touchstone() const noexcept { return baseline == nullptr && !exact; }
+  bool may_be_wrong() const noexcept { return baseline != nullptr; }
+
+  /// Whether it has no tolerance, or the one that its users commonly choose.
+  bool is_usual() const noexcept { return tolerance == 0 || tolerance == baseline->usual_tolerance; }
+
+  std::string tolerance_text() const;  ///< "1e-6", or "" without one
+  std::string label() const;           ///< "newton 1e-6"
+};
+
+/// Baselines first, in their registry's order and tolerances as given; then `exact_only` and `touchstone`.
+std::vector<Contestant> contestants(const std::vector<double>& tolerances);
+
+/// What a contestant says of one query.
+struct Reply {
+  Claim claim;
+  Level level = Level::exact;  ///< who decided; of touchstone and exact_only only
+};
+Reply ask(const Contestant& contestant, const Query& query);
+
+/// Asks the first `count` queries and forgets the answers: for timing.
+void ask_all(const Contestant& contestant, const std::vector<Query>& queries, std::size_t count);
+
+}  // namespace touchstone::report

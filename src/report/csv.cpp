@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "report/csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include <touchstone/version.hpp>
+
+#include "io/answer_writer.hpp"
+#include "report/machine.hpp"
+
+namespace touchstone::report {
+namespace {
+
+constexpr const char* kHeader =
+    "version,machine,compiler,seed,quick,set,kind,scale_exponent,method,tolerance,tolerance_measures,set_queries,"
+    "queries,contacts,missed,phantom,late,missed_share,phantom_share,late_share,wrong_share,times_compared,"
+    "ulps_earliest,ulps_median,ulps_latest,ulps_median_magnitude,ulps_greatest_magnitude,passes,mean_us,"
+    "fastest_pass_us,slowest_pass_us,p50_us,p90_us,p99_us,p99_9_us,slowest_us,level_filter,level_bracket,level_exact\n";
+
+std::string tolerance_measures(const Contestant& contestant) {
+  if (contestant.tolerance == 0) return "";
+  return contestant.baseline->tolerance == baselines::Tolerance::length ? "length" : "share";
+}
+
+std::string numbers(const Result& result) {
+  std::string text = fmt::format("{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},", result.asked, result.contacts,
+                                 result.missed, result.phantom, result.late, result.missed_share(),
+                                 result.phantom_share(), result.late_share(), result.wrong_share());
+  if (const auto& error = result.time_error) {
+    text += fmt::format("{},{},{},{},{},{},", error->claims, error->earliest, error->median, error->latest,
+                        error->median_size, error->greatest_size);
+  } else {
+    text += "0,,,,,,";
+  }
+  const auto [fastest, slowest] = std::minmax_element(result.passes.begin(), result.passes.end());
+  text += fmt::format("{},{:.6g},{:.6g},{:.6g}", result.passes.size(), result.mean, *fastest, *slowest);
+  for (const double percentile : result.percentiles) text += fmt::format(",{:.6g}", percentile);
+  if (result.contestant.may_be_wrong()) return text + ",,,";
+  return text + fmt::format(",{},{},{}", result.levels.filter, result.levels.bracket, result.levels.exact);
+}
+
+std::string not_asked() {
+  const std::string header = kHeader;
+  const std::string from_queries = header.substr(header.find(",queries,") + 1);
+  std::string text(1, '0');
+  text.append(static_cast<std::size_t>(std::count(from_queries.begin(), from_queries.end(), ',')), ',');
+  return text;
+}
+
+}  // namespace
+
+std::string csv_text(const Report& report) {
+  const std::string origin = fmt::format("{},{},{},{},{}", io::csv_field(version()), io::csv_field(machine_name()),
+                                         io::csv_field(compiler_name()), report.size.seed, report.size.quick ? 1 : 0);
+  std::string text = kHeader;
+  for (const auto* sets : {&report.sets, &report.scales}) {
+    for (const SetResults& set : *sets) {
+      for (const Result& result : set.results) {
+        text += fmt::format("{},{},{},{},{},{},{},{},{}\n", origin, set.set.name, kind_name(set.set.kind), set.exponent,
+                            result.contestant.name, result.contestant.tolerance_text(),
+                            tolerance_measures(result.contestant), set.set.queries.size(),
+                            result.asked > 0 ? numbers(result) : not_asked());
+      }
+    }
+  }
+  return text;
+}
+
+}  // namespace touchstone::report

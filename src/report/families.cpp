@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "report/families.hpp"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "generators/candidates.hpp"
+#include "generators/random.hpp"
+#include "generators/vectors.hpp"
+
+namespace touchstone::report {
+namespace {
+
+using generators::operator+;
+using generators::operator-;
+using generators::operator*;
+using generators::Random;
+
+constexpr std::array<Kind, 2> kKinds{Kind::edge_edge, Kind::vertex_face};
+
+QuerySet empty_set(const std::string& family, Kind kind, const std::string& about) {
+  QuerySet set;
+  set.name = family + "/" + std::string(kind_name(kind));
+  set.about = about;
+  set.kind = kind;
+  return set;
+}
+
+Vec3 random_corner(Random& random) {
+  // One statement each, so that the order of the draws is fixed.
+  Vec3 corner;
+  corner.x = random.between(-1, 1);
+  corner.y = random.between(-1, 1);
+  corner.z = random.between(-1, 1);
+  return corner;
+}
+
+Query random_query(Kind kind, Random& random) {
+  Query query;
+  query.kind = kind;
+  for (std::size_t k = 0; k < corner_count(kind); ++k) {
+    query.start[k] = random_corner(random);
+    query.end[k] = random_corner(random);
+  }
+  return query;
+}
+
+/// Just below or above `border`.
+double beside(double border, Random& random) {
+  const double distance = std::ldexp(random.between(0.5, 1), -static_cast<int>(random.below(44)) - 6);
+  return random.below(2) == 0 ? border - distance : border + distance;
+}
+
+/// A time and a weight of which at least one is near a border.
+struct Place {
+  double time;
+  double weight;
+};
+
+Place place_near_border(Random& random) {
+  const std::uint64_t sort = random.below(3);
+  Place place{random.between(0.1, 0.9), random.between(0.2, 0.8)};
+  if (sort != 0) place.time = beside(static_cast<double>(random.below(2)), random);
+  if (sort != 1) place.weight = beside(static_cast<double>(random.below(2)), random);
+  return place;
+}
+
+/// Where the point with these weights of three corners (or fewer) is at `time`; in doubles, which is near enough.
+Vec3 point_at(const Query& query, std::size_t first, const std::array<double, 3>& weights, double time) {
+  Vec3 point;
+  for (std::size_t k = 0; k < weights.size() && first + k < query.start.size(); ++k) {
+    const Vec3 corner = query.start[first + k] + time * (query.end[first + k] - query.start[first + k]);
+    point = point + weights[k] * corner;
+  }
+  return point;
+}
+
+Query near_query(Kind kind, Random& random) {
+  Query query = random_query(kind, random);
+  const Place place = place_near_border(random);
+  const double other = random.between(0.2, 0.8);
+  Vec3 shift;
+  std::size_t moved = 1;  // corners of the first element: an edge's two or the one vertex
+  if (kind == Kind::edge_edge) {
+    moved = 2;
+    shift = point_at(query, 2, {1 - other, other, 0}, place.time) -
+            point_at(query, 0, {1 - place.weight, place.weight, 0}, place.time);
+  } else {
+    const double rest = 1 - place.weight;
+    shift = point_at(query, 1, {place.weight, rest * other, rest * (1 - other)}, place.time) -
+            point_at(query, 0, {1, 0, 0}, place.time);
+  }
+  for (std::size_t k = 0; k < moved; ++k) {
+    query.start[k] = query.start[k] + shift;
+    query.end[k] = query.end[k] + shift;
+  }
+  return query;
+}
+
+}  // namespace
+
+std::vector<QuerySet> simulation_sets(std::uint64_t seed, std::size_t count, std::size_t edges, std::size_t steps) {
+  const std::string about =
+      "Candidate pairs (boxes around the whole step overlap) of the scenes cloth, sheets and "
+      "cables of touchstone generate";
+  std::vector<QuerySet> sets{empty_set("simulation", Kind::edge_edge, about),
+                             empty_set("simulation", Kind::vertex_face, about)};
+  for (const auto scene : generators::kScenes) {
+    generators::CandidateOptions options;
+    options.scene = scene;
+    options.seed = seed;
+    options.count = count;
+    options.edges = edges;
+    options.steps = steps;
+    generators::for_each_batch(options, [&](const generators::Batch& batch) {
+      auto& all = sets[batch.kind == Kind::edge_edge ? 0 : 1].queries;
+      all.insert(all.end(), batch.queries.begin(), batch.queries.end());
+    });
+  }
+  return sets;
+}
+
+std::vector<QuerySet> random_sets(std::uint64_t seed, std::size_t count) {
+  std::vector<QuerySet> sets;
+  for (const Kind kind : kKinds) {
+    Random random(generators::seed_of_part(seed, 1 + static_cast<std::uint64_t>(kind)));
+    sets.push_back(empty_set("random", kind, "Corners anywhere in a cube of side 2, at both ends of the step"));
+    for (std::size_t i = 0; i < count; ++i) sets.back().queries.push_back(random_query(kind, random));
+  }
+  return sets;
+}
+
+std::vector<QuerySet> near_sets(std::uint64_t seed, std::size_t count) {
+  std::vector<QuerySet> sets;
+  for (const Kind kind : kKinds) {
+    Random random(generators::seed_of_part(seed, 11 + static_cast<std::uint64_t>(kind)));
+    sets.push_back(empty_set("near", kind,
+                             "Near hits and near misses: the meeting lies within 2^-50 to 2^-6 of the border of an "
+                             "element or of the step, inside or outside"));
+    for (std::size_t i = 0; i < count; ++i) sets.back().queries.push_back(near_query(kind, random));
+  }
+  return sets;
+}
+
+std::vector<Query> scaled(const std::vector<Query>& queries, int exponent) {
+  std::vector<Query> result = queries;
+  for (Query& query : result) {
+    for (auto* corners : {&query.start, &query.end}) {
+      for (Vec3& corner : *corners) {
+        corner = {std::ldexp(corner.x, exponent), std::ldexp(corner.y, exponent), std::ldexp(corner.z, exponent)};
+      }
+    }
+  }
+  return result;
+}
+
+void shuffle(std::vector<Query>& queries, std::uint64_t seed) {
+  Random random(seed);
+  for (std::size_t i = queries.size(); i > 1; --i) std::swap(queries[i - 1], queries[random.below(i)]);
+}
+
+}  // namespace touchstone::report

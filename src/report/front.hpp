@@ -1,0 +1,22 @@
+// Which methods no other one beats in both error and run time.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/measure.hpp"
+
+namespace touchstone::report {
+
+/// Whether `a` is wrong no more often, its times are no farther off in the median, it takes no longer than `b`, and it
+/// is better in one of the three.
+bool dominates(const Result& a, const Result& b) noexcept;
+
+/// Of those that were asked anything; by mean time, the fastest first.
+std::vector<const Result*> front(const std::vector<Result>& results);
+
+/// One paragraph: who is on the front, and where touchstone stands.
+std::string front_sentence(const std::vector<Result>& results);
+
+}  // namespace touchstone::report

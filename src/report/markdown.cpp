@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "report/markdown.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include <touchstone/version.hpp>
+
+#include "report/front.hpp"
+#include "report/machine.hpp"
+#include "report/plots.hpp"
+
+namespace touchstone::report {
+namespace {
+
+std::string percent(double share) { return share == 0 ? "0" : fmt::format("{:.3g} %", 100 * share); }
+
+std::string ulps(std::int64_t error) {
+  if (error > -100'000 && error < 100'000) return fmt::format("{}", error);
+  return fmt::format("{:.1e}", static_cast<double>(error));
+}
+
+std::string picture(bool plots, const std::string& name, const std::string& what) {
+  return plots ? fmt::format("![{}](plots/{}.svg)\n\n", what, name) : "";
+}
+
+std::string asked_text(const Result& result, const QuerySet& set) {
+  const std::string whole = fmt::format("{}", set.queries.size());
+  return result.asked == set.queries.size() ? whole : fmt::format("{} of {}", result.asked, whole);
+}
+
+std::string error_table(const SetResults& set) {
+  std::string text =
+      "| method | tolerance | queries | mean us | missed | phantom | late | time error, median ulps | earliest | "
+      "latest "
+      "|\n|---|---|---:|---:|---:|---:|---:|---:|---:|---:|\n";
+  for (const Result& result : set.results) {
+    const Contestant& contestant = result.contestant;
+    text += fmt::format("| {} | {} | ", contestant.name, contestant.tolerance_text());
+    if (result.asked == 0) {
+      text += "not for this kind | | | | | | | |\n";
+      continue;
+    }
+    text += fmt::format("{} | {:.3g} | {} | {} | {} | ", asked_text(result, set.set), result.mean,
+                        percent(result.missed_share()), percent(result.phantom_share()), percent(result.late_share()));
+    if (const auto& error = result.time_error) {
+      text += fmt::format("{} | {} | {} |\n", ulps(error->median), ulps(error->earliest), ulps(error->latest));
+    } else {
+      text += "| | |\n";
+    }
+  }
+  return text + "\n";
+}
+
+std::string percentile_table(const SetResults& set) {
+  std::string text =
+      "Run time of single queries in us, each the shortest of several tries, the clock's own included:\n\n"
+      "| method | tolerance |";
+  for (const char* name : kPercentileNames) text += fmt::format(" {} |", name);
+  text += "\n|---|---|---:|---:|---:|---:|---:|\n";
+  for (const Result& result : set.results) {
+    if (result.asked == 0) continue;
+    text += fmt::format("| {} | {} |", result.contestant.name, result.contestant.tolerance_text());
+    for (const double percentile : result.percentiles) text += fmt::format(" {:.3g} |", percentile);
+    text += "\n";
+  }
+  return text + "\n";
+}
+
+std::string set_section(const SetResults& set, bool plots) {
+  std::string text = fmt::format("## {}\n\n{}. {} queries, {} with contact.\n\n", set.set.name, set.set.about,
+                                 set.set.queries.size(), set.set.contacts());
+  text += front_sentence(set.results) + "\n\n";
+  text += error_table(set);
+  text += picture(plots, error_plot_name(set), "Error against run time on " + set.set.name);
+  text += percentile_table(set);
+  return text + picture(plots, percentile_plot_name(set), "Run time percentiles on " + set.set.name);
+}
+
+std::string level_section(const Report& report, bool plots) {
+  std::string text =
+      "## Levels\n\nWhich level of `touchstone` decided, as shares of the queries it was asked.\n\n"
+      "| set | queries | filter | bracket | exact |\n|---|---:|---:|---:|---:|\n";
+  for (const SetResults& set : report.sets) {
+    for (const Result& result : set.results) {
+      if (!result.contestant.is_touchstone()) continue;
+      text += fmt::format("| {} | {} | {} | {} | {} |\n", set.set.name, result.asked,
+                          percent(Result::share(result.levels.filter, result.asked)),
+                          percent(Result::share(result.levels.bracket, result.asked)),
+                          percent(Result::share(result.levels.exact, result.asked)));
+    }
+  }
+  return text + "\n" + picture(plots, kLevelPlot, "Share of queries per level");
+}
+
+template <class Cell>
+std::string scale_table(const Report& report, const Cell& cell) {
+  std::string text = "| method | tolerance |", rule = "|---|---|";
+  for (const SetResults& scale : report.scales) {
+    text += fmt::format(" 2^{} |", scale.exponent);
+    rule += "---:|";
+  }
+  text += "\n" + rule + "\n";
+  for (std::size_t i = 0; i < report.scales.front().results.size(); ++i) {
+    const Contestant& contestant = report.scales.front().results[i].contestant;
+    text += fmt::format("| {} | {} |", contestant.name, contestant.tolerance_text());
+    for (const SetResults& scale : report.scales) text += fmt::format(" {} |", cell(scale.results[i], scale.set));
+    text += "\n";
+  }
+  return text + "\n";
+}
+
+std::string scale_section(const Report& report, bool plots) {
+  std::string text = "## Scale of the coordinates\n\n" + report.scales.front().set.about +
+                     ". Tolerances that are lengths stay the same length at every scale.\n\nMean us a query:\n\n";
+  text += scale_table(report, [](const Result& result, const QuerySet&) { return fmt::format("{:.3g}", result.mean); });
+  text += picture(plots, kScalePlot, "Run time against the scale of the coordinates");
+  text += "Wrong answers (missed, phantom or late), as a share of the queries asked:\n\n";
+  text += scale_table(report, [](const Result& result, const QuerySet&) { return percent(result.wrong_share()); });
+  text += "Queries asked, where there was no time for all:\n\n";
+  return text + scale_table(report, [](const Result& result, const QuerySet& set) {
+           return result.asked == set.queries.size() ? std::string() : asked_text(result, set);
+         });
+}
+
+std::string summary(const Report& report) {
+  std::size_t asked = 0, wrong = 0, on_front = 0, left_of_all = 0;
+  for (const SetResults& set : report.sets) {
+    const Result* own = nullptr;
+    for (const Result& result : set.results) {
+      if (result.contestant.is_touchstone()) own = &result;
+    }
+    asked += own->asked;
+    wrong += own->wrong();
+    const auto best = front(set.results);
+    on_front += std::find(best.begin(), best.end(), own) != best.end();
+    left_of_all += std::none_of(set.results.begin(), set.results.end(), [&](const Result& result) {
+      return result.asked > 0 && result.has_errors() && result.mean < own->mean;
+    });
+  }
+  return fmt::format(
+      "`touchstone` is wrong on {} of {} queries. It is on the front on {} of {} sets, and faster than "
+      "every method that has errors on {}.\n\n",
+      wrong, asked, on_front, report.sets.size(), left_of_all);
+}
+
+std::string methods_section(const Report& report) {
+  std::string text = "## Methods\n\n";
+  const std::string* last = nullptr;
+  for (const Contestant& contestant : report.contestants) {
+    if (last == nullptr || *last != contestant.name)
+      text += fmt::format("- `{}`: {}\n", contestant.name, contestant.about);
+    last = &contestant.name;
+  }
+  return text + "\n";
+}
+
+constexpr const char* kHowToRead =
+    "## How to read it\n\n"
+    "Every answer is judged by exact arithmetic. *Missed*: contact denied though there is one, as a share of the "
+    "contacts. *Phantom*: contact claimed though there is none, as a share of the queries without contact. *Late*: "
+    "contact claimed rightly, but the time lies after the exact one, as a share of the contacts; stepping there would "
+    "pass through. The *time error* is the number of doubles from the exact time (the greatest double that is not "
+    "after it) to the claimed one, over the contacts that are claimed: negative is early and safe, positive is late. "
+    "An answer is *wrong* when it is missed, phantom or late; a method has "
+    "*errors* when some answer is wrong or some time is not the exact one.\n\n"
+    "*Mean us* is processor time of one thread: the median of several passes over all the queries asked, in which the "
+    "methods take turns. A method that is too slow for a whole set is asked the first queries of it only (the sets are "
+    "in random order), and the table says how many: `130 of 4000`.\n\n";
+
+}  // namespace
+
+std::string markdown_text(const Report& report, bool plots) {
+  std::string text = fmt::format(
+      "# Touchstone: error against run time\n\nVersion {}, {}, {}. Made by `touchstone report --seed {}{}`.\n\n",
+      version(), machine_name(), compiler_name(), report.size.seed, report.size.quick ? " --quick" : "");
+  text += summary(report);
+  for (const std::string& remark : report.remarks) text += remark + "\n\n";
+  text += kHowToRead + methods_section(report);
+  for (const SetResults& set : report.sets) text += set_section(set, plots);
+  return text + level_section(report, plots) + scale_section(report, plots);
+}
+
+}  // namespace touchstone::report

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "report/measure.hpp"
+
+#include <time.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace touchstone::report {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Processor time of this thread in seconds: what other programs do on the machine does not count.
+double processor_seconds() {
+  timespec now{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+std::array<double, 5> percentiles(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  constexpr std::array<double, 5> kShares{0.5, 0.9, 0.99, 0.999, 1};
+  std::array<double, 5> result{};
+  for (std::size_t i = 0; i < kShares.size(); ++i) {
+    // The least value that so many are no greater than.
+    const double rank = std::ceil(kShares[i] * static_cast<double>(values.size()));
+    result[i] = values[std::max<std::size_t>(1, static_cast<std::size_t>(rank)) - 1];
+  }
+  return result;
+}
+
+void count(const Reply& reply, const Answer& truth, Result& result, std::vector<std::int64_t>& errors) {
+  result.contacts += truth.contact;
+  switch (judge(reply.claim, truth)) {
+    case Verdict::missed: ++result.missed; break;
+    case Verdict::phantom: ++result.phantom; break;
+    case Verdict::late: ++result.late; break;
+    case Verdict::holds: break;
+  }
+  if (truth.contact && reply.claim.toi) errors.push_back(signed_ulps(*reply.claim.toi, truth.toi));
+  if (result.contestant.may_be_wrong()) return;
+  switch (reply.level) {
+    case Level::filter: ++result.levels.filter; break;
+    case Level::bracket: ++result.levels.bracket; break;
+    case Level::exact: ++result.levels.exact; break;
+    case Level::oracle: ++result.levels.oracle; break;
+  }
+}
+
+/// Asks queries one by one until the budget is spent, judges the replies, and gives each query's microseconds.
+std::vector<double> first_round(const QuerySet& set, double budget, Result& result) {
+  std::vector<double> microseconds;
+  std::vector<std::int64_t> errors;
+  const auto begin = Clock::now();
+  for (std::size_t i = 0; i < set.queries.size(); ++i) {
+    const auto start = Clock::now();
+    const Reply reply = ask(result.contestant, set.queries[i]);
+    microseconds.push_back(1e6 * seconds_since(start));
+    count(reply, set.truth[i], result, errors);
+    if (seconds_since(begin) > budget) break;
+  }
+  result.asked = microseconds.size();
+  result.time_error = time_error(std::move(errors));
+  return microseconds;
+}
+
+void another_round(const QuerySet& set, const Result& result, std::vector<double>& microseconds) {
+  for (std::size_t i = 0; i < result.asked; ++i) {
+    const auto start = Clock::now();
+    ask(result.contestant, set.queries[i]);
+    microseconds[i] = std::min(microseconds[i], 1e6 * seconds_since(start));
+  }
+}
+
+/// Mean microseconds a query.
+double pass(const QuerySet& set, const Result& result, double least) {
+  std::size_t rounds = 0;
+  double taken = 0;
+  const double start = processor_seconds();
+  do {
+    ask_all(result.contestant, set.queries, result.asked);
+    ++rounds;
+    taken = processor_seconds() - start;
+  } while (taken < least);
+  return 1e6 * taken / static_cast<double>(rounds * result.asked);
+}
+
+}  // namespace
+
+SetResults measure(QuerySet set, const std::vector<Contestant>& contestants, const Effort& effort, const Pulse& pulse) {
+  set.truth.clear();
+  for (const Query& query : set.queries) {
+    if (set.truth.size() % 1024 == 0) pulse();
+    set.truth.push_back(solve(query, Method::exact));
+  }
+  SetResults all;
+  std::vector<std::vector<double>> singles;
+  for (const Contestant& contestant : contestants) {
+    pulse();
+    Result& result = all.results.emplace_back();
+    result.contestant = contestant;
+    singles.emplace_back();
+    if (contestant.supports(set.kind)) singles.back() = first_round(set, effort.budget, result);
+  }
+  for (int round = 0; round < std::max(effort.passes, effort.tries - 1); ++round) {
+    for (std::size_t i = 0; i < all.results.size(); ++i) {
+      Result& result = all.results[i];
+      if (result.asked == 0) continue;
+      pulse();
+      if (round < effort.passes) result.passes.push_back(pass(set, result, effort.least_pass));
+      if (round < effort.tries - 1) another_round(set, result, singles[i]);
+    }
+  }
+  for (std::size_t i = 0; i < all.results.size(); ++i) {
+    if (all.results[i].asked == 0) continue;
+    all.results[i].mean = median(all.results[i].passes);
+    all.results[i].percentiles = percentiles(std::move(singles[i]));
+  }
+  all.set = std::move(set);
+  return all;
+}
+
+}  // namespace touchstone::report

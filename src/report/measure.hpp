@@ -1,0 +1,70 @@
+// One query set, every contestant: how often each is wrong and how long it takes.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <touchstone/solve.hpp>
+
+#include "report/contestant.hpp"
+#include "report/query_set.hpp"
+#include "report/time_error.hpp"
+
+namespace touchstone::report {
+
+inline constexpr std::array<const char*, 5> kPercentileNames{"50 %", "90 %", "99 %", "99.9 %", "slowest"};
+
+/// What one contestant did on one set. Every number is about the first `asked` queries of the set.
+struct Result {
+  Contestant contestant;
+  std::size_t asked = 0;  ///< 0: it does not take this kind, and the rest means nothing
+  std::size_t contacts = 0;
+  std::size_t missed = 0;
+  std::size_t phantom = 0;
+  std::size_t late = 0;
+  std::optional<TimeError> time_error;
+  std::vector<double> passes;           ///< mean microseconds a query, of each pass
+  double mean = 0;                      ///< the median of the passes
+  std::array<double, 5> percentiles{};  ///< microseconds of single queries
+  LevelCounts levels;                   ///< of touchstone and exact_only
+
+  std::size_t wrong() const noexcept { return missed + phantom + late; }
+  bool has_errors() const noexcept { return wrong() > 0 || (time_error && time_error->greatest_size > 0); }
+  double wrong_share() const noexcept { return share(wrong(), asked); }
+  double missed_share() const noexcept { return share(missed, contacts); }
+  double phantom_share() const noexcept { return share(phantom, asked - contacts); }
+  double late_share() const noexcept { return share(late, contacts); }
+
+  /// 0 of a whole that is empty: there was nothing to get wrong.
+  static double share(std::size_t part, std::size_t whole) noexcept {
+    return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+  }
+};
+
+struct SetResults {
+  QuerySet set;
+  int exponent = 0;             ///< of the scale that the coordinates were multiplied by
+  std::vector<Result> results;  ///< one for each contestant, in their order
+};
+
+struct Effort {
+  double budget = 0.2;  ///< seconds that one contestant may take for one pass over a set; it is asked fewer queries
+                        ///< when that is not enough, one at least
+  int passes = 5;
+  double least_pass = 0.005;  ///< seconds; queries are asked again and again for so long
+  int tries = 3;              ///< of each single query, the shortest of which counts; that drops interrupts
+};
+
+/// Called again and again; may throw to end it all.
+using Pulse = std::function<void()>;
+
+/// Fills in `set.truth` by Method::exact and measures. Contestants take turns pass by pass, so that a machine that
+/// gets slower or busy does so for all of them.
+SetResults measure(QuerySet set, const std::vector<Contestant>& contestants, const Effort& effort, const Pulse& pulse);
+
+}  // namespace touchstone::report

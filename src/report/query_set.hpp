@@ -1,0 +1,28 @@
+// What the methods are asked: queries of one kind, in an order without meaning, and their exact answers.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <touchstone/answer.hpp>
+#include <touchstone/query.hpp>
+
+namespace touchstone::report {
+
+struct QuerySet {
+  std::string name;   ///< "simulation/edge-edge": lower-case letters, digits, '-' and '/'; files are named after it
+  std::string about;  ///< one sentence without its full stop: where the queries come from
+  Kind kind = Kind::edge_edge;
+  std::vector<Query> queries;
+  std::vector<Answer> truth;  ///< by Method::exact, one for each query
+
+  std::size_t contacts() const noexcept {
+    std::size_t count = 0;
+    for (const Answer& answer : truth) count += answer.contact;
+    return count;
+  }
+};
+
+}  // namespace touchstone::report

@@ -1,0 +1,45 @@
+// Error against run time of every method: a folder with tables, numbers and plots.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "report/measure.hpp"
+
+namespace touchstone::report {
+
+/// How much is measured.
+struct Size {
+  bool quick = false;
+  std::uint64_t seed = 1;
+};
+
+/// All that is in a report.
+struct Report {
+  Size size;
+  std::vector<Contestant> contestants;
+  std::vector<SetResults> sets;
+  std::vector<SetResults> scales;    ///< one set at several scales, ascending; contestants at usual tolerances
+  std::vector<std::string> remarks;  ///< of what was left out of the sets, whole sentences
+};
+
+/// Called with what is being done and which share of all is done, again and again; may throw to end it.
+using Progress = std::function<void(std::string_view what, double share)>;
+
+/// At most so many queries of one of the `given` sets are used.
+std::size_t most_given(const Size& size) noexcept;
+
+/// Measures the simulation-like sets, the random and the near ones, `given` ones (their truth need not be filled in),
+/// and the scales. Takes minutes, or some seconds when quick.
+Report make_report(const Size& size, std::vector<QuerySet> given, const Progress& progress);
+
+/// Writes report.md, report.csv and plots/NAME.gp into `folder`, and draws plots/NAME.svg and plots/NAME.png.
+/// @returns a line for the user when there is no gnuplot to draw with, or else nothing
+/// @throws FileError when something cannot be written, or gnuplot fails
+std::string write_report(const Report& report, const std::string& folder, const Progress& progress);
+
+}  // namespace touchstone::report
