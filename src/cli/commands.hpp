@@ -60,6 +60,7 @@ using Command = std::function<int()>;
 void add_solve(CLI::App& program, Command& command);
 void add_certify(CLI::App& program, Command& command);
 void add_explain(CLI::App& program, Command& command);
+void add_report(CLI::App& program, Command& command);
 
 void add_kind_option(CLI::App& subcommand, std::optional<Kind>& kind);
 void add_query_options(CLI::App& subcommand, QueryOptions& options);

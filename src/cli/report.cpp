@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "report/report.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "cli/commands.hpp"
+#include "cli/inputs.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/new_folders.hpp"
+#include "cli/words.hpp"
+#include "io/output_file.hpp"
+#include "io/query_parser.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+struct ReportOptions {
+  report::Size size;
+  std::string out;
+  std::vector<std::string> files;
+  std::optional<Kind> kind;
+};
+
+/// What was found in query files, one set a kind; evenly thinned, so that memory does not grow with the files.
+struct GivenQueries {
+  std::vector<report::QuerySet> sets;
+  std::uint64_t not_doubles = 0;
+};
+
+class Thinned {
+ public:
+  explicit Thinned(std::size_t most) : most_(most) {}
+
+  void add(const Query& query) {
+    if (seen_++ % stride_ != 0) return;
+    queries_.push_back(query);
+    if (queries_.size() <= most_) return;
+    for (std::size_t i = 0; 2 * i < queries_.size(); ++i) queries_[i] = queries_[2 * i];
+    queries_.resize((queries_.size() + 1) / 2);
+    stride_ *= 2;
+  }
+
+  std::uint64_t seen() const noexcept { return seen_; }
+  std::uint64_t stride() const noexcept { return stride_; }
+  std::vector<Query> take() { return std::move(queries_); }
+
+ private:
+  std::size_t most_;
+  std::uint64_t seen_ = 0;
+  std::uint64_t stride_ = 1;
+  std::vector<Query> queries_;
+};
+
+GivenQueries read_queries(const std::string& source, const std::string& about, const std::vector<Input>& inputs,
+                          std::size_t most) {
+  GivenQueries given;
+  std::array<Thinned, 4> by_kind{Thinned(most), Thinned(most), Thinned(most), Thinned(most)};
+  QueryStream stream(inputs, io::kChunkBytes);
+  QueryItem item;
+  while (stream.next(item)) {
+    throw_if_interrupted();
+    io::QueryParser parser(item.chunk);
+    io::QueryRecord record;
+    while (parser.next(record)) {
+      if (const auto* const query = std::get_if<Query>(&record.query)) {
+        by_kind[static_cast<std::size_t>(query->kind)].add(*query);
+      } else {
+        ++given.not_doubles;
+      }
+    }
+  }
+  for (const Kind kind : {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point}) {
+    Thinned& queries = by_kind[static_cast<std::size_t>(kind)];
+    if (queries.seen() == 0) continue;
+    report::QuerySet set;
+    set.name = source + "/" + std::string(kind_name(kind));
+    set.about = about;
+    if (queries.stride() > 1) {
+      set.about += fmt::format("; one in {} of their {}", queries.stride(), counted(queries.seen(), "query"));
+    }
+    set.kind = kind;
+    set.queries = queries.take();
+    given.sets.push_back(std::move(set));
+  }
+  return given;
+}
+
+/// A line on standard error, only when that is a terminal.
+class ReportProgress {
+ public:
+  ~ReportProgress() {
+    if (drawn_) fmt::print(stderr, "\r\033[K");
+  }
+
+  void operator()(std::string_view what, double share) {
+    throw_if_interrupted();
+    constexpr auto kPause = std::chrono::milliseconds(100);
+    const auto now = std::chrono::steady_clock::now();
+    if (!visible_ || now - last_ < kPause) return;
+    last_ = now;
+    drawn_ = true;
+    fmt::print(stderr, "\r\033[K{:3.0f} %  {}", 100 * share, what);
+    std::fflush(stderr);
+  }
+
+ private:
+  const bool visible_ = ::isatty(STDERR_FILENO) == 1;
+  bool drawn_ = false;
+  std::chrono::steady_clock::time_point last_{};
+};
+
+int run_report(const ReportOptions& options) {
+  NewFolders folders;
+  folders.make(std::filesystem::path(options.out) / "plots");
+  // What cannot be written is found out before minutes are spent, not after.
+  io::OutputFile((std::filesystem::path(options.out) / "report.md").string());
+
+  ReportProgress draw;
+  const auto progress = [&draw](std::string_view what, double share) { draw(what, share); };
+  const std::size_t most = report::most_given(options.size);
+  std::vector<report::QuerySet> sets;
+  std::vector<std::string> remarks;
+  const auto append = [&](const std::string& source, const std::string& about, const std::vector<Input>& inputs) {
+    GivenQueries given = read_queries(source, about, inputs, most);
+    std::move(given.sets.begin(), given.sets.end(), std::back_inserter(sets));
+    if (given.not_doubles == 0) return;
+    remarks.push_back(
+        fmt::format("Of the {} queries, {} not in the sets: their coordinates are fractions that doubles "
+                    "do not hold, which only `touchstone` takes.",
+                    source, given.not_doubles == 1 ? "1 is" : grouped(given.not_doubles) + " are"));
+  };
+  append("bundled", "The hand-made, mostly degenerate queries that are bundled with the program", bundled_inputs());
+  append("files", counted(options.files.size(), "file") + " named on the command line",
+         find_inputs(options.files, options.kind));
+
+  report::Report made = report::make_report(options.size, std::move(sets), progress);
+  made.remarks = std::move(remarks);
+  const std::string hint = report::write_report(made, options.out, progress);
+  folders.keep();
+  if (!hint.empty()) fmt::print(stderr, "touchstone: {}\n", hint);
+
+  auto console = io::OutputFile::standard_output();
+  console.write((std::filesystem::path(options.out) / "report.md").string() + "\n");
+  console.commit();
+  return kAllHold;
+}
+
+}  // namespace
+
+void add_report(CLI::App& program, Command& command) {
+  const auto options = std::make_shared<ReportOptions>();
+  CLI::App* const subcommand =
+      program.add_subcommand("report", "Compare error and run time of every method: tables and plots");
+  subcommand->add_option("FILE", options->files, "Query files to ask as well, as the sets files/KIND")->type_name("");
+  add_kind_option(*subcommand, options->kind);
+  subcommand->add_option("--out", options->out, "The folder to write into; it is made when it is not there")
+      ->required()
+      ->type_name("FOLDER");
+  subcommand->add_flag("--quick", options->size.quick, "A few queries of everything: some seconds, and rough numbers");
+  subcommand->add_option("--seed", options->size.seed, "Another seed, other generated queries (default: 1)")
+      ->type_name("N")
+      ->check([](const std::string& text) {
+        const bool number =
+            !text.empty() && text.size() < 19 && text.find_first_not_of("0123456789") == std::string::npos;
+        return number ? std::string() : text + " must be a whole number from 0 to 999999999999999999";
+      });
+  subcommand->footer(
+      "Asks every method simulation-like candidates, the bundled queries, the given files, random and nearly touching\n"
+      "elements: the paper's closed form, a careful one, Newton, inclusion, conservative advancement (at several "
+      "tolerances\n"
+      "where they have one), exact arithmetic alone, and touchstone. Exact arithmetic judges. Writes\n"
+      "  FOLDER/report.md    tables: errors, mean run time, percentiles, levels, scales, and who is on the front\n"
+      "  FOLDER/report.csv   every number, with version, machine and compiler\n"
+      "  FOLDER/plots/       NAME.svg, NAME.png, and NAME.gp that drew them\n"
+      "in about two minutes. Plots need gnuplot at run time: gnuplot-nox on Debian and Ubuntu, gnuplot on Fedora "
+      "and\n"
+      "Arch. Without it the scripts are there to be drawn later.\n\n"
+      "Examples\n"
+      "  touchstone report --out report\n"
+      "  touchstone report --quick --out report data/*/edge-edge/*.csv\n\n"
+      "Exit status: 0 done, 2 bad usage, bad input or a file that cannot be written.");
+  subcommand->callback([options, &command] { command = [options] { return run_report(*options); }; });
+}
+
+}  // namespace touchstone::cli

@@ -1,0 +1,189 @@
+// `touchstone report --quick`: a whole folder whose numbers fit together, or a clear error.
+// SPDX-License-Identifier: MIT
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "baselines/baseline.hpp"
+#include "cli/run_program.hpp"
+#include "report/gnuplot.hpp"
+#include "support/catch.hpp"
+
+using namespace touchstone;
+using namespace touchstone::tests;
+
+namespace {
+
+using Row = std::map<std::string, std::string>;
+
+/// The rows of a CSV text, by column name. Quotes guard commas; the report writes no line ends into fields.
+std::vector<std::string> fields_of(const std::string& line) {
+  std::vector<std::string> fields(1);
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '"') {
+      quoted = !quoted;
+    } else if (c == ',' && !quoted) {
+      fields.emplace_back();
+    } else {
+      fields.back() += c;
+    }
+  }
+  return fields;
+}
+
+std::vector<Row> rows_of(const std::string& text) {
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line);
+  const auto names = fields_of(line);
+  std::vector<Row> rows;
+  while (std::getline(lines, line)) {
+    const auto fields = fields_of(line);
+    CAPTURE(line);
+    REQUIRE(fields.size() == names.size());
+    Row row;
+    for (std::size_t i = 0; i < names.size(); ++i) row[names[i]] = fields[i];
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+long number(const Row& row, const std::string& column) { return std::strtol(row.at(column).c_str(), nullptr, 10); }
+
+/// PATH is another one for its lifetime.
+class OtherPath {
+ public:
+  explicit OtherPath(const std::string& path) : saved_(std::getenv("PATH")) { ::setenv("PATH", path.c_str(), 1); }
+  ~OtherPath() { ::setenv("PATH", saved_.c_str(), 1); }
+  OtherPath(const OtherPath&) = delete;
+  OtherPath& operator=(const OtherPath&) = delete;
+
+ private:
+  std::string saved_;
+};
+
+void check_rows(const std::vector<Row>& rows, const std::set<std::string>& expected_sets) {
+  std::map<std::string, std::size_t> sizes;  // by set and scale
+  std::map<std::string, long> wrong;         // by method
+  std::set<std::string> sets;
+  for (const Row& row : rows) {
+    CAPTURE(row.at("set"), row.at("scale_exponent"), row.at("method"), row.at("tolerance"));
+    ++sizes[row.at("set") + " " + row.at("scale_exponent")];
+    sets.insert(row.at("set"));
+    CHECK_FALSE(row.at("version").empty());
+    CHECK_FALSE(row.at("machine").empty());
+    CHECK_FALSE(row.at("compiler").empty());
+    const long queries = number(row, "queries");
+    CHECK(queries <= number(row, "set_queries"));
+    if (queries == 0) {
+      CHECK(row.at("method") == "paper");  // of all the methods it alone does not take every kind
+      CHECK(row.at("mean_us").empty());
+      continue;
+    }
+    const long errors = number(row, "missed") + number(row, "phantom") + number(row, "late");
+    CHECK(errors <= queries);
+    CHECK(std::stod(row.at("mean_us")) > 0);
+    CHECK(std::stod(row.at("p50_us")) <= std::stod(row.at("slowest_us")));
+    wrong[row.at("method")] += errors;
+    if (row.at("method") != "touchstone") continue;
+    CHECK(errors == 0);
+    CHECK(number(row, "level_filter") + number(row, "level_bracket") + number(row, "level_exact") == queries);
+    if (number(row, "times_compared") > 0) CHECK(row.at("ulps_greatest_magnitude") == "0");
+  }
+  CHECK(sets == expected_sets);
+  std::size_t per_set = 2, per_scale = 2;  // exact_only and touchstone
+  for (const auto& method : baselines::methods()) {
+    per_set += method.has_tolerance() ? 3 : 1;
+    ++per_scale;
+    CAPTURE(method.name);
+    CHECK(wrong[std::string(method.name)] > 0);
+  }
+  CHECK(wrong["exact_only"] == 0);
+  for (const auto& [name, size] : sizes) {
+    CAPTURE(name);
+    CHECK(size == (name.rfind("scale/", 0) == 0 ? per_scale : per_set));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a quick report is a whole folder, and touchstone is never wrong in it") {
+  const TemporaryFolder folder;
+  const std::string out = folder.path("a/report");
+  const std::string file = folder.write("point-point/own.csv",  // never touch: a set without any time to compare
+                                        "0,1,0,1,0,1,0\n0,1,0,1,1,1,0\n0,1,0,1,0,1,0\n0,1,0,1,2,1,0\n");
+  const Run run = run_program({"report", "--quick", "--out", out, file});
+  CAPTURE(run.err);
+  REQUIRE(run.status == 0);
+  CHECK(run.out == out + "/report.md\n");
+
+  std::set<std::string> sets = {"files/point-point", "scale/edge-edge"};
+  for (const char* kind : {"edge-edge", "vertex-face"}) {
+    for (const char* family : {"simulation", "bundled", "random", "near"})
+      sets.insert(std::string(family) + "/" + kind);
+  }
+  sets.insert({"bundled/point-edge", "bundled/point-point"});
+  check_rows(rows_of(folder.read("a/report/report.csv")), sets);
+
+  const std::string text = folder.read("a/report/report.md");
+  CHECK(occurrences(text, "On the front") == sets.size() - 1);  // every set, but not the scales
+  CHECK(occurrences(text, "`touchstone` is wrong on 0 of ") == 1);
+  CHECK(occurrences(text, "coordinates are fractions") == 1);
+
+  const bool drawn = report::find_gnuplot().has_value();
+  CHECK(occurrences(text, ".svg)") == (drawn ? 2 * (sets.size() - 1) + 2 : 0));
+  CHECK(occurrences(run.err, "gnuplot") == (drawn ? 0 : 1));
+  std::set<std::string> plots = {"levels", "scale"};
+  for (std::string name : sets) {
+    name[name.find('/')] = '-';
+    if (name == "scale-edge-edge") continue;
+    plots.insert("error-" + name);
+    plots.insert("percentiles-" + name);
+  }
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(out + "/plots")) files += entry.is_regular_file();
+  CHECK(files == plots.size() * (drawn ? 3 : 1));
+  for (const auto& name : plots) {
+    CAPTURE(name);
+    CHECK(occurrences(folder.read("a/report/plots/" + name + ".gp"), "plot $") >= 2);
+    if (!drawn) continue;
+    CHECK(folder.read("a/report/plots/" + name + ".png").substr(1, 3) == "PNG");
+    CHECK(occurrences(folder.read("a/report/plots/" + name + ".svg"), "</svg>") == 1);
+  }
+}
+
+TEST_CASE("without gnuplot the scripts are there, one line says what to install, and all is well") {
+  const TemporaryFolder folder;
+  const OtherPath path(folder.path("nowhere"));
+  CHECK_FALSE(report::find_gnuplot());
+  const Run run = run_program({"report", "--quick", "--out", folder.path("report")});
+  CHECK(run.status == 0);
+  CHECK(occurrences(run.err, "gnuplot-nox") == 1);
+  CHECK(occurrences(run.err, "\n") == 1);
+  CHECK(occurrences(folder.read("report/report.md"), ".svg)") == 0);
+  CHECK(folder.read("report/plots/scale.gp") != "");
+  CHECK_FALSE(std::filesystem::exists(folder.path("report/plots/scale.svg")));
+}
+
+TEST_CASE("a report that cannot be made ends with status 2, at once, and leaves nothing behind") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("file", "mine");
+  for (const std::string& out : {file, file + "/below"}) {
+    const Run run = run_program({"report", "--quick", "--out", out});
+    CHECK(run.status == 2);
+    CHECK(occurrences(run.err, "no folder can be made here") == 1);
+  }
+  CHECK(folder.read("file") == "mine");
+  CHECK(run_program({"report"}).status == 2);
+  CHECK(run_program({"report", "--quick", "--seed", "-1", "--out", folder.path("r")}).status == 2);
+  const Run missing = run_program({"report", "--quick", "--out", folder.path("r"), folder.path("edge-edge/none.csv")});
+  CHECK(missing.status == 2);
+  CHECK(occurrences(missing.err, "none.csv") == 1);
+  CHECK(folder.names() == std::set<std::string>{"file"});
+}
