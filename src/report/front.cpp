@@ -59,7 +59,9 @@ std::string front_sentence(const std::vector<Result>& results) {
   std::vector<std::string> faster, beaten_by;
   for (const Result& result : results) {
     if (dominates(result, *own)) beaten_by.push_back(described(result));
-    if (result.asked > 0 && result.has_errors() && result.mean < own->mean) faster.push_back(described(result));
+    if (result.asked > 0 && result.has_errors() && result.mean < own->mean) {
+      faster.push_back(fmt::format("`{}`", result.contestant.label()));
+    }
   }
   if (!beaten_by.empty()) return text + fmt::format("`touchstone` is dominated by {}.", listed(beaten_by));
   if (faster.empty()) return text + "`touchstone` is faster than every method that has errors.";

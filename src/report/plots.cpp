@@ -33,7 +33,7 @@ Plot percentile_plot(const SetResults& set) {
     text += fmt::format("{}'{}{}' {}", i == 0 ? "" : ", ", kPercentileNames[i], percent ? "%" : "", i);
   }
   text +=
-      ")\nset grid xtics ytics lc rgb '#E4E4E4' lt 1\nset key outside right center Left reverse samplen 2 width -4\n";
+      ")\nset grid xtics ytics lc rgb '#E4E4E4' lt 1\nset key outside right center Left reverse samplen 2 width -2\n";
   return drawn_twice(percentile_plot_name(set), 1000, 560, text + drawn + "\n");
 }
 
@@ -53,7 +53,7 @@ Plot scale_plot(const Report& report) {
   text += "set title 'Run time against the scale of the coordinates'\nset logscale y\nset format y '%g'\n";
   text += "set ylabel 'mean run time [us per query]'\nset xlabel 'coordinates times 2 to the power of'\n";
   text += "set xtics -900, 300, 900\nset mxtics 3\nset xrange [-960:960]\n";
-  text += "set grid xtics ytics lc rgb '#E4E4E4' lt 1\nset key outside right center Left reverse samplen 2 width -4\n";
+  text += "set grid xtics ytics lc rgb '#E4E4E4' lt 1\nset key outside right center Left reverse samplen 2 width -2\n";
   return drawn_twice(kScalePlot, 1000, 560, text + drawn + "\n");
 }
 

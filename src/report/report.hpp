@@ -39,7 +39,7 @@ Report make_report(const Size& size, std::vector<QuerySet> given, const Progress
 
 /// Writes report.md, report.csv and plots/NAME.gp into `folder`, and draws plots/NAME.svg and plots/NAME.png.
 /// @returns a line for the user when there is no gnuplot to draw with, or else nothing
-/// @throws FileError when something cannot be written, or gnuplot fails
+/// @throws Error when something cannot be written, or gnuplot fails
 std::string write_report(const Report& report, const std::string& folder, const Progress& progress);
 
 }  // namespace touchstone::report

@@ -62,5 +62,5 @@ TEST_CASE("a time that is early is an error too, though the answer holds") {
   CHECK(front(results).size() == 2);
   const std::string sentence = front_sentence(results);
   CAPTURE(sentence);
-  CHECK(contains(sentence, "Faster than `touchstone`, with errors: `early` (never wrong, times 5 ulps off, 1 us)"));
+  CHECK(contains(sentence, "Faster than `touchstone`, with errors: `early`."));
 }
