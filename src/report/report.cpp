@@ -35,8 +35,8 @@ struct Amounts {
 };
 
 Amounts amounts(bool quick) {
-  if (quick) return {300, 1000, 4, 200, 300, 60, {0.01, 3, 0.0002, 2}, {0.003, 3, 0.0002, 1}};
-  return {6000, 4000, 20, 4000, 4000, 1000, {0.3, 7, 0.01, 3}, {0.1, 5, 0.01, 1}};
+  if (quick) return {300, 1000, 4, 200, 300, 60, {0.01, 3, 0.0002, 2}, {0.003, 3, 0.0002, 2}};
+  return {6000, 4000, 20, 4000, 4000, 1000, {0.3, 7, 0.01, 3}, {0.1, 5, 0.01, 3}};
 }
 
 std::vector<QuerySet> scale_sets(std::uint64_t seed, std::size_t count) {
