@@ -98,6 +98,11 @@ void OutputFile::commit() {
   if (!temporary_.empty() && ::fsync(descriptor_) != 0) fail(name_, "cannot be written: " + system_reason(errno));
   if (::close(std::exchange(descriptor_, -1)) != 0) fail(name_, "cannot be written: " + system_reason(errno));
   if (temporary_.empty()) return;
+  // Once more right before it counts: for root a rename would put a plain file in the place of a device.
+  struct stat status {};
+  if (::stat(target_.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
+    fail(name_, "has become something else than a file; it is left alone");
+  }
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(name_, "cannot be written: " + system_reason(errno));
   temporary_.clear();
 }

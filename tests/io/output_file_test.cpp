@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/output_file.hpp"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -95,22 +96,51 @@ TEST_CASE("places where no file can be are refused") {
 }
 
 TEST_CASE("a full disk is an error, and a device is not replaced") {
-  if (!std::filesystem::is_character_file("/dev/full")) {
-    WARN("there is no /dev/full here: skipped");
+  const TemporaryFolder folder;
+  const auto device = folder.full_device();
+  if (!device) {
+    WARN("no device can be made here (that needs root): skipped");
     return;
   }
-  const std::string full = "/dev/full: cannot be written: No space left on device";
-  CHECK(error_of([] {
-          io::OutputFile out("/dev/full");
+  const std::string full = *device + ": cannot be written: No space left on device";
+  CHECK(error_of([&] {
+          io::OutputFile out(*device);
           out.write("x");
           out.commit();
         }) == full);
-  CHECK(error_of([] { io::OutputFile("/dev/full").write(std::string(1 << 20, 'x')); }) == full);
-  CHECK(std::filesystem::is_character_file("/dev/full"));
-  io::OutputFile null("/dev/null");
-  null.write("x");
-  null.commit();
-  CHECK(std::filesystem::is_character_file("/dev/null"));
+  CHECK(error_of([&] { io::OutputFile(*device).write(std::string(1 << 20, 'x')); }) == full);
+  CHECK(std::filesystem::is_character_file(*device));
+  CHECK(folder.names() == Names{"full"});
+}
+
+TEST_CASE("a pipe is written straight away and not replaced") {
+  const TemporaryFolder folder;
+  const std::string pipe = folder.path("pipe");
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  REQUIRE(reader >= 0);
+  io::OutputFile out(pipe);
+  out.write("through");
+  out.commit();
+  char got[16] = {};
+  CHECK(::read(reader, got, sizeof got) == 7);
+  CHECK(std::string(got) == "through");
+  ::close(reader);
+  CHECK(std::filesystem::is_fifo(pipe));
+  CHECK(folder.names() == Names{"pipe"});
+}
+
+TEST_CASE("a target that turns into something else meanwhile is left alone") {
+  const TemporaryFolder folder;
+  const std::string target = folder.path("a.csv");
+  CHECK(error_of([&] {
+          io::OutputFile out(target);
+          out.write("x");
+          REQUIRE(::mkfifo(target.c_str(), 0600) == 0);
+          out.commit();
+        }) == target + ": has become something else than a file; it is left alone");
+  CHECK(std::filesystem::is_fifo(target));
+  CHECK(folder.names() == Names{"a.csv"});
 }
 
 TEST_CASE("a spool file gives back what went in and is never seen") {

@@ -2,12 +2,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
+#ifdef __linux__
+#include <sys/sysmacros.h>
+#endif
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -44,6 +50,22 @@ class TemporaryFolder {
     std::ifstream file(path_ / name, std::ios::binary);
     if (!file) throw std::runtime_error("cannot read " + path(name));
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  }
+
+  /// A device in this folder that is always full, or nothing where none can be made (only root can, and not on every
+  /// file system). Tests hand the program this one and never /dev/full: run as root, the very bug that they look for
+  /// would replace the machine's own.
+  std::optional<std::string> full_device() const {
+#ifdef __linux__
+    const std::string device = path("full");
+    if (::mknod(device.c_str(), S_IFCHR | 0600, makedev(1, 7)) != 0) return std::nullopt;
+    const int descriptor = ::open(device.c_str(), O_WRONLY);
+    if (descriptor < 0) return std::nullopt;
+    ::close(descriptor);
+    return device;
+#else
+    return std::nullopt;
+#endif
   }
 
   /// The names of all that lies directly in it.
