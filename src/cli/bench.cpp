@@ -68,8 +68,8 @@ BenchResult result_of(Entry& entry, const std::vector<double>& seconds) {
 std::vector<BenchResult> measured(std::vector<Entry>& entries, const BenchOptions& options) {
   if (::isatty(STDERR_FILENO) == 1) {
     const double passes = static_cast<double>(entries.size()) * options.repetitions;
-    fmt::print(stderr, "measuring {} for {:.0f} s or more\n", counted(entries.size(), "entry"),
-               passes * options.min_time);
+    print_error(fmt::format("measuring {} for {:.0f} s or more\n", counted(entries.size(), "entry"),
+               passes * options.min_time));
   }
   std::vector<std::function<void()>> actions;
   for (Entry& entry : entries) {

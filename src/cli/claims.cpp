@@ -6,12 +6,13 @@
 #include <filesystem>
 
 #include "cli/words.hpp"
+#include "cli/interrupt.hpp"
 #include "io/fail.hpp"
 
 namespace touchstone::cli {
 
 ClaimStream::ClaimStream(const std::string& path, const std::vector<Input>& inputs, std::size_t chunk_bytes)
-    : inputs_(inputs), reader_(io::InputFile::open(path), chunk_bytes) {}
+    : inputs_(inputs), reader_(io::InputFile::open(path, throw_if_interrupted), chunk_bytes) {}
 
 void ClaimStream::read(const QueryItem& item, std::vector<Claim>& claims) {
   const Input& input = inputs_[item.input];

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "cli/queries/bundled.hpp"
+#include "cli/interrupt.hpp"
 #include "io/fail.hpp"
 #include "io/kind_of_file.hpp"
 
@@ -33,7 +34,7 @@ const BundledFile* find_bundled(const std::string& name) {
 }  // namespace
 
 io::InputFile Input::open() const {
-  return bundled ? io::InputFile::from_memory(name, content) : io::InputFile::open(name);
+  return bundled ? io::InputFile::from_memory(name, content) : io::InputFile::open(name, throw_if_interrupted);
 }
 
 std::vector<Input> find_inputs(const std::vector<std::string>& names, std::optional<Kind> kind) {

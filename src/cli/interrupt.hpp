@@ -14,6 +14,9 @@ struct Interrupted : std::exception {
 /// From now on SIGINT, SIGTERM and SIGHUP are noted, and a write to a closed pipe is an error rather than a signal.
 void watch_for_signals();
 
+/// Gives standard streams that the caller has closed a descriptor that nothing can be written to.
+void occupy_closed_descriptors();
+
 /// @throws Interrupted
 void throw_if_interrupted();
 

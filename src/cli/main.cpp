@@ -4,6 +4,7 @@
 
 int main(int argc, char** argv) {
   using namespace touchstone::cli;
+  occupy_closed_descriptors();
   watch_for_signals();
   try {
     return run_program(argc, argv);

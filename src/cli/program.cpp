@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "cli/words.hpp"
 #include "cli/program.hpp"
 
 #include <fmt/format.h>
@@ -28,7 +29,7 @@ void print(const std::string& text) {
 }
 
 int complain(const std::string& line) {
-  fmt::print(stderr, "{}\n", line);
+  print_error(line + '\n');
   return kBadInput;
 }
 

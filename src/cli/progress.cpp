@@ -20,7 +20,7 @@ Progress::Progress(const std::vector<Input>& inputs) : visible_(::isatty(STDERR_
 }
 
 Progress::~Progress() {
-  if (drawn_) fmt::print(stderr, "\r\033[K");
+  if (drawn_) print_error("\r\033[K");
 }
 
 void Progress::add(std::size_t bytes, std::uint64_t queries) {
@@ -51,7 +51,7 @@ void Progress::draw() const {
     line = fmt::format("{:.0f} MB, ", static_cast<double>(bytes_) / kMegabyte);
   }
   const auto rate = static_cast<std::uint64_t>(static_cast<double>(queries_) / elapsed);
-  fmt::print(stderr, "\r{}{} queries, {} a second\033[K", line, grouped(queries_), grouped(rate));
+  print_error(fmt::format("\r{}{} queries, {} a second\033[K", line, grouped(queries_), grouped(rate)));
   std::fflush(stderr);
 }
 

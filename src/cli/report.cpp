@@ -98,7 +98,7 @@ GivenQueries read_queries(const std::string& source, const std::string& about, c
 class ReportProgress {
  public:
   ~ReportProgress() {
-    if (drawn_) fmt::print(stderr, "\r\033[K");
+    if (drawn_) print_error("\r\033[K");
   }
 
   void operator()(std::string_view what, double share) {
@@ -108,7 +108,7 @@ class ReportProgress {
     if (!visible_ || now - last_ < kPause) return;
     last_ = now;
     drawn_ = true;
-    fmt::print(stderr, "\r\033[K{:3.0f} %  {}", 100 * share, what);
+    print_error(fmt::format("\r\033[K{:3.0f} %  {}", 100 * share, what));
     std::fflush(stderr);
   }
 
@@ -146,7 +146,7 @@ int run_report(const ReportOptions& options) {
   made.remarks = std::move(remarks);
   const std::string hint = report::write_report(made, options.out, progress);
   folders.keep();
-  if (!hint.empty()) fmt::print(stderr, "touchstone: {}\n", hint);
+  if (!hint.empty()) print_error(fmt::format("touchstone: {}\n", hint));
 
   auto console = io::OutputFile::standard_output();
   console.write((std::filesystem::path(options.out) / "report.md").string() + "\n");

@@ -3,10 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
+
 #include "io/kind_of_file.hpp"
 #include "io/times.hpp"
 
 namespace touchstone::cli {
+
+void print_error(const std::string& text) noexcept {
+  std::fputs(text.c_str(), stderr);
+  std::fflush(stderr);
+}
 
 std::string grouped(std::uint64_t number) {
   std::string text = std::to_string(number);

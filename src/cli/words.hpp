@@ -26,6 +26,9 @@ std::string contact_for_person(const Answer& answer);
 
 std::string_view method_name(Method method) noexcept;  ///< "fast", "exact", "oracle": the values of --level
 
+/// Writes to standard error as it is; when nobody can hear it, nobody does.
+void print_error(const std::string& text) noexcept;
+
 /// `word` as one word of a POSIX shell command.
 std::string shell_word(const std::string& word);
 

@@ -21,8 +21,8 @@ constexpr double kPartBound = 120 * kUnit;
 constexpr double kValueBound = 106 * kUnit;
 
 // The derivative's Bernstein coefficients 3 b1 - 3 b0, 3 b2 - 3 b1, 3 b3 - 3 b2, at most 36 P: off by at most
-// (2 * 175 + 36) e P = 386 e P. Its value: 5 roundings of monomials that sum to at most 36 P: 180 e P more.
-constexpr double kSlopeBound = 570 * kUnit;
+// (2 * 175 + 36) e P = 386 e P. Its value: at most 6 roundings of monomials that sum to at most 36 P: 216 e P more.
+constexpr double kSlopeBound = 606 * kUnit;
 
 // Twice the difference of two of these: 2 (2 * 386 + 72) e P.
 constexpr double kCurvatureBound = 1700 * kUnit;

@@ -120,7 +120,7 @@ Decision bracket(const Query& query, const Frame& frame, const std::array<double
     if (where.side == Side::outside) continue;
     if (where.side == Side::unknown) return Decision::uncertain;
     const bool inside = where.side == Side::inside;
-    if (want == Want::contact_only && inside && root.t + root.radius <= t_max) return Decision::contact;
+    if (want == Want::contact_only && inside && root.t + root.radius < t_max) return Decision::contact;
     switch (refine_root(query, cubic, root, {m.u, m.w, m.r, where.axis}, inside, t_max, exact_sign, answer)) {
       case RootVerdict::contact: return Decision::contact;
       case RootVerdict::outside: continue;

@@ -98,12 +98,13 @@ std::optional<Offset> offset_of(const BernsteinCubic& cubic, const BernsteinCubi
 }
 
 /// The sign of a component at the root; 0 when uncertain. With M the product of its vectors' bounds (or the sum of such
-/// products): its double-double value is off by 540 e^2 M (and 100 more for a difference); its slope, at most 8 M, by
-/// 48 e M times the offset; its second derivative is at most 16 M, so 8 M reach^2; the offset's error weighs 8 M; and the
-/// last two operations round.
+/// products): its double-double value is off by 540 e^2 M (and 100 more for a difference). Its slope, at most 8 M, sums 4
+/// products of a dropped low part or a rounded factor each, at most (4 + 20 + 2) e M, and 4 roundings of at most 4 M: with
+/// the two last operations 136 e M, times the offset. Its second derivative is at most 16 M, so 8 M reach^2; the offset's
+/// error weighs 8 M.
 int sign_at_root(const Component& component, const Offset& offset, double m) noexcept {
   const double value = rounded(component.value) + component.slope * offset.value;
-  const double bound = m * (800 * kUnitSquared + 64 * kUnit * std::fabs(offset.value) + 8.25 * offset.reach * offset.reach +
+  const double bound = m * (800 * kUnitSquared + 140 * kUnit * std::fabs(offset.value) + 8.25 * offset.reach * offset.reach +
                             8.25 * offset.error) +
                        4 * kUnit * std::fabs(value);
   return value > bound ? 1 : value < -bound ? -1 : 0;

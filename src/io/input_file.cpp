@@ -20,10 +20,14 @@ void refuse_folder(const std::string& path, const struct stat& status) {
 
 }  // namespace
 
-InputFile InputFile::open(const std::string& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+InputFile InputFile::open(const std::string& path, Checkpoint checkpoint) {
+  int descriptor = -1;
+  do {
+    if (checkpoint != nullptr) checkpoint();
+    descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);  // waits for a pipe's writer
+  } while (descriptor < 0 && errno == EINTR);
   if (descriptor < 0) fail(path, "cannot be opened: " + system_reason(errno));
-  InputFile file(path, descriptor, {});
+  InputFile file(path, descriptor, {}, checkpoint);
   struct stat status {};
   if (::fstat(descriptor, &status) == 0) refuse_folder(path, status);
 #ifdef POSIX_FADV_SEQUENTIAL
@@ -32,7 +36,9 @@ InputFile InputFile::open(const std::string& path) {
   return file;
 }
 
-InputFile InputFile::from_memory(std::string name, std::string_view content) { return {std::move(name), -1, content}; }
+InputFile InputFile::from_memory(std::string name, std::string_view content) {
+  return {std::move(name), -1, content, nullptr};
+}
 
 std::optional<std::uint64_t> InputFile::check(const std::string& path) {
   struct stat status {};
@@ -51,6 +57,7 @@ std::size_t InputFile::read(char* to, std::size_t capacity) {
     return count;
   }
   for (;;) {
+    if (checkpoint_ != nullptr) checkpoint_();
     const ssize_t count = ::read(descriptor_, to, capacity);
     if (count >= 0) return static_cast<std::size_t>(count);
     if (errno != EINTR) fail(name_, "cannot be read: " + system_reason(errno));
@@ -58,12 +65,16 @@ std::size_t InputFile::read(char* to, std::size_t capacity) {
 }
 
 InputFile::InputFile(InputFile&& other) noexcept
-    : name_(std::move(other.name_)), descriptor_(std::exchange(other.descriptor_, -1)), content_(other.content_) {}
+    : name_(std::move(other.name_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      content_(other.content_),
+      checkpoint_(other.checkpoint_) {}
 
 InputFile& InputFile::operator=(InputFile&& other) noexcept {
   std::swap(name_, other.name_);
   std::swap(descriptor_, other.descriptor_);
   std::swap(content_, other.content_);
+  std::swap(checkpoint_, other.checkpoint_);
   return *this;
 }
 

@@ -12,8 +12,11 @@ namespace touchstone::io {
 
 class InputFile {
  public:
+  /// Called before every read, and again when a signal breaks one off; throws to give up.
+  using Checkpoint = void (*)();
+
   /// Opens a file, pipe or device for reading. @throws FileError when there is none, or it is a folder
-  static InputFile open(const std::string& path);
+  static InputFile open(const std::string& path, Checkpoint checkpoint = nullptr);
 
   /// Reads `content`, which must outlive the result, as if it were a file called `name`.
   static InputFile from_memory(std::string name, std::string_view content);
@@ -35,12 +38,13 @@ class InputFile {
   ~InputFile();
 
  private:
-  InputFile(std::string name, int descriptor, std::string_view content)
-      : name_(std::move(name)), descriptor_(descriptor), content_(content) {}
+  InputFile(std::string name, int descriptor, std::string_view content, Checkpoint checkpoint)
+      : name_(std::move(name)), descriptor_(descriptor), content_(content), checkpoint_(checkpoint) {}
 
   std::string name_;
   int descriptor_;  ///< -1: reads content_
   std::string_view content_;
+  Checkpoint checkpoint_;
 };
 
 }  // namespace touchstone::io

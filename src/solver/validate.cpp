@@ -2,7 +2,9 @@
 #include "solver/validate.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <string>
 
 #include "numbers/fraction.hpp"
@@ -29,18 +31,20 @@ std::string shortened(const std::string& text) {
   return text.size() <= kShown ? text : text.substr(0, kShown) + "...";
 }
 
-}  // namespace
-
-void validate_t_max(double t_max) {
-  if (is_time(t_max)) return;
-  throw InvalidQuery("t_max is " + number(t_max) + "; it must be in [0, 1]");
+/// Whether all coordinates of `count` corners are finite: x - x is +0 for those and a NaN for the others.
+bool all_finite(const Vec3* corners, std::size_t count) noexcept {
+  std::uint64_t differences = 0;
+  const double* x = &corners->x;
+  for (std::size_t i = 0; i < 3 * count; ++i) {
+    const double difference = x[i] - x[i];
+    std::uint64_t bits;
+    std::memcpy(&bits, &difference, sizeof bits);
+    differences |= bits;
+  }
+  return differences == 0;
 }
 
-void validate_finite_time(double time) {
-  if (!std::isfinite(time)) throw InvalidQuery("the time is " + number(time) + "; it must be finite");
-}
-
-void throw_not_finite(Kind kind, const Vec3* start, const Vec3* end) {
+[[noreturn]] void throw_not_finite(Kind kind, const Vec3* start, const Vec3* end) {
   for (int side = 0; side < 2; ++side) {
     const Vec3* corners = side == 0 ? start : end;
     for (std::size_t i = 0; i < corner_count(kind); ++i) {
@@ -52,6 +56,25 @@ void throw_not_finite(Kind kind, const Vec3* start, const Vec3* end) {
     }
   }
   throw InvalidQuery("a coordinate is not finite");
+}
+
+}  // namespace
+
+void validate_t_max(double t_max) {
+  if (is_time(t_max)) return;
+  throw InvalidQuery("t_max is " + number(t_max) + "; it must be in [0, 1]");
+}
+
+void validate_finite_time(double time) {
+  if (!std::isfinite(time)) throw InvalidQuery("the time is " + number(time) + "; it must be finite");
+}
+
+void validate(Kind kind, const Vec3* start, const Vec3* end, double t_max) {
+  validate_t_max(t_max);
+  const std::size_t count = corner_count(kind);
+  const bool finite = count == 4 ? all_finite(start, 4) && all_finite(end, 4)
+                                 : all_finite(start, count) && all_finite(end, count);
+  if (!finite) throw_not_finite(kind, start, end);
 }
 
 void validate(const RationalQuery& query, double t_max) {
