@@ -1,5 +1,9 @@
 // Damaged input through the program: status 2, one line with file and row, and no file under the final name.
 // SPDX-License-Identifier: MIT
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -86,6 +90,23 @@ TEST_CASE("an interrupted run ends by the signal and leaves no output behind") {
   for (int i = 0; i < 20; ++i) arguments.push_back(queries);  // minutes of work
   const Run run = run_program(arguments, options);
   CHECK(run.status == 128 + SIGINT);
+  CHECK(folder.names() == Names{"point-point"});
+}
+
+TEST_CASE("an interrupt ends a run that waits for a pipe") {
+  const TemporaryFolder folder;
+  folder.write("point-point/a.csv", two_point_queries());
+  const std::string pipe = folder.path("point-point/pipe");
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  RunOptions options;
+  options.interrupt_after = 0.3;
+  const Run opening = run_program({"solve", "--out", folder.path("out.csv"), pipe}, options);  // nobody ever writes
+  CHECK(opening.status == 128 + SIGINT);
+  const int writer = ::open(pipe.c_str(), O_RDWR);  // somebody might
+  REQUIRE(writer >= 0);
+  const Run reading = run_program({"certify", "--threads", "1", pipe}, options);
+  CHECK(reading.status == 128 + SIGINT);
+  ::close(writer);
   CHECK(folder.names() == Names{"point-point"});
 }
 
