@@ -120,9 +120,9 @@ void check_contact_times(Group group, std::size_t count) {
   if (!chosen_case()) {
     std::printf("seed %llu: %zu sets of times; %zu intervals, %zu instants, %zu sets of several\n",
                 static_cast<unsigned long long>(kSeed), report.checked(), intervals, instants, several);
-    CHECK(intervals > 0);
     CHECK(instants > 0);
-    CHECK(several > 0);
+    if (group == Group::coplanar) CHECK(intervals > 0);
+    if (group != Group::scale) CHECK(several > 0);
   }
   report.finish();
 }
