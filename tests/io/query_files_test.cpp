@@ -165,6 +165,17 @@ TEST_CASE("any fraction is read as the double that it is, or as the rational tha
   CHECK(rationals > 5000);
 }
 
+TEST_CASE("minus zero in a file is plain zero, on the fast path and beside it") {
+  for (const char* numerator : {"-0", " -0", "-000"}) {
+    CAPTURE(numerator);
+    const ReadFile file = read_queries(query_with(numerator, "4"), Kind::point_point, io::kChunkBytes);
+    REQUIRE(file.error == "");
+    const double x = std::get<Query>(file.queries.at(0).query).start[0].x;
+    CHECK(x == 0);
+    CHECK_FALSE(std::signbit(x));
+  }
+}
+
 TEST_CASE("a row of the usual sort takes the fast path, and what is not such a row does not") {
   const auto usual = [](std::string row) {
     row.append(16, '\0');

@@ -13,13 +13,23 @@ constexpr int kGreatestExponent = 1000;
 
 int any_exponent(Rng& rng) { return rng.between(kLeastExponent, kGreatestExponent); }
 
+// Half of the time an exponent at which products of two, three or four coordinates, or their low parts, begin to
+// underflow or overflow.
+int telling_exponent(Rng& rng) {
+  static constexpr std::array<int, 10> telling{-537, -510, -358, -340, -322, -268, -250, 250, 341, 512};
+  if (rng.one_in(2)) return any_exponent(rng);
+  const int centre = rng.pick(telling);
+  return centre + rng.between(-25, 25);
+}
+
 // A query of ordinary magnitude, most often one that touches by construction.
 Sample base(Kind kind, Rng& rng) {
-  static constexpr std::array<Family, 18> bases{
-      Family::lattice2,   Family::lattice4,         Family::planar_general, Family::moving_plane, Family::shared_corner,
-      Family::parallel,   Family::sliding,          Family::flat,           Family::prescribed,   Family::prescribed,
-      Family::at_start,   Family::at_end,           Family::grazing_merged, Family::grazing_gone, Family::near_hit,
-      Family::simulation, Family::irrational_joint, Family::layers};
+  static constexpr std::array<Family, 24> bases{
+      Family::lattice2, Family::lattice4,       Family::planar_general, Family::moving_plane, Family::shared_corner,
+      Family::parallel, Family::sliding,        Family::flat,           Family::prescribed,   Family::prescribed,
+      Family::at_start, Family::at_end,         Family::chain_joint,    Family::near_hit,     Family::near_hit,
+      Family::near_hit, Family::grazing_merged, Family::grazing_apart,  Family::grazing_gone, Family::irrational_joint,
+      Family::layers,   Family::sliver,         Family::ulp_lattice,    Family::simulation};
   return make_sample(rng.pick(bases), kind, rng);
 }
 
@@ -43,7 +53,7 @@ Sample scaled(Sample sample, const std::array<int, 3>& exponents) {
 
 Sample uniform_scale(Kind kind, Rng& rng) {
   const Sample sample = base(kind, rng);
-  const int exponent = any_exponent(rng);
+  const int exponent = telling_exponent(rng);
   return scaled(sample, {exponent, exponent, exponent});
 }
 
