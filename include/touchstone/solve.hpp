@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -42,10 +43,23 @@ Answer solve(const RationalQuery& query, Method method = Method::fast, double t_
 /// Equal to solve(query, t_max).contact. @throws InvalidQuery as `solve` does.
 bool solve_any(const Query& query, double t_max = 1.0);
 
+/// The vectors of the processor that a batch uses: several queries are looked at in one instruction.
+enum class VectorWidth : std::uint8_t {
+  widest,    ///< the widest of the machine it runs on
+  none,      ///< one query at a time
+  bits_128,  ///< two doubles: every processor
+  bits_256,  ///< four, AVX2
+  bits_512   ///< eight, AVX-512
+};
+
+/// Whether the machine, and the library as it was built, has vectors of this width.
+bool has_vectors(VectorWidth width) noexcept;
+
 struct BatchOptions {
   double t_max = 1.0;
   Method method = Method::fast;
   int threads = 1;  ///< 1: the calling thread; 0: as many as the machine has; at most 1024. The answers are the same for any number.
+  VectorWidth vectors = VectorWidth::widest;  ///< The answers are the same for any width, bit for bit.
 };
 
 /// The answers to many queries, in input order.
@@ -54,6 +68,25 @@ std::vector<Answer> solve_batch(const std::vector<Query>& queries, const BatchOp
 
 /// The same into caller's memory: answers[i] for queries[i], 0 <= i < count. When it throws, no answer is valid.
 void solve_batch(const Query* queries, std::size_t count, Answer* answers, const BatchOptions& options = {});
+
+/// Queries of one kind as a structure of arrays: a column of doubles for each coordinate of each corner.
+struct QueryColumns {
+  Kind kind = Kind::edge_edge;
+  std::size_t count = 0;
+  /// start[i][k][q] is coordinate k (0 x, 1 y, 2 z) of corner i of query q at t = 0, 0 <= q < count; `end` at t = 1.
+  /// Corners past corner_count(kind) are never read. No alignment is needed.
+  std::array<std::array<const double*, 3>, 4> start{};
+  std::array<std::array<const double*, 3>, 4> end{};
+
+  Query operator[](std::size_t q) const noexcept;
+};
+
+/// The answers to queries in columns: those of `solve` one by one, sooner.
+/// @throws InvalidQuery  naming the index of the first query that has no meaning
+std::vector<Answer> solve_batch(const QueryColumns& queries, const BatchOptions& options = {});
+
+/// The same into caller's memory: answers[q] for query q, 0 <= q < count. When it throws, no answer is valid.
+void solve_batch(const QueryColumns& queries, Answer* answers, const BatchOptions& options = {});
 
 /// How many answers each level decided: what an array of answers cost.
 struct LevelCounts {

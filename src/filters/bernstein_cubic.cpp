@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filters/coplanarity_form.hpp"
+
 namespace touchstone::filters {
 namespace {
 
-// e = 2^-53 and P = size throughout. The given coefficients are off by at most 49 e P (b0, b3) and 175 e P (3 b1, 3 b2)
-// (see same_side.cpp), and in absolute value at most 6 P and 18 P.
-constexpr double kUnit = 0x1p-53;
+// e = kUnit and P = size throughout. The given coefficients are off by at most 49 e P (b0, b3) and 175 e P (3 b1, 3 b2)
+// (see coplanarity_form.hpp), and in absolute value at most 6 P and 18 P.
 
 // Coefficients over a part of [0, 1], by interpolating b0, b1, b2, b3 three times. 3 b1 / 3: 175 / 3 + 6 < 65 e P. An
 // interpolation (1 - x) a + x b passes each operand through at most 3 roundings, of values of at most 6 P: 18 e P a time.
@@ -77,9 +78,7 @@ BernsteinCubic::Variations BernsteinCubic::variations(double p, double q) const 
   double b[4];
   int sign[4];
   if (p == 0 && q == 1) {
-    constexpr double kEnds = 49 * kUnit;
-    constexpr double kMiddle = 175 * kUnit;
-    for (int i = 0; i < 4; ++i) sign[i] = certain_sign(c_[static_cast<std::size_t>(i)], (i % 3 == 0 ? kEnds : kMiddle) * size_);
+    for (int i = 0; i < 4; ++i) sign[i] = certain_sign(c_[static_cast<std::size_t>(i)], (i % 3 == 0 ? kEndsBound : kMiddleBound) * size_);
   } else {
     const double b1 = c_[1] / 3;
     const double b2 = c_[2] / 3;

@@ -11,16 +11,10 @@
 namespace touchstone::filters {
 namespace {
 
-constexpr double kUnit = 0x1p-53;
-
 /// Bounds on the coordinates of the frame: U, W, R of the derivations.
 struct Magnitudes {
   double u, w, r;
 };
-
-double largest(const Vector& a, const Vector& b) noexcept {
-  return std::max({std::fabs(a[0]), std::fabs(a[1]), std::fabs(a[2]), std::fabs(b[0]), std::fabs(b[1]), std::fabs(b[2])});
-}
 
 // With U, W and R between these no product of three, nor the low part of one, underflows or overflows to an effect: what
 // is lost is at most 2^-1074 per product, 2^-500 of U W and 2^-300 of U W R.

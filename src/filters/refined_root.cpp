@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "filters/coplanarity_form.hpp"
 #include "geometry/vector.hpp"
 #include "numbers/double_double.hpp"
 
@@ -15,8 +16,6 @@ using numbers::DoubleDouble;
 using numbers::rounded;
 using geometry::cross_component;
 using Precise = geometry::Vector<DoubleDouble>;
-
-constexpr double kUnit = 0x1p-53;
 
 // Errors of the double-double values below, in e^2 = 2^-106, for coordinates of u bounded by U (likewise w, r), from the
 // operators of double_double.hpp. Differences of doubles are exact, with low parts of at most e U.

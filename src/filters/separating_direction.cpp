@@ -5,19 +5,16 @@
 #include <cmath>
 #include <limits>
 
+#include "filters/coplanarity_form.hpp"
+
 namespace touchstone::filters {
 namespace {
-
-constexpr double kUnit = 0x1p-53;
 
 // A projection is a sum of 3 products d_k (x_k - o_k): each passes through one difference, one product and at most two
 // additions, so its error is at most 3 ((1 + e)^4 - 1) D M (1 + e) = 12 e D M to first order, with D and M the largest
 // absolute coordinates of the direction and of the computed differences. The rest of the constant covers second-order
 // terms, the rounding of the bound and underflow (3 * 2^-1075, below e D M / 2 when D M >= 2^-1000).
 constexpr double kProjectionBound = 13 * kUnit;
-
-constexpr double kLeastProduct = 0x1p-1000;
-constexpr double kGreatestProduct = 0x1p1000;
 
 double largest_of(const Vector& v) noexcept { return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])}); }
 

@@ -5,19 +5,20 @@
 #include <touchstone/query.hpp>
 #include <touchstone/solve.hpp>
 
+// Not inlined, and operands come from memory: no operation moves out of the caller's environment guard.
+#if defined(__GNUC__)
+#define TOUCHSTONE_BEHIND_GUARD __attribute__((noinline))
+#else
+#define TOUCHSTONE_BEHIND_GUARD
+#endif
+
 namespace touchstone::solver {
 
-/// Answers a valid query in the default floating-point environment. `query.kind` says which corners count.
-/// Not inlined, and its operands come from memory: no operation moves out of the caller's environment guard.
-#if defined(__GNUC__)
-__attribute__((noinline))
-#endif
-Answer answer(const Query& query, Method method, double t_max);
+/// Validates a query and answers it, in the default floating-point environment. `query.kind` says which corners count.
+/// @throws InvalidQuery  naming t_max or the first coordinate that is not finite
+TOUCHSTONE_BEHIND_GUARD Answer answer(const Query& query, Method method, double t_max);
 
-/// answer(query, Method::fast, t_max).contact.
-#if defined(__GNUC__)
-__attribute__((noinline))
-#endif
-bool any_contact(const Query& query, double t_max);
+/// answer(query, Method::fast, t_max).contact. @throws InvalidQuery the same
+TOUCHSTONE_BEHIND_GUARD bool any_contact(const Query& query, double t_max);
 
 }  // namespace touchstone::solver

@@ -33,7 +33,6 @@ bool in_doubles(const RationalQuery& query, Query& result) {
 
 Answer solve(const Query& query, Method method, double t_max) {
   const numbers::DefaultFloatEnvironment environment;
-  solver::validate(query.kind, query.start.data(), query.end.data(), t_max);
   return solver::answer(query, method, t_max);
 }
 
@@ -45,7 +44,6 @@ Answer solve(const PointPoint& query, double t_max) { return solve(Query(query),
 
 bool solve_any(const Query& query, double t_max) {
   const numbers::DefaultFloatEnvironment environment;
-  solver::validate(query.kind, query.start.data(), query.end.data(), t_max);
   return solver::any_contact(query, t_max);
 }
 

@@ -3,8 +3,10 @@
 #include <touchstone/error.hpp>
 #include <touchstone/solve.hpp>
 
+#include <algorithm>
 #include <string>
 
+#include "filters/same_side_columns.hpp"
 #include "numbers/float_environment.hpp"
 #include "solver/cascade.hpp"
 #include "solver/validate.hpp"
@@ -20,53 +22,126 @@ namespace touchstone {
 namespace {
 
 constexpr int kMaxThreads = 1024;
+constexpr std::size_t kBlock = 64;  // queries that a kernel is asked at a time; a few microseconds of work
 
-void validate_batch(const Query* queries, std::size_t count, const BatchOptions& options) {
+bool has_cubic(Kind kind) noexcept { return kind == Kind::edge_edge || kind == Kind::vertex_face; }
+
+void validate_options(const BatchOptions& options) {
   if (options.threads < 0 || options.threads > kMaxThreads) {
     throw InvalidQuery("threads is " + std::to_string(options.threads) + "; it must be in [0, " +
                        std::to_string(kMaxThreads) + "], 0 for as many as the machine has");
   }
+  if (!has_vectors(options.vectors)) {
+    throw InvalidQuery("this machine has no vectors of the width that is asked for; VectorWidth::widest always works");
+  }
   solver::validate_t_max(options.t_max);
-  for (std::size_t i = 0; i < count; ++i) {
-    try {
-      solver::validate(queries[i].kind, queries[i].start.data(), queries[i].end.data(), options.t_max);
-    } catch (const InvalidQuery& error) {
-      throw InvalidQuery("query " + std::to_string(i) + ": " + error.what());
-    }
+}
+
+/// Calls answer_range(first, last) until [0, count) is covered, in the default environment, on as many threads as asked for.
+template <class AnswerRange>
+void for_each_range(std::size_t count, int threads, const AnswerRange& answer_range) {
+  const auto in_environment = [&](std::size_t first, std::size_t last) {
+    const numbers::DefaultFloatEnvironment environment;  // each thread has its own
+    answer_range(first, last);
+  };
+#ifdef TOUCHSTONE_WITH_TBB
+  if (threads == 0) threads = tbb::info::default_concurrency();
+  if (threads > 1) {
+    tbb::task_arena arena(threads);
+    arena.execute([&] {
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kBlock),
+                        [&](const tbb::blocked_range<std::size_t>& range) { in_environment(range.begin(), range.end()); });
+    });
+    return;
+  }
+#else
+  static_cast<void>(threads);
+#endif
+  in_environment(0, count);
+}
+
+/// Answers [first, last), whose coordinates are in columns that begin at query `first`, where the kernel proves nothing
+/// through answer_one(i).
+template <class AnswerOne>
+void answer_columns(const filters::Columns& columns, filters::SameSideKernel kernel, std::size_t first, std::size_t last,
+                    Answer* answers, const AnswerOne& answer_one) {
+  Answer no_contact;
+  no_contact.level = Level::filter;
+  std::int64_t proved[kBlock];
+  for (std::size_t begin = first; begin < last; begin += kBlock) {
+    const std::size_t size = std::min(kBlock, last - begin);
+    kernel(columns, begin, size, proved);
+    for (std::size_t i = 0; i < size; ++i) answers[begin + i] = proved[i] != 0 ? no_contact : answer_one(begin + i);
   }
 }
 
-void answer_range(const Query* queries, std::size_t first, std::size_t last, Answer* answers, const BatchOptions& options) {
-  const numbers::DefaultFloatEnvironment environment;  // each thread has its own
-  for (std::size_t i = first; i < last; ++i) answers[i] = solver::answer(queries[i], options.method, options.t_max);
+/// Answers all queries, query_at(i) being query i; answer_range as for for_each_range, and it may throw InvalidQuery.
+/// @throws InvalidQuery  naming the index of the first query that has no meaning
+template <class QueryAt, class AnswerRange>
+void answer_all(std::size_t count, const BatchOptions& options, const QueryAt& query_at, const AnswerRange& answer_range) {
+  validate_options(options);
+  try {
+    for_each_range(count, options.threads, answer_range);
+  } catch (const InvalidQuery&) {
+    const numbers::DefaultFloatEnvironment environment;
+    for (std::size_t i = 0; i < count; ++i) {
+      try {
+        const Query& query = query_at(i);
+        solver::validate(query.kind, query.start.data(), query.end.data(), options.t_max);
+      } catch (const InvalidQuery& error) {
+        throw InvalidQuery("query " + std::to_string(i) + ": " + error.what());
+      }
+    }
+    throw;
+  }
 }
 
 }  // namespace
 
+Query QueryColumns::operator[](std::size_t q) const noexcept {
+  Query query;
+  query.kind = kind;
+  for (std::size_t i = 0; i < corner_count(kind); ++i) {
+    query.start[i] = {start[i][0][q], start[i][1][q], start[i][2][q]};
+    query.end[i] = {end[i][0][q], end[i][1][q], end[i][2][q]};
+  }
+  return query;
+}
+
 void solve_batch(const Query* queries, std::size_t count, Answer* answers, const BatchOptions& options) {
-  {
-    const numbers::DefaultFloatEnvironment environment;
-    validate_batch(queries, count, options);
+  const auto query_at = [queries](std::size_t i) -> const Query& { return queries[i]; };
+  answer_all(count, options, query_at, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) answers[i] = solver::answer(queries[i], options.method, options.t_max);
+  });
+}
+
+void solve_batch(const QueryColumns& queries, Answer* answers, const BatchOptions& options) {
+  const auto query_at = [&queries](std::size_t i) { return queries[i]; };
+  const auto answer_one = [&](std::size_t i) { return solver::answer(queries[i], options.method, options.t_max); };
+  filters::Columns columns;
+  for (std::size_t i = 0; i < 4; ++i) {
+    std::copy_n(queries.start[i].begin(), 3, columns.start[i]);
+    std::copy_n(queries.end[i].begin(), 3, columns.end[i]);
   }
-#ifdef TOUCHSTONE_WITH_TBB
-  const int threads = options.threads == 0 ? tbb::info::default_concurrency() : options.threads;
-  if (threads > 1) {
-    constexpr std::size_t kGrain = 64;  // a few microseconds of work when filters decide
-    tbb::task_arena arena(threads);
-    arena.execute([&] {
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain), [&](const tbb::blocked_range<std::size_t>& range) {
-        answer_range(queries, range.begin(), range.end(), answers, options);
-      });
-    });
-    return;
-  }
-#endif
-  answer_range(queries, 0, count, answers, options);
+  const bool with_kernel = options.method == Method::fast && has_cubic(queries.kind);
+  answer_all(queries.count, options, query_at, [&](std::size_t first, std::size_t last) {
+    if (with_kernel) {
+      answer_columns(columns, filters::same_side_kernel(queries.kind, options.vectors), first, last, answers, answer_one);
+    } else {
+      for (std::size_t i = first; i < last; ++i) answers[i] = answer_one(i);
+    }
+  });
 }
 
 std::vector<Answer> solve_batch(const std::vector<Query>& queries, const BatchOptions& options) {
   std::vector<Answer> answers(queries.size());
   solve_batch(queries.data(), queries.size(), answers.data(), options);
+  return answers;
+}
+
+std::vector<Answer> solve_batch(const QueryColumns& queries, const BatchOptions& options) {
+  std::vector<Answer> answers(queries.count);
+  solve_batch(queries, answers.data(), options);
   return answers;
 }
 

@@ -1,0 +1,118 @@
+// The coplanarity cubic in Bernstein form over the step and the proof that it keeps one sign, with every bound on the
+// rounding: written once, for doubles and for vectors of doubles. Each operator must be one IEEE operation in every lane.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "geometry/vector.hpp"
+
+// These run for every query, and vectors in registers are worth more than short code.
+#if defined(__GNUC__)
+#define TOUCHSTONE_INLINE __attribute__((always_inline)) inline
+#else
+#define TOUCHSTONE_INLINE inline
+#endif
+
+namespace touchstone::filters {
+
+/// Unit roundoff of a double, 2^-53.
+constexpr double kUnit = 0x1p-53;
+
+// The error of the coefficients. Let U, W, R be the largest absolute coordinates of the computed u, w, r over both ends,
+// P = U W R, e = 2^-53. A coefficient is a sum of monomials u_i w_j r_k (signs aside); each computed monomial is the true
+// one times a product of factors (1 + d), |d| <= e, one for each rounding that it passes through:
+//   b0 = (u0 x w0) . r0: 6 monomials; 3 differences, 2 products, 1 subtraction in the cross product and 2 additions in the
+//     dot product: 8 roundings, so |error| <= 6 ((1 + e)^8 - 1) P' with P' >= |monomial|.
+//   3 b1 = (u0 x w1 + u1 x w0) . r0 + (u0 x w0) . r1: 12 monomials with 3 + 2 + 1 + 1 + 2 + 1 = 10 roundings and 6 with
+//     3 + 2 + 1 + 2 + 1 = 9: |error| <= (12 * 10 + 6 * 9) e P' = 174 e P' to first order.
+// True monomials are at most P (1 + e)^3, since a computed difference is the true one times (1 + d) (differences of
+// doubles do not underflow). So to first order the errors are 48 e P and 174 e P; what the constants have over that
+// covers the second-order terms (relative 2^-48), the rounding of the bound itself (2 products and one by the constant:
+// relative 3 e) and underflow: a product that underflows is off by at most 2^-1075, in all by 18 * 2^-1075 R +
+// 6 * 2^-1075, which is below e P / 2 when U W and U W R are at least 2^-1000.
+constexpr double kEndsBound = 49 * kUnit;
+constexpr double kMiddleBound = 175 * kUnit;
+
+// Within these the guard above holds and nothing overflows: no partial sum exceeds 18 P (1 + 2^-48).
+constexpr double kLeastProduct = 0x1p-1000;
+constexpr double kGreatestProduct = 0x1p1000;
+
+/// The three difference vectors of which V is the determinant, at both ends of the step; each coordinate is one
+/// rounded subtraction of two of the query's doubles.
+template <class N>
+struct FrameOf {
+  geometry::Vector<N> u0, w0, r0;
+  geometry::Vector<N> u1, w1, r1;
+};
+
+/// The frame of the corners that corner(side, i), i = 0 .. 3, gives at the step's start (side 0) and end (1).
+/// Edge-edge: u = a1 - a0, w = b1 - b0, r = b0 - a0. Vertex-face: u = f1 - f0, w = f2 - f0, r = v - f0.
+template <class N, class Corner>
+TOUCHSTONE_INLINE FrameOf<N> edge_edge_frame(const Corner& corner) {
+  return {corner(0, 1) - corner(0, 0), corner(0, 3) - corner(0, 2), corner(0, 2) - corner(0, 0),
+          corner(1, 1) - corner(1, 0), corner(1, 3) - corner(1, 2), corner(1, 2) - corner(1, 0)};
+}
+template <class N, class Corner>
+TOUCHSTONE_INLINE FrameOf<N> vertex_face_frame(const Corner& corner) {
+  return {corner(0, 2) - corner(0, 1), corner(0, 3) - corner(0, 1), corner(0, 0) - corner(0, 1),
+          corner(1, 2) - corner(1, 1), corner(1, 3) - corner(1, 1), corner(1, 0) - corner(1, 1)};
+}
+
+/// The Bernstein coefficients b0, 3 b1, 3 b2, b3 of V = (u x w) . r over [0, 1].
+template <class N>
+TOUCHSTONE_INLINE std::array<N, 4> coplanarity_coefficients(const FrameOf<N>& f) noexcept {
+  using geometry::cross;
+  using geometry::dot;
+  using Vector = geometry::Vector<N>;
+  const Vector n0 = cross(f.u0, f.w0);
+  const Vector n2 = cross(f.u1, f.w1);
+  const Vector c01 = cross(f.u0, f.w1);
+  const Vector c10 = cross(f.u1, f.w0);
+  const Vector n1 = {{c01[0] + c10[0], c01[1] + c10[1], c01[2] + c10[2]}};  // twice the middle coefficient of u x w
+  return {dot(n0, f.r0), dot(n1, f.r0) + dot(n0, f.r1), dot(n2, f.r0) + dot(n1, f.r1), dot(n2, f.r1)};
+}
+
+inline double magnitude(double x) noexcept { return std::fabs(x); }
+/// x, or -x where s is negative.
+inline double flipped(double x, double s) noexcept { return x * std::copysign(1.0, s); }
+inline double larger(double a, double b) noexcept { return a > b ? a : b; }
+
+/// The largest absolute coordinate of both, where no coordinate is NaN.
+template <class N>
+TOUCHSTONE_INLINE N largest(const geometry::Vector<N>& a, const geometry::Vector<N>& b) noexcept {
+  return larger(larger(larger(magnitude(a[0]), magnitude(b[0])), larger(magnitude(a[1]), magnitude(b[1]))),
+                larger(magnitude(a[2]), magnitude(b[2])));
+}
+
+/// Bounds on the absolute errors of the coefficients: `ends` for b0 and b3, `middle` for 3 b1 and 3 b2. They say
+/// something only where `valid`: elsewhere a product may underflow or overflow.
+template <class N>
+struct CoefficientBounds {
+  N ends;
+  N middle;
+  decltype(N() > N()) valid;  ///< a bool, or a vector of them
+};
+
+template <class N>
+TOUCHSTONE_INLINE CoefficientBounds<N> coplanarity_bounds(const FrameOf<N>& f) noexcept {
+  const N uw = largest(f.u0, f.u1) * largest(f.w0, f.w1);
+  const N uwr = uw * largest(f.r0, f.r1);
+  return {kEndsBound * uwr, kMiddleBound * uwr,
+          decltype(uw > uw)((uw >= kLeastProduct) & (uw <= kGreatestProduct) & (uwr >= kLeastProduct) & (uwr <= kGreatestProduct))};
+}
+
+/// Whether V certainly has one sign all over [0, 1]: its four coefficients have, and V lies in their hull.
+///
+/// Frames of coordinates that are not finite never prove it. Every coordinate of a query is in a component of the frame
+/// at its end of the step, and every component in some product of b0 or b3. If one is NaN, so is b0 or b3, and comparisons
+/// with it are false. If none is NaN and one is infinite, its vector's bound is infinite, and so U W R is infinite or NaN.
+template <class N>
+TOUCHSTONE_INLINE auto certain_same_side(const FrameOf<N>& f, const std::array<N, 4>& b) noexcept {
+  const auto [ends, middle, valid] = coplanarity_bounds(f);
+  return valid & (magnitude(b[0]) > ends) & (flipped(b[1], b[0]) > middle) & (flipped(b[2], b[0]) > middle) &
+         (flipped(b[3], b[0]) > ends);
+}
+
+}  // namespace touchstone::filters

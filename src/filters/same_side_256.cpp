@@ -1,0 +1,9 @@
+// Compiled for vectors of 256 bits; called only where the machine has them. SPDX-License-Identifier: MIT
+#include "filters/same_side_kernel.hpp"
+#include "filters/same_side_widths.hpp"
+
+namespace touchstone::filters {
+
+SameSideKernel same_side_kernel_256(Kind kind) noexcept { return kernel_for<4>(kind); }
+
+}  // namespace touchstone::filters

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "filters/same_side_columns.hpp"
+
+#include "filters/same_side_kernel.hpp"
+#include "filters/same_side_widths.hpp"
+
+namespace touchstone {
+
+bool has_vectors(VectorWidth width) noexcept {
+  switch (width) {
+    case VectorWidth::widest:
+    case VectorWidth::none:
+    case VectorWidth::bits_128: return true;
+#ifdef TOUCHSTONE_X86_VECTORS
+    case VectorWidth::bits_256: return __builtin_cpu_supports("avx2") != 0;
+    case VectorWidth::bits_512: return __builtin_cpu_supports("avx512f") != 0;
+#else
+    case VectorWidth::bits_256:
+    case VectorWidth::bits_512: break;
+#endif
+  }
+  return false;
+}
+
+namespace filters {
+
+SameSideKernel same_side_kernel(Kind kind, VectorWidth width) noexcept {
+  if (width == VectorWidth::widest) {
+    width = has_vectors(VectorWidth::bits_512)   ? VectorWidth::bits_512
+            : has_vectors(VectorWidth::bits_256) ? VectorWidth::bits_256
+                                                 : VectorWidth::bits_128;
+  }
+  if (!has_vectors(width)) return nullptr;
+#ifdef TOUCHSTONE_X86_VECTORS
+  if (width == VectorWidth::bits_512) return same_side_kernel_512(kind);
+  if (width == VectorWidth::bits_256) return same_side_kernel_256(kind);
+#endif
+  return width == VectorWidth::none ? kernel_for<1>(kind) : kernel_for<2>(kind);
+}
+
+}  // namespace filters
+}  // namespace touchstone

@@ -1,0 +1,80 @@
+// The kernel's text. Each file that includes it is compiled for other vectors, so nothing here may be shared between
+// them: the functions are local to the file, the templates of coplanarity_form.hpp are instantiated for types that only
+// that file has, and nothing of the standard library is called.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstring>
+
+#include "filters/coplanarity_form.hpp"
+#include "filters/same_side_columns.hpp"
+
+namespace touchstone::filters {
+namespace {
+
+template <int Lanes>
+struct Lane {
+  typedef double Doubles __attribute__((vector_size(8 * Lanes)));
+  typedef std::int64_t Integers __attribute__((vector_size(8 * Lanes)));
+};
+
+/// Doubles that are worked on side by side. In an unnamed namespace: a type of this file's own.
+template <int Lanes>
+struct Pack {
+  typename Lane<Lanes>::Doubles v;  // public, so that packs are aggregates
+
+  friend Pack operator+(Pack a, Pack b) { return {a.v + b.v}; }
+  friend Pack operator-(Pack a, Pack b) { return {a.v - b.v}; }
+  friend Pack operator-(Pack a) { return {-a.v}; }
+  friend Pack operator*(Pack a, Pack b) { return {a.v * b.v}; }
+  friend Pack operator*(double a, Pack b) { return {a * b.v}; }
+  friend auto operator>(Pack a, Pack b) { return a.v > b.v; }
+  friend auto operator<(Pack a, Pack b) { return a.v < b.v; }
+  friend auto operator>=(Pack a, double b) { return a.v >= b; }
+  friend auto operator<=(Pack a, double b) { return a.v <= b; }
+
+  friend Pack larger(Pack a, Pack b) { return {a.v > b.v ? a.v : b.v}; }
+  friend Pack magnitude(Pack a) { return from_bits(a.bits() & 0x7FFFFFFFFFFFFFFF); }
+  friend Pack flipped(Pack a, Pack s) { return from_bits(a.bits() ^ (s.bits() & kSignBit)); }
+
+ private:
+  static constexpr std::int64_t kSignBit = INT64_MIN;
+  typename Lane<Lanes>::Integers bits() const { return reinterpret_cast<typename Lane<Lanes>::Integers>(v); }
+  static Pack from_bits(typename Lane<Lanes>::Integers b) { return {reinterpret_cast<typename Lane<Lanes>::Doubles>(b)}; }
+};
+
+template <int Lanes, bool Edges>
+void same_side_pack(const Columns& columns, std::size_t first, std::int64_t* proved) {
+  const auto corner = [&columns, first](int side, std::size_t i) {
+    geometry::Vector<Pack<Lanes>> x;
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::memcpy(&x.c[k].v, (side == 0 ? columns.start : columns.end)[i][k] + first, sizeof x.c[k].v);
+    }
+    return x;
+  };
+  FrameOf<Pack<Lanes>> frame;
+  if constexpr (Edges) {
+    frame = edge_edge_frame<Pack<Lanes>>(corner);
+  } else {
+    frame = vertex_face_frame<Pack<Lanes>>(corner);
+  }
+  const auto mask = certain_same_side(frame, coplanarity_coefficients(frame));
+  static_assert(sizeof mask == Lanes * sizeof *proved);
+  std::memcpy(proved, &mask, sizeof mask);
+}
+
+/// Whole packs; the rest one by one.
+template <int Lanes, bool Edges>
+void same_side(const Columns& columns, std::size_t first, std::size_t count, std::int64_t* proved) {
+  std::size_t i = 0;
+  for (; i + Lanes <= count; i += Lanes) same_side_pack<Lanes, Edges>(columns, first + i, proved + i);
+  for (; i < count; ++i) same_side_pack<1, Edges>(columns, first + i, proved + i);
+}
+
+template <int Lanes>
+SameSideKernel kernel_for(Kind kind) {
+  return kind == Kind::edge_edge ? same_side<Lanes, true> : same_side<Lanes, false>;
+}
+
+}  // namespace
+}  // namespace touchstone::filters
