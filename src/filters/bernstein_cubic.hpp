@@ -13,14 +13,14 @@ class BernsteinCubic {
   /// bounds have the product `size`.
   BernsteinCubic(const std::array<double, 4>& coefficients, double size) noexcept;
 
-  /// Points 0 = split[0] < ... < split[n] = 1 between which the cubic promises to have at most one sign variation;
-  /// returns n, at most 3. Only a promise: `variations` certifies.
-  int split_points(double (&split)[4]) const noexcept;
-
   /// The sign variations of the Bernstein coefficients over [p, q], the values at both ends being certainly not zero:
   /// `one` proves exactly one root there, a simple one inside; `none` proves that there is none.
   enum class Variations : std::uint8_t { none, one, uncertain };
   Variations variations(double p, double q) const noexcept;
+
+  /// Points 0 = split[0] < ... < split[n] = 1 between which the cubic promises to have at most one sign variation, given
+  /// variations(0, 1); returns n, at most 3. Only a promise: `variations` certifies.
+  int split_points(Variations whole, double (&split)[4]) const noexcept;
 
   /// Where [p, q] has exactly one root: proves that it lies in [t - radius, t + radius], inside [p, q], where the cubic's
   /// slope keeps the sign of `slope` and is at least half of it. Certain only if so.

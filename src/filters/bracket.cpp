@@ -99,10 +99,12 @@ Decision bracket(const Query& query, const Frame& frame, const std::array<double
   if (!within_range(m)) return Decision::uncertain;
   const BernsteinCubic cubic(coefficients, m.u * m.w * m.r);
   double split[4];
-  const int segments = cubic.split_points(split);
+  const auto whole = cubic.variations(0, 1);
+  if (whole == BernsteinCubic::Variations::none) return Decision::no_contact;
+  const int segments = cubic.split_points(whole, split);
   for (int i = 0; i < segments; ++i) {
     if (split[i] > t_max) break;
-    switch (cubic.variations(split[i], split[i + 1])) {
+    switch (segments == 1 ? whole : cubic.variations(split[i], split[i + 1])) {
       case BernsteinCubic::Variations::none: continue;
       case BernsteinCubic::Variations::uncertain: return Decision::uncertain;
       case BernsteinCubic::Variations::one: break;
@@ -115,7 +117,9 @@ Decision bracket(const Query& query, const Frame& frame, const std::array<double
     if (where.side == Side::unknown) return Decision::uncertain;
     const bool inside = where.side == Side::inside;
     if (want == Want::contact_only && inside && root.t + root.radius < t_max) return Decision::contact;
-    switch (refine_root(query, cubic, root, {m.u, m.w, m.r, where.axis}, inside, t_max, exact_sign, answer)) {
+    const SimpleRoot simple = {root.t, root.radius, root.slope, cubic.slope_error(), cubic.curvature_bound()};
+    const ContactFrame contact_frame = {m.u, m.w, m.r, cubic.size(), where.axis};
+    switch (refine_root(query, simple, contact_frame, inside, t_max, exact_sign, answer)) {
       case RootVerdict::contact: return Decision::contact;
       case RootVerdict::outside: continue;
       case RootVerdict::too_late: return Decision::no_contact;

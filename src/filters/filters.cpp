@@ -9,15 +9,10 @@
 namespace touchstone::filters {
 namespace {
 
-/// Proofs that do without the cubic: first those that often succeed, then those that are only worth their time before
-/// exact arithmetic.
-Proof likely_direction(const Query& query, RelativeCorners& corners) noexcept {
-  if (boxes_disjoint(query)) return Proof::boxes;
-  corners = relative_corners(query);
-  return separates(corners, between_closest_points(corners, query.kind)) ? Proof::closest_points : Proof::none;
-}
-
-Proof other_direction(const Query& query, const RelativeCorners& corners) noexcept {
+/// A plane that separates the elements all along.
+Proof direction_proof(const Query& query) noexcept {
+  const RelativeCorners corners = relative_corners(query);
+  if (separates(corners, between_closest_points(corners, query.kind))) return Proof::closest_points;
   if (has_cubic(query.kind) && separates(corners, normal_at_mid_step(corners, query.kind))) return Proof::normal;
   return separates(corners, between_centres(corners)) ? Proof::centres : Proof::none;
 }
@@ -29,9 +24,7 @@ Proof separation_proof(const Query& query) noexcept {
     const Frame frame = frame_of(query);
     if (certain_same_side(frame, coplanarity_coefficients(frame))) return Proof::same_side;
   }
-  RelativeCorners corners;
-  const Proof proof = likely_direction(query, corners);
-  return proof != Proof::none ? proof : other_direction(query, corners);
+  return boxes_disjoint(query) ? Proof::boxes : direction_proof(query);
 }
 
 bool same_side(const Query& query, Cubic& cubic) noexcept {
@@ -44,15 +37,16 @@ bool same_side(const Query& query, Cubic& cubic) noexcept {
 Decision decide(const Query& query, const Cubic& cubic, double t_max, Want want, ExactSign exact_sign, Answer& answer) {
   answer.level = Level::filter;
   if (touch_in_shared_corner(query, t_max, answer)) return Decision::contact;
-  RelativeCorners corners;
-  if (likely_direction(query, corners) != Proof::none) return Decision::no_contact;
-  Decision decision = Decision::uncertain;
+  if (boxes_disjoint(query)) return Decision::no_contact;
   if (has_cubic(query.kind)) {
-    decision = bracket(query, cubic.frame, cubic.coefficients, t_max, want, exact_sign, answer);
-    if (decision != Decision::uncertain) answer.level = Level::bracket;
+    // Before the other proofs of separation: of what comes so far most touch, or have a root and pass beside each other.
+    const Decision decision = bracket(query, cubic.frame, cubic.coefficients, t_max, want, exact_sign, answer);
+    if (decision != Decision::uncertain) {
+      answer.level = Level::bracket;
+      return decision;
+    }
   }
-  if (decision == Decision::uncertain && other_direction(query, corners) != Proof::none) return Decision::no_contact;
-  return decision;
+  return direction_proof(query) != Proof::none ? Decision::no_contact : Decision::uncertain;
 }
 
 }  // namespace touchstone::filters

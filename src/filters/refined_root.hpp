@@ -3,18 +3,29 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include <touchstone/answer.hpp>
 #include <touchstone/query.hpp>
 
-#include "filters/bernstein_cubic.hpp"
 #include "filters/filters.hpp"
 
 namespace touchstone::filters {
 
-/// Bounds U, W, R of the coordinates of u, w, r, and the axis along which n is certainly not zero at the root.
+/// A simple root of V in plain numbers: it lies in [t - radius, t + radius], where V' keeps the sign of `slope` and is at
+/// least half of it (see BernsteinCubic::Root).
+struct SimpleRoot {
+  double t;
+  double radius;
+  double slope;        ///< V'(t), off by at most `slope_error`
+  double slope_error;
+  double curvature;    ///< bounds |V''| over [0, 1]
+};
+
+/// Bounds U, W, R of the coordinates of u, w, r, their product, and the axis along which n is certainly not zero at the root.
 struct ContactFrame {
   double u, w, r;
+  double product;
   std::size_t axis;
 };
 
@@ -26,9 +37,9 @@ enum class RootVerdict : std::uint8_t {
   uncertain   ///< a time, a side or a weight cannot be certified: a touched corner or border, for one
 };
 
-/// Decides a simple root of V, given as BernsteinCubic certifies it. `inside` says that the side conditions are known to
-/// hold; otherwise they are decided here. Asks `exact_sign` when the time is too close to a double.
-RootVerdict refine_root(const Query& query, const BernsteinCubic& cubic, const BernsteinCubic::Root& root,
-                        const ContactFrame& frame, bool inside, double t_max, ExactSign exact_sign, Answer& answer);
+/// Decides a simple root of V. `inside` says that the side conditions are known to hold; otherwise they are decided
+/// here. Asks `exact_sign` when the time is too close to a double.
+RootVerdict refine_root(const Query& query, const SimpleRoot& root, const ContactFrame& frame, bool inside, double t_max,
+                        ExactSign exact_sign, Answer& answer);
 
 }  // namespace touchstone::filters

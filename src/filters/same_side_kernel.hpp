@@ -8,40 +8,12 @@
 
 #include "filters/coplanarity_form.hpp"
 #include "filters/same_side_columns.hpp"
+#include "numbers/pack.hpp"
 
 namespace touchstone::filters {
 namespace {
 
-template <int Lanes>
-struct Lane {
-  typedef double Doubles __attribute__((vector_size(8 * Lanes)));
-  typedef std::int64_t Integers __attribute__((vector_size(8 * Lanes)));
-};
-
-/// Doubles that are worked on side by side. In an unnamed namespace: a type of this file's own.
-template <int Lanes>
-struct Pack {
-  typename Lane<Lanes>::Doubles v;  // public, so that packs are aggregates
-
-  friend Pack operator+(Pack a, Pack b) { return {a.v + b.v}; }
-  friend Pack operator-(Pack a, Pack b) { return {a.v - b.v}; }
-  friend Pack operator-(Pack a) { return {-a.v}; }
-  friend Pack operator*(Pack a, Pack b) { return {a.v * b.v}; }
-  friend Pack operator*(double a, Pack b) { return {a * b.v}; }
-  friend auto operator>(Pack a, Pack b) { return a.v > b.v; }
-  friend auto operator<(Pack a, Pack b) { return a.v < b.v; }
-  friend auto operator>=(Pack a, double b) { return a.v >= b; }
-  friend auto operator<=(Pack a, double b) { return a.v <= b; }
-
-  friend Pack larger(Pack a, Pack b) { return {a.v > b.v ? a.v : b.v}; }
-  friend Pack magnitude(Pack a) { return from_bits(a.bits() & 0x7FFFFFFFFFFFFFFF); }
-  friend Pack flipped(Pack a, Pack s) { return from_bits(a.bits() ^ (s.bits() & kSignBit)); }
-
- private:
-  static constexpr std::int64_t kSignBit = INT64_MIN;
-  typename Lane<Lanes>::Integers bits() const { return reinterpret_cast<typename Lane<Lanes>::Integers>(v); }
-  static Pack from_bits(typename Lane<Lanes>::Integers b) { return {reinterpret_cast<typename Lane<Lanes>::Doubles>(b)}; }
-};
+using numbers::Pack;
 
 template <int Lanes, bool Edges>
 void same_side_pack(const Columns& columns, std::size_t first, std::int64_t* proved) {

@@ -1,66 +1,88 @@
-// Error-free transformations and short double-double arithmetic (Dekker 1971, Knuth; see Ogita, Rump and Oishi 2005).
-// Everything assumes round to nearest, one IEEE operation per operator, and no underflow in products (see the guards of
-// the callers). No fused multiply-add, so that every machine takes the same steps.
+// Error-free transformations and short double-double arithmetic (Dekker 1971, Knuth; see Ogita, Rump and Oishi 2005), for
+// doubles and for packs of them. Everything assumes round to nearest, one IEEE operation per operator, and no underflow
+// in products (see the guards of the callers). Nothing is contracted; where a file is compiled for a processor with fused
+// multiply-add, the low part of a product, which is exact either way, comes from one. The inline namespace keeps
+// functions of such files apart from those of the others.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 namespace touchstone::numbers {
+#ifdef __FMA__
+inline namespace fused {
+inline double multiply_subtract(double a, double b, double c) noexcept { return __builtin_fma(a, b, -c); }
+#else
+inline namespace unfused {
+#endif
 
 /// An unevaluated sum high + low.
-struct DoubleDouble {
-  double high;
-  double low;
+template <class N>
+struct DoubleDoubleOf {
+  N high;
+  N low;
 };
+using DoubleDouble = DoubleDoubleOf<double>;
 
 /// a + b exactly.
-inline DoubleDouble two_sum(double a, double b) noexcept {
-  const double sum = a + b;
-  const double b_part = sum - a;
+template <class N>
+DoubleDoubleOf<N> two_sum(N a, N b) noexcept {
+  const N sum = a + b;
+  const N b_part = sum - a;
   return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
 /// a - b exactly.
-inline DoubleDouble two_difference(double a, double b) noexcept {
-  const double difference = a - b;
-  const double b_part = a - difference;
+template <class N>
+DoubleDoubleOf<N> two_difference(N a, N b) noexcept {
+  const N difference = a - b;
+  const N b_part = a - difference;
   return {difference, (a - (difference + b_part)) + (b_part - b)};
 }
 
 /// a * b exactly; |a|, |b| < 2^996 and the product either 0 or at least 2^-969.
-inline DoubleDouble two_product(double a, double b) noexcept {
+template <class N>
+DoubleDoubleOf<N> two_product(N a, N b) noexcept {
+  const N product = a * b;
+#ifdef __FMA__
+  return {product, multiply_subtract(a, b, product)};
+#else
   constexpr double kSplitter = 0x1p27 + 1;
-  const double a_scaled = kSplitter * a;
-  const double a_high = a_scaled - (a_scaled - a);
-  const double a_low = a - a_high;
-  const double b_scaled = kSplitter * b;
-  const double b_high = b_scaled - (b_scaled - b);
-  const double b_low = b - b_high;
-  const double product = a * b;
+  const N a_scaled = kSplitter * a;
+  const N a_high = a_scaled - (a_scaled - a);
+  const N a_low = a - a_high;
+  const N b_scaled = kSplitter * b;
+  const N b_high = b_scaled - (b_scaled - b);
+  const N b_low = b - b_high;
   return {product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low};
+#endif
 }
 
-// The three below do not normalise: low parts grow by the few units in the last place that the callers' bounds allow.
+// The four below do not normalise: low parts grow by the few units in the last place that the callers' bounds allow.
 
-inline DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) noexcept {
-  const DoubleDouble high = two_sum(a.high, b.high);
+template <class N>
+DoubleDoubleOf<N> operator+(const DoubleDoubleOf<N>& a, const DoubleDoubleOf<N>& b) noexcept {
+  const DoubleDoubleOf<N> high = two_sum(a.high, b.high);
   return {high.high, high.low + (a.low + b.low)};
 }
 
-inline DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) noexcept {
-  const DoubleDouble high = two_difference(a.high, b.high);
+template <class N>
+DoubleDoubleOf<N> operator-(const DoubleDoubleOf<N>& a, const DoubleDoubleOf<N>& b) noexcept {
+  const DoubleDoubleOf<N> high = two_difference(a.high, b.high);
   return {high.high, high.low + (a.low - b.low)};
 }
 
-inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) noexcept {
-  const DoubleDouble high = two_product(a.high, b.high);
+template <class N>
+DoubleDoubleOf<N> operator*(const DoubleDoubleOf<N>& a, const DoubleDoubleOf<N>& b) noexcept {
+  const DoubleDoubleOf<N> high = two_product(a.high, b.high);
   return {high.high, high.low + (a.high * b.low + a.low * b.high)};
 }
 
-inline DoubleDouble operator*(double a, const DoubleDouble& b) noexcept {
-  const DoubleDouble high = two_product(a, b.high);
+template <class N>
+DoubleDoubleOf<N> operator*(const N& a, const DoubleDoubleOf<N>& b) noexcept {
+  const DoubleDoubleOf<N> high = two_product(a, b.high);
   return {high.high, high.low + a * b.low};
 }
 
 inline double rounded(const DoubleDouble& a) noexcept { return a.high + a.low; }
 
+}  // namespace fused, unfused
 }  // namespace touchstone::numbers

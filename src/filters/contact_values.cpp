@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#include "filters/contact_values_steps.hpp"
+
+namespace touchstone::filters {
+
+ContactValues contact_values(const Vec3* start, const Vec3* end, bool edges, double t, std::size_t axis) noexcept {
+#ifdef TOUCHSTONE_X86_VECTORS
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return contact_values_fused(start, end, edges, t, axis);
+#endif
+  return contact_values_by_steps(start, end, edges, t, axis);
+}
+
+}  // namespace touchstone::filters

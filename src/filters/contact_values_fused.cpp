@@ -1,0 +1,10 @@
+// Compiled for AVX2 and fused multiply-add. SPDX-License-Identifier: MIT
+#include "filters/contact_values_steps.hpp"
+
+namespace touchstone::filters {
+
+ContactValues contact_values_fused(const Vec3* start, const Vec3* end, bool edges, double t, std::size_t axis) noexcept {
+  return contact_values_by_steps(start, end, edges, t, axis);
+}
+
+}  // namespace touchstone::filters
