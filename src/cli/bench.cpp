@@ -20,6 +20,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/words.hpp"
 #include "io/output_file.hpp"
+#include "solver/owned_columns.hpp"
 
 namespace touchstone::cli {
 namespace {
@@ -29,6 +30,7 @@ struct Entry {
   const BenchSet* set = nullptr;
   BenchMethod method = BenchMethod::floor;
   std::vector<Query> queries;
+  solver::OwnedColumns columns;  // of the same queries
   std::vector<Answer> answers;
 };
 
@@ -43,7 +45,9 @@ std::vector<Entry> chosen_entries(const std::vector<BenchSet>& sets, const std::
     if (std::none_of(kBenchMethods.begin(), kBenchMethods.end(), is_chosen)) continue;
     for (const BenchMethod method : kBenchMethods) {
       if (method != BenchMethod::floor && !is_chosen(method)) continue;
-      Entry entry{&set, method, spread(set.queries, most_queries(method)), {}};
+      std::vector<Query> queries = spread(set.queries, most_queries(method));
+      solver::OwnedColumns columns(method == BenchMethod::columns ? queries : std::vector<Query>());
+      Entry entry{&set, method, std::move(queries), std::move(columns), {}};
       entry.answers.resize(entry.queries.size());
       entries.push_back(std::move(entry));
     }
@@ -75,7 +79,7 @@ std::vector<BenchResult> measured(std::vector<Entry>& entries, const BenchOption
   for (Entry& entry : entries) {
     actions.push_back([&entry] {
       throw_if_interrupted();
-      ask_all(entry.method, entry.queries, entry.answers);
+      ask_all(entry.method, entry.queries, entry.columns.view(), entry.answers);
     });
   }
   const auto seconds = measure(actions, options.repetitions, options.min_time);
@@ -152,7 +156,7 @@ void add_bench(CLI::App& program, Command& command) {
       "(degenerate queries) or files; PART is all, hits (with contact) or misses. METHOD is floor (reads the query "
       "and\n"
       "computes the coplanarity cubic's four Bernstein coefficients, deciding nothing), touchstone (solve),\n"
-      "touchstone_batch (one thread), exact (exact arithmetic alone) or oracle (a few queries).\n\n"
+      "touchstone_batch (one thread), touchstone_columns (the same, structure of arrays), exact (exact arithmetic alone) or oracle (a few queries).\n\n"
       "Times are processor time, the median over the repetitions, which are run in random order; `x floor` is the "
       "ratio to\n"
       "the floor of the same set and run, and can be compared across machines. The slowest single query is the best "

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <chrono>
 
-#include <touchstone/solve.hpp>
-
 #include "filters/same_side.hpp"
 
 namespace touchstone::cli {
@@ -22,27 +20,15 @@ void keep(const Value& value) {
 #endif
 }
 
-filters::Vector difference(const Vec3& a, const Vec3& b) noexcept { return {{a.x - b.x, a.y - b.y, a.z - b.z}}; }
-
-/// The vectors u, w and r of the design at one end, for edge-edge and vertex-face. The kinds without a V have fewer
-/// corners, the others being zero: they pay the same.
-template <std::size_t U0, std::size_t U1, std::size_t W0, std::size_t W1, std::size_t R>
-filters::Frame frame(const Query& q) noexcept {
-  return {difference(q.start[U1], q.start[U0]), difference(q.start[W1], q.start[W0]),
-          difference(q.start[R], q.start[U0]),  difference(q.end[U1], q.end[U0]),
-          difference(q.end[W1], q.end[W0]),     difference(q.end[R], q.end[U0])};
-}
-
-void ask_floor(const Query& query) {
-  keep(filters::coplanarity_coefficients(query.kind == Kind::edge_edge ? frame<0, 1, 2, 3, 2>(query)
-                                                                       : frame<1, 2, 1, 3, 0>(query)));
-}
+/// The kinds without a V have fewer corners, the others being zero: they pay the same.
+void ask_floor(const Query& query) { keep(filters::coplanarity_coefficients(filters::frame_of(query))); }
 
 void ask(BenchMethod method, const Query& query, Answer& answer) {
   switch (method) {
     case BenchMethod::floor: ask_floor(query); return;
     case BenchMethod::touchstone:
-    case BenchMethod::batch: answer = solve(query); return;
+    case BenchMethod::batch:
+    case BenchMethod::columns: answer = solve(query); return;
     case BenchMethod::exact: answer = solve(query, Method::exact); return;
     case BenchMethod::oracle: answer = solve(query, Method::oracle); return;
   }
@@ -55,6 +41,7 @@ std::string_view bench_method_name(BenchMethod method) noexcept {
     case BenchMethod::floor: return "floor";
     case BenchMethod::touchstone: return "touchstone";
     case BenchMethod::batch: return "touchstone_batch";
+    case BenchMethod::columns: return "touchstone_columns";
     case BenchMethod::exact: return "exact";
     case BenchMethod::oracle: return "oracle";
   }
@@ -73,7 +60,8 @@ std::vector<Query> spread(const std::vector<Query>& queries, std::size_t most) {
   return some;
 }
 
-void ask_all(BenchMethod method, const std::vector<Query>& queries, std::vector<Answer>& answers) {
+void ask_all(BenchMethod method, const std::vector<Query>& queries, const QueryColumns& columns,
+             std::vector<Answer>& answers) {
   // One loop a method, so that none pays for the choice.
   switch (method) {
     case BenchMethod::floor:
@@ -83,6 +71,7 @@ void ask_all(BenchMethod method, const std::vector<Query>& queries, std::vector<
       for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = solve(queries[i]);
       break;
     case BenchMethod::batch: solve_batch(queries.data(), queries.size(), answers.data()); break;
+    case BenchMethod::columns: solve_batch(columns, answers.data()); break;
     case BenchMethod::exact:
     case BenchMethod::oracle:
       for (std::size_t i = 0; i < queries.size(); ++i) ask(method, queries[i], answers[i]);
@@ -93,7 +82,7 @@ void ask_all(BenchMethod method, const std::vector<Query>& queries, std::vector<
 
 double slowest_microseconds(BenchMethod method, const std::vector<Query>& queries) {
   using Clock = std::chrono::steady_clock;
-  if (method == BenchMethod::batch) return -1;
+  if (method == BenchMethod::batch || method == BenchMethod::columns) return -1;
   double slowest = 0;
   Answer answer;
   for (const Query& query : queries) {

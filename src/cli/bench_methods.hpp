@@ -9,6 +9,7 @@
 
 #include <touchstone/answer.hpp>
 #include <touchstone/query.hpp>
+#include <touchstone/solve.hpp>
 
 namespace touchstone::cli {
 
@@ -16,11 +17,12 @@ enum class BenchMethod : std::uint8_t {
   floor,       ///< reads the query and computes V's four Bernstein coefficients in doubles; decides nothing
   touchstone,  ///< solve
   batch,       ///< solve_batch on one thread
+  columns,     ///< the same with the coordinates in columns
   exact,       ///< solve with Method::exact
   oracle       ///< solve with Method::oracle
 };
-inline constexpr std::array<BenchMethod, 5> kBenchMethods{BenchMethod::floor, BenchMethod::touchstone,
-                                                          BenchMethod::batch, BenchMethod::exact, BenchMethod::oracle};
+inline constexpr std::array<BenchMethod, 6> kBenchMethods{BenchMethod::floor,   BenchMethod::touchstone, BenchMethod::batch,
+                                                          BenchMethod::columns, BenchMethod::exact,      BenchMethod::oracle};
 
 std::string_view bench_method_name(BenchMethod method) noexcept;  ///< "touchstone_batch" for batch
 
@@ -30,11 +32,13 @@ std::size_t most_queries(BenchMethod method) noexcept;
 /// Every n-th query, such that there are at most `most`.
 std::vector<Query> spread(const std::vector<Query>& queries, std::size_t most);
 
-/// Asks every query once. `answers` has room for them.
-void ask_all(BenchMethod method, const std::vector<Query>& queries, std::vector<Answer>& answers);
+/// Asks every query once. `columns` holds the same queries, for the method that wants them so; `answers` has room for
+/// the answers.
+void ask_all(BenchMethod method, const std::vector<Query>& queries, const QueryColumns& columns,
+             std::vector<Answer>& answers);
 
 /// Microseconds that the slowest query takes, the clock's own time included: each gets three tries and the shortest
-/// counts, which drops interrupts. Negative for batch, which has no single query.
+/// counts, which drops interrupts. Negative for batch and columns, which have no single query.
 double slowest_microseconds(BenchMethod method, const std::vector<Query>& queries);
 
 }  // namespace touchstone::cli

@@ -3,9 +3,21 @@
 
 namespace touchstone::filters {
 
+#ifdef TOUCHSTONE_X86_VECTORS
+ContactValues contact_values_fused(const Vec3* start, const Vec3* end, bool edges, double t, std::size_t axis);
+#endif
+
+ContactValuesFunction contact_values_function(bool fused) noexcept {
+  if (!fused) return contact_values_by_steps;
+#ifdef TOUCHSTONE_X86_VECTORS
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return contact_values_fused;
+#endif
+  return nullptr;
+}
+
 ContactValues contact_values(const Vec3* start, const Vec3* end, bool edges, double t, std::size_t axis) noexcept {
 #ifdef TOUCHSTONE_X86_VECTORS
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return contact_values_fused(start, end, edges, t, axis);
+  if (const auto fused = contact_values_function(true)) return fused(start, end, edges, t, axis);
 #endif
   return contact_values_by_steps(start, end, edges, t, axis);
 }

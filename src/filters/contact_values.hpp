@@ -39,7 +39,9 @@ constexpr double kComponentError = 540 * kUnitSquared;     ///< of n, f1, f2, ti
 /// The values at t, 0 <= t <= 1, of an edge-edge query (`edges`) or a vertex-face query with these corners.
 ContactValues contact_values(const Vec3* start, const Vec3* end, bool edges, double t, std::size_t axis) noexcept;
 
-/// The same, compiled for processors with fused multiply-add; called only on those.
-ContactValues contact_values_fused(const Vec3* start, const Vec3* end, bool edges, double t, std::size_t axis) noexcept;
+/// The code that it chooses from, with the same result bit for bit (but where a product's low part underflows): `fused` for
+/// processors with AVX2 and fused multiply-add, null where there is none; the other for every processor.
+using ContactValuesFunction = ContactValues (*)(const Vec3* start, const Vec3* end, bool edges, double t, std::size_t axis);
+ContactValuesFunction contact_values_function(bool fused) noexcept;
 
 }  // namespace touchstone::filters

@@ -3,7 +3,9 @@
 
 namespace touchstone::filters {
 
-ContactValues contact_values_fused(const Vec3* start, const Vec3* end, bool edges, double t, std::size_t axis) noexcept {
+ContactValues contact_values_fused(const Vec3* start, const Vec3* end, bool edges, double t, std::size_t axis);
+
+ContactValues contact_values_fused(const Vec3* start, const Vec3* end, bool edges, double t, std::size_t axis) {
   return contact_values_by_steps(start, end, edges, t, axis);
 }
 

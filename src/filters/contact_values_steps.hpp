@@ -56,7 +56,7 @@ inline Component operator-(const Component& a, const Component& b) noexcept { re
 
 inline ValueAndSlope rounded(const Component& a) noexcept { return {numbers::rounded(a.value), a.slope}; }
 
-inline ContactValues contact_values_by_steps(const Vec3* start, const Vec3* end, bool edges, double t, std::size_t k) noexcept {
+inline ContactValues contact_values_by_steps(const Vec3* start, const Vec3* end, bool edges, double t, std::size_t k) {
   const auto difference = [&](std::size_t i, std::size_t j) { return moving_difference(start, end, i, j, t); };
   const Moving u = edges ? difference(1, 0) : difference(2, 1);
   const Moving w = edges ? difference(3, 2) : difference(3, 1);

@@ -65,12 +65,11 @@ template <class N>
 TOUCHSTONE_INLINE std::array<N, 4> coplanarity_coefficients(const FrameOf<N>& f) noexcept {
   using geometry::cross;
   using geometry::dot;
-  using Vector = geometry::Vector<N>;
-  const Vector n0 = cross(f.u0, f.w0);
-  const Vector n2 = cross(f.u1, f.w1);
-  const Vector c01 = cross(f.u0, f.w1);
-  const Vector c10 = cross(f.u1, f.w0);
-  const Vector n1 = {{c01[0] + c10[0], c01[1] + c10[1], c01[2] + c10[2]}};  // twice the middle coefficient of u x w
+  const geometry::Vector<N> n0 = cross(f.u0, f.w0);
+  const geometry::Vector<N> n2 = cross(f.u1, f.w1);
+  const geometry::Vector<N> c01 = cross(f.u0, f.w1);
+  const geometry::Vector<N> c10 = cross(f.u1, f.w0);
+  const geometry::Vector<N> n1 = {{c01[0] + c10[0], c01[1] + c10[1], c01[2] + c10[2]}};  // twice the middle coefficient of u x w
   return {dot(n0, f.r0), dot(n1, f.r0) + dot(n0, f.r1), dot(n2, f.r0) + dot(n1, f.r1), dot(n2, f.r1)};
 }
 

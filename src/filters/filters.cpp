@@ -19,28 +19,25 @@ Proof direction_proof(const Query& query) noexcept {
 
 }  // namespace
 
+bool same_side(const Query& query) noexcept {
+  if (!has_cubic(query.kind)) return false;
+  const Frame frame = frame_of(query);
+  return certain_same_side(frame, coplanarity_coefficients(frame));
+}
+
 Proof separation_proof(const Query& query) noexcept {
-  if (has_cubic(query.kind)) {
-    const Frame frame = frame_of(query);
-    if (certain_same_side(frame, coplanarity_coefficients(frame))) return Proof::same_side;
-  }
+  if (same_side(query)) return Proof::same_side;
   return boxes_disjoint(query) ? Proof::boxes : direction_proof(query);
 }
 
-bool same_side(const Query& query, Cubic& cubic) noexcept {
-  if (!has_cubic(query.kind)) return false;
-  cubic.frame = frame_of(query);
-  cubic.coefficients = coplanarity_coefficients(cubic.frame);
-  return certain_same_side(cubic.frame, cubic.coefficients);
-}
-
-Decision decide(const Query& query, const Cubic& cubic, double t_max, Want want, ExactSign exact_sign, Answer& answer) {
+Decision decide(const Query& query, double t_max, Want want, ExactSign exact_sign, Answer& answer) {
   answer.level = Level::filter;
   if (touch_in_shared_corner(query, t_max, answer)) return Decision::contact;
   if (boxes_disjoint(query)) return Decision::no_contact;
   if (has_cubic(query.kind)) {
     // Before the other proofs of separation: of what comes so far most touch, or have a root and pass beside each other.
-    const Decision decision = bracket(query, cubic.frame, cubic.coefficients, t_max, want, exact_sign, answer);
+    const Frame frame = frame_of(query);  // once more: keeping it from the first test costs the many queries that it settles
+    const Decision decision = bracket(query, frame, coplanarity_coefficients(frame), t_max, want, exact_sign, answer);
     if (decision != Decision::uncertain) {
       answer.level = Level::bracket;
       return decision;

@@ -27,19 +27,13 @@ using ExactSign = int (*)(const Query& query, double t);
 /// How much of the answer is wanted.
 enum class Want : std::uint8_t { everything, contact_only };
 
-/// The coplanarity cubic of a query, for the tests that follow the first.
-struct Cubic {
-  Frame frame;
-  std::array<double, 4> coefficients;
-};
-
 /// The first test, for any coordinates, NaN and infinity included. True proves that the coordinates are finite and that
-/// there is no contact. Otherwise `cubic` holds what `decide` needs.
-bool same_side(const Query& query, Cubic& cubic) noexcept;
+/// there is no contact.
+bool same_side(const Query& query) noexcept;
 
 /// The tests after the first, for a valid query: separation and shared corners (Level::filter), then the bracket level
 /// (Level::bracket). `answer` comes in as one without contact, Answer(); it is complete when it goes out, unless the
 /// decision is uncertain or only contact is wanted.
-Decision decide(const Query& query, const Cubic& cubic, double t_max, Want want, ExactSign exact_sign, Answer& answer);
+Decision decide(const Query& query, double t_max, Want want, ExactSign exact_sign, Answer& answer);
 
 }  // namespace touchstone::filters

@@ -16,27 +16,26 @@ void validate(const Query& query, double t_max) {
 }  // namespace
 
 Answer answer(const Query& query, Method method, double t_max) {
+  Answer result;  // the one object that is returned everywhere, so that none is copied
   if (method != Method::fast) {
     validate(query, t_max);
-    return method == Method::oracle ? oracle::decide(query, t_max) : exact::decide(query, t_max);
+    result = method == Method::oracle ? oracle::decide(query, t_max) : exact::decide(query, t_max);
+    return result;
   }
-  Answer result;
   result.level = Level::filter;
-  filters::Cubic cubic;
   // Proves its query valid, too; so most coordinates are read once.
-  if (is_time(t_max) && filters::same_side(query, cubic)) return result;
+  if (is_time(t_max) && filters::same_side(query)) return result;
   validate(query, t_max);
-  const auto decision = filters::decide(query, cubic, t_max, filters::Want::everything, exact::coplanarity_sign, result);
+  const auto decision = filters::decide(query, t_max, filters::Want::everything, exact::coplanarity_sign, result);
   if (decision == filters::Decision::uncertain) result = exact::decide(query, t_max);
   return result;
 }
 
 bool any_contact(const Query& query, double t_max) {
-  filters::Cubic cubic;
-  if (is_time(t_max) && filters::same_side(query, cubic)) return false;
+  if (is_time(t_max) && filters::same_side(query)) return false;
   validate(query, t_max);
   Answer ignored;
-  switch (filters::decide(query, cubic, t_max, filters::Want::contact_only, exact::coplanarity_sign, ignored)) {
+  switch (filters::decide(query, t_max, filters::Want::contact_only, exact::coplanarity_sign, ignored)) {
     case filters::Decision::contact: return true;
     case filters::Decision::no_contact: return false;
     case filters::Decision::uncertain: break;

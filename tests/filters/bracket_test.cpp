@@ -78,7 +78,7 @@ TEST_CASE("a certified root is there, and its slope and curvature bounds hold") 
     if (sample.size == 0) continue;
     const BernsteinCubic cubic = sample.cubic();
     double points[4];
-    const int segments = cubic.split_points(points);
+    const int segments = cubic.split_points(cubic.variations(0, 1), points);
     REQUIRE(points[0] == 0);
     REQUIRE(points[segments] == 1);
     split += segments > 1;

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <limits>
+#include <string>
 #include <vector>
 
+#include <touchstone/error.hpp>
 #include <touchstone/solve.hpp>
 
+#include "solver/owned_columns.hpp"
 #include "support/answer_check.hpp"
 #include "support/report.hpp"
 
@@ -73,6 +76,86 @@ TEST_CASE("law: a batch by Method::exact is its queries one by one, for any numb
 }
 TEST_CASE("law: a batch by Method::oracle is its queries one by one, for any number of threads") {
   check_batch(mixed_batch(3), Method::oracle, 1);
+}
+
+TEST_CASE("law: a batch in columns is its queries one by one, for vectors of any width and any number of threads") {
+  Report report;
+  for (const Kind kind : kKinds) {
+    std::vector<CaseId> ids;
+    std::vector<Query> queries;
+    for_each_case(
+        kSeed, 30, [kind](const FamilyInfo&, Kind k) { return k == kind; },
+        [&](const CaseId& id) {
+          ids.push_back(id);
+          queries.push_back(make(id));
+        });
+    if (queries.empty()) continue;  // one case of another kind was chosen
+    const solver::OwnedColumns columns(queries);
+    for (const double t_max : {1.0, 0.375}) {
+      std::vector<Answer> singles;
+      for (const Query& query : queries) singles.push_back(solve(query, t_max));
+      for (const VectorWidth width : {VectorWidth::none, VectorWidth::bits_128, VectorWidth::bits_256,
+                                      VectorWidth::bits_512, VectorWidth::widest}) {
+        if (!has_vectors(width)) {
+          WARN("this machine has no vectors of width " << static_cast<int>(width) << ": left out");
+          CHECK_THROWS_AS(solve_batch(columns.view(), BatchOptions{t_max, Method::fast, 1, width}), InvalidQuery);
+          continue;
+        }
+        for (const int threads : {1, 2, 0}) {
+          const BatchOptions options{t_max, Method::fast, threads, width};
+          std::vector<Answer> answers = poisoned(queries.size() + 1);
+          solve_batch(columns.view(), answers.data(), options);
+          for (std::size_t i = 0; i < queries.size(); ++i) {
+            report.add(ids[i], queries[i], bit_difference(singles[i], answers[i], true));
+          }
+          CHECK(answers.back().weights_a[0] == -1);  // nothing past the end
+        }
+      }
+    }
+  }
+  report.finish();
+}
+
+TEST_CASE("law: columns by the exact level and the oracle, and of any length") {
+  std::vector<Query> queries;
+  for (std::uint64_t index = 0; index < 70; ++index) queries.push_back(make({Family::prescribed, Kind::edge_edge, kSeed, index}));
+  for (std::size_t count = 0; count <= queries.size(); ++count) {
+    const solver::OwnedColumns columns(std::vector<Query>(queries.begin(), queries.begin() + static_cast<long>(count)));
+    const std::vector<Answer> answers = solve_batch(columns.view());
+    REQUIRE(answers.size() == count);
+    for (std::size_t i = 0; i < count; ++i) REQUIRE(bit_difference(solve(queries[i]), answers[i], true) == "");
+  }
+  const solver::OwnedColumns columns(queries);
+  for (const Method method : {Method::exact, Method::oracle}) {
+    const std::vector<Answer> answers = solve_batch(columns.view(), BatchOptions{1.0, method, 2});
+    for (std::size_t i = 0; i < queries.size(); i += 10) {
+      CHECK(bit_difference(solve(queries[i], method), answers[i], true) == "");
+    }
+  }
+}
+
+TEST_CASE("law: a coordinate that is not finite is named in a batch of either form") {
+  std::vector<Query> queries;
+  for (std::uint64_t index = 0; index < 200; ++index) queries.push_back(make({Family::simulation, Kind::vertex_face, kSeed, index}));
+  queries[171].end[2].y = std::numeric_limits<double>::infinity();
+  queries[130].start[3].z = std::numeric_limits<double>::quiet_NaN();
+  const std::string expected = "query 130: vertex-face query: corner f2 at t = 0 has z = nan; coordinates must be finite";
+  const solver::OwnedColumns columns(queries);
+  for (const int threads : {1, 2, 8}) {
+    const BatchOptions options{1.0, Method::fast, threads};
+    for (int round = 0; round < 20; ++round) {
+      const auto message = [](const auto& ask) -> std::string {
+        try {
+          ask();
+        } catch (const InvalidQuery& error) {
+          return error.what();
+        }
+        return "nothing was thrown";
+      };
+      CHECK(message([&] { solve_batch(columns.view(), options); }) == expected);
+      CHECK(message([&] { solve_batch(queries, options); }) == expected);
+    }
+  }
 }
 
 TEST_CASE("law: a batch of any length") {

@@ -1,5 +1,6 @@
 // Extreme magnitudes: whole queries, single axes, single corners and single coordinates times powers of two.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -30,7 +31,12 @@ Sample base(Kind kind, Rng& rng) {
       Family::at_start, Family::at_end,         Family::chain_joint,    Family::near_hit,     Family::near_hit,
       Family::near_hit, Family::grazing_merged, Family::grazing_apart,  Family::grazing_gone, Family::irrational_joint,
       Family::layers,   Family::sliver,         Family::ulp_lattice,    Family::simulation};
-  return make_sample(rng.pick(bases), kind, rng);
+  for (;;) {
+    Sample sample = make_sample(rng.pick(bases), kind, rng);
+    double largest = 0;
+    for_each_coordinate(sample.query, [&](double& x) { largest = std::max(largest, std::fabs(x)); });
+    if (largest <= 0x1p8) return sample;  // else the greatest scales would overflow
+  }
 }
 
 // Each axis times its own power of two. A contact stays one unless an underflow rounds.

@@ -1,0 +1,192 @@
+// Double-double values of V and the side conditions against exact arithmetic: their bounds hold under search, and every
+// processor's code takes the same steps.
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+#include "filters/bound_search.hpp"
+#include "filters/contact_values.hpp"
+#include "filters/coplanarity_form.hpp"
+#include "numbers/exact_number.hpp"
+#include "support/catch.hpp"
+
+using namespace touchstone;
+using namespace touchstone::tests;
+using filters::ContactValues;
+using numbers::Exact;
+
+namespace {
+
+using Place = std::array<Exact, 3>;
+
+struct Input {
+  std::array<Vec3, 4> start, end;
+  double t;
+  std::size_t axis;
+
+  explicit Input(const std::vector<double>& x) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      start[i] = {x[3 * i], x[3 * i + 1], x[3 * i + 2]};
+      end[i] = {x[12 + 3 * i], x[12 + 3 * i + 1], x[12 + 3 * i + 2]};
+    }
+    int exponent;
+    t = std::fabs(std::frexp(x[24], &exponent));
+    axis = static_cast<std::size_t>(std::fabs(std::frexp(x[25], &exponent)) * 6 - 3) % 3;
+  }
+
+  ContactValues values(bool edges) const { return filters::contact_values(start.data(), end.data(), edges, t, axis); }
+
+  Place difference(std::size_t i, std::size_t j) const {
+    const auto along = [&](double Vec3::*k) {
+      const Exact from = Exact(start[i].*k) - Exact(start[j].*k);
+      const Exact to = Exact(end[i].*k) - Exact(end[j].*k);
+      return (Exact(1) - Exact(t)) * from + Exact(t) * to;
+    };
+    return {along(&Vec3::x), along(&Vec3::y), along(&Vec3::z)};
+  }
+
+  /// The largest coordinate, at either end, of the computed difference of two corners.
+  double bound(std::size_t i, std::size_t j) const {
+    double m = 0;
+    for (const auto* side : {&start, &end}) {
+      const Vec3 &a = (*side)[i], &b = (*side)[j];
+      m = std::max({m, std::fabs(a.x - b.x), std::fabs(a.y - b.y), std::fabs(a.z - b.z)});
+    }
+    return m;
+  }
+};
+
+Exact cross_at(const Place& a, const Place& b, std::size_t k) {
+  return a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+}
+
+/// |error| / bound of a value before its rounding to a double, which is taken off the error.
+double ratio(double computed, const Exact& truth, double bound) {
+  const Exact difference = Exact(computed) - truth;
+  const Exact error = difference.sign() < 0 ? -difference : difference;
+  const Exact rounding = Exact(filters::kUnit) * Exact(std::fabs(computed));
+  return error > rounding ? numbers::approximate_quotient(error - rounding, Exact(bound)) : 0.0;
+}
+
+/// |error| / bound of V (which = 0) or the worst of the components (1).
+double worst_ratio(const std::vector<double>& x, bool edges, int which) {
+  const Input in(x);
+  const auto pick = [edges](std::size_t e, std::size_t f) { return edges ? e : f; };
+  const std::size_t u_to = pick(1, 2), u_from = pick(0, 1), w_to = 3, w_from = pick(2, 1), r_to = pick(2, 0), r_from = pick(0, 1);
+  const Place u = in.difference(u_to, u_from);
+  const Place w = in.difference(w_to, w_from);
+  const Place r = in.difference(r_to, r_from);
+  const double U = in.bound(u_to, u_from);
+  const double W = in.bound(w_to, w_from);
+  const double R = in.bound(r_to, r_from);
+  if (!(std::min({U, W, R}) >= 0x1p-250 && std::max({U, W, R}) <= 0x1p250)) return std::nan("");
+  const ContactValues at = in.values(edges);
+  const Place n = {cross_at(u, w, 0), cross_at(u, w, 1), cross_at(u, w, 2)};
+  if (which == 0) return ratio(at.coplanarity, n[0] * r[0] + n[1] * r[1] + n[2] * r[2], filters::kCoplanarityError * (U * W * R));
+  const Exact f1 = cross_at(r, w, in.axis);
+  const Exact f2 = edges ? cross_at(r, u, in.axis) : cross_at(u, r, in.axis);
+  const Exact& nk = n[in.axis];
+  const double slack = 100 * filters::kUnitSquared;  // for a difference of components
+  const double k = filters::kComponentError;
+  double worst = std::max({ratio(at.normal.value, nk, k * U * W), ratio(at.first.value, f1, k * R * W), ratio(at.second.value, f2, k * R * U)});
+  if (edges) {
+    worst = std::max({worst, ratio(at.third.value, nk - f1, (k + slack) * (U * W + R * W)),
+                      ratio(at.fourth.value, nk - f2, (k + slack) * (U * W + R * U))});
+  } else {
+    worst = std::max(worst, ratio(at.third.value, nk - f1 - f2, (k + slack) * (U * W + R * W + R * U)));
+  }
+  return worst;
+}
+
+}  // namespace
+
+/// Moves corners such that r = a u + b w at all times, but for rounding, with a and b often 0 or 1: V and some of the components then
+/// nearly cancel, and what is left of them are errors.
+std::vector<double> cancelling(std::vector<double> x, bool edges) {
+  const auto share = [](double from) {
+    int exponent;
+    const double s = std::fabs(std::frexp(from, &exponent));  // in [0.5, 1)
+    return s < 0.625 ? 0.0 : s < 0.75 ? 1.0 : s;
+  };
+  const double a = share(x[24] * 3);
+  const double b = std::fabs(x[25]) < std::fabs(x[24]) ? 1 - a : share(x[25] * 3);
+  for (std::size_t side : {0u, 12u}) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      double* corner[4];
+      for (std::size_t i = 0; i < 4; ++i) corner[i] = &x[side + 3 * i + k];
+      if (edges) {
+        const double w = *corner[3];
+        *corner[2] = *corner[0] + a * (*corner[1] - *corner[0]) + b * w;
+        *corner[3] = *corner[2] + w;
+      } else {
+        *corner[0] = *corner[1] + a * (*corner[2] - *corner[1]) + b * (*corner[3] - *corner[1]);
+      }
+    }
+  }
+  return x;
+}
+
+TEST_CASE("double-double values are within their bounds at all magnitudes") {
+  for (const bool edges : {true, false}) {
+    for (const int which : {0, 1}) {
+      Rng rng(71 + static_cast<unsigned>(which));
+      BoundSearch search;
+      const auto measured = [&](const std::vector<double>& x) {
+        return std::max(worst_ratio(x, edges, which), worst_ratio(cancelling(x, edges), edges, which));
+      };
+      for (const int exponent : {0, 40, -40, 240, -200}) {
+        search_bound(search, rng, 26, exponent, 0, 2, 1500, measured);
+        search_bound(search, rng, 26, exponent, 40, 1, 400, measured);
+      }
+      std::printf("%s %s: worst observed error / bound = %.4f in %ld evaluations\n", edges ? "edge-edge" : "vertex-face",
+                  which == 0 ? "V" : "components", search.worst, search.evaluations);
+      CHECK(search.worst <= 1);
+      CHECK(search.worst > 0.001);
+    }
+  }
+}
+
+TEST_CASE("the slopes are the derivatives") {
+  Rng rng(75);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<double> x(26);
+    for (double& v : x) v = rng.unit() - 0.5;
+    Input in(x);
+    in.t = 0.25 + 0.5 * rng.unit();
+    for (const bool edges : {true, false}) {
+      constexpr double h = 0x1p-20;
+      const ContactValues at = in.values(edges);
+      in.t += h;
+      const ContactValues later = in.values(edges);
+      in.t -= h;
+      const auto close = [](const filters::ValueAndSlope& a, const filters::ValueAndSlope& b) {
+        return std::fabs((b.value - a.value) / h - a.slope) < 0x1p-14;  // second derivatives are at most 16
+      };
+      CHECK((close(at.normal, later.normal) && close(at.first, later.first) && close(at.second, later.second)));
+      CHECK((close(at.third, later.third) && close(at.fourth, later.fourth)));
+    }
+  }
+}
+
+TEST_CASE("fused and plain steps give the same bits") {
+  const auto plain_function = filters::contact_values_function(false);
+  const auto fused_function = filters::contact_values_function(true);
+  if (fused_function == nullptr) {
+    WARN("this processor, or compiler, has no fused multiply-add: nothing to compare");
+    return;
+  }
+  Rng rng(76);
+  for (int round = 0; round < 20000; ++round) {
+    std::vector<double> x(26);
+    const int exponent = rng.between(-200, 200);
+    const int spread = rng.between(0, 30);
+    for (double& v : x) v = std::ldexp(rng.unit() - 0.5, exponent - rng.between(0, spread));
+    const Input in(x);
+    const bool edges = rng.one_in(2);
+    const ContactValues plain = plain_function(in.start.data(), in.end.data(), edges, in.t, in.axis);
+    const ContactValues fused = fused_function(in.start.data(), in.end.data(), edges, in.t, in.axis);
+    REQUIRE(std::memcmp(&plain, &fused, sizeof plain) == 0);
+  }
+}
