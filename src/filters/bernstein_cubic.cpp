@@ -10,7 +10,9 @@ namespace touchstone::filters {
 namespace {
 
 // e = kUnit and P = size throughout. The given coefficients are off by at most 49 e P (b0, b3) and 175 e P (3 b1, 3 b2)
-// (see coplanarity_form.hpp), and in absolute value at most 6 P and 18 P.
+// (see coplanarity_form.hpp), and in absolute value at most 6 P and 18 P. For t in [-m, 1 + m], m = kMargin = 2^-20, |s| + |t| is
+// at most 1 + 2 m, and sums weighted by products of three of s and t grow by less than 1 + 2^-17: each constant has more
+// slack than that.
 
 // Coefficients over a part of [0, 1], by interpolating b0, b1, b2, b3 three times. 3 b1 / 3: 175 / 3 + 6 < 65 e P. An
 // interpolation (1 - x) a + x b passes each operand through at most 3 roundings, of values of at most 6 P: 18 e P a time.
@@ -37,7 +39,8 @@ int certain_sign(double value, double bound) noexcept { return value > bound ? 1
 
 BernsteinCubic::BernsteinCubic(const std::array<double, 4>& c, double size) noexcept
     : c_(c), size_(size), d0_(c[1] - 3 * c[0]), d1_(c[2] - c[1]), d2_(3 * c[3] - c[2]) {
-  curvature_ = 2 * std::max(std::fabs(d1_ - d0_), std::fabs(d2_ - d1_)) + kCurvatureBound * size;
+  // Linear in t between twice these differences, and beyond by at most 2 m times more.
+  curvature_ = (1 + 0x1p-18) * (2 * std::max(std::fabs(d1_ - d0_), std::fabs(d2_ - d1_))) + kCurvatureBound * size;
 }
 
 double BernsteinCubic::slope_error() const noexcept { return kSlopeBound * size_; }
@@ -52,25 +55,23 @@ double BernsteinCubic::slope(double t) const noexcept {
   return (d0_ * s + 2 * d1_ * t) * s + d2_ * t * t;
 }
 
-int BernsteinCubic::split_points(Variations whole, double (&split)[4]) const noexcept {
-  split[0] = 0;
+int BernsteinCubic::split_points(double low, double high, double (&split)[4]) const noexcept {
+  split[0] = low;
   int count = 1;
-  if (whole == Variations::uncertain) {
-    // The critical points: roots of d0 s^2 + 2 d1 s t + d2 t^2.
-    const double a = d0_ - 2 * d1_ + d2_;
-    const double half_b = d1_ - d0_;
-    const double discriminant = half_b * half_b - a * d0_;
-    if (discriminant > 0) {
-      const double q = -(half_b + std::copysign(std::sqrt(discriminant), half_b));
-      double critical[2] = {q / a, d0_ / q};
-      if (critical[1] < critical[0]) std::swap(critical[0], critical[1]);
-      for (const double t : critical) {
-        if (t > split[count - 1] && t < 1) split[count++] = t;
-      }
+  // The critical points: roots of d0 s^2 + 2 d1 s t + d2 t^2.
+  const double a = d0_ - 2 * d1_ + d2_;
+  const double half_b = d1_ - d0_;
+  const double discriminant = half_b * half_b - a * d0_;
+  if (discriminant > 0) {
+    const double q = -(half_b + std::copysign(std::sqrt(discriminant), half_b));
+    double critical[2] = {q / a, d0_ / q};
+    if (critical[1] < critical[0]) std::swap(critical[0], critical[1]);
+    for (const double t : critical) {
+      if (t > split[count - 1] && t < high) split[count++] = t;
     }
-    if (count == 1) split[count++] = 0.5;  // monotone, but too curved for the coefficients to show it
   }
-  split[count] = 1;
+  if (count == 1) split[count++] = 0.5;  // monotone, but too curved for the coefficients to show it
+  split[count] = high;
   return count;
 }
 

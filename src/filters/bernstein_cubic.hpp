@@ -1,4 +1,5 @@
-// A cubic over [0, 1] known up to rounding errors: certified sign variations, and one root certified to an interval.
+// A cubic over [0, 1], and a little beyond, known up to rounding errors: certified sign variations, and one root certified
+// to an interval.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -9,6 +10,10 @@ namespace touchstone::filters {
 
 class BernsteinCubic {
  public:
+  /// What is said of the cubic holds for t in [-kMargin, 1 + kMargin]: a root at or near the step's end is then no
+  /// different from others.
+  static constexpr double kMargin = 0x1p-20;
+
   /// `coefficients` b0, 3 b1, 3 b2, b3 as coplanarity_coefficients computes them, from vectors whose coordinates'
   /// bounds have the product `size`.
   BernsteinCubic(const std::array<double, 4>& coefficients, double size) noexcept;
@@ -18,9 +23,9 @@ class BernsteinCubic {
   enum class Variations : std::uint8_t { none, one, uncertain };
   Variations variations(double p, double q) const noexcept;
 
-  /// Points 0 = split[0] < ... < split[n] = 1 between which the cubic promises to have at most one sign variation, given
-  /// variations(0, 1); returns n, at most 3. Only a promise: `variations` certifies.
-  int split_points(Variations whole, double (&split)[4]) const noexcept;
+  /// Points low = split[0] < ... < split[n] = high between which the cubic promises to have at most one sign variation,
+  /// where it may have more over [low, high]; returns n, at most 3. Only a promise: `variations` certifies.
+  int split_points(double low, double high, double (&split)[4]) const noexcept;
 
   /// Where [p, q] has exactly one root: proves that it lies in [t - radius, t + radius], inside [p, q], where the cubic's
   /// slope keeps the sign of `slope` and is at least half of it. Certain only if so.
@@ -34,7 +39,7 @@ class BernsteinCubic {
 
   double size() const noexcept { return size_; }
   double slope_error() const noexcept;
-  double curvature_bound() const noexcept { return curvature_; }  ///< of the second derivative's absolute value over [0, 1]
+  double curvature_bound() const noexcept { return curvature_; }  ///< of the second derivative's absolute value
 
  private:
   double value(double t) const noexcept;

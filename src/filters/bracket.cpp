@@ -93,40 +93,88 @@ Sides sides(const Query& query, const Frame& f, const Magnitudes& m, double t, d
 
 }  // namespace
 
+namespace {
+
+/// What is known of a query on its way through this level.
+struct Search {
+  const Query& query;
+  const Frame& frame;
+  const Magnitudes& magnitudes;
+  const BernsteinCubic& cubic;
+  double t_max;
+  Want want;
+  ExactSign exact_sign;
+};
+
+/// A decision, or that the roots could not be told apart from each other or from the ends of the range.
+enum class Outcome : std::uint8_t { contact, no_contact, uncertain, not_isolated };
+
+/// What one root says.
+enum class RootOutcome : std::uint8_t { contact, none, too_late, uncertain, not_isolated };
+
+RootOutcome decide_between(const Search& s, double p, double q, Answer& answer) {
+  const BernsteinCubic::Root root = s.cubic.root_between(p, q);
+  if (!root.certain) return RootOutcome::not_isolated;
+  if (root.t - root.radius > s.t_max) return RootOutcome::too_late;
+  if (root.t + root.radius < 0) return RootOutcome::none;
+  const Magnitudes& m = s.magnitudes;
+  const Sides where = sides(s.query, s.frame, m, root.t, root.radius);
+  if (where.side == Side::outside) return RootOutcome::none;
+  if (where.side == Side::unknown) return RootOutcome::uncertain;
+  const bool inside = where.side == Side::inside;
+  const bool in_time = root.t - root.radius > 0 && root.t + root.radius < s.t_max;
+  if (s.want == Want::contact_only && inside && in_time) return RootOutcome::contact;
+  const SimpleRoot simple = {root.t, root.radius, root.slope, s.cubic.slope_error(), s.cubic.curvature_bound()};
+  const ContactFrame contact_frame = {m.u, m.w, m.r, s.cubic.size(), where.axis};
+  switch (refine_root(s.query, simple, contact_frame, inside, s.t_max, s.exact_sign, answer)) {
+    case RootVerdict::contact: return RootOutcome::contact;
+    case RootVerdict::outside: return RootOutcome::none;
+    case RootVerdict::too_late: return RootOutcome::too_late;
+    case RootVerdict::uncertain: break;
+  }
+  return RootOutcome::uncertain;
+}
+
+/// Decides from the cubic's roots in [low, high], of which [0, 1] is a part.
+Outcome decide_over(const Search& s, double low, double high, Answer& answer) {
+  const auto whole = s.cubic.variations(low, high);
+  if (whole == BernsteinCubic::Variations::none) return Outcome::no_contact;
+  double split[4] = {low, high};
+  const int segments = whole == BernsteinCubic::Variations::one ? 1 : s.cubic.split_points(low, high, split);
+  for (int i = 0; i < segments; ++i) {
+    if (split[i] > s.t_max) break;
+    switch (segments == 1 ? whole : s.cubic.variations(split[i], split[i + 1])) {
+      case BernsteinCubic::Variations::none: continue;
+      case BernsteinCubic::Variations::uncertain: return Outcome::not_isolated;
+      case BernsteinCubic::Variations::one: break;
+    }
+    switch (decide_between(s, split[i], split[i + 1], answer)) {
+      case RootOutcome::contact: return Outcome::contact;
+      case RootOutcome::none: continue;
+      case RootOutcome::too_late: return Outcome::no_contact;
+      case RootOutcome::uncertain: return Outcome::uncertain;
+      case RootOutcome::not_isolated: return Outcome::not_isolated;
+    }
+  }
+  return Outcome::no_contact;
+}
+
+}  // namespace
+
 Decision bracket(const Query& query, const Frame& frame, const std::array<double, 4>& coefficients, double t_max,
                  Want want, ExactSign exact_sign, Answer& answer) {
   const Magnitudes m = {largest(frame.u0, frame.u1), largest(frame.w0, frame.w1), largest(frame.r0, frame.r1)};
   if (!within_range(m)) return Decision::uncertain;
   const BernsteinCubic cubic(coefficients, m.u * m.w * m.r);
-  double split[4];
-  const auto whole = cubic.variations(0, 1);
-  if (whole == BernsteinCubic::Variations::none) return Decision::no_contact;
-  const int segments = cubic.split_points(whole, split);
-  for (int i = 0; i < segments; ++i) {
-    if (split[i] > t_max) break;
-    switch (segments == 1 ? whole : cubic.variations(split[i], split[i + 1])) {
-      case BernsteinCubic::Variations::none: continue;
-      case BernsteinCubic::Variations::uncertain: return Decision::uncertain;
-      case BernsteinCubic::Variations::one: break;
-    }
-    const BernsteinCubic::Root root = cubic.root_between(split[i], split[i + 1]);
-    if (!root.certain) return Decision::uncertain;
-    if (root.t - root.radius > t_max) return Decision::no_contact;
-    const Sides where = sides(query, frame, m, root.t, root.radius);
-    if (where.side == Side::outside) continue;
-    if (where.side == Side::unknown) return Decision::uncertain;
-    const bool inside = where.side == Side::inside;
-    if (want == Want::contact_only && inside && root.t + root.radius < t_max) return Decision::contact;
-    const SimpleRoot simple = {root.t, root.radius, root.slope, cubic.slope_error(), cubic.curvature_bound()};
-    const ContactFrame contact_frame = {m.u, m.w, m.r, cubic.size(), where.axis};
-    switch (refine_root(query, simple, contact_frame, inside, t_max, exact_sign, answer)) {
-      case RootVerdict::contact: return Decision::contact;
-      case RootVerdict::outside: continue;
-      case RootVerdict::too_late: return Decision::no_contact;
-      case RootVerdict::uncertain: return Decision::uncertain;
-    }
+  const Search search = {query, frame, m, cubic, t_max, want, exact_sign};
+  Outcome outcome = decide_over(search, 0, 1, answer);
+  if (outcome == Outcome::not_isolated) {
+    // Perhaps a root at an end of the step; a little beyond it V has a certain sign.
+    outcome = decide_over(search, -BernsteinCubic::kMargin, 1 + BernsteinCubic::kMargin, answer);
   }
-  return Decision::no_contact;
+  return outcome == Outcome::contact      ? Decision::contact
+         : outcome == Outcome::no_contact ? Decision::no_contact
+                                          : Decision::uncertain;
 }
 
 }  // namespace touchstone::filters

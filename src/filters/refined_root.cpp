@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 #include "filters/contact_values.hpp"
@@ -50,28 +51,50 @@ int sign_at_root(const ValueAndSlope& component, const Offset& offset, double m)
 double after(double x) noexcept { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
 double before(double x) noexcept { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) - 1); }
 
-/// The two neighbouring doubles around the root, equal when it is a double.
+/// The two neighbouring doubles around the root, equal when it is a double; or that it lies outside [0, 1], or that this is
+/// uncertain.
 struct Times {
+  enum class Found : std::uint8_t { yes, outside, uncertain } found;
   double toi, toi_upper;
 };
+constexpr Times kOutside = {Times::Found::outside, 0, 0};
+constexpr Times kUncertain = {Times::Found::uncertain, 0, 0};
 
-std::optional<Times> neighbouring_doubles(const Query& query, const SimpleRoot& root, const Offset& offset,
-                                          ExactSign exact_sign) {
+/// On which side of a double in [0, 1] that lies within the root's radius the root lies, exactly: 1 after it. V is
+/// monotone between the two.
+int side_of(const Query& query, const SimpleRoot& root, double time, ExactSign exact_sign) {
+  const int sign = exact_sign(query, time);
+  return sign == 0 ? 0 : (sign > 0) == (root.slope > 0) ? -1 : 1;
+}
+
+Times neighbouring_doubles(const Query& query, const SimpleRoot& root, const Offset& offset, ExactSign exact_sign) {
   // The root is nearest + rest, give or take the error.
   const numbers::DoubleDouble sum = numbers::two_sum(root.t, offset.value);
   const double nearest = sum.high;
   const double rest = sum.low;
-  if (!(nearest > 0 && nearest < 1)) return std::nullopt;
+  for (const double end : {0.0, 1.0}) {
+    const double beyond = (nearest - end) + rest;  // off by a rounding; nearest - end is exact where it matters
+    const double error = 1.0625 * offset.error + 2 * kUnit * std::fabs(beyond);
+    if (end == 0 ? beyond < -error : beyond > error) return kOutside;
+    if (std::fabs(beyond) > error) continue;
+    if (!(std::fabs(end - root.t) <= root.radius)) return kUncertain;
+    const int side = side_of(query, root, end, exact_sign);
+    if (side == 0) return {Times::Found::yes, end, end};
+    if (side == (end == 0 ? -1 : 1)) return kOutside;
+    if (end == 0 || !(std::fabs(beyond) + error < 0x1p-53)) return kUncertain;
+    return {Times::Found::yes, before(1.0), 1.0};
+  }
+  if (!(nearest > 0 && nearest <= 1)) return kUncertain;
   int side = rest > offset.error ? 1 : rest < -offset.error ? -1 : 0;  // of the root, seen from `nearest`
   if (side == 0) {
-    if (!(std::fabs(nearest - root.t) <= root.radius)) return std::nullopt;
-    const int sign = exact_sign(query, nearest);
-    if (sign == 0) return Times{nearest, nearest};
-    side = (sign > 0) == (root.slope > 0) ? -1 : 1;  // V is monotone between the two
+    if (!(std::fabs(nearest - root.t) <= root.radius)) return kUncertain;
+    side = side_of(query, root, nearest, exact_sign);
+    if (side == 0) return {Times::Found::yes, nearest, nearest};
   }
-  const Times times = side > 0 ? Times{nearest, after(nearest)} : Times{before(nearest), nearest};
-  if (!(std::fabs(rest) + offset.error < times.toi_upper - times.toi)) return std::nullopt;
-  return times;
+  const double toi = side > 0 ? nearest : before(nearest);
+  const double toi_upper = after(toi);
+  if (!(std::fabs(rest) + offset.error < toi_upper - toi) || toi_upper > 1) return kUncertain;
+  return {Times::Found::yes, toi, toi_upper};
 }
 
 }  // namespace
@@ -96,9 +119,10 @@ RootVerdict refine_root(const Query& query, const SimpleRoot& root, const Contac
     if (least == 0) return RootVerdict::uncertain;
   }
 
-  const std::optional<Times> times = neighbouring_doubles(query, root, *offset, exact_sign);
-  if (!times) return RootVerdict::uncertain;
-  if (times->toi > t_max || (times->toi == t_max && times->toi < times->toi_upper)) return RootVerdict::too_late;
+  const Times times = neighbouring_doubles(query, root, *offset, exact_sign);
+  if (times.found == Times::Found::uncertain) return RootVerdict::uncertain;
+  if (times.found == Times::Found::outside) return RootVerdict::outside;
+  if (times.toi > t_max || (times.toi == t_max && times.toi < times.toi_upper)) return RootVerdict::too_late;
 
   // A weight is f(t + offset) = f + f' offset with f = a / n: the slope's own error, second-order terms (|f''| <= 2 K + 2 K^2
   // with K the bound below on |f'|) and the error of the offset are negligible under these conditions; so are the
@@ -114,8 +138,8 @@ RootVerdict refine_root(const Query& query, const SimpleRoot& root, const Contac
   };
   answer.contact = true;
   answer.nature = Nature::crossing;
-  answer.toi = times->toi;
-  answer.toi_upper = times->toi_upper;
+  answer.toi = times.toi;
+  answer.toi_upper = times.toi_upper;
   if (edges) {
     const double f1 = weight(at.first);
     const double f2 = weight(at.second);
