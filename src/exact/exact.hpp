@@ -15,8 +15,9 @@ namespace touchstone::exact {
 Answer decide(const Query& query, double t_max);
 Answer decide(const RationalQuery& query, double t_max);
 
-/// The sign of V(t), for edge-edge and vertex-face queries and 0 <= t <= 1; exact.
-int coplanarity_sign(const Query& query, double t);
+/// V(t) within a relative error of 2^-50 and with its exact sign, for edge-edge and vertex-face queries and 0 <= t <= 1. A
+/// value that underflows is the least double of its sign; one that overflows is infinite.
+double coplanarity_at(const Query& query, double t);
 
 /// One candidate time and the signs that decide it.
 struct CandidateStory {

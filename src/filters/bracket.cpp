@@ -103,7 +103,7 @@ struct Search {
   const BernsteinCubic& cubic;
   double t_max;
   Want want;
-  ExactSign exact_sign;
+  ExactValue exact_value;
 };
 
 /// A decision, or that the roots could not be told apart from each other or from the ends of the range.
@@ -126,7 +126,7 @@ RootOutcome decide_between(const Search& s, double p, double q, Answer& answer) 
   if (s.want == Want::contact_only && inside && in_time) return RootOutcome::contact;
   const SimpleRoot simple = {root.t, root.radius, root.slope, s.cubic.slope_error(), s.cubic.curvature_bound()};
   const ContactFrame contact_frame = {m.u, m.w, m.r, s.cubic.size(), where.axis};
-  switch (refine_root(s.query, simple, contact_frame, inside, s.t_max, s.exact_sign, answer)) {
+  switch (refine_root(s.query, simple, contact_frame, inside, s.t_max, s.exact_value, answer)) {
     case RootVerdict::contact: return RootOutcome::contact;
     case RootVerdict::outside: return RootOutcome::none;
     case RootVerdict::too_late: return RootOutcome::too_late;
@@ -162,11 +162,11 @@ Outcome decide_over(const Search& s, double low, double high, Answer& answer) {
 }  // namespace
 
 Decision bracket(const Query& query, const Frame& frame, const std::array<double, 4>& coefficients, double t_max,
-                 Want want, ExactSign exact_sign, Answer& answer) {
+                 Want want, ExactValue exact_value, Answer& answer) {
   const Magnitudes m = {largest(frame.u0, frame.u1), largest(frame.w0, frame.w1), largest(frame.r0, frame.r1)};
   if (!within_range(m)) return Decision::uncertain;
   const BernsteinCubic cubic(coefficients, m.u * m.w * m.r);
-  const Search search = {query, frame, m, cubic, t_max, want, exact_sign};
+  const Search search = {query, frame, m, cubic, t_max, want, exact_value};
   Outcome outcome = decide_over(search, 0, 1, answer);
   if (outcome == Outcome::not_isolated) {
     // Perhaps a root at an end of the step; a little beyond it V has a certain sign.

@@ -16,6 +16,6 @@ namespace touchstone::filters {
 /// On `contact` the answer is complete (nature, features, times, weights) but for its level; on anything else it is
 /// untouched. `frame` is the query's and `coefficients` are its coplanarity_coefficients.
 Decision bracket(const Query& query, const Frame& frame, const std::array<double, 4>& coefficients, double t_max,
-                 Want want, ExactSign exact_sign, Answer& answer);
+                 Want want, ExactValue exact_value, Answer& answer);
 
 }  // namespace touchstone::filters

@@ -30,14 +30,14 @@ Proof separation_proof(const Query& query) noexcept {
   return boxes_disjoint(query) ? Proof::boxes : direction_proof(query);
 }
 
-Decision decide(const Query& query, double t_max, Want want, ExactSign exact_sign, Answer& answer) {
+Decision decide(const Query& query, double t_max, Want want, ExactValue exact_value, Answer& answer) {
   answer.level = Level::filter;
   if (touch_in_shared_corner(query, t_max, answer)) return Decision::contact;
   if (boxes_disjoint(query)) return Decision::no_contact;
   if (has_cubic(query.kind)) {
     // Before the other proofs of separation: of what comes so far most touch, or have a root and pass beside each other.
     const Frame frame = frame_of(query);  // once more: keeping it from the first test costs the many queries that it settles
-    const Decision decision = bracket(query, frame, coplanarity_coefficients(frame), t_max, want, exact_sign, answer);
+    const Decision decision = bracket(query, frame, coplanarity_coefficients(frame), t_max, want, exact_value, answer);
     if (decision != Decision::uncertain) {
       answer.level = Level::bracket;
       return decision;

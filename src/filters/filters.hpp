@@ -21,8 +21,9 @@ enum class Proof : std::uint8_t { none, same_side, boxes, closest_points, normal
 /// Runs the tests that can only prove separation, in order, until one does.
 Proof separation_proof(const Query& query) noexcept;
 
-/// The exact sign of V(t) for a double t: what doubles cannot tell, from the level below.
-using ExactSign = int (*)(const Query& query, double t);
+/// V(t) for a double t within a relative error of 2^-50, with its exact sign: what doubles cannot tell, from the level
+/// below. A value that underflows is the least double of its sign.
+using ExactValue = double (*)(const Query& query, double t);
 
 /// How much of the answer is wanted.
 enum class Want : std::uint8_t { everything, contact_only };
@@ -34,6 +35,6 @@ bool same_side(const Query& query) noexcept;
 /// The tests after the first, for a valid query: separation and shared corners (Level::filter), then the bracket level
 /// (Level::bracket). `answer` comes in as one without contact, Answer(); it is complete when it goes out, unless the
 /// decision is uncertain or only contact is wanted.
-Decision decide(const Query& query, double t_max, Want want, ExactSign exact_sign, Answer& answer);
+Decision decide(const Query& query, double t_max, Want want, ExactValue exact_value, Answer& answer);
 
 }  // namespace touchstone::filters

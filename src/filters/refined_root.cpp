@@ -60,47 +60,79 @@ struct Times {
 constexpr Times kOutside = {Times::Found::outside, 0, 0};
 constexpr Times kUncertain = {Times::Found::uncertain, 0, 0};
 
-/// On which side of a double in [0, 1] that lies within the root's radius the root lies, exactly: 1 after it. V is
-/// monotone between the two.
-int side_of(const Query& query, const SimpleRoot& root, double time, ExactSign exact_sign) {
-  const int sign = exact_sign(query, time);
-  return sign == 0 ? 0 : (sign > 0) == (root.slope > 0) ? -1 : 1;
-}
+/// Finds them from the root's offset and, where this leaves a doubt, V's exact value at a double, whose sign tells on which
+/// side of it the root lies: V is monotone within the root's radius.
+class NeighbouringDoubles {
+ public:
+  NeighbouringDoubles(const Query& query, const SimpleRoot& root, const Offset& offset, ExactValue exact_value)
+      : query_(query), root_(root), exact_value_(exact_value), base_(root.t), offset_(offset) {}
 
-Times neighbouring_doubles(const Query& query, const SimpleRoot& root, const Offset& offset, ExactSign exact_sign) {
-  // The root is nearest + rest, give or take the error.
-  const numbers::DoubleDouble sum = numbers::two_sum(root.t, offset.value);
-  const double nearest = sum.high;
-  const double rest = sum.low;
-  for (const double end : {0.0, 1.0}) {
-    const double beyond = (nearest - end) + rest;  // off by a rounding; nearest - end is exact where it matters
-    const double error = 1.0625 * offset.error + 2 * kUnit * std::fabs(beyond);
-    if (end == 0 ? beyond < -error : beyond > error) return kOutside;
-    if (std::fabs(beyond) > error) continue;
-    if (!(std::fabs(end - root.t) <= root.radius)) return kUncertain;
-    const int side = side_of(query, root, end, exact_sign);
-    if (side == 0) return {Times::Found::yes, end, end};
-    if (side == (end == 0 ? -1 : 1)) return kOutside;
-    if (end == 0 || !(std::fabs(beyond) + error < 0x1p-53)) return kUncertain;
-    return {Times::Found::yes, before(1.0), 1.0};
+  Times find() {
+    for (const double end : {0.0, 1.0}) {
+      const numbers::DoubleDouble sum = numbers::two_sum(base_, offset_.value);
+      const double beyond = (sum.high - end) + sum.low;  // sum.high - end is exact where it matters
+      const double error = 1.0625 * offset_.error + 2 * kUnit * std::fabs(beyond);
+      if (end == 0 ? beyond < -error : beyond > error) return kOutside;
+      if (std::fabs(beyond) > error) continue;
+      if (!within_radius(end)) return kUncertain;
+      const int side = look_from(end);
+      if (side == 0) return {Times::Found::yes, end, end};
+      if (side == (end == 0 ? -1 : 1)) return kOutside;
+      break;  // and so far away from the other end
+    }
+    if (Times times; settle(times)) return times;
+    // Several doubles away from the nearest, since it is small: a step from there is as good as its value is exact.
+    const double nearest = base_ + offset_.value;
+    if (!(nearest > 0 && nearest < 1 && within_radius(nearest))) return kUncertain;
+    if (look_from(nearest) == 0) return {Times::Found::yes, nearest, nearest};
+    Times times = kUncertain;
+    settle(times);
+    return times;
   }
-  if (!(nearest > 0 && nearest <= 1)) return kUncertain;
-  int side = rest > offset.error ? 1 : rest < -offset.error ? -1 : 0;  // of the root, seen from `nearest`
-  if (side == 0) {
-    if (!(std::fabs(nearest - root.t) <= root.radius)) return kUncertain;
-    side = side_of(query, root, nearest, exact_sign);
-    if (side == 0) return {Times::Found::yes, nearest, nearest};
+
+ private:
+  bool within_radius(double time) const { return std::fabs(time - root_.t) <= root_.radius; }
+
+  /// On which side of `time` the root lies, exactly (1: after it). The root's offset from there becomes the one to use: it is
+  /// -V(time) / V'(x) for some x between; V'(x) is at least half of the computed slope, and off by at most `spread`.
+  int look_from(double time) {
+    const double value = exact_value_(query_, time);
+    base_ = time;
+    offset_.value = -value / root_.slope;
+    const double spread = root_.slope_error + root_.curvature * std::max(offset_.reach, std::fabs(time - root_.t));
+    const double steepness = std::fabs(root_.slope);
+    offset_.error = std::fabs(offset_.value) * (1.0625 * 2 * spread / steepness + 16 * kUnit) + 0x1p-1070 / steepness;
+    return value == 0 ? 0 : (value > 0) == (root_.slope > 0) ? -1 : 1;
   }
-  const double toi = side > 0 ? nearest : before(nearest);
-  const double toi_upper = after(toi);
-  if (!(std::fabs(rest) + offset.error < toi_upper - toi) || toi_upper > 1) return kUncertain;
-  return {Times::Found::yes, toi, toi_upper};
-}
+
+  /// Whether the offset is good enough to tell. The root is known to be in (0, 1).
+  bool settle(Times& times) {
+    const numbers::DoubleDouble sum = numbers::two_sum(base_, offset_.value);
+    const double nearest = sum.high;
+    const double rest = sum.low;  // the root is nearest + rest, give or take the error
+    if (!(nearest > 0 && nearest <= 1)) return false;
+    if (!(std::fabs(rest) + offset_.error < nearest - before(nearest))) return false;
+    int side = rest > offset_.error ? 1 : rest < -offset_.error ? -1 : 0;
+    if (side == 0) {
+      if (!within_radius(nearest)) return false;
+      side = look_from(nearest);
+    }
+    const double toi = side < 0 ? before(nearest) : nearest;
+    times = {Times::Found::yes, toi, side == 0 ? nearest : after(toi)};  // nearest < 1 where side > 0
+    return true;
+  }
+
+  const Query& query_;
+  const SimpleRoot& root_;
+  ExactValue exact_value_;
+  double base_;
+  Offset offset_;
+};
 
 }  // namespace
 
 RootVerdict refine_root(const Query& query, const SimpleRoot& root, const ContactFrame& frame, bool inside, double t_max,
-                        ExactSign exact_sign, Answer& answer) {
+                        ExactValue exact_value, Answer& answer) {
   const bool edges = query.kind == Kind::edge_edge;
   const ContactValues at = contact_values(query.start.data(), query.end.data(), edges, root.t, frame.axis);
   const std::optional<Offset> offset = offset_of(root, frame.product, at.coplanarity);
@@ -119,7 +151,7 @@ RootVerdict refine_root(const Query& query, const SimpleRoot& root, const Contac
     if (least == 0) return RootVerdict::uncertain;
   }
 
-  const Times times = neighbouring_doubles(query, root, *offset, exact_sign);
+  const Times times = NeighbouringDoubles(query, root, *offset, exact_value).find();
   if (times.found == Times::Found::uncertain) return RootVerdict::uncertain;
   if (times.found == Times::Found::outside) return RootVerdict::outside;
   if (times.toi > t_max || (times.toi == t_max && times.toi < times.toi_upper)) return RootVerdict::too_late;

@@ -38,8 +38,8 @@ enum class RootVerdict : std::uint8_t {
 };
 
 /// Decides a simple root of V. `inside` says that the side conditions are known to hold; otherwise they are decided
-/// here. Asks `exact_sign` when the time is too close to a double.
+/// here. Asks `exact_value` when the time is too close to a double.
 RootVerdict refine_root(const Query& query, const SimpleRoot& root, const ContactFrame& frame, bool inside, double t_max,
-                        ExactSign exact_sign, Answer& answer);
+                        ExactValue exact_value, Answer& answer);
 
 }  // namespace touchstone::filters

@@ -26,7 +26,7 @@ Answer answer(const Query& query, Method method, double t_max) {
   // Proves its query valid, too; so most coordinates are read once.
   if (is_time(t_max) && filters::same_side(query)) return result;
   validate(query, t_max);
-  const auto decision = filters::decide(query, t_max, filters::Want::everything, exact::coplanarity_sign, result);
+  const auto decision = filters::decide(query, t_max, filters::Want::everything, exact::coplanarity_at, result);
   if (decision == filters::Decision::uncertain) result = exact::decide(query, t_max);
   return result;
 }
@@ -35,7 +35,7 @@ bool any_contact(const Query& query, double t_max) {
   if (is_time(t_max) && filters::same_side(query)) return false;
   validate(query, t_max);
   Answer ignored;
-  switch (filters::decide(query, t_max, filters::Want::contact_only, exact::coplanarity_sign, ignored)) {
+  switch (filters::decide(query, t_max, filters::Want::contact_only, exact::coplanarity_at, ignored)) {
     case filters::Decision::contact: return true;
     case filters::Decision::no_contact: return false;
     case filters::Decision::uncertain: break;
