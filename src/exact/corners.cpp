@@ -7,20 +7,46 @@
 #include <utility>
 #include <vector>
 
+#include "exact/common_scale.hpp"
 #include "numbers/common_denominator.hpp"
 
 namespace touchstone::exact {
 namespace {
 
-Point moving(const std::array<Exact, 3>& start, const std::array<Exact, 3>& end) {
-  Point point;
-  for (std::size_t k = 0; k < 3; ++k) point[k] = Linear{{start[k], end[k] - start[k]}};
+template <class N>
+typename Forms<N>::Point moving(const std::array<N, 3>& start, const std::array<N, 3>& end) {
+  typename Forms<N>::Point point;
+  for (std::size_t k = 0; k < 3; ++k) point[k] = typename Forms<N>::Linear{{start[k], end[k] - start[k]}};
   return point;
+}
+
+template <class N>
+typename Forms<N>::Corners integer_corners(const Query& query) {
+  const int low = coordinate_span(query).low;
+  const auto integers = [low](const Vec3& x) {
+    return std::array<N, 3>{N::scaled(x.x, low), N::scaled(x.y, low), N::scaled(x.z, low)};
+  };
+  typename Forms<N>::Corners corners;
+  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+    corners[i] = moving(integers(query.start[i]), integers(query.end[i]));
+  }
+  return corners;
 }
 
 }  // namespace
 
-std::array<Point, 4> moving_corners(const Query& query) {
+template <>
+Forms<Short>::Corners moving_corners<Short>(const Query& query) {
+  return integer_corners<Short>(query);
+}
+
+template <>
+Forms<Medium>::Corners moving_corners<Medium>(const Query& query) {
+  return integer_corners<Medium>(query);
+}
+
+template <>
+Forms<Exact>::Corners moving_corners<Exact>(const Query& query) {
   const std::size_t count = corner_count(query.kind);
   double largest = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -41,12 +67,13 @@ std::array<Point, 4> moving_corners(const Query& query) {
     }
     return c;
   };
-  std::array<Point, 4> corners;
-  for (std::size_t i = 0; i < count; ++i) corners[i] = moving(exact(query.start[i]), exact(query.end[i]));
+  Forms<Exact>::Corners corners;
+  for (std::size_t i = 0; i < count; ++i) corners[i] = moving<Exact>(exact(query.start[i]), exact(query.end[i]));
   return corners;
 }
 
-std::array<Point, 4> moving_corners(const RationalQuery& query) {
+template <>
+Forms<Exact>::Corners moving_corners<Exact>(const RationalQuery& query) {
   const std::size_t count = corner_count(query.kind);
   std::vector<std::pair<std::string_view, std::string_view>> fractions;
   for (std::size_t i = 0; i < count; ++i) {
@@ -59,10 +86,10 @@ std::array<Point, 4> moving_corners(const RationalQuery& query) {
   for (const Exact& x : integers) largest = std::max(largest, numbers::approximate(x).exponent);
   const Exact factor = numbers::power_of_two(-largest);
   for (Exact& x : integers) x = x * factor;
-  std::array<Point, 4> corners;
+  Forms<Exact>::Corners corners;
   for (std::size_t i = 0; i < count; ++i) {
     const Exact* c = &integers[6 * i];
-    corners[i] = moving({c[0], c[1], c[2]}, {c[3], c[4], c[5]});
+    corners[i] = moving<Exact>({c[0], c[1], c[2]}, {c[3], c[4], c[5]});
   }
   return corners;
 }

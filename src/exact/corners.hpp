@@ -10,21 +10,24 @@
 namespace touchstone::exact {
 
 /// The corners of a query, all multiplied by one positive number (which changes no touching time, nature, feature or
-/// weight), chosen so that the largest coordinate is of ordinary size.
-std::array<Point, 4> moving_corners(const Query& query);
-std::array<Point, 4> moving_corners(const RationalQuery& query);
+/// weight): for integers such that all coordinates are some, within kMostBits by the caller's care, and else
+/// such that the largest coordinate is of ordinary size.
+template <class N>
+typename Forms<N>::Corners moving_corners(const Query& query);
+template <class N>
+typename Forms<N>::Corners moving_corners(const RationalQuery& query);  ///< of numbers of any size only
 
-/// Calls f with the elements of the query's kind.
-template <class Q, class F>
+/// Calls f with the elements of the query's kind, over numbers of type N.
+template <class N, class Q, class F>
 auto with_elements(const Q& query, F&& f) {
-  const std::array<Point, 4> corners = moving_corners(query);
+  const typename Forms<N>::Corners corners = moving_corners<N>(query);
   switch (query.kind) {
-    case Kind::edge_edge: return f(EdgeEdgeElements(corners));
-    case Kind::vertex_face: return f(VertexFaceElements(corners));
-    case Kind::point_edge: return f(PointEdgeElements(corners));
+    case Kind::edge_edge: return f(EdgeEdgeElements<N>(corners));
+    case Kind::vertex_face: return f(VertexFaceElements<N>(corners));
+    case Kind::point_edge: return f(PointEdgeElements<N>(corners));
     case Kind::point_point: break;
   }
-  return f(PointPointElements(corners));
+  return f(PointPointElements<N>(corners));
 }
 
 }  // namespace touchstone::exact

@@ -1,8 +1,12 @@
 // The first contact, all contacts, and their story.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <utility>
 
+#include "exact/bounded_list.hpp"
+#include "exact/common_scale.hpp"
 #include "exact/corners.hpp"
 #include "exact/elements.hpp"
 #include "exact/exact.hpp"
@@ -13,22 +17,36 @@ namespace {
 
 /// Times in [0, limit] among which are all ends of touching intervals, ascending and distinct; both ends included.
 /// For elements that are coplanar at all times or have no coplanarity cubic.
-template <class Elements>
-std::vector<RealRoot> candidate_times(const Elements& elements, const Exact& limit) {
-  std::vector<RealRoot> times = {RealRoot::rational(Exact(0), Exact(1), 1)};
-  for (const Quadratic& event : elements.events()) {
-    const numbers::RootList roots = numbers::isolate_roots(event, limit);
-    for (int i = 0; i < roots.size(); ++i) times.push_back(roots[i]);
+class CandidateTimes {
+ public:
+  template <class Elements>
+  CandidateTimes(const Elements& elements, const Exact& limit) {
+    Events<typename Elements::Number> events;
+    elements.append_events(events);
+    times_.add(RealRoot::rational(Exact(0), Exact(1), 1));
+    for (const auto& event : events) {
+      const numbers::RootList roots = numbers::isolate_roots(event, limit);
+      for (int i = 0; i < roots.size(); ++i) times_.add(roots[i]);
+    }
+    times_.add(RealRoot::rational(limit, Exact(1), 1));
+    for (std::size_t i = 0; i < times_.size(); ++i) order_[i] = &times_[i];
+    const auto end = order_.begin() + static_cast<std::ptrdiff_t>(times_.size());
+    std::sort(order_.begin(), end, [](const RealRoot* a, const RealRoot* b) { return a->compare(*b) < 0; });
+    end_ = std::unique(order_.begin(), end, [](const RealRoot* a, const RealRoot* b) { return a->compare(*b) == 0; });
   }
-  times.push_back(RealRoot::rational(limit, Exact(1), 1));
-  std::sort(times.begin(), times.end(), [](const RealRoot& a, const RealRoot& b) { return a.compare(b) < 0; });
-  times.erase(std::unique(times.begin(), times.end(), [](const RealRoot& a, const RealRoot& b) { return a.compare(b) == 0; }),
-              times.end());
-  return times;
-}
+
+  auto begin() const { return order_.cbegin(); }
+  auto end() const { return end_; }
+
+ private:
+  static constexpr std::size_t kMost = 2 + 2 * 8;  // the ends and two roots of each event
+  BoundedList<RealRoot, kMost> times_;
+  std::array<const RealRoot*, kMost> order_;
+  std::array<const RealRoot*, kMost>::const_iterator end_;
+};
 
 template <class Elements>
-const Cubic* nonzero_cubic(const Elements& elements) {
+auto nonzero_cubic(const Elements& elements) -> const typename Elements::Cubic* {
   if constexpr (Elements::kHasCubic) {
     if (!numbers::is_zero(elements.coplanarity())) return &elements.coplanarity();
   }
@@ -65,7 +83,7 @@ Answer contact_at(const Elements& elements, const RealRoot& root, Nature nature)
 
 template <class Elements>
 Answer first_contact(const Elements& elements, const Exact& limit, Story* story) {
-  if (const Cubic* cubic = nonzero_cubic(elements)) {
+  if (const auto* cubic = nonzero_cubic(elements)) {
     const numbers::RootList roots = numbers::isolate_roots(*cubic, limit);
     for (int i = 0; i < roots.size(); ++i) {
       const RealRoot& root = roots[i];
@@ -81,7 +99,8 @@ Answer first_contact(const Elements& elements, const Exact& limit, Story* story)
   };
   const RealRoot start = RealRoot::rational(Exact(0), Exact(1), 1);
   if (story == nullptr && touching_at(elements, start, nullptr)) return contact_at(elements, start, nature_at(start));
-  for (const RealRoot& root : candidate_times(elements, limit)) {
+  for (const RealRoot* time : CandidateTimes(elements, limit)) {
+    const RealRoot& root = *time;
     if (touching_at(elements, root, new_chapter(story, root, 0))) return contact_at(elements, root, nature_at(root));
   }
   return Answer();
@@ -90,7 +109,7 @@ Answer first_contact(const Elements& elements, const Exact& limit, Story* story)
 template <class Elements>
 std::vector<RootInterval> all_contacts(const Elements& elements, const Exact& limit) {
   std::vector<RootInterval> intervals;
-  if (const Cubic* cubic = nonzero_cubic(elements)) {
+  if (const auto* cubic = nonzero_cubic(elements)) {
     const numbers::RootList roots = numbers::isolate_roots(*cubic, limit);
     for (int i = 0; i < roots.size(); ++i) {
       if (elements.touching(Moment::at(roots[i]))) intervals.push_back({roots[i], roots[i]});
@@ -99,7 +118,8 @@ std::vector<RootInterval> all_contacts(const Elements& elements, const Exact& li
   }
   // Between neighbouring candidates the elements touch always or never.
   bool lasting = false;
-  for (const RealRoot& root : candidate_times(elements, limit)) {
+  for (const RealRoot* time : CandidateTimes(elements, limit)) {
+    const RealRoot& root = *time;
     if (lasting) {
       intervals.back().last = root;  // the set is closed
     } else if (elements.touching(Moment::at(root))) {
@@ -129,7 +149,7 @@ void describe(const Elements& elements, Story& story) {
 
 template <class Q>
 Story tell(const Q& query, double t_max) {
-  return with_elements(query, [&](const auto& elements) {
+  return with_elements<Exact>(query, [&](const auto& elements) {
     Story story;
     describe(elements, story);
     story.answer = first_contact(elements, Exact(t_max), &story);
@@ -137,20 +157,25 @@ Story tell(const Q& query, double t_max) {
   });
 }
 
-template <class Q>
-Answer decide_any(const Q& query, double t_max) {
-  return with_elements(query, [&](const auto& elements) { return first_contact(elements, Exact(t_max), nullptr); });
+template <class N, class Q>
+Answer decide_in(const Q& query, double t_max) {
+  return with_elements<N>(query, [&](const auto& elements) { return first_contact(elements, Exact(t_max), nullptr); });
 }
 
 template <class Q>
 std::vector<RootInterval> touching_times_of_any(const Q& query, double t_max) {
-  return with_elements(query, [&](const auto& elements) { return all_contacts(elements, Exact(t_max)); });
+  return with_elements<Exact>(query, [&](const auto& elements) { return all_contacts(elements, Exact(t_max)); });
 }
 
 }  // namespace
 
-Answer decide(const Query& query, double t_max) { return decide_any(query, t_max); }
-Answer decide(const RationalQuery& query, double t_max) { return decide_any(query, t_max); }
+Answer decide(const Query& query, double t_max) {
+  const int bits = coordinate_span(query).bits();
+  if (bits <= kMostBits<1>) return decide_in<Short>(query, t_max);
+  if (bits <= kMostBits<3>) return decide_in<Medium>(query, t_max);
+  return decide_in<Exact>(query, t_max);
+}
+Answer decide(const RationalQuery& query, double t_max) { return decide_in<Exact>(query, t_max); }
 
 Story explain(const Query& query, double t_max) { return tell(query, t_max); }
 Story explain(const RationalQuery& query, double t_max) { return tell(query, t_max); }

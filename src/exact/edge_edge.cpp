@@ -9,7 +9,8 @@ using geometry::cross;
 using geometry::cross_component;
 using geometry::dot;
 
-EdgeEdgeElements::EdgeEdgeElements(const std::array<Point, 4>& corners)
+template <class N>
+EdgeEdgeElements<N>::EdgeEdgeElements(const typename Forms<N>::Corners& corners)
     : corners_(corners),
       u_(corners[1] - corners[0]),
       w_(corners[3] - corners[2]),
@@ -17,18 +18,20 @@ EdgeEdgeElements::EdgeEdgeElements(const std::array<Point, 4>& corners)
       n_(cross(u_, w_)),
       coplanarity_(dot(n_, r_)) {}
 
-const PointOnEdge& EdgeEdgeElements::pair(Pair which) const {
-  static constexpr PointOnEdge::Names names[] = {{"(a0 - b0) x (b1 - b0)", "(a0 - b0) . (a0 - b1)"},
+template <class N>
+const PointOnEdge<N>& EdgeEdgeElements<N>::pair(Pair which) const {
+  static constexpr PointOnEdgeNames names[] = {{"(a0 - b0) x (b1 - b0)", "(a0 - b0) . (a0 - b1)"},
                                                  {"(a1 - b0) x (b1 - b0)", "(a1 - b0) . (a1 - b1)"},
                                                  {"(b0 - a0) x (a1 - a0)", "(b0 - a0) . (b0 - a1)"},
                                                  {"(b1 - a0) x (a1 - a0)", "(b1 - a0) . (b1 - a1)"}};
   return pairs_[which].value_or_make([&] {
     const bool on_b = which == a0_on_b || which == a1_on_b;
-    return PointOnEdge(corners_[which], corners_[on_b ? 2 : 0], corners_[on_b ? 3 : 1], names[which]);
+    return PointOnEdge<N>(corners_[which], corners_[on_b ? 2 : 0], corners_[on_b ? 3 : 1], names[which]);
   });
 }
 
-bool EdgeEdgeElements::touching(const Moment& moment) const {
+template <class N>
+bool EdgeEdgeElements<N>::touching(const Moment& moment) const {
   const auto [k, s] = nonzero_axis(n_, moment, "n");
   if (k < 0) {  // parallel or of zero length: they touch exactly when some corner lies on the other edge
     return pair(a0_on_b).touching(moment) || pair(a1_on_b).touching(moment) || pair(b0_on_a).touching(moment) ||
@@ -44,7 +47,8 @@ bool EdgeEdgeElements::touching(const Moment& moment) const {
   return s * moment.sign(n_[axis] - f2, "n - (r x u)", k) >= 0;
 }
 
-void EdgeEdgeElements::locate(const RealRoot& root, Answer& answer) const {
+template <class N>
+void EdgeEdgeElements<N>::locate(const RealRoot& root, Answer& answer) const {
   const int k = nonzero_axis(n_, Moment::at(root), "n").axis;
   if (k < 0) return locate_parallel(root, answer);
   const std::size_t axis = static_cast<std::size_t>(k);
@@ -65,7 +69,8 @@ void EdgeEdgeElements::locate(const RealRoot& root, Answer& answer) const {
   answer.weights_b = place(cross_component(r_, u_, axis), Feature::b0, Feature::b1, Feature::b, answer.feature_b);
 }
 
-void EdgeEdgeElements::locate_parallel(const RealRoot& root, Answer& answer) const {
+template <class N>
+void EdgeEdgeElements<N>::locate_parallel(const RealRoot& root, Answer& answer) const {
   static constexpr Feature a_features[] = {Feature::a0, Feature::a1, Feature::a};
   static constexpr Feature b_features[] = {Feature::b0, Feature::b1, Feature::b};
   const bool a_is_point = vanishes(u_, root);
@@ -87,7 +92,7 @@ void EdgeEdgeElements::locate_parallel(const RealRoot& root, Answer& answer) con
   // Both have a length, and they are collinear: they share one point iff a corner of one is a corner of the other and
   // they leave it in opposite directions; a longer part otherwise.
   for (const Pair a_corner : {a0_on_b, a1_on_b}) {
-    const PointOnEdge& corner = pair(a_corner);
+    const PointOnEdge<N>& corner = pair(a_corner);
     if (!corner.touching(Moment::at(root))) continue;
     const int b_place = corner.place(root);
     if (b_place == 2) break;
@@ -104,7 +109,8 @@ void EdgeEdgeElements::locate_parallel(const RealRoot& root, Answer& answer) con
 }
 
 /// The lexicographically smallest weights (a0, a1, b0, b1): the end of the shared part that is farthest along a.
-void EdgeEdgeElements::locate_overlap(const RealRoot& root, Answer& answer) const {
+template <class N>
+void EdgeEdgeElements<N>::locate_overlap(const RealRoot& root, Answer& answer) const {
   answer.feature_a = answer.feature_b = Feature::overlap;
   if (pair(a1_on_b).touching(Moment::at(root))) {
     answer.weights_a = {0, 1, 0};
@@ -117,12 +123,15 @@ void EdgeEdgeElements::locate_overlap(const RealRoot& root, Answer& answer) cons
   answer.weights_b = same_direction ? std::array<double, 3>{0, 1, 0} : std::array<double, 3>{1, 0, 0};
 }
 
-std::vector<Quadratic> EdgeEdgeElements::events() const {
+template <class N>
+void EdgeEdgeElements<N>::append_events(Events<N>& events) const {
   // While coplanar, two edges start or stop touching only where a corner of one lies on the other: a crossing of both
   // interiors at n != 0 persists.
-  std::vector<Quadratic> events;
   for (const Pair which : {a0_on_b, a1_on_b, b0_on_a, b1_on_a}) pair(which).append_events(events);
-  return events;
 }
+
+template class EdgeEdgeElements<Short>;
+template class EdgeEdgeElements<Medium>;
+template class EdgeEdgeElements<Exact>;
 
 }  // namespace touchstone::exact

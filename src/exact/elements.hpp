@@ -9,19 +9,44 @@
 
 #include <touchstone/answer.hpp>
 
+#include "exact/bounded_list.hpp"
 #include "exact/exact.hpp"
 #include "exact/lazy.hpp"
 #include "geometry/vector.hpp"
+#include "numbers/fixed_int.hpp"
 #include "numbers/real_root.hpp"
 
 namespace touchstone::exact {
 
 using numbers::Exact;
 using numbers::RealRoot;
-using Linear = numbers::Polynomial<Exact, 1>;
-using Quadratic = numbers::Polynomial<Exact, 2>;
-using Cubic = numbers::Polynomial<Exact, 3>;
-using Point = geometry::Vector<Linear>;  ///< a moving corner: start + t (end - start)
+
+/// The polynomials of corners whose coordinates are numbers of type N: a ring, in which products may be of wider types.
+template <class N>
+struct Forms {
+  using Square = decltype(N() * N());
+  using Linear = numbers::Polynomial<N, 1>;
+  using Quadratic = numbers::Polynomial<Square, 2>;
+  using Cubic = numbers::Polynomial<decltype(Square() * N()), 3>;
+  using Point = geometry::Vector<Linear>;  ///< a moving corner: start + t (end - start)
+  using Corners = std::array<Point, 4>;
+};
+
+/// The number types that the layer is made for: integers of one or three limbs for the coordinates, and numbers of any size.
+using Short = numbers::FixedInt<1>;
+using Medium = numbers::FixedInt<3>;
+
+/// How many bits B integer coordinates may have, |x| < 2^B, so that nothing overflows. In bits: differences B + 1, their
+/// changes over the step B + 2; a quadratic's coefficients are at most 2^(2 B + 5), from 4 products of B + 2 and B + 1 or 2
+/// of B + 2 and B + 2, those of sums of three and of dot products 2 B + 7, their Bernstein coefficients 2 B + 9; V's are sums
+/// of 3 such products with B + 1 and 3 with B + 2, below 3 B + 10, and its Bernstein coefficients, below 6 times more, 3 B + 13.
+template <int Limbs>
+constexpr int kMostBits = (64 * 3 * Limbs - 1 - 13) / 3;
+static_assert(kMostBits<1> + 2 < 64 && 2 * kMostBits<1> + 9 < 128 && kMostBits<3> + 2 < 192 && 2 * kMostBits<3> + 9 < 384);
+
+/// Polynomials among whose roots are all times at which touching may begin or end.
+template <class N>
+using Events = BoundedList<typename Forms<N>::Quadratic, 8>;
 
 /// Signs at a root or just after it; may keep a record for `explain`.
 class Moment {
@@ -32,24 +57,36 @@ class Moment {
   static Moment just_after(const RealRoot& root) { return Moment(root, true, nullptr); }
 
   /// The sign of q at this moment. The name and the axis (0, 1, 2; -1 for none) are for the record.
-  int sign(numbers::Coefficients q, const char* name, int axis = -1) const;
+  template <class R, int D>
+  int sign(const numbers::Polynomial<R, D>& q, const char* name, int axis = -1) const {
+    const int sign = after_ ? root_.sign_after(q) : root_.sign_at(q);
+    if (record_ != nullptr) keep(sign, name, axis);
+    return sign;
+  }
 
  private:
   Moment(const RealRoot& root, bool after, std::vector<CandidateStory::Condition>* record)
       : root_(root), after_(after), record_(record) {}
+
+  void keep(int sign, const char* name, int axis) const;
 
   const RealRoot& root_;
   bool after_;
   std::vector<CandidateStory::Condition>* record_;
 };
 
+/// What a record calls the polynomials of a point and an edge.
+struct PointOnEdgeNames {
+  const char* cross;
+  const char* dot;
+};
+
 /// A point and an edge x y: they touch iff (p - x) x (y - x) = 0 and (p - x) . (p - y) <= 0.
+template <class N>
 class PointOnEdge {
  public:
-  struct Names {
-    const char* cross;
-    const char* dot;
-  };
+  using Point = typename Forms<N>::Point;
+  using Names = PointOnEdgeNames;
   PointOnEdge(const Point& p, const Point& x, const Point& y, Names names);
 
   bool touching(const Moment& moment) const;
@@ -61,83 +98,107 @@ class PointOnEdge {
   std::array<double, 3> weights(const RealRoot& root) const;
 
   /// Appends polynomials among whose roots are all times at which touching may begin or end.
-  void append_events(std::vector<Quadratic>& events) const;
+  void append_events(Events<N>& events) const;
 
  private:
   Point from_x_, from_y_, edge_;
-  geometry::Vector<Quadratic> cross_;
+  geometry::Vector<typename Forms<N>::Quadratic> cross_;
   Names names_;
 };
 
 /// Edge a0 a1 against edge b0 b1.
+template <class N>
 class EdgeEdgeElements {
  public:
+  using Number = N;
+  using Point = typename Forms<N>::Point;
+  using Quadratic = typename Forms<N>::Quadratic;
+  using Cubic = typename Forms<N>::Cubic;
+
   static constexpr bool kHasCubic = true;
-  explicit EdgeEdgeElements(const std::array<Point, 4>& corners);
+  explicit EdgeEdgeElements(const typename Forms<N>::Corners& corners);
 
   const Cubic& coplanarity() const { return coplanarity_; }
   bool touching(const Moment& moment) const;  ///< given that the four corners are coplanar at the moment
   void locate(const RealRoot& root, Answer& answer) const;
-  std::vector<Quadratic> events() const;  ///< complete when the corners are always coplanar
+  void append_events(Events<N>& events) const;  ///< complete when the corners are always coplanar
 
  private:
   enum Pair { a0_on_b, a1_on_b, b0_on_a, b1_on_a };
-  const PointOnEdge& pair(Pair which) const;
+  const PointOnEdge<N>& pair(Pair which) const;
   void locate_parallel(const RealRoot& root, Answer& answer) const;
   void locate_overlap(const RealRoot& root, Answer& answer) const;
 
-  std::array<Point, 4> corners_;
+  typename Forms<N>::Corners corners_;
   Point u_, w_, r_;
   geometry::Vector<Quadratic> n_;
   Cubic coplanarity_;
-  mutable std::array<Lazy<PointOnEdge>, 4> pairs_;
+  mutable std::array<Lazy<PointOnEdge<N>>, 4> pairs_;
 };
 
 /// Vertex v against triangle f0 f1 f2.
+template <class N>
 class VertexFaceElements {
  public:
+  using Number = N;
+  using Point = typename Forms<N>::Point;
+  using Quadratic = typename Forms<N>::Quadratic;
+  using Cubic = typename Forms<N>::Cubic;
+
   static constexpr bool kHasCubic = true;
-  explicit VertexFaceElements(const std::array<Point, 4>& corners);
+  explicit VertexFaceElements(const typename Forms<N>::Corners& corners);
 
   const Cubic& coplanarity() const { return coplanarity_; }
   bool touching(const Moment& moment) const;
   void locate(const RealRoot& root, Answer& answer) const;
-  std::vector<Quadratic> events() const;
+  void append_events(Events<N>& events) const;
 
  private:
-  const PointOnEdge& side(std::size_t which) const;  // f01, f12, f20
+  const PointOnEdge<N>& side(std::size_t which) const;  // f01, f12, f20
   void locate_flat(const RealRoot& root, Answer& answer) const;
 
-  std::array<Point, 4> corners_;
+  typename Forms<N>::Corners corners_;
   Point u_, w_, r_;
   geometry::Vector<Quadratic> n_;
   Cubic coplanarity_;
-  mutable std::array<Lazy<PointOnEdge>, 3> sides_;
+  mutable std::array<Lazy<PointOnEdge<N>>, 3> sides_;
 };
 
 /// Point p against edge e0 e1.
+template <class N>
 class PointEdgeElements {
  public:
+  using Number = N;
+  using Point = typename Forms<N>::Point;
+  using Quadratic = typename Forms<N>::Quadratic;
+  using Cubic = typename Forms<N>::Cubic;
+
   static constexpr bool kHasCubic = false;
-  explicit PointEdgeElements(const std::array<Point, 4>& corners);
+  explicit PointEdgeElements(const typename Forms<N>::Corners& corners);
 
   bool touching(const Moment& moment) const { return point_.touching(moment); }
   void locate(const RealRoot& root, Answer& answer) const;
-  std::vector<Quadratic> events() const;
+  void append_events(Events<N>& events) const;
 
  private:
-  PointOnEdge point_;
+  PointOnEdge<N> point_;
 };
 
 /// Point p against point q.
+template <class N>
 class PointPointElements {
  public:
+  using Number = N;
+  using Point = typename Forms<N>::Point;
+  using Quadratic = typename Forms<N>::Quadratic;
+  using Cubic = typename Forms<N>::Cubic;
+
   static constexpr bool kHasCubic = false;
-  explicit PointPointElements(const std::array<Point, 4>& corners);
+  explicit PointPointElements(const typename Forms<N>::Corners& corners);
 
   bool touching(const Moment& moment) const;
   void locate(const RealRoot& root, Answer& answer) const;
-  std::vector<Quadratic> events() const;
+  void append_events(Events<N>& events) const;
 
  private:
   Point difference_;

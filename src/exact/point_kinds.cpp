@@ -4,10 +4,12 @@
 
 namespace touchstone::exact {
 
-PointEdgeElements::PointEdgeElements(const std::array<Point, 4>& corners)
+template <class N>
+PointEdgeElements<N>::PointEdgeElements(const typename Forms<N>::Corners& corners)
     : point_(corners[0], corners[1], corners[2], {"(p - e0) x (e1 - e0)", "(p - e0) . (p - e1)"}) {}
 
-void PointEdgeElements::locate(const RealRoot& root, Answer& answer) const {
+template <class N>
+void PointEdgeElements<N>::locate(const RealRoot& root, Answer& answer) const {
   static constexpr Feature features[] = {Feature::e0, Feature::e1, Feature::e};
   answer.feature_a = Feature::p;
   answer.weights_a = {1, 0, 0};
@@ -15,28 +17,36 @@ void PointEdgeElements::locate(const RealRoot& root, Answer& answer) const {
   answer.weights_b = point_.weights(root);
 }
 
-std::vector<Quadratic> PointEdgeElements::events() const {
-  std::vector<Quadratic> events;
+template <class N>
+void PointEdgeElements<N>::append_events(Events<N>& events) const {
   point_.append_events(events);
-  return events;
 }
 
-PointPointElements::PointPointElements(const std::array<Point, 4>& corners) : difference_(corners[0] - corners[1]) {}
+template <class N>
+PointPointElements<N>::PointPointElements(const typename Forms<N>::Corners& corners) : difference_(corners[0] - corners[1]) {}
 
-bool PointPointElements::touching(const Moment& moment) const {
+template <class N>
+bool PointPointElements<N>::touching(const Moment& moment) const {
   return nonzero_axis(difference_, moment, "(p - q)").axis < 0;
 }
 
-void PointPointElements::locate(const RealRoot&, Answer& answer) const {
+template <class N>
+void PointPointElements<N>::locate(const RealRoot&, Answer& answer) const {
   answer.feature_a = Feature::p;
   answer.feature_b = Feature::q;
   answer.weights_a = answer.weights_b = {1, 0, 0};
 }
 
-std::vector<Quadratic> PointPointElements::events() const {
-  std::vector<Quadratic> events;
+template <class N>
+void PointPointElements<N>::append_events(Events<N>& events) const {
   append_coincidence(difference_, events);
-  return events;
 }
+
+template class PointEdgeElements<Short>;
+template class PointEdgeElements<Medium>;
+template class PointEdgeElements<Exact>;
+template class PointPointElements<Short>;
+template class PointPointElements<Medium>;
+template class PointPointElements<Exact>;
 
 }  // namespace touchstone::exact

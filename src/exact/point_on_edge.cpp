@@ -4,31 +4,31 @@
 
 namespace touchstone::exact {
 
-int Moment::sign(numbers::Coefficients q, const char* name, int axis) const {
-  const int sign = after_ ? root_.sign_after(q) : root_.sign_at(q);
-  if (record_ != nullptr) {
-    std::string full = name;
-    if (axis >= 0) full += std::string("_") + "xyz"[axis];
-    record_->push_back({full, sign});
-  }
-  return sign;
+void Moment::keep(int sign, const char* name, int axis) const {
+  std::string full = name;
+  if (axis >= 0) full += std::string("_") + "xyz"[axis];
+  record_->push_back({full, sign});
 }
 
-PointOnEdge::PointOnEdge(const Point& p, const Point& x, const Point& y, Names names)
+template <class N>
+PointOnEdge<N>::PointOnEdge(const Point& p, const Point& x, const Point& y, Names names)
     : from_x_(p - x), from_y_(p - y), edge_(y - x), cross_(geometry::cross(from_x_, edge_)), names_(names) {}
 
-bool PointOnEdge::touching(const Moment& moment) const {
+template <class N>
+bool PointOnEdge<N>::touching(const Moment& moment) const {
   for (int k = 0; k < 3; ++k) {
     if (moment.sign(cross_[static_cast<std::size_t>(k)], names_.cross, k) != 0) return false;
   }
   return moment.sign(geometry::dot(from_x_, from_y_), names_.dot) <= 0;
 }
 
-int PointOnEdge::place(const RealRoot& root) const {
+template <class N>
+int PointOnEdge<N>::place(const RealRoot& root) const {
   return vanishes(from_x_, root) ? 0 : vanishes(from_y_, root) ? 1 : 2;
 }
 
-std::array<double, 3> PointOnEdge::weights(const RealRoot& root) const {
+template <class N>
+std::array<double, 3> PointOnEdge<N>::weights(const RealRoot& root) const {
   const int where = place(root);
   if (where == 0) return {1, 0, 0};
   if (where == 1) return {0, 1, 0};
@@ -36,11 +36,12 @@ std::array<double, 3> PointOnEdge::weights(const RealRoot& root) const {
   return {1 - s, s, 0};
 }
 
-void PointOnEdge::append_events(std::vector<Quadratic>& events) const {
+template <class N>
+void PointOnEdge<N>::append_events(Events<N>& events) const {
   // Touching needs all three components to vanish: the roots of one that is not identically zero contain those times.
-  for (const Quadratic& component : cross_.c) {
+  for (const auto& component : cross_.c) {
     if (!numbers::is_zero(component)) {
-      events.push_back(component);
+      events.add(component);
       return;
     }
   }
@@ -48,5 +49,9 @@ void PointOnEdge::append_events(std::vector<Quadratic>& events) const {
   append_coincidence(from_x_, events);
   append_coincidence(from_y_, events);
 }
+
+template class PointOnEdge<Short>;
+template class PointOnEdge<Medium>;
+template class PointOnEdge<Exact>;
 
 }  // namespace touchstone::exact

@@ -9,7 +9,8 @@ using geometry::cross;
 using geometry::cross_component;
 using geometry::dot;
 
-VertexFaceElements::VertexFaceElements(const std::array<Point, 4>& corners)
+template <class N>
+VertexFaceElements<N>::VertexFaceElements(const typename Forms<N>::Corners& corners)
     : corners_(corners),
       u_(corners[2] - corners[1]),
       w_(corners[3] - corners[1]),
@@ -17,16 +18,18 @@ VertexFaceElements::VertexFaceElements(const std::array<Point, 4>& corners)
       n_(cross(u_, w_)),
       coplanarity_(dot(n_, r_)) {}
 
-const PointOnEdge& VertexFaceElements::side(std::size_t which) const {
-  static constexpr PointOnEdge::Names names[] = {{"(v - f0) x (f1 - f0)", "(v - f0) . (v - f1)"},
+template <class N>
+const PointOnEdge<N>& VertexFaceElements<N>::side(std::size_t which) const {
+  static constexpr PointOnEdgeNames names[] = {{"(v - f0) x (f1 - f0)", "(v - f0) . (v - f1)"},
                                                  {"(v - f1) x (f2 - f1)", "(v - f1) . (v - f2)"},
                                                  {"(v - f2) x (f0 - f2)", "(v - f2) . (v - f0)"}};
   return sides_[which].value_or_make([&] {
-    return PointOnEdge(corners_[0], corners_[1 + which], corners_[1 + (which + 1) % 3], names[which]);
+    return PointOnEdge<N>(corners_[0], corners_[1 + which], corners_[1 + (which + 1) % 3], names[which]);
   });
 }
 
-bool VertexFaceElements::touching(const Moment& moment) const {
+template <class N>
+bool VertexFaceElements<N>::touching(const Moment& moment) const {
   const auto [k, s] = nonzero_axis(n_, moment, "n");
   if (k < 0) return side(0).touching(moment) || side(1).touching(moment) || side(2).touching(moment);
   // r = w1 u + w2 w with w1 = (r x w)_k / n_k and w2 = (u x r)_k / n_k; inside iff w1, w2 and 1 - w1 - w2 are >= 0.
@@ -38,7 +41,8 @@ bool VertexFaceElements::touching(const Moment& moment) const {
   return s * moment.sign(n_[axis] - w1 - w2, "n - (r x w) - (u x r)", k) >= 0;
 }
 
-void VertexFaceElements::locate(const RealRoot& root, Answer& answer) const {
+template <class N>
+void VertexFaceElements<N>::locate(const RealRoot& root, Answer& answer) const {
   answer.feature_a = Feature::v;
   answer.weights_a = {1, 0, 0};
   const int k = nonzero_axis(n_, Moment::at(root), "n").axis;
@@ -61,7 +65,8 @@ void VertexFaceElements::locate(const RealRoot& root, Answer& answer) const {
   }
 }
 
-void VertexFaceElements::locate_flat(const RealRoot& root, Answer& answer) const {
+template <class N>
+void VertexFaceElements<N>::locate_flat(const RealRoot& root, Answer& answer) const {
   for (std::size_t i = 0; i < 3; ++i) {
     if (side(i).place(root) == 0) {
       static constexpr Feature corners[] = {Feature::f0, Feature::f1, Feature::f2};
@@ -82,11 +87,14 @@ void VertexFaceElements::locate_flat(const RealRoot& root, Answer& answer) const
   }
 }
 
-std::vector<Quadratic> VertexFaceElements::events() const {
+template <class N>
+void VertexFaceElements<N>::append_events(Events<N>& events) const {
   // While coplanar, touching starts or stops only on the border of the triangle.
-  std::vector<Quadratic> events;
   for (std::size_t i = 0; i < 3; ++i) side(i).append_events(events);
-  return events;
 }
+
+template class VertexFaceElements<Short>;
+template class VertexFaceElements<Medium>;
+template class VertexFaceElements<Exact>;
 
 }  // namespace touchstone::exact

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "numbers/dyadic.hpp"
-#include "numbers/polynomial.hpp"
 
 namespace touchstone::numbers {
 
@@ -13,14 +12,6 @@ using Exact = Dyadic;
 
 inline int sign_of(const Exact& x) { return x.sign(); }
 inline bool is_zero(const Exact& x) { return x.is_zero(); }
-
-template <int D>
-bool is_zero(const Polynomial<Exact, D>& p) {
-  for (const Exact& c : p.c) {
-    if (!is_zero(c)) return false;
-  }
-  return true;
-}
 
 /// 2^exponent for any exponent.
 inline Exact power_of_two(long exponent) { return Exact::power_of_two(exponent); }

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "numbers/exact_number.hpp"
+#include "numbers/polynomial.hpp"
 
 namespace touchstone::numbers {
 
@@ -17,9 +18,13 @@ class FixedInt {
   using Limb = std::uint64_t;
 
   FixedInt() noexcept = default;  ///< 0
-  explicit FixedInt(int value) noexcept {
-    limbs_[0] = static_cast<Limb>(static_cast<std::int64_t>(value));
-    for (int i = 1; i < Limbs; ++i) limbs_[i] = value < 0 ? ~Limb{0} : 0;
+  explicit FixedInt(int value) noexcept : FixedInt(integer(value)) {}
+
+  static FixedInt integer(std::int64_t value) noexcept {
+    FixedInt result;
+    result.limbs_[0] = static_cast<Limb>(value);
+    for (int i = 1; i < Limbs; ++i) result.limbs_[i] = value < 0 ? ~Limb{0} : 0;
+    return result;
   }
 
   /// x * 2^-exponent, which must be an integer below 2^(64 Limbs - 1) in absolute value.
@@ -134,7 +139,17 @@ Exact to_exact(const FixedInt<Limbs>& x) {
   for (int i = 0; i < Limbs; ++i) limbs[i] = magnitude.limb(i);
   return Exact::from_limbs(limbs, Limbs, negative);
 }
-inline const Exact& to_exact(const Exact& x) noexcept { return x; }
+
+template <int Limbs, int D>
+Polynomial<Exact, D> to_exact(const Polynomial<FixedInt<Limbs>, D>& p) {
+  Polynomial<Exact, D> exact;
+  for (int i = 0; i <= D; ++i) exact[i] = to_exact(p[i]);
+  return exact;
+}
+template <int D>
+const Polynomial<Exact, D>& to_exact(const Polynomial<Exact, D>& p) noexcept {
+  return p;
+}
 
 /// The double near x within a relative error of 2^-51; |x| < 2^1000.
 template <int Limbs>

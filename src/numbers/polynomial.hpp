@@ -30,9 +30,9 @@ Polynomial<R, D> operator-(const Polynomial<R, D>& p, const Polynomial<R, D>& q)
   return difference;
 }
 
-template <class R, int D, int E>
-Polynomial<R, D + E> operator*(const Polynomial<R, D>& p, const Polynomial<R, E>& q) {
-  Polynomial<R, D + E> product;
+template <class R, class S, int D, int E>
+auto operator*(const Polynomial<R, D>& p, const Polynomial<S, E>& q) {
+  Polynomial<decltype(p[0] * q[0]), D + E> product;
   for (int k = 0; k <= D + E; ++k) {
     const int first = k > E ? k - E : 0;
     const int last = k < D ? k : D;
@@ -40,6 +40,14 @@ Polynomial<R, D + E> operator*(const Polynomial<R, D>& p, const Polynomial<R, E>
     for (int i = first + 1; i <= last; ++i) product[k] = product[k] + p[i] * q[k - i];
   }
   return product;
+}
+
+template <class R, int D>
+bool is_zero(const Polynomial<R, D>& p) {
+  for (const R& c : p.c) {
+    if (!is_zero(c)) return false;
+  }
+  return true;
 }
 
 }  // namespace touchstone::numbers

@@ -95,6 +95,7 @@ RealRoot RealRoot::rational(const Exact& numerator, const Exact& denominator, in
   root.numerator_ = negate ? -numerator : numerator;
   root.denominator_ = negate ? -denominator : denominator;
   root.find_neighbouring_doubles();
+  root.find_small_integers();
   return root;
 }
 
@@ -217,6 +218,27 @@ void RealRoot::become_rational(const Exact& value) {
   is_rational_ = true;
   numerator_ = value;
   denominator_ = Exact(1);
+  find_small_integers();
+}
+
+void RealRoot::find_small_integers() {
+  // Of one limb each, over the same power of two; or a double with few digits.
+  const auto small = [](const Exact& x) { return x.limb_count() == 1 && x.limb(0) < Exact::Limb{kSmall}; };
+  if (is_zero(numerator_)) {
+    small_numerator_ = 0;
+    small_denominator_ = 1;
+  } else if (small(numerator_) && small(denominator_) && numerator_.limb_exponent() == denominator_.limb_exponent()) {
+    small_numerator_ = static_cast<std::int64_t>(numerator_.limb(0));
+    small_denominator_ = static_cast<std::int64_t>(denominator_.limb(0));
+  } else if (lower_ == upper_ && lower_ > 0x1p-50) {
+    const std::uint64_t bits = std::bit_cast<std::uint64_t>(lower_);
+    const std::uint64_t significand = (bits & 0x000FFFFFFFFFFFFF) | 0x0010000000000000;
+    const int zeros = std::countr_zero(significand);
+    const int shift = 1075 - static_cast<int>(bits >> 52) - zeros;  // value = (significand >> zeros) 2^-shift
+    if (shift < 0 || shift > 59) return;
+    small_numerator_ = static_cast<std::int64_t>(significand >> zeros);
+    small_denominator_ = std::int64_t{1} << shift;
+  }
 }
 
 /// Whether q's Bernstein coefficients over the bracket all have one strict sign, which is then q's sign at the root.
@@ -260,6 +282,20 @@ int RealRoot::sign_by_remainders(Coefficients q) const {
     second = next;
   }
   return variations;
+}
+
+int RealRoot::certain_sign(const double* c, int size) const {
+  // e = 2^-53, S the sum of the coefficients' absolute values. At lower_, in [0, 1]: the coefficients are off by 4 e S, and at most 6
+  // roundings of values of at most S follow. The root is at most e away, where the slope is at most 3 S: 13 e S in all.
+  constexpr double kBound = 16 * 0x1p-53;
+  double value = c[size - 1];
+  double sum = std::fabs(value);
+  for (int i = size - 2; i >= 0; --i) {
+    value = value * lower_ + c[i];
+    sum += std::fabs(c[i]);
+  }
+  if (!(sum >= 0x1p-900 && sum <= 0x1p900)) return 0;  // coefficients or products that underflow do not count then
+  return value > kBound * sum ? 1 : value < -kBound * sum ? -1 : 0;
 }
 
 int RealRoot::sign_at(Coefficients q) const {

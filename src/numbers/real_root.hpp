@@ -4,10 +4,13 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <type_traits>
 
 #include "numbers/exact_number.hpp"
+#include "numbers/fixed_int.hpp"
 #include "numbers/polynomial.hpp"
 
 namespace touchstone::numbers {
@@ -42,9 +45,22 @@ class RealRoot {
 
   /// The sign of q at the root; exact.
   int sign_at(Coefficients q) const;
+  template <class R, int D>
+  int sign_at(const Polynomial<R, D>& q) const {
+    if constexpr (!std::is_same_v<R, Exact> && D <= 2) {
+      if (small_denominator_ != 0) return sign_at_small_rational(q);
+    }
+    const int sign = sign_in_doubles(q);
+    return sign != 0 ? sign : sign_at(Coefficients(to_exact(q)));
+  }
 
   /// The sign of q just after the root: at all t in (root, root + delta) for some delta > 0. Zero only for q == 0.
   int sign_after(Coefficients q) const;
+  template <class R, int D>
+  int sign_after(const Polynomial<R, D>& q) const {
+    const int sign = sign_at(q);
+    return sign != 0 ? sign : sign_after(Coefficients(to_exact(q)));
+  }
 
   /// The sign of (this - other), of (this - value); exact.
   int compare(const RealRoot& other) const;
@@ -55,6 +71,10 @@ class RealRoot {
 
   /// numerator(root) / denominator(root) within an absolute error of 2^-50.5, given that the quotient lies in [0, 1] and the denominator is not zero at the root.
   double quotient(const Polynomial<Exact, 2>& numerator, const Polynomial<Exact, 2>& denominator) const;
+  template <class R>
+  double quotient(const Polynomial<R, 2>& numerator, const Polynomial<R, 2>& denominator) const {
+    return quotient(to_exact(numerator), to_exact(denominator));
+  }
 
   /// For a person: "1/3", "root of 3 t^3 + -1 t + -1 in [0x1.8p-1, 0x1.9p-1]".
   std::string to_string() const;
@@ -62,6 +82,33 @@ class RealRoot {
  private:
   RealRoot() = default;
 
+  template <class R, int D>
+  int sign_in_doubles(const Polynomial<R, D>& q) const {
+    std::array<double, D + 1> c;
+    for (std::size_t i = 0; i < c.size(); ++i) c[i] = to_double(q.c[i]);
+    return certain_sign(c.data(), D + 1);
+  }
+
+  /// At a rational root of two small integers: q times the square of the denominator, without overflow as long as
+  /// |q's coefficients| < 2^(64 Limbs - 1).
+  template <int Limbs, int D>
+  int sign_at_small_rational(const Polynomial<FixedInt<Limbs>, D>& q) const {
+    using Factor = FixedInt<1>;
+    const Factor n = Factor::integer(small_numerator_);
+    const Factor d = Factor::integer(small_denominator_);
+    const auto linear = q[0] * d + q[1] * n;
+    if constexpr (D == 1) {
+      return sign_of(linear);
+    } else {
+      return sign_of(linear * d + q[2] * n * n);
+    }
+  }
+
+  /// The sign at the root of a polynomial of degree at most 3, from coefficients within a relative error of 2^-51; 0 when
+  /// uncertain.
+  int certain_sign(const double* c, int size) const;
+
+  void find_small_integers();
   void find_neighbouring_doubles();
   double estimate() const;
   bool sign_over_bracket(Coefficients q, int& sign) const;
@@ -73,6 +120,8 @@ class RealRoot {
   bool is_rational_ = false;
   int multiplicity_ = 1;
   Exact numerator_, denominator_;  // of a rational root; the denominator is positive
+  static constexpr std::int64_t kSmall = std::int64_t{1} << 60;
+  std::int64_t small_numerator_ = 0, small_denominator_ = 0;  // the same in integers below kSmall; 0 and 0 where they are not
   int degree_ = 0;                 // of the polynomial of an isolated root
   std::array<Exact, 4> p_;
   Exact low_, high_;
@@ -95,5 +144,30 @@ class RootList {
 /// The distinct roots of p in the closed interval [0, limit], 0 <= limit <= 1, ascending, each with its multiplicity
 /// over the real line. p has formal degree at most 3 and is not identically zero.
 RootList isolate_roots(Coefficients p, const Exact& limit);
+
+/// Whether p has certainly no root in [0, 1]: its Bernstein coefficients have one sign, those at the ends strictly. R leaves
+/// room for sums of 6 coefficients.
+template <class R, int D>
+bool has_no_root(const Polynomial<R, D>& p) {
+  const int first = sign_of(p[0]);
+  if (first == 0) return false;
+  const auto agrees = [first](const R& inner) { return first * sign_of(inner) >= 0; };
+  if constexpr (D == 1) {
+    return sign_of(p[0] + p[1]) == first;
+  } else if constexpr (D == 2) {
+    return sign_of(p[0] + p[1] + p[2]) == first && agrees(p[0] + p[0] + p[1]);
+  } else {
+    static_assert(D == 3);
+    const R twice = p[0] + p[0];
+    const R thrice = twice + p[0];
+    return sign_of(p[0] + p[1] + p[2] + p[3]) == first && agrees(thrice + p[1]) && agrees(thrice + p[1] + p[1] + p[2]);
+  }
+}
+
+template <class R, int D>
+RootList isolate_roots(const Polynomial<R, D>& p, const Exact& limit) {
+  if (has_no_root(p)) return {};
+  return isolate_roots(Coefficients(to_exact(p)), limit);
+}
 
 }  // namespace touchstone::numbers
