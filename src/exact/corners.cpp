@@ -46,6 +46,11 @@ Forms<Medium>::Corners moving_corners<Medium>(const Query& query) {
 }
 
 template <>
+Forms<Long>::Corners moving_corners<Long>(const Query& query) {
+  return integer_corners<Long>(query);
+}
+
+template <>
 Forms<Exact>::Corners moving_corners<Exact>(const Query& query) {
   const std::size_t count = corner_count(query.kind);
   double largest = 0;

@@ -64,44 +64,52 @@ CandidateStory* new_chapter(Story* story, const RealRoot& root, int multiplicity
 }
 
 template <class Elements>
-bool touching_at(const Elements& elements, const RealRoot& root, CandidateStory* chapter) {
-  const bool touching = elements.touching(Moment::at(root, chapter != nullptr ? &chapter->conditions : nullptr));
+bool touching_at(const Elements& elements, const RealRoot& root, CandidateStory* chapter, SideSigns& found) {
+  found = SideSigns();
+  const bool touching = elements.touching(Moment::at(root, chapter != nullptr ? &chapter->conditions : nullptr), found);
   if (chapter != nullptr) chapter->touching = touching;
   return touching;
 }
 
 template <class Elements>
-Answer contact_at(const Elements& elements, const RealRoot& root, Nature nature) {
+bool touching_after(const Elements& elements, const RealRoot& root) {
+  SideSigns ignored;
+  return elements.touching(Moment::just_after(root), ignored);
+}
+
+template <class Elements>
+Answer contact_at(const Elements& elements, const RealRoot& root, const SideSigns& found, Nature nature) {
   Answer answer;
   answer.contact = true;
   answer.nature = nature;
   answer.toi = root.lower();
   answer.toi_upper = root.upper();
-  elements.locate(root, answer);
+  elements.locate(root, found, answer);
   return answer;
 }
 
 template <class Elements>
 Answer first_contact(const Elements& elements, const Exact& limit, Story* story) {
+  SideSigns found;
   if (const auto* cubic = nonzero_cubic(elements)) {
     const numbers::RootList roots = numbers::isolate_roots(*cubic, limit);
     for (int i = 0; i < roots.size(); ++i) {
       const RealRoot& root = roots[i];
-      if (touching_at(elements, root, new_chapter(story, root, root.multiplicity()))) {
-        return contact_at(elements, root, root.multiplicity() % 2 == 1 ? Nature::crossing : Nature::grazing);
+      if (touching_at(elements, root, new_chapter(story, root, root.multiplicity()), found)) {
+        return contact_at(elements, root, found, root.multiplicity() % 2 == 1 ? Nature::crossing : Nature::grazing);
       }
     }
     return Answer();
   }
   const auto nature_at = [&](const RealRoot& root) {
-    const bool lasts = root.compare(limit) < 0 && elements.touching(Moment::just_after(root));
+    const bool lasts = root.compare(limit) < 0 && touching_after(elements, root);
     return lasts ? Nature::sustained : Nature::isolated;
   };
   const RealRoot start = RealRoot::rational(Exact(0), Exact(1), 1);
-  if (story == nullptr && touching_at(elements, start, nullptr)) return contact_at(elements, start, nature_at(start));
+  if (story == nullptr && touching_at(elements, start, nullptr, found)) return contact_at(elements, start, found, nature_at(start));
   for (const RealRoot* time : CandidateTimes(elements, limit)) {
     const RealRoot& root = *time;
-    if (touching_at(elements, root, new_chapter(story, root, 0))) return contact_at(elements, root, nature_at(root));
+    if (touching_at(elements, root, new_chapter(story, root, 0), found)) return contact_at(elements, root, found, nature_at(root));
   }
   return Answer();
 }
@@ -109,10 +117,11 @@ Answer first_contact(const Elements& elements, const Exact& limit, Story* story)
 template <class Elements>
 std::vector<RootInterval> all_contacts(const Elements& elements, const Exact& limit) {
   std::vector<RootInterval> intervals;
+  SideSigns found;
   if (const auto* cubic = nonzero_cubic(elements)) {
     const numbers::RootList roots = numbers::isolate_roots(*cubic, limit);
     for (int i = 0; i < roots.size(); ++i) {
-      if (elements.touching(Moment::at(roots[i]))) intervals.push_back({roots[i], roots[i]});
+      if (touching_at(elements, roots[i], nullptr, found)) intervals.push_back({roots[i], roots[i]});
     }
     return intervals;
   }
@@ -122,12 +131,12 @@ std::vector<RootInterval> all_contacts(const Elements& elements, const Exact& li
     const RealRoot& root = *time;
     if (lasting) {
       intervals.back().last = root;  // the set is closed
-    } else if (elements.touching(Moment::at(root))) {
+    } else if (touching_at(elements, root, nullptr, found)) {
       intervals.push_back({root, root});
     } else {
       continue;
     }
-    lasting = root.compare(limit) < 0 && elements.touching(Moment::just_after(root));
+    lasting = root.compare(limit) < 0 && touching_after(elements, root);
   }
   return intervals;
 }
@@ -172,7 +181,8 @@ std::vector<RootInterval> touching_times_of_any(const Q& query, double t_max) {
 Answer decide(const Query& query, double t_max) {
   const int bits = coordinate_span(query).bits();
   if (bits <= kMostBits<1>) return decide_in<Short>(query, t_max);
-  if (bits <= kMostBits<3>) return decide_in<Medium>(query, t_max);
+  if (bits <= kMostBits<2>) return decide_in<Medium>(query, t_max);
+  if (bits <= kMostBits<3>) return decide_in<Long>(query, t_max);
   return decide_in<Exact>(query, t_max);
 }
 Answer decide(const RationalQuery& query, double t_max) { return decide_in<Exact>(query, t_max); }

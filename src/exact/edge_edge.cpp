@@ -31,7 +31,7 @@ const PointOnEdge<N>& EdgeEdgeElements<N>::pair(Pair which) const {
 }
 
 template <class N>
-bool EdgeEdgeElements<N>::touching(const Moment& moment) const {
+bool EdgeEdgeElements<N>::touching(const Moment& moment, SideSigns& found) const {
   const auto [k, s] = nonzero_axis(n_, moment, "n");
   if (k < 0) {  // parallel or of zero length: they touch exactly when some corner lies on the other edge
     return pair(a0_on_b).touching(moment) || pair(a1_on_b).touching(moment) || pair(b0_on_a).touching(moment) ||
@@ -39,34 +39,34 @@ bool EdgeEdgeElements<N>::touching(const Moment& moment) const {
   }
   // The lines meet at f1 = (r x w)_k / n_k on the first edge and f2 = (r x u)_k / n_k on the second; each in [0, 1].
   const std::size_t axis = static_cast<std::size_t>(k);
+  found.axis = k;
   const Quadratic f1 = cross_component(r_, w_, axis);
-  if (s * moment.sign(f1, "(r x w)", k) < 0) return false;
-  if (s * moment.sign(n_[axis] - f1, "n - (r x w)", k) < 0) return false;
+  if ((found.sign[0] = s * moment.sign(f1, "(r x w)", k)) < 0) return false;
+  if ((found.sign[1] = s * moment.sign(n_[axis] - f1, "n - (r x w)", k)) < 0) return false;
   const Quadratic f2 = cross_component(r_, u_, axis);
-  if (s * moment.sign(f2, "(r x u)", k) < 0) return false;
-  return s * moment.sign(n_[axis] - f2, "n - (r x u)", k) >= 0;
+  if ((found.sign[2] = s * moment.sign(f2, "(r x u)", k)) < 0) return false;
+  return (found.sign[3] = s * moment.sign(n_[axis] - f2, "n - (r x u)", k)) >= 0;
 }
 
 template <class N>
-void EdgeEdgeElements<N>::locate(const RealRoot& root, Answer& answer) const {
-  const int k = nonzero_axis(n_, Moment::at(root), "n").axis;
-  if (k < 0) return locate_parallel(root, answer);
-  const std::size_t axis = static_cast<std::size_t>(k);
-  const auto place = [&](const Quadratic& f, Feature corner0, Feature corner1, Feature interior, Feature& feature) {
-    if (root.sign_at(f) == 0) {
+void EdgeEdgeElements<N>::locate(const RealRoot& root, const SideSigns& found, Answer& answer) const {
+  if (found.axis < 0) return locate_parallel(root, answer);
+  const std::size_t axis = static_cast<std::size_t>(found.axis);
+  const auto place = [&](std::size_t first, const auto& other, Feature corner0, Feature corner1, Feature interior, Feature& feature) {
+    if (found.sign[first] == 0) {
       feature = corner0;
       return std::array<double, 3>{1, 0, 0};
     }
-    if (root.sign_at(n_[axis] - f) == 0) {
+    if (found.sign[first + 1] == 0) {
       feature = corner1;
       return std::array<double, 3>{0, 1, 0};
     }
     feature = interior;
-    const double weight = root.quotient(f, n_[axis]);
+    const double weight = root.quotient(Quadratic(cross_component(r_, other, axis)), n_[axis]);
     return std::array<double, 3>{1 - weight, weight, 0};
   };
-  answer.weights_a = place(cross_component(r_, w_, axis), Feature::a0, Feature::a1, Feature::a, answer.feature_a);
-  answer.weights_b = place(cross_component(r_, u_, axis), Feature::b0, Feature::b1, Feature::b, answer.feature_b);
+  answer.weights_a = place(0, w_, Feature::a0, Feature::a1, Feature::a, answer.feature_a);
+  answer.weights_b = place(2, u_, Feature::b0, Feature::b1, Feature::b, answer.feature_b);
 }
 
 template <class N>
@@ -132,6 +132,7 @@ void EdgeEdgeElements<N>::append_events(Events<N>& events) const {
 
 template class EdgeEdgeElements<Short>;
 template class EdgeEdgeElements<Medium>;
+template class EdgeEdgeElements<Long>;
 template class EdgeEdgeElements<Exact>;
 
 }  // namespace touchstone::exact

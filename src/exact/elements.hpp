@@ -32,9 +32,11 @@ struct Forms {
   using Corners = std::array<Point, 4>;
 };
 
-/// The number types that the layer is made for: integers of one or three limbs for the coordinates, and numbers of any size.
+/// The number types that the layer is made for: integers of one, two or three limbs for the coordinates, and numbers of any
+/// size.
 using Short = numbers::FixedInt<1>;
-using Medium = numbers::FixedInt<3>;
+using Medium = numbers::FixedInt<2>;
+using Long = numbers::FixedInt<3>;
 
 /// How many bits B integer coordinates may have, |x| < 2^B, so that nothing overflows. In bits: differences B + 1, their
 /// changes over the step B + 2; a quadratic's coefficients are at most 2^(2 B + 5), from 4 products of B + 2 and B + 1 or 2
@@ -42,7 +44,8 @@ using Medium = numbers::FixedInt<3>;
 /// of 3 such products with B + 1 and 3 with B + 2, below 3 B + 10, and its Bernstein coefficients, below 6 times more, 3 B + 13.
 template <int Limbs>
 constexpr int kMostBits = (64 * 3 * Limbs - 1 - 13) / 3;
-static_assert(kMostBits<1> + 2 < 64 && 2 * kMostBits<1> + 9 < 128 && kMostBits<3> + 2 < 192 && 2 * kMostBits<3> + 9 < 384);
+static_assert(kMostBits<1> + 2 < 64 && 2 * kMostBits<1> + 9 < 128 && kMostBits<2> + 2 < 128 && 2 * kMostBits<2> + 9 < 256);
+static_assert(kMostBits<3> + 2 < 192 && 2 * kMostBits<3> + 9 < 384);
 
 /// Polynomials among whose roots are all times at which touching may begin or end.
 template <class N>
@@ -73,6 +76,13 @@ class Moment {
   const RealRoot& root_;
   bool after_;
   std::vector<CandidateStory::Condition>* record_;
+};
+
+/// What `touching` has found out on its way: the axis along which n is not zero (-1: none), and the signs of the side conditions
+/// along it, in their order, each 0 or 1 where the elements touch. `locate` need not ask again.
+struct SideSigns {
+  int axis = -1;
+  std::array<int, 4> sign{};
 };
 
 /// What a record calls the polynomials of a point and an edge.
@@ -119,8 +129,10 @@ class EdgeEdgeElements {
   explicit EdgeEdgeElements(const typename Forms<N>::Corners& corners);
 
   const Cubic& coplanarity() const { return coplanarity_; }
-  bool touching(const Moment& moment) const;  ///< given that the four corners are coplanar at the moment
-  void locate(const RealRoot& root, Answer& answer) const;
+  /// Given that the four corners are coplanar at the moment.
+  bool touching(const Moment& moment, SideSigns& found) const;
+  /// Where they touch at the root, `found` being what `touching` said of it.
+  void locate(const RealRoot& root, const SideSigns& found, Answer& answer) const;
   void append_events(Events<N>& events) const;  ///< complete when the corners are always coplanar
 
  private:
@@ -149,8 +161,8 @@ class VertexFaceElements {
   explicit VertexFaceElements(const typename Forms<N>::Corners& corners);
 
   const Cubic& coplanarity() const { return coplanarity_; }
-  bool touching(const Moment& moment) const;
-  void locate(const RealRoot& root, Answer& answer) const;
+  bool touching(const Moment& moment, SideSigns& found) const;
+  void locate(const RealRoot& root, const SideSigns& found, Answer& answer) const;
   void append_events(Events<N>& events) const;
 
  private:
@@ -176,8 +188,8 @@ class PointEdgeElements {
   static constexpr bool kHasCubic = false;
   explicit PointEdgeElements(const typename Forms<N>::Corners& corners);
 
-  bool touching(const Moment& moment) const { return point_.touching(moment); }
-  void locate(const RealRoot& root, Answer& answer) const;
+  bool touching(const Moment& moment, SideSigns&) const { return point_.touching(moment); }
+  void locate(const RealRoot& root, const SideSigns& found, Answer& answer) const;
   void append_events(Events<N>& events) const;
 
  private:
@@ -196,8 +208,8 @@ class PointPointElements {
   static constexpr bool kHasCubic = false;
   explicit PointPointElements(const typename Forms<N>::Corners& corners);
 
-  bool touching(const Moment& moment) const;
-  void locate(const RealRoot& root, Answer& answer) const;
+  bool touching(const Moment& moment, SideSigns& found) const;
+  void locate(const RealRoot& root, const SideSigns& found, Answer& answer) const;
   void append_events(Events<N>& events) const;
 
  private:

@@ -52,6 +52,7 @@ void PointOnEdge<N>::append_events(Events<N>& events) const {
 
 template class PointOnEdge<Short>;
 template class PointOnEdge<Medium>;
+template class PointOnEdge<Long>;
 template class PointOnEdge<Exact>;
 
 }  // namespace touchstone::exact

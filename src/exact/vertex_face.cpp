@@ -29,31 +29,31 @@ const PointOnEdge<N>& VertexFaceElements<N>::side(std::size_t which) const {
 }
 
 template <class N>
-bool VertexFaceElements<N>::touching(const Moment& moment) const {
+bool VertexFaceElements<N>::touching(const Moment& moment, SideSigns& found) const {
   const auto [k, s] = nonzero_axis(n_, moment, "n");
   if (k < 0) return side(0).touching(moment) || side(1).touching(moment) || side(2).touching(moment);
   // r = w1 u + w2 w with w1 = (r x w)_k / n_k and w2 = (u x r)_k / n_k; inside iff w1, w2 and 1 - w1 - w2 are >= 0.
   const std::size_t axis = static_cast<std::size_t>(k);
+  found.axis = k;
   const Quadratic w1 = cross_component(r_, w_, axis);
-  if (s * moment.sign(w1, "(r x w)", k) < 0) return false;
+  if ((found.sign[1] = s * moment.sign(w1, "(r x w)", k)) < 0) return false;
   const Quadratic w2 = cross_component(u_, r_, axis);
-  if (s * moment.sign(w2, "(u x r)", k) < 0) return false;
-  return s * moment.sign(n_[axis] - w1 - w2, "n - (r x w) - (u x r)", k) >= 0;
+  if ((found.sign[2] = s * moment.sign(w2, "(u x r)", k)) < 0) return false;
+  return (found.sign[0] = s * moment.sign(n_[axis] - w1 - w2, "n - (r x w) - (u x r)", k)) >= 0;
 }
 
 template <class N>
-void VertexFaceElements<N>::locate(const RealRoot& root, Answer& answer) const {
+void VertexFaceElements<N>::locate(const RealRoot& root, const SideSigns& found, Answer& answer) const {
   answer.feature_a = Feature::v;
   answer.weights_a = {1, 0, 0};
-  const int k = nonzero_axis(n_, Moment::at(root), "n").axis;
-  if (k < 0) return locate_flat(root, answer);
-  const std::size_t axis = static_cast<std::size_t>(k);
+  if (found.axis < 0) return locate_flat(root, answer);
+  const std::size_t axis = static_cast<std::size_t>(found.axis);
   const Quadratic w1 = cross_component(r_, w_, axis);
   const Quadratic w2 = cross_component(u_, r_, axis);
   const Quadratic weights[3] = {n_[axis] - w1 - w2, w1, w2};
   unsigned support = 0;  // bit i: weight i is positive
   for (unsigned i = 0; i < 3; ++i) {
-    if (root.sign_at(weights[i]) != 0) support |= 1U << i;
+    if (found.sign[i] != 0) support |= 1U << i;
   }
   static constexpr Feature by_support[8] = {Feature::none, Feature::f0,  Feature::f1,  Feature::f01,
                                             Feature::f2,   Feature::f20, Feature::f12, Feature::f};
@@ -95,6 +95,7 @@ void VertexFaceElements<N>::append_events(Events<N>& events) const {
 
 template class VertexFaceElements<Short>;
 template class VertexFaceElements<Medium>;
+template class VertexFaceElements<Long>;
 template class VertexFaceElements<Exact>;
 
 }  // namespace touchstone::exact

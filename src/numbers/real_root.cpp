@@ -10,7 +10,7 @@
 namespace touchstone::numbers {
 namespace {
 
-constexpr int kMaxSize = 6;  // coefficients of p'q for two cubics
+constexpr int kMaxSize = 4;  // coefficients of a cubic
 
 Exact evaluate(Coefficients q, const Exact& t) {
   Exact value = q.c[q.size - 1];
@@ -63,20 +63,6 @@ Dense positive_remainder(Dense a, const Dense& b) {
     a.trim();
   }
   return a;
-}
-
-Dense product_with_derivative(Coefficients p, const Dense& q) {
-  Dense product;
-  product.size = p.size - 1 + q.size - 1;
-  for (int i = 1; i < p.size; ++i) {
-    const Exact derivative = p.c[i] * Exact(i);
-    for (int j = 0; j < q.size; ++j) {
-      Exact& target = product.c[static_cast<std::size_t>(i - 1 + j)];
-      target = target + derivative * q.c[static_cast<std::size_t>(j)];
-    }
-  }
-  product.trim();
-  return product;
 }
 
 std::string hexfloat(double x) {
@@ -245,43 +231,32 @@ void RealRoot::find_small_integers() {
 bool RealRoot::sign_over_bracket(Coefficients q, int& sign) const {
   sign = sign_of(evaluate(q, low_));
   if (sign == 0 || sign_of(evaluate(q, high_)) != sign) return false;
-  if (q.size <= 2) return true;
-  if (q.size > 3) return false;  // only quadratics are asked often
-  const Exact middle = Exact(2) * q.c[0] + q.c[1] * (low_ + high_) + Exact(2) * q.c[2] * low_ * high_;
-  return sign_of(middle) == sign;
+  // The inner coefficients, times a positive number: q's polar form with some arguments low and the others high.
+  if (q.size == 3) {
+    const Exact middle = Exact(2) * q.c[0] + q.c[1] * (low_ + high_) + Exact(2) * q.c[2] * low_ * high_;
+    return sign_of(middle) == sign;
+  }
+  if (q.size == 4) {
+    const auto inner = [&](const Exact& twice, const Exact& once) {
+      return sign_of(Exact(3) * q.c[0] + q.c[1] * (Exact(2) * twice + once) + q.c[2] * twice * (twice + Exact(2) * once) +
+                     Exact(3) * q.c[3] * twice * twice * once);
+    };
+    return inner(low_, high_) == sign && inner(high_, low_) == sign;
+  }
+  return true;
 }
 
-/// Sturm-Tarski: over (low, high) the signed remainder sequence of (p, p'q) loses as many sign variations as the sum of
-/// the signs of q at the distinct roots of p there (Basu, Pollack, Roy, Algorithms in Real Algebraic Geometry, 2.61).
-/// There is one root, so the sum is the sign. The sequence may start with p'q mod p in place of p'q: the entries
-/// p, p'q, -p have one variation at either end.
-int RealRoot::sign_by_remainders(Coefficients q) const {
-  const Coefficients p(p_.data(), degree_ + 1);
-  const Dense dense_p(p);
-  const Dense reduced = positive_remainder(Dense(q), dense_p);
-  if (reduced.size == 0) return 0;
-  int variations = 0;  // at low minus at high
-  int previous_low = sign_low_;
-  int previous_high = -sign_low_;
-  Dense first = dense_p;
-  Dense second = positive_remainder(product_with_derivative(p, reduced), dense_p);
-  while (second.size > 0) {
-    const int at_low = second.sign_at(low_);
-    const int at_high = second.sign_at(high_);
-    if (at_low != 0) {
-      variations += at_low != previous_low;
-      previous_low = at_low;
-    }
-    if (at_high != 0) {
-      variations -= at_high != previous_high;
-      previous_high = at_high;
-    }
-    Dense next = positive_remainder(first, second);
-    for (int i = 0; i < next.size; ++i) next.c[static_cast<std::size_t>(i)] = -next.c[static_cast<std::size_t>(i)];
-    first = second;
-    second = next;
+/// Whether q has the isolated root: then it is one of their greatest common divisor, which has no other between low and
+/// high and changes its sign there, as p does.
+bool RealRoot::vanishes_at_isolated(Coefficients q) const {
+  Dense divisor(Coefficients(p_.data(), degree_ + 1));
+  Dense rest(q);
+  while (rest.size > 0) {
+    Dense next = positive_remainder(divisor, rest);
+    divisor = std::move(rest);
+    rest = std::move(next);
   }
-  return variations;
+  return divisor.size > 1 && divisor.sign_at(low_) * divisor.sign_at(high_) < 0;
 }
 
 int RealRoot::certain_sign(const double* c, int size) const {
@@ -301,7 +276,15 @@ int RealRoot::certain_sign(const double* c, int size) const {
 int RealRoot::sign_at(Coefficients q) const {
   if (is_rational_) return sign_at_rational(q, numerator_, denominator_);
   int sign = 0;
-  return sign_over_bracket(q, sign) ? sign : sign_by_remainders(q);
+  if (sign_over_bracket(q, sign)) return sign;
+  if (vanishes_at_isolated(q)) return 0;
+  // Not zero: a narrower bracket shows the sign.
+  RealRoot root = *this;
+  do {
+    root.narrow();
+    if (root.is_rational_) return sign_at_rational(q, root.numerator_, root.denominator_);
+  } while (!root.sign_over_bracket(q, sign));
+  return sign;
 }
 
 int RealRoot::sign_after(Coefficients q) const {

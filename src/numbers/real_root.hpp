@@ -112,7 +112,7 @@ class RealRoot {
   void find_neighbouring_doubles();
   double estimate() const;
   bool sign_over_bracket(Coefficients q, int& sign) const;
-  int sign_by_remainders(Coefficients q) const;
+  bool vanishes_at_isolated(Coefficients q) const;
   void narrow();
   bool keep_side(const Exact& value);
   void become_rational(const Exact& value);
