@@ -68,19 +68,8 @@ class NeighbouringDoubles {
       : query_(query), root_(root), exact_value_(exact_value), base_(root.t), offset_(offset) {}
 
   Times find() {
-    for (const double end : {0.0, 1.0}) {
-      const numbers::DoubleDouble sum = numbers::two_sum(base_, offset_.value);
-      const double beyond = (sum.high - end) + sum.low;  // sum.high - end is exact where it matters
-      const double error = 1.0625 * offset_.error + 2 * kUnit * std::fabs(beyond);
-      if (end == 0 ? beyond < -error : beyond > error) return kOutside;
-      if (std::fabs(beyond) > error) continue;
-      if (!within_radius(end)) return kUncertain;
-      const int side = look_from(end);
-      if (side == 0) return {Times::Found::yes, end, end};
-      if (side == (end == 0 ? -1 : 1)) return kOutside;
-      break;  // and so far away from the other end
-    }
-    if (Times times; settle(times)) return times;
+    const bool inner = root_.t - root_.radius > 0 && root_.t + root_.radius < 1;
+    if (Times times; inner ? settle(times) : near_end(times)) return times;
     // Several doubles away from the nearest, since it is small: a step from there is as good as its value is exact.
     const double nearest = base_ + offset_.value;
     if (!(nearest > 0 && nearest < 1 && within_radius(nearest))) return kUncertain;
@@ -91,6 +80,35 @@ class NeighbouringDoubles {
   }
 
  private:
+  /// For a root that may be on either side of 0 or 1: `settle`, or that it is outside.
+  bool near_end(Times& times) {
+    for (const double end : {0.0, 1.0}) {
+      const numbers::DoubleDouble sum = numbers::two_sum(base_, offset_.value);
+      const double beyond = (sum.high - end) + sum.low;  // sum.high - end is exact where it matters
+      const double error = 1.0625 * offset_.error + 2 * kUnit * std::fabs(beyond);
+      if (end == 0 ? beyond < -error : beyond > error) {
+        times = kOutside;
+        return true;
+      }
+      if (std::fabs(beyond) > error) continue;
+      if (!within_radius(end)) {
+        times = kUncertain;
+        return true;
+      }
+      const int side = look_from(end);
+      if (side == 0) {
+        times = {Times::Found::yes, end, end};
+        return true;
+      }
+      if (side == (end == 0 ? -1 : 1)) {
+        times = kOutside;
+        return true;
+      }
+      break;  // and so far away from the other end
+    }
+    return settle(times);
+  }
+
   bool within_radius(double time) const { return std::fabs(time - root_.t) <= root_.radius; }
 
   /// On which side of `time` the root lies, exactly (1: after it). The root's offset from there becomes the one to use: it is

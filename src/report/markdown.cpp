@@ -10,6 +10,7 @@
 #include "report/front.hpp"
 #include "report/machine.hpp"
 #include "report/plots.hpp"
+#include "report/text_plot.hpp"
 
 namespace touchstone::report {
 namespace {
@@ -73,6 +74,7 @@ std::string set_section(const SetResults& set, bool plots) {
                                  set.set.queries.size(), set.set.contacts());
   text += front_sentence(set.results) + "\n\n";
   text += error_table(set);
+  if (const std::string plot = text_plot(set); !plot.empty()) text += "```\n" + plot + "```\n\n";
   text += picture(plots, error_plot_name(set), "Error against run time on " + set.set.name);
   text += percentile_table(set);
   return text + picture(plots, percentile_plot_name(set), "Run time percentiles on " + set.set.name);

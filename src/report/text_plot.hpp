@@ -1,0 +1,15 @@
+// The picture of a set in plain characters, for pages and terminals that show no other. SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "report/measure.hpp"
+
+namespace touchstone::report {
+
+/// The greatest time error of each method and tolerance against its mean run time, on logarithmic axes; a letter a point, and
+/// the lines below say whose. Upper case: every answer is right but for its time; lower case: some contact is missed,
+/// invented or late. Empty when no method claims a time.
+std::string text_plot(const SetResults& set);
+
+}  // namespace touchstone::report
