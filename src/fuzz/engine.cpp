@@ -44,10 +44,11 @@ struct Asked {
 /// One thread's search.
 class Searcher {
  public:
-  Searcher(SolverUnderTest& solver, const Settings& settings, const Plan& plan, Shared& shared, Clock::time_point start)
-      : asked_{solver}, settings_(settings), plan_(plan), shared_(shared), start_(start) {}
+  Searcher(const Settings& settings, const Plan& plan, Shared& shared, Clock::time_point start)
+      : settings_(settings), plan_(plan), shared_(shared), start_(start) {}
 
-  void work() {
+  void work(const Asked& asked) {
+    asked_ = &asked;
     while (!shared_.stop) {
       const auto piece = plan_.piece(shared_.next++);
       if (!piece) return;
@@ -78,7 +79,7 @@ class Searcher {
 
   void look_at(const CaseName& name, const Query& query) {
     const Answer truth = solve(query, settings_.judge);
-    const auto failure = failure_on(query, asked_.solver, asked_.whole, truth, settings_.early, reply_);
+    const auto failure = failure_on(query, asked_->solver, asked_->whole, truth, settings_.early, reply_);
     shared_.queries.fetch_add(1, std::memory_order_relaxed);
     table.add_cases(name.start.family, 1);
     if (!failure) return;
@@ -87,7 +88,7 @@ class Searcher {
     findings.add(*failure, name, query, reply_, truth);
   }
 
-  Asked asked_;
+  const Asked* asked_ = nullptr;
   const Settings& settings_;
   const Plan& plan_;
   Shared& shared_;
@@ -158,9 +159,11 @@ std::vector<families::Family> wanted_families(const Settings& settings) {
   return all;
 }
 
+std::size_t thread_count(const Settings& settings) { return static_cast<std::size_t>(std::max(settings.threads, 1)); }
+
 /// @returns false when the watch ended it
-bool shrink_all(std::vector<Finding>& findings, std::vector<std::unique_ptr<SolverUnderTest>>& solvers,
-                const Settings& settings, const Progress& found, const Watch& watch) {
+bool shrink_all(std::vector<Finding>& findings, const SolverFactory& make_solver, const Settings& settings,
+                const Progress& found, const Watch& watch) {
   const Clock::time_point start = Clock::now();
   Shared shared;
   std::atomic<std::size_t> shrunk = 0;
@@ -170,10 +173,11 @@ bool shrink_all(std::vector<Finding>& findings, std::vector<std::unique_ptr<Solv
     return shared.stop.load();
   };
   on_threads(
-      std::min(solvers.size(), findings.size()), shared,
-      [&](std::size_t thread) {
+      std::min(thread_count(settings), findings.size()), shared,
+      [&](std::size_t) {
+        const auto solver = make_solver();
         for (std::size_t i = shared.next++; i < findings.size() && !stop(); i = shared.next++) {
-          shrink_finding(findings[i], *solvers[thread], settings, stop);
+          shrink_finding(findings[i], *solver, settings, stop);
           ++shrunk;
         }
       },
@@ -231,19 +235,19 @@ std::optional<Finding> run_case(SolverUnderTest& solver, const CaseName& name, c
 }
 
 Outcome run(const SolverFactory& make_solver, const Settings& settings, const Watch& watch) {
-  std::vector<std::unique_ptr<SolverUnderTest>> solvers;
-  for (int i = 0; i < std::max(settings.threads, 1); ++i) solvers.push_back(make_solver());
-  const Plan plan(wanted_families(settings), supported_kinds(*solvers.front(), settings.kinds), settings.cases);
-
+  const Plan plan(wanted_families(settings), supported_kinds(*make_solver(), settings.kinds), settings.cases);
   const Clock::time_point start = Clock::now();
   Shared shared;
   std::vector<Searcher> searchers;
-  searchers.reserve(solvers.size());
-  for (const auto& solver : solvers) searchers.emplace_back(*solver, settings, plan, shared, start);
+  for (std::size_t i = 0; i < thread_count(settings); ++i) searchers.emplace_back(settings, plan, shared, start);
 
   Outcome outcome;
   on_threads(
-      searchers.size(), shared, [&](std::size_t i) { searchers[i].work(); },
+      searchers.size(), shared,
+      [&](std::size_t i) {
+        const auto solver = make_solver();
+        searchers[i].work({*solver});
+      },
       [&] {
         if (watch && !watch(progress_of(shared, start))) outcome.stopped = true;
         return !outcome.stopped;
@@ -259,7 +263,7 @@ Outcome run(const SolverFactory& make_solver, const Settings& settings, const Wa
   outcome.kinds_of_failure = findings.size();
   outcome.findings = findings.take(settings.most_findings);
   if (!outcome.stopped && !outcome.findings.empty()) {
-    outcome.stopped = !shrink_all(outcome.findings, solvers, settings, found, watch);
+    outcome.stopped = !shrink_all(outcome.findings, make_solver, settings, found, watch);
   }
   return outcome;
 }

@@ -46,7 +46,8 @@ struct Progress {
 /// Called a few times a second, on the thread that called `run`; false ends the run, with what it has found.
 using Watch = std::function<bool(const Progress&)>;
 
-/// Called once for each thread, so that solvers need not be safe to share.
+/// Called by every thread that asks, for a solver of its own that is asked by no other thread and destroyed before the
+/// thread ends; and once by the caller of `run`.
 using SolverFactory = std::function<std::unique_ptr<SolverUnderTest>()>;
 
 struct Outcome {

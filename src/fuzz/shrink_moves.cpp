@@ -182,32 +182,66 @@ void simplify_axes(Shrinking& s) {
   s.offer(reversed);
 }
 
-/// One coordinate after the other: to small numbers, to fewer digits, to a value that is there already.
-void simplify_coordinates(Shrinking& s) {
+/// Offers simpler numbers in place of one: small ones, with fewer digits, nearer to 1, nearer to zero. `number` reads it
+/// and `offer` puts another one in its place.
+template <class Number, class Offer>
+void simplify_number(Number&& number, Offer&& offer) {
   constexpr std::array<double, 14> kSmall{0.0, 1, -1, 2, -2, 3, -3, 4, -4, 0.5, -0.5, 8, -8, 1.5};
+  for (const double value : kSmall) offer(value);
+  const double x = number();
+  for (const double value : {std::nearbyint(x), std::floor(x), std::ceil(x), -x}) offer(value);
+  for (const int places : {512, 256, 128, 64, 32, 16, 8, 4, 2, 1}) {
+    offer(std::ldexp(number(), std::fabs(number()) < 1 ? places : -places));
+  }
+  while (offer(number() - std::copysign(1.0, number()))) {
+  }
+  for (const int digits : {1, 2, 3, 4, 5, 6, 8, 12, 20, 30, 40, 48}) {
+    int exponent = 0;
+    const double scaled = std::ldexp(std::frexp(number(), &exponent), digits);
+    offer(std::ldexp(std::trunc(scaled), exponent - digits));
+    offer(std::ldexp(std::nearbyint(scaled), exponent - digits));
+  }
+}
+
+/// One coordinate after the other, at one end or at both.
+void simplify_coordinates(Shrinking& s) {
+  enum class End { start, end, both };
   for (std::size_t i = 0; i < corners_of(s); ++i) {
-    for (const bool at_start : {true, false}) {
-      for (const std::size_t axis : kAxes) {
+    for (const std::size_t axis : kAxes) {
+      for (const End end : {End::both, End::start, End::end}) {
         const auto offer = [&](double value) {
           Query query = s.best();
-          coordinate((at_start ? query.start : query.end)[i], axis) = value;
+          if (end != End::end) coordinate(query.start[i], axis) = value;
+          if (end != End::start) coordinate(query.end[i], axis) = value;
           return s.offer(query);
         };
-        const auto x = [&] { return coordinate((at_start ? s.best().start : s.best().end)[i], axis); };
-        for (const double value : kSmall) offer(value);
-        for (const double value : {std::nearbyint(x()), std::floor(x()), std::ceil(x()), -x(), 0.5 * x()}) offer(value);
-        while (offer(x() - std::copysign(1.0, x()))) {
-        }
-        for (const int digits : {1, 2, 3, 4, 5, 6, 8, 12, 20, 30, 40, 48}) {
-          int exponent = 0;
-          const double scaled = std::ldexp(std::frexp(x(), &exponent), digits);
-          offer(std::ldexp(std::trunc(scaled), exponent - digits));
-          offer(std::ldexp(std::nearbyint(scaled), exponent - digits));
-        }
+        const auto number = [&] { return coordinate((end == End::end ? s.best().end : s.best().start)[i], axis); };
+        simplify_number(number, offer);
         for (std::size_t j = 0; j < corners_of(s); ++j) {
           offer(coordinate(s.best().start[j], axis));
           offer(coordinate(s.best().end[j], axis));
         }
+        if (s.over()) return;
+      }
+    }
+  }
+}
+
+/// One value after the other, wherever it stands, either sign.
+void simplify_values(Shrinking& s) {
+  for (std::size_t i = 0; i < corners_of(s); ++i) {
+    for (const std::size_t axis : kAxes) {
+      for (const bool at_start : {true, false}) {
+        const auto number = [&] {
+          return std::fabs(coordinate((at_start ? s.best().start : s.best().end)[i], axis));
+        };
+        simplify_number(number, [&](double value) {
+          const double old = number();
+          if (old == 0) return false;
+          return s.offer(mapped_axes(s.best(), kAxisSets[0], [&](double x) {
+            return std::fabs(x) == old ? std::copysign(1.0, x) * value : x;
+          }));
+        });
         if (s.over()) return;
       }
     }
@@ -252,7 +286,7 @@ void draw_lots(Shrinking& s) {
 
 const std::vector<Move>& shrink_moves() {
   static const std::vector<Move> moves{translate,     scale,         round_all,            scale,          stand_still, merge,
-                                       simplify_axes, simplify_coordinates, simplify_pairs, draw_lots};
+                                       simplify_axes, simplify_values, simplify_coordinates, simplify_pairs, draw_lots};
   return moves;
 }
 

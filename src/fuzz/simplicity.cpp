@@ -11,9 +11,10 @@ namespace touchstone::fuzz {
 namespace {
 
 constexpr std::int64_t kMovingCorner = 3;
+constexpr std::int64_t kRepeatedCorner = 2;
 constexpr std::int64_t kSign = 1;
 constexpr std::int64_t kDigit = 2;
-constexpr std::int64_t kFractionDigit = 3;  // for each place after the point
+constexpr std::int64_t kFractionDigit = 6;  // for each place after the point
 
 std::int64_t difficulty(double x) noexcept {
   const std::int64_t sign = std::signbit(x) ? kSign : 0;
@@ -35,10 +36,11 @@ bool same(const Vec3& a, const Vec3& b) noexcept {
 }
 
 std::int64_t of_corner(const std::array<Vec3, 4>& corners, std::size_t i) noexcept {
+  const std::int64_t own = difficulty(corners[i].x) + difficulty(corners[i].y) + difficulty(corners[i].z);
   for (std::size_t j = 0; j < i; ++j) {
-    if (same(corners[i], corners[j])) return 1;
+    if (same(corners[i], corners[j])) return std::min(own, kRepeatedCorner);
   }
-  return difficulty(corners[i].x) + difficulty(corners[i].y) + difficulty(corners[i].z);
+  return own;
 }
 
 }  // namespace
