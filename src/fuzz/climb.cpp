@@ -13,7 +13,7 @@ namespace {
 
 using families::Rng;
 
-double height_of(const Query& query) { return std::fabs(std::log2(filter_margin(query))); }
+double height_of(const Query& query) { return std::fabs(std::log2(std::fabs(filter_margin(query)))); }
 
 double& random_coordinate(Query& query, Rng& rng) {
   auto& corners = rng.one_in(2) ? query.start : query.end;
@@ -33,6 +33,17 @@ double changed(double x, Query& query, Rng& rng) {
   }
 }
 
+/// Moves one coordinate to where the margin would be zero if it were linear in it. V's coefficients are: there the
+/// coefficient that remains is rounding.
+void step_to_zero(Query& query, Rng& rng) {
+  double& x = random_coordinate(query, rng);
+  const double before = x;
+  const double margin = filter_margin(query);
+  x = before + std::ldexp(rng.symmetric() * (std::fabs(before) + 0x1p-1000), -rng.between(0, 30));
+  const double moved = before - margin * (x - before) / (filter_margin(query) - margin);
+  x = std::isfinite(moved) ? moved : before;
+}
+
 }  // namespace
 
 Climb::Climb(const families::CaseId& start)
@@ -42,7 +53,8 @@ Climb::Climb(const families::CaseId& start)
 
 Query Climb::next() {
   Query query = current_;
-  for (int changes = rng_.one_in(3) ? 2 : 1; changes > 0; --changes) {
+  if (rng_.one_in(3)) step_to_zero(query, rng_);
+  for (int changes = rng_.between(0, 2); changes > 0; --changes) {
     double& x = random_coordinate(query, rng_);
     const double value = changed(x, query, rng_);
     if (std::isfinite(value)) x = value;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <limits>
 
 #include "filters/same_side.hpp"
@@ -17,10 +18,14 @@ using filters::Vector;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// |value| / bound; +infinity where that says nothing.
+/// value / bound; +infinity where that says nothing.
 double quotient(double value, double bound) noexcept {
-  const double q = std::fabs(value) / bound;
+  const double q = value / bound;
   return std::isnan(q) || bound <= 0 ? kInfinity : q;
+}
+
+double least(std::initializer_list<double> quotients) noexcept {
+  return std::min(quotients, [](double a, double b) { return std::fabs(a) < std::fabs(b); });
 }
 
 Vector difference(const Vec3& a, const Vec3& b) noexcept { return {{a.x - b.x, a.y - b.y, a.z - b.z}}; }
@@ -70,19 +75,18 @@ double side_margin(const Query& query, const filters::Frame& f, double t) noexce
   const double first = geometry::cross_component(r, w, k) / n[k];
   const double second = (query.kind == Kind::edge_edge ? 1 : -1) * geometry::cross_component(r, u, k) / n[k];
   const double third = query.kind == Kind::edge_edge ? 1 - first : 1 - first - second;
-  double margin = std::min({quotient(first, kRounding), quotient(second, kRounding), quotient(third, kRounding)});
-  if (query.kind == Kind::edge_edge) margin = std::min(margin, quotient(1 - second, kRounding));
-  return margin;
+  const double margin = least({quotient(first, kRounding), quotient(second, kRounding), quotient(third, kRounding)});
+  return query.kind == Kind::edge_edge ? least({margin, quotient(1 - second, kRounding)}) : margin;
 }
 
 double cubic_margin(const Query& query) noexcept {
   const filters::Frame frame = frame_of(query);
   const auto c = filters::coplanarity_coefficients(frame);
   const auto bounds = filters::coplanarity_bounds(frame);
-  const double margin = std::min({quotient(c[0], bounds.ends), quotient(c[1], bounds.middle),
-                                  quotient(c[2], bounds.middle), quotient(c[3], bounds.ends)});
+  const double margin = least({quotient(c[0], bounds.ends), quotient(c[1], bounds.middle),
+                               quotient(c[2], bounds.middle), quotient(c[3], bounds.ends)});
   const bool crosses = (c[0] > 0) != (c[3] > 0);
-  return crosses ? std::min(margin, side_margin(query, frame, sign_change(c))) : margin;
+  return crosses ? least({margin, side_margin(query, frame, sign_change(c))}) : margin;
 }
 
 double separation_margin(const Query& query) noexcept {
@@ -104,7 +108,7 @@ double separation_margin(const Query& query) noexcept {
 double filter_margin(const Query& query) noexcept {
   const bool has_cubic = query.kind == Kind::edge_edge || query.kind == Kind::vertex_face;
   const double margin = separation_margin(query);
-  return has_cubic ? std::min(margin, cubic_margin(query)) : margin;
+  return has_cubic ? least({margin, cubic_margin(query)}) : margin;
 }
 
 }  // namespace touchstone::fuzz

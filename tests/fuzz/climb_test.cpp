@@ -13,7 +13,7 @@ using namespace touchstone;
 
 namespace {
 
-double height(const Query& query) { return std::fabs(std::log2(fuzz::filter_margin(query))); }
+double height(const Query& query) { return std::fabs(std::log2(std::fabs(fuzz::filter_margin(query)))); }
 
 }  // namespace
 
@@ -37,7 +37,7 @@ TEST_CASE("from most queries of most families, climbing comes within a factor of
   }
   CAPTURE(all, before, after);
   CHECK(before < all / 10);
-  CHECK(after > all / 2);
+  CHECK(10 * after > 9 * all);
 }
 
 TEST_CASE("every query that climbing comes to is finite") {
@@ -61,15 +61,15 @@ TEST_CASE("the margin is that of the tightest comparison") {
   Query query;
   query.start = {Vec3{-1, 0, 0}, Vec3{1, 0, 0}, Vec3{0, -1, 1}, Vec3{0, 1, 1}};
   query.end = {Vec3{-1, 0, 0}, Vec3{1, 0, 0}, Vec3{0, -1, -1}, Vec3{0, 1, -1}};
-  CHECK(fuzz::filter_margin(query) > 1e10);
+  CHECK(std::fabs(fuzz::filter_margin(query)) > 1e10);
   Query at_end = query;
   for (auto* corners : {&at_end.start, &at_end.end}) {
     for (const std::size_t i : {2u, 3u}) (*corners)[i].x = 1;
   }
-  CHECK(fuzz::filter_margin(at_end) < 16);
+  CHECK(std::fabs(fuzz::filter_margin(at_end)) < 16);
   for (auto* corners : {&at_end.start, &at_end.end}) {
     for (const std::size_t i : {2u, 3u}) (*corners)[i].x = 1 - 0x1p-30;
   }
-  CHECK(fuzz::filter_margin(at_end) > 1000);
-  CHECK(fuzz::filter_margin(at_end) < 1e7);
+  CHECK(std::fabs(fuzz::filter_margin(at_end)) > 1000);
+  CHECK(std::fabs(fuzz::filter_margin(at_end)) < 1e7);
 }
