@@ -28,23 +28,6 @@ double least(std::initializer_list<double> quotients) noexcept {
   return std::min(quotients, [](double a, double b) { return std::fabs(a) < std::fabs(b); });
 }
 
-Vector difference(const Vec3& a, const Vec3& b) noexcept { return {{a.x - b.x, a.y - b.y, a.z - b.z}}; }
-
-/// u, w and r as in the filters.
-filters::Frame frame_of(const Query& q) noexcept {
-  const bool edges = q.kind == Kind::edge_edge;
-  const std::size_t origin = edges ? 0 : 1;
-  const auto at = [&](const std::array<Vec3, 4>& x, Vector& u, Vector& w, Vector& r) {
-    u = difference(x[edges ? 1 : 2], x[origin]);
-    w = difference(x[3], x[edges ? 2 : 1]);
-    r = difference(x[edges ? 2 : 0], x[origin]);
-  };
-  filters::Frame frame{};
-  at(q.start, frame.u0, frame.w0, frame.r0);
-  at(q.end, frame.u1, frame.w1, frame.r1);
-  return frame;
-}
-
 Vector between(const Vector& a, const Vector& b, double t) noexcept {
   return {{(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1], (1 - t) * a[2] + t * b[2]}};
 }
@@ -80,11 +63,12 @@ double side_margin(const Query& query, const filters::Frame& f, double t) noexce
 }
 
 double cubic_margin(const Query& query) noexcept {
-  const filters::Frame frame = frame_of(query);
+  const filters::Frame frame = filters::frame_of(query);
   const auto c = filters::coplanarity_coefficients(frame);
   const auto bounds = filters::coplanarity_bounds(frame);
-  const double margin = least({quotient(c[0], bounds.ends), quotient(c[1], bounds.middle),
-                               quotient(c[2], bounds.middle), quotient(c[3], bounds.ends)});
+  const double margin = !bounds.valid ? kInfinity
+                                      : least({quotient(c[0], bounds.ends), quotient(c[1], bounds.middle),
+                                               quotient(c[2], bounds.middle), quotient(c[3], bounds.ends)});
   const bool crosses = (c[0] > 0) != (c[3] > 0);
   return crosses ? least({margin, side_margin(query, frame, sign_change(c))}) : margin;
 }
@@ -106,9 +90,8 @@ double separation_margin(const Query& query) noexcept {
 }  // namespace
 
 double filter_margin(const Query& query) noexcept {
-  const bool has_cubic = query.kind == Kind::edge_edge || query.kind == Kind::vertex_face;
   const double margin = separation_margin(query);
-  return has_cubic ? least({margin, cubic_margin(query)}) : margin;
+  return filters::has_cubic(query.kind) ? least({margin, cubic_margin(query)}) : margin;
 }
 
 }  // namespace touchstone::fuzz

@@ -25,7 +25,7 @@ const std::map<std::string, Layers>& layer_table() {
       {"seeded", {}},
       {"families", {"geometry", "seeded"}},
       {"generators", {"geometry", "io", "seeded"}},
-      {"fuzz", {"solver", "certify", "baselines", "families", "filters", "numbers", "geometry", "seeded"}},
+      {"fuzz", {"solver", "certify", "baselines", "families", "filters", "io", "numbers", "geometry", "seeded"}},
       {"io", {"geometry", "numbers"}},
       {"report", {"solver", "baselines", "generators", "io", "geometry", "seeded"}},
       {"cli",
