@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <list>
 #include <map>
 
 #include "cli/new_folders.hpp"
 #include "cli/words.hpp"
+#include "fuzz/finding_text.hpp"
 #include "io/fail.hpp"
 #include "io/output_file.hpp"
 #include "io/query_writer.hpp"
@@ -24,41 +24,6 @@ using fuzz::Finding;
 
 std::uint64_t rate(std::uint64_t queries, double seconds) {
   return static_cast<std::uint64_t>(static_cast<double>(queries) / std::max(seconds, 1e-9));
-}
-
-std::string time_text(double time) { return std::isfinite(time) ? time_for_person(time) : fmt::format("{}", time); }
-
-std::string claim_for_person(const fuzz::Reply& reply) {
-  switch (reply.state) {
-    case fuzz::Reply::State::crashed: return "none: it crashed";
-    case fuzz::Reply::State::hung: return "none: it did not return in time";
-    case fuzz::Reply::State::malformed: return "none that can be understood";
-    case fuzz::Reply::State::answered: break;
-  }
-  if (!reply.contact) return "no contact";
-  return reply.toi ? "contact at " + time_text(*reply.toi) : "contact";
-}
-
-std::string truth_for_person(const Answer& truth) {
-  if (!truth.contact) return "no contact";
-  const std::string time = truth.toi == truth.toi_upper
-                               ? time_for_person(truth.toi)
-                               : fmt::format("{}, just before the exact time", time_for_person(truth.toi));
-  return fmt::format("contact at {}", time);
-}
-
-std::string corner_for_person(const Vec3& corner) { return fmt::format("({}, {}, {})", corner.x, corner.y, corner.z); }
-
-bool same(const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
-
-std::string corners_for_person(const Query& query) {
-  std::string text;
-  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
-    text += fmt::format("     {}  {}", corner_name(query.kind, i), corner_for_person(query.start[i]));
-    text += same(query.start[i], query.end[i]) ? " stands still\n"
-                                               : fmt::format(" -> {}\n", corner_for_person(query.end[i]));
-  }
-  return text;
 }
 
 }  // namespace
@@ -125,9 +90,9 @@ std::string finding_for_person(std::size_t number, const Finding& finding, const
   std::string text = fmt::format("\n{}. {}{}, {}: {}\n", number, fuzz::failure_name(finding.failure),
                                  finding.count > 1 ? fmt::format(" {} times", grouped(finding.count)) : "",
                                  kind_name(finding.degeneracy.kind), fuzz::degeneracy_text(finding.degeneracy));
-  text += corners_for_person(example.query);
-  text += fmt::format("   claim: {}\n", claim_for_person(example.reply));
-  text += fmt::format("   exact: {}\n", truth_for_person(example.truth));
+  text += fuzz::corners_text(example.query, "     ");
+  text += fmt::format("   claim: {}\n", fuzz::claim_text(example.reply));
+  text += fmt::format("   exact: {}\n", fuzz::truth_text(example.truth));
   if (!example.detail.empty()) text += fmt::format("   {}\n", io::printable(example.detail));
   text += fmt::format("   {}\n", case_command(options, example.name));
   if (!place.file.empty()) {

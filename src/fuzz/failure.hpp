@@ -9,24 +9,14 @@
 #include <string_view>
 
 #include <touchstone/answer.hpp>
+#include <touchstone/fuzz.hpp>
 #include <touchstone/query.hpp>
 
 #include "fuzz/solver_under_test.hpp"
 
 namespace touchstone::fuzz {
 
-/// Worst first.
-enum class FailureClass : std::uint8_t {
-  crash,
-  hang,
-  malformed,  ///< no answer at all, a time before the step, or an answer that breaks its own promises
-  missed,     ///< contact denied, but there is one
-  late,       ///< its time lies after the exact one
-  nan,        ///< contact claimed at a time that is no number
-  phantom,    ///< contact claimed, but there is none
-  early,      ///< its time lies before the exact one by more than is allowed
-  differs     ///< of a whole answer: upper time, nature, features or weights are not the judge's
-};
+using FailureClass = FuzzFailure;
 inline constexpr std::size_t kFailureClasses = 9;
 inline constexpr std::array<FailureClass, kFailureClasses> kEveryFailure{
     FailureClass::crash, FailureClass::hang,    FailureClass::malformed, FailureClass::missed, FailureClass::late,

@@ -63,7 +63,7 @@ if(WAY STREQUAL "installed")
   endforeach()
 elseif(WAY STREQUAL "fetched")
   set(fetched -DCONSUMER_FETCHES=ON -DFETCHCONTENT_SOURCE_DIR_TOUCHSTONE=${SOURCE_DIR} -DCMAKE_BUILD_TYPE=
-    "-DCMAKE_CXX_FLAGS=-O1 -ffast-math" -DTOUCHSTONE_INSTALL=ON)
+    "-DCMAKE_CXX_FLAGS=-O1 -ffast-math" -DTOUCHSTONE_INSTALL=ON -DTOUCHSTONE_BUILD_FUZZ=ON)
   foreach(shared OFF ON)  # the same object files: only the library is linked anew
     consume(${SCRATCH}/fetched ${fetched} -DBUILD_SHARED_LIBS=${shared})
   endforeach()
