@@ -34,13 +34,14 @@ std::string_view fuzz_failure_name(FuzzFailure failure) noexcept;  ///< "crash",
 struct FuzzOptions {
   std::uint64_t seed = 1;         ///< the queries are the same ones for the same seed, on every machine
   std::uint64_t cases = 100'000;  ///< how many to make, shared out evenly to all families and kinds; not 0
-  std::uint64_t climb = 0;        ///< steps of hill climbing from each towards queries that are hard for doubles, each asked too
-  std::vector<Kind> kinds;             ///< empty: all
-  std::vector<std::string> families;   ///< names as `touchstone fuzz --help` lists them; empty: all
+  std::uint64_t climb =
+      0;  ///< steps of hill climbing from each towards queries that are hard for doubles, each asked too
+  std::vector<Kind> kinds;                  ///< empty: all
+  std::vector<std::string> families;        ///< names as `touchstone fuzz --help` lists them; empty: all
   std::optional<std::uint64_t> early_ulps;  ///< how many doubles before the exact time a claimed time may lie
   std::optional<double> early_share;        ///< the same as a share of the step, in [0, 1]; without both: any distance
-  std::size_t findings = 32;  ///< how many to shrink and return at most; 0: all
-  int threads = 1;            ///< from so many the solver is called at a time, 1 to 1024; the report is the same for any number
+  std::size_t findings = 32;                ///< how many to shrink and return at most; 0: all
+  int threads = 1;  ///< from so many the solver is called at a time, 1 to 1024; the report is the same for any number
 };
 
 /// Failures of one class on queries that are degenerate in one way, shown by the simplest query of them.
@@ -51,7 +52,7 @@ struct FuzzFinding {
   Query query;              ///< shrunk: still fails in this way, with coordinates that a person can read
   Claim claim;              ///< what the solver says of it; its time may be anything
   Answer truth;             ///< the exact answer
-  std::string detail;       ///< of a crash, the exception's message
+  std::string detail;       ///< of a crash, the exception's message and the like
   std::string case_name;    ///< of the query that it was shrunk from: touchstone fuzz --case "..."
 };
 

@@ -93,8 +93,9 @@ int run_fuzz(const FuzzOptions& options) {
     console.write("nothing found\n");
   } else {
     const std::size_t shown = outcome.findings.size();
-    console.write(fmt::format("{} of failure{}\n", outcome.kinds_of_failure == 1 ? "1 kind" : grouped(outcome.kinds_of_failure) + " kinds",
-                              shown < outcome.kinds_of_failure ? fmt::format("; {} shown (--findings 0 shows all)", shown) : ""));
+    console.write(fmt::format(
+        "{} of failure{}\n", outcome.kinds_of_failure == 1 ? "1 kind" : grouped(outcome.kinds_of_failure) + " kinds",
+        shown < outcome.kinds_of_failure ? fmt::format("; {} shown (--findings 0 shows all)", shown) : ""));
   }
   print_findings(console, outcome.findings, options);
   console.commit();
@@ -151,11 +152,10 @@ std::string listed_families() {
 void add_solver_options(CLI::App& subcommand, FuzzOptions& options) {
   std::string names;
   for (const auto name : fuzz::solver_names()) names.append(names.empty() ? "" : ", ").append(name);
-  auto* const solver =
-      subcommand
-          .add_option("--solver", options.solver.solver,
-                      "Who is asked: " + names + ", or the path of a plugin (default: touchstone)")
-          ->type_name("NAME");
+  auto* const solver = subcommand
+                           .add_option("--solver", options.solver.solver,
+                                       "Who is asked: " + names + ", or the path of a plugin (default: touchstone)")
+                           ->type_name("NAME");
   subcommand
       .add_option("--solver-command", options.solver.command,
                   "A program that is asked over pipes, as the shell would be told to run it")
@@ -178,24 +178,25 @@ void add_solver_options(CLI::App& subcommand, FuzzOptions& options) {
           "How far before the exact time a claimed time may lie: 16ulps, or 1e-6 of the step (default: any distance)")
       ->type_name("LIMIT")
       ->check([](const std::string& text) {
-        return early_limit(text) ? std::string() : text + " must be a number of ulps, 16ulps, or a share of the step in [0, 1]";
+        return early_limit(text) ? std::string()
+                                 : text + " must be a number of ulps, 16ulps, or a share of the step in [0, 1]";
       });
 }
 
 void add_source_options(CLI::App& subcommand, FuzzOptions& options, std::vector<CLI::Option*>& of_search) {
   fuzz::Settings& settings = options.settings;
-  of_search.push_back(
-      subcommand
-          .add_option_function<std::vector<std::string>>(
-              "--family",
-              [&settings](const std::vector<std::string>& names) {
-                for (const auto& name : names) settings.families.push_back(*family_from_name(name));
-              },
-              "Only queries of this family (default: all; may be given more than once)")
-          ->type_name("FAMILY")
-          ->check([](const std::string& name) {
-            return family_from_name(name) ? std::string() : name + " is no family; see touchstone fuzz --help";
-          }));
+  of_search.push_back(subcommand
+                          .add_option_function<std::vector<std::string>>(
+                              "--family",
+                              [&settings](const std::vector<std::string>& names) {
+                                for (const auto& name : names) settings.families.push_back(*family_from_name(name));
+                              },
+                              "Only queries of this family (default: all; may be given more than once)")
+                          ->type_name("FAMILY")
+                          ->check([](const std::string& name) {
+                            return family_from_name(name) ? std::string()
+                                                          : name + " is no family; see touchstone fuzz --help";
+                          }));
   of_search.push_back(
       subcommand
           .add_option_function<std::vector<std::string>>(
@@ -209,20 +210,22 @@ void add_source_options(CLI::App& subcommand, FuzzOptions& options, std::vector<
             return io::kind_from_name(name) ? std::string() : name + " is no kind; it must be " + io::kind_names();
           }));
   const auto number = [&](const std::string& name, auto& value, std::uint64_t least, const std::string& about) {
-    of_search.push_back(subcommand.add_option(name, value, about)->type_name("N")->check([least](const std::string& text) {
-      return check_whole_number(text, least);
-    }));
+    of_search.push_back(
+        subcommand.add_option(name, value, about)->type_name("N")->check([least](const std::string& text) {
+          return check_whole_number(text, least);
+        }));
   };
   number("--seed", settings.seed, 0, "Another seed, other queries (default: 1)");
-  number("--cases", settings.cases, 1, "Ends after so many; with it alone the outcome is the same for any number of threads");
-  of_search.push_back(subcommand
-                          .add_option_function<std::string>(
-                              "--seconds",
-                              [&settings](const std::string& text) { settings.seconds = io::parse_finite_double(text); },
-                              "Ends the search after so long; shrinking may take as long again (default: 10, unless "
-                              "--cases is given)")
-                          ->type_name("S")
-                          ->check(check_seconds));
+  number("--cases", settings.cases, 1,
+         "Ends after so many; with it alone the outcome is the same for any number of threads");
+  of_search.push_back(
+      subcommand
+          .add_option_function<std::string>(
+              "--seconds", [&settings](const std::string& text) { settings.seconds = io::parse_finite_double(text); },
+              "Ends the search after so long; shrinking may take as long again (default: 10, unless "
+              "--cases is given)")
+          ->type_name("S")
+          ->check(check_seconds));
   number("--climb", settings.climb, 0,
          "So many steps from every case towards queries on which the filters are only just certain, each asked as well "
          "(default: 0)");
@@ -246,15 +249,20 @@ void add_fuzz(CLI::App& program, Command& command) {
               "Only this query, named as the findings name it: \"FAMILY KIND SEED INDEX\"")
           ->type_name("CASE")
           ->check([](const std::string& text) {
-            return fuzz::parse_case_text(text) ? std::string() : text + " is no case; it must be \"FAMILY KIND SEED INDEX\"";
+            return fuzz::parse_case_text(text) ? std::string()
+                                               : text + " is no case; it must be \"FAMILY KIND SEED INDEX\"";
           });
   for (CLI::Option* const option : of_search) a_case->excludes(option);
   subcommand->add_option("--out", options->out, "A folder for the shrunk failures; it is made when it is not there")
       ->type_name("FOLDER");
-  subcommand->add_option("--findings", options->settings.most_findings, "How many findings to shrink and show; 0: all (default: 32)")
+  subcommand
+      ->add_option("--findings", options->settings.most_findings,
+                   "How many findings to shrink and show; 0: all (default: 32)")
       ->type_name("N")
       ->check([](const std::string& text) { return check_whole_number(text, 0); });
-  subcommand->add_option("--threads", options->settings.threads, "How many threads to use (default: all that the machine has)")
+  subcommand
+      ->add_option("--threads", options->settings.threads,
+                   "How many threads to use (default: all that the machine has)")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   subcommand->footer(

@@ -72,13 +72,15 @@ std::string table_for_person(const FailureTable& table) {
     if (row.failed() == 0 && row.cases > 0) ++well;
   }
   line("all", total);
-  if (well > 0) text += fmt::format("  ({} without a failure)\n", well == 1 ? "1 family" : fmt::format("{} families", well));
+  if (well > 0)
+    text += fmt::format("  ({} without a failure)\n", well == 1 ? "1 family" : fmt::format("{} families", well));
   return text;
 }
 
 std::string case_command(const FuzzOptions& options, const fuzz::CaseName& name) {
   std::string command = "touchstone fuzz " + solver_options(options.solver);
-  if (options.settings.judge != Method::exact) command += fmt::format(" --judge {}", method_name(options.settings.judge));
+  if (options.settings.judge != Method::exact)
+    command += fmt::format(" --judge {}", method_name(options.settings.judge));
   if (options.settings.early.ulps) command += fmt::format(" --early {}ulps", *options.settings.early.ulps);
   if (options.settings.early.share) command += fmt::format(" --early {}", *options.settings.early.share);
   return command + " --case " + shell_word(fuzz::case_text(name));
@@ -118,9 +120,9 @@ std::vector<Place> write_findings(const std::vector<Finding>& findings, const Fu
       target = targets.emplace(path, Target{io::OutputFile(path)}).first;
     }
     const fuzz::Example& example = finding.example;
-    std::string text = fmt::format("# query {}: {}, {}\n# {}\n", target->second.queries,
-                                   fuzz::failure_name(finding.failure), fuzz::degeneracy_text(finding.degeneracy),
-                                   io::printable(case_command(options, example.name)));
+    std::string text =
+        fmt::format("# query {}: {}, {}\n# {}\n", target->second.queries, fuzz::failure_name(finding.failure),
+                    fuzz::degeneracy_text(finding.degeneracy), io::printable(case_command(options, example.name)));
     io::append_query(text, example.query, example.truth.contact);
     target->second.file.write(text);
     places.push_back({path, target->second.queries++});

@@ -10,8 +10,9 @@ namespace touchstone::cli {
 
 /// What `--solver` and `--solver-command` say; at most one of them.
 struct SolverChoice {
-  std::string solver = "touchstone";  ///< a name, or the path of a plugin: whatever has a slash or ends in .so or .dylib
-  std::string command;                ///< of a program that is fed over pipes; empty: none
+  std::string solver =
+      "touchstone";     ///< a name, or the path of a plugin: whatever has a slash or ends in .so or .dylib
+  std::string command;  ///< of a program that is fed over pipes; empty: none
 };
 
 /// Makes one solver for each thread. The only place that knows where solvers come from.

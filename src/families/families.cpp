@@ -115,7 +115,8 @@ Query make(Family family, Kind kind, Rng& rng) { return make_sample(family, kind
 Rng rng_of(const CaseId& id) {
   std::uint64_t state = id.seed;
   std::uint64_t mixed = seeded::splitmix64(state) ^ id.index;
-  mixed = seeded::splitmix64(mixed) ^ (static_cast<std::uint64_t>(id.family) << 8 | static_cast<std::uint64_t>(id.kind));
+  mixed =
+      seeded::splitmix64(mixed) ^ (static_cast<std::uint64_t>(id.family) << 8 | static_cast<std::uint64_t>(id.kind));
   return Rng(seeded::splitmix64(mixed));
 }
 

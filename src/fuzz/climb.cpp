@@ -21,7 +21,8 @@ double& random_coordinate(Query& query, Rng& rng) {
 }
 
 double changed(double x, Query& query, Rng& rng) {
-  const double away = rng.one_in(2) ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity();
+  const double away =
+      rng.one_in(2) ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity();
   switch (rng.between(0, 6)) {
     case 0: return std::nextafter(x, away);
     case 1: return x + std::ldexp(rng.symmetric() * (std::fabs(x) + 0x1p-1022), -rng.between(0, 50));

@@ -13,9 +13,9 @@ namespace touchstone::fuzz {
 /// The most steps that a case's name may ask for.
 constexpr std::uint64_t kMostClimbSteps = 1'000'000;
 
-/// A walk whose every step changes a coordinate or two. The change stays when it brings the magnitude of `filter_margin`
-/// nearer to 1, in proportion, where the error bounds are put to the test; else the next step starts from where this one did. Step k
-/// depends on the case and k only.
+/// A walk whose every step changes a coordinate or two. The change stays when it brings the magnitude of
+/// `filter_margin` nearer to 1, in proportion, where the error bounds are put to the test; else the next step starts
+/// from where this one did. Step k depends on the case and k only.
 class Climb {
  public:
   explicit Climb(const families::CaseId& start);

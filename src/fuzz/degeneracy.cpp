@@ -37,10 +37,10 @@ using Names = std::vector<const char*>;
 
 const Names& names_of(Kind kind) {
   static const std::array<Names, 4> names{{
-      {"V", "n", "r x u", "r x w", "u", "w"},           // edge-edge
-      {"V", "n", "f1 - f0", "f2 - f0", "f2 - f1"},      // vertex-face
-      {"(p - e0) x (e1 - e0)", "e1 - e0", "p - e0"},    // point-edge
-      {"q - p"},                                        // point-point
+      {"V", "n", "r x u", "r x w", "u", "w"},         // edge-edge
+      {"V", "n", "f1 - f0", "f2 - f0", "f2 - f1"},    // vertex-face
+      {"(p - e0) x (e1 - e0)", "e1 - e0", "p - e0"},  // point-edge
+      {"q - p"},                                      // point-point
   }};
   return names[static_cast<std::size_t>(kind)];
 }

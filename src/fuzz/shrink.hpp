@@ -14,12 +14,12 @@
 namespace touchstone::fuzz {
 
 struct ShrinkLimits {
-  std::uint64_t tries = 20'000;           ///< how many queries are asked at most
-  std::function<bool()> stop = nullptr;   ///< asked now and then; true ends it with what there is
+  std::uint64_t tries = 20'000;          ///< how many queries are asked at most
+  std::function<bool()> stop = nullptr;  ///< asked now and then; true ends it with what there is
 };
 
-/// The simplest query found, by `difficulty`, for which `still_fails` holds; `query` itself when there is no simpler one.
-/// The same for the same arguments, unless `stop` ends it. `still_fails` is only called with finite coordinates.
+/// The simplest query found, by `difficulty`, for which `still_fails` holds; `query` itself when there is no simpler
+/// one. The same for the same arguments, unless `stop` ends it. `still_fails` is only called with finite coordinates.
 Query shrink(const Query& query, const std::function<bool(const Query&)>& still_fails, const ShrinkLimits& limits = {});
 
 /// What the moves of shrink_moves.hpp work on: the simplest query so far, and a place to offer simpler ones to.

@@ -182,8 +182,8 @@ void simplify_axes(Shrinking& s) {
   s.offer(reversed);
 }
 
-/// Offers simpler numbers in place of one: small ones, with fewer digits, nearer to 1, nearer to zero. `number` reads it
-/// and `offer` puts another one in its place.
+/// Offers simpler numbers in place of one: small ones, with fewer digits, nearer to 1, nearer to zero. `number` reads
+/// it and `offer` puts another one in its place.
 template <class Number, class Offer>
 void simplify_number(Number&& number, Offer&& offer) {
   constexpr std::array<double, 14> kSmall{0.0, 1, -1, 2, -2, 3, -3, 4, -4, 0.5, -0.5, 8, -8, 1.5};
@@ -232,9 +232,7 @@ void simplify_values(Shrinking& s) {
   for (std::size_t i = 0; i < corners_of(s); ++i) {
     for (const std::size_t axis : kAxes) {
       for (const bool at_start : {true, false}) {
-        const auto number = [&] {
-          return std::fabs(coordinate((at_start ? s.best().start : s.best().end)[i], axis));
-        };
+        const auto number = [&] { return std::fabs(coordinate((at_start ? s.best().start : s.best().end)[i], axis)); };
         simplify_number(number, [&](double value) {
           const double old = number();
           if (old == 0) return false;
@@ -285,8 +283,10 @@ void draw_lots(Shrinking& s) {
 }  // namespace
 
 const std::vector<Move>& shrink_moves() {
-  static const std::vector<Move> moves{translate,     scale,         round_all,            scale,          stand_still, merge,
-                                       simplify_axes, simplify_values, simplify_coordinates, simplify_pairs, draw_lots};
+  static const std::vector<Move> moves{translate,      scale,           round_all,
+                                       scale,          stand_still,     merge,
+                                       simplify_axes,  simplify_values, simplify_coordinates,
+                                       simplify_pairs, draw_lots};
   return moves;
 }
 

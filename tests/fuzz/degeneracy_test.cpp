@@ -22,8 +22,7 @@ TEST_CASE("kinds of degeneracy for a person") {
   const Vec3 o{}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   CHECK(text_of(edges({Vec3{-1, 0, 0}, x, Vec3{0, -1, 1}, Vec3{0, 1, 1}},
                       {Vec3{-1, 0, 0}, x, Vec3{0, -1, -1}, Vec3{0, 1, -1}})) == "crossing, a against b");
-  CHECK(text_of(edges({o, x, o, x}, {o, x, o, x})) ==
-        "sustained, overlap, V = n = r x u = r x w = 0 at all times");
+  CHECK(text_of(edges({o, x, o, x}, {o, x, o, x})) == "sustained, overlap, V = n = r x u = r x w = 0 at all times");
   CHECK(text_of(edges({o, x, y, Vec3{1, 1, 0}}, {o, x, y, Vec3{1, 1, 0}})) == "no contact, V = n = 0 at all times");
   CHECK(text_of(edges({o, o, z, x}, {o, o, z, x})) == "no contact, V = n = r x u = u = 0 at all times");
   CHECK(text_of(VertexFace{{z, o, x, y}, {Vec3{0, 0, -1}, o, x, y}}) == "crossing, v against f0");

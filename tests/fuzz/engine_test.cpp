@@ -84,11 +84,10 @@ void hang(const Query& query, Reply& reply) {  // as a solver in a child process
 }  // namespace
 
 TEST_CASE("a planted bug of every class is found, counted and kept through shrinking") {
-  const Planted planted =
-      GENERATE(Planted{FailureClass::missed, deny}, Planted{FailureClass::phantom, invent},
-               Planted{FailureClass::late, delay}, Planted{FailureClass::early, hurry}, Planted{FailureClass::nan, lose},
-               Planted{FailureClass::crash, throw_something}, Planted{FailureClass::malformed, babble},
-               Planted{FailureClass::hang, hang});
+  const Planted planted = GENERATE(Planted{FailureClass::missed, deny}, Planted{FailureClass::phantom, invent},
+                                   Planted{FailureClass::late, delay}, Planted{FailureClass::early, hurry},
+                                   Planted{FailureClass::nan, lose}, Planted{FailureClass::crash, throw_something},
+                                   Planted{FailureClass::malformed, babble}, Planted{FailureClass::hang, hang});
   CAPTURE(fuzz::failure_name(planted.failure));
   fuzz::Settings settings = lattice_settings();
   settings.early.share = 0.01;
@@ -153,15 +152,14 @@ TEST_CASE("of whole answers everything is compared") {
       default: answer.weights_b[1] -= 0x1p-48; break;
     }
   };
-  const fuzz::Outcome outcome =
-      fuzz::run([spoil] { return std::make_unique<WholeToy>(spoil); }, lattice_settings());
+  const fuzz::Outcome outcome = fuzz::run([spoil] { return std::make_unique<WholeToy>(spoil); }, lattice_settings());
   CHECK(failures(outcome, FailureClass::differs) > 100);
   CHECK(failures(outcome, FailureClass::differs) == outcome.table.total().failed());
   CHECK_FALSE(outcome.findings.front().example.detail.empty());
 }
 
 TEST_CASE("ours hold against each other in every family, with hill climbing and without") {
-  const auto name = GENERATE("touchstone", "exact", "oracle");
+  const auto name = GENERATE("touchstone", "exact", "oracle", "batch");
   CAPTURE(name);
   fuzz::Settings settings;
   settings.climb = GENERATE(0u, 10u);
@@ -238,12 +236,12 @@ TEST_CASE("the watch is told how far it is and can end the search") {
   fuzz::Settings settings;
   settings.threads = 2;
   std::uint64_t calls = 0, seen = 0;
-  const fuzz::Outcome outcome =
-      fuzz::run([] { return fuzz::named_solver("paper"); }, settings, [&](const fuzz::Progress& progress) {
-        CHECK(progress.queries >= seen);
-        seen = progress.queries;
-        return ++calls < 3;
-      });
+  const fuzz::Outcome outcome = fuzz::run([] { return fuzz::named_solver("paper"); }, settings,
+                                          [&](const fuzz::Progress& progress) {
+                                            CHECK(progress.queries >= seen);
+                                            seen = progress.queries;
+                                            return ++calls < 3;
+                                          });
   CHECK(outcome.stopped);
   CHECK(calls == 3);
   CHECK(outcome.queries >= seen);
@@ -264,7 +262,11 @@ TEST_CASE("a limit in seconds ends the search") {
 TEST_CASE("kinds that a solver does not take are not asked, and none at all is an error") {
   const auto factory = [] {
     return fuzz::callable_solver(
-        "points only", [](const Query& query) { CHECK(query.kind == Kind::point_point); return right_reply(query); },
+        "points only",
+        [](const Query& query) {
+          CHECK(query.kind == Kind::point_point);
+          return right_reply(query);
+        },
         [](Kind kind) { return kind == Kind::point_point; });
   };
   fuzz::Settings settings = lattice_settings(500);

@@ -106,8 +106,9 @@ TEST_CASE("a case that is right has status 0") {
 }
 
 TEST_CASE("early claims count only when asked for") {
-  const std::vector<std::string> search = {"fuzz", "--solver", "interval", "--kind", "point-point", "--family",
-                                           "random_doubles", "--family", "prescribed", "--cases", "500"};
+  const std::vector<std::string> search = {"fuzz",     "--solver",       "interval", "--kind",     "point-point",
+                                           "--family", "random_doubles", "--family", "prescribed", "--cases",
+                                           "500"};
   const Run any = run_program(search);
   CHECK(occurrences(any.out, "early") == 0);
   auto strict = search;
@@ -124,8 +125,7 @@ TEST_CASE("an interrupt ends the search with its table and its files") {
   const TemporaryFolder folder;
   RunOptions options;
   options.interrupt_after = 1;
-  const Run run =
-      run_program({"fuzz", "--solver", "paper", "--seconds", "1000", "--out", folder.path("out")}, options);
+  const Run run = run_program({"fuzz", "--solver", "paper", "--seconds", "1000", "--out", folder.path("out")}, options);
   CHECK(run.status == 1);
   CHECK(occurrences(run.out, "; interrupted\n") == 1);
   CHECK(occurrences(run.out, "\n  all ") == 1);
@@ -144,7 +144,8 @@ TEST_CASE("bad usage ends with status 2 and one line, and writes nothing") {
     CHECK(occurrences(run.err, part) > 0);
     CHECK(folder.names().empty());
   };
-  check_refused({"--solver", "oraculum"}, "'oraculum' is no solver; they are touchstone, exact, oracle, paper, ");
+  check_refused({"--solver", "oraculum"},
+                "'oraculum' is no solver; they are touchstone, exact, oracle, batch, paper, ");
   check_refused({"--solver", "./no/such.so"}, "./no/such.so");
   check_refused({"--solver", "paper", "--kind", "point-edge", "--cases", "10", "--out", folder.path("x")},
                 "paper takes no queries of this kind: point-edge");

@@ -57,8 +57,8 @@ std::vector<fuzz::Finding> shrunk_failures(const char* name, std::uint64_t cases
 
 }  // namespace
 
-// A phantom of a solver with slack passes within that slack, some 2^-46 of the elements' size, which integers and halves
-// below 16 cannot; there, one value that is out of the ordinary is what it takes.
+// A phantom of a solver with slack passes within that slack, some 2^-46 of the elements' size, which integers and
+// halves below 16 cannot; there, one value that is out of the ordinary is what it takes.
 TEST_CASE("most shrunk failures of solvers in doubles are integers or halves below 16") {
   const auto name = GENERATE("paper", "closed_form");
   std::size_t all = 0, readable = 0, phantoms = 0, readable_phantoms = 0;
@@ -83,8 +83,10 @@ TEST_CASE("most shrunk failures of solvers in doubles are integers or halves bel
       readable += odd == 0;
     }
   }
-  std::printf("%s: of %zu misses and late times shrunk %zu are integers or halves below 16; of %zu phantoms %zu are but "
-              "for one value\n", name, all, readable, phantoms, readable_phantoms);
+  std::printf(
+      "%s: of %zu misses and late times shrunk %zu are integers or halves below 16; of %zu phantoms %zu are but "
+      "for one value\n",
+      name, all, readable, phantoms, readable_phantoms);
   CHECK(all >= 100);
   CHECK(10 * readable > 8 * all);
   CHECK(phantoms >= 5);
@@ -107,7 +109,10 @@ TEST_CASE("shrinking to nothing but the reason of the failure") {
     CAPTURE(cpp_initializer(query), cpp_initializer(small));
     CHECK(small.end[3].y > 2.7);
     std::size_t not_zero = 0;
-    every_coordinate(small, [&](double x) { not_zero += x != 0; return true; });
+    every_coordinate(small, [&](double x) {
+      not_zero += x != 0;
+      return true;
+    });
     CHECK(not_zero <= 2);
     CHECK(every_coordinate(small, integer_or_half_below_16));
   }
