@@ -105,6 +105,10 @@ void on_threads(std::size_t count, Shared& shared, Work work, Look look) {
   std::size_t running = count;
   std::exception_ptr error;
   std::vector<std::jthread> threads;
+  struct StopAtEnd {
+    std::atomic<bool>& stop;
+    ~StopAtEnd() { stop = true; }
+  } const stop_at_end{shared.stop};  // before the threads are waited for, also when `look` throws
   for (std::size_t i = 0; i < count; ++i) {
     threads.emplace_back([&, i] {
       std::exception_ptr mine;

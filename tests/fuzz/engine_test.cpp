@@ -279,3 +279,11 @@ TEST_CASE("what goes wrong beside the solver reaches the caller") {
   const auto no_solver = []() -> std::unique_ptr<fuzz::SolverUnderTest> { throw std::runtime_error("no such thing"); };
   CHECK_THROWS_WITH(fuzz::run(no_solver, lattice_settings()), "no such thing");
 }
+
+TEST_CASE("a watch that throws ends the run") {
+  const auto factory = [] { return fuzz::named_solver("paper"); };
+  const auto watch = [](const fuzz::Progress&) -> bool { throw std::runtime_error("nobody looks"); };
+  fuzz::Settings settings;
+  settings.threads = 2;
+  CHECK_THROWS_WITH(fuzz::run(factory, settings, watch), "nobody looks");
+}
