@@ -57,7 +57,7 @@ void print_findings(io::OutputFile& console, const std::vector<fuzz::Finding>& f
 
 int run_one_case(const FuzzOptions& options) {
   const auto solver = solver_factory(options.solver)();
-  const auto finding = fuzz::run_case(*solver, *options.a_case, options.settings);
+  const auto finding = fuzz::run_case(*solver, *options.a_case, options.settings, interrupted);
   auto console = io::OutputFile::standard_output();
   if (finding) {
     print_findings(console, {*finding}, options);
@@ -272,8 +272,8 @@ void add_fuzz(CLI::App& program, Command& command) {
       "  nan      its time is no number                     malformed  no answer that can be understood\n"
       "  crash, hang                                        differs    a whole answer (ours) differs in anything\n"
       "Failures of one class and one kind of degeneracy are one finding: the simplest query is kept and shrunk, to\n"
-      "FOLDER/KIND/CLASS.csv with --out, where certify and explain read it. Ctrl-C ends the search with what it has\n"
-      "found.\n\n" +
+      "FOLDER/KIND/CLASS.csv with --out, where certify and explain read it; files of earlier runs stay unless they\n"
+      "are written anew. Ctrl-C ends the search with what it has found.\n\n" +
       listed_families() +
       "\nExamples\n"
       "  touchstone fuzz --solver paper --seconds 10 --out broken\n"

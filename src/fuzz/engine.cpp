@@ -222,7 +222,8 @@ void shrink_finding(Finding& finding, SolverUnderTest& solver, const Settings& s
   finding.example = std::move(best);  // the last one that failed is the simplest
 }
 
-std::optional<Finding> run_case(SolverUnderTest& solver, const CaseName& name, const Settings& settings) {
+std::optional<Finding> run_case(SolverUnderTest& solver, const CaseName& name, const Settings& settings,
+                                const std::function<bool()>& stop) {
   const numbers::DefaultFloatEnvironment environment;
   supported_kinds(solver, {name.start.kind});
   const Asked asked{solver};
@@ -234,7 +235,7 @@ std::optional<Finding> run_case(SolverUnderTest& solver, const CaseName& name, c
   Findings findings;
   findings.add(*failure, name, query, reply, truth);
   Finding finding = std::move(findings.take(1).front());
-  shrink_finding(finding, solver, settings, {});
+  shrink_finding(finding, solver, settings, stop);
   return finding;
 }
 

@@ -63,7 +63,9 @@ struct Outcome {
 Outcome run(const SolverFactory& make_solver, const Settings& settings, const Watch& watch = {});
 
 /// What one query shows: the failure, if there is one, with its example shrunk as far as the settings allow.
-std::optional<Finding> run_case(SolverUnderTest& solver, const CaseName& name, const Settings& settings);
+/// @param stop  asked often while it shrinks; true ends that
+std::optional<Finding> run_case(SolverUnderTest& solver, const CaseName& name, const Settings& settings,
+                                const std::function<bool()>& stop = {});
 
 /// Shrinks the finding's example: the failing class and the kind of degeneracy stay what they are.
 void shrink_finding(Finding& finding, SolverUnderTest& solver, const Settings& settings,

@@ -44,13 +44,12 @@ Shrinking::Shrinking(const Query& query, const std::function<bool(const Query&)>
     : still_fails_(still_fails), limits_(limits), best_(query), difficulty_(difficulty(query)), rng_(kSeed) {}
 
 bool Shrinking::offer(const Query& candidate) {
-  constexpr std::uint64_t kAskEvery = 64;
   if (over_ || !is_finite(candidate)) return false;
   const std::int64_t its_difficulty = difficulty(candidate);
   if (its_difficulty >= difficulty_) return false;
   const std::uint64_t its_fingerprint = fingerprint(candidate);
   if (refused_.contains(its_fingerprint)) return false;
-  over_ = ++tries_ >= limits_.tries || (tries_ % kAskEvery == 0 && limits_.stop && limits_.stop());
+  over_ = ++tries_ >= limits_.tries || (limits_.stop && limits_.stop());
   if (!still_fails_(candidate)) {
     refused_.insert(its_fingerprint);
     return false;

@@ -15,7 +15,7 @@ namespace touchstone::fuzz {
 
 struct ShrinkLimits {
   std::uint64_t tries = 20'000;          ///< how many queries are asked at most
-  std::function<bool()> stop = nullptr;  ///< asked now and then; true ends it with what there is
+  std::function<bool()> stop = nullptr;  ///< asked before each; true ends it with what there is
 };
 
 /// The simplest query found, by `difficulty`, for which `still_fails` holds; `query` itself when there is no simpler
