@@ -10,7 +10,7 @@ namespace touchstone::families::makers {
 namespace {
 
 constexpr int kLeastExponent = -1060;
-constexpr int kGreatestExponent = 990;  // a base's coordinates may be a little above 1e8
+constexpr int kGreatestExponent = 1000;
 
 int any_exponent(Rng& rng) { return rng.between(kLeastExponent, kGreatestExponent); }
 
@@ -102,16 +102,7 @@ Query huge(Kind kind, Rng& rng) {
   static constexpr std::array<double, 8> extremes{kMax, -kMax, kMax, -kMax, 0, 1, kMax / 2, -kMax / 2};
   switch (rng.between(0, 3)) {
     case 0: return scaled({query, {}}, {1021, 1021, 1021}).query;
-    case 1: {
-      Sample sample = base(kind, rng);
-      int exponent = 1015;
-      for_each_coordinate(sample.query, [&](double& x) {
-        int above = 0;
-        std::frexp(x, &above);
-        exponent = std::min(exponent, 1024 - above);
-      });
-      return scaled(sample, {exponent, exponent, exponent}).query;
-    }
+    case 1: return scaled(base(kind, rng), {1015, 1015, 1015}).query;
     case 2: for_each_coordinate(query, [&](double& x) { x = rng.pick(extremes); }); break;
     default: for_each_coordinate(query, [&](double& x) { x = std::ldexp(rng.symmetric(), 1023); }); break;
   }
