@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/case_name.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <vector>

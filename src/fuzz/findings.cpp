@@ -2,6 +2,7 @@
 #include "fuzz/findings.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <tuple>
 #include <utility>
