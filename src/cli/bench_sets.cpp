@@ -9,7 +9,7 @@
 #include "cli/inputs.hpp"
 #include "cli/interrupt.hpp"
 #include "generators/candidates.hpp"
-#include "generators/random.hpp"
+#include "seeded/rng.hpp"
 #include "io/query_parser.hpp"
 
 namespace touchstone::cli {
@@ -41,7 +41,7 @@ ByKind simulation_queries(std::size_t count) {
 /// Corners anywhere in a cube, at both ends; the cube's size is log-uniform from 2^-20 to 2^20.
 ByKind random_queries(std::size_t count) {
   ByKind queries;
-  generators::Random random(kSeed);
+  seeded::Rng random(kSeed);
   for (const Kind kind : kKinds) {
     for (std::size_t i = 0; i < count; ++i) {
       double size = 0x1p-20;
@@ -50,9 +50,9 @@ ByKind random_queries(std::size_t count) {
       query.kind = kind;
       for (std::size_t k = 0; k < corner_count(kind); ++k) {
         for (auto* corner : {&query.start[k], &query.end[k]}) {
-          corner->x = random.between(-size, size);
-          corner->y = random.between(-size, size);
-          corner->z = random.between(-size, size);
+          corner->x = random.uniform(-size, size);
+          corner->y = random.uniform(-size, size);
+          corner->z = random.uniform(-size, size);
         }
       }
       of_kind(queries, kind).push_back(query);

@@ -39,8 +39,10 @@ void occupy_closed_descriptors() {
   }
 }
 
+bool interrupted() noexcept { return noted_signal != 0; }
+
 void throw_if_interrupted() {
-  if (noted_signal != 0) throw Interrupted();
+  if (interrupted()) throw Interrupted();
 }
 
 void end_by_signal() {

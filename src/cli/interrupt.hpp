@@ -17,6 +17,9 @@ void watch_for_signals();
 /// Gives standard streams that the caller has closed a descriptor that nothing can be written to.
 void occupy_closed_descriptors();
 
+/// Whether one of them has come.
+bool interrupted() noexcept;
+
 /// @throws Interrupted
 void throw_if_interrupted();
 

@@ -15,6 +15,7 @@
 
 #include "cli/bench.hpp"
 #include "cli/commands.hpp"
+#include "cli/fuzz.hpp"
 #include "cli/generate.hpp"
 #include "cli/interrupt.hpp"
 #include "io/output_file.hpp"
@@ -51,7 +52,8 @@ int parse_and_run(int argc, const char* const* argv) {
       "  touchstone explain --query 12 edge-edge/a.csv\n"
       "  touchstone generate --out queries                 query files like a simulation's\n"
       "  touchstone bench --filter simulation              how long answers take\n"
-      "  touchstone report --out report                    error against run time of every method\n\n"
+      "  touchstone report --out report                    error against run time of every method\n"
+      "  touchstone fuzz --solver paper                    the simplest queries on which a solver is wrong\n\n"
       "A query file has a row for each corner at t = 0 and then for each at t = 1, in the order\n"
       "  edge-edge    a0 a1 b0 b1      vertex-face  v f0 f1 f2      point-edge  p e0 e1      point-point  p q\n"
       "and seven integers a row: x_num,x_den,y_num,y_den,z_num,z_den,truth. Its folder's name, or --kind, says which "
@@ -66,6 +68,7 @@ int parse_and_run(int argc, const char* const* argv) {
   add_generate(program, command);
   add_bench(program, command);
   add_report(program, command);
+  add_fuzz(program, command);
   try {
     program.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -78,7 +81,7 @@ int parse_and_run(int argc, const char* const* argv) {
     const auto unknown = program.remaining();
     if (program.get_subcommands().empty() && !unknown.empty()) {
       return complain("touchstone: " + unknown.front() +
-                      " is no subcommand; they are solve, certify, explain, generate, bench and report");
+                      " is no subcommand; they are solve, certify, explain, generate, bench, report and fuzz");
     }
     return complain("touchstone: " + first_line(error.what()) + " (see touchstone --help)");
   } catch (const CLI::ParseError& error) {

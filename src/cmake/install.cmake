@@ -4,7 +4,11 @@ include(CMakePackageConfigHelpers)
 
 set(touchstone_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/touchstone)
 
-install(TARGETS touchstone EXPORT touchstone-targets
+set(touchstone_libraries touchstone)
+if(TARGET touchstone_fuzz_library)
+  list(APPEND touchstone_libraries touchstone_fuzz_library)
+endif()
+install(TARGETS ${touchstone_libraries} EXPORT touchstone-targets
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})

@@ -13,10 +13,10 @@ namespace touchstone::fuzz {
 /// What a solver did with one query.
 struct Reply {
   enum class State : std::uint8_t {
-    answered,   ///< it returned; what it says is still to be judged
-    crashed,    ///< it ended by a signal or an exception, or its program exited
-    hung,       ///< it did not return within the limit on wall-clock time
-    malformed   ///< it returned something that is no answer: a line that cannot be read, a status that is undefined
+    answered,  ///< it returned; what it says is still to be judged
+    crashed,   ///< it ended by a signal or an exception, or its program exited
+    hung,      ///< it did not return within the limit on wall-clock time
+    malformed  ///< it returned something that is no answer: a line that cannot be read, a status that is undefined
   };
   State state = State::answered;
   bool contact = false;

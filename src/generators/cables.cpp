@@ -17,7 +17,7 @@ struct Cable {
 
 class Cables final : public Scene {
  public:
-  Cables(Random random, std::size_t edges) : rotation_(random_rotation(random)), swell_({4, 0.5, 1}, random) {
+  Cables(seeded::Rng random, std::size_t edges) : rotation_(random_rotation(random)), swell_({4, 0.5, 1}, random) {
     // As many crossings as edges: neither the cables' own joints nor empty space take most of the pairs.
     const auto in_bundle = static_cast<std::size_t>(0.7 * std::sqrt(static_cast<double>(edges)));
     per_cable_ = edges / (2 * in_bundle);
@@ -54,7 +54,7 @@ class Cables final : public Scene {
 }  // namespace
 
 std::unique_ptr<Scene> make_cables(std::uint64_t seed, std::size_t edges) {
-  return std::make_unique<Cables>(Random(seed), edges);
+  return std::make_unique<Cables>(seeded::Rng(seed), edges);
 }
 
 }  // namespace touchstone::generators

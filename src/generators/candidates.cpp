@@ -6,7 +6,7 @@
 
 #include <touchstone/error.hpp>
 
-#include "generators/random.hpp"
+#include "seeded/rng.hpp"
 #include "generators/step.hpp"
 
 namespace touchstone::generators {
@@ -49,7 +49,7 @@ class Batches {
 /// Hands out `wanted` of the step's candidates, each as likely as any other, or all when there are no more than that
 /// (a reservoir: the n-th candidate takes the place of an earlier one with probability wanted / n). @returns how many
 std::uint64_t hand_out(const Step& step, Batches& batches, Kind kind, bool shared_corners, std::uint64_t wanted,
-                       Random random) {
+                       seeded::Rng random) {
   std::vector<std::array<Index, 2>> drawn;
   std::uint64_t seen = 0;
   step.for_each_candidate(kind, shared_corners, [&](Index i, Index j) {
@@ -81,7 +81,7 @@ CandidateCounts for_each_batch(const CandidateOptions& options, const std::funct
       // What earlier steps could not fill, later ones may.
       const std::uint64_t steps_left = options.steps - number;
       const std::uint64_t wanted = (options.count - handed_out + steps_left - 1) / steps_left;
-      const Random random(seed_of_part(options.seed, 2 + 2 * number + (kind == Kind::edge_edge ? 0 : 1)));
+      const seeded::Rng random(seeded::seed_of_part(options.seed, 2 + 2 * number + (kind == Kind::edge_edge ? 0 : 1)));
       handed_out += hand_out(step, batches, kind, options.shared_corners, wanted, random);
     }
     batches.flush();

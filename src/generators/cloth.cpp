@@ -15,7 +15,7 @@ constexpr double kRadiansPerTurn = 6.283185307179586;
 
 class Cloth final : public Scene {
  public:
-  Cloth(Random random, std::size_t edges)
+  Cloth(seeded::Rng random, std::size_t edges)
       : rotation_(random_rotation(random)),
         bulges_({4, 0.5, 1.5}, random),
         gaps_({4, 0.2, 0.6}, random),
@@ -29,8 +29,8 @@ class Cloth final : public Scene {
     for (std::size_t i = 0; i <= n; ++i) {
       for (std::size_t j = 0; j <= n; ++j) {
         // Not a perfect grid: each corner is moved by up to a fifth of an edge.
-        const double x = static_cast<double>(i) + random.between(-0.2, 0.2);
-        const double y = static_cast<double>(j) + random.between(-0.2, 0.2);
+        const double x = static_cast<double>(i) + random.uniform(-0.2, 0.2);
+        const double y = static_cast<double>(j) + random.uniform(-0.2, 0.2);
         rest_.push_back({edge_length_ * x - kHalfSide, edge_length_ * y - kHalfSide, 0});
       }
     }
@@ -75,7 +75,7 @@ class Cloth final : public Scene {
 }  // namespace
 
 std::unique_ptr<Scene> make_cloth(std::uint64_t seed, std::size_t edges) {
-  return std::make_unique<Cloth>(Random(seed), edges);
+  return std::make_unique<Cloth>(seeded::Rng(seed), edges);
 }
 
 }  // namespace touchstone::generators

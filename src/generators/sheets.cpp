@@ -9,7 +9,7 @@ namespace {
 
 class Sheets final : public Scene {
  public:
-  Sheets(Random random, std::size_t edges)
+  Sheets(seeded::Rng random, std::size_t edges)
       : rotation_(random_rotation(random)),
         crumple_({6, 0.2, 0.7, 0.6}, random),
         push_x_({4, 0.3, 0.8, 0.6}, random),
@@ -22,8 +22,8 @@ class Sheets final : public Scene {
       const Rotation within = random_turn(random);  // so that the edges of one do not lie along the edges of the other
       for (std::size_t i = 0; i <= n; ++i) {
         for (std::size_t j = 0; j <= n; ++j) {
-          const double x = static_cast<double>(i) + random.between(-0.2, 0.2);
-          const double y = static_cast<double>(j) + random.between(-0.2, 0.2);
+          const double x = static_cast<double>(i) + random.uniform(-0.2, 0.2);
+          const double y = static_cast<double>(j) + random.uniform(-0.2, 0.2);
           rest_.push_back(within({edge_length_ * x - 0.5, edge_length_ * y - 0.5, 0}));
         }
       }
@@ -45,7 +45,7 @@ class Sheets final : public Scene {
 
  private:
   /// About the z axis.
-  static Rotation random_turn(Random& random) {
+  static Rotation random_turn(seeded::Rng& random) {
     const double turns = random.unit();
     const double c = cosine(turns), s = sine(turns);
     return {{c, s, 0}, {-s, c, 0}, {0, 0, 1}};
@@ -59,7 +59,7 @@ class Sheets final : public Scene {
 }  // namespace
 
 std::unique_ptr<Scene> make_sheets(std::uint64_t seed, std::size_t edges) {
-  return std::make_unique<Sheets>(Random(seed), edges);
+  return std::make_unique<Sheets>(seeded::Rng(seed), edges);
 }
 
 }  // namespace touchstone::generators

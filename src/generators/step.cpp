@@ -4,13 +4,13 @@
 #include <array>
 #include <utility>
 
-#include "generators/random.hpp"
+#include "seeded/rng.hpp"
 
 namespace touchstone::generators {
 
 Step::Step(SceneName scene, std::uint64_t seed, std::size_t edges, double speed)
-    : scene_(make_scene(scene, seed_of_part(seed, 0), edges)),
-      first_time_(Random(seed_of_part(seed, 1)).between(0, 100)),
+    : scene_(make_scene(scene, seeded::seed_of_part(seed, 0), edges)),
+      first_time_(seeded::Rng(seeded::seed_of_part(seed, 1)).uniform(0, 100)),
       duration_(0.1 * speed * scene_->edge_length()) {
   scene_->place_corners(first_time_, end_);
   start_ = end_;

@@ -6,7 +6,7 @@
 
 #include <touchstone/query.hpp>
 
-#include "generators/random.hpp"
+#include "seeded/rng.hpp"
 
 namespace touchstone::generators {
 
@@ -17,9 +17,9 @@ inline double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y +
 inline double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
 
 /// A vector whose direction is uniform on the sphere, of length 1 up to rounding.
-inline Vec3 random_direction(Random& random) {
+inline Vec3 random_direction(seeded::Rng& random) {
   for (;;) {
-    const Vec3 v{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+    const Vec3 v{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
     const double square = dot(v, v);
     if (square > 0.01 && square <= 1) return (1 / std::sqrt(square)) * v;
   }
@@ -35,7 +35,7 @@ struct Rotation {
 };
 
 /// So that nothing in a scene is aligned with the axes.
-inline Rotation random_rotation(Random& random) {
+inline Rotation random_rotation(seeded::Rng& random) {
   Rotation rotation;
   rotation.x = random_direction(random);
   Vec3 y;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "generators/random.hpp"
+#include "seeded/rng.hpp"
 #include "generators/vectors.hpp"
 
 namespace touchstone::generators {
@@ -36,11 +36,11 @@ class Waves {
     double folded = 0;  ///< how much of the sum is creases; the rest is sines
   };
 
-  Waves(const Shape& shape, Random& random) : folded_(shape.folded), scale_(1 / static_cast<double>(shape.count)) {
+  Waves(const Shape& shape, seeded::Rng& random) : folded_(shape.folded), scale_(1 / static_cast<double>(shape.count)) {
     for (int i = 0; i < shape.count; ++i) {
-      const double inverse_length = 1 / random.between(shape.least_length, shape.greatest_length);
+      const double inverse_length = 1 / random.uniform(shape.least_length, shape.greatest_length);
       const Vec3 direction = random_direction(random);
-      waves_.push_back({inverse_length * direction, random.unit(), random.between(0.5, 1)});
+      waves_.push_back({inverse_length * direction, random.unit(), random.uniform(0.5, 1)});
     }
   }
 

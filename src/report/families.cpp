@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "generators/candidates.hpp"
-#include "generators/random.hpp"
+#include "seeded/rng.hpp"
 #include "generators/vectors.hpp"
 
 namespace touchstone::report {
@@ -15,7 +15,7 @@ namespace {
 using generators::operator+;
 using generators::operator-;
 using generators::operator*;
-using generators::Random;
+using seeded::Rng;
 
 constexpr std::array<Kind, 2> kKinds{Kind::edge_edge, Kind::vertex_face};
 
@@ -27,16 +27,16 @@ QuerySet empty_set(const std::string& family, Kind kind, const std::string& abou
   return set;
 }
 
-Vec3 random_corner(Random& random) {
+Vec3 random_corner(Rng& random) {
   // One statement each, so that the order of the draws is fixed.
   Vec3 corner;
-  corner.x = random.between(-1, 1);
-  corner.y = random.between(-1, 1);
-  corner.z = random.between(-1, 1);
+  corner.x = random.uniform(-1, 1);
+  corner.y = random.uniform(-1, 1);
+  corner.z = random.uniform(-1, 1);
   return corner;
 }
 
-Query random_query(Kind kind, Random& random) {
+Query random_query(Kind kind, Rng& random) {
   Query query;
   query.kind = kind;
   for (std::size_t k = 0; k < corner_count(kind); ++k) {
@@ -47,8 +47,8 @@ Query random_query(Kind kind, Random& random) {
 }
 
 /// Just below or above `border`.
-double beside(double border, Random& random) {
-  const double distance = std::ldexp(random.between(0.5, 1), -static_cast<int>(random.below(44)) - 6);
+double beside(double border, Rng& random) {
+  const double distance = std::ldexp(random.uniform(0.5, 1), -static_cast<int>(random.below(44)) - 6);
   return random.below(2) == 0 ? border - distance : border + distance;
 }
 
@@ -58,9 +58,9 @@ struct Place {
   double weight;
 };
 
-Place place_near_border(Random& random) {
+Place place_near_border(Rng& random) {
   const std::uint64_t sort = random.below(3);
-  Place place{random.between(0.1, 0.9), random.between(0.2, 0.8)};
+  Place place{random.uniform(0.1, 0.9), random.uniform(0.2, 0.8)};
   if (sort != 0) place.time = beside(static_cast<double>(random.below(2)), random);
   if (sort != 1) place.weight = beside(static_cast<double>(random.below(2)), random);
   return place;
@@ -76,10 +76,10 @@ Vec3 point_at(const Query& query, std::size_t first, const std::array<double, 3>
   return point;
 }
 
-Query near_query(Kind kind, Random& random) {
+Query near_query(Kind kind, Rng& random) {
   Query query = random_query(kind, random);
   const Place place = place_near_border(random);
-  const double other = random.between(0.2, 0.8);
+  const double other = random.uniform(0.2, 0.8);
   Vec3 shift;
   std::size_t moved = 1;  // corners of the first element: an edge's two or the one vertex
   if (kind == Kind::edge_edge) {
@@ -124,7 +124,7 @@ std::vector<QuerySet> simulation_sets(std::uint64_t seed, std::size_t count, std
 std::vector<QuerySet> random_sets(std::uint64_t seed, std::size_t count) {
   std::vector<QuerySet> sets;
   for (const Kind kind : kKinds) {
-    Random random(generators::seed_of_part(seed, 1 + static_cast<std::uint64_t>(kind)));
+    Rng random(seeded::seed_of_part(seed, 1 + static_cast<std::uint64_t>(kind)));
     sets.push_back(empty_set("random", kind, "Corners anywhere in a cube of side 2, at both ends of the step"));
     for (std::size_t i = 0; i < count; ++i) sets.back().queries.push_back(random_query(kind, random));
   }
@@ -134,7 +134,7 @@ std::vector<QuerySet> random_sets(std::uint64_t seed, std::size_t count) {
 std::vector<QuerySet> near_sets(std::uint64_t seed, std::size_t count) {
   std::vector<QuerySet> sets;
   for (const Kind kind : kKinds) {
-    Random random(generators::seed_of_part(seed, 11 + static_cast<std::uint64_t>(kind)));
+    Rng random(seeded::seed_of_part(seed, 11 + static_cast<std::uint64_t>(kind)));
     sets.push_back(empty_set("near", kind,
                              "Near hits and near misses: the meeting lies within 2^-50 to 2^-6 of the border of an "
                              "element or of the step, inside or outside"));
@@ -156,7 +156,7 @@ std::vector<Query> scaled(const std::vector<Query>& queries, int exponent) {
 }
 
 void shuffle(std::vector<Query>& queries, std::uint64_t seed) {
-  Random random(seed);
+  Rng random(seed);
   for (std::size_t i = queries.size(); i > 1; --i) std::swap(queries[i - 1], queries[random.below(i)]);
 }
 

@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-#include "generators/random.hpp"
+#include "seeded/rng.hpp"
 #include "io/fail.hpp"
 #include "io/output_file.hpp"
 #include "report/csv.hpp"
@@ -48,7 +48,7 @@ std::vector<QuerySet> scale_sets(std::uint64_t seed, std::size_t count) {
   base.about = "One set of " + std::to_string(count) +
                " edge-edge queries, half of them like random/edge-edge and half like near/edge-edge, with every "
                "coordinate times a power of two";
-  shuffle(base.queries, generators::seed_of_part(seed, 30));
+  shuffle(base.queries, seeded::seed_of_part(seed, 30));
   std::vector<QuerySet> sets;
   for (const int exponent : kExponents) {
     sets.push_back(base);
@@ -135,7 +135,7 @@ Report make_report(const Size& size, std::vector<QuerySet> given, const Progress
   double done = 0;
   for (QuerySet& set : sets) {
     if (set.queries.empty()) continue;
-    shuffle(set.queries, generators::seed_of_part(size.seed, 20));
+    shuffle(set.queries, seeded::seed_of_part(size.seed, 20));
     const std::string name = set.name;
     const auto pulse = [&] { progress(name, kMeasuring * done / total); };
     report.sets.push_back(measure(std::move(set), report.contestants, amount.effort, pulse));

@@ -31,7 +31,7 @@ bool no_filter_can_decide(Family family, Kind kind) {
 
 TEST_CASE("levels: each decides in every family or kind that has work for it") {
   std::array<LevelCounts, 4> by_kind{};
-  for (const FamilyInfo& family : families()) {
+  for (const FamilyInfo& family : all_families()) {
     for (const Kind kind : kKinds) {
       std::vector<Answer> answers;
       for (std::size_t index = 0; index < kCount; ++index) {

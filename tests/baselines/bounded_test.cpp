@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "baselines/baseline.hpp"
-#include "support/motion.hpp"
+#include "support/query_families.hpp"
 #include "support/report.hpp"
 
 namespace touchstone::tests {

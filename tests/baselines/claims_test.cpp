@@ -7,7 +7,7 @@
 #include <touchstone/solve.hpp>
 
 #include "baselines/baseline.hpp"
-#include "support/motion.hpp"
+#include "support/query_families.hpp"
 #include "support/report.hpp"
 
 namespace touchstone::tests {

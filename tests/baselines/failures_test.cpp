@@ -9,7 +9,7 @@
 
 #include "baselines/baseline.hpp"
 #include "support/catch.hpp"
-#include "support/motion.hpp"
+#include "support/query_families.hpp"
 #include "support/query_text.hpp"
 
 // This is why the library exists. A method that gets one of them right after a change has to find its way out of here.

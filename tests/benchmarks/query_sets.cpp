@@ -56,7 +56,7 @@ std::vector<QuerySet> public_sets(const std::string& folder) {
 
 std::vector<QuerySet> family_sets(std::size_t queries_of_each_kind) {
   std::vector<QuerySet> sets;
-  for (const tests::FamilyInfo& family : tests::families()) {
+  for (const tests::FamilyInfo& family : tests::all_families()) {
     QuerySet set{std::string(family.name), {}};
     for (std::size_t index = 0; index < queries_of_each_kind; ++index) {
       for (const Kind kind : tests::kKinds)

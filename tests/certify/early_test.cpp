@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "support/catch.hpp"
-#include "support/random.hpp"
+#include "support/query_families.hpp"
 
 using namespace touchstone;
 using certify::ulps_between;

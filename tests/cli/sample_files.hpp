@@ -24,7 +24,7 @@ struct SampleFile {
 inline SampleFile sample_file(Kind kind, std::uint64_t seed, int per_family) {
   SampleFile file;
   Rng rng(seed);
-  for (const auto& family : families()) {
+  for (const auto& family : all_families()) {
     for (int i = 0; i < per_family; ++i) {
       file.queries.push_back(make(family.family, kind, rng));
       file.answers.push_back(solve(file.queries.back()));

@@ -11,7 +11,6 @@
 
 #include "support/answer_check.hpp"
 #include "support/catch.hpp"
-#include "support/motion.hpp"
 #include "support/query_families.hpp"
 
 namespace touchstone::tests {
@@ -105,7 +104,7 @@ TEST_CASE("a t_max outside [0, 1] is refused") {
 }
 
 TEST_CASE("a t_max of -0.0 is 0") {
-  for (const FamilyInfo& family : families()) {
+  for (const FamilyInfo& family : all_families()) {
     for (const Kind kind : kKinds) {
       const Query query = make(CaseId{family.family, kind, 22, 1});
       for (const Method method : kMethods) {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "support/random.hpp"
+#include "support/query_families.hpp"
 
 namespace touchstone::tests {
 

@@ -20,12 +20,12 @@ namespace {
 
 /// A frame given by 18 doubles (differences that are doubles themselves), and V's exact power coefficients, from the
 /// rule of Sarrus over polynomials.
-struct Sample {
+struct FrameSample {
   filters::Frame frame;
   double size;
   std::array<Exact, 4> power;
 
-  explicit Sample(const std::vector<double>& x) {
+  explicit FrameSample(const std::vector<double>& x) {
     const auto vector = [&](std::size_t i) { return filters::Vector{{x[3 * i], x[3 * i + 1], x[3 * i + 2]}}; };
     frame = {vector(0), vector(1), vector(2), vector(3), vector(4), vector(5)};
     const auto largest = [&](std::size_t i) {
@@ -74,7 +74,7 @@ TEST_CASE("a certified root is there, and its slope and curvature bounds hold") 
   Rng rng(61);
   long certain = 0, none = 0, split = 0;
   for (int i = 0; i < 60000; ++i) {
-    const Sample sample(random_frame(rng));
+    const FrameSample sample(random_frame(rng));
     if (sample.size == 0) continue;
     const BernsteinCubic cubic = sample.cubic();
     double points[4];
@@ -126,7 +126,7 @@ TEST_CASE("the slope's bound holds under search") {
   BoundSearch search;
   for (const int exponent : {0, 40, -40, 240, -240}) {
     search_bound(search, rng, 18, exponent, 0, 2, 2000, [](const std::vector<double>& x) {
-      const Sample sample(x);
+      const FrameSample sample(x);
       const BernsteinCubic cubic = sample.cubic();
       if (cubic.variations(0, 1) != BernsteinCubic::Variations::one) return std::nan("");
       const BernsteinCubic::Root root = cubic.root_between(0, 1);

@@ -62,7 +62,7 @@ TEST_CASE("same side in vectors of every width is same side one by one") {
   CHECK(has_vectors(VectorWidth::widest));
   for (const Kind kind : {Kind::edge_edge, Kind::vertex_face}) {
     std::vector<Query> queries;
-    for (const FamilyInfo& family : families()) {
+    for (const FamilyInfo& family : all_families()) {
       for (std::uint64_t index = 0; index < 51; ++index) queries.push_back(make(CaseId{family.family, kind, 77, index}));
     }
     const std::size_t proved = check_all_widths(queries);

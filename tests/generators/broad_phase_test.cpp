@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "generators/random.hpp"
+#include "seeded/rng.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone;
@@ -18,7 +18,7 @@ namespace {
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 /// Boxes with corners in a cube of size 1, with sides up to `side`.
-std::vector<Box> random_boxes(std::size_t count, double side, Random& random) {
+std::vector<Box> random_boxes(std::size_t count, double side, touchstone::seeded::Rng& random) {
   std::vector<Box> boxes;
   for (std::size_t i = 0; i < count; ++i) {
     Box box = empty_box();
@@ -78,7 +78,7 @@ TEST_CASE("boxes overlap when they share a point, a corner being enough") {
 TEST_CASE("the grid finds the pairs that brute force finds") {
   const double side = GENERATE(0.0, 0.001, 0.05, 0.5, 2.0);
   CAPTURE(side);
-  Random random(7);
+  touchstone::seeded::Rng random(7);
   const auto boxes = random_boxes(400, side, random);
   const auto others = random_boxes(300, 0.1, random);
   check_within(boxes);
@@ -87,7 +87,7 @@ TEST_CASE("the grid finds the pairs that brute force finds") {
 }
 
 TEST_CASE("a few boxes that are much larger than the others are found too") {
-  Random random(8);
+  touchstone::seeded::Rng random(8);
   auto boxes = random_boxes(500, 0.001, random);
   boxes.push_back({{0, 0, 0}, {1, 1, 1}});
   boxes.push_back({{-1e6, 0.5, 0}, {1e6, 0.5, 1}});
@@ -96,7 +96,7 @@ TEST_CASE("a few boxes that are much larger than the others are found too") {
 }
 
 TEST_CASE("boxes that are points, one point, none, or far from the origin") {
-  Random random(9);
+  touchstone::seeded::Rng random(9);
   check_within({});
   CHECK(check_between({}, random_boxes(3, 1, random)) == 0);
   CHECK(check_between(random_boxes(3, 1, random), {}) == 0);

@@ -9,7 +9,7 @@
 #include "io/answer_reader.hpp"
 #include "io/answer_writer.hpp"
 #include "support/catch.hpp"
-#include "support/random.hpp"
+#include "support/query_families.hpp"
 
 using namespace touchstone;
 

@@ -10,7 +10,7 @@
 #include <touchstone/solve.hpp>
 
 #include "support/answer_check.hpp"
-#include "support/motion.hpp"
+#include "support/query_families.hpp"
 #include "support/report.hpp"
 
 namespace touchstone::tests {

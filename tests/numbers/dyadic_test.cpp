@@ -9,7 +9,7 @@
 
 #include "numbers/gmp_conversions.hpp"
 #include "support/catch.hpp"
-#include "support/random.hpp"
+#include "support/query_families.hpp"
 
 using namespace touchstone;
 using numbers::Dyadic;

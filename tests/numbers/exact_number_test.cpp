@@ -7,7 +7,7 @@
 #include "numbers/exact_number.hpp"
 #include "numbers/gmp_conversions.hpp"
 #include "support/catch.hpp"
-#include "support/random.hpp"
+#include "support/query_families.hpp"
 
 using namespace touchstone;
 using numbers::Exact;

@@ -7,7 +7,7 @@
 
 #include "numbers/fraction.hpp"
 #include "support/catch.hpp"
-#include "support/random.hpp"
+#include "support/query_families.hpp"
 
 using namespace touchstone;
 using numbers::exact_double;

@@ -8,7 +8,7 @@
 
 #include "numbers/real_root.hpp"
 #include "support/catch.hpp"
-#include "support/random.hpp"
+#include "support/query_families.hpp"
 
 using namespace touchstone;
 using numbers::Exact;

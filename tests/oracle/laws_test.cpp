@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "oracle/expected.hpp"
-#include "support/motion.hpp"
+#include "support/query_families.hpp"
 #include "support/report.hpp"
 
 using namespace touchstone;

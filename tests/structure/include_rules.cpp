@@ -22,12 +22,15 @@ const std::map<std::string, Layers>& layer_table() {
       {"solver", {"filters", "exact", "oracle", "geometry", "numbers"}},
       {"certify", {"solver", "oracle", "geometry", "numbers"}},
       {"baselines", {"geometry"}},
-      {"generators", {"geometry", "io"}},
+      {"seeded", {}},
+      {"families", {"geometry", "seeded"}},
+      {"generators", {"geometry", "io", "seeded"}},
+      {"fuzz", {"solver", "certify", "baselines", "families", "filters", "io", "numbers", "geometry", "seeded"}},
       {"io", {"geometry", "numbers"}},
-      {"report", {"solver", "baselines", "generators", "io", "geometry"}},
+      {"report", {"solver", "baselines", "generators", "io", "geometry", "seeded"}},
       {"cli",
        {"geometry", "numbers", "filters", "exact", "oracle", "solver", "certify", "baselines", "generators", "io",
-        "report"}},
+        "report", "families", "fuzz", "seeded"}},
   };
   return table;
 }

@@ -81,7 +81,7 @@ void for_each_case(std::uint64_t seed, std::size_t count, Wanted&& wanted, F&& f
     if (only->seed == seed && wanted(info(only->family), only->kind)) f(*only);
     return;
   }
-  for (const FamilyInfo& family : families()) {
+  for (const FamilyInfo& family : all_families()) {
     for (const Kind kind : kKinds) {
       if (!wanted(family, kind)) continue;
       for (std::size_t index = 0; index < effort(count); ++index) f(CaseId{family.family, kind, seed, index});

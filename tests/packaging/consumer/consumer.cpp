@@ -1,5 +1,6 @@
 // Asks a few queries whose answers are known by construction, and checks all of each answer. Exit status 0 when right.
 // SPDX-License-Identifier: MIT
+#include <touchstone/fuzz.hpp>
 #include <touchstone/touchstone.hpp>
 
 #include <cstdio>
@@ -82,6 +83,18 @@ int main() {
 
   const auto times = touchstone::contact_times(subnormal_contact());
   check(times.size() == 1 && times[0].first.compare(0.75) == 0 && times[0].last.to_string() == "3/4", "contact times");
+
+  touchstone::FuzzOptions fuzzing;
+  fuzzing.cases = 2000;
+  const auto ours = [](const touchstone::Query& query) {
+    const touchstone::Answer answer = touchstone::solve(query);
+    return touchstone::Claim{answer.contact, answer.toi};
+  };
+  check(touchstone::fuzz_solver(ours, fuzzing).failures == 0, "a solver that is right is found right");
+  const auto denies = [](const touchstone::Query&) { return touchstone::Claim{}; };
+  const touchstone::FuzzReport broken = touchstone::fuzz_solver(denies, fuzzing);
+  check(broken.queries == 2000 && broken.failures > 500 && !broken.findings.empty(), "a solver that denies all is broken");
+  check(touchstone::to_string(broken.findings.front()).rfind("missed ", 0) == 0, "and told how");
 
   bool refused = false;
   try {

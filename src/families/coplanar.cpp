@@ -1,8 +1,8 @@
 // Queries whose coplanarity cubic vanishes identically, or whose elements are parallel or degenerate.
 // SPDX-License-Identifier: MIT
-#include "support/family_makers.hpp"
+#include "families/makers.hpp"
 
-namespace touchstone::tests::makers {
+namespace touchstone::families::makers {
 namespace {
 
 double small(Rng& rng, int reach) { return rng.between(-reach, reach); }
@@ -171,4 +171,4 @@ Query flat(Kind kind, Rng& rng) {
   return query;
 }
 
-}  // namespace touchstone::tests::makers
+}  // namespace touchstone::families::makers

@@ -1,13 +1,13 @@
 // Comparisons of answers, and what an answer must satisfy by itself.
 // SPDX-License-Identifier: MIT
-#include "support/answer_check.hpp"
+#include "certify/answer_check.hpp"
 
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 
-namespace touchstone::tests {
+namespace touchstone::certify {
 namespace {
 
 bool same_bits(double a, double b) {
@@ -121,4 +121,4 @@ std::string malformation(Kind kind, const Answer& answer, double t_max) {
   return "";
 }
 
-}  // namespace touchstone::tests
+}  // namespace touchstone::certify

@@ -1,11 +1,12 @@
-// A small seeded generator whose numbers are the same with every compiler and library.
+// A small seeded generator of random numbers that are the same with every compiler and library.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
-namespace touchstone::generators {
+namespace touchstone::seeded {
 
 /// The next state and output of splitmix64 (Steele, Lea and Flood 2014): mixes seeds.
 constexpr std::uint64_t splitmix64(std::uint64_t& state) noexcept {
@@ -22,9 +23,9 @@ constexpr std::uint64_t seed_of_part(std::uint64_t seed, std::uint64_t index) no
 }
 
 /// xoshiro256** (Blackman and Vigna 2018), seeded by splitmix64.
-class Random {
+class Rng {
  public:
-  explicit Random(std::uint64_t seed) noexcept {
+  explicit Rng(std::uint64_t seed) noexcept {
     for (auto& word : state_) word = splitmix64(seed);
   }
 
@@ -40,17 +41,32 @@ class Random {
     return result;
   }
 
+  /// An integer in [low, high]. The modulo's bias of at most 2^-40 for the small ranges used here does not matter.
+  int between(int low, int high) noexcept {
+    return low + static_cast<int>(bits() % static_cast<std::uint64_t>(high - low + 1));
+  }
+
   /// In [0, n), n > 0. The modulo's bias of n / 2^64 does not matter.
   std::uint64_t below(std::uint64_t n) noexcept { return bits() % n; }
+
+  bool one_in(int n) noexcept { return between(1, n) == 1; }
 
   /// A multiple of 2^-53 in [0, 1).
   double unit() noexcept { return static_cast<double>(bits() >> 11) * 0x1p-53; }
 
-  double between(double low, double high) noexcept { return low + (high - low) * unit(); }
+  /// A multiple of 2^-52 in [-1, 1).
+  double symmetric() noexcept { return 2 * unit() - 1; }
+
+  double uniform(double low, double high) noexcept { return low + (high - low) * unit(); }
+
+  template <typename T, std::size_t N>
+  const T& pick(const std::array<T, N>& items) noexcept {
+    return items[static_cast<std::size_t>(bits() % N)];
+  }
 
  private:
   static constexpr std::uint64_t rotated(std::uint64_t x, int k) noexcept { return (x << k) | (x >> (64 - k)); }
   std::array<std::uint64_t, 4> state_;
 };
 
-}  // namespace touchstone::generators
+}  // namespace touchstone::seeded

@@ -1,8 +1,8 @@
 // Small integers: coincidences of every sort, and every polynomial of every degree.
 // SPDX-License-Identifier: MIT
-#include "support/family_makers.hpp"
+#include "families/makers.hpp"
 
-namespace touchstone::tests::makers {
+namespace touchstone::families::makers {
 
 Vec3 lattice_point(Rng& rng, int reach) {
   const double x = rng.between(-reach, reach);
@@ -62,4 +62,4 @@ Query few_moving(Kind kind, Rng& rng) {
   return query;
 }
 
-}  // namespace touchstone::tests::makers
+}  // namespace touchstone::families::makers

@@ -1,14 +1,14 @@
 // The registry of query families and the dispatch to their makers.
 // SPDX-License-Identifier: MIT
-#include "support/query_families.hpp"
+#include "families/families.hpp"
 
 #include <sstream>
 
-#include "support/family_makers.hpp"
+#include "families/makers.hpp"
 
-namespace touchstone::tests {
+namespace touchstone::families {
 
-const std::vector<FamilyInfo>& families() {
+const std::vector<FamilyInfo>& all_families() {
   static const std::vector<FamilyInfo> all{
       {Family::lattice1, Group::lattice, "lattice1", "integers from -1 to 1", true},
       {Family::lattice2, Group::lattice, "lattice2", "integers from -2 to 2", true},
@@ -54,11 +54,14 @@ const std::vector<FamilyInfo>& families() {
       {Family::huge, Group::scale, "huge", "coordinates up to the greatest double", false},
       {Family::corner_scale, Group::scale, "corner_scale", "each corner times a power of two", false},
       {Family::mixed_scale, Group::scale, "mixed_scale", "each coordinate times a power of two", false},
+
+      {Family::beside_ends, Group::contact, "beside_ends", "V's root is 0, 1 or the double just beside one of them",
+       false},
   };
   return all;
 }
 
-const FamilyInfo& info(Family family) { return families()[static_cast<std::size_t>(family)]; }
+const FamilyInfo& info(Family family) { return all_families()[static_cast<std::size_t>(family)]; }
 
 Sample make_sample(Family family, Kind kind, Rng& rng) {
   using namespace makers;
@@ -102,6 +105,7 @@ Sample make_sample(Family family, Kind kind, Rng& rng) {
     case Family::huge: return {huge(kind, rng), {}};
     case Family::corner_scale: return {corner_scale(kind, rng), {}};
     case Family::mixed_scale: return {mixed_scale(kind, rng), {}};
+    case Family::beside_ends: return {beside_ends(kind, rng), {}};
   }
   return {};
 }
@@ -110,9 +114,10 @@ Query make(Family family, Kind kind, Rng& rng) { return make_sample(family, kind
 
 Rng rng_of(const CaseId& id) {
   std::uint64_t state = id.seed;
-  std::uint64_t mixed = splitmix64(state) ^ id.index;
-  mixed = splitmix64(mixed) ^ (static_cast<std::uint64_t>(id.family) << 8 | static_cast<std::uint64_t>(id.kind));
-  return Rng(splitmix64(mixed));
+  std::uint64_t mixed = seeded::splitmix64(state) ^ id.index;
+  mixed =
+      seeded::splitmix64(mixed) ^ (static_cast<std::uint64_t>(id.family) << 8 | static_cast<std::uint64_t>(id.kind));
+  return Rng(seeded::splitmix64(mixed));
 }
 
 Sample make_sample(const CaseId& id) {
@@ -132,7 +137,7 @@ std::optional<CaseId> parse_case(std::string_view text) {
   std::string family, kind;
   std::uint64_t seed = 0, index = 0;
   if (!(in >> family >> kind >> seed >> index)) return std::nullopt;
-  for (const FamilyInfo& candidate : families()) {
+  for (const FamilyInfo& candidate : all_families()) {
     if (candidate.name != family) continue;
     for (const Kind k : kKinds) {
       if (kind_name(k) == kind) return CaseId{candidate.family, k, seed, index};
@@ -141,4 +146,4 @@ std::optional<CaseId> parse_case(std::string_view text) {
   return std::nullopt;
 }
 
-}  // namespace touchstone::tests
+}  // namespace touchstone::families

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "support/family_makers.hpp"
+#include "families/makers.hpp"
 
-namespace touchstone::tests::makers {
+namespace touchstone::families::makers {
 namespace {
 
 constexpr int kLeastExponent = -1060;
@@ -131,4 +131,4 @@ Query mixed_scale(Kind kind, Rng& rng) {
   return query;
 }
 
-}  // namespace touchstone::tests::makers
+}  // namespace touchstone::families::makers

@@ -7,7 +7,7 @@
 
 #include <touchstone/query.hpp>
 
-namespace touchstone::tests {
+namespace touchstone::families {
 
 inline Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
@@ -80,4 +80,4 @@ Query mapped_corners(Query query, F&& f) {
   return query;
 }
 
-}  // namespace touchstone::tests
+}  // namespace touchstone::families

@@ -1,23 +1,23 @@
-// The generators behind query_families.hpp, one per family or per few that share a construction.
+// The generators behind families.hpp, one per family or per few that share a construction.
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "support/motion.hpp"
-#include "support/query_families.hpp"
-#include "support/random.hpp"
+#include "families/families.hpp"
+#include "families/motion.hpp"
+#include "seeded/rng.hpp"
 
-namespace touchstone::tests::makers {
+namespace touchstone::families::makers {
 
 Vec3 lattice_point(Rng& rng, int reach);
 Moving lattice_motion(Rng& rng, int reach);
 
-// family_lattice.cpp
+// lattice.cpp
 Query lattice(Kind kind, Rng& rng, int reach);
 Query signed_zero(Kind kind, Rng& rng);
 Query static_step(Kind kind, Rng& rng);
 Query few_moving(Kind kind, Rng& rng);
 
-// family_coplanar.cpp
+// coplanar.cpp
 Query planar_axis(Kind kind, Rng& rng);
 Query planar_general(Kind kind, Rng& rng);
 Query moving_plane(Kind kind, Rng& rng);
@@ -28,21 +28,22 @@ Query parallel(Kind kind, Rng& rng);
 Query sliding(Kind kind, Rng& rng);
 Query flat(Kind kind, Rng& rng);
 
-// family_contact.cpp
+// contact.cpp
 enum class Where { anywhere, joint };
 Sample prescribed(Kind kind, Rng& rng, double time, Where where);
 double dyadic_time(Rng& rng);  ///< a multiple of 1/64 strictly inside (0, 1)
 Sample chain_joint(Kind kind, Rng& rng);
 Query near_hit(Kind kind, Rng& rng);
 
-// family_roots.cpp
+// roots.cpp
 enum class Graze { merged, apart, gone, triple };
 Sample grazing(Kind kind, Rng& rng, Graze graze);
 Query irrational_joint(Kind kind, Rng& rng);
 Query layers(Kind kind, Rng& rng);
 Query extreme_time(Kind kind, Rng& rng);
+Query beside_ends(Kind kind, Rng& rng);
 
-// family_perturbed.cpp
+// perturbed.cpp
 Query sliver(Kind kind, Rng& rng);
 Query near_rigid(Kind kind, Rng& rng);
 Query ulp_lattice(Kind kind, Rng& rng);
@@ -50,7 +51,7 @@ Sample far_offset(Kind kind, Rng& rng);
 Query random_doubles(Kind kind, Rng& rng);
 Query simulation(Kind kind, Rng& rng);
 
-// family_scale.cpp
+// scale.cpp
 Sample uniform_scale(Kind kind, Rng& rng);
 Sample axis_scale(Kind kind, Rng& rng);
 Query subnormal(Kind kind, Rng& rng);
@@ -58,4 +59,4 @@ Query huge(Kind kind, Rng& rng);
 Query corner_scale(Kind kind, Rng& rng);
 Query mixed_scale(Kind kind, Rng& rng);
 
-}  // namespace touchstone::tests::makers
+}  // namespace touchstone::families::makers

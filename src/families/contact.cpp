@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "support/family_makers.hpp"
+#include "families/makers.hpp"
 
-namespace touchstone::tests::makers {
+namespace touchstone::families::makers {
 namespace {
 
 // A coordinate on a lattice of spacing 2^(2 - bits) within [-4, 4].
@@ -137,4 +137,4 @@ Query near_hit(Kind kind, Rng& rng) {
   return query;
 }
 
-}  // namespace touchstone::tests::makers
+}  // namespace touchstone::families::makers

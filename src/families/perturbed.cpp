@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "support/family_makers.hpp"
+#include "families/makers.hpp"
 
-namespace touchstone::tests::makers {
+namespace touchstone::families::makers {
 namespace {
 
 double& random_coordinate(Query& query, Rng& rng) {
@@ -115,4 +115,4 @@ Query simulation(Kind kind, Rng& rng) {
   return query_of(kind, corners);
 }
 
-}  // namespace touchstone::tests::makers
+}  // namespace touchstone::families::makers

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "support/family_makers.hpp"
+#include "families/makers.hpp"
 
-namespace touchstone::tests::makers {
+namespace touchstone::families::makers {
 namespace {
 
 // Axes permuted and reflected: exact, and keeps every property of a query.
@@ -130,4 +130,22 @@ Query extreme_time(Kind kind, Rng& rng) {
   return turned(query, rng);
 }
 
-}  // namespace touchstone::tests::makers
+// Layers whose planes meet at 0, at 1 or at the double before or after one of them. That double is no difference of two
+// doubles, so both elements move: b from -time to 1 and a from 0 to time, which makes their distance t - time.
+Query beside_ends(Kind kind, Rng& rng) {
+  static constexpr std::array<double, 6> times{0, 0x1p-1074, -0x1p-1074, 1, 1 - 0x1p-53, 1 + 0x1p-52};
+  const double time = rng.pick(times);
+  Query query = lattice(kind, rng, rng.between(1, 2));
+  const bool standing = !rng.one_in(4);  // in the plane, so that the elements lie over each other at the root, or not
+  const bool joined = rng.one_in(kind == Kind::point_point ? 2 : 4);
+  const std::size_t first_of_b = element_sizes(kind).a;
+  if (joined) query.start[first_of_b] = query.start[0];
+  for (std::size_t i = 0; i < corner_count(kind); ++i) {
+    if (standing) query.end[i] = query.start[i];
+    query.start[i].z = i < first_of_b ? 0 : -time;
+    query.end[i].z = i < first_of_b ? time : 1;
+  }
+  return turned(query, rng);
+}
+
+}  // namespace touchstone::families::makers

@@ -1,0 +1,24 @@
+// `touchstone fuzz`: break a solver.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "cli/fuzz_solvers.hpp"
+#include "fuzz/engine.hpp"
+
+namespace touchstone::cli {
+
+struct FuzzOptions {
+  SolverChoice solver;
+  fuzz::Settings settings;               ///< threads 0: all that the machine has
+  std::string out;                       ///< a folder for the shrunk failures; empty: none
+  std::optional<fuzz::CaseName> a_case;  ///< this one alone
+};
+
+int run_fuzz(const FuzzOptions& options);
+void add_fuzz(CLI::App& program, Command& command);
+
+}  // namespace touchstone::cli

@@ -1,0 +1,25 @@
+// From the command line to a solver under test.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "fuzz/engine.hpp"
+
+namespace touchstone::cli {
+
+/// What `--solver` and `--solver-command` say; at most one of them.
+struct SolverChoice {
+  std::string solver =
+      "touchstone";     ///< a name, or the path of a plugin: whatever has a slash or ends in .so or .dylib
+  std::string command;  ///< of a program that is fed over pipes; empty: none
+};
+
+/// Makes one solver for each thread. The only place that knows where solvers come from.
+/// @throws Error  when there is no such solver
+fuzz::SolverFactory solver_factory(const SolverChoice& choice);
+
+/// The options that choose it again: "--solver paper".
+std::string solver_options(const SolverChoice& choice);
+
+}  // namespace touchstone::cli

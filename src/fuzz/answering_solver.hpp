@@ -1,0 +1,16 @@
+// A solver that gives whole answers, not only claims: ours. Everything in them is held against the judge's.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <touchstone/answer.hpp>
+
+#include "fuzz/solver_under_test.hpp"
+
+namespace touchstone::fuzz {
+
+class AnsweringSolver : public SolverUnderTest {
+ public:
+  virtual Answer answer(const Query& query) = 0;
+};
+
+}  // namespace touchstone::fuzz

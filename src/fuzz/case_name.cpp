@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz/case_name.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <vector>
+
+#include "fuzz/climb.hpp"
+
+namespace touchstone::fuzz {
+namespace {
+
+std::vector<std::string_view> words_of(std::string_view text) {
+  std::vector<std::string_view> words;
+  while (true) {
+    text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+    if (text.empty()) return words;
+    const std::size_t length = std::min(text.find(' '), text.size());
+    words.push_back(text.substr(0, length));
+    text.remove_prefix(length);
+  }
+}
+
+std::optional<std::uint64_t> whole_number(std::string_view text) {
+  std::uint64_t number = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, number);
+  if (error != std::errc{} || end != last) return std::nullopt;
+  return number;
+}
+
+}  // namespace
+
+std::string case_text(const CaseName& name) {
+  std::string text = families::case_name(name.start);
+  if (name.step > 0) text += " +" + std::to_string(name.step);
+  return text;
+}
+
+std::optional<CaseName> parse_case_text(std::string_view text) {
+  const std::vector<std::string_view> words = words_of(text);
+  if (words.size() != 4 && words.size() != 5) return std::nullopt;
+  CaseName name{};
+  bool family_known = false, kind_known = false;
+  for (const families::FamilyInfo& family : families::all_families()) {
+    if (family.name != words[0]) continue;
+    name.start.family = family.family;
+    family_known = true;
+  }
+  for (const Kind kind : families::kKinds) {
+    if (kind_name(kind) != words[1]) continue;
+    name.start.kind = kind;
+    kind_known = true;
+  }
+  const auto seed = whole_number(words[2]);
+  const auto index = whole_number(words[3]);
+  if (!family_known || !kind_known || !seed || !index) return std::nullopt;
+  name.start.seed = *seed;
+  name.start.index = *index;
+  if (words.size() == 5) {
+    const auto step = words[4].starts_with('+') ? whole_number(words[4].substr(1)) : std::nullopt;
+    if (!step || *step > kMostClimbSteps) return std::nullopt;
+    name.step = *step;
+  }
+  return name;
+}
+
+Query query_of_case(const CaseName& name) {
+  if (name.step == 0) return families::make(name.start);
+  Climb climb(name.start);
+  for (std::uint64_t i = 1; i < name.step; ++i) climb.next();
+  return climb.next();
+}
+
+}  // namespace touchstone::fuzz

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz/climb.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "families/motion.hpp"
+#include "fuzz/margin.hpp"
+
+namespace touchstone::fuzz {
+namespace {
+
+using families::Rng;
+
+double height_of(const Query& query) { return std::fabs(std::log2(std::fabs(filter_margin(query)))); }
+
+double& random_coordinate(Query& query, Rng& rng) {
+  auto& corners = rng.one_in(2) ? query.start : query.end;
+  return families::coordinate(corners[rng.below(corner_count(query.kind))], static_cast<std::size_t>(rng.below(3)));
+}
+
+double changed(double x, Query& query, Rng& rng) {
+  const double away =
+      rng.one_in(2) ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity();
+  switch (rng.between(0, 6)) {
+    case 0: return std::nextafter(x, away);
+    case 1: return x + std::ldexp(rng.symmetric() * (std::fabs(x) + 0x1p-1022), -rng.between(0, 50));
+    case 2: return x * (1 + std::ldexp(rng.symmetric(), -rng.between(0, 52)));
+    case 3: return random_coordinate(query, rng);
+    case 4: return std::nextafter(random_coordinate(query, rng), away);
+    case 5: return -x;
+    default: return 0.5 * (x + random_coordinate(query, rng));
+  }
+}
+
+/// Moves one coordinate to where the margin would be zero if it were linear in it. V's coefficients are: there the
+/// coefficient that remains is rounding.
+void step_to_zero(Query& query, Rng& rng) {
+  double& x = random_coordinate(query, rng);
+  const double before = x;
+  const double margin = filter_margin(query);
+  x = before + std::ldexp(rng.symmetric() * (std::fabs(before) + 0x1p-1000), -rng.between(0, 30));
+  const double moved = before - margin * (x - before) / (filter_margin(query) - margin);
+  x = std::isfinite(moved) ? moved : before;
+}
+
+}  // namespace
+
+Climb::Climb(const families::CaseId& start)
+    : rng_(families::rng_of(start)),
+      current_(families::make(start.family, start.kind, rng_)),
+      height_(height_of(current_)) {}
+
+Query Climb::next() {
+  Query query = current_;
+  if (rng_.one_in(3)) step_to_zero(query, rng_);
+  for (int changes = rng_.between(0, 2); changes > 0; --changes) {
+    double& x = random_coordinate(query, rng_);
+    const double value = changed(x, query, rng_);
+    if (std::isfinite(value)) x = value;
+  }
+  const double height = height_of(query);
+  if (height <= height_) {  // false for NaN, which a margin is not
+    current_ = query;
+    height_ = height;
+  }
+  return query;
+}
+
+}  // namespace touchstone::fuzz

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz/failure.hpp"
+
+#include <cmath>
+
+#include <touchstone/certify.hpp>
+
+#include "certify/answer_check.hpp"
+#include "certify/early.hpp"
+#include "fuzz/answering_solver.hpp"
+
+namespace touchstone::fuzz {
+namespace {
+
+bool too_early(double claimed, double toi, const EarlyLimit& early) {
+  if (early.ulps && certify::ulps_between(claimed, toi) > *early.ulps) return true;
+  return early.share && toi - claimed > *early.share;
+}
+
+}  // namespace
+
+std::string_view failure_name(FailureClass failure) noexcept {
+  switch (failure) {
+    case FailureClass::crash: return "crash";
+    case FailureClass::hang: return "hang";
+    case FailureClass::malformed: return "malformed";
+    case FailureClass::missed: return "missed";
+    case FailureClass::late: return "late";
+    case FailureClass::nan: return "nan";
+    case FailureClass::phantom: return "phantom";
+    case FailureClass::early: return "early";
+    case FailureClass::differs: return "differs";
+  }
+  return "";
+}
+
+std::optional<Failure> failure_of(const Reply& reply, const Answer& truth, const EarlyLimit& early) {
+  switch (reply.state) {
+    case Reply::State::crashed: return Failure{FailureClass::crash, reply.detail};
+    case Reply::State::hung: return Failure{FailureClass::hang, reply.detail};
+    case Reply::State::malformed: return Failure{FailureClass::malformed, reply.detail};
+    case Reply::State::answered: break;
+  }
+  if (!reply.contact) {  // a time beside it means nothing
+    if (truth.contact) return Failure{FailureClass::missed, ""};
+    return std::nullopt;
+  }
+  if (reply.toi && std::isnan(*reply.toi)) return Failure{FailureClass::nan, ""};
+  switch (judge({true, reply.toi}, truth)) {
+    case Verdict::holds: break;
+    case Verdict::missed: return Failure{FailureClass::missed, ""};
+    case Verdict::phantom: return Failure{FailureClass::phantom, ""};
+    case Verdict::late: return Failure{FailureClass::late, ""};
+  }
+  if (!reply.toi) return std::nullopt;
+  if (*reply.toi < 0) return Failure{FailureClass::malformed, "a time before the step"};
+  if (too_early(*reply.toi, truth.toi, early)) return Failure{FailureClass::early, ""};
+  return std::nullopt;
+}
+
+std::optional<Failure> failure_of(Kind kind, const Answer& answer, const Answer& truth) {
+  Reply claimed;
+  claimed.contact = answer.contact;
+  if (answer.contact) claimed.toi = answer.toi;
+  if (auto failure = failure_of(claimed, truth, {})) return failure;
+  if (std::string wrong = certify::decision_difference(answer, truth); !wrong.empty()) {
+    return Failure{FailureClass::differs, wrong};
+  }
+  if (std::string wrong = certify::weight_difference(answer, truth); !wrong.empty()) {
+    return Failure{FailureClass::differs, wrong};
+  }
+  if (std::string wrong = certify::malformation(kind, answer, 1); !wrong.empty()) {
+    return Failure{FailureClass::malformed, wrong};
+  }
+  return std::nullopt;
+}
+
+std::optional<Failure> failure_on(const Query& query, SolverUnderTest& solver, AnsweringSolver* whole,
+                                  const Answer& truth, const EarlyLimit& early, Reply& reply) {
+  if (whole == nullptr) {
+    reply = solver.ask(query);
+    return failure_of(reply, truth, early);
+  }
+  const Answer answer = whole->answer(query);
+  reply = Reply{};
+  reply.contact = answer.contact;
+  if (answer.contact) reply.toi = answer.toi;
+  return failure_of(query.kind, answer, truth);
+}
+
+}  // namespace touchstone::fuzz

@@ -1,0 +1,86 @@
+// What a run has found: failures of one class and one kind of degeneracy are one finding, shown by its simplest query.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <touchstone/answer.hpp>
+#include <touchstone/query.hpp>
+
+#include "fuzz/case_name.hpp"
+#include "fuzz/degeneracy.hpp"
+#include "fuzz/failure.hpp"
+
+namespace touchstone::fuzz {
+
+/// One failing query.
+struct Example {
+  CaseName name;  ///< of the query that it is or was shrunk from
+  Query query;
+  Reply reply;
+  Answer truth;
+  std::string detail;           ///< see Failure
+  std::int64_t difficulty = 0;  ///< of the query
+};
+
+struct Finding {
+  FailureClass failure = FailureClass::missed;
+  Degeneracy degeneracy;
+  std::uint64_t count = 0;  ///< how many queries failed in this way
+  Example example;          ///< the simplest of them, or what it was shrunk to
+};
+
+class Findings {
+ public:
+  void add(const Failure& failure, const CaseName& name, const Query& query, const Reply& reply, const Answer& truth);
+
+  /// What is kept does not depend on the order in which parts are merged.
+  void merge(Findings&& other);
+
+  std::size_t size() const noexcept { return buckets_.size(); }
+
+  /// At most `most` of them, 0 for all: the worst class first, within a class the most frequent first; where there are
+  /// more, every class gets an equal share.
+  std::vector<Finding> take(std::size_t most);
+
+ private:
+  struct Key {
+    FailureClass failure;
+    Degeneracy degeneracy;
+    auto operator<=>(const Key&) const = default;
+  };
+  struct Bucket {
+    std::uint64_t count = 0;
+    Example example;
+  };
+  std::map<Key, Bucket> buckets_;
+};
+
+/// Failures by family and class.
+class FailureTable {
+ public:
+  FailureTable();
+  void add_cases(families::Family family, std::uint64_t count) { row(family).cases += count; }
+  void add_failure(families::Family family, FailureClass failure) { ++row(family).failures[index(failure)]; }
+  void merge(const FailureTable& other);
+
+  struct Row {
+    std::uint64_t cases = 0;
+    std::array<std::uint64_t, kFailureClasses> failures{};
+    std::uint64_t failed() const;
+  };
+  const Row& of(families::Family family) const { return rows_[static_cast<std::size_t>(family)]; }
+  Row total() const;
+  static std::size_t index(FailureClass failure) { return static_cast<std::size_t>(failure); }
+
+ private:
+  Row& row(families::Family family) { return rows_[static_cast<std::size_t>(family)]; }
+  std::vector<Row> rows_;
+};
+
+}  // namespace touchstone::fuzz

@@ -1,0 +1,95 @@
+// The engine for who links touchstone::fuzz.
+// SPDX-License-Identifier: MIT
+#include <touchstone/fuzz.hpp>
+
+#include <utility>
+
+#include <touchstone/error.hpp>
+
+#include "fuzz/callable_solver.hpp"
+#include "fuzz/engine.hpp"
+#include "fuzz/finding_text.hpp"
+
+namespace touchstone {
+namespace {
+
+constexpr int kMostThreads = 1024;
+
+families::Family family_of(const std::string& name) {
+  for (const families::FamilyInfo& family : families::all_families()) {
+    if (family.name == name) return family.family;
+  }
+  throw InvalidQuery("there is no family of queries called \"" + name + "\"; touchstone fuzz --help lists them");
+}
+
+fuzz::Settings settings_of(const FuzzOptions& options) {
+  if (options.cases == 0) throw InvalidQuery("cases is 0; at least one query must be asked");
+  if (options.threads < 1 || options.threads > kMostThreads) {
+    throw InvalidQuery("threads is " + std::to_string(options.threads) + "; it must be in [1, " +
+                       std::to_string(kMostThreads) + "]");
+  }
+  if (options.early_share && !(*options.early_share >= 0 && *options.early_share <= 1)) {
+    throw InvalidQuery("early_share is " + fuzz::decimal_text(*options.early_share) + "; it must be in [0, 1]");
+  }
+  fuzz::Settings settings;
+  for (const std::string& name : options.families) settings.families.push_back(family_of(name));
+  settings.kinds = options.kinds;
+  settings.seed = options.seed;
+  settings.cases = options.cases;
+  settings.climb = options.climb;
+  settings.threads = options.threads;
+  settings.early = {options.early_ulps, options.early_share};
+  settings.most_findings = options.findings;
+  return settings;
+}
+
+FuzzFinding public_finding(fuzz::Finding&& finding) {
+  fuzz::Example& example = finding.example;
+  return {finding.failure,
+          fuzz::degeneracy_text(finding.degeneracy),
+          finding.count,
+          example.query,
+          Claim{example.reply.contact, example.reply.toi},
+          example.truth,
+          std::move(example.detail),
+          fuzz::case_text(example.name)};
+}
+
+}  // namespace
+
+std::string_view fuzz_failure_name(FuzzFailure failure) noexcept { return fuzz::failure_name(failure); }
+
+std::string to_string(const FuzzFinding& finding) {
+  fuzz::Reply reply;
+  reply.contact = finding.claim.contact;
+  reply.toi = finding.claim.toi;
+  if (finding.failure == FuzzFailure::crash) reply.state = fuzz::Reply::State::crashed;
+  std::string text(fuzz_failure_name(finding.failure));
+  if (finding.count > 1) text.append(" ").append(std::to_string(finding.count)).append(" times");
+  text.append(", ").append(kind_name(finding.query.kind)).append(": ").append(finding.degeneracy).append("\n");
+  text.append(fuzz::corners_text(finding.query, "  "));
+  text.append("  claim: ").append(fuzz::claim_text(reply)).append("\n");
+  text.append("  exact: ").append(fuzz::truth_text(finding.truth)).append("\n");
+  if (!finding.detail.empty()) text.append("  ").append(finding.detail).append("\n");
+  return text;
+}
+
+FuzzReport fuzz_solver(const std::function<Claim(const Query&)>& solver, const FuzzOptions& options) {
+  if (!solver) throw InvalidQuery("the solver is empty");
+  const auto ask = [&solver](const Query& query) {
+    const Claim claim = solver(query);
+    fuzz::Reply reply;
+    reply.contact = claim.contact;
+    reply.toi = claim.toi;
+    return reply;
+  };
+  fuzz::Outcome outcome = fuzz::run([&ask] { return fuzz::callable_solver("the solver", ask); }, settings_of(options));
+  FuzzReport report;
+  report.queries = outcome.queries;
+  report.failures = outcome.table.total().failed();
+  report.kinds_of_failure = outcome.kinds_of_failure;
+  for (fuzz::Finding& finding : outcome.findings) report.findings.push_back(public_finding(std::move(finding)));
+  return report;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz/margin.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <initializer_list>
+#include <limits>
+
+#include "filters/same_side.hpp"
+#include "filters/separating_direction.hpp"
+
+namespace touchstone::fuzz {
+namespace {
+
+using filters::Vector;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// value / bound; +infinity where that says nothing.
+double quotient(double value, double bound) noexcept {
+  const double q = value / bound;
+  return std::isnan(q) || bound <= 0 ? kInfinity : q;
+}
+
+double least(std::initializer_list<double> quotients) noexcept {
+  return std::min(quotients, [](double a, double b) { return std::fabs(a) < std::fabs(b); });
+}
+
+Vector between(const Vector& a, const Vector& b, double t) noexcept {
+  return {{(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1], (1 - t) * a[2] + t * b[2]}};
+}
+
+/// V at t from its coefficients b0, 3 b1, 3 b2, b3.
+double value(const std::array<double, 4>& c, double t) noexcept {
+  const double s = 1 - t;
+  return ((c[0] * s + c[1] * t) * s + c[2] * t * t) * s + c[3] * t * t * t;
+}
+
+/// Where V changes sign between 0 and 1, when it differs in sign at both ends; by bisection.
+double sign_change(const std::array<double, 4>& c) noexcept {
+  double low = 0, high = 1;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (low + high);
+    ((value(c, middle) > 0) == (c[0] > 0) ? low : high) = middle;
+  }
+  return low;
+}
+
+/// The weights of the touching point at the root over their rounding errors, about 2^-49 of the terms' size.
+double side_margin(const Query& query, const filters::Frame& f, double t) noexcept {
+  constexpr double kRounding = 0x1p-49;
+  const Vector u = between(f.u0, f.u1, t), w = between(f.w0, f.w1, t), r = between(f.r0, f.r1, t);
+  const Vector n = geometry::cross(u, w);
+  std::size_t k = std::fabs(n[0]) > std::fabs(n[1]) ? 0 : 1;
+  if (std::fabs(n[2]) > std::fabs(n[k])) k = 2;
+  const double first = geometry::cross_component(r, w, k) / n[k];
+  const double second = (query.kind == Kind::edge_edge ? 1 : -1) * geometry::cross_component(r, u, k) / n[k];
+  const double third = query.kind == Kind::edge_edge ? 1 - first : 1 - first - second;
+  const double margin = least({quotient(first, kRounding), quotient(second, kRounding), quotient(third, kRounding)});
+  return query.kind == Kind::edge_edge ? least({margin, quotient(1 - second, kRounding)}) : margin;
+}
+
+double cubic_margin(const Query& query) noexcept {
+  const filters::Frame frame = filters::frame_of(query);
+  const auto c = filters::coplanarity_coefficients(frame);
+  const auto bounds = filters::coplanarity_bounds(frame);
+  const double margin = !bounds.valid ? kInfinity
+                                      : least({quotient(c[0], bounds.ends), quotient(c[1], bounds.middle),
+                                               quotient(c[2], bounds.middle), quotient(c[3], bounds.ends)});
+  const bool crosses = (c[0] > 0) != (c[3] > 0);
+  return crosses ? least({margin, side_margin(query, frame, sign_change(c))}) : margin;
+}
+
+double separation_margin(const Query& query) noexcept {
+  const auto corners = filters::relative_corners(query);
+  const Vector d = filters::between_closest_points(corners, query.kind);
+  double first_high = -kInfinity, second_low = kInfinity;
+  for (std::size_t i = 0; i < corners.count; ++i) {
+    for (const auto* at : {&corners.start, &corners.end}) {
+      const double projection = geometry::dot(d, (*at)[i]);
+      (i < corners.first_count ? first_high : second_low) =
+          i < corners.first_count ? std::max(first_high, projection) : std::min(second_low, projection);
+    }
+  }
+  return quotient(second_low - first_high, filters::projection_bound(corners, d));
+}
+
+}  // namespace
+
+double filter_margin(const Query& query) noexcept {
+  const double margin = separation_margin(query);
+  return filters::has_cubic(query.kind) ? least({margin, cubic_margin(query)}) : margin;
+}
+
+}  // namespace touchstone::fuzz

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz/plan.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace touchstone::fuzz {
+namespace {
+
+constexpr std::uint64_t kPieceCases = 256;
+
+}  // namespace
+
+Plan::Plan(std::vector<families::Family> families, std::vector<Kind> kinds, std::optional<std::uint64_t> cases)
+    : families_(std::move(families)), kinds_(std::move(kinds)), cases_(cases) {
+  if (cases_) rounds_ = (cases_of(0) + kPieceCases - 1) / kPieceCases;  // the first pair has the most
+}
+
+std::uint64_t Plan::cases_of(std::uint64_t pair) const {
+  const std::uint64_t pairs = families_.size() * kinds_.size();
+  if (pairs == 0) return 0;
+  return *cases_ / pairs + (pair < *cases_ % pairs ? 1 : 0);
+}
+
+std::optional<Piece> Plan::piece(std::uint64_t number) const {
+  const std::uint64_t pairs = families_.size() * kinds_.size();
+  if (pairs == 0) return std::nullopt;
+  const std::uint64_t round = number / pairs;
+  const std::uint64_t pair = number % pairs;
+  Piece piece{families_[static_cast<std::size_t>(pair / kinds_.size())],
+              kinds_[static_cast<std::size_t>(pair % kinds_.size())], round * kPieceCases, kPieceCases};
+  if (!cases_) return piece;
+  if (round >= rounds_) return std::nullopt;
+  const std::uint64_t all = cases_of(pair);
+  piece.count = piece.first >= all ? 0 : std::min(kPieceCases, all - piece.first);
+  return piece;
+}
+
+}  // namespace touchstone::fuzz

@@ -1,0 +1,51 @@
+// Makes a failing query readable: small integers and short fractions, corners that stand still, few distinct values.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <unordered_set>
+
+#include <touchstone/query.hpp>
+
+#include "seeded/rng.hpp"
+
+namespace touchstone::fuzz {
+
+struct ShrinkLimits {
+  std::uint64_t tries = 20'000;          ///< how many queries are asked at most
+  std::function<bool()> stop = nullptr;  ///< asked before each; true ends it with what there is
+};
+
+/// The simplest query found, by `difficulty`, for which `still_fails` holds; `query` itself when there is no simpler
+/// one. The same for the same arguments, unless `stop` ends it. `still_fails` is only called with finite coordinates.
+Query shrink(const Query& query, const std::function<bool(const Query&)>& still_fails, const ShrinkLimits& limits = {});
+
+/// What the moves of shrink_moves.hpp work on: the simplest query so far, and a place to offer simpler ones to.
+class Shrinking {
+ public:
+  Shrinking(const Query& query, const std::function<bool(const Query&)>& still_fails, const ShrinkLimits& limits);
+
+  const Query& best() const noexcept { return best_; }
+
+  /// Takes the candidate for the best when it is simpler, finite and still fails; says whether it did.
+  bool offer(const Query& candidate);
+
+  /// Whether to give up: no tries are left, or somebody asks for an end.
+  bool over() const noexcept { return over_; }
+
+  seeded::Rng& rng() noexcept { return rng_; }
+
+ private:
+  const std::function<bool(const Query&)>& still_fails_;
+  const ShrinkLimits& limits_;
+  Query best_;
+  std::int64_t difficulty_;
+  std::uint64_t tries_ = 0;
+  bool over_ = false;
+  seeded::Rng rng_;
+  std::unordered_set<std::uint64_t> refused_;  ///< fingerprints of candidates that do not fail
+};
+
+}  // namespace touchstone::fuzz

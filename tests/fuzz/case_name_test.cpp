@@ -1,0 +1,37 @@
+// A case's name is enough to make its query again, and nothing else is taken for a name.
+// SPDX-License-Identifier: MIT
+#include "fuzz/case_name.hpp"
+
+#include "fuzz/climb.hpp"
+#include "support/catch.hpp"
+#include "support/query_text.hpp"
+
+using namespace touchstone;
+using namespace touchstone::tests;
+
+TEST_CASE("a name and its text are one") {
+  const auto text = GENERATE("lattice1 edge-edge 1 0", "mixed_scale point-point 18446744073709551615 12",
+                             "near_hit vertex-face 7 1234 +5");
+  const auto name = fuzz::parse_case_text(text);
+  REQUIRE(name.has_value());
+  CHECK(fuzz::case_text(*name) == text);
+}
+
+TEST_CASE("what is no name is refused") {
+  const auto text =
+      GENERATE("", "lattice1", "lattice1 edge-edge 1", "lattice1 edge-edge 1 2 3", "lattice1 edge-edge 1 -2",
+               "lattice1 edge-edge 1 2x", "lattice9 edge-edge 1 2", "lattice1 edge 1 2",
+               "lattice1 edge-edge 18446744073709551616 2", "lattice1 edge-edge 1 2 +",
+               "lattice1 edge-edge 1 2 +99999999999", "lattice1 edge-edge 1 2 +1 4", "LATTICE1 edge-edge 1 2");
+  CAPTURE(text);
+  CHECK_FALSE(fuzz::parse_case_text(text).has_value());
+}
+
+TEST_CASE("a name makes the query that it names") {
+  const families::CaseId id{families::Family::grazing_apart, Kind::edge_edge, 3, 14};
+  CHECK(cpp_initializer(fuzz::query_of_case({id, 0})) == cpp_initializer(families::make(id)));
+  fuzz::Climb climb(id);
+  for (std::uint64_t step = 1; step < 20; ++step) {
+    CHECK(cpp_initializer(climb.next()) == cpp_initializer(fuzz::query_of_case({id, step})));
+  }
+}

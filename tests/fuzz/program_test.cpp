@@ -1,0 +1,176 @@
+// touchstone fuzz: status, table, files, reproduction.
+// SPDX-License-Identifier: MIT
+#include <string>
+#include <vector>
+
+#include "cli/run_program.hpp"
+#include "support/catch.hpp"
+
+using namespace touchstone::tests;
+
+namespace {
+
+/// The words that follow `part` up to the end of its line, quotes taken off.
+std::vector<std::string> lines_with(const std::string& text, const std::string& part) {
+  std::vector<std::string> lines;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    const std::size_t start = text.rfind('\n', at) + 1;
+    lines.push_back(text.substr(start, text.find('\n', at) - start));
+  }
+  return lines;
+}
+
+std::string without_time(const std::string& out) { return out.substr(out.find('\n')); }
+
+/// A printed command as arguments: blanks part them, quotes hold them together.
+std::vector<std::string> arguments_of(const std::string& command) {
+  std::vector<std::string> words;
+  std::string word;
+  bool quoted = false;
+  for (const char c : command + " ") {
+    if (c == '\'') {
+      quoted = !quoted;
+    } else if (c == ' ' && !quoted) {
+      if (!word.empty()) words.push_back(word);
+      word.clear();
+    } else {
+      word += c;
+    }
+  }
+  words.erase(words.begin());  // touchstone
+  return words;
+}
+
+}  // namespace
+
+TEST_CASE("ours is found right: status 0") {
+  const Run run = run_program({"fuzz", "--cases", "5000", "--threads", "1"});
+  CHECK(run.status == 0);
+  CHECK(run.err == "");
+  CHECK(run.out.rfind("touchstone judged by exact, seed 1: 5,000 queries in ", 0) == 0);
+  CHECK(occurrences(run.out, "\nnothing found\n") == 1);
+}
+
+TEST_CASE("every inexact solver is broken, and the findings certify, explain and repeat themselves") {
+  const auto solver = GENERATE("paper", "closed_form", "newton", "interval", "conservative_advancement");
+  CAPTURE(solver);
+  const TemporaryFolder folder;
+  const Run run = run_program({"fuzz", "--solver", solver, "--cases", "4000", "--findings", "6", "--family", "lattice2",
+                               "--family", "near_hit", "--family", "parallel", "--out", folder.path("out")});
+  CAPTURE(run.out, run.err);
+  REQUIRE(run.status == 1);
+  CHECK(run.err == "");
+  CHECK(occurrences(run.out, "\n  all ") == 1);
+
+  std::vector<std::string> certify = {"certify"};
+  std::size_t queries = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path("out"))) {
+    if (!entry.is_regular_file()) continue;
+    certify.push_back(entry.path().string());
+    queries += occurrences(folder.read(std::filesystem::relative(entry.path(), folder.path("")).string()), "# query ");
+  }
+  const Run certified = run_program(certify);
+  CHECK(certified.status == 0);
+  CHECK(occurrences(certified.out, "all " + std::to_string(queries) + " claim") == 1);
+
+  const auto explanations = lines_with(run.out, "touchstone explain ");
+  CHECK(explanations.size() == queries);
+  for (const auto& command : explanations) CHECK(run_program(arguments_of(command)).status == 0);
+  const auto cases = lines_with(run.out, "touchstone fuzz --solver");
+  CHECK(cases.size() == queries);
+  for (const auto& command : cases) {
+    const Run again = run_program(arguments_of(command));
+    CAPTURE(command, again.out, again.err);
+    CHECK(again.status == 1);
+    CHECK(occurrences(again.out, command.substr(command.find("--case"))) == 1);
+  }
+}
+
+TEST_CASE("the same cases and seed give the same output for any number of threads") {
+  const TemporaryFolder folder;
+  const auto run_on = [&](const char* threads) {
+    const Run run = run_program({"fuzz", "--solver", "paper", "--cases", "6000", "--seed", "9", "--climb", "1",
+                                 "--findings", "5", "--threads", threads});
+    CHECK(run.status == 1);
+    return without_time(run.out);
+  };
+  const std::string one = run_on("1");
+  CHECK(run_on("2") == one);
+  CHECK(run_on("5") == one);
+}
+
+TEST_CASE("a case that is right has status 0") {
+  const Run run = run_program({"fuzz", "--solver", "touchstone", "--case", "near_hit edge-edge 1 2"});
+  CHECK(run.status == 0);
+  CHECK(run.out == "near_hit edge-edge 1 2: touchstone is right\n");
+}
+
+TEST_CASE("early claims count only when asked for") {
+  const std::vector<std::string> search = {"fuzz",     "--solver",       "interval", "--kind",     "point-point",
+                                           "--family", "random_doubles", "--family", "prescribed", "--cases",
+                                           "500"};
+  const Run any = run_program(search);
+  CHECK(occurrences(any.out, "early") == 0);
+  auto strict = search;
+  strict.insert(strict.end(), {"--early", "0ulps"});
+  const Run run = run_program(strict);
+  CHECK(run.status == 1);
+  CHECK(occurrences(run.out, "early") > 0);
+  const auto commands = lines_with(run.out, "--early 0ulps --case");
+  REQUIRE_FALSE(commands.empty());
+  CHECK(run_program(arguments_of(commands.front())).status == 1);
+}
+
+TEST_CASE("an interrupt ends the search with its table and its files") {
+  const TemporaryFolder folder;
+  RunOptions options;
+  options.interrupt_after = 1;
+  const Run run = run_program({"fuzz", "--solver", "paper", "--seconds", "1000", "--out", folder.path("out")}, options);
+  CHECK(run.status == 1);
+  CHECK(occurrences(run.out, "; interrupted\n") == 1);
+  CHECK(occurrences(run.out, "\n  all ") == 1);
+  CHECK(std::filesystem::exists(folder.path("out/edge-edge/missed.csv")));
+}
+
+TEST_CASE("bad usage ends with status 2 and one line, and writes nothing") {
+  const TemporaryFolder folder;
+  const auto check_refused = [&](std::vector<std::string> arguments, const std::string& part) {
+    arguments.insert(arguments.begin(), "fuzz");
+    const Run run = run_program(arguments);
+    CAPTURE(arguments, run.out, run.err);
+    CHECK(run.status == 2);
+    CHECK(run.out == "");
+    CHECK(occurrences(run.err, "\n") == 1);
+    CHECK(occurrences(run.err, part) > 0);
+    CHECK(folder.names().empty());
+  };
+  check_refused({"--solver", "oraculum"},
+                "'oraculum' is no solver; they are touchstone, exact, oracle, batch, paper, ");
+  check_refused({"--solver", "./no/such.so"}, "./no/such.so");
+  check_refused({"--solver", "paper", "--kind", "point-edge", "--cases", "10", "--out", folder.path("x")},
+                "paper takes no queries of this kind: point-edge");
+  check_refused({"--kind", "edge"}, "edge is no kind");
+  check_refused({"--family", "lattice9"}, "lattice9 is no family");
+  check_refused({"--cases", "0"}, "--cases");
+  check_refused({"--cases", "-1"}, "--cases");
+  check_refused({"--cases", "99999999999999999999"}, "--cases");
+  check_refused({"--seconds", "0"}, "--seconds");
+  check_refused({"--seconds", "nan"}, "--seconds");
+  check_refused({"--seed", "x"}, "--seed");
+  check_refused({"--early", "16"}, "--early");
+  check_refused({"--early", "ulps"}, "--early");
+  check_refused({"--judge", "me"}, "--judge");
+  check_refused({"--threads", "0"}, "--threads");
+  check_refused({"--case", "lattice1"}, "lattice1 is no case");
+  check_refused({"--case", "lattice1 edge-edge 1 1", "--cases", "5"}, "--case");
+  check_refused({"--solver", "paper", "--solver-command", "cat"}, "--solver");
+}
+
+TEST_CASE("a place where nothing can be written is found out at once") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("file", "mine");
+  const Run run = run_program({"fuzz", "--seconds", "1000", "--out", file});
+  CHECK(run.status == 2);
+  CHECK(run.out == "");
+  CHECK(folder.read("file") == "mine");
+}
