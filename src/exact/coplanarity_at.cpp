@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -11,12 +12,12 @@
 namespace touchstone::exact {
 namespace {
 
-/// V from the positions at a time: difference(i, j) is that of corners i and j.
-template <class Difference>
-auto coplanarity_of(bool edges, const Difference& difference) {
-  const auto u = edges ? difference(1, 0) : difference(2, 1);
-  const auto w = edges ? difference(3, 2) : difference(3, 1);
-  const auto r = edges ? difference(2, 0) : difference(0, 1);
+/// V of four positions, in any number type.
+template <class N>
+auto coplanarity_of(bool edges, const std::array<geometry::Vector<N>, 4>& x) {
+  const auto u = edges ? x[1] - x[0] : x[2] - x[1];
+  const auto w = edges ? x[3] - x[2] : x[3] - x[1];
+  const auto r = edges ? x[2] - x[0] : x[0] - x[1];
   return geometry::dot(geometry::cross(u, w), r);
 }
 
@@ -26,55 +27,70 @@ double scaled(double value, int exponent) noexcept {
   return value != 0 && result == 0 ? std::copysign(std::numeric_limits<double>::denorm_min(), value) : result;
 }
 
-/// With coordinates as integers x / 2^span.low and the time as t / 2^time.low.
 template <int Limbs>
-double value_in_limbs(const Query& query, const BitSpan& span, double t, const BitSpan& time) {
+geometry::Vector<numbers::FixedInt<Limbs>> integers(const Vec3& x, int low) {
   using Int = numbers::FixedInt<Limbs>;
-  const auto one = numbers::FixedInt<Limbs>::scaled(1, time.low);
-  const auto later = numbers::FixedInt<Limbs>::scaled(t, time.low);
-  const auto earlier = one - later;
-  const auto value = coplanarity_of(query.kind == Kind::edge_edge, [&](std::size_t i, std::size_t j) {
-    const auto along = [&](double Vec3::*axis) {
-      const auto number = [&](const Vec3& x) { return Int::scaled(x.*axis, span.low); };
-      const auto position = [&](const Vec3& a, const Vec3& b) { return number(a) - number(b); };
-      const auto wide = earlier * position(query.start[i], query.start[j]) + later * position(query.end[i], query.end[j]);
-      Int narrow;  // it fits
-      for (int k = 0; k < Limbs; ++k) narrow.set_limb(k, wide.limb(k));
-      return narrow;
-    };
-    return geometry::Vector<Int>{{along(&Vec3::x), along(&Vec3::y), along(&Vec3::z)}};
-  });
-  return scaled(to_double(value), 3 * (span.low + time.low));
+  return {{Int::scaled(x.x, low), Int::scaled(x.y, low), Int::scaled(x.z, low)}};
+}
+
+// Integer coordinates x / 2^low are below 2^bits, differences below 2^(bits + 1), and V sums 6 products of three of them: with 3
+// spare bits in each the sign has its place. Positions at m / 2^k, times 2^k, are below 2^(bits + k).
+
+template <int Limbs>
+double value_at_end(const Query& query, const BitSpan& span, bool start) {
+  std::array<geometry::Vector<numbers::FixedInt<Limbs>>, 4> positions;
+  for (std::size_t i = 0; i < 4; ++i) positions[i] = integers<Limbs>((start ? query.start : query.end)[i], span.low);
+  return scaled(to_double(coplanarity_of(query.kind == Kind::edge_edge, positions)), 3 * span.low);
+}
+
+template <int Limbs, int TimeLimbs>
+double value_between(const Query& query, const BitSpan& span, double t, int time_low) {
+  const auto later = numbers::FixedInt<TimeLimbs>::scaled(t, time_low);
+  const auto earlier = numbers::FixedInt<TimeLimbs>::scaled(1, time_low) - later;
+  std::array<geometry::Vector<numbers::FixedInt<Limbs + TimeLimbs>>, 4> positions;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto from = integers<Limbs>(query.start[i], span.low);
+    const auto to = integers<Limbs>(query.end[i], span.low);
+    for (std::size_t k = 0; k < 3; ++k) positions[i][k] = from[k] * earlier + to[k] * later;
+  }
+  return scaled(to_double(coplanarity_of(query.kind == Kind::edge_edge, positions)), 3 * (span.low + time_low));
 }
 
 double value_in_any_size(const Query& query, double t) {
   using numbers::Exact;
-  const Exact time(t);
-  const Exact value = coplanarity_of(query.kind == Kind::edge_edge, [&](std::size_t i, std::size_t j) {
+  const Exact later(t);
+  const Exact earlier = Exact(1) - later;
+  std::array<geometry::Vector<Exact>, 4> positions;
+  for (std::size_t i = 0; i < 4; ++i) {
     const auto along = [&](double Vec3::*axis) {
-      const Exact start = Exact(query.start[i].*axis) - Exact(query.start[j].*axis);
-      const Exact end = Exact(query.end[i].*axis) - Exact(query.end[j].*axis);
-      return start + time * (end - start);
+      return earlier * Exact(query.start[i].*axis) + later * Exact(query.end[i].*axis);
     };
-    return geometry::Vector<Exact>{{along(&Vec3::x), along(&Vec3::y), along(&Vec3::z)}};
-  });
-  const numbers::Approximation approximation = numbers::approximate(value);
-  return scaled(approximation.significand, static_cast<int>(approximation.exponent));
+    positions[i] = {{along(&Vec3::x), along(&Vec3::y), along(&Vec3::z)}};
+  }
+  const auto [significand, exponent] = numbers::approximate(coplanarity_of(query.kind == Kind::edge_edge, positions));
+  return scaled(significand, static_cast<int>(exponent));
 }
+
+/// How many limbs hold so many bits and 3 to spare; 3 for more than two.
+int limbs_for(int bits) noexcept { return bits <= 64 - 3 ? 1 : bits <= 128 - 3 ? 2 : 3; }
 
 }  // namespace
 
 double coplanarity_at(const Query& query, double t) {
   const BitSpan span = coordinate_span(query);
+  const int limbs = limbs_for(span.bits() + 1);
+  if (t == 0 || t == 1) {
+    if (limbs == 1) return value_at_end<1>(query, span, t == 0);
+    if (limbs == 2) return value_at_end<2>(query, span, t == 0);
+    return value_in_any_size(query, t);
+  }
   BitSpan time;
   time.add(1.0);
   time.add(t);
-  // A difference is below 2^(bits + 1), as it is where it has moved to; times 2^-time.low. Cross products sum 2 and V sums
-  // 3 products of three: the room for both, 4 bits, and for the signs is in the three factors' spare bits.
-  const int bits = span.bits() + 1 - time.low;
-  if (bits <= 64 * 1 - 3) return value_in_limbs<1>(query, span, t, time);
-  if (bits <= 64 * 2 - 3) return value_in_limbs<2>(query, span, t, time);
-  if (bits <= 64 * 3 - 3) return value_in_limbs<3>(query, span, t, time);
+  const int time_limbs = limbs_for(1 - time.low);
+  if (limbs == 1 && time_limbs == 1) return value_between<1, 1>(query, span, t, time.low);
+  if (limbs == 1 && time_limbs == 2) return value_between<1, 2>(query, span, t, time.low);
+  if (limbs == 2 && time_limbs == 1) return value_between<2, 1>(query, span, t, time.low);
   return value_in_any_size(query, t);
 }
 

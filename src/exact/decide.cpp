@@ -11,6 +11,7 @@
 #include "exact/elements.hpp"
 #include "exact/exact.hpp"
 #include "exact/exact_times.hpp"
+#include "numbers/limb_scratch.hpp"
 
 namespace touchstone::exact {
 namespace {
@@ -179,6 +180,7 @@ std::vector<RootInterval> touching_times_of_any(const Q& query, double t_max) {
 }  // namespace
 
 Answer decide(const Query& query, double t_max) {
+  const numbers::LimbScratch scratch;  // no number outlives the decision
   const int bits = coordinate_span(query).bits();
   if (bits <= kMostBits<1>) return decide_in<Short>(query, t_max);
   if (bits <= kMostBits<2>) return decide_in<Medium>(query, t_max);

@@ -9,6 +9,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "numbers/limb_scratch.hpp"
+
 namespace touchstone::numbers {
 namespace {
 
@@ -33,6 +35,15 @@ inline Limb subtract_with_borrow(Limb a, Limb b, Limb& borrow) noexcept {
 }
 
 }  // namespace
+
+thread_local LimbScratch* LimbScratch::current_ = nullptr;
+
+LimbScratch::Limb* LimbScratch::take_block() noexcept {
+  if (free_ == 0) return nullptr;
+  const int block = std::countr_zero(free_);
+  free_ &= free_ - 1;
+  return blocks_[block];
+}
 
 Dyadic::Dyadic(int value) noexcept : size_(value > 0 ? 1 : value < 0 ? -1 : 0), exponent_(0), capacity_(kInline) {
   inline_[0] = value < 0 ? -static_cast<Limb>(value) : static_cast<Limb>(value);
@@ -124,12 +135,13 @@ Dyadic& Dyadic::operator=(Dyadic&& other) noexcept {
 
 void Dyadic::reserve(int limbs) {
   if (limbs <= kInline) return;
-  heap_ = new Limb[static_cast<std::size_t>(limbs)];
+  heap_ = LimbScratch::take(limbs);
+  if (heap_ == nullptr) heap_ = new Limb[static_cast<std::size_t>(limbs)];
   capacity_ = limbs;
 }
 
 void Dyadic::release() noexcept {
-  delete[] heap_;
+  if (!LimbScratch::give_back(heap_)) delete[] heap_;
   capacity_ = kInline;
 }
 

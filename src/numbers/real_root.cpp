@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <limits>
 
 namespace touchstone::numbers {
 namespace {
@@ -73,6 +74,22 @@ std::string hexfloat(double x) {
 
 }  // namespace
 
+ScaledDoubles scaled_to_doubles(Coefficients p) {
+  std::array<Approximation, 4> terms;
+  ScaledDoubles result = {{}, std::numeric_limits<long>::min()};
+  const std::size_t size = static_cast<std::size_t>(p.size);
+  for (std::size_t i = 0; i < size; ++i) {
+    terms[i] = approximate(p.c[i]);
+    if (terms[i].significand != 0) result.exponent = std::max(result.exponent, terms[i].exponent);
+  }
+  for (std::size_t i = 0; i < size; ++i) {
+    if (terms[i].significand == 0) continue;
+    const long exponent = std::max(terms[i].exponent - result.exponent, -2000L);
+    result.c[i] = std::ldexp(terms[i].significand, static_cast<int>(exponent));
+  }
+  return result;
+}
+
 RealRoot RealRoot::rational(const Exact& numerator, const Exact& denominator, int multiplicity) {
   RealRoot root;
   root.is_rational_ = true;
@@ -121,19 +138,7 @@ int RealRoot::compare(const RealRoot& other) const {
 /// A double near the root, by safeguarded Newton iteration in doubles; only a hint.
 double RealRoot::estimate() const {
   if (is_rational_) return approximate_quotient(numerator_, denominator_);
-  std::array<Approximation, 4> terms;
-  long largest = 0;
-  bool any = false;
-  for (std::size_t i = 0; i <= static_cast<std::size_t>(degree_); ++i) {
-    terms[i] = approximate(p_[i]);
-    if (terms[i].significand != 0 && (!any || terms[i].exponent > largest)) largest = terms[i].exponent;
-    any = any || terms[i].significand != 0;
-  }
-  std::array<double, 4> c{};
-  for (std::size_t i = 0; i <= static_cast<std::size_t>(degree_); ++i) {
-    const long exponent = std::max(terms[i].exponent - largest, -2000L);
-    c[i] = std::ldexp(terms[i].significand, static_cast<int>(exponent));
-  }
+  const auto [c, largest] = scaled_to_doubles({p_.data(), degree_ + 1});
   double low = to_double(low_);
   double high = to_double(high_);
   double t = 0.5 * (low + high);

@@ -25,6 +25,14 @@ struct Coefficients {
   Coefficients(const Exact* first, int count) : c(first), size(count) {}
 };
 
+/// The coefficients times one power of two, each within a relative error of 2^-52 where it does not underflow, the largest
+/// about 1: for hints. Zero beyond p's size, at most 4.
+struct ScaledDoubles {
+  std::array<double, 4> c;
+  long exponent;  ///< coefficient i is about c[i] 2^exponent
+};
+ScaledDoubles scaled_to_doubles(Coefficients p);
+
 /// One real root in [0, 1]: either a rational, or the only root of a polynomial inside an open dyadic interval, where
 /// that polynomial changes sign.
 class RealRoot {

@@ -1,6 +1,8 @@
 // Isolation of the roots of a polynomial of degree at most 3 in [0, limit]. Most calls end at the sign variations of
 // the Bernstein coefficients (Descartes' rule: none, or exactly one root); the rest is decided by discriminants.
 // SPDX-License-Identifier: MIT
+#include <cmath>
+
 #include <gmpxx.h>
 
 #include "numbers/gmp_conversions.hpp"
@@ -58,14 +60,29 @@ Exact truncated(mpf_class x, mp_bitcnt_t bits) {
   return exact_from_integer(mpz_class(x)) * power_of_two(-static_cast<long>(bits));
 }
 
-/// Approximations that improve with `bits`, without a bound: their users check them exactly and ask again.
+// Approximations that improve with `bits`, without a bound: their users check them exactly and ask again. The first are in
+// doubles.
+constexpr mp_bitcnt_t kInDoubles = 32;
+
+Exact from_double(double x) { return Exact(std::isfinite(x) ? x : 0.0); }
+
 Exact approximate_vertex(Coefficients quadratic, mp_bitcnt_t bits) {
+  if (bits == kInDoubles) {
+    const auto& c = scaled_to_doubles(quadratic).c;
+    return from_double(c[1] / (-2 * c[2]));
+  }
   const mpf_class vertex = to_float(quadratic.c[1], bits) / to_float(Exact(-2) * quadratic.c[2], bits);
   return truncated(vertex, bits);
 }
 
 /// The root of p' on the given side (-1: left, 1: right) of the cubic's inflection, for a positive discriminant of p'.
 Exact approximate_critical_point(Coefficients cubic, int side, mp_bitcnt_t bits) {
+  if (bits == kInDoubles) {
+    const auto& c = scaled_to_doubles(cubic).c;
+    const double a3 = 3 * c[3];
+    const double r = (a3 > 0 ? side : -side) * std::sqrt(c[2] * c[2] - a3 * c[1]);
+    return from_double((c[2] <= 0) == (r > 0) ? (r - c[2]) / a3 : c[1] / (-c[2] - r));
+  }
   const Exact& b = cubic.c[2];
   const Exact three_a = Exact(3) * cubic.c[3];
   const mpf_class root = sqrt(to_float(b * b - three_a * cubic.c[1], bits));
@@ -78,7 +95,6 @@ Exact approximate_critical_point(Coefficients cubic, int side, mp_bitcnt_t bits)
   return truncated(point, bits);
 }
 
-constexpr mp_bitcnt_t kFirstPrecision = 64;
 
 /// Collects the roots in the open interval (0, limit) of a polynomial whose leading coefficient and whose values at
 /// both ends are not zero.
@@ -111,7 +127,7 @@ class OpenInterval {
       return;
     }
     const int wanted = -sign_of(p_.c[2]);
-    for (mp_bitcnt_t bits = kFirstPrecision;; bits *= 2) {
+    for (mp_bitcnt_t bits = kInDoubles;; bits *= 2) {
       const Exact separator = approximate_vertex(p_, bits);
       if (!inside(separator) || sign_at_point(p_, separator) != wanted) continue;
       push_between(Exact(0), separator);
@@ -176,7 +192,7 @@ class OpenInterval {
           side < 0 ? !(side_limit <= 0 && slope_sign(limit_) >= 0) : side_limit > 0 && slope_sign(limit_) > 0;
       if (!after_zero || !before_limit) continue;
       const int wanted = side < 0 ? orientation : -orientation;
-      for (mp_bitcnt_t bits = kFirstPrecision;; bits *= 2) {
+      for (mp_bitcnt_t bits = kInDoubles;; bits *= 2) {
         const Exact separator = approximate_critical_point(p_, side, bits);
         if (!inside(separator) || side_of_inflection(separator) != side || sign_at_point(p_, separator) != wanted) continue;
         push_if_inside(low, separator);

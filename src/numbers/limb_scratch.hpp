@@ -1,0 +1,50 @@
+// Memory for long numbers that live no longer than one decision: without the heap, in the caller's frame.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace touchstone::numbers {
+
+/// While one lives, the numbers of its thread that are too long to hold their own limbs take blocks of it, as long as there are
+/// some and they are large enough, and the heap's after that. Such numbers must not outlive it, nor go to another thread.
+class LimbScratch {
+ public:
+  using Limb = unsigned long;
+  static constexpr int kBlockLimbs = 48;  ///< 3,072 bits
+  static constexpr int kBlocks = 64;
+
+  LimbScratch() noexcept : previous_(current_) { current_ = this; }
+  ~LimbScratch() { current_ = previous_; }
+  LimbScratch(const LimbScratch&) = delete;
+  LimbScratch& operator=(const LimbScratch&) = delete;
+
+  /// A block for so many limbs, or null.
+  static Limb* take(int limbs) noexcept {
+    LimbScratch* const scratch = current_;
+    return scratch != nullptr && limbs <= kBlockLimbs ? scratch->take_block() : nullptr;
+  }
+
+  /// Whether the block was one of the thread's, and is so no more.
+  static bool give_back(const Limb* block) noexcept {
+    for (LimbScratch* scratch = current_; scratch != nullptr; scratch = scratch->previous_) {
+      const std::ptrdiff_t offset = reinterpret_cast<std::intptr_t>(block) - reinterpret_cast<std::intptr_t>(scratch->blocks_);
+      if (offset < 0 || offset >= static_cast<std::ptrdiff_t>(sizeof blocks_)) continue;
+      scratch->free_ |= std::uint64_t{1} << (offset / static_cast<std::ptrdiff_t>(sizeof blocks_[0]));
+      return true;
+    }
+    return false;
+  }
+
+ private:
+  Limb* take_block() noexcept;
+
+  static thread_local LimbScratch* current_;
+
+  LimbScratch* previous_;
+  std::uint64_t free_ = ~std::uint64_t{0};  // bit i: block i
+  Limb blocks_[kBlocks][kBlockLimbs];       // 24 KiB, not initialised
+};
+
+}  // namespace touchstone::numbers
