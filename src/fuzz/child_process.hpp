@@ -12,8 +12,8 @@
 
 namespace touchstone::fuzz {
 
-/// Runs code in a forked process of its own session, with every descriptor closed but those it is given, nothing to read
-/// on standard input, standard output thrown away, standard error kept (its last words), no core dumps, default
+/// Runs code in a forked process of its own session, with every descriptor closed but those it is given, nothing to
+/// read on standard input, standard output thrown away, standard error kept (its last words), no core dumps, default
 /// signal handling and a limit on its memory. It dies with the thread that started it (Linux) and with this object.
 class ChildProcess {
  public:
@@ -26,8 +26,9 @@ class ChildProcess {
     std::uint64_t memory = 0;  ///< bytes of address space; 0: no limit
   };
 
-  /// Forks and calls `run` in the child, which ends with status 0 when `run` returns. In a program with several threads,
-  /// `run` must be careful: only the calling thread lives on in the child. @throws Error when no process can be made
+  /// Forks and calls `run` in the child, which ends with status 0 when `run` returns. In a program with several
+  /// threads, `run` must be careful: only the calling thread lives on in the child. @throws Error when no process can
+  /// be made
   ChildProcess(const Setup& setup, const std::function<void()>& run);
 
   /// Kills it and whatever it has started in its session's group, and waits for it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/pipe_protocol.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -30,38 +31,49 @@ bool equal_but_case(std::string_view text, std::string_view lower) noexcept {
   return true;
 }
 
+/// What a well-formed number beyond the doubles' range rounds to, 0 or infinity: by the place of its first digit that
+/// is not 0, which is hundreds of places from the point then, on the one side or the other.
+double rounded_beyond_range(std::string_view text, bool hexadecimal) noexcept {
+  const std::size_t mark = std::min(text.find_first_of(hexadecimal ? "pP" : "eE"), text.size());
+  const std::string_view digits = text.substr(0, mark);
+  const std::size_t point = std::min(digits.find('.'), digits.size());
+  const std::size_t first = digits.find_first_not_of("0.");
+  if (first == std::string_view::npos) return 0;
+  const double place = static_cast<double>(point) - static_cast<double>(first);
+  double exponent = 0;
+  bool negative = false;
+  for (const char c : text.substr(std::min(mark + 1, text.size()))) {
+    if (c == '-') negative = true;
+    if (c >= '0' && c <= '9') exponent = std::min(10 * exponent + (c - '0'), 1e15);
+  }
+  const double order = (hexadecimal ? 4 : 1) * place + (negative ? -exponent : exponent);
+  return order > 0 ? std::numeric_limits<double>::infinity() : 0;
+}
+
 /// Any number that strtod reads in the C locale; beyond the doubles' range, what it rounds to.
 std::optional<double> parse_any_double(std::string_view text) noexcept {
-  bool negative = false;
-  if (!text.empty() && (text.front() == '-' || text.front() == '+')) {
-    negative = text.front() == '-';
-    text.remove_prefix(1);
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  const auto signed_value = [&](double value) { return negative ? -value : value; };
+  if (equal_but_case(text, "inf") || equal_but_case(text, "infinity")) {
+    return signed_value(std::numeric_limits<double>::infinity());
   }
+  if (equal_but_case(text, "nan")) return signed_value(std::numeric_limits<double>::quiet_NaN());
+
   const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");
   if (hexadecimal) text.remove_prefix(2);
-  double value = 0;
-  if (!hexadecimal && (equal_but_case(text, "inf") || equal_but_case(text, "infinity"))) {
-    value = std::numeric_limits<double>::infinity();
-  } else if (!hexadecimal && (equal_but_case(text, "nan") || equal_but_case(text, "nan()"))) {
-    value = std::numeric_limits<double>::quiet_NaN();
-  } else {
-    if (text.empty() || (text.front() != '.' && std::string_view("0123456789abcdefABCDEF").find(text.front()) == std::string_view::npos)) {
-      return std::nullopt;  // from_chars takes a sign and names of its own
-    }
-    const char* const last = text.data() + text.size();
-    const auto [end, error] =
-        std::from_chars(text.data(), last, value, hexadecimal ? std::chars_format::hex : std::chars_format::general);
-    if (end != last) return std::nullopt;
-    if (error == std::errc::result_out_of_range) {
-      // Beyond the doubles upwards or downwards: the exponent's sign tells, or else the size of the text.
-      const std::size_t exponent = text.find_last_of(hexadecimal ? "pP" : "eE");
-      const bool tiny = exponent != std::string_view::npos ? text.substr(exponent + 1).starts_with('-') : text.front() == '0';
-      value = tiny ? 0 : std::numeric_limits<double>::infinity();
-    } else if (error != std::errc{}) {
-      return std::nullopt;
-    }
+  constexpr std::string_view kFirst = ".0123456789abcdefABCDEF";  // from_chars takes a sign and names of its own
+  if (text.empty() || kFirst.substr(0, hexadecimal ? kFirst.size() : 11).find(text.front()) == std::string_view::npos) {
+    return std::nullopt;
   }
-  return negative ? -value : value;
+  double value = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] =
+      std::from_chars(text.data(), last, value, hexadecimal ? std::chars_format::hex : std::chars_format::general);
+  if (end != last) return std::nullopt;
+  if (error == std::errc::result_out_of_range) return signed_value(rounded_beyond_range(text, hexadecimal));
+  if (error != std::errc{}) return std::nullopt;
+  return signed_value(value);
 }
 
 /// The first word of `text`, which is left with the rest.

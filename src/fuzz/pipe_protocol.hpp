@@ -11,9 +11,11 @@
 
 namespace touchstone::fuzz {
 
-// A query:   KIND and then numbers, each after one blank, and a line feed. KIND is edge-edge, vertex-face, point-edge or
-//            point-point. The numbers are the coordinates as C hexfloats ("-0x1.8p-2"): x y z of each corner at t = 0, in
-//            the order a0 a1 b0 b1, v f0 f1 f2, p e0 e1 or p q, and then x y z of each corner at t = 1: 24, 24, 18 or 12.
+// A query:   KIND and then numbers, each after one blank, and a line feed. KIND is edge-edge, vertex-face, point-edge
+// or
+//            point-point. The numbers are the coordinates as C hexfloats ("-0x1.8p-2"): x y z of each corner at t = 0,
+//            in the order a0 a1 b0 b1, v f0 f1 f2, p e0 e1 or p q, and then x y z of each corner at t = 1: 24, 24, 18
+//            or 12.
 // An answer: "0"            they do not touch for t in [0, 1]
 //            "1 TOI"        they do, first at TOI, a number that C's strtod reads: hexfloat, decimal, nan, inf
 //            "1"            they do; this solver does not say when

@@ -42,7 +42,7 @@ class PipeRun {
   Limits limits_;
   Pipe in_, out_;
   std::optional<ChildProcess> child_;
-  std::string buffer_;  ///< read, but not yet a whole line
+  std::string buffer_;   ///< read, but not yet a whole line
   bool closed_ = false;  ///< it has closed its output
 };
 

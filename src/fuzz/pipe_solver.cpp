@@ -88,11 +88,11 @@ class PipeSolver : public SolverUnderTest {
     switch (exchange.end) {
       case End::died: return broken(Reply::State::crashed, run_->child().story() + said);
       case End::late:
-        return broken(Reply::State::hung, "no answer within " + std::to_string(time.count()) +
-                                              " ms (are answers flushed?)" + said);
+        return broken(Reply::State::hung,
+                      "no answer within " + std::to_string(time.count()) + " ms (are answers flushed?)" + said);
       case End::too_long:
-        return broken(Reply::State::malformed,
-                      "a line of more than " + std::to_string(limits_.line) + " bytes: " + io::in_quotes(exchange.line));
+        return broken(Reply::State::malformed, "a line of more than " + std::to_string(limits_.line) +
+                                                   " bytes: " + io::in_quotes(exchange.line));
       case End::unasked:
         return broken(Reply::State::malformed, "it says more than it was asked: " + io::in_quotes(exchange.line));
       case End::line: break;

@@ -54,10 +54,11 @@ const touchstone_solver_plugin* load(const std::string& path, SharedCall& call) 
   if (plugin == nullptr) {
     refuse(call, "its touchstone_solver() returned a null pointer");
   } else if (plugin->version != TOUCHSTONE_PLUGIN_VERSION) {
-    refuse(call, "it was compiled for version " + std::to_string(plugin->version) + " of touchstone/plugin.h, this is " +
-                     std::to_string(TOUCHSTONE_PLUGIN_VERSION));
+    refuse(call, "it was compiled for version " + std::to_string(plugin->version) +
+                     " of touchstone/plugin.h, this is " + std::to_string(TOUCHSTONE_PLUGIN_VERSION));
   } else if (plugin->kinds == 0 || (plugin->kinds & ~kAllKinds) != 0) {
-    refuse(call, "its kinds are " + std::to_string(plugin->kinds) + ", which is no sum of TOUCHSTONE_EDGE_EDGE and so on");
+    refuse(call,
+           "its kinds are " + std::to_string(plugin->kinds) + ", which is no sum of TOUCHSTONE_EDGE_EDGE and so on");
   } else if (plugin->solve == nullptr) {
     refuse(call, "its solve is a null pointer");
   } else {

@@ -10,8 +10,8 @@
 #include <optional>
 #include <system_error>
 
-#include <touchstone/error.hpp>
 #include <touchstone/plugin.h>
+#include <touchstone/error.hpp>
 
 #include "fuzz/child_process.hpp"
 #include "fuzz/plugin_child.hpp"
@@ -27,8 +27,7 @@ using Clock = ChildProcess::Clock;
 class SharedMemory {
  public:
   SharedMemory() {
-    void* const memory =
-        ::mmap(nullptr, sizeof(SharedCall), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    void* const memory = ::mmap(nullptr, sizeof(SharedCall), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) throw Error("no memory can be shared with a plugin: " + io::system_reason(errno));
     call_ = new (memory) SharedCall;
   }
@@ -166,10 +165,10 @@ class PluginSolver : public SolverUnderTest {
       reason = io::printable(reason);
     } else {
       const bool loading = run_->call().stage.load() == Stage::loading;
-      reason = end == Run::End::died
-                   ? std::string("its process ended while it was ") + (loading ? "loaded" : "initialised") + ", by " +
-                         run_->child().story()
-                   : std::string(loading ? "loading it" : "its init") + " takes longer than " + in_milliseconds(limits_.start);
+      reason = end == Run::End::died ? std::string("its process ended while it was ") +
+                                           (loading ? "loaded" : "initialised") + ", by " + run_->child().story()
+                                     : std::string(loading ? "loading it" : "its init") + " takes longer than " +
+                                           in_milliseconds(limits_.start);
     }
     run_->child().kill();
     run_.reset();

@@ -36,7 +36,8 @@ void sleep_on(const std::atomic<std::uint32_t>& word, std::uint32_t old, std::ch
   limit.tv_nsec = static_cast<long>((time - seconds).count());
   ::syscall(SYS_futex, &word, FUTEX_WAIT, old, &limit, nullptr, 0);
 #else
-  if (word.load() == old) std::this_thread::sleep_for(std::min<std::chrono::nanoseconds>(time, std::chrono::microseconds(50)));
+  if (word.load() == old)
+    std::this_thread::sleep_for(std::min<std::chrono::nanoseconds>(time, std::chrono::microseconds(50)));
 #endif
 }
 

@@ -70,13 +70,20 @@ TEST_CASE("answers that can be read") {
   CHECK(read("1 -Infinity")->toi == -std::numeric_limits<double>::infinity());
   CHECK(read("1 1e999")->toi == std::numeric_limits<double>::infinity());
   CHECK(read("1 1e-999")->toi == 0.0);
+  const std::string many(800, '0');
+  CHECK(fuzz::read_answer_line("1 1" + many + "e-100")->toi == std::numeric_limits<double>::infinity());
+  CHECK(fuzz::read_answer_line("1 0." + many + "1e100")->toi == 0.0);
+  CHECK(fuzz::read_answer_line("1 0x1" + many + "p-10")->toi == std::numeric_limits<double>::infinity());
+  CHECK(fuzz::read_answer_line("1 0x." + many + "1p10")->toi == 0.0);
   CHECK_FALSE(read("unsupported")->supported);
   CHECK(read("0")->supported);
 }
 
 TEST_CASE("answers that cannot be read") {
-  for (const char* line : {"", " ", "2", "01", "-1", "yes", "0 0", "0 0.5", "1 0.5 0.5", "1 half", "1 0x", "1 0.5x", "1 --5",
-                           "1 +-5", "1 0xnan", "1,0.5", "unsupported 1", "Unsupported", "1 0.5\n", "10.5", "1 nan(", "1 e5"}) {
+  for (const char* line :
+       {"",        " ",    "2",      "01",    "-1",    "yes",     "0 0",   "0 0.5",         "1 0.5 0.5",
+        "1 half",  "1 0x", "1 0.5x", "1 --5", "1 +-5", "1 0xnan", "1,0.5", "unsupported 1", "Unsupported",
+        "1 0.5\n", "10.5", "1 nan(", "1 e5"}) {
     CAPTURE(line);
     CHECK_FALSE(fuzz::read_answer_line(line));
   }
