@@ -66,6 +66,7 @@ std::optional<double> parse_any_double(std::string_view text) noexcept {
   if (text.empty() || kFirst.substr(0, hexadecimal ? kFirst.size() : 11).find(text.front()) == std::string_view::npos) {
     return std::nullopt;
   }
+  if (text.find("+-") != std::string_view::npos) return std::nullopt;  // libstdc++ 12 takes it for an exponent's sign
   double value = 0;
   const char* const last = text.data() + text.size();
   const auto [end, error] =
