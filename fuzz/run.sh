@@ -48,6 +48,11 @@ finish() {
     tail -n 40 -- "$build/findings/$target.log" >&2
   fi
 }
+finish_running() {
+  local target
+  for target in "${running[@]}"; do finish "$target"; done
+}
+
 running=()
 cores=$(core_count)
 for target in "${targets[@]}"; do
@@ -55,9 +60,9 @@ for target in "${targets[@]}"; do
   processes[$target]=$!
   running+=("$target")
   if ((${#running[@]} >= cores)); then
-    for target in "${running[@]}"; do finish "$target"; done
+    finish_running
     running=()
   fi
 done
-for target in "${running[@]}"; do finish "$target"; done
+finish_running
 exit "$failed"
