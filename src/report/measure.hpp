@@ -48,7 +48,7 @@ struct Result {
 
 struct SetResults {
   QuerySet set;
-  int exponent = 0;             ///< of the scale that the coordinates were multiplied by
+  int exponent = 0;             ///< of what is varied, in powers of two: the scale of the coordinates, say
   std::vector<Result> results;  ///< one for each contestant, in their order
 };
 
