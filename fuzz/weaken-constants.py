@@ -148,7 +148,9 @@ def main():
             text = file.read_text()
             file.write_text(faulty(text, fault))
             built, words = compiles(build, options.jobs)
-            result = attacks(build, options.seconds) if built else ("the compiler", 0, words)
+            if not built:  # which proves nothing
+                stop(f"'{fault[0]}' does not compile:\n{words}")
+            result = attacks(build, options.seconds)
             file.write_text(text)
             if result:
                 print(f"found     {fault[0]}: by {result[0]} in {result[1]:.1f} s  {result[2]}", flush=True)
