@@ -10,7 +10,7 @@ set -euo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/../src/setup.sh"
 
 seconds=${1:-60}
-[[ $seconds =~ ^[1-9][0-9]{0,5}$ ]] || die "usage: fuzz/run.sh [SECONDS [TARGET...]]; '$seconds' is no number of seconds"
+[[ $seconds =~ ^[1-9][0-9]{0,5}$ ]] || die "usage: fuzz/run.sh [SECONDS [TARGET...]], not '$seconds' seconds"
 shift || true
 targets=("$@")
 ((${#targets[@]})) || targets=(query query_file answers_file pipe_lines)

@@ -46,7 +46,8 @@ FAULTS = [
      "8.25 / 16 * offset.reach * offset.reach"),
     ("offset's error in a component", "refined_root.cpp", "8.25 * offset.error)", "8.25 / 16 * offset.error)"),
     ("error of the offset", "refined_root.cpp", "1.0625 * (2 * value_error", "1.0625 / 16 * (2 * value_error"),
-    ("steadiness of the slope along the offset", "refined_root.cpp", "spread < 0.5 * steepness", "spread < 8 * steepness"),
+    ("steadiness of the slope along the offset", "refined_root.cpp", "spread < 0.5 * steepness",
+     "spread < 8 * steepness"),
     ("steadiness of the weights", "refined_root.cpp", "offset->error <= 0x1p-56", "offset->error <= 0x1p-52"),
     ("kBound of shared corners", "shared_corner.cpp", "kBound = 9 *", "kBound = 9 / 16.0 *"),
     ("underflow guard of shared corners", "shared_corner.cpp", "uw >= 0x1p-1000 && ", ""),
@@ -82,10 +83,11 @@ def configure(source, build):
         stop("cmake failed")
 
 
-def compiles(build, jobs):
-    command = ["cmake", "--build", build, "-j", str(jobs), "--target", "test_filters", "touchstone_program"]
+def build_target(build, target, jobs):
+    command = ["cmake", "--build", build, "-j", str(jobs), "--target", target]
     done = subprocess.run(command, capture_output=True, text=True)
-    return done.returncode == 0, done.stdout[-3000:]
+    if done.returncode:  # which proves nothing about a fault
+        stop(f"{target} does not compile:\n{done.stdout[-3000:]}")
 
 
 def finds(command, seconds):
@@ -98,20 +100,23 @@ def finds(command, seconds):
     return done.returncode != 0, (words or [""])[0].strip()
 
 
-def attacks(build, seconds):
-    """The search that found the fault, how long it took, and its words; or nothing."""
-    begin = time.monotonic()
-    left = lambda: seconds - (time.monotonic() - begin)
-    program = [build / "touchstone", "fuzz", "--solver", "touchstone"]
-    for name, command in [
-        ("tests/filters", [build / "tests/filters/test_filters"]),
-        ("touchstone fuzz", program + ["--seconds", str(max(1, round(seconds / 4)))]),
-        ("touchstone fuzz --climb", program + ["--climb", "100", "--seconds", str(max(1, round(seconds / 2)))]),
+def attacks(build, seconds, jobs):
+    """The search that found the fault, how long it took, and its words; or nothing. Building takes no time."""
+    fuzz = [build / "touchstone", "fuzz", "--solver", "touchstone"]
+    spent = 0.0
+    for name, target, command in [
+        ("tests/filters", "test_filters", [build / "tests/filters/test_filters", "--abort"]),
+        ("touchstone fuzz", "touchstone_program", fuzz + ["--seconds", str(max(1, round(seconds / 4)))]),
+        ("touchstone fuzz --climb", "touchstone_program",
+         fuzz + ["--climb", "100", "--seconds", str(max(1, round(seconds / 3)))]),
     ]:
-        found, words = finds([str(word) for word in command], left())
+        build_target(build, target, jobs)
+        begin = time.monotonic()
+        found, words = finds([str(word) for word in command], seconds - spent)
+        spent += time.monotonic() - begin
         if found:
-            return name, time.monotonic() - begin, words
-        if left() <= 1:
+            return name, spent, words
+        if spent >= seconds - 1:
             break
     return None
 
@@ -136,10 +141,7 @@ def main():
         source, build = pathlib.Path(folder) / "source", pathlib.Path(folder) / "build"
         copy_sources(source)
         configure(source, build)
-        built, words = compiles(build, options.jobs)
-        if not built:
-            stop(f"the sources as they are do not compile:\n{words}")
-        unharmed = attacks(build, min(options.seconds, 20))
+        unharmed = attacks(build, options.seconds, options.jobs)
         if unharmed:
             stop(f"the sources as they are fail: {unharmed[0]}: {unharmed[2]}")
         survivors = []
@@ -147,10 +149,7 @@ def main():
             file = source / "src/filters" / fault[1]
             text = file.read_text()
             file.write_text(faulty(text, fault))
-            built, words = compiles(build, options.jobs)
-            if not built:  # which proves nothing
-                stop(f"'{fault[0]}' does not compile:\n{words}")
-            result = attacks(build, options.seconds)
+            result = attacks(build, options.seconds, options.jobs)
             file.write_text(text)
             if result:
                 print(f"found     {fault[0]}: by {result[0]} in {result[1]:.1f} s  {result[2]}", flush=True)

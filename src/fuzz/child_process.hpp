@@ -23,7 +23,7 @@ class ChildProcess {
     int input = -1;            ///< its standard input; -1: /dev/null
     int output = -1;           ///< its standard output; -1: /dev/null
     int spare = -1;            ///< a further descriptor that stays open
-    std::uint64_t memory = 0;  ///< bytes of address space; 0: no limit
+    std::uint64_t memory = 0;  ///< bytes of address space beyond the parent's; 0: no limit
   };
 
   /// Forks and calls `run` in the child, which ends with status 0 when `run` returns. In a program with several

@@ -15,7 +15,7 @@ struct Limits {
   std::chrono::milliseconds farewell{200};  ///< from being told to end to having ended; then it is killed
   std::size_t line = 1024;                  ///< bytes of a line that a program answers
   std::uint64_t memory = std::uint64_t{4}
-                         << 30;  ///< bytes of address space; 0: as much as it likes. Not under sanitizers
+                         << 30;  ///< bytes of address space beyond ours; 0: as much as it likes. Not under sanitizers
 };
 
 }  // namespace touchstone::fuzz

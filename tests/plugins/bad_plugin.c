@@ -55,7 +55,7 @@ static int solve(void *state, int kind, const double *start, const double *end, 
     case 11: raise(SIGSTOP); break;
     case 12: raise(SIGKILL); break;
     case 13: /* much is said, and then no more */
-      for (int i = 0; i < 200000; ++i) fputs("a word and another\n", stderr);
+      for (int i = 0; i < 20000; ++i) fputs("a word and another\n", stderr);
       fputs("the last words\n", stderr);
       abort();
     case 14: /* a child of its own that stays */
@@ -75,6 +75,12 @@ static int solve(void *state, int kind, const double *start, const double *end, 
         if (lseek(i, 0, SEEK_CUR) != -1 || write(i, "", 0) == 0) *toi = i;
       }
       return TOUCHSTONE_CONTACT;
+    case 20: { /* whether there is a gibibyte to be had */
+      void *const memory = malloc((size_t)1 << 30);
+      *toi = memory == NULL ? 0 : 1;
+      free(memory);
+      return TOUCHSTONE_CONTACT;
+    }
     default: break;
   }
   return TOUCHSTONE_NO_CONTACT;

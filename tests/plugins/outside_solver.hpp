@@ -18,7 +18,7 @@ namespace touchstone::tests {
 /// Short, so that a hang costs little; long enough for a busy machine.
 inline fuzz::Limits quick_limits() {
   fuzz::Limits limits;
-  limits.answer = std::chrono::milliseconds(700);
+  limits.answer = std::chrono::milliseconds(1500);
   return limits;
 }
 

@@ -84,7 +84,7 @@ TEST_CASE("whatever a program does is a reply, and it is started again") {
   using State = Reply::State;
   for (const Case& c :
        {Case{1, State::crashed, "exit status 3"}, Case{2, State::crashed, "signal 9"},
-        Case{3, State::hung, "no answer within 700 ms"}, Case{4, State::malformed, "'what?' is no answer"},
+        Case{3, State::hung, "no answer within 1500 ms"}, Case{4, State::malformed, "'what?' is no answer"},
         Case{5, State::malformed, "is no answer"}, Case{7, State::malformed, "more than 1024 bytes"},
         Case{8, State::hung, "it had said '0'"}, Case{9, State::crashed, "exit status 0; it had said '0'"},
         Case{10, State::malformed, ""}, Case{15, State::crashed, "the last words"}, Case{16, State::hung, ""},

@@ -86,7 +86,7 @@ TEST_CASE("whatever a plugin does is a reply, and it is started again") {
   using State = Reply::State;
   for (const Case& c : {Case{1, State::crashed, ""}, Case{2, State::crashed, ""},
                         Case{3, State::crashed, "exit status 5"}, Case{4, State::crashed, "exit status 0"},
-                        Case{5, State::hung, "no answer within 700 ms"}, Case{6, State::malformed, "returned 42"},
+                        Case{5, State::hung, "no answer within 1500 ms"}, Case{6, State::malformed, "returned 42"},
                         Case{11, State::hung, "no answer"}, Case{12, State::crashed, "signal 9"},
                         Case{13, State::crashed, "the last words"}, Case{15, State::answered, ""}}) {
     CAPTURE(c.what);
@@ -184,6 +184,17 @@ TEST_CASE("a process that a plugin leaves behind is ended, too") {
   const auto solver = fuzz::load_plugin(TOUCHSTONE_BAD_PLUGIN, limits);
   CHECK(solver->ask(order(14)).state == Reply::State::crashed);
   CHECK(vanishes(std::stoi(folder.read("note"))));
+}
+
+TEST_CASE("a plugin gets so much memory and no more") {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  WARN("sanitizers map terabytes: limits on memory are not tested");
+#else
+  fuzz::Limits limits = quick_limits();
+  CHECK(fuzz::load_plugin(TOUCHSTONE_BAD_PLUGIN, limits)->ask(order(20)).toi == 1.0);
+  limits.memory = std::uint64_t{256} << 20;
+  CHECK(fuzz::load_plugin(TOUCHSTONE_BAD_PLUGIN, limits)->ask(order(20)).toi == 0.0);
+#endif
 }
 
 TEST_CASE("asking a plugin costs microseconds") {
