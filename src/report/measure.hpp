@@ -58,6 +58,7 @@ struct Effort {
   int passes = 5;
   double least_pass = 0.005;  ///< seconds; queries are asked again and again for so long
   int tries = 3;              ///< of each single query, the shortest of which counts; that drops interrupts
+  bool ours_in_full = false;  ///< exact_only and touchstone are asked the whole set, whatever it takes
 };
 
 /// Called again and again; may throw to end it all.

@@ -18,7 +18,7 @@ constexpr double kMeasuring = 0.9;          ///< share of the time; the rest is 
 constexpr std::size_t kOracleQueries = 10;  ///< of each set; it takes as long for one as the others for hundreds
 
 /// Wall-clock seconds: of one pass of one method over one set, and the least that is measured.
-const report::Effort kEffort{0.02, 3, 0.001, 1};
+const report::Effort kEffort{0.02, 3, 0.001, 1, true};
 
 /// Every method, at the tolerance that its users commonly choose.
 std::vector<report::Contestant> usual_contestants() {
