@@ -4,7 +4,7 @@
 # `touchstone fuzz` against the cascade, for a minute at most. Prints who found what. Exit status 0 when every fault was
 # found, 1 when one survived, 2 when this script no longer fits the sources.
 #
-#   fuzz/weaken-constants.py [--only PART_OF_A_NAME] [--seconds 60] [--jobs N] [--list]
+#   fuzz/weaken-constants.py [--only PART_OF_A_NAME] [--seconds 60] [--jobs N] [--quick] [--list]
 # SPDX-License-Identifier: MIT
 import argparse
 import os
@@ -100,7 +100,7 @@ def finds(command, seconds):
     return done.returncode != 0, (words or [""])[0].strip()
 
 
-def attacks(build, seconds, jobs):
+def attacks(build, seconds, jobs, quick):
     """The search that found the fault, how long it took, and its words; or nothing. Building takes no time."""
     fuzz = [build / "touchstone", "fuzz", "--solver", "touchstone"]
     spent = 0.0
@@ -109,7 +109,7 @@ def attacks(build, seconds, jobs):
         ("touchstone fuzz", "touchstone_program", fuzz + ["--seconds", str(max(1, round(seconds / 4)))]),
         ("touchstone fuzz --climb", "touchstone_program",
          fuzz + ["--climb", "100", "--seconds", str(max(1, round(seconds / 3)))]),
-    ]:
+    ][: 1 if quick else 3]:
         build_target(build, target, jobs)
         begin = time.monotonic()
         found, words = finds([str(word) for word in command], seconds - spent)
@@ -126,6 +126,7 @@ def main():
     parser.add_argument("--only", default="", help="only faults whose name holds this")
     parser.add_argument("--seconds", type=float, default=60, help="for the searches, of each fault (default: 60)")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
+    parser.add_argument("--quick", action="store_true", help="the searches of tests/filters only")
     parser.add_argument("--list", action="store_true", help="the faults, and no more")
     options = parser.parse_args()
     chosen = [fault for fault in FAULTS if options.only in fault[0]]
@@ -141,7 +142,7 @@ def main():
         source, build = pathlib.Path(folder) / "source", pathlib.Path(folder) / "build"
         copy_sources(source)
         configure(source, build)
-        unharmed = attacks(build, options.seconds, options.jobs)
+        unharmed = attacks(build, options.seconds, options.jobs, options.quick)
         if unharmed:
             stop(f"the sources as they are fail: {unharmed[0]}: {unharmed[2]}")
         survivors = []
@@ -149,7 +150,7 @@ def main():
             file = source / "src/filters" / fault[1]
             text = file.read_text()
             file.write_text(faulty(text, fault))
-            result = attacks(build, options.seconds, options.jobs)
+            result = attacks(build, options.seconds, options.jobs, options.quick)
             file.write_text(text)
             if result:
                 print(f"found     {fault[0]}: by {result[0]} in {result[1]:.1f} s  {result[2]}", flush=True)
