@@ -39,14 +39,35 @@ compiler() {
   return 1
 }
 
-# The names in touchstone_needs that are not there, one a line. Without a compiler no header can be looked for, so
+# What fuzz/run.sh needs beyond that: clang, and its run-time libraries, which Debian has in a package of their own.
+readonly -a touchstone_fuzz_needs=(
+  'fuzzer|fuzzer|clang libclang-rt-dev|clang compiler-rt|clang compiler-rt'
+)
+
+# A clang that links libFuzzer.
+fuzzing_clang() {
+  local name
+  for name in ${CXX:+"$CXX"} clang++; do
+    command -v "$name" >/dev/null || continue
+    if "$name" -x c++ -fsanitize=fuzzer,address,undefined -o /dev/null - 2>/dev/null \
+      <<<'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }'; then
+      printf '%s\n' "$name"
+      return
+    fi
+  done
+  return 1
+}
+
+# The names in `needs` that are not there, one a line. Without a compiler no header can be looked for, so
 # they all count as missing.
 missing_needs() {
   local need name places place cxx probe=''
   cxx=$(compiler) || cxx=''
-  for need in "${touchstone_needs[@]}"; do
+  for need in "${needs[@]}"; do
     IFS='|' read -r name places _ <<<"$need"
-    if [[ $name == compiler ]]; then
+    if [[ $name == fuzzer ]]; then
+      fuzzing_clang >/dev/null || printf '%s\n' "$name"
+    elif [[ $name == compiler ]]; then
       [[ -n $cxx ]] || printf '%s\n' "$name"
     elif [[ $name != *.* ]]; then
       for place in $places; do
@@ -64,14 +85,14 @@ missing_needs() {
   [[ -z $probe ]] || "$cxx" -E -P -x c++ - <<<"$probe" | sed -n 's/^missing //p'
 }
 
-# Column `which` of touchstone_needs for the names that follow.
+# Column `which` of `needs` for the names that follow, one package a line.
 packages_for() {
   local which=$1 need name fields
   shift
   for name in "$@"; do
-    for need in "${touchstone_needs[@]}"; do
+    for need in "${needs[@]}"; do
       IFS='|' read -r -a fields <<<"$need"
-      [[ ${fields[0]} != "$name" ]] || printf '%s\n' "${fields[$which]}"
+      [[ ${fields[0]} != "$name" ]] || tr ' ' '\n' <<<"${fields[$which]}"
     done
   done
 }
@@ -86,8 +107,10 @@ as_root() {
   fi
 }
 
+# install_missing [fuzz]: what the build needs and, when asked, what fuzzing does.
 install_missing() {
-  local -a missing packages
+  local -a needs=("${touchstone_needs[@]}") missing packages
+  [[ ${1:-} != fuzz ]] || needs+=("${touchstone_fuzz_needs[@]}")
   local manager
   mapfile -t missing < <(missing_needs)
   ((${#missing[@]})) || return 0

@@ -61,9 +61,11 @@ void add_solve(CLI::App& program, Command& command);
 void add_certify(CLI::App& program, Command& command);
 void add_explain(CLI::App& program, Command& command);
 void add_report(CLI::App& program, Command& command);
+void add_stress(CLI::App& program, Command& command);
 
 void add_kind_option(CLI::App& subcommand, std::optional<Kind>& kind);
 void add_query_options(CLI::App& subcommand, QueryOptions& options);
+void add_seed_option(CLI::App& subcommand, std::uint64_t& seed);
 
 /// @throws FileError when writing to `output` (an empty name or "-": none) would destroy one of `inputs`
 void refuse_to_overwrite(const std::string& output, const std::vector<std::string>& inputs);

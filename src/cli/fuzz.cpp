@@ -164,6 +164,16 @@ void add_solver_options(CLI::App& subcommand, FuzzOptions& options) {
       ->excludes(solver);
   subcommand
       .add_option_function<std::string>(
+          "--limit", [&options](const std::string& text) { options.solver.limit = *io::parse_finite_double(text); },
+          "How long a plugin or program may take for an answer (default: 1); then it hangs")
+      ->type_name("S")
+      ->check([](const std::string& text) {
+        const auto value = io::parse_finite_double(text);
+        return value && *value >= 0.001 && *value <= 3600 ? std::string()
+                                                          : text + " must be a number of seconds from 0.001 to 3600";
+      });
+  subcommand
+      .add_option_function<std::string>(
           "--judge",
           [&options](const std::string& name) {
             for (const Method method : {Method::fast, Method::exact, Method::oracle}) {
@@ -279,7 +289,9 @@ void add_fuzz(CLI::App& program, Command& command) {
       "\nExamples\n"
       "  touchstone fuzz --solver paper --seconds 10 --out broken\n"
       "  touchstone fuzz --solver touchstone --cases 1000000 --judge oracle\n"
-      "  touchstone fuzz --solver newton --case \"near_hit edge-edge 1 17\"\n\n"
+      "  touchstone fuzz --solver newton --case \"near_hit edge-edge 1 17\"\n"
+      "  touchstone fuzz --solver ./theirs.so --out broken          a plugin: see touchstone/plugin.h\n"
+      "  touchstone fuzz --solver-command \"python3 theirs.py\"      see share/touchstone/examples\n\n"
       "Exit status: 0 nothing was found, 1 something was, 2 bad usage or a file that cannot be written.");
   subcommand->callback([options, &command] { command = [options] { return run_fuzz(*options); }; });
 }

@@ -3,12 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
+#include <cmath>
+#include <cstdint>
 #include <memory>
 
 #include <touchstone/error.hpp>
 
 #include "cli/words.hpp"
 #include "fuzz/named_solvers.hpp"
+#include "fuzz/pipe_solver.hpp"
+#include "fuzz/plugin_solver.hpp"
 #include "io/fail.hpp"
 
 namespace touchstone::cli {
@@ -21,8 +26,10 @@ bool is_path(const std::string& solver) {
 }  // namespace
 
 fuzz::SolverFactory solver_factory(const SolverChoice& choice) {
-  if (!choice.command.empty()) throw Error("--solver-command: this build cannot run other programs as solvers");
-  if (is_path(choice.solver)) io::fail(choice.solver, "this build cannot load plugins as solvers");
+  fuzz::Limits limits;
+  limits.answer = std::chrono::milliseconds(static_cast<std::int64_t>(std::ceil(1000 * choice.limit)));
+  if (!choice.command.empty()) return [command = choice.command, limits] { return fuzz::run_command(command, limits); };
+  if (is_path(choice.solver)) return [path = choice.solver, limits] { return fuzz::load_plugin(path, limits); };
   if (fuzz::named_solver(choice.solver) == nullptr) {
     std::string names;
     for (const auto name : fuzz::solver_names()) names.append(names.empty() ? "" : ", ").append(name);
@@ -32,8 +39,10 @@ fuzz::SolverFactory solver_factory(const SolverChoice& choice) {
 }
 
 std::string solver_options(const SolverChoice& choice) {
-  if (!choice.command.empty()) return "--solver-command " + shell_word(choice.command);
-  return "--solver " + shell_word(choice.solver);
+  std::string options = choice.command.empty() ? "--solver " + shell_word(choice.solver)
+                                               : "--solver-command " + shell_word(choice.command);
+  if (choice.limit != SolverChoice().limit) options += fmt::format(" --limit {}", choice.limit);
+  return options;
 }
 
 }  // namespace touchstone::cli

@@ -13,6 +13,7 @@ struct SolverChoice {
   std::string solver =
       "touchstone";     ///< a name, or the path of a plugin: whatever has a slash or ends in .so or .dylib
   std::string command;  ///< of a program that is fed over pipes; empty: none
+  double limit = 1;     ///< seconds that a plugin or program may take for an answer
 };
 
 /// Makes one solver for each thread. The only place that knows where solvers come from.

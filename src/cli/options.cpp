@@ -23,6 +23,16 @@ void add_kind_option(CLI::App& subcommand, std::optional<Kind>& kind) {
       });
 }
 
+void add_seed_option(CLI::App& subcommand, std::uint64_t& seed) {
+  subcommand.add_option("--seed", seed, "Another seed, other generated queries (default: 1)")
+      ->type_name("N")
+      ->check([](const std::string& text) {
+        const bool number =
+            !text.empty() && text.size() < 19 && text.find_first_not_of("0123456789") == std::string::npos;
+        return number ? std::string() : text + " must be a whole number from 0 to 999999999999999999";
+      });
+}
+
 void add_query_options(CLI::App& subcommand, QueryOptions& options) {
   add_kind_option(subcommand, options.kind);
   subcommand

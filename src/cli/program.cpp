@@ -53,7 +53,8 @@ int parse_and_run(int argc, const char* const* argv) {
       "  touchstone generate --out queries                 query files like a simulation's\n"
       "  touchstone bench --filter simulation              how long answers take\n"
       "  touchstone report --out report                    error against run time of every method\n"
-      "  touchstone fuzz --solver paper                    the simplest queries on which a solver is wrong\n\n"
+      "  touchstone fuzz --solver paper                    the simplest queries on which a solver is wrong\n"
+      "  touchstone stress --out stress                    where each method breaks, dial by dial\n\n"
       "A query file has a row for each corner at t = 0 and then for each at t = 1, in the order\n"
       "  edge-edge    a0 a1 b0 b1      vertex-face  v f0 f1 f2      point-edge  p e0 e1      point-point  p q\n"
       "and seven integers a row: x_num,x_den,y_num,y_den,z_num,z_den,truth. Its folder's name, or --kind, says which "
@@ -69,6 +70,7 @@ int parse_and_run(int argc, const char* const* argv) {
   add_bench(program, command);
   add_report(program, command);
   add_fuzz(program, command);
+  add_stress(program, command);
   try {
     program.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -81,7 +83,7 @@ int parse_and_run(int argc, const char* const* argv) {
     const auto unknown = program.remaining();
     if (program.get_subcommands().empty() && !unknown.empty()) {
       return complain("touchstone: " + unknown.front() +
-                      " is no subcommand; they are solve, certify, explain, generate, bench, report and fuzz");
+                      " is no subcommand; they are solve, certify, explain, generate, bench, report, fuzz and stress");
     }
     return complain("touchstone: " + first_line(error.what()) + " (see touchstone --help)");
   } catch (const CLI::ParseError& error) {

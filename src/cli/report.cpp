@@ -2,12 +2,9 @@
 #include "report/report.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <array>
-#include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -16,6 +13,7 @@
 #include "cli/inputs.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/new_folders.hpp"
+#include "cli/share_line.hpp"
 #include "cli/words.hpp"
 #include "io/output_file.hpp"
 #include "io/query_parser.hpp"
@@ -94,37 +92,13 @@ GivenQueries read_queries(const std::string& source, const std::string& about, c
   return given;
 }
 
-/// A line on standard error, only when that is a terminal.
-class ReportProgress {
- public:
-  ~ReportProgress() {
-    if (drawn_) print_error("\r\033[K");
-  }
-
-  void operator()(std::string_view what, double share) {
-    throw_if_interrupted();
-    constexpr auto kPause = std::chrono::milliseconds(100);
-    const auto now = std::chrono::steady_clock::now();
-    if (!visible_ || now - last_ < kPause) return;
-    last_ = now;
-    drawn_ = true;
-    print_error(fmt::format("\r\033[K{:3.0f} %  {}", 100 * share, what));
-    std::fflush(stderr);
-  }
-
- private:
-  const bool visible_ = ::isatty(STDERR_FILENO) == 1;
-  bool drawn_ = false;
-  std::chrono::steady_clock::time_point last_{};
-};
-
 int run_report(const ReportOptions& options) {
   NewFolders folders;
   folders.make(std::filesystem::path(options.out) / "plots");
   // What cannot be written is found out before minutes are spent, not after.
   io::OutputFile((std::filesystem::path(options.out) / "report.md").string());
 
-  ReportProgress draw;
+  ShareLine draw;
   const auto progress = [&draw](std::string_view what, double share) { draw(what, share); };
   const std::size_t most = report::most_given(options.size);
   std::vector<report::QuerySet> sets;
@@ -166,13 +140,7 @@ void add_report(CLI::App& program, Command& command) {
       ->required()
       ->type_name("FOLDER");
   subcommand->add_flag("--quick", options->size.quick, "A few queries of everything: some seconds, and rough numbers");
-  subcommand->add_option("--seed", options->size.seed, "Another seed, other generated queries (default: 1)")
-      ->type_name("N")
-      ->check([](const std::string& text) {
-        const bool number =
-            !text.empty() && text.size() < 19 && text.find_first_not_of("0123456789") == std::string::npos;
-        return number ? std::string() : text + " must be a whole number from 0 to 999999999999999999";
-      });
+  add_seed_option(*subcommand, options->size.seed);
   subcommand->footer(
       "Asks every method simulation-like candidates, the bundled queries, the given files, random and nearly touching\n"
       "elements: the paper's closed form, a careful one, Newton, inclusion, conservative advancement (at several "

@@ -16,7 +16,8 @@ if(TARGET touchstone_program)
   install(TARGETS touchstone_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/touchstone DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  FILES_MATCHING PATTERN "*.hpp")
+  FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/fuzz/examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/touchstone/examples)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 install(EXPORT touchstone-targets NAMESPACE touchstone:: DESTINATION ${touchstone_package_dir})

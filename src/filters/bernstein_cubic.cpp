@@ -44,6 +44,8 @@ BernsteinCubic::BernsteinCubic(const std::array<double, 4>& c, double size) noex
 }
 
 double BernsteinCubic::slope_error() const noexcept { return kSlopeBound * size_; }
+double BernsteinCubic::value_error() const noexcept { return kValueBound * size_; }
+double BernsteinCubic::part_error() const noexcept { return kPartBound * size_; }
 
 double BernsteinCubic::value(double t) const noexcept {
   const double s = 1 - t;
@@ -75,24 +77,24 @@ int BernsteinCubic::split_points(double low, double high, double (&split)[4]) co
   return count;
 }
 
+std::array<double, 4> BernsteinCubic::part(double p, double q) const noexcept {
+  const double b1 = c_[1] / 3;
+  const double b2 = c_[2] / 3;
+  const double at_p[3] = {between(c_[0], b1, p), between(b1, b2, p), between(b2, c_[3], p)};
+  const double at_q[3] = {between(c_[0], b1, q), between(b1, b2, q), between(b2, c_[3], q)};
+  const double pp[2] = {between(at_p[0], at_p[1], p), between(at_p[1], at_p[2], p)};
+  const double pq[2] = {between(at_p[0], at_p[1], q), between(at_p[1], at_p[2], q)};
+  const double qq[2] = {between(at_q[0], at_q[1], q), between(at_q[1], at_q[2], q)};
+  return {between(pp[0], pp[1], p), between(pp[0], pp[1], q), between(pq[0], pq[1], q), between(qq[0], qq[1], q)};
+}
+
 BernsteinCubic::Variations BernsteinCubic::variations(double p, double q) const noexcept {
-  double b[4];
   int sign[4];
   if (p == 0 && q == 1) {
     for (int i = 0; i < 4; ++i) sign[i] = certain_sign(c_[static_cast<std::size_t>(i)], (i % 3 == 0 ? kEndsBound : kMiddleBound) * size_);
   } else {
-    const double b1 = c_[1] / 3;
-    const double b2 = c_[2] / 3;
-    const double at_p[3] = {between(c_[0], b1, p), between(b1, b2, p), between(b2, c_[3], p)};
-    const double at_q[3] = {between(c_[0], b1, q), between(b1, b2, q), between(b2, c_[3], q)};
-    const double pp[2] = {between(at_p[0], at_p[1], p), between(at_p[1], at_p[2], p)};
-    const double pq[2] = {between(at_p[0], at_p[1], q), between(at_p[1], at_p[2], q)};
-    const double qq[2] = {between(at_q[0], at_q[1], q), between(at_q[1], at_q[2], q)};
-    b[0] = between(pp[0], pp[1], p);
-    b[1] = between(pp[0], pp[1], q);
-    b[2] = between(pq[0], pq[1], q);
-    b[3] = between(qq[0], qq[1], q);
-    for (int i = 0; i < 4; ++i) sign[i] = certain_sign(b[i], kPartBound * size_);
+    const std::array<double, 4> b = part(p, q);
+    for (int i = 0; i < 4; ++i) sign[i] = certain_sign(b[static_cast<std::size_t>(i)], part_error());
   }
   if (sign[0] == 0 || sign[3] == 0) return Variations::uncertain;
   if (sign[0] == sign[3]) {
@@ -115,7 +117,7 @@ BernsteinCubic::Root BernsteinCubic::root_between(double p, double q) const noex
   double d = slope(t);
   constexpr int kIterations = 30;
   constexpr double kNearEnough = 0x1p-38;
-  const double bound = kValueBound * size_;  // below it a sign means nothing
+  const double bound = value_error();  // below it a sign means nothing
   for (int i = 0; i < kIterations && std::fabs(v) > bound && !(std::fabs(v) <= kNearEnough * t * std::fabs(d)); ++i) {
     ((v < 0) == (value_p < 0) ? low : high) = t;
     const double half_curvature = (d1_ - d0_) + t * ((d2_ - d1_) - (d1_ - d0_));
@@ -125,7 +127,7 @@ BernsteinCubic::Root BernsteinCubic::root_between(double p, double q) const noex
     v = value(t);
     d = slope(t);
   }
-  const double error = std::fabs(v) + kValueBound * size_;
+  const double error = std::fabs(v) + value_error();
   const double steepness = std::fabs(d);
   // A root lies within the radius: the slope is at least half of |d| there, and half of |d| times the radius reaches
   // beyond any value that V(t) may have. The factor has slack for the rounding of these lines.

@@ -37,14 +37,20 @@ class BernsteinCubic {
   };
   Root root_between(double p, double q) const noexcept;
 
+  /// The cubic's value and slope at t in [0, 1], off by at most value_error() and slope_error().
+  double value(double t) const noexcept;
+  double slope(double t) const noexcept;
+  double value_error() const noexcept;
+
+  /// Its Bernstein coefficients over [p, q] inside [0, 1], off by at most part_error().
+  std::array<double, 4> part(double p, double q) const noexcept;
+  double part_error() const noexcept;
+
   double size() const noexcept { return size_; }
   double slope_error() const noexcept;
   double curvature_bound() const noexcept { return curvature_; }  ///< of the second derivative's absolute value
 
  private:
-  double value(double t) const noexcept;
-  double slope(double t) const noexcept;
-
   std::array<double, 4> c_;       // b0, 3 b1, 3 b2, b3
   double size_;
   double d0_, d1_, d2_;           // Bernstein coefficients of the derivative

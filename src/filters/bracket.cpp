@@ -43,18 +43,19 @@ enum class Side : std::uint8_t {
   unknown  ///< n may be zero
 };
 
-/// Where the contact of the two lines, or of the point and the plane, lies at the roots within [t - h, t + h].
+/// n, f1 and f2 along the axis where n is largest, each times the sign of n there: what the side conditions compare.
+struct SideValues {
+  std::size_t axis;
+  double sign;
+  Bounded normal, first, second;
+};
+
 // At t the vectors u, w and r are off by at most 4 e times their bound: s = 1 - t, two products, a sum and the rounded
 // differences. A component of a cross product of two of them has 2 monomials with 4 + 4 + 2 roundings: 20 e. Its slope in
 // t is at most 2 (2 + 2) = 8 times the product of the bounds, since a coordinate changes by at most twice its bound over
 // the step. So at any time within h it is off by at most (21 e + 8.01 h) times the product, second-order terms included
 // (h is at most 2^-10 where this is used).
-struct Sides {
-  std::size_t axis;
-  Side side;
-};
-
-Sides sides(const Query& query, const Frame& f, const Magnitudes& m, double t, double h) noexcept {
+SideValues side_values(Kind kind, const Frame& f, const Magnitudes& m, double t, double h) noexcept {
   const Vector u = at(f.u0, f.u1, t);
   const Vector w = at(f.w0, f.w1, t);
   const Vector r = at(f.r0, f.r1, t);
@@ -62,13 +63,21 @@ Sides sides(const Query& query, const Frame& f, const Magnitudes& m, double t, d
   std::size_t k = std::fabs(n[0]) > std::fabs(n[1]) ? 0 : 1;
   if (std::fabs(n[2]) > std::fabs(n[k])) k = 2;
   const double spread = 21 * kUnit + 8.01 * h;
-  const double n_error = spread * m.u * m.w;
-  if (!(std::fabs(n[k]) > n_error)) return {k, Side::unknown};
   const double sign = n[k] > 0 ? 1 : -1;
-  const Bounded normal = {std::fabs(n[k]), n_error};
-  const Bounded first = {sign * geometry::cross_component(r, w, k), spread * m.r * m.w};
-  const Bounded second = {sign * (query.kind == Kind::edge_edge ? geometry::cross_component(r, u, k) : geometry::cross_component(u, r, k)),
-                          spread * m.r * m.u};
+  const double second = kind == Kind::edge_edge ? geometry::cross_component(r, u, k) : geometry::cross_component(u, r, k);
+  return {k, sign, {std::fabs(n[k]), spread * m.u * m.w}, {sign * geometry::cross_component(r, w, k), spread * m.r * m.w},
+          {sign * second, spread * m.r * m.u}};
+}
+
+/// Where the contact of the two lines, or of the point and the plane, lies at the roots within [t - h, t + h].
+struct Sides {
+  std::size_t axis;
+  Side side;
+};
+
+Sides sides(const Query& query, const Frame& f, const Magnitudes& m, double t, double h) noexcept {
+  const auto [k, sign_of_n, normal, first, second] = side_values(query.kind, f, m, t, h);
+  if (!(normal.value > normal.error)) return {k, Side::unknown};
   // Each must be >= 0; the differences' own rounding is covered by the slack of 1 e in `spread`.
   const auto minus = [](const Bounded& a, const Bounded& b) {
     return Bounded{a.value - b.value, a.error + b.error + kUnit * (std::fabs(a.value) + std::fabs(b.value))};

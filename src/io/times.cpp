@@ -23,6 +23,7 @@ std::optional<double> parse_finite_double(std::string_view text) noexcept {
   const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");
   if (hexadecimal) text.remove_prefix(2);
   if (text.empty() || text.front() == '-') return std::nullopt;
+  if (text.find("+-") != std::string_view::npos) return std::nullopt;  // libstdc++ 12 takes it for an exponent's sign
   double value = 0;
   const char* const last = text.data() + text.size();
   const auto [end, error] =

@@ -13,8 +13,9 @@
 namespace touchstone::report {
 namespace {
 
-constexpr const char* kHeader =
-    "version,machine,compiler,seed,quick,set,kind,scale_exponent,method,tolerance,tolerance_measures,set_queries,"
+constexpr const char* kOrigin = "version,machine,compiler,seed,quick,set,kind,";
+constexpr const char* kColumns =
+    ",method,tolerance,tolerance_measures,set_queries,"
     "queries,contacts,missed,phantom,late,missed_share,phantom_share,late_share,wrong_share,times_compared,"
     "ulps_earliest,ulps_median,ulps_latest,ulps_median_magnitude,ulps_greatest_magnitude,passes,mean_us,"
     "fastest_pass_us,slowest_pass_us,p50_us,p90_us,p99_us,p99_9_us,slowest_us,level_filter,level_bracket,level_exact\n";
@@ -42,7 +43,7 @@ std::string numbers(const Result& result) {
 }
 
 std::string not_asked() {
-  const std::string header = kHeader;
+  const std::string header = kColumns;
   const std::string from_queries = header.substr(header.find(",queries,") + 1);
   std::string text(1, '0');
   text.append(static_cast<std::size_t>(std::count(from_queries.begin(), from_queries.end(), ',')), ',');
@@ -51,21 +52,25 @@ std::string not_asked() {
 
 }  // namespace
 
-std::string csv_text(const Report& report) {
+std::string csv_header(const std::string& exponent_column) { return kOrigin + exponent_column + kColumns; }
+
+std::string csv_rows(const Size& size, const std::vector<SetResults>& sets) {
   const std::string origin = fmt::format("{},{},{},{},{}", io::csv_field(version()), io::csv_field(machine_name()),
-                                         io::csv_field(compiler_name()), report.size.seed, report.size.quick ? 1 : 0);
-  std::string text = kHeader;
-  for (const auto* sets : {&report.sets, &report.scales}) {
-    for (const SetResults& set : *sets) {
-      for (const Result& result : set.results) {
-        text += fmt::format("{},{},{},{},{},{},{},{},{}\n", origin, set.set.name, kind_name(set.set.kind), set.exponent,
-                            result.contestant.name, result.contestant.tolerance_text(),
-                            tolerance_measures(result.contestant), set.set.queries.size(),
-                            result.asked > 0 ? numbers(result) : not_asked());
-      }
+                                         io::csv_field(compiler_name()), size.seed, size.quick ? 1 : 0);
+  std::string text;
+  for (const SetResults& set : sets) {
+    for (const Result& result : set.results) {
+      text +=
+          fmt::format("{},{},{},{},{},{},{},{},{}\n", origin, set.set.name, kind_name(set.set.kind), set.exponent,
+                      result.contestant.name, result.contestant.tolerance_text(), tolerance_measures(result.contestant),
+                      set.set.queries.size(), result.asked > 0 ? numbers(result) : not_asked());
     }
   }
   return text;
+}
+
+std::string csv_text(const Report& report) {
+  return csv_header("scale_exponent") + csv_rows(report.size, report.sets) + csv_rows(report.size, report.scales);
 }
 
 }  // namespace touchstone::report

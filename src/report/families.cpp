@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "generators/candidates.hpp"
-#include "seeded/rng.hpp"
 #include "generators/vectors.hpp"
+#include "seeded/rng.hpp"
 
 namespace touchstone::report {
 namespace {

@@ -10,25 +10,14 @@
 #include "report/front.hpp"
 #include "report/machine.hpp"
 #include "report/plots.hpp"
+#include "report/text.hpp"
 #include "report/text_plot.hpp"
 
 namespace touchstone::report {
 namespace {
 
-std::string percent(double share) { return share == 0 ? "0" : fmt::format("{:.3g} %", 100 * share); }
-
-std::string ulps(std::int64_t error) {
-  if (error > -100'000 && error < 100'000) return fmt::format("{}", error);
-  return fmt::format("{:.1e}", static_cast<double>(error));
-}
-
 std::string picture(bool plots, const std::string& name, const std::string& what) {
   return plots ? fmt::format("![{}](plots/{}.svg)\n\n", what, name) : "";
-}
-
-std::string asked_text(const Result& result, const QuerySet& set) {
-  const std::string whole = fmt::format("{}", set.queries.size());
-  return result.asked == set.queries.size() ? whole : fmt::format("{} of {}", result.asked, whole);
 }
 
 std::string error_table(const SetResults& set) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 namespace touchstone::report {
 namespace {
@@ -110,7 +111,10 @@ SetResults measure(QuerySet set, const std::vector<Contestant>& contestants, con
     Result& result = all.results.emplace_back();
     result.contestant = contestant;
     singles.emplace_back();
-    if (contestant.supports(set.kind)) singles.back() = first_round(set, effort.budget, result);
+    if (contestant.supports(set.kind)) {
+      const bool in_full = effort.ours_in_full && !contestant.may_be_wrong();
+      singles.back() = first_round(set, in_full ? std::numeric_limits<double>::infinity() : effort.budget, result);
+    }
   }
   for (int round = 0; round < std::max(effort.passes, effort.tries - 1); ++round) {
     for (std::size_t i = 0; i < all.results.size(); ++i) {

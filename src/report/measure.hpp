@@ -48,7 +48,7 @@ struct Result {
 
 struct SetResults {
   QuerySet set;
-  int exponent = 0;             ///< of the scale that the coordinates were multiplied by
+  int exponent = 0;             ///< of what is varied, in powers of two: the scale of the coordinates, say
   std::vector<Result> results;  ///< one for each contestant, in their order
 };
 
@@ -58,6 +58,7 @@ struct Effort {
   int passes = 5;
   double least_pass = 0.005;  ///< seconds; queries are asked again and again for so long
   int tries = 3;              ///< of each single query, the shortest of which counts; that drops interrupts
+  bool ours_in_full = false;  ///< exact_only and touchstone are asked the whole set, whatever it takes
 };
 
 /// Called again and again; may throw to end it all.

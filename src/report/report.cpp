@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "report/report.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <system_error>
 #include <utility>
 
-#include "seeded/rng.hpp"
-#include "io/fail.hpp"
-#include "io/output_file.hpp"
 #include "report/csv.hpp"
+#include "report/drawing.hpp"
 #include "report/families.hpp"
-#include "report/gnuplot.hpp"
 #include "report/markdown.hpp"
 #include "report/plots.hpp"
+#include "seeded/rng.hpp"
 
 namespace touchstone::report {
 namespace {
@@ -65,54 +60,6 @@ std::vector<Contestant> usual_ones(const std::vector<Contestant>& all) {
   return usual;
 }
 
-/// Makes the folder. @throws FileError
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (!error && !fs::is_directory(folder)) error = std::make_error_code(std::errc::not_a_directory);
-  if (error) io::fail(folder.string(), "no folder can be made here: " + io::system_reason(error.value()));
-}
-
-void write_whole(const fs::path& path, const std::string& text) {
-  io::OutputFile file(path.string());
-  file.write(text);
-  file.commit();
-}
-
-/// A folder for files that are not complete yet.
-class DrawingFolder {
- public:
-  explicit DrawingFolder(const fs::path& beside) : path_(beside / (".drawing-" + std::to_string(::getpid()))) {
-    make_folder(path_);
-  }
-  ~DrawingFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  DrawingFolder(const DrawingFolder&) = delete;
-  DrawingFolder& operator=(const DrawingFolder&) = delete;
-  const fs::path& path() const noexcept { return path_; }
-
- private:
-  fs::path path_;
-};
-
-void draw(const std::vector<Plot>& all, const std::string& gnuplot, const fs::path& folder, const Progress& progress) {
-  const DrawingFolder drawing(folder);
-  double done = 0;
-  for (const Plot& plot : all) {
-    progress("drawing", kMeasuring + (1 - kMeasuring) * done++ / static_cast<double>(all.size()));
-    write_whole(drawing.path() / (plot.name + ".gp"), plot.script);
-    run_gnuplot(gnuplot, drawing.path().string(), plot.name + ".gp");
-    for (const char* ending : {".svg", ".png"}) {
-      std::error_code error;
-      fs::rename(drawing.path() / (plot.name + ending), folder / (plot.name + ending), error);
-      if (error)
-        io::fail((folder / (plot.name + ending)).string(), "gnuplot has not drawn it, or it cannot be replaced");
-    }
-  }
-}
-
 }  // namespace
 
 std::size_t most_given(const Size& size) noexcept { return size.quick ? 400 : 20'000; }
@@ -152,18 +99,13 @@ Report make_report(const Size& size, std::vector<QuerySet> given, const Progress
 }
 
 std::string write_report(const Report& report, const std::string& folder, const Progress& progress) {
-  const fs::path plot_folder = fs::path(folder) / "plots";
-  make_folder(plot_folder);
-  write_whole(fs::path(folder) / "report.csv", csv_text(report));
-  const auto gnuplot = find_gnuplot();
-  const auto all = plots(report);
-  for (const Plot& plot : all) write_whole(plot_folder / (plot.name + ".gp"), plot.script);
-  if (gnuplot) draw(all, *gnuplot, plot_folder, progress);
-  write_whole(fs::path(folder) / "report.md", markdown_text(report, gnuplot.has_value()));
-  if (gnuplot) return {};
-  return "no gnuplot in PATH, so the plots are not drawn: install it (gnuplot-nox on Debian and Ubuntu, gnuplot on "
-         "Fedora and Arch) and run `gnuplot *.gp` in " +
-         plot_folder.string();
+  const fs::path root = folder;
+  make_folder(root / "plots");
+  write_whole(root / "report.csv", csv_text(report));
+  const auto drawing = [&](double share) { progress("drawing", kMeasuring + (1 - kMeasuring) * share); };
+  const std::string hint = write_plots(plots(report), root / "plots", drawing);
+  write_whole(root / "report.md", markdown_text(report, hint.empty()));
+  return hint;
 }
 
 }  // namespace touchstone::report

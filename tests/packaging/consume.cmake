@@ -45,6 +45,14 @@ if(WAY STREQUAL "installed")
     endif()
     run(${SCRATCH}/prefix/bin/touchstone certify)
     message(STATUS "${output}")
+    # The example plugin, compiled as it says, is what `touchstone fuzz` loads and breaks.
+    run(${COMPILER} -x c -std=c99 -O2 -shared -fPIC -I ${SCRATCH}/prefix/include -o ${SCRATCH}/found/naive.so
+      ${SCRATCH}/prefix/share/touchstone/examples/plugin.c -lm)
+    execute_process(COMMAND ${SCRATCH}/prefix/bin/touchstone fuzz --solver ${SCRATCH}/found/naive.so --cases 2000
+      RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+    if(NOT status EQUAL 1 OR NOT output MATCHES "missed")
+      message(FATAL_ERROR "exit status ${status} from touchstone fuzz with the example plugin:\n${output}")
+    endif()
   endif()
   # The README's programs print what it says they print.
   file(READ ${SOURCE_DIR}/README.md readme)

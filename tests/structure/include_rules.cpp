@@ -28,9 +28,10 @@ const std::map<std::string, Layers>& layer_table() {
       {"fuzz", {"solver", "certify", "baselines", "families", "filters", "io", "numbers", "geometry", "seeded"}},
       {"io", {"geometry", "numbers"}},
       {"report", {"solver", "baselines", "generators", "io", "geometry", "seeded"}},
+      {"stress", {"solver", "baselines", "report", "geometry", "seeded"}},
       {"cli",
        {"geometry", "numbers", "filters", "exact", "oracle", "solver", "certify", "baselines", "generators", "io",
-        "report", "families", "fuzz", "seeded"}},
+        "report", "families", "fuzz", "seeded", "stress"}},
   };
   return table;
 }

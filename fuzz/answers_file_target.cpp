@@ -1,0 +1,69 @@
+// The reader of answers files: any bytes are claims or an error that names a row, in whatever pieces they are read.
+// The first byte chooses the size of the pieces.
+// SPDX-License-Identifier: MIT
+#include <bit>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <touchstone/error.hpp>
+
+#include "io/answer_reader.hpp"
+#include "targets.hpp"
+
+namespace touchstone::fuzzing {
+namespace {
+
+struct Row {
+  std::optional<std::string> file;
+  std::uint64_t query;
+  bool contact;
+  std::optional<std::uint64_t> toi;  ///< its bits
+  std::uint64_t row;
+  bool operator==(const Row&) const = default;
+};
+
+struct Outcome {
+  std::vector<Row> rows;
+  std::string error;
+  bool operator==(const Outcome&) const = default;
+};
+
+Outcome read(std::string_view text, std::size_t chunk_bytes) {
+  Outcome outcome;
+  try {
+    io::AnswerReader reader(io::InputFile::from_memory("fuzz.csv", text), chunk_bytes);
+    io::AnswerRow row;
+    while (reader.next(row)) {
+      Row kept{std::nullopt, row.query, row.contact, std::nullopt, row.row};
+      if (row.file) kept.file = std::string(*row.file);
+      if (row.toi) kept.toi = std::bit_cast<std::uint64_t>(*row.toi);
+      if (row.toi && (!row.contact || !std::isfinite(*row.toi))) throw Finding("a toi without contact, or not finite");
+      if (!outcome.rows.empty() && row.row <= outcome.rows.back().row) throw Finding("rows that do not ascend");
+      outcome.rows.push_back(std::move(kept));
+    }
+  } catch (const FileError& error) {
+    outcome.error = error.what();
+  }
+  return outcome;
+}
+
+}  // namespace
+
+void fuzz_answers_file(Bytes input) {
+  if (input.empty()) return;
+  const std::size_t piece = std::size_t{1} << (input[0] & 7);
+  const std::string_view text = as_text(input.subspan(1));
+  const Outcome whole = read(text, io::kChunkBytes);
+  if (whole != read(text, piece)) {
+    throw Finding("read in pieces of " + std::to_string(piece) +
+                  " bytes it is another file; as a whole: " + whole.error);
+  }
+  if (!whole.error.empty() && whole.error.rfind("fuzz.csv", 0) != 0) {
+    throw Finding("the error does not name the file: " + whole.error);
+  }
+  if (whole.error.find('\n') != std::string::npos) throw Finding("the error is not one line: " + whole.error);
+}
+
+}  // namespace touchstone::fuzzing

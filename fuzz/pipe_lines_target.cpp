@@ -1,0 +1,56 @@
+// The lines of programs that are asked over pipes: any bytes are an answer, or none; a time is what the C library makes
+// of it; a query that can be read is written as it was.
+// SPDX-License-Identifier: MIT
+#include "fuzz/pipe_protocol.hpp"
+
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "targets.hpp"
+
+namespace touchstone::fuzzing {
+namespace {
+
+bool same_number(double a, double b) {
+  return (std::isnan(a) && std::isnan(b)) || std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+void check_answer(std::string_view line) {
+  const auto answer = fuzz::read_answer_line(line);
+  if (!answer) return;
+  if (line.find('\n') != std::string_view::npos) throw Finding("an answer of two lines");
+  if (!answer->supported && answer->contact) throw Finding("an answer to what is not supported");
+  if (!answer->toi) return;
+  if (!answer->contact) throw Finding("a time without contact");
+  // The C locale is in force here, so strtod is the judge of numbers.
+  const std::string text(line.substr(line.find('1') + 1));
+  char* end = nullptr;
+  const double expected = std::strtod(text.c_str(), &end);
+  if (std::string_view(end).find_first_not_of(" \t\r") != std::string_view::npos || end == text.c_str()) {
+    throw Finding("strtod does not read this number to its end: " + text);
+  }
+  if (!same_number(expected, *answer->toi)) throw Finding("strtod reads another number here: " + text);
+}
+
+void check_query(std::string_view line) {
+  const auto query = fuzz::read_query_line(line);
+  if (!query) return;
+  std::string written = fuzz::query_line(*query);
+  if (written.back() != '\n') throw Finding("a query's line without its line feed");
+  written.pop_back();
+  const auto again = fuzz::read_query_line(written);
+  if (!again || fuzz::query_line(*again) != written + "\n")
+    throw Finding("a query's line is not read back: " + written);
+}
+
+}  // namespace
+
+void fuzz_pipe_lines(Bytes input) {
+  const std::string_view text = as_text(input);
+  check_answer(text);
+  check_query(text);
+}
+
+}  // namespace touchstone::fuzzing

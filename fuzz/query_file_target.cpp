@@ -1,0 +1,120 @@
+// The reader of query files: any bytes are queries or an error that names a row, in whatever pieces they are read; and
+// what was read can be written and read again. The first byte chooses the kind and the size of the pieces.
+// SPDX-License-Identifier: MIT
+#include <cstring>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <touchstone/error.hpp>
+
+#include "io/query_chunks.hpp"
+#include "io/query_parser.hpp"
+#include "io/query_writer.hpp"
+#include "targets.hpp"
+
+namespace touchstone::fuzzing {
+namespace {
+
+struct Record {
+  std::variant<Query, RationalQuery> query;
+  bool truth;
+  std::uint64_t number, first_row, last_row;
+};
+
+struct Outcome {
+  std::vector<Record> records;
+  std::string error;
+};
+
+Outcome read(std::string_view text, Kind kind, std::size_t chunk_bytes) {
+  Outcome outcome;
+  try {
+    io::QueryChunkReader reader(io::InputFile::from_memory("fuzz.csv", text), kind, chunk_bytes);
+    while (auto chunk = reader.next()) {
+      io::QueryParser parser(*chunk);
+      io::QueryRecord record;
+      while (parser.next(record)) {
+        outcome.records.push_back({record.query, record.truth, record.number, record.first_row, record.last_row});
+        io::query_as_given(kind, record.text);
+      }
+    }
+  } catch (const FileError& error) {
+    outcome.error = error.what();
+  }
+  return outcome;
+}
+
+/// The values, minus zero taken for zero: a fraction has none.
+bool same(const Query& one, const Query& other) {
+  const auto equal = [](const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
+  if (one.kind != other.kind) return false;
+  for (std::size_t i = 0; i < corner_count(one.kind); ++i) {
+    if (!equal(one.start[i], other.start[i]) || !equal(one.end[i], other.end[i])) return false;
+  }
+  return true;
+}
+
+bool same(const RationalQuery& one, const RationalQuery& other) {
+  const auto equal = [](const Fraction& a, const Fraction& b) {
+    return a.numerator == b.numerator && a.denominator == b.denominator;
+  };
+  if (one.kind != other.kind) return false;
+  for (std::size_t i = 0; i < corner_count(one.kind); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!equal(one.start[i][k], other.start[i][k]) || !equal(one.end[i][k], other.end[i][k])) return false;
+    }
+  }
+  return true;
+}
+
+bool same(const std::variant<Query, RationalQuery>& one, const std::variant<Query, RationalQuery>& other) {
+  if (one.index() != other.index()) return false;
+  if (one.index() == 0) return same(std::get<Query>(one), std::get<Query>(other));
+  return same(std::get<RationalQuery>(one), std::get<RationalQuery>(other));
+}
+
+bool same(const Outcome& one, const Outcome& other) {
+  if (one.error != other.error || one.records.size() != other.records.size()) return false;
+  for (std::size_t i = 0; i < one.records.size(); ++i) {
+    const Record &a = one.records[i], &b = other.records[i];
+    if (!same(a.query, b.query) || a.truth != b.truth || a.number != b.number || a.first_row != b.first_row ||
+        a.last_row != b.last_row) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+void fuzz_query_file(Bytes input) {
+  if (input.empty()) return;
+  const auto kind = static_cast<Kind>(input[0] & 3);
+  const std::size_t piece = std::size_t{1} << (input[0] >> 2 & 7);
+  const std::string_view text = as_text(input.subspan(1));
+  const Outcome whole = read(text, kind, io::kChunkBytes);
+  if (!same(whole, read(text, kind, piece))) {
+    throw Finding("read in pieces of " + std::to_string(piece) +
+                  " bytes it is another file; as a whole: " + whole.error);
+  }
+  if (!whole.error.empty() && whole.error.rfind("fuzz.csv:", 0) != 0) {
+    throw Finding("the error does not name the file: " + whole.error);
+  }
+  if (whole.error.find('\n') != std::string::npos) throw Finding("the error is not one line: " + whole.error);
+  if (whole.records.empty()) return;
+
+  std::string written;
+  for (const Record& record : whole.records) {
+    std::visit([&](const auto& query) { io::append_query(written, query, record.truth); }, record.query);
+  }
+  const Outcome again = read(written, kind, io::kChunkBytes);
+  bool kept = again.error.empty() && again.records.size() == whole.records.size();
+  for (std::size_t i = 0; kept && i < whole.records.size(); ++i) {
+    kept = same(whole.records[i].query, again.records[i].query) && whole.records[i].truth == again.records[i].truth;
+  }
+  if (!kept) throw Finding("what was read is not what is read after writing it: " + again.error);
+}
+
+}  // namespace touchstone::fuzzing

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "seeds.hpp"
+
+#include "families/families.hpp"
+#include "fuzz/pipe_protocol.hpp"
+#include "io/query_writer.hpp"
+#include "query_bytes.hpp"
+
+namespace touchstone::fuzzing {
+namespace {
+
+constexpr std::uint64_t kSeed = 1;
+
+/// A few of each family and kind.
+std::vector<Query> queries(std::uint64_t each) {
+  std::vector<Query> all;
+  for (const families::FamilyInfo& family : families::all_families()) {
+    for (const Kind kind : families::kKinds) {
+      for (std::uint64_t i = 0; i < each; ++i) all.push_back(families::make({family.family, kind, kSeed, i}));
+    }
+  }
+  return all;
+}
+
+std::vector<std::string> query_seeds() {
+  std::vector<std::string> seeds;
+  for (const Query& query : queries(8)) seeds.push_back(bytes_for(query));
+  return seeds;
+}
+
+std::vector<std::string> query_file_seeds() {
+  std::vector<std::string> seeds;
+  for (const Query& query : queries(1)) {
+    std::string seed(1, static_cast<char>(static_cast<unsigned>(query.kind) + 4 * (seeds.size() % 8)));
+    if (seeds.size() % 3 == 0) seed += "# a comment\n\n";
+    io::append_query(seed, query, seeds.size() % 2 == 0);
+    if (seed.size() < 4000) seeds.push_back(seed);
+  }
+  seeds.push_back(std::string(1, '\3') + "1,3,0,1,-5,7,1\r\n0,1,0,1,0,1,1\r\n1,3,0,1,-5,7,1\r\n0,1,0,1,0,1,1\r\n");
+  return seeds;
+}
+
+std::vector<std::string> answers_file_seeds() {
+  std::vector<std::string> seeds{
+      "\1query,contact\n0,1\n1,0\n",
+      "\2file,query,contact,toi\na.csv,0,1,0x1p-1\n\"b,\"\"c\"\".csv\",1,1,0.25\na.csv,2,0,\n",
+      "\3toi,contact,query\r\n,0,7\r\n\r\n1e-3,1,8\r\n",
+      "\4file,query,contact,toi,toi_upper,nature,feature_a,feature_b,level\nx,0,1,0x1p-2,0x1p-2,crossing,a,b,filter\n"};
+  return seeds;
+}
+
+std::vector<std::string> pipe_line_seeds() {
+  std::vector<std::string> seeds{"0",      "1",          "1 0x1.8p-2\r", "1 0.5",   "1 -1e-310",         "1 nan",
+                                 "1 -inf", "1 infinity", "unsupported",  "1 1e999", "1 0x.0000001p-1074"};
+  for (const Query& query : queries(1)) {
+    std::string line = fuzz::query_line(query);
+    line.pop_back();
+    seeds.push_back(line);
+  }
+  return seeds;
+}
+
+}  // namespace
+
+std::vector<std::string> seeds_for(std::string_view target) {
+  if (target == "query") return query_seeds();
+  if (target == "query_file") return query_file_seeds();
+  if (target == "answers_file") return answers_file_seeds();
+  if (target == "pipe_lines") return pipe_line_seeds();
+  return {};
+}
+
+}  // namespace touchstone::fuzzing

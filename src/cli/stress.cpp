@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "stress/stress.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "cli/new_folders.hpp"
+#include "cli/share_line.hpp"
+#include "cli/words.hpp"
+#include "io/output_file.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+struct StressOptions {
+  stress::Options stress;
+  std::string out;
+};
+
+std::string dial_names() {
+  std::string names;
+  for (const stress::Dial& dial : stress::dials()) names += (names.empty() ? "" : ", ") + std::string(dial.name);
+  return names;
+}
+
+int run_stress(const StressOptions& options) {
+  NewFolders folders;
+  folders.make(std::filesystem::path(options.out) / "plots");
+  // What cannot be written is found out before minutes are spent, not after.
+  const std::string file = (std::filesystem::path(options.out) / "stress.md").string();
+  io::OutputFile{file};
+
+  ShareLine draw;
+  const auto progress = [&draw](std::string_view what, double share) { draw(what, share); };
+  const stress::Stress made = stress::run_stress(options.stress, progress);
+  const std::string hint = stress::write_stress(made, options.out, progress);
+  folders.keep();
+  if (!hint.empty()) print_error(fmt::format("touchstone: {}\n", hint));
+
+  auto console = io::OutputFile::standard_output();
+  console.write(file + "\n");
+  console.commit();
+  const std::size_t errors = stress::own_errors(made) + made.oracle_differs.size();
+  if (errors == 0) return kAllHold;
+  print_error(fmt::format("touchstone: {} of its own, which must never be: see {}\n", counted(errors, "error"), file));
+  return kRefuted;
+}
+
+}  // namespace
+
+void add_stress(CLI::App& program, Command& command) {
+  const auto options = std::make_shared<StressOptions>();
+  CLI::App* const subcommand =
+      program.add_subcommand("stress", "Where each method breaks as queries get stiff: a stability table and plots");
+  subcommand->add_option("--out", options->out, "The folder to write into; it is made when it is not there")
+      ->required()
+      ->type_name("FOLDER");
+  subcommand
+      ->add_option_function<std::vector<std::string>>(
+          "--dial",
+          [options](const std::vector<std::string>& names) {
+            for (const std::string& name : names) {
+              const stress::Dial* const dial = stress::find_dial(name);
+              auto& which = options->stress.which;
+              if (std::find(which.begin(), which.end(), dial) == which.end()) which.push_back(dial);
+            }
+          },
+          "Only this dial, of " + dial_names() + "; may be given again (default: all)")
+      ->type_name("NAME")
+      ->check([](const std::string& name) {
+        return stress::find_dial(name) ? std::string() : name + " is no dial; they are " + dial_names();
+      });
+  subcommand->add_option("--count", options->stress.count, "Queries at each setting, of each kind (default: 200)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100'000));
+  add_seed_option(*subcommand, options->stress.seed);
+  subcommand->footer(
+      "Asks every method queries that get stiffer as a dial is turned:\n"
+      "  scale       of all coordinates, 2^-1070 to 2^1020\n"
+      "  offset      from the origin, beside the size, up to 2^60\n"
+      "  sliver      aspect of faces, length of one edge beside the other's, down to 2^-60\n"
+      "  parallel    angle of edges, of a vertex' way to the face, down to 2^-100\n"
+      "  separation  of two roots of the cubic, down to 2^-200\n"
+      "  speed       way in a step, beside the size, up to 2^60\n"
+      "Exact arithmetic judges, and the oracle judges it on some queries of each setting. Writes\n"
+      "  FOLDER/stress.md    missed, phantom, late, time error, run time and levels, and how run time grows\n"
+      "  FOLDER/stress.csv   every number, with version, machine and compiler\n"
+      "  FOLDER/plots/       NAME.svg, NAME.png, and NAME.gp that drew them; that needs gnuplot\n"
+      "in about a minute.\n\n"
+      "Examples\n"
+      "  touchstone stress --out stress\n"
+      "  touchstone stress --out stress --dial sliver --dial parallel --count 2000\n\n"
+      "Exit status: 0 done, 1 touchstone itself was wrong somewhere, 2 bad usage or a file that cannot be written.");
+  subcommand->callback([options, &command] { command = [options] { return run_stress(*options); }; });
+}
+
+}  // namespace touchstone::cli

@@ -1,0 +1,41 @@
+// What a solver that is a program of its own reads and writes: one line a query, one line an answer.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <touchstone/query.hpp>
+
+namespace touchstone::fuzz {
+
+// A query:   KIND and then numbers, each after one blank, and a line feed. KIND is edge-edge, vertex-face, point-edge
+// or
+//            point-point. The numbers are the coordinates as C hexfloats ("-0x1.8p-2"): x y z of each corner at t = 0,
+//            in the order a0 a1 b0 b1, v f0 f1 f2, p e0 e1 or p q, and then x y z of each corner at t = 1: 24, 24, 18
+//            or 12.
+// An answer: "0"            they do not touch for t in [0, 1]
+//            "1 TOI"        they do, first at TOI, a number that C's strtod reads: hexfloat, decimal, nan, inf
+//            "1"            they do; this solver does not say when
+//            "unsupported"  it does not take queries of this kind; only as the first answer to a kind
+// and a line feed, before which a carriage return and blanks do no harm. Exactly one answer to each query, in their
+// order, and flushed: the next query comes after the answer only. The program ends when its input does.
+
+/// The line for a query, line feed included.
+std::string query_line(const Query& query);
+
+struct AnswerLine {
+  bool supported = true;
+  bool contact = false;
+  std::optional<double> toi;  ///< may be NaN or infinite
+};
+
+/// What a line without its line feed says, or nothing when it is none of the above.
+std::optional<AnswerLine> read_answer_line(std::string_view line) noexcept;
+
+/// The query that a line (without its line feed) holds, or nothing when it holds none; query_line's inverse.
+std::optional<Query> read_query_line(std::string_view line) noexcept;
+
+}  // namespace touchstone::fuzz

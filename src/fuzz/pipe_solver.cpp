@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz/pipe_solver.hpp"
+
+#include <array>
+#include <utility>
+
+#include <touchstone/error.hpp>
+
+#include "fuzz/pipe_protocol.hpp"
+#include "fuzz/pipe_run.hpp"
+#include "io/fail.hpp"
+
+namespace touchstone::fuzz {
+namespace {
+
+constexpr std::array<Kind, 4> kKinds{Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point};
+
+/// Two elements at rest, far from each other.
+Query plain_query(Kind kind) {
+  Query query;
+  query.kind = kind;
+  for (std::size_t i = 0; i < corner_count(kind); ++i) {
+    const double n = static_cast<double>(i);
+    query.start[i] = query.end[i] = {4 * n, n * n, 1 + n};
+  }
+  return query;
+}
+
+class PipeSolver : public SolverUnderTest {
+ public:
+  PipeSolver(const std::string& command_line, const Limits& limits) : name_(command_line), limits_(limits) {
+    run_ = std::make_unique<PipeRun>(command_line, limits);
+    first_answers();
+  }
+
+  const std::string& name() const override { return name_; }
+  bool supports(Kind kind) const override { return supported_[static_cast<std::size_t>(kind)]; }
+
+  Reply ask(const Query& query) override {
+    const std::string trouble = start();
+    if (!trouble.empty()) return broken(Reply::State::crashed, "it cannot be started again: " + trouble);
+    bool supported = true;
+    Reply reply = exchange(query, limits_.answer, supported);
+    if (supported) return reply;
+    return broken(Reply::State::malformed, "it says 'unsupported', but has answered a query of this kind before");
+  }
+
+ private:
+  /// Which kinds it takes. What fails now is asked again later, and is a finding then.
+  void first_answers() {
+    std::string trouble;
+    bool any = false;
+    for (const Kind kind : kKinds) {
+      bool supported = true;
+      // An interpreter takes its time to start.
+      const Reply reply = exchange(plain_query(kind), any ? limits_.answer : limits_.start, supported);
+      supported_[static_cast<std::size_t>(kind)] = supported;
+      const bool answered = reply.state == Reply::State::answered;
+      if (answered && supported && !any) {
+        any = true;
+        first_ = kind;
+      }
+      if (!answered && trouble.empty()) trouble = reply.detail;
+      if (!answered && !any) break;  // it would be the same for the others
+    }
+    if (any) return;
+    if (trouble.empty()) trouble = "it supports no kind of query";
+    throw Error(io::in_quotes(name_) + ": the solver's command gives no answers: " + trouble);
+  }
+
+  /// Starts it again if need be. @returns why there is no process, or nothing when there is one
+  std::string start() {
+    if (run_) return {};
+    try {
+      run_ = std::make_unique<PipeRun>(name_, limits_);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    bool supported = true;
+    return exchange(plain_query(first_), limits_.start, supported).detail;
+  }
+
+  Reply exchange(const Query& query, std::chrono::milliseconds time, bool& supported) {
+    if (!run_) run_ = std::make_unique<PipeRun>(name_, limits_);
+    const PipeRun::Exchange exchange = run_->exchange(query_line(query), time);
+    using End = PipeRun::Exchange::End;
+    const std::string said = exchange.line.empty() ? "" : "; it had said " + io::in_quotes(exchange.line);
+    switch (exchange.end) {
+      case End::died: return broken(Reply::State::crashed, run_->child().story() + said);
+      case End::late:
+        return broken(Reply::State::hung,
+                      "no answer within " + std::to_string(time.count()) + " ms (are answers flushed?)" + said);
+      case End::too_long:
+        return broken(Reply::State::malformed, "a line of more than " + std::to_string(limits_.line) +
+                                                   " bytes: " + io::in_quotes(exchange.line));
+      case End::unasked:
+        return broken(Reply::State::malformed, "it says more than it was asked: " + io::in_quotes(exchange.line));
+      case End::line: break;
+    }
+    const auto answer = read_answer_line(exchange.line);
+    if (!answer) return broken(Reply::State::malformed, io::in_quotes(exchange.line) + " is no answer");
+    supported = answer->supported;
+    Reply reply;
+    reply.contact = answer->contact;
+    reply.toi = answer->toi;
+    return reply;
+  }
+
+  /// The process is of no more use: who has lost count of the lines would answer the wrong query from now on.
+  Reply broken(Reply::State state, std::string detail) {
+    if (run_) run_->child().kill();
+    run_.reset();
+    Reply reply;
+    reply.state = state;
+    reply.detail = std::move(detail);
+    return reply;
+  }
+
+  std::string name_;
+  Limits limits_;
+  std::array<bool, 4> supported_{};
+  Kind first_ = Kind::edge_edge;  ///< one that it supports
+  std::unique_ptr<PipeRun> run_;
+};
+
+}  // namespace
+
+std::unique_ptr<SolverUnderTest> run_command(const std::string& command_line, const Limits& limits) {
+  return std::make_unique<PipeSolver>(command_line, limits);
+}
+
+}  // namespace touchstone::fuzz

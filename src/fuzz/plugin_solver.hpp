@@ -1,0 +1,21 @@
+// Somebody's solver in a shared library (touchstone/plugin.h), asked in a process of its own.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "fuzz/limits.hpp"
+#include "fuzz/solver_under_test.hpp"
+
+namespace touchstone::fuzz {
+
+/// Starts the process and loads the library there. A query that crashes or hangs it costs the process, and the next
+/// query starts another. The thread that calls this, and ask(), must live as long as the solver: on Linux the process
+/// dies with it.
+/// @throws Error when there is no such library, it does not export touchstone_solver(), it was made for another
+/// version,
+///               or its init fails, crashes or hangs
+std::unique_ptr<SolverUnderTest> load_plugin(const std::string& path, const Limits& limits = {});
+
+}  // namespace touchstone::fuzz

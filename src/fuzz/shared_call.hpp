@@ -1,0 +1,48 @@
+// A call across two processes: one asks, the other answers, over memory that both see.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+
+namespace touchstone::fuzz {
+
+/// What the child is doing, so that a death can be told by its place.
+enum class Stage : std::uint32_t { loading, initialising, ready, solving, ending };
+
+/// Lives in shared memory. The child runs hostile code that may write anything here, so the parent reads plain numbers
+/// only, once each, and checks them.
+struct SharedCall {
+  std::atomic<std::uint32_t> asked{0};     ///< raised by the parent when a query is there
+  std::atomic<std::uint32_t> answered{0};  ///< raised by the child when it is ready, and for each answer
+  std::atomic<std::uint32_t> asleep[2]{};  ///< not 0: the parent, or the child, may sleep and must be woken
+  std::atomic<Stage> stage{Stage::loading};
+
+  // The query.
+  std::uint32_t kind = 0;  ///< as in plugin.h; 0: end
+  std::array<double, 12> start{};
+  std::array<double, 12> end{};
+
+  // The answer.
+  std::int32_t status = 0;
+  double toi = 0;
+
+  // What the plugin is.
+  std::uint32_t kinds = 0;
+  std::array<char, 512> failure{};  ///< why it cannot run, or ""
+};
+static_assert(std::atomic<std::uint32_t>::is_always_lock_free && std::atomic<Stage>::is_always_lock_free);
+
+enum class Side : std::uint8_t { parent, child };
+
+/// Waits until `word` is no longer `old` or the time is over: awake for a few microseconds, then asleep.
+/// `self` is the side that waits. @returns whether it has changed
+bool wait_for_change(SharedCall& call, Side self, const std::atomic<std::uint32_t>& word, std::uint32_t old,
+                     std::chrono::nanoseconds time);
+
+/// Raises `word` by one, and wakes the other side when it sleeps.
+void raise(SharedCall& call, Side self, std::atomic<std::uint32_t>& word);
+
+}  // namespace touchstone::fuzz

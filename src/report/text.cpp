@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "report/text.hpp"
+
+#include <fmt/format.h>
+
+namespace touchstone::report {
+
+std::string percent(double share) { return share == 0 ? "0" : fmt::format("{:.3g} %", 100 * share); }
+
+std::string ulps(std::int64_t error) {
+  if (error > -100'000 && error < 100'000) return fmt::format("{}", error);
+  return fmt::format("{:.1e}", static_cast<double>(error));
+}
+
+std::string asked_text(const Result& result, const QuerySet& set) {
+  const std::string whole = fmt::format("{}", set.queries.size());
+  return result.asked == set.queries.size() ? whole : fmt::format("{} of {}", result.asked, whole);
+}
+
+}  // namespace touchstone::report

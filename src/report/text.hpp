@@ -1,0 +1,18 @@
+// How reports write numbers.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "report/measure.hpp"
+
+namespace touchstone::report {
+
+std::string percent(double share);     ///< "0", "12.5 %"
+std::string ulps(std::int64_t error);  ///< "-12", "4.5e+15"
+
+/// How many queries of the set were asked: "4000", or "130 of 4000".
+std::string asked_text(const Result& result, const QuerySet& set);
+
+}  // namespace touchstone::report

@@ -1,0 +1,38 @@
+// One way to make queries stiff each, with a dial that says how stiff, in powers of two.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include <touchstone/query.hpp>
+
+#include "report/query_set.hpp"
+#include "seeded/rng.hpp"
+
+namespace touchstone::stress {
+
+struct Dial {
+  std::string_view name;      ///< as --dial takes it
+  std::string_view varies;    ///< what 2^setting is, for tables and axes
+  std::string_view about;     ///< how the queries are made; one sentence without its full stop
+  std::vector<int> settings;  ///< ascending
+  int gentle;                 ///< the one of them that is not stiff
+  Query (*make)(Kind kind, int setting, seeded::Rng& rng);
+};
+
+const std::vector<Dial>& dials();
+
+/// The dial of this name, or null.
+const Dial* find_dial(std::string_view name) noexcept;
+
+/// The kinds that are asked.
+inline constexpr std::array<Kind, 2> kKinds{Kind::edge_edge, Kind::vertex_face};
+
+/// `count` queries at one setting. The same seed makes the same queries on every machine.
+report::QuerySet make_set(const Dial& dial, Kind kind, int setting, std::uint64_t seed, std::size_t count);
+
+}  // namespace touchstone::stress

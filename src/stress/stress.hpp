@@ -1,0 +1,65 @@
+// The stability table: every method at every setting of every dial, and where each of them breaks.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "report/plots.hpp"
+#include "report/report.hpp"
+#include "stress/dials.hpp"
+
+namespace touchstone::stress {
+
+struct Options {
+  std::uint64_t seed = 1;
+  std::size_t count = 200;         ///< queries at a setting, of each kind
+  std::vector<const Dial*> which;  ///< empty: all dials
+};
+
+/// One dial turned all the way, for one kind.
+struct Table {
+  const Dial* dial;
+  Kind kind;
+  std::vector<report::SetResults> settings;  ///< in the order of the dial's; SetResults::exponent is the setting
+};
+
+struct Stress {
+  Options options;
+  std::vector<report::Contestant> contestants;
+  std::vector<Table> tables;
+  std::size_t oracle_asked = 0;
+  std::vector<std::string> oracle_differs;  ///< one line for each query where the judge and the oracle differ
+};
+
+/// Asks everybody everything. Method::exact judges, and the oracle judges the judge on some queries of each set.
+Stress run_stress(const Options& options, const report::Progress& progress);
+
+/// Answers of `touchstone` that are wrong, or whose time is not the exact one.
+std::size_t own_errors(const Stress& stress);
+
+/// What `touchstone` did at one setting.
+const report::Result& own_result(const report::SetResults& setting);
+
+/// The run time of `touchstone` along one dial, in microseconds a query.
+struct Growth {
+  double gentle = 0;   ///< at the gentle setting
+  double low = 0;      ///< at the lowest setting
+  double high = 0;     ///< at the highest one
+  double slowest = 0;  ///< at the slowest of all
+  int slowest_at = 0;  ///< that setting
+};
+Growth growth(const Table& table);
+
+std::string markdown_text(const Stress& stress, bool plots);
+std::vector<report::Plot> plots(const Stress& stress);
+std::string plot_name(const Table& table);  ///< "scale-edge-edge"
+
+/// Writes stress.md, stress.csv and plots/NAME.gp into `folder`, and draws plots/NAME.svg and plots/NAME.png.
+/// @returns a line for the user when there is no gnuplot to draw with, or else nothing
+/// @throws Error when something cannot be written, or gnuplot fails
+std::string write_stress(const Stress& stress, const std::string& folder, const report::Progress& progress);
+
+}  // namespace touchstone::stress

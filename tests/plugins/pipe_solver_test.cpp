@@ -1,0 +1,170 @@
+// Solvers that are programs: the shipped examples, and a program that misbehaves in every way.
+// SPDX-License-Identifier: MIT
+#include "fuzz/pipe_solver.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <string>
+
+#include <touchstone/error.hpp>
+
+#include "plugins/outside_solver.hpp"
+#include "support/catch.hpp"
+
+using namespace touchstone;
+using namespace touchstone::tests;
+using fuzz::Reply;
+
+namespace {
+
+bool no_python() {
+  if (!std::string(TOUCHSTONE_PYTHON).empty()) return false;
+  WARN("no Python 3 was found by CMake: programs in Python are not tested");
+  return true;
+}
+
+std::string bad_program(const std::string& order = "") {
+  return std::string(TOUCHSTONE_PYTHON) + " " + TOUCHSTONE_SOURCE_DIR + "/tests/plugins/bad_program.py " + order;
+}
+
+std::string error_of_starting(const std::string& command, const fuzz::Limits& limits = quick_limits()) {
+  try {
+    fuzz::run_command(command, limits);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "started";
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("the example program in C says which kinds it takes, and answers") {
+  const auto solver = fuzz::run_command(TOUCHSTONE_EXAMPLE_PROGRAM, quick_limits());
+  CHECK(solver->name() == TOUCHSTONE_EXAMPLE_PROGRAM);
+  CHECK(solver->supports(Kind::edge_edge));
+  CHECK(solver->supports(Kind::vertex_face));
+  CHECK_FALSE(solver->supports(Kind::point_edge));
+  CHECK_FALSE(solver->supports(Kind::point_point));
+  const auto start = std::chrono::steady_clock::now();
+  constexpr int kQueries = 300;
+  for (int i = 0; i < kQueries; ++i) {
+    const Reply reply = solver->ask(crossing_edges());
+    REQUIRE(reply.state == Reply::State::answered);
+    REQUIRE(reply.contact);
+    REQUIRE(std::fabs(reply.toi.value() - 0.5) < 1e-12);
+  }
+  const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - start;
+  std::printf("program in C: %.1f us a query\n", time.count() / kQueries);
+}
+
+TEST_CASE("the example program in Python answers") {
+  if (no_python()) return;
+  const auto solver =
+      fuzz::run_command(std::string(TOUCHSTONE_PYTHON) + " " + TOUCHSTONE_EXAMPLES + "/program.py", quick_limits());
+  CHECK_FALSE(solver->supports(Kind::edge_edge));
+  CHECK(solver->supports(Kind::point_point));
+  CHECK(solver->ask(meeting_points()).toi == 0.5);
+  CHECK_FALSE(solver->ask(order(3)).contact);
+}
+
+TEST_CASE("whatever a program does is a reply, and it is started again") {
+  if (no_python()) return;
+  const auto solver = fuzz::run_command(bad_program(), quick_limits());
+  CHECK_FALSE(solver->supports(Kind::point_edge));
+  CHECK(solver->supports(Kind::point_point));
+  struct Case {
+    int what;
+    Reply::State state;
+    const char* detail;
+  };
+  using State = Reply::State;
+  for (const Case& c :
+       {Case{1, State::crashed, "exit status 3"}, Case{2, State::crashed, "signal 9"},
+        Case{3, State::hung, "no answer within 1500 ms"}, Case{4, State::malformed, "'what?' is no answer"},
+        Case{5, State::malformed, "is no answer"}, Case{7, State::malformed, "more than 1024 bytes"},
+        Case{8, State::hung, "it had said '0'"}, Case{9, State::crashed, "exit status 0; it had said '0'"},
+        Case{10, State::malformed, ""}, Case{15, State::crashed, "the last words"}, Case{16, State::hung, ""},
+        Case{17, State::malformed, "unsupported"}, Case{20, State::malformed, "'' is no answer"}}) {
+    CAPTURE(c.what);
+    const Reply reply = solver->ask(order(c.what));
+    CAPTURE(reply.detail);
+    CHECK(reply.state == c.state);
+    CHECK(has(reply.detail, c.detail));
+    CHECK_FALSE(reply.detail.empty());
+    CHECK(solver->ask(order(0)).state == State::answered);
+  }
+}
+
+TEST_CASE("what is said without being asked is a finding, at the latest with the next query") {
+  if (no_python()) return;
+  const auto solver = fuzz::run_command(bad_program(), quick_limits());
+  const Reply first = solver->ask(order(6));
+  if (first.state == Reply::State::answered) {  // the second line came too late to be seen
+    const Reply second = solver->ask(order(0));
+    CHECK(second.state == Reply::State::malformed);
+  } else {
+    CHECK(first.state == Reply::State::malformed);
+    CHECK(has(first.detail, "more than it was asked"));
+  }
+  CHECK(solver->ask(order(0)).state == Reply::State::answered);
+}
+
+TEST_CASE("what a program claims arrives as it is, in pieces too") {
+  if (no_python()) return;
+  const auto solver = fuzz::run_command(bad_program(), quick_limits());
+  const Reply nan = solver->ask(order(11));
+  REQUIRE(nan.toi);
+  CHECK(std::isnan(*nan.toi));
+  const Reply only = solver->ask(order(12));
+  CHECK(only.contact);
+  CHECK_FALSE(only.toi);
+  CHECK(solver->ask(order(14)).toi == 0.125);
+  CHECK(solver->ask(order(13)).toi == 8.0);  // four first queries and three before: none was lost or repeated
+}
+
+TEST_CASE("a program that stops reading is a finding, and no signal kills us") {
+  if (no_python()) return;
+  const auto solver = fuzz::run_command(bad_program(), quick_limits());
+  CHECK(solver->ask(order(19)).state == Reply::State::answered);
+  CHECK(solver->ask(order(0)).state == Reply::State::hung);
+  CHECK(solver->ask(order(0)).state == Reply::State::answered);
+}
+
+TEST_CASE("a command that gives no answers is an error that says why") {
+  CHECK(has(error_of_starting(""), "empty"));
+  CHECK(has(error_of_starting("  "), "empty"));
+  CHECK(has(error_of_starting("/nowhere/solver"), "No such file or directory"));
+  CHECK(has(error_of_starting("/nowhere/solver 'by shell'"), "/nowhere/solver"));
+  CHECK(has(error_of_starting("true"), "exit status 0"));
+  CHECK(has(error_of_starting("cat"), "is no answer"));  // it says what it was told
+  CHECK(has(error_of_starting("yes"), "gives no answers"));
+  if (no_python()) return;
+  CHECK(has(error_of_starting(bad_program("exits")), "no licence found"));
+  CHECK(has(error_of_starting(bad_program("garbage")), "'hello' is no answer"));
+  CHECK(has(error_of_starting(bad_program("unsupported")), "supports no kind"));
+  fuzz::Limits limits;
+  limits.start = std::chrono::milliseconds(500);
+  CHECK(has(error_of_starting(bad_program("hangs"), limits), "no answer within 500 ms"));
+}
+
+TEST_CASE("a command may be a line for the shell") {
+  const auto solver = fuzz::run_command("while read line; do echo '1 0.5'; done", quick_limits());
+  CHECK(solver->ask(order(0)).toi == 0.5);
+}
+
+TEST_CASE("a program ends with its solver") {
+  if (no_python()) return;
+  int process = 0;
+  for (const bool hangs : {false, true}) {
+    {
+      const auto solver = fuzz::run_command(bad_program(), quick_limits());
+      process = static_cast<int>(solver->ask(order(18)).toi.value());
+      if (hangs) CHECK(solver->ask(order(3)).state == Reply::State::hung);
+    }
+    CHECK(vanishes(process));
+  }
+}

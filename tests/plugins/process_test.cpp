@@ -1,0 +1,54 @@
+// Child processes die with their parent.
+// SPDX-License-Identifier: MIT
+#include "fuzz/child_process.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "fuzz/plugin_solver.hpp"
+#include "plugins/outside_solver.hpp"
+#include "support/catch.hpp"
+
+using namespace touchstone;
+using namespace touchstone::tests;
+
+TEST_CASE("a plugin's process dies when its parent is killed, asleep or hanging") {
+  for (const bool hangs : {false, true}) {
+    fuzz::Pipe pipe;
+    const pid_t parent = ::fork();
+    REQUIRE(parent >= 0);
+    if (parent == 0) {
+      const auto solver = fuzz::load_plugin(TOUCHSTONE_BAD_PLUGIN);
+      const int process = static_cast<int>(solver->ask(order(18)).toi.value());
+      if (::write(pipe.write, &process, sizeof process) < 0) ::_exit(1);
+      if (hangs) {
+        solver->ask(order(5));
+      }
+      for (;;) ::pause();
+    }
+    int process = 0;
+    REQUIRE(::read(pipe.read, &process, sizeof process) == sizeof process);
+    REQUIRE(::kill(process, 0) == 0);
+    ::kill(parent, SIGKILL);
+    ::waitpid(parent, nullptr, 0);
+    CHECK(vanishes(process));
+  }
+}
+
+TEST_CASE("many processes leave no zombie and no descriptor behind") {
+  const auto free_descriptor = [] {
+    const int descriptor = ::dup(0);
+    ::close(descriptor);
+    return descriptor;
+  };
+  const int before = free_descriptor();
+  {
+    const auto solver = fuzz::load_plugin(TOUCHSTONE_BAD_PLUGIN, quick_limits());
+    for (int i = 0; i < 50; ++i) CHECK(solver->ask(order(12)).state == fuzz::Reply::State::crashed);
+  }
+  CHECK(free_descriptor() == before);
+  CHECK(::waitpid(-1, nullptr, WNOHANG) == -1);  // no child at all
+  CHECK(errno == ECHILD);
+}
