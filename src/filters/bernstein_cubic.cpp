@@ -32,8 +32,16 @@ constexpr double kCurvatureBound = 1700 * kUnit;
 
 double between(double a, double b, double x) noexcept { return (1 - x) * a + x * b; }
 
-/// Sign of a value that is off by at most `bound`; 0 when uncertain.
-int certain_sign(double value, double bound) noexcept { return value > bound ? 1 : value < -bound ? -1 : 0; }
+/// Sign variations of coefficients that are off by at most `ends` (the first and the last) and `middle`.
+BernsteinCubic::Variations variations_of(const std::array<double, 4>& b, double ends, double middle) noexcept {
+  using Variations = BernsteinCubic::Variations;
+  if (!(std::fabs(b[0]) > ends && std::fabs(b[3]) > ends)) return Variations::uncertain;
+  const double second = flipped(b[1], b[0]);
+  const double third = flipped(b[2], b[0]);
+  if (flipped(b[3], b[0]) > 0) return second > middle && third > middle ? Variations::none : Variations::uncertain;
+  // One variation whatever the uncertain ones are, unless the middle may go back and forth.
+  return second > middle || third < -middle ? Variations::one : Variations::uncertain;
+}
 
 }  // namespace
 
@@ -89,19 +97,8 @@ std::array<double, 4> BernsteinCubic::part(double p, double q) const noexcept {
 }
 
 BernsteinCubic::Variations BernsteinCubic::variations(double p, double q) const noexcept {
-  int sign[4];
-  if (p == 0 && q == 1) {
-    for (int i = 0; i < 4; ++i) sign[i] = certain_sign(c_[static_cast<std::size_t>(i)], (i % 3 == 0 ? kEndsBound : kMiddleBound) * size_);
-  } else {
-    const std::array<double, 4> b = part(p, q);
-    for (int i = 0; i < 4; ++i) sign[i] = certain_sign(b[static_cast<std::size_t>(i)], part_error());
-  }
-  if (sign[0] == 0 || sign[3] == 0) return Variations::uncertain;
-  if (sign[0] == sign[3]) {
-    return sign[1] == sign[0] && sign[2] == sign[0] ? Variations::none : Variations::uncertain;
-  }
-  // One variation whatever the uncertain ones are, unless the middle may go back and forth.
-  return sign[1] == sign[0] || sign[2] == sign[3] ? Variations::one : Variations::uncertain;
+  if (p == 0 && q == 1) return variations_of(c_, kEndsBound * size_, kMiddleBound * size_);
+  return variations_of(part(p, q), part_error(), part_error());
 }
 
 BernsteinCubic::Root BernsteinCubic::root_between(double p, double q) const noexcept {
