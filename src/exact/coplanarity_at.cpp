@@ -8,6 +8,7 @@
 #include "geometry/vector.hpp"
 #include "numbers/exact_number.hpp"
 #include "numbers/fixed_int.hpp"
+#include "numbers/limb_scratch.hpp"
 
 namespace touchstone::exact {
 namespace {
@@ -58,6 +59,7 @@ double value_between(const Query& query, const BitSpan& span, double t, int time
 
 double value_in_any_size(const Query& query, double t) {
   using numbers::Exact;
+  const numbers::LimbScratch scratch;
   const Exact later(t);
   const Exact earlier = Exact(1) - later;
   std::array<geometry::Vector<Exact>, 4> positions;
