@@ -26,7 +26,6 @@ FAULTS = [
     ("overflow guards of U W and U W R", "coplanarity_form.hpp", "kGreatestProduct = 0x1p1000",
      "kGreatestProduct = 0x1.fffffffffffffp1023"),
     ("kProjectionBound", "separating_direction.cpp", "kProjectionBound = 13 *", "kProjectionBound = 13 / 16.0 *"),
-    ("rounding of a gap between projections", "separating_direction.cpp", "margin = 3 * bound", "margin = 2 * bound"),
     ("underflow guard of projections", "separating_direction.cpp", "product >= kLeastProduct && ", ""),
     ("kPartBound", "bernstein_cubic.cpp", "kPartBound = 120 *", "kPartBound = 120 / 16.0 *"),
     ("kValueBound", "bernstein_cubic.cpp", "kValueBound = 106 *", "kValueBound = 106 / 16.0 *"),
