@@ -155,7 +155,7 @@ def main():
                 print(f"found     {fault[0]}: by {result[0]} in {result[1]:.1f} s  {result[2]}", flush=True)
             else:
                 survivors.append(fault[0])
-                print(f"SURVIVED  {fault[0]}: nothing in {options.seconds:g} s", flush=True)
+                print(f"SURVIVED  {fault[0]}", flush=True)
         print(f"{len(chosen) - len(survivors)} of {len(chosen)} faults found")
         return 1 if survivors else 0
 
