@@ -14,8 +14,9 @@
 #include "support/catch.hpp"
 
 // The functions under test are private to these files, which are compiled here a second time.
-#include "filters/bracket.cpp"       // NOLINT(bugprone-suspicious-include)
-#include "filters/refined_root.cpp"  // NOLINT(bugprone-suspicious-include)
+#include "filters/bracket.cpp"        // NOLINT(bugprone-suspicious-include)
+#include "filters/refined_root.cpp"   // NOLINT(bugprone-suspicious-include)
+#include "filters/shared_corner.cpp"  // NOLINT(bugprone-suspicious-include)
 
 using namespace touchstone;
 using namespace touchstone::tests;
@@ -258,4 +259,58 @@ TEST_CASE("the signs of components at a root are certain only when they are") {
     std::snprintf(name, sizeof name, "component at a root %a away, give or take %a", place.distance, place.slip);
     report(name, search, 0.0);
   }
+}
+
+TEST_CASE("the step to a root is off by no more than it says") {
+  report("step to a root",
+         searched(87, 1,
+                  [](const FrameCase& s, const std::vector<double>& x) {
+                    const BernsteinCubic cubic = s.cubic();
+                    if (cubic.variations(0, 1) != BernsteinCubic::Variations::one) return std::nan("");
+                    const BernsteinCubic::Root root = cubic.root_between(0, 1);
+                    if (!root.certain) return std::nan("");
+                    // From as far away as the slope is steady enough: there the curvature shows.
+                    const double away = (share(x[24]) - 0.5) * 0.2 * std::fabs(root.slope) / cubic.curvature_bound();
+                    const double t = std::clamp(root.t + away, 0.0, 1.0);
+                    const filters::SimpleRoot simple{t, root.radius, cubic.slope(t), cubic.slope_error(),
+                                                     cubic.curvature_bound()};
+                    const double value =
+                        filters::contact_values(s.query.start.data(), s.query.end.data(), true, t, 0).coplanarity;
+                    const auto offset = filters::offset_of(simple, cubic.size(), value);
+                    if (!offset) return std::nan("");
+                    // One more step of Newton's, exactly: as good as the root itself.
+                    const Exact at = Exact(t) + Exact(offset->value), zero(0), one(1);
+                    const Exact slope = s.blossom(at, at, one) - s.blossom(at, at, zero);
+                    const double missing = numbers::approximate_quotient(s.blossom(at, at, at), Exact(3) * slope);
+                    return std::fabs(missing) / offset->error;
+                  }),
+         0.0625);
+}
+
+TEST_CASE("edges that are parallel are never certainly not parallel, at any magnitude") {
+  // One edge is thrice the other, in whole numbers that its rounded difference does not hold.
+  Rng rng(88);
+  long differ = 0;
+  for (int i = 0; i < 60000; ++i) {
+    const int scale = i % 3 == 0 ? -53 : i % 3 == 1 ? -568 + i % 5 : 400;  // products of 1, just subnormal, and huge
+    Query query;
+    for (double Vec3::*const axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+      constexpr std::int64_t kMost = std::int64_t{1} << 53;  // doubles hold the whole numbers up to here
+      auto length = static_cast<std::int64_t>(rng.bits() >> 12);
+      auto from = -static_cast<std::int64_t>(rng.bits() >> 11);
+      if (from + 3 * length > kMost) {
+        length /= 4;
+        from = -3 * length;
+      }
+      const auto put = [&](Vec3& corner, std::int64_t n) { corner.*axis = std::ldexp(static_cast<double>(n), scale); };
+      put(query.start[0], from);
+      put(query.start[1], from + 3 * length);
+      put(query.start[2], 0);
+      put(query.start[3], length);
+    }
+    const Vec3 &a = query.start[0], &b = query.start[1], &c = query.start[3];
+    differ += (b.x - a.x) * c.y != (b.y - a.y) * c.x;
+    REQUIRE_FALSE(filters::certainly_not_parallel(query));
+  }
+  CHECK(differ > 1000);
 }
