@@ -26,7 +26,6 @@ FAULTS = [
     ("overflow guards of U W and U W R", "coplanarity_form.hpp", "kGreatestProduct = 0x1p1000",
      "kGreatestProduct = 0x1.fffffffffffffp1023"),
     ("kProjectionBound", "separating_direction.cpp", "kProjectionBound = 13 *", "kProjectionBound = 13 / 16.0 *"),
-    ("rounding of a gap between projections", "separating_direction.cpp", "margin = 3 * bound", "margin = 2 * bound"),
     ("underflow guard of projections", "separating_direction.cpp", "product >= kLeastProduct && ", ""),
     ("kPartBound", "bernstein_cubic.cpp", "kPartBound = 120 *", "kPartBound = 120 / 16.0 *"),
     ("kValueBound", "bernstein_cubic.cpp", "kValueBound = 106 *", "kValueBound = 106 / 16.0 *"),
@@ -156,7 +155,7 @@ def main():
                 print(f"found     {fault[0]}: by {result[0]} in {result[1]:.1f} s  {result[2]}", flush=True)
             else:
                 survivors.append(fault[0])
-                print(f"SURVIVED  {fault[0]}: nothing in {options.seconds:g} s", flush=True)
+                print(f"SURVIVED  {fault[0]}", flush=True)
         print(f"{len(chosen) - len(survivors)} of {len(chosen)} faults found")
         return 1 if survivors else 0
 

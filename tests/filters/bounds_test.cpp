@@ -65,9 +65,11 @@ double same_side_ratio(const std::vector<double>& x, int which) {
   switch (which) {
     case 0: return ratio_of(coefficients[0], determinant(u0, w0, r0), bounds.ends);
     case 1:
-      return ratio_of(coefficients[1], determinant(u0, w1, r0) + determinant(u1, w0, r0) + determinant(u0, w0, r1), bounds.middle);
+      return ratio_of(coefficients[1], determinant(u0, w1, r0) + determinant(u1, w0, r0) + determinant(u0, w0, r1),
+                      bounds.middle);
     case 2:
-      return ratio_of(coefficients[2], determinant(u1, w1, r0) + determinant(u0, w1, r1) + determinant(u1, w0, r1), bounds.middle);
+      return ratio_of(coefficients[2], determinant(u1, w1, r0) + determinant(u0, w1, r1) + determinant(u1, w0, r1),
+                      bounds.middle);
     default: return ratio_of(coefficients[3], determinant(u1, w1, r1), bounds.ends);
   }
 }
@@ -114,7 +116,8 @@ TEST_CASE("the same-side bound holds at all magnitudes and is not idle") {
     BoundSearch search;
     for (const int exponent : {0, 1, -1, 30, -30, 300, -300}) {
       search_bound(search, rng, 24, exponent, 0, 2, kSteps, [&](const auto& x) { return same_side_ratio(x, which); });
-      search_bound(search, rng, 24, exponent, 30, 2, kSteps / 4, [&](const auto& x) { return same_side_ratio(x, which); });
+      search_bound(search, rng, 24, exponent, 30, 2, kSteps / 4,
+                   [&](const auto& x) { return same_side_ratio(x, which); });
     }
     report(names[which], search);
     CHECK(search.worst <= 1);
@@ -151,6 +154,47 @@ TEST_CASE("near underflow and overflow the same-side bound holds or does not app
   }
   CHECK(applies > 0);
   CHECK(guarded > 0);
+}
+
+TEST_CASE("where u and w are tiny and r is huge the same-side bound holds or does not apply") {
+  // U W R is in range while the products of u and w are subnormal: all along x, where u and w are 0, are the edges
+  // apart.
+  int applies = 0, guarded = 0;
+  Rng rng(0xf1a7);
+  BoundSearch search;
+  for (int exponent = -535; exponent <= -470; ++exponent) {
+    const auto ratio = [&](const std::vector<double>& input) {
+      std::vector<double> x(24);
+      for (std::size_t i = 0; i < 24; ++i) {
+        const bool first_edge = i % 12 < 6;
+        x[i] = i % 3 != 0 ? std::ldexp(input[i], exponent) : first_edge ? std::ldexp(input[i / 12 * 12], 500) : 0.0;
+      }
+      ++(filters::coplanarity_bounds(case_of(x).frame).valid ? applies : guarded);
+      double worst = 0;
+      for (int which = 0; which < 4; ++which) worst = std::max(worst, same_side_ratio(x, which));
+      return worst;
+    };
+    search_bound(search, rng, 24, 0, 3, 2, 100, ratio);
+  }
+  report("same side, tiny u and w", search);
+  CHECK(search.worst <= 1);
+  CHECK(applies > 1000);
+  CHECK(guarded > 1000);
+}
+
+TEST_CASE("where the same-side bound applies nothing overflows") {
+  Rng rng(0x0f10);
+  int applies = 0;
+  for (int i = 0; i < 20000; ++i) {
+    std::vector<double> x(24);
+    const int exponent = rng.between(328, 341);
+    for (double& v : x) v = std::ldexp(rng.one_in(2) ? 1 + rng.unit() : -1 - rng.unit(), exponent);
+    const filters::Frame frame = case_of(x).frame;
+    if (!filters::coplanarity_bounds(frame).valid) continue;
+    ++applies;
+    for (const double c : filters::coplanarity_coefficients(frame)) REQUIRE(std::isfinite(c));
+  }
+  CHECK(applies > 1000);
 }
 
 TEST_CASE("the projection bound holds at all magnitudes and is not idle") {

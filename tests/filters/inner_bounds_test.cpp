@@ -113,7 +113,8 @@ template <class Ratio>
 BoundSearch searched(std::uint64_t seed, std::size_t more, const Ratio& ratio) {
   Rng rng(seed);
   BoundSearch search;
-  for (const int exponent : {0, 40, -40, 200, -200}) {
+  // At 2^-346 products of three are subnormal, and the level must keep its hands off.
+  for (const int exponent : {0, 40, -40, 200, -200, -346}) {
     search_bound(search, rng, 24 + more, exponent, 0, 3, kSteps, [&](const std::vector<double>& x) {
       const FrameCase sample(x);
       return sample.usable() ? ratio(sample, x) : std::nan("");
@@ -135,19 +136,23 @@ double needed_share(const filters::ValueAndSlope& component, const filters::Offs
   return high;
 }
 
-/// How much of its bound sign_at_root needs for f1 = r x w along an axis, `distance` from where it is evaluated.
-double offset_ratio(const FrameCase& sample, double t, double distance) {
-  if (!(t + distance >= 0 && t + distance <= 1)) distance = -distance;
+/// How much of its bound sign_at_root needs for f1 = r x w along an axis, `distance` from where it is evaluated, when
+/// the distance is off by `slip`.
+double offset_ratio(const FrameCase& sample, double t, double distance, double slip) {
+  if (!(t + distance + slip >= 0 && t + distance + slip <= 1)) {
+    distance = -distance;
+    slip = -slip;
+  }
   const std::size_t k = 2;
   const Vec3* const start = sample.query.start.data();
   const Vec3* const end = sample.query.end.data();
   const auto w = filters::moving_difference(start, end, 3, 2, t), r = filters::moving_difference(start, end, 2, 0, t);
   const filters::Component first = filters::component(r, w, filters::cross(r.value, w.value), k);
-  const Exact truth = sample.cross(2, 1, k, Exact(t) + Exact(distance));
+  const Exact truth = sample.cross(2, 1, k, Exact(t) + Exact(distance) + Exact(slip));
   // The same component less its true value, as two doubles: its errors stay.
   const double high = numbers::approximate_quotient(truth, Exact(1));
   const double low = numbers::approximate_quotient(truth - Exact(high), Exact(1));
-  const filters::Offset offset{distance, 0, 2 * std::fabs(distance)};
+  const filters::Offset offset{distance, std::fabs(slip), 2 * std::fabs(distance + slip)};
   const double rest = (first.value.high - high) + (first.value.low - low);
   return needed_share({rest, first.slope}, offset, sample.size.r * sample.size.w);
 }
@@ -241,11 +246,42 @@ TEST_CASE("the side conditions near a root are within their bounds") {
 }
 
 TEST_CASE("the signs of components at a root are certain only when they are") {
-  static constexpr std::array<double, 4> kDistances{0, 0x1p-52, 0x1p-40, 0x1p-20};
-  for (const double distance : kDistances) {
-    const auto search = searched(86, 1, [distance](const FrameCase& s, const std::vector<double>& x) {
-      return offset_ratio(s, share(x[24]), distance);
+  struct Place {
+    double distance, slip;
+  };
+  for (const Place& place : {Place{0, 0}, Place{0x1p-52, 0}, Place{0x1p-40, 0}, Place{0x1p-20, 0}, Place{0, 0x1p-80},
+                             Place{0x1p-40, 0x1p-76}}) {
+    const auto search = searched(86, 1, [&](const FrameCase& s, const std::vector<double>& x) {
+      return offset_ratio(s, share(x[24]), place.distance, place.slip);
     });
-    report(("component at a root " + std::to_string(distance) + " away").c_str(), search, 0.0);
+    char name[80];
+    std::snprintf(name, sizeof name, "component at a root %a away, give or take %a", place.distance, place.slip);
+    report(name, search, 0.0);
   }
+}
+
+TEST_CASE("the step to a root is off by no more than it says") {
+  report("step to a root",
+         searched(87, 1,
+                  [](const FrameCase& s, const std::vector<double>& x) {
+                    const BernsteinCubic cubic = s.cubic();
+                    if (cubic.variations(0, 1) != BernsteinCubic::Variations::one) return std::nan("");
+                    const BernsteinCubic::Root root = cubic.root_between(0, 1);
+                    if (!root.certain) return std::nan("");
+                    // From as far away as the slope is steady enough: there the curvature shows.
+                    const double away = (share(x[24]) - 0.5) * 0.2 * std::fabs(root.slope) / cubic.curvature_bound();
+                    const double t = std::clamp(root.t + away, 0.0, 1.0);
+                    const filters::SimpleRoot simple{t, root.radius, cubic.slope(t), cubic.slope_error(),
+                                                     cubic.curvature_bound()};
+                    const double value =
+                        filters::contact_values(s.query.start.data(), s.query.end.data(), true, t, 0).coplanarity;
+                    const auto offset = filters::offset_of(simple, cubic.size(), value);
+                    if (!offset) return std::nan("");
+                    // One more step of Newton's, exactly: as good as the root itself.
+                    const Exact at = Exact(t) + Exact(offset->value), zero(0), one(1);
+                    const Exact slope = s.blossom(at, at, one) - s.blossom(at, at, zero);
+                    const double missing = numbers::approximate_quotient(s.blossom(at, at, at), Exact(3) * slope);
+                    return std::fabs(missing) / offset->error;
+                  }),
+         0.0625);
 }

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "filters/shared_corner.hpp"
 
+#include <array>
+#include <cmath>
+#include <cstdint>
+
 #include <touchstone/solve.hpp>
 
 #include "exact/exact.hpp"
@@ -9,6 +13,9 @@
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
 #include "support/query_text.hpp"
+
+// The bound under test is private to this file, which is compiled here a second time.
+#include "filters/shared_corner.cpp"  // NOLINT(bugprone-suspicious-include)
 
 using namespace touchstone;
 using namespace touchstone::tests;
@@ -47,4 +54,32 @@ TEST_CASE("what looks like a shared corner is not always one") {
   const VertexFace face{{{{1, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 0, 0}}}, {{{1, 1, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}}}};
   CHECK(filters::touch_in_shared_corner(face, 1, answer));
   CHECK(answer.feature_b == Feature::f1);
+}
+
+TEST_CASE("edges that are parallel are never certainly not parallel, at any magnitude") {
+  // One edge is thrice the other, in whole numbers that its rounded difference does not hold.
+  Rng rng(88);
+  long differ = 0;
+  for (int i = 0; i < 60000; ++i) {
+    const int scale = i % 3 == 0 ? -53 : i % 3 == 1 ? -568 + i % 5 : 400;  // products of 1, just subnormal, and huge
+    Query query;
+    for (double Vec3::*const axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+      constexpr std::int64_t kMost = std::int64_t{1} << 53;  // doubles hold the whole numbers up to here
+      auto length = static_cast<std::int64_t>(rng.bits() >> 12);
+      auto from = -static_cast<std::int64_t>(rng.bits() >> 11);
+      if (from + 3 * length > kMost) {
+        length /= 4;
+        from = -3 * length;
+      }
+      const auto put = [&](Vec3& corner, std::int64_t n) { corner.*axis = std::ldexp(static_cast<double>(n), scale); };
+      put(query.start[0], from);
+      put(query.start[1], from + 3 * length);
+      put(query.start[2], 0);
+      put(query.start[3], length);
+    }
+    const Vec3 &a = query.start[0], &b = query.start[1], &c = query.start[3];
+    differ += (b.x - a.x) * c.y != (b.y - a.y) * c.x;
+    REQUIRE_FALSE(filters::certainly_not_parallel(query));
+  }
+  CHECK(differ > 1000);
 }
