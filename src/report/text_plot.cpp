@@ -92,7 +92,7 @@ std::string text_plot(const SetResults& set) {
     legend += fmt::format("{}{} {}", legend.empty() ? "" : ", ",
                           capital_of(previous), previous);
   }
-  return text + legend + "; in lower case: some contact missed, invented or late\n";
+  return text + legend + "\nin lower case: some contact missed, invented or late\n";
 }
 
 }  // namespace touchstone::report
