@@ -2,7 +2,7 @@
 #include "filters/filters.hpp"
 
 #include "filters/bracket.hpp"
-#include "filters/same_side.hpp"
+#include "filters/same_side_by_ends.hpp"
 #include "filters/separating_direction.hpp"
 #include "filters/shared_corner.hpp"
 
@@ -20,9 +20,7 @@ Proof direction_proof(const Query& query) noexcept {
 }  // namespace
 
 bool same_side(const Query& query) noexcept {
-  if (!has_cubic(query.kind)) return false;
-  const Frame frame = frame_of(query);
-  return certain_same_side(frame, coplanarity_coefficients(frame));
+  return has_cubic(query.kind) && certain_same_side_by_ends(query);
 }
 
 Proof separation_proof(const Query& query) noexcept {

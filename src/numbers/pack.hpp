@@ -48,6 +48,14 @@ inline Pack<4> pack(double a, double b, double c, double d) {
   return {v};
 }
 
+inline Pack<2> pack(double a, double b) {
+  const Lane<2>::Doubles v = {a, b};
+  return {v};
+}
+
+/// The two lanes of a in the other order.
+inline Pack<2> swapped(Pack<2> a) { return pack(a.v[1], a.v[0]); }
+
 /// Lanes I, J, K, L of a.
 template <int I, int J, int K, int L>
 Pack<4> shuffled(Pack<4> a) {
