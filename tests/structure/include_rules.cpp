@@ -27,11 +27,12 @@ const std::map<std::string, Layers>& layer_table() {
       {"generators", {"geometry", "io", "seeded"}},
       {"fuzz", {"solver", "certify", "baselines", "families", "filters", "io", "numbers", "geometry", "seeded"}},
       {"io", {"geometry", "numbers"}},
+      {"sim", {"solver", "baselines", "generators", "io", "geometry"}},
       {"report", {"solver", "baselines", "generators", "io", "geometry", "seeded"}},
       {"stress", {"solver", "baselines", "report", "geometry", "seeded"}},
       {"cli",
        {"geometry", "numbers", "filters", "exact", "oracle", "solver", "certify", "baselines", "generators", "io",
-        "report", "families", "fuzz", "seeded", "stress"}},
+        "report", "families", "fuzz", "seeded", "sim", "stress"}},
   };
   return table;
 }

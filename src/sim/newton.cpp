@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "sim/newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/sparse_solver.hpp"
+
+namespace touchstone::sim {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr int kMostIterations = 100;
+constexpr int kMostHalvings = 30;
+constexpr double kFlat = 1000;   // tolerances that a step may still be long when rounding hides what it gains
+constexpr double kLever = 0.01;  // m: an angle's change counts as what it moves this far from the axis
+
+}  // namespace
+
+/// Second derivatives in the free coordinates.
+class Newton::Matrix final : public BlockSink {
+ public:
+  explicit Matrix(const System& system) : free_(static_cast<std::size_t>(system.size()), -1) {
+    int count = 0;
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      if (!system.fixed[i]) free_[i] = count++;
+    }
+    std::vector<std::vector<int>> cliques;
+    for (const Length& element : system.lengths) {
+      cliques.push_back(coordinates({3 * element.a, 3 * element.b}, {}));
+    }
+    for (const Joint& joint : system.joints) {
+      // The order of JointVector.
+      std::vector<int> all;
+      for (int k = 0; k < 3; ++k) {
+        for (Index c = 0; c < 3; ++c) all.push_back(free_[3 * joint.p[static_cast<std::size_t>(k)] + c]);
+        if (k < 2) all.push_back(free_[static_cast<std::size_t>(system.angle(k == 0 ? joint.e : joint.f))]);
+      }
+      cliques.push_back(std::move(all));
+    }
+    joint_offset_ = system.lengths.size();
+    solver_ = std::make_unique<SparseSolver>(count, cliques);
+  }
+
+  int free_count() const noexcept { return solver_->size(); }
+
+  void start(const VectorX& diagonal) {
+    solver_->clear();
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      if (free_[i] >= 0) solver_->add_diagonal(free_[i], diagonal[static_cast<Eigen::Index>(i)]);
+    }
+  }
+
+  void length(std::size_t element, const Eigen::Matrix3d& block) override {
+    Eigen::Matrix<double, 6, 6> all;
+    all << block, -block, -block, block;
+    solver_->add(element, all.data());
+  }
+
+  void joint(std::size_t element, const JointMatrix& block) override { solver_->add(joint_offset_ + element, block.data()); }
+
+  bool factorise() { return solver_->factorise(); }
+
+  /// -H^-1 gradient, zero in the fixed coordinates.
+  VectorX direction(const VectorX& gradient) const {
+    VectorX right(solver_->size());
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      if (free_[i] >= 0) right[free_[i]] = -gradient[static_cast<Eigen::Index>(i)];
+    }
+    const VectorX solution = solver_->solve(right);
+    VectorX all = VectorX::Zero(gradient.size());
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      if (free_[i] >= 0) all[static_cast<Eigen::Index>(i)] = solution[free_[i]];
+    }
+    return all;
+  }
+
+ private:
+  std::vector<int> coordinates(std::initializer_list<Index> particles, std::initializer_list<Eigen::Index> angles) const {
+    std::vector<int> all;
+    for (const Index first : particles) {
+      for (Index c = 0; c < 3; ++c) all.push_back(free_[first + c]);
+    }
+    for (const auto angle : angles) all.push_back(free_[static_cast<std::size_t>(angle)]);
+    return all;
+  }
+
+  std::vector<int> free_;
+  std::size_t joint_offset_ = 0;
+  std::unique_ptr<SparseSolver> solver_;
+};
+
+Newton::Newton(const System& system, const Settings& settings)
+    : system_(&system),
+      energy_(system),
+      drag_(settings.drag),
+      tolerance_(settings.newton_tolerance),
+      matrix_(std::make_unique<Matrix>(system)) {}
+
+Newton::~Newton() = default;
+
+Newton::Potential Newton::potential(const Stage& stage, const VectorX& q, const Frames& frames) const {
+  const auto mass = system_->mass.array();
+  const VectorX moved = q - stage.base;
+  const double inertia = 0.5 / (stage.span * stage.span) * (mass * (moved - stage.span * stage.base_velocity).array().square()).sum();
+  const double drag = 0.5 * drag_ / stage.span * (mass * moved.array().square()).sum();
+  const double load = (system_->force.array() * moved.array()).sum();
+  const double stored = energy_.value(q, frames, stage.time, stage.strains);
+  return {inertia + drag - load + stored, 64 * kEpsilon * (inertia + drag + std::abs(load) + stored)};
+}
+
+NewtonResult Newton::minimise(const Stage& stage, const VectorX& guess, VectorX& q, Frames& frames) {
+  NewtonResult result;
+  const VectorX& mass = system_->mass;
+  const auto particles = static_cast<Eigen::Index>(3 * system_->particle_count());
+  const auto size_of = [&](const VectorX& d) {
+    const auto angles = d.tail(d.size() - particles);
+    return std::max(d.head(particles).lpNorm<Eigen::Infinity>(),
+                    angles.size() > 0 ? kLever * angles.lpNorm<Eigen::Infinity>() : 0.0);
+  };
+
+  // Begin where the potential is lower: at the guess, or where nothing has moved but what must.
+  VectorX still = q;
+  for (Eigen::Index i = 0; i < q.size(); ++i) {
+    if (system_->fixed[static_cast<std::size_t>(i)]) still[i] = guess[i];
+  }
+  Frames frames_still = system_->transported(frames, q, still), frames_guess = system_->transported(frames, q, guess);
+  Potential now = potential(stage, still, frames_still);
+  const Potential at_guess = potential(stage, guess, frames_guess);
+  const bool take_guess = !std::isfinite(now.value) || at_guess.value <= now.value;
+  q = take_guess ? guess : still;
+  frames = take_guess ? std::move(frames_guess) : std::move(frames_still);
+  if (take_guess) now = at_guess;
+  if (!std::isfinite(now.value)) return result;
+  if (matrix_->free_count() == 0) {
+    result.converged = true;
+    return result;
+  }
+
+  const double inverse = 1 / (stage.span * stage.span);
+  const VectorX diagonal = (inverse + drag_ / stage.span) * mass;
+  for (result.iterations = 1; result.iterations <= kMostIterations; ++result.iterations) {
+    VectorX gradient = VectorX::Zero(q.size());
+    matrix_->start(diagonal);
+    energy_.derivatives(q, frames, stage.time, stage.strains, Curvature::exact, gradient, matrix_.get());
+    const double stored_force = gradient.lpNorm<1>();
+    if (!matrix_->factorise()) {
+      ++result.convex;
+      matrix_->start(diagonal);
+      VectorX ignored = VectorX::Zero(q.size());
+      energy_.derivatives(q, frames, stage.time, stage.strains, Curvature::convex, ignored, matrix_.get());
+      if (!matrix_->factorise()) return result;
+    }
+    const VectorX moved = q - stage.base;
+    gradient += inverse * mass.cwiseProduct(moved - stage.span * stage.base_velocity) +
+                drag_ / stage.span * mass.cwiseProduct(moved) - system_->force;
+    const VectorX direction = matrix_->direction(gradient);
+    const double slope = gradient.dot(direction);
+    const double reach = size_of(direction);
+    if (!std::isfinite(slope) || !std::isfinite(reach)) return result;
+
+    // Coordinates are rounded: so much of the potential, and of a step, means nothing.
+    const double ulp = kEpsilon * q.head(particles).lpNorm<Eigen::Infinity>();
+    const double noise = now.noise + ulp * stored_force;
+    const double enough = std::max(tolerance_ * stage.span, 16 * ulp);
+    double share = 1;
+    bool lower = false;
+    for (int halving = 0; halving <= kMostHalvings && !lower; ++halving) {
+      const VectorX trial = q + share * direction;
+      Frames frames_trial = system_->transported(frames, q, trial);
+      const Potential there = potential(stage, trial, frames_trial);
+      lower = std::isfinite(there.value) && there.value <= now.value + 1e-4 * share * slope + noise;
+      if (lower) {
+        q = trial;
+        frames = std::move(frames_trial);
+        now = there;
+      } else {
+        share /= 2;
+      }
+    }
+    result.last_step = reach / stage.span;
+    if (!lower) return result;
+    // Where the potential is so flat that rounding hides what a step gains, no method can tell the places apart.
+    const bool flat = -slope <= noise && reach <= kFlat * enough;
+    if (share == 1 && (reach <= enough || flat)) {
+      result.converged = true;
+      return result;
+    }
+  }
+  return result;
+}
+
+}  // namespace touchstone::sim

@@ -1,0 +1,111 @@
+// What is simulated: particles, springs, cables and faces, and the settings of a run. Units are SI throughout.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace touchstone::sim {
+
+using Index = std::uint32_t;
+using Vector3 = Eigen::Vector3d;
+
+/// A point of a driven particle's path, which is straight between waypoints and rests before and after them.
+struct Waypoint {
+  double time = 0;  ///< s
+  Vector3 position = Vector3::Zero();
+};
+
+struct Particle {
+  Vector3 position = Vector3::Zero();  ///< m
+  Vector3 velocity = Vector3::Zero();  ///< m/s
+  Vector3 force = Vector3::Zero();     ///< N, constant
+  double mass = 0;                     ///< kg, beside what its cables add
+  std::array<bool, 3> fixed{};         ///< coordinates that never change
+  std::vector<Waypoint> path;          ///< not empty: driven, and all three coordinates follow it
+
+  bool pinned() const noexcept { return !path.empty() || (fixed[0] && fixed[1] && fixed[2]); }
+};
+
+struct Spring {
+  Index a = 0, b = 0;
+  double stiffness = 0;    ///< N/m
+  double damping = 0;      ///< N s/m
+  double rest_length = 0;  ///< m
+  bool collides = true;    ///< whether it is an edge for collisions, or only a force
+};
+
+/// An end of a cable. Clamped: its direction and, when it twists, its material frame are held as well.
+struct CableEnd {
+  bool clamped = false;
+  double twist_rate = 0;     ///< rad/s at which a clamped end is turned about its axis
+  double twist_until = 1e9;  ///< s after which it rests
+};
+
+/// A discrete elastic rod through particles, with a circular cross-section.
+struct Cable {
+  std::vector<Index> particles;
+  bool closed = false;  ///< a ring: the last particle is joined to the first one
+  double radius = 0;    ///< m
+  double density = 0;   ///< kg/m^3
+  double stretch = 0;   ///< E A, N
+  double bend = 0;      ///< E I, N m^2; 0: it does not resist bending
+  double twist = 0;     ///< G J, N m^2; 0: it does not resist twist, and has no angles
+  double damping = 0;   ///< s: internal stress is stiffness * (strain + damping * strain rate)
+  std::array<double, 2> natural_curvature{};  ///< 1/m, in the material frame
+  bool rest_is_bent = false;                  ///< the bends at rest are those of the initial positions
+  double length_scale = 1;                    ///< length at rest over the initial one: above 1 slack, below 1 taut
+  CableEnd start, end;
+  double closing_twist_rate = 0;     ///< rad/s at which a ring is cut, turned and joined again
+  double closing_twist_until = 1e9;  ///< s
+
+  std::size_t edge_count() const noexcept { return closed ? particles.size() : particles.size() - 1; }
+};
+
+using Edge = std::array<Index, 2>;
+using Face = std::array<Index, 3>;
+
+enum class Integrator : std::uint8_t {
+  implicit_euler,     ///< first order, damps what is too fast for the step: the default
+  tr_bdf2,            ///< second order, and still damps what is too fast
+  implicit_midpoint,  ///< second order, keeps the energy of linear springs
+  symplectic_euler    ///< explicit: cheap, for soft scenes; the step must be shorter than the stiffest period / pi
+};
+std::string_view integrator_name(Integrator integrator) noexcept;
+
+struct ContactSettings {
+  double restitution = 0.5;  ///< in [0, 1]
+  double friction = 0;       ///< Coulomb's coefficient, >= 0
+  double thickness = 0;      ///< m: closer elements are pushed apart gently; 0: a fiftieth of the shortest edge
+  int passes = 8;            ///< of impulses, before the fail-safe
+};
+
+struct Settings {
+  double time_step = 1.0 / 60;  ///< s
+  double duration = 1;          ///< s
+  Integrator integrator = Integrator::implicit_euler;
+  Vector3 gravity{0, 0, -9.81};  ///< m/s^2
+  double drag = 0;               ///< 1/s: force -drag * mass * velocity
+  double newton_tolerance = 1e-6;  ///< m/s: a step's velocities are converged to about this
+  ContactSettings contact;
+};
+
+struct Scene {
+  std::string name;
+  Settings settings;
+  std::vector<Particle> particles;
+  std::vector<Spring> springs;
+  std::vector<Cable> cables;
+  std::vector<Edge> wires;  ///< edges that only collide
+  std::vector<Face> faces;
+};
+
+/// @throws Error naming the element whose numbers make no sense (indices, ranges, not finite)
+void check_scene(const Scene& scene);
+
+}  // namespace touchstone::sim

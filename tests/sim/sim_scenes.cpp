@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "sim/sim_scenes.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include <numbers>
+
+namespace touchstone::sim {
+
+DenseSink::DenseSink(const System& system)
+    : matrix(Eigen::MatrixXd::Zero(system.size(), system.size())), system_(&system) {}
+
+void DenseSink::length(std::size_t element, const Eigen::Matrix3d& block) {
+  const Eigen::Index a = 3 * system_->lengths[element].a, b = 3 * system_->lengths[element].b;
+  matrix.block<3, 3>(a, a) += block;
+  matrix.block<3, 3>(b, b) += block;
+  matrix.block<3, 3>(a, b) -= block;
+  matrix.block<3, 3>(b, a) -= block;
+}
+
+void DenseSink::joint(std::size_t element, const JointMatrix& block) {
+  const Joint& j = system_->joints[element];
+  std::array<Eigen::Index, 11> at{};
+  for (Eigen::Index c = 0; c < 3; ++c) {
+    for (std::size_t k = 0; k < 3; ++k) at[4 * k + static_cast<std::size_t>(c)] = 3 * static_cast<Eigen::Index>(j.p[k]) + c;
+  }
+  at[3] = system_->angle(j.e);
+  at[7] = system_->angle(j.f);
+  for (std::size_t r = 0; r < 11; ++r) {
+    for (std::size_t c = 0; c < 11; ++c) matrix(at[r], at[c]) += block(static_cast<int>(r), static_cast<int>(c));
+  }
+}
+
+double smallest_eigenvalue(const Eigen::MatrixXd& symmetric) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues().minCoeff();
+}
+
+Cable& add_cable(Scene& scene, const Vector3& from, const Vector3& to, Index segments) {
+  Cable cable;
+  for (Index i = 0; i <= segments; ++i) {
+    cable.particles.push_back(static_cast<Index>(scene.particles.size()));
+    Particle p;
+    p.position = from + (to - from) * (static_cast<double>(i) / segments);
+    scene.particles.push_back(p);
+  }
+  scene.cables.push_back(cable);
+  return scene.cables.back();
+}
+
+void set_material(Cable& cable, double young, double poisson, double radius, double density) {
+  const double area = std::numbers::pi * radius * radius;
+  const double moment = area * radius * radius / 4;
+  cable.radius = radius;
+  cable.density = density;
+  cable.stretch = young * area;
+  cable.bend = young * moment;
+  cable.twist = young / (2 * (1 + poisson)) * 2 * moment;
+}
+
+}  // namespace touchstone::sim
