@@ -43,6 +43,32 @@ class Newton::Matrix final : public BlockSink {
     solver_ = std::make_unique<SparseSolver>(count, cliques);
   }
 
+  /// The contacts of the next minimisation.
+  void set_contacts(const std::vector<ContactTerm>& contacts) {
+    if (contacts.empty() && contact_count_ == 0) return;
+    contact_count_ = contacts.size();
+    std::vector<std::vector<int>> cliques;
+    for (const ContactTerm& term : contacts) {
+      std::vector<int> all;
+      for (std::size_t c = 0; c < 4; ++c) {
+        for (Index k = 0; k < 3; ++k) all.push_back(c < term.corners ? free_[3 * term.particles[c] + k] : -1);
+      }
+      cliques.push_back(std::move(all));
+    }
+    solver_->set_extra(cliques);
+  }
+
+  void contact(std::size_t number, const ContactTerm& term, const Eigen::Matrix3d& block) {
+    Eigen::Matrix<double, 12, 12> all = Eigen::Matrix<double, 12, 12>::Zero();
+    for (std::size_t a = 0; a < term.corners; ++a) {
+      for (std::size_t b = 0; b < term.corners; ++b) {
+        all.block<3, 3>(3 * static_cast<Eigen::Index>(a), 3 * static_cast<Eigen::Index>(b)) =
+            term.omega[a] * term.omega[b] * block;
+      }
+    }
+    solver_->add_extra(number, all.data());
+  }
+
   int free_count() const noexcept { return solver_->size(); }
 
   void start(const VectorX& diagonal) {
@@ -88,6 +114,7 @@ class Newton::Matrix final : public BlockSink {
 
   std::vector<int> free_;
   std::size_t joint_offset_ = 0;
+  std::size_t contact_count_ = 0;
   std::unique_ptr<SparseSolver> solver_;
 };
 
@@ -107,7 +134,10 @@ Newton::Potential Newton::potential(const Stage& stage, const VectorX& q, const 
   const double drag = 0.5 * drag_ / stage.span * (mass * moved.array().square()).sum();
   const double load = (system_->force.array() * moved.array()).sum();
   const double stored = energy_.value(q, frames, stage.time, stage.strains);
-  return {inertia + drag - load + stored, 64 * kEpsilon * (inertia + drag + std::abs(load) + stored)};
+  double contact = 0;
+  for (const ContactTerm& term : stage.contacts) contact += contact_value(term, stage.base, q);
+  return {inertia + drag - load + stored + contact,
+          64 * kEpsilon * (inertia + drag + std::abs(load) + stored + contact)};
 }
 
 NewtonResult Newton::minimise(const Stage& stage, const VectorX& guess, VectorX& q, Frames& frames) {
@@ -138,18 +168,31 @@ NewtonResult Newton::minimise(const Stage& stage, const VectorX& guess, VectorX&
     return result;
   }
 
+  matrix_->set_contacts(stage.contacts);
+  const auto add_contacts = [&](VectorX& gradient) {
+    for (std::size_t i = 0; i < stage.contacts.size(); ++i) {
+      const ContactTerm& term = stage.contacts[i];
+      const ContactDerivatives d = contact_derivatives(term, stage.base, q);
+      for (std::size_t c = 0; c < term.corners; ++c) {
+        gradient.segment<3>(3 * static_cast<Eigen::Index>(term.particles[c])) += term.omega[c] * d.gradient;
+      }
+      matrix_->contact(i, term, d.hessian);
+    }
+  };
   const double inverse = 1 / (stage.span * stage.span);
   const VectorX diagonal = (inverse + drag_ / stage.span) * mass;
   for (result.iterations = 1; result.iterations <= kMostIterations; ++result.iterations) {
     VectorX gradient = VectorX::Zero(q.size());
     matrix_->start(diagonal);
     energy_.derivatives(q, frames, stage.time, stage.strains, Curvature::exact, gradient, matrix_.get());
+    add_contacts(gradient);
     const double stored_force = gradient.lpNorm<1>();
     if (!matrix_->factorise()) {
       ++result.convex;
       matrix_->start(diagonal);
       VectorX ignored = VectorX::Zero(q.size());
       energy_.derivatives(q, frames, stage.time, stage.strains, Curvature::convex, ignored, matrix_.get());
+      add_contacts(ignored);
       if (!matrix_->factorise()) return result;
     }
     const VectorX moved = q - stage.base;

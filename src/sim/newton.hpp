@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "sim/contact_potential.hpp"
 #include "sim/energy.hpp"
 
 namespace touchstone::sim {
@@ -15,6 +16,7 @@ struct Stage {
   double span = 0;  ///< s
   double time = 0;  ///< at its end, s
   Strains strains;  ///< with the damping of this span
+  std::vector<ContactTerm> contacts;  ///< relative to base
 };
 
 struct NewtonResult {

@@ -5,25 +5,21 @@
 #include <Eigen/SparseCore>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
+#include <iterator>
 
 namespace touchstone::sim {
+namespace {
 
-struct SparseSolver::Parts {
-  Eigen::SparseMatrix<double> matrix;  // the lower triangle
-  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::AMDOrdering<int>> cholesky;
-  std::vector<int> diagonal;          // where each row's is among the values
-  std::vector<std::size_t> first;     // of each block in `places`, and one past the last
-  std::vector<int> places;            // of each block's entries among the values, column by column; -1: left out
-};
+using Blocks = std::vector<std::vector<int>>;
+using Keys = std::vector<std::uint64_t>;  // column and row of entries of the lower triangle, ascending
 
-SparseSolver::SparseSolver(int size, const std::vector<std::vector<int>>& blocks) : parts_(std::make_unique<Parts>()) {
-  std::vector<std::uint64_t> keys;  // column, row
-  const auto key = [](int row, int column) {
-    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(column)) << 32 | static_cast<std::uint32_t>(row);
-  };
-  for (int i = 0; i < size; ++i) keys.push_back(key(i, i));
+std::uint64_t key(int row, int column) {
+  return static_cast<std::uint64_t>(static_cast<std::uint32_t>(column)) << 32 | static_cast<std::uint32_t>(row);
+}
+
+Keys keys_of(const Blocks& blocks) {
+  Keys keys;
   for (const auto& block : blocks) {
     for (const int column : block) {
       for (const int row : block) {
@@ -33,47 +29,124 @@ SparseSolver::SparseSolver(int size, const std::vector<std::vector<int>>& blocks
   }
   std::sort(keys.begin(), keys.end());
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  return keys;
+}
 
-  auto& m = parts_->matrix;
-  m.resize(size, size);
-  m.resizeNonZeros(static_cast<Eigen::Index>(keys.size()));
-  int column = -1;
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    for (const auto c = static_cast<int>(keys[i] >> 32); column < c;) m.outerIndexPtr()[++column] = static_cast<int>(i);
-    m.innerIndexPtr()[i] = static_cast<int>(keys[i] & 0xffffffffu);
-  }
-  while (column < size) m.outerIndexPtr()[++column] = static_cast<int>(keys.size());
-  std::fill_n(m.valuePtr(), keys.size(), 1.0);
+/// Where each entry of the blocks is among the keys, column by column; -1 for the upper triangle and what is left out.
+struct Places {
+  std::vector<int> all;
+  std::vector<std::size_t> first;  // of each block, and one past the last
 
-  const auto place = [&](int row, int col) {
-    return static_cast<int>(std::lower_bound(keys.begin(), keys.end(), key(row, col)) - keys.begin());
-  };
-  for (int i = 0; i < size; ++i) parts_->diagonal.push_back(place(i, i));
-  for (const auto& block : blocks) {
-    parts_->first.push_back(parts_->places.size());
-    for (const int c : block) {
-      for (const int r : block) parts_->places.push_back(c >= 0 && r >= c ? place(r, c) : -1);
+  void find(const Blocks& blocks, const Keys& keys) {
+    all.clear();
+    first.clear();
+    for (const auto& block : blocks) {
+      first.push_back(all.size());
+      for (const int c : block) {
+        for (const int r : block) {
+          if (c < 0 || r < c) {
+            all.push_back(-1);
+          } else {
+            all.push_back(static_cast<int>(std::lower_bound(keys.begin(), keys.end(), key(r, c)) - keys.begin()));
+          }
+        }
+      }
     }
+    first.push_back(all.size());
   }
-  parts_->first.push_back(parts_->places.size());
-  if (size > 0) parts_->cholesky.analyzePattern(m);
+};
+
+}  // namespace
+
+struct SparseSolver::Parts {
+  using Matrix = Eigen::SparseMatrix<double>;
+  Matrix matrix;  // the lower triangle
+  Eigen::SimplicialLLT<Matrix, Eigen::Lower, Eigen::AMDOrdering<int>> cholesky;
+  Keys keys;
+  Places places;
+  std::vector<int> diagonal;  // where each row's is among the keys
+  Places extra;
+  std::vector<int> shift;     // from places among the keys to places among the values; empty while they are the same
+
+  void take_pattern(const Keys& entries, int size) {
+    matrix.resize(size, size);
+    matrix.resizeNonZeros(static_cast<Eigen::Index>(entries.size()));
+    int column = -1;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      for (const auto c = static_cast<int>(entries[i] >> 32); column < c;) matrix.outerIndexPtr()[++column] = static_cast<int>(i);
+      matrix.innerIndexPtr()[i] = static_cast<int>(entries[i] & 0xffffffffu);
+    }
+    while (column < size) matrix.outerIndexPtr()[++column] = static_cast<int>(entries.size());
+    std::fill_n(matrix.valuePtr(), entries.size(), 1.0);
+    if (size > 0) cholesky.analyzePattern(matrix);
+  }
+
+  int value(int place) const { return shift.empty() ? place : shift[static_cast<std::size_t>(place)]; }
+};
+
+SparseSolver::SparseSolver(int size, const Blocks& blocks) : parts_(std::make_unique<Parts>()) {
+  Keys& keys = parts_->keys;
+  keys = keys_of(blocks);
+  Keys diagonal;
+  for (int i = 0; i < size; ++i) diagonal.push_back(key(i, i));
+  Keys all;
+  std::set_union(keys.begin(), keys.end(), diagonal.begin(), diagonal.end(), std::back_inserter(all));
+  keys = std::move(all);
+  for (const auto entry : diagonal) {
+    parts_->diagonal.push_back(static_cast<int>(std::lower_bound(keys.begin(), keys.end(), entry) - keys.begin()));
+  }
+  parts_->places.find(blocks, keys);
+  parts_->take_pattern(keys, size);
 }
 
 SparseSolver::~SparseSolver() = default;
+
+void SparseSolver::set_extra(const Blocks& blocks) {
+  const Keys& keys = parts_->keys;
+  const Keys wanted = keys_of(blocks);
+  Keys more;
+  std::set_difference(wanted.begin(), wanted.end(), keys.begin(), keys.end(), std::back_inserter(more));
+  if (more.empty()) {
+    // Contacts with what is pinned couple nothing new: the pattern can stay, or go back to what it was.
+    if (!parts_->shift.empty()) {
+      parts_->shift.clear();
+      parts_->take_pattern(keys, size());
+    }
+    parts_->extra.find(blocks, keys);
+    return;
+  }
+  Keys all;
+  std::merge(keys.begin(), keys.end(), more.begin(), more.end(), std::back_inserter(all));
+  parts_->shift.resize(keys.size());
+  for (std::size_t i = 0, j = 0; i < keys.size(); ++i) {
+    while (j < more.size() && more[j] < keys[i]) ++j;
+    parts_->shift[i] = static_cast<int>(i + j);
+  }
+  parts_->extra.find(blocks, all);
+  parts_->take_pattern(all, size());
+}
 
 int SparseSolver::size() const noexcept { return static_cast<int>(parts_->diagonal.size()); }
 
 void SparseSolver::clear() { std::fill_n(parts_->matrix.valuePtr(), parts_->matrix.nonZeros(), 0.0); }
 
 void SparseSolver::add_diagonal(int row, double value) {
-  parts_->matrix.valuePtr()[parts_->diagonal[static_cast<std::size_t>(row)]] += value;
+  parts_->matrix.valuePtr()[parts_->value(parts_->diagonal[static_cast<std::size_t>(row)])] += value;
 }
 
 void SparseSolver::add(std::size_t block, const double* column_major) {
   double* const values = parts_->matrix.valuePtr();
-  const std::size_t last = parts_->first[block + 1];
-  for (std::size_t i = parts_->first[block]; i < last; ++i, ++column_major) {
-    if (const int place = parts_->places[i]; place >= 0) values[place] += *column_major;
+  const std::size_t last = parts_->places.first[block + 1];
+  for (std::size_t i = parts_->places.first[block]; i < last; ++i, ++column_major) {
+    if (const int place = parts_->places.all[i]; place >= 0) values[parts_->value(place)] += *column_major;
+  }
+}
+
+void SparseSolver::add_extra(std::size_t block, const double* column_major) {
+  double* const values = parts_->matrix.valuePtr();
+  const std::size_t last = parts_->extra.first[block + 1];
+  for (std::size_t i = parts_->extra.first[block]; i < last; ++i, ++column_major) {
+    if (const int place = parts_->extra.all[i]; place >= 0) values[place] += *column_major;
   }
 }
 

@@ -17,10 +17,15 @@ class SparseSolver {
   SparseSolver(const SparseSolver&) = delete;
   SparseSolver& operator=(const SparseSolver&) = delete;
 
+  /// Further blocks, in place of those that were given last time.
+  void set_extra(const std::vector<std::vector<int>>& blocks);
+
   int size() const noexcept;
   void clear();
   void add_diagonal(int row, double value);
   void add(std::size_t block, const double* column_major);  ///< a symmetric block, of the size given at first
+
+  void add_extra(std::size_t block, const double* column_major);
 
   /// False when the matrix is not positive definite.
   bool factorise();

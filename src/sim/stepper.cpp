@@ -2,6 +2,7 @@
 #include "sim/stepper.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace touchstone::sim {
 
@@ -79,11 +80,24 @@ Stepper::Solution Stepper::solve(const State& state, const Stage& stage, const V
   return solution;
 }
 
+Stage Stepper::euler_stage(const State& state, double h) const {
+  return {state.q, state.v, h, state.time + h, energy_.damped(energy_.strains(state.q, state.frames, state.time), h), {}};
+}
+
 Advance Stepper::implicit_euler(const State& state, double h) {
   Advance advance;
-  const Stage stage{state.q, state.v, h, state.time + h,
-                    energy_.damped(energy_.strains(state.q, state.frames, state.time), h)};
-  advance.state = solve(state, stage, state.v, advance).state;
+  advance.state = solve(state, euler_stage(state, h), state.v, advance).state;
+  return advance;
+}
+
+Advance Stepper::advance_with(const State& state, double h, std::vector<ContactTerm> contacts, const VectorX& near) {
+  Advance advance;
+  Stage stage = euler_stage(state, h);
+  stage.contacts = std::move(contacts);
+  advance.state = solve(state, stage, (near - state.q) / h, advance).state;
+  if (!advance.converged) return advance;
+  finish(state, h, advance.state);
+  advance.converged = advance.state.q.allFinite() && advance.state.v.allFinite();
   return advance;
 }
 
@@ -91,7 +105,7 @@ Advance Stepper::implicit_midpoint(const State& state, double h) {
   // Half a step of implicit Euler to the middle, and as far again.
   Advance advance;
   const Stage stage{state.q, state.v, h / 2, state.time + h / 2,
-                    energy_.damped(energy_.strains(state.q, state.frames, state.time), h / 2)};
+                    energy_.damped(energy_.strains(state.q, state.frames, state.time), h / 2), {}};
   const State middle = solve(state, stage, state.v, advance).state;
   if (!advance.converged) return advance;
   advance.state.q = 2 * middle.q - state.q;

@@ -29,12 +29,17 @@ class Stepper {
   /// `state` moved on by h seconds. Not converged: the step is too long for it; `advance.state` means nothing.
   Advance advance(const State& state, double h);
 
+  /// One step of implicit Euler with contacts in its potential, whatever the scene's integrator is. It begins to
+  /// search at `near`.
+  Advance advance_with(const State& state, double h, std::vector<ContactTerm> contacts, const VectorX& near);
+
   /// What acts at this state, over mass: zero in fixed coordinates.
   VectorX acceleration(const State& state) const;
 
  private:
   struct Solution;
   Solution solve(const State& state, const Stage& stage, const VectorX& guess_velocity, Advance& advance);
+  Stage euler_stage(const State& state, double h) const;
   Advance implicit_euler(const State& state, double h);
   Advance implicit_midpoint(const State& state, double h);
   Advance tr_bdf2(const State& state, double h);

@@ -3,8 +3,6 @@
 
 #include <Eigen/Eigenvalues>
 
-#include <numbers>
-
 namespace touchstone::sim {
 
 DenseSink::DenseSink(const System& system)
@@ -45,16 +43,6 @@ Cable& add_cable(Scene& scene, const Vector3& from, const Vector3& to, Index seg
   }
   scene.cables.push_back(cable);
   return scene.cables.back();
-}
-
-void set_material(Cable& cable, double young, double poisson, double radius, double density) {
-  const double area = std::numbers::pi * radius * radius;
-  const double moment = area * radius * radius / 4;
-  cable.radius = radius;
-  cable.density = density;
-  cable.stretch = young * area;
-  cable.bend = young * moment;
-  cable.twist = young / (2 * (1 + poisson)) * 2 * moment;
 }
 
 }  // namespace touchstone::sim

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "sim/energy.hpp"
+#include "sim/scene_parts.hpp"
 
 namespace touchstone::sim {
 
@@ -25,8 +26,5 @@ double smallest_eigenvalue(const Eigen::MatrixXd& symmetric);
 
 /// A straight cable of n equal segments from `from` to `to`; its particles come after those of the scene.
 Cable& add_cable(Scene& scene, const Vector3& from, const Vector3& to, Index segments);
-
-/// E A, E I and G J of a round section.
-void set_material(Cable& cable, double young, double poisson, double radius, double density);
 
 }  // namespace touchstone::sim

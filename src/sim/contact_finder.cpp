@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "sim/contact_finder.hpp"
+
+#include <algorithm>
+
+namespace touchstone::sim {
+
+void ContactFinder::begin(const VectorX& x0, const VectorX& x1, double margin) {
+  x0_ = x0;
+  margin_ = margin;
+  pairs_ = elements_->candidates(x0, x1, margin);
+  asked_.assign(pairs_.size(), 0);
+  // A little less than the margin, so that rounding here cannot let a particle leave its box.
+  low_ = (x0.cwiseMin(x1).array() - 0.999 * margin).matrix();
+  high_ = (x0.cwiseMax(x1).array() + 0.999 * margin).matrix();
+}
+
+std::vector<Contact> ContactFinder::close(double thickness) const {
+  std::vector<Contact> all;
+  Contact contact;
+  for (const Pair& pair : pairs_) {
+    if (proximity(*elements_, pair, x0_, thickness, contact)) all.push_back(contact);
+  }
+  return all;
+}
+
+void ContactFinder::find(const VectorX& x1, std::vector<Contact>& found, ResponseCounts& counts) {
+  found.clear();
+  std::vector<Pair> open;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    if (asked_[i]) continue;
+    asked_[i] = 1;
+    open.push_back(pairs_[i]);
+    places.push_back(i);
+  }
+  const LevelCounts levels = solver_.contacts(open, x0_, x1, [&](std::size_t i, const Answer& answer) {
+    const bool planar = open[i].kind == Kind::point_edge || open[i].kind == Kind::point_point;
+    found.push_back(contact_of(*elements_, open[i], x0_, x1, answer, planar || solver_.exact()));
+    ++counts.natures[static_cast<std::size_t>(answer.nature)];
+    asked_[places[i]] = 0;  // until it is known to be gone
+  });
+  counts.queries += open.size();
+  counts.contacts += found.size();
+  counts.levels.filter += levels.filter;
+  counts.levels.bracket += levels.bracket;
+  counts.levels.exact += levels.exact;
+  // toi is the largest double that is not later than the exact time, so equal ones are as good as simultaneous.
+  std::stable_sort(found.begin(), found.end(), [](const Contact& a, const Contact& b) { return a.time < b.time; });
+}
+
+bool ContactFinder::has_room(const VectorX& x1, Index particle) const {
+  const auto at = 3 * static_cast<Eigen::Index>(particle);
+  return (x1.segment<3>(at).array() >= low_.segment<3>(at).array()).all() &&
+         (x1.segment<3>(at).array() <= high_.segment<3>(at).array()).all();
+}
+
+void ContactFinder::moved(const VectorX& x1, const std::vector<char>& particles) {
+  for (Index p = 0; p < particles.size(); ++p) {
+    if (!particles[p] || has_room(x1, p)) continue;
+    begin(x0_, x1, 2 * margin_);
+    return;
+  }
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const auto corners = elements_->corners(pairs_[i]);
+    for (std::size_t c = 0; c < corner_count(pairs_[i].kind); ++c) {
+      if (particles[corners[c]]) asked_[i] = 0;
+    }
+  }
+}
+
+}  // namespace touchstone::sim

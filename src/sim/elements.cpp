@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "sim/elements.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "generators/broad_phase.hpp"
+
+namespace touchstone::sim {
+namespace {
+
+using generators::Box;
+
+/// Wider by `margin` in exact arithmetic: rounding goes outward.
+void widen(Box& box, double margin) {
+  if (margin == 0) return;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.low[k] = std::nextafter(box.low[k] - margin, -kInfinity);
+    box.high[k] = std::nextafter(box.high[k] + margin, kInfinity);
+  }
+}
+
+/// Boxes of particles during the step; those of elements are their unions.
+std::vector<Box> particle_boxes(std::size_t count, const VectorX& x0, const VectorX& x1, double margin) {
+  std::vector<Box> boxes(count, generators::empty_box());
+  for (Index p = 0; p < count; ++p) {
+    generators::extend(boxes[p], corner_of(x0, p));
+    generators::extend(boxes[p], corner_of(x1, p));
+    widen(boxes[p], margin);
+  }
+  return boxes;
+}
+
+template <std::size_t N>
+std::vector<Box> boxes_of(const std::vector<std::array<Index, N>>& elements, const std::vector<Box>& particles) {
+  std::vector<Box> boxes;
+  boxes.reserve(elements.size());
+  for (const auto& element : elements) {
+    Box box = particles[element[0]];
+    for (std::size_t c = 1; c < N; ++c) {
+      const Box& other = particles[element[c]];
+      for (std::size_t k = 0; k < 3; ++k) {
+        box.low[k] = std::min(box.low[k], other.low[k]);
+        box.high[k] = std::max(box.high[k], other.high[k]);
+      }
+    }
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+std::vector<Box> boxes_of(const std::vector<Index>& points, const std::vector<Box>& particles) {
+  std::vector<Box> boxes;
+  boxes.reserve(points.size());
+  for (const Index p : points) boxes.push_back(particles[p]);
+  return boxes;
+}
+
+template <std::size_t N>
+bool contains(const std::array<Index, N>& element, Index particle) {
+  return std::find(element.begin(), element.end(), particle) != element.end();
+}
+
+}  // namespace
+
+Elements::Elements(const Scene& scene, const System& system) : faces_(scene.faces) {
+  for (const Spring& spring : scene.springs) {
+    if (spring.collides) edges_.push_back({spring.a, spring.b});
+  }
+  for (const Cable& cable : scene.cables) {
+    for (std::size_t j = 0; j < cable.edge_count(); ++j) {
+      edges_.push_back({cable.particles[j], cable.particles[(j + 1) % cable.particles.size()]});
+    }
+  }
+  edges_.insert(edges_.end(), scene.wires.begin(), scene.wires.end());
+  for (const Face& face : faces_) {
+    for (std::size_t k = 0; k < 3; ++k) edges_.push_back({face[k], face[(k + 1) % 3]});
+  }
+  for (Edge& edge : edges_) std::sort(edge.begin(), edge.end());
+  std::sort(edges_.begin(), edges_.end());
+  edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+
+  const std::size_t count = scene.particles.size();
+  moves_.assign(system.particle_count(), 0);
+  for (std::size_t p = 0; p < count; ++p) moves_[p] = !scene.particles[p].path.empty() || !scene.particles[p].pinned();
+
+  // A particle that only springs without collision hold, such as the middle of a ball, is nothing that could be hit.
+  std::vector<char> hidden(count, 0), in_edge(count, 0);
+  for (const Spring& spring : scene.springs) {
+    if (!spring.collides) hidden[spring.a] = hidden[spring.b] = 1;
+  }
+  std::vector<std::vector<Index>> edges_at(count);
+  shortest_ = edges_.empty() ? 1 : std::numeric_limits<double>::infinity();
+  for (Index e = 0; e < edges_.size(); ++e) {
+    for (const Index p : edges_[e]) {
+      in_edge[p] = 1;
+      edges_at[p].push_back(e);
+    }
+    shortest_ = std::min(shortest_, (position(system.initial_position, edges_[e][0]) -
+                                     position(system.initial_position, edges_[e][1])).norm());
+  }
+  for (Index p = 0; p < count; ++p) {
+    if (in_edge[p] || !hidden[p]) vertices_.push_back(p);
+    if (!in_edge[p] && !hidden[p]) points_.push_back(p);
+    for (const Index e : edges_at[p]) {
+      for (const Index other : edges_at[p]) {
+        const Index end = edges_[other][0] == p ? edges_[other][1] : edges_[other][0];
+        if (e != other && can_move({Kind::point_edge, end, e})) folds_.push_back({end, e});
+      }
+    }
+  }
+  const bool anything_moves = std::any_of(moves_.begin(), moves_.end(), [](char m) { return m != 0; });
+  passes_.edge_edge = anything_moves && edges_.size() > 1;
+  passes_.vertex_face = anything_moves && !faces_.empty() && vertices_.size() > 3;
+  passes_.joints = !folds_.empty();
+  passes_.points = anything_moves && !points_.empty() && points_.size() + edges_.size() > 1;
+}
+
+std::array<Index, 4> Elements::corners(const Pair& pair) const noexcept {
+  switch (pair.kind) {
+    case Kind::edge_edge: return {edges_[pair.i][0], edges_[pair.i][1], edges_[pair.j][0], edges_[pair.j][1]};
+    case Kind::vertex_face: return {pair.i, faces_[pair.j][0], faces_[pair.j][1], faces_[pair.j][2]};
+    case Kind::point_edge: return {pair.i, edges_[pair.j][0], edges_[pair.j][1], 0};
+    case Kind::point_point: return {pair.i, pair.j, 0, 0};
+  }
+  return {};
+}
+
+Query Elements::query(const Pair& pair, const VectorX& x0, const VectorX& x1) const noexcept {
+  Query query;
+  query.kind = pair.kind;
+  const auto particles = corners(pair);
+  for (std::size_t c = 0; c < corner_count(pair.kind); ++c) {
+    query.start[c] = corner_of(x0, particles[c]);
+    query.end[c] = corner_of(x1, particles[c]);
+  }
+  return query;
+}
+
+bool Elements::can_move(const Pair& pair) const noexcept {
+  const auto particles = corners(pair);
+  for (std::size_t c = 0; c < corner_count(pair.kind); ++c) {
+    if (moves_[particles[c]]) return true;
+  }
+  return false;
+}
+
+std::vector<Pair> Elements::candidates(const VectorX& x0, const VectorX& x1, double margin) const {
+  std::vector<Pair> pairs;
+  const auto particles = particle_boxes(moves_.size(), x0, x1, margin);
+  const auto add = [&](const Pair& pair) {
+    if (can_move(pair)) pairs.push_back(pair);
+  };
+  std::vector<Box> edge_boxes;
+  if (passes_.edge_edge || passes_.points) edge_boxes = boxes_of(edges_, particles);
+  if (passes_.edge_edge) {
+    generators::for_each_overlap(edge_boxes, [&](Index i, Index j) {
+      if (!contains(edges_[j], edges_[i][0]) && !contains(edges_[j], edges_[i][1])) add({Kind::edge_edge, i, j});
+    });
+  }
+  if (passes_.vertex_face) {
+    generators::for_each_overlap(boxes_of(vertices_, particles), boxes_of(faces_, particles), [&](Index i, Index j) {
+      if (!contains(faces_[j], vertices_[i])) add({Kind::vertex_face, vertices_[i], j});
+    });
+  }
+  if (passes_.joints) {
+    for (const Fold& fold : folds_) {
+      Box box = particles[edges_[fold.edge][0]];
+      const Box& other = particles[edges_[fold.edge][1]];
+      for (std::size_t k = 0; k < 3; ++k) {
+        box.low[k] = std::min(box.low[k], other.low[k]);
+        box.high[k] = std::max(box.high[k], other.high[k]);
+      }
+      if (generators::overlap(particles[fold.particle], box)) pairs.push_back({Kind::point_edge, fold.particle, fold.edge});
+    }
+  }
+  if (passes_.points) {
+    const auto point_boxes = boxes_of(points_, particles);
+    generators::for_each_overlap(point_boxes, edge_boxes,
+                                 [&](Index i, Index j) { add({Kind::point_edge, points_[i], j}); });
+    generators::for_each_overlap(point_boxes, [&](Index i, Index j) { add({Kind::point_point, points_[i], points_[j]}); });
+  }
+  return pairs;
+}
+
+std::string Elements::describe(const Pair& pair) const {
+  const auto c = corners(pair);
+  switch (pair.kind) {
+    case Kind::edge_edge: return fmt::format("edge {}-{} and edge {}-{}", c[0], c[1], c[2], c[3]);
+    case Kind::vertex_face: return fmt::format("particle {} and face {}-{}-{}", c[0], c[1], c[2], c[3]);
+    case Kind::point_edge: return fmt::format("particle {} and edge {}-{}", c[0], c[1], c[2]);
+    case Kind::point_point: return fmt::format("particle {} and particle {}", c[0], c[1]);
+  }
+  return "";
+}
+
+}  // namespace touchstone::sim

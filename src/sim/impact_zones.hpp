@@ -1,0 +1,35 @@
+// The last resort of the response: groups of particles that move as one rigid body for a step (Bridson et al. 2002).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "sim/contact.hpp"
+
+namespace touchstone::sim {
+
+/// A partition of the particles into zones, as a union-find structure.
+class ImpactZones {
+ public:
+  explicit ImpactZones(std::size_t particles);
+
+  Index zone(Index particle);
+
+  /// Joins the contact's particles into one zone. @returns false when they were in one already
+  bool join(const Contact& contact);
+
+  /// Zones of more than one particle, each in ascending order, by their first particle.
+  std::vector<std::vector<Index>> zones();
+
+ private:
+  std::vector<Index> parent_;
+};
+
+/// Gives the zone's particles the rigid motion with their momentum and angular momentum, or that of what is held or
+/// driven among them. All positions in between are images of x0 under one affine map that is never singular, so no
+/// two of them meet. False when what is held among them moves in different ways.
+bool move_rigidly(const std::vector<Index>& zone, const System& system, const VectorX& inverse_mass, const VectorX& x0,
+                  VectorX& x1);
+
+}  // namespace touchstone::sim

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+#include "sim/response.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sim/impact_zones.hpp"
+
+namespace touchstone::sim {
+namespace {
+
+constexpr int kSweeps = 4;         // over all contacts known so far, in each pass
+constexpr int kSolves = 4;         // implicit steps, each with the contacts that the one before it left
+constexpr double kStiffer = 20;    // contact stiffness over that of the elements
+constexpr double kStickSpeed = 5e-3;  // m/s: slower slip is friction at rest
+
+bool same_pair(const Pair& a, const Pair& b) { return a.kind == b.kind && a.i == b.i && a.j == b.j; }
+
+}  // namespace
+
+/// One response under way.
+struct Response::Work {
+  const State* state;
+  double h;
+  VectorX wanted;  // where the integrator, without contacts or with them, wants to be: next.v belongs to it
+  State* next;
+  VectorX pushed;  // the part of next.q - wanted that is no velocity
+  double energy;   // the larger of those before the step and after it without contacts
+  double slack;    // how much more is no gain
+  VectorX free;    // next.q without contacts
+  ResponseCounts* counts;
+};
+
+Response::Response(const Elements& elements, const System& system, const Settings& settings, NarrowPhase narrow_phase,
+                   int threads)
+    : elements_(&elements),
+      system_(&system),
+      contact_(settings.contact),
+      gravity_(settings.gravity),
+      time_step_(settings.time_step),
+      thickness_(settings.contact.thickness > 0 ? settings.contact.thickness : elements.shortest_edge() / 50),
+      inverse_mass_(VectorX::Zero(static_cast<Eigen::Index>(3 * system.particle_count()))),
+      stiffness_(VectorX::Zero(static_cast<Eigen::Index>(system.particle_count()))),
+      finder_(elements, narrow_phase, threads) {
+  for (Eigen::Index i = 0; i < inverse_mass_.size(); ++i) {
+    if (!system.fixed[static_cast<std::size_t>(i)]) inverse_mass_[i] = 1 / system.mass[i];
+  }
+  for (const Length& element : system.lengths) {
+    stiffness_[element.a] += element.stiffness;
+    stiffness_[element.b] += element.stiffness;
+  }
+}
+
+Response::Outcome Response::respond(Stepper& stepper, const State& state, double h, State& next, ResponseCounts& counts) {
+  const auto& passes = elements_->passes();
+  if (!passes.edge_edge && !passes.vertex_face && !passes.joints && !passes.points) return Outcome::done;
+  finder_.begin(state.q, next.q, thickness_);
+  std::vector<Contact> close = finder_.close(thickness_), found;
+  counts.close = close.size();
+  finder_.find(next.q, found, counts);
+  if (close.empty() && found.empty()) return Outcome::done;
+
+  const Energies before = energies(*system_, state), without = energies(*system_, next);
+  constexpr double kShare = 1e-2;
+  const double slack = kShare * std::max(before.total() - before.load, without.total() - without.load) +
+                       1e-12 * (std::abs(before.load) + 1e-3);
+  Work work{&state, h, next.q, &next, VectorX::Zero(inverse_mass_.size()), std::max(before.total(), without.total()), slack,
+            next.q, &counts};
+  const State free = next;
+  std::vector<Contact> known = close;
+  known.insert(known.end(), found.begin(), found.end());
+  const bool stiff = std::any_of(known.begin(), known.end(), [&](const Contact& c) { return is_stiff(c, h); });
+  if (!stiff && impulses(work, known, contact_.passes)) {
+    take_velocities(work, next);
+    if (!gained_energy(work, next)) return Outcome::done;
+  }
+  if (!stiff) {
+    next = free;
+    work.wanted = free.q;
+    work.pushed.setZero();
+  }
+  if (!solve_with_contacts(work, stepper, std::move(known))) return Outcome::not_converged;
+  if (!impulses(work, {}, contact_.passes)) {
+    finder_.find(next.q, found, counts);
+    if (!freeze_zones(work, found)) return Outcome::not_resolved;
+  }
+  take_velocities(work, next);
+  return gained_energy(work, next) ? Outcome::gained_energy : Outcome::done;
+}
+
+double Response::recovery(double h) const { return 0.2 * std::min(1.0, h / time_step_); }
+
+bool Response::is_stiff(const Contact& contact, double h) const {
+  for (std::size_t c = 0; c < contact.corners; ++c) {
+    const auto p = static_cast<Eigen::Index>(contact.particles[c]);
+    if (contact.omega[c] != 0 && stiffness_[p] * h * h * inverse_mass_.segment<3>(3 * p).maxCoeff() > 1) return true;
+  }
+  return false;
+}
+
+void Response::take_velocities(const Work& work, State& next) const {
+  const auto n = inverse_mass_.size();
+  if (next.q.head(n) == work.wanted.head(n)) return;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (next.q[i] != work.wanted[i]) next.v[i] += (next.q[i] - work.wanted[i] - work.pushed[i]) / work.h;
+  }
+  next.frames = system_->transported(next.frames, work.wanted, next.q);
+}
+
+bool Response::gained_energy(const Work& work, const State& next) const {
+  // Contacts take energy away; without them, and without driven particles, it only falls.
+  return energies(*system_, next).total() > work.energy + work.slack;
+}
+
+bool Response::impulses(Work& work, std::vector<Contact> known, int passes) {
+  const ImpulseRule rule{contact_.restitution, contact_.friction, thickness_, 2 * gravity_.norm() * work.h * work.h,
+                         0.5 * recovery(work.h)};
+  VectorX& x1 = work.next->q;
+  const Motion motion{&work.state->q, &x1, &work.pushed, &inverse_mass_};
+  std::vector<char> touched(system_->particle_count(), 0);
+  const auto resolve_all = [&](const std::vector<Contact>& contacts) {
+    bool any = false;
+    for (const Contact& contact : contacts) {
+      if (!resolve(contact, rule, motion)) continue;
+      any = true;
+      for (std::size_t c = 0; c < contact.corners; ++c) touched[contact.particles[c]] = 1;
+    }
+    return any;
+  };
+  std::vector<Contact> found;
+  for (int pass = 0;; ++pass) {
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+      if (!resolve_all(known)) break;
+    }
+    finder_.moved(x1, touched);
+    std::fill(touched.begin(), touched.end(), char{0});
+    finder_.find(x1, found, *work.counts);
+    if (found.empty()) return true;
+    if (pass == passes) return false;
+    ++work.counts->passes;
+    known.insert(known.end(), found.begin(), found.end());
+  }
+}
+
+ContactTerm Response::term_of(const Contact& contact, const Work& work) const {
+  ContactTerm term;
+  term.particles = contact.particles;
+  term.corners = contact.corners;
+  term.omega = contact.omega;
+  term.normal = contact.normal;
+  term.stick = kStickSpeed * work.h;
+  double softness = 0;
+  for (std::size_t c = 0; c < contact.corners; ++c) {
+    const Index p = contact.particles[c];
+    const double inverse = inverse_mass_.segment<3>(3 * static_cast<Eigen::Index>(p)).maxCoeff();
+    if (inverse > 0) {
+      const double hold = 1 / (inverse * work.h * work.h) + stiffness_[static_cast<Eigen::Index>(p)];
+      softness += contact.omega[c] * contact.omega[c] / hold;
+    }
+  }
+  term.stiffness = softness > 0 ? kStiffer / softness : 0;
+  // Elements may come as near as the thickness; what is nearer already moves out slowly.
+  const double room = thickness_ - contact.gap;
+  term.goal = room > 0 ? recovery(work.h) * room : room;
+  // The speed of impact is that before the step: at its end, what leans on a contact would seem to fly into it.
+  const double approach = work.h * contact.normal.dot(relative_motion(term, VectorX::Zero(work.free.size()), work.state->v));
+  if (approach < -2 * gravity_.norm() * work.h * work.h) term.goal = std::max(term.goal, -contact_.restitution * approach);
+  return term;
+}
+
+bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Contact> contacts) {
+  std::vector<ContactTerm> terms;
+  std::vector<Pair> pairs;
+  const auto add = [&](const Contact& contact) {
+    terms.push_back(term_of(contact, work));
+    // What its spring holds where elements are nearer than the thickness.
+    if (contact.gap < thickness_) {
+      const double out = recovery(work.h) * (thickness_ - contact.gap);
+      work.slack += 0.5 * terms.back().stiffness * out * out;
+    }
+    pairs.push_back(contact.pair);
+  };
+  for (const Contact& contact : contacts) add(contact);
+  const std::vector<char> all(system_->particle_count(), 1);
+  std::vector<Contact> found;
+  for (int solve = 0; solve < kSolves; ++solve) {
+    Advance advance = stepper.advance_with(*work.state, work.h, terms, work.next->q);
+    ++work.counts->solves;
+    work.counts->newton_iterations += advance.iterations;
+    if (!advance.converged) return false;
+    *work.next = std::move(advance.state);
+    finder_.moved(work.next->q, all);
+    finder_.find(work.next->q, found, *work.counts);
+    for (ContactTerm& term : terms) term.slip = contact_.friction * normal_force(term, work.state->q, work.next->q);
+    for (const Contact& contact : found) {
+      const auto same = std::find_if(pairs.begin(), pairs.end(), [&](const Pair& p) { return same_pair(p, contact.pair); });
+      if (same == pairs.end()) {
+        add(contact);
+      } else {
+        // It turned on the way: where it touches now says more than where it would have touched.
+        ContactTerm& term = terms[static_cast<std::size_t>(same - pairs.begin())];
+        const double slip = term.slip;
+        term = term_of(contact, work);
+        term.slip = slip;
+      }
+    }
+    const bool friction_known = contact_.friction == 0 || solve > 0;
+    if (found.empty() && friction_known) break;
+  }
+  work.wanted = work.next->q;
+  return true;
+}
+
+bool Response::freeze_zones(Work& work, std::vector<Contact> contacts) {
+  // Each round joins particles that were apart, or ends: there are at most as many rounds as particles.
+  ImpactZones zones(system_->particle_count());
+  VectorX& x1 = work.next->q;
+  while (!contacts.empty()) {
+    for (const Contact& contact : contacts) {
+      if (!zones.join(contact)) return false;  // a zone moves as one: only rounding can make its own parts meet
+    }
+    const auto groups = zones.zones();
+    work.counts->zones = static_cast<int>(groups.size());
+    for (const auto& zone : groups) {
+      if (!move_rigidly(zone, *system_, inverse_mass_, work.state->q, x1)) return false;
+      for (const Index p : zone) work.pushed.segment<3>(3 * static_cast<Eigen::Index>(p)).setZero();
+    }
+    finder_.begin(work.state->q, x1, 0);
+    finder_.find(x1, contacts, *work.counts);
+  }
+  return true;
+}
+
+}  // namespace touchstone::sim

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "sim/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include <touchstone/error.hpp>
+
+namespace touchstone::sim {
+namespace {
+
+constexpr int kMostHalvings = 24;
+constexpr double kEnergyParts = 100;  // of a step, to which it is cut at most because contacts would do work
+
+Scene checked(Scene scene) {
+  check_scene(scene);
+  return scene;
+}
+
+}  // namespace
+
+Simulation::Simulation(Scene scene, const SimulationOptions& options)
+    : scene_(checked(std::move(scene))),
+      system_(scene_),
+      elements_(scene_, system_),
+      stepper_(system_, scene_.settings),
+      response_(elements_, system_, scene_.settings, options.narrow_phase, options.threads),
+      prover_(elements_, NarrowPhase::exact, options.threads),
+      narrow_phase_(options.narrow_phase),
+      state_(stepper_.initial()) {
+  check_start();
+}
+
+Simulation::~Simulation() = default;
+
+void Simulation::check_start() {
+  const std::vector<Pair> pairs = elements_.candidates(state_.q, state_.q, 0);
+  prover_.contacts(pairs, state_.q, state_.q, [&](std::size_t i, const Answer&) {
+    throw Error(fmt::format("the scene begins with elements that touch: {}", elements_.describe(pairs[i])));
+  });
+}
+
+void Simulation::resume(State state, std::uint64_t steps) {
+  if (state.q.size() != state_.q.size() || state.v.size() != state_.v.size() ||
+      state.frames.director.size() != state_.frames.director.size() ||
+      state.frames.reference_twist.size() != state_.frames.reference_twist.size()) {
+    throw Error("the checkpoint is of another scene: it has other numbers of particles or segments");
+  }
+  state_ = std::move(state);
+  steps_ = steps;
+  check_start();
+}
+
+std::vector<StepRecord> Simulation::step() {
+  // Parts are dyadic shares of the step, so that their ends fall on the step's end exactly. A part that is refused is
+  // halved; what is left of the step is then tried at once again.
+  std::vector<StepRecord> records;
+  const State before = state_;
+  const std::size_t crossings_before = crossings_.size();
+  const auto whole = static_cast<double>(steps_);
+  double done = 0, share = 1;
+  int halvings = 0;
+  ++steps_;
+  while (done < 1) {
+    const double start = time_at(whole + done), end = time_at(whole + done + share);
+    StepRecord record;
+    record.step = steps_;
+    if (try_part(end - start, end, record)) {
+      records.push_back(record);
+      done += share;
+      while (halvings > 0 && std::fmod(done, 2 * share) == 0) {
+        share *= 2;
+        --halvings;
+      }
+      continue;
+    }
+    share /= 2;
+    if (++halvings <= kMostHalvings) continue;
+    state_ = before;
+    crossings_.resize(crossings_before);
+    --steps_;
+    throw Error(fmt::format("step {} at {:.6g} s cannot be taken, not even in parts of {:.3g} s: {} did not converge, {} "
+                            "found no response, {} failed their proof",
+                            steps_ + 1, start, end - start, refused_.not_converged, refused_.not_resolved,
+                            refused_.not_certified));
+  }
+  return records;
+}
+
+bool Simulation::try_part(double h, double end_time, StepRecord& record) {
+  Advance advance = stepper_.advance(state_, h);
+  if (!advance.converged) {
+    ++refused_.not_converged;
+    return false;
+  }
+  State& next = advance.state;
+  switch (response_.respond(stepper_, state_, h, next, record.response)) {
+    case Response::Outcome::done: break;
+    case Response::Outcome::not_converged: ++refused_.not_converged; return false;
+    case Response::Outcome::not_resolved: ++refused_.not_resolved; return false;
+    case Response::Outcome::gained_energy:
+      // Halving helps until contacts are solved for on the scale on which the elements answer; after that, the step is
+      // better taken than halved for ever.
+      if (h > scene_.settings.time_step / kEnergyParts) {
+        ++refused_.gained_energy;
+        return false;
+      }
+      ++record.gained_energy;
+      break;
+  }
+  if (!next.q.allFinite() || !next.v.allFinite()) {
+    ++refused_.not_converged;
+    return false;
+  }
+
+  // The proof looks at the positions as they are stored, and finds its own candidates.
+  const std::vector<Pair> pairs = elements_.candidates(state_.q, next.q, 0);
+  std::vector<Crossing> crossings;
+  record.proof.pairs = pairs.size();
+  record.proof.levels = prover_.contacts(pairs, state_.q, next.q, [&](std::size_t i, const Answer& answer) {
+    crossings.push_back({record.step, state_.time + answer.toi * h, pairs[i], answer});
+  });
+  record.proof.crossings = crossings.size();
+  if (!crossings.empty() && narrow_phase_ == NarrowPhase::exact) {
+    ++refused_.not_certified;
+    return false;
+  }
+  crossings_.insert(crossings_.end(), crossings.begin(), crossings.end());
+
+  system_.untwist(next.q, next.frames);
+  next.time = end_time;
+  state_ = std::move(next);
+  record.time = end_time;
+  record.length = h;
+  record.newton_iterations = advance.iterations + record.response.newton_iterations;
+  record.newton_convex = advance.convex;
+  return true;
+}
+
+}  // namespace touchstone::sim

@@ -1,0 +1,99 @@
+// A scene in motion: each step is integrated, its contacts are answered, and it is taken only with its proof.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "sim/response.hpp"
+#include "sim/stepper.hpp"
+
+namespace touchstone::sim {
+
+/// Two elements that were apart and touched within a step that was taken all the same.
+struct Crossing {
+  std::uint64_t step = 0;
+  double time = 0;  ///< s, when they touch first
+  Pair pair;
+  Answer answer;
+};
+
+/// The exact answers to every candidate pair of a step as it is stored.
+struct Proof {
+  std::uint64_t pairs = 0;
+  LevelCounts levels;
+  std::uint64_t crossings = 0;
+};
+
+/// What happened in one step, or in one part of a step that had to be shortened.
+struct StepRecord {
+  std::uint64_t step = 0;  ///< from 1
+  double time = 0;         ///< s, at its end
+  double length = 0;       ///< s
+  int newton_iterations = 0, newton_convex = 0;
+  int gained_energy = 0;  ///< 1 when contacts did work, and the part was too short to be cut again
+  ResponseCounts response;
+  Proof proof;
+};
+
+struct SimulationOptions {
+  NarrowPhase narrow_phase = NarrowPhase::exact;
+  int threads = 1;
+};
+
+/// Steps that were tried and not taken, over a whole run.
+struct RefusedCounts {
+  std::uint64_t not_converged = 0;  ///< Newton's method did not converge
+  std::uint64_t not_resolved = 0;   ///< the response found no way
+  std::uint64_t gained_energy = 0;  ///< contacts would have done work
+  std::uint64_t not_certified = 0;  ///< the proof found a crossing
+};
+
+class Simulation {
+ public:
+  /// @throws Error for a scene that makes no sense, or in which elements touch at the start
+  Simulation(Scene scene, const SimulationOptions& options);
+  ~Simulation();
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  /// Moves on by settings.time_step, in shorter parts where a whole step is refused.
+  /// @returns a record of each part @throws Error when even the shortest part is refused: nothing has moved then
+  std::vector<StepRecord> step();
+
+  const Scene& scene() const noexcept { return scene_; }
+  const System& system() const noexcept { return system_; }
+  const Elements& elements() const noexcept { return elements_; }
+  const State& state() const noexcept { return state_; }
+  std::uint64_t steps() const noexcept { return steps_; }
+  const std::vector<Crossing>& crossings() const noexcept { return crossings_; }
+  const RefusedCounts& refused() const noexcept { return refused_; }
+  double thickness() const noexcept { return response_.thickness(); }
+  Energies energies() const { return sim::energies(system_, state_); }
+
+  /// Goes on from a state of the same scene. @throws Error when its sizes are not this scene's
+  void resume(State state, std::uint64_t steps);
+
+  /// Sees every query of the proofs, with its answer.
+  void watch(QuerySink sink) { prover_.watch(std::move(sink)); }
+
+ private:
+  double time_at(double steps) const noexcept { return steps * scene_.settings.time_step; }
+  void check_start();
+  bool try_part(double h, double end_time, StepRecord& record);
+
+  Scene scene_;
+  System system_;
+  Elements elements_;
+  Stepper stepper_;
+  Response response_;
+  PairSolver prover_;
+  NarrowPhase narrow_phase_;
+  State state_;
+  std::uint64_t steps_ = 0;
+  std::vector<Crossing> crossings_;
+  RefusedCounts refused_;
+};
+
+}  // namespace touchstone::sim
