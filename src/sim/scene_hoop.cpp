@@ -12,7 +12,7 @@ namespace touchstone::sim {
 namespace {
 
 constexpr double kBallRadius = 0.12, kBallMass = 0.6, kRimRadius = 0.225, kRimHeight = 1.6;
-constexpr double kNetDepth = 0.4, kNetEnd = 0.1;  // radius of the net's opening: the ball must widen it
+constexpr double kNetDepth = 0.4, kNetEnd = 0.128;  // radius of the net's opening, which a cord holds
 
 void add_ball(Scene& scene, Index n, const Vector3& centre, const Vector3& velocity) {
   const generators::Sphere sphere = generators::sphere_mesh(n);
@@ -26,6 +26,13 @@ void add_ball(Scene& scene, Index n, const Vector3& centre, const Vector3& veloc
   for (Index i = first; i < middle; ++i) add_spring(scene, i, middle, 6e4 / corners, 20 / corners, false);
   for (const auto& face : sphere.mesh.faces) scene.faces.push_back({first + face[0], first + face[1], first + face[2]});
   for (Index i = first; i <= middle; ++i) scene.particles[i].velocity = velocity;
+}
+
+/// Strings resist neither bending nor twist.
+void make_string(Cable& cord) {
+  set_material(cord, 5e7, 0.3, 0.0025, 1100);
+  cord.bend = cord.twist = 0;
+  cord.damping = 5e-3;
 }
 
 /// Knots in rows, each tied to two of the next row by strings of `parts` segments.
@@ -53,13 +60,17 @@ void add_net(Scene& scene, Index around, Index rows, Index parts) {
           cord.particles.push_back(add_particle(scene, a + (b - a) * (static_cast<double>(s) / parts), 0));
         }
         cord.particles.push_back(to);
-        set_material(cord, 5e7, 0.3, 0.0025, 1100);
-        cord.bend = cord.twist = 0;  // strings
-        cord.damping = 5e-3;
+        make_string(cord);
         scene.cables.push_back(std::move(cord));
       }
     }
   }
+  // Without it the net would hang as a cylinder.
+  Cable last;
+  last.particles = knots[rows];
+  last.closed = true;
+  make_string(last);
+  scene.cables.push_back(std::move(last));
 }
 
 }  // namespace
