@@ -18,6 +18,7 @@
 #include "cli/fuzz.hpp"
 #include "cli/generate.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/simulate.hpp"
 #include "io/output_file.hpp"
 
 namespace touchstone::cli {
@@ -54,7 +55,8 @@ int parse_and_run(int argc, const char* const* argv) {
       "  touchstone bench --filter simulation              how long answers take\n"
       "  touchstone report --out report                    error against run time of every method\n"
       "  touchstone fuzz --solver paper                    the simplest queries on which a solver is wrong\n"
-      "  touchstone stress --out stress                    where each method breaks, dial by dial\n\n"
+      "  touchstone stress --out stress                    where each method breaks, dial by dial\n"
+      "  touchstone simulate hoop --out hoop               a basketball through a net, each step proved\n\n"
       "A query file has a row for each corner at t = 0 and then for each at t = 1, in the order\n"
       "  edge-edge    a0 a1 b0 b1      vertex-face  v f0 f1 f2      point-edge  p e0 e1      point-point  p q\n"
       "and seven integers a row: x_num,x_den,y_num,y_den,z_num,z_den,truth. Its folder's name, or --kind, says which "
@@ -71,6 +73,7 @@ int parse_and_run(int argc, const char* const* argv) {
   add_report(program, command);
   add_fuzz(program, command);
   add_stress(program, command);
+  add_simulate(program, command);
   try {
     program.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -83,7 +86,7 @@ int parse_and_run(int argc, const char* const* argv) {
     const auto unknown = program.remaining();
     if (program.get_subcommands().empty() && !unknown.empty()) {
       return complain("touchstone: " + unknown.front() +
-                      " is no subcommand; they are solve, certify, explain, generate, bench, report, fuzz and stress");
+                      " is no subcommand; they are solve, certify, explain, generate, bench, report, fuzz, stress and simulate");
     }
     return complain("touchstone: " + first_line(error.what()) + " (see touchstone --help)");
   } catch (const CLI::ParseError& error) {

@@ -1,0 +1,48 @@
+// The files of a simulation's run.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/new_folders.hpp"
+#include "cli/simulate.hpp"
+#include "io/output_file.hpp"
+#include "sim/output_text.hpp"
+
+namespace touchstone::cli {
+
+/// Tables appear whole at the end, and not at all after an error; frames as they are made.
+class SimulateOutput {
+ public:
+  SimulateOutput(const SimulateOptions& options, sim::Simulation& simulation);
+
+  void step(const std::vector<sim::StepRecord>& records);
+
+  /// Everything that is left to write. @returns a hint when there are no plots for want of gnuplot
+  std::string finish();
+
+  SimulateOutput(const SimulateOutput&) = delete;
+  SimulateOutput& operator=(const SimulateOutput&) = delete;
+
+ private:
+  void write_frame();
+  void write_query(const Query& query, const Answer& answer);
+
+  const SimulateOptions* options_;
+  sim::Simulation* simulation_;
+  NewFolders folders_;
+  std::filesystem::path frames_;
+  std::vector<sim::Frame> written_;
+  std::optional<io::OutputFile> proof_, energies_, frame_index_;
+  std::array<std::optional<io::OutputFile>, 4> queries_;  // by Kind
+  std::uint64_t since_frame_ = 0;
+};
+
+/// Writes `text` to a file that appears whole.
+void write_whole(const std::string& path, std::string_view text);
+
+}  // namespace touchstone::cli

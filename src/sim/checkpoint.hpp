@@ -1,0 +1,24 @@
+// Where a run stands, so that it can go on as if it had never stopped, to the last bit.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "sim/simulation.hpp"
+
+namespace touchstone::sim {
+
+struct Checkpoint {
+  Scene scene;
+  std::uint64_t steps = 0;
+  State state;
+};
+
+/// Scene and state; numbers of the state are C hexfloats.
+std::string checkpoint_to_json(const Simulation& simulation);
+
+/// @throws Error naming the key that is missing or makes no sense
+Checkpoint checkpoint_from_json(std::string_view text);
+
+}  // namespace touchstone::sim

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "sim/output_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace touchstone::sim {
+
+std::string vtk_frame(const Simulation& simulation) {
+  const auto& elements = simulation.elements();
+  const std::size_t count = simulation.scene().particles.size();
+  std::string text = fmt::format("# vtk DataFile Version 3.0\ntouchstone t = {:.9g} s\nASCII\nDATASET POLYDATA\nPOINTS {} double\n",
+                                 simulation.state().time, count);
+  for (Index p = 0; p < count; ++p) {
+    const Vector3 x = position(simulation.state().q, p);
+    text += fmt::format("{} {} {}\n", x.x(), x.y(), x.z());
+  }
+  if (!elements.edges().empty()) {
+    text += fmt::format("LINES {} {}\n", elements.edges().size(), 3 * elements.edges().size());
+    for (const Edge& edge : elements.edges()) text += fmt::format("2 {} {}\n", edge[0], edge[1]);
+  }
+  if (!elements.faces().empty()) {
+    text += fmt::format("POLYGONS {} {}\n", elements.faces().size(), 4 * elements.faces().size());
+    for (const Face& face : elements.faces()) text += fmt::format("3 {} {} {}\n", face[0], face[1], face[2]);
+  }
+  text += fmt::format("POINT_DATA {}\nVECTORS velocity double\n", count);
+  for (Index p = 0; p < count; ++p) {
+    const Vector3 v = position(simulation.state().v, p);
+    text += fmt::format("{} {} {}\n", v.x(), v.y(), v.z());
+  }
+  return text;
+}
+
+std::string vtk_series(const std::vector<Frame>& frames) {
+  std::string text = "{\n  \"file-series-version\": \"1.0\",\n  \"files\": [";
+  const char* separator = "\n";
+  for (const Frame& frame : frames) {
+    text += fmt::format("{}    {{\"name\": \"{}\", \"time\": {}}}", separator, frame.name, frame.time);
+    separator = ",\n";
+  }
+  return text + "\n  ]\n}\n";
+}
+
+std::string proof_header() {
+  return "step,time,length,newton_iterations,close,contacts,crossing,grazing,sustained,isolated,response_queries,"
+         "response_filter,response_bracket,response_exact,impulse_passes,contact_solves,impact_zones,pairs,proof_filter,"
+         "proof_bracket,proof_exact,crossings,certified\n";
+}
+
+std::string proof_row(const StepRecord& r) {
+  const auto& c = r.response;
+  return fmt::format("{},{:a},{:a},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", r.step, r.time, r.length,
+                     r.newton_iterations, c.close, c.contacts, c.natures[1], c.natures[2], c.natures[3], c.natures[4],
+                     c.queries, c.levels.filter, c.levels.bracket, c.levels.exact, c.passes, c.solves, c.zones,
+                     r.proof.pairs, r.proof.levels.filter, r.proof.levels.bracket, r.proof.levels.exact,
+                     r.proof.crossings, r.proof.crossings == 0 ? 1 : 0);
+}
+
+std::string energy_header() {
+  return "step,time,kinetic,stretch,bend,twist,load,total,parts,close,contacts,pairs\n";
+}
+
+std::string energy_row(const Simulation& simulation, const std::vector<StepRecord>& records) {
+  const Energies e = simulation.energies();
+  std::uint64_t close = 0, contacts = 0, pairs = 0;
+  for (const StepRecord& record : records) {
+    close += record.response.close;
+    contacts += record.response.contacts;
+    pairs += record.proof.pairs;
+  }
+  return fmt::format("{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{},{},{},{}\n", simulation.steps(),
+                     simulation.state().time, e.kinetic, e.stretch, e.bend, e.twist, e.load, e.total(), records.size(), close,
+                     contacts, pairs);
+}
+
+std::string crossing_for_person(const Simulation& simulation, const Crossing& crossing) {
+  return fmt::format("step {}, {:.9g} s: {} ({})", crossing.step, crossing.time,
+                     simulation.elements().describe(crossing.pair), nature_name(crossing.answer.nature));
+}
+
+std::string explain(const Simulation& simulation) {
+  const Scene& scene = simulation.scene();
+  const Elements& elements = simulation.elements();
+  const Passes& passes = elements.passes();
+  const auto line = [](bool on, std::string_view name, const std::string& why) {
+    return fmt::format("{:4} {:22} {}\n", on ? "yes" : "no", name, why);
+  };
+  const auto count_if = [&](auto&& predicate) { return std::count_if(scene.cables.begin(), scene.cables.end(), predicate); };
+  const auto bending = count_if([](const Cable& c) { return c.bend > 0; });
+  const auto twisting = count_if([](const Cable& c) { return c.twist > 0; });
+  const auto& contact = scene.settings.contact;
+  std::string text;
+  text += line(!simulation.system().lengths.empty(), "stretch forces",
+               fmt::format("{} springs and {} cables", scene.springs.size(), scene.cables.size()));
+  text += line(bending > 0, "bending forces", fmt::format("{} of {} cables resist bending", bending, scene.cables.size()));
+  text += line(twisting > 0, "twist angles", fmt::format("{} of {} cables resist twist", twisting, scene.cables.size()));
+  text += line(scene.settings.drag > 0, "drag", fmt::format("coefficient {} 1/s", scene.settings.drag));
+  text += line(passes.edge_edge, "edge-edge pass", fmt::format("{} edges", elements.edges().size()));
+  text += line(passes.vertex_face, "vertex-face pass", fmt::format("{} faces", elements.faces().size()));
+  text += line(passes.joints, "fold pass (planar)", passes.joints ? "edges share particles that can move"
+                                                                  : "no edges share a particle and can move");
+  text += line(passes.points, "single-particle pass", passes.points ? "particles without edges collide with edges and each other"
+                                                                    : "every particle is in an edge, or alone");
+  text += line(contact.friction > 0, "friction", fmt::format("coefficient {}", contact.friction));
+  text += fmt::format("     integrator             {}, steps of {} s\n", integrator_name(scene.settings.integrator),
+                      scene.settings.time_step);
+  text += fmt::format("     contact                restitution {}, thickness {} m, at most {} passes of impulses\n",
+                      contact.restitution, simulation.thickness(), contact.passes);
+  return text;
+}
+
+}  // namespace touchstone::sim
