@@ -206,7 +206,19 @@ NewtonResult Newton::minimise(const Stage& stage, const VectorX& guess, VectorX&
     // Coordinates are rounded: so much of the potential, and of a step, means nothing.
     const double ulp = kEpsilon * q.head(particles).lpNorm<Eigen::Infinity>();
     const double noise = now.noise + ulp * stored_force;
-    const double enough = std::max(tolerance_ * stage.span, 16 * ulp);
+    const double enough = std::max(std::max(tolerance_, stage.tolerance) * stage.span, 16 * ulp);
+    result.last_step = reach / stage.span;
+    if (reach <= enough) {
+      // The last step is shorter than the tolerance: taken when it leads down, left when rounding hides where down is.
+      const VectorX trial = q + direction;
+      Frames frames_trial = system_->transported(frames, q, trial);
+      if (potential(stage, trial, frames_trial).value <= now.value) {
+        q = trial;
+        frames = std::move(frames_trial);
+      }
+      result.converged = true;
+      return result;
+    }
     double share = 1;
     bool lower = false;
     for (int halving = 0; halving <= kMostHalvings && !lower; ++halving) {
@@ -222,11 +234,10 @@ NewtonResult Newton::minimise(const Stage& stage, const VectorX& guess, VectorX&
         share /= 2;
       }
     }
-    result.last_step = reach / stage.span;
     if (!lower) return result;
     // Where the potential is so flat that rounding hides what a step gains, no method can tell the places apart.
     const bool flat = -slope <= noise && reach <= kFlat * enough;
-    if (share == 1 && (reach <= enough || flat)) {
+    if (share == 1 && flat) {
       result.converged = true;
       return result;
     }

@@ -17,6 +17,7 @@ struct Stage {
   double time = 0;  ///< at its end, s
   Strains strains;  ///< with the damping of this span
   std::vector<ContactTerm> contacts;  ///< relative to base
+  double tolerance = 0;  ///< m/s; 0: the settings' one
 };
 
 struct NewtonResult {

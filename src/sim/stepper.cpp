@@ -5,6 +5,11 @@
 #include <utility>
 
 namespace touchstone::sim {
+namespace {
+
+constexpr double kContactTolerance = 1e-3;  // m/s: contact springs are no more exact than this
+
+}  // namespace
 
 struct Stepper::Solution {
   State state;         // at the stage's end; v is the stage's velocity
@@ -81,7 +86,7 @@ Stepper::Solution Stepper::solve(const State& state, const Stage& stage, const V
 }
 
 Stage Stepper::euler_stage(const State& state, double h) const {
-  return {state.q, state.v, h, state.time + h, energy_.damped(energy_.strains(state.q, state.frames, state.time), h), {}};
+  return {state.q, state.v, h, state.time + h, energy_.damped(energy_.strains(state.q, state.frames, state.time), h), {}, 0};
 }
 
 Advance Stepper::implicit_euler(const State& state, double h) {
@@ -94,6 +99,7 @@ Advance Stepper::advance_with(const State& state, double h, std::vector<ContactT
   Advance advance;
   Stage stage = euler_stage(state, h);
   stage.contacts = std::move(contacts);
+  stage.tolerance = kContactTolerance;
   advance.state = solve(state, stage, (near - state.q) / h, advance).state;
   if (!advance.converged) return advance;
   finish(state, h, advance.state);
@@ -105,7 +111,7 @@ Advance Stepper::implicit_midpoint(const State& state, double h) {
   // Half a step of implicit Euler to the middle, and as far again.
   Advance advance;
   const Stage stage{state.q, state.v, h / 2, state.time + h / 2,
-                    energy_.damped(energy_.strains(state.q, state.frames, state.time), h / 2), {}};
+                    energy_.damped(energy_.strains(state.q, state.frames, state.time), h / 2), {}, 0};
   const State middle = solve(state, stage, state.v, advance).state;
   if (!advance.converged) return advance;
   advance.state.q = 2 * middle.q - state.q;
