@@ -51,6 +51,7 @@ Scene make_two_edges(Index pairs) {
   scene.settings.gravity.setZero();
   scene.settings.duration = 2;
   scene.settings.contact.restitution = 0.8;
+  scene.settings.contact.thickness = 1e-3;
   for (Index i = 0; i < pairs; ++i) {
     const double y = 3.0 * i;
     const Index a = add_particle(scene, {-1, y, 0}, 1), b = add_particle(scene, {1, y + 0.1, 0}, 1);

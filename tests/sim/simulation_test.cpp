@@ -1,0 +1,258 @@
+// Whole runs: friction on an incline, bounces, fail-safe, proof, determinism.
+// SPDX-License-Identifier: MIT
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <numbers>
+
+#include <touchstone/error.hpp>
+
+#include "sim/checkpoint.hpp"
+#include "sim/impact_zones.hpp"
+#include "sim/output_text.hpp"
+#include "sim/scene_file.hpp"
+#include "sim/shipped_scenes.hpp"
+#include "sim/sim_scenes.hpp"
+#include "support/catch.hpp"
+
+using namespace touchstone::sim;
+
+namespace {
+
+/// A particle just above a large pinned face in the plane z = 0.
+Scene particle_above_face(double height) {
+  Scene scene;
+  scene.settings.contact.thickness = 1e-4;
+  Particle p;
+  p.position = {0.01, 0.02, height};
+  p.mass = 1;
+  scene.particles.push_back(p);
+  for (const Vector3& corner : {Vector3(-50, -50, 0), Vector3(50, -50, 0), Vector3(0, 80, 0)}) {
+    add_pinned(scene, corner);
+  }
+  scene.faces.push_back({1, 2, 3});
+  return scene;
+}
+
+/// Gravity turned by the angle of the incline.
+Scene incline(double angle, double friction) {
+  Scene scene = particle_above_face(0.9e-4);
+  scene.settings.gravity = 9.81 * Vector3(std::sin(angle), 0, -std::cos(angle));
+  scene.settings.contact.restitution = 0;
+  scene.settings.contact.friction = friction;
+  scene.settings.time_step = 1e-3;
+  return scene;
+}
+
+double slid_after_a_second(const Scene& scene) {
+  Simulation simulation(scene, {});
+  for (int i = 0; i < 1000; ++i) simulation.step();
+  CHECK(simulation.crossings().empty());
+  return position(simulation.state().q, 0).x() - scene.particles[0].position.x();
+}
+
+/// The linking number of two closed polygons: half the signed crossings of their projection, the direction chosen so
+/// that nothing is aligned with it.
+double linking_number(const VectorX& q, const std::vector<Index>& a, const std::vector<Index>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      // The solid angle of the parallelogram of differences (Arai, "A rigorous extension algorithm ...", 2013).
+      const Vector3 a0 = position(q, a[i]), a1 = position(q, a[(i + 1) % a.size()]);
+      const Vector3 b0 = position(q, b[j]), b1 = position(q, b[(j + 1) % b.size()]);
+      const Vector3 corners[4] = {b0 - a0, b0 - a1, b1 - a1, b1 - a0};
+      const auto solid = [](const Vector3& x, const Vector3& y, const Vector3& z) {
+        const double n = x.norm() * y.norm() * z.norm() + x.dot(y) * z.norm() + y.dot(z) * x.norm() + z.dot(x) * y.norm();
+        const double volume = x[0] * (y[1] * z[2] - y[2] * z[1]) + x[1] * (y[2] * z[0] - y[0] * z[2]) + x[2] * (y[0] * z[1] - y[1] * z[0]);
+        return 2 * std::atan2(volume, n);
+      };
+      sum += solid(corners[0], corners[1], corners[2]) + solid(corners[2], corners[3], corners[0]);
+    }
+  }
+  return sum / (4 * std::numbers::pi);
+}
+
+std::vector<Index> add_ring(Scene& scene, const Vector3& centre, const Vector3& u, const Vector3& w, double radius,
+                            const Vector3& velocity) {
+  constexpr Index kCount = 20;
+  Cable ring;
+  for (Index i = 0; i < kCount; ++i) {
+    const double phi = 2 * std::numbers::pi * i / kCount;
+    ring.particles.push_back(add_particle(scene, centre + radius * (std::cos(phi) * u + std::sin(phi) * w), 0));
+    scene.particles.back().velocity = velocity;
+  }
+  ring.closed = true;
+  set_material(ring, 1e6, 0.4, 0.004, 1100);
+  ring.bend = ring.twist = 0;
+  ring.damping = 1e-3;
+  scene.cables.push_back(ring);
+  return ring.particles;
+}
+
+std::string run(const Scene& scene, int threads, int steps) {
+  Simulation simulation(scene, {NarrowPhase::exact, threads});
+  std::string rows;
+  for (int i = 0; i < steps; ++i) {
+    for (const StepRecord& record : simulation.step()) rows += proof_row(record);
+  }
+  return rows + checkpoint_to_json(simulation);
+}
+
+}  // namespace
+
+TEST_CASE("on an incline it sticks when tan theta <= mu, and slides as Coulomb says otherwise") {
+  const double angle = 0.4;  // tan = 0.4228
+  CHECK(std::abs(slid_after_a_second(incline(angle, 0.43))) < 1e-6);
+  for (const double mu : {0.0, 0.2, 0.4}) {
+    const double expected = 0.5 * 9.81 * (std::sin(angle) - mu * std::cos(angle));
+    CHECK(slid_after_a_second(incline(angle, mu)) == Approx(expected).epsilon(3e-3).margin(1e-3));
+  }
+}
+
+TEST_CASE("it slides v^2 / (2 mu g) before it stops") {
+  Scene scene = incline(0, 0.3);
+  scene.particles[0].velocity = {2, 0, 0};
+  CHECK(slid_after_a_second(scene) == Approx(4 / (2 * 0.3 * 9.81)).epsilon(5e-3));
+}
+
+TEST_CASE("it bounces to e^(2n) of its height") {
+  Scene scene = particle_above_face(1);
+  scene.settings.contact.restitution = 0.7;
+  scene.settings.time_step = 1e-4;
+  scene.settings.integrator = Integrator::implicit_midpoint;
+  Simulation simulation(scene, {});
+  std::vector<double> tops;
+  double before = 0;
+  while (tops.size() < 3) {
+    simulation.step();
+    const double speed = simulation.state().v[2];
+    if (before > 0 && speed <= 0) tops.push_back(position(simulation.state().q, 0).z());
+    before = speed;
+    REQUIRE(simulation.state().time < 5);
+  }
+  for (int n = 1; n <= 3; ++n) CHECK(tops[static_cast<std::size_t>(n - 1)] == Approx(std::pow(0.7, 2 * n)).epsilon(5e-3));
+}
+
+TEST_CASE("the momentum of two edges that meet is kept, and they part again") {
+  Simulation simulation(make_shipped_scene("two-edges", 1), {});
+  const auto momentum = [&] {
+    Vector3 sum = Vector3::Zero();
+    for (Index p = 0; p < 4; ++p) sum += position(simulation.state().v, p);
+    return sum;
+  };
+  const Vector3 before = momentum();
+  std::uint64_t contacts = 0;
+  for (int i = 0; i < 120; ++i) {
+    for (const auto& record : simulation.step()) contacts += record.response.contacts;
+  }
+  CHECK(contacts >= 1);
+  CHECK((momentum() - before).norm() < 1e-9);
+  CHECK(simulation.crossings().empty());
+  CHECK(position(simulation.state().v, 0).z() + position(simulation.state().v, 1).z() < -0.1);
+}
+
+TEST_CASE("the same bytes on one and two threads, and after a checkpoint as without") {
+  const Scene scene = make_shipped_scene("hoop", 200);
+  const std::string once = run(scene, 1, 45);
+  CHECK(once == run(scene, 2, 45));
+
+  Simulation first(scene, {});
+  std::string rows;
+  for (int i = 0; i < 30; ++i) {
+    for (const auto& record : first.step()) rows += proof_row(record);
+  }
+  Checkpoint checkpoint = checkpoint_from_json(checkpoint_to_json(first));
+  CHECK(checkpoint.steps == 30);
+  Simulation second(checkpoint.scene, {});
+  second.resume(std::move(checkpoint.state), checkpoint.steps);
+  for (int i = 0; i < 15; ++i) {
+    for (const auto& record : second.step()) rows += proof_row(record);
+  }
+  CHECK(rows + checkpoint_to_json(second) == once);
+}
+
+TEST_CASE("linked rings stay linked and separate ones separate, through violent motion") {
+  for (const bool linked : {true, false}) {
+    CAPTURE(linked);
+    Scene scene;
+    scene.settings.gravity.setZero();
+    scene.settings.contact.restitution = 0.5;
+    const double apart = linked ? 0.2 : 0.5;
+    // Torn apart when they are linked, thrown together when they are not.
+    const double speed = linked ? 20 : -20;
+    const auto a = add_ring(scene, {0, 0, 0}, Vector3::UnitX(), Vector3::UnitY(), 0.2, {-speed, 3, 1});
+    const auto b = add_ring(scene, {apart, 0.01, 0.02}, Vector3::UnitX(), Vector3::UnitZ(), 0.2, {speed, -2, 0});
+    Simulation simulation(scene, {});
+    const double before = linking_number(simulation.state().q, a, b);
+    CHECK(std::abs(before) == Approx(linked ? 1 : 0).margin(1e-9));
+    std::uint64_t contacts = 0;
+    for (int i = 0; i < 60; ++i) {
+      for (const auto& record : simulation.step()) contacts += record.response.contacts;
+      REQUIRE(linking_number(simulation.state().q, a, b) == Approx(before).margin(1e-9));
+    }
+    CHECK(contacts > 0);
+    CHECK(simulation.crossings().empty());
+  }
+}
+
+TEST_CASE("scenes that begin with a contact are refused, by name") {
+  Scene scene = make_shipped_scene("two-edges", 1);
+  scene.particles[2].position = {0.2, -1, 0};
+  scene.particles[3].position = {0.1, 1.2, 0};
+  scene.particles[1].position = {1, 0, 0};
+  CHECK_THROWS_WITH(Simulation(scene, {}), Catch::Contains("edge 0-1 and edge 2-3"));
+}
+
+TEST_CASE("what is driven through something pinned cannot be, and the run says so and stays where it was") {
+  Scene scene;
+  scene.settings.gravity.setZero();
+  const Index a = add_pinned(scene, {-1, 0, 0}), b = add_pinned(scene, {1, 0, 0});
+  const Index c = add_particle(scene, {0, -1, 0.1}, 1), d = add_particle(scene, {0.1, 1, 0.1}, 1);
+  scene.particles[c].path = {{0, {0, -1, 0.1}}, {1, {0, -1, -1}}};
+  scene.particles[d].path = {{0, {0.1, 1, 0.1}}, {1, {0.1, 1, -1}}};
+  scene.wires = {{a, b}, {c, d}};
+  Simulation simulation(scene, {});
+  std::uint64_t steps = 0;
+  VectorX before;
+  const auto run_on = [&] {
+    for (;; ++steps) {
+      before = simulation.state().q;
+      simulation.step();
+    }
+  };
+  CHECK_THROWS_WITH(run_on(), Catch::Contains("cannot be taken"));
+  CHECK(steps == 5);  // it would meet after 1 / 11 s, in the sixth step of a sixtieth of a second
+  CHECK(simulation.steps() == steps);
+  CHECK(simulation.state().q == before);
+  CHECK(simulation.crossings().empty());
+  CHECK(simulation.refused().not_resolved > 0);
+}
+
+TEST_CASE("a zone moves rigidly, with its momentum and angular momentum") {
+  Scene scene;
+  scene.settings.gravity.setZero();
+  for (int i = 0; i < 5; ++i) {
+    add_particle(scene, {std::sin(3.0 * i), std::cos(5.0 * i), 0.3 * i}, 1 + i);
+  }
+  scene.wires = {{0, 1}, {2, 3}, {3, 4}};
+  const System system(scene);
+  const VectorX x0 = system.initial_position;
+  VectorX x1 = x0, inverse = VectorX::Zero(15);
+  for (Eigen::Index i = 0; i < 15; ++i) {
+    x1[i] += 1e-3 * std::sin(7.0 * static_cast<double>(i));
+    inverse[i] = 1 / system.mass[i];
+  }
+  const VectorX wanted = x1;
+  REQUIRE(move_rigidly({0, 1, 2, 3, 4}, system, inverse, x0, x1));
+  Vector3 momentum = Vector3::Zero(), angular = Vector3::Zero();
+  for (Index p = 0; p < 5; ++p) {
+    const Vector3 change = system.mass[3 * p] * (position(x1, p) - position(wanted, p));
+    momentum += change;
+    angular += position(x0, p).cross(change);
+    for (Index o = 0; o < p; ++o) {
+      CHECK((position(x1, p) - position(x1, o)).norm() == Approx((position(x0, p) - position(x0, o)).norm()).epsilon(1e-12));
+    }
+  }
+  CHECK(momentum.norm() < 1e-14);
+  CHECK(angular.norm() < 1e-6);  // a rotation by 1e-3 is its displacement but for its square
+}
