@@ -62,7 +62,7 @@ Response::Outcome Response::respond(Stepper& stepper, const State& state, double
   if (close.empty() && found.empty()) return Outcome::done;
 
   const Energies before = energies(*system_, state), without = energies(*system_, next);
-  constexpr double kShare = 1e-2;
+  constexpr double kShare = 2e-3;
   const double slack = kShare * std::max(before.total() - before.load, without.total() - without.load) +
                        1e-12 * (std::abs(before.load) + 1e-3);
   Work work{&state, h, next.q, &next, VectorX::Zero(inverse_mass_.size()), std::max(before.total(), without.total()), slack,
