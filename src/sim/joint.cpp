@@ -49,6 +49,18 @@ void add_angle_blocks(double weight, const Vector3& by_e, const Vector3& by_f, i
 
 JointStrain::JointStrain(const Vector3& p0, const Vector3& p1, const Vector3& p2, const Vector3& de, const Vector3& df,
                          double angle_e, double angle_f, double reference_twist) {
+  measure(p0, p1, p2);
+  set_frames(turned(de, te_, angle_e), turned(df, tf_, angle_f));
+  twist_ = angle_f - angle_e + reference_twist;
+}
+
+JointStrain::JointStrain(const Vector3& p0, const Vector3& p1, const Vector3& p2, const Vector3& de) : aligned_(true) {
+  measure(p0, p1, p2);
+  set_frames(de, parallel_transport(de, te_, tf_));
+  twist_ = 0;
+}
+
+void JointStrain::measure(const Vector3& p0, const Vector3& p1, const Vector3& p2) {
   const Vector3 e = p1 - p0, f = p2 - p1;
   length_e_ = e.norm();
   length_f_ = f.norm();
@@ -56,16 +68,18 @@ JointStrain::JointStrain(const Vector3& p0, const Vector3& p1, const Vector3& p2
   tf_ = f / length_f_;
   chi_ = 1 + te_.dot(tf_);
   kb_ = (2 / chi_) * te_.cross(tf_);
-  m1e_ = turned(de, te_, angle_e);
+}
+
+void JointStrain::set_frames(const Vector3& m1e, const Vector3& m1f) {
+  m1e_ = m1e;
   m2e_ = te_.cross(m1e_);
-  m1f_ = turned(df, tf_, angle_f);
+  m1f_ = m1f;
   m2f_ = tf_.cross(m1f_);
   t_ = (te_ + tf_) / chi_;
   d1_ = (m1e_ + m1f_) / chi_;
   d2_ = (m2e_ + m2f_) / chi_;
   kappa1_ = 0.5 * kb_.dot(m2e_ + m2f_);
   kappa2_ = -0.5 * kb_.dot(m1e_ + m1f_);
-  twist_ = angle_f - angle_e + reference_twist;
 }
 
 void JointStrain::gradients(JointVector& kappa1, JointVector& kappa2, JointVector& twist) const {
@@ -77,9 +91,17 @@ void JointStrain::gradients(JointVector& kappa1, JointVector& kappa2, JointVecto
   kappa1 << -k1e, -0.5 * kb_.dot(m1e_), k1e - k1f, -0.5 * kb_.dot(m1f_), k1f;
   kappa2 << -k2e, -0.5 * kb_.dot(m2e_), k2e - k2f, -0.5 * kb_.dot(m2f_), k2f;
   twist << -me, -1, me - mf, 1, mf;
+  if (!aligned_) return;
+  // Frames that were carried along would twist by m and measure another kappa: this one is kappa1 - tan(m / 2) kappa2
+  // and kappa2 + tan(m / 2) kappa1 of theirs. There are no angles.
+  kappa1 -= 0.5 * kappa2_ * twist;
+  kappa2 += 0.5 * kappa1_ * twist;
+  kappa1[3] = kappa1[7] = kappa2[3] = kappa2[7] = 0;
+  twist.setZero();
 }
 
 void JointStrain::add_hessians(double w1, double w2, double w3, JointMatrix& sum) const {
+  if (aligned_) w3 = 0.5 * (w2 * kappa1_ - w1 * kappa2_);
   const Matrix3 tt = t_ * t_.transpose();
   const Matrix3 across_e = Matrix3::Identity() - te_ * te_.transpose();
   const Matrix3 across_f = Matrix3::Identity() - tf_ * tf_.transpose();
@@ -114,6 +136,17 @@ void JointStrain::add_hessians(double w1, double w2, double w3, JointMatrix& sum
   const Matrix3 twist_ff = -0.25 * ff * symmetric_outer(kb_, tf_ + t_);
   const Matrix3 twist_ef = 0.5 * ef * (2 / chi_ * cross_matrix(te_) - kb_ * t_.transpose());
   add_edge_blocks(w3, twist_ee, twist_ef, twist_ff, sum);
+  if (!aligned_) return;
+  JointStrain carried = *this;
+  carried.aligned_ = false;
+  JointVector k1, k2, m;
+  carried.gradients(k1, k2, m);
+  const JointVector across = 0.5 * (w2 * k1 - w1 * k2);
+  sum += across * m.transpose() + m * across.transpose();
+  for (const int angle : {3, 7}) {
+    sum.row(angle).setZero();
+    sum.col(angle).setZero();
+  }
 }
 
 }  // namespace touchstone::sim

@@ -20,6 +20,10 @@ class JointStrain {
   JointStrain(const Vector3& p0, const Vector3& p1, const Vector3& p2, const Vector3& de, const Vector3& df, double angle_e,
               double angle_f, double reference_twist);
 
+  /// The same for a cable that does not resist twist, and has no frames but a director of e to measure curvature in:
+  /// the frame of f is that of e under the shortest rotation, and the twist is always 0.
+  JointStrain(const Vector3& p0, const Vector3& p1, const Vector3& p2, const Vector3& de);
+
   double kappa1() const noexcept { return kappa1_; }
   double kappa2() const noexcept { return kappa2_; }
   double twist() const noexcept { return twist_; }
@@ -31,6 +35,10 @@ class JointStrain {
   void add_hessians(double w1, double w2, double w3, JointMatrix& sum) const;
 
  private:
+  void measure(const Vector3& p0, const Vector3& p1, const Vector3& p2);
+  void set_frames(const Vector3& m1e, const Vector3& m1f);
+
+  bool aligned_ = false;  // the frame of f follows that of e
   double length_e_, length_f_, chi_;
   Vector3 te_, tf_, kb_;
   Vector3 m1e_, m2e_, m1f_, m2f_;

@@ -129,7 +129,6 @@ bool Simulation::try_part(double h, double end_time, StepRecord& record) {
   }
   crossings_.insert(crossings_.end(), crossings.begin(), crossings.end());
 
-  system_.untwist(next.q, next.frames);
   next.time = end_time;
   state_ = std::move(next);
   record.time = end_time;

@@ -72,6 +72,9 @@ System::System(const Scene& scene) : particle_count_(scene.particles.size()) {
 
 JointStrain System::joint_strain(const Joint& joint, const VectorX& q, const Frames& frames, double time) const {
   const auto number = static_cast<std::size_t>(&joint - joints.data());
+  if (!edges[joint.e].twists) {
+    return {position(q, joint.p[0]), position(q, joint.p[1]), position(q, joint.p[2]), frames.director[joint.e]};
+  }
   const double inserted = joint.closing_rate * std::min(time, joint.closing_until);
   return {position(q, joint.p[0]),      position(q, joint.p[1]), position(q, joint.p[2]),
           frames.director[joint.e],     frames.director[joint.f], q[angle(joint.e)],
@@ -204,18 +207,6 @@ Frames System::transported(const Frames& frames, const VectorX& from, const Vect
     carried.reference_twist[j] = before + signed_angle(over, carried.director[joints[j].f], tf);
   }
   return carried;
-}
-
-void System::untwist(const VectorX& q, Frames& frames) const {
-  const bool needed = std::any_of(edges.begin(), edges.end(), [](const RodEdge& edge) { return !edge.twists; });
-  if (!needed) return;
-  const Frames fresh = initial_frames(q);
-  for (std::size_t j = 0; j < edges.size(); ++j) {
-    if (!edges[j].twists) frames.director[j] = fresh.director[j];
-  }
-  for (std::size_t j = 0; j < joints.size(); ++j) {
-    if (!edges[joints[j].e].twists) frames.reference_twist[j] = fresh.reference_twist[j];
-  }
 }
 
 }  // namespace touchstone::sim

@@ -64,9 +64,6 @@ class System {
   /// `frames` of `from`, carried along to `to`.
   Frames transported(const Frames& frames, const VectorX& from, const VectorX& to) const;
 
-  /// Frames of cables that do not twist are made anew, without twist; the others stay.
-  void untwist(const VectorX& q, Frames& frames) const;
-
   std::vector<Length> lengths;
   std::vector<RodEdge> edges;
   std::vector<Joint> joints;
