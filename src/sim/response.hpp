@@ -47,6 +47,7 @@ class Response {
   double thickness_;
   VectorX inverse_mass_;
   VectorX stiffness_;  // of each particle's springs, N/m
+  bool repels_;        // elements that are nearer than the thickness
   ContactFinder finder_;
 };
 

@@ -103,7 +103,7 @@ bool Simulation::try_part(double h, double end_time, StepRecord& record) {
     case Response::Outcome::gained_energy:
       // Halving helps until contacts are solved for on the scale on which the elements answer; after that, the step is
       // better taken than halved for ever.
-      if (h > scene_.settings.time_step / kEnergyParts) {
+      if (narrow_phase_ == NarrowPhase::exact && h > scene_.settings.time_step / kEnergyParts) {
         ++refused_.gained_energy;
         return false;
       }

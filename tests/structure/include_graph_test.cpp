@@ -54,6 +54,8 @@ TEST_CASE("a planted violation of the layer table is found") {
                Planted{"exact/x.cpp", "#include \"../solver/cascade.hpp\"\n", "names the layer"},
                Planted{"exact/x.cpp", "#include <solver/cascade.hpp>\n", "with quotes"},
                Planted{"io/x.cpp", "#include <touchstone/eigen.hpp>\n", "without Eigen"},
+               Planted{"sim/x.cpp", "#include \"exact/exact.hpp\"\n", "`sim` may not use `exact`"},
+               Planted{"solver/x.cpp", "#include \"sim/scene.hpp\"\n", "`solver` may not use `sim`"},
                Planted{"unheard_of/x.cpp", "", "has no `unheard_of`"});
   CAPTURE(planted.path, planted.text);
   const auto violations = source_violations(planted.path, planted.text);

@@ -1,0 +1,168 @@
+// `touchstone simulate`: its last line, its files, and what it refuses.
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/run_program.hpp"
+#include "support/catch.hpp"
+
+using namespace touchstone::tests;
+
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream stream(line);
+  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+std::string last_line(const std::string& text) { return lines_of(text).back(); }
+
+}  // namespace
+
+TEST_CASE("the hoop runs with a proof of each step, and the ball goes through the net") {
+  const TemporaryFolder folder;
+  const std::string out = folder.path("out"), proof = folder.path("proof.csv");
+  // A second and a quarter: it has fallen through by then.
+  const Run run = run_program({"simulate", "hoop", "--size", "200", "--steps", "75", "--out", out, "--proof", proof});
+  CAPTURE(run.out, run.err);
+  CHECK(run.status == 0);
+  CHECK(last_line(run.out) == "75 steps, 0 crossings");
+
+  const auto rows = lines_of(folder.read("proof.csv"));
+  REQUIRE(rows.size() >= 76);
+  const auto header = cells_of(rows[0]);
+  CHECK(header.front() == "step");
+  CHECK(header.back() == "certified");
+  std::uint64_t contacts = 0, pairs = 0;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const auto cells = cells_of(rows[i]);
+    REQUIRE(cells.size() == header.size());
+    CHECK(cells.back() == "1");
+    contacts += std::stoull(cells[5]);
+    pairs += std::stoull(cells[17]);
+  }
+  CHECK(cells_of(rows.back())[0] == "75");
+  CHECK(contacts > 50);
+  CHECK(pairs > 5000);
+
+  const auto energies = lines_of(folder.read("out/energies.csv"));
+  REQUIRE(energies.size() == 77);
+  double before = std::stod(cells_of(energies[1])[7]);
+  for (std::size_t i = 2; i < energies.size(); ++i) {
+    const double total = std::stod(cells_of(energies[i])[7]);
+    CHECK(total <= before + 0.05);
+    before = total;
+  }
+
+  // Frames: a series of legacy VTK files, whose counts say how many numbers follow.
+  const std::string series = folder.read("out/frames/frames.vtk.series");
+  CHECK(occurrences(series, "\"name\": \"frame-") == 38);
+  const auto frame = lines_of(folder.read("out/frames/frame-000074.vtk"));
+  REQUIRE(frame.size() > 5);
+  CHECK(frame[0] == "# vtk DataFile Version 3.0");
+  CHECK(frame[2] == "ASCII");
+  CHECK(frame[3] == "DATASET POLYDATA");
+  std::istringstream points(frame[4]);
+  std::string word;
+  std::size_t count = 0;
+  points >> word >> count;
+  CHECK(word == "POINTS");
+  REQUIRE(frame.size() > 5 + count);
+  CHECK(frame[5 + count].rfind("LINES ", 0) == 0);
+  // The ball's particles come after the net's and before the floor's four.
+  double x = 0, y = 0, z = 0;
+  std::istringstream ball(frame[5 + count - 5]);
+  ball >> x >> y >> z;
+  CHECK(z < 1.1);
+  CHECK(z > 0);
+  CHECK(std::filesystem::exists(folder.path("out/energies.gp")));
+}
+
+TEST_CASE("a run that is resumed writes what an uninterrupted one does, on any number of threads") {
+  const TemporaryFolder folder;
+  const auto path = [&](const char* name) { return folder.path(name); };
+  CHECK(run_program({"simulate", "chain", "--steps", "60", "--checkpoint", path("whole.json")}).status == 0);
+  CHECK(run_program({"simulate", "chain", "--steps", "60", "--threads", "2", "--checkpoint", path("two.json")}).status == 0);
+  CHECK(run_program({"simulate", "chain", "--steps", "25", "--checkpoint", path("part.json")}).status == 0);
+  const Run rest = run_program({"simulate", "--resume", path("part.json"), "--steps", "35", "--checkpoint", path("rest.json")});
+  CHECK(rest.status == 0);
+  CHECK(last_line(rest.out) == "35 steps, 0 crossings");
+  CHECK(folder.read("rest.json") == folder.read("whole.json"));
+  CHECK(folder.read("two.json") == folder.read("whole.json"));
+}
+
+TEST_CASE("the candidates that it writes certify") {
+  const TemporaryFolder folder;
+  CHECK(run_program({"simulate", "hoop", "--size", "200", "--steps", "12", "--queries", folder.path("q")}).status == 0);
+  const Run certified = run_program({"certify", folder.path("q/edge-edge/candidates.csv"), folder.path("q/vertex-face/candidates.csv")});
+  CAPTURE(certified.out);
+  CHECK(certified.status == 0);
+  CHECK(occurrences(certified.out, "claims hold") == 1);
+}
+
+TEST_CASE("with the paper's solver as narrow phase edges get through, and the proof says where and when") {
+  const Run paper = run_program({"simulate", "whip", "--narrow-phase", "paper"});
+  CAPTURE(paper.out);
+  CHECK(paper.status == 1);
+  CHECK(occurrences(paper.out, "crossing: step ") >= 1);
+  CHECK(occurrences(paper.out, " s: edge 0-1 and edge ") >= 1);
+  CHECK(last_line(paper.out).rfind("30 steps, ", 0) == 0);
+  CHECK(last_line(paper.out) != "30 steps, 0 crossings");
+  const Run exact = run_program({"simulate", "whip"});
+  CHECK(exact.status == 0);
+  CHECK(last_line(exact.out) == "30 steps, 0 crossings");
+}
+
+TEST_CASE("a scene's passes are those that it needs") {
+  const Run whip = run_program({"simulate", "whip", "--explain"});
+  CHECK(whip.status == 0);
+  CHECK(occurrences(whip.out, "yes  edge-edge pass") == 1);
+  CHECK(occurrences(whip.out, "no   vertex-face pass") == 1);
+  CHECK(occurrences(whip.out, "yes  bending forces") == 1);
+  CHECK(occurrences(whip.out, "no   twist angles") == 1);
+  const Run edges = run_program({"simulate", "two-edges", "--explain"});
+  CHECK(occurrences(edges.out, "no   fold pass") == 1);
+  CHECK(occurrences(edges.out, "no   friction") == 1);
+  CHECK(occurrences(run_program({"simulate", "hoop", "--explain"}).out, "yes  vertex-face pass") == 1);
+}
+
+TEST_CASE("bad usage and bad scenes end with status 2, one line, and nothing written") {
+  const TemporaryFolder folder;
+  const auto check_refused = [&](const std::vector<std::string>& arguments, const std::string& part) {
+    const Run run = run_program(arguments);
+    CAPTURE(arguments, run.err, run.out);
+    CHECK(run.status == 2);
+    CHECK(run.out == "");
+    CHECK(occurrences(run.err, "\n") == 1);
+    CHECK(occurrences(run.err, part) == 1);
+  };
+  check_refused({"simulate"}, "name a scene, or a checkpoint with --resume");
+  check_refused({"simulate", "hoop", "--resume", "x"}, "not both");
+  check_refused({"simulate", "hoop", "--size", "3"}, "--size 3: hoop takes 200 to 50000");
+  check_refused({"simulate", folder.path("none.json")}, "none.json: cannot be opened");
+  check_refused({"simulate", folder.write("bad.json", "{\"touchstone_scene\": 1, \"particles\": [{}]}")},
+                "bad.json: particles[0]: lacks the key 'position'");
+  check_refused({"simulate", folder.path("bad.json"), "--size", "4"}, "only shipped scenes are made to a size");
+  check_refused({"simulate", "hoop", "--threads", "0"}, "--threads");
+  check_refused({"simulate", "hoop", "--narrow-phase", "best"}, "--narrow-phase");
+  check_refused({"simulate", "--resume", folder.path("bad.json")}, "has no key 'particles'");
+  check_refused({"simulate", "two-edges", "--proof", folder.path("no/proof.csv")}, "cannot be written");
+  CHECK(folder.names() == std::set<std::string>{"bad.json"});
+
+  const std::string scene = folder.path("scene.json");
+  CHECK(run_program({"simulate", "two-edges", "--scene-out", scene}).status == 0);
+  const Run again = run_program({"simulate", scene, "--steps", "30"});
+  CHECK(again.status == 0);
+  CHECK(last_line(again.out) == "30 steps, 0 crossings");
+}
