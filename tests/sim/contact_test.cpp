@@ -9,11 +9,11 @@
 #include "sim/contact.hpp"
 #include "sim/sim_scenes.hpp"
 #include "support/catch.hpp"
-#include "support/random.hpp"
+#include "seeded/rng.hpp"
 
 using namespace touchstone;
 using namespace touchstone::sim;
-using touchstone::tests::Rng;
+using touchstone::seeded::Rng;
 
 namespace {
 

@@ -7,10 +7,10 @@
 #include "sim/energy.hpp"
 #include "sim/sim_scenes.hpp"
 #include "support/catch.hpp"
-#include "support/random.hpp"
+#include "seeded/rng.hpp"
 
 using namespace touchstone::sim;
-using touchstone::tests::Rng;
+using touchstone::seeded::Rng;
 
 namespace {
 
