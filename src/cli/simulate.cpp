@@ -87,7 +87,8 @@ class SimulateProgress {
   Clock::time_point start_ = Clock::now(), last_ = start_;
 };
 
-std::string outcome(const sim::Simulation& simulation, std::uint64_t steps, std::uint64_t parts, double rate) {
+std::string outcome(const sim::Simulation& simulation, std::uint64_t steps, std::uint64_t parts,
+                    std::uint64_t gained, double rate) {
   std::string text;
   constexpr std::size_t kMostShown = 20;
   const auto& crossings = simulation.crossings();
@@ -102,6 +103,7 @@ std::string outcome(const sim::Simulation& simulation, std::uint64_t steps, std:
                         counted(steps, "step"), counted(parts, "part"), refused.not_converged, refused.not_resolved,
                         refused.gained_energy, refused.not_certified);
   }
+  if (gained > 0) text += fmt::format("in {} contacts did work: too short to be cut again\n", counted(gained, "part"));
   text += fmt::format("{:.1f} steps a second\n", rate);
   return text + fmt::format("{} steps, {} crossings\n", steps, crossings.size());
 }
@@ -132,19 +134,20 @@ int run_simulate(const SimulateOptions& options) {
   const auto all = static_cast<std::uint64_t>(std::ceil(settings.duration / settings.time_step - 1e-6));
   const std::uint64_t steps = options.steps ? *options.steps : all - std::min(all, simulation.steps());
   SimulateOutput output(options, simulation);
-  std::uint64_t parts = 0;
+  std::uint64_t parts = 0, gained = 0;
   SimulateProgress progress(steps);
   for (std::uint64_t i = 0; i < steps; ++i) {
     throw_if_interrupted();
     const auto records = simulation.step();
     parts += records.size();
+    for (const auto& record : records) gained += static_cast<std::uint64_t>(record.gained_energy);
     output.step(records);
     progress.step();
   }
   const double rate = progress.rate();
   const std::string hint = output.finish();
   if (!hint.empty()) print_error(fmt::format("touchstone: {}\n", hint));
-  console.write(outcome(simulation, steps, parts, rate));
+  console.write(outcome(simulation, steps, parts, gained, rate));
   console.commit();
   return simulation.crossings().empty() ? kAllHold : kRefuted;
 }

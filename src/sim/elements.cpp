@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "generators/broad_phase.hpp"
+#include "sim/box_pairs.hpp"
 
 namespace touchstone::sim {
 namespace {
@@ -158,12 +158,12 @@ std::vector<Pair> Elements::candidates(const VectorX& x0, const VectorX& x1, dou
   std::vector<Box> edge_boxes;
   if (passes_.edge_edge || passes_.points) edge_boxes = boxes_of(edges_, particles);
   if (passes_.edge_edge) {
-    generators::for_each_overlap(edge_boxes, [&](Index i, Index j) {
+    for_each_pair(edge_boxes, [&](Index i, Index j) {
       if (!contains(edges_[j], edges_[i][0]) && !contains(edges_[j], edges_[i][1])) add({Kind::edge_edge, i, j});
     });
   }
   if (passes_.vertex_face) {
-    generators::for_each_overlap(boxes_of(vertices_, particles), boxes_of(faces_, particles), [&](Index i, Index j) {
+    for_each_pair(boxes_of(vertices_, particles), boxes_of(faces_, particles), [&](Index i, Index j) {
       if (!contains(faces_[j], vertices_[i])) add({Kind::vertex_face, vertices_[i], j});
     });
   }
@@ -180,9 +180,9 @@ std::vector<Pair> Elements::candidates(const VectorX& x0, const VectorX& x1, dou
   }
   if (passes_.points) {
     const auto point_boxes = boxes_of(points_, particles);
-    generators::for_each_overlap(point_boxes, edge_boxes,
+    for_each_pair(point_boxes, edge_boxes,
                                  [&](Index i, Index j) { add({Kind::point_edge, points_[i], j}); });
-    generators::for_each_overlap(point_boxes, [&](Index i, Index j) { add({Kind::point_point, points_[i], points_[j]}); });
+    for_each_pair(point_boxes, [&](Index i, Index j) { add({Kind::point_point, points_[i], points_[j]}); });
   }
   return pairs;
 }
