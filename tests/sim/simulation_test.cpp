@@ -256,3 +256,50 @@ TEST_CASE("a zone moves rigidly, with its momentum and angular momentum") {
   CHECK(momentum.norm() < 1e-14);
   CHECK(angular.norm() < 1e-6);  // a rotation by 1e-3 is its displacement but for its square
 }
+
+TEST_CASE("capstan: a string that slips round a post holds e^(mu phi) times the pull") {
+  // Half a turn round a post of 48 wires: it holds a tenth less than e^(mu pi) times the pull, and slips under a tenth more.
+  constexpr double kMu = 0.3, kPull = 1;
+  const auto slips = [&](double load) {
+    Scene scene;
+    scene.settings.gravity.setZero();
+    scene.settings.time_step = 2e-3;
+    scene.settings.drag = 20;
+    scene.settings.contact.restitution = 0;
+    scene.settings.contact.friction = kMu;
+    scene.settings.contact.thickness = 1e-3;
+    constexpr double kRadius = 0.1;
+    constexpr int kWires = 48;
+    for (int i = 0; i < kWires; ++i) {
+      const double phi = 2 * std::numbers::pi * (i + 0.5) / kWires;
+      const Vector3 at(kRadius * std::cos(phi), 0, kRadius * std::sin(phi));
+      const Index a = add_pinned(scene, at - Vector3(0, 0.3, 0)), b = add_pinned(scene, at + Vector3(0, 0.3, 0));
+      scene.wires.push_back({a, b});
+    }
+    Cable cable;
+    constexpr int kAround = 60, kStraight = 20;
+    const double r = kRadius + 1.2e-3, ds = std::numbers::pi * r / kAround;
+    const auto add = [&](double x, double z) { cable.particles.push_back(add_particle(scene, {x, 0.001, z}, 0)); };
+    for (int i = kStraight; i > 0; --i) add(r, -ds * i);
+    for (int i = 0; i <= kAround; ++i) add(r * std::cos(std::numbers::pi * i / kAround), r * std::sin(std::numbers::pi * i / kAround));
+    for (int i = 1; i <= kStraight; ++i) add(-r, -ds * i);
+    set_material(cable, 1e7, 0.3, 0.002, 1500);
+    cable.bend = cable.twist = 0;
+    cable.damping = 2e-3;
+    scene.particles[cable.particles.front()].force = {0, 0, -kPull};
+    scene.particles[cable.particles.back()].force = {0, 0, -load};
+    const Index last = cable.particles.back();
+    scene.cables.push_back(cable);
+    Simulation simulation(scene, {});
+    for (int i = 0; i < 150; ++i) simulation.step();
+    const double middle = position(simulation.state().q, last).z();
+    for (int i = 0; i < 150; ++i) simulation.step();
+    CHECK(simulation.crossings().empty());
+    return middle - position(simulation.state().q, last).z();
+  };
+  const double ratio = std::exp(kMu * std::numbers::pi);  // 2.566
+  const double held = slips(0.9 * ratio), slipped = slips(1.1 * ratio);
+  CAPTURE(held, slipped);
+  CHECK(held < 0.3 * slipped);
+  CHECK(slipped > 5e-3);
+}
