@@ -148,6 +148,22 @@ bool Response::impulses(Work& work, std::vector<Contact> known, int passes) {
   }
 }
 
+void Response::measure_hold(const VectorX& q) {
+  hold_.assign(system_->particle_count(), Eigen::Matrix3d::Zero());
+  for (const Length& element : system_->lengths) {
+    const Vector3 along = (position(q, element.b) - position(q, element.a)).normalized();
+    const Eigen::Matrix3d stiffness = element.stiffness * along * along.transpose();
+    hold_[element.a] += stiffness;
+    hold_[element.b] += stiffness;
+  }
+  for (const Joint& joint : system_->joints) {
+    // A bend of one segment's length: the middle moves against both of its neighbours.
+    const double length = 0.5 * (position(q, joint.p[2]) - position(q, joint.p[0])).norm();
+    const double across = joint.bend / (length * length + 1e-300);
+    for (std::size_t k = 0; k < 3; ++k) hold_[joint.p[k]] += (k == 1 ? 4 : 1) * across * Eigen::Matrix3d::Identity();
+  }
+}
+
 ContactTerm Response::term_of(const Contact& contact, const Work& work) const {
   ContactTerm term;
   term.particles = contact.particles;
@@ -160,7 +176,8 @@ ContactTerm Response::term_of(const Contact& contact, const Work& work) const {
     const Index p = contact.particles[c];
     const double inverse = inverse_mass_.segment<3>(3 * static_cast<Eigen::Index>(p)).maxCoeff();
     if (inverse > 0) {
-      const double hold = 1 / (inverse * work.h * work.h) + stiffness_[static_cast<Eigen::Index>(p)];
+      // A cable is stiff along itself and soft across, which is where it is mostly touched.
+      const double hold = 1 / (inverse * work.h * work.h) + contact.normal.dot(hold_[p] * contact.normal);
       softness += contact.omega[c] * contact.omega[c] / hold;
     }
   }
@@ -175,6 +192,7 @@ ContactTerm Response::term_of(const Contact& contact, const Work& work) const {
 }
 
 bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Contact> contacts) {
+  measure_hold(work.state->q);
   std::vector<ContactTerm> terms;
   std::vector<Pair> pairs;
   const auto add = [&](const Contact& contact) {

@@ -31,6 +31,7 @@ class Response {
   bool impulses(Work& work, std::vector<Contact> known, int passes);
   bool freeze_zones(Work& work, std::vector<Contact> contacts);
   bool solve_with_contacts(Work& work, Stepper& stepper, std::vector<Contact> contacts);
+  void measure_hold(const VectorX& q);
   ContactTerm term_of(const Contact& contact, const Work& work) const;
   /// The share of a missing distance that is made good in h seconds: the same speed for any h.
   double recovery(double h) const;
@@ -47,6 +48,7 @@ class Response {
   double thickness_;
   VectorX inverse_mass_;
   VectorX stiffness_;  // of each particle's springs, N/m
+  std::vector<Eigen::Matrix3d> hold_;  // what holds each particle where it is, by direction, N/m
   bool repels_;        // elements that are nearer than the thickness
   ContactFinder finder_;
 };
