@@ -76,7 +76,9 @@ class SimulateProgress {
     std::fflush(stderr);
   }
 
-  double rate() const { return static_cast<double>(done_) / std::chrono::duration<double>(Clock::now() - start_).count(); }
+  double rate() const {
+    return static_cast<double>(done_) / std::chrono::duration<double>(Clock::now() - start_).count();
+  }
   std::uint64_t done() const noexcept { return done_; }
 
  private:
@@ -87,8 +89,8 @@ class SimulateProgress {
   Clock::time_point start_ = Clock::now(), last_ = start_;
 };
 
-std::string outcome(const sim::Simulation& simulation, std::uint64_t steps, std::uint64_t parts,
-                    std::uint64_t gained, double rate) {
+std::string outcome(const sim::Simulation& simulation, std::uint64_t steps, std::uint64_t parts, std::uint64_t gained,
+                    double rate) {
   std::string text;
   constexpr std::size_t kMostShown = 20;
   const auto& crossings = simulation.crossings();
@@ -98,10 +100,11 @@ std::string outcome(const sim::Simulation& simulation, std::uint64_t steps, std:
   if (crossings.size() > kMostShown) text += fmt::format("crossing: {} more\n", grouped(crossings.size() - kMostShown));
   const auto& refused = simulation.refused();
   if (parts > steps) {
-    text += fmt::format("{} in {}: refused were {} that did not converge, {} without a response, {} in which contacts "
-                        "did work, {} that failed their proof\n",
-                        counted(steps, "step"), counted(parts, "part"), refused.not_converged, refused.not_resolved,
-                        refused.gained_energy, refused.not_certified);
+    text += fmt::format(
+        "{} in {}: refused were {} that did not converge, {} without a response, {} in which contacts "
+        "did work, {} that failed their proof\n",
+        counted(steps, "step"), counted(parts, "part"), refused.not_converged, refused.not_resolved,
+        refused.gained_energy, refused.not_certified);
   }
   if (gained > 0) text += fmt::format("in {} contacts did work: too short to be cut again\n", counted(gained, "part"));
   text += fmt::format("{:.1f} steps a second\n", rate);
@@ -166,21 +169,25 @@ void add_simulate(CLI::App& program, Command& command) {
   subcommand->add_option("--steps", options->steps, "How many steps to make (default: the scene's duration)")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000'000'000}));
-  subcommand->add_option("--out", options->out, "A folder for frames (VTK, a series for ParaView), energies and their plot")
+  subcommand
+      ->add_option("--out", options->out, "A folder for frames (VTK, a series for ParaView), energies and their plot")
       ->type_name("FOLDER");
   subcommand->add_option("--frame-every", options->frame_every, "A frame each N steps (default: 2)")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
   subcommand->add_option("--proof", options->proof, "A table of each step's proof")->type_name("FILE");
-  subcommand->add_option("--energies", options->energies, "A table of each step's energies and contacts")->type_name("FILE");
+  subcommand->add_option("--energies", options->energies, "A table of each step's energies and contacts")
+      ->type_name("FILE");
   subcommand
-      ->add_option("--queries", options->queries,
-                   "Write every candidate pair of the proofs as FOLDER/KIND/candidates.csv, query files with true answers")
+      ->add_option(
+          "--queries", options->queries,
+          "Write every candidate pair of the proofs as FOLDER/KIND/candidates.csv, query files with true answers")
       ->type_name("FOLDER");
   subcommand->add_option("--checkpoint", options->checkpoint, "Where to write the state at the end")->type_name("FILE");
   subcommand->add_option("--resume", options->resume, "Go on from a checkpoint, as if the run had not stopped")
       ->type_name("FILE");
-  subcommand->add_option("--scene-out", options->scene_out, "Write the scene as JSON, and do no more")->type_name("FILE");
+  subcommand->add_option("--scene-out", options->scene_out, "Write the scene as JSON, and do no more")
+      ->type_name("FILE");
   subcommand->add_flag("--explain", options->explain, "Say which passes the scene needs and why, and do no more");
   subcommand
       ->add_option_function<std::string>(
@@ -192,19 +199,22 @@ void add_simulate(CLI::App& program, Command& command) {
           "and with paper it reports the crossings instead of refusing the step")
       ->type_name("NAME")
       ->check(CLI::IsMember({"exact", "paper"}));
-  subcommand->add_option("--threads", options->threads, "How many threads answer queries (default: 1); no result depends on it")
+  subcommand
+      ->add_option("--threads", options->threads,
+                   "How many threads answer queries (default: 1); no result depends on it")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
-  subcommand->footer("Scenes\n" + scenes +
-                     "\nUnits are SI. A step that would let two elements touch is not taken: its response is tried again "
-                     "in shorter\nparts. The last line is `N steps, 0 crossings`.\n\n"
-                     "Examples\n"
-                     "  touchstone simulate hoop --out hoop\n"
-                     "  touchstone simulate cable-drop --size 5000 --proof proof.csv\n"
-                     "  touchstone simulate hoop --scene-out hoop.json && touchstone simulate hoop.json\n"
-                     "  touchstone simulate whip --narrow-phase paper\n\n"
-                     "Exit status: 0 done without a crossing, 1 crossings, 2 bad usage, a bad scene or a step that "
-                     "cannot be taken.");
+  subcommand->footer(
+      "Scenes\n" + scenes +
+      "\nUnits are SI. A step that would let two elements touch is not taken: its response is tried again "
+      "in shorter\nparts. The last line is `N steps, 0 crossings`.\n\n"
+      "Examples\n"
+      "  touchstone simulate hoop --out hoop\n"
+      "  touchstone simulate cable-drop --size 5000 --proof proof.csv\n"
+      "  touchstone simulate hoop --scene-out hoop.json && touchstone simulate hoop.json\n"
+      "  touchstone simulate whip --narrow-phase paper\n\n"
+      "Exit status: 0 done without a crossing, 1 crossings, 2 bad usage, a bad scene or a step that "
+      "cannot be taken.");
   subcommand->callback([options, &command] { command = [options] { return run_simulate(*options); }; });
 }
 

@@ -20,7 +20,8 @@ constexpr const char* kPlotScript =
     "set grid lc rgb '#E4E4E4' lt 1\n"
     "set key outside right center\n"
     "do for [ending in 'svg png'] {\n"
-    "  if (ending eq 'svg') { set terminal svg size 1000,700 background 'white' } else { set terminal pngcairo size 1000,700 }\n"
+    "  if (ending eq 'svg') { set terminal svg size 1000,700 background 'white' } else { set terminal pngcairo size "
+    "1000,700 }\n"
     "  set output 'energies.'.ending\n"
     "  set multiplot layout 2,1\n"
     "  set ylabel 'energy [J]'\n"
@@ -110,7 +111,8 @@ std::string SimulateOutput::finish() {
   if (!options_->energies.empty()) return {};
   write_whole((fs::path(options_->out) / "energies.gp").string(), kPlotScript);
   const auto gnuplot = report::find_gnuplot();
-  if (!gnuplot) return "no gnuplot in PATH, so energies are not drawn; `gnuplot energies.gp` in " + options_->out + " does it";
+  if (!gnuplot)
+    return "no gnuplot in PATH, so energies are not drawn; `gnuplot energies.gp` in " + options_->out + " does it";
   report::run_gnuplot(*gnuplot, options_->out, "energies.gp");
   return {};
 }

@@ -51,8 +51,7 @@ struct Sizes {
 
 void for_each_pair(const std::vector<Box>& boxes, const generators::PairConsumer& found) {
   const Sizes sizes(boxes);
-  generators::for_each_overlap(sizes.usual_boxes,
-                               [&](Number i, Number j) { found(sizes.usual[i], sizes.usual[j]); });
+  generators::for_each_overlap(sizes.usual_boxes, [&](Number i, Number j) { found(sizes.usual[i], sizes.usual[j]); });
   for (std::size_t k = 0; k < sizes.large.size(); ++k) {
     const Number i = sizes.large[k];
     for (const Number j : sizes.usual) {

@@ -77,7 +77,8 @@ Checkpoint checkpoint_from_json(std::string_view text) {
   checkpoint.state.v = vector_from(root.at("v"));
   const VectorX directors = vector_from(root.at("directors"));
   if (directors.size() % 3 != 0) root.at("directors").fail("must be three numbers a segment");
-  for (Eigen::Index i = 0; i < directors.size(); i += 3) checkpoint.state.frames.director.push_back(directors.segment<3>(i));
+  for (Eigen::Index i = 0; i < directors.size(); i += 3)
+    checkpoint.state.frames.director.push_back(directors.segment<3>(i));
   const VectorX twists = vector_from(root.at("reference_twists"));
   checkpoint.state.frames.reference_twist.assign(twists.data(), twists.data() + twists.size());
   return checkpoint;

@@ -13,7 +13,8 @@ using Corners = std::array<Vector3, 4>;
 
 double clamped(double x) { return std::clamp(x, 0.0, 1.0); }
 
-/// The parameters in [0, 1] of the closest points of segments p0 p1 and q0 q1 (Ericson, "Real-Time Collision Detection", 5.1.9).
+/// The parameters in [0, 1] of the closest points of segments p0 p1 and q0 q1 (Ericson, "Real-Time Collision
+/// Detection", 5.1.9).
 std::array<double, 2> closest_on_segments(const Vector3& p0, const Vector3& p1, const Vector3& q0, const Vector3& q1) {
   const Vector3 u = p1 - p0, w = q1 - q0, r = p0 - q0;
   const double a = u.squaredNorm(), e = w.squaredNorm(), b = u.dot(w), c = u.dot(r), f = w.dot(r);
@@ -107,8 +108,8 @@ Contact empty_contact(const Elements& elements, const Pair& pair) {
 
 }  // namespace
 
-Contact contact_of(const Elements& elements, const Pair& pair, const VectorX& x0, const VectorX& x1, const Answer& answer,
-                   bool exact_weights) {
+Contact contact_of(const Elements& elements, const Pair& pair, const VectorX& x0, const VectorX& x1,
+                   const Answer& answer, bool exact_weights) {
   Contact contact = empty_contact(elements, pair);
   contact.time = answer.toi;
   Corners at{};

@@ -22,8 +22,8 @@ struct Contact {
 
 /// The contact that `answer` reports for this pair. @param exact_weights  whether the answer has weights and not only
 /// a time, as other people's solvers do
-Contact contact_of(const Elements& elements, const Pair& pair, const VectorX& x0, const VectorX& x1, const Answer& answer,
-                   bool exact_weights);
+Contact contact_of(const Elements& elements, const Pair& pair, const VectorX& x0, const VectorX& x1,
+                   const Answer& answer, bool exact_weights);
 
 /// The same for two elements that are close at x0; the normal is along their shortest connection. False when they are
 /// `thickness` apart or more.
@@ -41,7 +41,7 @@ struct ImpulseRule {
 struct Motion {
   const VectorX* x0 = nullptr;
   VectorX* x1 = nullptr;
-  VectorX* pushed = nullptr;             ///< the part of x1 that is no velocity
+  VectorX* pushed = nullptr;              ///< the part of x1 that is no velocity
   const VectorX* inverse_mass = nullptr;  ///< of each coordinate; 0 for what is held
 };
 

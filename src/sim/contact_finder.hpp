@@ -10,15 +10,15 @@
 namespace touchstone::sim {
 
 struct ResponseCounts {
-  std::uint64_t close = 0;     ///< pairs that were nearer than the thickness at the start
-  std::uint64_t contacts = 0;  ///< found by the narrow phase, over all passes
+  std::uint64_t close = 0;                 ///< pairs that were nearer than the thickness at the start
+  std::uint64_t contacts = 0;              ///< found by the narrow phase, over all passes
   std::array<std::uint64_t, 5> natures{};  ///< of these, by Nature
-  LevelCounts levels;          ///< who decided, over all queries of the response
+  LevelCounts levels;                      ///< who decided, over all queries of the response
   std::uint64_t queries = 0;
-  int passes = 0;              ///< of impulses that had contacts to answer
-  int solves = 0;              ///< implicit steps with the contacts in their potential
-  int newton_iterations = 0;   ///< of these
-  int zones = 0;               ///< rigid impact zones that were needed in the end
+  int passes = 0;             ///< of impulses that had contacts to answer
+  int solves = 0;             ///< implicit steps with the contacts in their potential
+  int newton_iterations = 0;  ///< of these
+  int zones = 0;              ///< rigid impact zones that were needed in the end
 };
 
 class ContactFinder {
@@ -32,8 +32,8 @@ class ContactFinder {
   /// Pairs that are nearer than `thickness` at x0, which is at most the margin.
   std::vector<Contact> close(double thickness) const;
 
-  /// The contacts between x0 and x1, in the order of their time. Pairs that had none last time are asked again only when
-  /// `moved` has named one of their particles since.
+  /// The contacts between x0 and x1, in the order of their time. Pairs that had none last time are asked again only
+  /// when `moved` has named one of their particles since.
   void find(const VectorX& x1, std::vector<Contact>& found, ResponseCounts& counts);
 
   /// These particles end elsewhere now: at x1.

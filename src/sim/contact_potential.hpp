@@ -8,8 +8,8 @@
 
 namespace touchstone::sim {
 
-/// With u = sum omega_i (x_i - x_i at the start of the step): 1/2 stiffness min(n . u - goal, 0)^2 along the normal and,
-/// across it, friction's dissipation slip * |u_T|, smoothed where |u_T| is less than `stick` (Li et al. 2020).
+/// With u = sum omega_i (x_i - x_i at the start of the step): 1/2 stiffness min(n . u - goal, 0)^2 along the normal
+/// and, across it, friction's dissipation slip * |u_T|, smoothed where |u_T| is less than `stick` (Li et al. 2020).
 struct ContactTerm {
   std::array<Index, 4> particles{};
   std::size_t corners = 0;

@@ -100,8 +100,9 @@ Elements::Elements(const Scene& scene, const System& system) : faces_(scene.face
       in_edge[p] = 1;
       edges_at[p].push_back(e);
     }
-    shortest_ = std::min(shortest_, (position(system.initial_position, edges_[e][0]) -
-                                     position(system.initial_position, edges_[e][1])).norm());
+    shortest_ = std::min(
+        shortest_,
+        (position(system.initial_position, edges_[e][0]) - position(system.initial_position, edges_[e][1])).norm());
   }
   for (Index p = 0; p < count; ++p) {
     if (in_edge[p] || !hidden[p]) vertices_.push_back(p);
@@ -175,13 +176,13 @@ std::vector<Pair> Elements::candidates(const VectorX& x0, const VectorX& x1, dou
         box.low[k] = std::min(box.low[k], other.low[k]);
         box.high[k] = std::max(box.high[k], other.high[k]);
       }
-      if (generators::overlap(particles[fold.particle], box)) pairs.push_back({Kind::point_edge, fold.particle, fold.edge});
+      if (generators::overlap(particles[fold.particle], box))
+        pairs.push_back({Kind::point_edge, fold.particle, fold.edge});
     }
   }
   if (passes_.points) {
     const auto point_boxes = boxes_of(points_, particles);
-    for_each_pair(point_boxes, edge_boxes,
-                                 [&](Index i, Index j) { add({Kind::point_edge, points_[i], j}); });
+    for_each_pair(point_boxes, edge_boxes, [&](Index i, Index j) { add({Kind::point_edge, points_[i], j}); });
     for_each_pair(point_boxes, [&](Index i, Index j) { add({Kind::point_point, points_[i], points_[j]}); });
   }
   return pairs;

@@ -11,7 +11,8 @@
 
 namespace touchstone::sim {
 
-/// Two elements that may touch. i and j are: edge and edge, particle and face, particle and edge, particle and particle.
+/// Two elements that may touch. i and j are: edge and edge, particle and face, particle and edge, particle and
+/// particle.
 struct Pair {
   Kind kind = Kind::edge_edge;
   Index i = 0, j = 0;

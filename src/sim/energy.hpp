@@ -18,8 +18,9 @@ class BlockSink {
   ~BlockSink() = default;
 };
 
-/// Stiffness and rest of every strain: of the scene, or with damping folded in. A strain s that is damped with c and was s0
-/// a time `span` ago has the incremental potential 1/2 k (s - rest)^2 + c / (2 span) (s - s0)^2, which is one parabola.
+/// Stiffness and rest of every strain: of the scene, or with damping folded in. A strain s that is damped with c and
+/// was s0 a time `span` ago has the incremental potential 1/2 k (s - rest)^2 + c / (2 span) (s - s0)^2, which is one
+/// parabola.
 struct Strains {
   VectorX stiffness, rest;
 };

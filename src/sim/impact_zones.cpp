@@ -9,7 +9,9 @@
 
 namespace touchstone::sim {
 
-ImpactZones::ImpactZones(std::size_t particles) : parent_(particles) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
+ImpactZones::ImpactZones(std::size_t particles) : parent_(particles) {
+  std::iota(parent_.begin(), parent_.end(), Index{0});
+}
 
 Index ImpactZones::zone(Index particle) {
   while (parent_[particle] != particle) particle = parent_[particle] = parent_[parent_[particle]];
@@ -84,7 +86,8 @@ bool move_rigidly(const std::vector<Index>& zone, const System& system, const Ve
   Vector3 turn = Vector3::Zero();
   for (Eigen::Index k = 0; k < 3; ++k) {
     const double moment = axes.eigenvalues()[k];
-    if (moment > 1e-9 * axes.eigenvalues()[2]) turn += axes.eigenvectors().col(k).dot(angular) / moment * axes.eigenvectors().col(k);
+    if (moment > 1e-9 * axes.eigenvalues()[2])
+      turn += axes.eigenvectors().col(k).dot(angular) / moment * axes.eigenvectors().col(k);
   }
   // Below half a turn the map (1 - t) + t R is regular for every t; a radian leaves room for rounding.
   const double angle = std::min(turn.norm(), 1.0);

@@ -17,8 +17,8 @@ using JointMatrix = Eigen::Matrix<double, 11, 11>;
 class JointStrain {
  public:
   /// @param de, df  reference directors of the two edges
-  JointStrain(const Vector3& p0, const Vector3& p1, const Vector3& p2, const Vector3& de, const Vector3& df, double angle_e,
-              double angle_f, double reference_twist);
+  JointStrain(const Vector3& p0, const Vector3& p1, const Vector3& p2, const Vector3& de, const Vector3& df,
+              double angle_e, double angle_f, double reference_twist);
 
   /// The same for a cable that does not resist twist, and has no frames but a director of e to measure curvature in:
   /// the frame of f is that of e under the shortest rotation, and the twist is always 0.

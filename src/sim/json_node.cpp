@@ -42,7 +42,8 @@ std::vector<JsonNode> JsonNode::items() const {
   if (!value_->is_array()) fail("must be a list");
   std::vector<JsonNode> all;
   all.reserve(value_->size());
-  for (std::size_t i = 0; i < value_->size(); ++i) all.emplace_back((*value_)[i], path_ + "[" + std::to_string(i) + "]");
+  for (std::size_t i = 0; i < value_->size(); ++i)
+    all.emplace_back((*value_)[i], path_ + "[" + std::to_string(i) + "]");
   return all;
 }
 
@@ -74,7 +75,9 @@ Vector3 JsonNode::vector() const {
   return {all[0].number(), all[1].number(), all[2].number()};
 }
 
-double JsonNode::number_or(std::string_view key, double otherwise) const { return has(key) ? at(key).number() : otherwise; }
+double JsonNode::number_or(std::string_view key, double otherwise) const {
+  return has(key) ? at(key).number() : otherwise;
+}
 
 bool JsonNode::boolean_or(std::string_view key, bool otherwise) const {
   return has(key) ? at(key).boolean() : otherwise;

@@ -27,9 +27,9 @@ class JsonNode {
   void check_keys(std::initializer_list<std::string_view> keys) const;
 
   bool has(std::string_view key) const;
-  JsonNode at(std::string_view key) const;                      ///< @throws Error when it is missing
+  JsonNode at(std::string_view key) const;  ///< @throws Error when it is missing
   std::optional<JsonNode> find(std::string_view key) const;
-  std::vector<JsonNode> items() const;                          ///< of a list
+  std::vector<JsonNode> items() const;  ///< of a list
 
   double number() const;
   std::uint32_t index() const;  ///< a whole number from 0 to 2^32 - 1

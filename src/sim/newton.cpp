@@ -84,7 +84,9 @@ class Newton::Matrix final : public BlockSink {
     solver_->add(element, all.data());
   }
 
-  void joint(std::size_t element, const JointMatrix& block) override { solver_->add(joint_offset_ + element, block.data()); }
+  void joint(std::size_t element, const JointMatrix& block) override {
+    solver_->add(joint_offset_ + element, block.data());
+  }
 
   bool factorise() { return solver_->factorise(); }
 
@@ -103,7 +105,8 @@ class Newton::Matrix final : public BlockSink {
   }
 
  private:
-  std::vector<int> coordinates(std::initializer_list<Index> particles, std::initializer_list<Eigen::Index> angles) const {
+  std::vector<int> coordinates(std::initializer_list<Index> particles,
+                               std::initializer_list<Eigen::Index> angles) const {
     std::vector<int> all;
     for (const Index first : particles) {
       for (Index c = 0; c < 3; ++c) all.push_back(free_[first + c]);
@@ -130,7 +133,8 @@ Newton::~Newton() = default;
 Newton::Potential Newton::potential(const Stage& stage, const VectorX& q, const Frames& frames) const {
   const auto mass = system_->mass.array();
   const VectorX moved = q - stage.base;
-  const double inertia = 0.5 / (stage.span * stage.span) * (mass * (moved - stage.span * stage.base_velocity).array().square()).sum();
+  const double inertia =
+      0.5 / (stage.span * stage.span) * (mass * (moved - stage.span * stage.base_velocity).array().square()).sum();
   const double drag = 0.5 * drag_ / stage.span * (mass * moved.array().square()).sum();
   const double load = (system_->force.array() * moved.array()).sum();
   const double stored = energy_.value(q, frames, stage.time, stage.strains);

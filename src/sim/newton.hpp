@@ -13,17 +13,17 @@ namespace touchstone::sim {
 ///   1/2 |q - base - span base_velocity|^2_M / span^2 + drag / (2 span) |q - base|^2_M - force . q + energy(q).
 struct Stage {
   VectorX base, base_velocity;
-  double span = 0;  ///< s
-  double time = 0;  ///< at its end, s
-  Strains strains;  ///< with the damping of this span
+  double span = 0;                    ///< s
+  double time = 0;                    ///< at its end, s
+  Strains strains;                    ///< with the damping of this span
   std::vector<ContactTerm> contacts;  ///< relative to base
-  double tolerance = 0;  ///< m/s; 0: the settings' one
+  double tolerance = 0;               ///< m/s; 0: the settings' one
 };
 
 struct NewtonResult {
   bool converged = false;
   int iterations = 0;
-  int convex = 0;  ///< iterations whose exact second derivatives were not positive definite
+  int convex = 0;        ///< iterations whose exact second derivatives were not positive definite
   double last_step = 0;  ///< m/s: the largest change in the last iteration, as a velocity
 };
 

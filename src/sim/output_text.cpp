@@ -10,8 +10,9 @@ namespace touchstone::sim {
 std::string vtk_frame(const Simulation& simulation) {
   const auto& elements = simulation.elements();
   const std::size_t count = simulation.scene().particles.size();
-  std::string text = fmt::format("# vtk DataFile Version 3.0\ntouchstone t = {:.9g} s\nASCII\nDATASET POLYDATA\nPOINTS {} double\n",
-                                 simulation.state().time, count);
+  std::string text =
+      fmt::format("# vtk DataFile Version 3.0\ntouchstone t = {:.9g} s\nASCII\nDATASET POLYDATA\nPOINTS {} double\n",
+                  simulation.state().time, count);
   for (Index p = 0; p < count; ++p) {
     const Vector3 x = position(simulation.state().q, p);
     text += fmt::format("{} {} {}\n", x.x(), x.y(), x.z());
@@ -44,22 +45,21 @@ std::string vtk_series(const std::vector<Frame>& frames) {
 
 std::string proof_header() {
   return "step,time,length,newton_iterations,close,contacts,crossing,grazing,sustained,isolated,response_queries,"
-         "response_filter,response_bracket,response_exact,impulse_passes,contact_solves,impact_zones,pairs,proof_filter,"
+         "response_filter,response_bracket,response_exact,impulse_passes,contact_solves,impact_zones,pairs,proof_"
+         "filter,"
          "proof_bracket,proof_exact,gained_energy,crossings,certified\n";
 }
 
 std::string proof_row(const StepRecord& r) {
   const auto& c = r.response;
-  return fmt::format("{},{:a},{:a},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", r.step, r.time, r.length,
-                     r.newton_iterations, c.close, c.contacts, c.natures[1], c.natures[2], c.natures[3], c.natures[4],
-                     c.queries, c.levels.filter, c.levels.bracket, c.levels.exact, c.passes, c.solves, c.zones,
-                     r.proof.pairs, r.proof.levels.filter, r.proof.levels.bracket, r.proof.levels.exact,
+  return fmt::format("{},{:a},{:a},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", r.step, r.time,
+                     r.length, r.newton_iterations, c.close, c.contacts, c.natures[1], c.natures[2], c.natures[3],
+                     c.natures[4], c.queries, c.levels.filter, c.levels.bracket, c.levels.exact, c.passes, c.solves,
+                     c.zones, r.proof.pairs, r.proof.levels.filter, r.proof.levels.bracket, r.proof.levels.exact,
                      r.gained_energy, r.proof.crossings, r.proof.crossings == 0 ? 1 : 0);
 }
 
-std::string energy_header() {
-  return "step,time,kinetic,stretch,bend,twist,load,total,parts,close,contacts,pairs\n";
-}
+std::string energy_header() { return "step,time,kinetic,stretch,bend,twist,load,total,parts,close,contacts,pairs\n"; }
 
 std::string energy_row(const Simulation& simulation, const std::vector<StepRecord>& records) {
   const Energies e = simulation.energies();
@@ -70,8 +70,8 @@ std::string energy_row(const Simulation& simulation, const std::vector<StepRecor
     pairs += record.proof.pairs;
   }
   return fmt::format("{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{},{},{},{}\n", simulation.steps(),
-                     simulation.state().time, e.kinetic, e.stretch, e.bend, e.twist, e.load, e.total(), records.size(), close,
-                     contacts, pairs);
+                     simulation.state().time, e.kinetic, e.stretch, e.bend, e.twist, e.load, e.total(), records.size(),
+                     close, contacts, pairs);
 }
 
 std::string crossing_for_person(const Simulation& simulation, const Crossing& crossing) {
@@ -86,22 +86,27 @@ std::string explain(const Simulation& simulation) {
   const auto line = [](bool on, std::string_view name, const std::string& why) {
     return fmt::format("{:4} {:22} {}\n", on ? "yes" : "no", name, why);
   };
-  const auto count_if = [&](auto&& predicate) { return std::count_if(scene.cables.begin(), scene.cables.end(), predicate); };
+  const auto count_if = [&](auto&& predicate) {
+    return std::count_if(scene.cables.begin(), scene.cables.end(), predicate);
+  };
   const auto bending = count_if([](const Cable& c) { return c.bend > 0; });
   const auto twisting = count_if([](const Cable& c) { return c.twist > 0; });
   const auto& contact = scene.settings.contact;
   std::string text;
   text += line(!simulation.system().lengths.empty(), "stretch forces",
                fmt::format("{} springs and {} cables", scene.springs.size(), scene.cables.size()));
-  text += line(bending > 0, "bending forces", fmt::format("{} of {} cables resist bending", bending, scene.cables.size()));
-  text += line(twisting > 0, "twist angles", fmt::format("{} of {} cables resist twist", twisting, scene.cables.size()));
+  text +=
+      line(bending > 0, "bending forces", fmt::format("{} of {} cables resist bending", bending, scene.cables.size()));
+  text +=
+      line(twisting > 0, "twist angles", fmt::format("{} of {} cables resist twist", twisting, scene.cables.size()));
   text += line(scene.settings.drag > 0, "drag", fmt::format("coefficient {} 1/s", scene.settings.drag));
   text += line(passes.edge_edge, "edge-edge pass", fmt::format("{} edges", elements.edges().size()));
   text += line(passes.vertex_face, "vertex-face pass", fmt::format("{} faces", elements.faces().size()));
-  text += line(passes.joints, "fold pass (planar)", passes.joints ? "edges share particles that can move"
-                                                                  : "no edges share a particle and can move");
-  text += line(passes.points, "single-particle pass", passes.points ? "particles without edges collide with edges and each other"
-                                                                    : "every particle is in an edge, or alone");
+  text += line(passes.joints, "fold pass (planar)",
+               passes.joints ? "edges share particles that can move" : "no edges share a particle and can move");
+  text += line(passes.points, "single-particle pass",
+               passes.points ? "particles without edges collide with edges and each other"
+                             : "every particle is in an edge, or alone");
   text += line(contact.friction > 0, "friction", fmt::format("coefficient {}", contact.friction));
   text += fmt::format("     integrator             {}, steps of {} s\n", integrator_name(scene.settings.integrator),
                       scene.settings.time_step);

@@ -10,9 +10,9 @@
 namespace touchstone::sim {
 namespace {
 
-constexpr int kSweeps = 4;         // over all contacts known so far, in each pass
-constexpr int kSolves = 4;         // implicit steps, each with the contacts that the one before it left
-constexpr double kStiffer = 20;    // contact stiffness over that of the elements
+constexpr int kSweeps = 4;            // over all contacts known so far, in each pass
+constexpr int kSolves = 4;            // implicit steps, each with the contacts that the one before it left
+constexpr double kStiffer = 20;       // contact stiffness over that of the elements
 constexpr double kStickSpeed = 5e-3;  // m/s: slower slip is friction at rest
 
 bool same_pair(const Pair& a, const Pair& b) { return a.kind == b.kind && a.i == b.i && a.j == b.j; }
@@ -53,7 +53,8 @@ Response::Response(const Elements& elements, const System& system, const Setting
   }
 }
 
-Response::Outcome Response::respond(Stepper& stepper, const State& state, double h, State& next, ResponseCounts& counts) {
+Response::Outcome Response::respond(Stepper& stepper, const State& state, double h, State& next,
+                                    ResponseCounts& counts) {
   const auto& passes = elements_->passes();
   if (!passes.edge_edge && !passes.vertex_face && !passes.joints && !passes.points) return Outcome::done;
   finder_.begin(state.q, next.q, thickness_);
@@ -68,8 +69,9 @@ Response::Outcome Response::respond(Stepper& stepper, const State& state, double
   constexpr double kShare = 2e-3;
   const double slack = kShare * std::max(before.total() - before.load, without.total() - without.load) +
                        1e-12 * (std::abs(before.load) + 1e-3);
-  Work work{&state, h, next.q, &next, VectorX::Zero(inverse_mass_.size()), std::max(before.total(), without.total()), slack,
-            next.q, &counts};
+  Work work{
+      &state, h,      next.q, &next, VectorX::Zero(inverse_mass_.size()), std::max(before.total(), without.total()),
+      slack,  next.q, &counts};
   const State free = next;
   std::vector<Contact> known = close;
   known.insert(known.end(), found.begin(), found.end());
@@ -186,8 +188,10 @@ ContactTerm Response::term_of(const Contact& contact, const Work& work) const {
   const double room = thickness_ - contact.gap;
   term.goal = room > 0 ? recovery(work.h) * room : room;
   // The speed of impact is that before the step: at its end, what leans on a contact would seem to fly into it.
-  const double approach = work.h * contact.normal.dot(relative_motion(term, VectorX::Zero(work.free.size()), work.state->v));
-  if (approach < -2 * gravity_.norm() * work.h * work.h) term.goal = std::max(term.goal, -contact_.restitution * approach);
+  const double approach =
+      work.h * contact.normal.dot(relative_motion(term, VectorX::Zero(work.free.size()), work.state->v));
+  if (approach < -2 * gravity_.norm() * work.h * work.h)
+    term.goal = std::max(term.goal, -contact_.restitution * approach);
   return term;
 }
 
@@ -217,7 +221,8 @@ bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Con
     finder_.find(work.next->q, found, *work.counts);
     for (ContactTerm& term : terms) term.slip = contact_.friction * normal_force(term, work.state->q, work.next->q);
     for (const Contact& contact : found) {
-      const auto same = std::find_if(pairs.begin(), pairs.end(), [&](const Pair& p) { return same_pair(p, contact.pair); });
+      const auto same =
+          std::find_if(pairs.begin(), pairs.end(), [&](const Pair& p) { return same_pair(p, contact.pair); });
       if (same == pairs.end()) {
         add(contact);
       } else {

@@ -12,7 +12,8 @@ namespace touchstone::sim {
 /// and impulses only tidy up. What contacts are left then is answered by rigid impact zones.
 class Response {
  public:
-  Response(const Elements& elements, const System& system, const Settings& settings, NarrowPhase narrow_phase, int threads);
+  Response(const Elements& elements, const System& system, const Settings& settings, NarrowPhase narrow_phase,
+           int threads);
 
   enum class Outcome : std::uint8_t {
     done,
@@ -47,9 +48,9 @@ class Response {
   double time_step_;
   double thickness_;
   VectorX inverse_mass_;
-  VectorX stiffness_;  // of each particle's springs, N/m
+  VectorX stiffness_;                  // of each particle's springs, N/m
   std::vector<Eigen::Matrix3d> hold_;  // what holds each particle where it is, by direction, N/m
-  bool repels_;        // elements that are nearer than the thickness
+  bool repels_;                        // elements that are nearer than the thickness
   ContactFinder finder_;
 };
 

@@ -50,13 +50,13 @@ struct CableEnd {
 /// A discrete elastic rod through particles, with a circular cross-section.
 struct Cable {
   std::vector<Index> particles;
-  bool closed = false;  ///< a ring: the last particle is joined to the first one
-  double radius = 0;    ///< m
-  double density = 0;   ///< kg/m^3
-  double stretch = 0;   ///< E A, N
-  double bend = 0;      ///< E I, N m^2; 0: it does not resist bending
-  double twist = 0;     ///< G J, N m^2; 0: it does not resist twist, and has no angles
-  double damping = 0;   ///< s: internal stress is stiffness * (strain + damping * strain rate)
+  bool closed = false;                        ///< a ring: the last particle is joined to the first one
+  double radius = 0;                          ///< m
+  double density = 0;                         ///< kg/m^3
+  double stretch = 0;                         ///< E A, N
+  double bend = 0;                            ///< E I, N m^2; 0: it does not resist bending
+  double twist = 0;                           ///< G J, N m^2; 0: it does not resist twist, and has no angles
+  double damping = 0;                         ///< s: internal stress is stiffness * (strain + damping * strain rate)
   std::array<double, 2> natural_curvature{};  ///< 1/m, in the material frame
   bool rest_is_bent = false;                  ///< the bends at rest are those of the initial positions
   double length_scale = 1;                    ///< length at rest over the initial one: above 1 slack, below 1 taut
@@ -89,8 +89,8 @@ struct Settings {
   double time_step = 1.0 / 60;  ///< s
   double duration = 1;          ///< s
   Integrator integrator = Integrator::implicit_euler;
-  Vector3 gravity{0, 0, -9.81};  ///< m/s^2
-  double drag = 0;               ///< 1/s: force -drag * mass * velocity
+  Vector3 gravity{0, 0, -9.81};    ///< m/s^2
+  double drag = 0;                 ///< 1/s: force -drag * mass * velocity
   double newton_tolerance = 1e-6;  ///< m/s: a step's velocities are converged to about this
   ContactSettings contact;
 };

@@ -26,7 +26,8 @@ Scene make_cable_drop(Index segments) {
   const double length = kPerCable * kSegment, pitch = 1.5 * length;
   for (Index i = 0; i < cables; ++i) {
     const Index bundle = i / (kInLayer * kLayers), layer = i / kInLayer % kLayers, place = i % kInLayer;
-    const Vector3 corner((bundle % columns) * pitch, static_cast<double>(bundle / columns) * pitch, 0.05 + kLayer * layer);
+    const Vector3 corner((bundle % columns) * pitch, static_cast<double>(bundle / columns) * pitch,
+                         0.05 + kLayer * layer);
     const Vector3 along = layer % 2 == 0 ? Vector3::UnitX() : Vector3::UnitY();
     const Vector3 across = layer % 2 == 0 ? Vector3::UnitY() : Vector3::UnitX();
     // Not two of them exactly alike.

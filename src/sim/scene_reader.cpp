@@ -16,8 +16,8 @@ constexpr Index kVersion = 1;
 
 Integrator integrator_from(const JsonNode& node) {
   const std::string name = node.text();
-  for (const auto integrator : {Integrator::implicit_euler, Integrator::tr_bdf2, Integrator::implicit_midpoint,
-                                Integrator::symplectic_euler}) {
+  for (const auto integrator :
+       {Integrator::implicit_euler, Integrator::tr_bdf2, Integrator::implicit_midpoint, Integrator::symplectic_euler}) {
     if (name == integrator_name(integrator)) return integrator;
   }
   node.fail("must be implicit-euler, tr-bdf2, implicit-midpoint or symplectic-euler");
@@ -79,7 +79,8 @@ Particle particle_from(const JsonNode& node) {
 
 const Particle& particle_at(const Scene& scene, const JsonNode& node, Index index) {
   if (index >= scene.particles.size()) {
-    node.fail("there is no particle " + std::to_string(index) + ": there are " + std::to_string(scene.particles.size()));
+    node.fail("there is no particle " + std::to_string(index) + ": there are " +
+              std::to_string(scene.particles.size()));
   }
   return scene.particles[index];
 }
@@ -109,7 +110,8 @@ void add_surface(Scene& scene, const JsonNode& node) {
   for (const JsonNode& item : node.at("faces").items()) {
     const Face face = item.indices<3>();
     scene.faces.push_back(face);
-    for (std::size_t k = 0; k < 3; ++k) edges.push_back({std::min(face[k], face[(k + 1) % 3]), std::max(face[k], face[(k + 1) % 3])});
+    for (std::size_t k = 0; k < 3; ++k)
+      edges.push_back({std::min(face[k], face[(k + 1) % 3]), std::max(face[k], face[(k + 1) % 3])});
   }
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
@@ -154,9 +156,28 @@ void set_stiffness(const JsonNode& node, Cable& cable) {
 }
 
 void add_cable(Scene& scene, const JsonNode& node) {
-  node.check_keys({"particles", "from", "to", "segments", "closed", "radius", "density", "young", "poisson", "bends",
-                   "twists", "stretch", "bend", "twist", "damping", "natural_curvature", "rest_is_bent", "length_scale",
-                   "start", "end", "closing_twist_rate", "closing_twist_until"});
+  node.check_keys({"particles",
+                   "from",
+                   "to",
+                   "segments",
+                   "closed",
+                   "radius",
+                   "density",
+                   "young",
+                   "poisson",
+                   "bends",
+                   "twists",
+                   "stretch",
+                   "bend",
+                   "twist",
+                   "damping",
+                   "natural_curvature",
+                   "rest_is_bent",
+                   "length_scale",
+                   "start",
+                   "end",
+                   "closing_twist_rate",
+                   "closing_twist_until"});
   Cable cable;
   if (const auto particles = node.find("particles")) {
     for (const char* key : {"from", "to", "segments"}) {
@@ -210,7 +231,8 @@ nlohmann::json parsed(std::string_view text) {
 Scene scene_from_json(std::string_view text) {
   const nlohmann::json document = parsed(text);
   const JsonNode root(document, "");
-  root.check_keys({"touchstone_scene", "name", "settings", "particles", "springs", "surfaces", "cables", "wires", "faces"});
+  root.check_keys(
+      {"touchstone_scene", "name", "settings", "particles", "springs", "surfaces", "cables", "wires", "faces"});
   if (root.at("touchstone_scene").index() != kVersion) root.at("touchstone_scene").fail("must be 1");
   Scene scene;
   if (const auto name = root.find("name")) scene.name = name->text();

@@ -32,7 +32,8 @@ Json json_of(const Particle& p) {
   if (!p.force.isZero(0)) json["force"] = list(p.force);
   if (p.mass != 0) json["mass"] = p.mass;
   if (!p.path.empty()) {
-    for (const Waypoint& point : p.path) json["path"].push_back({{"time", point.time}, {"position", list(point.position)}});
+    for (const Waypoint& point : p.path)
+      json["path"].push_back({{"time", point.time}, {"position", list(point.position)}});
   } else if (p.pinned()) {
     json["pinned"] = true;
   } else if (p.fixed[0] || p.fixed[1] || p.fixed[2]) {
@@ -93,7 +94,8 @@ std::string scene_to_json(const Scene& scene) {
                      ",\n\"settings\": " + json_of(scene.settings).dump(2);
   append(text, "particles", scene.particles, [](const Particle& p) { return json_of(p); });
   append(text, "springs", scene.springs, [](const Spring& s) {
-    Json json = {{"particles", {s.a, s.b}}, {"stiffness", s.stiffness}, {"damping", s.damping}, {"rest_length", s.rest_length}};
+    Json json = {
+        {"particles", {s.a, s.b}}, {"stiffness", s.stiffness}, {"damping", s.damping}, {"rest_length", s.rest_length}};
     if (!s.collides) json["collides"] = false;
     return json;
   });

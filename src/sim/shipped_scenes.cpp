@@ -18,12 +18,13 @@ const std::vector<ShippedScene>& shipped_scenes() {
       {"two-edges", "one edge is thrown against another and bounces", "pairs of edges", 1, 1, 10'000, make_two_edges},
       {"hoop", "a basketball of springs goes through a rim with a net of strings", "about how many edges", 200, 560,
        50'000, make_hoop},
-      {"cable-drop", "layers of cables fall on one another and on the floor", "segments of all cables", 40, 400, 200'000,
-       make_cable_drop},
+      {"cable-drop", "layers of cables fall on one another and on the floor", "segments of all cables", 40, 400,
+       200'000, make_cable_drop},
       {"whip", "a cable at 100 m/s meets a wire", "segments of the cable", 4, 60, 10'000, make_whip},
-      {"ring-twist", "a ring is twisted until it buckles and writhes (Michell 1889)", "segments of the ring", 12, 80, 5'000,
-       make_ring_twist},
-      {"chain", "a heavy weight on a light chain swings against a peg", "segments of the chain", 4, 40, 10'000, make_chain},
+      {"ring-twist", "a ring is twisted until it buckles and writhes (Michell 1889)", "segments of the ring", 12, 80,
+       5'000, make_ring_twist},
+      {"chain", "a heavy weight on a light chain swings against a peg", "segments of the chain", 4, 40, 10'000,
+       make_chain},
   };
   return all;
 }
@@ -39,7 +40,8 @@ Scene make_shipped_scene(std::string_view name, std::optional<Index> size) {
   if (shipped == nullptr) throw Error(fmt::format("{} is no shipped scene", name));
   const Index wanted = size.value_or(shipped->usual);
   if (wanted < shipped->least || wanted > shipped->most) {
-    throw Error(fmt::format("--size {}: {} takes {} to {} {}", wanted, name, shipped->least, shipped->most, shipped->size_means));
+    throw Error(fmt::format("--size {}: {} takes {} to {} {}", wanted, name, shipped->least, shipped->most,
+                            shipped->size_means));
   }
   Scene scene = shipped->make(wanted);
   scene.name = name;
@@ -90,7 +92,8 @@ Scene make_ring_twist(Index segments) {
   for (Index i = 0; i < segments; ++i) {
     // A ripple of a thousandth of the radius: perfect symmetry would never choose a way to buckle.
     const double phi = 2 * std::numbers::pi * i / segments;
-    ring.particles.push_back(add_particle(scene, {0.2 * std::cos(phi), 0.2 * std::sin(phi), 2e-4 * std::cos(2 * phi)}, 0));
+    ring.particles.push_back(
+        add_particle(scene, {0.2 * std::cos(phi), 0.2 * std::sin(phi), 2e-4 * std::cos(2 * phi)}, 0));
   }
   ring.closed = true;
   set_material(ring, 2e6, 0.5, 0.003, 1100);

@@ -12,9 +12,9 @@ namespace touchstone::sim {
 
 struct ShippedScene {
   std::string_view name;
-  std::string_view about;      ///< one line
+  std::string_view about;       ///< one line
   std::string_view size_means;  ///< "about how many edges"
-  Index least, usual, most;    ///< sizes
+  Index least, usual, most;     ///< sizes
   Scene (*make)(Index size);
 };
 

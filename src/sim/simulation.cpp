@@ -81,10 +81,10 @@ std::vector<StepRecord> Simulation::step() {
     state_ = before;
     crossings_.resize(crossings_before);
     --steps_;
-    throw Error(fmt::format("step {} at {:.6g} s cannot be taken, not even in parts of {:.3g} s: {} did not converge, {} "
-                            "found no response, {} failed their proof",
-                            steps_ + 1, start, end - start, refused_.not_converged, refused_.not_resolved,
-                            refused_.not_certified));
+    throw Error(fmt::format(
+        "step {} at {:.6g} s cannot be taken, not even in parts of {:.3g} s: {} did not converge, {} "
+        "found no response, {} failed their proof",
+        steps_ + 1, start, end - start, refused_.not_converged, refused_.not_resolved, refused_.not_certified));
   }
   return records;
 }

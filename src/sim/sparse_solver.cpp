@@ -92,14 +92,15 @@ struct SparseSolver::Parts {
   std::vector<int> diagonal;  // where each row's is among the keys
   Places extra;
   Outside outside;
-  std::vector<int> shift;     // from places among the keys to places among the values; empty while they are the same
+  std::vector<int> shift;  // from places among the keys to places among the values; empty while they are the same
 
   void take_pattern(const Keys& entries, int size) {
     matrix.resize(size, size);
     matrix.resizeNonZeros(static_cast<Eigen::Index>(entries.size()));
     int column = -1;
     for (std::size_t i = 0; i < entries.size(); ++i) {
-      for (const auto c = static_cast<int>(entries[i] >> 32); column < c;) matrix.outerIndexPtr()[++column] = static_cast<int>(i);
+      for (const auto c = static_cast<int>(entries[i] >> 32); column < c;)
+        matrix.outerIndexPtr()[++column] = static_cast<int>(i);
       matrix.innerIndexPtr()[i] = static_cast<int>(entries[i] & 0xffffffffu);
     }
     while (column < size) matrix.outerIndexPtr()[++column] = static_cast<int>(entries.size());

@@ -12,7 +12,7 @@ constexpr double kContactTolerance = 1e-3;  // m/s: contact springs are no more 
 }  // namespace
 
 struct Stepper::Solution {
-  State state;         // at the stage's end; v is the stage's velocity
+  State state;  // at the stage's end; v is the stage's velocity
   VectorX strain_rate;
 };
 
@@ -63,12 +63,14 @@ VectorX Stepper::acceleration(const State& state) const {
   }
   VectorX a = VectorX::Zero(state.q.size());
   for (Eigen::Index i = 0; i < a.size(); ++i) {
-    if (!system_->fixed[static_cast<std::size_t>(i)]) a[i] = -gradient[i] / system_->mass[i] - settings_.drag * state.v[i];
+    if (!system_->fixed[static_cast<std::size_t>(i)])
+      a[i] = -gradient[i] / system_->mass[i] - settings_.drag * state.v[i];
   }
   return a;
 }
 
-Stepper::Solution Stepper::solve(const State& state, const Stage& stage, const VectorX& guess_velocity, Advance& advance) {
+Stepper::Solution Stepper::solve(const State& state, const Stage& stage, const VectorX& guess_velocity,
+                                 Advance& advance) {
   VectorX guess = stage.base + stage.span * guess_velocity;
   for (Eigen::Index i = 0; i < guess.size(); ++i) {
     if (system_->fixed[static_cast<std::size_t>(i)]) guess[i] = state.q[i];
@@ -86,7 +88,8 @@ Stepper::Solution Stepper::solve(const State& state, const Stage& stage, const V
 }
 
 Stage Stepper::euler_stage(const State& state, double h) const {
-  return {state.q, state.v, h, state.time + h, energy_.damped(energy_.strains(state.q, state.frames, state.time), h), {}, 0};
+  return {state.q, state.v, h, state.time + h, energy_.damped(energy_.strains(state.q, state.frames, state.time), h),
+          {},      0};
 }
 
 Advance Stepper::implicit_euler(const State& state, double h) {
@@ -110,8 +113,13 @@ Advance Stepper::advance_with(const State& state, double h, std::vector<ContactT
 Advance Stepper::implicit_midpoint(const State& state, double h) {
   // Half a step of implicit Euler to the middle, and as far again.
   Advance advance;
-  const Stage stage{state.q, state.v, h / 2, state.time + h / 2,
-                    energy_.damped(energy_.strains(state.q, state.frames, state.time), h / 2), {}, 0};
+  const Stage stage{state.q,
+                    state.v,
+                    h / 2,
+                    state.time + h / 2,
+                    energy_.damped(energy_.strains(state.q, state.frames, state.time), h / 2),
+                    {},
+                    0};
   const State middle = solve(state, stage, state.v, advance).state;
   if (!advance.converged) return advance;
   advance.state.q = 2 * middle.q - state.q;

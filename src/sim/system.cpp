@@ -21,7 +21,9 @@ Vector3 position_at(const std::vector<Waypoint>& path, double time) {
   return before.position + share * (after->position - before.position);
 }
 
-Vector3 tangent(const VectorX& q, const RodEdge& edge) { return (position(q, edge.b) - position(q, edge.a)).normalized(); }
+Vector3 tangent(const VectorX& q, const RodEdge& edge) {
+  return (position(q, edge.b) - position(q, edge.a)).normalized();
+}
 
 }  // namespace
 
@@ -76,8 +78,8 @@ JointStrain System::joint_strain(const Joint& joint, const VectorX& q, const Fra
     return {position(q, joint.p[0]), position(q, joint.p[1]), position(q, joint.p[2]), frames.director[joint.e]};
   }
   const double inserted = joint.closing_rate * std::min(time, joint.closing_until);
-  return {position(q, joint.p[0]),      position(q, joint.p[1]), position(q, joint.p[2]),
-          frames.director[joint.e],     frames.director[joint.f], q[angle(joint.e)],
+  return {position(q, joint.p[0]),      position(q, joint.p[1]),       position(q, joint.p[2]),
+          frames.director[joint.e],     frames.director[joint.f],      q[angle(joint.e)],
           q[angle(joint.f)] + inserted, frames.reference_twist[number]};
 }
 
@@ -203,7 +205,8 @@ Frames System::transported(const Frames& frames, const VectorX& from, const Vect
   for (std::size_t j = 0; j < joints.size(); ++j) {
     const Vector3 &te = tangents[joints[j].e], &tf = tangents[joints[j].f];
     const double before = frames.reference_twist[j];
-    const Vector3 over = turned(unit_perpendicular(parallel_transport(carried.director[joints[j].e], te, tf), tf), tf, before);
+    const Vector3 over =
+        turned(unit_perpendicular(parallel_transport(carried.director[joints[j].e], te, tf), tf), tf, before);
     carried.reference_twist[j] = before + signed_angle(over, carried.director[joints[j].f], tf);
   }
   return carried;

@@ -68,8 +68,8 @@ class System {
   std::vector<RodEdge> edges;
   std::vector<Joint> joints;
   std::vector<DrivenAngle> driven_angles;
-  VectorX mass;     ///< of each coordinate: kg, and kg m^2 for angles
-  VectorX force;    ///< constant: gravity and the particles' own, N
+  VectorX mass;             ///< of each coordinate: kg, and kg m^2 for angles
+  VectorX force;            ///< constant: gravity and the particles' own, N
   std::vector<char> fixed;  ///< of each coordinate; not solved for
   VectorX initial_position, initial_velocity;
   std::vector<Index> ghosts;  ///< particles that only hold a clamped end's direction; they do not collide
@@ -83,12 +83,14 @@ class System {
   std::vector<std::vector<Waypoint>> paths_;  // by particle
   std::vector<Vector3> placed_;               // initial positions, ghosts included
   std::vector<double> particle_mass_;
-  std::vector<double> inertia_;  // by edge
-  std::vector<double> length_;   // by edge: at rest
-  std::vector<Index> bent_;      // joints that rest as they are placed
+  std::vector<double> inertia_;                // by edge
+  std::vector<double> length_;                 // by edge: at rest
+  std::vector<Index> bent_;                    // joints that rest as they are placed
   std::vector<std::pair<Index, Index>> runs_;  // joints of each cable, from the first to one past the last
 };
 
-inline Vector3 position(const VectorX& q, Index particle) { return q.segment<3>(3 * static_cast<Eigen::Index>(particle)); }
+inline Vector3 position(const VectorX& q, Index particle) {
+  return q.segment<3>(3 * static_cast<Eigen::Index>(particle));
+}
 
 }  // namespace touchstone::sim

@@ -93,9 +93,12 @@ TEST_CASE("a run that is resumed writes what an uninterrupted one does, on any n
   const TemporaryFolder folder;
   const auto path = [&](const char* name) { return folder.path(name); };
   CHECK(run_program({"simulate", "chain", "--steps", "60", "--checkpoint", path("whole.json")}).status == 0);
-  CHECK(run_program({"simulate", "chain", "--steps", "60", "--threads", "2", "--checkpoint", path("two.json")}).status == 0);
+  CHECK(
+      run_program({"simulate", "chain", "--steps", "60", "--threads", "2", "--checkpoint", path("two.json")}).status ==
+      0);
   CHECK(run_program({"simulate", "chain", "--steps", "25", "--checkpoint", path("part.json")}).status == 0);
-  const Run rest = run_program({"simulate", "--resume", path("part.json"), "--steps", "35", "--checkpoint", path("rest.json")});
+  const Run rest =
+      run_program({"simulate", "--resume", path("part.json"), "--steps", "35", "--checkpoint", path("rest.json")});
   CHECK(rest.status == 0);
   CHECK(last_line(rest.out) == "35 steps, 0 crossings");
   CHECK(folder.read("rest.json") == folder.read("whole.json"));
@@ -105,7 +108,8 @@ TEST_CASE("a run that is resumed writes what an uninterrupted one does, on any n
 TEST_CASE("the candidates that it writes certify") {
   const TemporaryFolder folder;
   CHECK(run_program({"simulate", "hoop", "--size", "200", "--steps", "12", "--queries", folder.path("q")}).status == 0);
-  const Run certified = run_program({"certify", folder.path("q/edge-edge/candidates.csv"), folder.path("q/vertex-face/candidates.csv")});
+  const Run certified =
+      run_program({"certify", folder.path("q/edge-edge/candidates.csv"), folder.path("q/vertex-face/candidates.csv")});
   CAPTURE(certified.out);
   CHECK(certified.status == 0);
   CHECK(occurrences(certified.out, "claims hold") == 1);

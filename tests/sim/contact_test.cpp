@@ -6,10 +6,10 @@
 
 #include <touchstone/solve.hpp>
 
+#include "seeded/rng.hpp"
 #include "sim/contact.hpp"
 #include "sim/sim_scenes.hpp"
 #include "support/catch.hpp"
-#include "seeded/rng.hpp"
 
 using namespace touchstone;
 using namespace touchstone::sim;
@@ -93,7 +93,8 @@ TEST_CASE("an impulse reverses the approach, keeps momenta, and takes the energy
     VectorX moved = x1 - x0;
     for (std::size_t c = 0; c < 4; ++c) {
       sum += contact.omega[c];
-      together += contact.omega[c] * (position(x0, contact.particles[c]) + contact.time * position(moved, contact.particles[c]));
+      together += contact.omega[c] *
+                  (position(x0, contact.particles[c]) + contact.time * position(moved, contact.particles[c]));
     }
     CHECK(std::abs(sum) < 1e-14);
     CHECK(together.norm() < 1e-10);
@@ -104,12 +105,14 @@ TEST_CASE("an impulse reverses the approach, keeps momenta, and takes the energy
     const auto normal_speed = [&](const VectorX& end) {
       double speed = 0;
       for (std::size_t c = 0; c < 4; ++c) {
-        speed += contact.omega[c] * contact.normal.dot(position(end, contact.particles[c]) - position(x0, contact.particles[c]));
+        speed += contact.omega[c] *
+                 contact.normal.dot(position(end, contact.particles[c]) - position(x0, contact.particles[c]));
       }
       return speed;
     };
     double k = 0;
-    for (std::size_t c = 0; c < 4; ++c) k += contact.omega[c] * contact.omega[c] * inverse_mass[3 * contact.particles[c]];
+    for (std::size_t c = 0; c < 4; ++c)
+      k += contact.omega[c] * contact.omega[c] * inverse_mass[3 * contact.particles[c]];
     const double before = normal_speed(x1);
     REQUIRE(before < 0);
     if (!(k > 1e-9)) continue;  // it touches what is pinned, and nothing else

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "seeded/rng.hpp"
 #include "sim/energy.hpp"
 #include "sim/sim_scenes.hpp"
 #include "support/catch.hpp"
-#include "seeded/rng.hpp"
 
 using namespace touchstone::sim;
 using touchstone::seeded::Rng;
@@ -22,7 +22,8 @@ Scene crumpled(Rng& random, bool closed, bool twists) {
   for (Index i = 0; i < kCount; ++i) {
     Particle p;
     const double phi = 2 * 3.141592653589793 * i / kCount;
-    p.position = {std::cos(phi) + 0.2 * random.symmetric(), std::sin(phi) + 0.2 * random.symmetric(), 0.3 * random.symmetric()};
+    p.position = {std::cos(phi) + 0.2 * random.symmetric(), std::sin(phi) + 0.2 * random.symmetric(),
+                  0.3 * random.symmetric()};
     scene.particles.push_back(p);
     cable.particles.push_back(i);
   }
@@ -158,7 +159,8 @@ TEST_CASE("rigid motion leaves every strain as it is") {
       for (std::size_t j = 0; j < place.system.edges.size(); ++j) {
         const RodEdge& edge = place.system.edges[j];
         const Vector3 t = (position(next, edge.b) - position(next, edge.a)).normalized();
-        next[place.system.angle(static_cast<Index>(j))] += signed_angle(carried.director[j], turn * frames.director[j], t);
+        next[place.system.angle(static_cast<Index>(j))] +=
+            signed_angle(carried.director[j], turn * frames.director[j], t);
       }
       q = next;
       frames = carried;

@@ -44,7 +44,8 @@ Scene cable_on_wire(const Vector3& origin, double young, double density, double 
   scene.settings.contact.restitution = 0;
   scene.settings.contact.friction = 0.5;
   scene.settings.contact.thickness = 1e-3;
-  const Index a = add_pinned(scene, origin + Vector3(0.013, -0.5, 0)), b = add_pinned(scene, origin + Vector3(0.01, 0.5, 0.001));
+  const Index a = add_pinned(scene, origin + Vector3(0.013, -0.5, 0)),
+              b = add_pinned(scene, origin + Vector3(0.01, 0.5, 0.001));
   scene.wires.push_back({a, b});
   Cable& cable = add_cable(scene, origin + Vector3(-0.5, 0.01, 0.05), origin + Vector3(0.51, -0.01, 0.05), 40);
   set_material(cable, young, 0.3, radius, density);

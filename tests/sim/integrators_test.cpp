@@ -69,11 +69,12 @@ TEST_CASE("energy kept after one period is that of each method's amplification f
     Integrator integrator;
     double h_omega, kept, tolerance;
   };
-  const Row row = GENERATE(Row{Integrator::implicit_euler, 0.01, 0.939, 5e-4}, Row{Integrator::implicit_euler, 0.1, 0.535, 5e-4},
-                           Row{Integrator::implicit_euler, 1, 0.0128, 5e-5}, Row{Integrator::tr_bdf2, 0.01, 1.000, 5e-4},
-                           Row{Integrator::tr_bdf2, 0.1, 0.99995, 5e-6}, Row{Integrator::tr_bdf2, 1, 0.961, 5e-4},
-                           Row{Integrator::implicit_midpoint, 0.01, 1, 1e-9}, Row{Integrator::implicit_midpoint, 0.1, 1, 1e-9},
-                           Row{Integrator::implicit_midpoint, 1, 1, 1e-9});
+  const Row row =
+      GENERATE(Row{Integrator::implicit_euler, 0.01, 0.939, 5e-4}, Row{Integrator::implicit_euler, 0.1, 0.535, 5e-4},
+               Row{Integrator::implicit_euler, 1, 0.0128, 5e-5}, Row{Integrator::tr_bdf2, 0.01, 1.000, 5e-4},
+               Row{Integrator::tr_bdf2, 0.1, 0.99995, 5e-6}, Row{Integrator::tr_bdf2, 1, 0.961, 5e-4},
+               Row{Integrator::implicit_midpoint, 0.01, 1, 1e-9}, Row{Integrator::implicit_midpoint, 0.1, 1, 1e-9},
+               Row{Integrator::implicit_midpoint, 1, 1, 1e-9});
   CAPTURE(integrator_name(row.integrator), row.h_omega);
   CHECK(std::abs(energy_kept(row.integrator, row.h_omega) - row.kept) <= row.tolerance);
 }
@@ -135,8 +136,8 @@ TEST_CASE("free fall and drag") {
     CHECK(run.state.q[2] == Approx(-0.5 * 9.81));  // the midpoint rule is exact for parabolas
   }
   scene.settings.drag = 2;
-  for (const auto integrator : {Integrator::implicit_euler, Integrator::tr_bdf2, Integrator::implicit_midpoint,
-                                Integrator::symplectic_euler}) {
+  for (const auto integrator :
+       {Integrator::implicit_euler, Integrator::tr_bdf2, Integrator::implicit_midpoint, Integrator::symplectic_euler}) {
     scene.settings.integrator = integrator;
     Run run(scene);
     for (int i = 0; i < 5000; ++i) run.step(0.001);

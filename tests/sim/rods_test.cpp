@@ -98,7 +98,8 @@ double critical_load(MakeScene scene_with_load, double low, double high) {
     Stepper stepper(system, settings);
     const Advance advance = stepper.advance(stepper.initial(), 1e4);
     REQUIRE(advance.converged);
-    for (std::size_t p = 0; p < system.particle_count(); ++p) REQUIRE(std::abs(advance.state.q[static_cast<Eigen::Index>(3 * p + 1)]) < 1e-9);
+    for (std::size_t p = 0; p < system.particle_count(); ++p)
+      REQUIRE(std::abs(advance.state.q[static_cast<Eigen::Index>(3 * p + 1)]) < 1e-9);
     (smallest_eigenvalue(stiffness_matrix(system, advance.state)) > 0 ? low : high) = middle;
   }
   return 0.5 * (low + high);
@@ -171,8 +172,8 @@ TEST_CASE("Euler's critical loads") {
   const auto scene = [&](double load) {
     Scene made = column(row.support, load, 40);
     if (row.support == Support::clamped) {
-      // A clamp that moves along with the end: two particles at the top that cannot leave the axis, an end joint of half
-      // a length apart from the pin's.
+      // A clamp that moves along with the end: two particles at the top that cannot leave the axis, an end joint of
+      // half a length apart from the pin's.
       made.particles[39].fixed = {true, true, false};
     }
     return made;
@@ -292,11 +293,13 @@ TEST_CASE("a cantilever's first frequency") {
     const Advance advance = stepper.advance(state, h);
     REQUIRE(advance.converged);
     state = advance.state;
-    if ((before < 0) != (state.q[tip] < 0)) crossings.push_back(state.time - h * state.q[tip] / (state.q[tip] - before));
+    if ((before < 0) != (state.q[tip] < 0))
+      crossings.push_back(state.time - h * state.q[tip] / (state.q[tip] - before));
     before = state.q[tip];
     REQUIRE(state.time < 3 * period);
   }
-  CHECK(crossings[2] - crossings[0] == Approx(period).epsilon(2e-2));  // a static shape holds a little of the higher modes
+  CHECK(crossings[2] - crossings[0] ==
+        Approx(period).epsilon(2e-2));  // a static shape holds a little of the higher modes
 }
 
 TEST_CASE("a hanging chain takes the shape of a catenary") {

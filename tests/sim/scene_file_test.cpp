@@ -92,28 +92,48 @@ TEST_CASE("what makes no sense is refused with its path") {
   check_refused(scene_with(R"(, "settings": {"time_step": "fast"})"), "settings.time_step: must be a number");
   check_refused(scene_with(R"(, "settings": {"time_step": 1e999})"), "no JSON");
   check_refused(scene_with(R"(, "settings": {"integrator": "rk4"})"), "settings.integrator: must be implicit-euler");
-  check_refused(scene_with(R"(, "settings": {"gravity": [0, 0]})"), "settings.gravity: must be a list of three numbers");
-  check_refused(scene_with(R"(, "settings": {"contact": {"restitution": 1.5}})"), "settings.contact.restitution: 1.5 is not in [0, 1]");
+  check_refused(scene_with(R"(, "settings": {"gravity": [0, 0]})"),
+                "settings.gravity: must be a list of three numbers");
+  check_refused(scene_with(R"(, "settings": {"contact": {"restitution": 1.5}})"),
+                "settings.contact.restitution: 1.5 is not in [0, 1]");
   check_refused(scene_with(R"(, "settings": {"contact": {"passes": 0}})"), "settings.contact.passes");
-  check_refused(scene_with(R"(, "springs": [{"particles": [0, 7], "stiffness": 1}])"), "springs[0]: there is no particle 7");
-  check_refused(scene_with(R"(, "springs": [{"particles": [0, 0], "stiffness": 1}])"), "springs[0].particles: particle 0 is there twice");
+  check_refused(scene_with(R"(, "springs": [{"particles": [0, 7], "stiffness": 1}])"),
+                "springs[0]: there is no particle 7");
+  check_refused(scene_with(R"(, "springs": [{"particles": [0, 0], "stiffness": 1}])"),
+                "springs[0].particles: particle 0 is there twice");
   check_refused(scene_with(R"(, "springs": [{"particles": [0, 1]}])"), "springs[0]: lacks the key 'stiffness'");
-  check_refused(scene_with(R"(, "springs": [{"particles": [0, -1], "stiffness": 1}])"), "springs[0].particles[1]: must be a whole number");
-  check_refused(scene_with(R"(, "springs": [{"particles": [0, 1], "stiffness": -1}])"), "springs[0].stiffness: -1 is not in");
+  check_refused(scene_with(R"(, "springs": [{"particles": [0, -1], "stiffness": 1}])"),
+                "springs[0].particles[1]: must be a whole number");
+  check_refused(scene_with(R"(, "springs": [{"particles": [0, 1], "stiffness": -1}])"),
+                "springs[0].stiffness: -1 is not in");
   check_refused(scene_with(R"(, "wires": [[0, 1, 1]])"), "wires[0]: must be a list of 2");
   check_refused(scene_with(R"(, "faces": [[0, 1, 9]])"), "faces[0].particles: there is no particle 9");
-  check_refused(scene_with(R"(, "cables": [{"particles": [0, 1], "radius": 0, "density": 1, "stretch": 1}])"), "cables[0].radius: 0 is not in");
-  check_refused(scene_with(R"(, "cables": [{"particles": [0, 1], "radius": 1, "density": 1, "stretch": 1, "twist": 1}])"), "cables[0].twist");
-  check_refused(scene_with(R"(, "cables": [{"particles": [0, 1], "radius": 1, "density": 1, "young": 1, "stretch": 1}])"), "cables[0].stretch: follows from");
-  check_refused(scene_with(R"(, "cables": [{"particles": [0], "radius": 1, "density": 1, "stretch": 1}])"), "cables[0].particles");
-  check_refused(scene_with(R"(, "cables": [{"from": [0, 0, 0], "to": [1, 0, 0], "segments": 0, "radius": 1, "density": 1, "stretch": 1}])"),
-                "cables[0].segments: must be a whole number from 1");
-  check_refused(R"({"touchstone_scene": 1, "particles": [{"position": [0, 0, 0]}]})", "particles[0].mass: 0 is not allowed");
-  check_refused(R"({"touchstone_scene": 1, "particles": [{"position": [0, 0, 0], "mass": 1, "path": [{"time": 1, "position": [0, 0, 0]},
-                    {"time": 1, "position": [1, 0, 0]}]}]})", "particles[0].path[1].time");
-  check_refused(R"({"touchstone_scene": 1, "particles": [{"position": [0, 0, 0], "mass": 1, "pinned": 3}]})", "particles[0].pinned");
-  check_refused(R"({"touchstone_scene": 1, "particles": [{"position": [0, 0, 0], "mass": 1}, {"position": [0, 0, 0], "mass": 1}],
-                    "wires": [[0, 1]]})", "are in one place");
+  check_refused(scene_with(R"(, "cables": [{"particles": [0, 1], "radius": 0, "density": 1, "stretch": 1}])"),
+                "cables[0].radius: 0 is not in");
+  check_refused(
+      scene_with(R"(, "cables": [{"particles": [0, 1], "radius": 1, "density": 1, "stretch": 1, "twist": 1}])"),
+      "cables[0].twist");
+  check_refused(
+      scene_with(R"(, "cables": [{"particles": [0, 1], "radius": 1, "density": 1, "young": 1, "stretch": 1}])"),
+      "cables[0].stretch: follows from");
+  check_refused(scene_with(R"(, "cables": [{"particles": [0], "radius": 1, "density": 1, "stretch": 1}])"),
+                "cables[0].particles");
+  check_refused(
+      scene_with(
+          R"(, "cables": [{"from": [0, 0, 0], "to": [1, 0, 0], "segments": 0, "radius": 1, "density": 1, "stretch": 1}])"),
+      "cables[0].segments: must be a whole number from 1");
+  check_refused(R"({"touchstone_scene": 1, "particles": [{"position": [0, 0, 0]}]})",
+                "particles[0].mass: 0 is not allowed");
+  check_refused(
+      R"({"touchstone_scene": 1, "particles": [{"position": [0, 0, 0], "mass": 1, "path": [{"time": 1, "position": [0, 0, 0]},
+                    {"time": 1, "position": [1, 0, 0]}]}]})",
+      "particles[0].path[1].time");
+  check_refused(R"({"touchstone_scene": 1, "particles": [{"position": [0, 0, 0], "mass": 1, "pinned": 3}]})",
+                "particles[0].pinned");
+  check_refused(
+      R"({"touchstone_scene": 1, "particles": [{"position": [0, 0, 0], "mass": 1}, {"position": [0, 0, 0], "mass": 1}],
+                    "wires": [[0, 1]]})",
+      "are in one place");
 }
 
 TEST_CASE("checkpoints that are damaged are refused") {

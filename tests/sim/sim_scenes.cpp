@@ -20,7 +20,8 @@ void DenseSink::joint(std::size_t element, const JointMatrix& block) {
   const Joint& j = system_->joints[element];
   std::array<Eigen::Index, 11> at{};
   for (Eigen::Index c = 0; c < 3; ++c) {
-    for (std::size_t k = 0; k < 3; ++k) at[4 * k + static_cast<std::size_t>(c)] = 3 * static_cast<Eigen::Index>(j.p[k]) + c;
+    for (std::size_t k = 0; k < 3; ++k)
+      at[4 * k + static_cast<std::size_t>(c)] = 3 * static_cast<Eigen::Index>(j.p[k]) + c;
   }
   at[3] = system_->angle(j.e);
   at[7] = system_->angle(j.f);

@@ -62,8 +62,10 @@ double linking_number(const VectorX& q, const std::vector<Index>& a, const std::
       const Vector3 b0 = position(q, b[j]), b1 = position(q, b[(j + 1) % b.size()]);
       const Vector3 corners[4] = {b0 - a0, b0 - a1, b1 - a1, b1 - a0};
       const auto solid = [](const Vector3& x, const Vector3& y, const Vector3& z) {
-        const double n = x.norm() * y.norm() * z.norm() + x.dot(y) * z.norm() + y.dot(z) * x.norm() + z.dot(x) * y.norm();
-        const double volume = x[0] * (y[1] * z[2] - y[2] * z[1]) + x[1] * (y[2] * z[0] - y[0] * z[2]) + x[2] * (y[0] * z[1] - y[1] * z[0]);
+        const double n =
+            x.norm() * y.norm() * z.norm() + x.dot(y) * z.norm() + y.dot(z) * x.norm() + z.dot(x) * y.norm();
+        const double volume = x[0] * (y[1] * z[2] - y[2] * z[1]) + x[1] * (y[2] * z[0] - y[0] * z[2]) +
+                              x[2] * (y[0] * z[1] - y[1] * z[0]);
         return 2 * std::atan2(volume, n);
       };
       sum += solid(corners[0], corners[1], corners[2]) + solid(corners[2], corners[3], corners[0]);
@@ -130,7 +132,8 @@ TEST_CASE("it bounces to e^(2n) of its height") {
     before = speed;
     REQUIRE(simulation.state().time < 5);
   }
-  for (int n = 1; n <= 3; ++n) CHECK(tops[static_cast<std::size_t>(n - 1)] == Approx(std::pow(0.7, 2 * n)).epsilon(5e-3));
+  for (int n = 1; n <= 3; ++n)
+    CHECK(tops[static_cast<std::size_t>(n - 1)] == Approx(std::pow(0.7, 2 * n)).epsilon(5e-3));
 }
 
 TEST_CASE("the momentum of two edges that meet is kept, and they part again") {
@@ -250,7 +253,8 @@ TEST_CASE("a zone moves rigidly, with its momentum and angular momentum") {
     momentum += change;
     angular += position(x0, p).cross(change);
     for (Index o = 0; o < p; ++o) {
-      CHECK((position(x1, p) - position(x1, o)).norm() == Approx((position(x0, p) - position(x0, o)).norm()).epsilon(1e-12));
+      CHECK((position(x1, p) - position(x1, o)).norm() ==
+            Approx((position(x0, p) - position(x0, o)).norm()).epsilon(1e-12));
     }
   }
   CHECK(momentum.norm() < 1e-14);
@@ -258,7 +262,8 @@ TEST_CASE("a zone moves rigidly, with its momentum and angular momentum") {
 }
 
 TEST_CASE("capstan: a string that slips round a post holds e^(mu phi) times the pull") {
-  // Half a turn round a post of 48 wires: it holds a tenth less than e^(mu pi) times the pull, and slips under a tenth more.
+  // Half a turn round a post of 48 wires: it holds a tenth less than e^(mu pi) times the pull, and slips under a tenth
+  // more.
   constexpr double kMu = 0.3, kPull = 1;
   const auto slips = [&](double load) {
     Scene scene;
@@ -281,7 +286,8 @@ TEST_CASE("capstan: a string that slips round a post holds e^(mu phi) times the 
     const double r = kRadius + 1.2e-3, ds = std::numbers::pi * r / kAround;
     const auto add = [&](double x, double z) { cable.particles.push_back(add_particle(scene, {x, 0.001, z}, 0)); };
     for (int i = kStraight; i > 0; --i) add(r, -ds * i);
-    for (int i = 0; i <= kAround; ++i) add(r * std::cos(std::numbers::pi * i / kAround), r * std::sin(std::numbers::pi * i / kAround));
+    for (int i = 0; i <= kAround; ++i)
+      add(r * std::cos(std::numbers::pi * i / kAround), r * std::sin(std::numbers::pi * i / kAround));
     for (int i = 1; i <= kStraight; ++i) add(-r, -ds * i);
     set_material(cable, 1e7, 0.3, 0.002, 1500);
     cable.bend = cable.twist = 0;
