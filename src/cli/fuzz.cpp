@@ -9,10 +9,13 @@
 #include <filesystem>
 #include <memory>
 
+#include <touchstone/error.hpp>
+
 #include "cli/fuzz_report.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/new_folders.hpp"
 #include "cli/words.hpp"
+#include "fuzz/climb.hpp"
 #include "fuzz/named_solvers.hpp"
 #include "io/kind_of_file.hpp"
 #include "io/output_file.hpp"
@@ -87,6 +90,7 @@ int run_fuzz(const FuzzOptions& options) {
       return !interrupted();
     });
   }
+  if (outcome.queries == 0 && !interrupted()) throw Error("no query was asked in this time: more --seconds, or --cases");
   auto console = io::OutputFile::standard_output();
   console.write(search_for_person(options, outcome, settings.threads));
   console.write(table_for_person(outcome.table));
@@ -105,10 +109,12 @@ int run_fuzz(const FuzzOptions& options) {
 
 namespace {
 
-std::string check_whole_number(const std::string& text, std::uint64_t least) {
+constexpr std::uint64_t kMostNumber = 999'999'999'999'999'999;
+
+std::string check_whole_number(const std::string& text, std::uint64_t least, std::uint64_t most = kMostNumber) {
   const bool number = !text.empty() && text.size() < 19 && text.find_first_not_of("0123456789") == std::string::npos;
-  if (number && std::stoull(text) >= least) return {};
-  return fmt::format("{} must be a whole number from {} to 999999999999999999", text, least);
+  if (number && std::stoull(text) >= least && std::stoull(text) <= most) return {};
+  return fmt::format("{} must be a whole number from {} to {}", text, least, most);
 }
 
 std::string check_seconds(const std::string& text) {
@@ -161,6 +167,10 @@ void add_solver_options(CLI::App& subcommand, FuzzOptions& options) {
       .add_option("--solver-command", options.solver.command,
                   "A program that is asked over pipes, as the shell would be told to run it")
       ->type_name("COMMAND")
+      ->check([](const std::string& text) {
+        const bool blank = text.find_first_not_of(" \t\n") == std::string::npos;
+        return blank ? std::string("the command is empty; it must name a program") : std::string();
+      })
       ->excludes(solver);
   subcommand
       .add_option_function<std::string>(
@@ -220,10 +230,11 @@ void add_source_options(CLI::App& subcommand, FuzzOptions& options, std::vector<
           ->check([](const std::string& name) {
             return io::kind_from_name(name) ? std::string() : name + " is no kind; it must be " + io::kind_names();
           }));
-  const auto number = [&](const std::string& name, auto& value, std::uint64_t least, const std::string& about) {
+  const auto number = [&](const std::string& name, auto& value, std::uint64_t least, const std::string& about,
+                          std::uint64_t most = kMostNumber) {
     of_search.push_back(
-        subcommand.add_option(name, value, about)->type_name("N")->check([least](const std::string& text) {
-          return check_whole_number(text, least);
+        subcommand.add_option(name, value, about)->type_name("N")->check([least, most](const std::string& text) {
+          return check_whole_number(text, least, most);
         }));
   };
   number("--seed", settings.seed, 0, "Another seed, other queries (default: 1)");
@@ -239,7 +250,8 @@ void add_source_options(CLI::App& subcommand, FuzzOptions& options, std::vector<
           ->check(check_seconds));
   number("--climb", settings.climb, 0,
          "So many steps from every case towards queries on which the filters are only just certain, each asked as well "
-         "(default: 0)");
+         "(default: 0)",
+         fuzz::kMostClimbSteps);
 }
 
 }  // namespace

@@ -59,6 +59,7 @@ void add_stress(CLI::App& program, Command& command) {
       program.add_subcommand("stress", "Where each method breaks as queries get stiff: a stability table and plots");
   subcommand->add_option("--out", options->out, "The folder to write into; it is made when it is not there")
       ->required()
+      ->check([](const std::string& text) { return text.empty() ? "the folder's name is empty" : ""; })
       ->type_name("FOLDER");
   subcommand
       ->add_option_function<std::vector<std::string>>(

@@ -4,6 +4,8 @@
 #include <exception>
 #include <utility>
 
+#include "numbers/float_environment.hpp"
+
 namespace touchstone::fuzz {
 namespace {
 
@@ -23,6 +25,10 @@ class CallableSolver final : public SolverUnderTest {
   bool supports(Kind kind) const override { return !supports_ || supports_(kind); }
 
   Reply ask(const Query& query) override {
+    // A callable that changes the environment must spoil neither the next question nor the engine's queries.
+    struct Restore {
+      ~Restore() { numbers::set_default_float_environment(); }
+    } const restore;
     try {
       return callable_(query);
     } catch (const std::exception& error) {

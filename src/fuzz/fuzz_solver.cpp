@@ -7,6 +7,7 @@
 #include <touchstone/error.hpp>
 
 #include "fuzz/callable_solver.hpp"
+#include "fuzz/climb.hpp"
 #include "fuzz/engine.hpp"
 #include "fuzz/finding_text.hpp"
 
@@ -30,6 +31,10 @@ fuzz::Settings settings_of(const FuzzOptions& options) {
   }
   if (options.early_share && !(*options.early_share >= 0 && *options.early_share <= 1)) {
     throw InvalidQuery("early_share is " + fuzz::decimal_text(*options.early_share) + "; it must be in [0, 1]");
+  }
+  if (options.climb > fuzz::kMostClimbSteps) {
+    throw InvalidQuery("climb is " + std::to_string(options.climb) + "; it must be at most " +
+                       std::to_string(fuzz::kMostClimbSteps));
   }
   fuzz::Settings settings;
   for (const std::string& name : options.families) settings.families.push_back(family_of(name));

@@ -12,6 +12,15 @@
 
 namespace touchstone::numbers {
 
+/// Sets the default environment, whatever it is now.
+inline void set_default_float_environment() noexcept {
+  std::fesetenv(FE_DFL_ENV);
+#if defined(__x86_64__) || (defined(__i386__) && defined(__SSE2_MATH__))
+  constexpr unsigned kDefaultControl = 0x1F80;  // see below
+  _mm_setcsr(kDefaultControl);
+#endif
+}
+
 /// Sets the default environment for its lifetime and restores the caller's, status flags included where it changed
 /// anything. Code that relies on it must sit behind a call that the compiler does not inline and read its operands
 /// from memory, so that no operation moves across the change (see `solver`).

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <touchstone/fuzz.hpp>
 
+#include <cfenv>
 #include <limits>
 #include <stdexcept>
 
@@ -85,6 +86,37 @@ TEST_CASE("what a callable throws is a crash that keeps its message") {
   CHECK(report.findings.front().failure == FuzzFailure::crash);
   CHECK(report.findings.front().detail == "exception: points are hard");
   CHECK(to_string(report.findings.front()).find("claim: none: it crashed") != std::string::npos);
+}
+
+TEST_CASE("a callable that changes the floating-point environment spoils neither the queries nor the verdicts") {
+  const auto rude = [](const Query& query) {
+    REQUIRE(std::fegetround() == FE_TONEAREST);
+    const Claim claim = right(query);
+    std::fesetround(FE_UPWARD);
+    return claim;
+  };
+  const FuzzReport clean = fuzz_solver(right, quick());
+  const FuzzReport after = fuzz_solver(rude, quick());
+  std::fesetround(FE_TONEAREST);
+  CHECK(text_of(after) == text_of(clean));
+  CHECK(after.failures == 0);
+
+  // The queries themselves, by what a solver that is wrong of some is found to be wrong of.
+  const auto wrong = [](const Query& query) {
+    Claim claim = right(query);
+    if (claim.contact) claim.toi = 1.0;
+    return claim;
+  };
+  const auto wrong_and_rude = [&](const Query& query) {
+    const Claim claim = wrong(query);
+    std::fesetround(FE_UPWARD);
+    return claim;
+  };
+  const FuzzReport one = fuzz_solver(wrong, quick());
+  const FuzzReport other = fuzz_solver(wrong_and_rude, quick());
+  std::fesetround(FE_TONEAREST);
+  CHECK(one.failures > 0);
+  CHECK(text_of(one) == text_of(other));
 }
 
 TEST_CASE("kinds, families and earliness are the caller's choice") {

@@ -152,6 +152,10 @@ TEST_CASE("bad usage ends with status 2 and one line, and writes nothing") {
   check_refused({"--kind", "edge"}, "edge is no kind");
   check_refused({"--family", "lattice9"}, "lattice9 is no family");
   check_refused({"--cases", "0"}, "--cases");
+  check_refused({"--climb", "1000001"}, "--climb");
+  check_refused({"--solver-command", ""}, "the command is empty");
+  check_refused({"--solver-command", "  "}, "the command is empty");
+  check_refused({"--seconds", "1e-300"}, "no query was asked");
   check_refused({"--cases", "-1"}, "--cases");
   check_refused({"--cases", "99999999999999999999"}, "--cases");
   check_refused({"--seconds", "0"}, "--seconds");
