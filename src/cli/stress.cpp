@@ -92,7 +92,7 @@ void add_stress(CLI::App& program, Command& command) {
       "  FOLDER/stress.md    missed, phantom, late, time error, run time and levels, and how run time grows\n"
       "  FOLDER/stress.csv   every number, with version, machine and compiler\n"
       "  FOLDER/plots/       NAME.svg, NAME.png, and NAME.gp that drew them; that needs gnuplot\n"
-      "in about a minute.\n\n"
+      "in about half a minute, longer on a busy machine.\n\n"
       "Examples\n"
       "  touchstone stress --out stress\n"
       "  touchstone stress --out stress --dial sliver --dial parallel --count 2000\n\n"
