@@ -40,7 +40,7 @@ class CandidateTimes {
   auto end() const { return end_; }
 
  private:
-  static constexpr std::size_t kMost = 2 + 2 * 8;  // the ends and two roots of each event
+  static constexpr std::size_t kMost = 2 + 2 * kMostEvents;  // the ends, and two roots of each event
   BoundedList<RealRoot, kMost> times_;
   std::array<const RealRoot*, kMost> order_;
   std::array<const RealRoot*, kMost>::const_iterator end_;

@@ -47,9 +47,11 @@ constexpr int kMostBits = (64 * 3 * Limbs - 1 - 13) / 3;
 static_assert(kMostBits<1> + 2 < 64 && 2 * kMostBits<1> + 9 < 128 && kMostBits<2> + 2 < 128 && 2 * kMostBits<2> + 9 < 256);
 static_assert(kMostBits<3> + 2 < 192 && 2 * kMostBits<3> + 9 < 384);
 
-/// Polynomials among whose roots are all times at which touching may begin or end.
+/// Polynomials among whose roots are all times at which touching may begin or end: at most two for each of the four pairs
+/// of a corner and the other edge.
+constexpr std::size_t kMostEvents = 8;
 template <class N>
-using Events = BoundedList<typename Forms<N>::Quadratic, 8>;
+using Events = BoundedList<typename Forms<N>::Quadratic, kMostEvents>;
 
 /// Signs at a root or just after it; may keep a record for `explain`.
 class Moment {

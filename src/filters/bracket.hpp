@@ -11,8 +11,8 @@
 
 namespace touchstone::filters {
 
-/// Decides an edge-edge or vertex-face query whose contact, if any, is an ordinary crossing inside both elements; asks
-/// for an exact sign only to tell on which side of a double a time lies.
+/// Decides an edge-edge or vertex-face query whose contact, if any, is an ordinary crossing inside both elements, at the
+/// step's ends too; asks for an exact value only where a time is too close to a double, or too small, to tell.
 /// On `contact` the answer is complete (nature, features, times, weights) but for its level; on anything else it is
 /// untouched. `frame` is the query's and `coefficients` are its coplanarity_coefficients.
 Decision bracket(const Query& query, const Frame& frame, const std::array<double, 4>& coefficients, double t_max,

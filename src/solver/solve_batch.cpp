@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 
+#include "filters/same_side.hpp"
 #include "filters/same_side_columns.hpp"
 #include "numbers/float_environment.hpp"
 #include "solver/cascade.hpp"
@@ -23,8 +24,6 @@ namespace {
 
 constexpr int kMaxThreads = 1024;
 constexpr std::size_t kBlock = 64;  // queries that a kernel is asked at a time; a few microseconds of work
-
-bool has_cubic(Kind kind) noexcept { return kind == Kind::edge_edge || kind == Kind::vertex_face; }
 
 void validate_options(const BatchOptions& options) {
   if (options.threads < 0 || options.threads > kMaxThreads) {
@@ -123,7 +122,7 @@ void solve_batch(const QueryColumns& queries, Answer* answers, const BatchOption
     std::copy_n(queries.start[i].begin(), 3, columns.start[i]);
     std::copy_n(queries.end[i].begin(), 3, columns.end[i]);
   }
-  const bool with_kernel = options.method == Method::fast && has_cubic(queries.kind);
+  const bool with_kernel = options.method == Method::fast && filters::has_cubic(queries.kind);
   answer_all(queries.count, options, query_at, [&](std::size_t first, std::size_t last) {
     if (with_kernel) {
       answer_columns(columns, filters::same_side_kernel(queries.kind, options.vectors), first, last, answers, answer_one);
