@@ -13,12 +13,6 @@ namespace {
 
 constexpr int kMaxSize = 4;  // coefficients of a cubic
 
-Exact evaluate(Coefficients q, const Exact& t) {
-  Exact value = q.c[q.size - 1];
-  for (int i = q.size - 2; i >= 0; --i) value = value * t + q.c[i];
-  return value;
-}
-
 /// The sign of q(numerator / denominator), denominator > 0.
 int sign_at_rational(Coefficients q, const Exact& numerator, const Exact& denominator) {
   if (is_zero(numerator)) return sign_of(q.c[0]);
@@ -66,6 +60,40 @@ Dense positive_remainder(Dense a, const Dense& b) {
   return a;
 }
 
+/// numerator / denominator over a bracket, if it varies by so little that this is the quotient at the root within 2^-50.5; it is
+/// known to lie in [0, 1] there.
+bool quotient_over(const RootBracket& bracket, Coefficients numerator, Coefficients denominator, double& result) {
+  // Both polynomials lie between the least and the greatest of their Bernstein coefficients over the bracket. Twice
+  // those of a quadratic: 2 q(low), its polar form, 2 q(high).
+  const auto enclose = [&bracket](Coefficients q, Exact& least, Exact& greatest) {
+    const Exact& low = bracket.low();
+    const Exact& high = bracket.high();
+    const Exact at_low = Exact(2) * evaluate(q, low);
+    const Exact at_high = Exact(2) * evaluate(q, high);
+    const Exact middle = Exact(2) * q.c[0] + q.c[1] * (low + high) + Exact(2) * q.c[2] * low * high;
+    least = std::min({at_low, at_high, middle});
+    greatest = std::max({at_low, at_high, middle});
+  };
+  Exact n_least, n_greatest, d_least, d_greatest;
+  enclose(numerator, n_least, n_greatest);
+  enclose(denominator, d_least, d_greatest);
+  if (sign_of(d_greatest) < 0) {
+    std::swap(n_least, n_greatest);
+    std::swap(d_least, d_greatest);
+    n_least = -n_least;
+    n_greatest = -n_greatest;
+    d_least = -d_least;
+    d_greatest = -d_greatest;
+  }
+  if (sign_of(n_least) < 0) n_least = Exact(0);  // the quotient is known not to be negative
+  if (sign_of(d_least) <= 0 ||
+      n_greatest * d_greatest - n_least * d_least > Exact(0x1p-53) * d_least * d_greatest) {
+    return false;
+  }
+  result = std::clamp(approximate_quotient(n_least + n_greatest, d_least + d_greatest), 0.0, 1.0);
+  return true;
+}
+
 std::string hexfloat(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%a", x);
@@ -106,19 +134,15 @@ RealRoot RealRoot::isolated(Coefficients p, const Exact& low, const Exact& high,
   RealRoot root;
   root.degree_ = p.size - 1;
   std::copy(p.c, p.c + p.size, root.p_.begin());
-  root.low_ = low;
-  root.high_ = high;
-  root.sign_low_ = sign_low;
+  root.bracket_ = RootBracket(low, high, sign_low);
   root.find_neighbouring_doubles();
+  root.narrow_ = root.bracket_;
   return root;
 }
 
 int RealRoot::compare(const Exact& value) const {
   if (is_rational_) return sign_of(numerator_ - value * denominator_);
-  if (value <= low_) return 1;
-  if (value >= high_) return -1;
-  const int sign = sign_of(evaluate({p_.data(), degree_ + 1}, value));
-  return sign == 0 ? 0 : sign == sign_low_ ? 1 : -1;
+  return bracket_.compare(polynomial(), value);
 }
 
 int RealRoot::compare(const RealRoot& other) const {
@@ -129,25 +153,25 @@ int RealRoot::compare(const RealRoot& other) const {
     return -other.compare(*this);
   }
   // The other is the only root of its polynomial in its interval: find the side of it on which this root lies.
-  if (compare(other.low_) <= 0) return -1;
-  if (compare(other.high_) >= 0) return 1;
-  const int sign = sign_at({other.p_.data(), other.degree_ + 1});
-  return sign == 0 ? 0 : sign == other.sign_low_ ? -1 : 1;
+  if (compare(other.bracket_.low()) <= 0) return -1;
+  if (compare(other.bracket_.high()) >= 0) return 1;
+  const int sign = sign_at(other.polynomial());
+  return sign == 0 ? 0 : sign == other.bracket_.sign_low() ? -1 : 1;
 }
 
 /// A double near the root, by safeguarded Newton iteration in doubles; only a hint.
 double RealRoot::estimate() const {
   if (is_rational_) return approximate_quotient(numerator_, denominator_);
-  const auto [c, largest] = scaled_to_doubles({p_.data(), degree_ + 1});
-  double low = to_double(low_);
-  double high = to_double(high_);
+  const auto [c, largest] = scaled_to_doubles(polynomial());
+  double low = to_double(bracket_.low());
+  double high = to_double(bracket_.high());
   double t = 0.5 * (low + high);
   double slope = 0;
   constexpr int kIterations = 50;
   for (int i = 0; i < kIterations; ++i) {
     const double value = ((c[3] * t + c[2]) * t + c[1]) * t + c[0];
     slope = (3 * c[3] * t + 2 * c[2]) * t + c[1];
-    if ((value < 0) == (sign_low_ < 0)) {
+    if ((value < 0) == (bracket_.sign_low() < 0)) {
       low = t;
     } else {
       high = t;
@@ -159,10 +183,10 @@ double RealRoot::estimate() const {
     if (converged) break;
   }
   // One Newton step with the exact residual makes up for the rounding of the coefficients.
-  const Approximation residual = approximate(evaluate({p_.data(), degree_ + 1}, Exact(t)));
+  const Approximation residual = approximate(evaluate(polynomial(), Exact(t)));
   if (residual.exponent - largest > -2000 && residual.exponent - largest < 2000) {
     const double better = t - std::ldexp(residual.significand, static_cast<int>(residual.exponent - largest)) / slope;
-    if (better >= to_double(low_) && better <= to_double(high_)) t = better;
+    if (better >= to_double(bracket_.low()) && better <= to_double(bracket_.high())) t = better;
   }
   return t;
 }
@@ -177,10 +201,11 @@ void RealRoot::find_neighbouring_doubles() {
   if (is_rational_ && numerator_ == denominator_) return settle(1.0);
   std::uint64_t below = std::bit_cast<std::uint64_t>(0.0);
   std::uint64_t above = std::bit_cast<std::uint64_t>(1.0);
-  const double hint = estimate();
-  std::uint64_t probe = hint > 0 && hint < 1 ? std::bit_cast<std::uint64_t>(hint) : below + (above - below) / 2;
+  std::uint64_t probe = std::bit_cast<std::uint64_t>(std::clamp(estimate(), 0.0, 1.0));
   std::uint64_t stride = 1;
   int previous = 0;
+  constexpr std::uint64_t kPoorHint = 4;
+  int better_hints = 2;  // to come
   while (above - below > 1) {
     probe = std::clamp(probe, below + 1, above - 1);
     const double time = std::bit_cast<double>(probe);
@@ -190,7 +215,14 @@ void RealRoot::find_neighbouring_doubles() {
     // Gallop away from the hint until the root is passed, then bisect.
     if (previous != 0 && side != previous) stride = 0;
     previous = side;
-    if (stride == 0) {
+    if (stride == kPoorHint && !is_rational_ && better_hints-- > 0) {
+      bracket_.keep_between(Exact(std::bit_cast<double>(below)), Exact(std::bit_cast<double>(above)));
+      bracket_.narrow(polynomial());
+      bracket_.narrow(polynomial());
+      probe = std::bit_cast<std::uint64_t>(std::clamp(to_double((bracket_.low() + bracket_.high()) * Exact(0.5)), 0.0, 1.0));
+      stride = 1;
+      previous = 0;
+    } else if (stride == 0) {
       probe = below + (above - below) / 2;
     } else {
       probe = side > 0 ? (above - probe > stride ? probe + stride : above) : (probe - below > stride ? probe - stride : below);
@@ -199,10 +231,7 @@ void RealRoot::find_neighbouring_doubles() {
   }
   lower_ = std::bit_cast<double>(below);
   upper_ = std::bit_cast<double>(above);
-  if (!is_rational_) {
-    if (Exact(lower_) > low_) low_ = Exact(lower_);
-    if (Exact(upper_) < high_) high_ = Exact(upper_);
-  }
+  if (!is_rational_) bracket_.keep_between(Exact(lower_), Exact(upper_));
 }
 
 void RealRoot::become_rational(const Exact& value) {
@@ -232,36 +261,17 @@ void RealRoot::find_small_integers() {
   }
 }
 
-/// Whether q's Bernstein coefficients over the bracket all have one strict sign, which is then q's sign at the root.
-bool RealRoot::sign_over_bracket(Coefficients q, int& sign) const {
-  sign = sign_of(evaluate(q, low_));
-  if (sign == 0 || sign_of(evaluate(q, high_)) != sign) return false;
-  // The inner coefficients, times a positive number: q's polar form with some arguments low and the others high.
-  if (q.size == 3) {
-    const Exact middle = Exact(2) * q.c[0] + q.c[1] * (low_ + high_) + Exact(2) * q.c[2] * low_ * high_;
-    return sign_of(middle) == sign;
-  }
-  if (q.size == 4) {
-    const auto inner = [&](const Exact& twice, const Exact& once) {
-      return sign_of(Exact(3) * q.c[0] + q.c[1] * (Exact(2) * twice + once) + q.c[2] * twice * (twice + Exact(2) * once) +
-                     Exact(3) * q.c[3] * twice * twice * once);
-    };
-    return inner(low_, high_) == sign && inner(high_, low_) == sign;
-  }
-  return true;
-}
-
 /// Whether q has the isolated root: then it is one of their greatest common divisor, which has no other between low and
 /// high and changes its sign there, as p does.
 bool RealRoot::vanishes_at_isolated(Coefficients q) const {
-  Dense divisor(Coefficients(p_.data(), degree_ + 1));
+  Dense divisor(polynomial());
   Dense rest(q);
   while (rest.size > 0) {
     Dense next = positive_remainder(divisor, rest);
     divisor = std::move(rest);
     rest = std::move(next);
   }
-  return divisor.size > 1 && divisor.sign_at(low_) * divisor.sign_at(high_) < 0;
+  return divisor.size > 1 && divisor.sign_at(bracket_.low()) * divisor.sign_at(bracket_.high()) < 0;
 }
 
 int RealRoot::certain_sign(const double* c, int size) const {
@@ -280,16 +290,13 @@ int RealRoot::certain_sign(const double* c, int size) const {
 
 int RealRoot::sign_at(Coefficients q) const {
   if (is_rational_) return sign_at_rational(q, numerator_, denominator_);
-  int sign = 0;
-  if (sign_over_bracket(q, sign)) return sign;
+  if (const auto sign = bracket_.sign_over(q)) return *sign;
   if (vanishes_at_isolated(q)) return 0;
-  // Not zero: a narrower bracket shows the sign.
-  RealRoot root = *this;
-  do {
-    root.narrow();
-    if (root.is_rational_) return sign_at_rational(q, root.numerator_, root.denominator_);
-  } while (!root.sign_over_bracket(q, sign));
-  return sign;
+  // Not zero: a bracket that is narrow enough shows the sign.
+  for (;;) {
+    if (const auto sign = narrow_.sign_over(q)) return *sign;
+    narrow_.narrow(polynomial());
+  }
 }
 
 int RealRoot::sign_after(Coefficients q) const {
@@ -311,82 +318,25 @@ RealRoot RealRoot::reversed() const {
   const Exact& c2 = p_[2];
   const Exact& c3 = p_[3];
   const std::array<Exact, 4> mirrored = {p_[0] + c1 + c2 + c3, -(c1 + Exact(2) * c2 + Exact(3) * c3), c2 + Exact(3) * c3, -c3};
-  RealRoot root = isolated({mirrored.data(), degree_ + 1}, Exact(1) - high_, Exact(1) - low_, -sign_low_);
+  RealRoot root = isolated({mirrored.data(), degree_ + 1}, Exact(1) - bracket_.high(), Exact(1) - bracket_.low(), -bracket_.sign_low());
   root.multiplicity_ = multiplicity_;
   return root;
 }
 
-/// Uses what p's sign at `value` says of the root's side; true when the root is `value` itself.
-bool RealRoot::keep_side(const Exact& value) {
-  if (value <= low_ || value >= high_) return false;
-  const int sign = sign_of(evaluate({p_.data(), degree_ + 1}, value));
-  if (sign == 0) {
-    become_rational(value);
-    return true;
-  }
-  (sign == sign_low_ ? low_ : high_) = value;
-  return false;
-}
-
-/// Makes the bracket of an isolated root much smaller: around a Newton step from its lower end when that proves right
-/// (its error is squared), by a few bisections otherwise.
-void RealRoot::narrow() {
-  const Exact start = low_;
-  const Exact width = high_ - low_;
-  const Approximation value = approximate(evaluate({p_.data(), degree_ + 1}, start));
-  const Approximation slope =
-      approximate(p_[1] + start * (Exact(2) * p_[2] + Exact(3) * p_[3] * start));
-  if (slope.significand != 0) {
-    const Exact step = Exact(-value.significand / slope.significand) * power_of_two(value.exponent - slope.exponent);
-    const Exact radius = (sign_of(step) < 0 ? -step : step) * Exact(0x1p-40);
-    if (keep_side(start + step - radius) || keep_side(start + step + radius)) return;
-  }
-  if ((high_ - low_) * Exact(16) < width) return;
-  constexpr int kBisections = 8;
-  for (int i = 0; i < kBisections; ++i) {
-    if (keep_side((low_ + high_) * Exact(0.5))) return;
-  }
-}
-
 double RealRoot::quotient(const Polynomial<Exact, 2>& numerator, const Polynomial<Exact, 2>& denominator) const {
-  RealRoot root = *this;
-  for (;;) {
-    if (root.is_rational_) {
-      const Exact power = root.denominator_ * root.denominator_;
-      const auto homogeneous = [&](const Polynomial<Exact, 2>& q) {
-        return (q[2] * root.numerator_ + q[1] * root.denominator_) * root.numerator_ + q[0] * power;
-      };
-      const Exact n = homogeneous(numerator);
-      const Exact d = homogeneous(denominator);
-      return std::clamp(approximate_quotient(n, d), 0.0, 1.0);
-    }
-    // Both polynomials lie between the least and the greatest of their Bernstein coefficients over the bracket. Twice
-    // those of a quadratic: 2 q(low), its polar form, 2 q(high).
-    const auto enclose = [&root](Coefficients q, Exact& least, Exact& greatest) {
-      const Exact at_low = Exact(2) * evaluate(q, root.low_);
-      const Exact at_high = Exact(2) * evaluate(q, root.high_);
-      const Exact middle = Exact(2) * q.c[0] + q.c[1] * (root.low_ + root.high_) + Exact(2) * q.c[2] * root.low_ * root.high_;
-      least = std::min({at_low, at_high, middle});
-      greatest = std::max({at_low, at_high, middle});
+  if (is_rational_) {
+    const Exact power = denominator_ * denominator_;
+    const auto homogeneous = [&](const Polynomial<Exact, 2>& q) {
+      return (q[2] * numerator_ + q[1] * denominator_) * numerator_ + q[0] * power;
     };
-    Exact n_least, n_greatest, d_least, d_greatest;
-    enclose(numerator, n_least, n_greatest);
-    enclose(denominator, d_least, d_greatest);
-    if (sign_of(d_greatest) < 0) {
-      std::swap(n_least, n_greatest);
-      std::swap(d_least, d_greatest);
-      n_least = -n_least;
-      n_greatest = -n_greatest;
-      d_least = -d_least;
-      d_greatest = -d_greatest;
-    }
-    if (sign_of(n_least) < 0) n_least = Exact(0);  // the quotient is known not to be negative
-    if (sign_of(d_least) > 0 &&
-        n_greatest * d_greatest - n_least * d_least <= Exact(0x1p-53) * d_least * d_greatest) {
-      return std::clamp(approximate_quotient(n_least + n_greatest, d_least + d_greatest), 0.0, 1.0);
-    }
-    root.narrow();
+    const Exact n = homogeneous(numerator);
+    const Exact d = homogeneous(denominator);
+    return std::clamp(approximate_quotient(n, d), 0.0, 1.0);
   }
+  double result;
+  if (quotient_over(bracket_, numerator, denominator, result)) return result;
+  while (!quotient_over(narrow_, numerator, denominator, result)) narrow_.narrow(polynomial());
+  return result;
 }
 
 std::string RealRoot::to_string() const {

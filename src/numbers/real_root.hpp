@@ -9,21 +9,13 @@
 #include <string>
 #include <type_traits>
 
+#include "numbers/coefficients.hpp"
 #include "numbers/exact_number.hpp"
 #include "numbers/fixed_int.hpp"
 #include "numbers/polynomial.hpp"
+#include "numbers/root_bracket.hpp"
 
 namespace touchstone::numbers {
-
-/// Coefficients of a polynomial, constant first; the formal degree is size - 1.
-struct Coefficients {
-  const Exact* c;
-  int size;
-
-  template <int D>
-  Coefficients(const Polynomial<Exact, D>& p) : c(p.c.data()), size(D + 1) {}
-  Coefficients(const Exact* first, int count) : c(first), size(count) {}
-};
 
 /// The coefficients times one power of two, each within a relative error of 2^-52 where it does not underflow, the largest
 /// about 1: for hints. Zero beyond p's size, at most 4.
@@ -34,7 +26,7 @@ struct ScaledDoubles {
 ScaledDoubles scaled_to_doubles(Coefficients p);
 
 /// One real root in [0, 1]: either a rational, or the only root of a polynomial inside an open dyadic interval, where
-/// that polynomial changes sign.
+/// that polynomial changes sign. What it finds out about itself it keeps: not to be asked by two threads at a time.
 class RealRoot {
  public:
   /// numerator / denominator; the denominator is not zero.
@@ -119,10 +111,8 @@ class RealRoot {
   void find_small_integers();
   void find_neighbouring_doubles();
   double estimate() const;
-  bool sign_over_bracket(Coefficients q, int& sign) const;
+  Coefficients polynomial() const { return {p_.data(), degree_ + 1}; }
   bool vanishes_at_isolated(Coefficients q) const;
-  void narrow();
-  bool keep_side(const Exact& value);
   void become_rational(const Exact& value);
 
   bool is_rational_ = false;
@@ -132,8 +122,8 @@ class RealRoot {
   std::int64_t small_numerator_ = 0, small_denominator_ = 0;  // the same in integers below kSmall; 0 and 0 where they are not
   int degree_ = 0;                 // of the polynomial of an isolated root
   std::array<Exact, 4> p_;
-  Exact low_, high_;
-  int sign_low_ = 0;
+  RootBracket bracket_;            // no wider than between the neighbouring doubles
+  mutable RootBracket narrow_;     // the narrowest that was asked for
   double lower_ = 0, upper_ = 0;
 };
 

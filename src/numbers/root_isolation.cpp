@@ -46,11 +46,7 @@ struct BernsteinSigns {
   }
 };
 
-int sign_at_point(Coefficients p, const Exact& t) {
-  Exact value = p.c[p.size - 1];
-  for (int i = p.size - 2; i >= 0; --i) value = value * t + p.c[i];
-  return sign_of(value);
-}
+int sign_at_point(Coefficients p, const Exact& t) { return sign_of(evaluate(p, t)); }
 
 mpf_class to_float(const Exact& x, mp_bitcnt_t bits) { return mpf_class(to_rational(x), bits); }
 

@@ -242,3 +242,23 @@ TEST_CASE("random cubics: roots found are all the sign changes, in order") {
   std::printf("random cubics: %ld roots\n", found);
   CHECK(found > 5000);
 }
+
+TEST_CASE("a dyadic root of more digits than a double has, and of a polynomial that hides it") {
+  const Exact root = Exact(0.375) + numbers::power_of_two(-200);
+  // Close to another root, so that the search for its neighbouring doubles may hit it.
+  for (const long apart : {20L, 60L, 160L, 250L}) {
+    const Coefs p = Coefs{-root, Exact(1)} * Coefs{-root - numbers::power_of_two(-apart), Exact(1)} * Coefs{Exact(1), Exact(1)};
+    const RootList roots = roots_of(p);
+    REQUIRE(roots.size() == 2);
+    INFO("2^-" << apart << " apart");
+    check_neighbours(roots[0]);
+    check_neighbours(roots[1]);
+    const Coefs zero_there = Coefs{-root, Exact(1)} * linear(3, 1);
+    const Coefs just_above = {-root - numbers::power_of_two(-3000), Exact(1)};
+    CHECK(roots[0].sign_at(view(zero_there)) == 0);
+    CHECK(roots[0].sign_at(view(just_above)) == -1);
+    CHECK(roots[1].sign_at(view(zero_there)) == -1);
+    CHECK(roots[0].compare(roots[1]) == -1);
+    CHECK(roots[0].compare(root) == 0);
+  }
+}
