@@ -9,6 +9,7 @@
 
 #include "certify/answer_check.hpp"
 #include "query_bytes.hpp"
+#include "solver/owned_columns.hpp"
 #include "support/query_text.hpp"
 #include "targets.hpp"
 
@@ -41,7 +42,7 @@ void check_batch(const Question& question, const Answer& fast) {
   for (int i = 0; i < kBatch; ++i) queries.push_back(i % 3 == 0 ? reversed : question.query);
   BatchOptions options;
   options.t_max = question.t_max;
-  const auto answers = solve_batch(queries, options);
+  const auto answers = solve_batch(solver::OwnedColumns(queries).view(), options);
   const Answer backwards = solve(reversed, question.t_max);
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const Answer& alone = i % 3 == 0 ? backwards : fast;

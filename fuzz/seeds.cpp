@@ -5,6 +5,9 @@
 #include "fuzz/pipe_protocol.hpp"
 #include "io/query_writer.hpp"
 #include "query_bytes.hpp"
+#include "sim/checkpoint.hpp"
+#include "sim/scene_file.hpp"
+#include "sim/shipped_scenes.hpp"
 
 namespace touchstone::fuzzing {
 namespace {
@@ -60,6 +63,25 @@ std::vector<std::string> pipe_line_seeds() {
   return seeds;
 }
 
+std::vector<std::string> scene_file_seeds() {
+  std::vector<std::string> seeds{
+      R"({"touchstone_scene": 1, "particles": [{"position": [0, 0, 0], "pinned": [true, false, true], "mass": 1}]})",
+      R"({"touchstone_scene": 1, "name": "hung", "settings": {"time_step": 0.01, "integrator": "tr-bdf2",
+          "contact": {"friction": 0.3, "passes": 5}}, "cables": [{"from": [0, 0, 0], "to": [1, 0, 0], "segments": 3,
+          "radius": 0.01, "density": 1000, "young": 1e6, "poisson": 0.5, "start": {"hold": "clamped", "twist_rate": 1}}]})",
+      R"({"touchstone_scene": 1, "particles": [{"position": [0, 0, 0], "path": [{"time": 0, "position": [0, 0, 0]}]},
+          {"position": [1, 0, 0], "mass": 1}, {"position": [0, 1, 0], "mass": 1}], "surfaces": [{"faces": [[0, 1, 2]],
+          "stiffness": 10}], "wires": [[0, 1]], "springs": [{"particles": [1, 2], "stiffness": 5, "collides": false}]})"};
+  for (const sim::ShippedScene& shipped : sim::shipped_scenes()) {
+    const sim::Scene scene = shipped.make(shipped.least);
+    const std::string text = sim::scene_to_json(scene);
+    if (text.size() > 8000) continue;
+    seeds.push_back(text);
+    seeds.push_back(sim::checkpoint_to_json(sim::Simulation(scene, {})));
+  }
+  return seeds;
+}
+
 }  // namespace
 
 std::vector<std::string> seeds_for(std::string_view target) {
@@ -67,6 +89,7 @@ std::vector<std::string> seeds_for(std::string_view target) {
   if (target == "query_file") return query_file_seeds();
   if (target == "answers_file") return answers_file_seeds();
   if (target == "pipe_lines") return pipe_line_seeds();
+  if (target == "scene_file") return scene_file_seeds();
   return {};
 }
 

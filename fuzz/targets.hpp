@@ -29,15 +29,16 @@ void fuzz_query(Bytes input);         // query_target.cpp
 void fuzz_query_file(Bytes input);    // query_file_target.cpp
 void fuzz_answers_file(Bytes input);  // answers_file_target.cpp
 void fuzz_pipe_lines(Bytes input);    // pipe_lines_target.cpp
+void fuzz_scene_file(Bytes input);    // scene_file_target.cpp
 
-/// The project reads no JSON (it writes some), so there is no target for it.
-inline constexpr std::array<Target, 4> kTargets{{
+inline constexpr std::array<Target, 5> kTargets{{
     {"query", "the cascade against the exact level and, now and then, the oracle: every field of the answer",
      fuzz_query},
     {"query_file", "the reader of query files: the same however it is read, and what is written reads back",
      fuzz_query_file},
     {"answers_file", "the reader of answers files: the same however it is read", fuzz_answers_file},
     {"pipe_lines", "the readers of the lines that other people's programs read and write", fuzz_pipe_lines},
+    {"scene_file", "the readers of scenes and checkpoints: what is written reads back", fuzz_scene_file},
 }};
 
 /// The target of this name, or null.

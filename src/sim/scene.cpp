@@ -129,7 +129,6 @@ void check_distance(const Scene& scene, const Place& place, Index a, Index b) {
 void check_scene(const Scene& scene) {
   check_settings(scene.settings);
   if (scene.particles.empty()) Place("particles").fail("", "a scene must have some");
-  constexpr std::size_t kMostParticles = 10'000'000;
   if (scene.particles.size() > kMostParticles) Place("particles").fail("", "are more than 10,000,000");
   for (std::size_t i = 0; i < scene.particles.size(); ++i) {
     check_particle(Place(fmt::format("particles[{}]", i)), scene.particles[i]);

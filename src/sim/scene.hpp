@@ -105,6 +105,8 @@ struct Scene {
   std::vector<Face> faces;
 };
 
+constexpr std::size_t kMostParticles = 10'000'000;
+
 /// @throws Error naming the element whose numbers make no sense (indices, ranges, not finite)
 void check_scene(const Scene& scene);
 

@@ -192,6 +192,7 @@ void add_cable(Scene& scene, const JsonNode& node) {
     const JsonNode count = node.at("segments");
     constexpr Index kMostSegments = 1'000'000;
     if (count.index() < 1 || count.index() > kMostSegments) count.fail("must be a whole number from 1 to 1000000");
+    if (scene.particles.size() + count.index() >= kMostParticles) count.fail("more than 10,000,000 particles in all");
     const Vector3 from = node.at("from").vector(), to = node.at("to").vector();
     cable.particles = straight_cable(scene, from, to, count.index()).particles;
   }

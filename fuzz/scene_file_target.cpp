@@ -1,0 +1,51 @@
+// The readers of scenes and checkpoints, which are JSON: any bytes are a scene or an error of one line, and a scene that is
+// written reads back as the same text.
+// SPDX-License-Identifier: MIT
+#include <string>
+
+#include <touchstone/error.hpp>
+
+#include "sim/checkpoint.hpp"
+#include "sim/scene_file.hpp"
+#include "targets.hpp"
+
+namespace touchstone::fuzzing {
+namespace {
+
+/// Long lists of elements, which a few bytes can ask for, tell no more than short ones.
+constexpr std::size_t kMostParticles = 20'000;
+
+void check_error(const Error& error) {
+  const std::string what = error.what();
+  if (what.empty() || what.find('\n') != std::string::npos) throw Finding("the error is not one line: " + what);
+}
+
+void check_written(const sim::Scene& scene) {
+  if (scene.particles.size() > kMostParticles) return;
+  const std::string text = sim::scene_to_json(scene);
+  std::string again;
+  try {
+    again = sim::scene_to_json(sim::scene_from_json(text));
+  } catch (const Error& error) {
+    throw Finding("what was written does not read back: " + std::string(error.what()) + "\n" + text);
+  }
+  if (again != text) throw Finding("read back it is another scene:\n" + text + "\nand\n" + again);
+}
+
+}  // namespace
+
+void fuzz_scene_file(Bytes input) {
+  const std::string_view text = as_text(input);
+  try {
+    check_written(sim::scene_from_json(text));
+  } catch (const Error& error) {
+    check_error(error);
+  }
+  try {
+    check_written(sim::checkpoint_from_json(text).scene);
+  } catch (const Error& error) {
+    check_error(error);
+  }
+}
+
+}  // namespace touchstone::fuzzing
