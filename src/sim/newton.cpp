@@ -47,26 +47,18 @@ class Newton::Matrix final : public BlockSink {
   void set_contacts(const std::vector<ContactTerm>& contacts) {
     if (contacts.empty() && contact_count_ == 0) return;
     contact_count_ = contacts.size();
-    std::vector<std::vector<int>> cliques;
-    for (const ContactTerm& term : contacts) {
-      std::vector<int> all;
-      for (std::size_t c = 0; c < 4; ++c) {
-        for (Index k = 0; k < 3; ++k) all.push_back(c < term.corners ? free_[3 * term.particles[c] + k] : -1);
+    std::vector<SparseSolver::Corners> corners(contacts.size());
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      corners[i].fill(-1);
+      for (std::size_t c = 0; c < contacts[i].corners; ++c) {
+        for (std::size_t k = 0; k < 3; ++k) corners[i][3 * c + k] = free_[3 * contacts[i].particles[c] + k];
       }
-      cliques.push_back(std::move(all));
     }
-    solver_->set_extra(cliques);
+    solver_->set_contacts(corners);
   }
 
   void contact(std::size_t number, const ContactTerm& term, const Eigen::Matrix3d& block) {
-    Eigen::Matrix<double, 12, 12> all = Eigen::Matrix<double, 12, 12>::Zero();
-    for (std::size_t a = 0; a < term.corners; ++a) {
-      for (std::size_t b = 0; b < term.corners; ++b) {
-        all.block<3, 3>(3 * static_cast<Eigen::Index>(a), 3 * static_cast<Eigen::Index>(b)) =
-            term.omega[a] * term.omega[b] * block;
-      }
-    }
-    solver_->add_extra(number, all.data());
+    solver_->add_contact(number, term.omega, block);
   }
 
   int free_count() const noexcept { return solver_->size(); }
@@ -173,10 +165,12 @@ NewtonResult Newton::minimise(const Stage& stage, const VectorX& guess, VectorX&
   }
 
   matrix_->set_contacts(stage.contacts);
+  std::vector<Vector3> pulls;
+  for (const ContactTerm& term : stage.contacts) pulls.push_back(friction_pull(term, stage.base, q));
   const auto add_contacts = [&](VectorX& gradient) {
     for (std::size_t i = 0; i < stage.contacts.size(); ++i) {
       const ContactTerm& term = stage.contacts[i];
-      const ContactDerivatives d = contact_derivatives(term, stage.base, q);
+      const ContactDerivatives d = contact_derivatives(term, stage.base, q, pulls[i]);
       for (std::size_t c = 0; c < term.corners; ++c) {
         gradient.segment<3>(3 * static_cast<Eigen::Index>(term.particles[c])) += term.omega[c] * d.gradient;
       }
@@ -231,6 +225,11 @@ NewtonResult Newton::minimise(const Stage& stage, const VectorX& guess, VectorX&
       const Potential there = potential(stage, trial, frames_trial);
       lower = std::isfinite(there.value) && there.value <= now.value + 1e-4 * share * slope + noise;
       if (lower) {
+        for (std::size_t i = 0; i < pulls.size(); ++i) {
+          const ContactTerm& term = stage.contacts[i];
+          const Vector3 du = relative_motion(term, direction);
+          pulls[i] = next_pull(term, stage.base, q, pulls[i], du, share);
+        }
         q = trial;
         frames = std::move(frames_trial);
         now = there;

@@ -189,7 +189,7 @@ ContactTerm Response::term_of(const Contact& contact, const Work& work) const {
   term.goal = room > 0 ? recovery(work.h) * room : room;
   // The speed of impact is that before the step: at its end, what leans on a contact would seem to fly into it.
   const double approach =
-      work.h * contact.normal.dot(relative_motion(term, VectorX::Zero(work.free.size()), work.state->v));
+      work.h * contact.normal.dot(relative_motion(term, work.state->v));
   if (approach < -2 * gravity_.norm() * work.h * work.h)
     term.goal = std::max(term.goal, -contact_.restitution * approach);
   return term;

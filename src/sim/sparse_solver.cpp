@@ -1,228 +1,264 @@
 // SPDX-License-Identifier: MIT
 #include "sim/sparse_solver.hpp"
 
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
-
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+
+#include "sim/sparse_cholesky.hpp"
 
 namespace touchstone::sim {
 namespace {
 
 using Blocks = std::vector<std::vector<int>>;
-using Keys = std::vector<std::uint64_t>;  // column and row of entries of the lower triangle, ascending
+using Corners = SparseSolver::Corners;
 
-std::uint64_t key(int row, int column) {
-  return static_cast<std::uint64_t>(static_cast<std::uint32_t>(column)) << 32 | static_cast<std::uint32_t>(row);
-}
-
-Keys keys_of(const Blocks& blocks) {
-  Keys keys;
-  for (const auto& block : blocks) {
-    for (const int column : block) {
-      for (const int row : block) {
-        if (column >= 0 && row > column) keys.push_back(key(row, column));
-      }
-    }
-  }
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-  return keys;
-}
-
-/// Larger systems keep their pattern when blocks come and go, and what does not fit it is left to conjugate gradients:
+/// Larger systems keep their pattern when contacts come and go, and what does not fit it is left to conjugate gradients:
 /// contacts tie a pile of cables together in such a way that a factor of all of it fills up.
-constexpr int kLargestDirect = 1500;
-constexpr double kResidual = 1e-4;  // relative: a Newton step needs no more
+constexpr int kLargestDirect = 300;
+constexpr double kResidual = 1e-2;  // relative: on a corner as sharp as friction's, more takes away nothing
 constexpr int kMostIterations = 400;
 
-constexpr int kLeftOut = -1;  // the upper triangle, and unknowns that are not there
-constexpr int kOutside = -2;  // kOutside - n: entry n of those that are not in the pattern
+constexpr int kLeftOut = -1;
 
-/// Entries of the lower triangle beside the pattern.
-struct Outside {
-  std::vector<int> row, column;
-  std::vector<double> value;
-};
-
-/// Where each entry of the blocks is among the keys, column by column.
-struct Places {
-  std::vector<int> all;
-  std::vector<std::size_t> first;  // of each block, and one past the last
-
-  /// @param outside  takes entries that are not among the keys; null when there are none
-  void find(const Blocks& blocks, const Keys& keys, Outside* outside = nullptr) {
-    all.clear();
-    first.clear();
-    if (outside != nullptr) *outside = {};
-    for (const auto& block : blocks) {
-      first.push_back(all.size());
-      for (const int c : block) {
-        for (const int r : block) {
-          if (c < 0 || r < c) {
-            all.push_back(kLeftOut);
-            continue;
-          }
-          const auto found = std::lower_bound(keys.begin(), keys.end(), key(r, c));
-          if (outside == nullptr || (found != keys.end() && *found == key(r, c))) {
-            all.push_back(static_cast<int>(found - keys.begin()));
-          } else {
-            all.push_back(kOutside - static_cast<int>(outside->row.size()));
-            outside->row.push_back(r);
-            outside->column.push_back(c);
-          }
-        }
-      }
+/// Appends the lower triangle's entries of a block without its diagonal.
+template <class Block>
+void append_keys(const Block& block, Keys& keys) {
+  for (const int column : block) {
+    for (const int row : block) {
+      if (column >= 0 && row > column) keys.push_back(key(row, column));
     }
-    first.push_back(all.size());
-    if (outside != nullptr) outside->value.assign(outside->row.size(), 0);
   }
+}
+
+void make_unique(Keys& keys) {
+  std::sort(keys.begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+}
+
+/// A contact as conjugate gradients need it: what of it lies beside the matrix's pattern.
+struct Tie {
+  Corners unknowns;                        // in the matrix's numbering; what is left out is one past the last
+  std::array<std::uint8_t, 4> beside{};    // for each corner, the corners (as bits) whose blocks are not in the pattern
+  std::array<double, 4> omega{};
+  Eigen::Matrix3d block = Eigen::Matrix3d::Zero();
 };
+
+using Vector3 = Eigen::Vector3d;
+
+Vector3 gathered(const Tie& tie, std::size_t corner, const double* x) {
+  const int* const at = tie.unknowns.data() + 3 * corner;
+  return {x[at[0]], x[at[1]], x[at[2]]};
+}
 
 }  // namespace
 
 struct SparseSolver::Parts {
-  using Matrix = Eigen::SparseMatrix<double>;
-  Matrix matrix;  // the lower triangle
-  Eigen::SimplicialLLT<Matrix, Eigen::Lower, Eigen::AMDOrdering<int>> cholesky;
-  Keys keys;
-  Places places;
-  std::vector<int> diagonal;  // where each row's is among the keys
-  Places extra;
-  Outside outside;
-  std::vector<int> shift;  // from places among the keys to places among the values; empty while they are the same
+  int size = 0;
+  std::vector<std::vector<int>> blocks;
+  Keys keys;  // of the blocks
+  std::vector<int> numbers;
+  UpperMatrix matrix;
+  SparseCholesky cholesky;
+  bool with_contacts = false;  // whether the pattern has entries that only contacts need
 
-  void take_pattern(const Keys& entries, int size) {
-    matrix.resize(size, size);
-    matrix.resizeNonZeros(static_cast<Eigen::Index>(entries.size()));
-    int column = -1;
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-      for (const auto c = static_cast<int>(entries[i] >> 32); column < c;)
-        matrix.outerIndexPtr()[++column] = static_cast<int>(i);
-      matrix.innerIndexPtr()[i] = static_cast<int>(entries[i] & 0xffffffffu);
+  std::vector<int> places;          // of each block's entries: of its lower triangle, without what is left out
+  std::vector<std::size_t> first;   // of each block, and one past the last
+  std::vector<int> contact_places;  // the same of contacts, pair of corners by pair
+  std::vector<std::size_t> contact_first;
+  std::vector<Tie> ties;
+  bool beside = false;  // whether any contact has entries beside the pattern
+
+  void take_pattern(const Keys& entries) {
+    numbers = elimination_numbers(size, entries);
+    matrix = matrix_of(size, entries, numbers);
+    cholesky.analyse(matrix);
+    places.clear();
+    first.clear();
+    for (const auto& block : blocks) {
+      first.push_back(places.size());
+      for (std::size_t c = 0; c < block.size(); ++c) {
+        for (std::size_t r = c; r < block.size(); ++r) {
+          if (block[c] >= 0 && block[r] >= 0) places.push_back(matrix.place(number(block[r]), number(block[c])));
+        }
+      }
     }
-    while (column < size) matrix.outerIndexPtr()[++column] = static_cast<int>(entries.size());
-    std::fill_n(matrix.valuePtr(), entries.size(), 1.0);
-    if (size > 0) cholesky.analyzePattern(matrix);
+    first.push_back(places.size());
   }
 
-  Eigen::VectorXd times(const Eigen::VectorXd& x) const {
-    Eigen::VectorXd y = matrix.selfadjointView<Eigen::Lower>() * x;
-    for (std::size_t i = 0; i < outside.row.size(); ++i) {
-      y[outside.row[i]] += outside.value[i] * x[outside.column[i]];
-      if (outside.row[i] != outside.column[i]) y[outside.column[i]] += outside.value[i] * x[outside.row[i]];
+  int number(int unknown) const { return unknown < 0 ? size : numbers[static_cast<std::size_t>(unknown)]; }
+
+  void take_contacts(const std::vector<Corners>& contacts) {
+    ties.assign(contacts.size(), {});
+    contact_places.clear();
+    contact_first.clear();
+    beside = false;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      Tie& tie = ties[i];
+      for (std::size_t k = 0; k < 12; ++k) tie.unknowns[k] = number(contacts[i][k]);
+      contact_first.push_back(contact_places.size());
+      for_each_entry(tie, [&](std::size_t a, std::size_t b, int r, int c) {
+        const int place = r == size || c == size ? kLeftOut : matrix.place(r, c);
+        contact_places.push_back(place);
+        if (place != kLeftOut || r == size || c == size) return;
+        tie.beside[a] = static_cast<std::uint8_t>(tie.beside[a] | 1u << b);
+        tie.beside[b] = static_cast<std::uint8_t>(tie.beside[b] | 1u << a);
+        beside = true;
+      });
     }
-    return y;
+    contact_first.push_back(contact_places.size());
+  }
+
+  /// Every entry of the blocks of corners a <= b that can be there, but those of whole blocks that are left out.
+  template <class Entry>
+  void for_each_entry(const Tie& tie, Entry entry) const {
+    for (std::size_t a = 0; a < 4; ++a) {
+      if (absent(tie, a)) continue;
+      for (std::size_t b = a; b < 4; ++b) {
+        if (absent(tie, b)) continue;
+        for (std::size_t i = 0; i < 3; ++i) {
+          for (std::size_t j = a == b ? i : 0; j < 3; ++j)
+            entry(a, b, tie.unknowns[3 * a + i], tie.unknowns[3 * b + j]);
+        }
+      }
+    }
+  }
+  bool absent(const Tie& tie, std::size_t corner) const {
+    const int* const at = tie.unknowns.data() + 3 * corner;
+    return at[0] == size && at[1] == size && at[2] == size;
+  }
+
+  /// y = the whole matrix times x; both have size + 1 numbers, of which the last one means nothing and is 0 in x.
+  void times(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
+    matrix.times(x.data(), y.data());
+    for (const Tie& tie : ties) {
+      Vector3 pull = Vector3::Zero();
+      std::uint8_t summed = 0;
+      for (std::size_t a = 0; a < 4; ++a) {
+        if (tie.beside[a] == 0) continue;
+        if (tie.beside[a] != summed) {
+          summed = tie.beside[a];
+          Vector3 sum = Vector3::Zero();
+          for (std::size_t b = 0; b < 4; ++b) {
+            if ((summed >> b & 1u) != 0) sum += tie.omega[b] * gathered(tie, b, x.data());
+          }
+          pull = tie.block * sum;
+        }
+        for (std::size_t i = 0; i < 3; ++i)
+          y[tie.unknowns[3 * a + i]] += tie.omega[a] * pull[static_cast<Eigen::Index>(i)];
+      }
+    }
+    y[size] = 0;
   }
 
   /// Conjugate gradients, with the factor of what is in the pattern as preconditioner.
-  Eigen::VectorXd iterate(const Eigen::VectorXd& right) const {
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(right.size()), r = right, z = cholesky.solve(r), p = z;
+  void iterate(Eigen::VectorXd& right) const {
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(right.size()), &r = right, z = r;
+    cholesky.solve(z.data());
+    Eigen::VectorXd p = z, hp(right.size());
     double rz = r.dot(z);
     const double enough = kResidual * kResidual * rz;
     for (int i = 0; i < kMostIterations && rz > enough; ++i) {
-      const Eigen::VectorXd hp = times(p);
+      times(p, hp);
       const double curvature = p.dot(hp);
       if (!(curvature > 0)) break;
       const double step = rz / curvature;
       x += step * p;
       r -= step * hp;
-      z = cholesky.solve(r);
+      z = r;
+      cholesky.solve(z.data());
       const double before = rz;
       rz = r.dot(z);
       p = z + rz / before * p;
     }
-    return x;
+    right = std::move(x);
   }
-
-  int value(int place) const { return shift.empty() ? place : shift[static_cast<std::size_t>(place)]; }
 };
 
 SparseSolver::SparseSolver(int size, const Blocks& blocks) : parts_(std::make_unique<Parts>()) {
-  Keys& keys = parts_->keys;
-  keys = keys_of(blocks);
-  Keys diagonal;
-  for (int i = 0; i < size; ++i) diagonal.push_back(key(i, i));
-  Keys all;
-  std::set_union(keys.begin(), keys.end(), diagonal.begin(), diagonal.end(), std::back_inserter(all));
-  keys = std::move(all);
-  for (const auto entry : diagonal) {
-    parts_->diagonal.push_back(static_cast<int>(std::lower_bound(keys.begin(), keys.end(), entry) - keys.begin()));
-  }
-  parts_->places.find(blocks, keys);
-  parts_->take_pattern(keys, size);
+  parts_->size = size;
+  parts_->blocks = blocks;
+  for (const auto& block : blocks) append_keys(block, parts_->keys);
+  make_unique(parts_->keys);
+  parts_->take_pattern(parts_->keys);
 }
 
 SparseSolver::~SparseSolver() = default;
 
-void SparseSolver::set_extra(const Blocks& blocks) {
-  const Keys& keys = parts_->keys;
-  const Keys wanted = keys_of(blocks);
-  Keys more;
-  std::set_difference(wanted.begin(), wanted.end(), keys.begin(), keys.end(), std::back_inserter(more));
-  parts_->outside = {};
-  const bool iterative = !more.empty() && size() > kLargestDirect;
-  if (more.empty() || iterative) {
+void SparseSolver::set_contacts(const std::vector<Corners>& contacts) {
+  if (size() <= kLargestDirect) {
+    Keys wanted, all;
+    for (const Corners& corners : contacts) append_keys(corners, wanted);
+    make_unique(wanted);
+    std::set_union(parts_->keys.begin(), parts_->keys.end(), wanted.begin(), wanted.end(), std::back_inserter(all));
     // Contacts with what is pinned couple nothing new: the pattern can stay, or go back to what it was.
-    if (!parts_->shift.empty()) {
-      parts_->shift.clear();
-      parts_->take_pattern(keys, size());
-    }
-    parts_->extra.find(blocks, keys, iterative ? &parts_->outside : nullptr);
-    return;
+    const bool more = all.size() > parts_->keys.size();
+    if (more || parts_->with_contacts) parts_->take_pattern(all);
+    parts_->with_contacts = more;
   }
-  Keys all;
-  std::merge(keys.begin(), keys.end(), more.begin(), more.end(), std::back_inserter(all));
-  parts_->shift.resize(keys.size());
-  for (std::size_t i = 0, j = 0; i < keys.size(); ++i) {
-    while (j < more.size() && more[j] < keys[i]) ++j;
-    parts_->shift[i] = static_cast<int>(i + j);
-  }
-  parts_->extra.find(blocks, all);
-  parts_->take_pattern(all, size());
+  parts_->take_contacts(contacts);
 }
 
-int SparseSolver::size() const noexcept { return static_cast<int>(parts_->diagonal.size()); }
+int SparseSolver::size() const noexcept { return parts_->size; }
 
-void SparseSolver::clear() {
-  std::fill_n(parts_->matrix.valuePtr(), parts_->matrix.nonZeros(), 0.0);
-  std::fill(parts_->outside.value.begin(), parts_->outside.value.end(), 0.0);
-}
+void SparseSolver::clear() { std::fill(parts_->matrix.value.begin(), parts_->matrix.value.end(), 0.0); }
 
 void SparseSolver::add_diagonal(int row, double value) {
-  parts_->matrix.valuePtr()[parts_->value(parts_->diagonal[static_cast<std::size_t>(row)])] += value;
+  // Last in its column.
+  const auto column = static_cast<std::size_t>(parts_->number(row));
+  parts_->matrix.value[static_cast<std::size_t>(parts_->matrix.first[column + 1] - 1)] += value;
 }
 
 void SparseSolver::add(std::size_t block, const double* column_major) {
-  double* const values = parts_->matrix.valuePtr();
-  const std::size_t last = parts_->places.first[block + 1];
-  for (std::size_t i = parts_->places.first[block]; i < last; ++i, ++column_major) {
-    if (const int place = parts_->places.all[i]; place >= 0) values[parts_->value(place)] += *column_major;
-  }
-}
-
-void SparseSolver::add_extra(std::size_t block, const double* column_major) {
-  double* const values = parts_->matrix.valuePtr();
-  const std::size_t last = parts_->extra.first[block + 1];
-  for (std::size_t i = parts_->extra.first[block]; i < last; ++i, ++column_major) {
-    const int place = parts_->extra.all[i];
-    if (place >= 0) {
-      values[place] += *column_major;
-    } else if (place <= kOutside) {
-      parts_->outside.value[static_cast<std::size_t>(kOutside - place)] += *column_major;
+  double* const values = parts_->matrix.value.data();
+  const std::vector<int>& unknowns = parts_->blocks[block];
+  const int* place = parts_->places.data() + parts_->first[block];
+  const std::size_t n = unknowns.size();
+  for (std::size_t c = 0; c < n; ++c) {
+    if (unknowns[c] < 0) continue;
+    for (std::size_t r = c; r < n; ++r) {
+      if (unknowns[r] >= 0) values[*place++] += column_major[c * n + r];
     }
   }
 }
 
-bool SparseSolver::factorise() {
-  parts_->cholesky.factorize(parts_->matrix);
-  return parts_->cholesky.info() == Eigen::Success;
+void SparseSolver::add_contact(std::size_t contact, const std::array<double, 4>& omega, const Eigen::Matrix3d& block) {
+  Parts& parts = *parts_;
+  Tie& tie = parts.ties[contact];
+  tie.omega = omega;
+  tie.block = block;
+  double* const values = parts.matrix.value.data();
+  const int* place = parts.contact_places.data() + parts.contact_first[contact];
+  for (std::size_t a = 0; a < 4; ++a) {
+    if (parts.absent(tie, a)) continue;
+    for (std::size_t b = a; b < 4; ++b) {
+      if (parts.absent(tie, b)) continue;
+      const double weight = omega[a] * omega[b];
+      for (Eigen::Index i = 0; i < 3; ++i) {
+        for (Eigen::Index j = a == b ? i : 0; j < 3; ++j) {
+          if (*place != kLeftOut) values[*place] += weight * block(i, j);
+          ++place;
+        }
+      }
+    }
+  }
 }
 
+bool SparseSolver::factorise() { return parts_->cholesky.factorise(parts_->matrix); }
+
 Eigen::VectorXd SparseSolver::solve(const Eigen::VectorXd& right) const {
-  return parts_->outside.row.empty() ? Eigen::VectorXd(parts_->cholesky.solve(right)) : parts_->iterate(right);
+  const Parts& parts = *parts_;
+  Eigen::VectorXd x(right.size() + 1);
+  for (int i = 0; i < parts.size; ++i) x[parts.number(i)] = right[i];
+  x[parts.size] = 0;
+  if (parts.beside) {
+    parts.iterate(x);
+  } else {
+    parts.cholesky.solve(x.data());
+  }
+  Eigen::VectorXd solution(right.size());
+  for (int i = 0; i < parts.size; ++i) solution[i] = x[parts.number(i)];
+  return solution;
 }
 
 }  // namespace touchstone::sim
