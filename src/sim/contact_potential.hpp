@@ -36,8 +36,8 @@ Vector3 friction_pull(const ContactTerm& term, const VectorX& x0, const VectorX&
 
 /// First derivative with respect to u, and a second one that is never negative: friction bends so sharply at rest that
 /// Newton's method with its own second derivative turns at one contact or another in every step, and creeps. So
-/// `pull` is a variable of its own, that meets friction_pull at the solution only (Chan, Golub and Mulet 1999, for total
-/// variation, which has the same corner); where they agree the second derivative is exact.
+/// `pull` is a variable of its own, that meets friction_pull at the solution only (Chan, Golub and Mulet 1999, for
+/// total variation, which has the same corner); where they agree the second derivative is exact.
 struct ContactDerivatives {
   Vector3 gradient;
   Eigen::Matrix3d hessian;

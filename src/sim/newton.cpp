@@ -21,12 +21,12 @@ constexpr double kLever = 0.01;  // m: an angle's change counts as what it moves
 /// Second derivatives in the free coordinates.
 class Newton::Matrix final : public BlockSink {
  public:
-  explicit Matrix(const System& system) : free_(static_cast<std::size_t>(system.size()), -1) {
+  Matrix(const System& system, PatternCache& cache) : free_(static_cast<std::size_t>(system.size()), -1) {
     int count = 0;
     for (std::size_t i = 0; i < free_.size(); ++i) {
       if (!system.fixed[i]) free_[i] = count++;
     }
-    std::vector<std::vector<int>> cliques;
+    Blocks cliques;
     for (const Length& element : system.lengths) {
       cliques.push_back(coordinates({3 * element.a, 3 * element.b}, {}));
     }
@@ -40,7 +40,7 @@ class Newton::Matrix final : public BlockSink {
       cliques.push_back(std::move(all));
     }
     joint_offset_ = system.lengths.size();
-    solver_ = std::make_unique<SparseSolver>(count, cliques);
+    solver_ = std::make_unique<SparseSolver>(count, std::move(cliques), cache);
   }
 
   /// The contacts of the next minimisation.
@@ -113,12 +113,12 @@ class Newton::Matrix final : public BlockSink {
   std::unique_ptr<SparseSolver> solver_;
 };
 
-Newton::Newton(const System& system, const Settings& settings)
+Newton::Newton(const System& system, const Settings& settings, PatternCache& patterns)
     : system_(&system),
       energy_(system),
       drag_(settings.drag),
       tolerance_(settings.newton_tolerance),
-      matrix_(std::make_unique<Matrix>(system)) {}
+      matrix_(std::make_unique<Matrix>(system, patterns)) {}
 
 Newton::~Newton() = default;
 

@@ -6,6 +6,7 @@
 
 #include "sim/contact_potential.hpp"
 #include "sim/energy.hpp"
+#include "sim/sparse_pattern.hpp"
 
 namespace touchstone::sim {
 
@@ -29,7 +30,7 @@ struct NewtonResult {
 
 class Newton {
  public:
-  Newton(const System& system, const Settings& settings);
+  Newton(const System& system, const Settings& settings, PatternCache& patterns);
   ~Newton();
   Newton(const Newton&) = delete;
   Newton& operator=(const Newton&) = delete;

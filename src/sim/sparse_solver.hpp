@@ -9,12 +9,13 @@
 #include <memory>
 #include <vector>
 
+#include "sim/sparse_pattern.hpp"
+
 namespace touchstone::sim {
 
 class SparseSolver {
  public:
-  /// @param blocks  the unknowns of each block, -1 for rows and columns that are left out
-  SparseSolver(int size, const std::vector<std::vector<int>>& blocks);
+  SparseSolver(int size, Blocks blocks, PatternCache& cache);
   ~SparseSolver();
   SparseSolver(const SparseSolver&) = delete;
   SparseSolver& operator=(const SparseSolver&) = delete;
@@ -29,8 +30,8 @@ class SparseSolver {
   void add_diagonal(int row, double value);
   void add(std::size_t block, const double* column_major);  ///< a symmetric block, of the size given at first
 
-  /// The block of corners a and b is omega_a omega_b `block`, which is symmetric and not negative; at most once a contact
-  /// between calls of clear().
+  /// The block of corners a and b is omega_a omega_b `block`, which is symmetric and not negative; at most once a
+  /// contact between calls of clear().
   void add_contact(std::size_t contact, const std::array<double, 4>& omega, const Eigen::Matrix3d& block);
 
   /// False when the matrix is not positive definite.

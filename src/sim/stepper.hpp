@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "sim/newton.hpp"
+#include "sim/islands.hpp"
 
 namespace touchstone::sim {
 
@@ -49,7 +49,7 @@ class Stepper {
   const System* system_;
   Settings settings_;
   Energy energy_;
-  Newton newton_;
+  Islands newton_;
 };
 
 /// J, by where they are. Potential energies of gravity and of the particles' forces are zero at the origin.

@@ -72,6 +72,44 @@ System::System(const Scene& scene) : particle_count_(scene.particles.size()) {
   }
 }
 
+System System::part(const SystemPart& members, const std::vector<Index>& local_particle,
+                    const std::vector<Index>& local_edge) const {
+  System own;
+  own.particle_count_ = members.particles.size();
+  own.edges.reserve(members.edges.size());
+  for (const Index e : members.edges) {
+    own.edges.push_back({local_particle[edges[e].a], local_particle[edges[e].b], edges[e].twists});
+  }
+  own.lengths.reserve(members.lengths.size());
+  for (const Index l : members.lengths) {
+    own.lengths.push_back(lengths[l]);
+    own.lengths.back().a = local_particle[lengths[l].a];
+    own.lengths.back().b = local_particle[lengths[l].b];
+  }
+  own.joints.reserve(members.joints.size());
+  for (const Index j : members.joints) {
+    own.joints.push_back(joints[j]);
+    Joint& joint = own.joints.back();
+    for (Index& p : joint.p) p = local_particle[p];
+    joint.e = local_edge[joint.e];
+    joint.f = local_edge[joint.f];
+  }
+  own.mass.resize(own.size());
+  own.force.resize(own.size());
+  own.fixed.reserve(static_cast<std::size_t>(own.size()));
+  const auto take = [&](Eigen::Index from) {
+    const auto to = static_cast<Eigen::Index>(own.fixed.size());
+    own.mass[to] = mass[from];
+    own.force[to] = force[from];
+    own.fixed.push_back(fixed[static_cast<std::size_t>(from)]);
+  };
+  for (const Index p : members.particles) {
+    for (Eigen::Index k = 0; k < 3; ++k) take(3 * static_cast<Eigen::Index>(p) + k);
+  }
+  for (const Index e : members.edges) take(angle(e));
+  return own;
+}
+
 JointStrain System::joint_strain(const Joint& joint, const VectorX& q, const Frames& frames, double time) const {
   const auto number = static_cast<std::size_t>(&joint - joints.data());
   if (!edges[joint.e].twists) {
