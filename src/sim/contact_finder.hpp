@@ -40,6 +40,7 @@ class ContactFinder {
   void moved(const VectorX& x1, const std::vector<char>& particles);
 
  private:
+  void collect(const VectorX& x1);
   bool has_room(const VectorX& x1, Index particle) const;
 
   const Elements* elements_;
@@ -48,7 +49,7 @@ class ContactFinder {
   std::vector<Pair> pairs_;
   std::vector<char> asked_;  // by pair: and not touched, and not moved since
   VectorX low_, high_;       // of each coordinate at the end of the step
-  double margin_ = 0;
+  double margin_ = 0, most_margin_ = 0;
 };
 
 }  // namespace touchstone::sim

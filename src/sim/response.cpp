@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 #include <utility>
 
 #include "sim/impact_zones.hpp"
@@ -15,7 +17,8 @@ constexpr int kSolves = 4;            // implicit steps, each with the contacts 
 constexpr double kStiffer = 20;       // contact stiffness over that of the elements
 constexpr double kStickSpeed = 5e-3;  // m/s: slower slip is friction at rest
 
-bool same_pair(const Pair& a, const Pair& b) { return a.kind == b.kind && a.i == b.i && a.j == b.j; }
+using PairKey = std::tuple<Kind, Index, Index>;
+PairKey key(const Pair& pair) { return {pair.kind, pair.i, pair.j}; }
 
 }  // namespace
 
@@ -188,8 +191,7 @@ ContactTerm Response::term_of(const Contact& contact, const Work& work) const {
   const double room = thickness_ - contact.gap;
   term.goal = room > 0 ? recovery(work.h) * room : room;
   // The speed of impact is that before the step: at its end, what leans on a contact would seem to fly into it.
-  const double approach =
-      work.h * contact.normal.dot(relative_motion(term, work.state->v));
+  const double approach = work.h * contact.normal.dot(relative_motion(term, work.state->v));
   if (approach < -2 * gravity_.norm() * work.h * work.h)
     term.goal = std::max(term.goal, -contact_.restitution * approach);
   return term;
@@ -198,7 +200,7 @@ ContactTerm Response::term_of(const Contact& contact, const Work& work) const {
 bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Contact> contacts) {
   measure_hold(work.state->q);
   std::vector<ContactTerm> terms;
-  std::vector<Pair> pairs;
+  std::map<PairKey, std::size_t> term_of_pair;
   const auto add = [&](const Contact& contact) {
     terms.push_back(term_of(contact, work));
     // What its spring holds where elements are nearer than the thickness.
@@ -206,7 +208,7 @@ bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Con
       const double out = recovery(work.h) * (thickness_ - contact.gap);
       work.slack += 0.5 * terms.back().stiffness * out * out;
     }
-    pairs.push_back(contact.pair);
+    term_of_pair.try_emplace(key(contact.pair), terms.size() - 1);
   };
   for (const Contact& contact : contacts) add(contact);
   const std::vector<char> all(system_->particle_count(), 1);
@@ -221,13 +223,12 @@ bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Con
     finder_.find(work.next->q, found, *work.counts);
     for (ContactTerm& term : terms) term.slip = contact_.friction * normal_force(term, work.state->q, work.next->q);
     for (const Contact& contact : found) {
-      const auto same =
-          std::find_if(pairs.begin(), pairs.end(), [&](const Pair& p) { return same_pair(p, contact.pair); });
-      if (same == pairs.end()) {
+      const auto same = term_of_pair.find(key(contact.pair));
+      if (same == term_of_pair.end()) {
         add(contact);
       } else {
         // It turned on the way: where it touches now says more than where it would have touched.
-        ContactTerm& term = terms[static_cast<std::size_t>(same - pairs.begin())];
+        ContactTerm& term = terms[same->second];
         const double slip = term.slip;
         term = term_of(contact, work);
         term.slip = slip;
