@@ -107,6 +107,13 @@ std::string outcome(const sim::Simulation& simulation, std::uint64_t steps, std:
         refused.gained_energy, refused.not_certified);
   }
   if (gained > 0) text += fmt::format("in {} contacts did work: too short to be cut again\n", counted(gained, "part"));
+  if (const auto& times = simulation.times(); times.total() > 0) {
+    const auto share = [&](double seconds) { return 100 * seconds / times.total(); };
+    text += fmt::format(
+        "of {:.2f} s of processor time: integration {:.0f} %, solving with contacts {:.0f} %, finding and answering "
+        "contacts {:.0f} %, proof {:.0f} %\n",
+        times.total(), share(times.integration), share(times.contacts), share(times.response), share(times.proof));
+  }
   text += fmt::format("{:.1f} steps a second\n", rate);
   return text + fmt::format("{} steps, {} crossings\n", steps, crossings.size());
 }

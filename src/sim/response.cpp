@@ -33,6 +33,7 @@ struct Response::Work {
   double slack;    // how much more is no gain
   VectorX free;    // next.q without contacts
   ResponseCounts* counts;
+  PhaseTimes* times;
 };
 
 Response::Response(const Elements& elements, const System& system, const Settings& settings, NarrowPhase narrow_phase,
@@ -56,8 +57,9 @@ Response::Response(const Elements& elements, const System& system, const Setting
   }
 }
 
-Response::Outcome Response::respond(Stepper& stepper, const State& state, double h, State& next,
-                                    ResponseCounts& counts) {
+Response::Outcome Response::respond(Stepper& stepper, const State& state, double h, State& next, ResponseCounts& counts,
+                                    PhaseTimes& times) {
+  const PhaseClock clock(times.response);
   const auto& passes = elements_->passes();
   if (!passes.edge_edge && !passes.vertex_face && !passes.joints && !passes.points) return Outcome::done;
   finder_.begin(state.q, next.q, thickness_);
@@ -73,8 +75,8 @@ Response::Outcome Response::respond(Stepper& stepper, const State& state, double
   const double slack = kShare * std::max(before.total() - before.load, without.total() - without.load) +
                        1e-12 * (std::abs(before.load) + 1e-3);
   Work work{
-      &state, h,      next.q, &next, VectorX::Zero(inverse_mass_.size()), std::max(before.total(), without.total()),
-      slack,  next.q, &counts};
+      &state, h,      next.q,  &next, VectorX::Zero(inverse_mass_.size()), std::max(before.total(), without.total()),
+      slack,  next.q, &counts, &times};
   const State free = next;
   std::vector<Contact> known = close;
   known.insert(known.end(), found.begin(), found.end());
@@ -214,7 +216,12 @@ bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Con
   const std::vector<char> all(system_->particle_count(), 1);
   std::vector<Contact> found;
   for (int solve = 0; solve < kSolves; ++solve) {
-    Advance advance = stepper.advance_with(*work.state, work.h, terms, work.next->q);
+    const double before = work.times->contacts;
+    Advance advance = [&] {
+      const PhaseClock clock(work.times->contacts);
+      return stepper.advance_with(*work.state, work.h, terms, work.next->q);
+    }();
+    work.times->response -= work.times->contacts - before;  // which goes on, and counts this too
     ++work.counts->solves;
     work.counts->newton_iterations += advance.iterations;
     if (!advance.converged) return false;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "sim/contact_finder.hpp"
+#include "sim/phase_times.hpp"
 #include "sim/stepper.hpp"
 
 namespace touchstone::sim {
@@ -23,7 +24,8 @@ class Response {
   };
 
   /// Changes `next`, what the integrator made of `state` in h seconds, until the narrow phase finds no contact.
-  Outcome respond(Stepper& stepper, const State& state, double h, State& next, ResponseCounts& counts);
+  Outcome respond(Stepper& stepper, const State& state, double h, State& next, ResponseCounts& counts,
+                  PhaseTimes& times);
 
   double thickness() const noexcept { return thickness_; }
 

@@ -90,13 +90,16 @@ std::vector<StepRecord> Simulation::step() {
 }
 
 bool Simulation::try_part(double h, double end_time, StepRecord& record) {
-  Advance advance = stepper_.advance(state_, h);
+  Advance advance = [&] {
+    const PhaseClock clock(times_.integration);
+    return stepper_.advance(state_, h);
+  }();
   if (!advance.converged) {
     ++refused_.not_converged;
     return false;
   }
   State& next = advance.state;
-  switch (response_.respond(stepper_, state_, h, next, record.response)) {
+  switch (response_.respond(stepper_, state_, h, next, record.response, times_)) {
     case Response::Outcome::done: break;
     case Response::Outcome::not_converged: ++refused_.not_converged; return false;
     case Response::Outcome::not_resolved: ++refused_.not_resolved; return false;
@@ -115,6 +118,7 @@ bool Simulation::try_part(double h, double end_time, StepRecord& record) {
     return false;
   }
 
+  const PhaseClock clock(times_.proof);
   // The proof looks at the positions as they are stored, and finds its own candidates.
   const std::vector<Pair> pairs = elements_.candidates(state_.q, next.q, 0);
   std::vector<Crossing> crossings;

@@ -5,6 +5,9 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
 #include <vector>
 
 #include "sim/sparse_pattern.hpp"
@@ -13,12 +16,34 @@ namespace touchstone::sim {
 
 template <int lanes>
 struct SparseKernels {
-  using Lanes = Eigen::Array<double, lanes, 1>;
+  using Lanes = std::conditional_t<lanes == 1, double, Eigen::Array<double, lanes, 1>>;
   static Lanes load(const double* values, int i) {
-    return Eigen::Map<const Lanes>(values + static_cast<std::ptrdiff_t>(i) * lanes);
+    if constexpr (lanes == 1) {
+      return values[i];
+    } else {
+      return Eigen::Map<const Lanes>(values + static_cast<std::ptrdiff_t>(i) * lanes);
+    }
   }
   static void store(double* values, int i, const Lanes& v) {
-    Eigen::Map<Lanes>(values + static_cast<std::ptrdiff_t>(i) * lanes) = v;
+    if constexpr (lanes == 1) {
+      values[i] = v;
+    } else {
+      Eigen::Map<Lanes>(values + static_cast<std::ptrdiff_t>(i) * lanes) = v;
+    }
+  }
+  static Lanes zero() {
+    if constexpr (lanes == 1) {
+      return 0;
+    } else {
+      return Lanes::Zero();
+    }
+  }
+  static bool is_pivot(const Lanes& v) {
+    if constexpr (lanes == 1) {
+      return v > 0 && std::isfinite(v);
+    } else {
+      return (v > 0).all() && v.allFinite();
+    }
   }
 
   /// y = matrix * x.
@@ -26,7 +51,7 @@ struct SparseKernels {
     const int* const row = pattern.row.data();
     for (int c = 0, p = 0; c < pattern.size; ++c) {
       const Lanes own = load(x, c);
-      Lanes sum = Lanes::Zero();
+      Lanes sum = zero();
       for (const int last = pattern.first[static_cast<std::size_t>(c) + 1] - 1; p < last; ++p) {
         const Lanes entry = load(matrix, p);
         store(y, row[p], load(y, row[p]) + entry * own);
@@ -51,7 +76,7 @@ struct SparseKernels {
       for (; l < pattern.left_first[next]; ++l) {
         const int j = pattern.left[static_cast<std::size_t>(l)];
         const Lanes y = load(work, j);
-        store(work, j, Lanes::Zero());
+        store(work, j, zero());
         const int last = end[static_cast<std::size_t>(j)]++;
         for (int i = pattern.factor_first[static_cast<std::size_t>(j)]; i < last; ++i) {
           store(work, row[i], load(work, row[i]) - load(factor, i) * y);
@@ -60,8 +85,8 @@ struct SparseKernels {
         pivot -= own * y;
         store(factor, last, own);
       }
-      if (!(pivot > 0).all() || !pivot.allFinite()) return false;
-      store(inverse, k, pivot.inverse());
+      if (!is_pivot(pivot)) return false;
+      store(inverse, k, 1 / pivot);
     }
     return true;
   }

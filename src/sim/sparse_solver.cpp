@@ -62,7 +62,7 @@ struct SparseSolver::Parts {
   std::vector<Component> components;
   std::vector<Batch> batches;
   std::vector<int> component_of, local;  // of each unknown
-  std::vector<int> where;                // in a vector
+  std::vector<int> where, diagonal;      // in a vector, and in `matrix`
   struct BlockPlace {
     int component = 0, first = 0;
   };
@@ -154,10 +154,12 @@ void SparseSolver::Parts::take_pattern(const Blocks& all, PatternCache* known) {
   }
   make_batches();
   where.resize(at(size));
+  diagonal.resize(at(size));
   for (std::size_t i = 0; i < where.size(); ++i) {
     const Component& component = components[at(component_of[i])];
     const Batch& batch = batches[at(component.batch)];
     where[i] = static_cast<int>(batch.vector) + component.pattern->numbers[at(local[i])] * batch.lanes + component.lane;
+    diagonal[i] = place(static_cast<int>(i), static_cast<int>(i));
   }
 }
 
