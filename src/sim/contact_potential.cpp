@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "sim/features.hpp"
+
 namespace touchstone::sim {
 namespace {
 
@@ -47,7 +49,7 @@ double contact_value(const ContactTerm& term, const VectorX& x0, const VectorX& 
   const Vector3 u = relative_motion(term, x0, x);
   const double along = term.normal.dot(u), missing = std::max(0.0, term.goal - along);
   double value = 0.5 * term.stiffness * missing * missing;
-  if (term.slip > 0) {
+  if (kFriction && term.slip > 0) {
     const double y = (u - along * term.normal).norm(), e = term.stick;
     value += term.slip * (y < e ? y * y / e - y * y * y / (3 * e * e) + e / 3 : y);
   }
@@ -68,7 +70,7 @@ ContactDerivatives contact_derivatives(const ContactTerm& term, const VectorX& x
     d.gradient = term.stiffness * (along - term.goal) * n;
     d.hessian = term.stiffness * n * n.transpose();
   }
-  if (term.slip > 0) {
+  if (kFriction && term.slip > 0) {
     const Slip slip(term, x0, x);
     d.gradient += term.slip * slip.ratio * slip.across;
     const Vector3 bent = 0.5 * slip.bend * slip.ratio * pull;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/features.hpp"
 #include "sim/sparse_solver.hpp"
 
 namespace touchstone::sim {
@@ -166,11 +167,15 @@ NewtonResult Newton::minimise(const Stage& stage, const VectorX& guess, VectorX&
 
   matrix_->set_contacts(stage.contacts);
   std::vector<Vector3> pulls;
-  for (const ContactTerm& term : stage.contacts) pulls.push_back(friction_pull(term, stage.base, q));
+  const bool friction = kFriction && std::any_of(stage.contacts.begin(), stage.contacts.end(),
+                                                 [](const ContactTerm& term) { return term.slip > 0; });
+  if (friction) {
+    for (const ContactTerm& term : stage.contacts) pulls.push_back(friction_pull(term, stage.base, q));
+  }
   const auto add_contacts = [&](VectorX& gradient) {
     for (std::size_t i = 0; i < stage.contacts.size(); ++i) {
       const ContactTerm& term = stage.contacts[i];
-      const ContactDerivatives d = contact_derivatives(term, stage.base, q, pulls[i]);
+      const ContactDerivatives d = contact_derivatives(term, stage.base, q, friction ? pulls[i] : Vector3::Zero());
       for (std::size_t c = 0; c < term.corners; ++c) {
         gradient.segment<3>(3 * static_cast<Eigen::Index>(term.particles[c])) += term.omega[c] * d.gradient;
       }

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "sim/features.hpp"
 #include "sim/impact_zones.hpp"
 
 namespace touchstone::sim {
@@ -228,7 +229,9 @@ bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Con
     *work.next = std::move(advance.state);
     finder_.moved(work.next->q, all);
     finder_.find(work.next->q, found, *work.counts);
-    for (ContactTerm& term : terms) term.slip = contact_.friction * normal_force(term, work.state->q, work.next->q);
+    if (kFriction && contact_.friction > 0) {
+      for (ContactTerm& term : terms) term.slip = contact_.friction * normal_force(term, work.state->q, work.next->q);
+    }
     for (const Contact& contact : found) {
       const auto same = term_of_pair.find(key(contact.pair));
       if (same == term_of_pair.end()) {
@@ -241,7 +244,7 @@ bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Con
         term.slip = slip;
       }
     }
-    const bool friction_known = contact_.friction == 0 || solve > 0;
+    const bool friction_known = !kFriction || contact_.friction == 0 || solve > 0;
     if (found.empty() && friction_known) break;
   }
   work.wanted = work.next->q;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/features.hpp"
 #include "sim/joint.hpp"
 
 namespace touchstone::sim {
@@ -235,12 +236,12 @@ Frames System::transported(const Frames& frames, const VectorX& from, const Vect
   carried.director.resize(edges.size());
   carried.reference_twist.resize(joints.size());
   std::vector<Vector3> tangents(edges.size());
-  for (std::size_t j = 0; j < edges.size(); ++j) {
+  for (std::size_t j = 0; kRods && j < edges.size(); ++j) {
     tangents[j] = tangent(to, edges[j]);
     carried.director[j] =
         unit_perpendicular(parallel_transport(frames.director[j], tangent(from, edges[j]), tangents[j]), tangents[j]);
   }
-  for (std::size_t j = 0; j < joints.size(); ++j) {
+  for (std::size_t j = 0; kRods && j < joints.size(); ++j) {
     const Vector3 &te = tangents[joints[j].e], &tf = tangents[joints[j].f];
     const double before = frames.reference_twist[j];
     const Vector3 over =
