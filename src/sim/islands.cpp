@@ -145,8 +145,7 @@ void Islands::find_components() {
   }
 }
 
-std::vector<Islands::Part> Islands::parts_of(const std::vector<ContactTerm>& contacts,
-                                             std::vector<Index>& part_of) const {
+std::vector<Islands::Part> Islands::parts_of(std::span<const ContactTerm> contacts, std::vector<Index>& part_of) const {
   UnionFind tied(unknowns_.size());
   for (const ContactTerm& term : contacts) {
     Index before = kNone;
@@ -239,12 +238,14 @@ NewtonResult Islands::minimise_part(const Part& part, bool with_loose, const std
   own_stage.tolerance = stage.tolerance;
   own_stage.strains.stiffness = gathered_strains(stage.strains.stiffness, own, *system_);
   own_stage.strains.rest = gathered_strains(stage.strains.rest, own, *system_);
-  own_stage.contacts.reserve(contacts.size());
+  std::vector<ContactTerm> terms;
+  terms.reserve(contacts.size());
   for (const Index i : contacts) {
-    own_stage.contacts.push_back(stage.contacts[i]);
-    ContactTerm& term = own_stage.contacts.back();
+    terms.push_back(stage.contacts[i]);
+    ContactTerm& term = terms.back();
     for (std::size_t c = 0; c < term.corners; ++c) term.particles[c] = local_particle_[term.particles[c]];
   }
+  own_stage.contacts = terms;
   for (const Index p : own.particles) local_particle_[p] = kNone;
   for (const Index e : own.edges) local_edge_[e] = kNone;
 

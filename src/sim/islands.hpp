@@ -28,7 +28,7 @@ class Islands {
   using Part = std::vector<Index>;  // components, ascending
 
   void find_components();
-  std::vector<Part> parts_of(const std::vector<ContactTerm>& contacts, std::vector<Index>& part_of) const;
+  std::vector<Part> parts_of(std::span<const ContactTerm> contacts, std::vector<Index>& part_of) const;
   struct Begin {
     const Stage* stage;
     const VectorX *guess, *q;

@@ -45,7 +45,7 @@ class Newton::Matrix final : public BlockSink {
   }
 
   /// The contacts of the next minimisation.
-  void set_contacts(const std::vector<ContactTerm>& contacts) {
+  void set_contacts(std::span<const ContactTerm> contacts) {
     if (contacts.empty() && contact_count_ == 0) return;
     contact_count_ = contacts.size();
     std::vector<SparseSolver::Corners> corners(contacts.size());

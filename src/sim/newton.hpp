@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "sim/contact_potential.hpp"
 #include "sim/energy.hpp"
@@ -14,11 +15,11 @@ namespace touchstone::sim {
 ///   1/2 |q - base - span base_velocity|^2_M / span^2 + drag / (2 span) |q - base|^2_M - force . q + energy(q).
 struct Stage {
   VectorX base, base_velocity;
-  double span = 0;                    ///< s
-  double time = 0;                    ///< at its end, s
-  Strains strains;                    ///< with the damping of this span
-  std::vector<ContactTerm> contacts;  ///< relative to base
-  double tolerance = 0;               ///< m/s; 0: the settings' one
+  double span = 0;                        ///< s
+  double time = 0;                        ///< at its end, s
+  Strains strains;                        ///< with the damping of this span
+  std::span<const ContactTerm> contacts;  ///< relative to base
+  double tolerance = 0;                   ///< m/s; 0: the settings' one
 };
 
 struct NewtonResult {

@@ -32,7 +32,6 @@ struct Response::Work {
   VectorX pushed;  // the part of next.q - wanted that is no velocity
   double energy;   // the larger of those before the step and after it without contacts
   double slack;    // how much more is no gain
-  VectorX free;    // next.q without contacts
   ResponseCounts* counts;
   PhaseTimes* times;
 };
@@ -65,28 +64,28 @@ Response::Outcome Response::respond(Stepper& stepper, const State& state, double
   if (!passes.edge_edge && !passes.vertex_face && !passes.joints && !passes.points) return Outcome::done;
   finder_.begin(state.q, next.q, thickness_);
   // The paper has no repulsion: what its solver does not find, nothing holds.
-  std::vector<Contact> close, found;
-  if (repels_) close = finder_.close(thickness_);
-  counts.close = close.size();
+  std::vector<Contact> known, found;
+  if (repels_) known = finder_.close(thickness_);
+  counts.close = known.size();
   finder_.find(next.q, found, counts);
-  if (close.empty() && found.empty()) return Outcome::done;
+  if (known.empty() && found.empty()) return Outcome::done;
+  known.insert(known.end(), found.begin(), found.end());
+  found = {};
 
   const Energies before = energies(*system_, state), without = energies(*system_, next);
   constexpr double kShare = 2e-3;
   const double slack = kShare * std::max(before.total() - before.load, without.total() - without.load) +
                        1e-12 * (std::abs(before.load) + 1e-3);
   Work work{
-      &state, h,      next.q,  &next, VectorX::Zero(inverse_mass_.size()), std::max(before.total(), without.total()),
-      slack,  next.q, &counts, &times};
-  const State free = next;
-  std::vector<Contact> known = close;
-  known.insert(known.end(), found.begin(), found.end());
+      &state, h,       next.q, &next, VectorX::Zero(inverse_mass_.size()), std::max(before.total(), without.total()),
+      slack,  &counts, &times};
   const bool stiff = std::any_of(known.begin(), known.end(), [&](const Contact& c) { return is_stiff(c, h); });
-  if (!stiff && impulses(work, known, contact_.passes)) {
-    take_velocities(work, next);
-    if (!gained_energy(work, next)) return Outcome::done;
-  }
   if (!stiff) {
+    const State free = next;
+    if (impulses(work, known, contact_.passes)) {
+      take_velocities(work, next);
+      if (!gained_energy(work, next)) return Outcome::done;
+    }
     next = free;
     work.wanted = free.q;
     work.pushed.setZero();
@@ -214,6 +213,7 @@ bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Con
     term_of_pair.try_emplace(key(contact.pair), terms.size() - 1);
   };
   for (const Contact& contact : contacts) add(contact);
+  contacts = {};
   const std::vector<char> all(system_->particle_count(), 1);
   std::vector<Contact> found;
   for (int solve = 0; solve < kSolves; ++solve) {

@@ -29,10 +29,11 @@ Vector3 tangent(const VectorX& q, const RodEdge& edge) {
 }  // namespace
 
 System::System(const Scene& scene) : particle_count_(scene.particles.size()) {
-  for (const Particle& p : scene.particles) {
+  for (Index i = 0; i < scene.particles.size(); ++i) {
+    const Particle& p = scene.particles[i];
     placed_.push_back(p.path.empty() ? p.position : position_at(p.path, 0));
     particle_mass_.push_back(p.mass);
-    paths_.push_back(p.path);
+    if (!p.path.empty()) paths_.emplace_back(i, p.path);
   }
   for (const Spring& s : scene.springs) lengths.push_back({s.a, s.b, s.stiffness, s.damping, s.rest_length, false});
   for (const Cable& cable : scene.cables) add_cable(cable);
@@ -65,12 +66,16 @@ System::System(const Scene& scene) : particle_count_(scene.particles.size()) {
     if (!edges[j].twists) fixed[static_cast<std::size_t>(n) + j] = 1;
   }
   for (const DrivenAngle& driven : driven_angles) fixed[static_cast<std::size_t>(angle(driven.edge))] = 1;
-  paths_.resize(particle_count_);
   const Frames frames = initial_frames(initial_position);
   for (const Index j : bent_) {
     const JointStrain strain = joint_strain(joints[j], initial_position, frames, 0);
     joints[j].rest = {strain.kappa1(), strain.kappa2()};
   }
+  placed_ = {};
+  particle_mass_ = inertia_ = length_ = {};
+  lengths.shrink_to_fit();
+  edges.shrink_to_fit();
+  joints.shrink_to_fit();
 }
 
 System System::part(const SystemPart& members, const std::vector<Index>& local_particle,
@@ -193,9 +198,8 @@ void System::add_joint(const Cable& cable, Index e, Index f, double share) {
 }
 
 void System::prescribe(double time, VectorX& q) const {
-  for (std::size_t i = 0; i < particle_count_; ++i) {
-    if (!paths_[i].empty()) q.segment<3>(static_cast<Eigen::Index>(3 * i)) = position_at(paths_[i], time);
-  }
+  for (const auto& [particle, path] : paths_)
+    q.segment<3>(3 * static_cast<Eigen::Index>(particle)) = position_at(path, time);
   for (const DrivenAngle& driven : driven_angles) q[angle(driven.edge)] = driven.rate * std::min(time, driven.until);
 }
 

@@ -91,8 +91,9 @@ class System {
   void add_joint(const Cable& cable, Index e, Index f, double share);
 
   std::size_t particle_count_ = 0;
-  std::vector<std::vector<Waypoint>> paths_;  // by particle
-  std::vector<Vector3> placed_;               // initial positions, ghosts included
+  std::vector<std::pair<Index, std::vector<Waypoint>>> paths_;  // of driven particles
+  // While it is being put together:
+  std::vector<Vector3> placed_;  // initial positions, ghosts included
   std::vector<double> particle_mass_;
   std::vector<double> inertia_;                // by edge
   std::vector<double> length_;                 // by edge: at rest
