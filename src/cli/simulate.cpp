@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 #include <unistd.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include <CLI/CLI.hpp>
 #include <array>
@@ -24,6 +27,14 @@
 
 namespace touchstone::cli {
 namespace {
+
+/// Large vectors come and go in each step. The C library would soon keep the room that they leave, in holes that fit
+/// nothing else: a pile would take a quarter more memory.
+void give_memory_back() {
+#ifdef __GLIBC__
+  ::mallopt(M_MMAP_THRESHOLD, 1 << 20);
+#endif
+}
 
 std::string whole_file(const std::string& path) {
   constexpr std::size_t kMostBytes = std::size_t{1} << 30;
@@ -124,6 +135,7 @@ int run_simulate(const SimulateOptions& options) {
   if (options.resume.empty() == options.scene.empty()) {
     throw Error("name a scene, or a checkpoint with --resume, and not both");
   }
+  give_memory_back();
   std::optional<sim::Checkpoint> checkpoint;
   if (!options.resume.empty()) checkpoint = from_file(options.resume, sim::checkpoint_from_json);
   sim::Scene scene = checkpoint ? checkpoint->scene : scene_of(options);

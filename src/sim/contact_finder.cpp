@@ -11,25 +11,23 @@ constexpr double kMostGrowth = 4;  // of the margin in one step
 }  // namespace
 
 void ContactFinder::begin(const VectorX& x0, const VectorX& x1, double margin) {
-  x0_ = x0;
+  x0_ = &x0;
   margin_ = margin;
   most_margin_ = kMostGrowth * margin;
   collect(x1);
 }
 
 void ContactFinder::collect(const VectorX& x1) {
-  pairs_ = elements_->candidates(x0_, x1, margin_);
+  pairs_ = elements_->candidates(*x0_, x1, margin_);
   asked_.assign(pairs_.size(), 0);
-  // A little less than the margin, so that rounding here cannot let a particle leave its box.
-  low_ = (x0_.cwiseMin(x1).array() - 0.999 * margin_).matrix();
-  high_ = (x0_.cwiseMax(x1).array() + 0.999 * margin_).matrix();
+  collected_ = x1;
 }
 
 std::vector<Contact> ContactFinder::close(double thickness) const {
   std::vector<Contact> all;
   Contact contact;
   for (const Pair& pair : pairs_) {
-    if (proximity(*elements_, pair, x0_, thickness, contact)) all.push_back(contact);
+    if (proximity(*elements_, pair, *x0_, thickness, contact)) all.push_back(contact);
   }
   return all;
 }
@@ -41,9 +39,9 @@ void ContactFinder::find(const VectorX& x1, std::vector<Contact>& found, Respons
   std::vector<Pair> open;
   std::vector<std::size_t> places;
   const auto ask = [&] {
-    const LevelCounts levels = solver_.contacts(open, x0_, x1, [&](std::size_t i, const Answer& answer) {
+    const LevelCounts levels = solver_.contacts(open, *x0_, x1, [&](std::size_t i, const Answer& answer) {
       const bool planar = open[i].kind == Kind::point_edge || open[i].kind == Kind::point_point;
-      found.push_back(contact_of(*elements_, open[i], x0_, x1, answer, planar || solver_.exact()));
+      found.push_back(contact_of(*elements_, open[i], *x0_, x1, answer, planar || solver_.exact()));
       ++counts.natures[static_cast<std::size_t>(answer.nature)];
       asked_[places[i]] = 0;  // until it is known to be gone
     });
@@ -68,9 +66,11 @@ void ContactFinder::find(const VectorX& x1, std::vector<Contact>& found, Respons
 }
 
 bool ContactFinder::has_room(const VectorX& x1, Index particle) const {
-  const auto at = 3 * static_cast<Eigen::Index>(particle);
-  return (x1.segment<3>(at).array() >= low_.segment<3>(at).array()).all() &&
-         (x1.segment<3>(at).array() <= high_.segment<3>(at).array()).all();
+  // A little less than the margin, so that rounding here cannot let a particle leave its box.
+  const Vector3 start = position(*x0_, particle), end = position(collected_, particle), now = position(x1, particle);
+  const double room = 0.999 * margin_;
+  return ((now.array() >= start.cwiseMin(end).array() - room) && (now.array() <= start.cwiseMax(end).array() + room))
+      .all();
 }
 
 void ContactFinder::moved(const VectorX& x1, const std::vector<char>& particles) {

@@ -26,7 +26,8 @@ class ContactFinder {
   ContactFinder(const Elements& elements, NarrowPhase narrow_phase, int threads)
       : elements_(&elements), solver_(elements, narrow_phase, threads) {}
 
-  /// Collects the pairs that may touch while every particle ends within `margin` of its motion from x0 to x1.
+  /// Collects the pairs that may touch while every particle ends within `margin` of its motion from x0 to x1. x0 must
+  /// stay until the next call.
   void begin(const VectorX& x0, const VectorX& x1, double margin);
 
   /// Pairs that are nearer than `thickness` at x0, which is at most the margin.
@@ -45,10 +46,10 @@ class ContactFinder {
 
   const Elements* elements_;
   PairSolver solver_;
-  VectorX x0_;
+  const VectorX* x0_ = nullptr;
   std::vector<Pair> pairs_;
   std::vector<char> asked_;  // by pair: and not touched, and not moved since
-  VectorX low_, high_;       // of each coordinate at the end of the step
+  VectorX collected_;        // where particles ended when the pairs were collected
   double margin_ = 0, most_margin_ = 0;
 };
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <tuple>
 #include <utility>
 
@@ -156,10 +155,10 @@ bool Response::impulses(Work& work, std::vector<Contact> known, int passes) {
 }
 
 void Response::measure_hold(const VectorX& q) {
-  hold_.assign(system_->particle_count(), Eigen::Matrix3d::Zero());
+  hold_.assign(system_->particle_count(), Eigen::Matrix3f::Zero());
   for (const Length& element : system_->lengths) {
     const Vector3 along = (position(q, element.b) - position(q, element.a)).normalized();
-    const Eigen::Matrix3d stiffness = element.stiffness * along * along.transpose();
+    const Eigen::Matrix3f stiffness = (element.stiffness * along * along.transpose()).cast<float>();
     hold_[element.a] += stiffness;
     hold_[element.b] += stiffness;
   }
@@ -167,7 +166,8 @@ void Response::measure_hold(const VectorX& q) {
     // A bend of one segment's length: the middle moves against both of its neighbours.
     const double length = 0.5 * (position(q, joint.p[2]) - position(q, joint.p[0])).norm();
     const double across = joint.bend / (length * length + 1e-300);
-    for (std::size_t k = 0; k < 3; ++k) hold_[joint.p[k]] += (k == 1 ? 4 : 1) * across * Eigen::Matrix3d::Identity();
+    for (std::size_t k = 0; k < 3; ++k)
+      hold_[joint.p[k]] += static_cast<float>((k == 1 ? 4 : 1) * across) * Eigen::Matrix3f::Identity();
   }
 }
 
@@ -184,7 +184,8 @@ ContactTerm Response::term_of(const Contact& contact, const Work& work) const {
     const double inverse = inverse_mass_.segment<3>(3 * static_cast<Eigen::Index>(p)).maxCoeff();
     if (inverse > 0) {
       // A cable is stiff along itself and soft across, which is where it is mostly touched.
-      const double hold = 1 / (inverse * work.h * work.h) + contact.normal.dot(hold_[p] * contact.normal);
+      const double hold =
+          1 / (inverse * work.h * work.h) + contact.normal.dot(hold_[p].cast<double>() * contact.normal);
       softness += contact.omega[c] * contact.omega[c] / hold;
     }
   }
@@ -202,7 +203,7 @@ ContactTerm Response::term_of(const Contact& contact, const Work& work) const {
 bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Contact> contacts) {
   measure_hold(work.state->q);
   std::vector<ContactTerm> terms;
-  std::map<PairKey, std::size_t> term_of_pair;
+  std::vector<std::pair<PairKey, std::size_t>> term_of_pair;  // sorted whenever it is searched
   const auto add = [&](const Contact& contact) {
     terms.push_back(term_of(contact, work));
     // What its spring holds where elements are nearer than the thickness.
@@ -210,17 +211,23 @@ bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Con
       const double out = recovery(work.h) * (thickness_ - contact.gap);
       work.slack += 0.5 * terms.back().stiffness * out * out;
     }
-    term_of_pair.try_emplace(key(contact.pair), terms.size() - 1);
+    term_of_pair.emplace_back(key(contact.pair), terms.size() - 1);
   };
+  terms.reserve(contacts.size() + contacts.size() / 4);
+  term_of_pair.reserve(terms.capacity());
   for (const Contact& contact : contacts) add(contact);
   contacts = {};
+  work.wanted = {};
   const std::vector<char> all(system_->particle_count(), 1);
   std::vector<Contact> found;
   for (int solve = 0; solve < kSolves; ++solve) {
+    // What is left of the last try only takes room.
+    const VectorX near = std::move(work.next->q);
+    *work.next = {};
     const double before = work.times->contacts;
     Advance advance = [&] {
       const PhaseClock clock(work.times->contacts);
-      return stepper.advance_with(*work.state, work.h, terms, work.next->q);
+      return stepper.advance_with(*work.state, work.h, terms, near);
     }();
     work.times->response -= work.times->contacts - before;  // which goes on, and counts this too
     ++work.counts->solves;
@@ -232,9 +239,13 @@ bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Con
     if (kFriction && contact_.friction > 0) {
       for (ContactTerm& term : terms) term.slip = contact_.friction * normal_force(term, work.state->q, work.next->q);
     }
+    std::sort(term_of_pair.begin(), term_of_pair.end());
+    const auto known = static_cast<std::ptrdiff_t>(term_of_pair.size());
     for (const Contact& contact : found) {
-      const auto same = term_of_pair.find(key(contact.pair));
-      if (same == term_of_pair.end()) {
+      const PairKey wanted = key(contact.pair);
+      const auto known_end = term_of_pair.begin() + known;
+      const auto same = std::lower_bound(term_of_pair.begin(), known_end, std::pair{wanted, std::size_t{0}});
+      if (same == known_end || same->first != wanted) {
         add(contact);
       } else {
         // It turned on the way: where it touches now says more than where it would have touched.

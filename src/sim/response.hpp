@@ -51,7 +51,7 @@ class Response {
   double thickness_;
   VectorX inverse_mass_;
   VectorX stiffness_;                  // of each particle's springs, N/m
-  std::vector<Eigen::Matrix3d> hold_;  // what holds each particle where it is, by direction, N/m
+  std::vector<Eigen::Matrix3f> hold_;  // what holds each particle where it is, by direction, N/m; roughly
   bool repels_;                        // elements that are nearer than the thickness
   ContactFinder finder_;
 };
