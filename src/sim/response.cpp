@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
+#include "sim/features.hpp"
 #include "sim/impact_zones.hpp"
 
 namespace touchstone::sim {
@@ -15,7 +17,8 @@ constexpr int kSolves = 4;            // implicit steps, each with the contacts 
 constexpr double kStiffer = 20;       // contact stiffness over that of the elements
 constexpr double kStickSpeed = 5e-3;  // m/s: slower slip is friction at rest
 
-bool same_pair(const Pair& a, const Pair& b) { return a.kind == b.kind && a.i == b.i && a.j == b.j; }
+using PairKey = std::tuple<Kind, Index, Index>;
+PairKey key(const Pair& pair) { return {pair.kind, pair.i, pair.j}; }
 
 }  // namespace
 
@@ -28,8 +31,8 @@ struct Response::Work {
   VectorX pushed;  // the part of next.q - wanted that is no velocity
   double energy;   // the larger of those before the step and after it without contacts
   double slack;    // how much more is no gain
-  VectorX free;    // next.q without contacts
   ResponseCounts* counts;
+  PhaseTimes* times;
 };
 
 Response::Response(const Elements& elements, const System& system, const Settings& settings, NarrowPhase narrow_phase,
@@ -53,34 +56,35 @@ Response::Response(const Elements& elements, const System& system, const Setting
   }
 }
 
-Response::Outcome Response::respond(Stepper& stepper, const State& state, double h, State& next,
-                                    ResponseCounts& counts) {
+Response::Outcome Response::respond(Stepper& stepper, const State& state, double h, State& next, ResponseCounts& counts,
+                                    PhaseTimes& times) {
+  const PhaseClock clock(times.response);
   const auto& passes = elements_->passes();
   if (!passes.edge_edge && !passes.vertex_face && !passes.joints && !passes.points) return Outcome::done;
   finder_.begin(state.q, next.q, thickness_);
   // The paper has no repulsion: what its solver does not find, nothing holds.
-  std::vector<Contact> close, found;
-  if (repels_) close = finder_.close(thickness_);
-  counts.close = close.size();
+  std::vector<Contact> known, found;
+  if (repels_) known = finder_.close(thickness_);
+  counts.close = known.size();
   finder_.find(next.q, found, counts);
-  if (close.empty() && found.empty()) return Outcome::done;
+  if (known.empty() && found.empty()) return Outcome::done;
+  known.insert(known.end(), found.begin(), found.end());
+  found = {};
 
   const Energies before = energies(*system_, state), without = energies(*system_, next);
   constexpr double kShare = 2e-3;
   const double slack = kShare * std::max(before.total() - before.load, without.total() - without.load) +
                        1e-12 * (std::abs(before.load) + 1e-3);
   Work work{
-      &state, h,      next.q, &next, VectorX::Zero(inverse_mass_.size()), std::max(before.total(), without.total()),
-      slack,  next.q, &counts};
-  const State free = next;
-  std::vector<Contact> known = close;
-  known.insert(known.end(), found.begin(), found.end());
+      &state, h,       next.q, &next, VectorX::Zero(inverse_mass_.size()), std::max(before.total(), without.total()),
+      slack,  &counts, &times};
   const bool stiff = std::any_of(known.begin(), known.end(), [&](const Contact& c) { return is_stiff(c, h); });
-  if (!stiff && impulses(work, known, contact_.passes)) {
-    take_velocities(work, next);
-    if (!gained_energy(work, next)) return Outcome::done;
-  }
   if (!stiff) {
+    const State free = next;
+    if (impulses(work, known, contact_.passes)) {
+      take_velocities(work, next);
+      if (!gained_energy(work, next)) return Outcome::done;
+    }
     next = free;
     work.wanted = free.q;
     work.pushed.setZero();
@@ -151,10 +155,10 @@ bool Response::impulses(Work& work, std::vector<Contact> known, int passes) {
 }
 
 void Response::measure_hold(const VectorX& q) {
-  hold_.assign(system_->particle_count(), Eigen::Matrix3d::Zero());
+  hold_.assign(system_->particle_count(), Eigen::Matrix3f::Zero());
   for (const Length& element : system_->lengths) {
     const Vector3 along = (position(q, element.b) - position(q, element.a)).normalized();
-    const Eigen::Matrix3d stiffness = element.stiffness * along * along.transpose();
+    const Eigen::Matrix3f stiffness = (element.stiffness * along * along.transpose()).cast<float>();
     hold_[element.a] += stiffness;
     hold_[element.b] += stiffness;
   }
@@ -162,7 +166,8 @@ void Response::measure_hold(const VectorX& q) {
     // A bend of one segment's length: the middle moves against both of its neighbours.
     const double length = 0.5 * (position(q, joint.p[2]) - position(q, joint.p[0])).norm();
     const double across = joint.bend / (length * length + 1e-300);
-    for (std::size_t k = 0; k < 3; ++k) hold_[joint.p[k]] += (k == 1 ? 4 : 1) * across * Eigen::Matrix3d::Identity();
+    for (std::size_t k = 0; k < 3; ++k)
+      hold_[joint.p[k]] += static_cast<float>((k == 1 ? 4 : 1) * across) * Eigen::Matrix3f::Identity();
   }
 }
 
@@ -179,7 +184,8 @@ ContactTerm Response::term_of(const Contact& contact, const Work& work) const {
     const double inverse = inverse_mass_.segment<3>(3 * static_cast<Eigen::Index>(p)).maxCoeff();
     if (inverse > 0) {
       // A cable is stiff along itself and soft across, which is where it is mostly touched.
-      const double hold = 1 / (inverse * work.h * work.h) + contact.normal.dot(hold_[p] * contact.normal);
+      const double hold =
+          1 / (inverse * work.h * work.h) + contact.normal.dot(hold_[p].cast<double>() * contact.normal);
       softness += contact.omega[c] * contact.omega[c] / hold;
     }
   }
@@ -188,8 +194,7 @@ ContactTerm Response::term_of(const Contact& contact, const Work& work) const {
   const double room = thickness_ - contact.gap;
   term.goal = room > 0 ? recovery(work.h) * room : room;
   // The speed of impact is that before the step: at its end, what leans on a contact would seem to fly into it.
-  const double approach =
-      work.h * contact.normal.dot(relative_motion(term, VectorX::Zero(work.free.size()), work.state->v));
+  const double approach = work.h * contact.normal.dot(relative_motion(term, work.state->v));
   if (approach < -2 * gravity_.norm() * work.h * work.h)
     term.goal = std::max(term.goal, -contact_.restitution * approach);
   return term;
@@ -198,7 +203,7 @@ ContactTerm Response::term_of(const Contact& contact, const Work& work) const {
 bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Contact> contacts) {
   measure_hold(work.state->q);
   std::vector<ContactTerm> terms;
-  std::vector<Pair> pairs;
+  std::vector<std::pair<PairKey, std::size_t>> term_of_pair;  // sorted whenever it is searched
   const auto add = [&](const Contact& contact) {
     terms.push_back(term_of(contact, work));
     // What its spring holds where elements are nearer than the thickness.
@@ -206,34 +211,51 @@ bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Con
       const double out = recovery(work.h) * (thickness_ - contact.gap);
       work.slack += 0.5 * terms.back().stiffness * out * out;
     }
-    pairs.push_back(contact.pair);
+    term_of_pair.emplace_back(key(contact.pair), terms.size() - 1);
   };
+  terms.reserve(contacts.size() + contacts.size() / 4);
+  term_of_pair.reserve(terms.capacity());
   for (const Contact& contact : contacts) add(contact);
+  contacts = {};
+  work.wanted = {};
   const std::vector<char> all(system_->particle_count(), 1);
   std::vector<Contact> found;
   for (int solve = 0; solve < kSolves; ++solve) {
-    Advance advance = stepper.advance_with(*work.state, work.h, terms, work.next->q);
+    // What is left of the last try only takes room.
+    const VectorX near = std::move(work.next->q);
+    *work.next = {};
+    const double before = work.times->contacts;
+    Advance advance = [&] {
+      const PhaseClock clock(work.times->contacts);
+      return stepper.advance_with(*work.state, work.h, terms, near);
+    }();
+    work.times->response -= work.times->contacts - before;  // which goes on, and counts this too
     ++work.counts->solves;
     work.counts->newton_iterations += advance.iterations;
     if (!advance.converged) return false;
     *work.next = std::move(advance.state);
     finder_.moved(work.next->q, all);
     finder_.find(work.next->q, found, *work.counts);
-    for (ContactTerm& term : terms) term.slip = contact_.friction * normal_force(term, work.state->q, work.next->q);
+    if (kFriction && contact_.friction > 0) {
+      for (ContactTerm& term : terms) term.slip = contact_.friction * normal_force(term, work.state->q, work.next->q);
+    }
+    std::sort(term_of_pair.begin(), term_of_pair.end());
+    const auto known = static_cast<std::ptrdiff_t>(term_of_pair.size());
     for (const Contact& contact : found) {
-      const auto same =
-          std::find_if(pairs.begin(), pairs.end(), [&](const Pair& p) { return same_pair(p, contact.pair); });
-      if (same == pairs.end()) {
+      const PairKey wanted = key(contact.pair);
+      const auto known_end = term_of_pair.begin() + known;
+      const auto same = std::lower_bound(term_of_pair.begin(), known_end, std::pair{wanted, std::size_t{0}});
+      if (same == known_end || same->first != wanted) {
         add(contact);
       } else {
         // It turned on the way: where it touches now says more than where it would have touched.
-        ContactTerm& term = terms[static_cast<std::size_t>(same - pairs.begin())];
+        ContactTerm& term = terms[same->second];
         const double slip = term.slip;
         term = term_of(contact, work);
         term.slip = slip;
       }
     }
-    const bool friction_known = contact_.friction == 0 || solve > 0;
+    const bool friction_known = !kFriction || contact_.friction == 0 || solve > 0;
     if (found.empty() && friction_known) break;
   }
   work.wanted = work.next->q;
