@@ -24,8 +24,10 @@ inline Lanes lanes(const Vec3& x) noexcept { return numbers::pack(x.x, x.y, x.z,
 
 inline Moving moving_difference(const Vec3* start, const Vec3* end, std::size_t i, std::size_t j, double t) noexcept {
   const Precise from = numbers::two_difference(lanes(start[i]), lanes(start[j]));
-  const Precise change = numbers::two_difference(lanes(end[i]), lanes(end[j])) - from;
-  return {from + numbers::pack(t, t, t, t) * change, change.high};
+  const Precise to = numbers::two_difference(lanes(end[i]), lanes(end[j]));
+  const double s = 1 - t;  // exact
+  const Precise value = numbers::pack(s, s, s, s) * from + numbers::pack(t, t, t, t) * to;
+  return {numbers::normalised(value), to.high - from.high};
 }
 
 /// The coordinates (y, z, x) and (z, x, y).
@@ -61,7 +63,7 @@ inline ContactValues contact_values_by_steps(const Vec3* start, const Vec3* end,
   const Moving u = edges ? difference(1, 0) : difference(2, 1);
   const Moving w = edges ? difference(3, 2) : difference(3, 1);
   const Moving r = edges ? difference(2, 0) : difference(0, 1);
-  const Precise n = cross(u.value, w.value);
+  const Precise n = numbers::normalised(cross(u.value, w.value));
   const Precise products = n * r.value;
   const DoubleDouble coplanarity = coordinate(products, 0) + coordinate(products, 1) + coordinate(products, 2);
   const Component normal = component(u, w, n, k);

@@ -1,0 +1,135 @@
+// What drives a root to its neighbouring doubles and to its weights, under search, one bound by one.
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include <touchstone/solve.hpp>
+
+#include "exact/exact.hpp"
+#include "filters/contact_values_steps.hpp"
+#include "filters/frame_case.hpp"
+#include "support/answer_check.hpp"
+#include "support/catch.hpp"
+
+// The functions under test are private to this file, which is compiled here a second time.
+#include "filters/refined_root.cpp"  // NOLINT(bugprone-suspicious-include)
+
+using namespace touchstone;
+using namespace touchstone::tests;
+using filters::BernsteinCubic;
+using filters::Offset;
+using filters::SimpleRoot;
+
+namespace {
+
+/// A power of two from any double, 2^least to 2^greatest, times what is left of it.
+double scale_from(double x, int least, int greatest) {
+  int exponent = 0;
+  const double s = std::frexp(x, &exponent);  // whose low bits choose
+  const auto choice = static_cast<int>(std::fabs(s) * 0x1p30) % (greatest - least + 1);
+  return std::ldexp(s, least + choice);
+}
+
+/// How much of its bound f1 = r x w along an axis needs at a root that is `distance` from t, give or take `slip`.
+double component_ratio(const FrameCase& sample, double t, double distance, double slip) {
+  if (!(t + distance + slip >= 0 && t + distance + slip <= 1)) {
+    distance = -distance;
+    slip = -slip;
+  }
+  const std::size_t k = 2;
+  const Vec3* const start = sample.query.start.data();
+  const Vec3* const end = sample.query.end.data();
+  const auto w = filters::moving_difference(start, end, 3, 2, t), r = filters::moving_difference(start, end, 2, 0, t);
+  const filters::Component first = filters::component(r, w, filters::cross(r.value, w.value), k);
+  const Exact truth = sample.cross(2, 1, k, Exact(t) + Exact(distance) + Exact(slip));
+  // The same component less its true value, as two doubles: its errors stay.
+  const double high = numbers::approximate_quotient(truth, Exact(1));
+  const double low = numbers::approximate_quotient(truth - Exact(high), Exact(1));
+  const Offset offset{distance, std::fabs(slip)};
+  const double rest = (first.value.high - high) + (first.value.low - low);
+  const double bound = filters::component_spread(offset) * (sample.size.r * sample.size.w);
+  return std::fabs(filters::at_root({rest, first.slope}, offset)) / bound;
+}
+
+/// A root of a sample's cubic as seen from a time at some distance: what SimpleRoot promises holds.
+struct SeenRoot {
+  bool found = false;
+  SimpleRoot root{};
+};
+
+SeenRoot seen_from(const FrameCase& s, const BernsteinCubic& cubic, double away) {
+  if (cubic.variations(0, 1) != BernsteinCubic::Variations::one) return {};
+  const BernsteinCubic::Root root = cubic.root_between(0, 1);
+  if (!root.certain) return {};
+  const double t = filters::exact_to_one(std::clamp(root.t + away, 0.0, 1.0));
+  const double slope = cubic.slope(t);
+  const double radius = std::fabs(t - root.t) + root.radius;
+  const bool promised = radius <= BernsteinCubic::kGreatestRadius && (slope > 0) == (root.slope > 0) &&
+                        cubic.slope_error() + cubic.curvature() * radius <= 0.484375 * std::fabs(slope) && s.usable();
+  return {promised, {t, radius, slope, cubic.slope_error(), cubic.curvature()}};
+}
+
+/// How far a root is from `near`, which is next to it: a step of Newton's with exact values, as good as the root itself.
+double missing(const FrameCase& s, const Exact& near) {
+  return -numbers::approximate_quotient(s.value(near), s.slope(near));
+}
+
+}  // namespace
+
+TEST_CASE("components at a root are as near as they say") {
+  struct Place {
+    double distance, slip;
+  };
+  for (const Place& place : {Place{0, 0}, Place{0x1p-53, 0}, Place{0x1p-52, 0}, Place{0x1p-40, 0}, Place{0x1p-20, 0},
+                             Place{0, 0x1p-80}, Place{0x1p-40, 0x1p-76}}) {
+    const auto search = searched(86, 1, 10000, [&](const FrameCase& s, const std::vector<double>& x) {
+      return component_ratio(s, time_from(x[24]), place.distance, place.slip);
+    });
+    char name[80];
+    std::snprintf(name, sizeof name, "component at a root %a away, give or take %a", place.distance, place.slip);
+    report(name, search);
+  }
+}
+
+TEST_CASE("the step to a root is off by no more than it says") {
+  report("step to a root", searched(87, 1, 20000, [](const FrameCase& s, const std::vector<double>& x) {
+           const BernsteinCubic cubic = s.cubic();
+           const auto [found, root] = seen_from(s, cubic, scale_from(x[24], -56, -11));
+           if (!found) return std::nan("");
+           const double value = filters::contact_values(s.query.start.data(), s.query.end.data(), true, root.t, 0).coplanarity;
+           const double error = filters::kCoplanarityError * cubic.size() + filters::kUnit * std::fabs(value);
+           const Offset offset = filters::offset_of(root, root.t, value, error);
+           return std::fabs(missing(s, Exact(root.t) + Exact(offset.value))) / offset.error;
+         }));
+}
+
+TEST_CASE("the step to a root from another time is off by no more than it says") {
+  report("step from beside", searched(88, 3, 20000, [](const FrameCase& s, const std::vector<double>& x) {
+           const BernsteinCubic cubic = s.cubic();
+           const auto [found, root] = seen_from(s, cubic, scale_from(x[24], -56, -11));
+           const double time = root.t + scale_from(x[25], -50, -11);
+           if (!found || !(time >= 0 && time <= 1) || !(std::fabs(time - root.t) <= root.radius)) return std::nan("");
+           // V there, as far off as an exact value may be.
+           const double value = numbers::approximate_quotient(s.value(Exact(time)), Exact(3)) * (1 + 6 * filters::kUnit * (2 * share(x[26]) - 1));
+           const Offset offset = filters::offset_of(root, time, value, filters::exact_value_error(value));
+           return std::fabs(missing(s, Exact(time) + Exact(offset.value))) / offset.error;
+         }));
+}
+
+TEST_CASE("the step to a root of a line is off by what the value is off by") {
+  // Where the slope is known for certain: V = slope (t - root).
+  BoundSearch search;
+  Rng rng(89);
+  search_bound(search, rng, 3, 0, 3, 4, 5000, [](const std::vector<double>& x) {
+    const SimpleRoot root{0.5, 0x1p-10, x[0], 0, 0};
+    const double value = x[1] * 0x1p-20;
+    const double value_error = filters::exact_value_error(value);
+    const Exact truth = Exact(value) + Exact((2 * share(x[2]) - 1) * value_error);
+    const Offset offset = filters::offset_of(root, 0.5, value, value_error);
+    const Exact error = truth + Exact(offset.value) * Exact(root.slope);  // times the slope
+    return std::fabs(numbers::approximate_quotient(error, Exact(root.slope) * Exact(offset.error)));
+  });
+  report("step along a line", search);
+}
