@@ -58,7 +58,13 @@ inline Component operator-(const Component& a, const Component& b) noexcept { re
 
 inline ValueAndSlope rounded(const Component& a) noexcept { return {numbers::rounded(a.value), a.slope}; }
 
-inline ContactValues contact_values_by_steps(const Vec3* start, const Vec3* end, bool edges, double t, std::size_t k) {
+/// ContactValues before they are rounded.
+struct PreciseValues {
+  DoubleDouble coplanarity;
+  Component normal, first, second, third, fourth;
+};
+
+inline PreciseValues precise_values(const Vec3* start, const Vec3* end, bool edges, double t, std::size_t k) {
   const auto difference = [&](std::size_t i, std::size_t j) { return moving_difference(start, end, i, j, t); };
   const Moving u = edges ? difference(1, 0) : difference(2, 1);
   const Moving w = edges ? difference(3, 2) : difference(3, 1);
@@ -72,7 +78,13 @@ inline ContactValues contact_values_by_steps(const Vec3* start, const Vec3* end,
   const Component without_first = normal - first;
   const Component third = edges ? without_first : without_first - second;
   const Component fourth = edges ? normal - second : third;
-  return {numbers::rounded(coplanarity), rounded(normal), rounded(first), rounded(second), rounded(third), rounded(fourth)};
+  return {coplanarity, normal, first, second, third, fourth};
+}
+
+inline ContactValues contact_values_by_steps(const Vec3* start, const Vec3* end, bool edges, double t, std::size_t k) {
+  const PreciseValues at = precise_values(start, end, edges, t, k);
+  return {numbers::rounded(at.coplanarity), rounded(at.normal), rounded(at.first), rounded(at.second), rounded(at.third),
+          rounded(at.fourth)};
 }
 
 }  // namespace

@@ -48,10 +48,11 @@ void search_bound(BoundSearch& search, Rng& rng, std::size_t size, int exponent,
     double value = ratio(input);
     for (int step = 0; step < steps; ++step) {
       changed = input;
-      const int changes = rng.between(1, 3);
+      const int changes = rng.one_in(2) ? 1 : rng.between(1, 3);
+      const bool shaken = step <= steps / 4 || rng.one_in(4);  // later on it is the low bits that matter
       for (int i = 0; i < changes; ++i) {
         double& x = changed[place()];
-        switch (rng.between(0, 4)) {
+        switch (shaken ? rng.between(0, 4) : 4) {
           case 0: x = fresh(); break;
           case 1: x = -x; break;
           case 2: x = std::nextafter(x, rng.one_in(2) ? 0.0 : 2 * x); break;
@@ -66,7 +67,7 @@ void search_bound(BoundSearch& search, Rng& rng, std::size_t size, int exponent,
         search.input = changed;
       }
       // A little worse will do, less and less of it: to get over what is no summit.
-      const double fall = std::max(0.05 * (1 - 1.25 * step / steps), 0.0);
+      const double fall = std::max(0.12 * (1 - 1.25 * step / steps), 0.0);
       if (!std::isnan(value) && !(next >= (1 - fall) * value)) continue;
       input = changed;
       value = next;

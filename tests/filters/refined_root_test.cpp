@@ -84,12 +84,18 @@ TEST_CASE("components at a root are as near as they say") {
   };
   for (const Place& place : {Place{0, 0}, Place{0x1p-53, 0}, Place{0x1p-52, 0}, Place{0x1p-40, 0}, Place{0x1p-20, 0},
                              Place{0, 0x1p-80}, Place{0x1p-40, 0x1p-76}}) {
-    const auto search = searched(86, 1, 10000, [&](const FrameCase& s, const std::vector<double>& x) {
-      return component_ratio(s, time_from(x[24]), place.distance, place.slip);
+    const auto search = searched(86, 1, 20000, [&](const FrameCase&, const std::vector<double>& x) {
+      // With b0 near the origin r and w are as large as their bounds, and their low parts as long as can be.
+      std::vector<double> spread_out = x;
+      for (const std::size_t side : {0u, 12u}) {
+        for (std::size_t k = 0; k < 3; ++k) spread_out[side + 6 + k] *= 0x1p-40;
+      }
+      return component_ratio(FrameCase(spread_out), time_from(x[24]), place.distance, place.slip);
     });
     char name[80];
     std::snprintf(name, sizeof name, "component at a root %a away, give or take %a", place.distance, place.slip);
-    report(name, search);
+    // Nearer than this there are the errors of the double-doubles alone, which have a search of their own.
+    report(name, search, place.distance + place.slip < 0x1p-60 ? 0 : kNear);
   }
 }
 
@@ -132,4 +138,72 @@ TEST_CASE("the step to a root of a line is off by what the value is off by") {
     return std::fabs(numbers::approximate_quotient(error, Exact(root.slope) * Exact(offset.error)));
   });
   report("step along a line", search);
+}
+
+namespace {
+
+/// An edge-edge query whose lines all but meet at a time and at given weights, all from 28 doubles; b1 is such that b's slope is free.
+std::vector<double> meeting(const std::vector<double>& x) {
+  std::vector<double> corners(x.begin(), x.begin() + 24);
+  const double t = time_from(x[24]), f1 = share(x[25]), f2 = share(x[26]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto at = [&](std::size_t i) { return (1 - t) * x[3 * i + k] + t * x[12 + 3 * i + k]; };
+    const double apart = (at(0) + f1 * (at(1) - at(0))) - (at(2) + f2 * (at(3) - at(2)));
+    for (const std::size_t i : {6u, 9u, 18u, 21u}) corners[i + k] += apart;
+  }
+  return corners;
+}
+
+/// How far the weights of a contact that refine_root writes are from the true ones, over 2^-50, when it sees the root from `away`; NaN
+/// when it is not certain of a contact.
+double weights_ratio(const FrameCase& s, double away) {
+  const BernsteinCubic cubic = s.cubic();
+  const auto [found, root] = seen_from(s, cubic, away);
+  if (!found) return std::nan("");
+  filters::ContactFrame frame{s.size.u, s.size.w, s.size.r, cubic.size(), 0};
+  double greatest = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double n = std::fabs(numbers::approximate_quotient(s.cross(0, 1, k, Exact(root.t)), Exact(1)));
+    if (n > greatest) {
+      greatest = n;
+      frame.axis = k;
+    }
+  }
+  Answer answer;
+  if (filters::refine_root(s.query, root, frame, false, 1, exact::coplanarity_at, answer) != filters::RootVerdict::contact) {
+    return std::nan("");
+  }
+  Exact time(answer.toi);
+  for (int i = 0; i < 3; ++i) time = time + Exact(missing(s, time));
+  const Exact n = s.cross(0, 1, frame.axis, time);
+  const auto off = [&](double weight, const Exact& numerator) {
+    return std::fabs(numbers::approximate_quotient(Exact(weight) * n - numerator, n));
+  };
+  const Exact first = s.cross(2, 1, frame.axis, time), second = s.cross(2, 0, frame.axis, time);
+  return 0x1p50 * std::max({off(answer.weights_a[1], first), off(answer.weights_a[0], n - first),
+                            off(answer.weights_b[1], second), off(answer.weights_b[0], n - second)});
+}
+
+}  // namespace
+
+TEST_CASE("weights are within 2^-50 whenever they are certain") {
+  report("weights", [] {
+    Rng rng(90);
+    BoundSearch search;
+    search_bound(search, rng, 28, 0, 0, 8, kLongSearches ? 5000 : 100, [](const std::vector<double>& x) {
+      const FrameCase sample(meeting(x));
+      return sample.usable() ? weights_ratio(sample, scale_from(x[27], -40, -12)) : std::nan("");
+    });
+    return search;
+  }());
+}
+
+TEST_CASE("a root so near 0 that V underflows beside it is not mistaken for another") {
+  // V = 2^-500 (r - t (r + 2^-250)) with r = 2^-580: a root near 2^-330, where V is below every double.
+  EdgeEdge query{{{{0, 0, 0}, {0x1p-250, 0, 0}, {0x1p-252, -0x1p-251, 0x1p-580}, {0x1p-252, 0x1p-251, 0x1p-580}}},
+                 {{{0, 0, 0}, {0x1p-250, 0, 0}, {0x1p-252, -0x1p-251, -0x1p-250}, {0x1p-252, 0x1p-251, -0x1p-250}}}};
+  const Answer exact_one = exact::decide(query, 1);
+  REQUIRE(exact_one.contact);
+  CHECK(exact_one.toi < 0x1p-329);
+  CHECK(decision_difference(solve(query), exact_one).empty());
 }
