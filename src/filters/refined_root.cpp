@@ -19,18 +19,19 @@ struct Offset {
   double error;  ///< the true offset is off by at most this
 };
 
-/// The root's offset from `time`, within the root's radius, where V is `value`, off by at most `value_error`.
+/// The root's offset from `time`, within the root's radius, where V is `value`, off by at most `value_error` before it was
+/// rounded to a double.
 ///
 /// It is -V / S, with S the mean of V' from there to the root: at least half of the root's slope (see SimpleRoot), so it is at
 /// most 2 (|value| + value_error) / |slope|, and S differs from V'(t) by at most the curvature times the mean distance
 /// from t in between. With q the bound on the relative difference of S from the slope, and as 1 / S <= (1 + 2 q) / slope,
-/// -value / slope is off by at most (1 + 2 q) (value_error + q |value|) / slope and its own rounding. The factor has slack for
-/// the rounding of these lines and of sums with the result.
+/// -value / slope is off by at most (1 + 2 q) (value_error + q |value|) / slope, its own rounding and the value's. The factor
+/// has slack for the rounding of these lines and of sums with the result.
 Offset offset_of(const SimpleRoot& root, double time, double value, double value_error) noexcept {
   const double steepness = std::fabs(root.slope);
   const double distance = std::fabs(time - root.t) + (std::fabs(value) + value_error) / steepness;
   const double q = (root.slope_error + root.curvature * distance) / steepness;
-  const double missing = (1 + 2 * q) * (value_error + q * std::fabs(value)) + kUnit * std::fabs(value);
+  const double missing = (1 + 2 * q) * (value_error + q * std::fabs(value)) + 2 * kUnit * std::fabs(value);
   return {-value / root.slope, (1 + 0x1p-20) * missing / steepness};
 }
 
@@ -41,12 +42,12 @@ Offset offset_of(const SimpleRoot& root, double time, double value, double value
 /// two factors off by 4 e and 1 e times their bounds, (4 + 2 + 2) e M each, 4 e M, 4 e M and 8 e M for their sums, and for
 /// differences 8 e M and 8 e M more: 64 e M. The product of slope and offset, and the value, which is at most the sum of that
 /// and the result, are rounded: 8 e M |offset| each, 80 e M |offset| in all, which kComponentError / e covers. Its second
-/// derivative is at most 16 M; the offset's error weighs 8 M. The factors have slack for the rounding of the result and
-/// of these lines.
+/// derivative is at most 16 M; the offset's error weighs 8 M. The factor has slack for the rounding of the result and of
+/// these lines.
 double component_spread(const Offset& offset) noexcept {
   const double away = std::fabs(offset.value);
   const double reach = away + offset.error;
-  return kComponentError * (1 + away / kUnit) + 8.25 * (reach * reach + offset.error);
+  return (1 + 0x1p-20) * (kComponentError * (1 + away / kUnit) + 8 * (reach * reach + offset.error));
 }
 
 double at_root(const ValueAndSlope& component, const Offset& offset) noexcept {
@@ -163,8 +164,7 @@ RootVerdict refine_root(const Query& query, const SimpleRoot& root, const Contac
                         ExactValue exact_value, Answer& answer) {
   const bool edges = query.kind == Kind::edge_edge;
   const ContactValues at = contact_values(query.start.data(), query.end.data(), edges, root.t, frame.axis);
-  const double value_error = kCoplanarityError * frame.product + kUnit * std::fabs(at.coplanarity);
-  const Offset offset = offset_of(root, root.t, at.coplanarity, value_error);
+  const Offset offset = offset_of(root, root.t, at.coplanarity, kCoplanarityError * frame.product);
   const double spread = component_spread(offset);
 
   const double uw = frame.u * frame.w;

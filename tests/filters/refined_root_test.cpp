@@ -82,7 +82,7 @@ TEST_CASE("components at a root are as near as they say") {
   struct Place {
     double distance, slip;
   };
-  for (const Place& place : {Place{0, 0}, Place{0x1p-53, 0}, Place{0x1p-52, 0}, Place{0x1p-40, 0}, Place{0x1p-20, 0},
+  for (const Place& place : {Place{0, 0}, Place{0x1p-53, 0}, Place{0x1p-52, 0}, Place{0x1p-49, 0}, Place{0x1p-47, 0}, Place{0x1p-40, 0}, Place{0x1p-20, 0},
                              Place{0, 0x1p-80}, Place{0x1p-40, 0x1p-76}}) {
     const auto search = searched(86, 1, 20000, [&](const FrameCase&, const std::vector<double>& x) {
       // With b0 near the origin r and w are as large as their bounds, and their low parts as long as can be.
@@ -105,7 +105,7 @@ TEST_CASE("the step to a root is off by no more than it says") {
            const auto [found, root] = seen_from(s, cubic, scale_from(x[24], -56, -11));
            if (!found) return std::nan("");
            const double value = filters::contact_values(s.query.start.data(), s.query.end.data(), true, root.t, 0).coplanarity;
-           const double error = filters::kCoplanarityError * cubic.size() + filters::kUnit * std::fabs(value);
+           const double error = filters::kCoplanarityError * cubic.size();
            const Offset offset = filters::offset_of(root, root.t, value, error);
            return std::fabs(missing(s, Exact(root.t) + Exact(offset.value))) / offset.error;
          }));
