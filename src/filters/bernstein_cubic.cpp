@@ -24,8 +24,8 @@ constexpr double kValueBound = 60 * kUnit;
 
 // The derivative's Bernstein coefficients 3 b1 - 3 b0, 3 b2 - 3 b1, 3 b3 - 3 b2, at most 24 P: off by 122 + 3 * 34 and the
 // roundings 12 + 24, or by 2 * 122 + 24, at most 268 e P. Its value: at most 4 roundings of monomials that sum to at most
-// 24 P, 96 e P more. The curvature is twice the difference of two of these coefficients, off by 2 (262 + 268 + 48) =
-// 1156 e P, which at most 2^-10 away makes 1.2 e P of slope: this is where it is accounted for.
+// 24 P, 96 e P more. The curvature is twice the difference of two of these coefficients, off by 2 (260 + 268 + 48) =
+// 1152 e P, which at most 2^-10 away makes 1.2 e P of slope: this is where it is accounted for.
 constexpr double kSlopeBound = 366 * kUnit;
 
 double between(double a, double b, double x) noexcept { return (1 - x) * a + x * b; }

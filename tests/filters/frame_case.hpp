@@ -60,7 +60,7 @@ struct FrameCase {
            a[1] * b[0] * c[2];
   }
 
-  /// Whether the bracket level may work on it.
+  /// Whether it is in the range of the bracket level.
   bool usable() const {
     return std::min({size.u, size.w, size.r}) >= 0x1p-250 && std::max({size.u, size.w, size.r}) <= 0x1p250;
   }
@@ -104,14 +104,15 @@ inline double share(double x) {
 /// A time for a BernsteinCubic.
 inline double time_from(double x) { return filters::exact_to_one(share(x)); }
 
-/// Searches over the 24 coordinates and `more` numbers besides, with so many steps at most from a start.
-template <class Ratio>
-BoundSearch searched(std::uint64_t seed, std::size_t more, int steps, const Ratio& ratio) {
+/// Searches over the 24 coordinates and `more` numbers besides, with so many steps at most from a start, among samples for
+/// which `usable` says that the level works on them.
+template <class Usable, class Ratio>
+BoundSearch searched(std::uint64_t seed, std::size_t more, int steps, const Usable& usable, const Ratio& ratio) {
   Rng rng(seed);
   BoundSearch search;
   const auto measured = [&](const std::vector<double>& x) {
     const FrameCase sample(x);
-    return sample.usable() ? ratio(sample, x) : std::nan("");
+    return usable(sample) ? ratio(sample, x) : std::nan("");
   };
   if (!kLongSearches) steps = 200;
   search_bound(search, rng, 24 + more, 0, 0, 3, steps, measured);

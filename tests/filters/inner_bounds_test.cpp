@@ -16,13 +16,20 @@ using namespace touchstone;
 using namespace touchstone::tests;
 using filters::BernsteinCubic;
 
+namespace {
+
+filters::Magnitudes magnitudes(const FrameCase& s) { return {s.size.u, s.size.w, s.size.r}; }
+bool in_range(const FrameCase& s) { return filters::within_range(magnitudes(s)); }
+
+}  // namespace
+
 TEST_CASE("the cubic's value and slope at any time are within their bounds") {
-  report("value", searched(81, 1, 20000, [](const FrameCase& s, const std::vector<double>& x) {
+  report("value", searched(81, 1, 20000, in_range, [](const FrameCase& s, const std::vector<double>& x) {
            const BernsteinCubic cubic = s.cubic();
            const double t = time_from(x[24]);
            return over(Exact(3) * Exact(cubic.value(t)) - s.value(Exact(t)), 3 * cubic.value_error());
          }));
-  report("slope", searched(82, 1, 40000, [](const FrameCase& s, const std::vector<double>& x) {
+  report("slope", searched(82, 1, 40000, in_range, [](const FrameCase& s, const std::vector<double>& x) {
            const BernsteinCubic cubic = s.cubic();
            const double t = time_from(x[24]);
            return over(Exact(3) * Exact(cubic.slope(t)) - s.slope(Exact(t)), 3 * cubic.slope_error());
@@ -31,7 +38,7 @@ TEST_CASE("the cubic's value and slope at any time are within their bounds") {
 
 TEST_CASE("the cubic's slope near a time is as near as the curvature says") {
   for (const double h : {BernsteinCubic::kGreatestRadius, 0x1p-30}) {
-    report("slope nearby", searched(83, 1, 10000, [h](const FrameCase&, const std::vector<double>& x) {
+    report("slope nearby", searched(83, 1, 10000, in_range, [h](const FrameCase&, const std::vector<double>& x) {
              // Where u and w all but stand still V'' is all but zero, and its errors are all there is.
              std::vector<double> still = x;
              for (std::size_t k = 0; k < 3 && x[0] > x[1]; ++k) {
@@ -53,7 +60,7 @@ TEST_CASE("the cubic's slope near a time is as near as the curvature says") {
 }
 
 TEST_CASE("the cubic's coefficients over a part of the step are within their bound") {
-  report("part", searched(84, 2, 15000, [](const FrameCase& s, const std::vector<double>& x) {
+  report("part", searched(84, 2, 15000, in_range, [](const FrameCase& s, const std::vector<double>& x) {
            const BernsteinCubic cubic = s.cubic();
            const double p = time_from(x[24]), q = time_from(x[25]);
            const auto part = cubic.part(p, q);
@@ -69,9 +76,9 @@ TEST_CASE("the cubic's coefficients over a part of the step are within their bou
 TEST_CASE("the side conditions near a root are within their bounds") {
   static constexpr std::array<double, 5> kDistances{0, 0x1p-52, 0x1p-40, 0x1p-20, BernsteinCubic::kGreatestRadius};
   for (const double h : kDistances) {
-    const auto search = searched(85, 1, 5000, [h](const FrameCase& s, const std::vector<double>& x) {
+    const auto search = searched(85, 1, 5000, in_range, [h](const FrameCase& s, const std::vector<double>& x) {
       const double t = time_from(x[24]);
-      const filters::SideValues at = filters::side_values(s.query.kind, s.frame, {s.size.u, s.size.w, s.size.r}, t, h);
+      const filters::SideValues at = filters::side_values(s.query.kind, s.frame, magnitudes(s), t, h);
       double worst = 0;
       for (const double side : {-h, h}) {
         const Exact time = Exact(std::clamp(t + side, 0.0, 1.0));
@@ -84,4 +91,55 @@ TEST_CASE("the side conditions near a root are within their bounds") {
     });
     report(("sides within " + std::to_string(h)).c_str(), search);
   }
+}
+
+TEST_CASE("no side is certain where n may be zero") {
+  // Edges that are all but parallel, and as near to each other as n is to zero.
+  Rng rng(91);
+  int unknown = 0, known = 0;
+  for (int i = 0; i < 40000; ++i) {
+    std::vector<double> x(24);
+    const int nearness = rng.between(44, 53);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double u = 1 + rng.unit();
+      const double apart = std::ldexp(rng.symmetric(), -nearness);
+      for (const std::size_t side : {0u, 12u}) {
+        x[side + 3 + k] = u;
+        x[side + 6 + k] = apart;
+        x[side + 9 + k] = u + std::ldexp(rng.symmetric(), -nearness);
+      }
+    }
+    const FrameCase s(x);
+    const filters::Sides found = filters::sides(s.query, s.frame, magnitudes(s), 0, 0);
+    ++(found.side == filters::Side::unknown ? unknown : known);
+    const Exact at(0);
+    Exact n = s.cross(0, 1, found.axis, at), first = s.cross(2, 1, found.axis, at), second = s.cross(2, 0, found.axis, at);
+    if (n.sign() < 0) {
+      n = -n;
+      first = -first;
+      second = -second;
+    }
+    const bool outside = first.sign() < 0 || second.sign() < 0 || (n - first).sign() < 0 || (n - second).sign() < 0;
+    CAPTURE(i);
+    if (found.side == filters::Side::outside) REQUIRE(outside);
+    if (found.side == filters::Side::inside) REQUIRE(!outside);
+  }
+  CHECK(unknown > 1000);
+  CHECK(known > 1000);
+}
+
+TEST_CASE("a root is certain to within the greatest radius, or not at all") {
+  // V = slope (1 / 2 - t) with u and w along x and y: the flatter, the larger the radius.
+  int certain = 0, uncertain = 0;
+  for (int exponent = 10; exponent <= 50; ++exponent) {
+    const double rise = std::ldexp(1.0, -exponent);
+    std::vector<double> x = {0, 0, 0, 1, 0, 0, 1, 1, rise, 1, 2, rise, 0, 0, 0, 1, 0, 0, 1, 1, -rise, 1, 2, -rise};
+    const BernsteinCubic cubic = FrameCase(x).cubic();
+    if (cubic.variations(0, 1) != BernsteinCubic::Variations::one) continue;
+    const BernsteinCubic::Root root = cubic.root_between(0, 1);
+    ++(root.certain ? certain : uncertain);
+    if (root.certain) CHECK(root.radius <= BernsteinCubic::kGreatestRadius);
+  }
+  CHECK(certain > 10);
+  CHECK(uncertain > 0);
 }
