@@ -185,11 +185,11 @@ RootVerdict refine_root(const Query& query, const SimpleRoot& root, const Contac
   if (times.found == Times::Found::outside) return RootVerdict::outside;
   if (times.toi > t_max || (times.toi == t_max && times.toi < times.toi_upper)) return RootVerdict::too_late;
 
-  // A weight f = a / n in [0, 1], of components off by A and N, is off by at most (A + N) / |n|, here at most 2 e; by two
-  // roundings in each of a and n, 4 e; and by one of the quotient and one of 1 - f, e / 2 each: 7 e of the 8 e = 2^-50
+  // A weight f = a / n in [0, 1], of components off by A and N, is off by at most (A + N) / |n|, here at most 2.75 e; by two
+  // roundings in each of a and n, 4 e; and by one of the quotient and one of 1 - f, e / 2 each: 7.75 e of the 8 e = 2^-50
   // that are promised.
   const double normal = at_root(at.normal, offset);
-  constexpr double kWeightError = 2 * kUnit;
+  constexpr double kWeightError = 2.75 * kUnit;
   if (!(spread * (2 * uw + rw + ru) <= kWeightError * std::fabs(normal))) return RootVerdict::uncertain;
   const auto weight = [&](const ValueAndSlope& numerator) { return std::clamp(at_root(numerator, offset) / normal, 0.0, 1.0); };
   answer.contact = true;

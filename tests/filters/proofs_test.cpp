@@ -59,8 +59,9 @@ TEST_CASE("what the filters prove is so, and every proof occurs in the families"
 }
 
 TEST_CASE("edges so long that a product of their lengths overflows are left to the exact level") {
-  // u is near (2^512, 2^512, 0) at t = 1, w is along z; 3 b1 and 3 b2 are below 0 where doubles see infinity.
-  constexpr double kLong = 0x1.3p511, kThin = 0x1p-46;
+  // Of u x w, the middle coefficient along x is infinite in doubles, while b0 and b3 are finite and above 0: so doubles see a
+  // cubic without roots, but 3 b1 and 3 b2 are below 0.
+  constexpr double kLong = 0x1.8p511, kThin = 0x1p-46;
   for (const double r : {1.0, 0x1p-100, 0x1p100}) {
     EdgeEdge query{{{{0, 0, 0}, {0, kLong, 0}, {kThin * r, r, -r / 8}, {kThin * r, r, kLong}}},
                    {{{0, 0, 0}, {kLong, kLong, 0}, {r / 2, r / 4, -r / 8}, {r / 2, r / 4, kLong}}}};

@@ -61,14 +61,14 @@ struct SeenRoot {
   SimpleRoot root{};
 };
 
-SeenRoot seen_from(const FrameCase& s, const BernsteinCubic& cubic, double away) {
+SeenRoot seen_from(const FrameCase& s, const BernsteinCubic& cubic, double away, double farthest = BernsteinCubic::kGreatestRadius) {
   if (cubic.variations(0, 1) != BernsteinCubic::Variations::one) return {};
   const BernsteinCubic::Root root = cubic.root_between(0, 1);
   if (!root.certain) return {};
   const double t = filters::exact_to_one(std::clamp(root.t + away, 0.0, 1.0));
   const double slope = cubic.slope(t);
   const double radius = std::fabs(t - root.t) + root.radius;
-  const bool promised = radius <= BernsteinCubic::kGreatestRadius && (slope > 0) == (root.slope > 0) &&
+  const bool promised = radius <= farthest && (slope > 0) == (root.slope > 0) &&
                         cubic.slope_error() + cubic.curvature() * radius <= 0.484375 * std::fabs(slope) && s.usable();
   return {promised, {t, radius, slope, cubic.slope_error(), cubic.curvature()}};
 }
@@ -116,11 +116,15 @@ TEST_CASE("the step to a root is off by no more than it says") {
 TEST_CASE("the step to a root from another time is off by no more than it says") {
   report("step from beside", searched(88, 3, 20000, in_range, [](const FrameCase& s, const std::vector<double>& x) {
            const BernsteinCubic cubic = s.cubic();
-           const auto [found, root] = seen_from(s, cubic, scale_from(x[24], -56, -11));
-           const double time = root.t + scale_from(x[25], -50, -11);
+           // Seen from farther away than roots are, so that the slopes there and here differ by as much as they may; the
+           // curvature is then far above its own error. The time is anywhere, or near the root.
+           const double away = scale_from(x[24], -20, -2);
+           const auto [found, root] = seen_from(s, cubic, away, 0.25);
+           const double time = root.t + scale_from(x[25], -50, -3) - (x[26] > 0 ? away : 0);
            if (!found || !(time >= 0 && time <= 1) || !(std::fabs(time - root.t) <= root.radius)) return std::nan("");
            // V there, as far off as an exact value may be.
-           const double value = numbers::approximate_quotient(s.value(Exact(time)), Exact(3)) * (1 + 6 * filters::kUnit * (2 * share(x[26]) - 1));
+           const double value =
+               numbers::approximate_quotient(s.value(Exact(time)), Exact(3)) * (1 + 6 * filters::kUnit * (2 * share(x[26]) - 1));
            const Offset offset = filters::offset_of(root, time, value, filters::exact_value_error(value));
            return std::fabs(missing(s, Exact(time) + Exact(offset.value))) / offset.error;
          }));
@@ -132,10 +136,9 @@ TEST_CASE("the step to a root of a line is off by what the value is off by") {
   Rng rng(89);
   search_bound(search, rng, 3, 0, 3, 4, 5000, [](const std::vector<double>& x) {
     const SimpleRoot root{0.5, 0x1p-10, x[0], 0, 0};
-    const double value = x[1] * 0x1p-20;
-    const double value_error = filters::exact_value_error(value);
-    const Exact truth = Exact(value) + Exact((2 * share(x[2]) - 1) * value_error);
-    const Offset offset = filters::offset_of(root, 0.5, value, value_error);
+    const double value = x[1] * 0x1p-20;  // within 2^-50, as exact values are
+    const Exact truth = Exact(value) + Exact((2 * share(x[2]) - 1) * 0x1p-50 * std::fabs(value));
+    const Offset offset = filters::offset_of(root, 0.5, value, filters::exact_value_error(value));
     const Exact error = truth + Exact(offset.value) * Exact(root.slope);  // times the slope
     return std::fabs(numbers::approximate_quotient(error, Exact(root.slope) * Exact(offset.error)));
   });
