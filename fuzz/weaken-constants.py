@@ -58,7 +58,7 @@ FAULTS = [
     ("length of the offset", "filters/refined_root.cpp", "(std::fabs(value) + value_error) / steepness",
      "(std::fabs(value) + value_error) / 16 / steepness"),
     ("error of an exact value", "filters/refined_root.cpp", "return 8 * kUnit *", "return 0.5 * kUnit *"),
-    ("underflow guard of an exact value", "filters/refined_root.cpp", "std::fabs(value) + 0x1p-1074", "std::fabs(value)"),
+    ("underflow guard of an exact value", "filters/refined_root.cpp", "std::fabs(value) + 0x1p-1072", "std::fabs(value)"),
     ("kWeightError", "filters/refined_root.cpp", "kWeightError = 2.75 *", "kWeightError = 44 *"),
     ("kBound of shared corners", "filters/shared_corner.cpp", "kBound = 9 *", "kBound = 9 / 16.0 *"),
     ("underflow guard of shared corners", "filters/shared_corner.cpp", "uw >= 0x1p-1000 && ", ""),

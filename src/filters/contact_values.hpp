@@ -33,8 +33,8 @@ struct ContactValues {
 //   3 e U W. The difference of two, at most 2 U W: low parts 6 ..., 8 ...: 62 e^2 U W, of which 32 are the operands', low part
 //   8 e U W. So for a component of n, f1 or f2. Differences of components, over the sum M of their U W, R W, R U: low
 //   parts 8 ..., 10 ..., for n - f1: 80 e^2 M; then 10 ..., 12 ... for n - f1 - f2: 102 e^2 M.
-//   V: each coordinate's error weighs with what V is linear in, and these sum to 4 P a vector (see coplanarity_form.hpp): 3 * 4 * 8
-//   = 96 e^2 P. The cross product's own: 2 * 8 + 6 in each component, and 6 + n_k, which sum to 3 * 28 + 4 = 88 e^2 P.
+//   V: it is linear in each coordinate, and the factors of a vector's sum to 4 P (see coplanarity_form.hpp): their errors make
+//   3 * 4 * 8 = 96 e^2 P. The cross product's own: 2 * 8 + 6 in each component, and 6 + n_k, in all 3 * 28 + 4 = 88 e^2 P.
 //   Normalised, its low part is e n_k. The product n_k r_k: (1 + 1 + 2 + 3 + 1) n_k, in all 32 e^2 P, low part 3 e n_k. Two
 //   sums, at most 4 P: low parts 12 ..., 16 ..., 16 ..., 20 ...: 64. In all 96 + 88 + 32 + 64 = 280 e^2 P.
 constexpr double kUnitSquared = 0x1p-106;

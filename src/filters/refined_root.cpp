@@ -64,8 +64,9 @@ int sign_at_root(const ValueAndSlope& component, const Offset& offset, double er
 double after(double x) noexcept { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
 double before(double x) noexcept { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) - 1); }
 
-/// Of an ExactValue: relative, and where it underflows.
-double exact_value_error(double value) noexcept { return 8 * kUnit * std::fabs(value) + 0x1p-1074; }
+/// How far an ExactValue is off: 2^-50 of it; and less than 2^-1074 where it underflows, as each of the terms of offset_of may
+/// then be.
+double exact_value_error(double value) noexcept { return 8 * kUnit * std::fabs(value) + 0x1p-1072; }
 
 /// The two neighbouring doubles around the root, equal when it is a double; or that it lies outside [0, 1], or that this is
 /// uncertain.

@@ -80,7 +80,7 @@ double worst_ratio(const std::vector<double>& x, bool edges, int which) {
   const double W = in.bound(w_to, w_from);
   const double R = in.bound(r_to, r_from);
   if (!(std::min({U, W, R}) >= 0x1p-250 && std::max({U, W, R}) <= 0x1p250)) return std::nan("");
-  const filters::PreciseValues at = filters::precise_values(in.start.data(), in.end.data(), edges, in.t, in.axis);
+  const auto at = filters::precise_values(in.start.data(), in.end.data(), edges, in.t, in.axis);
   const Place n = {cross_at(u, w, 0), cross_at(u, w, 1), cross_at(u, w, 2)};
   if (which == 0) return ratio(at.coplanarity, n[0] * r[0] + n[1] * r[1] + n[2] * r[2], filters::kCoplanarityError * (U * W * R));
   const Exact f1 = cross_at(r, w, in.axis);

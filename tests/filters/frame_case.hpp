@@ -117,7 +117,9 @@ BoundSearch searched(std::uint64_t seed, std::size_t more, int steps, const Usab
   if (!kLongSearches) steps = 200;
   search_bound(search, rng, 24 + more, 0, 0, 3, steps, measured);
   // At 2^-346 products of three are subnormal, and the level must keep its hands off.
-  for (const int exponent : {40, -40, 200, -200, -346}) search_bound(search, rng, 24 + more, exponent, 0, 1, steps / 10, measured);
+  for (const int exponent : {40, -40, 200, -200, -346}) {
+    search_bound(search, rng, 24 + more, exponent, 0, 1, steps / 10, measured);
+  }
   search_bound(search, rng, 24 + more, 0, 20, 2, steps / 10, measured);
   return search;
 }

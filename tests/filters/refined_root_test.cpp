@@ -61,7 +61,8 @@ struct SeenRoot {
   SimpleRoot root{};
 };
 
-SeenRoot seen_from(const FrameCase& s, const BernsteinCubic& cubic, double away, double farthest = BernsteinCubic::kGreatestRadius) {
+SeenRoot seen_from(const FrameCase& s, const BernsteinCubic& cubic, double away,
+                   double farthest = BernsteinCubic::kGreatestRadius) {
   if (cubic.variations(0, 1) != BernsteinCubic::Variations::one) return {};
   const BernsteinCubic::Root root = cubic.root_between(0, 1);
   if (!root.certain) return {};
@@ -84,8 +85,16 @@ TEST_CASE("components at a root are as near as they say") {
   struct Place {
     double distance, slip;
   };
-  for (const Place& place : {Place{0, 0}, Place{0x1p-53, 0}, Place{0x1p-52, 0}, Place{0x1p-49, 0}, Place{0x1p-47, 0}, Place{0x1p-40, 0}, Place{0x1p-20, 0},
-                             Place{0, 0x1p-80}, Place{0x1p-40, 0x1p-76}}) {
+  static constexpr std::array<Place, 9> kPlaces = {{{0, 0},
+                                                    {0x1p-53, 0},
+                                                    {0x1p-52, 0},
+                                                    {0x1p-49, 0},
+                                                    {0x1p-47, 0},
+                                                    {0x1p-40, 0},
+                                                    {0x1p-20, 0},
+                                                    {0, 0x1p-80},
+                                                    {0x1p-40, 0x1p-76}}};
+  for (const Place& place : kPlaces) {
     const auto search = searched(86, 1, 20000, in_range, [&](const FrameCase&, const std::vector<double>& x) {
       // With b0 near the origin r and w are as large as their bounds, and their low parts as long as can be.
       std::vector<double> spread_out = x;
@@ -169,7 +178,8 @@ std::vector<double> swept(const std::vector<double>& x) {
 }
 
 /// How far the weights of a contact that refine_root writes are from the true ones, over 2^-50, when it sees the root from
-/// about as far away, on the side of `away`, as it may without being uncertain of them; NaN when it never is certain of a contact.
+/// about as far away, on the side of `away`, as it may without being uncertain of them; NaN when it never is certain of a
+/// contact.
 double weights_ratio(const FrameCase& s, double away) {
   const BernsteinCubic cubic = s.cubic();
   const SeenRoot nearest = seen_from(s, cubic, 0);
@@ -186,7 +196,8 @@ double weights_ratio(const FrameCase& s, double away) {
   Answer answer;
   const auto contact_from = [&](double distance) {
     const auto [found, root] = seen_from(s, cubic, distance);
-    return found && filters::refine_root(s.query, root, frame, true, 1, exact::coplanarity_at, answer) == filters::RootVerdict::contact;
+    return found && filters::refine_root(s.query, root, frame, true, 1, exact::coplanarity_at, answer) ==
+                        filters::RootVerdict::contact;
   };
   away = std::copysign(0x1p-11, away);
   while (!contact_from(away)) {
@@ -214,7 +225,8 @@ TEST_CASE("weights are within 2^-50 whenever they are certain") {
     Rng rng(90);
     BoundSearch search;
     search_bound(search, rng, 28, 0, 0, 4, kLongSearches ? 2000 : 100, [&](const std::vector<double>& x) {
-      const FrameCase sample(one_swept ? swept(x) : meeting({x.begin(), x.begin() + 24}, time_from(x[24]), share(x[25]), share(x[26])));
+      const FrameCase sample(one_swept ? swept(x)
+                                       : meeting({x.begin(), x.begin() + 24}, time_from(x[24]), share(x[25]), share(x[26])));
       return sample.usable() ? weights_ratio(sample, x[27]) : std::nan("");
     });
     report(one_swept ? "weights of an edge that is swept over" : "weights", search);
