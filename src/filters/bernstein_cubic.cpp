@@ -53,16 +53,6 @@ double BernsteinCubic::slope_error() const noexcept { return kSlopeBound * size_
 double BernsteinCubic::value_error() const noexcept { return kValueBound * size_; }
 double BernsteinCubic::part_error() const noexcept { return kPartBound * size_; }
 
-double BernsteinCubic::value(double t) const noexcept {
-  const double s = 1 - t;
-  return (c_[0] * s + c_[1] * t) * (s * s) + (c_[2] * s + c_[3] * t) * (t * t);
-}
-
-double BernsteinCubic::slope(double t) const noexcept {
-  const double s = 1 - t;
-  return (d0_ * s + 2 * d1_ * t) * s + d2_ * t * t;
-}
-
 int BernsteinCubic::split_points(double low, double high, double (&split)[4]) const noexcept {
   split[0] = low;
   int count = 1;
@@ -108,9 +98,10 @@ BernsteinCubic::Root BernsteinCubic::root_between(double p, double q) const noex
   const double value_q = value(q);
   double low = p;
   double high = q;
-  double t = exact_to_one(p + (q - p) * (value_p / (value_p - value_q)));  // the chord's zero
-  double v = value(t);
-  double d = slope(t);
+  double s = 1 - (p + (q - p) * (value_p / (value_p - value_q)));  // the chord's zero
+  double t = 1 - s;                                                // exact_to_one
+  double v = value(s, t);
+  double d = slope(s, t);
   constexpr int kIterations = 30;
   constexpr double kNearEnough = 0x1p-38;
   const double bound = value_error();  // below it a sign means nothing
@@ -119,9 +110,10 @@ BernsteinCubic::Root BernsteinCubic::root_between(double p, double q) const noex
     const double half_curvature = (d1_ - d0_) + t * ((d2_ - d1_) - (d1_ - d0_));
     double next = t - v * d / (d * d - v * half_curvature);
     if (!(next > low && next < high)) next = 0.5 * low + 0.5 * high;
-    t = exact_to_one(next);
-    v = value(t);
-    d = slope(t);
+    s = 1 - next;
+    t = 1 - s;
+    v = value(s, t);
+    d = slope(s, t);
   }
   const double error = std::fabs(v) + value_error();
   const double steepness = std::fabs(d);

@@ -42,8 +42,8 @@ class BernsteinCubic {
   Root root_between(double p, double q) const noexcept;
 
   /// The cubic's value and slope at t, off by at most value_error() and slope_error().
-  double value(double t) const noexcept;
-  double slope(double t) const noexcept;
+  double value(double t) const noexcept { return value(1 - t, t); }
+  double slope(double t) const noexcept { return slope(1 - t, t); }
   double value_error() const noexcept;
 
   /// Its Bernstein coefficients over [p, q], off by at most part_error().
@@ -58,6 +58,12 @@ class BernsteinCubic {
   static constexpr double kGreatestRadius = 0x1p-10;
 
  private:
+  /// At t = 1 - s.
+  double value(double s, double t) const noexcept {
+    return (c_[0] * s + c_[1] * t) * (s * s) + (c_[2] * s + c_[3] * t) * (t * t);
+  }
+  double slope(double s, double t) const noexcept { return (d0_ * s + 2 * d1_ * t) * s + d2_ * t * t; }
+
   std::array<double, 4> c_;       // b0, 3 b1, 3 b2, b3
   double size_;
   double d0_, d1_, d2_;           // Bernstein coefficients of the derivative

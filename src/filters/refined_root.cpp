@@ -28,11 +28,11 @@ struct Offset {
 /// -value / slope is off by at most (1 + 2 q) (value_error + q |value|) / slope, its own rounding and the value's. The factor
 /// has slack for the rounding of these lines and of sums with the result.
 Offset offset_of(const SimpleRoot& root, double time, double value, double value_error) noexcept {
-  const double steepness = std::fabs(root.slope);
-  const double distance = std::fabs(time - root.t) + (std::fabs(value) + value_error) / steepness;
-  const double q = (root.slope_error + root.curvature * distance) / steepness;
+  const double per_slope = 1 / std::fabs(root.slope);
+  const double distance = std::fabs(time - root.t) + (std::fabs(value) + value_error) * per_slope;
+  const double q = (root.slope_error + root.curvature * distance) * per_slope;
   const double missing = (1 + 2 * q) * (value_error + q * std::fabs(value)) + 2 * kUnit * std::fabs(value);
-  return {-value / root.slope, (1 + 0x1p-20) * missing / steepness};
+  return {-value / root.slope, (1 + 0x1p-20) * missing * per_slope};
 }
 
 /// How far a component of n, f1 or f2 at the root, or a difference of them, may be from what its value and slope make of it,
