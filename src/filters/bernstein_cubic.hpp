@@ -8,7 +8,7 @@
 
 namespace touchstone::filters {
 
-/// A time near t, at most 2^-54 away, from which to 1 is a double: so 1 - t has no error for the bounds below. Those at
+/// A time near t, at most 2^-53 away, from which to 1 is a double: so 1 - t has no error for the bounds below. Those at
 /// which BernsteinCubic evaluates must be such.
 inline double exact_to_one(double t) noexcept { return 1 - (1 - t); }
 
