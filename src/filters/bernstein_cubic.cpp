@@ -9,26 +9,24 @@
 namespace touchstone::filters {
 namespace {
 
-// e = kUnit and P = size throughout. The given coefficients are off by at most 49 e P (b0, b3) and 175 e P (3 b1, 3 b2)
-// (see coplanarity_form.hpp), and in absolute value at most 6 P and 18 P. For t in [-m, 1 + m], m = kMargin = 2^-20, |s| + |t| is
-// at most 1 + 2 m, and sums weighted by products of three of s and t grow by less than 1 + 2^-17: each constant has more
-// slack than that.
+// e = kUnit and P = size throughout. The given coefficients are off by at most 34 e P (b0, b3) and 122 e P (3 b1, 3 b2) but
+// for what their bounds have in reserve, and in absolute value at most 4 P and 12 P (see coplanarity_form.hpp). Times are
+// exact_to_one, so s = 1 - t is exact. For t in [-m, 1 + m], m = kMargin = 2^-20, |s| + |t| is at most 1 + 2 m, and sums
+// weighted by products of three of s and t grow by less than 1 + 2^-17: each constant has more slack than that.
 
-// Coefficients over a part of [0, 1], by interpolating b0, b1, b2, b3 three times. 3 b1 / 3: 175 / 3 + 6 < 65 e P. An
-// interpolation (1 - x) a + x b passes each operand through at most 3 roundings, of values of at most 6 P: 18 e P a time.
-constexpr double kPartBound = 120 * kUnit;
+// Coefficients over a part of [0, 1], by interpolating b0, b1, b2, b3 three times. 3 b1 / 3: 122 / 3 + 4 < 45 e P. An
+// interpolation (1 - x) a + x b passes each operand through 2 roundings, of values of at most 4 P: 8 e P a time.
+constexpr double kPartBound = 70 * kUnit;
 
-// The value (c0 s + c1 t) s^2 + (c2 s + c3 t) t^2 with s = 1 - t: the coefficients' errors weigh 49 (s^3 + t^3) + 175 s t
-// = 49 + 28 s t <= 56 e P; each monomial passes through at most 8 roundings, and their absolute values sum to at most
-// 6 P: 48 e P.
-constexpr double kValueBound = 106 * kUnit;
+// The value (c0 s + c1 t) s^2 + (c2 s + c3 t) t^2: the coefficients' errors weigh 34 (s^3 + t^3) + 122 s t = 34 + 20 s t
+// <= 39 e P; each monomial passes through 5 roundings, and their absolute values sum to at most 4 P: 20 e P.
+constexpr double kValueBound = 60 * kUnit;
 
-// The derivative's Bernstein coefficients 3 b1 - 3 b0, 3 b2 - 3 b1, 3 b3 - 3 b2, at most 36 P: off by at most
-// (2 * 175 + 36) e P = 386 e P. Its value: at most 6 roundings of monomials that sum to at most 36 P: 216 e P more.
-constexpr double kSlopeBound = 606 * kUnit;
-
-// Twice the difference of two of these: 2 (2 * 386 + 72) e P.
-constexpr double kCurvatureBound = 1700 * kUnit;
+// The derivative's Bernstein coefficients 3 b1 - 3 b0, 3 b2 - 3 b1, 3 b3 - 3 b2, at most 24 P: off by 122 + 3 * 34 and the
+// roundings 12 + 24, or by 2 * 122 + 24, at most 268 e P. Its value: at most 4 roundings of monomials that sum to at most
+// 24 P, 96 e P more. The curvature is twice the difference of two of these coefficients, off by 2 (260 + 268 + 48) =
+// 1152 e P, which at most 2^-10 away makes 1.2 e P of slope: this is where it is accounted for.
+constexpr double kSlopeBound = 366 * kUnit;
 
 double between(double a, double b, double x) noexcept { return (1 - x) * a + x * b; }
 
@@ -47,23 +45,13 @@ BernsteinCubic::Variations variations_of(const std::array<double, 4>& b, double 
 
 BernsteinCubic::BernsteinCubic(const std::array<double, 4>& c, double size) noexcept
     : c_(c), size_(size), d0_(c[1] - 3 * c[0]), d1_(c[2] - c[1]), d2_(3 * c[3] - c[2]) {
-  // Linear in t between twice these differences, and beyond by at most 2 m times more.
-  curvature_ = (1 + 0x1p-18) * (2 * std::max(std::fabs(d1_ - d0_), std::fabs(d2_ - d1_))) + kCurvatureBound * size;
+  // V'' is linear in t between twice these differences, and beyond by at most 2 m times more.
+  curvature_ = (2 + 0x1p-17) * std::max(std::fabs(d1_ - d0_), std::fabs(d2_ - d1_));
 }
 
 double BernsteinCubic::slope_error() const noexcept { return kSlopeBound * size_; }
 double BernsteinCubic::value_error() const noexcept { return kValueBound * size_; }
 double BernsteinCubic::part_error() const noexcept { return kPartBound * size_; }
-
-double BernsteinCubic::value(double t) const noexcept {
-  const double s = 1 - t;
-  return (c_[0] * s + c_[1] * t) * (s * s) + (c_[2] * s + c_[3] * t) * (t * t);
-}
-
-double BernsteinCubic::slope(double t) const noexcept {
-  const double s = 1 - t;
-  return (d0_ * s + 2 * d1_ * t) * s + d2_ * t * t;
-}
 
 int BernsteinCubic::split_points(double low, double high, double (&split)[4]) const noexcept {
   split[0] = low;
@@ -77,7 +65,8 @@ int BernsteinCubic::split_points(double low, double high, double (&split)[4]) co
     double critical[2] = {q / a, d0_ / q};
     if (critical[1] < critical[0]) std::swap(critical[0], critical[1]);
     for (const double t : critical) {
-      if (t > split[count - 1] && t < high) split[count++] = t;
+      const double point = exact_to_one(t);
+      if (point > split[count - 1] && point < high) split[count++] = point;
     }
   }
   if (count == 1) split[count++] = 0.5;  // monotone, but too curved for the coefficients to show it
@@ -109,9 +98,10 @@ BernsteinCubic::Root BernsteinCubic::root_between(double p, double q) const noex
   const double value_q = value(q);
   double low = p;
   double high = q;
-  double t = p + (q - p) * (value_p / (value_p - value_q));  // the chord's zero
-  double v = value(t);
-  double d = slope(t);
+  double s = 1 - (p + (q - p) * (value_p / (value_p - value_q)));  // the chord's zero
+  double t = 1 - s;                                                // exact_to_one
+  double v = value(s, t);
+  double d = slope(s, t);
   constexpr int kIterations = 30;
   constexpr double kNearEnough = 0x1p-38;
   const double bound = value_error();  // below it a sign means nothing
@@ -120,16 +110,17 @@ BernsteinCubic::Root BernsteinCubic::root_between(double p, double q) const noex
     const double half_curvature = (d1_ - d0_) + t * ((d2_ - d1_) - (d1_ - d0_));
     double next = t - v * d / (d * d - v * half_curvature);
     if (!(next > low && next < high)) next = 0.5 * low + 0.5 * high;
-    t = next;
-    v = value(t);
-    d = slope(t);
+    s = 1 - next;
+    t = 1 - s;
+    v = value(s, t);
+    d = slope(s, t);
   }
   const double error = std::fabs(v) + value_error();
   const double steepness = std::fabs(d);
   // A root lies within the radius: the slope is at least half of |d| there, and half of |d| times the radius reaches
-  // beyond any value that V(t) may have. The factor has slack for the rounding of these lines.
+  // beyond any value that V(t) may have. The factors have slack for the rounding of these lines.
   const double radius = 2.0625 * error / steepness;
-  const bool certain = radius <= 0x1p-10 && 1.0625 * (curvature_ * radius + slope_error()) <= 0.5 * steepness &&
+  const bool certain = radius <= kGreatestRadius && curvature_ * radius + slope_error() <= 0.484375 * steepness &&
                        t - radius > p && t + radius < q;
   return {certain, t, radius, d};
 }

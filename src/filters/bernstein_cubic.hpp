@@ -8,6 +8,10 @@
 
 namespace touchstone::filters {
 
+/// A time near t, at most 2^-53 away, from which to 1 is a double: so 1 - t has no error for the bounds below. Those at
+/// which BernsteinCubic evaluates must be such.
+inline double exact_to_one(double t) noexcept { return 1 - (1 - t); }
+
 class BernsteinCubic {
  public:
   /// What is said of the cubic holds for t in [-kMargin, 1 + kMargin]: a root at or near the step's end is then no
@@ -31,26 +35,35 @@ class BernsteinCubic {
   /// slope keeps the sign of `slope` and is at least half of it. Certain only if so.
   struct Root {
     bool certain;
-    double t;
-    double radius;  ///< at most 2^-10
+    double t;       ///< exact_to_one
+    double radius;  ///< at most kGreatestRadius
     double slope;   ///< the cubic's derivative at t, off by at most slope_error()
   };
   Root root_between(double p, double q) const noexcept;
 
-  /// The cubic's value and slope at t in [0, 1], off by at most value_error() and slope_error().
-  double value(double t) const noexcept;
-  double slope(double t) const noexcept;
+  /// The cubic's value and slope at t, off by at most value_error() and slope_error().
+  double value(double t) const noexcept { return value(1 - t, t); }
+  double slope(double t) const noexcept { return slope(1 - t, t); }
   double value_error() const noexcept;
 
-  /// Its Bernstein coefficients over [p, q] inside [0, 1], off by at most part_error().
+  /// Its Bernstein coefficients over [p, q], off by at most part_error().
   std::array<double, 4> part(double p, double q) const noexcept;
   double part_error() const noexcept;
 
   double size() const noexcept { return size_; }
   double slope_error() const noexcept;
-  double curvature_bound() const noexcept { return curvature_; }  ///< of the second derivative's absolute value
+
+  /// At h away from t, |h| <= kGreatestRadius, the slope differs from slope(t) by at most slope_error() + curvature() |h|.
+  double curvature() const noexcept { return curvature_; }
+  static constexpr double kGreatestRadius = 0x1p-10;
 
  private:
+  /// At t = 1 - s.
+  double value(double s, double t) const noexcept {
+    return (c_[0] * s + c_[1] * t) * (s * s) + (c_[2] * s + c_[3] * t) * (t * t);
+  }
+  double slope(double s, double t) const noexcept { return (d0_ * s + 2 * d1_ * t) * s + d2_ * t * t; }
+
   std::array<double, 4> c_;       // b0, 3 b1, 3 b2, b3
   double size_;
   double d0_, d1_, d2_;           // Bernstein coefficients of the derivative

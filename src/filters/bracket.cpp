@@ -50,11 +50,11 @@ struct SideValues {
   Bounded normal, first, second;
 };
 
-// At t the vectors u, w and r are off by at most 4 e times their bound: s = 1 - t, two products, a sum and the rounded
-// differences. A component of a cross product of two of them has 2 monomials with 4 + 4 + 2 roundings: 20 e. Its slope in
+// At t, exact_to_one, the vectors u, w and r are off by at most 3 e times their bound: the rounded differences, two products
+// and a sum. A component of a cross product of two of them has 2 monomials with 3 + 3 + 2 roundings: 16 e. Its slope in
 // t is at most 2 (2 + 2) = 8 times the product of the bounds, since a coordinate changes by at most twice its bound over
-// the step. So at any time within h it is off by at most (21 e + 8.01 h) times the product, second-order terms included
-// (h is at most 2^-10 where this is used).
+// the step. So at any time within h it is off by at most (16 e + 8 h) times the product, and little more within kMargin of
+// the step, where bounds and slopes grow by less than 2^-18 of themselves.
 SideValues side_values(Kind kind, const Frame& f, const Magnitudes& m, double t, double h) noexcept {
   const Vector u = at(f.u0, f.u1, t);
   const Vector w = at(f.w0, f.w1, t);
@@ -62,7 +62,7 @@ SideValues side_values(Kind kind, const Frame& f, const Magnitudes& m, double t,
   const Vector n = geometry::cross(u, w);
   std::size_t k = std::fabs(n[0]) > std::fabs(n[1]) ? 0 : 1;
   if (std::fabs(n[2]) > std::fabs(n[k])) k = 2;
-  const double spread = 21 * kUnit + 8.01 * h;
+  const double spread = 17 * kUnit + (8 + 0x1p-10) * h;
   const double sign = n[k] > 0 ? 1 : -1;
   const double second = kind == Kind::edge_edge ? geometry::cross_component(r, u, k) : geometry::cross_component(u, r, k);
   return {k, sign, {std::fabs(n[k]), spread * m.u * m.w}, {sign * geometry::cross_component(r, w, k), spread * m.r * m.w},
@@ -133,7 +133,7 @@ RootOutcome decide_between(const Search& s, double p, double q, Answer& answer) 
   const bool inside = where.side == Side::inside;
   const bool in_time = root.t - root.radius > 0 && root.t + root.radius < s.t_max;
   if (s.want == Want::contact_only && inside && in_time) return RootOutcome::contact;
-  const SimpleRoot simple = {root.t, root.radius, root.slope, s.cubic.slope_error(), s.cubic.curvature_bound()};
+  const SimpleRoot simple = {root.t, root.radius, root.slope, s.cubic.slope_error(), s.cubic.curvature()};
   const ContactFrame contact_frame = {m.u, m.w, m.r, s.cubic.size(), where.axis};
   switch (refine_root(s.query, simple, contact_frame, inside, s.t_max, s.exact_value, answer)) {
     case RootVerdict::contact: return RootOutcome::contact;

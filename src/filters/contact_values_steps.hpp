@@ -24,8 +24,10 @@ inline Lanes lanes(const Vec3& x) noexcept { return numbers::pack(x.x, x.y, x.z,
 
 inline Moving moving_difference(const Vec3* start, const Vec3* end, std::size_t i, std::size_t j, double t) noexcept {
   const Precise from = numbers::two_difference(lanes(start[i]), lanes(start[j]));
-  const Precise change = numbers::two_difference(lanes(end[i]), lanes(end[j])) - from;
-  return {from + numbers::pack(t, t, t, t) * change, change.high};
+  const Precise to = numbers::two_difference(lanes(end[i]), lanes(end[j]));
+  const double s = 1 - t;  // exact
+  const Precise value = numbers::pack(s, s, s, s) * from + numbers::pack(t, t, t, t) * to;
+  return {numbers::normalised(value), to.high - from.high};
 }
 
 /// The coordinates (y, z, x) and (z, x, y).
@@ -56,12 +58,18 @@ inline Component operator-(const Component& a, const Component& b) noexcept { re
 
 inline ValueAndSlope rounded(const Component& a) noexcept { return {numbers::rounded(a.value), a.slope}; }
 
-inline ContactValues contact_values_by_steps(const Vec3* start, const Vec3* end, bool edges, double t, std::size_t k) {
+/// ContactValues before they are rounded.
+struct PreciseValues {
+  DoubleDouble coplanarity;
+  Component normal, first, second, third, fourth;
+};
+
+inline PreciseValues precise_values(const Vec3* start, const Vec3* end, bool edges, double t, std::size_t k) {
   const auto difference = [&](std::size_t i, std::size_t j) { return moving_difference(start, end, i, j, t); };
   const Moving u = edges ? difference(1, 0) : difference(2, 1);
   const Moving w = edges ? difference(3, 2) : difference(3, 1);
   const Moving r = edges ? difference(2, 0) : difference(0, 1);
-  const Precise n = cross(u.value, w.value);
+  const Precise n = numbers::normalised(cross(u.value, w.value));
   const Precise products = n * r.value;
   const DoubleDouble coplanarity = coordinate(products, 0) + coordinate(products, 1) + coordinate(products, 2);
   const Component normal = component(u, w, n, k);
@@ -70,7 +78,13 @@ inline ContactValues contact_values_by_steps(const Vec3* start, const Vec3* end,
   const Component without_first = normal - first;
   const Component third = edges ? without_first : without_first - second;
   const Component fourth = edges ? normal - second : third;
-  return {numbers::rounded(coplanarity), rounded(normal), rounded(first), rounded(second), rounded(third), rounded(fourth)};
+  return {coplanarity, normal, first, second, third, fourth};
+}
+
+inline ContactValues contact_values_by_steps(const Vec3* start, const Vec3* end, bool edges, double t, std::size_t k) {
+  const PreciseValues at = precise_values(start, end, edges, t, k);
+  return {numbers::rounded(at.coplanarity), rounded(at.normal), rounded(at.first), rounded(at.second), rounded(at.third),
+          rounded(at.fourth)};
 }
 
 }  // namespace

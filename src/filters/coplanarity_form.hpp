@@ -21,23 +21,30 @@ namespace touchstone::filters {
 constexpr double kUnit = 0x1p-53;
 
 // The error of the coefficients. Let U, W, R be the largest absolute coordinates of the computed u, w, r over both ends,
-// P = U W R, e = 2^-53. A coefficient is a sum of monomials u_i w_j r_k (signs aside); each computed monomial is the true
-// one times a product of factors (1 + d), |d| <= e, one for each rounding that it passes through:
-//   b0 = (u0 x w0) . r0: 6 monomials; 3 differences, 2 products, 1 subtraction in the cross product and 2 additions in the
-//     dot product: 8 roundings, so |error| <= 6 ((1 + e)^8 - 1) P' with P' >= |monomial|.
-//   3 b1 = (u0 x w1 + u1 x w0) . r0 + (u0 x w0) . r1: 12 monomials with 3 + 2 + 1 + 1 + 2 + 1 = 10 roundings and 6 with
-//     3 + 2 + 1 + 2 + 1 = 9: |error| <= (12 * 10 + 6 * 9) e P' = 174 e P' to first order.
-// True monomials are at most P (1 + e)^3, since a computed difference is the true one times (1 + d) (differences of
-// doubles do not underflow). So to first order the errors are 48 e P and 174 e P; what the constants have over that
-// covers the second-order terms (relative 2^-48), the rounding of the bound itself (2 products and one by the constant:
-// relative 3 e) and underflow: a product that underflows is off by at most 2^-1075, in all by 18 * 2^-1075 R +
-// 6 * 2^-1075, which is below e P / 2 when U W and U W R are at least 2^-1000.
-constexpr double kEndsBound = 49 * kUnit;
-constexpr double kMiddleBound = 175 * kUnit;
+// P = U W R, e = 2^-53. A determinant is linear in each of its entries, and largest for entries of +-1 where it is 4
+// (Hadamard): so |[u w r]| <= 4 P, and the absolute coordinates of a cross product sum to at most 4 U W. To first order:
+//   b0 = (u0 x w0) . r0. The rounded differences: three vectors, each off by e times its bound: 3 * 4 e P. The cross
+//     product: products of at most 2 U W a coordinate, 6 e P, and a subtraction each, 4 e P. The dot product: three products,
+//     4 e P, and two additions of at most 4 P. In all 12 + 6 + 4 + 4 + 8 = 34 e P.
+//   3 b1 = (u0 x w1 + u1 x w0) . r0 + (u0 x w0) . r1, three determinants. Differences 36 e P, cross products 30 e P, their
+//     sum of at most 8 U W in all 8 e P, the dot product with it 8 + 16 e P, the other one 4 + 8 e P, and their sum of at
+//     most 12 P: in all 36 + 30 + 8 + 24 + 12 + 12 = 122 e P.
+// What the constants have over that covers the second-order terms (relative 2^-48), the rounding of the bound itself (2
+// products and one by the constant: relative 3 e) and underflow: a product that underflows is off by at most 2^-1075, in
+// all by 18 * 2^-1075 R + 6 * 2^-1075, which is below e P / 2 when U W and U W R are at least 2^-1000. (Differences of
+// doubles do not underflow.)
+constexpr double kEndsBound = 35 * kUnit;
+constexpr double kMiddleBound = 123 * kUnit;
 
 // Within these the guard above holds and nothing overflows: no partial sum exceeds 18 P (1 + 2^-48).
 constexpr double kLeastProduct = 0x1p-1000;
 constexpr double kGreatestProduct = 0x1p1000;
+
+/// Whether the bounds say something for U W and U W R: a bool, or a vector of them.
+template <class N>
+TOUCHSTONE_INLINE auto products_in_range(const N& uw, const N& uwr) noexcept {
+  return decltype(uw > uw)((uw >= kLeastProduct) & (uw <= kGreatestProduct) & (uwr >= kLeastProduct) & (uwr <= kGreatestProduct));
+}
 
 /// The three difference vectors of which V is the determinant, at both ends of the step; each coordinate is one
 /// rounded subtraction of two of the query's doubles.
@@ -98,8 +105,7 @@ template <class N>
 TOUCHSTONE_INLINE CoefficientBounds<N> coplanarity_bounds(const FrameOf<N>& f) noexcept {
   const N uw = largest(f.u0, f.u1) * largest(f.w0, f.w1);
   const N uwr = uw * largest(f.r0, f.r1);
-  return {kEndsBound * uwr, kMiddleBound * uwr,
-          decltype(uw > uw)((uw >= kLeastProduct) & (uw <= kGreatestProduct) & (uwr >= kLeastProduct) & (uwr <= kGreatestProduct))};
+  return {kEndsBound * uwr, kMiddleBound * uwr, products_in_range(uw, uwr)};
 }
 
 /// Whether V certainly has one sign all over [0, 1]: its four coefficients have, and V lies in their hull.

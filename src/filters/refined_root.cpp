@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 
 #include "filters/contact_values.hpp"
 #include "filters/coplanarity_form.hpp"
@@ -14,42 +13,60 @@
 namespace touchstone::filters {
 namespace {
 
-/// The root as an offset from a double: t - V(t) / V'(x) for some x between.
+/// The root as an offset from a double.
 struct Offset {
   double value;
   double error;  ///< the true offset is off by at most this
-  double reach;  ///< and at most this far away
 };
 
-std::optional<Offset> offset_of(const SimpleRoot& root, double product, double value) noexcept {
-  const double value_error = kCoplanarityError * product + kUnit * std::fabs(value);
-  // V'(x) differs from the computed slope by at most `spread`, which is below half of it (see SimpleRoot).
-  const double steepness = std::fabs(root.slope);
-  const double offset = -value / root.slope;
-  const double reach = 2 * (std::fabs(offset) + value_error / steepness);
-  const double spread = root.slope_error + root.curvature * reach;
-  if (!(spread < 0.5 * steepness)) return std::nullopt;
-  const double error =
-      1.0625 * (2 * value_error / steepness + std::fabs(offset) * (2 * spread / steepness + kUnit));
-  return Offset{offset, error, reach};
+/// The root's offset from `time`, within the root's radius, where V is `value`, off by at most `value_error` before it was
+/// rounded to a double.
+///
+/// It is -V / S, with S the mean of V' from there to the root: at least half of the root's slope (see SimpleRoot), so it is at
+/// most 2 (|value| + value_error) / |slope|, and S differs from V'(t) by at most the curvature times the mean distance
+/// from t in between. With q the bound on the relative difference of S from the slope, and as 1 / S <= (1 + 2 q) / slope,
+/// -value / slope is off by at most (1 + 2 q) (value_error + q |value|) / slope, its own rounding and the value's. The factor
+/// has slack for the rounding of these lines and of sums with the result.
+Offset offset_of(const SimpleRoot& root, double time, double value, double value_error) noexcept {
+  const double per_slope = 1 / std::fabs(root.slope);
+  const double distance = std::fabs(time - root.t) + (std::fabs(value) + value_error) * per_slope;
+  const double q = (root.slope_error + root.curvature * distance) * per_slope;
+  const double missing = (1 + 2 * q) * (value_error + q * std::fabs(value)) + 2 * kUnit * std::fabs(value);
+  return {-value / root.slope, (1 + 0x1p-20) * missing * per_slope};
 }
 
-/// The sign of a component at the root; 0 when uncertain. With M the product of its vectors' bounds (or the sum of such
-/// products): its value before rounding is off by 540 e^2 M (and 100 more for a difference). Its slope, at most 8 M, sums 4
-/// products of a dropped low part or a rounded factor each, at most (4 + 20 + 2) e M, and 4 roundings of at most 4 M: with
-/// the two last operations 136 e M, times the offset. Its second derivative is at most 16 M, so 8 M reach^2; the offset's
-/// error weighs 8 M.
-int sign_at_root(const ValueAndSlope& component, const Offset& offset, double m) noexcept {
-  const double value = component.value + component.slope * offset.value;
-  const double bound = m * (800 * kUnitSquared + 140 * kUnit * std::fabs(offset.value) + 8.25 * offset.reach * offset.reach +
-                            8.25 * offset.error) +
-                       4 * kUnit * std::fabs(component.value);
-  return value > bound ? 1 : value < -bound ? -1 : 0;
+/// How far a component of n, f1 or f2 at the root, or a difference of them, may be from what its value and slope make of it,
+/// over M, the product of the bounds of its vectors (or the sum of such products).
+///
+/// Its value before rounding is off by kComponentError M = 103 e^2 M. Its slope, at most 8 M, sums 4 products in a component, of
+/// two factors off by 4 e and 1 e times their bounds, (4 + 2 + 2) e M each, 4 e M, 4 e M and 8 e M for their sums, and for
+/// differences 8 e M and 8 e M more: 64 e M. The product of slope and offset, and the value, which is at most the sum of that
+/// and the result, are rounded: 8 e M |offset| each, 80 e M |offset| in all, which kComponentError / e covers. Its second
+/// derivative is at most 16 M; the offset's error weighs 8 M. The factor has slack for the rounding of the result and of
+/// these lines.
+double component_spread(const Offset& offset) noexcept {
+  const double away = std::fabs(offset.value);
+  const double reach = away + offset.error;
+  return (1 + 0x1p-20) * (kComponentError * (1 + away / kUnit) + 8 * (reach * reach + offset.error));
+}
+
+double at_root(const ValueAndSlope& component, const Offset& offset) noexcept {
+  return component.value + component.slope * offset.value;
+}
+
+/// The sign of a component at the root, which is off by at most `error`; 0 when uncertain.
+int sign_at_root(const ValueAndSlope& component, const Offset& offset, double error) noexcept {
+  const double value = at_root(component, offset);
+  return value > error ? 1 : value < -error ? -1 : 0;
 }
 
 /// The doubles beside x > 0.
 double after(double x) noexcept { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
 double before(double x) noexcept { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) - 1); }
+
+/// How far an ExactValue is off: 2^-50 of it; and less than 2^-1074 where it underflows, as each of the terms of offset_of may
+/// then be.
+double exact_value_error(double value) noexcept { return 8 * kUnit * std::fabs(value) + 0x1p-1072; }
 
 /// The two neighbouring doubles around the root, equal when it is a double; or that it lies outside [0, 1], or that this is
 /// uncertain.
@@ -85,12 +102,11 @@ class NeighbouringDoubles {
     for (const double end : {0.0, 1.0}) {
       const numbers::DoubleDouble sum = numbers::two_sum(base_, offset_.value);
       const double beyond = (sum.high - end) + sum.low;  // sum.high - end is exact where it matters
-      const double error = 1.0625 * offset_.error + 2 * kUnit * std::fabs(beyond);
-      if (end == 0 ? beyond < -error : beyond > error) {
+      if (end == 0 ? beyond < -offset_.error : beyond > offset_.error) {
         times = kOutside;
         return true;
       }
-      if (std::fabs(beyond) > error) continue;
+      if (std::fabs(beyond) > offset_.error) continue;
       if (!within_radius(end)) {
         times = kUncertain;
         return true;
@@ -111,15 +127,11 @@ class NeighbouringDoubles {
 
   bool within_radius(double time) const { return std::fabs(time - root_.t) <= root_.radius; }
 
-  /// On which side of `time` the root lies, exactly (1: after it). The root's offset from there becomes the one to use: it is
-  /// -V(time) / V'(x) for some x between; V'(x) is at least half of the computed slope, and off by at most `spread`.
+  /// On which side of `time` the root lies, exactly (1: after it). The root's offset from there becomes the one to use.
   int look_from(double time) {
     const double value = exact_value_(query_, time);
     base_ = time;
-    offset_.value = -value / root_.slope;
-    const double spread = root_.slope_error + root_.curvature * std::max(offset_.reach, std::fabs(time - root_.t));
-    const double steepness = std::fabs(root_.slope);
-    offset_.error = std::fabs(offset_.value) * (1.0625 * 2 * spread / steepness + 16 * kUnit) + 0x1p-1070 / steepness;
+    offset_ = offset_of(root_, time, value, exact_value_error(value));
     return value == 0 ? 0 : (value > 0) == (root_.slope > 0) ? -1 : 1;
   }
 
@@ -153,39 +165,34 @@ RootVerdict refine_root(const Query& query, const SimpleRoot& root, const Contac
                         ExactValue exact_value, Answer& answer) {
   const bool edges = query.kind == Kind::edge_edge;
   const ContactValues at = contact_values(query.start.data(), query.end.data(), edges, root.t, frame.axis);
-  const std::optional<Offset> offset = offset_of(root, frame.product, at.coplanarity);
-  if (!offset) return RootVerdict::uncertain;
+  const Offset offset = offset_of(root, root.t, at.coplanarity, kCoplanarityError * frame.product);
+  const double spread = component_spread(offset);
 
   const double uw = frame.u * frame.w;
   const double rw = frame.r * frame.w;
   const double ru = frame.r * frame.u;
   if (!inside) {
     const int s = at.normal.value > 0 ? 1 : -1;
-    const int signs[4] = {s * sign_at_root(at.first, *offset, rw), s * sign_at_root(at.second, *offset, ru),
-                          s * sign_at_root(at.third, *offset, edges ? uw + rw : uw + rw + ru),
-                          edges ? s * sign_at_root(at.fourth, *offset, uw + ru) : 1};
+    const int signs[4] = {s * sign_at_root(at.first, offset, spread * rw), s * sign_at_root(at.second, offset, spread * ru),
+                          s * sign_at_root(at.third, offset, spread * (edges ? uw + rw : uw + rw + ru)),
+                          edges ? s * sign_at_root(at.fourth, offset, spread * (uw + ru)) : 1};
     const int least = std::min({signs[0], signs[1], signs[2], signs[3]});
     if (least < 0) return RootVerdict::outside;
     if (least == 0) return RootVerdict::uncertain;
   }
 
-  const Times times = NeighbouringDoubles(query, root, *offset, exact_value).find();
+  const Times times = NeighbouringDoubles(query, root, offset, exact_value).find();
   if (times.found == Times::Found::uncertain) return RootVerdict::uncertain;
   if (times.found == Times::Found::outside) return RootVerdict::outside;
   if (times.toi > t_max || (times.toi == t_max && times.toi < times.toi_upper)) return RootVerdict::too_late;
 
-  // A weight is f(t + offset) = f + f' offset with f = a / n: the slope's own error, second-order terms (|f''| <= 2 K + 2 K^2
-  // with K the bound below on |f'|) and the error of the offset are negligible under these conditions; so are the
-  // double-double errors of a and n, 800 e^2 K. What remains are 4 roundings.
-  const double slope_bound = 8 * (uw + rw + ru) / std::fabs(at.normal.value);
-  if (!(slope_bound <= 0x1p40 && slope_bound * offset->reach <= 0x1p-29 && slope_bound * offset->error <= 0x1p-56)) {
-    return RootVerdict::uncertain;
-  }
-  const auto weight = [&](const ValueAndSlope& numerator) {
-    const double f = numerator.value / at.normal.value;
-    const double f_slope = (numerator.slope - f * at.normal.slope) / at.normal.value;
-    return std::clamp(f + f_slope * offset->value, 0.0, 1.0);
-  };
+  // A weight f = a / n in [0, 1], of components off by A and N, is off by at most (A + N) / |n|, here at most 2.75 e; by two
+  // roundings in each of a and n, 4 e; and by one of the quotient and one of 1 - f, e / 2 each: 7.75 e of the 8 e = 2^-50
+  // that are promised.
+  const double normal = at_root(at.normal, offset);
+  constexpr double kWeightError = 2.75 * kUnit;
+  if (!(spread * (2 * uw + rw + ru) <= kWeightError * std::fabs(normal))) return RootVerdict::uncertain;
+  const auto weight = [&](const ValueAndSlope& numerator) { return std::clamp(at_root(numerator, offset) / normal, 0.0, 1.0); };
   answer.contact = true;
   answer.nature = Nature::crossing;
   answer.toi = times.toi;

@@ -13,13 +13,14 @@
 namespace touchstone::filters {
 
 /// A simple root of V in plain numbers: it lies in [t - radius, t + radius], where V' keeps the sign of `slope` and is at
-/// least half of it (see BernsteinCubic::Root).
+/// least half of it (see BernsteinCubic::Root). At h away from t, h at most the radius, V' differs from `slope` by at most
+/// slope_error + curvature h.
 struct SimpleRoot {
-  double t;
+  double t;            ///< 1 - t is a double
   double radius;
-  double slope;        ///< V'(t), off by at most `slope_error`
+  double slope;
   double slope_error;
-  double curvature;    ///< bounds |V''| over [0, 1]
+  double curvature;
 };
 
 /// Bounds U, W, R of the coordinates of u, w, r, their product, and the axis along which n is certainly not zero at the root.

@@ -45,7 +45,7 @@ inline bool certain_same_side_by_ends(const Query& query) noexcept {
 
   const double uw = largest(u) * largest(w);
   const double uwr = uw * largest(r);
-  const bool valid = uw >= kLeastProduct && uw <= kGreatestProduct && uwr >= kLeastProduct && uwr <= kGreatestProduct;
+  const bool valid = products_in_range(uw, uwr);
   const double ends = kEndsBound * uwr;
   const double middle = kMiddleBound * uwr;
   const Ends sign = numbers::pack(outer.v[0], outer.v[0]);

@@ -13,7 +13,8 @@ namespace {
 // A projection is a sum of 3 products d_k (x_k - o_k): each passes through one difference, one product and at most two
 // additions, so its error is at most 3 ((1 + e)^4 - 1) D M (1 + e) = 12 e D M to first order, with D and M the largest
 // absolute coordinates of the direction and of the computed differences. The rest of the constant covers second-order
-// terms, the rounding of the bound and underflow (3 * 2^-1075, below e D M / 2 when D M >= 2^-1000).
+// terms, the rounding of the bound and underflow (3 * 2^-1075, below e D M / 2 when D M >= 2^-1000). Overflow needs no
+// guard: a projection that is infinite or NaN is seen as such, and an infinite bound is never exceeded.
 constexpr double kProjectionBound = 13 * kUnit;
 
 double largest_of(const Vector& v) noexcept { return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])}); }
@@ -40,13 +41,14 @@ RelativeCorners relative_corners(const Query& query) noexcept {
 
 double projection_bound(const RelativeCorners& corners, const Vector& direction) noexcept {
   const double product = largest_of(direction) * corners.largest;
-  if (!(product >= kLeastProduct && product <= kGreatestProduct)) return std::numeric_limits<double>::quiet_NaN();
+  if (!(product >= kLeastProduct)) return std::numeric_limits<double>::quiet_NaN();
   return kProjectionBound * product;
 }
 
-bool separates(const RelativeCorners& corners, const Vector& direction) noexcept {
+Gap gap_along(const RelativeCorners& corners, const Vector& direction) noexcept {
   const double bound = projection_bound(corners, direction);
   constexpr double inf = std::numeric_limits<double>::infinity();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   double least[2] = {inf, inf};
   double greatest[2] = {-inf, -inf};
   for (std::size_t i = 0; i < corners.count; ++i) {
@@ -54,14 +56,18 @@ bool separates(const RelativeCorners& corners, const Vector& direction) noexcept
     const double at_start = geometry::dot(direction, corners.start[i]);
     const double at_end = geometry::dot(direction, corners.end[i]);
     // A NaN (of a direction that is not finite) must not drop out of a minimum unseen.
-    if (!(std::fabs(at_start) < inf && std::fabs(at_end) < inf)) return false;
+    if (!(std::fabs(at_start) < inf && std::fabs(at_end) < inf)) return {nan, nan};
     least[element] = std::min({least[element], at_start, at_end});
     greatest[element] = std::max({greatest[element], at_start, at_end});
   }
   // Either projection is off by at most `bound`. A third one covers the rounding of their difference: e times a value
   // of at most 6 D M (1 + 4 e).
-  const double margin = 3 * bound;
-  return least[1] - greatest[0] > margin || least[0] - greatest[1] > margin;
+  return {std::max(least[1] - greatest[0], least[0] - greatest[1]), 3 * bound};
+}
+
+bool separates(const RelativeCorners& corners, const Vector& direction) noexcept {
+  const Gap gap = gap_along(corners, direction);
+  return gap.value > gap.error;
 }
 
 bool boxes_disjoint(const Query& query) noexcept {

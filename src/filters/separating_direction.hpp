@@ -24,8 +24,16 @@ struct RelativeCorners {
 };
 RelativeCorners relative_corners(const Query& query) noexcept;
 
-/// A bound on the error of each computed projection d . (x - origin); NaN when it may underflow or overflow.
+/// A bound on the error of each computed projection d . (x - origin) that is finite; NaN when it may underflow.
 double projection_bound(const RelativeCorners& corners, const Vector& direction) noexcept;
+
+/// How far the two elements are apart along a direction during the whole step: computed, off by at most `error`. NaN where
+/// a projection is not finite, or may underflow. Not positive: they may touch.
+struct Gap {
+  double value;
+  double error;
+};
+Gap gap_along(const RelativeCorners& corners, const Vector& direction) noexcept;
 
 /// True proves that d . x is smaller for one element than for the other at all times in [0, 1]: no contact. Any
 /// direction is sound, finite or not.

@@ -56,6 +56,12 @@ DoubleDoubleOf<N> two_product(N a, N b) noexcept {
 #endif
 }
 
+/// The same number with the least low part: at most half a unit in the last place of the high one.
+template <class N>
+DoubleDoubleOf<N> normalised(const DoubleDoubleOf<N>& a) noexcept {
+  return two_sum(a.high, a.low);
+}
+
 // The four below do not normalise: low parts grow by the few units in the last place that the callers' bounds allow.
 
 template <class N>

@@ -274,18 +274,20 @@ bool RealRoot::vanishes_at_isolated(Coefficients q) const {
   return divisor.size > 1 && divisor.sign_at(bracket_.low()) * divisor.sign_at(bracket_.high()) < 0;
 }
 
-int RealRoot::certain_sign(const double* c, int size) const {
-  // e = 2^-53, S the sum of the coefficients' absolute values. At lower_, in [0, 1]: the coefficients are off by 4 e S, and at most 6
-  // roundings of values of at most S follow. The root is at most e away, where the slope is at most 3 S: 13 e S in all.
-  constexpr double kBound = 16 * 0x1p-53;
+ValueNear value_near(const double* c, int size, double lower) noexcept {
+  // e = 2^-53, S the sum of the coefficients' absolute values. At `lower` the coefficients are off by 4 e S, and at most 6
+  // roundings of values of at most S follow. The next double is at most e away, where the slope is at most 3 S: 13 e S in
+  // all; the rest is for second-order terms and the rounding of S. From a least S up, coefficients and products that
+  // underflow do not count; what overflows makes the error infinite.
+  constexpr double kBound = 14 * 0x1p-53;
+  constexpr double kLeast = 0x1p-900;
   double value = c[size - 1];
   double sum = std::fabs(value);
   for (int i = size - 2; i >= 0; --i) {
-    value = value * lower_ + c[i];
+    value = value * lower + c[i];
     sum += std::fabs(c[i]);
   }
-  if (!(sum >= 0x1p-900 && sum <= 0x1p900)) return 0;  // coefficients or products that underflow do not count then
-  return value > kBound * sum ? 1 : value < -kBound * sum ? -1 : 0;
+  return {value, sum >= kLeast ? kBound * sum : std::numeric_limits<double>::quiet_NaN()};
 }
 
 int RealRoot::sign_at(Coefficients q) const {

@@ -25,6 +25,14 @@ struct ScaledDoubles {
 };
 ScaledDoubles scaled_to_doubles(Coefficients p);
 
+/// The value of a polynomial of degree at most 3, from coefficients within a relative error of 2^-51, at any time between
+/// `lower`, in [0, 1], and the next double: off by at most `error`, which is NaN or infinite where nothing is known.
+struct ValueNear {
+  double value;
+  double error;
+};
+ValueNear value_near(const double* c, int size, double lower) noexcept;
+
 /// One real root in [0, 1]: either a rational, or the only root of a polynomial inside an open dyadic interval, where
 /// that polynomial changes sign. What it finds out about itself it keeps: not to be asked by two threads at a time.
 class RealRoot {
@@ -106,7 +114,10 @@ class RealRoot {
 
   /// The sign at the root of a polynomial of degree at most 3, from coefficients within a relative error of 2^-51; 0 when
   /// uncertain.
-  int certain_sign(const double* c, int size) const;
+  int certain_sign(const double* c, int size) const {
+    const ValueNear value = value_near(c, size, lower_);
+    return value.value > value.error ? 1 : value.value < -value.error ? -1 : 0;
+  }
 
   void find_small_integers();
   void find_neighbouring_doubles();

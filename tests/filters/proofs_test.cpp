@@ -3,8 +3,11 @@
 #include <array>
 #include <cstdio>
 
+#include <touchstone/solve.hpp>
+
 #include "filters/filters.hpp"
 #include "oracle/oracle.hpp"
+#include "support/answer_check.hpp"
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
 #include "support/query_text.hpp"
@@ -52,5 +55,18 @@ TEST_CASE("what the filters prove is so, and every proof occurs in the families"
   for (std::size_t i = 0; i < tally.size(); ++i) {
     std::printf("filter proof %-14s %ld\n", names[i], tally[i]);
     CHECK(tally[i] > 0);
+  }
+}
+
+TEST_CASE("edges so long that a product of their lengths overflows are left to the exact level") {
+  // Of u x w, the middle coefficient along x is infinite in doubles, while b0 and b3 are finite and above 0: so doubles see a
+  // cubic without roots, but 3 b1 and 3 b2 are below 0.
+  constexpr double kLong = 0x1.8p511, kThin = 0x1p-46;
+  for (const double r : {1.0, 0x1p-100, 0x1p100}) {
+    EdgeEdge query{{{{0, 0, 0}, {0, kLong, 0}, {kThin * r, r, -r / 8}, {kThin * r, r, kLong}}},
+                   {{{0, 0, 0}, {kLong, kLong, 0}, {r / 2, r / 4, -r / 8}, {r / 2, r / 4, kLong}}}};
+    const Answer truth = oracle::decide(query, 1);
+    REQUIRE(truth.contact);
+    CHECK(decision_difference(solve(query), truth).empty());
   }
 }
