@@ -195,8 +195,8 @@ void add_simulate(CLI::App& program, Command& command) {
           [options](const std::string& name) {
             options->narrow_phase = name == "paper" ? sim::NarrowPhase::paper : sim::NarrowPhase::exact;
           },
-          "Who finds the contacts that are answered: exact, or paper, the closed form in doubles. The proof is exact, "
-          "and with paper it reports the crossings instead of refusing the step")
+          "Who finds the contacts that are answered: exact, or paper, the closed form in doubles, for edges only. The "
+          "proof is exact, and with paper it reports the crossings instead of refusing the step")
       ->type_name("NAME")
       ->check(CLI::IsMember({"exact", "paper"}));
   subcommand
@@ -212,7 +212,7 @@ void add_simulate(CLI::App& program, Command& command) {
       "  touchstone simulate hoop --out hoop\n"
       "  touchstone simulate cable-drop --size 5000 --proof proof.csv\n"
       "  touchstone simulate hoop --scene-out hoop.json && touchstone simulate hoop.json\n"
-      "  touchstone simulate whip --narrow-phase paper\n\n"
+      "  touchstone simulate hoop --narrow-phase paper\n\n"
       "Exit status: 0 done without a crossing, 1 crossings, 2 bad usage, a bad scene or a step that "
       "cannot be taken.");
   subcommand->callback([options, &command] { command = [options] { return run_simulate(*options); }; });

@@ -15,6 +15,7 @@ namespace touchstone::sim {
 struct Crossing {
   std::uint64_t step = 0;
   double time = 0;  ///< s, when they touch first
+  Vector3 place = Vector3::Zero();  ///< m, where
   Pair pair;
   Answer answer;
 };

@@ -115,7 +115,23 @@ TEST_CASE("the candidates that it writes certify") {
   CHECK(occurrences(certified.out, "claims hold") == 1);
 }
 
-TEST_CASE("with the paper's solver as narrow phase edges get through, and the proof says where and when") {
+TEST_CASE("with the paper's solver as narrow phase the ball's edges get through the net, and the proof says so") {
+  const Run hoop = run_program({"simulate", "hoop", "--steps", "30", "--narrow-phase", "paper"});
+  CAPTURE(hoop.out);
+  CHECK(hoop.status == 1);
+  const auto lines = lines_of(hoop.out);
+  CHECK(lines[0].rfind("crossing: step ", 0) == 0);
+  CHECK(occurrences(lines[0], " s: edge ") == 1);
+  CHECK(occurrences(lines[0], " and edge ") == 1);
+  CHECK(occurrences(lines[0], " at (") == 1);
+  CHECK(occurrences(hoop.out, " s: edge ") >= 5);
+  CHECK(last_line(hoop.out).rfind("30 steps, ", 0) == 0);
+  const Run same = run_program({"simulate", "hoop", "--steps", "30"});
+  CHECK(same.status == 0);
+  CHECK(last_line(same.out) == "30 steps, 0 crossings");
+}
+
+TEST_CASE("the whip goes through the wire with the paper's solver, and not with ours") {
   const Run paper = run_program({"simulate", "whip", "--narrow-phase", "paper"});
   CAPTURE(paper.out);
   CHECK(paper.status == 1);
