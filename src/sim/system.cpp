@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "sim/joint.hpp"
 
@@ -64,7 +65,6 @@ System::System(const Scene& scene) : particle_count_(scene.particles.size()) {
     if (!edges[j].twists) fixed[static_cast<std::size_t>(n) + j] = 1;
   }
   for (const DrivenAngle& driven : driven_angles) fixed[static_cast<std::size_t>(angle(driven.edge))] = 1;
-  paths_.resize(particle_count_);
   const Frames frames = initial_frames(initial_position);
   for (const Index j : bent_) {
     const JointStrain strain = joint_strain(joints[j], initial_position, frames, 0);
@@ -126,6 +126,10 @@ void System::add_clamp(const Cable& cable, const CableEnd& end, bool at_start, I
   const auto ghost = static_cast<Index>(placed_.size());
   placed_.push_back(2 * placed_[at] - placed_[other]);
   particle_mass_.push_back(0);
+  // A clamp that is driven takes the direction that it holds along.
+  std::vector<Waypoint> path = paths_[at];
+  for (Waypoint& point : path) point.position += placed_[ghost] - placed_[at];
+  paths_.push_back(std::move(path));
   ghosts.push_back(ghost);
   const auto own = static_cast<Index>(edges.size());
   edges.push_back(at_start ? RodEdge{ghost, at, inner.twists} : RodEdge{at, ghost, inner.twists});
