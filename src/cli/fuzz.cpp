@@ -115,7 +115,8 @@ int run_fuzz(const FuzzOptions& options) {
       return !interrupted();
     });
   }
-  if (outcome.queries == 0 && !interrupted()) throw Error("no query was asked in this time: more --seconds, or --cases");
+  if (outcome.queries == 0 && !interrupted())
+    throw Error("no query was asked in this time: more --seconds, or --cases");
   auto console = io::OutputFile::standard_output();
   console.write(search_for_person(options, outcome, settings.threads));
   console.write(table_for_person(outcome.table));

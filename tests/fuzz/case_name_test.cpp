@@ -18,11 +18,11 @@ TEST_CASE("a name and its text are one") {
 }
 
 TEST_CASE("what is no name is refused") {
-  const auto text =
-      GENERATE("", "lattice1", "lattice1 edge-edge 1", "lattice1 edge-edge 1 2 3", "lattice1 edge-edge 1 -2",
-               "lattice1 edge-edge 1 2x", "lattice9 edge-edge 1 2", "lattice1 edge 1 2",
-               "lattice1 edge-edge 18446744073709551616 2", "lattice1 edge-edge 1 2 +",
-               "lattice1 edge-edge 1 2 +99999999999", "lattice1 edge-edge 1 2 +1 4", "LATTICE1 edge-edge 1 2", "given edge 1 2", "given edge-edge 1");
+  const auto text = GENERATE(
+      "", "lattice1", "lattice1 edge-edge 1", "lattice1 edge-edge 1 2 3", "lattice1 edge-edge 1 -2",
+      "lattice1 edge-edge 1 2x", "lattice9 edge-edge 1 2", "lattice1 edge 1 2",
+      "lattice1 edge-edge 18446744073709551616 2", "lattice1 edge-edge 1 2 +", "lattice1 edge-edge 1 2 +99999999999",
+      "lattice1 edge-edge 1 2 +1 4", "LATTICE1 edge-edge 1 2", "given edge 1 2", "given edge-edge 1");
   CAPTURE(text);
   CHECK_FALSE(fuzz::parse_case_text(text).has_value());
 }

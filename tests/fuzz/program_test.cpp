@@ -175,8 +175,10 @@ TEST_CASE("bad usage ends with status 2 and one line, and writes nothing") {
 
 TEST_CASE("queries of files are asked, with what lies around them, and a finding repeats itself") {
   const TemporaryFolder folder;
-  REQUIRE(run_program({"simulate", "hoop", "--size", "200", "--steps", "30", "--queries", folder.path("q")}).status == 0);
-  const std::string edges = folder.path("q/edge-edge/candidates.csv"), faces = folder.path("q/vertex-face/candidates.csv");
+  REQUIRE(run_program({"simulate", "hoop", "--size", "200", "--steps", "30", "--queries", folder.path("q")}).status ==
+          0);
+  const std::string edges = folder.path("q/edge-edge/candidates.csv"),
+                    faces = folder.path("q/vertex-face/candidates.csv");
   const auto asked = [](const Run& run, const std::string& before) {
     const std::size_t at = run.out.find(before) + before.size();
     return run.out.substr(at, run.out.find(' ', at) - at);
@@ -187,7 +189,8 @@ TEST_CASE("queries of files are asked, with what lies around them, and a finding
   CHECK(occurrences(once.out, "\nnothing found\n") == 1);
   CHECK(asked(once, "seed 1: ").size() >= 5);  // thousands
 
-  const std::vector<std::string> broken{"fuzz", "--solver", "paper", "--from", edges, "--climb", "3", "--findings", "1"};
+  const std::vector<std::string> broken{"fuzz",    "--solver", "paper",      "--from", edges,
+                                        "--climb", "3",        "--findings", "1"};
   auto with_threads = [&](const char* threads) {
     std::vector<std::string> arguments = broken;
     arguments.insert(arguments.end(), {"--threads", threads});
