@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include <touchstone/error.hpp>
@@ -51,6 +52,13 @@ auto from_file(const std::string& path, Make make) {
 sim::Scene scene_of(const SimulateOptions& options) {
   if (sim::find_shipped_scene(options.scene) != nullptr) return sim::make_shipped_scene(options.scene, options.size);
   if (options.size) throw Error("--size: only shipped scenes are made to a size, and " + options.scene + " is none");
+  const bool looks_like_a_name = options.scene.find_first_of("./") == std::string::npos;
+  if (looks_like_a_name && !std::filesystem::exists(options.scene)) {
+    std::string names;
+    for (const auto& shipped : sim::shipped_scenes()) names.append(names.empty() ? "" : ", ").append(shipped.name);
+    throw Error(fmt::format("{} is no file, and no scene that comes with the program: these are {}",
+                            io::in_quotes(options.scene), names));
+  }
   return from_file(options.scene, sim::scene_from_json);
 }
 

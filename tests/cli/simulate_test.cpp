@@ -107,7 +107,7 @@ TEST_CASE("a run that is resumed writes what an uninterrupted one does, on any n
 
 TEST_CASE("the candidates that it writes certify") {
   const TemporaryFolder folder;
-  CHECK(run_program({"simulate", "hoop", "--size", "200", "--steps", "12", "--queries", folder.path("q")}).status == 0);
+  CHECK(run_program({"simulate", "hoop", "--size", "200", "--steps", "30", "--queries", folder.path("q")}).status == 0);
   const Run certified =
       run_program({"certify", folder.path("q/edge-edge/candidates.csv"), folder.path("q/vertex-face/candidates.csv")});
   CAPTURE(certified.out);
@@ -171,6 +171,8 @@ TEST_CASE("bad usage and bad scenes end with status 2, one line, and nothing wri
   check_refused({"simulate", "hoop", "--resume", "x"}, "not both");
   check_refused({"simulate", "hoop", "--size", "3"}, "--size 3: hoop takes 200 to 50000");
   check_refused({"simulate", folder.path("none.json")}, "none.json: cannot be opened");
+  check_refused({"simulate", "hop"},
+                "'hop' is no file, and no scene that comes with the program: these are two-edges, ho");
   check_refused({"simulate", folder.write("bad.json", "{\"touchstone_scene\": 1, \"particles\": [{}]}")},
                 "bad.json: particles[0]: lacks the key 'position'");
   check_refused({"simulate", folder.path("bad.json"), "--size", "4"}, "only shipped scenes are made to a size");
