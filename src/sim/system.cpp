@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "sim/joint.hpp"
 
@@ -36,6 +35,7 @@ System::System(const Scene& scene) : particle_count_(scene.particles.size()) {
   }
   for (const Spring& s : scene.springs) lengths.push_back({s.a, s.b, s.stiffness, s.damping, s.rest_length, false});
   for (const Cable& cable : scene.cables) add_cable(cable);
+  std::erase_if(followers_, [&](const Follower& f) { return scene.particles[f.leader].path.empty(); });
 
   particle_count_ = placed_.size();
   const auto n = static_cast<Eigen::Index>(3 * particle_count_);
@@ -65,6 +65,7 @@ System::System(const Scene& scene) : particle_count_(scene.particles.size()) {
     if (!edges[j].twists) fixed[static_cast<std::size_t>(n) + j] = 1;
   }
   for (const DrivenAngle& driven : driven_angles) fixed[static_cast<std::size_t>(angle(driven.edge))] = 1;
+  paths_.resize(particle_count_);
   const Frames frames = initial_frames(initial_position);
   for (const Index j : bent_) {
     const JointStrain strain = joint_strain(joints[j], initial_position, frames, 0);
@@ -126,10 +127,7 @@ void System::add_clamp(const Cable& cable, const CableEnd& end, bool at_start, I
   const auto ghost = static_cast<Index>(placed_.size());
   placed_.push_back(2 * placed_[at] - placed_[other]);
   particle_mass_.push_back(0);
-  // A clamp that is driven takes the direction that it holds along.
-  std::vector<Waypoint> path = paths_[at];
-  for (Waypoint& point : path) point.position += placed_[ghost] - placed_[at];
-  paths_.push_back(std::move(path));
+  followers_.push_back({ghost, at, placed_[ghost] - placed_[at]});
   ghosts.push_back(ghost);
   const auto own = static_cast<Index>(edges.size());
   edges.push_back(at_start ? RodEdge{ghost, at, inner.twists} : RodEdge{at, ghost, inner.twists});
@@ -160,6 +158,9 @@ void System::add_joint(const Cable& cable, Index e, Index f, double share) {
 void System::prescribe(double time, VectorX& q) const {
   for (std::size_t i = 0; i < particle_count_; ++i) {
     if (!paths_[i].empty()) q.segment<3>(static_cast<Eigen::Index>(3 * i)) = position_at(paths_[i], time);
+  }
+  for (const Follower& f : followers_) {
+    q.segment<3>(3 * static_cast<Eigen::Index>(f.ghost)) = position(q, f.leader) + f.offset;
   }
   for (const DrivenAngle& driven : driven_angles) q[angle(driven.edge)] = driven.rate * std::min(time, driven.until);
 }

@@ -75,13 +75,20 @@ class System {
   std::vector<Index> ghosts;  ///< particles that only hold a clamped end's direction; they do not collide
 
  private:
+  /// A ghost whose clamped end is driven: it goes along, so that the direction stays.
+  struct Follower {
+    Index ghost = 0, leader = 0;
+    Vector3 offset;
+  };
+
   void add_cable(const Cable& cable);
   void add_clamp(const Cable& cable, const CableEnd& end, bool at_start, Index edge);
   void add_joint(const Cable& cable, Index e, Index f, double share);
 
   std::size_t particle_count_ = 0;
   std::vector<std::vector<Waypoint>> paths_;  // by particle
-  std::vector<Vector3> placed_;               // initial positions, ghosts included
+  std::vector<Follower> followers_;
+  std::vector<Vector3> placed_;  // initial positions, ghosts included
   std::vector<double> particle_mass_;
   std::vector<double> inertia_;                // by edge
   std::vector<double> length_;                 // by edge: at rest
