@@ -25,6 +25,7 @@ readonly -a touchstone_needs=(
   'json.h|nlohmann/json.hpp|nlohmann-json3-dev|json-devel|nlohmann-json'
   'cli11.h|CLI/CLI.hpp|libcli11-dev|cli11-devel|cli11'
   'benchmark.h|benchmark/benchmark.h|libbenchmark-dev|google-benchmark-devel|benchmark'
+  'valgrind|valgrind|valgrind|valgrind|valgrind'
   'catch.h|catch2/catch.hpp catch2/catch_all.hpp|catch2|catch-devel|catch2'
 )
 

@@ -148,6 +148,7 @@ void add_report(CLI::App& program, Command& command) {
       "where they have one), exact arithmetic alone, and touchstone. Exact arithmetic judges. Writes\n"
       "  FOLDER/report.md    tables: errors, mean run time, percentiles, levels, scales, and who is on the front\n"
       "  FOLDER/report.csv   every number, with version, machine and compiler\n"
+      "  FOLDER/simulation.csv  how fast scenes are simulated\n"
       "  FOLDER/plots/       NAME.svg, NAME.png, and NAME.gp that drew them\n"
       "in about two minutes. Plots need gnuplot at run time: gnuplot-nox on Debian and Ubuntu, gnuplot on Fedora "
       "and\n"

@@ -170,7 +170,7 @@ std::string markdown_text(const Report& report, bool plots) {
   for (const std::string& remark : report.remarks) text += remark + "\n\n";
   text += kHowToRead + methods_section(report);
   for (const SetResults& set : report.sets) text += set_section(set, plots);
-  return text + level_section(report, plots) + scale_section(report, plots);
+  return text + level_section(report, plots) + scale_section(report, plots) + scene_runs_section(report.scene_runs);
 }
 
 }  // namespace touchstone::report

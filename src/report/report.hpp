@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "report/measure.hpp"
+#include "report/scene_runs.hpp"
 
 namespace touchstone::report {
 
@@ -23,7 +24,8 @@ struct Report {
   Size size;
   std::vector<Contestant> contestants;
   std::vector<SetResults> sets;
-  std::vector<SetResults> scales;    ///< one set at several scales, ascending; contestants at usual tolerances
+  std::vector<SetResults> scales;  ///< one set at several scales, ascending; contestants at usual tolerances
+  SceneRuns scene_runs;
   std::vector<std::string> remarks;  ///< of what was left out of the sets, whole sentences
 };
 
@@ -34,10 +36,11 @@ using Progress = std::function<void(std::string_view what, double share)>;
 std::size_t most_given(const Size& size) noexcept;
 
 /// Measures the simulation-like sets, the random and the near ones, `given` ones (their truth need not be filled in),
-/// and the scales. Takes minutes, or some seconds when quick.
+/// the scales, and scenes. Takes minutes, or some seconds when quick.
 Report make_report(const Size& size, std::vector<QuerySet> given, const Progress& progress);
 
-/// Writes report.md, report.csv and plots/NAME.gp into `folder`, and draws plots/NAME.svg and plots/NAME.png.
+/// Writes report.md, report.csv, simulation.csv and plots/NAME.gp into `folder`, and draws plots/NAME.svg and
+/// plots/NAME.png.
 /// @returns a line for the user when there is no gnuplot to draw with, or else nothing
 /// @throws Error when something cannot be written, or gnuplot fails
 std::string write_report(const Report& report, const std::string& folder, const Progress& progress);

@@ -15,29 +15,33 @@ double longest_side(const Box& box) {
   return std::max({box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]});
 }
 
-/// The numbers of the boxes that would lie in very many cells of a grid made for the others, and those of the others.
-/// There are few large ones, or none: each is held against everything.
+/// The longest side of a box in the middle, 0 when there is none.
+double median_side(const std::vector<Box>& boxes) {
+  std::vector<double> sides;
+  sides.reserve(boxes.size());
+  for (const Box& box : boxes) sides.push_back(longest_side(box));
+  if (sides.empty()) return 0;
+  const auto middle = sides.begin() + static_cast<std::ptrdiff_t>(sides.size() / 2);
+  std::nth_element(sides.begin(), middle, sides.end());
+  return *middle;
+}
+
+/// The numbers of the boxes that would lie in very many cells of a grid made for boxes of the usual side, and those of
+/// the others. There are few large ones, or none: each is held against everything.
 struct Sizes {
   std::vector<Number> large, usual;
   std::vector<Box> usual_boxes;
 
-  explicit Sizes(const std::vector<Box>& boxes) {
+  Sizes(const std::vector<Box>& boxes, double usual_side) {
     constexpr double kLarger = 8;
     constexpr std::size_t kMostLarge = 16;
-    std::vector<double> sides;
-    sides.reserve(boxes.size());
-    for (const Box& box : boxes) sides.push_back(longest_side(box));
-    double limit = 0;
-    if (!sides.empty()) {
-      std::vector<double> sorted = sides;
-      const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-      std::nth_element(sorted.begin(), middle, sorted.end());
-      limit = kLarger * *middle;
-    }
-    const auto many = std::count_if(sides.begin(), sides.end(), [limit](double side) { return side > limit; });
-    const bool split = limit > 0 && static_cast<std::size_t>(many) <= kMostLarge;
+    const auto is_large = [&](const Box& box) { return longest_side(box) > kLarger * usual_side; };
+    const auto many = static_cast<std::size_t>(std::count_if(boxes.begin(), boxes.end(), is_large));
+    const bool split = usual_side > 0 && many <= kMostLarge;
+    usual.reserve(boxes.size());
+    usual_boxes.reserve(boxes.size());
     for (Number i = 0; i < boxes.size(); ++i) {
-      if (split && sides[i] > limit) {
+      if (split && is_large(boxes[i])) {
         large.push_back(i);
       } else {
         usual.push_back(i);
@@ -50,7 +54,7 @@ struct Sizes {
 }  // namespace
 
 void for_each_pair(const std::vector<Box>& boxes, const generators::PairConsumer& found) {
-  const Sizes sizes(boxes);
+  const Sizes sizes(boxes, median_side(boxes));
   generators::for_each_overlap(sizes.usual_boxes, [&](Number i, Number j) { found(sizes.usual[i], sizes.usual[j]); });
   for (std::size_t k = 0; k < sizes.large.size(); ++k) {
     const Number i = sizes.large[k];
@@ -64,7 +68,10 @@ void for_each_pair(const std::vector<Box>& boxes, const generators::PairConsumer
 }
 
 void for_each_pair(const std::vector<Box>& a, const std::vector<Box>& b, const generators::PairConsumer& found) {
-  const Sizes in_a(a), in_b(b);
+  // A floor of two faces is large beside what falls on it, though not beside itself.
+  const double side_a = median_side(a), side_b = median_side(b);
+  const double usual_side = a.empty() || b.empty() ? 0 : std::min(side_a, side_b);
+  const Sizes in_a(a, usual_side), in_b(b, usual_side);
   generators::for_each_overlap(in_a.usual_boxes, in_b.usual_boxes,
                                [&](Number i, Number j) { found(in_a.usual[i], in_b.usual[j]); });
   for (const Number i : in_a.large) {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/features.hpp"
+
 namespace touchstone::sim {
 namespace {
 
@@ -186,7 +188,7 @@ bool resolve(const Contact& contact, const ImpulseRule& rule, const Motion& moti
     const double after = approach < -rule.rest ? -rule.restitution * approach : 0;
     const double j = (after - approach) / k_normal;
     Vector3 impulse = j * n;
-    if (rule.friction > 0) {
+    if (kFriction && rule.friction > 0) {
       const Vector3 slip = moved - approach * n;
       const double speed = slip.norm();
       if (speed > 0) {

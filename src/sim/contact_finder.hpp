@@ -26,7 +26,8 @@ class ContactFinder {
   ContactFinder(const Elements& elements, NarrowPhase narrow_phase, int threads)
       : elements_(&elements), solver_(elements, narrow_phase, threads) {}
 
-  /// Collects the pairs that may touch while every particle ends within `margin` of its motion from x0 to x1.
+  /// Collects the pairs that may touch while every particle ends within `margin` of its motion from x0 to x1. x0 must
+  /// stay until the next call.
   void begin(const VectorX& x0, const VectorX& x1, double margin);
 
   /// Pairs that are nearer than `thickness` at x0, which is at most the margin.
@@ -40,15 +41,16 @@ class ContactFinder {
   void moved(const VectorX& x1, const std::vector<char>& particles);
 
  private:
+  void collect(const VectorX& x1);
   bool has_room(const VectorX& x1, Index particle) const;
 
   const Elements* elements_;
   PairSolver solver_;
-  VectorX x0_;
+  const VectorX* x0_ = nullptr;
   std::vector<Pair> pairs_;
   std::vector<char> asked_;  // by pair: and not touched, and not moved since
-  VectorX low_, high_;       // of each coordinate at the end of the step
-  double margin_ = 0;
+  VectorX collected_;        // where particles ended when the pairs were collected
+  double margin_ = 0, most_margin_ = 0;
 };
 
 }  // namespace touchstone::sim

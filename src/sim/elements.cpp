@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "sim/box_pairs.hpp"
+#include "sim/features.hpp"
 
 namespace touchstone::sim {
 namespace {
@@ -163,12 +164,12 @@ std::vector<Pair> Elements::candidates(const VectorX& x0, const VectorX& x1, dou
       if (!contains(edges_[j], edges_[i][0]) && !contains(edges_[j], edges_[i][1])) add({Kind::edge_edge, i, j});
     });
   }
-  if (passes_.vertex_face) {
+  if (kFaces && passes_.vertex_face) {
     for_each_pair(boxes_of(vertices_, particles), boxes_of(faces_, particles), [&](Index i, Index j) {
       if (!contains(faces_[j], vertices_[i])) add({Kind::vertex_face, vertices_[i], j});
     });
   }
-  if (passes_.joints) {
+  if (kFolds && passes_.joints) {
     for (const Fold& fold : folds_) {
       Box box = particles[edges_[fold.edge][0]];
       const Box& other = particles[edges_[fold.edge][1]];

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/features.hpp"
+
 namespace touchstone::sim {
 namespace {
 
@@ -34,7 +36,7 @@ VectorX Energy::elastic_stiffness() const {
   for (std::size_t i = 0; i < system_->lengths.size(); ++i) {
     stiffness[static_cast<Eigen::Index>(i)] = system_->lengths[i].stiffness;
   }
-  for (std::size_t j = 0; j < system_->joints.size(); ++j) {
+  for (std::size_t j = 0; kRods && j < system_->joints.size(); ++j) {
     const Joint& joint = system_->joints[j];
     stiffness.segment<3>(joint_row(*system_, j)) << joint.bend, joint.bend, joint.twist;
   }
@@ -46,7 +48,7 @@ Strains Energy::elastic() const {
   for (std::size_t i = 0; i < system_->lengths.size(); ++i) {
     s.rest[static_cast<Eigen::Index>(i)] = system_->lengths[i].rest;
   }
-  for (std::size_t j = 0; j < system_->joints.size(); ++j) {
+  for (std::size_t j = 0; kRods && j < system_->joints.size(); ++j) {
     const auto& rest = system_->joints[j].rest;
     s.rest.segment<3>(joint_row(*system_, j)) << rest[0], rest[1], 0;
   }
@@ -64,7 +66,7 @@ Strains Energy::damped(const VectorX& base, double span) const {
   for (std::size_t i = 0; i < system_->lengths.size(); ++i) {
     damp(static_cast<Eigen::Index>(i), system_->lengths[i].damping);
   }
-  for (std::size_t j = 0; j < system_->joints.size(); ++j) {
+  for (std::size_t j = 0; kRods && j < system_->joints.size(); ++j) {
     const Joint& joint = system_->joints[j];
     const Eigen::Index row = joint_row(*system_, j);
     damp(row, joint.damping * joint.bend);
@@ -80,7 +82,7 @@ VectorX Energy::strains(const VectorX& q, const Frames& frames, double time) con
     const Length& element = system_->lengths[i];
     s[static_cast<Eigen::Index>(i)] = (position(q, element.b) - position(q, element.a)).norm();
   }
-  for (std::size_t j = 0; j < system_->joints.size(); ++j) {
+  for (std::size_t j = 0; kRods && j < system_->joints.size(); ++j) {
     const JointStrain strain = system_->joint_strain(system_->joints[j], q, frames, time);
     s.segment<3>(joint_row(*system_, j)) << strain.kappa1(), strain.kappa2(), strain.twist();
   }
@@ -94,7 +96,7 @@ VectorX Energy::strain_rates(const VectorX& q, const VectorX& v, const Frames& f
     const Vector3 along = (position(q, element.b) - position(q, element.a)).normalized();
     rates[static_cast<Eigen::Index>(i)] = along.dot(position(v, element.b) - position(v, element.a));
   }
-  for (std::size_t j = 0; j < system_->joints.size(); ++j) {
+  for (std::size_t j = 0; kRods && j < system_->joints.size(); ++j) {
     const Joint& joint = system_->joints[j];
     JointVector k1, k2, m;
     system_->joint_strain(joint, q, frames, time).gradients(k1, k2, m);
@@ -126,7 +128,7 @@ void Energy::derivatives(const VectorX& q, const Frames& frames, double time, co
     const Eigen::Matrix3d projection = along * along.transpose();
     sink->length(i, k * projection + across * (Eigen::Matrix3d::Identity() - projection));
   }
-  for (std::size_t j = 0; j < system_->joints.size(); ++j) {
+  for (std::size_t j = 0; kRods && j < system_->joints.size(); ++j) {
     const Joint& joint = system_->joints[j];
     const JointStrain strain = system_->joint_strain(joint, q, frames, time);
     const Eigen::Index row = joint_row(*system_, j);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/features.hpp"
 #include "sim/sparse_solver.hpp"
 
 namespace touchstone::sim {
@@ -21,12 +22,12 @@ constexpr double kLever = 0.01;  // m: an angle's change counts as what it moves
 /// Second derivatives in the free coordinates.
 class Newton::Matrix final : public BlockSink {
  public:
-  explicit Matrix(const System& system) : free_(static_cast<std::size_t>(system.size()), -1) {
+  Matrix(const System& system, PatternCache& cache) : free_(static_cast<std::size_t>(system.size()), -1) {
     int count = 0;
     for (std::size_t i = 0; i < free_.size(); ++i) {
       if (!system.fixed[i]) free_[i] = count++;
     }
-    std::vector<std::vector<int>> cliques;
+    Blocks cliques;
     for (const Length& element : system.lengths) {
       cliques.push_back(coordinates({3 * element.a, 3 * element.b}, {}));
     }
@@ -40,33 +41,25 @@ class Newton::Matrix final : public BlockSink {
       cliques.push_back(std::move(all));
     }
     joint_offset_ = system.lengths.size();
-    solver_ = std::make_unique<SparseSolver>(count, cliques);
+    solver_ = std::make_unique<SparseSolver>(count, std::move(cliques), cache);
   }
 
   /// The contacts of the next minimisation.
-  void set_contacts(const std::vector<ContactTerm>& contacts) {
+  void set_contacts(std::span<const ContactTerm> contacts) {
     if (contacts.empty() && contact_count_ == 0) return;
     contact_count_ = contacts.size();
-    std::vector<std::vector<int>> cliques;
-    for (const ContactTerm& term : contacts) {
-      std::vector<int> all;
-      for (std::size_t c = 0; c < 4; ++c) {
-        for (Index k = 0; k < 3; ++k) all.push_back(c < term.corners ? free_[3 * term.particles[c] + k] : -1);
+    std::vector<SparseSolver::Corners> corners(contacts.size());
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      corners[i].fill(-1);
+      for (std::size_t c = 0; c < contacts[i].corners; ++c) {
+        for (std::size_t k = 0; k < 3; ++k) corners[i][3 * c + k] = free_[3 * contacts[i].particles[c] + k];
       }
-      cliques.push_back(std::move(all));
     }
-    solver_->set_extra(cliques);
+    solver_->set_contacts(corners);
   }
 
   void contact(std::size_t number, const ContactTerm& term, const Eigen::Matrix3d& block) {
-    Eigen::Matrix<double, 12, 12> all = Eigen::Matrix<double, 12, 12>::Zero();
-    for (std::size_t a = 0; a < term.corners; ++a) {
-      for (std::size_t b = 0; b < term.corners; ++b) {
-        all.block<3, 3>(3 * static_cast<Eigen::Index>(a), 3 * static_cast<Eigen::Index>(b)) =
-            term.omega[a] * term.omega[b] * block;
-      }
-    }
-    solver_->add_extra(number, all.data());
+    solver_->add_contact(number, term.omega, block);
   }
 
   int free_count() const noexcept { return solver_->size(); }
@@ -121,12 +114,12 @@ class Newton::Matrix final : public BlockSink {
   std::unique_ptr<SparseSolver> solver_;
 };
 
-Newton::Newton(const System& system, const Settings& settings)
+Newton::Newton(const System& system, const Settings& settings, PatternCache& patterns)
     : system_(&system),
       energy_(system),
       drag_(settings.drag),
       tolerance_(settings.newton_tolerance),
-      matrix_(std::make_unique<Matrix>(system)) {}
+      matrix_(std::make_unique<Matrix>(system, patterns)) {}
 
 Newton::~Newton() = default;
 
@@ -173,10 +166,16 @@ NewtonResult Newton::minimise(const Stage& stage, const VectorX& guess, VectorX&
   }
 
   matrix_->set_contacts(stage.contacts);
+  std::vector<Vector3> pulls;
+  const bool friction = kFriction && std::any_of(stage.contacts.begin(), stage.contacts.end(),
+                                                 [](const ContactTerm& term) { return term.slip > 0; });
+  if (friction) {
+    for (const ContactTerm& term : stage.contacts) pulls.push_back(friction_pull(term, stage.base, q));
+  }
   const auto add_contacts = [&](VectorX& gradient) {
     for (std::size_t i = 0; i < stage.contacts.size(); ++i) {
       const ContactTerm& term = stage.contacts[i];
-      const ContactDerivatives d = contact_derivatives(term, stage.base, q);
+      const ContactDerivatives d = contact_derivatives(term, stage.base, q, friction ? pulls[i] : Vector3::Zero());
       for (std::size_t c = 0; c < term.corners; ++c) {
         gradient.segment<3>(3 * static_cast<Eigen::Index>(term.particles[c])) += term.omega[c] * d.gradient;
       }
@@ -231,6 +230,11 @@ NewtonResult Newton::minimise(const Stage& stage, const VectorX& guess, VectorX&
       const Potential there = potential(stage, trial, frames_trial);
       lower = std::isfinite(there.value) && there.value <= now.value + 1e-4 * share * slope + noise;
       if (lower) {
+        for (std::size_t i = 0; i < pulls.size(); ++i) {
+          const ContactTerm& term = stage.contacts[i];
+          const Vector3 du = relative_motion(term, direction);
+          pulls[i] = next_pull(term, stage.base, q, pulls[i], du, share);
+        }
         q = trial;
         frames = std::move(frames_trial);
         now = there;

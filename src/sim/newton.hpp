@@ -3,9 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "sim/contact_potential.hpp"
 #include "sim/energy.hpp"
+#include "sim/sparse_pattern.hpp"
 
 namespace touchstone::sim {
 
@@ -13,11 +15,11 @@ namespace touchstone::sim {
 ///   1/2 |q - base - span base_velocity|^2_M / span^2 + drag / (2 span) |q - base|^2_M - force . q + energy(q).
 struct Stage {
   VectorX base, base_velocity;
-  double span = 0;                    ///< s
-  double time = 0;                    ///< at its end, s
-  Strains strains;                    ///< with the damping of this span
-  std::vector<ContactTerm> contacts;  ///< relative to base
-  double tolerance = 0;               ///< m/s; 0: the settings' one
+  double span = 0;                        ///< s
+  double time = 0;                        ///< at its end, s
+  Strains strains;                        ///< with the damping of this span
+  std::span<const ContactTerm> contacts;  ///< relative to base
+  double tolerance = 0;                   ///< m/s; 0: the settings' one
 };
 
 struct NewtonResult {
@@ -29,7 +31,7 @@ struct NewtonResult {
 
 class Newton {
  public:
-  Newton(const System& system, const Settings& settings);
+  Newton(const System& system, const Settings& settings, PatternCache& patterns);
   ~Newton();
   Newton(const Newton&) = delete;
   Newton& operator=(const Newton&) = delete;

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
+#include "sim/features.hpp"
 #include "sim/impact_zones.hpp"
 
 namespace touchstone::sim {
@@ -16,7 +18,8 @@ constexpr double kStiffer = 20;       // contact stiffness over that of the elem
 constexpr double kLimitKnown = 0.2;   // by which share of the largest one limits of friction may still change
 constexpr double kStickSpeed = 5e-3;  // m/s: slower slip is friction at rest
 
-bool same_pair(const Pair& a, const Pair& b) { return a.kind == b.kind && a.i == b.i && a.j == b.j; }
+using PairKey = std::tuple<Kind, Index, Index>;
+PairKey key(const Pair& pair) { return {pair.kind, pair.i, pair.j}; }
 
 }  // namespace
 
@@ -29,8 +32,8 @@ struct Response::Work {
   VectorX pushed;  // the part of next.q - wanted that is no velocity
   double energy;   // the larger of those before the step and after it without contacts
   double slack;    // how much more is no gain
-  VectorX free;    // next.q without contacts
   ResponseCounts* counts;
+  PhaseTimes* times;
 };
 
 Response::Response(const Elements& elements, const System& system, const Settings& settings, NarrowPhase narrow_phase,
@@ -54,34 +57,35 @@ Response::Response(const Elements& elements, const System& system, const Setting
   }
 }
 
-Response::Outcome Response::respond(Stepper& stepper, const State& state, double h, State& next,
-                                    ResponseCounts& counts) {
+Response::Outcome Response::respond(Stepper& stepper, const State& state, double h, State& next, ResponseCounts& counts,
+                                    PhaseTimes& times) {
+  const PhaseClock clock(times.response);
   const auto& passes = elements_->passes();
   if (!passes.edge_edge && !passes.vertex_face && !passes.joints && !passes.points) return Outcome::done;
   finder_.begin(state.q, next.q, thickness_);
   // The paper has no repulsion: what its solver does not find, nothing holds.
-  std::vector<Contact> close, found;
-  if (repels_) close = finder_.close(thickness_);
-  counts.close = close.size();
+  std::vector<Contact> known, found;
+  if (repels_) known = finder_.close(thickness_);
+  counts.close = known.size();
   finder_.find(next.q, found, counts);
-  if (close.empty() && found.empty()) return Outcome::done;
+  if (known.empty() && found.empty()) return Outcome::done;
+  known.insert(known.end(), found.begin(), found.end());
+  found = {};
 
   const Energies before = energies(*system_, state), without = energies(*system_, next);
   constexpr double kShare = 2e-3;
   const double slack = kShare * std::max(before.total() - before.load, without.total() - without.load) +
                        1e-12 * (std::abs(before.load) + 1e-3);
   Work work{
-      &state, h,      next.q, &next, VectorX::Zero(inverse_mass_.size()), std::max(before.total(), without.total()),
-      slack,  next.q, &counts};
-  const State free = next;
-  std::vector<Contact> known = close;
-  known.insert(known.end(), found.begin(), found.end());
+      &state, h,       next.q, &next, VectorX::Zero(inverse_mass_.size()), std::max(before.total(), without.total()),
+      slack,  &counts, &times};
   const bool stiff = std::any_of(known.begin(), known.end(), [&](const Contact& c) { return is_stiff(c, h); });
-  if (!stiff && impulses(work, known, contact_.passes)) {
-    take_velocities(work, next);
-    if (!gained_energy(work, next)) return Outcome::done;
-  }
   if (!stiff) {
+    const State free = next;
+    if (impulses(work, known, contact_.passes)) {
+      take_velocities(work, next);
+      if (!gained_energy(work, next)) return Outcome::done;
+    }
     next = free;
     work.wanted = free.q;
     work.pushed.setZero();
@@ -152,10 +156,10 @@ bool Response::impulses(Work& work, std::vector<Contact> known, int passes) {
 }
 
 void Response::measure_hold(const VectorX& q) {
-  hold_.assign(system_->particle_count(), Eigen::Matrix3d::Zero());
+  hold_.assign(system_->particle_count(), Eigen::Matrix3f::Zero());
   for (const Length& element : system_->lengths) {
     const Vector3 along = (position(q, element.b) - position(q, element.a)).normalized();
-    const Eigen::Matrix3d stiffness = element.stiffness * along * along.transpose();
+    const Eigen::Matrix3f stiffness = (element.stiffness * along * along.transpose()).cast<float>();
     hold_[element.a] += stiffness;
     hold_[element.b] += stiffness;
   }
@@ -163,7 +167,8 @@ void Response::measure_hold(const VectorX& q) {
     // A bend of one segment's length: the middle moves against both of its neighbours.
     const double length = 0.5 * (position(q, joint.p[2]) - position(q, joint.p[0])).norm();
     const double across = joint.bend / (length * length + 1e-300);
-    for (std::size_t k = 0; k < 3; ++k) hold_[joint.p[k]] += (k == 1 ? 4 : 1) * across * Eigen::Matrix3d::Identity();
+    for (std::size_t k = 0; k < 3; ++k)
+      hold_[joint.p[k]] += static_cast<float>((k == 1 ? 4 : 1) * across) * Eigen::Matrix3f::Identity();
   }
 }
 
@@ -180,7 +185,8 @@ ContactTerm Response::term_of(const Contact& contact, const Work& work) const {
     const double inverse = inverse_mass_.segment<3>(3 * static_cast<Eigen::Index>(p)).maxCoeff();
     if (inverse > 0) {
       // A cable is stiff along itself and soft across, which is where it is mostly touched.
-      const double hold = 1 / (inverse * work.h * work.h) + contact.normal.dot(hold_[p] * contact.normal);
+      const double hold =
+          1 / (inverse * work.h * work.h) + contact.normal.dot(hold_[p].cast<double>() * contact.normal);
       softness += contact.omega[c] * contact.omega[c] / hold;
     }
   }
@@ -189,8 +195,7 @@ ContactTerm Response::term_of(const Contact& contact, const Work& work) const {
   const double room = thickness_ - contact.gap;
   term.goal = room > 0 ? recovery(work.h) * room : room;
   // The speed of impact is that before the step: at its end, what leans on a contact would seem to fly into it.
-  const double approach =
-      work.h * contact.normal.dot(relative_motion(term, VectorX::Zero(work.free.size()), work.state->v));
+  const double approach = work.h * contact.normal.dot(relative_motion(term, work.state->v));
   if (approach < -2 * gravity_.norm() * work.h * work.h)
     term.goal = std::max(term.goal, -contact_.restitution * approach);
   return term;
@@ -199,7 +204,7 @@ ContactTerm Response::term_of(const Contact& contact, const Work& work) const {
 bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Contact> contacts) {
   measure_hold(work.state->q);
   std::vector<ContactTerm> terms;
-  std::vector<Pair> pairs;
+  std::vector<std::pair<PairKey, std::size_t>> term_of_pair;  // sorted whenever it is searched
   const auto add = [&](const Contact& contact) {
     terms.push_back(term_of(contact, work));
     // What its spring holds where elements are nearer than the thickness.
@@ -207,13 +212,25 @@ bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Con
       const double out = recovery(work.h) * (thickness_ - contact.gap);
       work.slack += 0.5 * terms.back().stiffness * out * out;
     }
-    pairs.push_back(contact.pair);
+    term_of_pair.emplace_back(key(contact.pair), terms.size() - 1);
   };
+  terms.reserve(contacts.size() + contacts.size() / 4);
+  term_of_pair.reserve(terms.capacity());
   for (const Contact& contact : contacts) add(contact);
+  contacts = {};
+  work.wanted = {};
   const std::vector<char> all(system_->particle_count(), 1);
   std::vector<Contact> found;
   for (int solve = 0; solve < kSolves; ++solve) {
-    Advance advance = stepper.advance_with(*work.state, work.h, terms, work.next->q);
+    // What is left of the last try only takes room.
+    const VectorX near = std::move(work.next->q);
+    *work.next = {};
+    const double before = work.times->contacts;
+    Advance advance = [&] {
+      const PhaseClock clock(work.times->contacts);
+      return stepper.advance_with(*work.state, work.h, terms, near);
+    }();
+    work.times->response -= work.times->contacts - before;  // which goes on, and counts this too
     ++work.counts->solves;
     work.counts->newton_iterations += advance.iterations;
     if (!advance.converged) return false;
@@ -222,26 +239,31 @@ bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Con
     finder_.find(work.next->q, found, *work.counts);
     // Friction changes how tension runs along a cable, and with it the forces that limit friction.
     double most = 0, change = 0;
-    for (ContactTerm& term : terms) {
-      const double slip = contact_.friction * normal_force(term, work.state->q, work.next->q);
-      most = std::max(most, slip);
-      change = std::max(change, std::abs(slip - term.slip));
-      term.slip = slip;
+    if (kFriction && contact_.friction > 0) {
+      for (ContactTerm& term : terms) {
+        const double slip = contact_.friction * normal_force(term, work.state->q, work.next->q);
+        most = std::max(most, slip);
+        change = std::max(change, std::abs(slip - term.slip));
+        term.slip = slip;
+      }
     }
+    std::sort(term_of_pair.begin(), term_of_pair.end());
+    const auto known = static_cast<std::ptrdiff_t>(term_of_pair.size());
     for (const Contact& contact : found) {
-      const auto same =
-          std::find_if(pairs.begin(), pairs.end(), [&](const Pair& p) { return same_pair(p, contact.pair); });
-      if (same == pairs.end()) {
+      const PairKey wanted = key(contact.pair);
+      const auto known_end = term_of_pair.begin() + known;
+      const auto same = std::lower_bound(term_of_pair.begin(), known_end, std::pair{wanted, std::size_t{0}});
+      if (same == known_end || same->first != wanted) {
         add(contact);
       } else {
         // It turned on the way: where it touches now says more than where it would have touched.
-        ContactTerm& term = terms[static_cast<std::size_t>(same - pairs.begin())];
+        ContactTerm& term = terms[same->second];
         const double slip = term.slip;
         term = term_of(contact, work);
         term.slip = slip;
       }
     }
-    const bool friction_known = contact_.friction == 0 || change <= kLimitKnown * most;
+    const bool friction_known = change <= kLimitKnown * most;
     if (found.empty() && friction_known) break;
   }
   work.wanted = work.next->q;

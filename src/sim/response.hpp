@@ -3,6 +3,7 @@
 #pragma once
 
 #include "sim/contact_finder.hpp"
+#include "sim/phase_times.hpp"
 #include "sim/stepper.hpp"
 
 namespace touchstone::sim {
@@ -23,7 +24,8 @@ class Response {
   };
 
   /// Changes `next`, what the integrator made of `state` in h seconds, until the narrow phase finds no contact.
-  Outcome respond(Stepper& stepper, const State& state, double h, State& next, ResponseCounts& counts);
+  Outcome respond(Stepper& stepper, const State& state, double h, State& next, ResponseCounts& counts,
+                  PhaseTimes& times);
 
   double thickness() const noexcept { return thickness_; }
 
@@ -49,7 +51,7 @@ class Response {
   double thickness_;
   VectorX inverse_mass_;
   VectorX stiffness_;                  // of each particle's springs, N/m
-  std::vector<Eigen::Matrix3d> hold_;  // what holds each particle where it is, by direction, N/m
+  std::vector<Eigen::Matrix3f> hold_;  // what holds each particle where it is, by direction, N/m; roughly
   bool repels_;                        // elements that are nearer than the thickness
   ContactFinder finder_;
 };

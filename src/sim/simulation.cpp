@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <touchstone/error.hpp>
@@ -16,6 +17,7 @@ constexpr double kEnergyParts = 100;  // of a step, to which it is cut at most b
 
 Scene checked(Scene scene) {
   check_scene(scene);
+  scene.particles.shrink_to_fit();
   return scene;
 }
 
@@ -57,7 +59,7 @@ std::vector<StepRecord> Simulation::step() {
   // Parts are dyadic shares of the step, so that their ends fall on the step's end exactly. A part that is refused is
   // halved; what is left of the step is then tried at once again.
   std::vector<StepRecord> records;
-  const State before = state_;
+  std::optional<State> before;  // once a part has moved it
   const std::size_t crossings_before = crossings_.size();
   const auto whole = static_cast<double>(steps_);
   double done = 0, share = 1;
@@ -67,6 +69,7 @@ std::vector<StepRecord> Simulation::step() {
     const double start = time_at(whole + done), end = time_at(whole + done + share);
     StepRecord record;
     record.step = steps_;
+    if (share < 1 && !before) before = state_;
     if (try_part(end - start, end, record)) {
       records.push_back(record);
       done += share;
@@ -78,7 +81,7 @@ std::vector<StepRecord> Simulation::step() {
     }
     share /= 2;
     if (++halvings <= kMostHalvings) continue;
-    state_ = before;
+    if (before) state_ = *before;
     crossings_.resize(crossings_before);
     --steps_;
     throw Error(fmt::format(
@@ -90,13 +93,16 @@ std::vector<StepRecord> Simulation::step() {
 }
 
 bool Simulation::try_part(double h, double end_time, StepRecord& record) {
-  Advance advance = stepper_.advance(state_, h);
+  Advance advance = [&] {
+    const PhaseClock clock(times_.integration);
+    return stepper_.advance(state_, h);
+  }();
   if (!advance.converged) {
     ++refused_.not_converged;
     return false;
   }
   State& next = advance.state;
-  switch (response_.respond(stepper_, state_, h, next, record.response)) {
+  switch (response_.respond(stepper_, state_, h, next, record.response, times_)) {
     case Response::Outcome::done: break;
     case Response::Outcome::not_converged: ++refused_.not_converged; return false;
     case Response::Outcome::not_resolved: ++refused_.not_resolved; return false;
@@ -115,6 +121,7 @@ bool Simulation::try_part(double h, double end_time, StepRecord& record) {
     return false;
   }
 
+  const PhaseClock clock(times_.proof);
   // The proof looks at the positions as they are stored, and finds its own candidates.
   const std::vector<Pair> pairs = elements_.candidates(state_.q, next.q, 0);
   std::vector<Crossing> crossings;

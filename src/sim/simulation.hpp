@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "sim/phase_times.hpp"
 #include "sim/response.hpp"
 #include "sim/stepper.hpp"
 
@@ -71,6 +72,8 @@ class Simulation {
   const std::vector<Crossing>& crossings() const noexcept { return crossings_; }
   const RefusedCounts& refused() const noexcept { return refused_; }
   double thickness() const noexcept { return response_.thickness(); }
+  /// Of all steps so far, those that were refused included.
+  const PhaseTimes& times() const noexcept { return times_; }
   Energies energies() const { return sim::energies(system_, state_); }
 
   /// Goes on from a state of the same scene. @throws Error when its sizes are not this scene's
@@ -95,6 +98,7 @@ class Simulation {
   std::uint64_t steps_ = 0;
   std::vector<Crossing> crossings_;
   RefusedCounts refused_;
+  PhaseTimes times_;
 };
 
 }  // namespace touchstone::sim

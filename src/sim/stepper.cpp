@@ -98,10 +98,11 @@ Advance Stepper::implicit_euler(const State& state, double h) {
   return advance;
 }
 
-Advance Stepper::advance_with(const State& state, double h, std::vector<ContactTerm> contacts, const VectorX& near) {
+Advance Stepper::advance_with(const State& state, double h, std::span<const ContactTerm> contacts,
+                              const VectorX& near) {
   Advance advance;
   Stage stage = euler_stage(state, h);
-  stage.contacts = std::move(contacts);
+  stage.contacts = contacts;
   stage.tolerance = kContactTolerance;
   advance.state = solve(state, stage, (near - state.q) / h, advance).state;
   if (!advance.converged) return advance;

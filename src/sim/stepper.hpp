@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "sim/newton.hpp"
+#include <span>
+
+#include "sim/islands.hpp"
 
 namespace touchstone::sim {
 
@@ -31,7 +33,7 @@ class Stepper {
 
   /// One step of implicit Euler with contacts in its potential, whatever the scene's integrator is. It begins to
   /// search at `near`.
-  Advance advance_with(const State& state, double h, std::vector<ContactTerm> contacts, const VectorX& near);
+  Advance advance_with(const State& state, double h, std::span<const ContactTerm> contacts, const VectorX& near);
 
   /// What acts at this state, over mass: zero in fixed coordinates.
   VectorX acceleration(const State& state) const;
@@ -49,7 +51,7 @@ class Stepper {
   const System* system_;
   Settings settings_;
   Energy energy_;
-  Newton newton_;
+  Islands newton_;
 };
 
 /// J, by where they are. Potential energies of gravity and of the particles' forces are zero at the origin.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/features.hpp"
 #include "sim/joint.hpp"
 
 namespace touchstone::sim {
@@ -28,10 +29,11 @@ Vector3 tangent(const VectorX& q, const RodEdge& edge) {
 }  // namespace
 
 System::System(const Scene& scene) : particle_count_(scene.particles.size()) {
-  for (const Particle& p : scene.particles) {
+  for (Index i = 0; i < scene.particles.size(); ++i) {
+    const Particle& p = scene.particles[i];
     placed_.push_back(p.path.empty() ? p.position : position_at(p.path, 0));
     particle_mass_.push_back(p.mass);
-    paths_.push_back(p.path);
+    if (!p.path.empty()) paths_.emplace_back(i, p.path);
   }
   for (const Spring& s : scene.springs) lengths.push_back({s.a, s.b, s.stiffness, s.damping, s.rest_length, false});
   for (const Cable& cable : scene.cables) add_cable(cable);
@@ -65,12 +67,54 @@ System::System(const Scene& scene) : particle_count_(scene.particles.size()) {
     if (!edges[j].twists) fixed[static_cast<std::size_t>(n) + j] = 1;
   }
   for (const DrivenAngle& driven : driven_angles) fixed[static_cast<std::size_t>(angle(driven.edge))] = 1;
-  paths_.resize(particle_count_);
   const Frames frames = initial_frames(initial_position);
   for (const Index j : bent_) {
     const JointStrain strain = joint_strain(joints[j], initial_position, frames, 0);
     joints[j].rest = {strain.kappa1(), strain.kappa2()};
   }
+  placed_ = {};
+  particle_mass_ = inertia_ = length_ = {};
+  lengths.shrink_to_fit();
+  edges.shrink_to_fit();
+  joints.shrink_to_fit();
+}
+
+System System::part(const SystemPart& members, const std::vector<Index>& local_particle,
+                    const std::vector<Index>& local_edge) const {
+  System own;
+  own.particle_count_ = members.particles.size();
+  own.edges.reserve(members.edges.size());
+  for (const Index e : members.edges) {
+    own.edges.push_back({local_particle[edges[e].a], local_particle[edges[e].b], edges[e].twists});
+  }
+  own.lengths.reserve(members.lengths.size());
+  for (const Index l : members.lengths) {
+    own.lengths.push_back(lengths[l]);
+    own.lengths.back().a = local_particle[lengths[l].a];
+    own.lengths.back().b = local_particle[lengths[l].b];
+  }
+  own.joints.reserve(members.joints.size());
+  for (const Index j : members.joints) {
+    own.joints.push_back(joints[j]);
+    Joint& joint = own.joints.back();
+    for (Index& p : joint.p) p = local_particle[p];
+    joint.e = local_edge[joint.e];
+    joint.f = local_edge[joint.f];
+  }
+  own.mass.resize(own.size());
+  own.force.resize(own.size());
+  own.fixed.reserve(static_cast<std::size_t>(own.size()));
+  const auto take = [&](Eigen::Index from) {
+    const auto to = static_cast<Eigen::Index>(own.fixed.size());
+    own.mass[to] = mass[from];
+    own.force[to] = force[from];
+    own.fixed.push_back(fixed[static_cast<std::size_t>(from)]);
+  };
+  for (const Index p : members.particles) {
+    for (Eigen::Index k = 0; k < 3; ++k) take(3 * static_cast<Eigen::Index>(p) + k);
+  }
+  for (const Index e : members.edges) take(angle(e));
+  return own;
 }
 
 JointStrain System::joint_strain(const Joint& joint, const VectorX& q, const Frames& frames, double time) const {
@@ -156,12 +200,10 @@ void System::add_joint(const Cable& cable, Index e, Index f, double share) {
 }
 
 void System::prescribe(double time, VectorX& q) const {
-  for (std::size_t i = 0; i < particle_count_; ++i) {
-    if (!paths_[i].empty()) q.segment<3>(static_cast<Eigen::Index>(3 * i)) = position_at(paths_[i], time);
-  }
-  for (const Follower& f : followers_) {
+  for (const auto& [particle, path] : paths_)
+    q.segment<3>(3 * static_cast<Eigen::Index>(particle)) = position_at(path, time);
+  for (const Follower& f : followers_)
     q.segment<3>(3 * static_cast<Eigen::Index>(f.ghost)) = position(q, f.leader) + f.offset;
-  }
   for (const DrivenAngle& driven : driven_angles) q[angle(driven.edge)] = driven.rate * std::min(time, driven.until);
 }
 
@@ -202,12 +244,12 @@ Frames System::transported(const Frames& frames, const VectorX& from, const Vect
   carried.director.resize(edges.size());
   carried.reference_twist.resize(joints.size());
   std::vector<Vector3> tangents(edges.size());
-  for (std::size_t j = 0; j < edges.size(); ++j) {
+  for (std::size_t j = 0; kRods && j < edges.size(); ++j) {
     tangents[j] = tangent(to, edges[j]);
     carried.director[j] =
         unit_perpendicular(parallel_transport(frames.director[j], tangent(from, edges[j]), tangents[j]), tangents[j]);
   }
-  for (std::size_t j = 0; j < joints.size(); ++j) {
+  for (std::size_t j = 0; kRods && j < joints.size(); ++j) {
     const Vector3 &te = tangents[joints[j].e], &tf = tangents[joints[j].f];
     const double before = frames.reference_twist[j];
     const Vector3 over =

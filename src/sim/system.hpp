@@ -41,10 +41,20 @@ struct DrivenAngle {
   double rate = 0, until = 0;
 };
 
+/// Some of a system's elements, by number, with all particles and edges that they refer to.
+struct SystemPart {
+  std::vector<Index> particles, edges, lengths, joints;
+};
+
 /// Coordinates q: three for each particle, then an angle for each rod edge.
 class System {
  public:
   explicit System(const Scene& scene);
+
+  /// These elements alone, in this order: what Newton's method asks for, so without paths and initial values.
+  /// @param local_particle, local_edge  the number of each particle and edge in the part
+  System part(const SystemPart& members, const std::vector<Index>& local_particle,
+              const std::vector<Index>& local_edge) const;
 
   std::size_t particle_count() const noexcept { return particle_count_; }
   Eigen::Index size() const noexcept { return static_cast<Eigen::Index>(3 * particle_count_ + edges.size()); }
@@ -81,13 +91,15 @@ class System {
     Vector3 offset;
   };
 
+  System() = default;
   void add_cable(const Cable& cable);
   void add_clamp(const Cable& cable, const CableEnd& end, bool at_start, Index edge);
   void add_joint(const Cable& cable, Index e, Index f, double share);
 
   std::size_t particle_count_ = 0;
-  std::vector<std::vector<Waypoint>> paths_;  // by particle
+  std::vector<std::pair<Index, std::vector<Waypoint>>> paths_;  // of driven particles
   std::vector<Follower> followers_;
+  // While it is being put together:
   std::vector<Vector3> placed_;  // initial positions, ghosts included
   std::vector<double> particle_mass_;
   std::vector<double> inertia_;                // by edge

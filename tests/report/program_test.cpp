@@ -111,6 +111,24 @@ void check_rows(const std::vector<Row>& rows, const std::set<std::string>& expec
   }
 }
 
+void check_scene_runs(const std::vector<Row>& rows) {
+  REQUIRE(rows.size() >= 3);
+  CHECK(rows[0].at("scene") == "hoop");
+  long edges = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    CAPTURE(rows[i].at("scene"), rows[i].at("size"));
+    CHECK(number(rows[i], "contacts") > 0);
+    CHECK(rows[i].at("crossings") == "0");
+    CHECK(std::stod(rows[i].at("seconds")) > 0);
+    CHECK(std::stod(rows[i].at("collision_share")) > 0);
+    CHECK(std::stod(rows[i].at("collision_share")) < 1);
+    if (i == 0) continue;
+    CHECK(rows[i].at("scene") == "cable-drop");
+    CHECK(number(rows[i], "edges") > edges);
+    edges = number(rows[i], "edges");
+  }
+}
+
 }  // namespace
 
 TEST_CASE("a quick report is a whole folder, and touchstone is never wrong in it") {
@@ -130,6 +148,7 @@ TEST_CASE("a quick report is a whole folder, and touchstone is never wrong in it
   }
   sets.insert({"bundled/point-edge", "bundled/point-point"});
   check_rows(rows_of(folder.read("a/report/report.csv")), sets);
+  check_scene_runs(rows_of(folder.read("a/report/simulation.csv")));
 
   const std::string text = folder.read("a/report/report.md");
   CHECK(occurrences(text, "On the front") == sets.size() - 1);  // every set, but not the scales

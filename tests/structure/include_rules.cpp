@@ -28,7 +28,7 @@ const std::map<std::string, Layers>& layer_table() {
       {"fuzz", {"solver", "certify", "baselines", "families", "filters", "io", "numbers", "geometry", "seeded"}},
       {"io", {"geometry", "numbers"}},
       {"sim", {"solver", "baselines", "generators", "io", "geometry"}},
-      {"report", {"solver", "baselines", "generators", "io", "geometry", "seeded"}},
+      {"report", {"solver", "baselines", "generators", "io", "geometry", "seeded", "sim"}},
       {"stress", {"solver", "baselines", "report", "geometry", "seeded"}},
       {"cli",
        {"geometry", "numbers", "filters", "exact", "oracle", "solver", "certify", "baselines", "generators", "io",

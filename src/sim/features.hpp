@@ -1,0 +1,34 @@
+// What a scene may lack, and then does not pay for. tests/cost holds that against builds in which one of these is false
+// and its code is not there at all.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace touchstone::sim {
+
+#ifdef TOUCHSTONE_SIM_WITHOUT_FACES
+constexpr bool kFaces = false;
+#else
+constexpr bool kFaces = true;
+#endif
+
+/// Edges that share a particle, and can fold.
+#ifdef TOUCHSTONE_SIM_WITHOUT_FOLDS
+constexpr bool kFolds = false;
+#else
+constexpr bool kFolds = true;
+#endif
+
+#ifdef TOUCHSTONE_SIM_WITHOUT_FRICTION
+constexpr bool kFriction = false;
+#else
+constexpr bool kFriction = true;
+#endif
+
+/// Cables that bend or twist.
+#ifdef TOUCHSTONE_SIM_WITHOUT_RODS
+constexpr bool kRods = false;
+#else
+constexpr bool kRods = true;
+#endif
+
+}  // namespace touchstone::sim

@@ -1,0 +1,33 @@
+// Where a simulation's processor time goes.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <ctime>
+
+namespace touchstone::sim {
+
+/// Seconds of all threads.
+struct PhaseTimes {
+  double integration = 0;  ///< steps without contacts
+  double contacts = 0;     ///< steps that were solved again with contacts in their potential
+  double response = 0;     ///< broad and narrow phase, impulses and impact zones
+  double proof = 0;
+
+  double total() const noexcept { return integration + contacts + response + proof; }
+  double collision() const noexcept { return response + proof; }
+};
+
+/// Adds what passes until its end to one phase.
+class PhaseClock {
+ public:
+  explicit PhaseClock(double& sum) : sum_(&sum), start_(std::clock()) {}
+  ~PhaseClock() { *sum_ += static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC; }
+  PhaseClock(const PhaseClock&) = delete;
+  PhaseClock& operator=(const PhaseClock&) = delete;
+
+ private:
+  double* sum_;
+  std::clock_t start_;
+};
+
+}  // namespace touchstone::sim

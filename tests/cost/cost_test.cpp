@@ -1,0 +1,68 @@
+// What a scene does not have costs it nothing: instructions of its steps, counted by valgrind, against those of a build
+// that does not know the feature.
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "support/catch.hpp"
+
+namespace {
+
+const std::string kValgrind = TOUCHSTONE_VALGRIND;
+
+struct Counted {
+  std::uint64_t instructions = 0;
+  std::string out;
+};
+
+/// Instructions within Simulation::step of one run of `program`.
+Counted count(const std::string& program, const std::string& arguments) {
+  const std::string command = kValgrind +
+                              " --tool=callgrind --callgrind-out-file=/dev/null"
+                              " '--toggle-collect=touchstone::sim::Simulation::step()' " +
+                              TOUCHSTONE_COST_FOLDER "/cost_" + program + " " + arguments + " 2>&1";
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  REQUIRE(pipe != nullptr);
+  Counted counted;
+  char line[512];
+  while (std::fgets(line, sizeof line, pipe.get()) != nullptr) counted.out += line;
+  CAPTURE(command, counted.out);
+  const std::string word = "Collected : ";
+  const auto at = counted.out.find(word);
+  REQUIRE(at != std::string::npos);
+  counted.instructions = std::stoull(counted.out.substr(at + word.size()));
+  REQUIRE(counted.instructions > 1'000'000);
+  const auto end = counted.out.find(" contacts, ");
+  REQUIRE(end != std::string::npos);
+  // The steps must meet contacts, or they say nothing of the passes that answer them.
+  const auto begin = counted.out.rfind('\n', end) + 1;
+  CHECK(std::stoull(counted.out.substr(begin)) > 0);
+  return counted;
+}
+
+double ratio(const Counted& a, const Counted& b) {
+  return static_cast<double>(a.instructions) / static_cast<double>(b.instructions);
+}
+
+}  // namespace
+
+TEST_CASE("a scene without faces, shared particles, friction or cables pays under 1 % for their existence") {
+  if (kValgrind.empty()) {
+    WARN("skipped: there was no valgrind when the build was configured, which counts the instructions");
+    return;
+  }
+  for (const std::string feature : {"faces", "folds", "friction", "rods"}) {
+    const Counted whole = count("whole", feature), without = count("without_" + feature, feature);
+    CAPTURE(feature, whole.instructions, without.instructions);
+    CHECK(ratio(whole, without) < 1.01);
+    CHECK(ratio(whole, without) > 0.99);
+
+    // The comparison can see the feature: where a scene has it, the build that does not know it does other work.
+    const Counted with = count("whole", feature + " with"), ignored = count("without_" + feature, feature + " with");
+    CAPTURE(with.instructions, ignored.instructions);
+    CHECK(std::abs(ratio(with, ignored) - 1) > 2 * std::abs(ratio(whole, without) - 1));
+  }
+}
