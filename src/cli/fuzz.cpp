@@ -12,6 +12,7 @@
 #include <touchstone/error.hpp>
 
 #include "cli/fuzz_report.hpp"
+#include "cli/inputs.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/new_folders.hpp"
 #include "cli/words.hpp"
@@ -19,6 +20,7 @@
 #include "fuzz/named_solvers.hpp"
 #include "io/kind_of_file.hpp"
 #include "io/output_file.hpp"
+#include "io/query_parser.hpp"
 #include "io/times.hpp"
 
 namespace touchstone::cli {
@@ -59,9 +61,31 @@ void print_findings(io::OutputFile& console, const std::vector<fuzz::Finding>& f
   }
 }
 
-int run_one_case(const FuzzOptions& options) {
+/// Every query of the files whose coordinates are doubles.
+std::vector<Query> queries_of(const std::vector<std::string>& files) {
+  const std::vector<Input> inputs = find_inputs(files, std::nullopt);
+  std::vector<Query> queries;
+  QueryStream stream(inputs, io::kChunkBytes);
+  QueryItem item;
+  while (stream.next(item)) {
+    throw_if_interrupted();
+    io::QueryParser parser(item.chunk);
+    io::QueryRecord record;
+    while (parser.next(record)) {
+      if (const auto* const query = std::get_if<Query>(&record.query)) queries.push_back(*query);
+    }
+  }
+  if (queries.empty()) throw Error("--from: no query there has coordinates that are doubles");
+  return queries;
+}
+
+int run_one_case(const FuzzOptions& options, const fuzz::Settings& settings) {
+  if (options.a_case->given != !options.from.empty()) {
+    throw Error(options.a_case->given ? "--case: a given query needs the files that it was given in, with --from"
+                                      : "--from goes with a case that is given, not with one of a family");
+  }
   const auto solver = solver_factory(options.solver)();
-  const auto finding = fuzz::run_case(*solver, *options.a_case, options.settings, interrupted);
+  const auto finding = fuzz::run_case(*solver, *options.a_case, settings, interrupted);
   auto console = io::OutputFile::standard_output();
   if (finding) {
     print_findings(console, {*finding}, options);
@@ -76,10 +100,11 @@ int run_one_case(const FuzzOptions& options) {
 
 int run_fuzz(const FuzzOptions& options) {
   check_folder(options.out);
-  if (options.a_case) return run_one_case(options);
   fuzz::Settings settings = options.settings;
+  if (!options.from.empty()) settings.given = queries_of(options.from);
+  if (options.a_case) return run_one_case(options, settings);
   settings.threads = thread_count(settings.threads);
-  if (!settings.cases && !settings.seconds) settings.seconds = kUsualSeconds;
+  if (!settings.cases && !settings.seconds && options.from.empty()) settings.seconds = kUsualSeconds;
   if (settings.seconds) settings.shrink_seconds = std::max(kUsualSeconds, *settings.seconds);
 
   fuzz::Outcome outcome;
@@ -90,7 +115,8 @@ int run_fuzz(const FuzzOptions& options) {
       return !interrupted();
     });
   }
-  if (outcome.queries == 0 && !interrupted()) throw Error("no query was asked in this time: more --seconds, or --cases");
+  if (outcome.queries == 0 && !interrupted())
+    throw Error("no query was asked in this time: more --seconds, or --cases");
   auto console = io::OutputFile::standard_output();
   console.write(search_for_person(options, outcome, settings.threads));
   console.write(table_for_person(outcome.table));
@@ -204,7 +230,8 @@ void add_solver_options(CLI::App& subcommand, FuzzOptions& options) {
       });
 }
 
-void add_source_options(CLI::App& subcommand, FuzzOptions& options, std::vector<CLI::Option*>& of_search) {
+/// @returns that of the families
+CLI::Option* add_source_options(CLI::App& subcommand, FuzzOptions& options, std::vector<CLI::Option*>& of_search) {
   fuzz::Settings& settings = options.settings;
   of_search.push_back(subcommand
                           .add_option_function<std::vector<std::string>>(
@@ -252,6 +279,7 @@ void add_source_options(CLI::App& subcommand, FuzzOptions& options, std::vector<
          "So many steps from every case towards queries on which the filters are only just certain, each asked as well "
          "(default: 0)",
          fuzz::kMostClimbSteps);
+  return of_search.front();
 }
 
 }  // namespace
@@ -264,7 +292,7 @@ void add_fuzz(CLI::App& program, Command& command) {
       program.add_subcommand("fuzz", "Break a solver: the simplest queries on which it is wrong");
   add_solver_options(*subcommand, *options);
   std::vector<CLI::Option*> of_search;
-  add_source_options(*subcommand, *options, of_search);
+  CLI::Option* const family = add_source_options(*subcommand, *options, of_search);
   auto* const a_case =
       subcommand
           ->add_option_function<std::string>(
@@ -276,6 +304,12 @@ void add_fuzz(CLI::App& program, Command& command) {
                                                : text + " is no case; it must be \"FAMILY KIND SEED INDEX\"";
           });
   for (CLI::Option* const option : of_search) a_case->excludes(option);
+  subcommand
+      ->add_option("--from", options->from,
+                   "Queries of these files instead of families': each as it is, and with --climb what lies around it "
+                   "(their kind is the name of the folder just above each file)")
+      ->type_name("FILE")
+      ->excludes(family);
   subcommand->add_option("--out", options->out, "A folder for the shrunk failures; it is made when it is not there")
       ->type_name("FOLDER");
   subcommand
@@ -302,6 +336,7 @@ void add_fuzz(CLI::App& program, Command& command) {
       "  touchstone fuzz --solver paper --seconds 10 --out broken\n"
       "  touchstone fuzz --solver touchstone --cases 1000000 --judge oracle\n"
       "  touchstone fuzz --solver newton --case \"near_hit edge-edge 1 17\"\n"
+      "  touchstone fuzz --solver newton --climb 20 --from candidates/edge-edge/candidates.csv\n"
       "  touchstone fuzz --solver ./theirs.so --out broken          a plugin: see touchstone/plugin.h\n"
       "  touchstone fuzz --solver-command \"python3 theirs.py\"      see share/touchstone/examples\n\n"
       "Exit status: 0 nothing was found, 1 something was, 2 bad usage or a file that cannot be written.");

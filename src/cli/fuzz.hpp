@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/fuzz_solvers.hpp"
@@ -14,6 +15,7 @@ namespace touchstone::cli {
 struct FuzzOptions {
   SolverChoice solver;
   fuzz::Settings settings;               ///< threads 0: all that the machine has
+  std::vector<std::string> from;         ///< query files to start from; empty: families
   std::string out;                       ///< a folder for the shrunk failures; empty: none
   std::optional<fuzz::CaseName> a_case;  ///< this one alone
 };

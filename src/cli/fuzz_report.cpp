@@ -71,6 +71,7 @@ std::string table_for_person(const FailureTable& table) {
     if (row.failed() > 0) line(family.name, row);
     if (row.failed() == 0 && row.cases > 0) ++well;
   }
+  if (table.given().failed() > 0) line("given", table.given());
   line("all", total);
   if (well > 0)
     text += fmt::format("  ({} without a failure)\n", well == 1 ? "1 family" : fmt::format("{} families", well));
@@ -83,6 +84,7 @@ std::string case_command(const FuzzOptions& options, const fuzz::CaseName& name)
     command += fmt::format(" --judge {}", method_name(options.settings.judge));
   if (options.settings.early.ulps) command += fmt::format(" --early {}ulps", *options.settings.early.ulps);
   if (options.settings.early.share) command += fmt::format(" --early {}", *options.settings.early.share);
+  for (const std::string& file : options.from) command += " --from " + shell_word(file);
   return command + " --case " + shell_word(fuzz::case_text(name));
 }
 

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include <touchstone/error.hpp>
@@ -62,6 +63,13 @@ auto from_file(const std::string& path, Make make) {
 sim::Scene scene_of(const SimulateOptions& options) {
   if (sim::find_shipped_scene(options.scene) != nullptr) return sim::make_shipped_scene(options.scene, options.size);
   if (options.size) throw Error("--size: only shipped scenes are made to a size, and " + options.scene + " is none");
+  const bool looks_like_a_name = options.scene.find_first_of("./") == std::string::npos;
+  if (looks_like_a_name && !std::filesystem::exists(options.scene)) {
+    std::string names;
+    for (const auto& shipped : sim::shipped_scenes()) names.append(names.empty() ? "" : ", ").append(shipped.name);
+    throw Error(fmt::format("{} is no file, and no scene that comes with the program: these are {}",
+                            io::in_quotes(options.scene), names));
+  }
   return from_file(options.scene, sim::scene_from_json);
 }
 
@@ -214,8 +222,8 @@ void add_simulate(CLI::App& program, Command& command) {
           [options](const std::string& name) {
             options->narrow_phase = name == "paper" ? sim::NarrowPhase::paper : sim::NarrowPhase::exact;
           },
-          "Who finds the contacts that are answered: exact, or paper, the closed form in doubles. The proof is exact, "
-          "and with paper it reports the crossings instead of refusing the step")
+          "Who finds the contacts that are answered: exact, or paper, the closed form in doubles, for edges only. The "
+          "proof is exact, and with paper it reports the crossings instead of refusing the step")
       ->type_name("NAME")
       ->check(CLI::IsMember({"exact", "paper"}));
   subcommand
@@ -231,7 +239,7 @@ void add_simulate(CLI::App& program, Command& command) {
       "  touchstone simulate hoop --out hoop\n"
       "  touchstone simulate cable-drop --size 5000 --proof proof.csv\n"
       "  touchstone simulate hoop --scene-out hoop.json && touchstone simulate hoop.json\n"
-      "  touchstone simulate whip --narrow-phase paper\n\n"
+      "  touchstone simulate hoop --narrow-phase paper\n\n"
       "Exit status: 0 done without a crossing, 1 crossings, 2 bad usage, a bad scene or a step that "
       "cannot be taken.");
   subcommand->callback([options, &command] { command = [options] { return run_simulate(*options); }; });

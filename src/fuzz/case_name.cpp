@@ -6,6 +6,8 @@
 #include <charconv>
 #include <vector>
 
+#include <touchstone/error.hpp>
+
 #include "fuzz/climb.hpp"
 
 namespace touchstone::fuzz {
@@ -22,6 +24,9 @@ std::vector<std::string_view> words_of(std::string_view text) {
   }
 }
 
+/// Stands where a family's name would.
+constexpr std::string_view kGiven = "given";
+
 std::optional<std::uint64_t> whole_number(std::string_view text) {
   std::uint64_t number = 0;
   const char* const last = text.data() + text.size();
@@ -34,6 +39,7 @@ std::optional<std::uint64_t> whole_number(std::string_view text) {
 
 std::string case_text(const CaseName& name) {
   std::string text = families::case_name(name.start);
+  if (name.given) text.replace(0, text.find(' '), kGiven);
   if (name.step > 0) text += " +" + std::to_string(name.step);
   return text;
 }
@@ -42,7 +48,8 @@ std::optional<CaseName> parse_case_text(std::string_view text) {
   const std::vector<std::string_view> words = words_of(text);
   if (words.size() != 4 && words.size() != 5) return std::nullopt;
   CaseName name{};
-  bool family_known = false, kind_known = false;
+  name.given = words[0] == kGiven;
+  bool family_known = name.given, kind_known = false;
   for (const families::FamilyInfo& family : families::all_families()) {
     if (family.name != words[0]) continue;
     name.start.family = family.family;
@@ -66,9 +73,18 @@ std::optional<CaseName> parse_case_text(std::string_view text) {
   return name;
 }
 
-Query query_of_case(const CaseName& name) {
-  if (name.step == 0) return families::make(name.start);
-  Climb climb(name.start);
+Query start_of_case(const CaseName& name, const std::vector<Query>& given) {
+  if (!name.given) return families::make(name.start);
+  if (name.start.index >= given.size() || given[name.start.index].kind != name.start.kind) {
+    throw InvalidQuery(case_text(name) + ": no such query was given");
+  }
+  return given[name.start.index];
+}
+
+Query query_of_case(const CaseName& name, const std::vector<Query>& given) {
+  const Query start = start_of_case(name, given);
+  if (name.step == 0) return start;
+  Climb climb = name.given ? Climb(start, families::rng_of(name.start)) : Climb(name.start);
   for (std::uint64_t i = 1; i < name.step; ++i) climb.next();
   return climb.next();
 }

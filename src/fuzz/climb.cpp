@@ -52,6 +52,9 @@ Climb::Climb(const families::CaseId& start)
       current_(families::make(start.family, start.kind, rng_)),
       height_(height_of(current_)) {}
 
+Climb::Climb(const Query& start, const families::Rng& random)
+    : rng_(random), current_(start), height_(height_of(current_)) {}
+
 Query Climb::next() {
   Query query = current_;
   if (rng_.one_in(3)) step_to_zero(query, rng_);

@@ -20,6 +20,9 @@ class Climb {
  public:
   explicit Climb(const families::CaseId& start);
 
+  /// From any query.
+  Climb(const Query& start, const families::Rng& random);
+
   /// The next query looked at, kept or not: each is worth asking.
   Query next();
 

@@ -44,16 +44,21 @@ struct Asked {
 /// One thread's search.
 class Searcher {
  public:
-  Searcher(const Settings& settings, const Plan& plan, Shared& shared, Clock::time_point start)
-      : settings_(settings), plan_(plan), shared_(shared), start_(start) {}
+  Searcher(const Settings& settings, const std::vector<Kind>& kinds, const Plan& plan, Shared& shared,
+           Clock::time_point start)
+      : settings_(settings), kinds_(kinds), plan_(plan), shared_(shared), start_(start) {}
 
   void work(const Asked& asked) {
     asked_ = &asked;
+    if (!settings_.given.empty()) {
+      work_on_given();
+      return;
+    }
     while (!shared_.stop) {
       const auto piece = plan_.piece(shared_.next++);
       if (!piece) return;
       for (std::uint64_t i = 0; i < piece->count && !over(); ++i) {
-        start_from({piece->family, piece->kind, settings_.seed, piece->first + i});
+        start_from({{piece->family, piece->kind, settings_.seed, piece->first + i}});
       }
     }
   }
@@ -67,29 +72,37 @@ class Searcher {
     return shared_.stop;
   }
 
-  void start_from(const families::CaseId& id) {
-    if (settings_.climb == 0) {
-      look_at({id, 0}, families::make(id));
-      return;
+  void work_on_given() {
+    const std::uint64_t count = std::min<std::uint64_t>(settings_.given.size(), settings_.cases.value_or(UINT64_MAX));
+    for (std::uint64_t i = shared_.next++; i < count && !over(); i = shared_.next++) {
+      const Kind kind = settings_.given[i].kind;
+      if (std::find(kinds_.begin(), kinds_.end(), kind) == kinds_.end()) continue;
+      start_from({{{}, kind, settings_.seed, i}, 0, true});
     }
-    Climb climb(id);
-    look_at({id, 0}, families::make(id));
-    for (std::uint64_t step = 1; step <= settings_.climb && !over(); ++step) look_at({id, step}, climb.next());
+  }
+
+  void start_from(CaseName name) {
+    const Query query = start_of_case(name, settings_.given);
+    look_at(name, query);
+    if (settings_.climb == 0) return;
+    Climb climb = name.given ? Climb(query, families::rng_of(name.start)) : Climb(name.start);
+    for (name.step = 1; name.step <= settings_.climb && !over(); ++name.step) look_at(name, climb.next());
   }
 
   void look_at(const CaseName& name, const Query& query) {
     const Answer truth = solve(query, settings_.judge);
     const auto failure = failure_on(query, asked_->solver, asked_->whole, truth, settings_.early, reply_);
     shared_.queries.fetch_add(1, std::memory_order_relaxed);
-    table.add_cases(name.start.family, 1);
+    table.add_case(name);
     if (!failure) return;
     shared_.failures[FailureTable::index(failure->failure)].fetch_add(1, std::memory_order_relaxed);
-    table.add_failure(name.start.family, failure->failure);
+    table.add_failure(name, failure->failure);
     findings.add(*failure, name, query, reply_, truth);
   }
 
   const Asked* asked_ = nullptr;
   const Settings& settings_;
+  const std::vector<Kind>& kinds_;
   const Plan& plan_;
   Shared& shared_;
   Clock::time_point start_;
@@ -227,7 +240,7 @@ std::optional<Finding> run_case(SolverUnderTest& solver, const CaseName& name, c
   const numbers::DefaultFloatEnvironment environment;
   supported_kinds(solver, {name.start.kind});
   const Asked asked{solver};
-  const Query query = query_of_case(name);
+  const Query query = query_of_case(name, settings.given);
   const Answer truth = solve(query, settings.judge);
   Reply reply;
   const auto failure = failure_on(query, asked.solver, asked.whole, truth, settings.early, reply);
@@ -240,11 +253,12 @@ std::optional<Finding> run_case(SolverUnderTest& solver, const CaseName& name, c
 }
 
 Outcome run(const SolverFactory& make_solver, const Settings& settings, const Watch& watch) {
-  const Plan plan(wanted_families(settings), supported_kinds(*make_solver(), settings.kinds), settings.cases);
+  const std::vector<Kind> kinds = supported_kinds(*make_solver(), settings.kinds);
+  const Plan plan(wanted_families(settings), kinds, settings.cases);
   const Clock::time_point start = Clock::now();
   Shared shared;
   std::vector<Searcher> searchers;
-  for (std::size_t i = 0; i < thread_count(settings); ++i) searchers.emplace_back(settings, plan, shared, start);
+  for (std::size_t i = 0; i < thread_count(settings); ++i) searchers.emplace_back(settings, kinds, plan, shared, start);
 
   Outcome outcome;
   on_threads(

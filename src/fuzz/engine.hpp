@@ -21,12 +21,13 @@
 namespace touchstone::fuzz {
 
 struct Settings {
+  std::vector<Query> given;                ///< unless empty, each of these once, and no family
   std::vector<families::Family> families;  ///< empty: all
   std::vector<Kind> kinds;                 ///< empty: all; those that the solver does not support are left out
   std::uint64_t seed = 1;
-  std::optional<std::uint64_t> cases;  ///< how many families' queries to make, at most
+  std::optional<std::uint64_t> cases;  ///< how many families' or given queries to start from, at most
   std::optional<double> seconds;       ///< how long to search, at most
-  std::uint64_t climb = 0;             ///< steps of hill climbing from every family's query; each is asked as well
+  std::uint64_t climb = 0;             ///< steps of hill climbing from each of them; each step is asked as well
   int threads = 1;                     ///< at least 1; with `cases` and no `seconds` nothing depends on it
   Method judge = Method::exact;
   EarlyLimit early;

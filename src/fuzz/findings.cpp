@@ -68,7 +68,7 @@ std::vector<Finding> Findings::take(std::size_t most) {
   return taken;
 }
 
-FailureTable::FailureTable() : rows_(families::all_families().size()) {}
+FailureTable::FailureTable() : rows_(families::all_families().size() + 1) {}
 
 std::uint64_t FailureTable::Row::failed() const {
   return std::accumulate(failures.begin(), failures.end(), std::uint64_t{0});

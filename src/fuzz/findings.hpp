@@ -61,12 +61,12 @@ class Findings {
   std::map<Key, Bucket> buckets_;
 };
 
-/// Failures by family and class.
+/// Failures by family and class; what was given stands for a family.
 class FailureTable {
  public:
   FailureTable();
-  void add_cases(families::Family family, std::uint64_t count) { row(family).cases += count; }
-  void add_failure(families::Family family, FailureClass failure) { ++row(family).failures[index(failure)]; }
+  void add_case(const CaseName& name) { ++row(name).cases; }
+  void add_failure(const CaseName& name, FailureClass failure) { ++row(name).failures[index(failure)]; }
   void merge(const FailureTable& other);
 
   struct Row {
@@ -75,12 +75,15 @@ class FailureTable {
     std::uint64_t failed() const;
   };
   const Row& of(families::Family family) const { return rows_[static_cast<std::size_t>(family)]; }
+  const Row& given() const { return rows_.back(); }
   Row total() const;
   static std::size_t index(FailureClass failure) { return static_cast<std::size_t>(failure); }
 
  private:
-  Row& row(families::Family family) { return rows_[static_cast<std::size_t>(family)]; }
-  std::vector<Row> rows_;
+  Row& row(const CaseName& name) {
+    return name.given ? rows_.back() : rows_[static_cast<std::size_t>(name.start.family)];
+  }
+  std::vector<Row> rows_;  // of every family, and of what was given
 };
 
 }  // namespace touchstone::fuzz

@@ -189,6 +189,15 @@ std::vector<Pair> Elements::candidates(const VectorX& x0, const VectorX& x1, dou
   return pairs;
 }
 
+Vector3 Elements::place(const Pair& pair, const VectorX& x0, const VectorX& x1, const Answer& answer) const noexcept {
+  const auto c = corners(pair);
+  const auto at = [&](Index p) -> Vector3 {
+    return position(x0, p) + answer.toi * (position(x1, p) - position(x0, p));
+  };
+  if (pair.kind != Kind::edge_edge) return at(c[0]);  // the first element is a particle
+  return answer.weights_a[0] * at(c[0]) + answer.weights_a[1] * at(c[1]);
+}
+
 std::string Elements::describe(const Pair& pair) const {
   const auto c = corners(pair);
   switch (pair.kind) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <touchstone/answer.hpp>
 #include <touchstone/query.hpp>
 
 #include "sim/system.hpp"
@@ -44,6 +45,9 @@ class Elements {
   /// Every pair whose boxes around the motion from x0 to x1, widened by `margin` on all sides, overlap; without pairs
   /// in which nothing can move and, but for folds, pairs that share a particle. Always in the same order.
   std::vector<Pair> candidates(const VectorX& x0, const VectorX& x1, double margin) const;
+
+  /// Where the pair's elements touch in the motion from x0 to x1, by the exact solver's answer. m
+  Vector3 place(const Pair& pair, const VectorX& x0, const VectorX& x1, const Answer& answer) const noexcept;
 
   /// "edge 3-4 and edge 10-11": by their particles.
   std::string describe(const Pair& pair) const;

@@ -15,7 +15,7 @@ namespace touchstone::sim {
 /// Who answers during the response. The proof always asks the exact solver.
 enum class NarrowPhase : std::uint8_t {
   exact,  ///< touchstone::solve
-  paper   ///< the paper's closed form in doubles, which loses contacts; kinds it does not know go to the exact one
+  paper   ///< as in the paper: the closed form in doubles for edges, which loses contacts, and nothing for faces
 };
 
 using QuerySink = std::function<void(const Query&, const Answer&)>;

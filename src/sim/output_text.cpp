@@ -75,8 +75,9 @@ std::string energy_row(const Simulation& simulation, const std::vector<StepRecor
 }
 
 std::string crossing_for_person(const Simulation& simulation, const Crossing& crossing) {
-  return fmt::format("step {}, {:.9g} s: {} ({})", crossing.step, crossing.time,
-                     simulation.elements().describe(crossing.pair), nature_name(crossing.answer.nature));
+  return fmt::format("step {}, {:.9g} s: {} at ({:.6g}, {:.6g}, {:.6g}) ({})", crossing.step, crossing.time,
+                     simulation.elements().describe(crossing.pair), crossing.place.x(), crossing.place.y(),
+                     crossing.place.z(), nature_name(crossing.answer.nature));
 }
 
 std::string explain(const Simulation& simulation) {

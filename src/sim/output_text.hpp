@@ -27,7 +27,7 @@ std::string energy_header();
 /// @param records  of the step that led to the simulation's state; none at the start
 std::string energy_row(const Simulation& simulation, const std::vector<StepRecord>& records);
 
-/// "step 12, 0.2034 s: edge 3-4 and edge 10-11 (crossing)".
+/// "step 12, 0.2034 s: edge 3-4 and edge 10-11 at (0.1, -0.2, 1.5) (crossing)".
 std::string crossing_for_person(const Simulation& simulation, const Crossing& crossing);
 
 /// Which passes the scene got, and why; one a line.

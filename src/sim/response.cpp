@@ -15,6 +15,7 @@ namespace {
 constexpr int kSweeps = 4;            // over all contacts known so far, in each pass
 constexpr int kSolves = 4;            // implicit steps, each with the contacts that the one before it left
 constexpr double kStiffer = 20;       // contact stiffness over that of the elements
+constexpr double kLimitKnown = 0.2;   // by which share of the largest one limits of friction may still change
 constexpr double kStickSpeed = 5e-3;  // m/s: slower slip is friction at rest
 
 using PairKey = std::tuple<Kind, Index, Index>;
@@ -236,8 +237,15 @@ bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Con
     *work.next = std::move(advance.state);
     finder_.moved(work.next->q, all);
     finder_.find(work.next->q, found, *work.counts);
+    // Friction changes how tension runs along a cable, and with it the forces that limit friction.
+    double most = 0, change = 0;
     if (kFriction && contact_.friction > 0) {
-      for (ContactTerm& term : terms) term.slip = contact_.friction * normal_force(term, work.state->q, work.next->q);
+      for (ContactTerm& term : terms) {
+        const double slip = contact_.friction * normal_force(term, work.state->q, work.next->q);
+        most = std::max(most, slip);
+        change = std::max(change, std::abs(slip - term.slip));
+        term.slip = slip;
+      }
     }
     std::sort(term_of_pair.begin(), term_of_pair.end());
     const auto known = static_cast<std::ptrdiff_t>(term_of_pair.size());
@@ -255,7 +263,7 @@ bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Con
         term.slip = slip;
       }
     }
-    const bool friction_known = !kFriction || contact_.friction == 0 || solve > 0;
+    const bool friction_known = change <= kLimitKnown * most;
     if (found.empty() && friction_known) break;
   }
   work.wanted = work.next->q;

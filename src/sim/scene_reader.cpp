@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <touchstone/error.hpp>
 
+#include "io/fail.hpp"
 #include "sim/json_node.hpp"
 #include "sim/scene_file.hpp"
 #include "sim/scene_parts.hpp"
@@ -150,6 +153,7 @@ void set_stiffness(const JsonNode& node, Cable& cable) {
   for (const char* key : {"poisson", "bends", "twists"}) {
     if (node.has(key)) node.at(key).fail("goes with young");
   }
+  if (!node.has("stretch")) node.fail("lacks the key 'young', or 'stretch' instead");
   cable.stretch = node.at("stretch").number();
   cable.bend = node.number_or("bend", 0);
   cable.twist = node.number_or("twist", 0);
@@ -217,8 +221,19 @@ void add_cable(Scene& scene, const JsonNode& node) {
 }
 
 nlohmann::json parsed(std::string_view text) {
+  // Of two equal keys the library would drop the first one without a word.
+  using Event = nlohmann::json::parse_event_t;
+  std::vector<std::set<std::string>> keys;  // of every object that is open
+  const auto watch = [&keys](int, Event event, const nlohmann::json& value) {
+    if (event == Event::object_start) keys.emplace_back();
+    if (event == Event::object_end) keys.pop_back();
+    if (event == Event::key && !keys.back().insert(value.get<std::string>()).second) {
+      throw Error("the key " + io::in_quotes(value.get<std::string>()) + " is there twice in one object");
+    }
+    return true;
+  };
   try {
-    return nlohmann::json::parse(text.begin(), text.end());
+    return nlohmann::json::parse(text.begin(), text.end(), watch);
   } catch (const nlohmann::json::exception& error) {
     // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
     const std::string what = error.what();

@@ -127,7 +127,8 @@ bool Simulation::try_part(double h, double end_time, StepRecord& record) {
   std::vector<Crossing> crossings;
   record.proof.pairs = pairs.size();
   record.proof.levels = prover_.contacts(pairs, state_.q, next.q, [&](std::size_t i, const Answer& answer) {
-    crossings.push_back({record.step, state_.time + answer.toi * h, pairs[i], answer});
+    crossings.push_back({record.step, state_.time + answer.toi * h, elements_.place(pairs[i], state_.q, next.q, answer),
+                         pairs[i], answer});
   });
   record.proof.crossings = crossings.size();
   if (!crossings.empty() && narrow_phase_ == NarrowPhase::exact) {

@@ -15,7 +15,8 @@ namespace touchstone::sim {
 /// Two elements that were apart and touched within a step that was taken all the same.
 struct Crossing {
   std::uint64_t step = 0;
-  double time = 0;  ///< s, when they touch first
+  double time = 0;                  ///< s, when they touch first
+  Vector3 place = Vector3::Zero();  ///< m, where
   Pair pair;
   Answer answer;
 };

@@ -37,6 +37,7 @@ System::System(const Scene& scene) : particle_count_(scene.particles.size()) {
   }
   for (const Spring& s : scene.springs) lengths.push_back({s.a, s.b, s.stiffness, s.damping, s.rest_length, false});
   for (const Cable& cable : scene.cables) add_cable(cable);
+  std::erase_if(followers_, [&](const Follower& f) { return scene.particles[f.leader].path.empty(); });
 
   particle_count_ = placed_.size();
   const auto n = static_cast<Eigen::Index>(3 * particle_count_);
@@ -170,6 +171,7 @@ void System::add_clamp(const Cable& cable, const CableEnd& end, bool at_start, I
   const auto ghost = static_cast<Index>(placed_.size());
   placed_.push_back(2 * placed_[at] - placed_[other]);
   particle_mass_.push_back(0);
+  followers_.push_back({ghost, at, placed_[ghost] - placed_[at]});
   ghosts.push_back(ghost);
   const auto own = static_cast<Index>(edges.size());
   edges.push_back(at_start ? RodEdge{ghost, at, inner.twists} : RodEdge{at, ghost, inner.twists});
@@ -200,6 +202,8 @@ void System::add_joint(const Cable& cable, Index e, Index f, double share) {
 void System::prescribe(double time, VectorX& q) const {
   for (const auto& [particle, path] : paths_)
     q.segment<3>(3 * static_cast<Eigen::Index>(particle)) = position_at(path, time);
+  for (const Follower& f : followers_)
+    q.segment<3>(3 * static_cast<Eigen::Index>(f.ghost)) = position(q, f.leader) + f.offset;
   for (const DrivenAngle& driven : driven_angles) q[angle(driven.edge)] = driven.rate * std::min(time, driven.until);
 }
 

@@ -85,6 +85,12 @@ class System {
   std::vector<Index> ghosts;  ///< particles that only hold a clamped end's direction; they do not collide
 
  private:
+  /// A ghost whose clamped end is driven: it goes along, so that the direction stays.
+  struct Follower {
+    Index ghost = 0, leader = 0;
+    Vector3 offset;
+  };
+
   System() = default;
   void add_cable(const Cable& cable);
   void add_clamp(const Cable& cable, const CableEnd& end, bool at_start, Index edge);
@@ -92,6 +98,7 @@ class System {
 
   std::size_t particle_count_ = 0;
   std::vector<std::pair<Index, std::vector<Waypoint>>> paths_;  // of driven particles
+  std::vector<Follower> followers_;
   // While it is being put together:
   std::vector<Vector3> placed_;  // initial positions, ghosts included
   std::vector<double> particle_mass_;

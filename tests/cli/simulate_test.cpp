@@ -107,7 +107,7 @@ TEST_CASE("a run that is resumed writes what an uninterrupted one does, on any n
 
 TEST_CASE("the candidates that it writes certify") {
   const TemporaryFolder folder;
-  CHECK(run_program({"simulate", "hoop", "--size", "200", "--steps", "12", "--queries", folder.path("q")}).status == 0);
+  CHECK(run_program({"simulate", "hoop", "--size", "200", "--steps", "30", "--queries", folder.path("q")}).status == 0);
   const Run certified =
       run_program({"certify", folder.path("q/edge-edge/candidates.csv"), folder.path("q/vertex-face/candidates.csv")});
   CAPTURE(certified.out);
@@ -115,7 +115,23 @@ TEST_CASE("the candidates that it writes certify") {
   CHECK(occurrences(certified.out, "claims hold") == 1);
 }
 
-TEST_CASE("with the paper's solver as narrow phase edges get through, and the proof says where and when") {
+TEST_CASE("with the paper's solver as narrow phase the ball's edges get through the net, and the proof says so") {
+  const Run hoop = run_program({"simulate", "hoop", "--steps", "30", "--narrow-phase", "paper"});
+  CAPTURE(hoop.out);
+  CHECK(hoop.status == 1);
+  const auto lines = lines_of(hoop.out);
+  CHECK(lines[0].rfind("crossing: step ", 0) == 0);
+  CHECK(occurrences(lines[0], " s: edge ") == 1);
+  CHECK(occurrences(lines[0], " and edge ") == 1);
+  CHECK(occurrences(lines[0], " at (") == 1);
+  CHECK(occurrences(hoop.out, " s: edge ") >= 5);
+  CHECK(last_line(hoop.out).rfind("30 steps, ", 0) == 0);
+  const Run same = run_program({"simulate", "hoop", "--steps", "30"});
+  CHECK(same.status == 0);
+  CHECK(last_line(same.out) == "30 steps, 0 crossings");
+}
+
+TEST_CASE("the whip goes through the wire with the paper's solver, and not with ours") {
   const Run paper = run_program({"simulate", "whip", "--narrow-phase", "paper"});
   CAPTURE(paper.out);
   CHECK(paper.status == 1);
@@ -155,6 +171,8 @@ TEST_CASE("bad usage and bad scenes end with status 2, one line, and nothing wri
   check_refused({"simulate", "hoop", "--resume", "x"}, "not both");
   check_refused({"simulate", "hoop", "--size", "3"}, "--size 3: hoop takes 200 to 50000");
   check_refused({"simulate", folder.path("none.json")}, "none.json: cannot be opened");
+  check_refused({"simulate", "hop"},
+                "'hop' is no file, and no scene that comes with the program: these are two-edges, ho");
   check_refused({"simulate", folder.write("bad.json", "{\"touchstone_scene\": 1, \"particles\": [{}]}")},
                 "bad.json: particles[0]: lacks the key 'position'");
   check_refused({"simulate", folder.path("bad.json"), "--size", "4"}, "only shipped scenes are made to a size");

@@ -11,18 +11,18 @@ using namespace touchstone::tests;
 
 TEST_CASE("a name and its text are one") {
   const auto text = GENERATE("lattice1 edge-edge 1 0", "mixed_scale point-point 18446744073709551615 12",
-                             "near_hit vertex-face 7 1234 +5");
+                             "near_hit vertex-face 7 1234 +5", "given edge-edge 1 17", "given point-edge 3 0 +9");
   const auto name = fuzz::parse_case_text(text);
   REQUIRE(name.has_value());
   CHECK(fuzz::case_text(*name) == text);
 }
 
 TEST_CASE("what is no name is refused") {
-  const auto text =
-      GENERATE("", "lattice1", "lattice1 edge-edge 1", "lattice1 edge-edge 1 2 3", "lattice1 edge-edge 1 -2",
-               "lattice1 edge-edge 1 2x", "lattice9 edge-edge 1 2", "lattice1 edge 1 2",
-               "lattice1 edge-edge 18446744073709551616 2", "lattice1 edge-edge 1 2 +",
-               "lattice1 edge-edge 1 2 +99999999999", "lattice1 edge-edge 1 2 +1 4", "LATTICE1 edge-edge 1 2");
+  const auto text = GENERATE(
+      "", "lattice1", "lattice1 edge-edge 1", "lattice1 edge-edge 1 2 3", "lattice1 edge-edge 1 -2",
+      "lattice1 edge-edge 1 2x", "lattice9 edge-edge 1 2", "lattice1 edge 1 2",
+      "lattice1 edge-edge 18446744073709551616 2", "lattice1 edge-edge 1 2 +", "lattice1 edge-edge 1 2 +99999999999",
+      "lattice1 edge-edge 1 2 +1 4", "LATTICE1 edge-edge 1 2", "given edge 1 2", "given edge-edge 1");
   CAPTURE(text);
   CHECK_FALSE(fuzz::parse_case_text(text).has_value());
 }
@@ -34,4 +34,19 @@ TEST_CASE("a name makes the query that it names") {
   for (std::uint64_t step = 1; step < 20; ++step) {
     CHECK(cpp_initializer(climb.next()) == cpp_initializer(fuzz::query_of_case({id, step})));
   }
+}
+
+TEST_CASE("the name of a query that was given makes that query, and its climb") {
+  const std::vector<Query> given{families::make({families::Family::near_hit, Kind::point_edge, 5, 1}),
+                                 families::make({families::Family::near_hit, Kind::edge_edge, 5, 2})};
+  fuzz::CaseName name{{{}, Kind::edge_edge, 3, 1}, 0, true};
+  CHECK(cpp_initializer(fuzz::query_of_case(name, given)) == cpp_initializer(given[1]));
+  fuzz::Climb climb(given[1], families::rng_of(name.start));
+  for (name.step = 1; name.step < 20; ++name.step) {
+    CHECK(cpp_initializer(climb.next()) == cpp_initializer(fuzz::query_of_case(name, given)));
+  }
+  name.start.index = 2;
+  CHECK_THROWS_WITH(fuzz::query_of_case(name, given), Catch::Contains("no such query was given"));
+  name.start.index = 0;
+  CHECK_THROWS_WITH(fuzz::query_of_case(name, given), Catch::Contains("no such query was given"));
 }

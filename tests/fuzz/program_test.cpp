@@ -167,7 +167,48 @@ TEST_CASE("bad usage ends with status 2 and one line, and writes nothing") {
   check_refused({"--threads", "0"}, "--threads");
   check_refused({"--case", "lattice1"}, "lattice1 is no case");
   check_refused({"--case", "lattice1 edge-edge 1 1", "--cases", "5"}, "--case");
+  check_refused({"--case", "given edge-edge 1 1"}, "needs the files");
+  check_refused({"--from", "none.csv"}, "none.csv");
+  check_refused({"--from", "none.csv", "--family", "lattice1"}, "--f");
   check_refused({"--solver", "paper", "--solver-command", "cat"}, "--solver");
+}
+
+TEST_CASE("queries of files are asked, with what lies around them, and a finding repeats itself") {
+  const TemporaryFolder folder;
+  REQUIRE(run_program({"simulate", "hoop", "--size", "200", "--steps", "30", "--queries", folder.path("q")}).status ==
+          0);
+  const std::string edges = folder.path("q/edge-edge/candidates.csv"),
+                    faces = folder.path("q/vertex-face/candidates.csv");
+  const auto asked = [](const Run& run, const std::string& before) {
+    const std::size_t at = run.out.find(before) + before.size();
+    return run.out.substr(at, run.out.find(' ', at) - at);
+  };
+  const Run once = run_program({"fuzz", "--from", edges, faces, "--threads", "1"});
+  CAPTURE(once.out, once.err);
+  CHECK(once.status == 0);
+  CHECK(occurrences(once.out, "\nnothing found\n") == 1);
+  CHECK(asked(once, "seed 1: ").size() >= 5);  // thousands
+
+  const std::vector<std::string> broken{"fuzz",    "--solver", "paper",      "--from", edges,
+                                        "--climb", "3",        "--findings", "1"};
+  auto with_threads = [&](const char* threads) {
+    std::vector<std::string> arguments = broken;
+    arguments.insert(arguments.end(), {"--threads", threads});
+    return run_program(arguments);
+  };
+  const Run run = with_threads("1");
+  CAPTURE(run.out, run.err);
+  CHECK(run.status == 1);
+  CHECK(occurrences(run.out, "\n  given ") == 1);
+  CHECK(without_time(run.out) == without_time(with_threads("3").out));
+  const auto again = lines_with(run.out, " --case ");
+  REQUIRE(again.size() == 1);
+  const Run repeated = run_program(arguments_of(again[0]));
+  CAPTURE(again[0], repeated.out, repeated.err);
+  CHECK(repeated.status == 1);
+  CHECK(repeated.out.find("   exact: ") != std::string::npos);
+  CHECK(run_program({"fuzz", "--from", edges, "--case", "lattice1 edge-edge 1 1"}).status == 2);
+  CHECK(run_program({"fuzz", "--from", edges, "--case", "given edge-edge 1 999999999"}).status == 2);
 }
 
 TEST_CASE("a place where nothing can be written is found out at once") {

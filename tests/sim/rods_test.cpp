@@ -30,31 +30,6 @@ Scene cantilever(Index segments) {
   return scene;
 }
 
-/// Where the scene comes to rest: implicit steps so long that there is no inertia to speak of.
-State at_rest(const System& system, const Scene& scene) {
-  Settings settings = scene.settings;
-  settings.integrator = Integrator::implicit_euler;
-  Stepper stepper(system, settings);
-  State state = stepper.initial();
-  double h = 0.2;
-  for (int step = 0; step < 200; ++step) {
-    const Advance advance = stepper.advance(state, h);
-    if (!advance.converged) {
-      h /= 4;
-      continue;
-    }
-    const double moved = (advance.state.q - state.q).lpNorm<Eigen::Infinity>();
-    state = advance.state;
-    state.v.setZero();
-    if (moved < 1e-10 && h > 10) return state;
-    h = std::min(1e3, h * 1.5);
-  }
-  FAIL("it does not come to rest");
-  return state;
-}
-
-State at_rest(const Scene& scene) { return at_rest(System(scene), scene); }
-
 struct Tip {
   double drop, shortening;
 };
@@ -64,26 +39,6 @@ Tip tip_of_elastica(double alpha, Index segments) {
   const State state = at_rest(scene);
   const Vector3 tip = position(state.q, segments);
   return {-tip.z(), 1 - tip.x()};
-}
-
-/// The second derivatives of the energy in the coordinates that are free. Loads are constant, so they have none.
-Eigen::MatrixXd stiffness_matrix(const System& system, const State& state) {
-  DenseSink sink(system);
-  VectorX gradient = VectorX::Zero(state.q.size());
-  const Energy energy(system);
-  energy.derivatives(state.q, state.frames, state.time, energy.elastic(), Curvature::exact, gradient, &sink);
-  std::vector<Eigen::Index> free;
-  for (Eigen::Index i = 0; i < state.q.size(); ++i) {
-    if (!system.fixed[static_cast<std::size_t>(i)]) free.push_back(i);
-  }
-  const auto count = static_cast<Eigen::Index>(free.size());
-  Eigen::MatrixXd matrix(count, count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    for (Eigen::Index j = 0; j < count; ++j) {
-      matrix(i, j) = sink.matrix(free[static_cast<std::size_t>(i)], free[static_cast<std::size_t>(j)]);
-    }
-  }
-  return matrix;
 }
 
 /// The load at which the straight column stops being stable, by bisection on the smallest eigenvalue.

@@ -88,6 +88,9 @@ TEST_CASE("what makes no sense is refused with its path") {
   check_refused(R"({"touchstone_scene": 2})", "touchstone_scene: must be 1");
   check_refused(R"({"touchstone_scene": 1})", "particles: a scene must have some");
   check_refused(scene_with(R"(, "colour": 3)"), "has no key 'colour'");
+  check_refused(scene_with(R"(, "springs": [], "springs": [])"), "the key 'springs' is there twice in one object");
+  check_refused(scene_with(R"(, "cables": [{"particles": [0, 1], "radius": 1, "density": 1}])"),
+                "cables[0]: lacks the key 'young', or 'stretch' instead");
   check_refused(scene_with(R"(, "settings": {"time_step": 0})"), "settings.time_step: 0 is not in [1e-09, 1000]");
   check_refused(scene_with(R"(, "settings": {"time_step": "fast"})"), "settings.time_step: must be a number");
   check_refused(scene_with(R"(, "settings": {"time_step": 1e999})"), "no JSON");

@@ -3,6 +3,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "support/catch.hpp"
+
 namespace touchstone::sim {
 
 DenseSink::DenseSink(const System& system)
@@ -44,6 +46,54 @@ Cable& add_cable(Scene& scene, const Vector3& from, const Vector3& to, Index seg
   }
   scene.cables.push_back(cable);
   return scene.cables.back();
+}
+
+State at_rest(const System& system, const Scene& scene) {
+  Settings settings = scene.settings;
+  settings.integrator = Integrator::implicit_euler;
+  Stepper stepper(system, settings);
+  State state = stepper.initial();
+  double h = 0.2;
+  for (int step = 0; step < 200; ++step) {
+    const Advance advance = stepper.advance(state, h);
+    if (!advance.converged) {
+      h /= 4;
+      continue;
+    }
+    const double moved = (advance.state.q - state.q).lpNorm<Eigen::Infinity>();
+    state = advance.state;
+    state.v.setZero();
+    if (moved < 1e-10 && h > 10) return state;
+    h = std::min(1e3, h * 1.5);
+  }
+  FAIL("it does not come to rest");
+  return state;
+}
+
+State at_rest(const Scene& scene) { return at_rest(System(scene), scene); }
+
+std::vector<Eigen::Index> free_coordinates(const System& system) {
+  std::vector<Eigen::Index> free;
+  for (Eigen::Index i = 0; i < system.size(); ++i) {
+    if (!system.fixed[static_cast<std::size_t>(i)]) free.push_back(i);
+  }
+  return free;
+}
+
+Eigen::MatrixXd stiffness_matrix(const System& system, const State& state) {
+  DenseSink sink(system);
+  VectorX gradient = VectorX::Zero(state.q.size());
+  const Energy energy(system);
+  energy.derivatives(state.q, state.frames, state.time, energy.elastic(), Curvature::exact, gradient, &sink);
+  const std::vector<Eigen::Index> free = free_coordinates(system);
+  const auto count = static_cast<Eigen::Index>(free.size());
+  Eigen::MatrixXd matrix(count, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    for (Eigen::Index j = 0; j < count; ++j) {
+      matrix(i, j) = sink.matrix(free[static_cast<std::size_t>(i)], free[static_cast<std::size_t>(j)]);
+    }
+  }
+  return matrix;
 }
 
 }  // namespace touchstone::sim

@@ -6,6 +6,7 @@
 
 #include "sim/energy.hpp"
 #include "sim/scene_parts.hpp"
+#include "sim/stepper.hpp"
 
 namespace touchstone::sim {
 
@@ -23,6 +24,16 @@ class DenseSink final : public BlockSink {
 };
 
 double smallest_eigenvalue(const Eigen::MatrixXd& symmetric);
+
+/// Where the scene comes to rest: implicit steps so long that there is no inertia to speak of.
+State at_rest(const System& system, const Scene& scene);
+State at_rest(const Scene& scene);
+
+/// The second derivatives of the energy in the coordinates that are free. Loads are constant, so they have none.
+Eigen::MatrixXd stiffness_matrix(const System& system, const State& state);
+
+/// The coordinates that are free, in the order of the matrix above.
+std::vector<Eigen::Index> free_coordinates(const System& system);
 
 /// A straight cable of n equal segments from `from` to `to`; its particles come after those of the scene.
 Cable& add_cable(Scene& scene, const Vector3& from, const Vector3& to, Index segments);
