@@ -231,7 +231,9 @@ void RealRoot::find_neighbouring_doubles() {
   }
   lower_ = std::bit_cast<double>(below);
   upper_ = std::bit_cast<double>(above);
-  if (!is_rational_) bracket_.keep_between(Exact(lower_), Exact(upper_));
+  if (is_rational_) return;
+  if (bracket_.is_root()) return become_rational(bracket_.low());  // with more digits than a double has
+  bracket_.keep_between(Exact(lower_), Exact(upper_));
 }
 
 void RealRoot::become_rational(const Exact& value) {

@@ -151,7 +151,7 @@ Exact evaluate(Coefficients p, const Exact& t) {
 }
 
 int RootBracket::compare(Coefficients p, const Exact& value) const {
-  if (value <= low_) return low_ == high_ ? sign_of(low_ - value) : 1;
+  if (value <= low_) return is_root() ? sign_of(low_ - value) : 1;
   if (value >= high_) return -1;
   const int sign = sign_of(evaluate(p, value));
   return sign == 0 ? 0 : sign == sign_low_ ? 1 : -1;
@@ -167,7 +167,7 @@ bool RootBracket::keep_side(Coefficients p, const Exact& value) {
 
 std::optional<int> RootBracket::sign_over(Coefficients q) const {
   const int sign = sign_of(evaluate(q, low_));
-  if (low_ == high_) return sign;
+  if (is_root()) return sign;
   const auto agrees = [sign](const Exact& x) { return sign_of(x) == sign; };
   bool certain = sign != 0 && agrees(evaluate(q, high_));
   // The inner coefficients, times a positive number: q's polar form with some arguments low and the others high.
@@ -184,7 +184,7 @@ std::optional<int> RootBracket::sign_over(Coefficients q) const {
 }
 
 void RootBracket::narrow(Coefficients p) {
-  if (low_ == high_ || narrow_by_model(p) || narrow_by_formula(p)) return;
+  if (is_root() || narrow_by_model(p) || narrow_by_formula(p)) return;
   constexpr int kBisections = 8;
   for (int i = 0; i < kBisections; ++i) {
     if (keep_side(p, (low_ + high_) * Exact(0.5))) return;

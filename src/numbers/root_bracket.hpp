@@ -20,6 +20,7 @@ class RootBracket {
   const Exact& low() const { return low_; }
   const Exact& high() const { return high_; }
   int sign_low() const { return sign_low_; }
+  bool is_root() const { return low_ == high_; }
 
   /// The sign of (root - value); exact.
   int compare(Coefficients p, const Exact& value) const;

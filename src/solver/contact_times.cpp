@@ -34,7 +34,10 @@ double ExactTime::upper() const noexcept { return impl_->root.upper(); }
 
 int ExactTime::compare(const ExactTime& other) const {
   const numbers::DefaultFloatEnvironment environment;
-  return impl_->root.compare(other.impl_->root);
+  // Copies: roots keep what they find out, and other threads may hold these times, too.
+  const numbers::RealRoot mine = impl_->root;
+  const numbers::RealRoot theirs = other.impl_->root;
+  return mine.compare(theirs);
 }
 
 int ExactTime::compare(double time) const {

@@ -260,5 +260,9 @@ TEST_CASE("a dyadic root of more digits than a double has, and of a polynomial t
     CHECK(roots[1].sign_at(view(zero_there)) == -1);
     CHECK(roots[0].compare(roots[1]) == -1);
     CHECK(roots[0].compare(root) == 0);
+    for (int i = 0; i < 2; ++i) {
+      CHECK(roots[i].reversed().reversed().compare(roots[i]) == 0);
+      CHECK(roots[i].compare(roots[i].reversed().reversed()) == 0);
+    }
   }
 }
