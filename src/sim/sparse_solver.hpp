@@ -1,5 +1,5 @@
 // Symmetric positive definite systems: a sum of small dense blocks, whose pattern is known once and for all, and of
-// contacts, which come and go.
+// contacts, which come and go. Eigen's sparse Cholesky factorises them.
 // SPDX-License-Identifier: MIT
 #pragma once
 
