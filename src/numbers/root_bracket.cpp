@@ -124,7 +124,8 @@ struct NearRoots {
   int count;
 };
 
-/// Near the real roots of y^3 + 3 p y + q, by Cardano's formula where there is one and by Viete's where there are three.
+/// Near the real roots of y^3 + 3 p y + q, by Cardano's formula where there is one and by Viete's where there are three. Of two
+/// that nearly coincide half of the digits are right, and it may be uncertain whether they are real: they are given then.
 NearRoots roots_of_depressed(const Wide& p, const Wide& q) {
   const Wide half_q = Wide(0.5) * q;
   const Wide discriminant = half_q * half_q + p * p * p;
@@ -132,7 +133,8 @@ NearRoots roots_of_depressed(const Wide& p, const Wide& q) {
     const Wide z = cbrt(q.sign() > 0 ? -half_q - sqrt(discriminant) : -half_q + sqrt(discriminant));
     if (z.sign() == 0) return {{}, 1};
     const Wide other = p / z;  // the root is z - other; without cancellation:
-    return {{p.sign() > 0 ? -q / (z * z + p + other * other) : z - other}, 1};
+    const Wide y = p.sign() > 0 ? -q / (z * z + p + other * other) : z - other;
+    return {{y, Wide(-0.5) * y}, 2};
   }
   const Wide radius = sqrt(-p);
   const double angle = std::acos(std::clamp((-half_q / (radius * radius * radius)).to_double(), -1.0, 1.0)) / 3;
@@ -222,13 +224,14 @@ bool RootBracket::narrow_by_formula(Coefficients cubic) {
   const Wide linear(three_a * c - b_squared);
   const Wide constant(b * (Exact(2) * b_squared - three_a * Exact(3) * c) + three_a * three_a * (Exact(3) * d));
   const NearRoots roots = roots_of_depressed(linear, constant);
-  for (int i = 0; i < roots.count; ++i) {
-    const Wide offset = roots.y[static_cast<std::size_t>(i)] / Wide(three_a);
-    constexpr long kGoodBits = 40;
-    const long accuracy = offset.log2() - kGoodBits;
-    if (offset.sign() == 0 || accuracy < -kMostBits) continue;
-    const Exact root = quotient(-b, three_a, accuracy) + offset.rounded(kGoodBits).exact();
-    if (keep_within(cubic, root, power_of_two(accuracy + 2))) return true;
+  for (const long good_bits : {40L, 18L}) {
+    for (int i = 0; i < roots.count; ++i) {
+      const Wide offset = roots.y[static_cast<std::size_t>(i)] / Wide(three_a);
+      const long accuracy = offset.log2() - good_bits;
+      if (offset.sign() == 0 || accuracy < -kMostBits) continue;
+      const Exact root = quotient(-b, three_a, accuracy) + offset.rounded(good_bits).exact();
+      if (keep_within(cubic, root, power_of_two(accuracy + 2))) return true;
+    }
   }
   return false;
 }

@@ -87,6 +87,27 @@ TEST_CASE("a bracket closes quickly in on a root, however near another one is") 
   }
 }
 
+TEST_CASE("a bracket closes quickly in on one of two near roots beside which there is a third") {
+  tests::Rng rng(60);
+  for (const long third : {20L, 200L, 700L}) {
+    for (const long apart : {230L, 400L, 1500L}) {
+      if (apart <= third) continue;
+      for (int i = 0; i < 10; ++i) {
+        const Surd surd = {2, random_middle(rng, 1 + i % 4), power_of_two(-3 - apart)};
+        INFO("2^-" << apart << " apart, the third 2^-" << third << " away, case " << i);
+        const Exact away = i % 2 == 0 ? power_of_two(-third) : -power_of_two(-third);
+        const std::vector<Exact> p = times_linear(surd.coefficients(), surd.m + away);
+        // From the side where the third root is not, and all three look like one.
+        const bool below = i % 2 == 0;
+        RootBracket bracket(below ? Exact(0) : surd.m, below ? surd.m : Exact(1), 1);
+        CHECK(calls_until(bracket, p, -apart - 500) <= 25);
+        CHECK(sign_of(surd.at(bracket.low())) * sign_of(surd.at(bracket.high())) < 0);
+        CHECK((below ? surd.m - bracket.high() : bracket.low() - surd.m) > Exact(0));
+      }
+    }
+  }
+}
+
 TEST_CASE("a bracket becomes the root where that is dyadic, and then shows every sign there") {
   const Exact root = Exact(0.375) + power_of_two(-200);
   // (t - root) (t^2 + 1)
