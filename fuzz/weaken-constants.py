@@ -18,6 +18,12 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
+# Without a line below, as no query is likely to show them missing:
+# - the rounding that `minus` of bracket.cpp adds: at a border, where it would matter, it is at most the slack of 1 e in
+#   `spread` and some e^2, so that a wrong side needs every rounding of a component at its worst at once;
+# - the tests of `within_radius` in refined_root.cpp: a step from a root that BernsteinCubic certified ends within its radius,
+#   but perhaps after a second step, by a few e where V is steep; they are there for what SimpleRoot promises.
+
 # name, file below src, text there (exactly once), what it becomes
 FAULTS = [
     ("kEndsBound", "filters/coplanarity_form.hpp", "kEndsBound = 35 *", "kEndsBound = 35 / 16.0 *"),
@@ -128,7 +134,7 @@ def accuses(name, status):
         return True  # a signal
     if name.startswith("touchstone fuzz"):
         return status == 1  # 2: bad usage, no query, a full disk
-    # Catch2 returns the number of failures, 255 at most; 2 also for "no tests ran", and 126 and 127 mean that nothing ran.
+    # Catch2's statuses of failed tests differ from version to version; 126 and 127 mean that the program did not run.
     return status not in (0, 126, 127)
 
 
@@ -143,7 +149,7 @@ def finds(name, command, seconds):
         return False, seconds, f"{name} timed out"
     spent = min(time.monotonic() - begin, processor_time() - begin_used)
     output = done.stdout + done.stderr
-    if done.returncode and (not accuses(name, done.returncode) or "No tests ran" in output):
+    if "No tests ran" in output or (done.returncode and not accuses(name, done.returncode)):
         stop(f"{name} ended with status {done.returncode}, which tells nothing:\n{output[-3000:]}")
     words = [line for line in output.splitlines() if "FAILED" in line or line.startswith("1. ")]
     if done.returncode and spent > seconds:
@@ -159,10 +165,10 @@ def attacks(build, layer, seconds, jobs, quick):
     tests = build / f"tests/{layer}/test_{layer}"
     spent, excuses = 0.0, []
     for name, target, command, share in [
-        (f"tests/{layer}", f"test_{layer}", [tests, "--abort"], 0.4),
-        ("touchstone fuzz", "touchstone_program", fuzz + ["--seconds", str(max(1, round(seconds / 4)))], 0.3),
+        (f"tests/{layer}", f"test_{layer}", [tests, "--abort"], 0.5),
+        ("touchstone fuzz", "touchstone_program", fuzz + ["--seconds", str(max(1, round(seconds / 5)))], 0.25),
         ("touchstone fuzz --climb", "touchstone_program",
-         fuzz + ["--climb", "100", "--seconds", str(max(1, round(seconds / 4)))], 0.3),
+         fuzz + ["--climb", "100", "--seconds", str(max(1, round(seconds / 5)))], 0.25),
     ][: 1 if quick else 3]:
         build_target(build, target, jobs)
         found, took, words = finds(name, [str(word) for word in command], seconds if quick else share * seconds)
