@@ -18,6 +18,12 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
+# Without a line below, as no query is likely to show them missing:
+# - the rounding that `minus` of bracket.cpp adds: at a border, where it would matter, it is at most the slack of 1 e in
+#   `spread` and some e^2, so that a wrong side needs every rounding of a component at its worst at once;
+# - the tests of `within_radius` in refined_root.cpp: a step from a root that BernsteinCubic certified ends within its radius,
+#   but perhaps after a second step, by a few e where V is steep; they are there for what SimpleRoot promises.
+
 # name, file below src, text there (exactly once), what it becomes
 FAULTS = [
     ("kEndsBound", "filters/coplanarity_form.hpp", "kEndsBound = 35 *", "kEndsBound = 35 / 16.0 *"),
@@ -39,6 +45,9 @@ FAULTS = [
     ("greatest radius of a root", "filters/bernstein_cubic.cpp", "radius <= kGreatestRadius && ", ""),
     ("kGreatestRadius", "filters/bernstein_cubic.hpp", "kGreatestRadius = 0x1p-10", "kGreatestRadius = 0x1p-6"),
     ("steadiness of the slope at a root", "filters/bernstein_cubic.cpp", "<= 0.484375 * steepness", "<= 7.75 * steepness"),
+    ("root after its part's start", "filters/bernstein_cubic.cpp", "t - radius > p && ", ""),
+    ("root before its part's end", "filters/bernstein_cubic.cpp", " && t + radius < q;", ";"),
+    ("root exact to one", "filters/bernstein_cubic.cpp", "s = 1 - next;\n    t = 1 - s;", "s = 1 - next;\n    t = next;"),
     ("rounding of side conditions", "filters/bracket.cpp", "17 * kUnit +", "17 / 16.0 * kUnit +"),
     ("reach of side conditions", "filters/bracket.cpp", "(8 + 0x1p-10) * h", "(8 + 0x1p-10) / 16 * h"),
     ("guard of a vanishing n", "filters/bracket.cpp", "if (!(normal.value > normal.error))", "if (false)"),
@@ -60,6 +69,10 @@ FAULTS = [
      "(std::fabs(value) + value_error) / 16 * per_slope"),
     ("error of an exact value", "filters/refined_root.cpp", "return 8 * kUnit *", "return 0.5 * kUnit *"),
     ("underflow guard of an exact value", "filters/refined_root.cpp", "std::fabs(value) + 0x1p-1072", "std::fabs(value)"),
+    ("doubt beyond the step's start", "filters/refined_root.cpp", "beyond < -offset_.error", "beyond < 0"),
+    ("doubt beyond the step's end", "filters/refined_root.cpp", "beyond > offset_.error)", "beyond > 0)"),
+    ("doubt of the nearest double", "filters/refined_root.cpp",
+     "if (!(std::fabs(rest) + offset_.error < nearest - before(nearest))) return false;", ""),
     ("kWeightError", "filters/refined_root.cpp", "kWeightError = 2.75 *", "kWeightError = 44 *"),
     ("kBound of shared corners", "filters/shared_corner.cpp", "kBound = 9 *", "kBound = 9 / 16.0 *"),
     ("underflow guard of shared corners", "filters/shared_corner.cpp", "uw >= 0x1p-1000 && ", ""),
@@ -115,38 +128,55 @@ def processor_time():
     return used.ru_utime + used.ru_stime
 
 
-def finds(command, seconds):
-    """Whether it fails, or ends by a signal, within so many seconds; how long it took; and a line that tells why.
+def accuses(name, status):
+    """Whether this end of a command is a finding, rather than that it could not do its work."""
+    if status < 0:
+        return True  # a signal
+    if name.startswith("touchstone fuzz"):
+        return status == 1  # 2: bad usage, no query, a full disk
+    # Catch2's statuses of failed tests differ from version to version; 126 and 127 mean that the program did not run.
+    return status not in (0, 126, 127)
+
+
+def finds(name, command, seconds):
+    """Whether it finds the fault within so many seconds; how long it took; and a line that tells why, or why not.
 
     Seconds are those of the clock, or of the processor where they are fewer: what else a machine does finds no fault."""
     begin, begin_used = time.monotonic(), processor_time()
     try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=10 * max(seconds, 1))
+        done = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=10 * max(seconds, 1))
     except subprocess.TimeoutExpired:
-        return False, seconds, ""
+        return False, seconds, f"{name} timed out"
     spent = min(time.monotonic() - begin, processor_time() - begin_used)
-    words = [line for line in (done.stdout + done.stderr).splitlines() if "FAILED" in line or line.startswith("1. ")]
-    return done.returncode != 0 and spent <= seconds, spent, (words or [""])[0].strip()
+    output = done.stdout + done.stderr
+    if "No tests ran" in output or (done.returncode and not accuses(name, done.returncode)):
+        stop(f"{name} ended with status {done.returncode}, which tells nothing:\n{output[-3000:]}")
+    words = [line for line in output.splitlines() if "FAILED" in line or line.startswith("1. ")]
+    if done.returncode and spent > seconds:
+        return False, spent, f"{name} failed, but only after {spent:.1f} s"
+    return done.returncode != 0, spent, (words or [""])[0].strip()
 
 
 def attacks(build, layer, seconds, jobs, quick):
-    """The search that found the fault, how long it took, and its words; or nothing. Building takes no time."""
+    """The search that found the fault (or nothing), how long all took, and its words, or those of all that found nothing.
+
+    Each has its own share of the seconds: a fault that makes one hang leaves the others theirs. Building takes no time."""
     fuzz = [build / "touchstone", "fuzz", "--solver", "touchstone"]
-    spent = 0.0
-    for name, target, command in [
-        (f"tests/{layer}", f"test_{layer}", [build / f"tests/{layer}/test_{layer}", "--abort"]),
-        ("touchstone fuzz", "touchstone_program", fuzz + ["--seconds", str(max(1, round(seconds / 4)))]),
+    tests = build / f"tests/{layer}/test_{layer}"
+    spent, excuses = 0.0, []
+    for name, target, command, share in [
+        (f"tests/{layer}", f"test_{layer}", [tests, "--abort"], 0.5),
+        ("touchstone fuzz", "touchstone_program", fuzz + ["--seconds", str(max(1, round(seconds / 5)))], 0.25),
         ("touchstone fuzz --climb", "touchstone_program",
-         fuzz + ["--climb", "100", "--seconds", str(max(1, round(seconds / 3)))]),
+         fuzz + ["--climb", "100", "--seconds", str(max(1, round(seconds / 5)))], 0.25),
     ][: 1 if quick else 3]:
         build_target(build, target, jobs)
-        found, took, words = finds([str(word) for word in command], seconds - spent)
+        found, took, words = finds(name, [str(word) for word in command], seconds if quick else share * seconds)
         spent += took
         if found:
             return name, spent, words
-        if spent >= seconds - 1:
-            break
-    return None
+        excuses += [words] if words else []
+    return None, spent, "; ".join(excuses)
 
 
 def main():
@@ -172,8 +202,8 @@ def main():
         configure(source, build)
         for layer in sorted({layer_of(fault) for fault in chosen}):
             unharmed = attacks(build, layer, options.seconds, options.jobs, options.quick)
-            if unharmed:
-                stop(f"the sources as they are fail: {unharmed[0]}: {unharmed[2]}")
+            if unharmed[0] or unharmed[2]:
+                stop(f"the sources as they are fail: {unharmed[0] or 'too slow'}: {unharmed[2]}")
         survivors = []
         for fault in chosen:
             file = source / "src" / fault[1]
@@ -181,11 +211,11 @@ def main():
             file.write_text(faulty(text, fault))
             result = attacks(build, layer_of(fault), options.seconds, options.jobs, options.quick)
             file.write_text(text)
-            if result:
+            if result[0]:
                 print(f"found     {fault[0]}: by {result[0]} in {result[1]:.1f} s  {result[2]}", flush=True)
             else:
                 survivors.append(fault[0])
-                print(f"SURVIVED  {fault[0]}", flush=True)
+                print(f"SURVIVED  {fault[0]}  {result[2]}".rstrip(), flush=True)
         print(f"{len(chosen) - len(survivors)} of {len(chosen)} faults found")
         return 1 if survivors else 0
 

@@ -78,7 +78,7 @@ struct Sides {
 Sides sides(const Query& query, const Frame& f, const Magnitudes& m, double t, double h) noexcept {
   const auto [k, sign_of_n, normal, first, second] = side_values(query.kind, f, m, t, h);
   if (!(normal.value > normal.error)) return {k, Side::unknown};
-  // Each must be >= 0; the differences' own rounding is covered by the slack of 1 e in `spread`.
+  // Each must be >= 0. `minus` counts its own rounding; the slack of 1 e in `spread` is for terms of e^2.
   const auto minus = [](const Bounded& a, const Bounded& b) {
     return Bounded{a.value - b.value, a.error + b.error + kUnit * (std::fabs(a.value) + std::fabs(b.value))};
   };

@@ -42,12 +42,14 @@ Offset offset_of(const SimpleRoot& root, double time, double value, double value
 /// two factors off by 4 e and 1 e times their bounds, (4 + 2 + 2) e M each, 4 e M, 4 e M and 8 e M for their sums, and for
 /// differences 8 e M and 8 e M more: 64 e M. The product of slope and offset, and the value, which is at most the sum of that
 /// and the result, are rounded: 8 e M |offset| each, 80 e M |offset| in all, which kComponentError / e covers. Its second
-/// derivative is at most 16 M; the offset's error weighs 8 M. The factor has slack for the rounding of the result and of
-/// these lines.
+/// derivative is at most 16 M; the offset's error weighs 8 M. Where t lies up to kMargin = 2^-20 outside of [0, 1],
+/// coordinates are larger by 2^-19 of their bounds, and so is the slope, 8 M (1 + 2^-19): of the rounding errors 103 has
+/// room for that beside 102 and 80, and of the offset's weight the factor, which also has slack for the rounding of the
+/// result and of these lines.
 double component_spread(const Offset& offset) noexcept {
   const double away = std::fabs(offset.value);
   const double reach = away + offset.error;
-  return (1 + 0x1p-20) * (kComponentError * (1 + away / kUnit) + 8 * (reach * reach + offset.error));
+  return (1 + 0x1p-18) * (kComponentError * (1 + away / kUnit) + 8 * (reach * reach + offset.error));
 }
 
 double at_root(const ValueAndSlope& component, const Offset& offset) noexcept {
