@@ -188,7 +188,7 @@ std::vector<Kind> supported_kinds(const SolverUnderTest& solver, const std::vect
   throw InvalidQuery(solver.name() + " takes no queries" + (names.empty() ? "" : " of this kind: " + names));
 }
 
-GivenPlan plan_of_given(const SolverUnderTest& solver, const std::vector<Kind>& kinds, const Settings& settings) {
+GivenPlan what_to_ask(const SolverUnderTest& solver, const std::vector<Kind>& kinds, const Settings& settings) {
   GivenPlan plan = plan_of_given(settings.given, settings.kinds, kinds, settings.cases);
   if (settings.given.empty() || plan.wanted > plan.not_taken) return plan;
   if (plan.wanted == 0)
@@ -282,7 +282,7 @@ std::optional<Finding> run_case(SolverUnderTest& solver, const CaseName& name, c
 Outcome run(const SolverFactory& make_solver, const Settings& settings, const Watch& watch) {
   auto first_solver = make_solver();
   const std::vector<Kind> kinds = supported_kinds(*first_solver, settings.kinds);
-  const GivenPlan given = plan_of_given(*first_solver, kinds, settings);
+  const GivenPlan given = what_to_ask(*first_solver, kinds, settings);
   first_solver.reset();
   const Plan plan(wanted_families(settings), kinds, settings.cases);
   Shared shared;
