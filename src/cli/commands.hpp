@@ -67,8 +67,10 @@ void add_kind_option(CLI::App& subcommand, std::optional<Kind>& kind);
 void add_query_options(CLI::App& subcommand, QueryOptions& options);
 void add_seed_option(CLI::App& subcommand, std::uint64_t& seed);
 
-/// @throws FileError when writing to `output` (an empty name or "-": none) would destroy one of `inputs`
-void refuse_to_overwrite(const std::string& output, const std::vector<std::string>& inputs);
+/// @throws FileError when writing to `output` (an empty name or "-": none) would destroy one of `inputs`; its message
+/// ends with `advice`
+void refuse_to_overwrite(const std::string& output, const std::vector<std::string>& inputs,
+                         const std::string& advice = {});
 
 /// `threads`, or as many as the machine has for 0.
 int thread_count(int threads) noexcept;

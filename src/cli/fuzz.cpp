@@ -11,8 +11,8 @@
 
 #include <touchstone/error.hpp>
 
+#include "cli/fuzz_given.hpp"
 #include "cli/fuzz_report.hpp"
-#include "cli/inputs.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/new_folders.hpp"
 #include "cli/words.hpp"
@@ -20,7 +20,6 @@
 #include "fuzz/named_solvers.hpp"
 #include "io/kind_of_file.hpp"
 #include "io/output_file.hpp"
-#include "io/query_parser.hpp"
 #include "io/times.hpp"
 
 namespace touchstone::cli {
@@ -61,24 +60,6 @@ void print_findings(io::OutputFile& console, const std::vector<fuzz::Finding>& f
   }
 }
 
-/// Every query of the files whose coordinates are doubles.
-std::vector<Query> queries_of(const std::vector<std::string>& files) {
-  const std::vector<Input> inputs = find_inputs(files, std::nullopt);
-  std::vector<Query> queries;
-  QueryStream stream(inputs, io::kChunkBytes);
-  QueryItem item;
-  while (stream.next(item)) {
-    throw_if_interrupted();
-    io::QueryParser parser(item.chunk);
-    io::QueryRecord record;
-    while (parser.next(record)) {
-      if (const auto* const query = std::get_if<Query>(&record.query)) queries.push_back(*query);
-    }
-  }
-  if (queries.empty()) throw Error("--from: no query there has coordinates that are doubles");
-  return queries;
-}
-
 int run_one_case(const FuzzOptions& options, const fuzz::Settings& settings) {
   if (options.a_case->given != !options.from.empty()) {
     throw Error(options.a_case->given ? "--case: a given query needs the files that it was given in, with --from"
@@ -99,9 +80,10 @@ int run_one_case(const FuzzOptions& options, const fuzz::Settings& settings) {
 }  // namespace
 
 int run_fuzz(const FuzzOptions& options) {
+  refuse_to_overwrite_given(options);
   check_folder(options.out);
   fuzz::Settings settings = options.settings;
-  if (!options.from.empty()) settings.given = queries_of(options.from);
+  if (!options.from.empty()) settings.given = given_queries(options);
   if (options.a_case) return run_one_case(options, settings);
   settings.threads = thread_count(settings.threads);
   if (!settings.cases && !settings.seconds && options.from.empty()) settings.seconds = kUsualSeconds;
@@ -119,6 +101,7 @@ int run_fuzz(const FuzzOptions& options) {
     throw Error("no query was asked in this time: more --seconds, or --cases");
   auto console = io::OutputFile::standard_output();
   console.write(search_for_person(options, outcome, settings.threads));
+  console.write(given_for_person(outcome));
   console.write(table_for_person(outcome.table));
   if (outcome.kinds_of_failure == 0) {
     console.write("nothing found\n");
@@ -307,7 +290,7 @@ void add_fuzz(CLI::App& program, Command& command) {
   subcommand
       ->add_option("--from", options->from,
                    "Queries of these files instead of families': each as it is, and with --climb what lies around it "
-                   "(their kind is the name of the folder just above each file)")
+                   "(their kind is the name of the folder just above each file, or else the one --kind)")
       ->type_name("FILE")
       ->excludes(family);
   subcommand->add_option("--out", options->out, "A folder for the shrunk failures; it is made when it is not there")

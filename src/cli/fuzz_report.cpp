@@ -47,6 +47,17 @@ std::string search_for_person(const FuzzOptions& options, const fuzz::Outcome& o
                      grouped(rate(outcome.queries, outcome.seconds)), outcome.stopped ? "; interrupted" : "");
 }
 
+std::string given_for_person(const fuzz::Outcome& outcome) {
+  if (outcome.given_asked == outcome.given) return "";
+  std::string text =
+      fmt::format("asked {} of the {}", grouped(outcome.given_asked), counted(outcome.given, "given query"));
+  if (outcome.given_not_taken > 0) {
+    text += fmt::format("; {} of a kind that the solver does not take",
+                        outcome.given_not_taken == 1 ? "1 is" : grouped(outcome.given_not_taken) + " are");
+  }
+  return text + '\n';
+}
+
 std::string table_for_person(const FailureTable& table) {
   const FailureTable::Row total = table.total();
   if (total.failed() == 0) return "";
@@ -105,6 +116,11 @@ std::string finding_for_person(std::size_t number, const Finding& finding, const
   return text;
 }
 
+std::string findings_file(const std::string& out, Kind kind, FailureClass failure) {
+  const auto folder = std::filesystem::path(out) / kind_name(kind);
+  return (folder / (std::string(fuzz::failure_name(failure)) + ".csv")).string();
+}
+
 std::vector<Place> write_findings(const std::vector<Finding>& findings, const FuzzOptions& options) {
   struct Target {
     io::OutputFile file;
@@ -114,11 +130,10 @@ std::vector<Place> write_findings(const std::vector<Finding>& findings, const Fu
   std::map<std::string, Target> targets;
   std::vector<Place> places;
   for (const Finding& finding : findings) {
-    const auto folder = std::filesystem::path(options.out) / kind_name(finding.degeneracy.kind);
-    const std::string path = (folder / (std::string(fuzz::failure_name(finding.failure)) + ".csv")).string();
+    const std::string path = findings_file(options.out, finding.degeneracy.kind, finding.failure);
     auto target = targets.find(path);
     if (target == targets.end()) {
-      folders.make(folder);
+      folders.make(std::filesystem::path(path).parent_path());
       target = targets.emplace(path, Target{io::OutputFile(path)}).first;
     }
     const fuzz::Example& example = finding.example;

@@ -16,6 +16,9 @@ std::string progress_for_person(const fuzz::Progress& progress);
 /// Who was asked what, how much and how fast.
 std::string search_for_person(const FuzzOptions& options, const fuzz::Outcome& outcome, int threads);
 
+/// How many of the given queries were asked; empty when all of them were.
+std::string given_for_person(const fuzz::Outcome& outcome);
+
 /// Failures by family and class; families without any are left out. Empty when there is none at all.
 std::string table_for_person(const fuzz::FailureTable& table);
 
@@ -31,6 +34,9 @@ struct Place {
 /// One finding with its corners, what was claimed, what is true, and the commands that repeat and explain it.
 std::string finding_for_person(std::size_t number, const fuzz::Finding& finding, const FuzzOptions& options,
                                const Place& place);
+
+/// FOLDER/KIND/CLASS.csv.
+std::string findings_file(const std::string& out, Kind kind, fuzz::FailureClass failure);
 
 /// Writes the findings' queries, with their true answers, to FOLDER/KIND/CLASS.csv. The folders are made where they are
 /// missing, and the files appear when all of them are complete.

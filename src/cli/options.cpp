@@ -53,12 +53,13 @@ void add_query_options(CLI::App& subcommand, QueryOptions& options) {
       ->check(CLI::Range(1, 1024));
 }
 
-void refuse_to_overwrite(const std::string& output, const std::vector<std::string>& inputs) {
+void refuse_to_overwrite(const std::string& output, const std::vector<std::string>& inputs, const std::string& advice) {
   if (output.empty() || output == "-") return;
   for (const auto& input : inputs) {
     std::error_code ignored;  // files that are not there are no danger
     if (std::filesystem::is_regular_file(output, ignored) && std::filesystem::equivalent(output, input, ignored)) {
-      io::fail(output, "is also an input; writing there would destroy it");
+      const std::string reason = "is also an input; writing there would destroy it";
+      io::fail(output, advice.empty() ? reason : reason + "; " + advice);
     }
   }
 }

@@ -32,7 +32,22 @@ struct Shared {
   std::atomic<bool> stop = false;
   std::atomic<std::uint64_t> next = 0;  ///< piece or finding to work on
   std::atomic<std::uint64_t> queries = 0;
+  std::atomic<std::uint64_t> given_asked = 0;
   std::array<std::atomic<std::uint64_t>, kFailureClasses> failures{};
+
+  /// The time counts from here: a solver's program may take as long to start as there is for the search.
+  void start_clock() {
+    std::call_once(started_once_, [this] {
+      start_ = Clock::now();
+      started_ = true;
+    });
+  }
+  double seconds() const { return started_ ? seconds_since(start_) : 0; }
+
+ private:
+  std::once_flag started_once_;
+  std::atomic<bool> started_ = false;
+  Clock::time_point start_;
 };
 
 /// A solver with what asking it needs.
@@ -44,12 +59,12 @@ struct Asked {
 /// One thread's search.
 class Searcher {
  public:
-  Searcher(const Settings& settings, const std::vector<Kind>& kinds, const Plan& plan, Shared& shared,
-           Clock::time_point start)
-      : settings_(settings), kinds_(kinds), plan_(plan), shared_(shared), start_(start) {}
+  Searcher(const Settings& settings, const Plan& plan, const GivenPlan& given, Shared& shared)
+      : settings_(settings), plan_(plan), given_(given), shared_(shared) {}
 
   void work(const Asked& asked) {
     asked_ = &asked;
+    shared_.start_clock();
     if (!settings_.given.empty()) {
       work_on_given();
       return;
@@ -68,16 +83,16 @@ class Searcher {
 
  private:
   bool over() {
-    if (settings_.seconds && seconds_since(start_) >= *settings_.seconds) shared_.stop = true;
+    if (settings_.seconds && shared_.seconds() >= *settings_.seconds) shared_.stop = true;
     return shared_.stop;
   }
 
   void work_on_given() {
-    const std::uint64_t count = std::min<std::uint64_t>(settings_.given.size(), settings_.cases.value_or(UINT64_MAX));
+    const std::uint64_t count = given_.to_ask.size();
     for (std::uint64_t i = shared_.next++; i < count && !over(); i = shared_.next++) {
-      const Kind kind = settings_.given[i].kind;
-      if (std::find(kinds_.begin(), kinds_.end(), kind) == kinds_.end()) continue;
-      start_from({{{}, kind, settings_.seed, i}, 0, true});
+      const std::uint64_t position = given_.to_ask[i];
+      ++shared_.given_asked;
+      start_from({{{}, settings_.given[position].kind, settings_.seed, position}, 0, true});
     }
   }
 
@@ -102,10 +117,9 @@ class Searcher {
 
   const Asked* asked_ = nullptr;
   const Settings& settings_;
-  const std::vector<Kind>& kinds_;
   const Plan& plan_;
+  const GivenPlan& given_;
   Shared& shared_;
-  Clock::time_point start_;
   Reply reply_;
 };
 
@@ -149,12 +163,18 @@ void on_threads(std::size_t count, Shared& shared, Work work, Look look) {
   if (error) std::rethrow_exception(error);
 }
 
-Progress progress_of(const Shared& shared, Clock::time_point start) {
+Progress progress_of(const Shared& shared) {
   Progress progress;
   progress.queries = shared.queries;
-  progress.seconds = seconds_since(start);
+  progress.seconds = shared.seconds();
   for (std::size_t i = 0; i < kFailureClasses; ++i) progress.failures[i] = shared.failures[i];
   return progress;
+}
+
+std::string kind_names(const std::vector<Kind>& kinds) {
+  std::string names;
+  for (const Kind kind : kinds) names.append(names.empty() ? "" : ", ").append(kind_name(kind));
+  return names;
 }
 
 std::vector<Kind> supported_kinds(const SolverUnderTest& solver, const std::vector<Kind>& wanted) {
@@ -164,9 +184,16 @@ std::vector<Kind> supported_kinds(const SolverUnderTest& solver, const std::vect
     if (is_wanted && solver.supports(kind)) kinds.push_back(kind);
   }
   if (!kinds.empty()) return kinds;
-  std::string names;
-  for (const Kind kind : wanted) names.append(names.empty() ? "" : ", ").append(kind_name(kind));
+  const std::string names = kind_names(wanted);
   throw InvalidQuery(solver.name() + " takes no queries" + (names.empty() ? "" : " of this kind: " + names));
+}
+
+GivenPlan what_to_ask(const SolverUnderTest& solver, const std::vector<Kind>& kinds, const Settings& settings) {
+  GivenPlan plan = plan_of_given(settings.given, settings.kinds, kinds, settings.cases);
+  if (settings.given.empty() || plan.wanted > plan.not_taken) return plan;
+  if (plan.wanted == 0)
+    throw InvalidQuery("no query that is given is of the kind asked for: " + kind_names(settings.kinds));
+  throw InvalidQuery(solver.name() + " takes no queries of the kinds that are given");
 }
 
 std::vector<families::Family> wanted_families(const Settings& settings) {
@@ -253,12 +280,14 @@ std::optional<Finding> run_case(SolverUnderTest& solver, const CaseName& name, c
 }
 
 Outcome run(const SolverFactory& make_solver, const Settings& settings, const Watch& watch) {
-  const std::vector<Kind> kinds = supported_kinds(*make_solver(), settings.kinds);
+  auto first_solver = make_solver();
+  const std::vector<Kind> kinds = supported_kinds(*first_solver, settings.kinds);
+  const GivenPlan given = what_to_ask(*first_solver, kinds, settings);
+  first_solver.reset();
   const Plan plan(wanted_families(settings), kinds, settings.cases);
-  const Clock::time_point start = Clock::now();
   Shared shared;
   std::vector<Searcher> searchers;
-  for (std::size_t i = 0; i < thread_count(settings); ++i) searchers.emplace_back(settings, kinds, plan, shared, start);
+  for (std::size_t i = 0; i < thread_count(settings); ++i) searchers.emplace_back(settings, plan, given, shared);
 
   Outcome outcome;
   on_threads(
@@ -268,12 +297,15 @@ Outcome run(const SolverFactory& make_solver, const Settings& settings, const Wa
         searchers[i].work({*solver});
       },
       [&] {
-        if (watch && !watch(progress_of(shared, start))) outcome.stopped = true;
+        if (watch && !watch(progress_of(shared))) outcome.stopped = true;
         return !outcome.stopped;
       });
-  const Progress found = progress_of(shared, start);
+  const Progress found = progress_of(shared);
   outcome.queries = found.queries;
   outcome.seconds = found.seconds;
+  outcome.given = given.wanted;
+  outcome.given_asked = shared.given_asked;
+  outcome.given_not_taken = given.not_taken;
   Findings findings;
   for (Searcher& searcher : searchers) {
     outcome.table.merge(searcher.table);

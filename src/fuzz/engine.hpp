@@ -26,7 +26,7 @@ struct Settings {
   std::vector<Kind> kinds;                 ///< empty: all; those that the solver does not support are left out
   std::uint64_t seed = 1;
   std::optional<std::uint64_t> cases;  ///< how many families' or given queries to start from, at most
-  std::optional<double> seconds;       ///< how long to search, at most
+  std::optional<double> seconds;       ///< how long to search, at most, from when the first thread has its solver
   std::uint64_t climb = 0;             ///< steps of hill climbing from each of them; each step is asked as well
   int threads = 1;                     ///< at least 1; with `cases` and no `seconds` nothing depends on it
   Method judge = Method::exact;
@@ -53,15 +53,19 @@ using Watch = std::function<bool(const Progress&)>;
 using SolverFactory = std::function<std::unique_ptr<SolverUnderTest>()>;
 
 struct Outcome {
-  std::uint64_t queries = 0;  ///< asked and judged
-  double seconds = 0;         ///< of the search
+  std::uint64_t queries = 0;          ///< asked and judged
+  double seconds = 0;                 ///< of the search
+  std::uint64_t given = 0;            ///< of the queries that were given, those of a kind that is wanted
+  std::uint64_t given_asked = 0;      ///< how many of these were asked before the search ended
+  std::uint64_t given_not_taken = 0;  ///< and how many are of a kind that the solver does not take
   FailureTable table;
   std::vector<Finding> findings;
   std::size_t kinds_of_failure = 0;  ///< how many findings there are, those beyond `most_findings` included
   bool stopped = false;              ///< by the watch
 };
 
-/// @throws InvalidQuery  when the solver supports none of the kinds, and what the factory throws
+/// @throws InvalidQuery  when the solver supports none of the kinds or nothing given is of one; and what the factory
+/// throws
 Outcome run(const SolverFactory& make_solver, const Settings& settings, const Watch& watch = {});
 
 /// What one query shows: the failure, if there is one, with its example shrunk as far as the settings allow.

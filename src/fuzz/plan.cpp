@@ -10,7 +10,27 @@ namespace {
 
 constexpr std::uint64_t kPieceCases = 256;
 
+bool has(const std::vector<Kind>& kinds, Kind kind) {
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
 }  // namespace
+
+GivenPlan plan_of_given(const std::vector<Query>& given, const std::vector<Kind>& wanted,
+                        const std::vector<Kind>& asked, std::optional<std::uint64_t> most) {
+  GivenPlan plan;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const Kind kind = given[i].kind;
+    if (!wanted.empty() && !has(wanted, kind)) continue;
+    ++plan.wanted;
+    if (!has(asked, kind)) {
+      ++plan.not_taken;
+    } else if (!most || plan.to_ask.size() < *most) {
+      plan.to_ask.push_back(i);
+    }
+  }
+  return plan;
+}
 
 Plan::Plan(std::vector<families::Family> families, std::vector<Kind> kinds, std::optional<std::uint64_t> cases)
     : families_(std::move(families)), kinds_(std::move(kinds)), cases_(cases) {

@@ -20,6 +20,19 @@ struct Piece {
   std::uint64_t count;
 };
 
+/// Which of the queries that were given a run asks.
+struct GivenPlan {
+  std::vector<std::uint64_t> to_ask;  ///< their positions
+  std::uint64_t wanted = 0;           ///< how many are of a kind that is wanted
+  std::uint64_t not_taken = 0;        ///< how many of these are of a kind that the solver does not take
+};
+
+/// @param wanted  kinds; empty: all
+/// @param asked  those of them that the solver takes
+/// @param most  how many to ask
+GivenPlan plan_of_given(const std::vector<Query>& given, const std::vector<Kind>& wanted,
+                        const std::vector<Kind>& asked, std::optional<std::uint64_t> most);
+
 /// Every family with every kind in turn, a few hundred cases at a time, so that a run that ends early has seen all of
 /// them.
 class Plan {

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/engine.hpp"
 
+#include <chrono>
 #include <set>
 #include <sstream>
+#include <thread>
 
 #include <touchstone/error.hpp>
 
@@ -257,6 +259,42 @@ TEST_CASE("a limit in seconds ends the search") {
   CHECK(outcome.queries > 100);
   CHECK(outcome.seconds >= 0.2);
   CHECK(outcome.seconds < 5);
+}
+
+TEST_CASE("the time in which a solver starts does not count") {
+  const auto quick = toy([](const Query&, Reply&) {});
+  const auto slow = [&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    return quick();
+  };
+  fuzz::Settings settings;
+  settings.seconds = 0.5;
+  CHECK(fuzz::run(slow, settings).queries > 0);
+}
+
+TEST_CASE("of given queries the outcome says how many there are, how many were asked, and which cannot be") {
+  const auto points_only = [] {
+    return fuzz::callable_solver("points only", right_reply, [](Kind kind) { return kind == Kind::point_point; });
+  };
+  fuzz::Settings settings;
+  settings.threads = 2;
+  for (std::uint64_t i = 0; i < 6; ++i) {
+    const Kind kind = i % 2 == 0 ? Kind::edge_edge : Kind::point_point;
+    settings.given.push_back(families::make({families::Family::lattice1, kind, 1, i}));
+  }
+  const auto numbers = [](const fuzz::Outcome& outcome) {
+    return std::vector<std::uint64_t>{outcome.queries, outcome.given_asked, outcome.given, outcome.given_not_taken};
+  };
+  CHECK(numbers(fuzz::run(points_only, settings)) == std::vector<std::uint64_t>{3, 3, 6, 3});
+  settings.cases = 2;
+  CHECK(numbers(fuzz::run(points_only, settings)) == std::vector<std::uint64_t>{2, 2, 6, 3});
+  settings.kinds = {Kind::point_point};
+  CHECK(numbers(fuzz::run(points_only, settings)) == std::vector<std::uint64_t>{2, 2, 3, 0});
+  settings.kinds = {Kind::vertex_face, Kind::point_point};
+  settings.given = {settings.given[0]};
+  CHECK_THROWS_AS(fuzz::run(points_only, settings), InvalidQuery);
+  settings.kinds = {};
+  CHECK_THROWS_AS(fuzz::run(points_only, settings), InvalidQuery);
 }
 
 TEST_CASE("kinds that a solver does not take are not asked, and none at all is an error") {

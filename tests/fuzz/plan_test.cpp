@@ -41,6 +41,20 @@ TEST_CASE("a plan without an end goes round all families and kinds") {
   CHECK(next.size() == 4);
 }
 
+TEST_CASE("as many given queries are asked as wanted, those of other kinds not counted") {
+  std::vector<Query> given(9);
+  for (std::size_t i = 0; i < given.size(); ++i) given[i].kind = i % 3 == 0 ? Kind::point_point : Kind::edge_edge;
+  given[7].kind = Kind::point_edge;
+  const auto all = fuzz::plan_of_given(given, {}, {Kind::edge_edge, Kind::point_point}, std::nullopt);
+  CHECK(all.to_ask == std::vector<std::uint64_t>{0, 1, 2, 3, 4, 5, 6, 8});
+  CHECK(all.wanted == 9);
+  CHECK(all.not_taken == 1);
+  const auto some = fuzz::plan_of_given(given, {Kind::edge_edge, Kind::point_edge}, {Kind::edge_edge}, 3);
+  CHECK(some.to_ask == std::vector<std::uint64_t>{1, 2, 4});
+  CHECK(some.wanted == 6);
+  CHECK(some.not_taken == 1);
+}
+
 TEST_CASE("a plan of nothing is empty") {
   CHECK_FALSE(fuzz::Plan({}, {Kind::edge_edge}, std::nullopt).piece(0).has_value());
   CHECK_FALSE(fuzz::Plan({Family::flat}, {}, 100).piece(0).has_value());
