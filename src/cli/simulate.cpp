@@ -137,12 +137,33 @@ std::string outcome(const sim::Simulation& simulation, std::uint64_t steps, std:
   return text + fmt::format("{} steps, {} crossings\n", steps, crossings.size());
 }
 
+void check_outputs_differ(const SimulateOptions& options) {
+  namespace fs = std::filesystem;
+  const std::array<std::pair<const char*, const std::string*>, 4> outputs{{{"--proof", &options.proof},
+                                                                           {"--energies", &options.energies},
+                                                                           {"--checkpoint", &options.checkpoint},
+                                                                           {"--scene-out", &options.scene_out}}};
+  const auto place = [](const std::string& path) {
+    std::error_code ignored;
+    return fs::weakly_canonical(fs::absolute(path, ignored), ignored);
+  };
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const std::string &a = *outputs[j].second, &b = *outputs[i].second;
+      if (a.empty() || b.empty() || place(a) != place(b)) continue;
+      throw Error(fmt::format("{} and {} name the same file, {}", outputs[j].first, outputs[i].first, b));
+    }
+  }
+}
+
 }  // namespace
 
 int run_simulate(const SimulateOptions& options) {
   if (options.resume.empty() == options.scene.empty()) {
     throw Error("name a scene, or a checkpoint with --resume, and not both");
   }
+  if (!options.resume.empty() && options.size) throw Error("--size: a checkpoint has its size");
+  check_outputs_differ(options);
   give_memory_back();
   std::optional<sim::Checkpoint> checkpoint;
   if (!options.resume.empty()) checkpoint = from_file(options.resume, sim::checkpoint_from_json);
@@ -151,7 +172,7 @@ int run_simulate(const SimulateOptions& options) {
     write_whole(options.scene_out, sim::scene_to_json(scene));
     return kAllHold;
   }
-  sim::Simulation simulation(std::move(scene), {options.narrow_phase, options.threads});
+  sim::Simulation simulation(std::move(scene), {options.narrow_phase, options.threads, throw_if_interrupted});
   if (checkpoint) simulation.resume(std::move(checkpoint->state), checkpoint->steps);
   auto console = io::OutputFile::standard_output();
   if (options.explain) {
@@ -167,8 +188,14 @@ int run_simulate(const SimulateOptions& options) {
   std::uint64_t parts = 0, gained = 0;
   SimulateProgress progress(steps);
   for (std::uint64_t i = 0; i < steps; ++i) {
-    throw_if_interrupted();
-    const auto records = simulation.step();
+    const auto records = [&] {
+      try {
+        return simulation.step();
+      } catch (...) {
+        output.finish_early();
+        throw;
+      }
+    }();
     parts += records.size();
     for (const auto& record : records) gained += static_cast<std::uint64_t>(record.gained_energy);
     output.step(records);

@@ -65,6 +65,7 @@ SimulateOutput::SimulateOutput(const SimulateOptions& options, sim::Simulation& 
     frame_index_.emplace((frames_ / "frames.vtk.series").string());
   }
   open(energies, energies_, sim::energy_header());
+  open(options.checkpoint, checkpoint_, "");
   if (energies_) energies_->write(sim::energy_row(simulation, {}));
   if (!options.queries.empty()) {
     folders_.make(options.queries);
@@ -100,17 +101,30 @@ void SimulateOutput::step(const std::vector<sim::StepRecord>& records) {
   if (!options_->out.empty() && ++since_frame_ >= options_->frame_every) write_frame();
 }
 
-std::string SimulateOutput::finish() {
+void SimulateOutput::write_tables() {
   if (proof_) proof_->commit();
   if (energies_) energies_->commit();
   for (auto& file : queries_) {
     if (file) file->commit();
   }
-  if (!options_->checkpoint.empty()) write_whole(options_->checkpoint, sim::checkpoint_to_json(*simulation_));
+  if (checkpoint_) {
+    checkpoint_->write(sim::checkpoint_to_json(*simulation_));
+    checkpoint_->commit();
+  }
   folders_.keep();
-  if (options_->out.empty()) return {};
+  if (!frame_index_) return;
   frame_index_->write(sim::vtk_series(written_));
   frame_index_->commit();
+}
+
+void SimulateOutput::finish_early() {
+  if (frame_index_ && since_frame_ > 0) write_frame();
+  write_tables();
+}
+
+std::string SimulateOutput::finish() {
+  write_tables();
+  if (options_->out.empty()) return {};
   if (!options_->energies.empty()) return {};
   write_whole((fs::path(options_->out) / "energies.gp").string(), kPlotScript);
   const auto gnuplot = report::find_gnuplot();

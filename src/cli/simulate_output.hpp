@@ -15,7 +15,7 @@
 
 namespace touchstone::cli {
 
-/// Tables appear whole at the end, and not at all after an error; frames as they are made.
+/// Tables appear whole at the end, after a run that failed as well; frames as they are made.
 class SimulateOutput {
  public:
   SimulateOutput(const SimulateOptions& options, sim::Simulation& simulation);
@@ -25,10 +25,14 @@ class SimulateOutput {
   /// Everything that is left to write. @returns a hint when there are no plots for want of gnuplot
   std::string finish();
 
+  /// The files of a run that ends early: all but the plots, up to the last step that was taken.
+  void finish_early();
+
   SimulateOutput(const SimulateOutput&) = delete;
   SimulateOutput& operator=(const SimulateOutput&) = delete;
 
  private:
+  void write_tables();
   void write_frame();
   void write_query(const Query& query, const Answer& answer);
 
@@ -37,7 +41,7 @@ class SimulateOutput {
   NewFolders folders_;
   std::filesystem::path frames_;
   std::vector<sim::Frame> written_;
-  std::optional<io::OutputFile> proof_, energies_, frame_index_;
+  std::optional<io::OutputFile> proof_, energies_, frame_index_, checkpoint_;
   std::array<std::optional<io::OutputFile>, 4> queries_;  // by Kind
   std::uint64_t since_frame_ = 0;
 };

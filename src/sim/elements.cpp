@@ -66,6 +66,19 @@ bool contains(const std::array<Index, N>& element, Index particle) {
   return std::find(element.begin(), element.end(), particle) != element.end();
 }
 
+/// Of the edges that can move, as a large floor is no measure of what lies on it; of all when none can.
+double shortest_of(const std::vector<Edge>& edges, const std::vector<char>& moves, const VectorX& q) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double moving = kInfinity, all = kInfinity;
+  for (const Edge& edge : edges) {
+    const double length = (position(q, edge[0]) - position(q, edge[1])).norm();
+    all = std::min(all, length);
+    if (moves[edge[0]] || moves[edge[1]]) moving = std::min(moving, length);
+  }
+  if (moving < kInfinity) return moving;
+  return all < kInfinity ? all : 1;
+}
+
 }  // namespace
 
 Elements::Elements(const Scene& scene, const System& system) : faces_(scene.faces) {
@@ -89,25 +102,19 @@ Elements::Elements(const Scene& scene, const System& system) : faces_(scene.face
   moves_.assign(system.particle_count(), 0);
   for (std::size_t p = 0; p < count; ++p) moves_[p] = !scene.particles[p].path.empty() || !scene.particles[p].pinned();
 
-  // A particle that only springs without collision hold, such as the middle of a ball, is nothing that could be hit.
-  std::vector<char> hidden(count, 0), in_edge(count, 0);
-  for (const Spring& spring : scene.springs) {
-    if (!spring.collides) hidden[spring.a] = hidden[spring.b] = 1;
-  }
+  std::vector<char> in_edge(count, 0);
   std::vector<std::vector<Index>> edges_at(count);
-  shortest_ = edges_.empty() ? 1 : std::numeric_limits<double>::infinity();
   for (Index e = 0; e < edges_.size(); ++e) {
     for (const Index p : edges_[e]) {
       in_edge[p] = 1;
       edges_at[p].push_back(e);
     }
-    shortest_ = std::min(
-        shortest_,
-        (position(system.initial_position, edges_[e][0]) - position(system.initial_position, edges_[e][1])).norm());
   }
+  shortest_ = shortest_of(edges_, moves_, system.initial_position);
   for (Index p = 0; p < count; ++p) {
-    if (in_edge[p] || !hidden[p]) vertices_.push_back(p);
-    if (!in_edge[p] && !hidden[p]) points_.push_back(p);
+    if (!scene.particles[p].collides) continue;  // check_scene: then nothing that could be hit has it as a corner
+    vertices_.push_back(p);
+    if (!in_edge[p]) points_.push_back(p);
     for (const Index e : edges_at[p]) {
       for (const Index other : edges_at[p]) {
         const Index end = edges_[other][0] == p ? edges_[other][1] : edges_[other][0];
@@ -115,11 +122,15 @@ Elements::Elements(const Scene& scene, const System& system) : faces_(scene.face
       }
     }
   }
-  const bool anything_moves = std::any_of(moves_.begin(), moves_.end(), [](char m) { return m != 0; });
+  const bool anything_moves =
+      std::any_of(vertices_.begin(), vertices_.end(), [&](Index p) { return moves_[p] != 0; });
   passes_.edge_edge = anything_moves && edges_.size() > 1;
   passes_.vertex_face = anything_moves && !faces_.empty() && vertices_.size() > 3;
   passes_.joints = !folds_.empty();
   passes_.points = anything_moves && !points_.empty() && points_.size() + edges_.size() > 1;
+  passes_.anything_moves = anything_moves;
+  passes_.free_points = points_.size();
+  passes_.not_colliding = count - vertices_.size();
 }
 
 std::array<Index, 4> Elements::corners(const Pair& pair) const noexcept {

@@ -22,6 +22,9 @@ struct Pair {
 /// The passes that a scene needs, each with its reason; what is not needed is never looked at again.
 struct Passes {
   bool edge_edge = false, vertex_face = false, joints = false, points = false;
+  bool anything_moves = false;
+  std::size_t free_points = 0;    ///< particles that collide and are in no edge
+  std::size_t not_colliding = 0;  ///< particles
 };
 
 /// A particle, and an edge that it could only reach by folding over the particle that both their edges share.
@@ -52,7 +55,8 @@ class Elements {
   /// "edge 3-4 and edge 10-11": by their particles.
   std::string describe(const Pair& pair) const;
 
-  double shortest_edge() const noexcept { return shortest_; }  ///< of the initial positions; 1 when there is none
+  /// Of the initial positions, of those edges that can move, or of all when none can; 1 when there is no edge. m
+  double shortest_edge() const noexcept { return shortest_; }
 
  private:
   bool can_move(const Pair& pair) const noexcept;

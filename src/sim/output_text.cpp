@@ -80,6 +80,39 @@ std::string crossing_for_person(const Simulation& simulation, const Crossing& cr
                      crossing.place.z(), nature_name(crossing.answer.nature));
 }
 
+namespace {
+
+constexpr const char* kNothingMoves = "nothing that collides can move";
+
+std::string why_edges(const Elements& elements) {
+  const std::size_t edges = elements.edges().size();
+  if (!elements.passes().edge_edge && edges > 1) return kNothingMoves;
+  return edges == 1 ? "1 edge" : fmt::format("{} edges", edges);
+}
+
+std::string why_faces(const Elements& elements) {
+  const Passes& passes = elements.passes();
+  const std::size_t faces = elements.faces().size();
+  if (!passes.vertex_face && faces > 0) {
+    return passes.anything_moves ? "no particle collides but the corners of one face" : kNothingMoves;
+  }
+  return faces == 1 ? "1 face" : fmt::format("{} faces", faces);
+}
+
+std::string why_points(const Elements& elements) {
+  const Passes& passes = elements.passes();
+  if (passes.points) return fmt::format("{} without edges collide with edges and each other", passes.free_points);
+  if (passes.free_points == 0) {
+    return passes.not_colliding == 0
+               ? "every particle is in an edge"
+               : fmt::format("every particle is in an edge, but {} that \"collides\": false exempts",
+                             passes.not_colliding);
+  }
+  return passes.anything_moves ? "one particle is without edges, and there is nothing else" : kNothingMoves;
+}
+
+}  // namespace
+
 std::string explain(const Simulation& simulation) {
   const Scene& scene = simulation.scene();
   const Elements& elements = simulation.elements();
@@ -101,13 +134,11 @@ std::string explain(const Simulation& simulation) {
   text +=
       line(twisting > 0, "twist angles", fmt::format("{} of {} cables resist twist", twisting, scene.cables.size()));
   text += line(scene.settings.drag > 0, "drag", fmt::format("coefficient {} 1/s", scene.settings.drag));
-  text += line(passes.edge_edge, "edge-edge pass", fmt::format("{} edges", elements.edges().size()));
-  text += line(passes.vertex_face, "vertex-face pass", fmt::format("{} faces", elements.faces().size()));
+  text += line(passes.edge_edge, "edge-edge pass", why_edges(elements));
+  text += line(passes.vertex_face, "vertex-face pass", why_faces(elements));
   text += line(passes.joints, "fold pass (planar)",
                passes.joints ? "edges share particles that can move" : "no edges share a particle and can move");
-  text += line(passes.points, "single-particle pass",
-               passes.points ? "particles without edges collide with edges and each other"
-                             : "every particle is in an edge, or alone");
+  text += line(passes.points, "single-particle pass", why_points(elements));
   text += line(contact.friction > 0, "friction", fmt::format("coefficient {}", contact.friction));
   text += fmt::format("     integrator             {}, steps of {} s\n", integrator_name(scene.settings.integrator),
                       scene.settings.time_step);

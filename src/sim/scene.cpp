@@ -104,6 +104,11 @@ void check_cable(const Place& place, const Cable& cable) {
   place.in_range("closing_twist_until", cable.closing_twist_until, 0, 1e9);
 }
 
+Vector3 start_of(const Scene& scene, Index particle) {
+  const Particle& p = scene.particles[particle];
+  return p.path.empty() ? p.position : p.path.front().position;
+}
+
 template <class Elements>
 void check_indices(const Scene& scene, const Place& place, std::string_view key, const Elements& indices) {
   for (std::size_t i = 0; i < indices.size(); ++i) {
@@ -116,12 +121,25 @@ void check_indices(const Scene& scene, const Place& place, std::string_view key,
   }
 }
 
+template <class Elements>
+void check_collide(const Scene& scene, const Place& place, const Elements& indices) {
+  for (const Index p : indices) {
+    if (scene.particles[p].collides) continue;
+    place.fail("particles", fmt::format("particle {} does not collide, and this does", p));
+  }
+}
+
+/// Where a cable doubles back its curvature is infinite.
+void check_fold(const Scene& scene, const Place& place, Index a, Index b, Index c) {
+  const Vector3 in = (start_of(scene, b) - start_of(scene, a)).normalized();
+  const Vector3 out = (start_of(scene, c) - start_of(scene, b)).normalized();
+  if (a != c && (in + out).norm() > 1e-7) return;
+  place.fail("particles", fmt::format("at particle {} the cable folds back on itself", b));
+}
+
 void check_distance(const Scene& scene, const Place& place, Index a, Index b) {
-  const auto at = [&](Index i) {
-    const Particle& p = scene.particles[i];
-    return p.path.empty() ? p.position : p.path.front().position;
-  };
-  if (!((at(a) - at(b)).norm() > 1e-12)) place.fail("", fmt::format("particles {} and {} are in one place", a, b));
+  if (!((start_of(scene, a) - start_of(scene, b)).norm() > 1e-12))
+    place.fail("", fmt::format("particles {} and {} are in one place", a, b));
 }
 
 }  // namespace
@@ -142,6 +160,7 @@ void check_scene(const Scene& scene) {
     place.in_range("damping", s.damping, 0, kMost);
     place.in_range("rest_length", s.rest_length, 0, Place::kMostLength);
     check_distance(scene, place, s.a, s.b);
+    if (s.collides) check_collide(scene, place, Edge{s.a, s.b});
   }
   for (std::size_t i = 0; i < scene.cables.size(); ++i) {
     const Cable& cable = scene.cables[i];
@@ -154,14 +173,22 @@ void check_scene(const Scene& scene) {
       check_distance(scene, place, a, b);
       if (cable.density > 0) has_mass[a] = has_mass[b] = 1;
     }
+    check_collide(scene, place, cable.particles);
+    const std::size_t count = cable.particles.size(), bends = cable.closed ? count : count - 2;
+    for (std::size_t j = 0; j < bends; ++j) {
+      check_fold(scene, place, cable.particles[j], cable.particles[(j + 1) % count], cable.particles[(j + 2) % count]);
+    }
   }
   for (std::size_t i = 0; i < scene.wires.size(); ++i) {
     const Place place(fmt::format("wires[{}]", i));
     check_indices(scene, place, "particles", scene.wires[i]);
     check_distance(scene, place, scene.wires[i][0], scene.wires[i][1]);
+    check_collide(scene, place, scene.wires[i]);
   }
   for (std::size_t i = 0; i < scene.faces.size(); ++i) {
-    check_indices(scene, Place(fmt::format("faces[{}]", i)), "particles", scene.faces[i]);
+    const Place place(fmt::format("faces[{}]", i));
+    check_indices(scene, place, "particles", scene.faces[i]);
+    check_collide(scene, place, scene.faces[i]);
   }
   for (std::size_t i = 0; i < scene.particles.size(); ++i) {
     const Particle& p = scene.particles[i];

@@ -28,6 +28,7 @@ struct Particle {
   double mass = 0;                     ///< kg, beside what its cables add
   std::array<bool, 3> fixed{};         ///< coordinates that never change
   std::vector<Waypoint> path;          ///< not empty: driven, and all three coordinates follow it
+  bool collides = true;                ///< false: nothing that could be hit, and no corner of anything that is
 
   bool pinned() const noexcept { return !path.empty() || (fixed[0] && fixed[1] && fixed[2]); }
 };
@@ -81,7 +82,7 @@ std::string_view integrator_name(Integrator integrator) noexcept;
 struct ContactSettings {
   double restitution = 0.5;  ///< in [0, 1]
   double friction = 0;       ///< Coulomb's coefficient, >= 0
-  double thickness = 0;      ///< m: closer elements are pushed apart gently; 0: a fiftieth of the shortest edge
+  double thickness = 0;      ///< m: closer elements are pushed apart gently; 0: a fiftieth of the shortest edge that moves
   int passes = 8;            ///< of impulses, before the fail-safe
 };
 

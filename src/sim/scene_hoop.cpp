@@ -26,6 +26,7 @@ void add_ball(Scene& scene, Index n, const Vector3& centre, const Vector3& spin)
   for (const Vec3& d : sphere.directions) add_particle(scene, centre + kBallRadius * Vector3(d.x, d.y, d.z), share);
   // Springs from the middle stand for the air inside; the middle is nothing that could be hit.
   const Index middle = add_particle(scene, centre, 0.1 * kBallMass / 1.1);
+  scene.particles[middle].collides = false;
   const auto corners = static_cast<double>(sphere.directions.size());
   for (const auto& edge : sphere.mesh.edges) add_spring(scene, first + edge[0], first + edge[1], 4000, 0.5, true);
   for (Index i = first; i < middle; ++i) add_spring(scene, i, middle, 6e4 / corners, 20 / corners, false);

@@ -50,12 +50,13 @@ Settings settings_from(const JsonNode& node) {
 }
 
 Particle particle_from(const JsonNode& node) {
-  node.check_keys({"position", "velocity", "force", "mass", "pinned", "path"});
+  node.check_keys({"position", "velocity", "force", "mass", "pinned", "path", "collides"});
   Particle p;
   p.position = node.at("position").vector();
   p.velocity = node.vector_or("velocity", p.velocity);
   p.force = node.vector_or("force", p.force);
   p.mass = node.number_or("mass", 0);
+  p.collides = node.boolean_or("collides", true);
   if (const auto pinned = node.find("pinned")) {
     if (node.has("path")) pinned->fail("a particle is pinned or has a path, not both");
     bool axes = false;

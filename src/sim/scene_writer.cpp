@@ -39,6 +39,7 @@ Json json_of(const Particle& p) {
   } else if (p.fixed[0] || p.fixed[1] || p.fixed[2]) {
     json["pinned"] = p.fixed;
   }
+  if (!p.collides) json["collides"] = false;
   return json;
 }
 

@@ -13,6 +13,7 @@ namespace touchstone::sim {
 namespace {
 
 constexpr int kMostHalvings = 24;
+constexpr int kMostParts = 20'000;    // of a step, refused ones included: 2^24 of them would take for ever
 constexpr double kEnergyParts = 100;  // of a step, to which it is cut at most because contacts would do work
 
 Scene checked(Scene scene) {
@@ -31,6 +32,7 @@ Simulation::Simulation(Scene scene, const SimulationOptions& options)
       response_(elements_, system_, scene_.settings, options.narrow_phase, options.threads),
       prover_(elements_, NarrowPhase::exact, options.threads),
       narrow_phase_(options.narrow_phase),
+      before_part_(options.before_part),
       state_(stepper_.initial()) {
   check_start();
 }
@@ -63,12 +65,28 @@ std::vector<StepRecord> Simulation::step() {
   const std::size_t crossings_before = crossings_.size();
   const auto whole = static_cast<double>(steps_);
   double done = 0, share = 1;
-  int halvings = 0;
+  int halvings = 0, parts = 0;
+  const auto take_back = [&] {
+    if (before) state_ = *before;
+    crossings_.resize(crossings_before);
+    --steps_;
+  };
   ++steps_;
   while (done < 1) {
+    try {
+      if (before_part_) before_part_();
+    } catch (...) {
+      take_back();
+      throw;
+    }
     const double start = time_at(whole + done), end = time_at(whole + done + share);
     StepRecord record;
     record.step = steps_;
+    if (++parts > kMostParts) {
+      take_back();
+      throw Error(fmt::format("step {} cannot be taken: after {} tries of its parts it has come to {:.6g} s", steps_ + 1,
+                              kMostParts, start));
+    }
     if (share < 1 && !before) before = state_;
     if (try_part(end - start, end, record)) {
       records.push_back(record);
@@ -81,9 +99,7 @@ std::vector<StepRecord> Simulation::step() {
     }
     share /= 2;
     if (++halvings <= kMostHalvings) continue;
-    if (before) state_ = *before;
-    crossings_.resize(crossings_before);
-    --steps_;
+    take_back();
     throw Error(fmt::format(
         "step {} at {:.6g} s cannot be taken, not even in parts of {:.3g} s: {} did not converge, {} "
         "found no response, {} failed their proof",

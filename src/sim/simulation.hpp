@@ -42,6 +42,7 @@ struct StepRecord {
 struct SimulationOptions {
   NarrowPhase narrow_phase = NarrowPhase::exact;
   int threads = 1;
+  std::function<void()> before_part = {};  ///< may throw to end the run: the step under way has not been made then
 };
 
 /// Steps that were tried and not taken, over a whole run.
@@ -94,6 +95,7 @@ class Simulation {
   Response response_;
   PairSolver prover_;
   NarrowPhase narrow_phase_;
+  std::function<void()> before_part_;
   State state_;
   std::uint64_t steps_ = 0;
   std::vector<Crossing> crossings_;

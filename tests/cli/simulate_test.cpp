@@ -154,7 +154,33 @@ TEST_CASE("a scene's passes are those that it needs") {
   const Run edges = run_program({"simulate", "two-edges", "--explain"});
   CHECK(occurrences(edges.out, "no   fold pass") == 1);
   CHECK(occurrences(edges.out, "no   friction") == 1);
-  CHECK(occurrences(run_program({"simulate", "hoop", "--explain"}).out, "yes  vertex-face pass") == 1);
+  const Run hoop = run_program({"simulate", "hoop", "--explain"});
+  CHECK(occurrences(hoop.out, "yes  vertex-face pass") == 1);
+  CHECK(occurrences(hoop.out, "no   single-particle pass   every particle is in an edge, but 1 that") == 1);
+}
+
+TEST_CASE("a run that cannot go on leaves what it has proved, and goes on from there only to fail again") {
+  const TemporaryFolder folder;
+  // The wire 2-3 is driven through the pinned wire 0-1, which it would meet in the sixth step.
+  const std::string scene = folder.write("through.json", R"({"touchstone_scene": 1, "settings": {"gravity": [0, 0, 0]},
+      "particles": [{"position": [-1, 0, 0], "pinned": true}, {"position": [1, 0, 0], "pinned": true},
+        {"position": [0, -1, 0.1],
+         "path": [{"time": 0, "position": [0, -1, 0.1]}, {"time": 1, "position": [0, -1, -1]}]},
+        {"position": [0.1, 1, 0.1],
+         "path": [{"time": 0, "position": [0.1, 1, 0.1]}, {"time": 1, "position": [0.1, 1, -1]}]}],
+      "wires": [[0, 1], [2, 3]]})");
+  const Run run = run_program({"simulate", scene, "--out", folder.path("out"), "--proof", folder.path("proof.csv"),
+                               "--checkpoint", folder.path("state.json")});
+  CAPTURE(run.err);
+  CHECK(run.status == 2);
+  CHECK(occurrences(run.err, "step 6 at ") == 1);
+  CHECK(folder.names() == std::set<std::string>{"out", "proof.csv", "state.json", "through.json"});
+  CHECK(cells_of(lines_of(folder.read("proof.csv")).back())[0] == "5");
+  CHECK(cells_of(lines_of(folder.read("out/energies.csv")).back())[0] == "5");
+  CHECK(occurrences(folder.read("out/frames/frames.vtk.series"), "frame-000005.vtk") == 1);
+  const Run again = run_program({"simulate", "--resume", folder.path("state.json")});
+  CHECK(again.status == 2);
+  CHECK(occurrences(again.err, "step 6 at ") == 1);
 }
 
 TEST_CASE("bad usage and bad scenes end with status 2, one line, and nothing written") {
@@ -180,6 +206,10 @@ TEST_CASE("bad usage and bad scenes end with status 2, one line, and nothing wri
   check_refused({"simulate", "hoop", "--narrow-phase", "best"}, "--narrow-phase");
   check_refused({"simulate", "--resume", folder.path("bad.json")}, "has no key 'particles'");
   check_refused({"simulate", "two-edges", "--proof", folder.path("no/proof.csv")}, "cannot be written");
+  check_refused({"simulate", "two-edges", "--checkpoint", folder.path("no/state.json")}, "cannot be written");
+  check_refused({"simulate", "--resume", "x", "--size", "9"}, "--size: a checkpoint has its size");
+  check_refused({"simulate", "two-edges", "--proof", folder.path("x"), "--energies", folder.path("./x")},
+                "--proof and --energies name the same file");
   CHECK(folder.names() == std::set<std::string>{"bad.json"});
 
   const std::string scene = folder.path("scene.json");

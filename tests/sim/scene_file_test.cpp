@@ -125,6 +125,19 @@ TEST_CASE("what makes no sense is refused with its path") {
       scene_with(
           R"(, "cables": [{"from": [0, 0, 0], "to": [1, 0, 0], "segments": 0, "radius": 1, "density": 1, "stretch": 1}])"),
       "cables[0].segments: must be a whole number from 1");
+  check_refused(
+      scene_with(R"(, "cables": [{"particles": [0, 1, 0], "radius": 1, "density": 1, "stretch": 1, "bend": 1}])"),
+      "cables[0].particles: at particle 1 the cable folds back");
+  const std::string hidden =
+      R"({"touchstone_scene": 1, "particles": [{"position": [0, 0, 0], "mass": 1, "collides": false},
+          {"position": [1, 0, 0], "mass": 1}, {"position": [0, 1, 0], "mass": 1}], )";
+  const std::string refusal = ".particles: particle 0 does not collide, and this does";
+  check_refused(hidden + R"("wires": [[1, 0]]})", "wires[0]" + refusal);
+  check_refused(hidden + R"("faces": [[1, 0, 2]]})", "faces[0]" + refusal);
+  check_refused(hidden + R"("springs": [{"particles": [0, 1], "stiffness": 1}]})", "springs[0]" + refusal);
+  check_refused(hidden + R"("cables": [{"particles": [0, 1], "radius": 1, "density": 1, "stretch": 1}]})",
+                "cables[0]" + refusal);
+  CHECK_NOTHROW(scene_from_json(hidden + R"("springs": [{"particles": [0, 1], "stiffness": 1, "collides": false}]})"));
   check_refused(R"({"touchstone_scene": 1, "particles": [{"position": [0, 0, 0]}]})",
                 "particles[0].mass: 0 is not allowed");
   check_refused(

@@ -337,3 +337,31 @@ TEST_CASE("capstan: a string that slips round a post holds e^(mu phi) times the 
   CHECK(held < 0.3 * slipped);
   CHECK(slipped > 5e-3);
 }
+
+TEST_CASE("what hangs on springs that do not collide is stopped by a face, unless it is said not to collide") {
+  Scene scene;
+  scene.settings.duration = 1;
+  add_floor(scene, 5);
+  const Index a = add_particle(scene, {0, 1, 0.5}, 1), b = add_particle(scene, {0.5, 1, 0.5}, 1);
+  add_spring(scene, a, b, 100, 0, false);
+  const auto lowest = [&] {
+    Simulation simulation(scene, {});
+    for (int i = 0; i < 60; ++i) simulation.step();
+    CHECK(simulation.crossings().empty());
+    return std::min(position(simulation.state().q, a).z(), position(simulation.state().q, b).z());
+  };
+  CHECK(lowest() > 0);
+  scene.particles[a].collides = scene.particles[b].collides = false;
+  CHECK(lowest() < -1);
+}
+
+TEST_CASE("the thickness follows the shortest edge that can move") {
+  Scene scene;
+  scene.particles.reserve(4);
+  const Index a = add_pinned(scene, {0, 0, 0}), b = add_pinned(scene, {0.01, 0, 0});
+  scene.wires.push_back({a, b});
+  CHECK(Simulation(scene, {}).thickness() == Approx(0.01 / 50));
+  const Index c = add_particle(scene, {0, 0, 1}, 1), d = add_particle(scene, {2, 0, 1}, 1);
+  scene.wires.push_back({c, d});
+  CHECK(Simulation(scene, {}).thickness() == Approx(2.0 / 50));
+}
