@@ -132,16 +132,25 @@ TEST_CASE("with the paper's solver as narrow phase the ball's edges get through 
 }
 
 TEST_CASE("the whip goes through the wire with the paper's solver, and not with ours") {
-  const Run paper = run_program({"simulate", "whip", "--narrow-phase", "paper"});
-  CAPTURE(paper.out);
-  CHECK(paper.status == 1);
-  CHECK(occurrences(paper.out, "crossing: step ") >= 1);
-  CHECK(occurrences(paper.out, " s: edge 0-1 and edge ") >= 1);
-  CHECK(last_line(paper.out).rfind("30 steps, ", 0) == 0);
-  CHECK(last_line(paper.out) != "30 steps, 0 crossings");
-  const Run exact = run_program({"simulate", "whip"});
-  CHECK(exact.status == 0);
-  CHECK(last_line(exact.out) == "30 steps, 0 crossings");
+  // At which sizes the closed form errs is a matter of rounding.
+  int through = 0;
+  for (const char* size : {"20", "30", "60", "150"}) {
+    const Run paper = run_program({"simulate", "whip", "--size", size, "--narrow-phase", "paper"});
+    CAPTURE(paper.out);
+    CHECK(last_line(paper.out).rfind("30 steps, ", 0) == 0);
+    if (paper.status == 1) {
+      ++through;
+      CHECK(occurrences(paper.out, "crossing: step ") >= 1);
+      CHECK(occurrences(paper.out, " s: edge 0-1 and edge ") >= 1);
+      CHECK(last_line(paper.out) != "30 steps, 0 crossings");
+    } else {
+      CHECK(last_line(paper.out) == "30 steps, 0 crossings");
+    }
+    const Run exact = run_program({"simulate", "whip", "--size", size});
+    CHECK(exact.status == 0);
+    CHECK(last_line(exact.out) == "30 steps, 0 crossings");
+  }
+  CHECK(through >= 1);
 }
 
 TEST_CASE("a scene's passes are those that it needs") {

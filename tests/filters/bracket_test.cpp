@@ -3,9 +3,11 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "exact/exact.hpp"
 #include "filters/bernstein_cubic.hpp"
+#include "filters/bracket.hpp"
 #include "filters/same_side.hpp"
 #include "numbers/exact_number.hpp"
 #include "support/catch.hpp"
@@ -125,6 +127,32 @@ TEST_CASE("a certified root is there, and its slope and curvature bounds hold") 
   CHECK(certain > 5000);
   CHECK(none > 1000);
   CHECK(split > 1000);
+}
+
+TEST_CASE("a root just outside of the step is not taken for the one inside") {
+  // n = (0, 0, a(t)) with a = t + e, and v at height 3/4 - t: V = (t + e) (3/4 - t); and the same with time reversed. A step from the
+  // chord's zero, beside the end, is near the wrong root.
+  int decided = 0;
+  for (int k = 30; k <= 52; ++k) {
+    const double beside = std::ldexp(1.0, -k);
+    VertexFace face{{{{0x1p-6, 0.25, 0.75}, {0, 0, 0}, {beside, 0, 0}, {0, 1, 0}}},
+                    {{{0x1p-6, 0.25, -0.25}, {0, 0, 0}, {1 + beside, 0, 0}, {0, 1, 0}}}};
+    for (const bool reversed : {false, true}) {
+      Query query(face);
+      if (reversed) std::swap(query.start, query.end);
+      CAPTURE(k, reversed);
+      const filters::Frame frame = filters::frame_of(query);
+      Answer answer;
+      const filters::Decision decision = filters::bracket(query, frame, filters::coplanarity_coefficients(frame), 1,
+                                                          filters::Want::everything, &exact::coplanarity_at, answer);
+      CHECK(decision != filters::Decision::no_contact);
+      if (decision != filters::Decision::contact) continue;
+      ++decided;
+      CHECK(answer.toi == (reversed ? 0.25 : 0.75));
+      CHECK(answer.toi_upper == answer.toi);
+    }
+  }
+  CHECK(decided > 10);
 }
 
 TEST_CASE("V at a double, with its exact sign") {
