@@ -155,6 +155,56 @@ TEST_CASE("a root just outside of the step is not taken for the one inside") {
   CHECK(decided > 10);
 }
 
+TEST_CASE("a root just outside of a part is not taken for the one inside") {
+  // (t - a) (c - t) with a root beside 1/2, where parts meet, and one inside of the part.
+  const auto cubic = [](double a, double c) {
+    const double c0 = -a * c;
+    const double c1 = a + c;
+    return BernsteinCubic({c0, 3 * c0 + c1, 3 * c0 + 2 * c1 - 1, c0 + c1 - 1}, 1);
+  };
+  int certain = 0;
+  for (int k = 20; k <= 46; ++k) {
+    const double beside = std::ldexp(1.0, -k);
+    for (const double inside : {0.625, 0.75, 0.875, 0.984375}) {
+      CAPTURE(k, inside);
+      const BernsteinCubic::Root after = cubic(0.5 - beside, inside).root_between(0.5, 1);
+      const BernsteinCubic::Root before = cubic(1 - inside, 0.5 + beside).root_between(0, 0.5);
+      if (after.certain) CHECK(std::fabs(after.t - inside) < 0x1p-30);
+      if (before.certain) CHECK(std::fabs(before.t - (1 - inside)) < 0x1p-30);
+      certain += after.certain + before.certain;
+    }
+  }
+  CHECK(certain > 50);
+}
+
+TEST_CASE("contacts at, before and after the ends of the step, against exact arithmetic") {
+  int decided = 0;
+  int at_an_end = 0;
+  for (const Family family : {Family::at_start, Family::at_end, Family::beside_ends, Family::extreme_time}) {
+    for (const Kind kind : {Kind::edge_edge, Kind::vertex_face}) {
+      for (std::uint64_t i = 0; i < 4000; ++i) {
+        const CaseId id{family, kind, 31, i};
+        const Query query = make(id);
+        const filters::Frame frame = filters::frame_of(query);
+        Answer answer;
+        const filters::Decision decision = filters::bracket(query, frame, filters::coplanarity_coefficients(frame), 1,
+                                                            filters::Want::everything, &exact::coplanarity_at, answer);
+        if (decision == filters::Decision::uncertain) continue;
+        INFO(case_name(id));
+        const Answer truth = exact::decide(query, 1);
+        REQUIRE((decision == filters::Decision::contact) == truth.contact);
+        ++decided;
+        if (!truth.contact) continue;
+        REQUIRE(answer.toi == truth.toi);
+        REQUIRE(answer.toi_upper == truth.toi_upper);
+        at_an_end += truth.toi_upper == 0 || truth.toi == 1;
+      }
+    }
+  }
+  CHECK(decided > 5000);
+  CHECK(at_an_end > 500);
+}
+
 TEST_CASE("V at a double, with its exact sign") {
   const Query query(EdgeEdge{{{{-1, 0, 0}, {1, 0, 0}, {0, -1, 1}, {0, 1, 1}}}, {{{-1, 0, 0}, {1, 0, 0}, {0, -1, -1}, {0, 1, -1}}}});
   CHECK(exact::coplanarity_at(query, 0.5) == 0);  // V = 4 - 8t
