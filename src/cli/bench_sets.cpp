@@ -10,7 +10,6 @@
 #include "cli/interrupt.hpp"
 #include "generators/candidates.hpp"
 #include "seeded/rng.hpp"
-#include "io/query_parser.hpp"
 
 namespace touchstone::cli {
 namespace {
@@ -63,16 +62,9 @@ ByKind random_queries(std::size_t count) {
 
 ByKind queries_of(const std::vector<Input>& inputs) {
   ByKind queries;
-  QueryStream stream(inputs, io::kChunkBytes);
-  QueryItem item;
-  while (stream.next(item)) {
-    throw_if_interrupted();
-    io::QueryParser parser(item.chunk);
-    io::QueryRecord record;
-    while (parser.next(record)) {
-      if (const Query* query = std::get_if<Query>(&record.query)) of_kind(queries, query->kind).push_back(*query);
-    }
-  }
+  for_each_query(inputs, [&queries](std::size_t, const io::QueryRecord& record) {
+    if (const Query* query = std::get_if<Query>(&record.query)) of_kind(queries, query->kind).push_back(*query);
+  });
   return queries;
 }
 

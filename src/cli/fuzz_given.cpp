@@ -11,12 +11,10 @@
 
 #include "cli/fuzz_report.hpp"
 #include "cli/inputs.hpp"
-#include "cli/interrupt.hpp"
 #include "cli/words.hpp"
 #include "families/families.hpp"
 #include "io/fail.hpp"
 #include "io/kind_of_file.hpp"
-#include "io/query_parser.hpp"
 
 namespace touchstone::cli {
 namespace {
@@ -62,17 +60,10 @@ std::vector<Query> given_queries(const FuzzOptions& options) {
   const std::vector<Input> inputs = inputs_of(options);
   std::vector<Count> counts(inputs.size());
   std::vector<Query> queries;
-  QueryStream stream(inputs, io::kChunkBytes);
-  QueryItem item;
-  while (stream.next(item)) {
-    throw_if_interrupted();
-    io::QueryParser parser(item.chunk);
-    io::QueryRecord record;
-    while (parser.next(record)) {
-      counts[item.input].add(record);
-      if (const auto* const query = std::get_if<Query>(&record.query)) queries.push_back(*query);
-    }
-  }
+  for_each_query(inputs, [&](std::size_t input, const io::QueryRecord& record) {
+    counts[input].add(record);
+    if (const auto* const query = std::get_if<Query>(&record.query)) queries.push_back(*query);
+  });
   if (queries.empty()) {
     std::uint64_t all = 0;
     for (const Count& count : counts) all += count.queries;

@@ -75,4 +75,16 @@ bool QueryStream::next(QueryItem& item) {
   return false;
 }
 
+void for_each_query(const std::vector<Input>& inputs,
+                    const std::function<void(std::size_t, const io::QueryRecord&)>& take) {
+  QueryStream stream(inputs, io::kChunkBytes);
+  QueryItem item;
+  while (stream.next(item)) {
+    throw_if_interrupted();
+    io::QueryParser parser(item.chunk);
+    io::QueryRecord record;
+    while (parser.next(record)) take(item.input, record);
+  }
+}
+
 }  // namespace touchstone::cli

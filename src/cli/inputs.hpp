@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@
 
 #include "io/input_file.hpp"
 #include "io/query_chunks.hpp"
+#include "io/query_parser.hpp"
 
 namespace touchstone::cli {
 
@@ -56,5 +58,10 @@ class QueryStream {
   std::size_t current_ = 0;
   std::optional<io::QueryChunkReader> reader_;
 };
+
+/// Calls take(input, record) for every query of the files, in their order, `input` being an index into the inputs.
+/// @throws FileError; and Interrupted, as throw_if_interrupted does
+void for_each_query(const std::vector<Input>& inputs,
+                    const std::function<void(std::size_t input, const io::QueryRecord& record)>& take);
 
 }  // namespace touchstone::cli

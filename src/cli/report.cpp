@@ -11,12 +11,10 @@
 
 #include "cli/commands.hpp"
 #include "cli/inputs.hpp"
-#include "cli/interrupt.hpp"
 #include "cli/new_folders.hpp"
 #include "cli/share_line.hpp"
 #include "cli/words.hpp"
 #include "io/output_file.hpp"
-#include "io/query_parser.hpp"
 
 namespace touchstone::cli {
 namespace {
@@ -62,20 +60,13 @@ GivenQueries read_queries(const std::string& source, const std::string& about, c
                           std::size_t most) {
   GivenQueries given;
   std::array<Thinned, 4> by_kind{Thinned(most), Thinned(most), Thinned(most), Thinned(most)};
-  QueryStream stream(inputs, io::kChunkBytes);
-  QueryItem item;
-  while (stream.next(item)) {
-    throw_if_interrupted();
-    io::QueryParser parser(item.chunk);
-    io::QueryRecord record;
-    while (parser.next(record)) {
-      if (const auto* const query = std::get_if<Query>(&record.query)) {
-        by_kind[static_cast<std::size_t>(query->kind)].add(*query);
-      } else {
-        ++given.not_doubles;
-      }
+  for_each_query(inputs, [&](std::size_t, const io::QueryRecord& record) {
+    if (const auto* const query = std::get_if<Query>(&record.query)) {
+      by_kind[static_cast<std::size_t>(query->kind)].add(*query);
+    } else {
+      ++given.not_doubles;
     }
-  }
+  });
   for (const Kind kind : {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point}) {
     Thinned& queries = by_kind[static_cast<std::size_t>(kind)];
     if (queries.seen() == 0) continue;

@@ -192,7 +192,11 @@ int run_simulate(const SimulateOptions& options) {
       try {
         return simulation.step();
       } catch (...) {
-        output.finish_early();
+        try {
+          output.finish_early();
+        } catch (const std::exception& error) {  // which must not hide why the run ends
+          print_error(fmt::format("touchstone: what was proved is not all written: {}\n", error.what()));
+        }
         throw;
       }
     }();

@@ -193,6 +193,8 @@ void RootBracket::narrow(Coefficients p) {
   }
 }
 
+// Around the root of the parabola that p is at the lower end, and steps from there. Whatever the hints say, a bracket's ends are
+// what p's exact signs there prove. False when it has not become much smaller.
 bool RootBracket::narrow_by_model(Coefficients p) {
   std::optional<Step> step = parabola_step(p, low_, -sign_low_);
   if (!step || step->length.sign() <= 0 || step->length.log2() > Wide(high_ - low_).log2() + 1) return false;
