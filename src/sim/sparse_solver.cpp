@@ -49,6 +49,7 @@ struct SparseSolver::Parts {
   std::vector<std::size_t> contact_first;
   bool beside = false;  // whether any contact has entries beside the pattern
 
+  bool fits(const Corners& unknowns, std::size_t a, std::size_t b);
   void take_contacts(const std::vector<Corners>& contacts);
   void times(const Vector& in, Vector& out) const;
   void iterate(Vector& right) const;
@@ -58,6 +59,16 @@ struct SparseSolver::Parts {
     return place[0] == size && place[1] == size && place[2] == size;
   }
 };
+
+/// Whether the pattern has every entry of the block of two corners.
+bool SparseSolver::Parts::fits(const Corners& unknowns, std::size_t a, std::size_t b) {
+  for (std::size_t i = 3 * a; i < 3 * a + 3; ++i) {
+    for (std::size_t j = 3 * b; j < 3 * b + 3; ++j) {
+      if (unknowns[i] >= 0 && unknowns[j] >= 0 && matrix.entry(unknowns[i], unknowns[j]) == nullptr) return false;
+    }
+  }
+  return true;
+}
 
 void SparseSolver::Parts::take_contacts(const std::vector<Corners>& contacts) {
   ties.assign(contacts.size(), {});
@@ -69,18 +80,39 @@ void SparseSolver::Parts::take_contacts(const std::vector<Corners>& contacts) {
     const Corners& unknowns = contacts[n];
     for (std::size_t k = 0; k < 12; ++k) tie.at[k] = unknowns[k] < 0 ? size : matrix.place(unknowns[k]);
     contact_first.push_back(contact_places.size());
+    // The matrix takes the blocks of corners that fit it all with each other, so that what it has of a contact is never
+    // negative: with one of three corners' blocks left out it could be, and would then have no factor.
+    std::array<std::uint8_t, 4> together{};  // for each corner, those that go into the matrix with it
+    for (std::size_t a = 0; a < 4; ++a) {
+      if (absent(tie, a)) continue;
+      std::size_t first = 0;
+      while (first < a) {
+        bool all = together[first] != 0;
+        for (std::size_t b = 0; b < a; ++b) {
+          if ((together[first] >> b & 1u) != 0) all = all && fits(unknowns, a, b);
+        }
+        if (all) break;
+        ++first;
+      }
+      const auto group = static_cast<std::uint8_t>((first < a ? together[first] : 0u) | 1u << a);
+      for (std::size_t b = 0; b <= a; ++b) {
+        if ((group >> b & 1u) != 0) together[b] = group;
+      }
+    }
     for (std::size_t a = 0; a < 4; ++a) {
       if (absent(tie, a)) continue;
       for (std::size_t b = a; b < 4; ++b) {
         if (absent(tie, b)) continue;
+        const bool in = (together[a] >> b & 1u) != 0;
+        if (!in) {
+          tie.beside[a] = static_cast<std::uint8_t>(tie.beside[a] | 1u << b);
+          tie.beside[b] = static_cast<std::uint8_t>(tie.beside[b] | 1u << a);
+          beside = true;
+        }
         for (std::size_t i = 3 * a; i < 3 * a + 3; ++i) {
           for (std::size_t j = a == b ? i : 3 * b; j < 3 * b + 3; ++j) {
-            const bool is_there = unknowns[i] >= 0 && unknowns[j] >= 0;
+            const bool is_there = in && unknowns[i] >= 0 && unknowns[j] >= 0;
             contact_places.push_back(is_there ? matrix.entry(unknowns[i], unknowns[j]) : nullptr);
-            if (!is_there || contact_places.back() != nullptr) continue;
-            tie.beside[a] = static_cast<std::uint8_t>(tie.beside[a] | 1u << b);
-            tie.beside[b] = static_cast<std::uint8_t>(tie.beside[b] | 1u << a);
-            beside = true;
           }
         }
       }
@@ -149,15 +181,14 @@ SparseSolver::~SparseSolver() = default;
 
 void SparseSolver::set_contacts(const std::vector<Corners>& contacts) {
   Parts& parts = *parts_;
+  // What other contacts have added to the pattern says nothing about these.
+  if (parts.with_contacts) parts.matrix.take_pattern(parts.size, parts.blocks, parts.cache);
   parts.take_contacts(contacts);
-  const bool more = parts.beside && parts.size <= kLargestDirect;
-  if (!more && !parts.with_contacts) return;
+  parts.with_contacts = parts.beside && parts.size <= kLargestDirect;
+  if (!parts.with_contacts) return;
   Blocks all = parts.blocks;
-  if (more) {
-    for (const Corners& corners : contacts) all.emplace_back(corners.begin(), corners.end());
-  }
-  parts.matrix.take_pattern(parts.size, all, more ? nullptr : parts.cache);
-  parts.with_contacts = more;
+  for (const Corners& corners : contacts) all.emplace_back(corners.begin(), corners.end());
+  parts.matrix.take_pattern(parts.size, all, nullptr);
   parts.take_contacts(contacts);
 }
 
