@@ -196,6 +196,13 @@ bool resolve(const Contact& contact, const ImpulseRule& rule, const Motion& moti
         impulse -= std::min(speed / response.dot(t.cwiseProduct(t)), rule.friction * j) * t;
       }
     }
+    for (std::size_t c = 0; c < contact.corners; ++c) {
+      const auto at = 3 * static_cast<Eigen::Index>(contact.particles[c]);
+      for (Eigen::Index k = 0; k < 3; ++k) {
+        if (motion.driven != nullptr && (*motion.inverse_mass)[at + k] == 0)
+          *motion.driven -= contact.omega[c] * impulse[k] * ((*motion.x1)[at + k] - (*motion.x0)[at + k]);
+      }
+    }
     apply(impulse, *motion.x1);
     approach = after;
     changed = true;

@@ -43,6 +43,7 @@ struct Motion {
   VectorX* x1 = nullptr;
   VectorX* pushed = nullptr;              ///< the part of x1 that is no velocity
   const VectorX* inverse_mass = nullptr;  ///< of each coordinate; 0 for what is held
+  double* driven = nullptr;               ///< what is held and moves all the same gives by its impulses, kg m^2
 };
 
 /// Applies the corrected impulse when the elements approach: with K = sum omega_i^2 / m_i the normal velocity v_n

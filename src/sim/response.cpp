@@ -32,6 +32,7 @@ struct Response::Work {
   VectorX pushed;  // the part of next.q - wanted that is no velocity
   double energy;   // the larger of those before the step and after it without contacts
   double slack;    // how much more is no gain
+  double driven;   // work of driven particles by impulses and impact zones, which is no gain either, J
   ResponseCounts* counts;
   PhaseTimes* times;
 };
@@ -76,9 +77,16 @@ Response::Outcome Response::respond(Stepper& stepper, const State& state, double
   constexpr double kShare = 2e-3;
   const double slack = kShare * std::max(before.total() - before.load, without.total() - without.load) +
                        1e-12 * (std::abs(before.load) + 1e-3);
-  Work work{
-      &state, h,       next.q, &next, VectorX::Zero(inverse_mass_.size()), std::max(before.total(), without.total()),
-      slack,  &counts, &times};
+  Work work{&state,
+            h,
+            next.q,
+            &next,
+            VectorX::Zero(inverse_mass_.size()),
+            std::max(before.total(), without.total()),
+            slack,
+            0,
+            &counts,
+            &times};
   const bool stiff = std::any_of(known.begin(), known.end(), [&](const Contact& c) { return is_stiff(c, h); });
   if (!stiff) {
     const State free = next;
@@ -89,6 +97,7 @@ Response::Outcome Response::respond(Stepper& stepper, const State& state, double
     next = free;
     work.wanted = free.q;
     work.pushed.setZero();
+    work.driven = 0;
   }
   if (!solve_with_contacts(work, stepper, std::move(known))) return Outcome::not_converged;
   if (!impulses(work, {}, contact_.passes)) {
@@ -119,17 +128,18 @@ void Response::take_velocities(const Work& work, State& next) const {
 }
 
 bool Response::gained_energy(const Work& work, const State& next) const {
-  // Contacts take energy away; without them, and without driven particles, it only falls.
+  // Contacts take energy away; without them it only falls, but for what driven particles give.
   // Pushing apart what was too near lifts weight; that is not the contacts' doing.
   const double lifted = (system_->force.head(work.pushed.size()).array() * work.pushed.array()).abs().sum();
-  return energies(*system_, next).total() > work.energy + work.slack + lifted;
+  return energies(*system_, next).total() > work.energy + work.slack + lifted + std::max(work.driven, 0.0);
 }
 
 bool Response::impulses(Work& work, std::vector<Contact> known, int passes) {
   const ImpulseRule rule{contact_.restitution, contact_.friction, thickness_, 2 * gravity_.norm() * work.h * work.h,
                          0.5 * recovery(work.h)};
   VectorX& x1 = work.next->q;
-  const Motion motion{&work.state->q, &x1, &work.pushed, &inverse_mass_};
+  double driven = 0;
+  const Motion motion{&work.state->q, &x1, &work.pushed, &inverse_mass_, &driven};
   std::vector<char> touched(system_->particle_count(), 0);
   const auto resolve_all = [&](const std::vector<Contact>& contacts) {
     bool any = false;
@@ -148,8 +158,10 @@ bool Response::impulses(Work& work, std::vector<Contact> known, int passes) {
     finder_.moved(x1, touched);
     std::fill(touched.begin(), touched.end(), char{0});
     finder_.find(x1, found, *work.counts);
-    if (found.empty()) return true;
-    if (pass == passes) return false;
+    if (found.empty() || pass == passes) {
+      work.driven += driven / (work.h * work.h);
+      return found.empty();
+    }
     ++work.counts->passes;
     known.insert(known.end(), found.begin(), found.end());
   }
@@ -221,6 +233,7 @@ bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Con
   work.wanted = {};
   const std::vector<char> all(system_->particle_count(), 1);
   std::vector<Contact> found;
+  double driven = 0;
   for (int solve = 0; solve < kSolves; ++solve) {
     // What is left of the last try only takes room.
     const VectorX near = std::move(work.next->q);
@@ -235,6 +248,7 @@ bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Con
     work.counts->newton_iterations += advance.iterations;
     if (!advance.converged) return false;
     *work.next = std::move(advance.state);
+    driven = stepper.driven_work(*work.state, work.h, terms, *work.next);
     finder_.moved(work.next->q, all);
     finder_.find(work.next->q, found, *work.counts);
     // Friction changes how tension runs along a cable, and with it the forces that limit friction.
@@ -266,8 +280,22 @@ bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Con
     const bool friction_known = change <= kLimitKnown * most;
     if (found.empty() && friction_known) break;
   }
+  work.energy = std::max(work.energy, energies(*system_, *work.state).total() + driven);
   work.wanted = work.next->q;
   return true;
+}
+
+bool Response::is_held(Index particle) const {
+  return (inverse_mass_.segment<3>(3 * static_cast<Eigen::Index>(particle)).array() == 0).all();
+}
+
+Vector3 Response::free_momentum(const std::vector<Index>& zone, const Work& work) const {
+  Vector3 sum = Vector3::Zero();
+  for (const Index p : zone) {
+    const auto at = 3 * static_cast<Eigen::Index>(p);
+    if (!is_held(p)) sum += system_->mass[at] * (position(work.next->q, p) - position(work.pushed, p));
+  }
+  return sum;
 }
 
 bool Response::freeze_zones(Work& work, std::vector<Contact> contacts) {
@@ -281,8 +309,15 @@ bool Response::freeze_zones(Work& work, std::vector<Contact> contacts) {
     const auto groups = zones.zones();
     work.counts->zones = static_cast<int>(groups.size());
     for (const auto& zone : groups) {
+      const Vector3 before = free_momentum(zone, work);
       if (!move_rigidly(zone, *system_, inverse_mass_, work.state->q, x1)) return false;
       for (const Index p : zone) work.pushed.segment<3>(3 * static_cast<Eigen::Index>(p)).setZero();
+      // What is driven carries the zone, and gives its free particles the momentum that they gain.
+      const auto driven = std::find_if(zone.begin(), zone.end(), [&](Index p) { return is_held(p); });
+      if (driven != zone.end()) {
+        work.driven += (free_momentum(zone, work) - before).dot(position(x1, *driven) - position(work.state->q, *driven)) /
+                       (work.h * work.h);
+      }
     }
     finder_.begin(work.state->q, x1, 0);
     finder_.find(x1, contacts, *work.counts);

@@ -34,6 +34,10 @@ class Response {
   bool impulses(Work& work, std::vector<Contact> known, int passes);
   bool freeze_zones(Work& work, std::vector<Contact> contacts);
   bool solve_with_contacts(Work& work, Stepper& stepper, std::vector<Contact> contacts);
+  /// Whether all its coordinates are prescribed.
+  bool is_held(Index particle) const;
+  /// Of the displacements in this step, kg m, but for a constant; what is held left aside.
+  Vector3 free_momentum(const std::vector<Index>& zone, const Work& work) const;
   void measure_hold(const VectorX& q);
   ContactTerm term_of(const Contact& contact, const Work& work) const;
   /// The share of a missing distance that is made good in h seconds: the same speed for any h.

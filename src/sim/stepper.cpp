@@ -111,6 +111,24 @@ Advance Stepper::advance_with(const State& state, double h, std::span<const Cont
   return advance;
 }
 
+double Stepper::driven_work(const State& before, double h, std::span<const ContactTerm> contacts,
+                            const State& after) const {
+  VectorX moved = VectorX::Zero(after.q.size());
+  for (Eigen::Index i = 0; i < moved.size(); ++i) {
+    if (system_->fixed[static_cast<std::size_t>(i)]) moved[i] = after.q[i] - before.q[i];
+  }
+  if (moved.isZero(0)) return 0;
+  const Stage stage = euler_stage(before, h);
+  VectorX pull = system_->mass.cwiseProduct(after.v - before.v) / h - system_->force;
+  energy_.derivatives(after.q, after.frames, after.time, stage.strains, Curvature::exact, pull, nullptr);
+  double work = pull.dot(moved);
+  for (const ContactTerm& term : contacts) {
+    const Vector3 against = contact_derivatives(term, before.q, after.q, Vector3::Zero()).gradient;
+    work += against.dot(relative_motion(term, moved));
+  }
+  return work;
+}
+
 Advance Stepper::implicit_midpoint(const State& state, double h) {
   // Half a step of implicit Euler to the middle, and as far again.
   Advance advance;

@@ -35,6 +35,10 @@ class Stepper {
   /// search at `near`.
   Advance advance_with(const State& state, double h, std::span<const ContactTerm> contacts, const VectorX& near);
 
+  /// The work, J, that driven coordinates do in a step of implicit Euler with contacts: what moves them, against
+  /// their own inertia and loads, springs and contacts, times how far. The step gains no more energy than this.
+  double driven_work(const State& before, double h, std::span<const ContactTerm> contacts, const State& after) const;
+
   /// What acts at this state, over mass: zero in fixed coordinates.
   VectorX acceleration(const State& state) const;
 
