@@ -14,6 +14,7 @@ namespace {
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr int kMostIterations = 100;
 constexpr int kMostHalvings = 30;
+constexpr int kMostDoublings = 10;
 constexpr double kFlat = 1000;   // tolerances that a step may still be long when rounding hides what it gains
 constexpr double kLever = 0.01;  // m: an angle's change counts as what it moves this far from the axis
 
@@ -190,7 +191,8 @@ NewtonResult Newton::minimise(const Stage& stage, const VectorX& guess, VectorX&
     energy_.derivatives(q, frames, stage.time, stage.strains, Curvature::exact, gradient, matrix_.get());
     add_contacts(gradient);
     const double stored_force = gradient.lpNorm<1>();
-    if (!matrix_->factorise()) {
+    const bool convex = !matrix_->factorise();
+    if (convex) {
       ++result.convex;
       matrix_->start(diagonal);
       VectorX ignored = VectorX::Zero(q.size());
@@ -222,30 +224,35 @@ NewtonResult Newton::minimise(const Stage& stage, const VectorX& guess, VectorX&
       result.converged = true;
       return result;
     }
-    double share = 1;
-    bool lower = false;
-    for (int halving = 0; halving <= kMostHalvings && !lower; ++halving) {
-      const VectorX trial = q + share * direction;
-      Frames frames_trial = system_->transported(frames, q, trial);
-      const Potential there = potential(stage, trial, frames_trial);
-      lower = std::isfinite(there.value) && there.value <= now.value + 1e-4 * share * slope + noise;
-      if (lower) {
-        for (std::size_t i = 0; i < pulls.size(); ++i) {
-          const ContactTerm& term = stage.contacts[i];
-          const Vector3 du = relative_motion(term, direction);
-          pulls[i] = next_pull(term, stage.base, q, pulls[i], du, share);
-        }
-        q = trial;
-        frames = std::move(frames_trial);
-        now = there;
-      } else {
-        share /= 2;
-      }
+    const auto try_share = [&](double part) {
+      Trial trial{part, q + part * direction, {}, {}};
+      trial.frames = system_->transported(frames, q, trial.q);
+      trial.potential = potential(stage, trial.q, trial.frames);
+      return trial;
+    };
+    const auto is_lower = [&](const Trial& trial) {
+      const double value = trial.potential.value;
+      return std::isfinite(value) && value <= now.value + 1e-4 * trial.share * slope + noise;
+    };
+    Trial best = try_share(1);
+    for (int halving = 0; halving < kMostHalvings && !is_lower(best); ++halving) best = try_share(best.share / 2);
+    if (!is_lower(best)) return result;
+    // Where the potential is not convex, as beside a buckled shape, a step by what is convex of it is far too short.
+    for (int doubling = 0; convex && best.share >= 1 && doubling < kMostDoublings; ++doubling) {
+      Trial longer = try_share(2 * best.share);
+      if (!is_lower(longer) || longer.potential.value >= best.potential.value - noise) break;
+      best = std::move(longer);
     }
-    if (!lower) return result;
+    for (std::size_t i = 0; i < pulls.size(); ++i) {
+      const ContactTerm& term = stage.contacts[i];
+      pulls[i] = next_pull(term, stage.base, q, pulls[i], relative_motion(term, direction), std::min(best.share, 1.0));
+    }
+    q = std::move(best.q);
+    frames = std::move(best.frames);
+    now = best.potential;
     // Where the potential is so flat that rounding hides what a step gains, no method can tell the places apart.
     const bool flat = -slope <= noise && reach <= kFlat * enough;
-    if (share == 1 && flat) {
+    if (best.share >= 1 && flat) {
       result.converged = true;
       return result;
     }

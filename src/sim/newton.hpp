@@ -46,6 +46,13 @@ class Newton {
     double value = 0;
     double noise = 0;  ///< how much of it may be rounding
   };
+  /// A place along the line that is searched.
+  struct Trial {
+    double share = 0;  ///< of the direction
+    VectorX q;
+    Frames frames;
+    Potential potential;
+  };
   Potential potential(const Stage& stage, const VectorX& q, const Frames& frames) const;
 
   const System* system_;
