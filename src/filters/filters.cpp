@@ -2,6 +2,7 @@
 #include "filters/filters.hpp"
 
 #include "filters/bracket.hpp"
+#include "filters/planar_point_edge.hpp"
 #include "filters/same_side_by_ends.hpp"
 #include "filters/separating_direction.hpp"
 #include "filters/shared_corner.hpp"
@@ -15,6 +16,21 @@ Proof direction_proof(const Query& query) noexcept {
   if (separates(corners, between_closest_points(corners, query.kind))) return Proof::closest_points;
   if (has_cubic(query.kind) && separates(corners, normal_at_mid_step(corners, query.kind))) return Proof::normal;
   return separates(corners, between_centres(corners)) ? Proof::centres : Proof::none;
+}
+
+/// The bracket level.
+Decision decide_by_roots(const Query& query, double t_max, Want want, ExactValue exact_value, Answer& answer) {
+  const Frame frame = frame_of(query);  // once more: keeping it from the first test costs the many queries that it settles
+  return bracket(query, frame, coplanarity_coefficients(frame), t_max, want, exact_value, answer);
+}
+
+/// The same of a point-edge query, when it is planar.
+Decision decide_in_plane(const Query& query, double t_max, Want want, ExactValue exact_value, Answer& answer) {
+  Query edges;
+  if (!as_crossing_edges(query, edges)) return Decision::uncertain;
+  const Decision decision = decide_by_roots(edges, t_max, want, exact_value, answer);
+  if (decision == Decision::contact) name_point_and_edge(answer);
+  return decision;
 }
 
 }  // namespace
@@ -32,14 +48,13 @@ Decision decide(const Query& query, double t_max, Want want, ExactValue exact_va
   answer.level = Level::filter;
   if (touch_in_shared_corner(query, t_max, answer)) return Decision::contact;
   if (boxes_disjoint(query)) return Decision::no_contact;
-  if (has_cubic(query.kind)) {
-    // Before the other proofs of separation: of what comes so far most touch, or have a root and pass beside each other.
-    const Frame frame = frame_of(query);  // once more: keeping it from the first test costs the many queries that it settles
-    const Decision decision = bracket(query, frame, coplanarity_coefficients(frame), t_max, want, exact_value, answer);
-    if (decision != Decision::uncertain) {
-      answer.level = Level::bracket;
-      return decision;
-    }
+  // Before the other proofs of separation: of what comes so far most touch, or have a root and pass beside each other.
+  const Decision decision = has_cubic(query.kind) ? decide_by_roots(query, t_max, want, exact_value, answer)
+                            : query.kind == Kind::point_edge ? decide_in_plane(query, t_max, want, exact_value, answer)
+                                                             : Decision::uncertain;
+  if (decision != Decision::uncertain) {
+    answer.level = Level::bracket;
+    return decision;
   }
   return direction_proof(query) != Proof::none ? Decision::no_contact : Decision::uncertain;
 }
