@@ -19,6 +19,7 @@ struct Advance {
   State state;         ///< at the end of the step, when it converged
   int iterations = 0;  ///< of Newton's method, over all stages
   int convex = 0;      ///< of these, with second derivatives made positive
+  bool first_order = false;  ///< by implicit Euler, since the scene's integrator would have gained energy
 };
 
 class Stepper {
@@ -50,6 +51,7 @@ class Stepper {
   Advance implicit_midpoint(const State& state, double h);
   Advance tr_bdf2(const State& state, double h);
   Advance symplectic_euler(const State& state, double h);
+  bool gained_energy(const State& before, double h, const State& after) const;
   void finish(const State& before, double h, State& after) const;
 
   const System* system_;
