@@ -108,8 +108,18 @@ class SimulateProgress {
   Clock::time_point start_ = Clock::now(), last_ = start_;
 };
 
-std::string outcome(const sim::Simulation& simulation, std::uint64_t steps, std::uint64_t parts, std::uint64_t gained,
-                    double rate) {
+/// Over all steps.
+struct Totals {
+  std::uint64_t parts = 0, gained = 0, first_order = 0;
+
+  void add(const sim::StepRecord& record) {
+    ++parts;
+    gained += static_cast<std::uint64_t>(record.gained_energy);
+    first_order += static_cast<std::uint64_t>(record.first_order);
+  }
+};
+
+std::string outcome(const sim::Simulation& simulation, std::uint64_t steps, const Totals& totals, double rate) {
   std::string text;
   constexpr std::size_t kMostShown = 20;
   const auto& crossings = simulation.crossings();
@@ -118,14 +128,20 @@ std::string outcome(const sim::Simulation& simulation, std::uint64_t steps, std:
   }
   if (crossings.size() > kMostShown) text += fmt::format("crossing: {} more\n", grouped(crossings.size() - kMostShown));
   const auto& refused = simulation.refused();
-  if (parts > steps) {
+  if (totals.parts > steps) {
     text += fmt::format(
         "{} in {}: refused were {} that did not converge, {} without a response, {} in which contacts "
         "did work, {} that failed their proof\n",
-        counted(steps, "step"), counted(parts, "part"), refused.not_converged, refused.not_resolved,
+        counted(steps, "step"), counted(totals.parts, "part"), refused.not_converged, refused.not_resolved,
         refused.gained_energy, refused.not_certified);
   }
-  if (gained > 0) text += fmt::format("in {} contacts did work: too short to be cut again\n", counted(gained, "part"));
+  if (totals.gained > 0)
+    text += fmt::format("in {} contacts did work: too short to be cut again\n", counted(totals.gained, "part"));
+  if (totals.first_order > 0) {
+    text +=
+        fmt::format("{} of first order, by implicit-euler: the scene's integrator gained energy or did not converge\n",
+                    counted(totals.first_order, "part"));
+  }
   if (const auto& times = simulation.times(); times.total() > 0) {
     const auto share = [&](double seconds) { return 100 * seconds / times.total(); };
     text += fmt::format(
@@ -185,7 +201,7 @@ int run_simulate(const SimulateOptions& options) {
   const auto all = static_cast<std::uint64_t>(std::ceil(settings.duration / settings.time_step - 1e-6));
   const std::uint64_t steps = options.steps ? *options.steps : all - std::min(all, simulation.steps());
   SimulateOutput output(options, simulation);
-  std::uint64_t parts = 0, gained = 0;
+  Totals totals;
   SimulateProgress progress(steps);
   for (std::uint64_t i = 0; i < steps; ++i) {
     const auto records = [&] {
@@ -200,15 +216,14 @@ int run_simulate(const SimulateOptions& options) {
         throw;
       }
     }();
-    parts += records.size();
-    for (const auto& record : records) gained += static_cast<std::uint64_t>(record.gained_energy);
+    for (const auto& record : records) totals.add(record);
     output.step(records);
     progress.step();
   }
   const double rate = progress.rate();
   const std::string hint = output.finish();
   if (!hint.empty()) print_error(fmt::format("touchstone: {}\n", hint));
-  console.write(outcome(simulation, steps, parts, gained, rate));
+  console.write(outcome(simulation, steps, totals, rate));
   console.commit();
   return simulation.crossings().empty() ? kAllHold : kRefuted;
 }

@@ -44,7 +44,8 @@ std::string vtk_series(const std::vector<Frame>& frames) {
 }
 
 std::string proof_header() {
-  return "step,time,length,newton_iterations,close,contacts,crossing,grazing,sustained,isolated,response_queries,"
+  return "step,time,length,newton_iterations,first_order,close,contacts,crossing,grazing,sustained,isolated,response_"
+         "queries,"
          "response_filter,response_bracket,response_exact,impulse_passes,contact_solves,impact_zones,pairs,proof_"
          "filter,"
          "proof_bracket,proof_exact,gained_energy,crossings,certified\n";
@@ -52,11 +53,11 @@ std::string proof_header() {
 
 std::string proof_row(const StepRecord& r) {
   const auto& c = r.response;
-  return fmt::format("{},{:a},{:a},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", r.step, r.time,
-                     r.length, r.newton_iterations, c.close, c.contacts, c.natures[1], c.natures[2], c.natures[3],
-                     c.natures[4], c.queries, c.levels.filter, c.levels.bracket, c.levels.exact, c.passes, c.solves,
-                     c.zones, r.proof.pairs, r.proof.levels.filter, r.proof.levels.bracket, r.proof.levels.exact,
-                     r.gained_energy, r.proof.crossings, r.proof.crossings == 0 ? 1 : 0);
+  return fmt::format("{},{:a},{:a},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", r.step, r.time,
+                     r.length, r.newton_iterations, r.first_order, c.close, c.contacts, c.natures[1], c.natures[2],
+                     c.natures[3], c.natures[4], c.queries, c.levels.filter, c.levels.bracket, c.levels.exact, c.passes,
+                     c.solves, c.zones, r.proof.pairs, r.proof.levels.filter, r.proof.levels.bracket,
+                     r.proof.levels.exact, r.gained_energy, r.proof.crossings, r.proof.crossings == 0 ? 1 : 0);
 }
 
 std::string energy_header() { return "step,time,kinetic,stretch,bend,twist,load,total,parts,close,contacts,pairs\n"; }

@@ -159,6 +159,7 @@ bool Simulation::try_part(double h, double end_time, StepRecord& record) {
   record.length = h;
   record.newton_iterations = advance.iterations + record.response.newton_iterations;
   record.newton_convex = advance.convex;
+  record.first_order = advance.first_order ? 1 : 0;
   return true;
 }
 

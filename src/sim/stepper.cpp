@@ -8,9 +8,10 @@
 namespace touchstone::sim {
 namespace {
 
-// Second-order methods keep the energy of small vibrations or take from it, but on stiff elements that turn in a step they may
-// multiply it.
+// Second-order methods keep the energy of small vibrations or take from it, but on stiff elements that turn in a step
+// they may multiply it.
 constexpr double kEnergyShare = 2e-3;  // of the kinetic and stored energy: a step that gains more is of first order
+constexpr double kStubborn = 0.125;    // of the scene's step: where they do not converge in that, implicit Euler may
 constexpr double kContactTolerance = 1e-3;  // m/s: contact springs are no more exact than this
 
 }  // namespace
@@ -40,19 +41,19 @@ Advance Stepper::advance(const State& state, double h) {
     case Integrator::implicit_midpoint: advance = implicit_midpoint(state, h); break;
     case Integrator::symplectic_euler: advance = symplectic_euler(state, h); break;
   }
-  if (!advance.converged) return advance;
-  finish(state, h, advance.state);
-  const bool may_gain =
+  if (advance.converged) finish(state, h, advance.state);
+  const bool second_order =
       settings_.integrator == Integrator::tr_bdf2 || settings_.integrator == Integrator::implicit_midpoint;
-  if (may_gain && gained_energy(state, h, advance.state)) {
-    const Advance second_order = std::move(advance);
+  const bool is_short = h <= kStubborn * settings_.time_step;
+  if (second_order && (advance.converged ? gained_energy(state, h, advance.state) : is_short)) {
+    const Advance tried = std::move(advance);
     advance = implicit_euler(state, h);
-    advance.iterations += second_order.iterations;
-    advance.convex += second_order.convex;
+    advance.iterations += tried.iterations;
+    advance.convex += tried.convex;
     advance.first_order = true;
-    if (!advance.converged) return advance;
-    finish(state, h, advance.state);
+    if (advance.converged) finish(state, h, advance.state);
   }
+  if (!advance.converged) return advance;
   if (!advance.state.q.allFinite() || !advance.state.v.allFinite()) advance.converged = false;
   return advance;
 }
@@ -130,8 +131,8 @@ bool Stepper::gained_energy(const State& before, double h, const State& after) c
   State later = before;  // what a twisted end of a ring gives by its turn is no gain either
   later.time += h;
   const Energies was = energies(*system_, before), turned = energies(*system_, later), is = energies(*system_, after);
-  const double slack = kEnergyShare * std::max(was.total() - was.load, is.total() - is.load) +
-                       1e-12 * (std::abs(was.load) + 1e-3);
+  const double slack =
+      kEnergyShare * std::max(was.total() - was.load, is.total() - is.load) + 1e-12 * (std::abs(was.load) + 1e-3);
   // The work is that of the forces at the step's end: these methods take them from all over the step.
   const double work = 2 * std::max(driven_work(before, h, {}, after), 0.0);
   return !(is.total() <= std::max(was.total(), turned.total()) + work + slack);

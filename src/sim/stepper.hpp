@@ -19,7 +19,7 @@ struct Advance {
   State state;         ///< at the end of the step, when it converged
   int iterations = 0;  ///< of Newton's method, over all stages
   int convex = 0;      ///< of these, with second derivatives made positive
-  bool first_order = false;  ///< by implicit Euler, since the scene's integrator would have gained energy
+  bool first_order = false;  ///< by implicit Euler, where the scene's own method gains energy or does not converge
 };
 
 class Stepper {
