@@ -106,13 +106,25 @@ VectorX Energy::strain_rates(const VectorX& q, const VectorX& v, const Frames& f
   return rates;
 }
 
+VectorX Energy::tensions_after(const VectorX& q, const Strains& strains, const VectorX& step) const {
+  VectorX tensions(static_cast<Eigen::Index>(system_->lengths.size()));
+  for (std::size_t i = 0; i < system_->lengths.size(); ++i) {
+    const Length& element = system_->lengths[i];
+    const auto row = static_cast<Eigen::Index>(i);
+    const Vector3 between = position(q, element.b) - position(q, element.a);
+    const double longer = between.normalized().dot(position(step, element.b) - position(step, element.a));
+    tensions[row] = strains.stiffness[row] * (between.norm() + longer - strains.rest[row]);
+  }
+  return tensions;
+}
+
 double Energy::value(const VectorX& q, const Frames& frames, double time, const Strains& strains) const {
   const VectorX s = this->strains(q, frames, time);
   return 0.5 * (strains.stiffness.array() * (s - strains.rest).array().square()).sum();
 }
 
 void Energy::derivatives(const VectorX& q, const Frames& frames, double time, const Strains& strains,
-                         Curvature curvature, VectorX& gradient, BlockSink* sink) const {
+                         Curvature curvature, VectorX& gradient, BlockSink* sink, const VectorX* tensions) const {
   for (std::size_t i = 0; i < system_->lengths.size(); ++i) {
     const Length& element = system_->lengths[i];
     const auto row = static_cast<Eigen::Index>(i);
@@ -124,7 +136,8 @@ void Energy::derivatives(const VectorX& q, const Frames& frames, double time, co
     gradient.segment<3>(3 * static_cast<Eigen::Index>(element.a)) -= pull;
     gradient.segment<3>(3 * static_cast<Eigen::Index>(element.b)) += pull;
     if (sink == nullptr) continue;
-    const double across = curvature == Curvature::convex ? std::max(stress / length, 0.0) : stress / length;
+    const double turning = (tensions != nullptr ? (*tensions)[row] : stress) / length;
+    const double across = curvature == Curvature::convex ? std::max(turning, 0.0) : turning;
     const Eigen::Matrix3d projection = along * along.transpose();
     sink->length(i, k * projection + across * (Eigen::Matrix3d::Identity() - projection));
   }

@@ -46,8 +46,12 @@ class Energy {
   double value(const VectorX& q, const Frames& frames, double time, const Strains& strains) const;
 
   /// Adds to `gradient`, and gives the second derivatives to `sink` unless it is null.
+  /// @param tensions  N, of each length: what its turning resists in the second derivatives; null: the stress it has
   void derivatives(const VectorX& q, const Frames& frames, double time, const Strains& strains, Curvature curvature,
-                   VectorX& gradient, BlockSink* sink) const;
+                   VectorX& gradient, BlockSink* sink, const VectorX* tensions = nullptr) const;
+
+  /// What the tension of each length becomes, to first order, when q changes by `step`, N.
+  VectorX tensions_after(const VectorX& q, const Strains& strains, const VectorX& step) const;
 
  private:
   VectorX elastic_stiffness() const;

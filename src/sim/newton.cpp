@@ -15,10 +15,29 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr int kMostIterations = 100;
 constexpr int kMostHalvings = 30;
 constexpr int kMostDoublings = 10;
+constexpr int kPatience = 15;    // iterations before the first excursion: what converges sooner is not led elsewhere
+constexpr int kMostSteps = 4;    // of an excursion
 constexpr double kFlat = 1000;   // tolerances that a step may still be long when rounding hides what it gains
 constexpr double kLever = 0.01;  // m: an angle's change counts as what it moves this far from the axis
 
 }  // namespace
+
+/// A few whole steps although the potential rises. Stiff lengths resist a straight step as much as it turns them on the
+/// way, so that only tiny steps lead down (Maratos 1978); a step or two later that is made good. While they are out of
+/// shape, what their turning resists is the tension that they are meant to have, not that which they have: Newton's
+/// method with the tensions as variables. Comes back when it was for nothing (the watchdog of Chamberlain et al. 1982).
+struct Newton::Excursion {
+  int left = 0;             // steps; 0: there is none under way
+  int wait = 0, pause = 1;  // iterations before the next one, and after one that was for nothing
+  double wanted = 0;        // J: what it must come down to
+  VectorX tensions;
+  VectorX q;  // where it began, and what was known there
+  Frames frames;
+  Potential potential;
+  std::vector<Vector3> pulls;
+  VectorX direction;
+  double slope = 0, noise = 0;
+};
 
 /// Second derivatives in the free coordinates.
 class Newton::Matrix final : public BlockSink {
@@ -185,10 +204,31 @@ NewtonResult Newton::minimise(const Stage& stage, const VectorX& guess, VectorX&
   };
   const double inverse = 1 / (stage.span * stage.span);
   const VectorX diagonal = (inverse + drag_ / stage.span) * mass;
+  VectorX direction;
+  double slope = 0, noise = 0;
+  const auto try_share = [&](double part) {
+    Trial trial{part, q + part * direction, {}, {}};
+    trial.frames = system_->transported(frames, q, trial.q);
+    trial.potential = potential(stage, trial.q, trial.frames);
+    return trial;
+  };
+  const auto take = [&](Trial trial) {
+    for (std::size_t i = 0; i < pulls.size(); ++i) {
+      const ContactTerm& term = stage.contacts[i];
+      pulls[i] = next_pull(term, stage.base, q, pulls[i], relative_motion(term, direction), std::min(trial.share, 1.0));
+    }
+    q = std::move(trial.q);
+    frames = std::move(trial.frames);
+    now = trial.potential;
+  };
+  const auto wanted = [&](double share) { return now.value + 1e-4 * share * slope + noise; };
+  const auto is_lower = [&](const Trial& trial) { return trial.potential.value <= wanted(trial.share); };
+  Excursion out;
   for (result.iterations = 1; result.iterations <= kMostIterations; ++result.iterations) {
+    const VectorX* const tensions = out.left > 0 ? &out.tensions : nullptr;
     VectorX gradient = VectorX::Zero(q.size());
     matrix_->start(diagonal);
-    energy_.derivatives(q, frames, stage.time, stage.strains, Curvature::exact, gradient, matrix_.get());
+    energy_.derivatives(q, frames, stage.time, stage.strains, Curvature::exact, gradient, matrix_.get(), tensions);
     add_contacts(gradient);
     const double stored_force = gradient.lpNorm<1>();
     const bool convex = !matrix_->factorise();
@@ -196,63 +236,78 @@ NewtonResult Newton::minimise(const Stage& stage, const VectorX& guess, VectorX&
       ++result.convex;
       matrix_->start(diagonal);
       VectorX ignored = VectorX::Zero(q.size());
-      energy_.derivatives(q, frames, stage.time, stage.strains, Curvature::convex, ignored, matrix_.get());
+      energy_.derivatives(q, frames, stage.time, stage.strains, Curvature::convex, ignored, matrix_.get(), tensions);
       add_contacts(ignored);
       if (!matrix_->factorise()) return result;
     }
     const VectorX moved = q - stage.base;
     gradient += inverse * mass.cwiseProduct(moved - stage.span * stage.base_velocity) +
                 drag_ / stage.span * mass.cwiseProduct(moved) - system_->force;
-    const VectorX direction = matrix_->direction(gradient);
-    const double slope = gradient.dot(direction);
-    const double reach = size_of(direction);
+    direction = matrix_->direction(gradient);
+    slope = gradient.dot(direction);
+    double reach = size_of(direction);
     if (!std::isfinite(slope) || !std::isfinite(reach)) return result;
 
     // Coordinates are rounded: so much of the potential, and of a step, means nothing.
     const double ulp = kEpsilon * q.head(particles).lpNorm<Eigen::Infinity>();
-    const double noise = now.noise + ulp * stored_force;
+    noise = now.noise + ulp * stored_force;
     const double enough = std::max(std::max(tolerance_, stage.tolerance) * stage.span, 16 * ulp);
+    Trial best = try_share(1);
+    bool lower = out.left > 0 ? best.potential.value <= out.wanted : is_lower(best);
+    const auto go_out = [&] {
+      out.tensions = energy_.tensions_after(q, stage.strains, direction);
+      take(std::move(best));
+    };
+    if (out.left > 0 && !lower) {
+      if (--out.left > 0 && std::isfinite(best.potential.value)) {
+        go_out();
+        continue;
+      }
+      q = std::move(out.q);
+      frames = std::move(out.frames);
+      now = out.potential;
+      pulls = std::move(out.pulls);
+      direction = std::move(out.direction);
+      slope = out.slope;
+      noise = out.noise;
+      reach = size_of(direction);
+      best = try_share(0.5);
+      lower = is_lower(best);
+      out.wait = out.pause;
+      out.pause *= 2;
+    } else if (out.left > 0) {
+      out.left = 0;
+      out.pause = 1;
+    }
     result.last_step = reach / stage.span;
     if (reach <= enough) {
       // The last step is shorter than the tolerance: taken when it leads down, left when rounding hides where down is.
-      const VectorX trial = q + direction;
-      Frames frames_trial = system_->transported(frames, q, trial);
-      if (potential(stage, trial, frames_trial).value <= now.value) {
-        q = trial;
-        frames = std::move(frames_trial);
-      }
+      if (best.potential.value <= now.value) take(std::move(best));
       result.converged = true;
       return result;
     }
-    const auto try_share = [&](double part) {
-      Trial trial{part, q + part * direction, {}, {}};
-      trial.frames = system_->transported(frames, q, trial.q);
-      trial.potential = potential(stage, trial.q, trial.frames);
-      return trial;
-    };
-    const auto is_lower = [&](const Trial& trial) {
-      const double value = trial.potential.value;
-      return std::isfinite(value) && value <= now.value + 1e-4 * trial.share * slope + noise;
-    };
-    Trial best = try_share(1);
-    for (int halving = 0; halving < kMostHalvings && !is_lower(best); ++halving) best = try_share(best.share / 2);
-    if (!is_lower(best)) return result;
+    if (!lower && result.iterations > kPatience && best.share == 1 && out.wait == 0 &&
+        std::isfinite(best.potential.value)) {
+      out = {kMostSteps, 0, out.pause, wanted(1), {}, q, frames, now, pulls, direction, slope, noise};
+      go_out();
+      continue;
+    }
+    if (out.wait > 0) --out.wait;
+    for (int halving = 0; !lower; ++halving) {
+      if (halving == kMostHalvings) return result;
+      best = try_share(best.share / 2);
+      lower = is_lower(best);
+    }
     // Where the potential is not convex, as beside a buckled shape, a step by what is convex of it is far too short.
     for (int doubling = 0; convex && best.share >= 1 && doubling < kMostDoublings; ++doubling) {
       Trial longer = try_share(2 * best.share);
       if (!is_lower(longer) || longer.potential.value >= best.potential.value - noise) break;
       best = std::move(longer);
     }
-    for (std::size_t i = 0; i < pulls.size(); ++i) {
-      const ContactTerm& term = stage.contacts[i];
-      pulls[i] = next_pull(term, stage.base, q, pulls[i], relative_motion(term, direction), std::min(best.share, 1.0));
-    }
-    q = std::move(best.q);
-    frames = std::move(best.frames);
-    now = best.potential;
     // Where the potential is so flat that rounding hides what a step gains, no method can tell the places apart.
-    const bool flat = -slope <= noise && reach <= kFlat * enough;
-    if (best.share >= 1 && flat) {
+    const bool flat = -slope <= noise && reach <= kFlat * enough && best.share >= 1;
+    take(std::move(best));
+    if (flat) {
       result.converged = true;
       return result;
     }

@@ -42,6 +42,7 @@ class Newton {
 
  private:
   class Matrix;
+  struct Excursion;
   struct Potential {
     double value = 0;
     double noise = 0;  ///< how much of it may be rounding
