@@ -3,15 +3,90 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include <touchstone/error.hpp>
 
 #include "io/fail.hpp"
 
 namespace touchstone::sim {
+namespace {
+
+std::string item_path(const std::string& list, std::size_t number) {
+  return list + "[" + std::to_string(number) + "]";
+}
+
+std::string key_path(const std::string& object, std::string_view key) {
+  return object.empty() ? std::string(key) : object + "." + std::string(key);
+}
+
+/// Where a parser is, and which keys it has seen there.
+class OpenValues {
+ public:
+  void begin(bool list) {
+    count();
+    open_.push_back({list, 0, {}, {}});
+  }
+  void end() { open_.pop_back(); }
+  void key(const std::string& name) {
+    Open& object = open_.back();
+    object.name = name;
+    if (!object.keys.insert(name).second) throw Error(path() + ": the key is there twice in one object");
+  }
+  /// A value begins.
+  void count() {
+    if (!open_.empty()) ++open_.back().count;
+  }
+
+ private:
+  struct Open {
+    bool list = false;
+    std::size_t count = 0;       // of a list: values that have begun
+    std::string name;            // of an object: its latest key
+    std::set<std::string> keys;  // of an object
+  };
+  std::string path() const {
+    constexpr std::size_t kLongest = 400;  // keys may be any text, and as deep as the file is long
+    std::string path;
+    for (const Open& open : open_) {
+      const std::string quoted = io::in_quotes(open.name);
+      path = open.list ? item_path(path, open.count - 1) : key_path(path, quoted.substr(1, quoted.size() - 2));
+      if (path.size() > kLongest) return path + "...";
+    }
+    return path;
+  }
+  std::vector<Open> open_;
+};
+
+}  // namespace
+
+nlohmann::json parse_json(std::string_view text) {
+  // Of two equal keys the library would drop the first one without a word.
+  using Event = nlohmann::json::parse_event_t;
+  OpenValues values;
+  const auto watch = [&values](int, Event event, const nlohmann::json& value) {
+    switch (event) {
+      case Event::object_start: values.begin(false); break;
+      case Event::array_start: values.begin(true); break;
+      case Event::object_end:
+      case Event::array_end: values.end(); break;
+      case Event::key: values.key(value.get_ref<const std::string&>()); break;
+      case Event::value: values.count(); break;
+    }
+    return true;
+  };
+  try {
+    return nlohmann::json::parse(text.begin(), text.end(), watch);
+  } catch (const nlohmann::json::exception& error) {
+    // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
+    const std::string what = error.what();
+    const std::size_t bracket = what.find("] ");
+    throw Error("no JSON: " + (bracket == std::string::npos ? what : what.substr(bracket + 2)));
+  }
+}
 
 void JsonNode::fail(std::string_view reason) const {
-  throw Error((path_.empty() ? std::string("the scene") : path_) + ": " + std::string(reason));
+  throw Error((path_.empty() ? std::string(whole_) : path_) + ": " + std::string(reason));
 }
 
 void JsonNode::check_keys(std::initializer_list<std::string_view> keys) const {
@@ -30,7 +105,7 @@ JsonNode JsonNode::at(std::string_view key) const {
   if (!value_->is_object()) fail("must be an object");
   const auto found = value_->find(std::string(key));
   if (found == value_->end()) fail("lacks the key '" + std::string(key) + "'");
-  return {*found, path_.empty() ? std::string(key) : path_ + "." + std::string(key)};
+  return {*found, key_path(path_, key), whole_};
 }
 
 std::optional<JsonNode> JsonNode::find(std::string_view key) const {
@@ -43,7 +118,7 @@ std::vector<JsonNode> JsonNode::items() const {
   std::vector<JsonNode> all;
   all.reserve(value_->size());
   for (std::size_t i = 0; i < value_->size(); ++i)
-    all.emplace_back((*value_)[i], path_ + "[" + std::to_string(i) + "]");
+    all.push_back(JsonNode((*value_)[i], item_path(path_, i), whole_));
   return all;
 }
 
@@ -53,10 +128,12 @@ double JsonNode::number() const {
 }
 
 std::uint32_t JsonNode::index() const {
-  if (value_->is_number_unsigned() && value_->get<std::uint64_t>() <= std::numeric_limits<std::uint32_t>::max()) {
-    return value_->get<std::uint32_t>();
-  }
-  fail("must be a whole number from 0 to 4294967295");
+  return static_cast<std::uint32_t>(count(std::numeric_limits<std::uint32_t>::max()));
+}
+
+std::uint64_t JsonNode::count(std::uint64_t most) const {
+  if (value_->is_number_unsigned() && value_->get<std::uint64_t>() <= most) return value_->get<std::uint64_t>();
+  fail("must be a whole number from 0 to " + std::to_string(most));
 }
 
 bool JsonNode::boolean() const {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <touchstone/error.hpp>
 
-#include "io/fail.hpp"
 #include "sim/json_node.hpp"
 #include "sim/scene_file.hpp"
 #include "sim/scene_parts.hpp"
@@ -221,33 +219,11 @@ void add_cable(Scene& scene, const JsonNode& node) {
   scene.cables.push_back(std::move(cable));
 }
 
-nlohmann::json parsed(std::string_view text) {
-  // Of two equal keys the library would drop the first one without a word.
-  using Event = nlohmann::json::parse_event_t;
-  std::vector<std::set<std::string>> keys;  // of every object that is open
-  const auto watch = [&keys](int, Event event, const nlohmann::json& value) {
-    if (event == Event::object_start) keys.emplace_back();
-    if (event == Event::object_end) keys.pop_back();
-    if (event == Event::key && !keys.back().insert(value.get<std::string>()).second) {
-      throw Error("the key " + io::in_quotes(value.get<std::string>()) + " is there twice in one object");
-    }
-    return true;
-  };
-  try {
-    return nlohmann::json::parse(text.begin(), text.end(), watch);
-  } catch (const nlohmann::json::exception& error) {
-    // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
-    const std::string what = error.what();
-    const std::size_t bracket = what.find("] ");
-    throw Error("no JSON: " + (bracket == std::string::npos ? what : what.substr(bracket + 2)));
-  }
-}
-
 }  // namespace
 
 Scene scene_from_json(std::string_view text) {
-  const nlohmann::json document = parsed(text);
-  const JsonNode root(document, "");
+  const nlohmann::json document = parse_json(text);
+  const JsonNode root(document);
   root.check_keys(
       {"touchstone_scene", "name", "settings", "particles", "springs", "surfaces", "cables", "wires", "faces"});
   if (root.at("touchstone_scene").index() != kVersion) root.at("touchstone_scene").fail("must be 1");

@@ -9,10 +9,11 @@
 
 #include <touchstone/error.hpp>
 
+#include "sim/state_check.hpp"
+
 namespace touchstone::sim {
 namespace {
 
-constexpr int kMostHalvings = 24;
 constexpr int kMostParts = 20'000;    // of a step, refused ones included: 2^24 of them would take for ever
 constexpr double kEnergyParts = 100;  // of a step, to which it is cut at most because contacts would do work
 
@@ -34,27 +35,23 @@ Simulation::Simulation(Scene scene, const SimulationOptions& options)
       narrow_phase_(options.narrow_phase),
       before_part_(options.before_part),
       state_(stepper_.initial()) {
-  check_start();
+  check_start(state_, "the scene");
 }
 
 Simulation::~Simulation() = default;
 
-void Simulation::check_start() {
-  const std::vector<Pair> pairs = elements_.candidates(state_.q, state_.q, 0);
-  prover_.contacts(pairs, state_.q, state_.q, [&](std::size_t i, const Answer&) {
-    throw Error(fmt::format("the scene begins with elements that touch: {}", elements_.describe(pairs[i])));
+void Simulation::check_start(const State& state, std::string_view what) {
+  const std::vector<Pair> pairs = elements_.candidates(state.q, state.q, 0);
+  prover_.contacts(pairs, state.q, state.q, [&](std::size_t i, const Answer&) {
+    throw Error(fmt::format("{} begins with elements that touch: {}", what, elements_.describe(pairs[i])));
   });
 }
 
 void Simulation::resume(State state, std::uint64_t steps) {
-  if (state.q.size() != state_.q.size() || state.v.size() != state_.v.size() ||
-      state.frames.director.size() != state_.frames.director.size() ||
-      state.frames.reference_twist.size() != state_.frames.reference_twist.size()) {
-    throw Error("the checkpoint is of another scene: it has other numbers of particles or segments");
-  }
+  check_state(scene_, system_, state, steps);
+  check_start(state, "q: the checkpoint");
   state_ = std::move(state);
   steps_ = steps;
-  check_start();
 }
 
 std::vector<StepRecord> Simulation::step() {

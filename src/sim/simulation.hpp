@@ -77,7 +77,8 @@ class Simulation {
   const PhaseTimes& times() const noexcept { return times_; }
   Energies energies() const { return sim::energies(system_, state_); }
 
-  /// Goes on from a state of the same scene. @throws Error when its sizes are not this scene's
+  /// Goes on from a state of the same scene. @throws Error as check_state does, or when elements touch: it stays where
+  /// it is then
   void resume(State state, std::uint64_t steps);
 
   /// Sees every query of the proofs, with its answer.
@@ -85,7 +86,7 @@ class Simulation {
 
  private:
   double time_at(double steps) const noexcept { return steps * scene_.settings.time_step; }
-  void check_start();
+  void check_start(const State& state, std::string_view what);
   bool try_part(double h, double end_time, StepRecord& record);
 
   Scene scene_;
