@@ -56,6 +56,14 @@ VectorX gathered_strains(const VectorX& v, const SystemPart& part, const System&
   return own;
 }
 
+/// Of the whole system; -1 stays.
+Eigen::Index coordinate_of(const SystemPart& part, Eigen::Index own, const System& system) {
+  if (own < 0) return own;
+  const auto particle = static_cast<std::size_t>(own) / 3;
+  if (particle < part.particles.size()) return 3 * static_cast<Eigen::Index>(part.particles[particle]) + own % 3;
+  return system.angle(part.edges[static_cast<std::size_t>(own) - 3 * part.particles.size()]);
+}
+
 }  // namespace
 
 template <class Component>
@@ -258,7 +266,10 @@ NewtonResult Islands::minimise_part(const Part& part, bool with_loose, const std
     Newton newton(system, settings_, patterns_);
     result = newton.minimise(own_stage, gathered(*begin.guess, own, *system_), own_q, own_frames);
   }
-  if (!result.converged) return result;
+  if (!result.converged) {
+    result.mover.coordinate = coordinate_of(own, result.mover.coordinate, *system_);
+    return result;
+  }
   Eigen::Index at = 0;
   for (const Index p : own.particles) {
     q.segment<3>(3 * static_cast<Eigen::Index>(p)) = own_q.segment<3>(at);
@@ -305,6 +316,7 @@ NewtonResult Islands::minimise(const Stage& stage, const VectorX& guess, VectorX
     all.last_step = std::max(all.last_step, own.last_step);
     if (own.converged) continue;
     all.converged = false;
+    all.mover = own.mover;
     return all;
   }
   return all;

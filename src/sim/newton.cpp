@@ -17,6 +17,15 @@ constexpr int kMostHalvings = 30;
 constexpr double kFlat = 1000;   // tolerances that a step may still be long when rounding hides what it gains
 constexpr double kLever = 0.01;  // m: an angle's change counts as what it moves this far from the axis
 
+Mover mover_of(const VectorX& direction, Eigen::Index particles, double span) {
+  Mover mover;
+  VectorX moved = direction.cwiseAbs();
+  moved.tail(moved.size() - particles) *= kLever;
+  moved.maxCoeff(&mover.coordinate);
+  mover.speed = std::abs(direction[mover.coordinate]) / span;
+  return mover;
+}
+
 }  // namespace
 
 /// Second derivatives in the free coordinates.
@@ -242,6 +251,7 @@ NewtonResult Newton::minimise(const Stage& stage, const VectorX& guess, VectorX&
         share /= 2;
       }
     }
+    if (!lower || result.iterations == kMostIterations) result.mover = mover_of(direction, particles, stage.span);
     if (!lower) return result;
     // Where the potential is so flat that rounding hides what a step gains, no method can tell the places apart.
     const bool flat = -slope <= noise && reach <= kFlat * enough;

@@ -60,6 +60,7 @@ Response::Response(const Elements& elements, const System& system, const Setting
 Response::Outcome Response::respond(Stepper& stepper, const State& state, double h, State& next, ResponseCounts& counts,
                                     PhaseTimes& times) {
   const PhaseClock clock(times.response);
+  trouble_ = {};
   const auto& passes = elements_->passes();
   if (!passes.edge_edge && !passes.vertex_face && !passes.joints && !passes.points) return Outcome::done;
   finder_.begin(state.q, next.q, thickness_);
@@ -233,6 +234,7 @@ bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Con
     work.times->response -= work.times->contacts - before;  // which goes on, and counts this too
     ++work.counts->solves;
     work.counts->newton_iterations += advance.iterations;
+    trouble_.mover = advance.mover;
     if (!advance.converged) return false;
     *work.next = std::move(advance.state);
     finder_.moved(work.next->q, all);
@@ -276,12 +278,17 @@ bool Response::freeze_zones(Work& work, std::vector<Contact> contacts) {
   VectorX& x1 = work.next->q;
   while (!contacts.empty()) {
     for (const Contact& contact : contacts) {
+      trouble_.left = contact;
       if (!zones.join(contact)) return false;  // a zone moves as one: only rounding can make its own parts meet
     }
     const auto groups = zones.zones();
     work.counts->zones = static_cast<int>(groups.size());
     for (const auto& zone : groups) {
-      if (!move_rigidly(zone, *system_, inverse_mass_, work.state->q, x1)) return false;
+      if (!move_rigidly(zone, *system_, inverse_mass_, work.state->q, x1)) {
+        const auto of_zone = [&](const Contact& c) { return zones.zone(c.particles[0]) == zone.front(); };
+        trouble_.left = *std::find_if(contacts.begin(), contacts.end() - 1, of_zone);
+        return false;
+      }
       for (const Index p : zone) work.pushed.segment<3>(3 * static_cast<Eigen::Index>(p)).setZero();
     }
     finder_.begin(work.state->q, x1, 0);

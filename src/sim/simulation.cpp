@@ -61,6 +61,8 @@ std::vector<StepRecord> Simulation::step() {
   std::optional<State> before;  // once a part has moved it
   const std::size_t crossings_before = crossings_.size();
   const auto whole = static_cast<double>(steps_);
+  const RefusedCounts refused_before = refused_;
+  Refusal refusal;  // the latest
   double done = 0, share = 1;
   int halvings = 0, parts = 0;
   const auto take_back = [&] {
@@ -80,12 +82,14 @@ std::vector<StepRecord> Simulation::step() {
     StepRecord record;
     record.step = steps_;
     if (++parts > kMostParts) {
+      const std::string why = for_person(refusal);
       take_back();
-      throw Error(fmt::format("step {} cannot be taken: after {} tries of its parts it has come to {:.6g} s", steps_ + 1,
-                              kMostParts, start));
+      throw Error(fmt::format("step {} cannot be taken: after {} tries of its parts it has come to {:.9g} s ({}): {}",
+                              steps_ + 1, kMostParts, start, refused_for_person(refused_, refused_before), why));
     }
     if (share < 1 && !before) before = state_;
-    if (try_part(end - start, end, record)) {
+    auto tried = try_part(end - start, end, record);
+    if (!tried) {
       records.push_back(record);
       done += share;
       while (halvings > 0 && std::fmod(done, 2 * share) == 0) {
@@ -94,45 +98,57 @@ std::vector<StepRecord> Simulation::step() {
       }
       continue;
     }
+    refusal = *tried;
+    count(refused_, refusal.cause);
     share /= 2;
     if (++halvings <= kMostHalvings) continue;
+    const std::string why = for_person(refusal);
     take_back();
-    throw Error(fmt::format(
-        "step {} at {:.6g} s cannot be taken, not even in parts of {:.3g} s: {} did not converge, {} "
-        "found no response, {} failed their proof",
-        steps_ + 1, start, end - start, refused_.not_converged, refused_.not_resolved, refused_.not_certified));
+    throw Error(fmt::format("step {} at {:.9g} s cannot be taken, not even in parts of {:.3g} s ({}): {}", steps_ + 1,
+                            start, end - start, refused_for_person(refused_, refused_before), why));
   }
   return records;
 }
 
-bool Simulation::try_part(double h, double end_time, StepRecord& record) {
+std::optional<Refusal> Simulation::try_part(double h, double end_time, StepRecord& record) {
   Advance advance = [&] {
     const PhaseClock clock(times_.integration);
     return stepper_.advance(state_, h);
   }();
-  if (!advance.converged) {
-    ++refused_.not_converged;
-    return false;
-  }
+  const auto refused = [](Cause cause) {
+    Refusal refusal;
+    refusal.cause = cause;
+    return refusal;
+  };
+  const auto not_converged = [&](const Mover& mover, bool with_contacts) {
+    Refusal refusal = refused(Cause::not_converged);
+    refusal.mover = mover;
+    refusal.with_contacts = with_contacts;
+    return refusal;
+  };
+  if (!advance.converged) return not_converged(advance.mover, false);
   State& next = advance.state;
   switch (response_.respond(stepper_, state_, h, next, record.response, times_)) {
     case Response::Outcome::done: break;
-    case Response::Outcome::not_converged: ++refused_.not_converged; return false;
-    case Response::Outcome::not_resolved: ++refused_.not_resolved; return false;
+    case Response::Outcome::not_converged: return not_converged(response_.trouble().mover, true);
+    case Response::Outcome::not_resolved: {
+      Refusal refusal = refused(Cause::not_resolved);
+      if (const auto& left = response_.trouble().left) {
+        refusal.pair = left->pair;
+        refusal.place = place_of(*left, state_.q);
+      }
+      return refusal;
+    }
     case Response::Outcome::gained_energy:
       // Halving helps until contacts are solved for on the scale on which the elements answer; after that, the step is
       // better taken than halved for ever.
       if (narrow_phase_ == NarrowPhase::exact && h > scene_.settings.time_step / kEnergyParts) {
-        ++refused_.gained_energy;
-        return false;
+        return refused(Cause::gained_energy);
       }
       ++record.gained_energy;
       break;
   }
-  if (!next.q.allFinite() || !next.v.allFinite()) {
-    ++refused_.not_converged;
-    return false;
-  }
+  if (!next.q.allFinite() || !next.v.allFinite()) return not_converged({}, false);
 
   const PhaseClock clock(times_.proof);
   // The proof looks at the positions as they are stored, and finds its own candidates.
@@ -145,8 +161,10 @@ bool Simulation::try_part(double h, double end_time, StepRecord& record) {
   });
   record.proof.crossings = crossings.size();
   if (!crossings.empty() && narrow_phase_ == NarrowPhase::exact) {
-    ++refused_.not_certified;
-    return false;
+    Refusal refusal = refused(Cause::not_certified);
+    refusal.pair = crossings.front().pair;
+    refusal.place = crossings.front().place;
+    return refusal;
   }
   crossings_.insert(crossings_.end(), crossings.begin(), crossings.end());
 
@@ -156,7 +174,11 @@ bool Simulation::try_part(double h, double end_time, StepRecord& record) {
   record.length = h;
   record.newton_iterations = advance.iterations + record.response.newton_iterations;
   record.newton_convex = advance.convex;
-  return true;
+  return std::nullopt;
+}
+
+std::string Simulation::for_person(const Refusal& refusal) const {
+  return refusal_for_person(refusal, scene_, system_, elements_, state_.q);
 }
 
 }  // namespace touchstone::sim

@@ -19,6 +19,7 @@ struct Advance {
   State state;         ///< at the end of the step, when it converged
   int iterations = 0;  ///< of Newton's method, over all stages
   int convex = 0;      ///< of these, with second derivatives made positive
+  Mover mover;         ///< when it did not converge
 };
 
 class Stepper {
