@@ -53,7 +53,7 @@ Checkpoint checkpoint_from_json(std::string_view text) {
   const nlohmann::json json = parse_json(text);
   const JsonNode root(json, "the checkpoint");
   root.check_keys({"touchstone_checkpoint", "steps", "time", "q", "v", "directors", "reference_twists", "scene"});
-  if (root.at("touchstone_checkpoint").index() != 1) root.at("touchstone_checkpoint").fail("must be 1");
+  root.at("touchstone_checkpoint").version(1);
   Checkpoint checkpoint;
   const std::string scene = root.at("scene").text();
   try {
@@ -61,7 +61,7 @@ Checkpoint checkpoint_from_json(std::string_view text) {
   } catch (const Error& error) {
     root.at("scene").fail(error.what());
   }
-  checkpoint.steps = root.at("steps").count(kMostSteps);
+  checkpoint.steps = root.at("steps").whole_number(0, kMostSteps);
   checkpoint.state.time = from_hexfloat(root.at("time"));
   checkpoint.state.q = vector_from(root.at("q"));
   checkpoint.state.v = vector_from(root.at("v"));

@@ -128,12 +128,17 @@ double JsonNode::number() const {
 }
 
 std::uint32_t JsonNode::index() const {
-  return static_cast<std::uint32_t>(count(std::numeric_limits<std::uint32_t>::max()));
+  return static_cast<std::uint32_t>(whole_number(0, std::numeric_limits<std::uint32_t>::max()));
 }
 
-std::uint64_t JsonNode::count(std::uint64_t most) const {
-  if (value_->is_number_unsigned() && value_->get<std::uint64_t>() <= most) return value_->get<std::uint64_t>();
-  fail("must be a whole number from 0 to " + std::to_string(most));
+std::uint64_t JsonNode::whole_number(std::uint64_t least, std::uint64_t most) const {
+  const std::uint64_t number = value_->is_number_unsigned() ? value_->get<std::uint64_t>() : 0;
+  if (value_->is_number_unsigned() && number >= least && number <= most) return number;
+  fail("must be a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+}
+
+void JsonNode::version(std::uint32_t must) const {
+  if (!value_->is_number_unsigned() || value_->get<std::uint64_t>() != must) fail("must be " + std::to_string(must));
 }
 
 bool JsonNode::boolean() const {

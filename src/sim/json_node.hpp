@@ -38,7 +38,8 @@ class JsonNode {
 
   double number() const;
   std::uint32_t index() const;  ///< a whole number from 0 to 2^32 - 1
-  std::uint64_t count(std::uint64_t most) const;
+  std::uint64_t whole_number(std::uint64_t least, std::uint64_t most) const;
+  void version(std::uint32_t must) const;  ///< this number, and no other
   bool boolean() const;
   std::string text() const;
   Vector3 vector() const;

@@ -39,9 +39,7 @@ Settings settings_from(const JsonNode& node) {
     s.contact.friction = contact->number_or("friction", s.contact.friction);
     s.contact.thickness = contact->number_or("thickness", s.contact.thickness);
     if (const auto passes = contact->find("passes")) {
-      const Index count = passes->index();
-      if (count < 1 || count > 1000) passes->fail("must be a whole number from 1 to 1000");
-      s.contact.passes = static_cast<int>(count);
+      s.contact.passes = static_cast<int>(passes->whole_number(1, 1000));
     }
   }
   return s;
@@ -192,12 +190,12 @@ void add_cable(Scene& scene, const JsonNode& node) {
     }
     if (cable.particles.size() < 2) particles->fail("must be at least 2");
   } else {
-    const JsonNode count = node.at("segments");
     constexpr Index kMostSegments = 1'000'000;
-    if (count.index() < 1 || count.index() > kMostSegments) count.fail("must be a whole number from 1 to 1000000");
-    if (scene.particles.size() + count.index() >= kMostParticles) count.fail("more than 10,000,000 particles in all");
+    const JsonNode segments = node.at("segments");
+    const auto count = static_cast<Index>(segments.whole_number(1, kMostSegments));
+    if (scene.particles.size() + count >= kMostParticles) segments.fail("more than 10,000,000 particles in all");
     const Vector3 from = node.at("from").vector(), to = node.at("to").vector();
-    cable.particles = straight_cable(scene, from, to, count.index()).particles;
+    cable.particles = straight_cable(scene, from, to, count).particles;
   }
   cable.closed = node.boolean_or("closed", false);
   cable.radius = node.at("radius").number();
@@ -226,7 +224,7 @@ Scene scene_from_json(std::string_view text) {
   const JsonNode root(document);
   root.check_keys(
       {"touchstone_scene", "name", "settings", "particles", "springs", "surfaces", "cables", "wires", "faces"});
-  if (root.at("touchstone_scene").index() != kVersion) root.at("touchstone_scene").fail("must be 1");
+  root.at("touchstone_scene").version(kVersion);
   Scene scene;
   if (const auto name = root.find("name")) scene.name = name->text();
   if (const auto settings = root.find("settings")) scene.settings = settings_from(*settings);

@@ -55,40 +55,44 @@ void Simulation::resume(State state, std::uint64_t steps) {
 }
 
 std::vector<StepRecord> Simulation::step() {
+  std::optional<State> before;
+  const std::size_t crossings_before = crossings_.size();
+  ++steps_;
+  try {
+    return parts_of_step(before);
+  } catch (...) {
+    // Whatever it is, and whoever threw it: steps are made whole.
+    if (before) state_ = std::move(*before);
+    crossings_.resize(crossings_before);
+    --steps_;
+    throw;
+  }
+}
+
+std::vector<StepRecord> Simulation::parts_of_step(std::optional<State>& before) {
   // Parts are dyadic shares of the step, so that their ends fall on the step's end exactly. A part that is refused is
   // halved; what is left of the step is then tried at once again.
   std::vector<StepRecord> records;
-  std::optional<State> before;  // once a part has moved it
-  const std::size_t crossings_before = crossings_.size();
-  const auto whole = static_cast<double>(steps_);
+  const auto whole = static_cast<double>(steps_ - 1);
   const RefusedCounts refused_before = refused_;
   Refusal refusal;  // the latest
+  const auto why = [&] {
+    return fmt::format("({}): {}", refused_for_person(refused_, refused_before),
+                       refusal_for_person(refusal, scene_, system_, elements_, state_.q));
+  };
   double done = 0, share = 1;
   int halvings = 0, parts = 0;
-  const auto take_back = [&] {
-    if (before) state_ = *before;
-    crossings_.resize(crossings_before);
-    --steps_;
-  };
-  ++steps_;
   while (done < 1) {
-    try {
-      if (before_part_) before_part_();
-    } catch (...) {
-      take_back();
-      throw;
-    }
+    if (before_part_) before_part_();
     const double start = time_at(whole + done), end = time_at(whole + done + share);
+    if (++parts > kMostParts) {
+      throw Error(fmt::format("step {} cannot be taken: after {} tries of its parts it has come to {:.9g} s {}", steps_,
+                              kMostParts, start, why()));
+    }
     StepRecord record;
     record.step = steps_;
-    if (++parts > kMostParts) {
-      const std::string why = for_person(refusal);
-      take_back();
-      throw Error(fmt::format("step {} cannot be taken: after {} tries of its parts it has come to {:.9g} s ({}): {}",
-                              steps_ + 1, kMostParts, start, refused_for_person(refused_, refused_before), why));
-    }
     if (share < 1 && !before) before = state_;
-    auto tried = try_part(end - start, end, record);
+    const auto tried = try_part(end - start, end, record);
     if (!tried) {
       records.push_back(record);
       done += share;
@@ -101,11 +105,10 @@ std::vector<StepRecord> Simulation::step() {
     refusal = *tried;
     count(refused_, refusal.cause);
     share /= 2;
-    if (++halvings <= kMostHalvings) continue;
-    const std::string why = for_person(refusal);
-    take_back();
-    throw Error(fmt::format("step {} at {:.9g} s cannot be taken, not even in parts of {:.3g} s ({}): {}", steps_ + 1,
-                            start, end - start, refused_for_person(refused_, refused_before), why));
+    if (++halvings > kMostHalvings) {
+      throw Error(fmt::format("step {} at {:.9g} s cannot be taken, not even in parts of {:.3g} s {}", steps_, start,
+                              end - start, why()));
+    }
   }
   return records;
 }
@@ -175,10 +178,6 @@ std::optional<Refusal> Simulation::try_part(double h, double end_time, StepRecor
   record.newton_iterations = advance.iterations + record.response.newton_iterations;
   record.newton_convex = advance.convex;
   return std::nullopt;
-}
-
-std::string Simulation::for_person(const Refusal& refusal) const {
-  return refusal_for_person(refusal, scene_, system_, elements_, state_.q);
 }
 
 }  // namespace touchstone::sim

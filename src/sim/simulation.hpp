@@ -59,7 +59,7 @@ class Simulation {
 
   /// Moves on by settings.time_step, in shorter parts where a whole step is refused.
   /// @returns a record of each part @throws Error when even the shortest part is refused, naming what is in the way and
-  /// what would be right: nothing has moved then
+  /// what would be right, or what before_part or the sink of queries throws: nothing has moved then
   std::vector<StepRecord> step();
 
   const Scene& scene() const noexcept { return scene_; }
@@ -85,9 +85,10 @@ class Simulation {
  private:
   double time_at(double steps) const noexcept { return steps * scene_.settings.time_step; }
   void check_start(const State& state, std::string_view what);
+  /// @param before  set to the state before the step, once a part may move it
+  std::vector<StepRecord> parts_of_step(std::optional<State>& before);
   /// The part, or why it is not taken.
   std::optional<Refusal> try_part(double h, double end_time, StepRecord& record);
-  std::string for_person(const Refusal& refusal) const;
 
   Scene scene_;
   System system_;

@@ -105,8 +105,18 @@ TEST_CASE("what ends a run between the parts of a step takes back the parts that
       CHECK(simulation.steps() == 0);
       CHECK(simulation.crossings().empty());
     }
+    // A sink of queries that can take no more, in the middle of a proof.
     tries = 0;
     last = 1000;
+    int queries = 0;
+    simulation.watch([&](const touchstone::Query&, const touchstone::Answer&) {
+      if (++queries == 5) throw std::runtime_error("full");
+    });
+    CHECK_THROWS_WITH(simulation.step(), "full");
+    CHECK((checkpoint_to_json(simulation) == before));
+    CHECK(simulation.crossings().empty());
+    simulation.watch({});
+    tries = 0;
     CHECK(simulation.step().size() == parts);
     CHECK((checkpoint_to_json(simulation) == checkpoint_to_json(twin)));
     REQUIRE(simulation.crossings().size() == twin.crossings().size());
