@@ -12,9 +12,7 @@
 namespace touchstone::sim {
 namespace {
 
-std::string item_path(const std::string& list, std::size_t number) {
-  return list + "[" + std::to_string(number) + "]";
-}
+std::string item_path(const std::string& list, std::size_t number) { return list + "[" + std::to_string(number) + "]"; }
 
 std::string key_path(const std::string& object, std::string_view key) {
   return object.empty() ? std::string(key) : object + "." + std::string(key);
@@ -117,8 +115,7 @@ std::vector<JsonNode> JsonNode::items() const {
   if (!value_->is_array()) fail("must be a list");
   std::vector<JsonNode> all;
   all.reserve(value_->size());
-  for (std::size_t i = 0; i < value_->size(); ++i)
-    all.push_back(JsonNode((*value_)[i], item_path(path_, i), whole_));
+  for (std::size_t i = 0; i < value_->size(); ++i) all.push_back(JsonNode((*value_)[i], item_path(path_, i), whole_));
   return all;
 }
 

@@ -30,10 +30,9 @@ std::string not_converged(const Refusal& refusal, const Scene& scene, const Syst
     return "its numbers grow out of range; settings.time_step below the stiffest period / pi, or another "
            "settings.integrator than symplectic-euler, would be right";
   }
-  const std::string advice = fmt::format("a smaller settings.time_step{} or softer springs and cables would be right",
-                                         refusal.with_contacts && scene.settings.contact.friction > 0
-                                             ? ", less settings.contact.friction"
-                                             : "");
+  const std::string advice = fmt::format(
+      "a smaller settings.time_step{} or softer springs and cables would be right",
+      refusal.with_contacts && scene.settings.contact.friction > 0 ? ", less settings.contact.friction" : "");
   const std::string_view with = refusal.with_contacts ? " with its contacts" : "";
   if (refusal.mover.coordinate < 0) return fmt::format("its equations{} cannot be solved in doubles; {}", with, advice);
   const auto coordinate = static_cast<std::size_t>(refusal.mover.coordinate);
@@ -41,10 +40,10 @@ std::string not_converged(const Refusal& refusal, const Scene& scene, const Syst
   const bool is_angle = coordinate >= 3 * particles;
   const RodEdge edge = is_angle ? system.edges[coordinate - 3 * particles] : RodEdge{};
   const Index particle = is_angle ? edge.a : static_cast<Index>(coordinate / 3);
-  return fmt::format("Newton's method{} does not settle {} at {}, which it still changes by {:.3g} {}; {}", with,
-                     is_angle ? fmt::format("the twist of segment {}-{}", edge.a, edge.b)
-                              : fmt::format("particle {}", particle),
-                     at(position(q, particle)), refusal.mover.speed, is_angle ? "rad/s" : "m/s", advice);
+  return fmt::format(
+      "Newton's method{} does not settle {} at {}, which it still changes by {:.3g} {}; {}", with,
+      is_angle ? fmt::format("the twist of segment {}-{}", edge.a, edge.b) : fmt::format("particle {}", particle),
+      at(position(q, particle)), refusal.mover.speed, is_angle ? "rad/s" : "m/s", advice);
 }
 
 }  // namespace
@@ -92,9 +91,10 @@ std::string refusal_for_person(const Refusal& refusal, const Scene& scene, const
                              : "nothing of them is free to give way; other paths or pins would be right");
     case Cause::gained_energy: return "contacts would do work";
     case Cause::not_certified:
-      return fmt::format("{} would cross at {}; a smaller settings.time_step or a larger settings.contact.thickness "
-                         "would be right",
-                         pair, at(refusal.place));
+      return fmt::format(
+          "{} would cross at {}; a smaller settings.time_step or a larger settings.contact.thickness "
+          "would be right",
+          pair, at(refusal.place));
   }
   return "";
 }

@@ -44,9 +44,10 @@ void check_size(std::string_view key, std::size_t is, std::size_t must, std::str
 
 void check_sizes(const System& system, const State& state) {
   const auto size = static_cast<std::size_t>(system.size());
-  const std::string what = fmt::format("3 for each of {} particles, {} of which hold the direction of clamped ends, and "
-                                       "1 for each of {} segments that resist bending",
-                                       system.particle_count(), system.ghosts.size(), system.edges.size());
+  const std::string what = fmt::format(
+      "3 for each of {} particles, {} of which hold the direction of clamped ends, and "
+      "1 for each of {} segments that resist bending",
+      system.particle_count(), system.ghosts.size(), system.edges.size());
   check_size("q", static_cast<std::size_t>(state.q.size()), size, what);
   check_size("v", static_cast<std::size_t>(state.v.size()), size, what);
   check_size("directors", 3 * state.frames.director.size(), 3 * system.edges.size(),
@@ -104,15 +105,15 @@ void check_held(const Scene& scene, const System& system, const State& state) {
     const double held = moves ? moved[at] : system.initial_position[at];
     if (state.q[at] != held) {
       fail("q", i,
-           fmt::format("{} is {}: at {} s it must be {}, not {}", coordinate_name(system, i),
-                       moves ? "driven" : "held", state.time, io::hexfloat(held), io::hexfloat(state.q[at])));
+           fmt::format("{} is {}: at {} s it must be {}, not {}", coordinate_name(system, i), moves ? "driven" : "held",
+                       state.time, io::hexfloat(held), io::hexfloat(state.q[at])));
     }
     if (!moves && state.v[at] != 0) fail("v", i, coordinate_name(system, i) + " is held: its velocity must be 0");
     const double rounding = 16 * kEpsilon * (driven.reach + std::abs(held)) / shortest;
     if (std::abs(state.v[at]) <= driven.speed * 1.000001 + rounding) continue;
     fail("v", i,
-         fmt::format("{} is driven, and nothing in this scene is driven faster than {:.6g}",
-                     coordinate_name(system, i), driven.speed));
+         fmt::format("{} is driven, and nothing in this scene is driven faster than {:.6g}", coordinate_name(system, i),
+                     driven.speed));
   }
 }
 
