@@ -221,7 +221,8 @@ void add_simulate(CLI::App& program, Command& command) {
                           shipped.least, shipped.most, shipped.usual);
   }
   subcommand->add_option("SCENE", options->scene, "A scene that comes with the program, or a JSON file")->type_name("");
-  subcommand->add_option("--size", options->size, "How large a shipped scene is made")->type_name("N")
+  subcommand->add_option("--size", options->size, "How large a shipped scene is made")
+      ->type_name("N")
       ->check(CLI::Range(std::uint32_t{1}, std::numeric_limits<std::uint32_t>::max()));
   subcommand->add_option("--steps", options->steps, "How many steps to make (default: the scene's duration)")
       ->type_name("N")

@@ -16,7 +16,8 @@ inline constexpr const char* kEnergies = "energies";  ///< .csv, .gp, .svg and .
 inline constexpr const char* kCandidates = "candidates.csv";
 std::string frame_name(std::uint64_t step);
 
-/// @throws Error when two outputs share a file, an output would take the place of an input, or one is a folder to another
+/// @throws Error when two outputs share a file, an output would take the place of an input, or one is a folder to
+/// another
 void check_paths(const SimulateOptions& options);
 
 }  // namespace touchstone::cli

@@ -121,8 +121,8 @@ TEST_CASE("nothing that gnuplot prints reaches the user, and plots are whole or 
     options.search_path = gnuplot + ":/usr/bin:/bin";
     return run_program({"simulate", "two-edges", "--steps", steps, "--out", folder.path(out)}, options);
   };
-  const std::string draws =
-      with_gnuplot(folder, "draws", noise + "test -s energies.csv || exit 1\necho 1 > energies.svg\necho 2 > energies.png\n");
+  const std::string draws = with_gnuplot(
+      folder, "draws", noise + "test -s energies.csv || exit 1\necho 1 > energies.svg\necho 2 > energies.png\n");
   const Run drawn = simulate(draws, "3", "drawn");
   CHECK(drawn.status == 0);
   CHECK(drawn.err == "");
@@ -138,7 +138,8 @@ TEST_CASE("nothing that gnuplot prints reaches the user, and plots are whole or 
   CHECK_FALSE(fs::exists(folder.path("still/energies.svg")));
   CHECK_FALSE(fs::exists(folder.path("still/energies.gp")));
 
-  const Run failed = simulate(with_gnuplot(folder, "fails", "echo 1 > energies.svg\n" + noise + "exit 1\n"), "3", "failed");
+  const Run failed =
+      simulate(with_gnuplot(folder, "fails", "echo 1 > energies.svg\n" + noise + "exit 1\n"), "3", "failed");
   CHECK(failed.status == 2);
   CHECK(occurrences(failed.err, "/fails/gnuplot failed on energies.gp: line 7: nonsense\n") == 1);
   CHECK(occurrences(failed.err, "\n") == 1);
@@ -165,8 +166,8 @@ TEST_CASE("a file that cannot be written is not there, and keeps none of the oth
     CHECK(last_line(folder.read("energies.csv")).rfind(steps + ",", 0) == 0);
     CHECK(run_program({"simulate", "--resume", folder.path("state.json"), "--steps", "1"}).status == 0);
   };
-  const std::vector<std::string> files = {"--energies", folder.path("energies.csv"), "--checkpoint",
-                                          folder.path("state.json"), "--proof", *full};
+  const std::vector<std::string> files = {
+      "--energies", folder.path("energies.csv"), "--checkpoint", folder.path("state.json"), "--proof", *full};
   std::vector<std::string> arguments = {"simulate", "two-edges", "--steps", "20"};
   arguments.insert(arguments.end(), files.begin(), files.end());
   const Run at_the_end = run_program(arguments);

@@ -211,15 +211,15 @@ TEST_CASE("a state that a run of its scene cannot come to is refused by its key"
     const Vector3 along = (position(state.q, 1) - position(state.q, 0)).normalized();
     const Vector3 leaning = (state.frames.director[0] + 1e-5 * along).normalized();
     check_refused(with([&](Json& json) {
-                    for (std::size_t k = 0; k < 3; ++k)
-                      json["directors"][k] = number(leaning[static_cast<int>(k)]);
+                    for (std::size_t k = 0; k < 3; ++k) json["directors"][k] = number(leaning[static_cast<int>(k)]);
                   }),
                   director + "be perpendicular to it: the cosine between them is 1e-05");
   }
   SECTION("twists are those by which the directors differ, and whole turns") {
     const double twist = state.frames.reference_twist[2];
     CHECK_NOTHROW(resume(at("reference_twists", 2, twist + 6 * std::numbers::pi)));
-    check_refused(at("reference_twists", 2, twist + 1e-6), "reference_twists[2]: the directors of segments 2-3 and 3-4");
+    check_refused(at("reference_twists", 2, twist + 1e-6),
+                  "reference_twists[2]: the directors of segments 2-3 and 3-4");
     check_refused(at("reference_twists", 2, 1e300), "reference_twists[2]: 1e+300 is not in [-1000000000000, 1");
   }
   SECTION("elements that touch") {

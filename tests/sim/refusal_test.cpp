@@ -26,8 +26,8 @@ std::string error_of(Simulation& simulation, int steps) {
 }
 
 /// A wire across the three pinned rays of a star, which is driven from one sector to the next round the end of the ray
-/// between them, in `legs` straight lines in a step of one second. A part that is longer than one of these would take it
-/// through a ray: three sectors are never as many as a power of two, so it never ends where it began.
+/// between them, in `legs` straight lines in a step of one second. A part that is longer than one of these would take
+/// it through a ray: three sectors are never as many as a power of two, so it never ends where it began.
 Scene round_a_star(int legs) {
   Scene scene;
   scene.settings.time_step = 1;
