@@ -18,22 +18,29 @@ std::string key_path(const std::string& object, std::string_view key) {
   return object.empty() ? std::string(key) : object + "." + std::string(key);
 }
 
-/// Where a parser is, and which keys it has seen there.
-class OpenValues {
+/// Where a parser is, and which keys it has seen there: of two equal ones the library would drop the first without a
+/// word. A pass of its own, as the library's parser with a callback takes time that grows with the square of a list.
+class KeyWatch final : public nlohmann::json_sax<nlohmann::json> {
  public:
-  void begin(bool list) {
-    count();
-    open_.push_back({list, 0, {}, {}});
-  }
-  void end() { open_.pop_back(); }
-  void key(const std::string& name) {
+  bool null() override { return count(); }
+  bool boolean(bool) override { return count(); }
+  bool number_integer(number_integer_t) override { return count(); }
+  bool number_unsigned(number_unsigned_t) override { return count(); }
+  bool number_float(number_float_t, const string_t&) override { return count(); }
+  bool string(string_t&) override { return count(); }
+  bool binary(binary_t&) override { return count(); }
+  bool start_object(std::size_t) override { return begin(false); }
+  bool start_array(std::size_t) override { return begin(true); }
+  bool end_object() override { return end(); }
+  bool end_array() override { return end(); }
+  bool key(string_t& name) override {
     Open& object = open_.back();
     object.name = name;
     if (!object.keys.insert(name).second) throw Error(path() + ": the key is there twice in one object");
+    return true;
   }
-  /// A value begins.
-  void count() {
-    if (!open_.empty()) ++open_.back().count;
+  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override {
+    return false;  // the parser that makes the document says it better
   }
 
  private:
@@ -43,6 +50,19 @@ class OpenValues {
     std::string name;            // of an object: its latest key
     std::set<std::string> keys;  // of an object
   };
+  bool begin(bool list) {
+    count();
+    open_.push_back({list, 0, {}, {}});
+    return true;
+  }
+  bool end() {
+    open_.pop_back();
+    return true;
+  }
+  bool count() {
+    if (!open_.empty()) ++open_.back().count;
+    return true;
+  }
   std::string path() const {
     constexpr std::size_t kLongest = 400;  // keys may be any text, and as deep as the file is long
     std::string path;
@@ -53,28 +73,17 @@ class OpenValues {
     }
     return path;
   }
+
   std::vector<Open> open_;
 };
 
 }  // namespace
 
 nlohmann::json parse_json(std::string_view text) {
-  // Of two equal keys the library would drop the first one without a word.
-  using Event = nlohmann::json::parse_event_t;
-  OpenValues values;
-  const auto watch = [&values](int, Event event, const nlohmann::json& value) {
-    switch (event) {
-      case Event::object_start: values.begin(false); break;
-      case Event::array_start: values.begin(true); break;
-      case Event::object_end:
-      case Event::array_end: values.end(); break;
-      case Event::key: values.key(value.get_ref<const std::string&>()); break;
-      case Event::value: values.count(); break;
-    }
-    return true;
-  };
+  KeyWatch watch;
+  nlohmann::json::sax_parse(text.begin(), text.end(), &watch);
   try {
-    return nlohmann::json::parse(text.begin(), text.end(), watch);
+    return nlohmann::json::parse(text.begin(), text.end());
   } catch (const nlohmann::json::exception& error) {
     // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
     const std::string what = error.what();

@@ -79,6 +79,16 @@ TEST_CASE("cables from place to place, surfaces and held ends") {
   CHECK(tetrahedron.faces.size() == 4);
 }
 
+TEST_CASE("a scene of very many elements is read in time that grows with their number") {
+  // By the square of it, this takes many minutes.
+  constexpr int kParticles = 1'000'000;
+  std::string text = R"({"touchstone_scene": 1, "particles": [)";
+  for (int i = 0; i < kParticles; ++i) {
+    text += (i == 0 ? R"({"mass":1,"position":[)" : R"(,{"mass":1,"position":[)") + std::to_string(i) + ",0,0]}";
+  }
+  CHECK(scene_from_json(text + "]}").particles.size() == kParticles);
+}
+
 TEST_CASE("what makes no sense is refused with its path") {
   check_refused("", "no JSON");
   check_refused("{\"touchstone_scene\": 1,", "line 1");
