@@ -166,7 +166,9 @@ int run_simulate(const SimulateOptions& options) {
     made.emplace(std::move(scene), sim::SimulationOptions{options.narrow_phase, options.threads, throw_if_interrupted});
     if (checkpoint) made->resume(std::move(checkpoint->state), checkpoint->steps);
   };
+  throw_if_interrupted();  // reading a large scene and setting it up take seconds each
   naming_file(options.resume.empty() ? options.scene : options.resume, make);
+  throw_if_interrupted();
   sim::Simulation& simulation = *made;
   auto console = io::OutputFile::standard_output();
   if (options.explain) {
