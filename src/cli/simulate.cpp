@@ -12,13 +12,16 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
+#include <limits>
 #include <memory>
 
 #include <touchstone/error.hpp>
 
 #include "cli/interrupt.hpp"
 #include "cli/simulate_output.hpp"
+#include "cli/simulate_paths.hpp"
 #include "cli/words.hpp"
 #include "io/fail.hpp"
 #include "io/input_file.hpp"
@@ -49,15 +52,20 @@ std::string whole_file(const std::string& path) {
   return text;
 }
 
-/// What `make` makes of the file's text; its complaints name the file.
+/// What `make` makes; its complaints name the file that it is made of.
 template <class Make>
-auto from_file(const std::string& path, Make make) {
-  const std::string text = whole_file(path);
+auto naming_file(const std::string& path, Make make) {
   try {
-    return make(text);
+    return make();
   } catch (const Error& error) {
     io::fail(path, error.what());
   }
+}
+
+template <class Make>
+auto from_file(const std::string& path, Make make) {
+  const std::string text = whole_file(path);
+  return naming_file(path, [&] { return make(text); });
 }
 
 sim::Scene scene_of(const SimulateOptions& options) {
@@ -153,25 +161,6 @@ std::string outcome(const sim::Simulation& simulation, std::uint64_t steps, cons
   return text + fmt::format("{} steps, {} crossings\n", steps, crossings.size());
 }
 
-void check_outputs_differ(const SimulateOptions& options) {
-  namespace fs = std::filesystem;
-  const std::array<std::pair<const char*, const std::string*>, 4> outputs{{{"--proof", &options.proof},
-                                                                           {"--energies", &options.energies},
-                                                                           {"--checkpoint", &options.checkpoint},
-                                                                           {"--scene-out", &options.scene_out}}};
-  const auto place = [](const std::string& path) {
-    std::error_code ignored;
-    return fs::weakly_canonical(fs::absolute(path, ignored), ignored);
-  };
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const std::string &a = *outputs[j].second, &b = *outputs[i].second;
-      if (a.empty() || b.empty() || place(a) != place(b)) continue;
-      throw Error(fmt::format("{} and {} name the same file, {}", outputs[j].first, outputs[i].first, b));
-    }
-  }
-}
-
 }  // namespace
 
 int run_simulate(const SimulateOptions& options) {
@@ -179,7 +168,7 @@ int run_simulate(const SimulateOptions& options) {
     throw Error("name a scene, or a checkpoint with --resume, and not both");
   }
   if (!options.resume.empty() && options.size) throw Error("--size: a checkpoint has its size");
-  check_outputs_differ(options);
+  check_paths(options);
   give_memory_back();
   std::optional<sim::Checkpoint> checkpoint;
   if (!options.resume.empty()) checkpoint = from_file(options.resume, sim::checkpoint_from_json);
@@ -188,8 +177,15 @@ int run_simulate(const SimulateOptions& options) {
     write_whole(options.scene_out, sim::scene_to_json(scene));
     return kAllHold;
   }
-  sim::Simulation simulation(std::move(scene), {options.narrow_phase, options.threads, throw_if_interrupted});
-  if (checkpoint) simulation.resume(std::move(checkpoint->state), checkpoint->steps);
+  std::optional<sim::Simulation> made;
+  const auto make = [&] {
+    made.emplace(std::move(scene), sim::SimulationOptions{options.narrow_phase, options.threads, throw_if_interrupted});
+    if (checkpoint) made->resume(std::move(checkpoint->state), checkpoint->steps);
+  };
+  throw_if_interrupted();  // reading a large scene and setting it up take seconds each
+  naming_file(options.resume.empty() ? options.scene : options.resume, make);
+  throw_if_interrupted();
+  sim::Simulation& simulation = *made;
   auto console = io::OutputFile::standard_output();
   if (options.explain) {
     console.write(sim::explain(simulation));
@@ -204,27 +200,31 @@ int run_simulate(const SimulateOptions& options) {
   Totals totals;
   SimulateProgress progress(steps);
   for (std::uint64_t i = 0; i < steps; ++i) {
-    const auto records = [&] {
+    try {
+      const auto records = simulation.step();
+      for (const auto& record : records) totals.add(record);
+      output.step(records);
+    } catch (...) {
       try {
-        return simulation.step();
-      } catch (...) {
-        try {
-          output.finish_early();
-        } catch (const std::exception& error) {  // which must not hide why the run ends
-          print_error(fmt::format("touchstone: what was proved is not all written: {}\n", error.what()));
-        }
-        throw;
+        output.finish_early();
+      } catch (const std::exception& error) {  // which must not hide why the run ends
+        print_error(fmt::format("touchstone: what was proved is not all written: {}\n", error.what()));
       }
-    }();
-    for (const auto& record : records) totals.add(record);
-    output.step(records);
+      throw;
+    }
     progress.step();
   }
   const double rate = progress.rate();
-  const std::string hint = output.finish();
-  if (!hint.empty()) print_error(fmt::format("touchstone: {}\n", hint));
+  std::exception_ptr unwritten;  // a file, which does not change what has been proved
+  try {
+    output.finish();
+  } catch (const Error&) {
+    unwritten = std::current_exception();
+  }
   console.write(outcome(simulation, steps, totals, rate));
   console.commit();
+  if (unwritten) std::rethrow_exception(unwritten);
+  if (const std::string hint = output.draw(); !hint.empty()) print_error(fmt::format("touchstone: {}\n", hint));
   return simulation.crossings().empty() ? kAllHold : kRefuted;
 }
 
@@ -238,7 +238,9 @@ void add_simulate(CLI::App& program, Command& command) {
                           shipped.least, shipped.most, shipped.usual);
   }
   subcommand->add_option("SCENE", options->scene, "A scene that comes with the program, or a JSON file")->type_name("");
-  subcommand->add_option("--size", options->size, "How large a shipped scene is made")->type_name("N");
+  subcommand->add_option("--size", options->size, "How large a shipped scene is made")
+      ->type_name("N")
+      ->check(CLI::Range(std::uint32_t{1}, std::numeric_limits<std::uint32_t>::max()));
   subcommand->add_option("--steps", options->steps, "How many steps to make (default: the scene's duration)")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000'000'000}));
@@ -259,9 +261,11 @@ void add_simulate(CLI::App& program, Command& command) {
   subcommand->add_option("--checkpoint", options->checkpoint, "Where to write the state at the end")->type_name("FILE");
   subcommand->add_option("--resume", options->resume, "Go on from a checkpoint, as if the run had not stopped")
       ->type_name("FILE");
-  subcommand->add_option("--scene-out", options->scene_out, "Write the scene as JSON, and do no more")
-      ->type_name("FILE");
-  subcommand->add_flag("--explain", options->explain, "Say which passes the scene needs and why, and do no more");
+  CLI::Option* const scene_out =
+      subcommand->add_option("--scene-out", options->scene_out, "Write the scene as JSON, and do no more")
+          ->type_name("FILE");
+  CLI::Option* const explain =
+      subcommand->add_flag("--explain", options->explain, "Say which passes the scene needs and why, and do no more");
   subcommand
       ->add_option_function<std::string>(
           "--narrow-phase",
@@ -277,6 +281,17 @@ void add_simulate(CLI::App& program, Command& command) {
                    "How many threads answer queries (default: 1); no result depends on it")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
+  subcommand->get_option("--frame-every")->needs(subcommand->get_option("--out"));
+  for (const char* path : {"--out", "--proof", "--energies", "--queries", "--checkpoint", "--resume", "--scene-out"}) {
+    subcommand->get_option(path)->check(
+        [](const std::string& name) { return name.empty() ? std::string("the name is empty") : std::string(); });
+  }
+  // What these would leave undone is not asked for.
+  scene_out->excludes(explain);
+  for (const char* of_run : {"--steps", "--out", "--proof", "--energies", "--queries", "--checkpoint"}) {
+    scene_out->excludes(subcommand->get_option(of_run));
+    explain->excludes(subcommand->get_option(of_run));
+  }
   subcommand->footer(
       "Scenes\n" + scenes +
       "\nUnits are SI. A step that would let two elements touch is not taken: its response is tried again "

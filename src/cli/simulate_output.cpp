@@ -3,9 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <exception>
+
+#include <touchstone/error.hpp>
+
 #include "cli/interrupt.hpp"
+#include "cli/simulate_paths.hpp"
 #include "io/query_writer.hpp"
-#include "report/gnuplot.hpp"
+#include "report/drawing.hpp"
 #include "sim/checkpoint.hpp"
 
 namespace touchstone::cli {
@@ -40,6 +45,39 @@ constexpr const char* kPlotScript =
     "  set output\n"
     "}\n";
 
+/// A file that cannot be written keeps none of the others from being written.
+class Attempts {
+ public:
+  template <class Do>
+  void attempt(Do&& act) {
+    try {
+      act();
+    } catch (const Error&) {
+      if (!first_) first_ = std::current_exception();
+    }
+  }
+  /// What could be written only in part is not there.
+  template <class Do>
+  void with(std::optional<io::OutputFile>& file, Do&& act) {
+    attempt([&] {
+      if (!file) return;
+      try {
+        act(*file);
+      } catch (...) {
+        file.reset();
+        throw;
+      }
+    });
+  }
+  /// The first failure, now that all have been attempted.
+  void end() const {
+    if (first_) std::rethrow_exception(first_);
+  }
+
+ private:
+  std::exception_ptr first_;
+};
+
 }  // namespace
 
 void write_whole(const std::string& path, std::string_view text) {
@@ -50,28 +88,24 @@ void write_whole(const std::string& path, std::string_view text) {
 
 SimulateOutput::SimulateOutput(const SimulateOptions& options, sim::Simulation& simulation)
     : options_(&options), simulation_(&simulation) {
-  const auto open = [&](const std::string& path, std::optional<io::OutputFile>& file, const std::string& header) {
-    if (path.empty()) return;
-    file.emplace(path);
-    file->write(header);
+  // What cannot be written is found out before the run, not after.
+  const auto open_energies = [&](const std::string& path) {
+    energies_.emplace_back(path);
+    energies_.back()->write(sim::energy_header() + sim::energy_row(simulation, {}));
   };
-  open(options.proof, proof_, sim::proof_header());
-  std::string energies = options.energies;
-  if (!options.out.empty()) {
-    frames_ = fs::path(options.out) / "frames";
-    folders_.make(frames_);
-    if (energies.empty()) energies = (fs::path(options.out) / "energies.csv").string();
-    // What cannot be written is found out before the run, not after.
-    frame_index_.emplace((frames_ / "frames.vtk.series").string());
-  }
-  open(energies, energies_, sim::energy_header());
-  open(options.checkpoint, checkpoint_, "");
-  if (energies_) energies_->write(sim::energy_row(simulation, {}));
+  if (!options.proof.empty()) proof_.emplace(options.proof).write(sim::proof_header());
+  if (!options.energies.empty()) open_energies(options.energies);
+  if (!options.checkpoint.empty()) checkpoint_.emplace(options.checkpoint);
   if (!options.queries.empty()) {
     folders_.make(options.queries);
     simulation.watch([this](const Query& query, const Answer& answer) { write_query(query, answer); });
   }
-  if (!options.out.empty()) write_frame();
+  if (options.out.empty()) return;
+  frames_ = fs::path(options.out) / kFrameFolder;
+  folders_.make(frames_);
+  open_energies((fs::path(options.out) / (std::string(kEnergies) + ".csv")).string());
+  frame_index_.emplace((frames_ / kFrameIndex).string());
+  write_frame();
 }
 
 void SimulateOutput::write_query(const Query& query, const Answer& answer) {
@@ -79,59 +113,69 @@ void SimulateOutput::write_query(const Query& query, const Answer& answer) {
   if (!file) {
     const fs::path folder = fs::path(options_->queries) / kind_name(query.kind);
     folders_.make(folder);
-    file.emplace((folder / "candidates.csv").string());
+    file.emplace((folder / kCandidates).string());
   }
   std::string text;
   io::append_query(text, query, answer.contact);
-  file->write(text);
+  Attempts attempts;
+  attempts.with(file, [&](io::OutputFile& open) { open.write(text); });
+  attempts.end();
 }
 
 void SimulateOutput::write_frame() {
-  const std::string name = fmt::format("frame-{:06}.vtk", simulation_->steps());
+  const std::string name = frame_name(simulation_->steps());
   write_whole((frames_ / name).string(), sim::vtk_frame(*simulation_));
   written_.push_back({name, simulation_->state().time});
   since_frame_ = 0;
 }
 
 void SimulateOutput::step(const std::vector<sim::StepRecord>& records) {
-  if (proof_) {
-    for (const auto& record : records) proof_->write(sim::proof_row(record));
+  ++steps_;
+  Attempts attempts;
+  attempts.with(proof_, [&](io::OutputFile& file) {
+    for (const auto& record : records) file.write(sim::proof_row(record));
+  });
+  for (auto& energies : energies_) {
+    attempts.with(energies, [&](io::OutputFile& file) { file.write(sim::energy_row(*simulation_, records)); });
   }
-  if (energies_) energies_->write(sim::energy_row(*simulation_, records));
-  if (!options_->out.empty() && ++since_frame_ >= options_->frame_every) write_frame();
+  attempts.attempt([&] {
+    if (!options_->out.empty() && ++since_frame_ >= options_->frame_every) write_frame();
+  });
+  attempts.end();
 }
 
-void SimulateOutput::write_tables() {
-  if (proof_) proof_->commit();
-  if (energies_) energies_->commit();
-  for (auto& file : queries_) {
-    if (file) file->commit();
-  }
-  if (checkpoint_) {
-    checkpoint_->write(sim::checkpoint_to_json(*simulation_));
-    checkpoint_->commit();
-  }
+void SimulateOutput::finish() {
+  Attempts attempts;
+  const auto commit = [](io::OutputFile& file) { file.commit(); };
+  attempts.with(checkpoint_, [&](io::OutputFile& file) {
+    file.write(sim::checkpoint_to_json(*simulation_));
+    file.commit();
+  });
+  attempts.with(proof_, commit);
+  for (auto& file : energies_) attempts.with(file, commit);
+  for (auto& file : queries_) attempts.with(file, commit);
+  attempts.with(frame_index_, [&](io::OutputFile& file) {
+    file.write(sim::vtk_series(written_));
+    file.commit();
+  });
   folders_.keep();
-  if (!frame_index_) return;
-  frame_index_->write(sim::vtk_series(written_));
-  frame_index_->commit();
+  attempts.end();
 }
 
 void SimulateOutput::finish_early() {
-  if (frame_index_ && since_frame_ > 0) write_frame();
-  write_tables();
+  Attempts attempts;
+  attempts.attempt([&] {
+    if (frame_index_ && since_frame_ > 0) write_frame();
+  });
+  attempts.attempt([&] { finish(); });
+  attempts.end();
 }
 
-std::string SimulateOutput::finish() {
-  write_tables();
+std::string SimulateOutput::draw() {
   if (options_->out.empty()) return {};
-  if (!options_->energies.empty()) return {};
-  write_whole((fs::path(options_->out) / "energies.gp").string(), kPlotScript);
-  const auto gnuplot = report::find_gnuplot();
-  if (!gnuplot)
-    return "no gnuplot in PATH, so energies are not drawn; `gnuplot energies.gp` in " + options_->out + " does it";
-  report::run_gnuplot(*gnuplot, options_->out, "energies.gp");
-  return {};
+  if (steps_ == 0) return "no step was made, so there are no energies to draw";
+  return report::write_plots({{kEnergies, kPlotScript, {std::string(kEnergies) + ".csv"}}}, options_->out,
+                             [](double) { throw_if_interrupted(); });
 }
 
 }  // namespace touchstone::cli

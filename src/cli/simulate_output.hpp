@@ -22,17 +22,19 @@ class SimulateOutput {
 
   void step(const std::vector<sim::StepRecord>& records);
 
-  /// Everything that is left to write. @returns a hint when there are no plots for want of gnuplot
-  std::string finish();
+  /// All but the plots. @throws Error for the first file that cannot be written, after the others have been
+  void finish();
 
-  /// The files of a run that ends early: all but the plots, up to the last step that was taken.
+  /// The same of a run that ends early, up to the last step that was taken.
   void finish_early();
+
+  /// The plots. @returns a hint when there is nothing to draw, or no gnuplot to draw it
+  std::string draw();
 
   SimulateOutput(const SimulateOutput&) = delete;
   SimulateOutput& operator=(const SimulateOutput&) = delete;
 
  private:
-  void write_tables();
   void write_frame();
   void write_query(const Query& query, const Answer& answer);
 
@@ -41,9 +43,10 @@ class SimulateOutput {
   NewFolders folders_;
   std::filesystem::path frames_;
   std::vector<sim::Frame> written_;
-  std::optional<io::OutputFile> proof_, energies_, frame_index_, checkpoint_;
+  std::optional<io::OutputFile> proof_, frame_index_, checkpoint_;
+  std::vector<std::optional<io::OutputFile>> energies_;
   std::array<std::optional<io::OutputFile>, 4> queries_;  // by Kind
-  std::uint64_t since_frame_ = 0;
+  std::uint64_t steps_ = 0, since_frame_ = 0;
 };
 
 /// Writes `text` to a file that appears whole.

@@ -5,6 +5,8 @@
 
 #include <system_error>
 
+#include <touchstone/error.hpp>
+
 #include "io/fail.hpp"
 #include "io/output_file.hpp"
 #include "report/gnuplot.hpp"
@@ -34,6 +36,11 @@ class DrawingFolder {
 
 void draw(const Plot& plot, const std::string& gnuplot, const fs::path& drawing, const fs::path& folder) {
   write_whole(drawing / (plot.name + ".gp"), plot.script);
+  for (const std::string& name : plot.reads) {
+    std::error_code error;
+    fs::create_symlink(fs::absolute(folder) / name, drawing / name, error);
+    if (error) io::fail((drawing / name).string(), "cannot be made: " + io::system_reason(error.value()));
+  }
   run_gnuplot(gnuplot, drawing.string(), plot.name + ".gp");
   for (const char* ending : {".svg", ".png"}) {
     std::error_code error;
@@ -69,8 +76,14 @@ std::string write_plots(const std::vector<Plot>& plots, const fs::path& folder,
   const DrawingFolder drawing(folder);
   double done = 0;
   for (const Plot& plot : plots) {
-    pulse(done++ / static_cast<double>(plots.size()));
-    draw(plot, *gnuplot, drawing.path(), folder);
+    pulse(done / static_cast<double>(plots.size()));
+    try {
+      draw(plot, *gnuplot, drawing.path(), folder);
+    } catch (const Error&) {
+      pulse(done / static_cast<double>(plots.size()));  // Ctrl-C ends gnuplot as well, and is then the reason
+      throw;
+    }
+    ++done;
   }
   return {};
 }

@@ -13,6 +13,7 @@ namespace touchstone::report {
 struct Plot {
   std::string name;
   std::string script;
+  std::vector<std::string> reads = {};  ///< files beside the script
 };
 
 inline constexpr const char* kLevelPlot = "levels";

@@ -1,35 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "sim/checkpoint.hpp"
 
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
-
 #include <touchstone/error.hpp>
 
+#include "io/times.hpp"
 #include "sim/json_node.hpp"
 #include "sim/scene_file.hpp"
+#include "sim/state_check.hpp"
 
 namespace touchstone::sim {
 namespace {
 
-std::string hexfloat(double value) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%a", value);
-  return text.data();
-}
-
 double from_hexfloat(const JsonNode& node) {
-  const std::string text = node.text();
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || end != text.c_str() + text.size() || !std::isfinite(value)) node.fail("is no finite hexfloat");
-  return value;
+  const auto value = io::parse_finite_double(node.text());
+  if (!value) node.fail("is no finite hexfloat, such as \"0x1.8p-2\"");
+  return *value;
 }
 
 nlohmann::json hexfloats(const double* values, std::size_t count) {
   nlohmann::json list = nlohmann::json::array();
-  for (std::size_t i = 0; i < count; ++i) list.push_back(hexfloat(values[i]));
+  for (std::size_t i = 0; i < count; ++i) list.push_back(io::hexfloat(values[i]));
   return list;
 }
 
@@ -47,12 +37,12 @@ std::string checkpoint_to_json(const Simulation& simulation) {
   nlohmann::json json;
   json["touchstone_checkpoint"] = 1;
   json["steps"] = simulation.steps();
-  json["time"] = hexfloat(state.time);
+  json["time"] = io::hexfloat(state.time);
   json["q"] = hexfloats(state.q.data(), static_cast<std::size_t>(state.q.size()));
   json["v"] = hexfloats(state.v.data(), static_cast<std::size_t>(state.v.size()));
   json["directors"] = nlohmann::json::array();
   for (const Vector3& d : state.frames.director) {
-    for (const double x : {d.x(), d.y(), d.z()}) json["directors"].push_back(hexfloat(x));
+    for (const double x : {d.x(), d.y(), d.z()}) json["directors"].push_back(io::hexfloat(x));
   }
   json["reference_twists"] = hexfloats(state.frames.reference_twist.data(), state.frames.reference_twist.size());
   json["scene"] = scene_to_json(simulation.scene());
@@ -60,18 +50,18 @@ std::string checkpoint_to_json(const Simulation& simulation) {
 }
 
 Checkpoint checkpoint_from_json(std::string_view text) {
-  nlohmann::json json;
-  try {
-    json = nlohmann::json::parse(text.begin(), text.end());
-  } catch (const nlohmann::json::exception&) {
-    throw Error("no JSON, so no checkpoint");
-  }
-  const JsonNode root(json, "");
+  const nlohmann::json json = parse_json(text);
+  const JsonNode root(json, "the checkpoint");
   root.check_keys({"touchstone_checkpoint", "steps", "time", "q", "v", "directors", "reference_twists", "scene"});
-  if (root.at("touchstone_checkpoint").index() != 1) root.at("touchstone_checkpoint").fail("must be 1");
+  root.at("touchstone_checkpoint").version(1);
   Checkpoint checkpoint;
-  checkpoint.scene = scene_from_json(root.at("scene").text());
-  checkpoint.steps = root.at("steps").index();
+  const std::string scene = root.at("scene").text();
+  try {
+    checkpoint.scene = scene_from_json(scene);
+  } catch (const Error& error) {
+    root.at("scene").fail(error.what());
+  }
+  checkpoint.steps = root.at("steps").whole_number(0, kMostSteps);
   checkpoint.state.time = from_hexfloat(root.at("time"));
   checkpoint.state.q = vector_from(root.at("q"));
   checkpoint.state.v = vector_from(root.at("v"));

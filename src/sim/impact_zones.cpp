@@ -5,33 +5,18 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 namespace touchstone::sim {
 
-ImpactZones::ImpactZones(std::size_t particles) : parent_(particles) {
-  std::iota(parent_.begin(), parent_.end(), Index{0});
-}
-
-Index ImpactZones::zone(Index particle) {
-  while (parent_[particle] != particle) particle = parent_[particle] = parent_[parent_[particle]];
-  return particle;
-}
-
 bool ImpactZones::join(const Contact& contact) {
   bool joined = false;
-  for (std::size_t c = 1; c < contact.corners; ++c) {
-    const Index a = zone(contact.particles[0]), b = zone(contact.particles[c]);
-    if (a == b) continue;
-    parent_[std::max(a, b)] = std::min(a, b);
-    joined = true;
-  }
+  for (std::size_t c = 1; c < contact.corners; ++c) joined |= joined_.join(contact.particles[0], contact.particles[c]);
   return joined;
 }
 
 std::vector<std::vector<Index>> ImpactZones::zones() {
   std::map<Index, std::vector<Index>> by_root;
-  for (Index p = 0; p < parent_.size(); ++p) {
+  for (Index p = 0; p < joined_.size(); ++p) {
     if (zone(p) != p) by_root[zone(p)].push_back(p);
   }
   std::vector<std::vector<Index>> all;

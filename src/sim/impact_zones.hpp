@@ -6,15 +6,16 @@
 #include <vector>
 
 #include "sim/contact.hpp"
+#include "sim/union_find.hpp"
 
 namespace touchstone::sim {
 
-/// A partition of the particles into zones, as a union-find structure.
+/// A partition of the particles into zones.
 class ImpactZones {
  public:
-  explicit ImpactZones(std::size_t particles);
+  explicit ImpactZones(std::size_t particles) : joined_(particles) {}
 
-  Index zone(Index particle);
+  Index zone(Index particle) { return joined_.root(particle); }
 
   /// Joins the contact's particles into one zone. @returns false when they were in one already
   bool join(const Contact& contact);
@@ -23,7 +24,7 @@ class ImpactZones {
   std::vector<std::vector<Index>> zones();
 
  private:
-  std::vector<Index> parent_;
+  UnionFind joined_;
 };
 
 /// Gives the zone's particles the rigid motion with their momentum and angular momentum, or that of what is held or

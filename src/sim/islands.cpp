@@ -2,37 +2,14 @@
 #include "sim/islands.hpp"
 
 #include <algorithm>
-#include <limits>
-#include <numeric>
 #include <utility>
+
+#include "sim/union_find.hpp"
 
 namespace touchstone::sim {
 namespace {
 
-constexpr Index kNone = std::numeric_limits<Index>::max();
 constexpr Index kLeastUnknowns = 1000;  // smaller parts are solved together: each has a price beside its size
-
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
-  Index root(Index i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(Index a, Index b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<Index> parent_;
-};
-
-bool is_free(const System& system, Index particle) {
-  const auto* const fixed = system.fixed.data() + 3 * static_cast<std::size_t>(particle);
-  return !fixed[0] || !fixed[1] || !fixed[2];
-}
 
 VectorX gathered(const VectorX& v, const SystemPart& part, const System& system) {
   VectorX own(static_cast<Eigen::Index>(3 * part.particles.size() + part.edges.size()));
@@ -56,112 +33,39 @@ VectorX gathered_strains(const VectorX& v, const SystemPart& part, const System&
   return own;
 }
 
+/// Of the whole system; -1 stays.
+Eigen::Index coordinate_of(const SystemPart& part, Eigen::Index own, const System& system) {
+  if (own < 0) return own;
+  const auto particle = static_cast<std::size_t>(own) / 3;
+  if (particle < part.particles.size()) return 3 * static_cast<Eigen::Index>(part.particles[particle]) + own % 3;
+  return system.angle(part.edges[static_cast<std::size_t>(own) - 3 * part.particles.size()]);
+}
+
 }  // namespace
 
-template <class Component>
-void Islands::Members::sort(std::size_t components, std::size_t count, Component component_of) {
-  first.assign(components + 1, 0);
-  for (Index i = 0; i < count; ++i) {
-    if (const Index c = component_of(i); c != kNone) ++first[c + 1];
-  }
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  all.resize(first.back());
-  std::vector<Index> next(first.begin(), first.end() - 1);
-  for (Index i = 0; i < count; ++i) {
-    if (const Index c = component_of(i); c != kNone) all[next[c]++] = i;
-  }
-}
-
-void Islands::Members::append(Index component, std::vector<Index>& to) const {
-  to.insert(to.end(), all.begin() + first[component], all.begin() + first[component + 1]);
-}
-
-Islands::Islands(const System& system, const Settings& settings) : system_(&system), settings_(settings) {
-  find_components();
+Islands::Islands(const System& system, const Settings& settings)
+    : system_(&system), settings_(settings), components_(system) {
   local_particle_.assign(system.particle_count(), kNone);
   local_edge_.assign(system.edges.size(), kNone);
 }
 
-void Islands::find_components() {
-  // What is held ties nothing. An angle goes with its edge: a free one whose ends are held is a node beside the
-  // particles.
-  const System& system = *system_;
-  const auto count = static_cast<Index>(system.particle_count());
-  UnionFind tied(system.particle_count() + system.edges.size());
-  const auto node_of_edge = [&](Index e) {
-    if (is_free(system, system.edges[e].a)) return system.edges[e].a;
-    if (is_free(system, system.edges[e].b)) return system.edges[e].b;
-    return system.fixed[static_cast<std::size_t>(system.angle(e))] ? kNone : count + e;
-  };
-  const auto join_all = [&](std::initializer_list<Index> nodes) {
-    Index before = kNone;
-    for (const Index node : nodes) {
-      if (node == kNone || (node < count && !is_free(system, node))) continue;
-      if (before != kNone) tied.join(before, node);
-      before = node;
-    }
-    return before;
-  };
-  for (const Length& length : system.lengths) join_all({length.a, length.b});
-  for (const RodEdge& edge : system.edges) join_all({edge.a, edge.b});
-  for (const Joint& joint : system.joints)
-    join_all({joint.p[0], joint.p[1], joint.p[2], node_of_edge(joint.e), node_of_edge(joint.f)});
-
-  std::vector<Index> component_of_root(system.particle_count() + system.edges.size(), kNone);
-  std::size_t components = 0;
-  const auto component = [&](Index node) {
-    if (node == kNone || (node < count && !is_free(system, node))) return kNone;
-    Index& known = component_of_root[tied.root(node)];
-    if (known == kNone) known = static_cast<Index>(components++);
-    return known;
-  };
-  component_.resize(count);
-  for (Index p = 0; p < count; ++p) component_[p] = component(p);
-  std::vector<Index> of_edge(system.edges.size());
-  for (Index e = 0; e < of_edge.size(); ++e) {
-    of_edge[e] = component(node_of_edge(e));
-    if (of_edge[e] == kNone) loose_edges_.push_back(e);
-  }
-  const auto first_known = [](std::initializer_list<Index> all) {
-    for (const Index c : all) {
-      if (c != kNone) return c;
-    }
-    return kNone;
-  };
-  particles_.sort(components, count, [&](Index p) { return component_[p]; });
-  edges_.sort(components, of_edge.size(), [&](Index e) { return of_edge[e]; });
-  lengths_.sort(components, system.lengths.size(), [&](Index l) {
-    return first_known({component_[system.lengths[l].a], component_[system.lengths[l].b]});
-  });
-  joints_.sort(components, system.joints.size(), [&](Index j) {
-    const Joint& joint = system.joints[j];
-    return first_known(
-        {component_[joint.p[0]], component_[joint.p[1]], component_[joint.p[2]], of_edge[joint.e], of_edge[joint.f]});
-  });
-  unknowns_.assign(components, 0);
-  for (std::size_t c = 0; c < components; ++c) {
-    unknowns_[c] = 3 * (particles_.first[c + 1] - particles_.first[c]);
-    for (Index e = edges_.first[c]; e < edges_.first[c + 1]; ++e) unknowns_[c] += system.edges[edges_.all[e]].twists;
-  }
-}
-
 std::vector<Islands::Part> Islands::parts_of(std::span<const ContactTerm> contacts, std::vector<Index>& part_of) const {
-  UnionFind tied(unknowns_.size());
+  UnionFind tied(components_.unknowns.size());
   for (const ContactTerm& term : contacts) {
     Index before = kNone;
     for (std::size_t c = 0; c < term.corners; ++c) {
-      const Index own = component_[term.particles[c]];
+      const Index own = components_.of_particle[term.particles[c]];
       if (own == kNone) continue;
       if (before != kNone) tied.join(before, own);
       before = own;
     }
   }
-  part_of.assign(unknowns_.size(), kNone);
-  std::vector<Index> island_unknowns(unknowns_.size(), 0);
-  for (Index c = 0; c < unknowns_.size(); ++c) island_unknowns[tied.root(c)] += unknowns_[c];
+  part_of.assign(components_.unknowns.size(), kNone);
+  std::vector<Index> island_unknowns(components_.unknowns.size(), 0);
+  for (Index c = 0; c < components_.unknowns.size(); ++c) island_unknowns[tied.root(c)] += components_.unknowns[c];
   std::vector<Part> parts;
   Index open = kNone, in_open = 0;  // a part that small islands still join
-  for (Index c = 0; c < unknowns_.size(); ++c) {
+  for (Index c = 0; c < components_.unknowns.size(); ++c) {
     const Index root = tied.root(c);
     if (root == c) {
       const bool small = island_unknowns[c] < kLeastUnknowns;
@@ -187,12 +91,12 @@ SystemPart Islands::members_of(const Part& part, bool with_loose, const std::vec
                                const Stage& stage) {
   SystemPart own;
   for (const Index c : part) {
-    particles_.append(c, own.particles);
-    edges_.append(c, own.edges);
-    lengths_.append(c, own.lengths);
-    joints_.append(c, own.joints);
+    components_.particles.append(c, own.particles);
+    components_.edges.append(c, own.edges);
+    components_.lengths.append(c, own.lengths);
+    components_.joints.append(c, own.joints);
   }
-  if (with_loose) own.edges.insert(own.edges.end(), loose_edges_.begin(), loose_edges_.end());
+  if (with_loose) own.edges.insert(own.edges.end(), components_.loose_edges.begin(), components_.loose_edges.end());
   // What is held comes along wherever something leans on it.
   for (Index i = 0; i < own.edges.size(); ++i) local_edge_[own.edges[i]] = i;
   for (Index i = 0; i < own.particles.size(); ++i) local_particle_[own.particles[i]] = i;
@@ -258,7 +162,10 @@ NewtonResult Islands::minimise_part(const Part& part, bool with_loose, const std
     Newton newton(system, settings_, patterns_);
     result = newton.minimise(own_stage, gathered(*begin.guess, own, *system_), own_q, own_frames);
   }
-  if (!result.converged) return result;
+  if (!result.converged) {
+    result.mover.coordinate = coordinate_of(own, result.mover.coordinate, *system_);
+    return result;
+  }
   Eigen::Index at = 0;
   for (const Index p : own.particles) {
     q.segment<3>(3 * static_cast<Eigen::Index>(p)) = own_q.segment<3>(at);
@@ -283,7 +190,7 @@ NewtonResult Islands::minimise(const Stage& stage, const VectorX& guess, VectorX
   for (Index i = 0; i < stage.contacts.size(); ++i) {
     const ContactTerm& term = stage.contacts[i];
     for (std::size_t c = 0; c < term.corners; ++c) {
-      const Index component = component_[term.particles[c]];
+      const Index component = components_.of_particle[term.particles[c]];
       if (component == kNone) continue;
       contacts[part_of[component]].push_back(i);
       break;
@@ -305,6 +212,7 @@ NewtonResult Islands::minimise(const Stage& stage, const VectorX& guess, VectorX
     all.last_step = std::max(all.last_step, own.last_step);
     if (own.converged) continue;
     all.converged = false;
+    all.mover = own.mover;
     return all;
   }
   return all;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "sim/components.hpp"
 #include "sim/newton.hpp"
 
 namespace touchstone::sim {
@@ -18,16 +19,8 @@ class Islands {
   NewtonResult minimise(const Stage& stage, const VectorX& guess, VectorX& q, Frames& frames);
 
  private:
-  /// Numbers of elements, by component.
-  struct Members {
-    std::vector<Index> first, all;
-    template <class Component>
-    void sort(std::size_t components, std::size_t count, Component component_of);
-    void append(Index component, std::vector<Index>& to) const;
-  };
   using Part = std::vector<Index>;  // components, ascending
 
-  void find_components();
   std::vector<Part> parts_of(std::span<const ContactTerm> contacts, std::vector<Index>& part_of) const;
   struct Begin {
     const Stage* stage;
@@ -42,10 +35,7 @@ class Islands {
   Settings settings_;
   PatternCache patterns_;
   std::unique_ptr<Newton> whole_;  // once it is needed
-  std::vector<Index> component_;   // of each particle
-  Members particles_, lengths_, edges_, joints_;
-  std::vector<Index> unknowns_;     // of each component
-  std::vector<Index> loose_edges_;  // that are held, and carry frames all the same
+  Components components_;
   std::vector<Index> local_particle_, local_edge_;
 };
 

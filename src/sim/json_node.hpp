@@ -16,9 +16,14 @@
 
 namespace touchstone::sim {
 
+/// @throws Error for what is no JSON, and for a key that an object has twice, by its path
+nlohmann::json parse_json(std::string_view text);
+
 class JsonNode {
  public:
-  JsonNode(const nlohmann::json& value, std::string path) : value_(&value), path_(std::move(path)) {}
+  /// @param whole  what to call a document, whose path is empty
+  explicit JsonNode(const nlohmann::json& document, std::string_view whole = "the scene")
+      : JsonNode(document, "", whole) {}
 
   /// @throws Error "PATH: REASON"
   [[noreturn]] void fail(std::string_view reason) const;
@@ -33,6 +38,8 @@ class JsonNode {
 
   double number() const;
   std::uint32_t index() const;  ///< a whole number from 0 to 2^32 - 1
+  std::uint64_t whole_number(std::uint64_t least, std::uint64_t most) const;
+  void version(std::uint32_t must) const;  ///< this number, and no other
   bool boolean() const;
   std::string text() const;
   Vector3 vector() const;
@@ -50,8 +57,12 @@ class JsonNode {
   Vector3 vector_or(std::string_view key, const Vector3& otherwise) const;
 
  private:
+  JsonNode(const nlohmann::json& value, std::string path, std::string_view whole)
+      : value_(&value), path_(std::move(path)), whole_(whole) {}
+
   const nlohmann::json* value_;
   std::string path_;
+  std::string_view whole_;
 };
 
 }  // namespace touchstone::sim

@@ -20,6 +20,15 @@ constexpr int kMostSteps = 4;    // of an excursion
 constexpr double kFlat = 1000;   // tolerances that a step may still be long when rounding hides what it gains
 constexpr double kLever = 0.01;  // m: an angle's change counts as what it moves this far from the axis
 
+Mover mover_of(const VectorX& direction, Eigen::Index particles, double span) {
+  Mover mover;
+  VectorX moved = direction.cwiseAbs();
+  moved.tail(moved.size() - particles) *= kLever;
+  moved.maxCoeff(&mover.coordinate);
+  mover.speed = std::abs(direction[mover.coordinate]) / span;
+  return mover;
+}
+
 }  // namespace
 
 /// A few whole steps although the potential rises. Stiff lengths resist a straight step as much as it turns them on the
@@ -294,7 +303,10 @@ NewtonResult Newton::minimise(const Stage& stage, const VectorX& guess, VectorX&
     }
     if (out.wait > 0) --out.wait;
     for (int halving = 0; !lower; ++halving) {
-      if (halving == kMostHalvings) return result;
+      if (halving == kMostHalvings) {
+        result.mover = mover_of(direction, particles, stage.span);
+        return result;
+      }
       best = try_share(best.share / 2);
       lower = is_lower(best);
     }
@@ -312,6 +324,7 @@ NewtonResult Newton::minimise(const Stage& stage, const VectorX& guess, VectorX&
       return result;
     }
   }
+  result.mover = mover_of(direction, particles, stage.span);
   return result;
 }
 

@@ -22,11 +22,18 @@ struct Stage {
   double tolerance = 0;                   ///< m/s; 0: the settings' one
 };
 
+/// What changed most in the last iteration.
+struct Mover {
+  Eigen::Index coordinate = -1;  ///< -1: there was none
+  double speed = 0;              ///< m/s or rad/s
+};
+
 struct NewtonResult {
   bool converged = false;
   int iterations = 0;
   int convex = 0;        ///< iterations whose exact second derivatives were not positive definite
   double last_step = 0;  ///< m/s: the largest change in the last iteration, as a velocity
+  Mover mover;           ///< when it did not converge
 };
 
 class Newton {

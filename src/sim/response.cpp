@@ -61,6 +61,7 @@ Response::Response(const Elements& elements, const System& system, const Setting
 Response::Outcome Response::respond(Stepper& stepper, const State& state, double h, State& next, ResponseCounts& counts,
                                     PhaseTimes& times) {
   const PhaseClock clock(times.response);
+  trouble_ = {};
   const auto& passes = elements_->passes();
   if (!passes.edge_edge && !passes.vertex_face && !passes.joints && !passes.points) return Outcome::done;
   finder_.begin(state.q, next.q, thickness_);
@@ -246,6 +247,7 @@ bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Con
     work.times->response -= work.times->contacts - before;  // which goes on, and counts this too
     ++work.counts->solves;
     work.counts->newton_iterations += advance.iterations;
+    trouble_.mover = advance.mover;
     if (!advance.converged) return false;
     *work.next = std::move(advance.state);
     driven = stepper.driven_work(*work.state, work.h, terms, *work.next);
@@ -304,13 +306,18 @@ bool Response::freeze_zones(Work& work, std::vector<Contact> contacts) {
   VectorX& x1 = work.next->q;
   while (!contacts.empty()) {
     for (const Contact& contact : contacts) {
+      trouble_.left = contact;
       if (!zones.join(contact)) return false;  // a zone moves as one: only rounding can make its own parts meet
     }
     const auto groups = zones.zones();
     work.counts->zones = static_cast<int>(groups.size());
     for (const auto& zone : groups) {
       const Vector3 before = free_momentum(zone, work);
-      if (!move_rigidly(zone, *system_, inverse_mass_, work.state->q, x1)) return false;
+      if (!move_rigidly(zone, *system_, inverse_mass_, work.state->q, x1)) {
+        const auto of_zone = [&](const Contact& c) { return zones.zone(c.particles[0]) == zone.front(); };
+        trouble_.left = *std::find_if(contacts.begin(), contacts.end() - 1, of_zone);
+        return false;
+      }
       for (const Index p : zone) work.pushed.segment<3>(3 * static_cast<Eigen::Index>(p)).setZero();
       // What is driven carries the zone, and gives its free particles the momentum that they gain.
       const auto driven = std::find_if(zone.begin(), zone.end(), [&](Index p) { return is_held(p); });

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "sim/contact_finder.hpp"
 #include "sim/phase_times.hpp"
 #include "sim/stepper.hpp"
@@ -26,6 +28,13 @@ class Response {
   /// Changes `next`, what the integrator made of `state` in h seconds, until the narrow phase finds no contact.
   Outcome respond(Stepper& stepper, const State& state, double h, State& next, ResponseCounts& counts,
                   PhaseTimes& times);
+
+  /// What stood in the way of the last response: for not_converged a mover, for not_resolved a contact that is left.
+  struct Trouble {
+    Mover mover;
+    std::optional<Contact> left;
+  };
+  const Trouble& trouble() const noexcept { return trouble_; }
 
   double thickness() const noexcept { return thickness_; }
 
@@ -58,6 +67,7 @@ class Response {
   std::vector<Eigen::Matrix3f> hold_;  // what holds each particle where it is, by direction, N/m; roughly
   bool repels_;                        // elements that are nearer than the thickness
   ContactFinder finder_;
+  Trouble trouble_;
 };
 
 }  // namespace touchstone::sim

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <touchstone/error.hpp>
 
-#include "io/fail.hpp"
 #include "sim/json_node.hpp"
 #include "sim/scene_file.hpp"
 #include "sim/scene_parts.hpp"
@@ -41,9 +39,7 @@ Settings settings_from(const JsonNode& node) {
     s.contact.friction = contact->number_or("friction", s.contact.friction);
     s.contact.thickness = contact->number_or("thickness", s.contact.thickness);
     if (const auto passes = contact->find("passes")) {
-      const Index count = passes->index();
-      if (count < 1 || count > 1000) passes->fail("must be a whole number from 1 to 1000");
-      s.contact.passes = static_cast<int>(count);
+      s.contact.passes = static_cast<int>(passes->whole_number(1, 1000));
     }
   }
   return s;
@@ -194,12 +190,12 @@ void add_cable(Scene& scene, const JsonNode& node) {
     }
     if (cable.particles.size() < 2) particles->fail("must be at least 2");
   } else {
-    const JsonNode count = node.at("segments");
     constexpr Index kMostSegments = 1'000'000;
-    if (count.index() < 1 || count.index() > kMostSegments) count.fail("must be a whole number from 1 to 1000000");
-    if (scene.particles.size() + count.index() >= kMostParticles) count.fail("more than 10,000,000 particles in all");
+    const JsonNode segments = node.at("segments");
+    const auto count = static_cast<Index>(segments.whole_number(1, kMostSegments));
+    if (scene.particles.size() + count >= kMostParticles) segments.fail("more than 10,000,000 particles in all");
     const Vector3 from = node.at("from").vector(), to = node.at("to").vector();
-    cable.particles = straight_cable(scene, from, to, count.index()).particles;
+    cable.particles = straight_cable(scene, from, to, count).particles;
   }
   cable.closed = node.boolean_or("closed", false);
   cable.radius = node.at("radius").number();
@@ -221,36 +217,14 @@ void add_cable(Scene& scene, const JsonNode& node) {
   scene.cables.push_back(std::move(cable));
 }
 
-nlohmann::json parsed(std::string_view text) {
-  // Of two equal keys the library would drop the first one without a word.
-  using Event = nlohmann::json::parse_event_t;
-  std::vector<std::set<std::string>> keys;  // of every object that is open
-  const auto watch = [&keys](int, Event event, const nlohmann::json& value) {
-    if (event == Event::object_start) keys.emplace_back();
-    if (event == Event::object_end) keys.pop_back();
-    if (event == Event::key && !keys.back().insert(value.get<std::string>()).second) {
-      throw Error("the key " + io::in_quotes(value.get<std::string>()) + " is there twice in one object");
-    }
-    return true;
-  };
-  try {
-    return nlohmann::json::parse(text.begin(), text.end(), watch);
-  } catch (const nlohmann::json::exception& error) {
-    // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
-    const std::string what = error.what();
-    const std::size_t bracket = what.find("] ");
-    throw Error("no JSON: " + (bracket == std::string::npos ? what : what.substr(bracket + 2)));
-  }
-}
-
 }  // namespace
 
 Scene scene_from_json(std::string_view text) {
-  const nlohmann::json document = parsed(text);
-  const JsonNode root(document, "");
+  const nlohmann::json document = parse_json(text);
+  const JsonNode root(document);
   root.check_keys(
       {"touchstone_scene", "name", "settings", "particles", "springs", "surfaces", "cables", "wires", "faces"});
-  if (root.at("touchstone_scene").index() != kVersion) root.at("touchstone_scene").fail("must be 1");
+  root.at("touchstone_scene").version(kVersion);
   Scene scene;
   if (const auto name = root.find("name")) scene.name = name->text();
   if (const auto settings = root.find("settings")) scene.settings = settings_from(*settings);

@@ -4,9 +4,13 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/phase_times.hpp"
+#include "sim/refusal.hpp"
 #include "sim/response.hpp"
 #include "sim/stepper.hpp"
 
@@ -46,14 +50,6 @@ struct SimulationOptions {
   std::function<void()> before_part = {};  ///< may throw to end the run: the step under way has not been made then
 };
 
-/// Steps that were tried and not taken, over a whole run.
-struct RefusedCounts {
-  std::uint64_t not_converged = 0;  ///< Newton's method did not converge
-  std::uint64_t not_resolved = 0;   ///< the response found no way
-  std::uint64_t gained_energy = 0;  ///< contacts would have done work
-  std::uint64_t not_certified = 0;  ///< the proof found a crossing
-};
-
 class Simulation {
  public:
   /// @throws Error for a scene that makes no sense, or in which elements touch at the start
@@ -63,7 +59,8 @@ class Simulation {
   Simulation& operator=(const Simulation&) = delete;
 
   /// Moves on by settings.time_step, in shorter parts where a whole step is refused.
-  /// @returns a record of each part @throws Error when even the shortest part is refused: nothing has moved then
+  /// @returns a record of each part @throws Error when even the shortest part is refused, naming what is in the way and
+  /// what would be right, or what before_part or the sink of queries throws: nothing has moved then
   std::vector<StepRecord> step();
 
   const Scene& scene() const noexcept { return scene_; }
@@ -72,13 +69,15 @@ class Simulation {
   const State& state() const noexcept { return state_; }
   std::uint64_t steps() const noexcept { return steps_; }
   const std::vector<Crossing>& crossings() const noexcept { return crossings_; }
+  /// Over the whole run.
   const RefusedCounts& refused() const noexcept { return refused_; }
   double thickness() const noexcept { return response_.thickness(); }
   /// Of all steps so far, those that were refused included.
   const PhaseTimes& times() const noexcept { return times_; }
   Energies energies() const { return sim::energies(system_, state_); }
 
-  /// Goes on from a state of the same scene. @throws Error when its sizes are not this scene's
+  /// Goes on from a state of the same scene. @throws Error as check_state does, or when elements touch: it stays where
+  /// it is then
   void resume(State state, std::uint64_t steps);
 
   /// Sees every query of the proofs, with its answer.
@@ -86,8 +85,11 @@ class Simulation {
 
  private:
   double time_at(double steps) const noexcept { return steps * scene_.settings.time_step; }
-  void check_start();
-  bool try_part(double h, double end_time, StepRecord& record);
+  void check_start(const State& state, std::string_view what);
+  /// @param before  set to the state before the step, once a part may move it
+  std::vector<StepRecord> parts_of_step(std::optional<State>& before);
+  /// The part, or why it is not taken.
+  std::optional<Refusal> try_part(double h, double end_time, StepRecord& record);
 
   Scene scene_;
   System system_;

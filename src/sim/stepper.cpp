@@ -98,6 +98,7 @@ Stepper::Solution Stepper::solve(const State& state, const Stage& stage, const V
   advance.converged = result.converged;
   advance.iterations += result.iterations;
   advance.convex += result.convex;
+  advance.mover = result.mover;
   solution.state.time = stage.time;
   solution.state.v = (solution.state.q - stage.base) / stage.span;
   return solution;

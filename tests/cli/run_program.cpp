@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <stdexcept>
 #include <thread>
 
@@ -43,6 +44,7 @@ Run run_program(const std::vector<std::string>& arguments, const RunOptions& opt
   const pid_t child = ::fork();
   if (child == 0) {
     if (!options.folder.empty() && ::chdir(options.folder.c_str()) != 0) ::_exit(126);
+    if (!options.search_path.empty()) ::setenv("PATH", options.search_path.c_str(), 1);
     ::dup2(out_descriptor, STDOUT_FILENO);
     ::dup2(err_descriptor, STDERR_FILENO);
     ::execv(argv[0], argv.data());

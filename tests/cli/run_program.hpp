@@ -21,6 +21,7 @@ struct RunOptions {
   std::string folder = {};           ///< working folder; empty: the test's own
   std::string standard_output = {};  ///< a file or device to write to; empty: kept in Run::out
   bool closed_pipe = false;          ///< standard output is a pipe whose reader has gone
+  std::string search_path = {};      ///< PATH; empty: the test's own
   double interrupt_after = 0;        ///< seconds until it gets SIGINT; 0: never
 };
 

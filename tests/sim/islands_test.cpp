@@ -201,6 +201,34 @@ TEST_CASE("Newton's method in parts ends where that on the whole scene does") {
   }
 }
 
+TEST_CASE("what does not converge is named by its coordinate in the whole scene") {
+  Scene scene = many_cables();
+  scene.settings.gravity.setZero();
+  const System system(scene);
+  Stepper stepper(system, scene.settings);
+  State state = stepper.initial();
+  constexpr double kStep = 1e-3, kSpeed = 10;
+  const Index particle = scene.cables[17].particles[15];
+  const Eigen::Index z = 3 * static_cast<Eigen::Index>(particle) + 2;
+  state.v[z] = kSpeed;
+  // A contact whose normal is longer than 1 makes no sense: it pulls the particle on, the more the farther it gets, and
+  // its energy rises all the same. So no step along the derivative leads down.
+  ContactTerm term;
+  term.particles[0] = particle;
+  term.corners = 1;
+  term.omega[0] = 1;
+  term.normal = {0, 0, 1.3};
+  term.goal = -1;
+  term.stick = 1;
+  term.slip = 0.5 * system.mass[z] / (kStep * kStep) / 1.38;
+  const VectorX near = state.q + kStep * state.v;
+  const Advance advance = stepper.advance_with(state, kStep, std::vector<ContactTerm>{term}, near);
+  REQUIRE_FALSE(advance.converged);
+  CHECK(advance.mover.coordinate == z);
+  CHECK(advance.mover.speed > 0.1 * kSpeed);
+  CHECK(advance.mover.speed < 10 * kSpeed);
+}
+
 TEST_CASE("a contact's second derivative is exact where its pull is, and never negative elsewhere") {
   ContactTerm term;
   term.particles = {0, 1, 2, 3};

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "sim/refusal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace touchstone::sim {
+namespace {
+
+std::string at(const Vector3& place) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", place.x(), place.y(), place.z());
+}
+
+/// Whether any particle of the pair is free to move in any direction.
+bool can_give_way(const Pair& pair, const System& system, const Elements& elements) {
+  const auto corners = elements.corners(pair);
+  for (std::size_t c = 0; c < corner_count(pair.kind); ++c) {
+    const auto* const fixed = system.fixed.data() + 3 * std::size_t{corners[c]};
+    if (!fixed[0] || !fixed[1] || !fixed[2]) return true;
+  }
+  return false;
+}
+
+std::string not_converged(const Refusal& refusal, const Scene& scene, const System& system, const VectorX& q) {
+  if (!refusal.with_contacts && scene.settings.integrator == Integrator::symplectic_euler) {
+    return "its numbers grow out of range; settings.time_step below the stiffest period / pi, or another "
+           "settings.integrator than symplectic-euler, would be right";
+  }
+  const std::string advice = fmt::format(
+      "a smaller settings.time_step{} or softer springs and cables would be right",
+      refusal.with_contacts && scene.settings.contact.friction > 0 ? ", less settings.contact.friction" : "");
+  const std::string_view with = refusal.with_contacts ? " with its contacts" : "";
+  if (refusal.mover.coordinate < 0) return fmt::format("its equations{} cannot be solved in doubles; {}", with, advice);
+  const auto coordinate = static_cast<std::size_t>(refusal.mover.coordinate);
+  const std::size_t particles = system.particle_count();
+  const bool is_angle = coordinate >= 3 * particles;
+  const RodEdge edge = is_angle ? system.edges[coordinate - 3 * particles] : RodEdge{};
+  const Index particle = is_angle ? edge.a : static_cast<Index>(coordinate / 3);
+  return fmt::format(
+      "Newton's method{} does not settle {} at {}, which it still changes by {:.3g} {}; {}", with,
+      is_angle ? fmt::format("the twist of segment {}-{}", edge.a, edge.b) : fmt::format("particle {}", particle),
+      at(position(q, particle)), refusal.mover.speed, is_angle ? "rad/s" : "m/s", advice);
+}
+
+}  // namespace
+
+void count(RefusedCounts& counts, Cause cause) noexcept {
+  switch (cause) {
+    case Cause::not_converged: ++counts.not_converged; break;
+    case Cause::not_resolved: ++counts.not_resolved; break;
+    case Cause::gained_energy: ++counts.gained_energy; break;
+    case Cause::not_certified: ++counts.not_certified; break;
+  }
+}
+
+std::string refused_for_person(const RefusedCounts& counts, const RefusedCounts& before) {
+  const std::array<std::pair<std::uint64_t, const char*>, 4> all{
+      {{counts.not_converged - before.not_converged, "did not converge"},
+       {counts.not_resolved - before.not_resolved, "found no response"},
+       {counts.gained_energy - before.gained_energy, "would have had contacts do work"},
+       {counts.not_certified - before.not_certified, "failed their proof"}}};
+  std::string text;
+  for (const auto& [number, what] : all) {
+    if (number > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", number, what);
+  }
+  return text;
+}
+
+Vector3 place_of(const Contact& contact, const VectorX& q) {
+  // Of omega, the first element's share has one sign and sums to 1.
+  const std::size_t of_first = contact.pair.kind == Kind::edge_edge ? 2 : 1;
+  Vector3 place = Vector3::Zero();
+  for (std::size_t c = 0; c < of_first; ++c) place += std::abs(contact.omega[c]) * position(q, contact.particles[c]);
+  return place;
+}
+
+std::string refusal_for_person(const Refusal& refusal, const Scene& scene, const System& system,
+                               const Elements& elements, const VectorX& q) {
+  const std::string pair = refusal.pair ? elements.describe(*refusal.pair) : "";
+  switch (refusal.cause) {
+    case Cause::not_converged: return not_converged(refusal, scene, system, q);
+    case Cause::not_resolved:
+      if (!refusal.pair) return "contacts are left";
+      return fmt::format("{} would touch at {}, and {}", pair, at(refusal.place),
+                         can_give_way(*refusal.pair, system, elements)
+                             ? "have no room between what is held or driven; paths that leave them room would be right"
+                             : "nothing of them is free to give way; other paths or pins would be right");
+    case Cause::gained_energy: return "contacts would do work";
+    case Cause::not_certified:
+      return fmt::format(
+          "{} would cross at {}; a smaller settings.time_step or a larger settings.contact.thickness "
+          "would be right",
+          pair, at(refusal.place));
+  }
+  return "";
+}
+
+}  // namespace touchstone::sim

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "sim/state_check.hpp"
+
+#include <Eigen/Geometry>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <touchstone/error.hpp>
+
+#include "io/times.hpp"
+
+namespace touchstone::sim {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+// A director is r / |r| in doubles: the square root and the division are good to 5 halves and 1 half of epsilon, and so
+// is the length that is taken of it here.
+constexpr double kUnit = 4 * kEpsilon;
+
+// r is what is left of a vector u, |u| < 4, across the tangent. Rounding leaves at most 28 |u| epsilon of it along the
+// tangent, and |r| may be as small as 1e-8 (unit_perpendicular): 1.3e-6.
+constexpr double kAcross = 2e-6;
+
+// Below this, squared lengths underflow, and a segment has no tangent.
+constexpr double kShortest = 1e-150;
+
+// A frame may be turned by half a turn in one go: no run has so many goes as this takes.
+constexpr double kMostTwist = 1e12;
+
+[[noreturn]] void fail(std::string_view key, std::size_t number, const std::string& reason) {
+  throw Error(fmt::format("{}[{}]: {}", key, number, reason));
+}
+
+void check_size(std::string_view key, std::size_t is, std::size_t must, std::string_view what) {
+  if (is == must) return;
+  throw Error(fmt::format("{}: has {} numbers, and this scene needs {}: {}", key, is, must, what));
+}
+
+void check_sizes(const System& system, const State& state) {
+  const auto size = static_cast<std::size_t>(system.size());
+  const std::string what = fmt::format(
+      "3 for each of {} particles, {} of which hold the direction of clamped ends, and "
+      "1 for each of {} segments that resist bending",
+      system.particle_count(), system.ghosts.size(), system.edges.size());
+  check_size("q", static_cast<std::size_t>(state.q.size()), size, what);
+  check_size("v", static_cast<std::size_t>(state.v.size()), size, what);
+  check_size("directors", 3 * state.frames.director.size(), 3 * system.edges.size(),
+             "3 for each segment that resists bending");
+  check_size("reference_twists", state.frames.reference_twist.size(), system.joints.size(),
+             "1 for each joint of such segments");
+}
+
+/// "the y of particle 3"
+std::string coordinate_name(const System& system, std::size_t i) {
+  const std::size_t particles = system.particle_count();
+  if (i < 3 * particles) return fmt::format("the {} of particle {}", "xyz"[i % 3], i / 3);
+  const RodEdge& edge = system.edges[i - 3 * particles];
+  return fmt::format("the twist of segment {}-{}", edge.a, edge.b);
+}
+
+/// What is driven: how fast (m/s or rad/s) and how far from the origin (m) anything of it gets.
+struct Driven {
+  double speed = 0, reach = 0;
+};
+
+Driven driven_of(const Scene& scene) {
+  Driven most;
+  for (const Particle& p : scene.particles) {
+    for (std::size_t i = 0; i < p.path.size(); ++i) {
+      most.reach = std::max(most.reach, p.path[i].position.lpNorm<Eigen::Infinity>());
+      if (i == 0) continue;
+      const Vector3 way = p.path[i].position - p.path[i - 1].position;
+      most.speed = std::max(most.speed, way.lpNorm<Eigen::Infinity>() / (p.path[i].time - p.path[i - 1].time));
+    }
+  }
+  for (const Cable& cable : scene.cables) {
+    most.speed = std::max({most.speed, std::abs(cable.start.twist_rate), std::abs(cable.end.twist_rate)});
+  }
+  return most;
+}
+
+void check_finite(std::string_view key, const VectorX& values) {
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    if (!std::isfinite(values[i])) fail(key, static_cast<std::size_t>(i), "must be finite");
+  }
+}
+
+void check_held(const Scene& scene, const System& system, const State& state) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  VectorX moved = VectorX::Constant(system.size(), none);  // by paths and turned ends
+  system.prescribe(state.time, moved);
+  const Driven driven = driven_of(scene);
+  // A velocity is what a part of a step has moved it by, each end being rounded; which part is not known.
+  const double shortest = std::ldexp(scene.settings.time_step, -kMostHalvings);
+  for (std::size_t i = 0; i < system.fixed.size(); ++i) {
+    if (!system.fixed[i]) continue;
+    const auto at = static_cast<Eigen::Index>(i);
+    const bool moves = !std::isnan(moved[at]);
+    const double held = moves ? moved[at] : system.initial_position[at];
+    if (state.q[at] != held) {
+      fail("q", i,
+           fmt::format("{} is {}: at {} s it must be {}, not {}", coordinate_name(system, i), moves ? "driven" : "held",
+                       state.time, io::hexfloat(held), io::hexfloat(state.q[at])));
+    }
+    if (!moves && state.v[at] != 0) fail("v", i, coordinate_name(system, i) + " is held: its velocity must be 0");
+    const double rounding = 16 * kEpsilon * (driven.reach + std::abs(held)) / shortest;
+    if (std::abs(state.v[at]) <= driven.speed * 1.000001 + rounding) continue;
+    fail("v", i,
+         fmt::format("{} is driven, and nothing in this scene is driven faster than {:.6g}", coordinate_name(system, i),
+                     driven.speed));
+  }
+}
+
+Vector3 tangent(const State& state, const RodEdge& edge) {
+  return (position(state.q, edge.b) - position(state.q, edge.a)).normalized();
+}
+
+bool has_tangent(const State& state, const RodEdge& edge) {
+  return (position(state.q, edge.b) - position(state.q, edge.a)).lpNorm<Eigen::Infinity>() > kShortest;
+}
+
+void check_directors(const System& system, const State& state) {
+  for (std::size_t j = 0; j < system.edges.size(); ++j) {
+    const RodEdge& edge = system.edges[j];
+    const Vector3& director = state.frames.director[j];
+    if (!director.allFinite()) fail("directors", 3 * j, "must be finite");
+    if (!has_tangent(state, edge)) continue;
+    if (!(std::abs(director.norm() - 1) <= kUnit)) {
+      fail("directors", 3 * j,
+           fmt::format("this and the next two numbers, the director of segment {}-{}, must have length 1, not {}",
+                       edge.a, edge.b, director.norm()));
+    }
+    const double along = director.dot(tangent(state, edge));
+    if (std::abs(along) <= kAcross) continue;
+    fail("directors", 3 * j,
+         fmt::format("this and the next two numbers, the director of segment {}-{}, must be perpendicular to it: the "
+                     "cosine between them is {:.3g}",
+                     edge.a, edge.b, along));
+  }
+}
+
+/// The shortest rotation from one segment to the next, and then the twist, take one director to the other.
+void check_twists(const System& system, const State& state) {
+  for (std::size_t j = 0; j < system.joints.size(); ++j) {
+    const Joint& joint = system.joints[j];
+    const RodEdge &e = system.edges[joint.e], &f = system.edges[joint.f];
+    const double twist = state.frames.reference_twist[j];
+    if (!(std::abs(twist) <= kMostTwist)) {
+      fail("reference_twists", j, fmt::format("{} is not in [-{}, {}]", twist, kMostTwist, kMostTwist));
+    }
+    if (!has_tangent(state, e) || !has_tangent(state, f)) continue;
+    const Vector3 te = tangent(state, e), tf = tangent(state, f);
+    // Rounding turns the shortest rotation by so much the more the nearer the segments are to a fold, where there is
+    // none; parallel_transport takes another way there.
+    const double fold = 1 + te.dot(tf);
+    if (fold < 1e-11) continue;
+    const double tolerance = 1e-9 + 64 * kEpsilon / fold + kEpsilon * std::abs(twist);
+    const Vector3 over = unit_perpendicular(parallel_transport(state.frames.director[joint.e], te, tf), tf);
+    const double off = signed_angle(turned(over, tf, twist), state.frames.director[joint.f], tf);
+    if (std::abs(off) <= tolerance) continue;
+    fail("reference_twists", j,
+         fmt::format("the directors of segments {}-{} and {}-{} are turned by {:.9g} rad, or whole turns more or less, "
+                     "not by {:.9g}",
+                     e.a, e.b, f.a, f.b, std::remainder(twist + off, 2 * std::numbers::pi), twist));
+  }
+}
+
+}  // namespace
+
+void check_state(const Scene& scene, const System& system, const State& state, std::uint64_t steps) {
+  if (steps > kMostSteps) throw Error(fmt::format("steps: must be a whole number from 0 to {}", kMostSteps));
+  const double time = static_cast<double>(steps) * scene.settings.time_step;
+  if (state.time != time) {
+    throw Error(fmt::format("time: after {} steps of {} s it must be {}, not {}", steps, scene.settings.time_step,
+                            io::hexfloat(time), io::hexfloat(state.time)));
+  }
+  check_sizes(system, state);
+  check_finite("q", state.q);
+  check_finite("v", state.v);
+  check_held(scene, system, state);
+  check_directors(system, state);
+  check_twists(system, state);
+}
+
+}  // namespace touchstone::sim

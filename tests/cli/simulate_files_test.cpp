@@ -1,0 +1,200 @@
+// The files of `touchstone simulate`: which may be named together, what is there when one cannot be written, and plots.
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/run_program.hpp"
+#include "support/catch.hpp"
+
+using namespace touchstone::tests;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string last_line(const std::string& text) {
+  const std::size_t end = text.find_last_not_of('\n');
+  if (end == std::string::npos) return {};
+  const std::size_t before = text.rfind('\n', end);
+  return text.substr(before + 1, end - before);
+}
+
+/// A folder with a program named gnuplot that does this.
+std::string with_gnuplot(const TemporaryFolder& folder, const std::string& name, const std::string& body) {
+  fs::permissions(folder.write(name + "/gnuplot", "#!/bin/sh\n" + body), fs::perms::owner_all);
+  return folder.path(name);
+}
+
+}  // namespace
+
+TEST_CASE("files that would take each other's place are refused before anything is written") {
+  const TemporaryFolder folder;
+  const std::string out = folder.path("out"), queries = folder.path("queries");
+  const std::string scene = folder.path("scene.json"), state = folder.path("state.json");
+  REQUIRE(run_program({"simulate", "two-edges", "--scene-out", scene}).status == 0);
+  REQUIRE(run_program({"simulate", "two-edges", "--steps", "3", "--checkpoint", state}).status == 0);
+  const std::string scene_text = folder.read("scene.json"), state_text = folder.read("state.json");
+  fs::create_symlink(scene, folder.path("link"));
+  const auto names = folder.names();
+
+  const auto check_refused = [&](std::vector<std::string> arguments, const std::string& part) {
+    arguments.insert(arguments.begin(), "simulate");
+    const Run run = run_program(arguments);
+    CAPTURE(arguments, run.err);
+    CHECK(run.status == 2);
+    CHECK(run.out == "");
+    CHECK(occurrences(run.err, "\n") == 1);
+    CHECK(occurrences(run.err, part) == 1);
+    CHECK(folder.names() == names);
+    CHECK(folder.read("scene.json") == scene_text);
+    CHECK(folder.read("state.json") == state_text);
+  };
+  check_refused({"two-edges", "--proof", folder.path("x"), "--energies", folder.path("./y/../x")},
+                "--proof and --energies name the same file, ");
+  for (const char* name : {"energies.csv", "energies.gp", "energies.svg", "energies.png", "frames/frames.vtk.series"}) {
+    for (const char* option : {"--proof", "--energies", "--checkpoint"}) {
+      check_refused({"two-edges", "--out", out, option, out + "/" + name},
+                    std::string(option) + " and --out name the same file, ");
+    }
+  }
+  check_refused({"two-edges", "--out", out, "--proof", out + "/frames/frame-000007.vtk"},
+                "/frames/frame-000007.vtk, which may be one of the frames of --out");
+  check_refused({"two-edges", "--out", out, "--proof", out}, "/out, which --out needs as a folder");
+  check_refused({"two-edges", "--out", out, "--energies", out + "/frames"}, "/frames, which --out needs as a folder");
+  for (const char* kind : {"edge-edge", "vertex-face", "point-edge", "point-point"}) {
+    const std::string of_kind = queries + "/" + kind;
+    check_refused({"two-edges", "--queries", queries, "--checkpoint", of_kind + "/candidates.csv"},
+                  "--checkpoint and --queries name the same file, ");
+    check_refused({"two-edges", "--queries", queries, "--checkpoint", of_kind}, ", which --queries needs as a folder");
+  }
+  check_refused({"two-edges", "--queries", out + "/energies.csv", "--out", out},
+                "--out names " + out + "/energies.csv, which --queries needs as a folder");
+  check_refused({scene, "--scene-out", scene}, "--scene-out would write over ");
+  check_refused({scene, "--proof", folder.path("link")}, "--proof would write over ");
+  check_refused({"--resume", state, "--energies", state}, "--energies would write over ");
+
+  // What goes well together.
+  const Run run = run_program({"simulate", "--resume", state, "--checkpoint", state, "--out", out, "--queries", out,
+                               "--proof", out + ".csv", "--steps", "2"});
+  CAPTURE(run.err);
+  CHECK(run.status == 0);
+  CHECK(occurrences(folder.read("state.json"), "\"steps\": 5,") == 1);
+}
+
+TEST_CASE("options that would be without effect are refused") {
+  const TemporaryFolder folder;
+  const auto check_refused = [&](std::vector<std::string> arguments, const std::string& part) {
+    arguments.insert(arguments.begin(), {"simulate", "two-edges"});
+    const Run run = run_program(arguments);
+    CAPTURE(arguments, run.err);
+    CHECK(run.status == 2);
+    CHECK(occurrences(run.err, part) == 1);
+    CHECK(folder.names().empty());
+  };
+  const std::string x = folder.path("x");
+  check_refused({"--explain", "--scene-out", x}, "excludes");
+  for (const char* option : {"--out", "--proof", "--energies", "--queries", "--checkpoint"}) {
+    check_refused({"--explain", option, x}, "excludes");
+    check_refused({"--scene-out", folder.path("y"), option, x}, "excludes");
+    check_refused({option, ""}, std::string(option) + ": the name is empty");
+  }
+  check_refused({"--explain", "--steps", "3"}, "excludes");
+  check_refused({"--frame-every", "3"}, "--frame-every requires --out");
+}
+
+TEST_CASE("energies that are wanted elsewhere are in the folder as well") {
+  const TemporaryFolder folder;
+  const Run run = run_program({"simulate", "two-edges", "--steps", "4", "--out", folder.path("out"), "--energies",
+                               folder.path("energies.csv")});
+  CHECK(run.status == 0);
+  CHECK(occurrences(folder.read("energies.csv"), "\n") == 6);
+  CHECK(folder.read("out/energies.csv") == folder.read("energies.csv"));
+  CHECK(folder.read("out/energies.gp") != "");
+}
+
+TEST_CASE("nothing that gnuplot prints reaches the user, and plots are whole or not there") {
+  const TemporaryFolder folder;
+  const std::string noise = "echo 'Warning: empty x range'\necho 'line 7: nonsense' >&2\n";
+  const auto simulate = [&](const std::string& gnuplot, const std::string& steps, const std::string& out) {
+    RunOptions options;
+    options.search_path = gnuplot + ":/usr/bin:/bin";
+    return run_program({"simulate", "two-edges", "--steps", steps, "--out", folder.path(out)}, options);
+  };
+  const std::string draws = with_gnuplot(
+      folder, "draws", noise + "test -s energies.csv || exit 1\necho 1 > energies.svg\necho 2 > energies.png\n");
+  const Run drawn = simulate(draws, "3", "drawn");
+  CHECK(drawn.status == 0);
+  CHECK(drawn.err == "");
+  CHECK(last_line(drawn.out) == "3 steps, 0 crossings");
+  CHECK(folder.read("drawn/energies.svg") == "1\n");
+  CHECK(folder.read("drawn/energies.png") == "2\n");
+
+  const Run still = simulate(draws, "0", "still");
+  CHECK(still.status == 0);
+  CHECK(still.err == "touchstone: no step was made, so there are no energies to draw\n");
+  CHECK(last_line(still.out) == "0 steps, 0 crossings");
+  CHECK(occurrences(folder.read("still/energies.csv"), "\n") == 2);
+  CHECK_FALSE(fs::exists(folder.path("still/energies.svg")));
+  CHECK_FALSE(fs::exists(folder.path("still/energies.gp")));
+
+  const Run failed =
+      simulate(with_gnuplot(folder, "fails", "echo 1 > energies.svg\n" + noise + "exit 1\n"), "3", "failed");
+  CHECK(failed.status == 2);
+  CHECK(occurrences(failed.err, "/fails/gnuplot failed on energies.gp: line 7: nonsense\n") == 1);
+  CHECK(occurrences(failed.err, "\n") == 1);
+  CHECK(last_line(failed.out) == "3 steps, 0 crossings");
+  CHECK(occurrences(folder.read("failed/energies.csv"), "\n") == 5);
+  CHECK_FALSE(fs::exists(folder.path("failed/energies.svg")));
+  std::size_t left = 0;
+  for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder.path("failed"))) ++left;
+  CHECK(left == 3);  // frames, energies.csv and energies.gp
+}
+
+TEST_CASE("a file that cannot be written is not there, and keeps none of the others from being there") {
+  const TemporaryFolder folder;
+  const auto full = folder.full_device();
+  if (!full) {
+    WARN("no device that is full can be made here: not tested");
+    return;
+  }
+  const auto check_rest = [&](const Run& run, const std::string& steps) {
+    CAPTURE(run.err, run.out);
+    CHECK(run.status == 2);
+    CHECK(occurrences(run.err, "full: cannot be written: No space left on device\n") == 1);
+    CHECK(occurrences(folder.read("state.json"), "\"steps\": " + steps + ",") == 1);
+    CHECK(last_line(folder.read("energies.csv")).rfind(steps + ",", 0) == 0);
+    CHECK(run_program({"simulate", "--resume", folder.path("state.json"), "--steps", "1"}).status == 0);
+  };
+  const std::vector<std::string> files = {
+      "--energies", folder.path("energies.csv"), "--checkpoint", folder.path("state.json"), "--proof", *full};
+  std::vector<std::string> arguments = {"simulate", "two-edges", "--steps", "20"};
+  arguments.insert(arguments.end(), files.begin(), files.end());
+  const Run at_the_end = run_program(arguments);
+  check_rest(at_the_end, "20");
+  CHECK(last_line(at_the_end.out) == "20 steps, 0 crossings");
+
+  // In the middle of the run: more than what is kept in memory of a table.
+  arguments[3] = "5000";
+  const Run before_it = run_program(arguments);
+  CHECK(before_it.out == "");
+  const std::string last = last_line(folder.read("energies.csv"));
+  const std::string steps = last.substr(0, last.find(','));
+  CHECK(std::stoi(steps) > 100);
+  CHECK(std::stoi(steps) < 5000);
+  check_rest(before_it, steps);
+}
+
+TEST_CASE("a checkpoint that does not fit its scene is refused by file and key") {
+  const TemporaryFolder folder;
+  REQUIRE(run_program({"simulate", "two-edges", "--steps", "3", "--checkpoint", folder.path("a.json")}).status == 0);
+  std::string text = folder.read("a.json");
+  text.replace(text.find("\"steps\": 3"), 10, "\"steps\": 4");
+  const std::string bad = folder.write("b.json", text);
+  const Run run = run_program({"simulate", "--resume", bad, "--out", folder.path("out")});
+  CAPTURE(run.err);
+  CHECK(run.status == 2);
+  CHECK(occurrences(run.err, "b.json: time: after 4 steps of ") == 1);
+  CHECK(occurrences(run.err, "\n") == 1);
+  CHECK(folder.names() == std::set<std::string>{"a.json", "b.json"});
+}
