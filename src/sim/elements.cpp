@@ -13,49 +13,46 @@
 namespace touchstone::sim {
 namespace {
 
-using generators::Box;
-
-/// Wider by `margin` in exact arithmetic: rounding goes outward.
-void widen(Box& box, double margin) {
-  if (margin == 0) return;
+/// A particle that is at x, or nearer than `margin` along each axis, in exact arithmetic: rounding goes outward.
+generators::Box box_around(const Vec3& x, double margin) {
+  generators::Box box = generators::empty_box();
+  generators::extend(box, x);
+  if (margin == 0) return box;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < 3; ++k) {
     box.low[k] = std::nextafter(box.low[k] - margin, -kInfinity);
     box.high[k] = std::nextafter(box.high[k] + margin, kInfinity);
   }
+  return box;
 }
 
-/// Boxes of particles during the step; those of elements are their unions.
-std::vector<Box> particle_boxes(std::size_t count, const VectorX& x0, const VectorX& x1, double margin) {
-  std::vector<Box> boxes(count, generators::empty_box());
-  for (Index p = 0; p < count; ++p) {
-    generators::extend(boxes[p], corner_of(x0, p));
-    generators::extend(boxes[p], corner_of(x1, p));
-    widen(boxes[p], margin);
-  }
+/// Boxes of particles during the step; those of elements are joined of them.
+std::vector<MovingBox> particle_boxes(std::size_t count, const VectorX& x0, const VectorX& x1, double margin) {
+  std::vector<MovingBox> boxes;
+  boxes.reserve(count);
+  for (Index p = 0; p < count; ++p)
+    boxes.push_back({box_around(corner_of(x0, p), margin), box_around(corner_of(x1, p), margin)});
   return boxes;
 }
 
 template <std::size_t N>
-std::vector<Box> boxes_of(const std::vector<std::array<Index, N>>& elements, const std::vector<Box>& particles) {
-  std::vector<Box> boxes;
+MovingBox box_of(const std::array<Index, N>& element, const std::vector<MovingBox>& particles) {
+  MovingBox box = particles[element[0]];
+  for (std::size_t c = 1; c < N; ++c) join(box, particles[element[c]]);
+  return box;
+}
+
+template <std::size_t N>
+std::vector<MovingBox> boxes_of(const std::vector<std::array<Index, N>>& elements,
+                                const std::vector<MovingBox>& particles) {
+  std::vector<MovingBox> boxes;
   boxes.reserve(elements.size());
-  for (const auto& element : elements) {
-    Box box = particles[element[0]];
-    for (std::size_t c = 1; c < N; ++c) {
-      const Box& other = particles[element[c]];
-      for (std::size_t k = 0; k < 3; ++k) {
-        box.low[k] = std::min(box.low[k], other.low[k]);
-        box.high[k] = std::max(box.high[k], other.high[k]);
-      }
-    }
-    boxes.push_back(box);
-  }
+  for (const auto& element : elements) boxes.push_back(box_of(element, particles));
   return boxes;
 }
 
-std::vector<Box> boxes_of(const std::vector<Index>& points, const std::vector<Box>& particles) {
-  std::vector<Box> boxes;
+std::vector<MovingBox> boxes_of(const std::vector<Index>& points, const std::vector<MovingBox>& particles) {
+  std::vector<MovingBox> boxes;
   boxes.reserve(points.size());
   for (const Index p : points) boxes.push_back(particles[p]);
   return boxes;
@@ -122,8 +119,7 @@ Elements::Elements(const Scene& scene, const System& system) : faces_(scene.face
       }
     }
   }
-  const bool anything_moves =
-      std::any_of(vertices_.begin(), vertices_.end(), [&](Index p) { return moves_[p] != 0; });
+  const bool anything_moves = std::any_of(vertices_.begin(), vertices_.end(), [&](Index p) { return moves_[p] != 0; });
   passes_.edge_edge = anything_moves && edges_.size() > 1;
   passes_.vertex_face = anything_moves && !faces_.empty() && vertices_.size() > 3;
   passes_.joints = !folds_.empty();
@@ -168,7 +164,7 @@ std::vector<Pair> Elements::candidates(const VectorX& x0, const VectorX& x1, dou
   const auto add = [&](const Pair& pair) {
     if (can_move(pair)) pairs.push_back(pair);
   };
-  std::vector<Box> edge_boxes;
+  std::vector<MovingBox> edge_boxes;
   if (passes_.edge_edge || passes_.points) edge_boxes = boxes_of(edges_, particles);
   if (passes_.edge_edge) {
     for_each_pair(edge_boxes, [&](Index i, Index j) {
@@ -182,13 +178,7 @@ std::vector<Pair> Elements::candidates(const VectorX& x0, const VectorX& x1, dou
   }
   if (kFolds && passes_.joints) {
     for (const Fold& fold : folds_) {
-      Box box = particles[edges_[fold.edge][0]];
-      const Box& other = particles[edges_[fold.edge][1]];
-      for (std::size_t k = 0; k < 3; ++k) {
-        box.low[k] = std::min(box.low[k], other.low[k]);
-        box.high[k] = std::max(box.high[k], other.high[k]);
-      }
-      if (generators::overlap(particles[fold.particle], box))
+      if (meet(particles[fold.particle], box_of(edges_[fold.edge], particles)))
         pairs.push_back({Kind::point_edge, fold.particle, fold.edge});
     }
   }
