@@ -1,0 +1,38 @@
+// Work in a process of its own, and the memory that it took there.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <type_traits>
+
+namespace touchstone::report {
+
+/// Calls `work` in a forked process and copies the `size` bytes at `result`, which it fills there, back to here. In a
+/// program with several threads `work` must be careful: only the calling thread lives on in that process.
+/// @returns by how many bytes the process's resident memory grew until its peak: everything that `work` touched, with
+/// what
+///          the allocator holds back and what it freed again, and the pages of code that nobody had used before.
+///          Nothing where the system does not tell
+/// @throws Error  with the words of an exception that leaves `work`, or when the process ends otherwise
+std::optional<std::uint64_t> run_in_own_process(const std::function<void()>& work, void* result, std::size_t size);
+
+template <class T>
+struct OwnRun {
+  T value;
+  std::optional<std::uint64_t> memory;  ///< bytes, as above
+};
+
+/// The same for what `work` returns.
+template <class Work>
+auto run_in_own_process(const Work& work) {
+  using T = std::invoke_result_t<Work>;
+  static_assert(std::is_trivially_copyable_v<T>);
+  OwnRun<T> run{};
+  run.memory = run_in_own_process([&] { run.value = work(); }, &run.value, sizeof run.value);
+  return run;
+}
+
+}  // namespace touchstone::report

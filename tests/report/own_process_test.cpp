@@ -1,0 +1,70 @@
+// Work in a process of its own: its result, its end and its memory.
+// SPDX-License-Identifier: MIT
+#include "report/own_process.hpp"
+
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include <touchstone/error.hpp>
+
+#include "support/catch.hpp"
+
+using namespace touchstone;
+
+namespace {
+
+constexpr std::size_t kMegabyte = 1 << 20;
+
+/// Takes so much memory in pieces as small as a simulation's, touches it, and gives it back.
+std::size_t touch(std::size_t megabytes) {
+  constexpr std::size_t kPiece = 4096;
+  std::vector<std::unique_ptr<char[]>> pieces;
+  for (std::size_t i = 0; i < megabytes * kMegabyte / kPiece; ++i) pieces.push_back(std::make_unique<char[]>(kPiece));
+  return pieces.size();
+}
+
+}  // namespace
+
+TEST_CASE("what work returns in a process of its own arrives, and changes nothing else here") {
+  int here = 1;
+  std::array<double, 3> start{1, 2, 3};
+  const auto run = report::run_in_own_process([&] {
+    here = 2;
+    start[1] = 20;
+    return start;
+  });
+  CHECK(run.value == std::array<double, 3>{1, 20, 3});
+  CHECK(here == 1);
+  CHECK(start[1] == 2);
+}
+
+TEST_CASE("the memory of a process is what it takes at its peak, whatever lay free here before") {
+  const auto little = report::run_in_own_process([] { return 0; });
+  if (!little.memory) {
+    WARN("this system does not tell how much memory a process uses: not tested");
+    return;
+  }
+  CHECK(*little.memory < 8 * kMegabyte);
+  CHECK(touch(64) > 0);
+  const auto much = report::run_in_own_process([] { return touch(48); });
+  CHECK(*much.memory >= 48 * kMegabyte);
+  CHECK(*much.memory < 96 * kMegabyte);
+}
+
+TEST_CASE("work that fails in a process of its own is an error here") {
+  CHECK_THROWS_WITH(report::run_in_own_process([]() -> int { throw std::runtime_error("no such scene"); }),
+                    "no such scene");
+  CHECK_THROWS_AS(report::run_in_own_process([]() -> int { throw std::runtime_error("no such scene"); }), Error);
+  CHECK_THROWS_WITH(report::run_in_own_process([]() -> int { ::_exit(0); }),
+                    "a process ended before its work was done");
+  CHECK_THROWS_WITH(report::run_in_own_process([]() -> int {
+                      ::raise(SIGKILL);
+                      return 1;
+                    }),
+                    "a process was ended by Killed");
+}
