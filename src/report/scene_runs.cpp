@@ -11,6 +11,7 @@
 #include "report/machine.hpp"
 #include "report/own_process.hpp"
 #include "report/text.hpp"
+#include "sim/memory.hpp"
 #include "sim/shipped_scenes.hpp"
 #include "sim/simulation.hpp"
 
@@ -56,6 +57,7 @@ struct Counts {
 };
 
 Counts count(const Plan& plan, const ScenePulse& pulse) {
+  sim::give_memory_back();  // as `touchstone simulate` does
   sim::Simulation simulation(sim::make_shipped_scene(plan.scene, plan.size), {});
   Counts counts{};
   counts.edges = simulation.elements().edges().size();

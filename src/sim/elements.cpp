@@ -13,50 +13,43 @@
 namespace touchstone::sim {
 namespace {
 
-/// A particle that is at x, or nearer than `margin` along each axis, in exact arithmetic: rounding goes outward.
-generators::Box box_around(const Vec3& x, double margin) {
-  generators::Box box = generators::empty_box();
-  generators::extend(box, x);
-  if (margin == 0) return box;
+/// Wider by `margin` in exact arithmetic: rounding goes outward.
+void widen(generators::Box& box, double margin) {
+  if (margin == 0) return;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < 3; ++k) {
     box.low[k] = std::nextafter(box.low[k] - margin, -kInfinity);
     box.high[k] = std::nextafter(box.high[k] + margin, kInfinity);
   }
-  return box;
 }
 
-/// Boxes of particles during the step; those of elements are joined of them.
-std::vector<MovingBox> particle_boxes(std::size_t count, const VectorX& x0, const VectorX& x1, double margin) {
-  std::vector<MovingBox> boxes;
-  boxes.reserve(count);
-  for (Index p = 0; p < count; ++p)
-    boxes.push_back({box_around(corner_of(x0, p), margin), box_around(corner_of(x1, p), margin)});
-  return boxes;
-}
+/// What particles do in a step, give or take a margin along each axis.
+struct Motion {
+  const VectorX& x0;
+  const VectorX& x1;
+  double margin;
 
-template <std::size_t N>
-MovingBox box_of(const std::array<Index, N>& element, const std::vector<MovingBox>& particles) {
-  MovingBox box = particles[element[0]];
-  for (std::size_t c = 1; c < N; ++c) join(box, particles[element[c]]);
-  return box;
-}
+  template <std::size_t N>
+  MovingBox box(const std::array<Index, N>& particles) const {
+    MovingBox box = empty_moving_box();
+    for (const Index p : particles) {
+      generators::extend(box.start, corner_of(x0, p));
+      generators::extend(box.end, corner_of(x1, p));
+    }
+    widen(box.start, margin);
+    widen(box.end, margin);
+    return box;
+  }
+  MovingBox box(Index particle) const { return box(std::array{particle}); }
 
-template <std::size_t N>
-std::vector<MovingBox> boxes_of(const std::vector<std::array<Index, N>>& elements,
-                                const std::vector<MovingBox>& particles) {
-  std::vector<MovingBox> boxes;
-  boxes.reserve(elements.size());
-  for (const auto& element : elements) boxes.push_back(box_of(element, particles));
-  return boxes;
-}
-
-std::vector<MovingBox> boxes_of(const std::vector<Index>& points, const std::vector<MovingBox>& particles) {
-  std::vector<MovingBox> boxes;
-  boxes.reserve(points.size());
-  for (const Index p : points) boxes.push_back(particles[p]);
-  return boxes;
-}
+  template <class Element>
+  std::vector<MovingBox> boxes(const std::vector<Element>& elements) const {
+    std::vector<MovingBox> boxes;
+    boxes.reserve(elements.size());
+    for (const Element& element : elements) boxes.push_back(box(element));
+    return boxes;
+  }
+};
 
 template <std::size_t N>
 bool contains(const std::array<Index, N>& element, Index particle) {
@@ -160,30 +153,30 @@ bool Elements::can_move(const Pair& pair) const noexcept {
 
 std::vector<Pair> Elements::candidates(const VectorX& x0, const VectorX& x1, double margin) const {
   std::vector<Pair> pairs;
-  const auto particles = particle_boxes(moves_.size(), x0, x1, margin);
+  const Motion motion{x0, x1, margin};
   const auto add = [&](const Pair& pair) {
     if (can_move(pair)) pairs.push_back(pair);
   };
   std::vector<MovingBox> edge_boxes;
-  if (passes_.edge_edge || passes_.points) edge_boxes = boxes_of(edges_, particles);
+  if (passes_.edge_edge || passes_.points) edge_boxes = motion.boxes(edges_);
   if (passes_.edge_edge) {
     for_each_pair(edge_boxes, [&](Index i, Index j) {
       if (!contains(edges_[j], edges_[i][0]) && !contains(edges_[j], edges_[i][1])) add({Kind::edge_edge, i, j});
     });
   }
   if (kFaces && passes_.vertex_face) {
-    for_each_pair(boxes_of(vertices_, particles), boxes_of(faces_, particles), [&](Index i, Index j) {
+    for_each_pair(motion.boxes(vertices_), motion.boxes(faces_), [&](Index i, Index j) {
       if (!contains(faces_[j], vertices_[i])) add({Kind::vertex_face, vertices_[i], j});
     });
   }
   if (kFolds && passes_.joints) {
     for (const Fold& fold : folds_) {
-      if (meet(particles[fold.particle], box_of(edges_[fold.edge], particles)))
+      if (meet(motion.box(fold.particle), motion.box(edges_[fold.edge])))
         pairs.push_back({Kind::point_edge, fold.particle, fold.edge});
     }
   }
   if (passes_.points) {
-    const auto point_boxes = boxes_of(points_, particles);
+    const auto point_boxes = motion.boxes(points_);
     for_each_pair(point_boxes, edge_boxes, [&](Index i, Index j) { add({Kind::point_edge, points_[i], j}); });
     for_each_pair(point_boxes, [&](Index i, Index j) { add({Kind::point_point, points_[i], points_[j]}); });
   }
