@@ -37,7 +37,7 @@ long resident_now() {
   return pages >> all >> resident ? resident * ::sysconf(_SC_PAGESIZE) : -1;
 }
 
-/// What the parent has freed and its allocator holds would be used again without the process growing.
+/// What has been freed and the allocator holds would be used again without the process growing.
 void give_back_free_memory() {
 #ifdef __GLIBC__
   ::malloc_trim(0);
@@ -68,12 +68,14 @@ bool read_all(int descriptor, void* data, std::size_t size) {
   return true;
 }
 
-[[noreturn]] void be_the_child(int pipe, const std::function<void()>& work, const void* result, std::size_t size) {
-  give_back_free_memory();
+[[noreturn]] void be_the_child(int pipe, const std::function<void()>& prepare, const std::function<void()>& work,
+                               const void* result, std::size_t size) {
   Header header;
-  header.resident_before = resident_now();
   std::string words;
   try {
+    prepare();
+    give_back_free_memory();
+    header.resident_before = resident_now();
     work();
     header.done = true;
     header.length = size;
@@ -88,14 +90,15 @@ bool read_all(int descriptor, void* data, std::size_t size) {
 
 }  // namespace
 
-std::optional<std::uint64_t> run_in_own_process(const std::function<void()>& work, void* result, std::size_t size) {
+std::optional<std::uint64_t> run_in_own_process(const std::function<void()>& prepare, const std::function<void()>& work,
+                                                void* result, std::size_t size) {
   int ends[2];
   if (::pipe(ends) != 0) throw Error("a process cannot be started: " + io::system_reason(errno));
   const pid_t child = ::fork();
   const int reason = errno;
   if (child == 0) {
     ::close(ends[0]);
-    be_the_child(ends[1], work, result, size);
+    be_the_child(ends[1], prepare, work, result, size);
   }
   ::close(ends[1]);
   Header header;

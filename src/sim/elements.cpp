@@ -13,14 +13,26 @@
 namespace touchstone::sim {
 namespace {
 
-/// Wider by `margin` in exact arithmetic: rounding goes outward.
-void widen(generators::Box& box, double margin) {
-  if (margin == 0) return;
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Around the particles at x, wider by `margin` in exact arithmetic: a sum y is off by less than the distance to the
+/// next double, which is at most 2^-52 |y|, or it is exact where that underflows.
+template <std::size_t N>
+generators::Box box_around(const std::array<Index, N>& particles, const VectorX& x, double margin) {
+  constexpr double kToNext = 0x1p-52;
+  generators::Box box;
   for (std::size_t k = 0; k < 3; ++k) {
-    box.low[k] = std::nextafter(box.low[k] - margin, -kInfinity);
-    box.high[k] = std::nextafter(box.high[k] + margin, kInfinity);
+    const auto coordinate = [&](Index p) { return x[3 * static_cast<Eigen::Index>(p) + static_cast<Eigen::Index>(k)]; };
+    double low = coordinate(particles[0]), high = low;
+    for (std::size_t c = 1; c < N; ++c) {
+      low = std::min(low, coordinate(particles[c]));
+      high = std::max(high, coordinate(particles[c]));
+    }
+    low -= margin;
+    high += margin;
+    const double outward = margin > 0 ? kToNext : 0;
+    box.low[k] = low - outward * std::fabs(low);
+    box.high[k] = high + outward * std::fabs(high);
   }
+  return box;
 }
 
 /// What particles do in a step, give or take a margin along each axis.
@@ -31,14 +43,7 @@ struct Motion {
 
   template <std::size_t N>
   MovingBox box(const std::array<Index, N>& particles) const {
-    MovingBox box = empty_moving_box();
-    for (const Index p : particles) {
-      generators::extend(box.start, corner_of(x0, p));
-      generators::extend(box.end, corner_of(x1, p));
-    }
-    widen(box.start, margin);
-    widen(box.end, margin);
-    return box;
+    return {box_around(particles, x0, margin), box_around(particles, x1, margin)};
   }
   MovingBox box(Index particle) const { return box(std::array{particle}); }
 
@@ -158,7 +163,7 @@ std::vector<Pair> Elements::candidates(const VectorX& x0, const VectorX& x1, dou
     if (can_move(pair)) pairs.push_back(pair);
   };
   std::vector<MovingBox> edge_boxes;
-  if (passes_.edge_edge || passes_.points) edge_boxes = motion.boxes(edges_);
+  if (passes_.edge_edge || passes_.joints || passes_.points) edge_boxes = motion.boxes(edges_);
   if (passes_.edge_edge) {
     for_each_pair(edge_boxes, [&](Index i, Index j) {
       if (!contains(edges_[j], edges_[i][0]) && !contains(edges_[j], edges_[i][1])) add({Kind::edge_edge, i, j});
@@ -171,7 +176,7 @@ std::vector<Pair> Elements::candidates(const VectorX& x0, const VectorX& x1, dou
   }
   if (kFolds && passes_.joints) {
     for (const Fold& fold : folds_) {
-      if (meet(motion.box(fold.particle), motion.box(edges_[fold.edge])))
+      if (meet(motion.box(fold.particle), edge_boxes[fold.edge]))
         pairs.push_back({Kind::point_edge, fold.particle, fold.edge});
     }
   }

@@ -30,12 +30,14 @@ Pieces take(std::size_t megabytes) {
   return pieces;
 }
 
+void nothing() {}
+
 }  // namespace
 
 TEST_CASE("what work returns in a process of its own arrives, and changes nothing else here") {
   int here = 1;
   std::array<double, 3> start{1, 2, 3};
-  const auto run = report::run_in_own_process([&] {
+  const auto run = report::run_in_own_process(nothing, [&] {
     here = 2;
     start[1] = 20;
     return start;
@@ -46,7 +48,7 @@ TEST_CASE("what work returns in a process of its own arrives, and changes nothin
 }
 
 TEST_CASE("the memory of a process is what it takes at its peak, whatever lay free here before") {
-  const auto little = report::run_in_own_process([] { return 0; });
+  const auto little = report::run_in_own_process(nothing, [] { return 0; });
   if (!little.memory) {
     WARN("this system does not tell how much memory a process uses: not tested");
     return;
@@ -55,20 +57,31 @@ TEST_CASE("the memory of a process is what it takes at its peak, whatever lay fr
   Pieces pieces = take(64);
   const Pieces last = take(1);  // so that the others' place stays the allocator's when they are gone
   pieces.clear();
-  const auto much = report::run_in_own_process([] { return take(48).size(); });
+  const auto much = report::run_in_own_process(nothing, [] { return take(48).size(); });
   CHECK(*much.memory >= 48 * kMegabyte);
   CHECK(*much.memory < 96 * kMegabyte);
+  const auto before = report::run_in_own_process([] { take(48); }, [] { return take(32).size(); });
+  CHECK(*before.memory >= 32 * kMegabyte);
+}
+
+TEST_CASE("what is prepared is there when the work begins, and what stays of it is not the work's memory") {
+  Pieces pieces;
+  const auto run = report::run_in_own_process([&] { pieces = take(48); }, [&] { return pieces.size(); });
+  CHECK(run.value == 48 * 256);
+  if (run.memory) CHECK(*run.memory < 8 * kMegabyte);
 }
 
 TEST_CASE("work that fails in a process of its own is an error here") {
-  CHECK_THROWS_WITH(report::run_in_own_process([]() -> int { throw std::runtime_error("no such scene"); }),
+  CHECK_THROWS_WITH(report::run_in_own_process(nothing, []() -> int { throw std::runtime_error("no such scene"); }),
                     "no such scene");
-  CHECK_THROWS_AS(report::run_in_own_process([]() -> int { throw std::runtime_error("no such scene"); }), Error);
-  CHECK_THROWS_WITH(report::run_in_own_process([]() -> int { ::_exit(0); }),
+  CHECK_THROWS_AS(report::run_in_own_process(nothing, []() -> int { throw std::runtime_error("no such scene"); }),
+                  Error);
+  CHECK_THROWS_WITH(report::run_in_own_process(nothing, []() -> int { ::_exit(0); }),
                     "a process ended before its work was done");
-  CHECK_THROWS_WITH(report::run_in_own_process([]() -> int {
-                      ::raise(SIGKILL);
-                      return 1;
-                    }),
+  CHECK_THROWS_WITH(report::run_in_own_process(nothing,
+                                               []() -> int {
+                                                 ::raise(SIGKILL);
+                                                 return 1;
+                                               }),
                     "a process was ended by Killed");
 }
