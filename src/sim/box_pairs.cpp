@@ -53,7 +53,7 @@ class Tree {
       std::copy_n(boxes[i].start.low.begin(), 3, items_[i].at.begin());
       std::copy_n(boxes[i].end.low.begin(), 3, items_[i].at.begin() + 3);
     }
-    nodes_.reserve(2 * boxes.size() / kLeaf + 1);
+    nodes_.reserve(boxes.size() / 2);
     build(0, static_cast<Number>(items_.size()));
   }
 
@@ -63,7 +63,7 @@ class Tree {
   const MovingBox& box(Number place) const noexcept { return (*boxes_)[number(place)]; }
 
  private:
-  static constexpr Number kLeaf = 4;  // boxes in a leaf, at most
+  static constexpr Number kLeaf = 8;  // boxes in a leaf, at most
 
   /// A box's number, and its lower bounds at both ends: where it is.
   struct Item {
