@@ -139,8 +139,7 @@ std::string scene_runs_section(const SceneRuns& runs) {
       "`cable-drop`, in which most steps have contacts, grows with the number of edges to the power of {:.2f}, and of "
       "`whip`, a cable at 100 m/s, to the power of {:.2f}. *Collision* is the share of broad phase, narrow phase, "
       "response and proof. *Memory* is by how much the resident memory of a process that does nothing else grew until "
-      "its "
-      "peak, with the scene and with what the allocator holds back, but without the code.\n\n"
+      "its peak, with the scene and with what the allocator holds back, but without the code.\n\n"
       "| scene | edges | steps | contacts | crossings | ms a step | collision | memory | bytes an edge |\n"
       "|---|---:|---:|---:|---:|---:|---:|---:|---:|\n",
       1 / runs.hoop.seconds_per_step(), exponent(runs.cable_drop), exponent(runs.whip));
@@ -150,7 +149,7 @@ std::string scene_runs_section(const SceneRuns& runs) {
       memory = fmt::format("{:.1f} MB", 1e-6 * static_cast<double>(*run.memory));
       an_edge = fmt::format("{:.0f}", static_cast<double>(*run.memory) / static_cast<double>(run.edges));
     }
-    text += fmt::format("| {} {} | {} | {} | {} | {} | {:.3g} | {} | {} | {} |\n", run.scene, run.size, run.edges,
+    text += fmt::format("| {} {} | {} | {} | {} | {} | {:.4g} | {} | {} | {} |\n", run.scene, run.size, run.edges,
                         run.steps, run.contacts, run.crossings, 1e3 * run.seconds_per_step(),
                         percent(run.collision_share), memory, an_edge);
   });
