@@ -3,9 +3,6 @@
 
 #include <fmt/format.h>
 #include <unistd.h>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 #include <CLI/CLI.hpp>
 #include <array>
@@ -26,19 +23,12 @@
 #include "io/fail.hpp"
 #include "io/input_file.hpp"
 #include "sim/checkpoint.hpp"
+#include "sim/memory.hpp"
 #include "sim/scene_file.hpp"
 #include "sim/shipped_scenes.hpp"
 
 namespace touchstone::cli {
 namespace {
-
-/// Large vectors come and go in each step. The C library would soon keep the room that they leave, in holes that fit
-/// nothing else: a pile would take a quarter more memory.
-void give_memory_back() {
-#ifdef __GLIBC__
-  ::mallopt(M_MMAP_THRESHOLD, 1 << 20);
-#endif
-}
 
 std::string whole_file(const std::string& path) {
   constexpr std::size_t kMostBytes = std::size_t{1} << 30;
@@ -169,7 +159,7 @@ int run_simulate(const SimulateOptions& options) {
   }
   if (!options.resume.empty() && options.size) throw Error("--size: a checkpoint has its size");
   check_paths(options);
-  give_memory_back();
+  sim::give_memory_back();
   std::optional<sim::Checkpoint> checkpoint;
   if (!options.resume.empty()) checkpoint = from_file(options.resume, sim::checkpoint_from_json);
   sim::Scene scene = checkpoint ? checkpoint->scene : scene_of(options);

@@ -49,20 +49,27 @@ Gap gap_along(const RelativeCorners& corners, const Vector& direction) noexcept 
   const double bound = projection_bound(corners, direction);
   constexpr double inf = std::numeric_limits<double>::infinity();
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  double least[2] = {inf, inf};
-  double greatest[2] = {-inf, -inf};
-  for (std::size_t i = 0; i < corners.count; ++i) {
-    const std::size_t element = i < corners.first_count ? 0 : 1;
-    const double at_start = geometry::dot(direction, corners.start[i]);
-    const double at_end = geometry::dot(direction, corners.end[i]);
-    // A NaN (of a direction that is not finite) must not drop out of a minimum unseen.
-    if (!(std::fabs(at_start) < inf && std::fabs(at_end) < inf)) return {nan, nan};
-    least[element] = std::min({least[element], at_start, at_end});
-    greatest[element] = std::max({greatest[element], at_start, at_end});
+  // The plane may move with the elements: a projection is linear in time, so that of a corner of one element exceeds that
+  // of a corner of the other by at least the lesser of what it does at both ends of the step.
+  double above = inf;  // how far the second element is above the first, at the end where that is least
+  double below = inf;
+  for (const auto* at : {&corners.start, &corners.end}) {
+    double least[2] = {inf, inf};
+    double greatest[2] = {-inf, -inf};
+    for (std::size_t i = 0; i < corners.count; ++i) {
+      const std::size_t element = i < corners.first_count ? 0 : 1;
+      const double place = geometry::dot(direction, (*at)[i]);
+      // A NaN (of a direction that is not finite) must not drop out of a minimum unseen.
+      if (!(std::fabs(place) < inf)) return {nan, nan};
+      least[element] = std::min(least[element], place);
+      greatest[element] = std::max(greatest[element], place);
+    }
+    above = std::min(above, least[1] - greatest[0]);
+    below = std::min(below, least[0] - greatest[1]);
   }
   // Either projection is off by at most `bound`. A third one covers the rounding of their difference: e times a value
   // of at most 6 D M (1 + 4 e).
-  return {std::max(least[1] - greatest[0], least[0] - greatest[1]), 3 * bound};
+  return {std::max(above, below), 3 * bound};
 }
 
 bool separates(const RelativeCorners& corners, const Vector& direction) noexcept {

@@ -1,4 +1,4 @@
-// A plane that keeps two elements apart during the whole step.
+// A plane, moving evenly, that keeps two elements apart during the whole step.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -27,8 +27,9 @@ RelativeCorners relative_corners(const Query& query) noexcept;
 /// A bound on the error of each computed projection d . (x - origin) that is finite; NaN when it may underflow.
 double projection_bound(const RelativeCorners& corners, const Vector& direction) noexcept;
 
-/// How far the two elements are apart along a direction during the whole step: computed, off by at most `error`. NaN where
-/// a projection is not finite, or may underflow. Not positive: they may touch.
+/// How far the two elements are apart along a direction at every time of the step, one of them always being above the
+/// other: computed, off by at most `error`. NaN where a projection is not finite, or may underflow. Not positive: they may
+/// touch.
 struct Gap {
   double value;
   double error;

@@ -75,16 +75,8 @@ double cubic_margin(const Query& query) noexcept {
 
 double separation_margin(const Query& query) noexcept {
   const auto corners = filters::relative_corners(query);
-  const Vector d = filters::between_closest_points(corners, query.kind);
-  double first_high = -kInfinity, second_low = kInfinity;
-  for (std::size_t i = 0; i < corners.count; ++i) {
-    for (const auto* at : {&corners.start, &corners.end}) {
-      const double projection = geometry::dot(d, (*at)[i]);
-      (i < corners.first_count ? first_high : second_low) =
-          i < corners.first_count ? std::max(first_high, projection) : std::min(second_low, projection);
-    }
-  }
-  return quotient(second_low - first_high, filters::projection_bound(corners, d));
+  const filters::Gap gap = filters::gap_along(corners, filters::between_closest_points(corners, query.kind));
+  return quotient(gap.value, gap.error);
 }
 
 }  // namespace

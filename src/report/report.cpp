@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 
 const std::vector<double> kTolerances{1e-3, 1e-6, 1e-9};
 constexpr std::array<int, 11> kExponents{-900, -600, -300, -100, -30, 0, 30, 100, 300, 600, 900};
-constexpr double kMeasuring = 0.8;   ///< share of the time
-constexpr double kSimulating = 0.1;  ///< the rest is drawing
+constexpr double kSimulating = 0.4;  ///< share of the time
+constexpr double kMeasuring = 0.5;   ///< the rest is drawing
 
 /// Numbers of queries, and seconds.
 struct Amounts {
@@ -71,7 +71,10 @@ Report make_report(const Size& size, std::vector<QuerySet> given, const Progress
   report.size = size;
   report.contestants = contestants(kTolerances);
 
-  progress("generating", 0);
+  // First, while this process, of which those of the runs are copies, is small.
+  report.scene_runs = run_scenes(size.quick, [&](double share) { progress("simulating", kSimulating * share); });
+
+  progress("generating", kSimulating);
   std::vector<QuerySet> sets = simulation_sets(size.seed, amount.simulation, amount.edges, amount.steps);
   for (auto* more : {&given}) std::move(more->begin(), more->end(), std::back_inserter(sets));
   for (auto&& made : {random_sets(size.seed, amount.random), near_sets(size.seed, amount.near)}) {
@@ -85,19 +88,17 @@ Report make_report(const Size& size, std::vector<QuerySet> given, const Progress
     if (set.queries.empty()) continue;
     shuffle(set.queries, seeded::seed_of_part(size.seed, 20));
     const std::string name = set.name;
-    const auto pulse = [&] { progress(name, kMeasuring * done / total); };
+    const auto pulse = [&] { progress(name, kSimulating + kMeasuring * done / total); };
     report.sets.push_back(measure(std::move(set), report.contestants, amount.effort, pulse));
     done += 1;
   }
   const auto usual = usual_ones(report.contestants);
   for (std::size_t i = 0; i < scales.size(); ++i) {
-    const auto pulse = [&] { progress("scales", kMeasuring * done / total); };
+    const auto pulse = [&] { progress("scales", kSimulating + kMeasuring * done / total); };
     report.scales.push_back(measure(std::move(scales[i]), usual, amount.scale_effort, pulse));
     report.scales.back().exponent = kExponents[i];
     done += 0.3;
   }
-  progress("simulating", kMeasuring);
-  report.scene_runs = run_scenes(size.quick, [&] { progress("simulating", kMeasuring); });
   return report;
 }
 

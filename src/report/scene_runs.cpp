@@ -9,80 +9,150 @@
 
 #include "io/answer_writer.hpp"
 #include "report/machine.hpp"
+#include "report/own_process.hpp"
 #include "report/text.hpp"
+#include "sim/memory.hpp"
 #include "sim/shipped_scenes.hpp"
 #include "sim/simulation.hpp"
 
 namespace touchstone::report {
 namespace {
 
-SceneRun run_scene(const std::string& name, sim::Index size, std::uint64_t steps, const std::function<void()>& pulse) {
-  sim::Simulation simulation(sim::make_shipped_scene(name, size), {});
-  SceneRun run;
-  run.scene = name;
-  run.size = size;
-  run.edges = simulation.elements().edges().size();
-  run.steps = steps;
-  for (std::uint64_t i = 0; i < steps; ++i) {
-    pulse();
+/// What is run, and how long it takes beside the others, roughly.
+struct Plan {
+  const char* scene;
+  sim::Index size;
+  std::uint64_t steps;
+  double weight;
+};
+
+struct Plans {
+  Plan hoop;
+  std::vector<Plan> cable_drop, whip;
+};
+
+/// The layers of cable-drop fall for five steps and then lie on each other, and its time is that of their contacts; the
+/// whip meets its wire in the first step, and hangs over it from then on. So series of one scene are for one span.
+Plans plans(bool quick) {
+  if (quick) {
+    return {{"hoop", 200, 75, 2},
+            {{"cable-drop", 200, 12, 1}, {"cable-drop", 800, 12, 4}},
+            {{"whip", 100, 10, 1}, {"whip", 400, 10, 4}}};
+  }
+  return {{"hoop", 560, 600, 3},
+          {{"cable-drop", 5'000, 24, 5}, {"cable-drop", 50'000, 24, 58}},
+          {{"whip", 1'000, 30, 0.5}, {"whip", 10'000, 30, 5}}};
+}
+
+double weight(const std::vector<Plan>& plans) {
+  double sum = 0;
+  for (const Plan& plan : plans) sum += plan.weight;
+  return sum;
+}
+
+/// What comes back from the process of a run.
+struct Counts {
+  std::uint64_t edges, contacts, crossings;
+  double seconds, collision_share;
+};
+
+Counts count(const Plan& plan, const ScenePulse& pulse) {
+  sim::Simulation simulation(sim::make_shipped_scene(plan.scene, plan.size), {});
+  Counts counts{};
+  counts.edges = simulation.elements().edges().size();
+  for (std::uint64_t i = 0; i < plan.steps; ++i) {
+    pulse(static_cast<double>(i) / static_cast<double>(plan.steps));
     for (const auto& record : simulation.step()) {
-      run.contacts += record.response.contacts;
-      run.crossings += record.proof.crossings;
+      counts.contacts += record.response.contacts;
+      counts.crossings += record.proof.crossings;
     }
   }
-  run.seconds = simulation.times().total();
-  run.collision_share = simulation.times().collision() / run.seconds;
-  return run;
+  counts.seconds = simulation.times().total();
+  counts.collision_share = simulation.times().collision() / counts.seconds;
+  return counts;
+}
+
+/// `small` is the same scene, only to bring in the code that runs: its memory is none of the scene's.
+SceneRun run_scene(const Plan& plan, const Plan& small, const ScenePulse& pulse) {
+  const auto prepare = [&] {
+    sim::give_memory_back();  // as `touchstone simulate` does
+    count(small, [](double) {});
+  };
+  const auto [counts, memory] = run_in_own_process(prepare, [&] { return count(plan, pulse); });
+  return {plan.scene,      static_cast<std::uint64_t>(plan.size),
+          counts.edges,    plan.steps,
+          counts.contacts, counts.crossings,
+          counts.seconds,  counts.collision_share,
+          memory};
+}
+
+template <class Use>
+void for_each_run(const SceneRuns& runs, const Use& use) {
+  use(runs.hoop);
+  for (const SceneSeries* series : {&runs.cable_drop, &runs.whip}) {
+    for (const SceneRun& run : *series) use(run);
+  }
 }
 
 }  // namespace
 
-double SceneRuns::exponent() const {
-  const SceneRun &small = cable_drop.front(), &large = cable_drop.back();
+double exponent(const SceneSeries& series) {
+  const SceneRun &small = series.front(), &large = series.back();
   return std::log(large.seconds_per_step() / small.seconds_per_step()) /
          std::log(static_cast<double>(large.edges) / static_cast<double>(small.edges));
 }
 
-SceneRuns run_scenes(bool quick, const std::function<void()>& pulse) {
+SceneRuns run_scenes(bool quick, const ScenePulse& pulse) {
+  const Plans all = plans(quick), small = plans(true);
+  const double total = all.hoop.weight + weight(all.cable_drop) + weight(all.whip);
+  double done = 0;
+  const auto run = [&](const Plan& plan, const Plan& before) {
+    SceneRun result = run_scene(plan, before, [&](double share) { pulse((done + share * plan.weight) / total); });
+    done += plan.weight;
+    return result;
+  };
   SceneRuns runs;
-  runs.hoop = quick ? run_scene("hoop", 200, 75, pulse) : run_scene("hoop", 560, 600, pulse);
-  const std::vector<sim::Index> sizes =
-      quick ? std::vector<sim::Index>{200, 800} : std::vector<sim::Index>{1000, 3000, 10000};
-  // The layers fall for five steps and then lie on each other.
-  for (const sim::Index size : sizes) runs.cable_drop.push_back(run_scene("cable-drop", size, quick ? 12 : 24, pulse));
+  runs.hoop = run(all.hoop, small.hoop);
+  for (const Plan& plan : all.cable_drop) runs.cable_drop.push_back(run(plan, small.cable_drop.front()));
+  for (const Plan& plan : all.whip) runs.whip.push_back(run(plan, small.whip.front()));
   return runs;
 }
 
 std::string scene_runs_csv(const SceneRuns& runs, bool quick) {
   std::string text =
       "version,machine,compiler,quick,scene,size,edges,steps,contacts,crossings,seconds,seconds_per_step,"
-      "collision_share\n";
-  const auto row = [&](const SceneRun& run) {
-    return fmt::format("{},{},{},{},{},{},{},{},{},{},{:.6g},{:.6g},{:.4g}\n", io::csv_field(version()),
-                       io::csv_field(machine_name()), io::csv_field(compiler_name()), quick ? 1 : 0, run.scene,
-                       run.size, run.edges, run.steps, run.contacts, run.crossings, run.seconds, run.seconds_per_step(),
-                       run.collision_share);
-  };
-  text += row(runs.hoop);
-  for (const SceneRun& run : runs.cable_drop) text += row(run);
+      "collision_share,memory_bytes\n";
+  for_each_run(runs, [&](const SceneRun& run) {
+    text +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{:.6g},{:.6g},{:.4g},{}\n", io::csv_field(version()),
+                    io::csv_field(machine_name()), io::csv_field(compiler_name()), quick ? 1 : 0, run.scene, run.size,
+                    run.edges, run.steps, run.contacts, run.crossings, run.seconds, run.seconds_per_step(),
+                    run.collision_share, run.memory ? fmt::format("{}", *run.memory) : std::string());
+  });
   return text;
 }
 
 std::string scene_runs_section(const SceneRuns& runs) {
   std::string text = fmt::format(
       "## Simulation\n\nThe first steps of scenes of `touchstone simulate`, a sixtieth of a second each, on one "
-      "thread; "
-      "every step is proved. `hoop` makes {:.0f} steps a second of processor time. The time of a step of `cable-drop`, "
-      "in which most steps have contacts, grows with the number of edges to the power of {:.2f}. *Collision* is the "
-      "share of broad phase, narrow phase, response and proof.\n\n"
-      "| scene | edges | steps | contacts | crossings | ms a step | collision |\n|---|---:|---:|---:|---:|---:|---:|\n",
-      1 / runs.hoop.seconds_per_step(), runs.exponent());
-  const auto row = [](const SceneRun& run) {
-    return fmt::format("| {} {} | {} | {} | {} | {} | {:.3g} | {} |\n", run.scene, run.size, run.edges, run.steps,
-                       run.contacts, run.crossings, 1e3 * run.seconds_per_step(), percent(run.collision_share));
-  };
-  text += row(runs.hoop);
-  for (const SceneRun& run : runs.cable_drop) text += row(run);
+      "thread; every step is proved. `hoop` makes {:.0f} steps a second of processor time. The time of a step of "
+      "`cable-drop`, in which most steps have contacts, grows with the number of edges to the power of {:.2f}, and of "
+      "`whip`, a cable at 100 m/s, to the power of {:.2f}. *Collision* is the share of broad phase, narrow phase, "
+      "response and proof. *Memory* is by how much the resident memory of a process that does nothing else grew until "
+      "its peak, with the scene and with what the allocator holds back, but without the code.\n\n"
+      "| scene | edges | steps | contacts | crossings | ms a step | collision | memory | bytes an edge |\n"
+      "|---|---:|---:|---:|---:|---:|---:|---:|---:|\n",
+      1 / runs.hoop.seconds_per_step(), exponent(runs.cable_drop), exponent(runs.whip));
+  for_each_run(runs, [&](const SceneRun& run) {
+    std::string memory = "unknown", an_edge;
+    if (run.memory) {
+      memory = fmt::format("{:.1f} MB", 1e-6 * static_cast<double>(*run.memory));
+      an_edge = fmt::format("{:.0f}", static_cast<double>(*run.memory) / static_cast<double>(run.edges));
+    }
+    text += fmt::format("| {} {} | {} | {} | {} | {} | {:.4g} | {} | {} | {} |\n", run.scene, run.size, run.edges,
+                        run.steps, run.contacts, run.crossings, 1e3 * run.seconds_per_step(),
+                        percent(run.collision_share), memory, an_edge);
+  });
   return text + "\n";
 }
 

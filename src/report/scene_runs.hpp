@@ -1,9 +1,10 @@
-// How fast scenes are simulated, every step proved.
+// How fast scenes are simulated, and in how much memory, every step proved.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,24 +16,32 @@ struct SceneRun {
   std::uint64_t size = 0;   ///< what was asked for
   std::uint64_t edges = 0;  ///< that can collide
   std::uint64_t steps = 0;
-  std::uint64_t contacts = 0;   ///< found by the narrow phase
-  std::uint64_t crossings = 0;  ///< found by the proofs
-  double seconds = 0;           ///< of processor time, for all steps
-  double collision_share = 0;   ///< of it: broad and narrow phase, response and proof
+  std::uint64_t contacts = 0;           ///< found by the narrow phase
+  std::uint64_t crossings = 0;          ///< found by the proofs
+  double seconds = 0;                   ///< of processor time, for all steps
+  double collision_share = 0;           ///< of it: broad and narrow phase, response and proof
+  std::optional<std::uint64_t> memory;  ///< bytes, of run_in_own_process; of the scene's making, too
 
   double seconds_per_step() const noexcept { return seconds / static_cast<double>(steps); }
 };
 
+/// One scene at several sizes, ascending, for the same span of time.
+using SceneSeries = std::vector<SceneRun>;
+
+/// p of time per step ~ edges^p between the smallest of the series and the largest.
+double exponent(const SceneSeries& series);
+
 struct SceneRuns {
   SceneRun hoop;
-  std::vector<SceneRun> cable_drop;  ///< ascending in size
-
-  /// p of time per step ~ edges^p between the smallest cable-drop and the largest.
-  double exponent() const;
+  SceneSeries cable_drop, whip;
 };
 
-/// Runs them one after another on one thread; calls `pulse` before each step. Some ten seconds, or one when quick.
-SceneRuns run_scenes(bool quick, const std::function<void()>& pulse);
+/// Called before each step with the share of all that is done.
+using ScenePulse = std::function<void(double share)>;
+
+/// Runs them one after another, each in a process of its own and on one thread. About a minute and a quarter, or a
+/// second when quick.
+SceneRuns run_scenes(bool quick, const ScenePulse& pulse);
 
 /// simulation.csv: a header and a row for each run.
 std::string scene_runs_csv(const SceneRuns& runs, bool quick);

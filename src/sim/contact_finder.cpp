@@ -67,10 +67,7 @@ void ContactFinder::find(const VectorX& x1, std::vector<Contact>& found, Respons
 
 bool ContactFinder::has_room(const VectorX& x1, Index particle) const {
   // A little less than the margin, so that rounding here cannot let a particle leave its box.
-  const Vector3 start = position(*x0_, particle), end = position(collected_, particle), now = position(x1, particle);
-  const double room = 0.999 * margin_;
-  return ((now.array() >= start.cwiseMin(end).array() - room) && (now.array() <= start.cwiseMax(end).array() + room))
-      .all();
+  return ((position(x1, particle) - position(collected_, particle)).array().abs() <= 0.999 * margin_).all();
 }
 
 void ContactFinder::moved(const VectorX& x1, const std::vector<char>& particles) {

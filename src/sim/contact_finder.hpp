@@ -26,8 +26,8 @@ class ContactFinder {
   ContactFinder(const Elements& elements, NarrowPhase narrow_phase, int threads)
       : elements_(&elements), solver_(elements, narrow_phase, threads) {}
 
-  /// Collects the pairs that may touch while every particle ends within `margin` of its motion from x0 to x1. x0 must
-  /// stay until the next call.
+  /// Collects the pairs that may touch while every particle ends within `margin` of x1. x0 must stay until the next
+  /// call.
   void begin(const VectorX& x0, const VectorX& x1, double margin);
 
   /// Pairs that are nearer than `thickness` at x0, which is at most the margin.

@@ -13,53 +13,48 @@
 namespace touchstone::sim {
 namespace {
 
-using generators::Box;
-
-/// Wider by `margin` in exact arithmetic: rounding goes outward.
-void widen(Box& box, double margin) {
-  if (margin == 0) return;
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < 3; ++k) {
-    box.low[k] = std::nextafter(box.low[k] - margin, -kInfinity);
-    box.high[k] = std::nextafter(box.high[k] + margin, kInfinity);
-  }
-}
-
-/// Boxes of particles during the step; those of elements are their unions.
-std::vector<Box> particle_boxes(std::size_t count, const VectorX& x0, const VectorX& x1, double margin) {
-  std::vector<Box> boxes(count, generators::empty_box());
-  for (Index p = 0; p < count; ++p) {
-    generators::extend(boxes[p], corner_of(x0, p));
-    generators::extend(boxes[p], corner_of(x1, p));
-    widen(boxes[p], margin);
-  }
-  return boxes;
-}
-
+/// Around the particles at x, wider by `margin` in exact arithmetic: a sum y is off by less than the distance to the
+/// next double, which is at most 2^-52 |y|, or it is exact where that underflows.
 template <std::size_t N>
-std::vector<Box> boxes_of(const std::vector<std::array<Index, N>>& elements, const std::vector<Box>& particles) {
-  std::vector<Box> boxes;
-  boxes.reserve(elements.size());
-  for (const auto& element : elements) {
-    Box box = particles[element[0]];
+generators::Box box_around(const std::array<Index, N>& particles, const VectorX& x, double margin) {
+  constexpr double kToNext = 0x1p-52;
+  generators::Box box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto coordinate = [&](Index p) { return x[3 * static_cast<Eigen::Index>(p) + static_cast<Eigen::Index>(k)]; };
+    double low = coordinate(particles[0]), high = low;
     for (std::size_t c = 1; c < N; ++c) {
-      const Box& other = particles[element[c]];
-      for (std::size_t k = 0; k < 3; ++k) {
-        box.low[k] = std::min(box.low[k], other.low[k]);
-        box.high[k] = std::max(box.high[k], other.high[k]);
-      }
+      low = std::min(low, coordinate(particles[c]));
+      high = std::max(high, coordinate(particles[c]));
     }
-    boxes.push_back(box);
+    low -= margin;
+    high += margin;
+    const double outward = margin > 0 ? kToNext : 0;
+    box.low[k] = low - outward * std::fabs(low);
+    box.high[k] = high + outward * std::fabs(high);
   }
-  return boxes;
+  return box;
 }
 
-std::vector<Box> boxes_of(const std::vector<Index>& points, const std::vector<Box>& particles) {
-  std::vector<Box> boxes;
-  boxes.reserve(points.size());
-  for (const Index p : points) boxes.push_back(particles[p]);
-  return boxes;
-}
+/// What particles do in a step, give or take a margin along each axis.
+struct Motion {
+  const VectorX& x0;
+  const VectorX& x1;
+  double margin;
+
+  template <std::size_t N>
+  MovingBox box(const std::array<Index, N>& particles) const {
+    return {box_around(particles, x0, margin), box_around(particles, x1, margin)};
+  }
+  MovingBox box(Index particle) const { return box(std::array{particle}); }
+
+  template <class Element>
+  std::vector<MovingBox> boxes(const std::vector<Element>& elements) const {
+    std::vector<MovingBox> boxes;
+    boxes.reserve(elements.size());
+    for (const Element& element : elements) boxes.push_back(box(element));
+    return boxes;
+  }
+};
 
 template <std::size_t N>
 bool contains(const std::array<Index, N>& element, Index particle) {
@@ -122,8 +117,7 @@ Elements::Elements(const Scene& scene, const System& system) : faces_(scene.face
       }
     }
   }
-  const bool anything_moves =
-      std::any_of(vertices_.begin(), vertices_.end(), [&](Index p) { return moves_[p] != 0; });
+  const bool anything_moves = std::any_of(vertices_.begin(), vertices_.end(), [&](Index p) { return moves_[p] != 0; });
   passes_.edge_edge = anything_moves && edges_.size() > 1;
   passes_.vertex_face = anything_moves && !faces_.empty() && vertices_.size() > 3;
   passes_.joints = !folds_.empty();
@@ -164,36 +158,30 @@ bool Elements::can_move(const Pair& pair) const noexcept {
 
 std::vector<Pair> Elements::candidates(const VectorX& x0, const VectorX& x1, double margin) const {
   std::vector<Pair> pairs;
-  const auto particles = particle_boxes(moves_.size(), x0, x1, margin);
+  const Motion motion{x0, x1, margin};
   const auto add = [&](const Pair& pair) {
     if (can_move(pair)) pairs.push_back(pair);
   };
-  std::vector<Box> edge_boxes;
-  if (passes_.edge_edge || passes_.points) edge_boxes = boxes_of(edges_, particles);
+  std::vector<MovingBox> edge_boxes;
+  if (passes_.edge_edge || passes_.joints || passes_.points) edge_boxes = motion.boxes(edges_);
   if (passes_.edge_edge) {
     for_each_pair(edge_boxes, [&](Index i, Index j) {
       if (!contains(edges_[j], edges_[i][0]) && !contains(edges_[j], edges_[i][1])) add({Kind::edge_edge, i, j});
     });
   }
   if (kFaces && passes_.vertex_face) {
-    for_each_pair(boxes_of(vertices_, particles), boxes_of(faces_, particles), [&](Index i, Index j) {
+    for_each_pair(motion.boxes(vertices_), motion.boxes(faces_), [&](Index i, Index j) {
       if (!contains(faces_[j], vertices_[i])) add({Kind::vertex_face, vertices_[i], j});
     });
   }
   if (kFolds && passes_.joints) {
     for (const Fold& fold : folds_) {
-      Box box = particles[edges_[fold.edge][0]];
-      const Box& other = particles[edges_[fold.edge][1]];
-      for (std::size_t k = 0; k < 3; ++k) {
-        box.low[k] = std::min(box.low[k], other.low[k]);
-        box.high[k] = std::max(box.high[k], other.high[k]);
-      }
-      if (generators::overlap(particles[fold.particle], box))
+      if (meet(motion.box(fold.particle), edge_boxes[fold.edge]))
         pairs.push_back({Kind::point_edge, fold.particle, fold.edge});
     }
   }
   if (passes_.points) {
-    const auto point_boxes = boxes_of(points_, particles);
+    const auto point_boxes = motion.boxes(points_);
     for_each_pair(point_boxes, edge_boxes, [&](Index i, Index j) { add({Kind::point_edge, points_[i], j}); });
     for_each_pair(point_boxes, [&](Index i, Index j) { add({Kind::point_point, points_[i], points_[j]}); });
   }

@@ -45,8 +45,9 @@ class Elements {
 
   Query query(const Pair& pair, const VectorX& x0, const VectorX& x1) const noexcept;
 
-  /// Every pair whose boxes around the motion from x0 to x1, widened by `margin` on all sides, overlap; without pairs
-  /// in which nothing can move and, but for folds, pairs that share a particle. Always in the same order.
+  /// Every pair whose boxes overlap at some time, when they move from x0 to x1 with their elements and are wider by
+  /// `margin` on all sides: so every pair that may touch while each particle ends within `margin` of x1 along each axis.
+  /// Without pairs in which nothing can move and, but for folds, pairs that share a particle. Always in the same order.
   std::vector<Pair> candidates(const VectorX& x0, const VectorX& x1, double margin) const;
 
   /// Where the pair's elements touch in the motion from x0 to x1, by the exact solver's answer. m

@@ -48,7 +48,7 @@ class PairSolver {
   bool exact() const noexcept { return narrow_phase_ == NarrowPhase::exact; }
 
  private:
-  static constexpr std::size_t kBlock = 4096;  // queries that stay in the cache
+  static constexpr std::size_t kBlock = 1024;  // queries that stay in the cache
   void ask(const Pair* pairs, std::size_t count, const VectorX& x0, const VectorX& x1);
   static void count_level(Level level, LevelCounts& counts) noexcept;
 

@@ -1,0 +1,89 @@
+// The pairs that a step asks about: none too few, and not many too many.
+// SPDX-License-Identifier: MIT
+#include <set>
+#include <tuple>
+
+#include <touchstone/solve.hpp>
+
+#include "generators/broad_phase.hpp"
+#include "seeded/rng.hpp"
+#include "sim/shipped_scenes.hpp"
+#include "sim/sim_scenes.hpp"
+#include "sim/simulation.hpp"
+#include "support/catch.hpp"
+
+using namespace touchstone;
+using namespace touchstone::sim;
+
+namespace {
+
+using Key = std::tuple<Kind, Index, Index>;
+
+VectorX moved(seeded::Rng& random, const VectorX& x, Eigen::Index coordinates, double by) {
+  VectorX result = x;
+  for (Eigen::Index i = 0; i < coordinates; ++i) result[i] += by * random.symmetric();
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("whatever touches while particles end within the margin is among the candidates") {
+  const Scene scene = make_shipped_scene("two-edges", 30);
+  const System system(scene);
+  const Elements elements(scene, system);
+  const auto coordinates = static_cast<Eigen::Index>(3 * system.particle_count());
+  const auto edges = static_cast<Index>(elements.edges().size());
+  seeded::Rng random(21);
+  long contacts = 0, candidates = 0, all = 0;
+  for (int round = 0; round < 40; ++round) {
+    // Thrown into one heap, which flies; some of it turns inside out.
+    VectorX x0 = moved(random, VectorX::Zero(system.initial_position.size()), coordinates, 1);
+    VectorX x1 = moved(random, x0, coordinates, round % 2 == 0 ? 0.05 : 1);
+    x1.head(coordinates).array() += 20 * random.symmetric();
+    const double margin = 0.02 * random.unit();
+    std::set<Key> collected;
+    for (const Pair& pair : elements.candidates(x0, x1, margin)) collected.insert({pair.kind, pair.i, pair.j});
+    candidates += static_cast<long>(collected.size());
+    const VectorX end = moved(random, x1, coordinates, margin);
+    for (Index i = 0; i < edges; ++i) {
+      for (Index j = i + 1; j < edges; ++j) {
+        const Pair pair{Kind::edge_edge, i, j};
+        ++all;
+        if (!solve(elements.query(pair, x0, end)).contact) continue;
+        ++contacts;
+        REQUIRE(collected.count({pair.kind, i, j}) == 1);
+      }
+    }
+  }
+  CHECK(contacts > 500);
+  CHECK(candidates < all);
+}
+
+TEST_CASE("a cable that is fast asks about few pairs, however many of its segments sweep over the same places") {
+  // In the first step it meets the wire, and its ends are drawn together along half of its length.
+  Simulation simulation(make_shipped_scene("whip", 600), {});
+  const std::size_t segments = simulation.elements().edges().size();
+  std::uint64_t pairs = 0, queries = 0, contacts = 0, swept = 0;
+  for (int i = 0; i < 6; ++i) {
+    const VectorX before = simulation.state().q;
+    for (const StepRecord& record : simulation.step()) {
+      pairs += record.proof.pairs;
+      queries += record.response.queries;
+      contacts += record.response.contacts;
+    }
+    // What boxes around the paths would ask.
+    std::vector<generators::Box> boxes;
+    for (const Edge& edge : simulation.elements().edges()) {
+      boxes.push_back(generators::empty_box());
+      for (const Index p : edge) {
+        generators::extend(boxes.back(), corner_of(before, p));
+        generators::extend(boxes.back(), corner_of(simulation.state().q, p));
+      }
+    }
+    generators::for_each_overlap(boxes, [&](std::uint32_t, std::uint32_t) { ++swept; });
+  }
+  CHECK(contacts > 0);
+  CHECK(swept > 50 * segments);
+  CHECK(pairs < 6 * segments);
+  CHECK(queries < 6 * 5 * segments);
+}
