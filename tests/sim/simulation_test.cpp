@@ -51,46 +51,6 @@ double slid_after_a_second(const Scene& scene) {
   return position(simulation.state().q, 0).x() - scene.particles[0].position.x();
 }
 
-/// The linking number of two closed polygons: half the signed crossings of their projection, the direction chosen so
-/// that nothing is aligned with it.
-double linking_number(const VectorX& q, const std::vector<Index>& a, const std::vector<Index>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      // The solid angle of the parallelogram of differences (Arai, "A rigorous extension algorithm ...", 2013).
-      const Vector3 a0 = position(q, a[i]), a1 = position(q, a[(i + 1) % a.size()]);
-      const Vector3 b0 = position(q, b[j]), b1 = position(q, b[(j + 1) % b.size()]);
-      const Vector3 corners[4] = {b0 - a0, b0 - a1, b1 - a1, b1 - a0};
-      const auto solid = [](const Vector3& x, const Vector3& y, const Vector3& z) {
-        const double n =
-            x.norm() * y.norm() * z.norm() + x.dot(y) * z.norm() + y.dot(z) * x.norm() + z.dot(x) * y.norm();
-        const double volume = x[0] * (y[1] * z[2] - y[2] * z[1]) + x[1] * (y[2] * z[0] - y[0] * z[2]) +
-                              x[2] * (y[0] * z[1] - y[1] * z[0]);
-        return 2 * std::atan2(volume, n);
-      };
-      sum += solid(corners[0], corners[1], corners[2]) + solid(corners[2], corners[3], corners[0]);
-    }
-  }
-  return sum / (4 * std::numbers::pi);
-}
-
-std::vector<Index> add_ring(Scene& scene, const Vector3& centre, const Vector3& u, const Vector3& w, double radius,
-                            const Vector3& velocity) {
-  constexpr Index kCount = 20;
-  Cable ring;
-  for (Index i = 0; i < kCount; ++i) {
-    const double phi = 2 * std::numbers::pi * i / kCount;
-    ring.particles.push_back(add_particle(scene, centre + radius * (std::cos(phi) * u + std::sin(phi) * w), 0));
-    scene.particles.back().velocity = velocity;
-  }
-  ring.closed = true;
-  set_material(ring, 1e6, 0.4, 0.004, 1100);
-  ring.bend = ring.twist = 0;
-  ring.damping = 1e-3;
-  scene.cables.push_back(ring);
-  return ring.particles;
-}
-
 std::string run(const Scene& scene, int threads, int steps) {
   Simulation simulation(scene, {NarrowPhase::exact, threads});
   std::string rows;
@@ -193,30 +153,6 @@ TEST_CASE("the same bytes on one and two threads, and after a checkpoint as with
     for (const auto& record : second.step()) rows += proof_row(record);
   }
   CHECK(rows + checkpoint_to_json(second) == once);
-}
-
-TEST_CASE("linked rings stay linked and separate ones separate, through violent motion") {
-  for (const bool linked : {true, false}) {
-    CAPTURE(linked);
-    Scene scene;
-    scene.settings.gravity.setZero();
-    scene.settings.contact.restitution = 0.5;
-    const double apart = linked ? 0.2 : 0.5;
-    // Torn apart when they are linked, thrown together when they are not.
-    const double speed = linked ? 20 : -20;
-    const auto a = add_ring(scene, {0, 0, 0}, Vector3::UnitX(), Vector3::UnitY(), 0.2, {-speed, 3, 1});
-    const auto b = add_ring(scene, {apart, 0.01, 0.02}, Vector3::UnitX(), Vector3::UnitZ(), 0.2, {speed, -2, 0});
-    Simulation simulation(scene, {});
-    const double before = linking_number(simulation.state().q, a, b);
-    CHECK(std::abs(before) == Approx(linked ? 1 : 0).margin(1e-9));
-    std::uint64_t contacts = 0;
-    for (int i = 0; i < 60; ++i) {
-      for (const auto& record : simulation.step()) contacts += record.response.contacts;
-      REQUIRE(linking_number(simulation.state().q, a, b) == Approx(before).margin(1e-9));
-    }
-    CHECK(contacts > 0);
-    CHECK(simulation.crossings().empty());
-  }
 }
 
 TEST_CASE("scenes that begin with a contact are refused, by name") {
