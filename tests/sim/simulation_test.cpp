@@ -1,4 +1,4 @@
-// Whole runs: friction on an incline, bounces, fail-safe, proof, determinism.
+// Whole runs: friction on an incline, bounces, fail-safe, proof.
 // SPDX-License-Identifier: MIT
 #include <Eigen/Geometry>
 
@@ -7,12 +7,11 @@
 
 #include <touchstone/error.hpp>
 
-#include "sim/checkpoint.hpp"
 #include "sim/impact_zones.hpp"
-#include "sim/output_text.hpp"
 #include "sim/scene_file.hpp"
 #include "sim/shipped_scenes.hpp"
 #include "sim/sim_scenes.hpp"
+#include "sim/simulation.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone::sim;
@@ -49,15 +48,6 @@ double slid_after_a_second(const Scene& scene) {
   for (int i = 0; i < 1000; ++i) simulation.step();
   CHECK(simulation.crossings().empty());
   return position(simulation.state().q, 0).x() - scene.particles[0].position.x();
-}
-
-std::string run(const Scene& scene, int threads, int steps) {
-  Simulation simulation(scene, {NarrowPhase::exact, threads});
-  std::string rows;
-  for (int i = 0; i < steps; ++i) {
-    for (const StepRecord& record : simulation.step()) rows += proof_row(record);
-  }
-  return rows + checkpoint_to_json(simulation);
 }
 
 }  // namespace
@@ -133,26 +123,6 @@ TEST_CASE("the momentum of two edges that meet is kept, and they part again") {
   CHECK((momentum() - before).norm() < 1e-9);
   CHECK(simulation.crossings().empty());
   CHECK(position(simulation.state().v, 0).z() + position(simulation.state().v, 1).z() < -0.1);
-}
-
-TEST_CASE("the same bytes on one and two threads, and after a checkpoint as without") {
-  const Scene scene = make_shipped_scene("hoop", 200);
-  const std::string once = run(scene, 1, 45);
-  CHECK(once == run(scene, 2, 45));
-
-  Simulation first(scene, {});
-  std::string rows;
-  for (int i = 0; i < 30; ++i) {
-    for (const auto& record : first.step()) rows += proof_row(record);
-  }
-  Checkpoint checkpoint = checkpoint_from_json(checkpoint_to_json(first));
-  CHECK(checkpoint.steps == 30);
-  Simulation second(checkpoint.scene, {});
-  second.resume(std::move(checkpoint.state), checkpoint.steps);
-  for (int i = 0; i < 15; ++i) {
-    for (const auto& record : second.step()) rows += proof_row(record);
-  }
-  CHECK(rows + checkpoint_to_json(second) == once);
 }
 
 TEST_CASE("scenes that begin with a contact are refused, by name") {
