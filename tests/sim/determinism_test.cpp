@@ -6,8 +6,8 @@
 
 #include "sim/checkpoint.hpp"
 #include "sim/output_text.hpp"
-#include "sim/shipped_scenes.hpp"
 #include "sim/scene_parts.hpp"
+#include "sim/shipped_scenes.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone::sim;
@@ -15,7 +15,7 @@ using namespace touchstone::sim;
 namespace {
 
 struct Course {
-  std::string bytes;  // what the proofs say, and the last state
+  std::string bytes;                           // what the proofs say, and the last state
   std::uint64_t contacts = 0, most_pairs = 0;  // contacts: those of elements that were only close included
 };
 
