@@ -113,6 +113,8 @@ double gauss_integral(const VectorX& q, const Loop& a, const Loop& b) {
   };
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t between = std::max(i, j) - std::min(i, j);
+      if (&a == &b && (between <= 1 || between + 1 == a.size())) continue;
       // The solid angle of the parallelogram of differences (Arai, "A rigorous extension algorithm ...", 2013).
       const Vector3 a0 = position(q, a[i]), a1 = position(q, a[(i + 1) % a.size()]);
       const Vector3 b0 = position(q, b[j]), b1 = position(q, b[(j + 1) % b.size()]);

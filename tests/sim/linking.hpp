@@ -15,7 +15,8 @@ using Loop = std::vector<Index>;
 /// are taken as the doubles that they are. Fails the test when two corners and an edge fall on one line of sight.
 int linking_number(const VectorX& q, const Loop& a, const Loop& b);
 
-/// Gauss's integral over both polygons, in doubles: the same number but for rounding.
+/// Gauss's integral over both polygons, in doubles: the same number but for rounding. Of a polygon with itself: its
+/// writhe, to which neighbouring edges give nothing.
 double gauss_integral(const VectorX& q, const Loop& a, const Loop& b);
 
 }  // namespace touchstone::sim
