@@ -188,6 +188,50 @@ TEST_CASE("a zone moves rigidly, with its momentum and angular momentum") {
   CHECK(angular.norm() < 1e-6);  // a rotation by 1e-3 is its displacement but for its square
 }
 
+TEST_CASE("a zone with something held does not move, or moves with what is driven") {
+  Scene scene;
+  for (int i = 0; i < 4; ++i) add_particle(scene, {std::sin(3.0 * i), std::cos(5.0 * i), 0.3 * i}, 1 + i);
+  scene.particles[2].fixed = {true, true, true};
+  const System system(scene);
+  const VectorX x0 = system.initial_position;
+  VectorX wanted = x0, inverse = VectorX::Zero(12);
+  for (const Index p : {0, 1, 3}) {
+    wanted.segment<3>(3 * p) += Vector3(0.1, 0.2 * p, -0.1);
+    inverse.segment<3>(3 * p).setConstant(1 / system.mass[3 * p]);
+  }
+  VectorX x1 = wanted;
+  REQUIRE(move_rigidly({0, 1, 2}, system, inverse, x0, x1));
+  CHECK(x1.head<9>() == x0.head<9>());
+  CHECK(x1.tail<3>() == wanted.tail<3>());  // in no zone
+  // Driven: 2 is elsewhere at the end of the step.
+  const Vector3 way(0.3, -0.2, 0.1);
+  wanted.segment<3>(6) += way;
+  x1 = wanted;
+  REQUIRE(move_rigidly({0, 1, 2}, system, inverse, x0, x1));
+  for (const Index p : {0, 1, 2}) CHECK((position(x1, p) - position(x0, p) - way).norm() < 1e-15);
+  // Two that are driven apart have no common motion.
+  inverse.segment<3>(0).setZero();
+  x1 = wanted;
+  CHECK_FALSE(move_rigidly({0, 1, 2}, system, inverse, x0, x1));
+}
+
+TEST_CASE("a contact's particles all join its zone") {
+  ImpactZones zones(9);
+  Contact contact;
+  contact.particles = {1, 4, 6, 8};
+  contact.corners = 4;
+  CHECK(zones.join(contact));
+  CHECK_FALSE(zones.join(contact));
+  contact.particles = {0, 2, 3, 8};
+  contact.corners = 3;
+  CHECK(zones.join(contact));
+  CHECK(zones.zones() == std::vector<std::vector<Index>>{{0, 2, 3}, {1, 4, 6, 8}});
+  contact.particles = {3, 6, 0, 0};
+  contact.corners = 2;
+  CHECK(zones.join(contact));
+  CHECK(zones.zones() == std::vector<std::vector<Index>>{{0, 1, 2, 3, 4, 6, 8}});
+}
+
 TEST_CASE("what hangs on springs that do not collide is stopped by a face, unless it is said not to collide") {
   Scene scene;
   scene.settings.duration = 1;
