@@ -36,6 +36,7 @@ class Course {
       ends_.assign(starts_.begin() + 1, starts_.end());
       ends_.push_back(simulation_.state());
       REQUIRE(records.size() == starts_.size());
+      check_lengths(records);
       for (std::size_t part = 0; part < records.size(); ++part) check(records[part], starts_[part], ends_[part]);
       const double gain = simulation_.energies().total() - before;
       gained += std::max(gain, 0.0);
@@ -49,13 +50,27 @@ class Course {
   Energies energies() const { return simulation_.energies(); }
   double lifted() const { return lifted_; }  // J, by the thickness
 
-  std::uint64_t contacts = 0, taken_all_the_same = 0;
+  std::uint64_t contacts = 0, taken_all_the_same = 0, grown = 0;
   double gained = 0, most_gain = -1e300;  // J, from step to step
 
  private:
   void note_start() {
     // A part that was refused is tried again from the same state.
     if (starts_.empty() || starts_.back().time != simulation_.state().time) starts_.push_back(simulation_.state());
+  }
+
+  /// Parts are shares 2^-k of the step that begin at multiples of themselves; after one that was cut they grow again.
+  void check_lengths(const std::vector<StepRecord>& records) {
+    double done = 0;
+    for (std::size_t part = 0; part < records.size(); ++part) {
+      const double share = records[part].length / simulation_.scene().settings.time_step;
+      CHECK(std::abs(std::log2(share) - std::round(std::log2(share))) < 1e-6);
+      CHECK(std::abs(done / share - std::round(done / share)) < 1e-6);
+      CHECK(records[part].time == ends_[part].time);
+      done += share;
+      grown += part > 0 && records[part].length > 1.5 * records[part - 1].length;
+    }
+    CHECK(done == Approx(1));
   }
 
   void check(const StepRecord& record, const State& start, const State& end) {
@@ -212,6 +227,7 @@ TEST_CASE("what is stiff, light, tiny or far away: no NaN, no crossing, and no e
   CHECK(course.taken_all_the_same == 0);
   if (integrator != Integrator::implicit_euler) return;
   CHECK(course.energies().total() < first.total());
+  if (!extreme.loses) CHECK(course.grown > 0);  // the heavy edge needs shorter parts, but not to a step's end
   if (extreme.loses) CHECK(course.most_gain <= kRounding * (std::abs(first.load) + first.total() - first.load));
 }
 
