@@ -111,7 +111,7 @@ struct Row {
 
 std::vector<Row> rows() {
   const auto shipped = [](const char* name, Index size) { return [=] { return make_shipped_scene(name, size); }; };
-  constexpr std::uint64_t kBlocks = 2 * 64 + 1;  // one thread takes blocks of 64: so many are shared by two
+  constexpr std::uint64_t kBlocks = 64 + 1;  // one thread takes blocks of 64: more are shared by two
   return {
       {"two-edges", shipped("two-edges", 40), 60, 1e-2, 90},
       {"hoop", hoop_at_once, 15, 2e-4, 250, 1, kBlocks},
