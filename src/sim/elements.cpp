@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <utility>
 
 #include "sim/box_pairs.hpp"
 #include "sim/features.hpp"
@@ -106,6 +108,7 @@ Elements::Elements(const Scene& scene, const System& system) : faces_(scene.face
     }
   }
   shortest_ = shortest_of(edges_, moves_, system.initial_position);
+  std::set<std::pair<Index, Index>> folding;  // in a triangle either end of an edge leads to the third corner
   for (Index p = 0; p < count; ++p) {
     if (!scene.particles[p].collides) continue;  // check_scene: then nothing that could be hit has it as a corner
     vertices_.push_back(p);
@@ -113,7 +116,8 @@ Elements::Elements(const Scene& scene, const System& system) : faces_(scene.face
     for (const Index e : edges_at[p]) {
       for (const Index other : edges_at[p]) {
         const Index end = edges_[other][0] == p ? edges_[other][1] : edges_[other][0];
-        if (e != other && can_move({Kind::point_edge, end, e})) folds_.push_back({end, e});
+        if (e == other || !can_move({Kind::point_edge, end, e})) continue;
+        if (folding.insert({end, e}).second) folds_.push_back({end, e});
       }
     }
   }

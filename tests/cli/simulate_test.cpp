@@ -96,6 +96,24 @@ TEST_CASE("the hoop runs with a proof of each step, and the ball goes through th
   CHECK(std::filesystem::exists(folder.path("out/energies.gp")));
 }
 
+TEST_CASE("ten seconds of the hoop, every step certified, every other one a frame") {
+  const TemporaryFolder folder;
+  const Run run = run_program({"simulate", "hoop", "--out", folder.path("out"), "--proof", folder.path("proof.csv")});
+  CHECK(run.status == 0);
+  CHECK(last_line(run.out) == "600 steps, 0 crossings");
+  const auto rows = lines_of(folder.read("proof.csv"));
+  REQUIRE(rows.size() == 601);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const auto cells = cells_of(rows[i]);
+    CHECK(cells[0] == std::to_string(i));
+    CHECK(cells.back() == "1");
+  }
+  CHECK(occurrences(folder.read("out/frames/frames.vtk.series"), "\"name\": \"frame-") == 301);
+  const auto energies = lines_of(folder.read("out/energies.csv"));
+  REQUIRE(energies.size() == 602);
+  CHECK(std::stod(cells_of(energies.back())[1]) == Approx(10));
+}
+
 TEST_CASE("a run that is resumed writes what an uninterrupted one does, on any number of threads") {
   const TemporaryFolder folder;
   const auto path = [&](const char* name) { return folder.path(name); };

@@ -99,6 +99,22 @@ TEST_CASE("an impulse reverses the approach, keeps momenta, and takes the energy
     CHECK(std::abs(sum) < 1e-14);
     CHECK(together.norm() < 1e-10);
 
+    const auto relative = [&](const VectorX& x) {
+      Vector3 at = Vector3::Zero();
+      for (std::size_t c = 0; c < 4; ++c) at += contact.omega[c] * position(x, contact.particles[c]);
+      return at;
+    };
+    if (kind == Kind::edge_edge) {
+      // V'(t) = N . v_rel at the contact, with V = (AB x CD) . AC and N = AB x CD, not of length 1.
+      const auto corner = [&](Index p, double t) -> Vector3 { return position(x0, p) + t * position(moved, p); };
+      const auto normal = [&](double t) -> Vector3 {
+        return (corner(1, t) - corner(0, t)).cross(corner(3, t) - corner(2, t));
+      };
+      const auto volume = [&](double t) { return normal(t).dot(corner(2, t) - corner(0, t)); };
+      const double t = contact.time, step = 1e-5, slope = (volume(t + step) - volume(t - step)) / (2 * step);
+      CHECK(normal(t).dot(relative(moved)) == Approx(slope).epsilon(1e-7).margin(1e-7));
+    }
+
     ImpulseRule rule;
     rule.restitution = random.unit();
     rule.thickness = 0;
@@ -130,6 +146,10 @@ TEST_CASE("an impulse reverses the approach, keeps momenta, and takes the energy
     } else {
       CHECK((end.momentum - start.momentum).norm() < 1e-10 * scale * 10);
       CHECK((end.angular - start.angular).norm() < 1e-9 * scale * 10);
+      // About the start positions it changes by -t j (v_rel x n).
+      const Vector3 change = sums(system, x0, after, 0, moved).angular - sums(system, x0, x1, 0, moved).angular;
+      const double j = -(1 + rule.restitution) * before / k;
+      CHECK((change + contact.time * j * relative(moved).cross(contact.normal)).norm() < 1e-9 * scale * 10);
     }
     // Once they separate there is nothing to do.
     const VectorX again = after;
@@ -140,6 +160,50 @@ TEST_CASE("an impulse reverses the approach, keeps momenta, and takes the energy
   CHECK(edges > 300);
   CHECK(faces > 100);
   CHECK(pinned > 50);
+}
+
+TEST_CASE("friction shrinks the slip by its coefficient times what the normal velocity changes by, in any contact") {
+  Rng random(4242);
+  int sticks = 0, slides = 0;
+  for (int attempt = 0; attempt < 20000 && sticks + slides < 400; ++attempt) {
+    const Encounter encounter(random, random.one_in(2) ? Kind::edge_edge : Kind::vertex_face);
+    const System system(encounter.scene);
+    const Elements elements(encounter.scene, system);
+    const VectorX x0 = system.initial_position;
+    VectorX x1 = x0, inverse_mass = VectorX::Zero(12), pushed = VectorX::Zero(12);
+    for (Index p = 0; p < 4; ++p) {
+      if (encounter.scene.particles[p].pinned()) continue;
+      x1.segment<3>(3 * p) += 2 * random_vector(random);
+      inverse_mass.segment<3>(3 * p).setConstant(1 / system.mass[3 * p]);
+    }
+    const Answer answer = solve(elements.query(encounter.pair, x0, x1));
+    if (!answer.contact || answer.nature != Nature::crossing || answer.toi == 0) continue;
+    const Contact contact = contact_of(elements, encounter.pair, x0, x1, answer, true);
+    const auto relative = [&](const VectorX& end) {
+      Vector3 speed = Vector3::Zero();
+      for (std::size_t c = 0; c < 4; ++c)
+        speed += contact.omega[c] * (position(end, contact.particles[c]) - position(x0, contact.particles[c]));
+      return speed;
+    };
+    double k = 0;
+    for (std::size_t c = 0; c < 4; ++c)
+      k += contact.omega[c] * contact.omega[c] * inverse_mass[3 * contact.particles[c]];
+    if (!(k > 1e-9)) continue;
+    ImpulseRule rule;
+    rule.restitution = random.unit();
+    rule.friction = random.unit();
+    const Vector3 before = relative(x1);
+    const double normal = contact.normal.dot(before);
+    const Vector3 slip = before - normal * contact.normal;
+    VectorX after = x1;
+    REQUIRE(resolve(contact, rule, {&x0, &after, &pushed, &inverse_mass}));
+    const double share = std::max(1 - rule.friction * (1 + rule.restitution) * std::abs(normal) / slip.norm(), 0.0);
+    const Vector3 expected = -rule.restitution * normal * contact.normal + share * slip;
+    CHECK((relative(after) - expected).norm() < 1e-10 * (1 + before.norm()));
+    (share == 0 ? sticks : slides) += 1;
+  }
+  CHECK(sticks > 50);
+  CHECK(slides > 50);
 }
 
 TEST_CASE("friction takes at most its coefficient times the normal impulse, and never reverses the slip") {

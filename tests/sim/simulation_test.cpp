@@ -1,4 +1,4 @@
-// Whole runs: friction on an incline, bounces, fail-safe, proof, determinism.
+// Whole runs: friction on an incline, bounces, fail-safe, proof.
 // SPDX-License-Identifier: MIT
 #include <Eigen/Geometry>
 
@@ -7,12 +7,11 @@
 
 #include <touchstone/error.hpp>
 
-#include "sim/checkpoint.hpp"
 #include "sim/impact_zones.hpp"
-#include "sim/output_text.hpp"
 #include "sim/scene_file.hpp"
 #include "sim/shipped_scenes.hpp"
 #include "sim/sim_scenes.hpp"
+#include "sim/simulation.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone::sim;
@@ -51,55 +50,6 @@ double slid_after_a_second(const Scene& scene) {
   return position(simulation.state().q, 0).x() - scene.particles[0].position.x();
 }
 
-/// The linking number of two closed polygons: half the signed crossings of their projection, the direction chosen so
-/// that nothing is aligned with it.
-double linking_number(const VectorX& q, const std::vector<Index>& a, const std::vector<Index>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      // The solid angle of the parallelogram of differences (Arai, "A rigorous extension algorithm ...", 2013).
-      const Vector3 a0 = position(q, a[i]), a1 = position(q, a[(i + 1) % a.size()]);
-      const Vector3 b0 = position(q, b[j]), b1 = position(q, b[(j + 1) % b.size()]);
-      const Vector3 corners[4] = {b0 - a0, b0 - a1, b1 - a1, b1 - a0};
-      const auto solid = [](const Vector3& x, const Vector3& y, const Vector3& z) {
-        const double n =
-            x.norm() * y.norm() * z.norm() + x.dot(y) * z.norm() + y.dot(z) * x.norm() + z.dot(x) * y.norm();
-        const double volume = x[0] * (y[1] * z[2] - y[2] * z[1]) + x[1] * (y[2] * z[0] - y[0] * z[2]) +
-                              x[2] * (y[0] * z[1] - y[1] * z[0]);
-        return 2 * std::atan2(volume, n);
-      };
-      sum += solid(corners[0], corners[1], corners[2]) + solid(corners[2], corners[3], corners[0]);
-    }
-  }
-  return sum / (4 * std::numbers::pi);
-}
-
-std::vector<Index> add_ring(Scene& scene, const Vector3& centre, const Vector3& u, const Vector3& w, double radius,
-                            const Vector3& velocity) {
-  constexpr Index kCount = 20;
-  Cable ring;
-  for (Index i = 0; i < kCount; ++i) {
-    const double phi = 2 * std::numbers::pi * i / kCount;
-    ring.particles.push_back(add_particle(scene, centre + radius * (std::cos(phi) * u + std::sin(phi) * w), 0));
-    scene.particles.back().velocity = velocity;
-  }
-  ring.closed = true;
-  set_material(ring, 1e6, 0.4, 0.004, 1100);
-  ring.bend = ring.twist = 0;
-  ring.damping = 1e-3;
-  scene.cables.push_back(ring);
-  return ring.particles;
-}
-
-std::string run(const Scene& scene, int threads, int steps) {
-  Simulation simulation(scene, {NarrowPhase::exact, threads});
-  std::string rows;
-  for (int i = 0; i < steps; ++i) {
-    for (const StepRecord& record : simulation.step()) rows += proof_row(record);
-  }
-  return rows + checkpoint_to_json(simulation);
-}
-
 }  // namespace
 
 TEST_CASE("on an incline it sticks when tan theta <= mu, and slides as Coulomb says otherwise") {
@@ -107,14 +57,16 @@ TEST_CASE("on an incline it sticks when tan theta <= mu, and slides as Coulomb s
   CHECK(std::abs(slid_after_a_second(incline(angle, 0.43))) < 1e-6);
   for (const double mu : {0.0, 0.2, 0.4}) {
     const double expected = 0.5 * 9.81 * (std::sin(angle) - mu * std::cos(angle));
-    CHECK(slid_after_a_second(incline(angle, mu)) == Approx(expected).epsilon(3e-3).margin(1e-3));
+    // Implicit Euler moves with the speed at each step's end: n (n + 1) / 2 in place of n^2 / 2.
+    CHECK(slid_after_a_second(incline(angle, mu)) == Approx(expected * (1 + 1e-3)).epsilon(1e-5));
   }
 }
 
 TEST_CASE("it slides v^2 / (2 mu g) before it stops") {
   Scene scene = incline(0, 0.3);
   scene.particles[0].velocity = {2, 0, 0};
-  CHECK(slid_after_a_second(scene) == Approx(4 / (2 * 0.3 * 9.81)).epsilon(5e-3));
+  // Less what implicit Euler slows down too early: half a step's way.
+  CHECK(slid_after_a_second(scene) == Approx(4 / (2 * 0.3 * 9.81) - 2 * 1e-3 / 2).epsilon(1e-5));
 }
 
 TEST_CASE("it bounces to e^(2n) of its height") {
@@ -173,50 +125,6 @@ TEST_CASE("the momentum of two edges that meet is kept, and they part again") {
   CHECK((momentum() - before).norm() < 1e-9);
   CHECK(simulation.crossings().empty());
   CHECK(position(simulation.state().v, 0).z() + position(simulation.state().v, 1).z() < -0.1);
-}
-
-TEST_CASE("the same bytes on one and two threads, and after a checkpoint as without") {
-  const Scene scene = make_shipped_scene("hoop", 200);
-  const std::string once = run(scene, 1, 45);
-  CHECK(once == run(scene, 2, 45));
-
-  Simulation first(scene, {});
-  std::string rows;
-  for (int i = 0; i < 30; ++i) {
-    for (const auto& record : first.step()) rows += proof_row(record);
-  }
-  Checkpoint checkpoint = checkpoint_from_json(checkpoint_to_json(first));
-  CHECK(checkpoint.steps == 30);
-  Simulation second(checkpoint.scene, {});
-  second.resume(std::move(checkpoint.state), checkpoint.steps);
-  for (int i = 0; i < 15; ++i) {
-    for (const auto& record : second.step()) rows += proof_row(record);
-  }
-  CHECK(rows + checkpoint_to_json(second) == once);
-}
-
-TEST_CASE("linked rings stay linked and separate ones separate, through violent motion") {
-  for (const bool linked : {true, false}) {
-    CAPTURE(linked);
-    Scene scene;
-    scene.settings.gravity.setZero();
-    scene.settings.contact.restitution = 0.5;
-    const double apart = linked ? 0.2 : 0.5;
-    // Torn apart when they are linked, thrown together when they are not.
-    const double speed = linked ? 20 : -20;
-    const auto a = add_ring(scene, {0, 0, 0}, Vector3::UnitX(), Vector3::UnitY(), 0.2, {-speed, 3, 1});
-    const auto b = add_ring(scene, {apart, 0.01, 0.02}, Vector3::UnitX(), Vector3::UnitZ(), 0.2, {speed, -2, 0});
-    Simulation simulation(scene, {});
-    const double before = linking_number(simulation.state().q, a, b);
-    CHECK(std::abs(before) == Approx(linked ? 1 : 0).margin(1e-9));
-    std::uint64_t contacts = 0;
-    for (int i = 0; i < 60; ++i) {
-      for (const auto& record : simulation.step()) contacts += record.response.contacts;
-      REQUIRE(linking_number(simulation.state().q, a, b) == Approx(before).margin(1e-9));
-    }
-    CHECK(contacts > 0);
-    CHECK(simulation.crossings().empty());
-  }
 }
 
 TEST_CASE("scenes that begin with a contact are refused, by name") {
@@ -285,60 +193,48 @@ TEST_CASE("a zone moves rigidly, with its momentum and angular momentum") {
   CHECK(angular.norm() < 1e-6);  // a rotation by 1e-3 is its displacement but for its square
 }
 
-TEST_CASE("capstan: a string that slips round a post holds e^(mu phi) times the pull") {
-  // A quarter of a turn, half of one and a whole one, which climbs, round a post of 48 wires: it holds a tenth less
-  // than e^(mu phi) times the pull (Euler, Eytelwein), and slips under a tenth more.
-  constexpr double kMu = 0.3, kPull = 1;
-  const int quarters = GENERATE(1, 2, 4);
-  CAPTURE(quarters);
-  const double turn = quarters * std::numbers::pi / 2;
-  const Vector3 away(-std::sin(turn), 0, std::cos(turn));  // where it leaves to
-  const auto slips = [&](double load) {
-    Scene scene;
-    scene.settings.gravity.setZero();
-    scene.settings.time_step = 2e-3;
-    scene.settings.drag = 20;
-    scene.settings.contact.restitution = 0;
-    scene.settings.contact.friction = kMu;
-    scene.settings.contact.thickness = 1e-3;
-    constexpr double kRadius = 0.1;
-    constexpr int kWires = 48;
-    for (int i = 0; i < kWires; ++i) {
-      const double phi = 2 * std::numbers::pi * (i + 0.5) / kWires;
-      const Vector3 at(kRadius * std::cos(phi), 0, kRadius * std::sin(phi));
-      const Index a = add_pinned(scene, at - Vector3(0, 0.3, 0)), b = add_pinned(scene, at + Vector3(0, 0.3, 0));
-      scene.wires.push_back({a, b});
-    }
-    Cable cable;
-    constexpr int kQuarter = 30, kStraight = 40;
-    const double r = kRadius + 1.2e-3, angle = std::numbers::pi / 2 / kQuarter, ds = angle * r;
-    const auto add = [&](const Vector3& at) {
-      const double climb = 3e-4 * static_cast<double>(cable.particles.size());
-      cable.particles.push_back(add_particle(scene, at + Vector3(0, 0.001 + climb, 0), 0));
-    };
-    const auto around = [&](double phi) { return Vector3(r * std::cos(phi), 0, r * std::sin(phi)); };
-    for (int i = kStraight; i > 0; --i) add({r, 0, -ds * i});
-    for (int i = 0; i <= quarters * kQuarter; ++i) add(around(i * angle));
-    for (int i = 1; i <= kStraight; ++i) add(around(turn) + ds * i * away);
-    set_material(cable, 1e8, 0.3, 0.002, 1500);
-    cable.bend = cable.twist = 0;
-    cable.damping = 2e-3;
-    scene.particles[cable.particles.front()].force = {0, 0, -kPull};
-    scene.particles[cable.particles.back()].force = load * away;
-    const Index last = cable.particles.back();
-    scene.cables.push_back(cable);
-    Simulation simulation(scene, {});
-    for (int i = 0; i < 150; ++i) simulation.step();
-    const Vector3 middle = position(simulation.state().q, last);
-    for (int i = 0; i < 150; ++i) simulation.step();
-    CHECK(simulation.crossings().empty());
-    return away.dot(position(simulation.state().q, last) - middle);
-  };
-  const double ratio = std::exp(kMu * turn);  // 1.602, 2.566 and 6.586
-  const double held = slips(0.9 * ratio), slipped = slips(1.1 * ratio);
-  CAPTURE(held, slipped);
-  CHECK(held < 0.3 * slipped);
-  CHECK(slipped > 5e-3);
+TEST_CASE("a zone with something held does not move, or moves with what is driven") {
+  Scene scene;
+  for (int i = 0; i < 4; ++i) add_particle(scene, {std::sin(3.0 * i), std::cos(5.0 * i), 0.3 * i}, 1 + i);
+  scene.particles[2].fixed = {true, true, true};
+  const System system(scene);
+  const VectorX x0 = system.initial_position;
+  VectorX wanted = x0, inverse = VectorX::Zero(12);
+  for (const Index p : {0, 1, 3}) {
+    wanted.segment<3>(3 * p) += Vector3(0.1, 0.2 * p, -0.1);
+    inverse.segment<3>(3 * p).setConstant(1 / system.mass[3 * p]);
+  }
+  VectorX x1 = wanted;
+  REQUIRE(move_rigidly({0, 1, 2}, system, inverse, x0, x1));
+  CHECK(x1.head<9>() == x0.head<9>());
+  CHECK(x1.tail<3>() == wanted.tail<3>());  // in no zone
+  // Driven: 2 is elsewhere at the end of the step.
+  const Vector3 way(0.3, -0.2, 0.1);
+  wanted.segment<3>(6) += way;
+  x1 = wanted;
+  REQUIRE(move_rigidly({0, 1, 2}, system, inverse, x0, x1));
+  for (const Index p : {0, 1, 2}) CHECK((position(x1, p) - position(x0, p) - way).norm() < 1e-15);
+  // Two that are driven apart have no common motion.
+  inverse.segment<3>(0).setZero();
+  x1 = wanted;
+  CHECK_FALSE(move_rigidly({0, 1, 2}, system, inverse, x0, x1));
+}
+
+TEST_CASE("a contact's particles all join its zone") {
+  ImpactZones zones(9);
+  Contact contact;
+  contact.particles = {1, 4, 6, 8};
+  contact.corners = 4;
+  CHECK(zones.join(contact));
+  CHECK_FALSE(zones.join(contact));
+  contact.particles = {0, 2, 3, 8};
+  contact.corners = 3;
+  CHECK(zones.join(contact));
+  CHECK(zones.zones() == std::vector<std::vector<Index>>{{0, 2, 3}, {1, 4, 6, 8}});
+  contact.particles = {3, 6, 0, 0};
+  contact.corners = 2;
+  CHECK(zones.join(contact));
+  CHECK(zones.zones() == std::vector<std::vector<Index>>{{0, 1, 2, 3, 4, 6, 8}});
 }
 
 TEST_CASE("what hangs on springs that do not collide is stopped by a face, unless it is said not to collide") {

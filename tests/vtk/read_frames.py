@@ -4,6 +4,7 @@ SPDX-License-Identifier: MIT
 """
 
 import json
+import math
 import re
 import subprocess
 import sys
@@ -36,7 +37,8 @@ def read(path):
     return reader.GetOutput()
 
 
-def main(program):
+def check_small(program):
+    """A few frames, bit for bit: positions, velocities, cells."""
     explained = run(program, "hoop", "--size", "200", "--explain")
     edges = int(re.search(r"(\d+) edges", explained).group(1))
     faces = int(re.search(r"(\d+) faces", explained).group(1))
@@ -87,4 +89,52 @@ def main(program):
           "polygons")
 
 
-main(sys.argv[1])
+def winding_number(loop, at):
+    """How often the loop of points, seen from above, goes around a point."""
+    angle = 0
+    for a, b in zip(loop, loop[1:] + loop[:1]):
+        ax, ay, bx, by = a[0] - at[0], a[1] - at[1], b[0] - at[0], b[1] - at[1]
+        angle += math.atan2(ax * by - ay * bx, ax * bx + ay * by)
+    return round(angle / (2 * math.pi))
+
+
+def check_ten_seconds(program):
+    """All of the hoop: every frame is whole, and what is in them shows that the ball goes through the net."""
+    with tempfile.TemporaryDirectory() as folder:
+        out, scene_file = Path(folder) / "out", Path(folder) / "scene.json"
+        run(program, "hoop", "--scene-out", str(scene_file))
+        scene = json.loads(scene_file.read_text())
+        told = run(program, "hoop", "--out", str(out))
+        check(told.splitlines()[-1] == "600 steps, 0 crossings", f"the last line is {told.splitlines()[-1]}")
+        rim = [wire[0] for wire in scene["wires"]]
+        cord = next(cable["particles"] for cable in scene["cables"] if cable.get("closed"))
+        middle = next(i for i, p in enumerate(scene["particles"]) if p.get("collides") is False)
+        frames = json.loads((out / "frames" / "frames.vtk.series").read_text())["files"]
+        check(len(frames) == 301, f"{len(frames)} frames in the series")
+        check(len(list((out / "frames").glob("*.vtk"))) == 301, "other files than the series names")
+        before, passed, cells = None, {"rim": 0, "cord": 0}, set()
+        for number, frame in enumerate(frames):
+            check(abs(frame["time"] - number / 30) < 1e-9, f"{frame['name']}: time {frame['time']}")
+            mesh = read(out / "frames" / frame["name"])
+            check(mesh.GetNumberOfPoints() == len(scene["particles"]), f"{frame['name']}: the number of points")
+            cells.add((mesh.GetNumberOfLines(), mesh.GetNumberOfPolys()))
+            points = [mesh.GetPoint(i) for i in range(mesh.GetNumberOfPoints())]
+            velocity = mesh.GetPointData().GetArray("velocity")
+            check(velocity.GetNumberOfTuples() == len(points), f"{frame['name']}: the number of velocities")
+            check(all(math.isfinite(x) for point in points for x in point), f"{frame['name']}: a place is no number")
+            check(all(math.isfinite(x) for i in range(len(points)) for x in velocity.GetTuple(i)),
+                  f"{frame['name']}: a velocity is no number")
+            now = {"ball": points[middle]}
+            for name, loop in (("rim", rim), ("cord", cord)):
+                now[name] = sum(points[i][2] for i in loop) / len(loop)
+                if before and before["ball"][2] > before[name] and now["ball"][2] <= now[name]:
+                    passed[name] += abs(winding_number([points[i] for i in loop], now["ball"]))
+            before = now
+        check(len(cells) == 1 and min(cells)[0] > 500, f"lines and polygons: {cells}")
+        check(passed == {"rim": 1, "cord": 1}, f"the ball fell through: {passed}")
+        check(before["ball"][2] < 0.13, f"in the end the ball's middle is at {before['ball']}")
+    print(f"VTK read {len(frames)} frames of ten seconds, in which the ball goes through the net")
+
+
+check_small(sys.argv[1])
+check_ten_seconds(sys.argv[1])

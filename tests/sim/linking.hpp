@@ -1,0 +1,22 @@
+// The linking number of two closed polygons, counted in exact integers: nothing of it is the simulator's.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "sim/system.hpp"
+
+namespace touchstone::sim {
+
+/// A closed polygon: its particles, in order.
+using Loop = std::vector<Index>;
+
+/// The signed crossings of one over the other in a projection, which is an integer whatever the projection. Positions
+/// are taken as the doubles that they are. Fails the test when two corners and an edge fall on one line of sight.
+int linking_number(const VectorX& q, const Loop& a, const Loop& b);
+
+/// Gauss's integral over both polygons, in doubles: the same number but for rounding. Of a polygon with itself: its
+/// writhe, to which neighbouring edges give nothing.
+double gauss_integral(const VectorX& q, const Loop& a, const Loop& b);
+
+}  // namespace touchstone::sim
