@@ -5,6 +5,7 @@
 
 #include <touchstone/error.hpp>
 
+#include "sim/checkpoint.hpp"
 #include "sim/scene_file.hpp"
 #include "sim/shipped_scenes.hpp"
 #include "sim/simulation.hpp"
