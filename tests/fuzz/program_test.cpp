@@ -175,7 +175,7 @@ TEST_CASE("bad usage ends with status 2 and one line, and writes nothing") {
 
 TEST_CASE("queries of files are asked, with what lies around them, and a finding repeats itself") {
   const TemporaryFolder folder;
-  REQUIRE(run_program({"simulate", "hoop", "--size", "200", "--steps", "30", "--queries", folder.path("q")}).status ==
+  REQUIRE(run_program({"simulate", "hoop", "--size", "200", "--steps", "60", "--queries", folder.path("q")}).status ==
           0);
   const std::string edges = folder.path("q/edge-edge/candidates.csv"),
                     faces = folder.path("q/vertex-face/candidates.csv");
