@@ -36,6 +36,8 @@ struct NewtonResult {
   Mover mover;           ///< when it did not converge
 };
 
+class NewtonMatrix;
+
 class Newton {
  public:
   Newton(const System& system, const Settings& settings, PatternCache& patterns);
@@ -48,7 +50,7 @@ class Newton {
   NewtonResult minimise(const Stage& stage, const VectorX& guess, VectorX& q, Frames& frames);
 
  private:
-  class Matrix;
+  struct Place;
   struct Excursion;
   struct Potential {
     double value = 0;
@@ -62,11 +64,14 @@ class Newton {
     Potential potential;
   };
   Potential potential(const Stage& stage, const VectorX& q, const Frames& frames) const;
+  /// Where the potential is lower: at the guess, or where nothing has moved but what must.
+  Place start(const Stage& stage, const VectorX& guess, const VectorX& q, const Frames& frames) const;
+  NewtonResult descend(const Stage& stage, Place& here);
 
   const System* system_;
   Energy energy_;
   double drag_, tolerance_;
-  std::unique_ptr<Matrix> matrix_;
+  std::unique_ptr<NewtonMatrix> matrix_;
 };
 
 }  // namespace touchstone::sim
