@@ -272,6 +272,7 @@ NewtonResult Newton::minimise(const Stage& stage, const VectorX& guess, VectorX&
         go_out();
         continue;
       }
+      out.left = 0;  // also where its next place is out of range
       q = std::move(out.q);
       frames = std::move(out.frames);
       now = out.potential;
