@@ -158,8 +158,8 @@ void SparseSolver::Parts::iterate(Vector& right) const {
     times(p, hp);
     const double curvature = numbers(p).dot(numbers(hp));
     if (!(curvature > 0)) {
-      // The whole need not be positive where what is in the pattern is. What has been found leads down; if that is nothing,
-      // the preconditioner's own answer does, while a step of length zero would look like an arrival.
+      // The whole need not be positive where what is in the pattern is. What has been found leads down; if that is
+      // nothing, the preconditioner's own answer does, while a step of length zero would look like an arrival.
       if (i == 0) x = p;
       break;
     }

@@ -283,7 +283,8 @@ TEST_CASE("a contact's second derivative is exact where its pull is, and never n
   }
 }
 
-TEST_CASE("where contacts make a large system indefinite beside its pattern, the answer still leads down, and is not zero") {
+TEST_CASE(
+    "where contacts make a large system indefinite beside its pattern, the answer still leads down, and is not zero") {
   constexpr int kSize = 600;
   PatternCache cache;
   SparseSolver solver(kSize, {}, cache);

@@ -206,7 +206,8 @@ TEST_CASE("an explicit step that explodes says which step it would have needed")
   CHECK(simulation.state().q.allFinite());
 }
 
-TEST_CASE("a part of a cable that is thrown at the greatest speed there is: steps are taken or refused, and no search gets lost") {
+TEST_CASE(
+    "a cable that is thrown at the greatest speed there is: its steps are taken or refused, no search gets lost") {
   // Newton's method leaves the range of doubles here, in the middle of steps uphill.
   Scene scene;
   scene.settings.integrator = Integrator::tr_bdf2;
