@@ -190,6 +190,7 @@ NewtonResult Newton::descend(const Stage& stage, Place& here) {
         go_out();
         continue;
       }
+      out.left = 0;  // also where its next place is out of range
       here = std::move(out.from);
       reach = size_of(here.direction);
       best = try_share(0.5);

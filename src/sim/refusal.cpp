@@ -26,7 +26,7 @@ bool can_give_way(const Pair& pair, const System& system, const Elements& elemen
 }
 
 std::string not_converged(const Refusal& refusal, const Scene& scene, const System& system, const VectorX& q) {
-  if (!refusal.with_contacts && scene.settings.integrator == Integrator::symplectic_euler) {
+  if (scene.settings.integrator == Integrator::symplectic_euler) {
     return "its numbers grow out of range; settings.time_step below the stiffest period / pi, or another "
            "settings.integrator than symplectic-euler, would be right";
   }

@@ -157,7 +157,12 @@ void SparseSolver::Parts::iterate(Vector& right) const {
   for (int i = 0; i < kMostIterations && rz > enough; ++i) {
     times(p, hp);
     const double curvature = numbers(p).dot(numbers(hp));
-    if (!(curvature > 0)) break;
+    if (!(curvature > 0)) {
+      // The whole need not be positive where what is in the pattern is. What has been found leads down; if that is
+      // nothing, the preconditioner's own answer does, while a step of length zero would look like an arrival.
+      if (i == 0) x = p;
+      break;
+    }
     const double step = rz / curvature;
     numbers(x) += step * numbers(p);
     numbers(r) -= step * numbers(hp);

@@ -282,3 +282,20 @@ TEST_CASE("a contact's second derivative is exact where its pull is, and never n
     }
   }
 }
+
+TEST_CASE(
+    "where contacts make a large system indefinite beside its pattern, the answer still leads down, and is not zero") {
+  constexpr int kSize = 600;
+  PatternCache cache;
+  SparseSolver solver(kSize, {}, cache);
+  solver.set_contacts({{0, 1, 2, 30, 31, 32, -1, -1, -1, -1, -1, -1}});
+  solver.clear();
+  // A contact resists that its two corners come closer; that they move together, only the pattern's diagonal would.
+  const auto of_contact = [](int i) { return i < 3 || (i >= 30 && i < 33); };
+  for (int i = 0; i < kSize; ++i) solver.add_diagonal(i, of_contact(i) ? -1 : 1);
+  solver.add_contact(0, {1, -1, 0, 0}, 10 * Eigen::Matrix3d::Identity());
+  REQUIRE(solver.factorise());
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(kSize);
+  for (int i = 0; i < kSize; ++i) right[i] = of_contact(i) ? 1 : 0;
+  CHECK(solver.solve(right).dot(right) > 0.1);
+}
