@@ -128,13 +128,13 @@ std::string outcome(const sim::Simulation& simulation, std::uint64_t steps, cons
   const auto& refused = simulation.refused();
   if (totals.parts > steps) {
     text += fmt::format(
-        "{} in {}: refused were {} that did not converge, {} without a response, {} in which contacts "
-        "did work, {} that failed their proof\n",
+        "{} in {}: refused were {} that did not converge, {} without a response, {} that gained "
+        "energy, {} that failed their proof\n",
         counted(steps, "step"), counted(totals.parts, "part"), refused.not_converged, refused.not_resolved,
         refused.gained_energy, refused.not_certified);
   }
   if (totals.gained > 0)
-    text += fmt::format("in {} contacts did work: too short to be cut again\n", counted(totals.gained, "part"));
+    text += fmt::format("in {} energy was gained: too short to be cut again\n", counted(totals.gained, "part"));
   if (totals.first_order > 0) {
     text +=
         fmt::format("{} of first order, by implicit-euler: the scene's integrator gained energy or did not converge\n",

@@ -61,7 +61,7 @@ std::string refused_for_person(const RefusedCounts& counts, const RefusedCounts&
   const std::array<std::pair<std::uint64_t, const char*>, 4> all{
       {{counts.not_converged - before.not_converged, "did not converge"},
        {counts.not_resolved - before.not_resolved, "found no response"},
-       {counts.gained_energy - before.gained_energy, "would have had contacts do work"},
+       {counts.gained_energy - before.gained_energy, "would have gained energy"},
        {counts.not_certified - before.not_certified, "failed their proof"}}};
   std::string text;
   for (const auto& [number, what] : all) {
@@ -89,7 +89,7 @@ std::string refusal_for_person(const Refusal& refusal, const Scene& scene, const
                          can_give_way(*refusal.pair, system, elements)
                              ? "have no room between what is held or driven; paths that leave them room would be right"
                              : "nothing of them is free to give way; other paths or pins would be right");
-    case Cause::gained_energy: return "contacts would do work";
+    case Cause::gained_energy: return "energy would be gained";
     case Cause::not_certified:
       return fmt::format(
           "{} would cross at {}; a smaller settings.time_step or a larger settings.contact.thickness "

@@ -12,7 +12,7 @@ namespace touchstone::sim {
 enum class Cause : std::uint8_t {
   not_converged,  ///< Newton's method, or the step is not finite
   not_resolved,   ///< the response found no way
-  gained_energy,  ///< contacts would have done work
+  gained_energy,  ///< energy would have come from nothing
   not_certified   ///< the proof found a crossing
 };
 

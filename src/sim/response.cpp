@@ -16,6 +16,7 @@ constexpr int kSweeps = 4;            // over all contacts known so far, in each
 constexpr int kSolves = 4;            // implicit steps, each with the contacts that the one before it left
 constexpr double kStiffer = 20;       // contact stiffness over that of the elements
 constexpr double kLimitKnown = 0.2;   // by which share of the largest one limits of friction may still change
+constexpr double kFastestOut = 1.0;   // m/s at which what is too near is pushed apart
 constexpr double kStickSpeed = 5e-3;  // m/s: slower slip is friction at rest
 
 using PairKey = std::tuple<Kind, Index, Index>;
@@ -110,6 +111,8 @@ Response::Outcome Response::respond(Stepper& stepper, const State& state, double
 }
 
 double Response::recovery(double h) const { return 0.2 * std::min(1.0, h / time_step_); }
+
+double Response::pushed_out(double room, double h) const { return std::min(recovery(h) * room, kFastestOut * h); }
 
 bool Response::is_stiff(const Contact& contact, double h) const {
   for (std::size_t c = 0; c < contact.corners; ++c) {
@@ -206,7 +209,7 @@ ContactTerm Response::term_of(const Contact& contact, const Work& work) const {
   term.stiffness = softness > 0 ? kStiffer / softness : 0;
   // Elements may come as near as the thickness; what is nearer already moves out slowly.
   const double room = thickness_ - contact.gap;
-  term.goal = room > 0 ? recovery(work.h) * room : room;
+  term.goal = room > 0 ? pushed_out(room, work.h) : room;
   // The speed of impact is that before the step: at its end, what leans on a contact would seem to fly into it.
   const double approach = work.h * contact.normal.dot(relative_motion(term, work.state->v));
   if (approach < -2 * gravity_.norm() * work.h * work.h)
@@ -222,7 +225,7 @@ bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Con
     terms.push_back(term_of(contact, work));
     // What its spring holds where elements are nearer than the thickness.
     if (contact.gap < thickness_) {
-      const double out = recovery(work.h) * (thickness_ - contact.gap);
+      const double out = pushed_out(thickness_ - contact.gap, work.h);
       work.slack += 0.5 * terms.back().stiffness * out * out;
     }
     term_of_pair.emplace_back(key(contact.pair), terms.size() - 1);

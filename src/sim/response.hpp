@@ -51,6 +51,8 @@ class Response {
   ContactTerm term_of(const Contact& contact, const Work& work) const;
   /// The share of a missing distance that is made good in h seconds: the same speed for any h.
   double recovery(double h) const;
+  /// How far elements in a contact of the potential, `room` m nearer than the thickness, are to move apart, m.
+  double pushed_out(double room, double h) const;
   /// Whether the springs of its particles answer within the step.
   bool is_stiff(const Contact& contact, double h) const;
   void take_velocities(const Work& work, State& next) const;

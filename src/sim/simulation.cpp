@@ -15,7 +15,7 @@ namespace touchstone::sim {
 namespace {
 
 constexpr int kMostParts = 20'000;    // of a step, refused ones included: 2^24 of them would take for ever
-constexpr double kEnergyParts = 100;  // of a step, to which it is cut at most because contacts would do work
+constexpr double kEnergyParts = 100;  // of a step, to which it is cut at most because it would gain energy
 
 Scene checked(Scene scene) {
   check_scene(scene);
@@ -130,6 +130,11 @@ std::optional<Refusal> Simulation::try_part(double h, double end_time, StepRecor
     return refusal;
   };
   if (!advance.converged) return not_converged(advance.mover, false);
+  // Halving helps until steps are as short as what the elements and contacts answer in; after that, the step is better
+  // taken than halved for ever.
+  const bool may_be_cut = narrow_phase_ == NarrowPhase::exact && h > scene_.settings.time_step / kEnergyParts;
+  if (advance.gained_energy && may_be_cut) return refused(Cause::gained_energy);
+  record.gained_energy = advance.gained_energy ? 1 : 0;
   State& next = advance.state;
   switch (response_.respond(stepper_, state_, h, next, record.response, times_)) {
     case Response::Outcome::done: break;
@@ -143,12 +148,8 @@ std::optional<Refusal> Simulation::try_part(double h, double end_time, StepRecor
       return refusal;
     }
     case Response::Outcome::gained_energy:
-      // Halving helps until contacts are solved for on the scale on which the elements answer; after that, the step is
-      // better taken than halved for ever.
-      if (narrow_phase_ == NarrowPhase::exact && h > scene_.settings.time_step / kEnergyParts) {
-        return refused(Cause::gained_energy);
-      }
-      ++record.gained_energy;
+      if (may_be_cut) return refused(Cause::gained_energy);
+      record.gained_energy = 1;
       break;
   }
   if (!next.q.allFinite() || !next.v.allFinite()) return not_converged({}, false);

@@ -39,7 +39,7 @@ struct StepRecord {
   double length = 0;       ///< s
   int newton_iterations = 0, newton_convex = 0;
   int first_order = 0;    ///< 1 when implicit Euler stood in for the scene's own method
-  int gained_energy = 0;  ///< 1 when contacts did work, and the part was too short to be cut again
+  int gained_energy = 0;  ///< 1 when the part gained energy, and was too short to be cut again
   ResponseCounts response;
   Proof proof;
 };

@@ -9,8 +9,8 @@ namespace touchstone::sim {
 namespace {
 
 // Second-order methods keep the energy of small vibrations or take from it, but on stiff elements that turn in a step
-// they may multiply it.
-constexpr double kEnergyShare = 2e-3;  // of the kinetic and stored energy: a step that gains more is of first order
+// they may multiply it. Implicit Euler takes from it where the potential is convex, and where it buckles mostly.
+constexpr double kEnergyShare = 2e-3;  // of the kinetic and stored energy, which a step may gain
 constexpr double kStubborn = 0.125;    // of the scene's step: where they do not converge in that, implicit Euler may
 constexpr double kContactTolerance = 1e-3;  // m/s: contact springs are no more exact than this
 
@@ -42,16 +42,21 @@ Advance Stepper::advance(const State& state, double h) {
     case Integrator::symplectic_euler: advance = symplectic_euler(state, h); break;
   }
   if (advance.converged) finish(state, h, advance.state);
+  const bool is_explicit = settings_.integrator == Integrator::symplectic_euler;
   const bool second_order =
       settings_.integrator == Integrator::tr_bdf2 || settings_.integrator == Integrator::implicit_midpoint;
   const bool is_short = h <= kStubborn * settings_.time_step;
-  if (second_order && (advance.converged ? gained_energy(state, h, advance.state) : is_short)) {
+  advance.gained_energy = advance.converged && !is_explicit && gained_energy(state, h, advance.state);
+  if (second_order && (advance.converged ? advance.gained_energy : is_short)) {
     const Advance tried = std::move(advance);
     advance = implicit_euler(state, h);
     advance.iterations += tried.iterations;
     advance.convex += tried.convex;
     advance.first_order = true;
-    if (advance.converged) finish(state, h, advance.state);
+    if (advance.converged) {
+      finish(state, h, advance.state);
+      advance.gained_energy = gained_energy(state, h, advance.state);
+    }
   }
   if (!advance.converged) return advance;
   if (!advance.state.q.allFinite() || !advance.state.v.allFinite()) advance.converged = false;

@@ -16,11 +16,12 @@ struct State {
 
 struct Advance {
   bool converged = false;
-  State state;               ///< at the end of the step, when it converged
-  int iterations = 0;        ///< of Newton's method, over all stages
-  int convex = 0;            ///< of these, with second derivatives made positive
-  bool first_order = false;  ///< by implicit Euler, where the scene's own method gains energy or does not converge
-  Mover mover;               ///< when it did not converge
+  State state;                 ///< at the end of the step, when it converged
+  int iterations = 0;          ///< of Newton's method, over all stages
+  int convex = 0;              ///< of these, with second derivatives made positive
+  bool first_order = false;    ///< by implicit Euler, where the scene's own method gains energy or does not converge
+  bool gained_energy = false;  ///< more than a little, and than driven coordinates gave; not told of explicit steps
+  Mover mover;                 ///< when it did not converge
 };
 
 class Stepper {
