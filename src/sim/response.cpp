@@ -132,7 +132,7 @@ void Response::take_velocities(const Work& work, State& next) const {
 }
 
 bool Response::gained_energy(const Work& work, const State& next) const {
-  // Contacts take energy away; without them it only falls, but for what driven particles give.
+  // Contacts take energy away, but for what driven particles give; what gains without them was refused before.
   // Pushing apart what was too near lifts weight; that is not the contacts' doing.
   const double lifted = (system_->force.head(work.pushed.size()).array() * work.pushed.array()).abs().sum();
   return energies(*system_, next).total() > work.energy + work.slack + lifted + std::max(work.driven, 0.0);
