@@ -20,15 +20,27 @@ enum class Nature : std::uint8_t {
 /// The part of an element that is touched. Of several names for one place, the first in this order is given
 /// (a zero-length edge is touched at its first corner).
 enum class Feature : std::uint8_t {
-  none,  ///< no contact
-  a0, a1, a,                      ///< corners and interior of the first edge
-  b0, b1, b,                      ///< corners and interior of the second edge
-  v,                              ///< the vertex of a vertex-face query
-  f0, f1, f2, f01, f12, f20, f,   ///< corners, edges and interior of the face
-  p,                              ///< the (first) point of a point-edge or point-point query
-  e0, e1, e,                      ///< corners and interior of the edge of a point-edge query
-  q,                              ///< the second point of a point-point query
-  overlap                         ///< both edges, along a shared part of positive length
+  none,    ///< no contact
+  a0,      ///< first corner of the first edge
+  a1,      ///< second corner of the first edge
+  a,       ///< interior of the first edge
+  b0,      ///< first corner of the second edge
+  b1,      ///< second corner of the second edge
+  b,       ///< interior of the second edge
+  v,       ///< the vertex of a vertex-face query
+  f0,      ///< first corner of the face
+  f1,      ///< second corner of the face
+  f2,      ///< third corner of the face
+  f01,     ///< interior of the face's edge f0 f1
+  f12,     ///< interior of the face's edge f1 f2
+  f20,     ///< interior of the face's edge f2 f0
+  f,       ///< interior of the face
+  p,       ///< the point of a point-edge query, the first point of a point-point query
+  e0,      ///< first corner of the edge of a point-edge query
+  e1,      ///< second corner of the edge of a point-edge query
+  e,       ///< interior of the edge of a point-edge query
+  q,       ///< the second point of a point-point query
+  overlap  ///< both edges, along a segment of positive length
 };
 
 /// Which level of the cascade decided.

@@ -56,15 +56,15 @@ struct touchstone_solver_plugin {
 
   /** Called once before the first query; what it writes to *state is handed to every call. Returns 0 when all is well;
    *  any other number says that this solver cannot run here. NULL: there is nothing to do. */
-  int (*init)(void **state);
+  int (*init)(void** state);
 
   /** The first contact in [0, 1] of one query. `kind` is one of touchstone_kind; returns one of touchstone_status.
    *  *toi is NaN at first and read after TOUCHSTONE_CONTACT only. It should lie in [0, 1], and not after the exact time:
    *  a simulator that steps there must not have passed through. */
-  int (*solve)(void *state, int kind, const double *start, const double *end, double *toi);
+  int (*solve)(void* state, int kind, const double* start, const double* end, double* toi);
 
   /** Called once after the last query, unless the process ended before. NULL: there is nothing to do. */
-  void (*teardown)(void *state);
+  void (*teardown)(void* state);
 };
 
 #ifdef _WIN32
@@ -74,7 +74,7 @@ struct touchstone_solver_plugin {
 #endif
 
 /** The one symbol that is looked up. Your library defines it; a null pointer says that it cannot run here. */
-TOUCHSTONE_EXPORT const struct touchstone_solver_plugin *touchstone_solver(void);
+TOUCHSTONE_EXPORT const struct touchstone_solver_plugin* touchstone_solver(void);
 
 #ifdef __cplusplus
 }

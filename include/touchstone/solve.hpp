@@ -58,7 +58,8 @@ bool has_vectors(VectorWidth width) noexcept;
 struct BatchOptions {
   double t_max = 1.0;
   Method method = Method::fast;
-  int threads = 1;  ///< 1: the calling thread; 0: as many as the machine has; at most 1024. The answers are the same for any number.
+  /// 1: the calling thread; 0: as many as the machine has; at most 1024. The answers are the same for any number.
+  int threads = 1;
   VectorWidth vectors = VectorWidth::widest;  ///< The answers are the same for any width, bit for bit.
 };
 

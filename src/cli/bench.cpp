@@ -73,7 +73,7 @@ std::vector<BenchResult> measured(std::vector<Entry>& entries, const BenchOption
   if (::isatty(STDERR_FILENO) == 1) {
     const double passes = static_cast<double>(entries.size()) * options.repetitions;
     print_error(fmt::format("measuring {} for {:.0f} s or more\n", counted(entries.size(), "entry"),
-               passes * options.min_time));
+                            passes * options.min_time));
   }
   std::vector<std::function<void()>> actions;
   for (Entry& entry : entries) {
@@ -156,7 +156,8 @@ void add_bench(CLI::App& program, Command& command) {
       "(degenerate queries) or files; PART is all, hits (with contact) or misses. METHOD is floor (reads the query "
       "and\n"
       "computes the coplanarity cubic's four Bernstein coefficients, deciding nothing), touchstone (solve),\n"
-      "touchstone_batch (one thread), touchstone_columns (the same, structure of arrays), exact (exact arithmetic alone) or oracle (a few queries).\n\n"
+      "touchstone_batch (one thread), touchstone_columns (the same, structure of arrays), exact (exact arithmetic "
+      "alone) or oracle (a few queries).\n\n"
       "Times are processor time, the median over the repetitions, which are run in random order; `x floor` is the "
       "ratio to\n"
       "the floor of the same set and run, and can be compared across machines. The slowest single query is the best "

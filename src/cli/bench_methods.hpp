@@ -21,8 +21,9 @@ enum class BenchMethod : std::uint8_t {
   exact,       ///< solve with Method::exact
   oracle       ///< solve with Method::oracle
 };
-inline constexpr std::array<BenchMethod, 6> kBenchMethods{BenchMethod::floor,   BenchMethod::touchstone, BenchMethod::batch,
-                                                          BenchMethod::columns, BenchMethod::exact,      BenchMethod::oracle};
+inline constexpr std::array<BenchMethod, 6> kBenchMethods{BenchMethod::floor, BenchMethod::touchstone,
+                                                          BenchMethod::batch, BenchMethod::columns,
+                                                          BenchMethod::exact, BenchMethod::oracle};
 
 std::string_view bench_method_name(BenchMethod method) noexcept;  ///< "touchstone_batch" for batch
 

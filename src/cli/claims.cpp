@@ -5,8 +5,8 @@
 
 #include <filesystem>
 
-#include "cli/words.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/words.hpp"
 #include "io/fail.hpp"
 
 namespace touchstone::cli {

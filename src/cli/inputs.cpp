@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <system_error>
 
-#include "cli/queries/bundled.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/queries/bundled.hpp"
 #include "io/fail.hpp"
 #include "io/kind_of_file.hpp"
 

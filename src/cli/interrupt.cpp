@@ -21,7 +21,8 @@ void note(int signal) { noted_signal = signal; }
 void watch_for_signals() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction before {};
-    if (::sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) continue;  // nohup, or a shell's background job
+    if (::sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN)
+      continue;  // nohup, or a shell's background job
     struct sigaction action {};
     action.sa_handler = note;  // and no SA_RESTART: a read that waits for a pipe must end, too
     ::sigaction(signal, &action, nullptr);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "cli/words.hpp"
 #include "cli/program.hpp"
+#include "cli/words.hpp"
 
 #include <fmt/format.h>
 
@@ -85,8 +85,9 @@ int parse_and_run(int argc, const char* const* argv) {
   } catch (const CLI::RequiredError& error) {
     const auto unknown = program.remaining();
     if (program.get_subcommands().empty() && !unknown.empty()) {
-      return complain("touchstone: " + unknown.front() +
-                      " is no subcommand; they are solve, certify, explain, generate, bench, report, fuzz, stress and simulate");
+      return complain(
+          "touchstone: " + unknown.front() +
+          " is no subcommand; they are solve, certify, explain, generate, bench, report, fuzz, stress and simulate");
     }
     return complain("touchstone: " + first_line(error.what()) + " (see touchstone --help)");
   } catch (const CLI::ParseError& error) {

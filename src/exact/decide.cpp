@@ -107,10 +107,12 @@ Answer first_contact(const Elements& elements, const Exact& limit, Story* story)
     return lasts ? Nature::sustained : Nature::isolated;
   };
   const RealRoot start = RealRoot::rational(Exact(0), Exact(1), 1);
-  if (story == nullptr && touching_at(elements, start, nullptr, found)) return contact_at(elements, start, found, nature_at(start));
+  if (story == nullptr && touching_at(elements, start, nullptr, found))
+    return contact_at(elements, start, found, nature_at(start));
   for (const RealRoot* time : CandidateTimes(elements, limit)) {
     const RealRoot& root = *time;
-    if (touching_at(elements, root, new_chapter(story, root, 0), found)) return contact_at(elements, root, found, nature_at(root));
+    if (touching_at(elements, root, new_chapter(story, root, 0), found))
+      return contact_at(elements, root, found, nature_at(root));
   }
   return Answer();
 }
@@ -147,13 +149,15 @@ void describe(const Elements& elements, Story& story) {
   if constexpr (Elements::kHasCubic) {
     story.has_cubic = true;
     for (const Exact& c : elements.coplanarity().c) story.coefficients.push_back(numbers::to_string(c));
-    story.why = numbers::is_zero(elements.coplanarity())
-                    ? "V is identically zero: the corners are coplanar at all times, and touching may begin only where a "
-                      "corner of one element meets the border of the other"
-                    : "contact is possible only at the roots of V";
+    story.why =
+        numbers::is_zero(elements.coplanarity())
+            ? "V is identically zero: the corners are coplanar at all times, and touching may begin only where a "
+              "corner of one element meets the border of the other"
+            : "contact is possible only at the roots of V";
   } else {
-    story.why = "this kind has no coplanarity cubic: touching may begin only where the point meets the line or the ends "
-                "of the other element";
+    story.why =
+        "this kind has no coplanarity cubic: touching may begin only where the point meets the line or the ends "
+        "of the other element";
   }
 }
 
@@ -192,7 +196,9 @@ Answer decide(const RationalQuery& query, double t_max) { return decide_in<Exact
 Story explain(const Query& query, double t_max) { return tell(query, t_max); }
 Story explain(const RationalQuery& query, double t_max) { return tell(query, t_max); }
 
-std::vector<RootInterval> touching_times(const Query& query, double t_max) { return touching_times_of_any(query, t_max); }
+std::vector<RootInterval> touching_times(const Query& query, double t_max) {
+  return touching_times_of_any(query, t_max);
+}
 std::vector<RootInterval> touching_times(const RationalQuery& query, double t_max) {
   return touching_times_of_any(query, t_max);
 }

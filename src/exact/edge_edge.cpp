@@ -21,9 +21,9 @@ EdgeEdgeElements<N>::EdgeEdgeElements(const typename Forms<N>::Corners& corners)
 template <class N>
 const PointOnEdge<N>& EdgeEdgeElements<N>::pair(Pair which) const {
   static constexpr PointOnEdgeNames names[] = {{"(a0 - b0) x (b1 - b0)", "(a0 - b0) . (a0 - b1)"},
-                                                 {"(a1 - b0) x (b1 - b0)", "(a1 - b0) . (a1 - b1)"},
-                                                 {"(b0 - a0) x (a1 - a0)", "(b0 - a0) . (b0 - a1)"},
-                                                 {"(b1 - a0) x (a1 - a0)", "(b1 - a0) . (b1 - a1)"}};
+                                               {"(a1 - b0) x (b1 - b0)", "(a1 - b0) . (a1 - b1)"},
+                                               {"(b0 - a0) x (a1 - a0)", "(b0 - a0) . (b0 - a1)"},
+                                               {"(b1 - a0) x (a1 - a0)", "(b1 - a0) . (b1 - a1)"}};
   return pairs_[which].value_or_make([&] {
     const bool on_b = which == a0_on_b || which == a1_on_b;
     return PointOnEdge<N>(corners_[which], corners_[on_b ? 2 : 0], corners_[on_b ? 3 : 1], names[which]);
@@ -52,7 +52,8 @@ template <class N>
 void EdgeEdgeElements<N>::locate(const RealRoot& root, const SideSigns& found, Answer& answer) const {
   if (found.axis < 0) return locate_parallel(root, answer);
   const std::size_t axis = static_cast<std::size_t>(found.axis);
-  const auto place = [&](std::size_t first, const auto& other, Feature corner0, Feature corner1, Feature interior, Feature& feature) {
+  const auto place = [&](std::size_t first, const auto& other, Feature corner0, Feature corner1, Feature interior,
+                         Feature& feature) {
     if (found.sign[first] == 0) {
       feature = corner0;
       return std::array<double, 3>{1, 0, 0};

@@ -44,7 +44,8 @@ using Long = numbers::FixedInt<3>;
 /// of 3 such products with B + 1 and 3 with B + 2, below 3 B + 10, and its Bernstein coefficients, below 6 times more, 3 B + 13.
 template <int Limbs>
 constexpr int kMostBits = (64 * 3 * Limbs - 1 - 13) / 3;
-static_assert(kMostBits<1> + 2 < 64 && 2 * kMostBits<1> + 9 < 128 && kMostBits<2> + 2 < 128 && 2 * kMostBits<2> + 9 < 256);
+static_assert(kMostBits<1> + 2 < 64 && 2 * kMostBits<1> + 9 < 128 && kMostBits<2> + 2 < 128 &&
+              2 * kMostBits<2> + 9 < 256);
 static_assert(kMostBits<3> + 2 < 192 && 2 * kMostBits<3> + 9 < 384);
 
 /// Polynomials among whose roots are all times at which touching may begin or end: at most two for each of the four pairs

@@ -23,7 +23,8 @@ void PointEdgeElements<N>::append_events(Events<N>& events) const {
 }
 
 template <class N>
-PointPointElements<N>::PointPointElements(const typename Forms<N>::Corners& corners) : difference_(corners[0] - corners[1]) {}
+PointPointElements<N>::PointPointElements(const typename Forms<N>::Corners& corners)
+    : difference_(corners[0] - corners[1]) {}
 
 template <class N>
 bool PointPointElements<N>::touching(const Moment& moment, SideSigns&) const {

@@ -21,11 +21,10 @@ VertexFaceElements<N>::VertexFaceElements(const typename Forms<N>::Corners& corn
 template <class N>
 const PointOnEdge<N>& VertexFaceElements<N>::side(std::size_t which) const {
   static constexpr PointOnEdgeNames names[] = {{"(v - f0) x (f1 - f0)", "(v - f0) . (v - f1)"},
-                                                 {"(v - f1) x (f2 - f1)", "(v - f1) . (v - f2)"},
-                                                 {"(v - f2) x (f0 - f2)", "(v - f2) . (v - f0)"}};
-  return sides_[which].value_or_make([&] {
-    return PointOnEdge<N>(corners_[0], corners_[1 + which], corners_[1 + (which + 1) % 3], names[which]);
-  });
+                                               {"(v - f1) x (f2 - f1)", "(v - f1) . (v - f2)"},
+                                               {"(v - f2) x (f0 - f2)", "(v - f2) . (v - f0)"}};
+  return sides_[which].value_or_make(
+      [&] { return PointOnEdge<N>(corners_[0], corners_[1 + which], corners_[1 + (which + 1) % 3], names[which]); });
 }
 
 template <class N>

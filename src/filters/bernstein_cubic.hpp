@@ -64,9 +64,9 @@ class BernsteinCubic {
   }
   double slope(double s, double t) const noexcept { return (d0_ * s + 2 * d1_ * t) * s + d2_ * t * t; }
 
-  std::array<double, 4> c_;       // b0, 3 b1, 3 b2, b3
+  std::array<double, 4> c_;  // b0, 3 b1, 3 b2, b3
   double size_;
-  double d0_, d1_, d2_;           // Bernstein coefficients of the derivative
+  double d0_, d1_, d2_;  // Bernstein coefficients of the derivative
   double curvature_;
 };
 

@@ -64,8 +64,12 @@ SideValues side_values(Kind kind, const Frame& f, const Magnitudes& m, double t,
   if (std::fabs(n[2]) > std::fabs(n[k])) k = 2;
   const double spread = 17 * kUnit + (8 + 0x1p-10) * h;
   const double sign = n[k] > 0 ? 1 : -1;
-  const double second = kind == Kind::edge_edge ? geometry::cross_component(r, u, k) : geometry::cross_component(u, r, k);
-  return {k, sign, {std::fabs(n[k]), spread * m.u * m.w}, {sign * geometry::cross_component(r, w, k), spread * m.r * m.w},
+  const double second =
+      kind == Kind::edge_edge ? geometry::cross_component(r, u, k) : geometry::cross_component(u, r, k);
+  return {k,
+          sign,
+          {std::fabs(n[k]), spread * m.u * m.w},
+          {sign * geometry::cross_component(r, w, k), spread * m.r * m.w},
           {sign * second, spread * m.r * m.u}};
 }
 

@@ -17,11 +17,11 @@ struct ValueAndSlope {
 /// Edge-edge: f1 = (r x w), f2 = (r x u). Vertex-face: f1 = (r x w), f2 = (u x r).
 struct ContactValues {
   double coplanarity;
-  ValueAndSlope normal;   ///< n
-  ValueAndSlope first;    ///< f1
-  ValueAndSlope second;   ///< f2
-  ValueAndSlope third;    ///< n - f1 for edges, n - f1 - f2 for a face
-  ValueAndSlope fourth;   ///< n - f2 for edges; for a face the same as `third`
+  ValueAndSlope normal;  ///< n
+  ValueAndSlope first;   ///< f1
+  ValueAndSlope second;  ///< f2
+  ValueAndSlope third;   ///< n - f1 for edges, n - f1 - f2 for a face
+  ValueAndSlope fourth;  ///< n - f2 for edges; for a face the same as `third`
 };
 
 // Errors of the values, in e^2 = 2^-106, for coordinates of u bounded by U (likewise w, r), from the operators of
@@ -39,7 +39,8 @@ struct ContactValues {
 //   sums, at most 4 P: low parts 12 ..., 16 ..., 16 ..., 20 ...: 64. In all 96 + 88 + 32 + 64 = 280 e^2 P.
 constexpr double kUnitSquared = 0x1p-106;
 constexpr double kCoplanarityError = 281 * kUnitSquared;  ///< of V, times P = U W R, before its rounding to a double
-constexpr double kComponentError = 103 * kUnitSquared;    ///< of components and their differences, times M, before rounding
+constexpr double kComponentError =
+    103 * kUnitSquared;  ///< of components and their differences, times M, before rounding
 
 /// The values at t of an edge-edge query (`edges`) or a vertex-face query with these corners; t in [0, 1] or a little beyond,
 /// and exact_to_one (see bernstein_cubic.hpp).
@@ -47,7 +48,8 @@ ContactValues contact_values(const Vec3* start, const Vec3* end, bool edges, dou
 
 /// The code that it chooses from, with the same result bit for bit (but where a product's low part underflows): `fused` for
 /// processors with AVX2 and fused multiply-add, null where there is none; the other for every processor.
-using ContactValuesFunction = ContactValues (*)(const Vec3* start, const Vec3* end, bool edges, double t, std::size_t axis);
+using ContactValuesFunction = ContactValues (*)(const Vec3* start, const Vec3* end, bool edges, double t,
+                                                std::size_t axis);
 ContactValuesFunction contact_values_function(bool fused) noexcept;
 
 }  // namespace touchstone::filters

@@ -54,7 +54,9 @@ inline Component component(const Moving& a, const Moving& b, const Precise& valu
   return {coordinate(value, k), slope.v[k]};
 }
 
-inline Component operator-(const Component& a, const Component& b) noexcept { return {a.value - b.value, a.slope - b.slope}; }
+inline Component operator-(const Component& a, const Component& b) noexcept {
+  return {a.value - b.value, a.slope - b.slope};
+}
 
 inline ValueAndSlope rounded(const Component& a) noexcept { return {numbers::rounded(a.value), a.slope}; }
 
@@ -74,7 +76,8 @@ inline PreciseValues precise_values(const Vec3* start, const Vec3* end, bool edg
   const DoubleDouble coplanarity = coordinate(products, 0) + coordinate(products, 1) + coordinate(products, 2);
   const Component normal = component(u, w, n, k);
   const Component first = component(r, w, cross(r.value, w.value), k);
-  const Component second = edges ? component(r, u, cross(r.value, u.value), k) : component(u, r, cross(u.value, r.value), k);
+  const Component second =
+      edges ? component(r, u, cross(r.value, u.value), k) : component(u, r, cross(u.value, r.value), k);
   const Component without_first = normal - first;
   const Component third = edges ? without_first : without_first - second;
   const Component fourth = edges ? normal - second : third;
@@ -83,7 +86,11 @@ inline PreciseValues precise_values(const Vec3* start, const Vec3* end, bool edg
 
 inline ContactValues contact_values_by_steps(const Vec3* start, const Vec3* end, bool edges, double t, std::size_t k) {
   const PreciseValues at = precise_values(start, end, edges, t, k);
-  return {numbers::rounded(at.coplanarity), rounded(at.normal), rounded(at.first), rounded(at.second), rounded(at.third),
+  return {numbers::rounded(at.coplanarity),
+          rounded(at.normal),
+          rounded(at.first),
+          rounded(at.second),
+          rounded(at.third),
           rounded(at.fourth)};
 }
 

@@ -43,7 +43,8 @@ constexpr double kGreatestProduct = 0x1p1000;
 /// Whether the bounds say something for U W and U W R: a bool, or a vector of them.
 template <class N>
 TOUCHSTONE_INLINE auto products_in_range(const N& uw, const N& uwr) noexcept {
-  return decltype(uw > uw)((uw >= kLeastProduct) & (uw <= kGreatestProduct) & (uwr >= kLeastProduct) & (uwr <= kGreatestProduct));
+  return decltype(uw > uw)((uw >= kLeastProduct) & (uw <= kGreatestProduct) & (uwr >= kLeastProduct) &
+                           (uwr <= kGreatestProduct));
 }
 
 /// The three difference vectors of which V is the determinant, at both ends of the step; each coordinate is one
@@ -76,7 +77,8 @@ TOUCHSTONE_INLINE std::array<N, 4> coplanarity_coefficients(const FrameOf<N>& f)
   const geometry::Vector<N> n2 = cross(f.u1, f.w1);
   const geometry::Vector<N> c01 = cross(f.u0, f.w1);
   const geometry::Vector<N> c10 = cross(f.u1, f.w0);
-  const geometry::Vector<N> n1 = {{c01[0] + c10[0], c01[1] + c10[1], c01[2] + c10[2]}};  // twice the middle coefficient of u x w
+  const geometry::Vector<N> n1 = {
+      {c01[0] + c10[0], c01[1] + c10[1], c01[2] + c10[2]}};  // twice the middle coefficient of u x w
   return {dot(n0, f.r0), dot(n1, f.r0) + dot(n0, f.r1), dot(n2, f.r0) + dot(n1, f.r1), dot(n2, f.r1)};
 }
 

@@ -20,7 +20,8 @@ Proof direction_proof(const Query& query) noexcept {
 
 /// The bracket level.
 Decision decide_by_roots(const Query& query, double t_max, Want want, ExactValue exact_value, Answer& answer) {
-  const Frame frame = frame_of(query);  // once more: keeping it from the first test costs the many queries that it settles
+  // Computed again: keeping it from the first test would slow down the many queries that the first test settles.
+  const Frame frame = frame_of(query);
   return bracket(query, frame, coplanarity_coefficients(frame), t_max, want, exact_value, answer);
 }
 
@@ -35,9 +36,7 @@ Decision decide_in_plane(const Query& query, double t_max, Want want, ExactValue
 
 }  // namespace
 
-bool same_side(const Query& query) noexcept {
-  return has_cubic(query.kind) && certain_same_side_by_ends(query);
-}
+bool same_side(const Query& query) noexcept { return has_cubic(query.kind) && certain_same_side_by_ends(query); }
 
 Proof separation_proof(const Query& query) noexcept {
   if (same_side(query)) return Proof::same_side;
@@ -49,7 +48,7 @@ Decision decide(const Query& query, double t_max, Want want, ExactValue exact_va
   if (touch_in_shared_corner(query, t_max, answer)) return Decision::contact;
   if (boxes_disjoint(query)) return Decision::no_contact;
   // Before the other proofs of separation: of what comes so far most touch, or have a root and pass beside each other.
-  const Decision decision = has_cubic(query.kind) ? decide_by_roots(query, t_max, want, exact_value, answer)
+  const Decision decision = has_cubic(query.kind)            ? decide_by_roots(query, t_max, want, exact_value, answer)
                             : query.kind == Kind::point_edge ? decide_in_plane(query, t_max, want, exact_value, answer)
                                                              : Decision::uncertain;
   if (decision != Decision::uncertain) {

@@ -24,7 +24,8 @@ double size_of(const Query& q, Axis x, Axis y) noexcept {
   double largest = 0;
   for (std::size_t i = 1; i < 3; ++i) {
     for (const Axis axis : {x, y}) {
-      largest = std::max({largest, std::fabs(q.start[i].*axis - q.start[0].*axis), std::fabs(q.end[i].*axis - q.end[0].*axis)});
+      largest = std::max(
+          {largest, std::fabs(q.start[i].*axis - q.start[0].*axis), std::fabs(q.end[i].*axis - q.end[0].*axis)});
     }
   }
   return largest > 0 && std::isfinite(largest) ? std::ldexp(1.0, std::ilogb(largest)) : 0;
@@ -34,7 +35,8 @@ double size_of(const Query& q, Axis x, Axis y) noexcept {
 
 bool as_crossing_edges(const Query& point_edge, Query& edges) noexcept {
   const Query& q = point_edge;
-  constexpr Axis kPlanes[][3] = {{&Vec3::z, &Vec3::x, &Vec3::y}, {&Vec3::x, &Vec3::y, &Vec3::z}, {&Vec3::y, &Vec3::z, &Vec3::x}};
+  constexpr Axis kPlanes[][3] = {
+      {&Vec3::z, &Vec3::x, &Vec3::y}, {&Vec3::x, &Vec3::y, &Vec3::z}, {&Vec3::y, &Vec3::z, &Vec3::x}};
   for (const auto& [across, x, y] : kPlanes) {
     if (!is_constant(q, across)) continue;
     const double size = size_of(q, x, y);

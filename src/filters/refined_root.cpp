@@ -163,8 +163,8 @@ class NeighbouringDoubles {
 
 }  // namespace
 
-RootVerdict refine_root(const Query& query, const SimpleRoot& root, const ContactFrame& frame, bool inside, double t_max,
-                        ExactValue exact_value, Answer& answer) {
+RootVerdict refine_root(const Query& query, const SimpleRoot& root, const ContactFrame& frame, bool inside,
+                        double t_max, ExactValue exact_value, Answer& answer) {
   const bool edges = query.kind == Kind::edge_edge;
   const ContactValues at = contact_values(query.start.data(), query.end.data(), edges, root.t, frame.axis);
   const Offset offset = offset_of(root, root.t, at.coplanarity, kCoplanarityError * frame.product);
@@ -175,7 +175,8 @@ RootVerdict refine_root(const Query& query, const SimpleRoot& root, const Contac
   const double ru = frame.r * frame.u;
   if (!inside) {
     const int s = at.normal.value > 0 ? 1 : -1;
-    const int signs[4] = {s * sign_at_root(at.first, offset, spread * rw), s * sign_at_root(at.second, offset, spread * ru),
+    const int signs[4] = {s * sign_at_root(at.first, offset, spread * rw),
+                          s * sign_at_root(at.second, offset, spread * ru),
                           s * sign_at_root(at.third, offset, spread * (edges ? uw + rw : uw + rw + ru)),
                           edges ? s * sign_at_root(at.fourth, offset, spread * (uw + ru)) : 1};
     const int least = std::min({signs[0], signs[1], signs[2], signs[3]});
@@ -194,7 +195,9 @@ RootVerdict refine_root(const Query& query, const SimpleRoot& root, const Contac
   const double normal = at_root(at.normal, offset);
   constexpr double kWeightError = 2.75 * kUnit;
   if (!(spread * (2 * uw + rw + ru) <= kWeightError * std::fabs(normal))) return RootVerdict::uncertain;
-  const auto weight = [&](const ValueAndSlope& numerator) { return std::clamp(at_root(numerator, offset) / normal, 0.0, 1.0); };
+  const auto weight = [&](const ValueAndSlope& numerator) {
+    return std::clamp(at_root(numerator, offset) / normal, 0.0, 1.0);
+  };
   answer.contact = true;
   answer.nature = Nature::crossing;
   answer.toi = times.toi;

@@ -16,7 +16,7 @@ namespace touchstone::filters {
 /// least half of it (see BernsteinCubic::Root). At h away from t, h at most the radius, V' differs from `slope` by at most
 /// slope_error + curvature h.
 struct SimpleRoot {
-  double t;            ///< 1 - t is a double
+  double t;  ///< 1 - t is a double
   double radius;
   double slope;
   double slope_error;
@@ -32,15 +32,15 @@ struct ContactFrame {
 
 /// What is to be said of one root of V.
 enum class RootVerdict : std::uint8_t {
-  contact,    ///< the elements touch there; the answer is written
-  outside,    ///< they do not touch there
-  too_late,   ///< the root lies after t_max
-  uncertain   ///< a time, a side or a weight cannot be certified: a touched corner or border, for one
+  contact,   ///< the elements touch there; the answer is written
+  outside,   ///< they do not touch there
+  too_late,  ///< the root lies after t_max
+  uncertain  ///< a time, a side or a weight cannot be certified: a touched corner or border, for one
 };
 
 /// Decides a simple root of V. `inside` says that the side conditions are known to hold; otherwise they are decided
 /// here. Asks `exact_value` when the time is too close to a double.
-RootVerdict refine_root(const Query& query, const SimpleRoot& root, const ContactFrame& frame, bool inside, double t_max,
-                        ExactValue exact_value, Answer& answer);
+RootVerdict refine_root(const Query& query, const SimpleRoot& root, const ContactFrame& frame, bool inside,
+                        double t_max, ExactValue exact_value, Answer& answer);
 
 }  // namespace touchstone::filters

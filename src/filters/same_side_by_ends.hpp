@@ -13,7 +13,9 @@ namespace {
 using Ends = numbers::Pack<2>;  // at t = 0 and at t = 1
 using EndsVector = geometry::Vector<Ends>;
 
-inline EndsVector operator-(const EndsVector& a, const EndsVector& b) { return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}}; }
+inline EndsVector operator-(const EndsVector& a, const EndsVector& b) {
+  return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}};
+}
 inline EndsVector swapped(const EndsVector& a) {
   return {{numbers::swapped(a[0]), numbers::swapped(a[1]), numbers::swapped(a[2])}};
 }
@@ -40,8 +42,8 @@ inline bool certain_same_side_by_ends(const Query& query) noexcept {
   const EndsVector c = geometry::cross(u, swapped(w));  // u0 x w1 and u1 x w0
   const EndsVector d = swapped(c);
   const EndsVector n1 = {{c[0] + d[0], c[1] + d[1], c[2] + d[2]}};
-  const Ends outer = geometry::dot(n, r);                                     // b0 and b3
-  const Ends inner = geometry::dot(n1, r) + geometry::dot(n, swapped(r));     // 3 b1 and 3 b2
+  const Ends outer = geometry::dot(n, r);                                  // b0 and b3
+  const Ends inner = geometry::dot(n1, r) + geometry::dot(n, swapped(r));  // 3 b1 and 3 b2
 
   const double uw = largest(u) * largest(w);
   const double uwr = uw * largest(r);
@@ -49,7 +51,8 @@ inline bool certain_same_side_by_ends(const Query& query) noexcept {
   const double ends = kEndsBound * uwr;
   const double middle = kMiddleBound * uwr;
   const Ends sign = numbers::pack(outer.v[0], outer.v[0]);
-  const auto same = (flipped(outer, sign) > numbers::pack(ends, ends)) & (flipped(inner, sign) > numbers::pack(middle, middle));
+  const auto same =
+      (flipped(outer, sign) > numbers::pack(ends, ends)) & (flipped(inner, sign) > numbers::pack(middle, middle));
   return valid & (same[0] != 0) & (same[1] != 0);
 }
 

@@ -21,7 +21,9 @@ double largest_of(const Vector& v) noexcept { return std::max({std::fabs(v[0]), 
 
 std::size_t corners_of_first(Kind kind) noexcept { return kind == Kind::edge_edge ? 2 : 1; }
 
-Vector relative(const Vec3& x, const Vec3& origin) noexcept { return {{x.x - origin.x, x.y - origin.y, x.z - origin.z}}; }
+Vector relative(const Vec3& x, const Vec3& origin) noexcept {
+  return {{x.x - origin.x, x.y - origin.y, x.z - origin.z}};
+}
 
 }  // namespace
 

@@ -6,8 +6,8 @@
 
 #include <touchstone/error.hpp>
 
-#include "seeded/rng.hpp"
 #include "generators/step.hpp"
+#include "seeded/rng.hpp"
 
 namespace touchstone::generators {
 namespace {

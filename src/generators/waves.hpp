@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "seeded/rng.hpp"
 #include "generators/vectors.hpp"
+#include "seeded/rng.hpp"
 
 namespace touchstone::generators {
 

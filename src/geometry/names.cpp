@@ -35,8 +35,8 @@ std::string_view nature_name(Nature nature) noexcept {
 }
 
 std::string_view feature_name(Feature feature) noexcept {
-  static constexpr std::string_view names[] = {"",    "a0",  "a1", "a", "b0", "b1", "b", "v", "f0", "f1",
-                                               "f2", "f01", "f12", "f20", "f", "p", "e0", "e1", "e", "q", "overlap"};
+  static constexpr std::string_view names[] = {"",    "a0",  "a1",  "a", "b0", "b1", "b",  "v", "f0", "f1",     "f2",
+                                               "f01", "f12", "f20", "f", "p",  "e0", "e1", "e", "q",  "overlap"};
   return names[static_cast<std::size_t>(feature)];
 }
 

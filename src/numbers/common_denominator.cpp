@@ -9,7 +9,8 @@
 
 namespace touchstone::numbers {
 
-std::vector<Exact> over_common_denominator(const std::vector<std::pair<std::string_view, std::string_view>>& fractions) {
+std::vector<Exact> over_common_denominator(
+    const std::vector<std::pair<std::string_view, std::string_view>>& fractions) {
   const auto integer = [](std::string_view text) { return mpz_class(std::string(text)); };
   mpz_class multiple(1);
   for (const auto& fraction : fractions) multiple = lcm(multiple, integer(fraction.second));

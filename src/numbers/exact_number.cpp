@@ -30,7 +30,8 @@ Approximation approximate(const Exact& x) {
   Exact::Limb bits = top << zeros;
   if (zeros > 0 && count > 1) bits |= x.limb(count - 2) >> (kLimbBits - zeros);
   const double significand = static_cast<double>(bits) * 0x1p-64;
-  return {x.sign() < 0 ? -significand : significand, (static_cast<long>(x.limb_exponent()) + count) * kLimbBits - zeros};
+  return {x.sign() < 0 ? -significand : significand,
+          (static_cast<long>(x.limb_exponent()) + count) * kLimbBits - zeros};
 }
 
 double to_double(const Exact& x) {

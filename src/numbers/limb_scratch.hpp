@@ -29,7 +29,8 @@ class LimbScratch {
   /// Whether the block was one of the thread's, and is so no more.
   static bool give_back(const Limb* block) noexcept {
     for (LimbScratch* scratch = current_; scratch != nullptr; scratch = scratch->previous_) {
-      const std::ptrdiff_t offset = reinterpret_cast<std::intptr_t>(block) - reinterpret_cast<std::intptr_t>(scratch->blocks_);
+      const std::ptrdiff_t offset =
+          reinterpret_cast<std::intptr_t>(block) - reinterpret_cast<std::intptr_t>(scratch->blocks_);
       if (offset < 0 || offset >= static_cast<std::ptrdiff_t>(sizeof blocks_)) continue;
       scratch->free_ |= std::uint64_t{1} << (offset / static_cast<std::ptrdiff_t>(sizeof blocks_[0]));
       return true;

@@ -40,7 +40,9 @@ struct Pack {
   friend Pack flipped(Pack a, Pack s) { return from_bits(a.bits() ^ (s.bits() & INT64_MIN)); }
 
   typename Lane<Lanes>::Integers bits() const { return reinterpret_cast<typename Lane<Lanes>::Integers>(v); }
-  static Pack from_bits(typename Lane<Lanes>::Integers b) { return {reinterpret_cast<typename Lane<Lanes>::Doubles>(b)}; }
+  static Pack from_bits(typename Lane<Lanes>::Integers b) {
+    return {reinterpret_cast<typename Lane<Lanes>::Doubles>(b)};
+  }
 };
 
 inline Pack<4> pack(double a, double b, double c, double d) {

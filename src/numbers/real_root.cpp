@@ -86,8 +86,7 @@ bool quotient_over(const RootBracket& bracket, Coefficients numerator, Coefficie
     d_greatest = -d_greatest;
   }
   if (sign_of(n_least) < 0) n_least = Exact(0);  // the quotient is known not to be negative
-  if (sign_of(d_least) <= 0 ||
-      n_greatest * d_greatest - n_least * d_least > Exact(0x1p-53) * d_least * d_greatest) {
+  if (sign_of(d_least) <= 0 || n_greatest * d_greatest - n_least * d_least > Exact(0x1p-53) * d_least * d_greatest) {
     return false;
   }
   result = std::clamp(approximate_quotient(n_least + n_greatest, d_least + d_greatest), 0.0, 1.0);
@@ -219,13 +218,15 @@ void RealRoot::find_neighbouring_doubles() {
       bracket_.keep_between(Exact(std::bit_cast<double>(below)), Exact(std::bit_cast<double>(above)));
       bracket_.narrow(polynomial());
       bracket_.narrow(polynomial());
-      probe = std::bit_cast<std::uint64_t>(std::clamp(to_double((bracket_.low() + bracket_.high()) * Exact(0.5)), 0.0, 1.0));
+      probe = std::bit_cast<std::uint64_t>(
+          std::clamp(to_double((bracket_.low() + bracket_.high()) * Exact(0.5)), 0.0, 1.0));
       stride = 1;
       previous = 0;
     } else if (stride == 0) {
       probe = below + (above - below) / 2;
     } else {
-      probe = side > 0 ? (above - probe > stride ? probe + stride : above) : (probe - below > stride ? probe - stride : below);
+      probe = side > 0 ? (above - probe > stride ? probe + stride : above)
+                       : (probe - below > stride ? probe - stride : below);
       stride *= 2;
     }
   }
@@ -310,7 +311,8 @@ int RealRoot::sign_after(Coefficients q) const {
   for (int size = q.size; size > 0; --size) {
     const int sign = sign_at({derivative.data(), size});
     if (sign != 0) return sign;
-    for (int i = 1; i < size; ++i) derivative[static_cast<std::size_t>(i - 1)] = derivative[static_cast<std::size_t>(i)] * Exact(i);
+    for (int i = 1; i < size; ++i)
+      derivative[static_cast<std::size_t>(i - 1)] = derivative[static_cast<std::size_t>(i)] * Exact(i);
   }
   return 0;
 }
@@ -321,8 +323,10 @@ RealRoot RealRoot::reversed() const {
   const Exact& c1 = p_[1];
   const Exact& c2 = p_[2];
   const Exact& c3 = p_[3];
-  const std::array<Exact, 4> mirrored = {p_[0] + c1 + c2 + c3, -(c1 + Exact(2) * c2 + Exact(3) * c3), c2 + Exact(3) * c3, -c3};
-  RealRoot root = isolated({mirrored.data(), degree_ + 1}, Exact(1) - bracket_.high(), Exact(1) - bracket_.low(), -bracket_.sign_low());
+  const std::array<Exact, 4> mirrored = {p_[0] + c1 + c2 + c3, -(c1 + Exact(2) * c2 + Exact(3) * c3),
+                                         c2 + Exact(3) * c3, -c3};
+  RealRoot root = isolated({mirrored.data(), degree_ + 1}, Exact(1) - bracket_.high(), Exact(1) - bracket_.low(),
+                           -bracket_.sign_low());
   root.multiplicity_ = multiplicity_;
   return root;
 }

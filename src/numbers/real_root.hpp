@@ -130,11 +130,12 @@ class RealRoot {
   int multiplicity_ = 1;
   Exact numerator_, denominator_;  // of a rational root; the denominator is positive
   static constexpr std::int64_t kSmall = std::int64_t{1} << 60;
-  std::int64_t small_numerator_ = 0, small_denominator_ = 0;  // the same in integers below kSmall; 0 and 0 where they are not
-  int degree_ = 0;                 // of the polynomial of an isolated root
+  std::int64_t small_numerator_ = 0,
+               small_denominator_ = 0;  // the same in integers below kSmall; 0 and 0 where they are not
+  int degree_ = 0;                      // of the polynomial of an isolated root
   std::array<Exact, 4> p_;
-  RootBracket bracket_;            // no wider than between the neighbouring doubles
-  mutable RootBracket narrow_;     // the narrowest that was asked for
+  RootBracket bracket_;         // no wider than between the neighbouring doubles
+  mutable RootBracket narrow_;  // the narrowest that was asked for
   double lower_ = 0, upper_ = 0;
 };
 

@@ -48,7 +48,7 @@ class RootBracket {
 
   Exact low_, high_;
   int sign_low_ = 0;
-  int corrections_ = 0;  // that the next call makes
+  int corrections_ = 0;      // that the next call makes
   bool by_formula_ = false;  // was done
 };
 

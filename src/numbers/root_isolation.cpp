@@ -91,7 +91,6 @@ Exact approximate_critical_point(Coefficients cubic, int side, mp_bitcnt_t bits)
   return truncated(point, bits);
 }
 
-
 /// Collects the roots in the open interval (0, limit) of a polynomial whose leading coefficient and whose values at
 /// both ends are not zero.
 class OpenInterval {
@@ -139,7 +138,8 @@ class OpenInterval {
     const Exact c2_3bd = c * c - Exact(3) * b * d;
     // The discriminant is (4 (b^2 - 3ac)(c^2 - 3bd) - (bc - 9ad)^2) / 3.
     const int discriminant = sign_of(Exact(4) * b2_3ac * c2_3bd - ad9_bc * ad9_bc);
-    if (discriminant < 0) {  // one real root; inside iff p's sign differs at the ends, which is an odd number of variations
+    if (discriminant <
+        0) {  // one real root; inside iff p's sign differs at the ends, which is an odd number of variations
       if (variations % 2 == 1) push_between(Exact(0), limit_);
     } else if (discriminant == 0) {
       push_repeated(b2_3ac, ad9_bc);
@@ -161,7 +161,8 @@ class OpenInterval {
     const Exact single_denominator = a * b2_3ac;
     // b^2 - 3ac > 0 (it is (a (double - single))^2), so the denominators' signs are known.
     const bool single_first = sign_of(single_numerator * double_denominator - double_numerator * single_denominator) *
-                                  sign_of(single_denominator) < 0;
+                                  sign_of(single_denominator) <
+                              0;
     if (single_first) push_rational_inside(single_numerator, single_denominator, 1);
     push_rational_inside(double_numerator, double_denominator, 2);
     if (!single_first) push_rational_inside(single_numerator, single_denominator, 1);
@@ -183,14 +184,16 @@ class OpenInterval {
       // The critical point is > 0 iff: left one, slope > 0 at 0 left of the inflection; right one, not (slope >= 0 right of it).
       const int side0 = side_of_inflection(Exact(0));
       const int side_limit = side_of_inflection(limit_);
-      const bool after_zero = side < 0 ? side0 < 0 && slope_sign(Exact(0)) > 0 : !(side0 >= 0 && slope_sign(Exact(0)) >= 0);
+      const bool after_zero =
+          side < 0 ? side0 < 0 && slope_sign(Exact(0)) > 0 : !(side0 >= 0 && slope_sign(Exact(0)) >= 0);
       const bool before_limit =
           side < 0 ? !(side_limit <= 0 && slope_sign(limit_) >= 0) : side_limit > 0 && slope_sign(limit_) > 0;
       if (!after_zero || !before_limit) continue;
       const int wanted = side < 0 ? orientation : -orientation;
       for (mp_bitcnt_t bits = kInDoubles;; bits *= 2) {
         const Exact separator = approximate_critical_point(p_, side, bits);
-        if (!inside(separator) || side_of_inflection(separator) != side || sign_at_point(p_, separator) != wanted) continue;
+        if (!inside(separator) || side_of_inflection(separator) != side || sign_at_point(p_, separator) != wanted)
+          continue;
         push_if_inside(low, separator);
         low = separator;
         break;

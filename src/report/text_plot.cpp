@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kColumns = 72;
 constexpr int kLabelWidth = 8;
-constexpr int kStep = 3;   // decades of error a row
-constexpr int kRows = 8;   // "none", then 10^0 to 10^18 ulps and more
+constexpr int kStep = 3;  // decades of error a row
+constexpr int kRows = 8;  // "none", then 10^0 to 10^18 ulps and more
 
 struct Point {
   char letter;
@@ -47,9 +47,7 @@ int row_of(double error) {
   return std::max(0, kRows - 2 - static_cast<int>(std::log10(error)) / kStep);
 }
 
-std::string row_label(int row) {
-  return row == kRows - 1 ? "none" : fmt::format("1e{}", kStep * (kRows - 2 - row));
-}
+std::string row_label(int row) { return row == kRows - 1 ? "none" : fmt::format("1e{}", kStep * (kRows - 2 - row)); }
 
 }  // namespace
 
@@ -89,8 +87,7 @@ std::string text_plot(const SetResults& set) {
   for (const Result& result : set.results) {
     if (result.asked == 0 || !result.time_error || result.contestant.name == previous) continue;
     previous = result.contestant.name;
-    legend += fmt::format("{}{} {}", legend.empty() ? "" : ", ",
-                          capital_of(previous), previous);
+    legend += fmt::format("{}{} {}", legend.empty() ? "" : ", ", capital_of(previous), previous);
   }
   return text + legend + "\nin lower case: some contact missed, invented or late\n";
 }

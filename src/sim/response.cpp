@@ -79,16 +79,8 @@ Response::Outcome Response::respond(Stepper& stepper, const State& state, double
   constexpr double kShare = 2e-3;
   const double slack = kShare * std::max(before.total() - before.load, without.total() - without.load) +
                        1e-12 * (std::abs(before.load) + 1e-3);
-  Work work{&state,
-            h,
-            next.q,
-            &next,
-            VectorX::Zero(inverse_mass_.size()),
-            std::max(before.total(), without.total()),
-            slack,
-            0,
-            &counts,
-            &times};
+  Work work{&state, h, next.q,  &next, VectorX::Zero(inverse_mass_.size()), std::max(before.total(), without.total()),
+            slack,  0, &counts, &times};
   const bool stiff = std::any_of(known.begin(), known.end(), [&](const Contact& c) { return is_stiff(c, h); });
   if (!stiff) {
     const State free = next;
@@ -325,8 +317,9 @@ bool Response::freeze_zones(Work& work, std::vector<Contact> contacts) {
       // What is driven carries the zone, and gives its free particles the momentum that they gain.
       const auto driven = std::find_if(zone.begin(), zone.end(), [&](Index p) { return is_held(p); });
       if (driven != zone.end()) {
-        work.driven += (free_momentum(zone, work) - before).dot(position(x1, *driven) - position(work.state->q, *driven)) /
-                       (work.h * work.h);
+        work.driven +=
+            (free_momentum(zone, work) - before).dot(position(x1, *driven) - position(work.state->q, *driven)) /
+            (work.h * work.h);
       }
     }
     finder_.begin(work.state->q, x1, 0);

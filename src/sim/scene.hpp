@@ -82,8 +82,8 @@ std::string_view integrator_name(Integrator integrator) noexcept;
 struct ContactSettings {
   double restitution = 0.5;  ///< in [0, 1]
   double friction = 0;       ///< Coulomb's coefficient, >= 0
-  double thickness = 0;      ///< m: closer elements are pushed apart gently; 0: a fiftieth of the shortest edge that moves
-  int passes = 8;            ///< of impulses, before the fail-safe
+  double thickness = 0;  ///< m: closer elements are pushed apart gently; 0: a fiftieth of the shortest edge that moves
+  int passes = 8;        ///< of impulses, before the fail-safe
 };
 
 struct Settings {

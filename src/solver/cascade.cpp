@@ -33,7 +33,8 @@ bool rescale(const Query& query, Query& scaled) noexcept {
   bool exact = true;
   const auto times = [&](const Vec3& x) {
     const Vec3 y = {std::ldexp(x.x, -exponent), std::ldexp(x.y, -exponent), std::ldexp(x.z, -exponent)};
-    exact = exact && std::ldexp(y.x, exponent) == x.x && std::ldexp(y.y, exponent) == x.y && std::ldexp(y.z, exponent) == x.z;
+    exact = exact && std::ldexp(y.x, exponent) == x.x && std::ldexp(y.y, exponent) == x.y &&
+            std::ldexp(y.z, exponent) == x.z;
     return y;
   };
   scaled.kind = query.kind;

@@ -48,8 +48,9 @@ void for_each_range(std::size_t count, int threads, const AnswerRange& answer_ra
   if (threads > 1) {
     tbb::task_arena arena(threads);
     arena.execute([&] {
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kBlock),
-                        [&](const tbb::blocked_range<std::size_t>& range) { in_environment(range.begin(), range.end()); });
+      tbb::parallel_for(
+          tbb::blocked_range<std::size_t>(0, count, kBlock),
+          [&](const tbb::blocked_range<std::size_t>& range) { in_environment(range.begin(), range.end()); });
     });
     return;
   }
@@ -62,8 +63,8 @@ void for_each_range(std::size_t count, int threads, const AnswerRange& answer_ra
 /// Answers [first, last), whose coordinates are in columns that begin at query `first`, where the kernel proves nothing
 /// through answer_one(i).
 template <class AnswerOne>
-void answer_columns(const filters::Columns& columns, filters::SameSideKernel kernel, std::size_t first, std::size_t last,
-                    Answer* answers, const AnswerOne& answer_one) {
+void answer_columns(const filters::Columns& columns, filters::SameSideKernel kernel, std::size_t first,
+                    std::size_t last, Answer* answers, const AnswerOne& answer_one) {
   Answer no_contact;
   no_contact.level = Level::filter;
   std::int64_t proved[kBlock];
@@ -77,7 +78,8 @@ void answer_columns(const filters::Columns& columns, filters::SameSideKernel ker
 /// Answers all queries, query_at(i) being query i; answer_range as for for_each_range, and it may throw InvalidQuery.
 /// @throws InvalidQuery  naming the index of the first query that has no meaning
 template <class QueryAt, class AnswerRange>
-void answer_all(std::size_t count, const BatchOptions& options, const QueryAt& query_at, const AnswerRange& answer_range) {
+void answer_all(std::size_t count, const BatchOptions& options, const QueryAt& query_at,
+                const AnswerRange& answer_range) {
   validate_options(options);
   try {
     for_each_range(count, options.threads, answer_range);
@@ -125,7 +127,8 @@ void solve_batch(const QueryColumns& queries, Answer* answers, const BatchOption
   const bool with_kernel = options.method == Method::fast && filters::has_cubic(queries.kind);
   answer_all(queries.count, options, query_at, [&](std::size_t first, std::size_t last) {
     if (with_kernel) {
-      answer_columns(columns, filters::same_side_kernel(queries.kind, options.vectors), first, last, answers, answer_one);
+      answer_columns(columns, filters::same_side_kernel(queries.kind, options.vectors), first, last, answers,
+                     answer_one);
     } else {
       for (std::size_t i = first; i < last; ++i) answers[i] = answer_one(i);
     }

@@ -72,8 +72,8 @@ void validate_finite_time(double time) {
 void validate(Kind kind, const Vec3* start, const Vec3* end, double t_max) {
   validate_t_max(t_max);
   const std::size_t count = corner_count(kind);
-  const bool finite = count == 4 ? all_finite(start, 4) && all_finite(end, 4)
-                                 : all_finite(start, count) && all_finite(end, count);
+  const bool finite =
+      count == 4 ? all_finite(start, 4) && all_finite(end, 4) : all_finite(start, count) && all_finite(end, count);
   if (!finite) throw_not_finite(kind, start, end);
 }
 
@@ -86,9 +86,9 @@ void validate(const RationalQuery& query, double t_max) {
         const auto& [numerator, denominator] = corners[i][axis];
         const bool integers = numbers::is_decimal_integer(numerator) && numbers::is_decimal_integer(denominator);
         if (integers && denominator.find_first_not_of("-0") != std::string::npos) continue;
-        throw InvalidQuery(where(query.kind, i, side, axis) + shortened(numerator) + "/" + shortened(denominator) +
-                           (integers ? "; the denominator must not be 0"
-                                     : "; numerator and denominator must be decimal integers"));
+        throw InvalidQuery(
+            where(query.kind, i, side, axis) + shortened(numerator) + "/" + shortened(denominator) +
+            (integers ? "; the denominator must not be 0" : "; numerator and denominator must be decimal integers"));
       }
     }
   }

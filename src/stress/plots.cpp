@@ -39,7 +39,8 @@ std::string panel(const Table& table, const std::string& prefix, const Value& va
 report::Plot plot(const Table& table) {
   const std::string& name = table.settings.front().set.name;
   std::string body = fmt::format(
-      "set multiplot layout 1,2 margins 0.055,0.765,0.12,0.84 spacing 0.075 title \"Stability: {}\" font ',14'\n", name);
+      "set multiplot layout 1,2 margins 0.055,0.765,0.12,0.84 spacing 0.075 title \"Stability: {}\" font ',14'\n",
+      name);
   body += fmt::format("set xlabel '{}, 2 to the power of'\nset grid xtics ytics lc rgb '#E4E4E4' lt 1\n",
                       table.dial->varies);
   body += "set title 'Wrong answers (missed, phantom or late)'\nset ylabel 'share of the queries [%]'\n";

@@ -104,7 +104,9 @@ TEST_CASE("solve allocates nothing before exact arithmetic, and hardly ever for 
         }
         if (answer.level == Level::filter) ++by_filter[static_cast<std::size_t>(id.kind)];
         if (answer.level == Level::bracket) ++by_bracket;
-        report.add(id, query, during == 0 ? "" : std::to_string(during) + " allocations by " + std::string(level_name(answer.level)));
+        report.add(
+            id, query,
+            during == 0 ? "" : std::to_string(during) + " allocations by " + std::string(level_name(answer.level)));
       });
   if (!chosen_case()) {
     for (const Kind kind : kKinds) {
@@ -112,8 +114,8 @@ TEST_CASE("solve allocates nothing before exact arithmetic, and hardly ever for 
                   by_filter[static_cast<std::size_t>(kind)]);
       CHECK(by_filter[static_cast<std::size_t>(kind)] > 0);
     }
-    std::printf("bracket, short: %zu; exact, short: %zu without allocations, %zu with; both, long: %zu and %zu\n", by_bracket,
-                short_exact[0], short_exact[1], long_exact[0], long_exact[1]);
+    std::printf("bracket, short: %zu; exact, short: %zu without allocations, %zu with; both, long: %zu and %zu\n",
+                by_bracket, short_exact[0], short_exact[1], long_exact[0], long_exact[1]);
     CHECK(by_bracket > 0);
     // Roots that doubles cannot tell apart are told apart by GMP's floating-point numbers.
     CHECK(short_exact[0] > 0);

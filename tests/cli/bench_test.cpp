@@ -39,8 +39,8 @@ TEST_CASE("bench prints every method beside the floor") {
   CHECK(run.status == 0);
   CHECK(run.err == "");
   CHECK(occurrences(run.out, "simulation/edge-edge/all: 180 queries, ") == 1);  // 60 of each scene
-  for (const char* method :
-       {"  floor ", "  touchstone ", "  touchstone_batch ", "  touchstone_columns ", "  exact ", "  oracle (20 of them) "}) {
+  for (const char* method : {"  floor ", "  touchstone ", "  touchstone_batch ", "  touchstone_columns ", "  exact ",
+                             "  oracle (20 of them) "}) {
     CHECK(occurrences(run.out, method) == 1);
   }
   CHECK(occurrences(run.out, "simulation/vertex-face") == 0);

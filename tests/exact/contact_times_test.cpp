@@ -14,7 +14,8 @@ namespace {
 
 /// a = [0, 1] on the x axis; b's ends move on that axis from `start` to `end`.
 Query in_line(std::array<double, 2> start, std::array<double, 2> end) {
-  return EdgeEdge{{{{0, 0, 0}, {1, 0, 0}, {start[0], 0, 0}, {start[1], 0, 0}}}, {{{0, 0, 0}, {1, 0, 0}, {end[0], 0, 0}, {end[1], 0, 0}}}};
+  return EdgeEdge{{{{0, 0, 0}, {1, 0, 0}, {start[0], 0, 0}, {start[1], 0, 0}}},
+                  {{{0, 0, 0}, {1, 0, 0}, {end[0], 0, 0}, {end[1], 0, 0}}}};
 }
 
 }  // namespace
@@ -38,7 +39,8 @@ TEST_CASE("an edge passes along another: one interval, cut by t_max") {
 
 TEST_CASE("a point crosses a triangle within its plane") {
   // On the line y = 1 the triangle covers x in [0, 3], and x = -1 + 8t.
-  const Query query = VertexFace{{{{-1, 1, 0}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}, {{{7, 1, 0}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}};
+  const Query query =
+      VertexFace{{{{-1, 1, 0}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}, {{{7, 1, 0}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}};
   const auto times = contact_times(query);
   REQUIRE(times.size() == 1);
   CHECK(times[0].first.compare(0.125) == 0);

@@ -39,7 +39,8 @@ constexpr std::array<double, 3> kHalves = {0.5, 0.5, 0};
 TEST_CASE("an edge falls through another, hits its corner, or passes one ulp beside it") {
   // a lies along x in the plane z = 0; b along y falls from z = 1 to z = -1.
   const auto falling = [](double x) {
-    return Query(EdgeEdge{{{{-1, 0, 0}, {1, 0, 0}, {x, -1, 1}, {x, 1, 1}}}, {{{-1, 0, 0}, {1, 0, 0}, {x, -1, -1}, {x, 1, -1}}}});
+    return Query(
+        EdgeEdge{{{{-1, 0, 0}, {1, 0, 0}, {x, -1, 1}, {x, 1, 1}}}, {{{-1, 0, 0}, {1, 0, 0}, {x, -1, -1}, {x, 1, -1}}}});
   };
   check_contact(falling(0), 0.5, Nature::crossing, Feature::a, Feature::b, kHalves, kHalves);
   check_contact(falling(1), 0.5, Nature::crossing, Feature::a1, Feature::b, kSecond, kHalves);
@@ -51,14 +52,16 @@ TEST_CASE("an edge falls through another, hits its corner, or passes one ulp bes
 
 TEST_CASE("an edge that turns as it falls touches without crossing") {
   // z of b at its middle: (1 - 2 t)^2 comes from two corners that cross over; V = 4 (1 - 2t)^2 up to sign.
-  const Query query(EdgeEdge{{{{-1, -1, 0}, {1, 1, 0}, {-1, 1, 1}, {1, -1, 1}}}, {{{-1, -1, 0}, {1, 1, 0}, {1, -1, -1}, {-1, 1, -1}}}});
+  const Query query(EdgeEdge{{{{-1, -1, 0}, {1, 1, 0}, {-1, 1, 1}, {1, -1, 1}}},
+                             {{{-1, -1, 0}, {1, 1, 0}, {1, -1, -1}, {-1, 1, -1}}}});
   // b's direction reverses at t = 1/2, where its corners both pass (0, 0, 0): b is a point there, on a's middle.
   check_contact(query, 0.5, Nature::grazing, Feature::a, Feature::b0, kHalves, kFirst);
 }
 
 TEST_CASE("a vertex meets a face's interior, edges and corners") {
   const auto falling = [](double x, double y) {
-    return Query(VertexFace{{{{x, y, 1}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}, {{{x, y, -3}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}});
+    return Query(
+        VertexFace{{{{x, y, 1}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}, {{{x, y, -3}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}});
   };
   const double t = 0.25;
   check_contact(falling(1, 1), t, Nature::crossing, Feature::v, Feature::f, kFirst, {0.5, 0.25, 0.25});
@@ -74,20 +77,23 @@ TEST_CASE("a vertex meets a face's interior, edges and corners") {
 
 TEST_CASE("a flat face is the segment that it covers, and names its first part") {
   const auto falling = [](double x) {
-    return Query(VertexFace{{{{x, 0, 1}, {0, 0, 0}, {4, 0, 0}, {2, 0, 0}}}, {{{x, 0, -1}, {0, 0, 0}, {4, 0, 0}, {2, 0, 0}}}});
+    return Query(
+        VertexFace{{{{x, 0, 1}, {0, 0, 0}, {4, 0, 0}, {2, 0, 0}}}, {{{x, 0, -1}, {0, 0, 0}, {4, 0, 0}, {2, 0, 0}}}});
   };
   check_contact(falling(2), 0.5, Nature::isolated, Feature::v, Feature::f2, kFirst, {0, 0, 1});
   check_contact(falling(1), 0.5, Nature::isolated, Feature::v, Feature::f01, kFirst, {0.75, 0.25, 0});
   check_contact(falling(4), 0.5, Nature::isolated, Feature::v, Feature::f1, kFirst, {0, 1, 0});
   CHECK_FALSE(decide(falling(4.5)).contact);
   // A triangle of one point.
-  const Query point(VertexFace{{{{0, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}, {{{0, 0, -1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}});
+  const Query point(
+      VertexFace{{{{0, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}, {{{0, 0, -1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}});
   check_contact(point, 0.5, Nature::isolated, Feature::v, Feature::f0, kFirst, {1, 0, 0});
 }
 
 TEST_CASE("edges in one line: they meet at corners, then share a part") {
   // a = [0, 1] stays; b = [3, 5] moves left by 4: corners meet at t = 1/2, and from then on they overlap.
-  const Query query(EdgeEdge{{{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {5, 0, 0}}}, {{{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {1, 0, 0}}}});
+  const Query query(
+      EdgeEdge{{{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {5, 0, 0}}}, {{{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {1, 0, 0}}}});
   check_contact(query, 0.5, Nature::sustained, Feature::a1, Feature::b0, kSecond, kFirst);
   // Overlapping from the start: the end of the shared part that is farthest along a.
   const auto resting = [](double b0, double b1) {
@@ -107,12 +113,16 @@ TEST_CASE("edges in one line: they meet at corners, then share a part") {
 }
 
 TEST_CASE("two points that coincide for an instant, always, or never") {
-  const auto meeting = [](double miss) { return Query(PointPoint{{{{0, 0, 0}, {1, 1, 1}}}, {{{1, 1, 1}, {0, 0, miss}}}}); };
+  const auto meeting = [](double miss) {
+    return Query(PointPoint{{{{0, 0, 0}, {1, 1, 1}}}, {{{1, 1, 1}, {0, 0, miss}}}});
+  };
   check_contact(meeting(0), 0.5, Nature::isolated, Feature::p, Feature::q, kFirst, kFirst);
   CHECK_FALSE(decide(meeting(0x1p-1074)).contact);
-  check_contact(PointPoint{{{{1, 2, 3}, {1, 2, 3}}}, {{{4, 5, 7}, {4, 5, 7}}}}, 0, Nature::sustained, Feature::p, Feature::q, kFirst, kFirst);
+  check_contact(PointPoint{{{{1, 2, 3}, {1, 2, 3}}}, {{{4, 5, 7}, {4, 5, 7}}}}, 0, Nature::sustained, Feature::p,
+                Feature::q, kFirst, kFirst);
   // Together only at the last instant: there is no interval in [0, 1] that starts there.
-  check_contact(PointPoint{{{{0, 0, 0}, {1, 0, 0}}}, {{{1, 0, 0}, {1, 0, 0}}}}, 1, Nature::isolated, Feature::p, Feature::q, kFirst, kFirst);
+  check_contact(PointPoint{{{{0, 0, 0}, {1, 0, 0}}}, {{{1, 0, 0}, {1, 0, 0}}}}, 1, Nature::isolated, Feature::p,
+                Feature::q, kFirst, kFirst);
 }
 
 TEST_CASE("a point slides along the line of an edge, onto it") {
@@ -145,7 +155,8 @@ TEST_CASE("the same at every scale that doubles have") {
   for (const int exponent : {-1074, -1073, -1022, -600, 0, 600, 1000, 1021}) {
     INFO("2^" << exponent);
     const double s = std::ldexp(1.0, exponent);
-    const Query query(EdgeEdge{{{{-s, 0, 0}, {s, 0, 0}, {0, -s, s}, {0, s, s}}}, {{{-s, 0, 0}, {s, 0, 0}, {0, -s, -s}, {0, s, -s}}}});
+    const Query query(
+        EdgeEdge{{{{-s, 0, 0}, {s, 0, 0}, {0, -s, s}, {0, s, s}}}, {{{-s, 0, 0}, {s, 0, 0}, {0, -s, -s}, {0, s, -s}}}});
     check_contact(query, 0.5, Nature::crossing, Feature::a, Feature::b, kHalves, kHalves);
   }
 }

@@ -13,7 +13,8 @@
 using namespace touchstone;
 
 TEST_CASE("the story of an ordinary crossing") {
-  const Query query(EdgeEdge{{{{-1, 0, 0}, {1, 0, 0}, {0, -1, 1}, {0, 1, 1}}}, {{{-1, 0, 0}, {1, 0, 0}, {0, -1, -1}, {0, 1, -1}}}});
+  const Query query(
+      EdgeEdge{{{{-1, 0, 0}, {1, 0, 0}, {0, -1, 1}, {0, 1, 1}}}, {{{-1, 0, 0}, {1, 0, 0}, {0, -1, -1}, {0, 1, -1}}}});
   const exact::Story story = exact::explain(query, 1);
   CHECK(story.has_cubic);
   // u = (2, 0, 0), w = (0, 2, 0), n = (0, 0, 4), r_z = 1 - 2t: V = 4 - 8t.
@@ -35,7 +36,8 @@ TEST_CASE("the story of an ordinary crossing") {
 }
 
 TEST_CASE("the story of a planar motion names its candidates and is the decision's") {
-  const Query query(EdgeEdge{{{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {5, 0, 0}}}, {{{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {1, 0, 0}}}});
+  const Query query(
+      EdgeEdge{{{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {5, 0, 0}}}, {{{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {1, 0, 0}}}});
   const exact::Story story = exact::explain(query, 1);
   CHECK(story.coefficients == std::vector<std::string>{"0", "0", "0", "0"});
   CHECK(story.why.find("identically zero") != std::string::npos);

@@ -33,7 +33,8 @@ struct BoundSearch {
 /// `ratio(input)` is |error| / bound for an input of `size` doubles, or NaN where the bound does not apply.
 /// Inputs are of magnitude 2^exponent, give or take `spread` binary orders.
 template <class Ratio>
-void search_bound(BoundSearch& search, Rng& rng, std::size_t size, int exponent, int spread, int starts, int steps, Ratio ratio) {
+void search_bound(BoundSearch& search, Rng& rng, std::size_t size, int exponent, int spread, int starts, int steps,
+                  Ratio ratio) {
   const auto place = [&] { return static_cast<std::size_t>(rng.between(0, static_cast<int>(size) - 1)); };
   const auto fresh = [&] {
     // Full significands near a power of two lose the most when rounded.

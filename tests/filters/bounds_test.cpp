@@ -117,20 +117,21 @@ double gap_ratio(const std::vector<double>& x) {
   if (!(std::fabs(gap.error) <= std::numeric_limits<double>::max())) return std::nan("");
   std::array<Exact, 8> places;
   for (std::size_t i = 0; i < 8; ++i) places[i] = c.truth(i);
-  const auto apart = [&](bool first_below) {  // the least difference of one of the upper to one of the lower, at one time
-    Exact least(0);
-    bool any = false;
-    for (std::size_t i = 0; i < 8; ++i) {
-      for (std::size_t j = 0; j < 8; ++j) {
-        const bool together = i / 4 == j / 4, of_first = i % 4 < 2, other_of_first = j % 4 < 2;
-        if (!together || of_first != first_below || other_of_first == first_below) continue;
-        const Exact difference = places[j] - places[i];
-        if (!any || difference < least) least = difference;
-        any = true;
-      }
-    }
-    return least;
-  };
+  const auto apart =
+      [&](bool first_below) {  // the least difference of one of the upper to one of the lower, at one time
+        Exact least(0);
+        bool any = false;
+        for (std::size_t i = 0; i < 8; ++i) {
+          for (std::size_t j = 0; j < 8; ++j) {
+            const bool together = i / 4 == j / 4, of_first = i % 4 < 2, other_of_first = j % 4 < 2;
+            if (!together || of_first != first_below || other_of_first == first_below) continue;
+            const Exact difference = places[j] - places[i];
+            if (!any || difference < least) least = difference;
+            any = true;
+          }
+        }
+        return least;
+      };
   const Exact above = apart(true), below = apart(false);
   return ratio_of(gap.value, above < below ? below : above, gap.error);
 }

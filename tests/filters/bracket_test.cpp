@@ -206,12 +206,14 @@ TEST_CASE("contacts at, before and after the ends of the step, against exact ari
 }
 
 TEST_CASE("V at a double, with its exact sign") {
-  const Query query(EdgeEdge{{{{-1, 0, 0}, {1, 0, 0}, {0, -1, 1}, {0, 1, 1}}}, {{{-1, 0, 0}, {1, 0, 0}, {0, -1, -1}, {0, 1, -1}}}});
+  const Query query(
+      EdgeEdge{{{{-1, 0, 0}, {1, 0, 0}, {0, -1, 1}, {0, 1, 1}}}, {{{-1, 0, 0}, {1, 0, 0}, {0, -1, -1}, {0, 1, -1}}}});
   CHECK(exact::coplanarity_at(query, 0.5) == 0);  // V = 4 - 8t
   CHECK(exact::coplanarity_at(query, std::nextafter(0.5, 0)) == 8 * 0x1p-54);
   CHECK(exact::coplanarity_at(query, std::nextafter(0.5, 1)) == -8 * 0x1p-53);
   // v falls from z = 1 to -1 through the face z = 0 with n = (0, 0, 16): V = 16 - 32 t.
-  const Query face(VertexFace{{{{1, 1, 1}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}, {{{1, 1, -1}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}});
+  const Query face(
+      VertexFace{{{{1, 1, 1}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}, {{{1, 1, -1}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}});
   CHECK(exact::coplanarity_at(face, 0.5) == 0);
   CHECK(exact::coplanarity_at(face, 0.25) == 8);
   CHECK(exact::coplanarity_at(face, 0x1.0000000000001p-1) == -32 * 0x1p-53);

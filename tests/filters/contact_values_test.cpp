@@ -72,7 +72,8 @@ double ratio(const numbers::DoubleDouble& computed, const Exact& truth, double b
 double worst_ratio(const std::vector<double>& x, bool edges, int which) {
   const Input in(x);
   const auto pick = [edges](std::size_t e, std::size_t f) { return edges ? e : f; };
-  const std::size_t u_to = pick(1, 2), u_from = pick(0, 1), w_to = 3, w_from = pick(2, 1), r_to = pick(2, 0), r_from = pick(0, 1);
+  const std::size_t u_to = pick(1, 2), u_from = pick(0, 1), w_to = 3, w_from = pick(2, 1), r_to = pick(2, 0),
+                    r_from = pick(0, 1);
   const Place u = in.difference(u_to, u_from);
   const Place w = in.difference(w_to, w_from);
   const Place r = in.difference(r_to, r_from);
@@ -82,12 +83,14 @@ double worst_ratio(const std::vector<double>& x, bool edges, int which) {
   if (!(std::min({U, W, R}) >= 0x1p-250 && std::max({U, W, R}) <= 0x1p250)) return std::nan("");
   const auto at = filters::precise_values(in.start.data(), in.end.data(), edges, in.t, in.axis);
   const Place n = {cross_at(u, w, 0), cross_at(u, w, 1), cross_at(u, w, 2)};
-  if (which == 0) return ratio(at.coplanarity, n[0] * r[0] + n[1] * r[1] + n[2] * r[2], filters::kCoplanarityError * (U * W * R));
+  if (which == 0)
+    return ratio(at.coplanarity, n[0] * r[0] + n[1] * r[1] + n[2] * r[2], filters::kCoplanarityError * (U * W * R));
   const Exact f1 = cross_at(r, w, in.axis);
   const Exact f2 = edges ? cross_at(r, u, in.axis) : cross_at(u, r, in.axis);
   const Exact& nk = n[in.axis];
   const double k = filters::kComponentError;
-  double worst = std::max({ratio(at.normal.value, nk, k * U * W), ratio(at.first.value, f1, k * R * W), ratio(at.second.value, f2, k * R * U)});
+  double worst = std::max({ratio(at.normal.value, nk, k * U * W), ratio(at.first.value, f1, k * R * W),
+                           ratio(at.second.value, f2, k * R * U)});
   if (edges) {
     worst = std::max({worst, ratio(at.third.value, nk - f1, k * (U * W + R * W)),
                       ratio(at.fourth.value, nk - f2, k * (U * W + R * U))});
@@ -117,7 +120,9 @@ TEST_CASE("double-double values are within their bounds at all magnitudes") {
     BoundSearch search;
     Rng rng(71 + static_cast<unsigned>(which));
     for (const bool edges : {true, false}) {
-      const auto measured = [&](const std::vector<double>& x) { return worst_ratio(spread_out(x, edges), edges, which); };
+      const auto measured = [&](const std::vector<double>& x) {
+        return worst_ratio(spread_out(x, edges), edges, which);
+      };
       constexpr int kSteps = kLongSearches ? 100000 : 300;
       search_bound(search, rng, 26, 0, 0, 2, kSteps, measured);
       for (const int exponent : {40, -40, 240, -200}) {

@@ -23,7 +23,7 @@ struct FrameCase {
   filters::Frame frame;
   struct {
     double u, w, r;
-  } size;  ///< bounds of the coordinates of u, w, r
+  } size;                                          ///< bounds of the coordinates of u, w, r
   std::array<std::array<Exact, 3>, 3> start, end;  // u, w, r
   std::array<Exact, 4> exact;                      // b0, 3 b1, 3 b2, b3
 
@@ -92,7 +92,9 @@ struct FrameCase {
   }
 };
 
-inline double over(const Exact& error, double bound) { return std::fabs(numbers::approximate_quotient(error, Exact(bound))); }
+inline double over(const Exact& error, double bound) {
+  return std::fabs(numbers::approximate_quotient(error, Exact(bound)));
+}
 
 /// A number in [0, 1] from any double; the ends are frequent.
 inline double share(double x) {

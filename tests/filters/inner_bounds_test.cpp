@@ -113,7 +113,8 @@ TEST_CASE("no side is certain where n may be zero") {
     const filters::Sides found = filters::sides(s.query, s.frame, magnitudes(s), 0, 0);
     ++(found.side == filters::Side::unknown ? unknown : known);
     const Exact at(0);
-    Exact n = s.cross(0, 1, found.axis, at), first = s.cross(2, 1, found.axis, at), second = s.cross(2, 0, found.axis, at);
+    Exact n = s.cross(0, 1, found.axis, at), first = s.cross(2, 1, found.axis, at),
+          second = s.cross(2, 0, found.axis, at);
     if (n.sign() < 0) {
       n = -n;
       first = -first;

@@ -32,7 +32,9 @@ std::size_t corners_of_first(Kind kind) { return kind == Kind::edge_edge ? 2 : 1
 
 /// 8 times the place of a corner along d at t = eighths / 8.
 Exact place(const Query& query, std::size_t corner, const filters::Vector& d, int eighths) {
-  const auto along = [&](const Vec3& x) { return Exact(x.x) * Exact(d[0]) + Exact(x.y) * Exact(d[1]) + Exact(x.z) * Exact(d[2]); };
+  const auto along = [&](const Vec3& x) {
+    return Exact(x.x) * Exact(d[0]) + Exact(x.y) * Exact(d[1]) + Exact(x.z) * Exact(d[2]);
+  };
   return Exact(8.0 - eighths) * along(query.start[corner]) + Exact(eighths) * along(query.end[corner]);
 }
 
@@ -52,7 +54,9 @@ std::array<bool, 2> above_and_below(const Query& query, const filters::Vector& d
 /// Elements that fly together, a few roundings or a lot apart along `direction`, or that pass each other.
 Query flying_together(Kind kind, Rng& rng, filters::Vector& direction) {
   const double size = std::ldexp(1 + rng.unit(), rng.between(-20, 20));
-  const auto vector = [&](double scale) { return Vec3{scale * rng.symmetric(), scale * rng.symmetric(), scale * rng.symmetric()}; };
+  const auto vector = [&](double scale) {
+    return Vec3{scale * rng.symmetric(), scale * rng.symmetric(), scale * rng.symmetric()};
+  };
   const Vec3 d = vector(1);
   direction = {{d.x, d.y, d.z}};
   const Vec3 motion = vector(size * rng.between(0, 64));

@@ -48,8 +48,7 @@ Count compare(double coordinate(Rng&), int count) {
     Answer answer;
     const auto decision = filters::decide(query, t_max, filters::Want::everything, exact::coplanarity_at, answer);
     Answer ignored;
-    const auto any =
-        filters::decide(query, t_max, filters::Want::contact_only, exact::coplanarity_at, ignored);
+    const auto any = filters::decide(query, t_max, filters::Want::contact_only, exact::coplanarity_at, ignored);
     CAPTURE(i, t_max, tests::describe(exact));
     if (decision == filters::Decision::uncertain) continue;
     REQUIRE(any == decision);

@@ -117,7 +117,8 @@ TEST_CASE("the step to a root is off by no more than it says") {
            const BernsteinCubic cubic = s.cubic();
            const auto [found, root] = seen_from(s, cubic, scale_from(x[24], -56, -11));
            if (!found) return std::nan("");
-           const double value = filters::contact_values(s.query.start.data(), s.query.end.data(), true, root.t, 0).coplanarity;
+           const double value =
+               filters::contact_values(s.query.start.data(), s.query.end.data(), true, root.t, 0).coplanarity;
            const double error = filters::kCoplanarityError * cubic.size();
            const Offset offset = filters::offset_of(root, root.t, value, error);
            return std::fabs(missing(s, Exact(root.t) + Exact(offset.value))) / offset.error;
@@ -134,8 +135,8 @@ TEST_CASE("the step to a root from another time is off by no more than it says")
            const double time = root.t + scale_from(x[25], -50, -3) - (x[26] > 0 ? away : 0);
            if (!found || !(time >= 0 && time <= 1) || !(std::fabs(time - root.t) <= root.radius)) return std::nan("");
            // V there, as far off as an exact value may be.
-           const double value =
-               numbers::approximate_quotient(s.value(Exact(time)), Exact(3)) * (1 + 6 * filters::kUnit * (2 * share(x[26]) - 1));
+           const double value = numbers::approximate_quotient(s.value(Exact(time)), Exact(3)) *
+                                (1 + 6 * filters::kUnit * (2 * share(x[26]) - 1));
            const Offset offset = filters::offset_of(root, time, value, filters::exact_value_error(value));
            return std::fabs(missing(s, Exact(time) + Exact(offset.value))) / offset.error;
          }));
@@ -227,8 +228,8 @@ TEST_CASE("weights are within 2^-50 whenever they are certain") {
     Rng rng(90);
     BoundSearch search;
     search_bound(search, rng, 28, 0, 0, 4, kLongSearches ? 2000 : 100, [&](const std::vector<double>& x) {
-      const FrameCase sample(one_swept ? swept(x)
-                                       : meeting({x.begin(), x.begin() + 24}, time_from(x[24]), share(x[25]), share(x[26])));
+      const FrameCase sample(
+          one_swept ? swept(x) : meeting({x.begin(), x.begin() + 24}, time_from(x[24]), share(x[25]), share(x[26])));
       return sample.usable() ? weights_ratio(sample, x[27]) : std::nan("");
     });
     report(one_swept ? "weights of an edge that is swept over" : "weights", search);

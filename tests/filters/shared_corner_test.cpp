@@ -42,7 +42,8 @@ TEST_CASE("what looks like a shared corner is not always one") {
   Answer answer;
   // The corners coincide at the start only.
   CHECK_FALSE(filters::touch_in_shared_corner(
-      EdgeEdge{{{{0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 1, 0}}}, {{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 1, 1}}}}, 1, answer));
+      EdgeEdge{{{{0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 1, 0}}}, {{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 1, 1}}}}, 1,
+      answer));
   // Edges that leave the shared corner in one direction overlap.
   const std::array<Vec3, 4> folded = {{{0, 0, 0}, {2, 0, 0}, {0, 0, 0}, {1, 0, 0}}};
   CHECK_FALSE(filters::touch_in_shared_corner(EdgeEdge{folded, folded}, 1, answer));

@@ -15,8 +15,8 @@ using namespace touchstone::tests;
 
 namespace {
 
-constexpr VectorWidth kWidths[] = {VectorWidth::none, VectorWidth::bits_128, VectorWidth::bits_256, VectorWidth::bits_512,
-                                   VectorWidth::widest};
+constexpr VectorWidth kWidths[] = {VectorWidth::none, VectorWidth::bits_128, VectorWidth::bits_256,
+                                   VectorWidth::bits_512, VectorWidth::widest};
 
 filters::Columns columns_of(const QueryColumns& queries) {
   filters::Columns columns;
@@ -63,7 +63,8 @@ TEST_CASE("same side in vectors of every width is same side one by one") {
   for (const Kind kind : {Kind::edge_edge, Kind::vertex_face}) {
     std::vector<Query> queries;
     for (const FamilyInfo& family : all_families()) {
-      for (std::uint64_t index = 0; index < 51; ++index) queries.push_back(make(CaseId{family.family, kind, 77, index}));
+      for (std::uint64_t index = 0; index < 51; ++index)
+        queries.push_back(make(CaseId{family.family, kind, 77, index}));
     }
     const std::size_t proved = check_all_widths(queries);
     CHECK(proved > queries.size() / 20);

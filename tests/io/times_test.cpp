@@ -49,9 +49,9 @@ TEST_CASE("decimals are read to the nearest double") {
 }
 
 TEST_CASE("what is no finite number is refused") {
-  for (const char* text :
-       {"",       " ",   " 1", "1 ", "nan", "NaN",  "inf", "-inf", "infinity", "0xinf", "1e999", "0x1p5000",
-        "1e-999", "1e+-5", "0x1p+-5", "--1", "-",  "+1", "0x",  "0x-1", "1,5", "1.0f", "one",      "-nan",  "0x1p",  "1e"}) {
+  for (const char* text : {"",      " ",     " 1",       "1 ",     "nan",   "NaN",     "inf",  "-inf", "infinity",
+                           "0xinf", "1e999", "0x1p5000", "1e-999", "1e+-5", "0x1p+-5", "--1",  "-",    "+1",
+                           "0x",    "0x-1",  "1,5",      "1.0f",   "one",   "-nan",    "0x1p", "1e"}) {
     CAPTURE(text);
     CHECK_FALSE(io::parse_finite_double(text));
   }

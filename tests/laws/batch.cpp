@@ -118,7 +118,8 @@ TEST_CASE("law: a batch in columns is its queries one by one, for vectors of any
 
 TEST_CASE("law: columns by the exact level and the oracle, and of any length") {
   std::vector<Query> queries;
-  for (std::uint64_t index = 0; index < 70; ++index) queries.push_back(make({Family::prescribed, Kind::edge_edge, kSeed, index}));
+  for (std::uint64_t index = 0; index < 70; ++index)
+    queries.push_back(make({Family::prescribed, Kind::edge_edge, kSeed, index}));
   for (std::size_t count = 0; count <= queries.size(); ++count) {
     const solver::OwnedColumns columns(std::vector<Query>(queries.begin(), queries.begin() + static_cast<long>(count)));
     const std::vector<Answer> answers = solve_batch(columns.view());
@@ -136,10 +137,12 @@ TEST_CASE("law: columns by the exact level and the oracle, and of any length") {
 
 TEST_CASE("law: a coordinate that is not finite is named in a batch of either form") {
   std::vector<Query> queries;
-  for (std::uint64_t index = 0; index < 200; ++index) queries.push_back(make({Family::simulation, Kind::vertex_face, kSeed, index}));
+  for (std::uint64_t index = 0; index < 200; ++index)
+    queries.push_back(make({Family::simulation, Kind::vertex_face, kSeed, index}));
   queries[171].end[2].y = std::numeric_limits<double>::infinity();
   queries[130].start[3].z = std::numeric_limits<double>::quiet_NaN();
-  const std::string expected = "query 130: vertex-face query: corner f2 at t = 0 has z = nan; coordinates must be finite";
+  const std::string expected =
+      "query 130: vertex-face query: corner f2 at t = 0 has z = nan; coordinates must be finite";
   const solver::OwnedColumns columns(queries);
   for (const int threads : {1, 2, 8}) {
     const BatchOptions options{1.0, Method::fast, threads};

@@ -50,7 +50,8 @@ TEST_CASE("arithmetic and order agree with rationals at all lengths") {
       if (rng.one_in(20)) b = -a;
       const mpq_class p = to_rational(a);
       const mpq_class q = to_rational(b);
-      for (const auto& [result, expected] : {std::pair<Dyadic, mpq_class>{a + b, p + q}, {a - b, p - q}, {a * b, p * q}}) {
+      for (const auto& [result, expected] :
+           {std::pair<Dyadic, mpq_class>{a + b, p + q}, {a - b, p - q}, {a * b, p * q}}) {
         check_form(result);
         REQUIRE(to_rational(result) == expected);
         REQUIRE(result.sign() == sgn(expected));
@@ -98,7 +99,8 @@ TEST_CASE("doubles, integers and powers of two come in exactly") {
     const double x = std::ldexp(rng.symmetric(), rng.between(-1100, 1024));
     REQUIRE(to_rational(Dyadic(x)) == mpq_class(x));
   }
-  for (const double x : {0.0, -0.0, 0x1p-1074, -0x1p-1074, 0x1.fffffffffffffp-1023, 0x1p-1022, 0x1.fffffffffffffp1023, 1.0, -1.0}) {
+  for (const double x :
+       {0.0, -0.0, 0x1p-1074, -0x1p-1074, 0x1.fffffffffffffp-1023, 0x1p-1022, 0x1.fffffffffffffp1023, 1.0, -1.0}) {
     CHECK(to_rational(Dyadic(x)) == mpq_class(x));
     check_form(Dyadic(x));
   }

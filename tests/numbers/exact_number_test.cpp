@@ -63,7 +63,8 @@ TEST_CASE("a quotient is within 2^-50 at any magnitude") {
   for (int i = 0; i < 2000; ++i) {
     const int exponent = rng.between(-6000, 6000);
     const Exact n = Exact(rng.symmetric()) * Exact(rng.symmetric()) * numbers::power_of_two(exponent);
-    const Exact d = Exact(1 + rng.unit()) * Exact(-1 - rng.unit()) * numbers::power_of_two(exponent + rng.between(-900, 900));
+    const Exact d =
+        Exact(1 + rng.unit()) * Exact(-1 - rng.unit()) * numbers::power_of_two(exponent + rng.between(-900, 900));
     if (numbers::is_zero(n)) continue;
     const mpq_class truth = rational(n) / rational(d);
     const double quotient = numbers::approximate_quotient(n, d);
@@ -86,7 +87,8 @@ TEST_CASE("integers keep their sign, and fractions their proportions") {
   CHECK(numbers::exact_from_integer(mpz_class(0)) == Exact(0));
   CHECK(numbers::exact_from_integer(mpz_class(-7)) == Exact(-7));
   CHECK(rational(numbers::exact_from_integer(mpz_class("-36893488147419103232"))) == -power_of_two(65));
-  const auto integers = numbers::over_common_denominator({{"1", "3"}, {"-1", "2"}, {"0", "5"}, {"4", "-7"}, {"2", "1"}});
+  const auto integers =
+      numbers::over_common_denominator({{"1", "3"}, {"-1", "2"}, {"0", "5"}, {"4", "-7"}, {"2", "1"}});
   const mpq_class unit = rational(integers[4]) / 2;
   CHECK(unit > 0);
   const mpq_class expected[] = {mpq_class(1, 3), mpq_class(-1, 2), 0, mpq_class(-4, 7)};

@@ -26,7 +26,8 @@ TEST_CASE("every finite double comes back from its fraction, whatever the common
       REQUIRE(*back == x);
     }
   };
-  for (const double x : {0.0, 1.0, -1.0, 0.1, 0x1p-1074, 0x1.fffffffffffffp-1023, 0x1p-1022, 0x1.fffffffffffffp1023, 0x1p53 + 2, 0x1p62, 0x1p63, 0x1p64}) {
+  for (const double x : {0.0, 1.0, -1.0, 0.1, 0x1p-1074, 0x1.fffffffffffffp-1023, 0x1p-1022, 0x1.fffffffffffffp1023,
+                         0x1p53 + 2, 0x1p62, 0x1p63, 0x1p64}) {
     check(x);
     check(-x);
   }
@@ -37,11 +38,11 @@ TEST_CASE("a fraction that no double holds gives nothing") {
   const std::string two_to_1024 = mpz_class(mpz_class(1) << 1024).get_str();
   const std::string two_to_1075 = mpz_class(mpz_class(1) << 1075).get_str();
   CHECK_FALSE(exact_double("1", "3"));
-  CHECK_FALSE(exact_double("9007199254740993", "1"));   // 2^53 + 1
+  CHECK_FALSE(exact_double("9007199254740993", "1"));  // 2^53 + 1
   CHECK_FALSE(exact_double("-9007199254740993", "2"));
   CHECK_FALSE(exact_double("9223372036854775807", "1"));
-  CHECK_FALSE(exact_double(two_to_1024, "1"));          // too large
-  CHECK_FALSE(exact_double("1", two_to_1075));          // half the smallest subnormal
+  CHECK_FALSE(exact_double(two_to_1024, "1"));  // too large
+  CHECK_FALSE(exact_double("1", two_to_1075));  // half the smallest subnormal
   CHECK_FALSE(exact_double("3", two_to_1075));
   CHECK(exact_double("2", two_to_1075) == 0x1p-1074);
   CHECK(exact_double("3", "6") == 0.5);

@@ -235,7 +235,8 @@ TEST_CASE("random cubics: roots found are all the sign changes, in order") {
     for (double t = 0; t < 1; t += 0.0625) {
       if (sign_at(t) * sign_at(t + 0.0625) >= 0) continue;
       bool inside = false;
-      for (int k = 0; k < roots.size(); ++k) inside = inside || (roots[k].lower() >= t && roots[k].upper() <= t + 0.0625);
+      for (int k = 0; k < roots.size(); ++k)
+        inside = inside || (roots[k].lower() >= t && roots[k].upper() <= t + 0.0625);
       REQUIRE(inside);
     }
   }
@@ -247,7 +248,8 @@ TEST_CASE("a dyadic root of more digits than a double has, and of a polynomial t
   const Exact root = Exact(0.375) + numbers::power_of_two(-200);
   // Close to another root, so that the search for its neighbouring doubles may hit it.
   for (const long apart : {20L, 60L, 160L, 250L}) {
-    const Coefs p = Coefs{-root, Exact(1)} * Coefs{-root - numbers::power_of_two(-apart), Exact(1)} * Coefs{Exact(1), Exact(1)};
+    const Coefs p =
+        Coefs{-root, Exact(1)} * Coefs{-root - numbers::power_of_two(-apart), Exact(1)} * Coefs{Exact(1), Exact(1)};
     const RootList roots = roots_of(p);
     REQUIRE(roots.size() == 2);
     INFO("2^-" << apart << " apart");

@@ -32,7 +32,8 @@ TEST_CASE("the value of a polynomial near a time is within its bound, and the bo
       exact[k] = Exact(rounded[k]) * (Exact(1) + Exact(0x1p-51 * rng.symmetric()));
     }
     const numbers::ValueNear near = numbers::value_near(rounded.data(), 4, lower);
-    const double ratio = std::fabs(numbers::approximate_quotient(value_at(exact, time) - Exact(near.value), Exact(near.error)));
+    const double ratio =
+        std::fabs(numbers::approximate_quotient(value_at(exact, time) - Exact(near.value), Exact(near.error)));
     worst = std::max(worst, ratio);
   }
   std::printf("value near a time: worst observed error / bound = %.4f\n", worst);

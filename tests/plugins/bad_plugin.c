@@ -10,14 +10,14 @@
 #include <string.h>
 #include <unistd.h>
 
-static int told(const char *what) {
-  const char *const order = getenv("BAD_PLUGIN");
+static int told(const char* what) {
+  const char* const order = getenv("BAD_PLUGIN");
   return order != NULL && strcmp(order, what) == 0;
 }
 
 static int calls = 0;
 
-static int init(void **state) {
+static int init(void** state) {
   if (told("init fails")) return 7;
   if (told("init crashes")) abort();
   if (told("init hangs")) pause();
@@ -26,27 +26,28 @@ static int init(void **state) {
 }
 
 static void leave_a_note(void) {
-  const char *const path = getenv("BAD_PLUGIN_NOTE");
-  FILE *const file = path == NULL ? NULL : fopen(path, "a");
+  const char* const path = getenv("BAD_PLUGIN_NOTE");
+  FILE* const file = path == NULL ? NULL : fopen(path, "a");
   if (file == NULL) return;
   fprintf(file, "%d\n", (int)getpid());
   fclose(file);
 }
 
-static void teardown(void *state) {
+static void teardown(void* state) {
   if (told("teardown hangs")) pause();
   if (state == &calls) leave_a_note();
 }
 
-static int solve(void *state, int kind, const double *start, const double *end, double *toi) {
+static int solve(void* state, int kind, const double* start, const double* end, double* toi) {
   (void)end;
-  ++*(int *)state;
+  ++*(int*)state;
   switch ((int)start[0]) {
     case 1: abort();
     case 2: raise(SIGSEGV); break;
     case 3: exit(5);
     case 4: exit(0);
-    case 5: for (;;) pause();
+    case 5:
+      for (;;) pause();
     case 6: return 42;
     case 7: *toi = nan(""); return TOUCHSTONE_CONTACT;
     case 8: return TOUCHSTONE_CONTACT; /* no time is written */
@@ -65,8 +66,11 @@ static int solve(void *state, int kind, const double *start, const double *end, 
       }
       sleep(1);
       abort();
-    case 15: puts("to standard output"); fflush(stdout); break;
-    case 16: *toi = *(int *)state; return TOUCHSTONE_CONTACT; /* how many calls there were in this process */
+    case 15:
+      puts("to standard output");
+      fflush(stdout);
+      break;
+    case 16: *toi = *(int*)state; return TOUCHSTONE_CONTACT; /* how many calls there were in this process */
     case 17: *toi = kind; return TOUCHSTONE_CONTACT;
     case 18: *toi = (double)getpid(); return TOUCHSTONE_CONTACT;
     case 19: /* the highest descriptor that is open */
@@ -76,7 +80,7 @@ static int solve(void *state, int kind, const double *start, const double *end, 
       }
       return TOUCHSTONE_CONTACT;
     case 20: { /* whether there is a gibibyte to be had */
-      void *const memory = malloc((size_t)1 << 30);
+      void* const memory = malloc((size_t)1 << 30);
       *toi = memory == NULL ? 0 : 1;
       free(memory);
       return TOUCHSTONE_CONTACT;
@@ -86,9 +90,9 @@ static int solve(void *state, int kind, const double *start, const double *end, 
   return TOUCHSTONE_NO_CONTACT;
 }
 
-const struct touchstone_solver_plugin *touchstone_solver(void) {
-  static struct touchstone_solver_plugin plugin = {TOUCHSTONE_PLUGIN_VERSION,
-                                                   TOUCHSTONE_EDGE_EDGE | TOUCHSTONE_POINT_POINT, init, solve, teardown};
+const struct touchstone_solver_plugin* touchstone_solver(void) {
+  static struct touchstone_solver_plugin plugin = {
+      TOUCHSTONE_PLUGIN_VERSION, TOUCHSTONE_EDGE_EDGE | TOUCHSTONE_POINT_POINT, init, solve, teardown};
   if (told("loading crashes")) raise(SIGSEGV);
   if (told("null")) return NULL;
   if (told("another version")) plugin.version = 99;

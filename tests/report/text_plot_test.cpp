@@ -36,8 +36,11 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 TEST_CASE("the text plot has a letter for each point, in the row of its error and in order of time") {
   SetResults set;
-  set.results = {result("paper", 0.1, 5, 3), result("closed_form", 0.12, 0, 0), result("newton", 0.13, 1'000'000, 0),
-                 result("newton", 0.13, 2'000'000, 0), result("conservative_advancement", 40, INT64_MAX, 0),
+  set.results = {result("paper", 0.1, 5, 3),
+                 result("closed_form", 0.12, 0, 0),
+                 result("newton", 0.13, 1'000'000, 0),
+                 result("newton", 0.13, 2'000'000, 0),
+                 result("conservative_advancement", 40, INT64_MAX, 0),
                  result("touchstone", 0.05, 0, 0)};
   const auto lines = lines_of(report::text_plot(set));
   REQUIRE(lines.size() == 1 + 8 + 4);

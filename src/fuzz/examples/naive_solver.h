@@ -10,26 +10,26 @@
 
 enum { EDGES = 1, FACE = 2 };
 
-static void at_time(const double *start, const double *end, double t, double corners[12]) {
+static void at_time(const double* start, const double* end, double t, double corners[12]) {
   int i;
   for (i = 0; i < 12; ++i) corners[i] = start[i] + t * (end[i] - start[i]);
 }
 
-static void minus(const double *a, const double *b, double d[3]) {
+static void minus(const double* a, const double* b, double d[3]) {
   int i;
   for (i = 0; i < 3; ++i) d[i] = a[i] - b[i];
 }
 
-static void cross(const double *a, const double *b, double c[3]) {
+static void cross(const double* a, const double* b, double c[3]) {
   c[0] = a[1] * b[2] - a[2] * b[1];
   c[1] = a[2] * b[0] - a[0] * b[2];
   c[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-static double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+static double dot(const double* a, const double* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /* u and w span the plane; r leads from the one element to the other. */
-static void frame(int sort, const double *c, double u[3], double w[3], double r[3]) {
+static void frame(int sort, const double* c, double u[3], double w[3], double r[3]) {
   if (sort == EDGES) {
     minus(c + 3, c, u);
     minus(c + 9, c + 6, w);
@@ -41,7 +41,7 @@ static void frame(int sort, const double *c, double u[3], double w[3], double r[
   }
 }
 
-static double volume(int sort, const double *start, const double *end, double t) {
+static double volume(int sort, const double* start, const double* end, double t) {
   double c[12], u[3], w[3], r[3], n[3];
   at_time(start, end, t, c);
   frame(sort, c, u, w, r);
@@ -50,7 +50,7 @@ static double volume(int sort, const double *start, const double *end, double t)
 }
 
 /* Whether the elements meet where their lines, or point and plane, do. */
-static int meet(int sort, const double *start, const double *end, double t) {
+static int meet(int sort, const double* start, const double* end, double t) {
   const double tolerance = 1e-9;
   double c[12], u[3], w[3], r[3], n[3], rw[3], ru[3], f, g;
   at_time(start, end, t, c);
@@ -69,7 +69,7 @@ static int meet(int sort, const double *start, const double *end, double t) {
 }
 
 /* 1 and *toi when the elements touch first at *toi in [0, 1], else 0. */
-static int naive_solve(int sort, const double *start, const double *end, double *toi) {
+static int naive_solve(int sort, const double* start, const double* end, double* toi) {
   const int steps = 64;
   double before = volume(sort, start, end, 0);
   int i, k;

@@ -14,7 +14,7 @@ int main(void) {
   char line[4096];
   while (fgets(line, sizeof line, stdin) != NULL) {
     double numbers[24], toi = 0;
-    char *at = strchr(line, ' ');
+    char* at = strchr(line, ' ');
     int sort = 0, i;
     if (strncmp(line, "edge-edge ", 10) == 0) sort = EDGES;
     if (strncmp(line, "vertex-face ", 12) == 0) sort = FACE;

@@ -59,7 +59,8 @@ touchstone::VertexFace falling_vertex() {
 
 int main() {
   check(std::string(touchstone::version()) == EXPECTED_VERSION, "the version");
-  check(flushes() == (CONSUMER_FLUSHES != 0), "the program was not started with the floating-point environment under test");
+  check(flushes() == (CONSUMER_FLUSHES != 0),
+        "the program was not started with the floating-point environment under test");
 
   for (const auto method : {touchstone::Method::fast, touchstone::Method::exact, touchstone::Method::oracle}) {
     const touchstone::Answer contact = touchstone::solve(subnormal_contact(), method);
@@ -93,7 +94,8 @@ int main() {
   check(touchstone::fuzz_solver(ours, fuzzing).failures == 0, "a solver that is right is found right");
   const auto denies = [](const touchstone::Query&) { return touchstone::Claim{}; };
   const touchstone::FuzzReport broken = touchstone::fuzz_solver(denies, fuzzing);
-  check(broken.queries == 2000 && broken.failures > 500 && !broken.findings.empty(), "a solver that denies all is broken");
+  check(broken.queries == 2000 && broken.failures > 500 && !broken.findings.empty(),
+        "a solver that denies all is broken");
   check(touchstone::to_string(broken.findings.front()).rfind("missed ", 0) == 0, "and told how");
 
   bool refused = false;
@@ -105,7 +107,8 @@ int main() {
   check(refused, "t_max = 2 is refused with the library's own exception");
   check(flushes() == (CONSUMER_FLUSHES != 0), "the floating-point environment was not restored");
 
-  std::printf("touchstone %s, %s: %s\n", touchstone::version(), CONSUMER_FLUSHES ? "flush-to-zero" : "default environment",
+  std::printf("touchstone %s, %s: %s\n", touchstone::version(),
+              CONSUMER_FLUSHES ? "flush-to-zero" : "default environment",
               failures == 0 ? "every answer is right" : "some answers are wrong");
   return failures == 0 ? 0 : 1;
 }
