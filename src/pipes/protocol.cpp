@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fuzz/pipe_protocol.hpp"
+#include "pipes/protocol.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 
 #include "io/times.hpp"
 
-namespace touchstone::fuzz {
+namespace touchstone::pipes {
 namespace {
 
 constexpr std::string_view kBlanks = " \t";
@@ -141,4 +141,4 @@ std::optional<Query> read_query_line(std::string_view line) noexcept {
   return std::nullopt;
 }
 
-}  // namespace touchstone::fuzz
+}  // namespace touchstone::pipes
