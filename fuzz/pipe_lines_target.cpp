@@ -1,7 +1,7 @@
 // The lines of programs that are asked over pipes: any bytes are an answer, or none; a time is what the C library makes
 // of it; a query that can be read is written as it was.
 // SPDX-License-Identifier: MIT
-#include "fuzz/pipe_protocol.hpp"
+#include "pipes/protocol.hpp"
 
 #include <bit>
 #include <cmath>
@@ -18,7 +18,7 @@ bool same_number(double a, double b) {
 }
 
 void check_answer(std::string_view line) {
-  const auto answer = fuzz::read_answer_line(line);
+  const auto answer = pipes::read_answer_line(line);
   if (!answer) return;
   if (line.find('\n') != std::string_view::npos) throw Finding("an answer of two lines");
   if (!answer->supported && answer->contact) throw Finding("an answer to what is not supported");
@@ -35,13 +35,13 @@ void check_answer(std::string_view line) {
 }
 
 void check_query(std::string_view line) {
-  const auto query = fuzz::read_query_line(line);
+  const auto query = pipes::read_query_line(line);
   if (!query) return;
-  std::string written = fuzz::query_line(*query);
+  std::string written = pipes::query_line(*query);
   if (written.back() != '\n') throw Finding("a query's line without its line feed");
   written.pop_back();
-  const auto again = fuzz::read_query_line(written);
-  if (!again || fuzz::query_line(*again) != written + "\n")
+  const auto again = pipes::read_query_line(written);
+  if (!again || pipes::query_line(*again) != written + "\n")
     throw Finding("a query's line is not read back: " + written);
 }
 

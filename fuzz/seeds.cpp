@@ -2,8 +2,8 @@
 #include "seeds.hpp"
 
 #include "families/families.hpp"
-#include "fuzz/pipe_protocol.hpp"
 #include "io/query_writer.hpp"
+#include "pipes/protocol.hpp"
 #include "query_bytes.hpp"
 #include "sim/checkpoint.hpp"
 #include "sim/scene_file.hpp"
@@ -56,7 +56,7 @@ std::vector<std::string> pipe_line_seeds() {
   std::vector<std::string> seeds{"0",      "1",          "1 0x1.8p-2\r", "1 0.5",   "1 -1e-310",         "1 nan",
                                  "1 -inf", "1 infinity", "unsupported",  "1 1e999", "1 0x.0000001p-1074"};
   for (const Query& query : queries(1)) {
-    std::string line = fuzz::query_line(query);
+    std::string line = pipes::query_line(query);
     line.pop_back();
     seeds.push_back(line);
   }

@@ -11,11 +11,11 @@
 #include <touchstone/error.hpp>
 #include <touchstone/solve.hpp>
 
-#include "cli/interrupt.hpp"
-#include "cli/new_folders.hpp"
-#include "cli/progress.hpp"
-#include "cli/summary.hpp"
-#include "cli/words.hpp"
+#include "cli/shared/interrupt.hpp"
+#include "cli/shared/new_folders.hpp"
+#include "cli/shared/progress.hpp"
+#include "cli/shared/summary.hpp"
+#include "cli/shared/words.hpp"
 #include "io/output_file.hpp"
 #include "io/query_writer.hpp"
 

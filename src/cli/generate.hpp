@@ -8,7 +8,7 @@
 
 #include <touchstone/query.hpp>
 
-#include "cli/commands.hpp"
+#include "cli/shared/command.hpp"
 #include "generators/candidates.hpp"
 
 namespace touchstone::cli {

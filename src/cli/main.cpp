@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "cli/interrupt.hpp"
 #include "cli/program.hpp"
+#include "cli/shared/interrupt.hpp"
 
 int main(int argc, char** argv) {
   using namespace touchstone::cli;

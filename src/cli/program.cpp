@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "cli/program.hpp"
-#include "cli/words.hpp"
 
 #include <fmt/format.h>
 
@@ -13,12 +12,17 @@
 #include <touchstone/error.hpp>
 #include <touchstone/version.hpp>
 
-#include "cli/bench.hpp"
-#include "cli/commands.hpp"
-#include "cli/fuzz.hpp"
+#include "cli/bench/bench.hpp"
+#include "cli/certify/certify.hpp"
+#include "cli/explain/explain.hpp"
+#include "cli/fuzz/fuzz.hpp"
 #include "cli/generate.hpp"
-#include "cli/interrupt.hpp"
-#include "cli/simulate.hpp"
+#include "cli/report.hpp"
+#include "cli/shared/interrupt.hpp"
+#include "cli/shared/words.hpp"
+#include "cli/simulate/simulate.hpp"
+#include "cli/solve.hpp"
+#include "cli/stress.hpp"
 #include "io/output_file.hpp"
 
 namespace touchstone::cli {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/report.hpp"
+#include "cli/report.hpp"
 
 #include <fmt/format.h>
 
@@ -9,12 +9,13 @@
 #include <memory>
 #include <optional>
 
-#include "cli/commands.hpp"
-#include "cli/inputs.hpp"
-#include "cli/new_folders.hpp"
-#include "cli/share_line.hpp"
-#include "cli/words.hpp"
+#include "cli/shared/inputs.hpp"
+#include "cli/shared/new_folders.hpp"
+#include "cli/shared/options.hpp"
+#include "cli/shared/share_line.hpp"
+#include "cli/shared/words.hpp"
 #include "io/output_file.hpp"
+#include "report/report.hpp"
 
 namespace touchstone::cli {
 namespace {

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
+#include "cli/solve.hpp"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <array>
 #include <memory>
 
-#include "cli/commands.hpp"
-#include "cli/inputs.hpp"
-#include "cli/pipeline.hpp"
-#include "cli/progress.hpp"
-#include "cli/summary.hpp"
+#include "cli/shared/inputs.hpp"
+#include "cli/shared/pipeline.hpp"
+#include "cli/shared/progress.hpp"
+#include "cli/shared/summary.hpp"
 #include "io/answer_writer.hpp"
 #include "io/output_file.hpp"
 #include "io/query_parser.hpp"

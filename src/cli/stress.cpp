@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stress/stress.hpp"
+#include "cli/stress.hpp"
 
 #include <fmt/format.h>
 
@@ -8,11 +8,12 @@
 #include <filesystem>
 #include <memory>
 
-#include "cli/commands.hpp"
-#include "cli/new_folders.hpp"
-#include "cli/share_line.hpp"
-#include "cli/words.hpp"
+#include "cli/shared/new_folders.hpp"
+#include "cli/shared/options.hpp"
+#include "cli/shared/share_line.hpp"
+#include "cli/shared/words.hpp"
 #include "io/output_file.hpp"
+#include "stress/stress.hpp"
 
 namespace touchstone::cli {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <touchstone/version.hpp>
 
-#include "cli/commands.hpp"
+#include "cli/certify/certify.hpp"
 #include "cli/run_program.hpp"
 #include "cli/sample_files.hpp"
 #include "io/times.hpp"

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.hpp"
 #include "cli/run_program.hpp"
 #include "cli/sample_files.hpp"
+#include "cli/solve.hpp"
 #include "io/answer_writer.hpp"
 #include "support/catch.hpp"
 

@@ -1,6 +1,6 @@
 // Numbers and names for a person.
 // SPDX-License-Identifier: MIT
-#include "cli/words.hpp"
+#include "cli/shared/words.hpp"
 
 #include "support/catch.hpp"
 

@@ -1,6 +1,6 @@
 // The lines that programs read and write.
 // SPDX-License-Identifier: MIT
-#include "fuzz/pipe_protocol.hpp"
+#include "pipes/protocol.hpp"
 
 #include <cmath>
 #include <cstring>
@@ -21,7 +21,7 @@ TEST_CASE("a query's line is its kind and its coordinates, and can be read back"
   PointPoint points;
   points.start = {{{0, -0.0, 1}, {0.1, 0x1p-1074, -0x1.fffffffffffffp+1023}}};
   points.end = {{{2, 3, 4}, {5, 6, 0.5}}};
-  const std::string line = fuzz::query_line(points);
+  const std::string line = pipes::query_line(points);
   CHECK(line ==
         "point-point 0x0p+0 -0x0p+0 0x1p+0 0x1.999999999999ap-4 0x0.0000000000001p-1022 -0x1.fffffffffffffp+1023 "
         "0x1p+1 0x1.8p+1 0x1p+2 0x1.4p+2 0x1.8p+2 0x1p-1\n");
@@ -35,10 +35,10 @@ TEST_CASE("a query's line is its kind and its coordinates, and can be read back"
         value += 1;
       }
     }
-    std::string text = fuzz::query_line(query);
+    std::string text = pipes::query_line(query);
     REQUIRE(text.back() == '\n');
     text.pop_back();
-    const auto read = fuzz::read_query_line(text);
+    const auto read = pipes::read_query_line(text);
     REQUIRE(read);
     CHECK(read->kind == kind);
     for (std::size_t i = 0; i < corner_count(kind); ++i) {
@@ -46,14 +46,14 @@ TEST_CASE("a query's line is its kind and its coordinates, and can be read back"
       CHECK(same_bits(read->start[i].y, query.start[i].y));
       CHECK(same_bits(read->end[i].z, query.end[i].z));
     }
-    CHECK_FALSE(fuzz::read_query_line(text + " 0x1p+0"));
-    CHECK_FALSE(fuzz::read_query_line(text.substr(0, text.rfind(' '))));
-    CHECK_FALSE(fuzz::read_query_line("edge" + text));
+    CHECK_FALSE(pipes::read_query_line(text + " 0x1p+0"));
+    CHECK_FALSE(pipes::read_query_line(text.substr(0, text.rfind(' '))));
+    CHECK_FALSE(pipes::read_query_line("edge" + text));
   }
 }
 
 TEST_CASE("answers that can be read") {
-  const auto read = [](const char* line) { return fuzz::read_answer_line(line); };
+  const auto read = [](const char* line) { return pipes::read_answer_line(line); };
   CHECK_FALSE(read("0")->contact);
   CHECK_FALSE(read(" 0 \r")->contact);
   CHECK(read("1")->contact);
@@ -71,10 +71,10 @@ TEST_CASE("answers that can be read") {
   CHECK(read("1 1e999")->toi == std::numeric_limits<double>::infinity());
   CHECK(read("1 1e-999")->toi == 0.0);
   const std::string many(800, '0');
-  CHECK(fuzz::read_answer_line("1 1" + many + "e-100")->toi == std::numeric_limits<double>::infinity());
-  CHECK(fuzz::read_answer_line("1 0." + many + "1e100")->toi == 0.0);
-  CHECK(fuzz::read_answer_line("1 0x1" + many + "p-10")->toi == std::numeric_limits<double>::infinity());
-  CHECK(fuzz::read_answer_line("1 0x." + many + "1p10")->toi == 0.0);
+  CHECK(pipes::read_answer_line("1 1" + many + "e-100")->toi == std::numeric_limits<double>::infinity());
+  CHECK(pipes::read_answer_line("1 0." + many + "1e100")->toi == 0.0);
+  CHECK(pipes::read_answer_line("1 0x1" + many + "p-10")->toi == std::numeric_limits<double>::infinity());
+  CHECK(pipes::read_answer_line("1 0x." + many + "1p10")->toi == 0.0);
   CHECK_FALSE(read("unsupported")->supported);
   CHECK(read("0")->supported);
 }
@@ -85,8 +85,8 @@ TEST_CASE("answers that cannot be read") {
         "1 half",  "1 0x", "1 0.5x", "1 --5", "1 +-5", "1 0xnan", "1,0.5", "unsupported 1", "Unsupported",
         "1 0.5\n", "10.5", "1 nan(", "1 e5"}) {
     CAPTURE(line);
-    CHECK_FALSE(fuzz::read_answer_line(line));
+    CHECK_FALSE(pipes::read_answer_line(line));
   }
-  CHECK_FALSE(fuzz::read_answer_line(std::string_view("0\0", 2)));
-  CHECK_FALSE(fuzz::read_answer_line(std::string(100000, '1')));
+  CHECK_FALSE(pipes::read_answer_line(std::string_view("0\0", 2)));
+  CHECK_FALSE(pipes::read_answer_line(std::string(100000, '1')));
 }

@@ -56,6 +56,13 @@ TEST_CASE("a planted violation of the layer table is found") {
                Planted{"io/x.cpp", "#include <touchstone/eigen.hpp>\n", "without Eigen"},
                Planted{"sim/x.cpp", "#include \"exact/exact.hpp\"\n", "`sim` may not use `exact`"},
                Planted{"solver/x.cpp", "#include \"sim/scene.hpp\"\n", "`solver` may not use `sim`"},
+               Planted{"cli/bench/x.cpp", "#include \"cli/fuzz/report.hpp\"\n", "`cli/bench` may not use `cli/fuzz`"},
+               Planted{"cli/bench/x.cpp", "#include \"cli/solve.hpp\"\n", "`cli/bench` may not use `cli/solve`"},
+               Planted{"cli/solve.cpp", "#include \"cli/report.hpp\"\n", "`cli/solve` may not use `cli/report`"},
+               Planted{"cli/solve.cpp", "#include \"cli/fuzz/fuzz.hpp\"\n", "`cli/solve` may not use `cli/fuzz`"},
+               Planted{"cli/shared/x.hpp", "#include \"cli/solve.hpp\"\n", "`cli/shared` may not use `cli/solve`"},
+               Planted{"cli/main.cpp", "#include \"cli/solve.hpp\"\n", "`cli/main` may not use `cli/solve`"},
+               Planted{"cli/fuzz/x.cpp", "#include \"cli/queries/bundled.hpp\"\n", "may not use `cli/queries`"},
                Planted{"unheard_of/x.cpp", "", "has no `unheard_of`"});
   CAPTURE(planted.path, planted.text);
   const auto violations = source_violations(planted.path, planted.text);
@@ -68,6 +75,11 @@ TEST_CASE("what the layer table allows is no violation") {
                           "#include \"numbers/a.hpp\"\n#include \"exact/b.hpp\"\n#include <touchstone/query.hpp>\n")
             .empty());
   CHECK(source_violations("solver/x.cpp", "#include \"oracle/oracle.hpp\"\n#include <vector>\n").empty());
+  CHECK(source_violations("cli/bench/x.cpp", "#include \"cli/bench/sets.hpp\"\n#include \"cli/shared/words.hpp\"\n")
+            .empty());
+  CHECK(source_violations("cli/solve.cpp", "#include \"cli/solve.hpp\"\n#include \"cli/shared/words.hpp\"\n").empty());
+  CHECK(source_violations("cli/program.cpp", "#include \"cli/fuzz/fuzz.hpp\"\n#include \"cli/solve.hpp\"\n").empty());
+  CHECK(source_violations("cli/shared/x.cpp", "#include \"cli/queries/bundled.hpp\"\n").empty());
   CHECK(source_violations("numbers/x.hpp", "#include <CGAL/Mpzf.h>\n#include <gmp.h>\n").empty());
   CHECK(source_violations("exact/x.cpp", "// #include \"solver/cascade.hpp\"\n").empty());
 }

@@ -25,14 +25,16 @@ const std::map<std::string, Layers>& layer_table() {
       {"seeded", {}},
       {"families", {"geometry", "seeded"}},
       {"generators", {"geometry", "io", "seeded"}},
-      {"fuzz", {"solver", "certify", "baselines", "families", "filters", "io", "numbers", "geometry", "seeded"}},
+      {"fuzz",
+       {"solver", "certify", "baselines", "families", "filters", "io", "numbers", "geometry", "pipes", "seeded"}},
+      {"pipes", {"geometry", "io"}},
       {"io", {"geometry", "numbers"}},
       {"sim", {"solver", "baselines", "generators", "io", "geometry"}},
       {"report", {"solver", "baselines", "generators", "io", "geometry", "seeded", "sim"}},
       {"stress", {"solver", "baselines", "report", "geometry", "seeded"}},
       {"cli",
        {"geometry", "numbers", "filters", "exact", "oracle", "solver", "certify", "baselines", "generators", "io",
-        "report", "families", "fuzz", "seeded", "sim", "stress"}},
+        "report", "families", "fuzz", "pipes", "seeded", "sim", "stress"}},
   };
   return table;
 }
@@ -44,6 +46,21 @@ bool starts_with(std::string_view text, std::string_view prefix) { return text.s
 std::string first_part(const std::string& path) {
   const std::size_t slash = path.find('/');
   return slash == std::string::npos ? std::string() : path.substr(0, slash);
+}
+
+/// A file's room within `cli`: the folder of a command ("cli/bench/sets.hpp": "bench"), or, for a file that lies in
+/// `cli` itself, the name that it shares with its header ("cli/solve.cpp": "solve").
+std::string room_in_cli(const std::string& path) {
+  const std::string rest = path.substr(path.find('/') + 1);
+  const std::string folder = first_part(rest);
+  return folder.empty() ? rest.substr(0, rest.find('.')) : folder;
+}
+
+/// A command uses its own files and the shared ones, so that each command can be read and changed alone. The program
+/// knows every command, main knows the program, and the shared files find the bundled queries.
+bool may_use_in_cli(const std::string& room, const std::string& used) {
+  if (room == used || used == "shared" || room == "program") return true;
+  return (room == "main" && used == "program") || (room == "shared" && used == "queries");
 }
 
 std::string at(const std::string& file, const Include& include, const std::string& reason) {
@@ -84,6 +101,10 @@ std::vector<std::string> source_violations(const std::string& path, std::string_
         violations.push_back(at(file, include, "a quoted include names the layer and the file"));
       } else if (layer.empty() || (used != layer && row->second.count(used) == 0)) {
         violations.push_back(at(file, include, "`" + layer + "` may not use `" + used + "`"));
+      } else if (layer == "cli" && used == "cli" && !may_use_in_cli(room_in_cli(path), room_in_cli(include.target))) {
+        violations.push_back(at(file, include,
+                                "`cli/" + room_in_cli(path) + "` may not use `cli/" + room_in_cli(include.target) +
+                                    "`; a command uses its own files and those of cli/shared"));
       }
     } else if (layer_table().count(used) != 0) {
       violations.push_back(at(file, include, "the project's own layers are included with quotes"));

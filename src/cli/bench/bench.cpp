@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "cli/bench/bench.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <regex>
+
+#include <touchstone/error.hpp>
+
+#include "cli/bench/clock.hpp"
+#include "cli/bench/methods.hpp"
+#include "cli/bench/results.hpp"
+#include "cli/bench/sets.hpp"
+#include "cli/shared/interrupt.hpp"
+#include "cli/shared/options.hpp"
+#include "cli/shared/words.hpp"
+#include "io/output_file.hpp"
+#include "solver/owned_columns.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+/// One method on one set: what is asked, and where the answers go.
+struct Entry {
+  const BenchSet* set = nullptr;
+  BenchMethod method = BenchMethod::floor;
+  std::vector<Query> queries;
+  solver::OwnedColumns columns;  // of the same queries
+  std::vector<Answer> answers;
+};
+
+/// Those whose "set/method" the filter finds, and the floor of each set that has one.
+std::vector<Entry> chosen_entries(const std::vector<BenchSet>& sets, const std::string& filter) {
+  const std::regex pattern(filter);
+  std::vector<Entry> entries;
+  for (const BenchSet& set : sets) {
+    const auto is_chosen = [&](BenchMethod method) {
+      return std::regex_search(set.name + "/" + std::string(bench_method_name(method)), pattern);
+    };
+    if (std::none_of(kBenchMethods.begin(), kBenchMethods.end(), is_chosen)) continue;
+    for (const BenchMethod method : kBenchMethods) {
+      if (method != BenchMethod::floor && !is_chosen(method)) continue;
+      std::vector<Query> queries = spread(set.queries, most_queries(method));
+      solver::OwnedColumns columns(method == BenchMethod::columns ? queries : std::vector<Query>());
+      Entry entry{&set, method, std::move(queries), std::move(columns), {}};
+      entry.answers.resize(entry.queries.size());
+      entries.push_back(std::move(entry));
+    }
+  }
+  return entries;
+}
+
+BenchResult result_of(Entry& entry, const std::vector<double>& seconds) {
+  throw_if_interrupted();
+  BenchResult result;
+  result.set = entry.set->name;
+  result.method = entry.method;
+  result.queries = entry.queries.size();
+  result.set_size = entry.set->queries.size();
+  for (const Answer& answer : entry.set->answers) result.contacts += answer.contact;
+  for (const double pass : seconds) result.nanoseconds.push_back(1e9 * pass / static_cast<double>(result.queries));
+  result.slowest_microseconds = slowest_microseconds(entry.method, entry.queries);
+  if (entry.method != BenchMethod::floor) result.levels = count_levels(entry.answers);
+  return result;
+}
+
+std::vector<BenchResult> measured(std::vector<Entry>& entries, const BenchOptions& options) {
+  if (::isatty(STDERR_FILENO) == 1) {
+    const double passes = static_cast<double>(entries.size()) * options.repetitions;
+    print_error(fmt::format("measuring {} for {:.0f} s or more\n", counted(entries.size(), "entry"),
+                            passes * options.min_time));
+  }
+  std::vector<std::function<void()>> actions;
+  for (Entry& entry : entries) {
+    actions.push_back([&entry] {
+      throw_if_interrupted();
+      ask_all(entry.method, entry.queries, entry.columns.view(), entry.answers);
+    });
+  }
+  const auto seconds = measure(actions, options.repetitions, options.min_time);
+  std::vector<BenchResult> results;
+  double floor = 0;  // of the set; each set's entries begin with it
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    results.push_back(result_of(entries[i], seconds[i]));
+    if (entries[i].method == BenchMethod::floor) floor = results.back().median();
+    results.back().ratio = results.back().median() / floor;
+  }
+  return results;
+}
+
+std::string check_regex(const std::string& text) {
+  try {
+    const std::regex pattern(text);
+    return {};
+  } catch (const std::regex_error&) {
+    return text + " is no regular expression";
+  }
+}
+
+}  // namespace
+
+int run_bench(const BenchOptions& options) {
+  require_benchmark_library();
+  std::vector<io::OutputFile> outputs;
+  for (const auto& name : {options.csv, options.json}) {
+    refuse_to_overwrite(name, options.files);
+    if (!name.empty()) outputs.emplace_back(name);
+  }
+  const std::vector<BenchSet> sets = bench_sets(options);
+  std::vector<Entry> entries = chosen_entries(sets, options.filter);
+  if (entries.empty()) throw InvalidQuery("nothing that is measured is called like --filter " + options.filter);
+  const std::vector<BenchResult> results = measured(entries, options);
+
+  if (!options.csv.empty()) outputs.front().write(bench_csv(results));
+  if (!options.json.empty()) outputs.back().write(bench_json(results, options));
+  for (auto& output : outputs) output.commit();
+  auto console = io::OutputFile::standard_output();
+  console.write(bench_table(results));
+  console.commit();
+  return kAllHold;
+}
+
+void add_bench(CLI::App& program, Command& command) {
+  const auto options = std::make_shared<BenchOptions>();
+  CLI::App* const subcommand = program.add_subcommand("bench", "Measure how long answers take, as ratios to a floor");
+  subcommand->add_option("FILE", options->files, "Query files to measure on as well, as the source `files`")
+      ->type_name("");
+  add_kind_option(*subcommand, options->kind);
+  subcommand
+      ->add_option("--filter", options->filter,
+                   "Only entries whose name SOURCE/KIND/PART/METHOD this regular expression finds; a set's floor is "
+                   "always measured")
+      ->type_name("REGEX")
+      ->check(check_regex);
+  subcommand->add_option("--repetitions", options->repetitions, "How often; the median counts (default: 5)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000));
+  subcommand->add_option("--min-time", options->min_time, "How long a repetition takes at least (default: 0.05)")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(1e-6, 100.0));
+  subcommand
+      ->add_option("--count", options->count,
+                   "How many queries of each kind are generated, by scene and at random (default: 4000)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1'000'000));
+  subcommand->add_option("--csv", options->csv, "Write every number there as CSV")->type_name("FILE");
+  subcommand->add_option("--json", options->json, "Write every number there, repetition by repetition, as JSON")
+      ->type_name("FILE");
+  subcommand->footer(
+      "SOURCE is simulation (candidate pairs of the three scenes of touchstone generate), random (doubles), bundled\n"
+      "(degenerate queries) or files; PART is all, hits (with contact) or misses. METHOD is floor (reads the query "
+      "and\n"
+      "computes the coplanarity cubic's four Bernstein coefficients, deciding nothing), touchstone (solve),\n"
+      "touchstone_batch (one thread), touchstone_columns (the same, structure of arrays), exact (exact arithmetic "
+      "alone) or oracle (a few queries).\n\n"
+      "Times are processor time, the median over the repetitions, which are run in random order; `x floor` is the "
+      "ratio to\n"
+      "the floor of the same set and run, and can be compared across machines. The slowest single query is the best "
+      "of\n"
+      "three tries. The last columns are the shares of answers that each level decided.\n\n"
+      "Examples\n"
+      "  touchstone bench --filter simulation\n"
+      "  touchstone bench --filter 'all/(touchstone|floor)' --repetitions 9 --csv bench.csv data/*/*.csv\n\n"
+      "Exit status: 0 done, 2 bad usage or bad input, or built without Google Benchmark.");
+  subcommand->callback([options, &command] { command = [options] { return run_bench(*options); }; });
+}
+
+}  // namespace touchstone::cli

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "cli/bench/results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include <touchstone/version.hpp>
+
+#include "cli/shared/words.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double least(const std::vector<double>& values) { return *std::min_element(values.begin(), values.end()); }
+double greatest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
+
+std::string levels_for_person(const BenchResult& result) {
+  if (result.method == BenchMethod::floor) return {};
+  const auto& levels = result.levels;
+  if (levels.oracle > 0) return fmt::format("{:>36} oracle", share(levels.oracle, result.queries));
+  return fmt::format("{:>10}{:>10}{:>10}", share(levels.filter, result.queries), share(levels.bracket, result.queries),
+                     share(levels.exact, result.queries));
+}
+
+std::string line_for_person(const BenchResult& result) {
+  std::string name(bench_method_name(result.method));
+  if (result.queries < result.set_size) name += fmt::format(" ({} of them)", grouped(result.queries));
+  const std::string slowest = result.slowest_microseconds < 0 ? "" : fmt::format("{:.2f}", result.slowest_microseconds);
+  std::string line = fmt::format("  {:<26}{:>12.1f}{:>12.2f}{:>14}{}", name, result.median(), result.ratio, slowest,
+                                 levels_for_person(result));
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + "\n";
+}
+
+std::string compiler() {
+#if defined(__clang__)
+  return "clang " __clang_version__;
+#elif defined(__GNUC__)
+  return "gcc " __VERSION__;
+#else
+  return "unknown";
+#endif
+}
+
+Json json_of(const BenchResult& result) {
+  Json json = {{"set", result.set},
+               {"method", bench_method_name(result.method)},
+               {"queries", result.queries},
+               {"set_queries", result.set_size},
+               {"set_contacts", result.contacts},
+               {"median_ns", result.median()},
+               {"repetitions_ns", result.nanoseconds},
+               {"ratio_to_floor", result.ratio}};
+  json["slowest_us"] = result.slowest_microseconds < 0 ? Json(nullptr) : Json(result.slowest_microseconds);
+  json["levels"] = {{"filter", result.levels.filter},
+                    {"bracket", result.levels.bracket},
+                    {"exact", result.levels.exact},
+                    {"oracle", result.levels.oracle}};
+  return json;
+}
+
+}  // namespace
+
+double BenchResult::median() const {
+  std::vector<double> sorted = nanoseconds;
+  std::sort(sorted.begin(), sorted.end());
+  const std::size_t half = sorted.size() / 2;
+  return sorted.size() % 2 == 1 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
+}
+
+std::string bench_table(const std::vector<BenchResult>& results) {
+  std::string table;
+  std::string set;
+  for (const BenchResult& result : results) {
+    if (result.set != set) {
+      set = result.set;
+      const std::string title = fmt::format("{}: {}, {} with contact", set, counted(result.set_size, "query"),
+                                            share(result.contacts, result.set_size));
+      table += fmt::format("{}{}\n  {:<26}{:>12}{:>12}{:>14}{:>10}{:>10}{:>10}\n", table.empty() ? "" : "\n", title, "",
+                           "ns a query", "x floor", "slowest, us", "filter", "bracket", "exact");
+    }
+    table += line_for_person(result);
+  }
+  return table;
+}
+
+std::string bench_csv(const std::vector<BenchResult>& results) {
+  std::string csv =
+      "set,method,queries,set_queries,set_contacts,median_ns,least_ns,greatest_ns,ratio_to_floor,slowest_us,"
+      "filter,bracket,exact,oracle\n";
+  for (const BenchResult& r : results) {
+    csv +=
+        fmt::format("{},{},{},{},{},{:.3f},{:.3f},{:.3f},{:.4f},{},{},{},{},{}\n", r.set, bench_method_name(r.method),
+                    r.queries, r.set_size, r.contacts, r.median(), least(r.nanoseconds), greatest(r.nanoseconds),
+                    r.ratio, r.slowest_microseconds < 0 ? "" : fmt::format("{:.3f}", r.slowest_microseconds),
+                    r.levels.filter, r.levels.bracket, r.levels.exact, r.levels.oracle);
+  }
+  return csv;
+}
+
+std::string bench_json(const std::vector<BenchResult>& results, const BenchOptions& options) {
+  Json json = {{"touchstone", version()},
+               {"compiler", compiler()},
+               {"repetitions", options.repetitions},
+               {"min_time_s", options.min_time},
+               {"results", Json::array()}};
+  for (const BenchResult& result : results) json["results"].push_back(json_of(result));
+  return json.dump(2) + "\n";
+}
+
+}  // namespace touchstone::cli

@@ -1,0 +1,27 @@
+// The queries that `touchstone bench` measures.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <touchstone/answer.hpp>
+#include <touchstone/query.hpp>
+
+#include "cli/bench/bench.hpp"
+
+namespace touchstone::cli {
+
+/// Queries of one kind and source: all of them, those with contact, or those without.
+struct BenchSet {
+  std::string name;  ///< "simulation/edge-edge/hits"
+  std::vector<Query> queries;
+  std::vector<Answer> answers;
+};
+
+/// Of simulation-like candidates, random doubles, the bundled (degenerate) queries and the given files; those that hold
+/// a query, in this order. Queries whose coordinates are not all doubles are left out.
+std::vector<BenchSet> bench_sets(const BenchOptions& options);
+
+}  // namespace touchstone::cli

@@ -1,0 +1,20 @@
+// `touchstone certify`: exact verdicts on claimed answers.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "cli/shared/command.hpp"
+#include "cli/shared/options.hpp"
+
+namespace touchstone::cli {
+
+struct CertifyOptions : QueryOptions {
+  std::string claims;  ///< an answers file; empty: the truth column
+  std::string report;  ///< empty: none
+};
+
+int run_certify(const CertifyOptions& options);
+void add_certify(CLI::App& program, Command& command);
+
+}  // namespace touchstone::cli

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "cli/certify/claims.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "cli/shared/interrupt.hpp"
+#include "cli/shared/words.hpp"
+#include "io/fail.hpp"
+
+namespace touchstone::cli {
+
+ClaimStream::ClaimStream(const std::string& path, const std::vector<Input>& inputs, std::size_t chunk_bytes)
+    : inputs_(inputs), reader_(io::InputFile::open(path, throw_if_interrupted), chunk_bytes) {}
+
+void ClaimStream::read(const QueryItem& item, std::vector<Claim>& claims) {
+  const Input& input = inputs_[item.input];
+  for (std::size_t i = 0; i < item.chunk.query_count; ++i) {
+    const std::uint64_t query = item.chunk.first_query + i;
+    io::AnswerRow row;
+    if (!reader_.next(row)) {
+      io::fail(reader_.name(), reader_.last_row(),
+               fmt::format("the claims end here, after {}; query {} of {} has none", grouped(claims_), query,
+                           io::printable(input.name)));
+    }
+    if (row.file && !(has_known_file_ && known_input_ == item.input && known_file_ == *row.file)) {
+      check_file(row, input);
+      known_file_ = *row.file;
+      known_input_ = item.input;
+      has_known_file_ = true;
+    }
+    if (row.query != query) {
+      io::fail(
+          reader_.name(), row.row,
+          fmt::format("query is {} where {} of {} comes next; claims must be in the order of the queries, one each",
+                      row.query, query, io::printable(input.name)));
+    }
+    claims.push_back({row.contact, row.toi});
+    ++claims_;
+  }
+}
+
+void ClaimStream::finish() {
+  io::AnswerRow row;
+  if (!reader_.next(row)) return;
+  io::fail(reader_.name(), row.row,
+           fmt::format("a claim too many; there are only {} in the query files", counted(claims_, "query")));
+}
+
+void ClaimStream::check_file(const io::AnswerRow& row, const Input& input) {
+  const std::filesystem::path claimed(*row.file);
+  if (claimed.lexically_normal() == std::filesystem::path(input.name).lexically_normal()) return;
+  io::fail(reader_.name(), row.row,
+           fmt::format("file is {} where {} comes next; claims must be in the order of the queries, and name the files "
+                       "as the command line does",
+                       io::in_quotes(*row.file), io::in_quotes(input.name)));
+}
+
+}  // namespace touchstone::cli

@@ -1,0 +1,41 @@
+// An answers file read in step with the queries that it is about.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <touchstone/certify.hpp>
+
+#include "cli/shared/inputs.hpp"
+#include "io/answer_reader.hpp"
+
+namespace touchstone::cli {
+
+/// The claims of an answers file must be in the order of the queries, one for each: its `query` column counts from 0
+/// within each query file, and its `file` column, if it has one, names the file as the command line does.
+class ClaimStream {
+ public:
+  /// @throws FileError when the file cannot be read or its header is not that of an answers file
+  ClaimStream(const std::string& path, const std::vector<Input>& inputs, std::size_t chunk_bytes);
+
+  /// Appends the claims about the queries of `item`. @throws FileError at the first that is missing or another's
+  void read(const QueryItem& item, std::vector<Claim>& claims);
+
+  /// To be called when there are no more queries. @throws FileError when there are more claims
+  void finish();
+
+ private:
+  void check_file(const io::AnswerRow& row, const Input& input);
+
+  const std::vector<Input>& inputs_;
+  io::AnswerReader reader_;
+  std::string known_file_;  ///< the last name that was compared, and found to be that of known_input_
+  std::size_t known_input_ = 0;
+  bool has_known_file_ = false;
+  std::uint64_t claims_ = 0;
+};
+
+}  // namespace touchstone::cli

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "cli/certify/json_report.hpp"
+
+#include <array>
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include <touchstone/version.hpp>
+
+#include "io/times.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(std::uint64_t count) { return count; }
+Json json_of(double time) { return io::hexfloat(time); }
+
+template <class Value>
+Json json_of(const std::optional<Value>& value) {
+  return value ? json_of(*value) : Json(nullptr);
+}
+
+Json json_of(const certify::VerdictCounts& counts) {
+  return {{"judged", counts.claims()},
+          {"holds", counts.holds},
+          {"missed", counts.missed},
+          {"phantom", counts.phantom},
+          {"late", counts.late}};
+}
+
+template <class Distance>
+Json json_of(Distance least, Distance most, const certify::EarlyBucket<Distance>& median,
+             const std::vector<certify::EarlyBucket<Distance>>& buckets) {
+  Json json;
+  json["least"] = json_of(least);
+  json["most"] = json_of(most);
+  json["median"] = {{"from", json_of(median.from)}, {"below", json_of(median.below)}};
+  json["histogram"] = Json::array();
+  for (const auto& bucket : buckets) {
+    json["histogram"].push_back(
+        {{"from", json_of(bucket.from)}, {"below", json_of(bucket.below)}, {"claims", bucket.claims}});
+  }
+  return json;
+}
+
+Json json_of(const certify::EarlyTally& early) {
+  Json json = {{"claims", early.claims()}};
+  if (early.claims() == 0) return json;
+  json["ulps"] = json_of(early.least_ulps(), early.most_ulps(), early.median_ulps(), early.ulps());
+  json["time"] = json_of(early.least_time(), early.most_time(), early.median_time(), early.times());
+  return json;
+}
+
+Json json_of(const Answer& answer) {
+  Json json = {{"contact", answer.contact ? 1 : 0}};
+  const auto put = [&](const char* key, const auto& value) { json[key] = answer.contact ? Json(value) : nullptr; };
+  put("toi", io::hexfloat(answer.contact ? answer.toi : 0));
+  put("toi_upper", io::hexfloat(answer.contact ? answer.toi_upper : 0));
+  put("nature", nature_name(answer.nature));
+  put("feature_a", feature_name(answer.feature_a));
+  put("feature_b", feature_name(answer.feature_b));
+  json["level"] = level_name(answer.level);
+  return json;
+}
+
+Json json_of(const std::array<Fraction, 3>& corner) {
+  Json json = Json::array();
+  for (const auto& coordinate : corner) json.push_back(coordinate.numerator + "/" + coordinate.denominator);
+  return json;
+}
+
+Json corners_json(const RationalQuery& query) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+    json[std::string(corner_name(query.kind, i))] = {{"start", json_of(query.start[i])},
+                                                     {"end", json_of(query.end[i])}};
+  }
+  return json;
+}
+
+/// File names need not be valid UTF-8; JSON must be.
+std::string text_of(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+}  // namespace
+
+std::string refuted_claim_json(const certify::RefutedClaim& refuted) {
+  const Json json = {
+      {"file", refuted.file},
+      {"kind", kind_name(refuted.as_given.kind)},
+      {"query", refuted.query},
+      {"rows", {refuted.first_row, refuted.last_row}},
+      {"verdict", verdict_name(refuted.verdict)},
+      {"claim", {{"contact", refuted.claim.contact ? 1 : 0}, {"toi", json_of(refuted.claim.toi)}}},
+      {"answer", json_of(refuted.answer)},
+      {"corners", corners_json(refuted.as_given)},
+  };
+  return text_of(json, -1);
+}
+
+std::string report_begin(const ReportHeading& heading, const certify::Tally& tally,
+                         const std::vector<certify::FileTally>& files) {
+  Json json;
+  json["touchstone"] = version();
+  json["method"] = heading.method;
+  json["claims_from"] = heading.claims_from;
+  json["claims"] = json_of(tally.verdicts);
+  for (const Level level : {Level::filter, Level::bracket, Level::exact, Level::oracle}) {
+    json["decided_by"][std::string(level_name(level))] = tally.levels[static_cast<std::size_t>(level)];
+  }
+  for (const Nature nature : {Nature::none, Nature::crossing, Nature::grazing, Nature::sustained, Nature::isolated}) {
+    const std::string name(nature == Nature::none ? "none" : nature_name(nature));
+    json["natures"][name] = tally.natures[static_cast<std::size_t>(nature)];
+  }
+  json["early"] = json_of(tally.early);
+  json["files"] = Json::array();
+  for (const auto& file : files) {
+    json["files"].push_back({{"file", file.file}, {"kind", kind_name(file.kind)}, {"claims", json_of(file.verdicts)}});
+  }
+  std::string text = text_of(json, 2);
+  text.resize(text.rfind("\n}"));  // the refuted claims go inside
+  return text + ",\n  \"refuted\": [\n";
+}
+
+}  // namespace touchstone::cli

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "cli/explain/explain.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <touchstone/certify.hpp>
+
+#include "cli/explain/story.hpp"
+#include "cli/shared/inputs.hpp"
+#include "cli/shared/interrupt.hpp"
+#include "cli/shared/options.hpp"
+#include "cli/shared/words.hpp"
+#include "io/fail.hpp"
+#include "io/output_file.hpp"
+#include "io/query_parser.hpp"
+#include "io/times.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+struct ExplainOptions {
+  std::string file;
+  std::optional<Kind> kind;
+  std::uint64_t query = 0;
+  double t_max = 1;
+};
+
+/// The pieces of a file are read until the one that holds the query; only that one is parsed.
+struct FoundQuery {
+  io::QueryChunk chunk;  ///< record.text lies in here
+  io::QueryRecord record;
+};
+
+std::unique_ptr<FoundQuery> find_query(const Input& input, std::uint64_t number) {
+  io::QueryChunkReader reader(input.open(), input.kind);
+  std::uint64_t count = 0;
+  auto found = std::make_unique<FoundQuery>();
+  while (auto chunk = reader.next()) {
+    throw_if_interrupted();
+    count += chunk->query_count;
+    if (number >= count && !chunk->truncated) continue;
+    found->chunk = std::move(*chunk);
+    io::QueryParser parser(found->chunk);
+    while (parser.next(found->record)) {
+      if (found->record.number == number) return found;
+    }
+  }
+  io::fail(input.name, fmt::format("has no query {}; it has {}, counted from 0", number, counted(count, "query")));
+}
+
+std::string heading(const Input& input, const io::QueryRecord& record) {
+  return fmt::format("query {} of {} (rows {} to {}), {}\n\n", record.number, io::printable(input.name),
+                     record.first_row, record.last_row, kind_name(input.kind));
+}
+
+int run_explain(const ExplainOptions& options) {
+  const Input input = find_inputs({options.file}, options.kind).front();
+  const auto found = find_query(input, options.query);
+  const auto& record = found->record;
+  // Through solve first: it refuses what exact::explain may not be given.
+  std::visit([&](const auto& query) { static_cast<void>(solve(query, Method::exact, options.t_max)); }, record.query);
+  const exact::Story story =
+      std::visit([&](const auto& query) { return exact::explain(query, options.t_max); }, record.query);
+
+  auto console = io::OutputFile::standard_output();
+  console.write(heading(input, record));
+  console.write(corners_for_person(record.query, io::query_as_given(input.kind, record.text)));
+  console.write(story_for_person(input.kind, story, options.t_max));
+  if (options.t_max == 1) {
+    console.write(fmt::format("the file's truth column says {}: {}\n", record.truth ? 1 : 0,
+                              verdict_name(judge({record.truth, std::nullopt}, story.answer))));
+  }
+  console.commit();
+  return kAllHold;
+}
+
+}  // namespace
+
+void add_explain(CLI::App& program, Command& command) {
+  const auto options = std::make_shared<ExplainOptions>();
+  CLI::App* const subcommand = program.add_subcommand("explain", "Tell how one query is decided");
+  subcommand->add_option("FILE", options->file, "The query file")->required()->type_name("");
+  subcommand->add_option("--query", options->query, "Which of its queries, counted from 0")
+      ->required()
+      ->type_name("N")
+      ->check([](const std::string& text) {
+        const bool number = !text.empty() && text.size() < 19 && text.find_first_not_of("0123456789") == text.npos;
+        return number ? std::string() : text + " must be a number counted from 0";
+      });
+  add_kind_option(*subcommand, options->kind);
+  subcommand
+      ->add_option_function<std::string>(
+          "--t-max", [options](const std::string& text) { options->t_max = io::parse_finite_double(text).value_or(1); },
+          "The end of the time range, in [0, 1], decimal or hexfloat (default: 1)")
+      ->type_name("T")
+      ->check([](const std::string& text) {
+        const auto value = io::parse_finite_double(text);
+        return value && *value >= 0 && *value <= 1 ? std::string() : text + " must be a number in [0, 1]";
+      });
+  subcommand->footer(
+      "Shows the corners as given and as doubles, the coplanarity cubic's exact coefficients, each time at which "
+      "contact\n"
+      "may begin with the exact signs that decide it, and the answer.");
+  subcommand->callback([options, &command] { command = [options] { return run_explain(*options); }; });
+}
+
+}  // namespace touchstone::cli

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "cli/fuzz/fuzz.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include <touchstone/error.hpp>
+
+#include "cli/fuzz/given.hpp"
+#include "cli/fuzz/report.hpp"
+#include "cli/shared/interrupt.hpp"
+#include "cli/shared/new_folders.hpp"
+#include "cli/shared/pipeline.hpp"
+#include "cli/shared/words.hpp"
+#include "io/output_file.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+constexpr double kUsualSeconds = 10;
+
+/// A line on standard error, only when that is a terminal.
+class ProgressLine {
+ public:
+  ~ProgressLine() {
+    if (drawn_) print_error("\r\033[K");
+  }
+  void draw(const fuzz::Progress& progress) {
+    if (!visible_) return;
+    drawn_ = true;
+    print_error("\r\033[K" + progress_for_person(progress));
+  }
+
+ private:
+  const bool visible_ = ::isatty(STDERR_FILENO) == 1;
+  bool drawn_ = false;
+};
+
+/// That nothing can be written to the folder is found out before minutes are spent, not after.
+void check_folder(const std::string& out) {
+  if (out.empty()) return;
+  NewFolders folders;
+  folders.make(out);
+  io::OutputFile((std::filesystem::path(out) / "findings.csv").string());
+}
+
+void print_findings(io::OutputFile& console, const std::vector<fuzz::Finding>& findings, const FuzzOptions& options) {
+  std::vector<Place> places(findings.size());
+  if (!options.out.empty()) places = write_findings(findings, options);
+  for (std::size_t i = 0; i < findings.size(); ++i) {
+    console.write(finding_for_person(i + 1, findings[i], options, places[i]));
+  }
+}
+
+int run_one_case(const FuzzOptions& options, const fuzz::Settings& settings) {
+  if (options.a_case->given != !options.from.empty()) {
+    throw Error(options.a_case->given ? "--case: a given query needs the files that it was given in, with --from"
+                                      : "--from goes with a case that is given, not with one of a family");
+  }
+  const auto solver = solver_factory(options.solver)();
+  const auto finding = fuzz::run_case(*solver, *options.a_case, settings, interrupted);
+  auto console = io::OutputFile::standard_output();
+  if (finding) {
+    print_findings(console, {*finding}, options);
+  } else {
+    console.write(fmt::format("{}: {} is right\n", fuzz::case_text(*options.a_case), solver->name()));
+  }
+  console.commit();
+  return finding ? kRefuted : kAllHold;
+}
+
+}  // namespace
+
+int run_fuzz(const FuzzOptions& options) {
+  refuse_to_overwrite_given(options);
+  check_folder(options.out);
+  fuzz::Settings settings = options.settings;
+  if (!options.from.empty()) settings.given = given_queries(options);
+  if (options.a_case) return run_one_case(options, settings);
+  settings.threads = thread_count(settings.threads);
+  if (!settings.cases && !settings.seconds && options.from.empty()) settings.seconds = kUsualSeconds;
+  if (settings.seconds) settings.shrink_seconds = std::max(kUsualSeconds, *settings.seconds);
+
+  fuzz::Outcome outcome;
+  {
+    ProgressLine line;
+    outcome = fuzz::run(solver_factory(options.solver), settings, [&](const fuzz::Progress& progress) {
+      line.draw(progress);
+      return !interrupted();
+    });
+  }
+  if (outcome.queries == 0 && !interrupted())
+    throw Error("no query was asked in this time: more --seconds, or --cases");
+  auto console = io::OutputFile::standard_output();
+  console.write(search_for_person(options, outcome, settings.threads));
+  console.write(given_for_person(outcome));
+  console.write(table_for_person(outcome.table));
+  if (outcome.kinds_of_failure == 0) {
+    console.write("nothing found\n");
+  } else {
+    const std::size_t shown = outcome.findings.size();
+    console.write(fmt::format(
+        "{} of failure{}\n", outcome.kinds_of_failure == 1 ? "1 kind" : grouped(outcome.kinds_of_failure) + " kinds",
+        shown < outcome.kinds_of_failure ? fmt::format("; {} shown (--findings 0 shows all)", shown) : ""));
+  }
+  print_findings(console, outcome.findings, options);
+  console.commit();
+  return outcome.kinds_of_failure == 0 ? kAllHold : kRefuted;
+}
+
+}  // namespace touchstone::cli

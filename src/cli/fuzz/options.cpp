@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/fuzz/fuzz.hpp"
+#include "cli/shared/words.hpp"
+#include "fuzz/climb.hpp"
+#include "fuzz/named_solvers.hpp"
+#include "io/kind_of_file.hpp"
+#include "io/times.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+constexpr std::uint64_t kMostNumber = 999'999'999'999'999'999;
+
+std::string check_whole_number(const std::string& text, std::uint64_t least, std::uint64_t most = kMostNumber) {
+  const bool number = !text.empty() && text.size() < 19 && text.find_first_not_of("0123456789") == std::string::npos;
+  if (number && std::stoull(text) >= least && std::stoull(text) <= most) return {};
+  return fmt::format("{} must be a whole number from {} to {}", text, least, most);
+}
+
+std::string check_seconds(const std::string& text) {
+  const auto value = io::parse_finite_double(text);
+  return value && *value > 0 && *value <= 1e9 ? std::string() : text + " must be a number of seconds above 0";
+}
+
+/// "16ulps", or a share of the step.
+std::optional<fuzz::EarlyLimit> early_limit(const std::string& text) {
+  constexpr std::string_view kUlps = "ulps";
+  fuzz::EarlyLimit limit;
+  if (text.ends_with(kUlps)) {
+    const std::string number = text.substr(0, text.size() - kUlps.size());
+    if (!check_whole_number(number, 0).empty()) return std::nullopt;
+    limit.ulps = std::stoull(number);
+    return limit;
+  }
+  limit.share = io::parse_finite_double(text);
+  if (!limit.share || *limit.share < 0 || *limit.share > 1) return std::nullopt;
+  return limit;
+}
+
+std::optional<families::Family> family_from_name(const std::string& name) {
+  for (const families::FamilyInfo& family : families::all_families()) {
+    if (family.name == name) return family.family;
+  }
+  return std::nullopt;
+}
+
+std::string listed_families() {
+  std::string text, line = "Families:";
+  for (const families::FamilyInfo& family : families::all_families()) {
+    if (line.size() + family.name.size() > 108) {
+      text += line + "\n";
+      line = "         ";
+    }
+    line.append(" ").append(family.name);
+  }
+  return text + line + "\n";
+}
+
+void add_solver_options(CLI::App& subcommand, FuzzOptions& options) {
+  std::string names;
+  for (const auto name : fuzz::solver_names()) names.append(names.empty() ? "" : ", ").append(name);
+  auto* const solver = subcommand
+                           .add_option("--solver", options.solver.solver,
+                                       "Who is asked: " + names + ", or the path of a plugin (default: touchstone)")
+                           ->type_name("NAME");
+  subcommand
+      .add_option("--solver-command", options.solver.command,
+                  "A program that is asked over pipes, as the shell would be told to run it")
+      ->type_name("COMMAND")
+      ->check([](const std::string& text) {
+        const bool blank = text.find_first_not_of(" \t\n") == std::string::npos;
+        return blank ? std::string("the command is empty; it must name a program") : std::string();
+      })
+      ->excludes(solver);
+  subcommand
+      .add_option_function<std::string>(
+          "--limit", [&options](const std::string& text) { options.solver.limit = *io::parse_finite_double(text); },
+          "How long a plugin or program may take for an answer (default: 1); then it hangs")
+      ->type_name("S")
+      ->check([](const std::string& text) {
+        const auto value = io::parse_finite_double(text);
+        return value && *value >= 0.001 && *value <= 3600 ? std::string()
+                                                          : text + " must be a number of seconds from 0.001 to 3600";
+      });
+  subcommand
+      .add_option_function<std::string>(
+          "--judge",
+          [&options](const std::string& name) {
+            for (const Method method : {Method::fast, Method::exact, Method::oracle}) {
+              if (name == method_name(method)) options.settings.judge = method;
+            }
+          },
+          "Whose answers are the true ones: exact, fast or oracle; see solve --level (default: exact)")
+      ->type_name("LEVEL")
+      ->check(CLI::IsMember({"fast", "exact", "oracle"}));
+  subcommand
+      .add_option_function<std::string>(
+          "--early", [&options](const std::string& text) { options.settings.early = *early_limit(text); },
+          "How far before the exact time a claimed time may lie: 16ulps, or 1e-6 of the step (default: any distance)")
+      ->type_name("LIMIT")
+      ->check([](const std::string& text) {
+        return early_limit(text) ? std::string()
+                                 : text + " must be a number of ulps, 16ulps, or a share of the step in [0, 1]";
+      });
+}
+
+/// @returns that of the families
+CLI::Option* add_source_options(CLI::App& subcommand, FuzzOptions& options, std::vector<CLI::Option*>& of_search) {
+  fuzz::Settings& settings = options.settings;
+  of_search.push_back(subcommand
+                          .add_option_function<std::vector<std::string>>(
+                              "--family",
+                              [&settings](const std::vector<std::string>& names) {
+                                for (const auto& name : names) settings.families.push_back(*family_from_name(name));
+                              },
+                              "Only queries of this family (default: all; may be given more than once)")
+                          ->type_name("FAMILY")
+                          ->check([](const std::string& name) {
+                            return family_from_name(name) ? std::string()
+                                                          : name + " is no family; see touchstone fuzz --help";
+                          }));
+  of_search.push_back(
+      subcommand
+          .add_option_function<std::vector<std::string>>(
+              "--kind",
+              [&settings](const std::vector<std::string>& names) {
+                for (const auto& name : names) settings.kinds.push_back(*io::kind_from_name(name));
+              },
+              "Only queries of this kind: " + io::kind_names() + " (default: all; may be given more than once)")
+          ->type_name("KIND")
+          ->check([](const std::string& name) {
+            return io::kind_from_name(name) ? std::string() : name + " is no kind; it must be " + io::kind_names();
+          }));
+  const auto number = [&](const std::string& name, auto& value, std::uint64_t least, const std::string& about,
+                          std::uint64_t most = kMostNumber) {
+    of_search.push_back(
+        subcommand.add_option(name, value, about)->type_name("N")->check([least, most](const std::string& text) {
+          return check_whole_number(text, least, most);
+        }));
+  };
+  number("--seed", settings.seed, 0, "Another seed, other queries (default: 1)");
+  number("--cases", settings.cases, 1,
+         "Ends after so many; with it alone the outcome is the same for any number of threads");
+  of_search.push_back(
+      subcommand
+          .add_option_function<std::string>(
+              "--seconds", [&settings](const std::string& text) { settings.seconds = io::parse_finite_double(text); },
+              "Ends the search after so long; shrinking may take as long again (default: 10, unless "
+              "--cases is given)")
+          ->type_name("S")
+          ->check(check_seconds));
+  number("--climb", settings.climb, 0,
+         "So many steps from every case towards queries on which the filters are only just certain, each asked as well "
+         "(default: 0)",
+         fuzz::kMostClimbSteps);
+  return of_search.front();
+}
+
+}  // namespace
+
+void add_fuzz(CLI::App& program, Command& command) {
+  const auto options = std::make_shared<FuzzOptions>();
+  options->settings.threads = 0;
+  options->settings.most_findings = 32;
+  CLI::App* const subcommand =
+      program.add_subcommand("fuzz", "Break a solver: the simplest queries on which it is wrong");
+  add_solver_options(*subcommand, *options);
+  std::vector<CLI::Option*> of_search;
+  CLI::Option* const family = add_source_options(*subcommand, *options, of_search);
+  auto* const a_case =
+      subcommand
+          ->add_option_function<std::string>(
+              "--case", [options](const std::string& text) { options->a_case = fuzz::parse_case_text(text); },
+              "Only this query, named as the findings name it: \"FAMILY KIND SEED INDEX\"")
+          ->type_name("CASE")
+          ->check([](const std::string& text) {
+            return fuzz::parse_case_text(text) ? std::string()
+                                               : text + " is no case; it must be \"FAMILY KIND SEED INDEX\"";
+          });
+  for (CLI::Option* const option : of_search) a_case->excludes(option);
+  subcommand
+      ->add_option("--from", options->from,
+                   "Queries of these files instead of families': each as it is, and with --climb what lies around it "
+                   "(their kind is the name of the folder just above each file, or else the one --kind)")
+      ->type_name("FILE")
+      ->excludes(family);
+  subcommand->add_option("--out", options->out, "A folder for the shrunk failures; it is made when it is not there")
+      ->type_name("FOLDER");
+  subcommand
+      ->add_option("--findings", options->settings.most_findings,
+                   "How many findings to shrink and show; 0: all (default: 32)")
+      ->type_name("N")
+      ->check([](const std::string& text) { return check_whole_number(text, 0); });
+  subcommand
+      ->add_option("--threads", options->settings.threads,
+                   "How many threads to use (default: all that the machine has)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  subcommand->footer(
+      "Makes seeded queries that are degenerate, nearly so, or extreme, asks the solver, and judges what it says:\n"
+      "  missed   contact denied, but there is one          phantom    contact claimed, but there is none\n"
+      "  late     its time lies after the exact one         early      its time lies farther before it than --early\n"
+      "  nan      its time is no number                     malformed  no answer that can be understood\n"
+      "  crash, hang                                        differs    a whole answer (ours) differs in anything\n"
+      "Failures of one class and one kind of degeneracy are one finding: the simplest query is kept and shrunk, to\n"
+      "FOLDER/KIND/CLASS.csv with --out, where certify and explain read it; files of earlier runs stay unless they\n"
+      "are written anew. Ctrl-C ends the search with what it has found.\n\n" +
+      listed_families() +
+      "\nExamples\n"
+      "  touchstone fuzz --solver paper --seconds 10 --out broken\n"
+      "  touchstone fuzz --solver touchstone --cases 1000000 --judge oracle\n"
+      "  touchstone fuzz --solver newton --case \"near_hit edge-edge 1 17\"\n"
+      "  touchstone fuzz --solver newton --climb 20 --from candidates/edge-edge/candidates.csv\n"
+      "  touchstone fuzz --solver ./theirs.so --out broken          a plugin: see touchstone/plugin.h\n"
+      "  touchstone fuzz --solver-command \"python3 theirs.py\"      see share/touchstone/examples\n\n"
+      "Exit status: 0 nothing was found, 1 something was, 2 bad usage or a file that cannot be written.");
+  subcommand->callback([options, &command] { command = [options] { return run_fuzz(*options); }; });
+}
+
+}  // namespace touchstone::cli

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "cli/fuzz/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <list>
+#include <map>
+
+#include "cli/shared/new_folders.hpp"
+#include "cli/shared/words.hpp"
+#include "fuzz/finding_text.hpp"
+#include "io/fail.hpp"
+#include "io/output_file.hpp"
+#include "io/query_writer.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+using fuzz::FailureClass;
+using fuzz::FailureTable;
+using fuzz::Finding;
+
+std::uint64_t rate(std::uint64_t queries, double seconds) {
+  return static_cast<std::uint64_t>(static_cast<double>(queries) / std::max(seconds, 1e-9));
+}
+
+}  // namespace
+
+std::string progress_for_person(const fuzz::Progress& progress) {
+  std::string text = fmt::format("{}, {} a second", counted(progress.queries, "query"),
+                                 grouped(rate(progress.queries, progress.seconds)));
+  for (const FailureClass failure : fuzz::kEveryFailure) {
+    const std::uint64_t number = progress.failures[FailureTable::index(failure)];
+    if (number > 0) text += fmt::format(", {} {}", grouped(number), fuzz::failure_name(failure));
+  }
+  if (progress.to_shrink > 0) text += fmt::format("; {} of {} shrunk", progress.shrunk, progress.to_shrink);
+  return text;
+}
+
+std::string search_for_person(const FuzzOptions& options, const fuzz::Outcome& outcome, int threads) {
+  const std::string solver = options.solver.command.empty() ? options.solver.solver : options.solver.command;
+  return fmt::format("{} judged by {}, seed {}: {} in {:.1f} s on {}, {} a second{}\n", io::printable(solver),
+                     method_name(options.settings.judge), options.settings.seed, counted(outcome.queries, "query"),
+                     outcome.seconds, counted(static_cast<std::uint64_t>(threads), "thread"),
+                     grouped(rate(outcome.queries, outcome.seconds)), outcome.stopped ? "; interrupted" : "");
+}
+
+std::string given_for_person(const fuzz::Outcome& outcome) {
+  if (outcome.given_asked == outcome.given) return "";
+  std::string text =
+      fmt::format("asked {} of the {}", grouped(outcome.given_asked), counted(outcome.given, "given query"));
+  if (outcome.given_not_taken > 0) {
+    text += fmt::format("; {} of a kind that the solver does not take",
+                        outcome.given_not_taken == 1 ? "1 is" : grouped(outcome.given_not_taken) + " are");
+  }
+  return text + '\n';
+}
+
+std::string table_for_person(const FailureTable& table) {
+  const FailureTable::Row total = table.total();
+  if (total.failed() == 0) return "";
+  constexpr std::string_view kRow = "  {:<17}{:>13}";
+  constexpr std::string_view kCell = "{:>13}";
+  std::string text = fmt::format(fmt::runtime(kRow), "family", "queries");
+  const auto cells = [&](auto&& cell) {
+    for (const FailureClass failure : fuzz::kEveryFailure) {
+      const std::size_t i = FailureTable::index(failure);
+      if (total.failures[i] > 0) text += fmt::format(fmt::runtime(kCell), cell(failure, i));
+    }
+    text += '\n';
+  };
+  cells([](FailureClass failure, std::size_t) { return std::string(fuzz::failure_name(failure)); });
+  std::size_t well = 0;
+  const auto line = [&](std::string_view name, const FailureTable::Row& row) {
+    text += fmt::format(fmt::runtime(kRow), name, grouped(row.cases));
+    cells([&](FailureClass, std::size_t i) { return grouped(row.failures[i]); });
+  };
+  for (const families::FamilyInfo& family : families::all_families()) {
+    const FailureTable::Row& row = table.of(family.family);
+    if (row.failed() > 0) line(family.name, row);
+    if (row.failed() == 0 && row.cases > 0) ++well;
+  }
+  if (table.given().failed() > 0) line("given", table.given());
+  line("all", total);
+  if (well > 0)
+    text += fmt::format("  ({} without a failure)\n", well == 1 ? "1 family" : fmt::format("{} families", well));
+  return text;
+}
+
+std::string case_command(const FuzzOptions& options, const fuzz::CaseName& name) {
+  std::string command = "touchstone fuzz " + solver_options(options.solver);
+  if (options.settings.judge != Method::exact)
+    command += fmt::format(" --judge {}", method_name(options.settings.judge));
+  if (options.settings.early.ulps) command += fmt::format(" --early {}ulps", *options.settings.early.ulps);
+  if (options.settings.early.share) command += fmt::format(" --early {}", *options.settings.early.share);
+  for (const std::string& file : options.from) command += " --from " + shell_word(file);
+  return command + " --case " + shell_word(fuzz::case_text(name));
+}
+
+std::string finding_for_person(std::size_t number, const Finding& finding, const FuzzOptions& options,
+                               const Place& place) {
+  const fuzz::Example& example = finding.example;
+  std::string text = fmt::format("\n{}. {}{}, {}: {}\n", number, fuzz::failure_name(finding.failure),
+                                 finding.count > 1 ? fmt::format(" {} times", grouped(finding.count)) : "",
+                                 kind_name(finding.degeneracy.kind), fuzz::degeneracy_text(finding.degeneracy));
+  text += fuzz::corners_text(example.query, "     ");
+  text += fmt::format("   claim: {}\n", fuzz::claim_text(example.reply));
+  text += fmt::format("   exact: {}\n", fuzz::truth_text(example.truth));
+  if (!example.detail.empty()) text += fmt::format("   {}\n", io::printable(example.detail));
+  text += fmt::format("   {}\n", case_command(options, example.name));
+  if (!place.file.empty()) {
+    text += fmt::format("   {}\n", explain_command(place.file, finding.degeneracy.kind, place.query));
+  }
+  return text;
+}
+
+std::string findings_file(const std::string& out, Kind kind, FailureClass failure) {
+  const auto folder = std::filesystem::path(out) / kind_name(kind);
+  return (folder / (std::string(fuzz::failure_name(failure)) + ".csv")).string();
+}
+
+std::vector<Place> write_findings(const std::vector<Finding>& findings, const FuzzOptions& options) {
+  struct Target {
+    io::OutputFile file;
+    std::uint64_t queries = 0;
+  };
+  NewFolders folders;
+  std::map<std::string, Target> targets;
+  std::vector<Place> places;
+  for (const Finding& finding : findings) {
+    const std::string path = findings_file(options.out, finding.degeneracy.kind, finding.failure);
+    auto target = targets.find(path);
+    if (target == targets.end()) {
+      folders.make(std::filesystem::path(path).parent_path());
+      target = targets.emplace(path, Target{io::OutputFile(path)}).first;
+    }
+    const fuzz::Example& example = finding.example;
+    std::string text =
+        fmt::format("# query {}: {}, {}\n# {}\n", target->second.queries, fuzz::failure_name(finding.failure),
+                    fuzz::degeneracy_text(finding.degeneracy), io::printable(case_command(options, example.name)));
+    io::append_query(text, example.query, example.truth.contact);
+    target->second.file.write(text);
+    places.push_back({path, target->second.queries++});
+  }
+  for (auto& [path, target] : targets) target.file.commit();
+  folders.keep();
+  return places;
+}
+
+}  // namespace touchstone::cli

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "cli/fuzz/solvers.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+
+#include <touchstone/error.hpp>
+
+#include "cli/shared/words.hpp"
+#include "fuzz/named_solvers.hpp"
+#include "fuzz/pipe_solver.hpp"
+#include "fuzz/plugin_solver.hpp"
+#include "io/fail.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+bool is_path(const std::string& solver) {
+  return solver.find('/') != std::string::npos || solver.ends_with(".so") || solver.ends_with(".dylib");
+}
+
+}  // namespace
+
+fuzz::SolverFactory solver_factory(const SolverChoice& choice) {
+  fuzz::Limits limits;
+  limits.answer = std::chrono::milliseconds(static_cast<std::int64_t>(std::ceil(1000 * choice.limit)));
+  if (!choice.command.empty()) return [command = choice.command, limits] { return fuzz::run_command(command, limits); };
+  if (is_path(choice.solver)) return [path = choice.solver, limits] { return fuzz::load_plugin(path, limits); };
+  if (fuzz::named_solver(choice.solver) == nullptr) {
+    std::string names;
+    for (const auto name : fuzz::solver_names()) names.append(names.empty() ? "" : ", ").append(name);
+    throw Error(fmt::format("{} is no solver; they are {}", io::in_quotes(choice.solver), names));
+  }
+  return [name = choice.solver] { return fuzz::named_solver(name); };
+}
+
+std::string solver_options(const SolverChoice& choice) {
+  std::string options = choice.command.empty() ? "--solver " + shell_word(choice.solver)
+                                               : "--solver-command " + shell_word(choice.command);
+  if (choice.limit != SolverChoice().limit) options += fmt::format(" --limit {}", choice.limit);
+  return options;
+}
+
+}  // namespace touchstone::cli

@@ -1,0 +1,22 @@
+// What every subcommand is to the program: a function that adds it to the parser, and an exit status.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace touchstone::cli {
+
+inline constexpr int kAllHold = 0;   ///< exit status: done, and every claim holds
+inline constexpr int kRefuted = 1;   ///< exit status: some claim is refuted
+inline constexpr int kBadInput = 2;  ///< exit status: bad usage or bad input
+
+/// Runs the chosen subcommand. It returns the exit status, and throws Error, Interrupted or an exception of the
+/// standard library. Each subcommand has a function add_NAME(program, command), which adds the subcommand's arguments
+/// to the parser; parsing them sets `command`.
+using Command = std::function<int()>;
+
+}  // namespace touchstone::cli

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "cli/shared/inputs.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include "cli/queries/bundled.hpp"
+#include "cli/shared/interrupt.hpp"
+#include "io/fail.hpp"
+#include "io/kind_of_file.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+Input bundled_input(const BundledFile& file) {
+  Input input;
+  input.name = file.name;
+  input.kind = io::kind_of_file(input.name, std::nullopt);
+  input.bytes = file.content.size();
+  input.content = file.content;
+  input.bundled = true;
+  return input;
+}
+
+const BundledFile* find_bundled(const std::string& name) {
+  std::error_code ignored;
+  if (std::filesystem::exists(name, ignored)) return nullptr;
+  const auto& files = bundled_files();
+  const auto found = std::find_if(files.begin(), files.end(), [&](const auto& file) { return file.name == name; });
+  return found == files.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+io::InputFile Input::open() const {
+  return bundled ? io::InputFile::from_memory(name, content) : io::InputFile::open(name, throw_if_interrupted);
+}
+
+std::vector<Input> find_inputs(const std::vector<std::string>& names, std::optional<Kind> kind) {
+  std::vector<Input> inputs;
+  for (const auto& name : names) {
+    if (const BundledFile* const bundled = find_bundled(name)) {
+      inputs.push_back(bundled_input(*bundled));
+      continue;
+    }
+    Input input;
+    input.name = name;
+    input.bytes = io::InputFile::check(name);
+    input.kind = io::kind_of_file(name, kind);
+    inputs.push_back(std::move(input));
+  }
+  return inputs;
+}
+
+std::vector<Input> bundled_inputs() {
+  std::vector<Input> inputs;
+  for (const auto& file : bundled_files()) inputs.push_back(bundled_input(file));
+  if (inputs.empty()) io::fail("bundled queries", "this program was built without them; name a query file");
+  return inputs;
+}
+
+QueryStream::QueryStream(const std::vector<Input>& inputs, std::size_t chunk_bytes)
+    : inputs_(inputs), chunk_bytes_(chunk_bytes) {}
+
+bool QueryStream::next(QueryItem& item) {
+  for (; current_ < inputs_.size(); ++current_, reader_.reset()) {
+    if (!reader_) reader_.emplace(inputs_[current_].open(), inputs_[current_].kind, chunk_bytes_);
+    if (auto chunk = reader_->next()) {
+      item.input = current_;
+      item.chunk = std::move(*chunk);
+      return true;
+    }
+  }
+  return false;
+}
+
+void for_each_query(const std::vector<Input>& inputs,
+                    const std::function<void(std::size_t, const io::QueryRecord&)>& take) {
+  QueryStream stream(inputs, io::kChunkBytes);
+  QueryItem item;
+  while (stream.next(item)) {
+    throw_if_interrupted();
+    io::QueryParser parser(item.chunk);
+    io::QueryRecord record;
+    while (parser.next(record)) take(item.input, record);
+  }
+}
+
+}  // namespace touchstone::cli

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include "cli/shared/new_folders.hpp"
+
+#include <system_error>
+
+#include "io/fail.hpp"
+
+namespace touchstone::cli {
+
+void NewFolders::make(const std::filesystem::path& folder) {
+  std::filesystem::path path;
+  for (const auto& part : folder) {
+    path /= part;
+    std::error_code error;
+    if (std::filesystem::create_directory(path, error)) made_.push_back(path);
+    if (error) io::fail(path.string(), "no folder can be made here: " + io::system_reason(error.value()));
+  }
+}
+
+NewFolders::~NewFolders() {
+  for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) {
+    std::error_code ignored;
+    std::filesystem::remove(*folder, ignored);  // refuses a folder that is not empty
+  }
+}
+
+}  // namespace touchstone::cli

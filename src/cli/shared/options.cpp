@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "cli/shared/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <map>
+#include <system_error>
+
+#include "cli/shared/words.hpp"
+#include "io/fail.hpp"
+#include "io/kind_of_file.hpp"
+
+namespace touchstone::cli {
+
+void add_kind_option(CLI::App& subcommand, std::optional<Kind>& kind) {
+  subcommand
+      .add_option_function<std::string>(
+          "--kind", [&kind](const std::string& name) { kind = io::kind_from_name(name); },
+          "What the files hold: " + io::kind_names() + " (default: the name of the folder just above each file)")
+      ->type_name("KIND")
+      ->check([](const std::string& name) {
+        return io::kind_from_name(name) ? std::string() : name + " is no kind; it must be " + io::kind_names();
+      });
+}
+
+void add_seed_option(CLI::App& subcommand, std::uint64_t& seed) {
+  subcommand.add_option("--seed", seed, "Another seed, other generated queries (default: 1)")
+      ->type_name("N")
+      ->check([](const std::string& text) {
+        const bool number =
+            !text.empty() && text.size() < 19 && text.find_first_not_of("0123456789") == std::string::npos;
+        return number ? std::string() : text + " must be a whole number from 0 to 999999999999999999";
+      });
+}
+
+void add_query_options(CLI::App& subcommand, QueryOptions& options) {
+  add_kind_option(subcommand, options.kind);
+  subcommand
+      .add_option_function<std::string>(
+          "--level",
+          [&options](const std::string& name) {
+            for (const Method method : {Method::fast, Method::exact, Method::oracle}) {
+              if (name == method_name(method)) options.method = method;
+            }
+          },
+          "Which code answers; all of them give the same answer. fast: filters, and exact arithmetic where they are "
+          "uncertain (default). exact: exact arithmetic alone. oracle: an independent decider that shares no code "
+          "with the others; a thousand times slower")
+      ->type_name("LEVEL")
+      ->check(CLI::IsMember({"fast", "exact", "oracle"}));
+  subcommand.add_option("--threads", options.threads, "How many threads to use (default: all that the machine has)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+}
+
+void refuse_to_overwrite(const std::string& output, const std::vector<std::string>& inputs, const std::string& advice) {
+  if (output.empty() || output == "-") return;
+  for (const auto& input : inputs) {
+    std::error_code ignored;  // files that are not there are no danger
+    if (std::filesystem::is_regular_file(output, ignored) && std::filesystem::equivalent(output, input, ignored)) {
+      const std::string reason = "is also an input; writing there would destroy it";
+      io::fail(output, advice.empty() ? reason : reason + "; " + advice);
+    }
+  }
+}
+
+Answer answer_to(const std::variant<Query, RationalQuery>& query, Method method) {
+  return std::visit([method](const auto& q) { return solve(q, method); }, query);
+}
+
+}  // namespace touchstone::cli

@@ -1,0 +1,41 @@
+// Options that several subcommands have.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <touchstone/query.hpp>
+#include <touchstone/solve.hpp>
+
+#include "cli/shared/command.hpp"
+#include "io/query_chunks.hpp"
+
+namespace touchstone::cli {
+
+/// The options that solve and certify have in common.
+struct QueryOptions {
+  std::vector<std::string> files;
+  std::optional<Kind> kind;
+  Method method = Method::fast;
+  int threads = 0;                            ///< 0: all that the machine has
+  std::size_t chunk_bytes = io::kChunkBytes;  ///< for tests: no result depends on it
+};
+
+void add_kind_option(CLI::App& subcommand, std::optional<Kind>& kind);
+void add_query_options(CLI::App& subcommand, QueryOptions& options);
+void add_seed_option(CLI::App& subcommand, std::uint64_t& seed);
+
+/// @throws FileError when writing to `output` (an empty name or "-": none) would destroy one of `inputs`; its message
+/// ends with `advice`
+void refuse_to_overwrite(const std::string& output, const std::vector<std::string>& inputs,
+                         const std::string& advice = {});
+
+/// The exact answer to a query of a file.
+Answer answer_to(const std::variant<Query, RationalQuery>& query, Method method);
+
+}  // namespace touchstone::cli

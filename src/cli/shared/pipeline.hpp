@@ -1,0 +1,104 @@
+// Read in order, work on several threads, write in order, with a bounded number of items under way.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <memory>
+
+#if TOUCHSTONE_WITH_TBB
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_pipeline.h>
+#include <oneapi/tbb/task_arena.h>
+#endif
+
+#include "cli/shared/interrupt.hpp"
+
+namespace touchstone::cli {
+
+/// How many threads a command uses when nobody says: all that the machine has; 1 without oneTBB.
+int default_threads() noexcept;
+
+/// `threads`, or default_threads() for 0.
+int thread_count(int threads) noexcept;
+
+/// Calls read(item) for new items until it returns false, work(item) for each on any of `threads` threads, and
+/// write(item) in the order of reading, so that what is written does not depend on the number of threads.
+///
+/// That holds for errors too: an exception of read or work is kept in item.error, the item is written as far as it
+/// got, and then the exception is thrown here. read ends with its first error; work's takes the place of read's, for
+/// it concerns an earlier query.
+template <class Item, class Read, class Work, class Write>
+void run_in_order(int threads, Read read, Work work, Write write) {
+  bool more = true;
+  // Nothing is thrown through the pipeline: oneTBB would forget the items that are under way. They drain instead.
+  std::exception_ptr failure;
+  std::atomic<bool> failed = false;
+  const auto read_item = [&]() -> std::shared_ptr<Item> {
+    if (!more || failed) return nullptr;
+    auto item = std::make_shared<Item>();
+    try {
+      throw_if_interrupted();
+      more = read(*item);
+      if (!more) return nullptr;
+    } catch (...) {
+      item->error = std::current_exception();
+      more = false;
+    }
+    return item;
+  };
+  const auto work_on = [&](Item& item) {
+    if (failed) return;
+    try {
+      throw_if_interrupted();
+      work(item);
+    } catch (...) {
+      item.error = std::current_exception();
+    }
+  };
+  const auto write_item = [&](Item& item) {
+    if (failed) return;
+    try {
+      write(item);
+      if (item.error) std::rethrow_exception(item.error);
+    } catch (...) {
+      failure = std::current_exception();
+      failed = true;
+    }
+  };
+
+#if TOUCHSTONE_WITH_TBB
+  if (threads > 1) {
+    using ItemPointer = std::shared_ptr<Item>;
+    const auto count = static_cast<std::size_t>(threads);
+    constexpr std::size_t kItemsPerThread = 4;  // enough to bridge a slow one, few enough to keep memory small
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, count);
+    tbb::task_arena arena(threads);
+    arena.execute([&] {
+      tbb::parallel_pipeline(
+          kItemsPerThread * count,
+          tbb::make_filter<void, ItemPointer>(tbb::filter_mode::serial_in_order, [&](tbb::flow_control& control) {
+            ItemPointer item = read_item();
+            if (!item) control.stop();
+            return item;
+          }) & tbb::make_filter<ItemPointer, ItemPointer>(tbb::filter_mode::parallel, [&](ItemPointer item) {
+            work_on(*item);
+            return item;
+          }) & tbb::make_filter<ItemPointer, void>(tbb::filter_mode::serial_in_order, [&](ItemPointer item) {
+            write_item(*item);
+          }));
+    });
+    if (failure) std::rethrow_exception(failure);
+    return;
+  }
+#endif
+  static_cast<void>(threads);
+  while (const auto item = read_item()) {
+    work_on(*item);
+    write_item(*item);
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace touchstone::cli

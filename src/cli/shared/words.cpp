@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "cli/shared/words.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "io/kind_of_file.hpp"
+#include "io/times.hpp"
+
+namespace touchstone::cli {
+
+void print_error(const std::string& text) noexcept {
+  std::fputs(text.c_str(), stderr);
+  std::fflush(stderr);
+}
+
+std::string grouped(std::uint64_t number) {
+  std::string text = std::to_string(number);
+  for (std::size_t end = text.size(); end > 3; end -= 3) text.insert(end - 3, 1, ',');
+  return text;
+}
+
+std::string counted(std::uint64_t number, std::string_view thing) {
+  const bool y = thing.ends_with('y');  // query, queries
+  if (number == 1) return fmt::format("1 {}", thing);
+  return fmt::format("{} {}{}", grouped(number), thing.substr(0, thing.size() - (y ? 1 : 0)), y ? "ies" : "s");
+}
+
+std::string share(std::uint64_t part, std::uint64_t whole) {
+  const double percent = whole == 0 ? 0.0 : 100 * static_cast<double>(part) / static_cast<double>(whole);
+  if (part > 0 && percent < 0.1) return "< 0.1 %";
+  if (part < whole && percent > 99.9) return "> 99.9 %";
+  return fmt::format("{:.1f} %", percent);
+}
+
+std::string time_for_person(double time) { return fmt::format("{} ({})", io::hexfloat(time), time); }
+
+std::string contact_for_person(const Answer& answer) {
+  if (!answer.contact) return "no contact";
+  if (answer.feature_a == Feature::overlap) return fmt::format("{}, overlap", nature_name(answer.nature));
+  return fmt::format("{}, {} against {}", nature_name(answer.nature), feature_name(answer.feature_a),
+                     feature_name(answer.feature_b));
+}
+
+std::string_view method_name(Method method) noexcept {
+  switch (method) {
+    case Method::fast: return "fast";
+    case Method::exact: return "exact";
+    case Method::oracle: return "oracle";
+  }
+  return "";
+}
+
+std::string shell_word(const std::string& word) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string out = "'";
+  for (const char c : word) {
+    if (c == '\'') {
+      out += "'\\''";
+    } else {
+      out += c;
+    }
+  }
+  return out + "'";
+}
+
+std::string explain_command(const std::string& file, Kind kind, std::uint64_t query) {
+  std::string option;
+  if (io::kind_of_folder(file) != kind) option = fmt::format(" --kind {}", kind_name(kind));
+  const std::string end_of_options = file.starts_with('-') ? " --" : "";
+  return fmt::format("touchstone explain{} --query {}{} {}", option, query, end_of_options, shell_word(file));
+}
+
+}  // namespace touchstone::cli

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "cli/simulate/output.hpp"
+
+#include <fmt/format.h>
+
+#include <exception>
+
+#include <touchstone/error.hpp>
+
+#include "cli/shared/interrupt.hpp"
+#include "cli/simulate/paths.hpp"
+#include "io/query_writer.hpp"
+#include "report/drawing.hpp"
+#include "sim/checkpoint.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Energies and contacts over time, from the table beside it.
+constexpr const char* kPlotScript =
+    "set datafile separator ','\n"
+    "set xlabel 'time [s]'\n"
+    "set grid lc rgb '#E4E4E4' lt 1\n"
+    "set key outside right center\n"
+    "set lmargin 12\n"
+    "set rmargin 20\n"
+    "do for [ending in 'svg png'] {\n"
+    "  if (ending eq 'svg') { set terminal svg size 1000,700 background 'white' } else { set terminal pngcairo size "
+    "1000,700 }\n"
+    "  set output 'energies.'.ending\n"
+    "  set multiplot layout 2,1\n"
+    "  set ylabel 'energy [J]'\n"
+    "  plot 'energies.csv' skip 1 using 2:8 with lines lw 2 lc rgb '#000000' title 'total', \\\n"
+    "       '' skip 1 using 2:3 with lines lw 1.5 lc rgb '#0072B2' title 'kinetic', \\\n"
+    "       '' skip 1 using 2:4 with lines lw 1.5 lc rgb '#E69F00' title 'stretch', \\\n"
+    "       '' skip 1 using 2:5 with lines lw 1.5 lc rgb '#009E73' title 'bend', \\\n"
+    "       '' skip 1 using 2:6 with lines lw 1.5 lc rgb '#CC79A7' title 'twist', \\\n"
+    "       '' skip 1 using 2:7 with lines lw 1.5 lc rgb '#999999' title 'load'\n"
+    "  set ylabel 'pairs a step'\n"
+    "  plot 'energies.csv' skip 1 using 2:10 with lines lw 1.5 lc rgb '#56B4E9' title 'close', \\\n"
+    "       '' skip 1 using 2:11 with impulses lc rgb '#D55E00' title 'contacts'\n"
+    "  unset multiplot\n"
+    "  set output\n"
+    "}\n";
+
+/// A file that cannot be written keeps none of the others from being written.
+class Attempts {
+ public:
+  template <class Do>
+  void attempt(Do&& act) {
+    try {
+      act();
+    } catch (const Error&) {
+      if (!first_) first_ = std::current_exception();
+    }
+  }
+  /// What could be written only in part is not there.
+  template <class Do>
+  void with(std::optional<io::OutputFile>& file, Do&& act) {
+    attempt([&] {
+      if (!file) return;
+      try {
+        act(*file);
+      } catch (...) {
+        file.reset();
+        throw;
+      }
+    });
+  }
+  /// The first failure, now that all have been attempted.
+  void end() const {
+    if (first_) std::rethrow_exception(first_);
+  }
+
+ private:
+  std::exception_ptr first_;
+};
+
+}  // namespace
+
+void write_whole(const std::string& path, std::string_view text) {
+  io::OutputFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+SimulateOutput::SimulateOutput(const SimulateOptions& options, sim::Simulation& simulation)
+    : options_(&options), simulation_(&simulation) {
+  // What cannot be written is found out before the run, not after.
+  const auto open_energies = [&](const std::string& path) {
+    energies_.emplace_back(path);
+    energies_.back()->write(sim::energy_header() + sim::energy_row(simulation, {}));
+  };
+  if (!options.proof.empty()) proof_.emplace(options.proof).write(sim::proof_header());
+  if (!options.energies.empty()) open_energies(options.energies);
+  if (!options.checkpoint.empty()) checkpoint_.emplace(options.checkpoint);
+  if (!options.queries.empty()) {
+    folders_.make(options.queries);
+    simulation.watch([this](const Query& query, const Answer& answer) { write_query(query, answer); });
+  }
+  if (options.out.empty()) return;
+  frames_ = fs::path(options.out) / kFrameFolder;
+  folders_.make(frames_);
+  open_energies((fs::path(options.out) / (std::string(kEnergies) + ".csv")).string());
+  frame_index_.emplace((frames_ / kFrameIndex).string());
+  write_frame();
+}
+
+void SimulateOutput::write_query(const Query& query, const Answer& answer) {
+  auto& file = queries_[static_cast<std::size_t>(query.kind)];
+  if (!file) {
+    const fs::path folder = fs::path(options_->queries) / kind_name(query.kind);
+    folders_.make(folder);
+    file.emplace((folder / kCandidates).string());
+  }
+  std::string text;
+  io::append_query(text, query, answer.contact);
+  Attempts attempts;
+  attempts.with(file, [&](io::OutputFile& open) { open.write(text); });
+  attempts.end();
+}
+
+void SimulateOutput::write_frame() {
+  const std::string name = frame_name(simulation_->steps());
+  write_whole((frames_ / name).string(), sim::vtk_frame(*simulation_));
+  written_.push_back({name, simulation_->state().time});
+  since_frame_ = 0;
+}
+
+void SimulateOutput::step(const std::vector<sim::StepRecord>& records) {
+  ++steps_;
+  Attempts attempts;
+  attempts.with(proof_, [&](io::OutputFile& file) {
+    for (const auto& record : records) file.write(sim::proof_row(record));
+  });
+  for (auto& energies : energies_) {
+    attempts.with(energies, [&](io::OutputFile& file) { file.write(sim::energy_row(*simulation_, records)); });
+  }
+  attempts.attempt([&] {
+    if (!options_->out.empty() && ++since_frame_ >= options_->frame_every) write_frame();
+  });
+  attempts.end();
+}
+
+void SimulateOutput::finish() {
+  Attempts attempts;
+  const auto commit = [](io::OutputFile& file) { file.commit(); };
+  attempts.with(checkpoint_, [&](io::OutputFile& file) {
+    file.write(sim::checkpoint_to_json(*simulation_));
+    file.commit();
+  });
+  attempts.with(proof_, commit);
+  for (auto& file : energies_) attempts.with(file, commit);
+  for (auto& file : queries_) attempts.with(file, commit);
+  attempts.with(frame_index_, [&](io::OutputFile& file) {
+    file.write(sim::vtk_series(written_));
+    file.commit();
+  });
+  folders_.keep();
+  attempts.end();
+}
+
+void SimulateOutput::finish_early() {
+  Attempts attempts;
+  attempts.attempt([&] {
+    if (frame_index_ && since_frame_ > 0) write_frame();
+  });
+  attempts.attempt([&] { finish(); });
+  attempts.end();
+}
+
+std::string SimulateOutput::draw() {
+  if (options_->out.empty()) return {};
+  if (steps_ == 0) return "no step was made, so there are no energies to draw";
+  return report::write_plots({{kEnergies, kPlotScript, {std::string(kEnergies) + ".csv"}}}, options_->out,
+                             [](double) { throw_if_interrupted(); });
+}
+
+}  // namespace touchstone::cli

@@ -1,0 +1,55 @@
+// The files of a simulation's run.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/shared/new_folders.hpp"
+#include "cli/simulate/simulate.hpp"
+#include "io/output_file.hpp"
+#include "sim/output_text.hpp"
+
+namespace touchstone::cli {
+
+/// Tables appear whole at the end, after a run that failed as well; frames as they are made.
+class SimulateOutput {
+ public:
+  SimulateOutput(const SimulateOptions& options, sim::Simulation& simulation);
+
+  void step(const std::vector<sim::StepRecord>& records);
+
+  /// All but the plots. @throws Error for the first file that cannot be written, after the others have been
+  void finish();
+
+  /// The same of a run that ends early, up to the last step that was taken.
+  void finish_early();
+
+  /// The plots. @returns a hint when there is nothing to draw, or no gnuplot to draw it
+  std::string draw();
+
+  SimulateOutput(const SimulateOutput&) = delete;
+  SimulateOutput& operator=(const SimulateOutput&) = delete;
+
+ private:
+  void write_frame();
+  void write_query(const Query& query, const Answer& answer);
+
+  const SimulateOptions* options_;
+  sim::Simulation* simulation_;
+  NewFolders folders_;
+  std::filesystem::path frames_;
+  std::vector<sim::Frame> written_;
+  std::optional<io::OutputFile> proof_, frame_index_, checkpoint_;
+  std::vector<std::optional<io::OutputFile>> energies_;
+  std::array<std::optional<io::OutputFile>, 4> queries_;  // by Kind
+  std::uint64_t steps_ = 0, since_frame_ = 0;
+};
+
+/// Writes `text` to a file that appears whole.
+void write_whole(const std::string& path, std::string_view text);
+
+}  // namespace touchstone::cli

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "cli/simulate/paths.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+#include <vector>
+
+#include <touchstone/error.hpp>
+#include <touchstone/query.hpp>
+
+#include "io/fail.hpp"
+#include "sim/shipped_scenes.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Links followed as far as there is something to follow.
+fs::path place_of(const fs::path& path) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(path, error);
+  fs::path place = fs::weakly_canonical(absolute, error);
+  return error || place.empty() ? absolute.lexically_normal() : place;
+}
+
+struct NamedFile {
+  std::string option;  // that it is named by
+  fs::path path, place;
+  bool input = false;
+
+  NamedFile(std::string name, const fs::path& at, bool is_input)
+      : option(std::move(name)), path(at), place(place_of(at)), input(is_input) {}
+};
+
+class Files {
+ public:
+  void add(const char* option, const std::string& path, bool input = false) {
+    if (!path.empty()) files_.emplace_back(option, path, input);
+  }
+  void add_in(const char* option, const fs::path& folder, std::string_view name) {
+    files_.emplace_back(option, folder / name, false);
+  }
+  void frames_in(const fs::path& folder) { frames_ = place_of(folder); }
+
+  void check() const {
+    for (const NamedFile& file : files_) {
+      for (const NamedFile& other : files_) {
+        if (&file < &other) check_same(file, other);
+        if (&file != &other) check_inside(file, other);
+      }
+      if (is_frame(file)) {
+        throw Error(fmt::format("{} names {}, which may be one of the frames of --out", file.option, shown(file)));
+      }
+    }
+  }
+
+ private:
+  static std::string shown(const NamedFile& file) { return io::printable(file.path.string()); }
+
+  static void check_same(const NamedFile& a, const NamedFile& b) {
+    if (a.place != b.place || (a.input && b.input)) return;
+    const NamedFile& out = a.input ? b : a;
+    if (a.input || b.input) {
+      // What a run goes on from is read whole before it is replaced by where the run has come to.
+      if (a.option == "--resume" && b.option == "--checkpoint") return;
+      throw Error(fmt::format("{} would write over {}, which is read", out.option, shown(out)));
+    }
+    std::error_code ignored;
+    if (fs::is_character_file(a.place, ignored)) return;  // such as /dev/null
+    throw Error(fmt::format("{} and {} name the same file, {}", a.option, b.option, shown(b)));
+  }
+
+  /// Whether `inner` could be written only if `outer` were a folder.
+  static void check_inside(const NamedFile& outer, const NamedFile& inner) {
+    if (outer.input || inner.input || outer.place == inner.place) return;
+    const auto [end, rest] =
+        std::mismatch(outer.place.begin(), outer.place.end(), inner.place.begin(), inner.place.end());
+    if (end != outer.place.end()) return;
+    throw Error(fmt::format("{} names {}, which {} needs as a folder", outer.option, shown(outer), inner.option));
+  }
+
+  bool is_frame(const NamedFile& file) const {
+    const std::string name = file.place.filename().string();
+    return !frames_.empty() && file.place.parent_path() == frames_ && name.starts_with("frame-") &&
+           name.ends_with(".vtk");
+  }
+
+  std::vector<NamedFile> files_;
+  fs::path frames_;  // where there are some
+};
+
+}  // namespace
+
+std::string frame_name(std::uint64_t step) { return fmt::format("frame-{:06}.vtk", step); }
+
+void check_paths(const SimulateOptions& options) {
+  Files files;
+  if (sim::find_shipped_scene(options.scene) == nullptr) files.add("SCENE", options.scene, true);
+  files.add("--resume", options.resume, true);
+  files.add("--proof", options.proof);
+  files.add("--energies", options.energies);
+  files.add("--checkpoint", options.checkpoint);
+  files.add("--scene-out", options.scene_out);
+  if (!options.out.empty()) {
+    const fs::path out = options.out;
+    for (const char* ending : {".csv", ".gp", ".svg", ".png"})
+      files.add_in("--out", out, std::string(kEnergies) + ending);
+    files.add_in("--out", out / kFrameFolder, kFrameIndex);
+    files.frames_in(out / kFrameFolder);
+  }
+  if (!options.queries.empty()) {
+    for (const Kind kind : {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point}) {
+      files.add_in("--queries", fs::path(options.queries) / kind_name(kind), kCandidates);
+    }
+  }
+  files.check();
+}
+
+}  // namespace touchstone::cli

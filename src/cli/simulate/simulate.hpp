@@ -1,0 +1,29 @@
+// `touchstone simulate`: particles, springs and cables that collide, with a proof of each step.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "cli/shared/command.hpp"
+#include "sim/narrow_phase.hpp"
+
+namespace touchstone::cli {
+
+struct SimulateOptions {
+  std::string scene;  ///< a shipped scene's name or a file; empty with `resume`
+  std::optional<std::uint32_t> size;
+  std::optional<std::uint64_t> steps;  ///< how many to make; nothing: to the scene's duration
+  std::string out;                     ///< a folder for frames, tables and plots
+  std::uint64_t frame_every = 2;       ///< steps
+  std::string proof, energies, queries, checkpoint, resume, scene_out;
+  bool explain = false;
+  sim::NarrowPhase narrow_phase = sim::NarrowPhase::exact;
+  int threads = 1;
+};
+
+int run_simulate(const SimulateOptions& options);
+void add_simulate(CLI::App& program, Command& command);
+
+}  // namespace touchstone::cli

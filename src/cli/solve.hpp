@@ -1,0 +1,19 @@
+// `touchstone solve`: the exact answers to the queries of files.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "cli/shared/command.hpp"
+#include "cli/shared/options.hpp"
+
+namespace touchstone::cli {
+
+struct SolveOptions : QueryOptions {
+  std::string out = "-";
+};
+
+int run_solve(const SolveOptions& options);
+void add_solve(CLI::App& program, Command& command);
+
+}  // namespace touchstone::cli

@@ -1,0 +1,42 @@
+// The protocol of solvers that are programs of their own and are asked over pipes: one line a query, one line an
+// answer.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <touchstone/query.hpp>
+
+namespace touchstone::pipes {
+
+// A query:   KIND and then numbers, each after one blank, and a line feed. KIND is edge-edge, vertex-face, point-edge
+//            or point-point. The numbers are the coordinates as C hexfloats ("-0x1.8p-2"): x y z of each corner at
+//            t = 0, in the order a0 a1 b0 b1, v f0 f1 f2, p e0 e1 or p q, and then x y z of each corner at t = 1: 24,
+//            24, 18 or 12 numbers.
+// An answer: "0"            no contact for t in [0, 1]
+//            "1 TOI"        contact, first at TOI, a number that C's strtod reads: hexfloat, decimal, nan, inf
+//            "1"            contact; this solver reports no time
+//            "unsupported"  the solver takes no queries of this kind; only as the first answer to a kind
+//            and a line feed. A carriage return and blanks before it do no harm.
+// The program writes exactly one answer to each query, in the order of the queries, and flushes it: the next query comes
+// only after the answer. The program ends when its input ends.
+
+/// The line for a query, line feed included.
+std::string query_line(const Query& query);
+
+struct AnswerLine {
+  bool supported = true;
+  bool contact = false;
+  std::optional<double> toi;  ///< may be NaN or infinite
+};
+
+/// The answer in a line (without its line feed), or nothing when the line is none of the above.
+std::optional<AnswerLine> read_answer_line(std::string_view line) noexcept;
+
+/// The query in a line (without its line feed), or nothing when the line holds none; query_line's inverse.
+std::optional<Query> read_query_line(std::string_view line) noexcept;
+
+}  // namespace touchstone::pipes
