@@ -5,10 +5,10 @@
 #define TOUCHSTONE_PLUGIN_H
 
 /** @file
- * The interface of a shared library whose solver `touchstone fuzz --solver ./theirs.so` can attack.
+ * The interface of a solver in a shared library.
  *
- * The header is plain C99, and there is nothing to link. Compile your solver with it into a shared library that exports
- * the one function `touchstone_solver` below:
+ * The command `touchstone fuzz --solver ./theirs.so` attacks the solver. The header is plain C99, and there is nothing
+ * to link. Compile your solver with it into a shared library that exports the one function `touchstone_solver` below:
  *
  *     cc -O2 -shared -fPIC -I PREFIX/include -o theirs.so theirs.c
  *
