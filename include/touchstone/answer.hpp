@@ -8,19 +8,21 @@
 
 namespace touchstone {
 
-/// How the two elements meet at the first contact. V(t) is the coplanarity cubic of edge-edge and vertex-face queries.
+/// How the two elements meet at the first contact. V(t) is the coplanarity cubic of edge-edge and vertex-face queries:
+/// a polynomial of degree at most 3 that is zero exactly when the four corners lie in one plane. The other two kinds
+/// have no V. A change of sign is that of the polynomial over the real line, at t = 0 and t = 1 too.
 enum class Nature : std::uint8_t {
-  none,       ///< no contact
+  none,       ///< there is no contact
   crossing,   ///< V is not identically zero and changes sign at the time of impact
-  grazing,    ///< V is not identically zero and does not change sign
-  sustained,  ///< the elements touch during an interval of positive length that starts here
-  isolated    ///< V is identically zero or the kind has none, and the contact is a single instant
+  grazing,    ///< V is not identically zero and does not change sign at the time of impact
+  sustained,  ///< the elements touch during an interval of positive length that starts at the time of impact
+  isolated    ///< the contact is a single instant, and V is identically zero or the kind has no V
 };
 
-/// The part of an element that is touched. Of several names for one place, the first in this order is given
-/// (a zero-length edge is touched at its first corner).
+/// The part of an element that is touched. Where several names fit one place, the answer has the first of them in this
+/// order: a zero-length edge is touched at its first corner.
 enum class Feature : std::uint8_t {
-  none,    ///< no contact
+  none,    ///< there is no contact
   a0,      ///< first corner of the first edge
   a1,      ///< second corner of the first edge
   a,       ///< interior of the first edge
@@ -35,7 +37,7 @@ enum class Feature : std::uint8_t {
   f12,     ///< interior of the face's edge f1 f2
   f20,     ///< interior of the face's edge f2 f0
   f,       ///< interior of the face
-  p,       ///< the point of a point-edge query, the first point of a point-point query
+  p,       ///< the point of a point-edge query, or the first point of a point-point query
   e0,      ///< first corner of the edge of a point-edge query
   e1,      ///< second corner of the edge of a point-edge query
   e,       ///< interior of the edge of a point-edge query
@@ -43,32 +45,51 @@ enum class Feature : std::uint8_t {
   overlap  ///< both edges, along a segment of positive length
 };
 
-/// Which level of the cascade decided.
-enum class Level : std::uint8_t { filter, bracket, exact, oracle };
+/// The level of the solver that decided an answer.
+enum class Level : std::uint8_t {
+  filter,   ///< a test in error-bounded doubles that needs no root of V
+  bracket,  ///< roots of V isolated and refined in error-bounded doubles
+  exact,    ///< the library's own exact arithmetic
+  oracle    ///< CGAL's number types and algebraic kernel
+};
 
-std::string_view nature_name(Nature nature) noexcept;     ///< "crossing", ...; empty for none
-std::string_view feature_name(Feature feature) noexcept;  ///< "a0", ..., "overlap"; empty for none
-std::string_view level_name(Level level) noexcept;        ///< "filter", "bracket", "exact", "oracle"
+/// The nature's name in files and on the command line: "crossing", "grazing", "sustained" or "isolated". Empty for
+/// none.
+std::string_view nature_name(Nature nature) noexcept;
 
-/// The answer to one query. Without contact only `contact` and `level` mean anything; the times are then +infinity.
+/// The feature's name in files and on the command line: "a0", ..., "overlap". Empty for none.
+std::string_view feature_name(Feature feature) noexcept;
+
+/// The level's name in files and on the command line: "filter", "bracket", "exact" or "oracle".
+std::string_view level_name(Level level) noexcept;
+
+/// The answer to one query. Without contact only `contact` and `level` have a meaning; both times are then +infinity.
 struct Answer {
-  bool contact = false;
-  Level level = Level::exact;
-  Nature nature = Nature::none;
-  Feature feature_a = Feature::none;
-  Feature feature_b = Feature::none;
+  bool contact = false;               ///< Whether the elements touch at any time in [0, t_max].
+  Level level = Level::exact;         ///< Which level decided.
+  Nature nature = Nature::none;       ///< How the elements meet at the first contact.
+  Feature feature_a = Feature::none;  ///< The touched part of the first element: edge a, vertex v or point p.
+  Feature feature_b = Feature::none;  ///< The touched part of the second element: edge b, face f, edge e or point q.
 
-  /// The largest double <= the exact first time of contact, and the smallest double >= it, in [0, t_max].
-  /// Equal when the exact time is a double. Stepping to `toi` is safe: no better double exists.
+  /// The largest double <= the exact first time of contact, in [0, t_max]. A step of this length is safe, and no larger
+  /// double is.
   double toi;
+
+  /// The smallest double >= the exact first time of contact, in [0, t_max]. It equals `toi` when the exact time is a
+  /// double; otherwise it is the next double after `toi`.
   double toi_upper;
 
-  /// Barycentric coordinates of the touching point on each element at the exact time, each within 2^-50 of its
-  /// true value and in [0, 1]: (a0, a1, 0) for an edge, (1, 0, 0) for a point, (f0, f1, f2) for a face. They are
-  /// supported on the feature. For an overlap: the lexicographically smallest valid (a0, a1, b0, b1).
+  /// Barycentric coordinates of the touching point on the first element at the exact time: (a0, a1, 0) for an edge,
+  /// (1, 0, 0) for a vertex or point. Each is in [0, 1] and within 2^-50 of its true value. A corner that does not
+  /// belong to the touched feature has weight 0. Of an overlap's many points the answer has the one with the
+  /// lexicographically smallest (a0, a1, b0, b1).
   std::array<double, 3> weights_a{};
+
+  /// The same on the second element: (b0, b1, 0) or (e0, e1, 0) for an edge, (f0, f1, f2) for a face, (1, 0, 0) for a
+  /// point.
   std::array<double, 3> weights_b{};
 
+  /// An answer without contact.
   Answer() noexcept;
 };
 

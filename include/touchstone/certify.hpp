@@ -1,4 +1,4 @@
-// Touchstone: judge what a solver claims.
+// Touchstone: judge the claims of a solver.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -10,22 +10,25 @@
 
 namespace touchstone {
 
-/// What somebody's solver says of one query.
+/// A solver's answer to one query, not yet judged.
 struct Claim {
-  bool contact = false;
-  std::optional<double> toi;  ///< the time of impact claimed, if any; finite
+  bool contact = false;       ///< Whether the solver claims a contact.
+  std::optional<double> toi;  ///< The claimed time of impact, finite; empty when the solver gives none.
 };
 
+/// The judgement of a claim.
 enum class Verdict : std::uint8_t {
   holds,    ///< the claim is true
-  missed,   ///< contact denied, but there is one
-  phantom,  ///< contact claimed, but there is none
-  late      ///< contact claimed rightly, but its toi lies after the exact time: stepping there would pass through
+  missed,   ///< the claim denies a contact that exists
+  phantom,  ///< the claim has a contact that does not exist
+  late      ///< the contact exists, but the claimed toi lies after its exact time: a step of that length passes through
 };
 
-std::string_view verdict_name(Verdict verdict) noexcept;  ///< "holds", "missed", "phantom", "late"
+/// The verdict's name in files and on the command line: "holds", "missed", "phantom" or "late".
+std::string_view verdict_name(Verdict verdict) noexcept;
 
-/// The verdict on a claim, given the exact answer. A claim without a toi is judged on contact alone.
+/// The verdict on `claim`, where `truth` is the exact answer to the same query. A claim without a toi is judged by
+/// `contact` alone. A toi before the exact time holds, however early it is.
 Verdict judge(const Claim& claim, const Answer& truth) noexcept;
 
 }  // namespace touchstone

@@ -10,42 +10,68 @@
 
 namespace touchstone {
 
-/// An exact real algebraic time in [0, 1]. Immutable; copies are cheap and may be shared between threads.
+/// An exact real algebraic time in [0, 1]. It is immutable, and several threads may use one object. A copy is cheap.
 class ExactTime {
  public:
+  /// The representation, known to the library only.
   struct Impl;
+
+  /// For the library: a time from its representation, which is not null.
   explicit ExactTime(std::shared_ptr<const Impl> impl);
 
-  double lower() const noexcept;  ///< the largest double <= this time
-  double upper() const noexcept;  ///< the smallest double >= this time; equal to lower() when this time is a double
+  /// The largest double <= this time.
+  double lower() const noexcept;
 
-  /// Negative, zero or positive as this time is before, equal to or after the other; exact.
+  /// The smallest double >= this time. It equals lower() when this time is a double.
+  double upper() const noexcept;
+
+  /// Negative when this time is before the other, zero when they are equal, positive when it is after the other. The
+  /// comparison is exact.
   int compare(const ExactTime& other) const;
+
+  /// The same against a double. @throws InvalidQuery  for a time that is not finite
   int compare(double time) const;
 
-  /// 1 - this time, exactly.
+  /// 1 - this time, exactly: the time in the motion run backwards.
   ExactTime reversed() const;
 
-  /// For a person: "1/3", or "root of 3 t^3 - t - 1 in [0x1.b3p-1, 0x1.b4p-1]".
+  /// The time as text for a person, as `touchstone explain` prints it. A time that the library holds as a rational is
+  /// a fraction in lowest terms: "1/3". Any other is the only root of a polynomial in the interval from lower() to
+  /// upper(): "root of (2) t^2 + (-1) in [0x1.6a09e667f3bccp-1, 0x1.6a09e667f3bcdp-1]". A coefficient is an integer or
+  /// an integer times a power of two: "(1101 * 2^-1)". Such a root may be rational too.
   std::string to_string() const;
 
  private:
   std::shared_ptr<const Impl> impl_;
 };
 
+/// Whether two exact times are equal.
 inline bool operator==(const ExactTime& a, const ExactTime& b) { return a.compare(b) == 0; }
+/// Whether two exact times differ.
 inline bool operator!=(const ExactTime& a, const ExactTime& b) { return a.compare(b) != 0; }
+/// Whether `a` is before `b`.
 inline bool operator<(const ExactTime& a, const ExactTime& b) { return a.compare(b) < 0; }
 
-/// A closed interval of touching times; a single instant has first == last.
+/// A closed interval of touching times.
 struct ContactInterval {
-  ExactTime first;
-  ExactTime last;
+  ExactTime first;  ///< The first instant of the contact.
+  ExactTime last;   ///< The last instant of the contact; equal to `first` when the contact is a single instant.
 };
 
-/// The set of all t in [0, t_max] at which the elements touch, as disjoint closed intervals in ascending order.
-/// Its first end is the exact time that `solve` encloses. @throws InvalidQuery as `solve` does.
+/// The set of all t in [0, t_max] at which the elements touch, as disjoint closed intervals in ascending order. It is
+/// empty without contact. The first instant of the first interval is the exact time that `solve` encloses. Exact
+/// arithmetic computes it.
+/// @param query  the two elements and their motion
+/// @param t_max  the end of the time range, 0 <= t_max <= 1
+/// @return the intervals
+/// @throws InvalidQuery  for a NaN or infinite coordinate or a t_max outside [0, 1]
 std::vector<ContactInterval> contact_times(const Query& query, double t_max = 1.0);
+
+/// The same for rational coordinates.
+/// @param query  the two elements and their motion
+/// @param t_max  the end of the time range, 0 <= t_max <= 1
+/// @return the intervals
+/// @throws InvalidQuery  for a coordinate that is not a fraction or a t_max outside [0, 1]
 std::vector<ContactInterval> contact_times(const RationalQuery& query, double t_max = 1.0);
 
 }  // namespace touchstone

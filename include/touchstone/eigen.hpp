@@ -16,7 +16,7 @@ namespace touchstone {
 
 namespace detail {
 
-/// What stands in memory as it is, any other expression evaluated once.
+/// The expression itself when its values are in memory; otherwise its values, evaluated once.
 template <typename Derived>
 decltype(auto) eigen_values(const Eigen::DenseBase<Derived>& expression) {
   if constexpr ((Derived::Flags & Eigen::DirectAccessBit) != 0) {
@@ -28,9 +28,11 @@ decltype(auto) eigen_values(const Eigen::DenseBase<Derived>& expression) {
 
 }  // namespace detail
 
-/// A corner from any Eigen vector of doubles: fixed or dynamic size, row or column, Map, block or expression. Two
-/// coordinates are a position in the plane z = 0. An expression is evaluated once, in the caller's floating-point
-/// environment; after that the values are only copied.
+/// A corner from an Eigen vector of doubles: of fixed or dynamic size, a row or a column, a Map, a block or an
+/// expression. A vector of two coordinates is a position in the plane z = 0. An expression is evaluated once, in the
+/// caller's floating-point environment; its values are then copied unchanged.
+/// @param position  two or three coordinates
+/// @return the corner
 /// @throws InvalidQuery  for a vector of dynamic size that has neither two nor three coordinates
 template <typename Derived>
 Vec3 to_vec3(const Eigen::DenseBase<Derived>& position) {
@@ -51,12 +53,16 @@ Vec3 to_vec3(const Eigen::DenseBase<Derived>& position) {
   return corner;
 }
 
-/// The other way, for positions and for the weights of an answer.
+/// A position as an Eigen vector.
 inline Eigen::Vector3d to_eigen(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+/// The weights of an answer as an Eigen vector.
 inline Eigen::Vector3d to_eigen(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
-/// Corners from the rows of a matrix of doubles, N x 3 or N x 2 (z = 0).
-/// @throws InvalidQuery  for a matrix of dynamic size that has another number of rows or columns
+/// Corners from the rows of a matrix of doubles, N x 3, or N x 2 for corners in the plane z = 0.
+/// @param rows  the matrix, one corner a row
+/// @return the corners, in the order of the rows
+/// @throws InvalidQuery  for a matrix of dynamic size with another number of rows or columns
 template <std::size_t N, typename Derived>
 std::array<Vec3, N> to_corners(const Eigen::DenseBase<Derived>& rows) {
   static_assert(std::is_same_v<typename Derived::Scalar, double>, "corners are made of doubles: cast them to double");
@@ -75,13 +81,14 @@ std::array<Vec3, N> to_corners(const Eigen::DenseBase<Derived>& rows) {
   return corners;
 }
 
-/// Edge a0 a1 against edge b0 b1; `start` at t = 0 and `end` at t = 1 hold one corner a row, in this order.
+/// Edge a0 a1 against edge b0 b1. `start` (t = 0) and `end` (t = 1) have one corner a row, in this order: 4 x 3 or
+/// 4 x 2. Like the other functions of this header, it throws InvalidQuery for a dynamic size that does not fit.
 template <typename Start, typename End>
 EdgeEdge edge_edge(const Eigen::DenseBase<Start>& start, const Eigen::DenseBase<End>& end) {
   return {to_corners<4>(start), to_corners<4>(end)};
 }
 
-/// The same, corner by corner: first where each is at t = 0, then where each is at t = 1.
+/// The same from one vector for each corner: all positions at t = 0, then all positions at t = 1.
 template <typename A0, typename A1, typename B0, typename B1, typename A0End, typename A1End, typename B0End,
           typename B1End>
 EdgeEdge edge_edge(const Eigen::DenseBase<A0>& a0, const Eigen::DenseBase<A1>& a1, const Eigen::DenseBase<B0>& b0,
@@ -92,13 +99,13 @@ EdgeEdge edge_edge(const Eigen::DenseBase<A0>& a0, const Eigen::DenseBase<A1>& a
           {to_vec3(a0_end), to_vec3(a1_end), to_vec3(b0_end), to_vec3(b1_end)}};
 }
 
-/// Vertex v against triangle f0 f1 f2; one corner a row, in this order.
+/// Vertex v against triangle f0 f1 f2. `start` and `end` have one corner a row, in this order: 4 x 3 or 4 x 2.
 template <typename Start, typename End>
 VertexFace vertex_face(const Eigen::DenseBase<Start>& start, const Eigen::DenseBase<End>& end) {
   return {to_corners<4>(start), to_corners<4>(end)};
 }
 
-/// The same, corner by corner: first where each is at t = 0, then where each is at t = 1.
+/// The same from one vector for each corner: all positions at t = 0, then all positions at t = 1.
 template <typename V, typename F0, typename F1, typename F2, typename VEnd, typename F0End, typename F1End,
           typename F2End>
 VertexFace vertex_face(const Eigen::DenseBase<V>& v, const Eigen::DenseBase<F0>& f0, const Eigen::DenseBase<F1>& f1,
@@ -109,13 +116,13 @@ VertexFace vertex_face(const Eigen::DenseBase<V>& v, const Eigen::DenseBase<F0>&
           {to_vec3(v_end), to_vec3(f0_end), to_vec3(f1_end), to_vec3(f2_end)}};
 }
 
-/// Point p against edge e0 e1; one corner a row, in this order.
+/// Point p against edge e0 e1. `start` and `end` have one corner a row, in this order: 3 x 3 or 3 x 2.
 template <typename Start, typename End>
 PointEdge point_edge(const Eigen::DenseBase<Start>& start, const Eigen::DenseBase<End>& end) {
   return {to_corners<3>(start), to_corners<3>(end)};
 }
 
-/// The same, corner by corner: first where each is at t = 0, then where each is at t = 1.
+/// The same from one vector for each corner: all positions at t = 0, then all positions at t = 1.
 template <typename P, typename E0, typename E1, typename PEnd, typename E0End, typename E1End>
 PointEdge point_edge(const Eigen::DenseBase<P>& p, const Eigen::DenseBase<E0>& e0, const Eigen::DenseBase<E1>& e1,
                      const Eigen::DenseBase<PEnd>& p_end, const Eigen::DenseBase<E0End>& e0_end,
@@ -123,13 +130,13 @@ PointEdge point_edge(const Eigen::DenseBase<P>& p, const Eigen::DenseBase<E0>& e
   return {{to_vec3(p), to_vec3(e0), to_vec3(e1)}, {to_vec3(p_end), to_vec3(e0_end), to_vec3(e1_end)}};
 }
 
-/// Point p against point q; one corner a row, in this order.
+/// Point p against point q. `start` and `end` have one corner a row, in this order: 2 x 3 or 2 x 2.
 template <typename Start, typename End>
 PointPoint point_point(const Eigen::DenseBase<Start>& start, const Eigen::DenseBase<End>& end) {
   return {to_corners<2>(start), to_corners<2>(end)};
 }
 
-/// The same, point by point: first where each is at t = 0, then where each is at t = 1.
+/// The same from one vector for each point: both positions at t = 0, then both positions at t = 1.
 template <typename P, typename Q, typename PEnd, typename QEnd>
 PointPoint point_point(const Eigen::DenseBase<P>& p, const Eigen::DenseBase<Q>& q, const Eigen::DenseBase<PEnd>& p_end,
                        const Eigen::DenseBase<QEnd>& q_end) {

@@ -16,60 +16,85 @@
 
 namespace touchstone {
 
-/// What can be wrong with what a solver says of a query; worst first.
+/// What is wrong with a solver's reply to a query, worst first.
 enum class FuzzFailure : std::uint8_t {
-  crash,      ///< it threw, or its process ended
-  hang,       ///< it did not return in time; only solvers in a process of their own are given a time
-  malformed,  ///< no answer at all, a time before the step, or a whole answer that breaks its own promises
-  missed,     ///< contact denied, but there is one
-  late,       ///< its time lies after the exact one: stepping there would pass through
-  nan,        ///< contact claimed at a time that is no number
-  phantom,    ///< contact claimed, but there is none
-  early,      ///< its time lies before the exact one by more than is allowed
-  differs     ///< of a whole answer: upper time, nature, features or weights are not the exact ones
+  crash,      ///< the solver threw an exception, or its process ended
+  hang,       ///< the solver did not return in time; only a solver in a process of its own has a time limit
+  malformed,  ///< no answer at all, a time before the step, or a whole answer that breaks the promises of Answer
+  missed,     ///< the solver denies a contact that exists
+  late,       ///< the time lies after the exact one: a step of that length passes through
+  nan,        ///< the solver claims a contact at a time that is not a number
+  phantom,    ///< the solver claims a contact that does not exist
+  early,      ///< the time lies before the exact one by more than the options allow
+  differs     ///< a whole answer whose upper time, nature, features or weights are not the exact ones
 };
 
-std::string_view fuzz_failure_name(FuzzFailure failure) noexcept;  ///< "crash", "missed", ...
+/// The failure's name in reports and on the command line: "crash", "missed", ...
+std::string_view fuzz_failure_name(FuzzFailure failure) noexcept;
 
+/// Which queries fuzz_solver makes, and which times it accepts.
 struct FuzzOptions {
-  std::uint64_t seed = 1;         ///< the queries are the same ones for the same seed, on every machine
-  std::uint64_t cases = 100'000;  ///< how many to make, shared out evenly to all families and kinds; not 0
-  std::uint64_t climb =
-      0;  ///< steps of hill climbing from each towards queries that are hard for doubles, each asked too
-  std::vector<Kind> kinds;                  ///< empty: all
-  std::vector<std::string> families;        ///< names as `touchstone fuzz --help` lists them; empty: all
-  std::optional<std::uint64_t> early_ulps;  ///< how many doubles before the exact time a claimed time may lie
-  std::optional<double> early_share;        ///< the same as a share of the step, in [0, 1]; without both: any distance
-  std::size_t findings = 32;                ///< how many to shrink and return at most; 0: all
-  int threads = 1;  ///< from so many the solver is called at a time, 1 to 1024; the report is the same for any number
+  /// The seed of the random queries. The queries are the same for the same seed on every machine.
+  std::uint64_t seed = 1;
+
+  /// The number of queries to make, at least 1, in equal parts for all chosen families and kinds.
+  std::uint64_t cases = 100'000;
+
+  /// The number of hill-climbing steps from each query towards queries that are hard for doubles. The solver is asked
+  /// after each step too.
+  std::uint64_t climb = 0;
+
+  /// The kinds of query; empty for all.
+  std::vector<Kind> kinds;
+
+  /// The names of the query families, as `touchstone fuzz --help` lists them; empty for all.
+  std::vector<std::string> families;
+
+  /// The greatest allowed distance of a claimed time before the exact one, as a number of doubles. Without this and
+  /// early_share every distance is allowed.
+  std::optional<std::uint64_t> early_ulps;
+
+  /// The same as a fraction of the step, in [0, 1].
+  std::optional<double> early_share;
+
+  /// The greatest number of findings to shrink and return; 0 for all.
+  std::size_t findings = 32;
+
+  /// The number of threads, 1 to 1024, that call the solver at the same time. The report is the same for any number.
+  int threads = 1;
 };
 
-/// Failures of one class on queries that are degenerate in one way, shown by the simplest query of them.
+/// All failures of one class on queries that are degenerate in one way, shown by the simplest such query.
 struct FuzzFinding {
-  FuzzFailure failure = FuzzFailure::missed;
-  std::string degeneracy;   ///< for a person: "sustained, a0 against b, V = n = 0 at all times"
-  std::uint64_t count = 0;  ///< how many queries failed in this way
-  Query query;              ///< shrunk: still fails in this way, with coordinates that a person can read
-  Claim claim;              ///< what the solver says of it; its time may be anything
-  Answer truth;             ///< the exact answer
-  std::string detail;       ///< of a crash, the exception's message and the like
-  std::string case_name;    ///< of the query that it was shrunk from: touchstone fuzz --case "..."
+  FuzzFailure failure = FuzzFailure::missed;  ///< The class of the failure.
+  std::string degeneracy;   ///< The degeneracy in words: "sustained, a0 against b, V = n = 0 at all times".
+  std::uint64_t count = 0;  ///< The number of queries that failed in this way.
+  Query query;              ///< The shrunk query: it still fails in this way, and a person can read its coordinates.
+  Claim claim;              ///< The solver's claim about `query`; its time may be any double, NaN too.
+  Answer truth;             ///< The exact answer to `query`.
+  std::string detail;       ///< More about the failure, such as the message of the exception of a crash.
+  std::string case_name;    ///< The name of the query before it was shrunk, for `touchstone fuzz --case "..."`.
 };
 
-/// The finding on some lines: class, degeneracy, corners, claim and exact answer.
+/// The finding as a few lines of text: class, degeneracy, corners, claim and exact answer.
 std::string to_string(const FuzzFinding& finding);
 
+/// The result of fuzz_solver.
 struct FuzzReport {
-  std::uint64_t queries = 0;         ///< asked and judged
-  std::uint64_t failures = 0;        ///< queries of which something wrong was said
-  std::size_t kinds_of_failure = 0;  ///< findings, those beyond FuzzOptions::findings included
-  std::vector<FuzzFinding> findings;
+  std::uint64_t queries = 0;          ///< The number of queries that were asked and judged.
+  std::uint64_t failures = 0;         ///< The number of queries with a wrong reply.
+  std::size_t kinds_of_failure = 0;   ///< The number of findings, including those beyond FuzzOptions::findings.
+  std::vector<FuzzFinding> findings;  ///< The findings, at most FuzzOptions::findings of them.
 };
 
-/// Asks `solver` for the first contact in [0, 1] of many queries that are degenerate, nearly so, or extreme, and judges
-/// what it says by exact arithmetic. It is called in the default floating-point environment, again and again on queries
-/// like one that it failed on, and may throw: that is a crash, found and shrunk like the rest.
-/// @throws InvalidQuery  for options that mean nothing: an unknown family, no cases, a share outside [0, 1]
+/// Asks `solver` for the first contact in [0, 1] of many queries that are degenerate, nearly degenerate or extreme, and
+/// judges its claims by exact arithmetic. Every call happens in the default floating-point environment. A query that
+/// fails leads to more calls, with simpler queries like it. An exception from the solver is a crash: it is a failure
+/// like the others.
+/// @param solver   the solver: its claim about a query
+/// @param options  which queries, and which times are accepted
+/// @return the failures found
+/// @throws InvalidQuery  for options without meaning: an unknown family, no cases, a fraction outside [0, 1]
 FuzzReport fuzz_solver(const std::function<Claim(const Query&)>& solver, const FuzzOptions& options = {});
 
 }  // namespace touchstone

@@ -12,90 +12,141 @@
 
 namespace touchstone {
 
-/// Which code answers. All give the same answer; they differ in speed and in the code they share.
+/// The code that answers. All methods give the same contact, times, nature and features; the weights of each are within
+/// 2^-50 of the true ones. The methods differ in speed and in the code that they share.
 enum class Method : std::uint8_t {
-  fast,   ///< the cascade: error-bounded filters, exact arithmetic where they are uncertain
-  exact,  ///< exact ring arithmetic alone
-  oracle  ///< the independent decider over CGAL's algebraic kernel: slow, shares no decision code with the others
+  fast,      ///< error-bounded filters, and the library's own exact arithmetic where the filters are uncertain
+  exact,     ///< the library's own exact arithmetic alone
+  oracle,    ///< an independent decider over CGAL's algebraic kernel: slow; shares no decision code with the others
+  fast_cgal  ///< the same filters as `fast`, and CGAL (number types and algebraic kernel) where they are uncertain
 };
 
-/// The first contact of the two elements for t in [0, t_max], decided exactly.
+/// The first contact of the two elements for t in [0, t_max], decided exactly, by Method::fast.
 ///
-/// Any finite coordinates are ordinary input, zero, subnormal and huge ones included. The answer does not depend on
-/// the caller's floating-point environment (rounding mode, flush-to-zero), which is left as it was. Safe to call
-/// from any thread; allocates nothing when a filter decides.
-/// @param t_max  end of the time range, 0 <= t_max <= 1
+/// Every finite coordinate is ordinary input: zero, subnormal and huge values too. The answer does not depend on the
+/// caller's floating-point environment (rounding mode, flush-to-zero), and the environment is left unchanged. Any
+/// number of threads may call it. It allocates nothing when a filter decides.
+/// @param query  the two elements and their motion
+/// @param t_max  the end of the time range, 0 <= t_max <= 1
+/// @return the answer
 /// @throws InvalidQuery  for a NaN or infinite coordinate or a t_max outside [0, 1]
 Answer solve(const Query& query, double t_max = 1.0);
+
+/// The same for an edge-edge query.
 Answer solve(const EdgeEdge& query, double t_max = 1.0);
+
+/// The same for a vertex-face query.
 Answer solve(const VertexFace& query, double t_max = 1.0);
+
+/// The same for a point-edge query.
 Answer solve(const PointEdge& query, double t_max = 1.0);
+
+/// The same for a point-point query.
 Answer solve(const PointPoint& query, double t_max = 1.0);
 
-/// The same by the method of choice.
+/// The same by the method of your choice.
 Answer solve(const Query& query, Method method, double t_max = 1.0);
 
-/// The same for rational coordinates; Method::fast goes straight to the exact level unless every coordinate is a double.
-/// @throws InvalidQuery  also for a fraction that is not a pair of decimal integers or has a zero denominator
-Answer solve(const RationalQuery& query, Method method = Method::fast, double t_max = 1.0);
+/// The same for rational coordinates, by Method::fast. When some coordinate is not a double, no filter applies and the
+/// exact level decides.
+/// @param query  the two elements and their motion
+/// @param t_max  the end of the time range, 0 <= t_max <= 1
+/// @return the answer
+/// @throws InvalidQuery  for a fraction that is not a pair of decimal integers, a zero denominator, or a t_max outside
+///                       [0, 1]
+Answer solve(const RationalQuery& query, double t_max = 1.0);
 
-/// Whether the two elements touch at any t in [0, t_max]; no time, and less work where the time would take some.
-/// Equal to solve(query, t_max).contact. @throws InvalidQuery as `solve` does.
+/// The same for rational coordinates, by the method of your choice. When some coordinate is not a double, the exact
+/// level decides for Method::fast and Method::exact, and CGAL for the other two.
+Answer solve(const RationalQuery& query, Method method, double t_max = 1.0);
+
+/// Whether the two elements touch at any t in [0, t_max]: the `contact` of solve(query, t_max). It does not compute the
+/// time, which is cheaper.
+/// @param query  the two elements and their motion
+/// @param t_max  the end of the time range, 0 <= t_max <= 1
+/// @return whether they touch
+/// @throws InvalidQuery  for a NaN or infinite coordinate or a t_max outside [0, 1]
 bool solve_any(const Query& query, double t_max = 1.0);
 
-/// The vectors of the processor that a batch uses: several queries are looked at in one instruction.
+/// The SIMD width of a batch: the number of bits of the processor's vector registers that it uses. One instruction then
+/// tests several queries.
 enum class VectorWidth : std::uint8_t {
-  widest,    ///< the widest of the machine it runs on
-  none,      ///< one query at a time
-  bits_128,  ///< two doubles: every processor
-  bits_256,  ///< four, AVX2
-  bits_512   ///< eight, AVX-512
+  widest,    ///< the widest that both the processor and the library support
+  none,      ///< no SIMD: one query at a time
+  bits_128,  ///< two doubles; every supported processor has it
+  bits_256,  ///< four doubles, AVX2
+  bits_512   ///< eight doubles, AVX-512
 };
 
-/// Whether the machine, and the library as it was built, has vectors of this width.
+/// Whether the processor and this build of the library support this SIMD width. True for widest, none and bits_128.
 bool has_vectors(VectorWidth width) noexcept;
 
+/// How a batch is answered. No option but `t_max` and `method` changes an answer.
 struct BatchOptions {
-  double t_max = 1.0;
-  Method method = Method::fast;
-  /// 1: the calling thread; 0: as many as the machine has; at most 1024. The answers are the same for any number.
+  double t_max = 1.0;            ///< the end of the time range of every query, 0 <= t_max <= 1
+  Method method = Method::fast;  ///< the code that answers
+
+  /// The number of threads, 1 to 1024; 0 takes as many as the machine has. With 1 the calling thread does all the work.
   int threads = 1;
-  VectorWidth vectors = VectorWidth::widest;  ///< The answers are the same for any width, bit for bit.
+
+  /// The SIMD width. Only batches in columns by Method::fast or Method::fast_cgal use it.
+  VectorWidth vectors = VectorWidth::widest;
 };
 
 /// The answers to many queries, in input order.
-/// @throws InvalidQuery  naming the index of the first query that has no meaning
+/// @param queries  the queries, of one kind or of several
+/// @param options  how they are answered
+/// @return answers[i] for queries[i]
+/// @throws InvalidQuery  for options without meaning, or naming the index of the first query without meaning
 std::vector<Answer> solve_batch(const std::vector<Query>& queries, const BatchOptions& options = {});
 
-/// The same into caller's memory: answers[i] for queries[i], 0 <= i < count. When it throws, no answer is valid.
+/// The same into the caller's memory. When it throws, no answer is valid.
+/// @param queries  the first of `count` queries
+/// @param count    the number of queries
+/// @param answers  room for `count` answers; answers[i] becomes the answer to queries[i]
+/// @param options  how they are answered
+/// @throws InvalidQuery  for options without meaning, or naming the index of the first query without meaning
 void solve_batch(const Query* queries, std::size_t count, Answer* answers, const BatchOptions& options = {});
 
-/// Queries of one kind as a structure of arrays: a column of doubles for each coordinate of each corner.
+/// Queries of one kind as a structure of arrays: one column of doubles for each coordinate of each corner.
 struct QueryColumns {
-  Kind kind = Kind::edge_edge;
-  std::size_t count = 0;
-  /// start[i][k][q] is coordinate k (0 x, 1 y, 2 z) of corner i of query q at t = 0, 0 <= q < count; `end` at t = 1.
-  /// Corners past corner_count(kind) are never read. No alignment is needed.
+  Kind kind = Kind::edge_edge;  ///< which elements
+  std::size_t count = 0;        ///< the number of queries, and the length of each column
+
+  /// The columns at t = 0: start[i][k][q] is coordinate k (0 x, 1 y, 2 z) of corner i of query q, 0 <= q < count.
+  /// Columns of corners past corner_count(kind) are never read. No alignment is needed.
   std::array<std::array<const double*, 3>, 4> start{};
+
+  /// The columns at t = 1, in the same order.
   std::array<std::array<const double*, 3>, 4> end{};
 
+  /// Query q, 0 <= q < count.
   Query operator[](std::size_t q) const noexcept;
 };
 
-/// The answers to queries in columns: those of `solve` one by one, sooner.
-/// @throws InvalidQuery  naming the index of the first query that has no meaning
+/// The answers to queries in columns. They equal those of `solve` for each query and come sooner.
+/// @param queries  the columns
+/// @param options  how they are answered
+/// @return answers[q] for query q
+/// @throws InvalidQuery  for options without meaning, or naming the index of the first query without meaning
 std::vector<Answer> solve_batch(const QueryColumns& queries, const BatchOptions& options = {});
 
-/// The same into caller's memory: answers[q] for query q, 0 <= q < count. When it throws, no answer is valid.
+/// The same into the caller's memory. When it throws, no answer is valid.
+/// @param queries  the columns
+/// @param answers  room for queries.count answers; answers[q] becomes the answer to query q
+/// @param options  how they are answered
+/// @throws InvalidQuery  for options without meaning, or naming the index of the first query without meaning
 void solve_batch(const QueryColumns& queries, Answer* answers, const BatchOptions& options = {});
 
-/// How many answers each level decided: what an array of answers cost.
+/// The number of answers that each level decided.
 struct LevelCounts {
-  std::size_t filter = 0;
-  std::size_t bracket = 0;
-  std::size_t exact = 0;
-  std::size_t oracle = 0;
+  std::size_t filter = 0;   ///< answers of Level::filter
+  std::size_t bracket = 0;  ///< answers of Level::bracket
+  std::size_t exact = 0;    ///< answers of Level::exact
+  std::size_t oracle = 0;   ///< answers of Level::oracle
 };
+
+/// Counts the levels of `answers`.
 LevelCounts count_levels(const std::vector<Answer>& answers) noexcept;
 
 }  // namespace touchstone

@@ -4,7 +4,7 @@
 
 namespace touchstone {
 
-/// "MAJOR.MINOR.PATCH" of the library that is linked; the one place that sets it is the CMake project.
+/// The version of the linked library, "MAJOR.MINOR.PATCH". The CMake project is the one place that sets it.
 const char* version() noexcept;
 
 }  // namespace touchstone

@@ -15,8 +15,10 @@
 namespace touchstone::fuzz {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Method>, 3> kOurs{
-    {{"touchstone", Method::fast}, {"exact", Method::exact}, {"oracle", Method::oracle}}};
+constexpr std::array<std::pair<std::string_view, Method>, 4> kOurs{{{"touchstone", Method::fast},
+                                                                    {"exact", Method::exact},
+                                                                    {"oracle", Method::oracle},
+                                                                    {"fast-cgal", Method::fast_cgal}}};
 
 constexpr std::string_view kBatch = "batch";
 

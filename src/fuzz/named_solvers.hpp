@@ -10,8 +10,8 @@
 
 namespace touchstone::fuzz {
 
-/// "touchstone", "exact", "oracle", "batch" (touchstone, through solve_batch in rows and in columns), then every method
-/// of `baselines` at its usual tolerance.
+/// "touchstone", "exact", "oracle", "fast-cgal", "batch" (touchstone, through solve_batch in rows and in columns), then
+/// every method of `baselines` at its usual tolerance.
 std::vector<std::string_view> solver_names();
 
 /// The solver of that name, or null.

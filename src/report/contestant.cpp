@@ -44,7 +44,7 @@ std::string Contestant::label() const { return tolerance == 0 ? name : name + " 
 std::vector<Contestant> contestants(const std::vector<double>& tolerances) {
   std::vector<Contestant> all;
   for (const baselines::Method& method : baselines::methods()) {
-    Contestant contestant{std::string(method.name), std::string(method.about), &method, false, 0};
+    Contestant contestant{std::string(method.name), std::string(method.about), &method, Method::fast, 0};
     if (!method.has_tolerance()) {
       all.push_back(contestant);
       continue;
@@ -54,9 +54,11 @@ std::vector<Contestant> contestants(const std::vector<double>& tolerances) {
       all.push_back(contestant);
     }
   }
-  all.push_back({"exact_only", "exact arithmetic alone; never wrong", nullptr, true, 0});
+  all.push_back({"exact_only", "exact arithmetic alone; never wrong", nullptr, Method::exact, 0});
+  all.push_back({"touchstone_cgal", "filters, brackets, and CGAL where they are uncertain; never wrong", nullptr,
+                 Method::fast_cgal, 0});
   all.push_back(
-      {"touchstone", "the whole cascade: filters, brackets, exact arithmetic; never wrong", nullptr, false, 0});
+      {"touchstone", "the whole cascade: filters, brackets, exact arithmetic; never wrong", nullptr, Method::fast, 0});
   return all;
 }
 
@@ -66,7 +68,7 @@ Reply ask(const Contestant& contestant, const Query& query) {
     const auto result = contestant.baseline->solve(query, kWholeStep, contestant.tolerance);
     reply.claim = claim_of(result.contact, result.toi);
   } else {
-    const Answer answer = contestant.exact ? solve(query, Method::exact) : solve(query);
+    const Answer answer = solve(query, contestant.method);
     reply.claim = claim_of(answer.contact, answer.toi);
     reply.level = answer.level;
   }
@@ -78,10 +80,8 @@ void ask_all(const Contestant& contestant, const std::vector<Query>& queries, st
   if (contestant.baseline != nullptr) {
     const auto function = contestant.baseline->solve;
     for (std::size_t i = 0; i < count; ++i) keep(function(queries[i], kWholeStep, contestant.tolerance));
-  } else if (contestant.exact) {
-    for (std::size_t i = 0; i < count; ++i) keep(solve(queries[i], Method::exact));
   } else {
-    for (std::size_t i = 0; i < count; ++i) keep(solve(queries[i]));
+    for (std::size_t i = 0; i < count; ++i) keep(solve(queries[i], contestant.method));
   }
 }
 

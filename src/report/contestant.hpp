@@ -1,4 +1,4 @@
-// Who is compared: every baseline at every tolerance, exact arithmetic alone, and the whole solver.
+// The methods that are compared: every baseline at every tolerance, and the solver by three of its methods.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -9,6 +9,7 @@
 #include <touchstone/answer.hpp>
 #include <touchstone/certify.hpp>
 #include <touchstone/query.hpp>
+#include <touchstone/solve.hpp>
 
 #include "baselines/baseline.hpp"
 
@@ -18,12 +19,16 @@ namespace touchstone::report {
 struct Contestant {
   std::string name;
   std::string about;
-  const baselines::Method* baseline = nullptr;  ///< null: the solver, cascade or exact level
-  bool exact = false;                           ///< Method::exact; only without a baseline
+  const baselines::Method* baseline = nullptr;  ///< null: the solver, by `method`
+  Method method = Method::fast;                 ///< only without a baseline
   double tolerance = 0;                         ///< 0: it has none
 
   bool supports(Kind kind) const { return baseline == nullptr || baseline->supports(kind); }
-  bool is_touchstone() const noexcept { return baseline == nullptr && !exact; }
+  bool is_touchstone() const noexcept { return baseline == nullptr && method == Method::fast; }
+
+  /// Whether it may stand on the front. The pairing with CGAL may not: where the filters decide all it is the same code
+  /// as `touchstone`, and noise alone would say which of the two is faster.
+  bool competes() const noexcept { return baseline != nullptr || method != Method::fast_cgal; }
   bool may_be_wrong() const noexcept { return baseline != nullptr; }
 
   /// Whether it has no tolerance, or the one that its users commonly choose.
@@ -33,13 +38,13 @@ struct Contestant {
   std::string label() const;           ///< "newton 1e-6"
 };
 
-/// Baselines first, in their registry's order and tolerances as given; then `exact_only` and `touchstone`.
+/// Baselines first, in their registry's order and tolerances as given; then `exact_only`, `touchstone_cgal` and `touchstone`.
 std::vector<Contestant> contestants(const std::vector<double>& tolerances);
 
 /// What a contestant says of one query.
 struct Reply {
   Claim claim;
-  Level level = Level::exact;  ///< who decided; of touchstone and exact_only only
+  Level level = Level::exact;  ///< the level that decided; only of the solver's own methods
 };
 Reply ask(const Contestant& contestant, const Query& query);
 

@@ -18,7 +18,8 @@ constexpr const char* kColumns =
     ",method,tolerance,tolerance_measures,set_queries,"
     "queries,contacts,missed,phantom,late,missed_share,phantom_share,late_share,wrong_share,times_compared,"
     "ulps_earliest,ulps_median,ulps_latest,ulps_median_magnitude,ulps_greatest_magnitude,passes,mean_us,"
-    "fastest_pass_us,slowest_pass_us,p50_us,p90_us,p99_us,p99_9_us,slowest_us,level_filter,level_bracket,level_exact\n";
+    "fastest_pass_us,slowest_pass_us,p50_us,p90_us,p99_us,p99_9_us,slowest_us,level_filter,level_bracket,level_exact,"
+    "level_oracle\n";
 
 std::string tolerance_measures(const Contestant& contestant) {
   if (contestant.tolerance == 0) return "";
@@ -38,8 +39,9 @@ std::string numbers(const Result& result) {
   const auto [fastest, slowest] = std::minmax_element(result.passes.begin(), result.passes.end());
   text += fmt::format("{},{:.6g},{:.6g},{:.6g}", result.passes.size(), result.mean, *fastest, *slowest);
   for (const double percentile : result.percentiles) text += fmt::format(",{:.6g}", percentile);
-  if (result.contestant.may_be_wrong()) return text + ",,,";
-  return text + fmt::format(",{},{},{}", result.levels.filter, result.levels.bracket, result.levels.exact);
+  if (result.contestant.may_be_wrong()) return text + ",,,,";
+  const LevelCounts& levels = result.levels;
+  return text + fmt::format(",{},{},{},{}", levels.filter, levels.bracket, levels.exact, levels.oracle);
 }
 
 std::string not_asked() {

@@ -40,8 +40,9 @@ bool dominates(const Result& a, const Result& b) noexcept {
 std::vector<const Result*> front(const std::vector<Result>& results) {
   std::vector<const Result*> best;
   for (const Result& result : results) {
-    const auto beats = [&](const Result& other) { return dominates(other, result); };
-    if (result.asked > 0 && std::none_of(results.begin(), results.end(), beats)) best.push_back(&result);
+    const auto beats = [&](const Result& other) { return other.contestant.competes() && dominates(other, result); };
+    const bool competes = result.asked > 0 && result.contestant.competes();
+    if (competes && std::none_of(results.begin(), results.end(), beats)) best.push_back(&result);
   }
   std::sort(best.begin(), best.end(), [](const Result* a, const Result* b) { return a->mean < b->mean; });
   return best;
@@ -58,7 +59,7 @@ std::string front_sentence(const std::vector<Result>& results) {
   if (own == results.end() || own->asked == 0) return text;
   std::vector<std::string> faster, beaten_by;
   for (const Result& result : results) {
-    if (dominates(result, *own)) beaten_by.push_back(described(result));
+    if (result.contestant.competes() && dominates(result, *own)) beaten_by.push_back(described(result));
     if (result.asked > 0 && result.has_errors() && result.mean < own->mean) {
       faster.push_back(fmt::format("`{}`", result.contestant.label()));
     }

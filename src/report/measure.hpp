@@ -31,7 +31,7 @@ struct Result {
   std::vector<double> passes;           ///< mean microseconds a query, of each pass
   double mean = 0;                      ///< the median of the passes
   std::array<double, 5> percentiles{};  ///< microseconds of single queries
-  LevelCounts levels;                   ///< of touchstone and exact_only
+  LevelCounts levels;                   ///< of the solver's own methods
 
   std::size_t wrong() const noexcept { return missed + phantom + late; }
   bool has_errors() const noexcept { return wrong() > 0 || (time_error && time_error->greatest_size > 0); }
@@ -58,7 +58,7 @@ struct Effort {
   int passes = 5;
   double least_pass = 0.005;  ///< seconds; queries are asked again and again for so long
   int tries = 3;              ///< of each single query, the shortest of which counts; that drops interrupts
-  bool ours_in_full = false;  ///< exact_only and touchstone are asked the whole set, whatever it takes
+  bool ours_in_full = false;  ///< the solver's own methods are asked the whole set, whatever it takes
 };
 
 /// Called again and again; may throw to end it all.

@@ -22,9 +22,11 @@ struct Point {
   double error;  // ulps
 };
 
-/// The first of its name, but for two that have the same.
+/// The first letter of its name, but for methods whose name begins as another's does.
 char capital_of(const std::string& method) {
-  return method == "conservative_advancement" ? 'A' : static_cast<char>(std::toupper(method.front()));
+  if (method == "conservative_advancement") return 'A';
+  if (method == "touchstone_cgal") return 'G';
+  return static_cast<char>(std::toupper(method.front()));
 }
 
 char letter_of(const Result& result) {

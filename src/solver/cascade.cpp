@@ -45,25 +45,35 @@ bool rescale(const Query& query, Query& scaled) noexcept {
   return exact;
 }
 
+/// The arithmetic without error below the filters and the bracket level.
+struct ExactArithmetic {
+  filters::ExactValue coplanarity_at;
+  Answer (*decide)(const Query& query, double t_max);
+};
+constexpr ExactArithmetic kOwn = {exact::coplanarity_at, exact::decide};
+constexpr ExactArithmetic kCgal = {oracle::coplanarity_at, oracle::decide};
+
 /// What filters and bracket level say of a query that they leave uncertain as it is, when they see it rescaled.
-filters::Decision decide_rescaled(const Query& query, double t_max, filters::Want want, Answer& answer) {
+filters::Decision decide_rescaled(const Query& query, double t_max, filters::Want want, filters::ExactValue exact_value,
+                                  Answer& answer) {
   Query scaled;
   if (!rescale(query, scaled)) return filters::Decision::uncertain;
   if (filters::same_side(scaled)) return filters::Decision::no_contact;
-  return filters::decide(scaled, t_max, want, exact::coplanarity_at, answer);
+  return filters::decide(scaled, t_max, want, exact_value, answer);
 }
 
 /// What they say of a valid query that the first filter leaves.
-filters::Decision decide_before_exact(const Query& query, double t_max, filters::Want want, Answer& answer) {
-  const auto decision = filters::decide(query, t_max, want, exact::coplanarity_at, answer);
-  return decision != filters::Decision::uncertain ? decision : decide_rescaled(query, t_max, want, answer);
+filters::Decision decide_before_exact(const Query& query, double t_max, filters::Want want,
+                                      filters::ExactValue exact_value, Answer& answer) {
+  const auto decision = filters::decide(query, t_max, want, exact_value, answer);
+  return decision != filters::Decision::uncertain ? decision : decide_rescaled(query, t_max, want, exact_value, answer);
 }
 
 }  // namespace
 
 Answer answer(const Query& query, Method method, double t_max) {
   Answer result;  // the one object that is returned everywhere, so that none is copied
-  if (method != Method::fast) {
+  if (method != Method::fast && method != Method::fast_cgal) {
     validate(query, t_max);
     result = method == Method::oracle ? oracle::decide(query, t_max) : exact::decide(query, t_max);
     return result;
@@ -72,8 +82,9 @@ Answer answer(const Query& query, Method method, double t_max) {
   // Proves its query valid, too; so most coordinates are read once.
   if (is_time(t_max) && filters::same_side(query)) return result;
   validate(query, t_max);
-  const auto decision = decide_before_exact(query, t_max, filters::Want::everything, result);
-  if (decision == filters::Decision::uncertain) result = exact::decide(query, t_max);
+  const ExactArithmetic& below = method == Method::fast ? kOwn : kCgal;
+  const auto decision = decide_before_exact(query, t_max, filters::Want::everything, below.coplanarity_at, result);
+  if (decision == filters::Decision::uncertain) result = below.decide(query, t_max);
   return result;
 }
 
@@ -81,7 +92,7 @@ bool any_contact(const Query& query, double t_max) {
   if (is_time(t_max) && filters::same_side(query)) return false;
   validate(query, t_max);
   Answer ignored;
-  switch (decide_before_exact(query, t_max, filters::Want::contact_only, ignored)) {
+  switch (decide_before_exact(query, t_max, filters::Want::contact_only, exact::coplanarity_at, ignored)) {
     case filters::Decision::contact: return true;
     case filters::Decision::no_contact: return false;
     case filters::Decision::uncertain: break;

@@ -47,12 +47,15 @@ bool solve_any(const Query& query, double t_max) {
   return solver::any_contact(query, t_max);
 }
 
+Answer solve(const RationalQuery& query, double t_max) { return solve(query, Method::fast, t_max); }
+
 Answer solve(const RationalQuery& query, Method method, double t_max) {
   const numbers::DefaultFloatEnvironment environment;
   solver::validate(query, t_max);
   Query doubles;
   if (in_doubles(query, doubles)) return solver::answer(doubles, method, t_max);
-  return method == Method::oracle ? oracle::decide(query, t_max) : exact::decide(query, t_max);
+  const bool by_cgal = method == Method::oracle || method == Method::fast_cgal;
+  return by_cgal ? oracle::decide(query, t_max) : exact::decide(query, t_max);
 }
 
 }  // namespace touchstone

@@ -124,7 +124,8 @@ void solve_batch(const QueryColumns& queries, Answer* answers, const BatchOption
     std::copy_n(queries.start[i].begin(), 3, columns.start[i]);
     std::copy_n(queries.end[i].begin(), 3, columns.end[i]);
   }
-  const bool with_kernel = options.method == Method::fast && filters::has_cubic(queries.kind);
+  const bool filters_first = options.method == Method::fast || options.method == Method::fast_cgal;
+  const bool with_kernel = filters_first && filters::has_cubic(queries.kind);
   answer_all(queries.count, options, query_at, [&](std::size_t first, std::size_t last) {
     if (with_kernel) {
       answer_columns(columns, filters::same_side_kernel(queries.kind, options.vectors), first, last, answers,

@@ -20,7 +20,8 @@ struct NamedMethod {
   Method method;
   const char* name;
 };
-constexpr NamedMethod kMethods[] = {{Method::fast, "fast"}, {Method::exact, "exact"}, {Method::oracle, "oracle"}};
+constexpr NamedMethod kMethods[] = {
+    {Method::fast, "fast"}, {Method::exact, "exact"}, {Method::oracle, "oracle"}, {Method::fast_cgal, "fast-cgal"}};
 
 /// The field of an answer as an expectation writes it.
 std::string field_of(const Answer& answer, const std::string& field) {
@@ -48,6 +49,8 @@ void check_methods(const ExpectedQuery& expected, const Query* doubles) {
     check_answer(expected, answer, name);
     if (method == Method::exact) CHECK(answer.level == Level::exact);
     if (method == Method::oracle) CHECK(answer.level == Level::oracle);
+    if (method == Method::fast) CHECK(answer.level != Level::oracle);
+    if (method == Method::fast_cgal) CHECK(answer.level != Level::exact);
   }
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::array<Method, 3> kMethods{Method::fast, Method::exact, Method::oracle};
+constexpr std::array<Method, 4> kMethods{Method::fast, Method::exact, Method::oracle, Method::fast_cgal};
 
 // The message of the InvalidQuery that the call throws; empty when it throws none.
 template <typename Call>

@@ -20,7 +20,7 @@ constexpr std::uint64_t kSeed = 21;
 
 // Everything the library says of one query, and whether it left the environment alone.
 struct Outcome {
-  std::array<Answer, 3> answers;
+  std::array<Answer, 4> answers;
   bool any = false;
   std::vector<std::array<double, 4>> times;
   std::string times_text;
@@ -39,6 +39,8 @@ Outcome ask(const Query& query, const ControlBits& expected) {
   outcome.restored = outcome.restored && control_bits() == expected;
   outcome.answers[2] = solve(query, Method::oracle);
   outcome.restored = outcome.restored && control_bits() == expected;
+  outcome.answers[3] = solve(query, Method::fast_cgal);
+  outcome.restored = outcome.restored && control_bits() == expected;
   for (const ContactInterval& interval : contact_times(query)) {
     const ExactTime reversed = interval.first.reversed();
     outcome.times.push_back({interval.first.lower(), interval.first.upper(), reversed.lower(), reversed.upper()});
@@ -53,8 +55,8 @@ Outcome ask(const Query& query, const ControlBits& expected) {
 // Compares bits alone; NaN and infinity mean nothing to a fast-math caller.
 std::string outcome_difference(const Outcome& expected, const Outcome& found) {
   if (!found.restored) return "the environment is not restored";
-  static constexpr std::array<const char*, 3> methods{"fast", "exact", "oracle"};
-  for (std::size_t i = 0; i < 3; ++i) {
+  static constexpr std::array<const char*, 4> methods{"fast", "exact", "oracle", "fast-cgal"};
+  for (std::size_t i = 0; i < methods.size(); ++i) {
     const std::string wrong = bit_difference(expected.answers[i], found.answers[i], true);
     if (!wrong.empty()) return labelled(methods[i], wrong);
   }
@@ -223,7 +225,7 @@ TEST_CASE("a query without meaning is refused in every mode, and the mode is res
           refusals += was_refused;
           restored = restored && control_bits() == bits;
         };
-        for (const Method method : {Method::fast, Method::exact, Method::oracle}) {
+        for (const Method method : {Method::fast, Method::exact, Method::oracle, Method::fast_cgal}) {
           count(refused([&] { solve(query, method); }));
           count(refused([&] { solve(Query(good), method, bad_t_max); }));
           count(refused([&] { solve(fractions, method); }));
@@ -238,7 +240,7 @@ TEST_CASE("a query without meaning is refused in every mode, and the mode is res
         }
       }
       INFO(mode.name());
-      CHECK(refusals == 16);
+      CHECK(refusals == 19);
       CHECK(restored);
     }
   }

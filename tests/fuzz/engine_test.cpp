@@ -161,11 +161,11 @@ TEST_CASE("of whole answers everything is compared") {
 }
 
 TEST_CASE("ours hold against each other in every family, with hill climbing and without") {
-  const auto name = GENERATE("touchstone", "exact", "oracle", "batch");
+  const auto name = GENERATE("touchstone", "exact", "oracle", "fast-cgal", "batch");
   CAPTURE(name);
   fuzz::Settings settings;
   settings.climb = GENERATE(0u, 10u);
-  const bool slow = std::string(name) == "oracle";
+  const bool slow = std::string(name) == "oracle" || std::string(name) == "fast-cgal";
   settings.cases = slow ? (settings.climb > 0 ? 160 : 1600) : 32'000 / (settings.climb + 1);
   const fuzz::Outcome outcome = fuzz::run([name] { return fuzz::named_solver(name); }, settings);
   CHECK(outcome.queries >= (slow ? 1500u : 30'000u));
@@ -178,7 +178,7 @@ TEST_CASE("every judge judges alike") {
   fuzz::Settings settings = lattice_settings(2000);
   settings.shrink_tries = 0;
   std::string first;
-  for (const Method judge : {Method::exact, Method::fast, Method::oracle}) {
+  for (const Method judge : {Method::exact, Method::fast, Method::oracle, Method::fast_cgal}) {
     settings.judge = judge;
     const std::string text = text_of(fuzz::run([] { return fuzz::named_solver("paper"); }, settings));
     if (first.empty()) first = text;

@@ -145,7 +145,7 @@ TEST_CASE("bad usage ends with status 2 and one line, and writes nothing") {
     CHECK(folder.names().empty());
   };
   check_refused({"--solver", "oraculum"},
-                "'oraculum' is no solver; they are touchstone, exact, oracle, batch, paper, ");
+                "'oraculum' is no solver; they are touchstone, exact, oracle, fast-cgal, batch, paper, ");
   check_refused({"--solver", "./no/such.so"}, "./no/such.so");
   check_refused({"--solver", "paper", "--kind", "point-edge", "--cases", "10", "--out", folder.path("x")},
                 "paper takes no queries of this kind: point-edge");

@@ -77,6 +77,10 @@ TEST_CASE("law: a batch by Method::exact is its queries one by one, for any numb
 TEST_CASE("law: a batch by Method::oracle is its queries one by one, for any number of threads") {
   check_batch(mixed_batch(3), Method::oracle, 1);
 }
+TEST_CASE("law: a batch by Method::fast_cgal is its queries one by one, for any number of threads") {
+  check_batch(mixed_batch(5), Method::fast_cgal, 1);
+  check_batch(mixed_batch(3), Method::fast_cgal, 0.375);
+}
 
 TEST_CASE("law: a batch in columns is its queries one by one, for vectors of any width and any number of threads") {
   Report report;
@@ -116,7 +120,7 @@ TEST_CASE("law: a batch in columns is its queries one by one, for vectors of any
   report.finish();
 }
 
-TEST_CASE("law: columns by the exact level and the oracle, and of any length") {
+TEST_CASE("law: columns by every method, and of any length") {
   std::vector<Query> queries;
   for (std::uint64_t index = 0; index < 70; ++index)
     queries.push_back(make({Family::prescribed, Kind::edge_edge, kSeed, index}));
@@ -126,8 +130,10 @@ TEST_CASE("law: columns by the exact level and the oracle, and of any length") {
     REQUIRE(answers.size() == count);
     for (std::size_t i = 0; i < count; ++i) REQUIRE(bit_difference(solve(queries[i]), answers[i], true) == "");
   }
+  for (std::uint64_t index = 0; index < 30; ++index)  // of these the kernel proves some
+    queries.push_back(make({Family::simulation, Kind::edge_edge, kSeed, index}));
   const solver::OwnedColumns columns(queries);
-  for (const Method method : {Method::exact, Method::oracle}) {
+  for (const Method method : {Method::exact, Method::oracle, Method::fast_cgal}) {
     const std::vector<Answer> answers = solve_batch(columns.view(), BatchOptions{1.0, method, 2});
     for (std::size_t i = 0; i < queries.size(); i += 10) {
       CHECK(bit_difference(solve(queries[i], method), answers[i], true) == "");
@@ -205,8 +211,8 @@ TEST_CASE("law: corners that a kind does not have are never read") {
         Query noisy = query;
         for (std::size_t i = corner_count(query.kind); i < 4; ++i) noisy.start[i] = noisy.end[i] = {kNan, kNan, kNan};
         std::string wrong;
-        for (const Method method : {Method::fast, Method::exact, Method::oracle}) {
-          if (method == Method::oracle && id.index >= 5) continue;
+        for (const Method method : {Method::fast, Method::exact, Method::oracle, Method::fast_cgal}) {
+          if ((method == Method::oracle || method == Method::fast_cgal) && id.index >= 5) continue;
           if (wrong.empty()) wrong = bit_difference(solve(query, method), solve(noisy, method), true);
         }
         report.add(id, query, wrong);

@@ -23,6 +23,13 @@ Result result(const std::string& name, std::size_t missed, double mean) {
   return result;
 }
 
+Result with_cgal(double mean) {
+  Result with = result("touchstone_cgal", 0, mean);
+  with.contestant.baseline = nullptr;
+  with.contestant.method = Method::fast_cgal;
+  return with;
+}
+
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
@@ -54,6 +61,14 @@ TEST_CASE("who was not asked is on no front, and equals do not beat each other")
 TEST_CASE("the sentence tells when touchstone is beaten") {
   const std::string sentence = front_sentence({result("touchstone", 0, 2), result("better", 0, 1)});
   CHECK(contains(sentence, "`touchstone` is dominated by `better` (never wrong, times 0 ulps off, 1 us)"));
+}
+
+TEST_CASE("the pairing with CGAL neither beats touchstone by noise nor stands on the front") {
+  const std::vector<Result> results = {with_cgal(1.9), result("touchstone", 0, 2)};
+  const auto best = front(results);
+  REQUIRE(best.size() == 1);
+  CHECK(best[0]->contestant.name == "touchstone");
+  CHECK_FALSE(contains(front_sentence(results), "dominated"));
 }
 
 TEST_CASE("a time that is early is an error too, though the answer holds") {

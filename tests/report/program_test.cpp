@@ -71,6 +71,7 @@ class OtherPath {
 void check_rows(const std::vector<Row>& rows, const std::set<std::string>& expected_sets) {
   std::map<std::string, std::size_t> sizes;  // by set and scale
   std::map<std::string, long> wrong;         // by method
+  long by_cgal = 0;                          // queries of touchstone_cgal that CGAL decided
   std::set<std::string> sets;
   for (const Row& row : rows) {
     CAPTURE(row.at("set"), row.at("scale_exponent"), row.at("method"), row.at("tolerance"));
@@ -91,13 +92,16 @@ void check_rows(const std::vector<Row>& rows, const std::set<std::string>& expec
     CHECK(std::stod(row.at("mean_us")) > 0);
     CHECK(std::stod(row.at("p50_us")) <= std::stod(row.at("slowest_us")));
     wrong[row.at("method")] += errors;
-    if (row.at("method") != "touchstone") continue;
+    const bool with_cgal = row.at("method") == "touchstone_cgal";
+    if (row.at("method") != "touchstone" && !with_cgal) continue;
     CHECK(errors == 0);
-    CHECK(number(row, "level_filter") + number(row, "level_bracket") + number(row, "level_exact") == queries);
+    const long decided = number(row, with_cgal ? "level_oracle" : "level_exact");
+    CHECK(number(row, "level_filter") + number(row, "level_bracket") + decided == queries);
+    if (with_cgal) by_cgal += decided;
     if (number(row, "times_compared") > 0) CHECK(row.at("ulps_greatest_magnitude") == "0");
   }
   CHECK(sets == expected_sets);
-  std::size_t per_set = 2, per_scale = 2;  // exact_only and touchstone
+  std::size_t per_set = 3, per_scale = 3;  // exact_only, touchstone_cgal and touchstone
   for (const auto& method : baselines::methods()) {
     per_set += method.has_tolerance() ? 3 : 1;
     ++per_scale;
@@ -105,6 +109,8 @@ void check_rows(const std::vector<Row>& rows, const std::set<std::string>& expec
     CHECK(wrong[std::string(method.name)] > 0);
   }
   CHECK(wrong["exact_only"] == 0);
+  CHECK(wrong["touchstone_cgal"] == 0);
+  CHECK(by_cgal > 0);
   for (const auto& [name, size] : sizes) {
     CAPTURE(name);
     CHECK(size == (name.rfind("scale/", 0) == 0 ? per_scale : per_set));

@@ -29,6 +29,7 @@ void ask(BenchMethod method, const Query& query, Answer& answer) {
     case BenchMethod::touchstone:
     case BenchMethod::batch:
     case BenchMethod::columns: answer = solve(query); return;
+    case BenchMethod::cgal: answer = solve(query, Method::fast_cgal); return;
     case BenchMethod::exact: answer = solve(query, Method::exact); return;
     case BenchMethod::oracle: answer = solve(query, Method::oracle); return;
   }
@@ -42,6 +43,7 @@ std::string_view bench_method_name(BenchMethod method) noexcept {
     case BenchMethod::touchstone: return "touchstone";
     case BenchMethod::batch: return "touchstone_batch";
     case BenchMethod::columns: return "touchstone_columns";
+    case BenchMethod::cgal: return "touchstone_cgal";
     case BenchMethod::exact: return "exact";
     case BenchMethod::oracle: return "oracle";
   }
@@ -72,6 +74,9 @@ void ask_all(BenchMethod method, const std::vector<Query>& queries, const QueryC
       break;
     case BenchMethod::batch: solve_batch(queries.data(), queries.size(), answers.data()); break;
     case BenchMethod::columns: solve_batch(columns, answers.data()); break;
+    case BenchMethod::cgal:
+      for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = solve(queries[i], Method::fast_cgal);
+      break;
     case BenchMethod::exact:
     case BenchMethod::oracle:
       for (std::size_t i = 0; i < queries.size(); ++i) ask(method, queries[i], answers[i]);

@@ -18,14 +18,16 @@ enum class BenchMethod : std::uint8_t {
   touchstone,  ///< solve
   batch,       ///< solve_batch on one thread
   columns,     ///< the same with the coordinates in columns
+  cgal,        ///< solve with Method::fast_cgal
   exact,       ///< solve with Method::exact
   oracle       ///< solve with Method::oracle
 };
-inline constexpr std::array<BenchMethod, 6> kBenchMethods{BenchMethod::floor, BenchMethod::touchstone,
-                                                          BenchMethod::batch, BenchMethod::columns,
-                                                          BenchMethod::exact, BenchMethod::oracle};
+inline constexpr std::array<BenchMethod, 7> kBenchMethods{
+    BenchMethod::floor, BenchMethod::touchstone, BenchMethod::batch, BenchMethod::columns,
+    BenchMethod::cgal,  BenchMethod::exact,      BenchMethod::oracle};
 
-std::string_view bench_method_name(BenchMethod method) noexcept;  ///< "touchstone_batch" for batch
+std::string_view bench_method_name(
+    BenchMethod method) noexcept;  ///< "touchstone_batch" for batch, "touchstone_cgal" for cgal
 
 /// How many queries of a set are asked at most: a slow method gets a few, spread evenly over the set.
 std::size_t most_queries(BenchMethod method) noexcept;

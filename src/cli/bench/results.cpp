@@ -21,7 +21,11 @@ double greatest(const std::vector<double>& values) { return *std::max_element(va
 std::string levels_for_person(const BenchResult& result) {
   if (result.method == BenchMethod::floor) return {};
   const auto& levels = result.levels;
-  if (levels.oracle > 0) return fmt::format("{:>36} oracle", share(levels.oracle, result.queries));
+  if (result.method == BenchMethod::oracle) return fmt::format("{:>36} oracle", share(levels.oracle, result.queries));
+  if (result.method == BenchMethod::cgal) {
+    return fmt::format("{:>10}{:>10}{:>16} oracle", share(levels.filter, result.queries),
+                       share(levels.bracket, result.queries), share(levels.oracle, result.queries));
+  }
   return fmt::format("{:>10}{:>10}{:>10}", share(levels.filter, result.queries), share(levels.bracket, result.queries),
                      share(levels.exact, result.queries));
 }

@@ -2,7 +2,7 @@
 //
 //   {
 //     "touchstone": "0.1.0",                   version of the program
-//     "method": "fast",                        which code answered: "fast", "exact" or "oracle"
+//     "method": "fast",                        which code answered: "fast", "exact", "oracle" or "fast-cgal"
 //     "claims_from": "truth column",           or the name of the answers file
 //     "claims": {"judged", "holds", "missed", "phantom", "late"},            counts
 //     "decided_by": {"filter", "bracket", "exact", "oracle"},                counts
@@ -39,7 +39,7 @@
 namespace touchstone::cli {
 
 struct ReportHeading {
-  std::string method;       ///< "fast", "exact" or "oracle"
+  std::string method;       ///< "fast", "exact", "oracle" or "fast-cgal"
   std::string claims_from;  ///< "truth column" or the name of an answers file
 };
 

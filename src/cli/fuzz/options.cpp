@@ -91,13 +91,11 @@ void add_solver_options(CLI::App& subcommand, FuzzOptions& options) {
       .add_option_function<std::string>(
           "--judge",
           [&options](const std::string& name) {
-            for (const Method method : {Method::fast, Method::exact, Method::oracle}) {
-              if (name == method_name(method)) options.settings.judge = method;
-            }
+            options.settings.judge = method_from_name(name).value_or(options.settings.judge);
           },
-          "Whose answers are the true ones: exact, fast or oracle; see solve --level (default: exact)")
+          "Whose answers are the true ones: exact, fast, oracle or fast-cgal; see solve --level (default: exact)")
       ->type_name("LEVEL")
-      ->check(CLI::IsMember({"fast", "exact", "oracle"}));
+      ->check(CLI::IsMember({"fast", "exact", "oracle", "fast-cgal"}));
   subcommand
       .add_option_function<std::string>(
           "--early", [&options](const std::string& text) { options.settings.early = *early_limit(text); },

@@ -38,16 +38,13 @@ void add_query_options(CLI::App& subcommand, QueryOptions& options) {
   subcommand
       .add_option_function<std::string>(
           "--level",
-          [&options](const std::string& name) {
-            for (const Method method : {Method::fast, Method::exact, Method::oracle}) {
-              if (name == method_name(method)) options.method = method;
-            }
-          },
+          [&options](const std::string& name) { options.method = method_from_name(name).value_or(options.method); },
           "Which code answers; all of them give the same answer. fast: filters, and exact arithmetic where they are "
-          "uncertain (default). exact: exact arithmetic alone. oracle: an independent decider that shares no code "
-          "with the others; a thousand times slower")
+          "uncertain (default). exact: exact arithmetic alone. oracle: an independent decider over CGAL that "
+          "shares no code with the others; a thousand times slower. fast-cgal: filters, and CGAL where they are "
+          "uncertain")
       ->type_name("LEVEL")
-      ->check(CLI::IsMember({"fast", "exact", "oracle"}));
+      ->check(CLI::IsMember({"fast", "exact", "oracle", "fast-cgal"}));
   subcommand.add_option("--threads", options.threads, "How many threads to use (default: all that the machine has)")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));

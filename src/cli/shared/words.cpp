@@ -48,8 +48,16 @@ std::string_view method_name(Method method) noexcept {
     case Method::fast: return "fast";
     case Method::exact: return "exact";
     case Method::oracle: return "oracle";
+    case Method::fast_cgal: return "fast-cgal";
   }
   return "";
+}
+
+std::optional<Method> method_from_name(std::string_view name) noexcept {
+  for (const Method method : kMethods) {
+    if (name == method_name(method)) return method;
+  }
+  return std::nullopt;
 }
 
 std::string shell_word(const std::string& word) {

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -24,7 +26,14 @@ std::string time_for_person(double time);
 /// What touches what and how: "crossing, a against b1"; "no contact".
 std::string contact_for_person(const Answer& answer);
 
-std::string_view method_name(Method method) noexcept;  ///< "fast", "exact", "oracle": the values of --level
+/// Every method, in the order in which --help lists them.
+inline constexpr std::array<Method, 4> kMethods{Method::fast, Method::exact, Method::oracle, Method::fast_cgal};
+
+/// The method's name as a value of --level: "fast", "exact", "oracle", "fast-cgal".
+std::string_view method_name(Method method) noexcept;
+
+/// The method of that name, or nothing.
+std::optional<Method> method_from_name(std::string_view name) noexcept;
 
 /// Writes to standard error as it is; when nobody can hear it, nobody does.
 void print_error(const std::string& text) noexcept;

@@ -62,7 +62,8 @@ int main() {
   check(flushes() == (CONSUMER_FLUSHES != 0),
         "the program was not started with the floating-point environment under test");
 
-  for (const auto method : {touchstone::Method::fast, touchstone::Method::exact, touchstone::Method::oracle}) {
+  for (const auto method : {touchstone::Method::fast, touchstone::Method::exact, touchstone::Method::oracle,
+                            touchstone::Method::fast_cgal}) {
     const touchstone::Answer contact = touchstone::solve(subnormal_contact(), method);
     check(contact.contact && contact.toi == 0.75 && contact.toi_upper == 0.75, "subnormal contact at t = 3/4");
     check(contact.nature == touchstone::Nature::isolated, "subnormal contact is isolated");

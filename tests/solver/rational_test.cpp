@@ -1,0 +1,43 @@
+// Rational coordinates: the overloads agree, and the level tells whose arithmetic decided.
+// SPDX-License-Identifier: MIT
+#include <touchstone/solve.hpp>
+
+#include <string>
+
+#include "support/catch.hpp"
+
+using namespace touchstone;
+
+namespace {
+
+/// p moves from 0 to 1 along x and q rests at x: they meet at t = x.
+RationalQuery meeting_at(const std::string& numerator, const std::string& denominator) {
+  RationalQuery query;
+  query.kind = Kind::point_point;
+  query.end[0][0] = Fraction{"1", "1"};
+  query.start[1][0] = query.end[1][0] = Fraction{numerator, denominator};
+  return query;
+}
+
+}  // namespace
+
+TEST_CASE("a rational query takes t_max in second place, as a query in doubles does") {
+  const RationalQuery query = meeting_at("1", "3");
+  CHECK(solve(query).contact);
+  CHECK(solve(query, 0.5).contact);
+  CHECK_FALSE(solve(query, 0.25).contact);
+  CHECK(solve(query, 0.5).toi == solve(query, Method::fast, 0.5).toi);
+}
+
+TEST_CASE("coordinates that are no doubles go to the exact level, or to CGAL where the method says so") {
+  for (const auto& [method, level] :
+       {std::pair(Method::fast, Level::exact), std::pair(Method::exact, Level::exact),
+        std::pair(Method::oracle, Level::oracle), std::pair(Method::fast_cgal, Level::oracle)}) {
+    const Answer answer = solve(meeting_at("1", "3"), method);
+    CHECK(answer.contact);
+    CHECK(answer.level == level);
+    CHECK(answer.toi == 0x1.5555555555555p-2);
+    CHECK(answer.toi_upper == 0x1.5555555555556p-2);
+    CHECK_FALSE(solve(meeting_at("-1", "3"), method).contact);
+  }
+}
