@@ -5,12 +5,19 @@
 #pragma once
 
 #include <cfenv>
+#include <cfloat>
+#include <limits>
 
 #if defined(__x86_64__) || defined(__i386__)
 #include <xmmintrin.h>
 #endif
 
 namespace touchstone::numbers {
+
+static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53,
+              "doubles must be IEEE 754's binary64");
+static_assert(FLT_EVAL_METHOD == 0,
+              "an operation must round to double, not to the x87's longer type: use -mfpmath=sse");
 
 /// Sets the default environment, whatever it is now.
 inline void set_default_float_environment() noexcept {
