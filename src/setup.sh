@@ -25,8 +25,15 @@ readonly -a touchstone_needs=(
   'json.h|nlohmann/json.hpp|nlohmann-json3-dev|json-devel|nlohmann-json'
   'cli11.h|CLI/CLI.hpp|libcli11-dev|cli11-devel|cli11'
   'benchmark.h|benchmark/benchmark.h|libbenchmark-dev|google-benchmark-devel|benchmark'
-  'valgrind|valgrind|valgrind|valgrind|valgrind'
   'catch.h|catch2/catch.hpp catch2/catch_all.hpp|catch2|catch-devel|catch2'
+)
+
+# Optional tools: the set-up installs them where it can, and goes on where it cannot. Without them the program draws no
+# plots, and the tests that need them are skipped.
+readonly -a touchstone_tools=(
+  'gnuplot|gnuplot|gnuplot-nox|gnuplot|gnuplot'
+  'valgrind|valgrind|valgrind|valgrind|valgrind'
+  'python3|python3|python3|python3|python'
 )
 
 compiler() {
@@ -59,8 +66,8 @@ fuzzing_clang() {
   return 1
 }
 
-# The names in `needs` that are not there, one a line. Without a compiler no header can be looked for, so
-# they all count as missing.
+# The names in `needs` that are not there, one a line. Without a compiler no header can be looked for, so all headers
+# count as missing.
 missing_needs() {
   local need name places place cxx probe=''
   cxx=$(compiler) || cxx=''
@@ -108,43 +115,67 @@ as_root() {
   fi
 }
 
-# install_missing [fuzz]: what the build needs and, when asked, what fuzzing does.
-install_missing() {
-  local -a needs=("${touchstone_needs[@]}") missing packages
-  [[ ${1:-} != fuzz ]] || needs+=("${touchstone_fuzz_needs[@]}")
-  local manager
-  mapfile -t missing < <(missing_needs)
-  ((${#missing[@]})) || return 0
+# The packages of the needs that follow, for `manager`.
+packages() {
+  local column=2
+  case $manager in
+    dnf) column=3 ;;
+    pacman) column=4 ;;
+  esac
+  packages_for "$column" "$@" | paste -sd ' ' -
+}
 
+# try_to_install NAME...: installs the packages of these needs with `manager`, or leaves in `trouble` why it cannot.
+try_to_install() {
+  local -a wanted
+  read -r -a wanted <<<"$(packages "$@")"
+  if [[ $manager == none ]]; then
+    trouble='no apt-get, dnf or pacman here'
+    return 1
+  elif ((EUID != 0)) && ! command -v sudo >/dev/null; then
+    trouble='not root and no sudo'
+    return 1
+  elif ! as_root true; then
+    trouble='sudo refused'
+    return 1
+  fi
+  say "installing with $manager: ${wanted[*]}"
+  trouble="$manager failed (no network?)"
+  case $manager in
+    apt-get)
+      as_root apt-get update -q >&2 || return 1
+      as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${wanted[@]}" \
+        </dev/null >&2
+      ;;
+    dnf) as_root dnf install -y "${wanted[@]}" </dev/null >&2 ;;
+    pacman) as_root pacman -S --needed --noconfirm "${wanted[@]}" </dev/null >&2 ;;
+  esac
+}
+
+# install_missing [fuzz]: what the build needs, what fuzzing needs when asked, and the optional tools.
+install_missing() {
+  local -a needs missing
+  local manager trouble='still missing after the install'
   for manager in apt-get dnf pacman none; do
     command -v "$manager" >/dev/null && break
   done
-  case $manager in
-    apt-get) mapfile -t packages < <(packages_for 2 "${missing[@]}") ;;
-    dnf) mapfile -t packages < <(packages_for 3 "${missing[@]}") ;;
-    pacman) mapfile -t packages < <(packages_for 4 "${missing[@]}") ;;
-    *) die "no apt-get, dnf or pacman here; please install by hand (Debian's names): $(packages_for 2 "${missing[@]}" | paste -sd ' ' -)" ;;
-  esac
-  local by_hand="please install by hand: ${packages[*]}"
-  if ((EUID != 0)) && ! command -v sudo >/dev/null; then
-    die "not root and no sudo; $by_hand"
+
+  needs=("${touchstone_needs[@]}")
+  [[ ${1:-} != fuzz ]] || needs+=("${touchstone_fuzz_needs[@]}")
+  mapfile -t missing < <(missing_needs)
+  if ((${#missing[@]})); then
+    ! try_to_install "${missing[@]}" || trouble='still missing after the install'
+    mapfile -t missing < <(missing_needs)
+    ((${#missing[@]} == 0)) || die "$trouble: ${missing[*]}; please install by hand: $(packages "${missing[@]}")"
   fi
 
-  as_root true || die "sudo refused; $by_hand"
-
-  say "installing with $manager: ${packages[*]}"
-  case $manager in
-    apt-get)
-      as_root apt-get update -q >&2 || die "apt-get update failed (no network?); $by_hand"
-      as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${packages[@]}" \
-        </dev/null >&2 || die "apt-get install failed; $by_hand"
-      ;;
-    dnf) as_root dnf install -y "${packages[@]}" </dev/null >&2 || die "dnf install failed; $by_hand" ;;
-    pacman) as_root pacman -S --needed --noconfirm "${packages[@]}" </dev/null >&2 || die "pacman failed; $by_hand" ;;
-  esac
-
+  needs=("${touchstone_tools[@]}")
   mapfile -t missing < <(missing_needs)
-  ((${#missing[@]} == 0)) || die "still missing after the install: ${missing[*]}; $by_hand"
+  if ((${#missing[@]})); then
+    ! try_to_install "${missing[@]}" || trouble='still missing after the install'
+    mapfile -t missing < <(missing_needs)
+    ((${#missing[@]} == 0)) || say "$trouble; going on without ${missing[*]}, to be installed by hand: $(packages "${missing[@]}")"
+  fi
 }
 
 core_count() { getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1; }

@@ -9,6 +9,10 @@
 #include "io/fail.hpp"
 #include "numbers/fraction.hpp"
 
+#ifndef __SIZEOF_INT128__
+#error "a compiler with 128-bit integers is needed (64-bit GCC or clang): numerators may have 38 digits"
+#endif
+
 namespace touchstone::io {
 namespace {
 

@@ -10,6 +10,10 @@
 #include "numbers/exact_number.hpp"
 #include "numbers/polynomial.hpp"
 
+#ifndef __SIZEOF_INT128__
+#error "a compiler with 128-bit integers is needed (64-bit GCC or clang): products of limbs are of that type"
+#endif
+
 namespace touchstone::numbers {
 
 template <int Limbs>

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <cfenv>
+#include <cfloat>
+#include <limits>
 
 #if defined(__x86_64__) || defined(__i386__)
 #include <xmmintrin.h>
@@ -12,12 +14,19 @@
 
 namespace touchstone::numbers {
 
+static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53,
+              "doubles must be IEEE 754's binary64");
+static_assert(FLT_EVAL_METHOD == 0,
+              "an operation must round to double, not to the x87's longer type: use -mfpmath=sse");
+
 /// Sets the default environment, whatever it is now.
 inline void set_default_float_environment() noexcept {
   std::fesetenv(FE_DFL_ENV);
 #if defined(__x86_64__) || (defined(__i386__) && defined(__SSE2_MATH__))
   constexpr unsigned kDefaultControl = 0x1F80;  // see below
   _mm_setcsr(kDefaultControl);
+#elif defined(__aarch64__)
+  __asm__ volatile("msr fpcr, %0" : : "r"(0ul));  // glibc keeps bits that it does not name
 #endif
 }
 
@@ -40,6 +49,25 @@ class DefaultFloatEnvironment {
   static constexpr unsigned kDefaultControl = 0x1F80;
   unsigned saved_;
   bool changed_;
+#elif defined(__aarch64__)
+  DefaultFloatEnvironment() noexcept : control_(0), status_(0) {
+    __asm__ volatile("mrs %0, fpcr" : "=r"(control_));
+    if (control_ == kDefaultControl) return;
+    __asm__ volatile("mrs %0, fpsr" : "=r"(status_));
+    __asm__ volatile("msr fpcr, %0" : : "r"(kDefaultControl));
+  }
+  ~DefaultFloatEnvironment() {
+    if (control_ == kDefaultControl) return;
+    __asm__ volatile("msr fpcr, %0" : : "r"(control_));
+    __asm__ volatile("msr fpsr, %0" : : "r"(status_));
+  }
+
+ private:
+  // FPCR: bits 24 flush-to-zero, 23-22 rounding, 15 and 12-8 traps, 0 flush inputs; all of them are 0 by default. FPSR
+  // has the status flags.
+  static constexpr unsigned long kDefaultControl = 0;
+  unsigned long control_;
+  unsigned long status_;
 #else
   DefaultFloatEnvironment() noexcept {
     std::fegetenv(&saved_);

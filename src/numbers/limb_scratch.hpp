@@ -12,6 +12,7 @@ namespace touchstone::numbers {
 class LimbScratch {
  public:
   using Limb = unsigned long;
+  static_assert(sizeof(Limb) == 8, "long must have 64 bits, as GMP's limbs do");
   static constexpr int kBlockLimbs = 48;  ///< 3,072 bits
   static constexpr int kBlocks = 64;
 

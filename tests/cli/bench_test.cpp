@@ -7,6 +7,7 @@
 #include "cli/run_program.hpp"
 #include "cli/sample_files.hpp"
 #include "support/catch.hpp"
+#include "support/skip.hpp"
 
 using namespace touchstone::tests;
 
@@ -24,7 +25,7 @@ bool can_measure() {
   if (run.status == 0) return true;
   CHECK(run.status == 2);
   CHECK(occurrences(run.err, "libbenchmark-dev") == 1);
-  WARN("built without Google Benchmark: skipped");
+  skip("the program is built without Google Benchmark");
   return false;
 }
 

@@ -8,10 +8,9 @@
 #include <string>
 
 #include "support/catch.hpp"
+#include "support/skip.hpp"
 
 namespace {
-
-const std::string kValgrind = TOUCHSTONE_VALGRIND;
 
 struct Counted {
   std::uint64_t instructions = 0;
@@ -20,10 +19,10 @@ struct Counted {
 
 /// Instructions within Simulation::step of one run of `program`.
 Counted count(const std::string& program, const std::string& arguments) {
-  const std::string command = kValgrind +
-                              " --tool=callgrind --callgrind-out-file=/dev/null"
-                              " '--toggle-collect=touchstone::sim::Simulation::step()' " +
-                              TOUCHSTONE_COST_FOLDER "/cost_" + program + " " + arguments + " 2>&1";
+  const std::string command =
+      "valgrind --tool=callgrind --callgrind-out-file=/dev/null "
+      "'--toggle-collect=touchstone::sim::Simulation::step()' " TOUCHSTONE_COST_FOLDER "/cost_" +
+      program + " " + arguments + " 2>&1";
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
   REQUIRE(pipe != nullptr);
   Counted counted;
@@ -49,11 +48,8 @@ double ratio(const Counted& a, const Counted& b) {
 
 }  // namespace
 
-TEST_CASE("a scene without faces, shared particles, friction or cables pays under 1 % for their existence") {
-  if (kValgrind.empty()) {
-    WARN("skipped: there was no valgrind when the build was configured, which counts the instructions");
-    return;
-  }
+TEST_CASE_WITH("valgrind",
+               "a scene without faces, shared particles, friction or cables pays under 1 % for their existence") {
   for (const std::string feature : {"faces", "folds", "friction", "rods"}) {
     const Counted whole = count("whole", feature), without = count("without_" + feature, feature);
     CAPTURE(feature, whole.instructions, without.instructions);

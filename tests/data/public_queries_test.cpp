@@ -16,6 +16,7 @@
 #include "support/answer_check.hpp"
 #include "support/catch.hpp"
 #include "support/query_text.hpp"
+#include "support/skip.hpp"
 #include "support/static_contact.hpp"
 
 namespace touchstone::tests {
@@ -56,7 +57,7 @@ std::vector<KnownQuery> public_queries() {
   const fs::path root = TOUCHSTONE_QUERY_DATA;
   std::vector<KnownQuery> queries;
   if (root.empty()) {
-    WARN("skipped: TOUCHSTONE_QUERY_DATA is not set, so the public benchmark's queries are not tested");
+    skip("TOUCHSTONE_QUERY_DATA names no folder with the public benchmark's queries");
     return queries;
   }
   REQUIRE(fs::is_directory(root / "sample-queries"));

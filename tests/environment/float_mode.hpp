@@ -15,9 +15,33 @@
 
 namespace touchstone::tests {
 
+#if TOUCHSTONE_X86
+inline constexpr bool kCanFlush = true;
+inline constexpr unsigned long kFlushBits = 0x8040;  ///< MXCSR: flush-to-zero, denormals-are-zero
+inline constexpr unsigned long kStatusBits = 0x3F;
+inline unsigned long control_register() { return _mm_getcsr(); }
+inline void set_control_register(unsigned long bits) { _mm_setcsr(static_cast<unsigned>(bits)); }
+#elif defined(__aarch64__)
+inline constexpr bool kCanFlush = true;
+inline constexpr unsigned long kFlushBits = 1ul << 24;  ///< FPCR.FZ
+inline constexpr unsigned long kStatusBits = 0;         ///< they are in FPSR
+inline unsigned long control_register() {
+  unsigned long bits = 0;
+  __asm__ volatile("mrs %0, fpcr" : "=r"(bits));
+  return bits;
+}
+inline void set_control_register(unsigned long bits) { __asm__ volatile("msr fpcr, %0" : : "r"(bits)); }
+#else
+inline constexpr bool kCanFlush = false;
+inline constexpr unsigned long kFlushBits = 0;
+inline constexpr unsigned long kStatusBits = 0;
+inline unsigned long control_register() { return 0; }
+inline void set_control_register(unsigned long) {}
+#endif
+
 struct FloatMode {
   int rounding = FE_TONEAREST;
-  bool flush = false;      ///< flush-to-zero and denormals-are-zero (x86 only)
+  bool flush = false;      ///< subnormals are flushed to zero (where kCanFlush)
   bool traps = false;      ///< every floating-point exception unmasked (glibc only)
   bool short_x87 = false;  ///< x87 computes with 24 bits (x86 only)
   std::string name() const;
@@ -28,7 +52,7 @@ inline std::string FloatMode::name() const {
                      : rounding == FE_DOWNWARD   ? "downward"
                      : rounding == FE_TOWARDZERO ? "toward zero"
                                                  : "to nearest";
-  if (flush) text += ", flush-to-zero and denormals-are-zero";
+  if (flush) text += ", subnormals flushed";
   if (traps) text += ", exceptions unmasked";
   if (short_x87) text += ", x87 at 24 bits";
   return text;
@@ -36,18 +60,18 @@ inline std::string FloatMode::name() const {
 
 /// What a caller can see of the environment: control bits, without the status flags.
 struct ControlBits {
-  unsigned mxcsr = 0;
+  unsigned long control = 0;  ///< of the vector unit: MXCSR or FPCR
   unsigned short x87 = 0;
   int rounding = 0;
   friend bool operator==(const ControlBits& a, const ControlBits& b) {
-    return a.mxcsr == b.mxcsr && a.x87 == b.x87 && a.rounding == b.rounding;
+    return a.control == b.control && a.x87 == b.x87 && a.rounding == b.rounding;
   }
 };
 
 inline ControlBits control_bits() {
   ControlBits bits;
+  bits.control = control_register() & ~kStatusBits;
 #if TOUCHSTONE_X86
-  bits.mxcsr = _mm_getcsr() & ~0x3Fu;
   __asm__ volatile("fnstcw %0" : "=m"(bits.x87));
 #endif
   bits.rounding = std::fegetround();
@@ -68,8 +92,8 @@ class WithFloatMode {
       control = static_cast<unsigned short>(control & ~0x300u);
       __asm__ volatile("fldcw %0" : : "m"(control));
     }
-    _mm_setcsr((_mm_getcsr() & ~0x8040u) | (mode.flush ? 0x8040u : 0u));
 #endif
+    set_control_register((control_register() & ~kFlushBits) | (mode.flush ? kFlushBits : 0));
 #if defined(__GLIBC__)
     if (mode.traps) feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW | FE_UNDERFLOW | FE_INEXACT);
 #endif

@@ -11,6 +11,7 @@
 
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
+#include "support/slow_build.hpp"
 
 namespace touchstone::tests {
 
@@ -18,11 +19,8 @@ namespace touchstone::tests {
 /// nothing.
 constexpr double kNear = 0.125;
 
-#ifdef NDEBUG
-constexpr bool kLongSearches = true;
-#else
-constexpr bool kLongSearches = false;  ///< in slow builds they are short, and not held to come near
-#endif
+/// In slow builds searches are short, and not held to come near.
+constexpr bool kLongSearches = !TOUCHSTONE_SLOW_BUILD;
 
 struct BoundSearch {
   double worst = 0;           ///< the largest ratio seen

@@ -12,6 +12,7 @@
 
 #include "plugins/outside_solver.hpp"
 #include "support/catch.hpp"
+#include "support/skip.hpp"
 
 using namespace touchstone;
 using namespace touchstone::tests;
@@ -19,14 +20,8 @@ using fuzz::Reply;
 
 namespace {
 
-bool no_python() {
-  if (!std::string(TOUCHSTONE_PYTHON).empty()) return false;
-  WARN("no Python 3 was found by CMake: programs in Python are not tested");
-  return true;
-}
-
 std::string bad_program(const std::string& order = "") {
-  return std::string(TOUCHSTONE_PYTHON) + " " + TOUCHSTONE_SOURCE_DIR + "/tests/plugins/bad_program.py " + order;
+  return "python3 " TOUCHSTONE_SOURCE_DIR "/tests/plugins/bad_program.py " + order;
 }
 
 std::string error_of_starting(const std::string& command, const fuzz::Limits& limits = quick_limits()) {
@@ -61,18 +56,15 @@ TEST_CASE("the example program in C says which kinds it takes, and answers") {
   std::printf("program in C: %.1f us a query\n", time.count() / kQueries);
 }
 
-TEST_CASE("the example program in Python answers") {
-  if (no_python()) return;
-  const auto solver =
-      fuzz::run_command(std::string(TOUCHSTONE_PYTHON) + " " + TOUCHSTONE_EXAMPLES + "/program.py", quick_limits());
+TEST_CASE_WITH("python3", "the example program in Python answers") {
+  const auto solver = fuzz::run_command("python3 " TOUCHSTONE_EXAMPLES "/program.py", quick_limits());
   CHECK_FALSE(solver->supports(Kind::edge_edge));
   CHECK(solver->supports(Kind::point_point));
   CHECK(solver->ask(meeting_points()).toi == 0.5);
   CHECK_FALSE(solver->ask(order(3)).contact);
 }
 
-TEST_CASE("whatever a program does is a reply, and it is started again") {
-  if (no_python()) return;
+TEST_CASE_WITH("python3", "whatever a program does is a reply, and it is started again") {
   const auto solver = fuzz::run_command(bad_program(), quick_limits());
   CHECK_FALSE(solver->supports(Kind::point_edge));
   CHECK(solver->supports(Kind::point_point));
@@ -99,8 +91,7 @@ TEST_CASE("whatever a program does is a reply, and it is started again") {
   }
 }
 
-TEST_CASE("what is said without being asked is a finding, at the latest with the next query") {
-  if (no_python()) return;
+TEST_CASE_WITH("python3", "what is said without being asked is a finding, at the latest with the next query") {
   const auto solver = fuzz::run_command(bad_program(), quick_limits());
   const Reply first = solver->ask(order(6));
   if (first.state == Reply::State::answered) {  // the second line came too late to be seen
@@ -113,8 +104,7 @@ TEST_CASE("what is said without being asked is a finding, at the latest with the
   CHECK(solver->ask(order(0)).state == Reply::State::answered);
 }
 
-TEST_CASE("what a program claims arrives as it is, in pieces too") {
-  if (no_python()) return;
+TEST_CASE_WITH("python3", "what a program claims arrives as it is, in pieces too") {
   const auto solver = fuzz::run_command(bad_program(), quick_limits());
   const Reply nan = solver->ask(order(11));
   REQUIRE(nan.toi);
@@ -126,8 +116,7 @@ TEST_CASE("what a program claims arrives as it is, in pieces too") {
   CHECK(solver->ask(order(13)).toi == 8.0);  // four first queries and three before: none was lost or repeated
 }
 
-TEST_CASE("a program that stops reading is a finding, and no signal kills us") {
-  if (no_python()) return;
+TEST_CASE_WITH("python3", "a program that stops reading is a finding, and no signal kills us") {
   const auto solver = fuzz::run_command(bad_program(), quick_limits());
   CHECK(solver->ask(order(19)).state == Reply::State::answered);
   CHECK(solver->ask(order(0)).state == Reply::State::hung);
@@ -142,7 +131,9 @@ TEST_CASE("a command that gives no answers is an error that says why") {
   CHECK(has(error_of_starting("true"), "exit status 0"));
   CHECK(has(error_of_starting("cat"), "is no answer"));  // it says what it was told
   CHECK(has(error_of_starting("yes"), "gives no answers"));
-  if (no_python()) return;
+}
+
+TEST_CASE_WITH("python3", "a program that gives no answers is an error that says why") {
   CHECK(has(error_of_starting(bad_program("exits")), "no licence found"));
   CHECK(has(error_of_starting(bad_program("garbage")), "'hello' is no answer"));
   CHECK(has(error_of_starting(bad_program("unsupported")), "supports no kind"));
@@ -156,8 +147,7 @@ TEST_CASE("a command may be a line for the shell") {
   CHECK(solver->ask(order(0)).toi == 0.5);
 }
 
-TEST_CASE("a program ends with its solver") {
-  if (no_python()) return;
+TEST_CASE_WITH("python3", "a program ends with its solver") {
   int process = 0;
   for (const bool hangs : {false, true}) {
     {

@@ -16,6 +16,8 @@
 #include "io/temporary_folder.hpp"
 #include "plugins/outside_solver.hpp"
 #include "support/catch.hpp"
+#include "support/skip.hpp"
+#include "support/slow_build.hpp"
 
 using namespace touchstone;
 using namespace touchstone::tests;
@@ -187,8 +189,8 @@ TEST_CASE("a process that a plugin leaves behind is ended, too") {
 }
 
 TEST_CASE("a plugin gets so much memory and no more") {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  WARN("sanitizers map terabytes: limits on memory are not tested");
+#if TOUCHSTONE_SANITIZED
+  skip("sanitizers map terabytes, so limits on memory are not tested");
 #else
   fuzz::Limits limits = quick_limits();
   CHECK(fuzz::load_plugin(TOUCHSTONE_BAD_PLUGIN, limits)->ask(order(20)).toi == 1.0);

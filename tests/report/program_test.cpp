@@ -13,6 +13,7 @@
 #include "cli/run_program.hpp"
 #include "report/gnuplot.hpp"
 #include "support/catch.hpp"
+#include "support/skip.hpp"
 
 using namespace touchstone;
 using namespace touchstone::tests;
@@ -137,36 +138,22 @@ void check_scene_runs(const std::vector<Row>& rows) {
   CHECK(runs == std::map<std::string, long>{{"cable-drop", 2}, {"hoop", 1}, {"whip", 2}});
 }
 
-}  // namespace
+/// A file of queries that never touch: a set without any time to compare.
+std::string own_queries(const TemporaryFolder& folder) {
+  return folder.write("point-point/own.csv", "0,1,0,1,0,1,0\n0,1,0,1,1,1,0\n0,1,0,1,0,1,0\n0,1,0,1,2,1,0\n");
+}
 
-TEST_CASE("a quick report is a whole folder, and touchstone is never wrong in it") {
-  const TemporaryFolder folder;
-  const std::string out = folder.path("a/report");
-  const std::string file = folder.write("point-point/own.csv",  // never touch: a set without any time to compare
-                                        "0,1,0,1,0,1,0\n0,1,0,1,1,1,0\n0,1,0,1,0,1,0\n0,1,0,1,2,1,0\n");
-  const Run run = run_program({"report", "--quick", "--out", out, file});
-  CAPTURE(run.err);
-  REQUIRE(run.status == 0);
-  CHECK(run.out == out + "/report.md\n");
-
-  std::set<std::string> sets = {"files/point-point", "scale/edge-edge"};
+/// The sets of a quick report on `own_queries`.
+std::set<std::string> set_names() {
+  std::set<std::string> sets = {"files/point-point", "scale/edge-edge", "bundled/point-edge", "bundled/point-point"};
   for (const char* kind : {"edge-edge", "vertex-face"}) {
     for (const char* family : {"simulation", "bundled", "random", "near"})
       sets.insert(std::string(family) + "/" + kind);
   }
-  sets.insert({"bundled/point-edge", "bundled/point-point"});
-  check_rows(rows_of(folder.read("a/report/report.csv")), sets);
-  check_scene_runs(rows_of(folder.read("a/report/simulation.csv")));
+  return sets;
+}
 
-  const std::string text = folder.read("a/report/report.md");
-  CHECK(occurrences(text, "On the front") == sets.size() - 1);  // every set, but not the scales
-  CHECK(occurrences(text, "`touchstone` is wrong on 0 of ") == 1);
-  CHECK(occurrences(text, "coordinates are fractions") == 1);
-
-  const bool drawn = report::find_gnuplot().has_value();
-  if (!drawn) WARN("gnuplot is not in PATH: that plots are drawn is not tested");
-  CHECK(occurrences(text, ".svg)") == (drawn ? 2 * (sets.size() - 1) + 2 : 0));
-  CHECK(occurrences(run.err, "gnuplot") == (drawn ? 0 : 1));
+std::set<std::string> plot_names(const std::set<std::string>& sets) {
   std::set<std::string> plots = {"levels", "scale"};
   for (std::string name : sets) {
     name[name.find('/')] = '-';
@@ -174,29 +161,65 @@ TEST_CASE("a quick report is a whole folder, and touchstone is never wrong in it
     plots.insert("error-" + name);
     plots.insert("percentiles-" + name);
   }
-  std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(out + "/plots")) files += entry.is_regular_file();
-  CHECK(files == plots.size() * (drawn ? 3 : 1));
-  for (const auto& name : plots) {
-    CAPTURE(name);
-    CHECK(occurrences(folder.read("a/report/plots/" + name + ".gp"), "plot $") >= 2);
-    if (!drawn) continue;
-    CHECK(folder.read("a/report/plots/" + name + ".png").substr(1, 3) == "PNG");
-    CHECK(occurrences(folder.read("a/report/plots/" + name + ".svg"), "</svg>") == 1);
-  }
+  return plots;
 }
 
-TEST_CASE("without gnuplot the scripts are there, one line says what to install, and all is well") {
+std::size_t count_files(const std::string& folder) {
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) files += entry.is_regular_file();
+  return files;
+}
+
+}  // namespace
+
+TEST_CASE("a quick report is a whole folder without gnuplot, and touchstone is never wrong in it") {
   const TemporaryFolder folder;
   const OtherPath path(folder.path("nowhere"));
   CHECK_FALSE(report::find_gnuplot());
-  const Run run = run_program({"report", "--quick", "--out", folder.path("report")});
-  CHECK(run.status == 0);
-  CHECK(occurrences(run.err, "gnuplot-nox") == 1);
+  const std::string out = folder.path("a/report");
+  const Run run = run_program({"report", "--quick", "--out", out, own_queries(folder)});
+  CAPTURE(run.err);
+  REQUIRE(run.status == 0);
+  CHECK(run.out == out + "/report.md\n");
+  CHECK(occurrences(run.err, "gnuplot-nox") == 1);  // one line says what to install
   CHECK(occurrences(run.err, "\n") == 1);
-  CHECK(occurrences(folder.read("report/report.md"), ".svg)") == 0);
-  CHECK(folder.read("report/plots/scale.gp") != "");
-  CHECK_FALSE(std::filesystem::exists(folder.path("report/plots/scale.svg")));
+
+  const std::set<std::string> sets = set_names();
+  check_rows(rows_of(folder.read("a/report/report.csv")), sets);
+  check_scene_runs(rows_of(folder.read("a/report/simulation.csv")));
+
+  const std::string text = folder.read("a/report/report.md");
+  CHECK(occurrences(text, "On the front") == sets.size() - 1);  // every set, but not the scales
+  CHECK(occurrences(text, "`touchstone` is wrong on 0 of ") == 1);
+  CHECK(occurrences(text, "coordinates are fractions") == 1);
+  CHECK(occurrences(text, ".svg)") == 0);
+
+  const std::set<std::string> plots = plot_names(sets);
+  CHECK(count_files(out + "/plots") == plots.size());
+  for (const auto& name : plots) {
+    CAPTURE(name);
+    CHECK(occurrences(folder.read("a/report/plots/" + name + ".gp"), "plot $") >= 2);
+  }
+}
+
+TEST_CASE_WITH("gnuplot", "with gnuplot every plot of a report is drawn, as SVG and as PNG") {
+  const TemporaryFolder folder;
+  const std::string out = folder.path("report");
+  const Run run = run_program({"report", "--quick", "--out", out, own_queries(folder)});
+  CAPTURE(run.err);
+  REQUIRE(run.status == 0);
+  CHECK(occurrences(run.err, "gnuplot") == 0);
+
+  const std::set<std::string> sets = set_names();
+  CHECK(occurrences(folder.read("report/report.md"), ".svg)") == 2 * (sets.size() - 1) + 2);
+  const std::set<std::string> plots = plot_names(sets);
+  CHECK(count_files(out + "/plots") == 3 * plots.size());
+  for (const auto& name : plots) {
+    CAPTURE(name);
+    CHECK(occurrences(folder.read("report/plots/" + name + ".gp"), "plot $") >= 2);
+    CHECK(folder.read("report/plots/" + name + ".png").substr(1, 3) == "PNG");
+    CHECK(occurrences(folder.read("report/plots/" + name + ".svg"), "</svg>") == 1);
+  }
 }
 
 TEST_CASE("a report that cannot be made ends with status 2, at once, and leaves nothing behind") {

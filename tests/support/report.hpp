@@ -3,7 +3,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <optional>
@@ -12,28 +11,9 @@
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
 #include "support/query_text.hpp"
-
-// Sanitizers and debug builds are an order of magnitude slower; they run fewer of the same queries.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(NDEBUG)
-#define TOUCHSTONE_SLOW_BUILD 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define TOUCHSTONE_SLOW_BUILD 1
-#endif
-#endif
-#ifndef TOUCHSTONE_SLOW_BUILD
-#define TOUCHSTONE_SLOW_BUILD 0
-#endif
+#include "support/slow_build.hpp"
 
 namespace touchstone::tests {
-
-/// How many cases to run where a release build runs `count`; TOUCHSTONE_EFFORT=10 asks for ten times as many.
-inline std::size_t effort(std::size_t count) {
-  if (const char* factor = std::getenv("TOUCHSTONE_EFFORT")) {
-    return std::max<std::size_t>(1, static_cast<std::size_t>(std::atof(factor) * static_cast<double>(count)));
-  }
-  return TOUCHSTONE_SLOW_BUILD ? (count + 19) / 20 : count;
-}
 
 /// The one case to run instead of all, from the environment variable TOUCHSTONE_CASE.
 inline std::optional<CaseId> chosen_case() {

@@ -4,11 +4,12 @@
 set -euo pipefail
 
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd -P)
-# A python3 of one's own may come first in PATH and not see the system's packages.
-for python in ${TOUCHSTONE_PYTHON:+"$TOUCHSTONE_PYTHON"} python3 /usr/bin/python3; do
+# The first python3 in PATH may be the user's own and not see the system's packages, so each of them is tried.
+mapfile -t pythons < <(type -ap python3)
+for python in ${TOUCHSTONE_PYTHON:+"$TOUCHSTONE_PYTHON"} "${pythons[@]}"; do
   if "$python" -c 'import vtkmodules.vtkIOLegacy' 2>/dev/null; then
     exec "$python" "$here/read_frames.py" "$1"
   fi
 done
-echo "skipped: no Python here imports vtk (python3-vtk9 on Debian and Ubuntu, or name one by TOUCHSTONE_PYTHON)"
+echo "skipped: no python3 in PATH imports VTK (Debian's package is python3-vtk9; TOUCHSTONE_PYTHON names another Python)"
 exit 77
