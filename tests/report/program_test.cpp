@@ -159,9 +159,9 @@ TEST_CASE("a quick report is a whole folder, and touchstone is never wrong in it
 
   const bool drawn = report::find_gnuplot().has_value();
   if (!drawn) WARN("gnuplot is not in PATH: that plots are drawn is not tested");
-  CHECK(occurrences(text, ".svg)") == (drawn ? 2 * (sets.size() - 1) + 2 : 0));
+  CHECK(occurrences(text, ".svg)") == (drawn ? 2 * (sets.size() - 1) + 3 : 0));
   CHECK(occurrences(run.err, "gnuplot") == (drawn ? 0 : 1));
-  std::set<std::string> plots = {"levels", "scale"};
+  std::set<std::string> plots = {"error-against-time", "levels", "scale"};
   for (std::string name : sets) {
     name[name.find('/')] = '-';
     if (name == "scale-edge-edge") continue;
