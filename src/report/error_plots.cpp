@@ -12,7 +12,7 @@
 namespace touchstone::report {
 namespace {
 
-/// One of the four panels: what stands on its vertical axis.
+/// One panel of a picture: a value of every method against its mean run time.
 struct Panel {
   std::string title;
   std::string axis;
@@ -21,6 +21,7 @@ struct Panel {
   std::function<std::optional<double>(const Result&)> value;
 };
 
+/// The panels of one set's own picture: each error apart, and the usual time error.
 std::vector<Panel> panels() {
   return {
       {"Missed contacts", "share of the contacts [%]", "%g", 100,
@@ -32,6 +33,19 @@ std::vector<Panel> panels() {
        [](const Result& r) -> std::optional<double> {
          if (!r.time_error) return std::nullopt;
          return static_cast<double>(r.time_error->median_size);
+       }},
+  };
+}
+
+/// The panels of the picture that stands for a whole report: any wrong answer, and the greatest time error.
+std::vector<Panel> overview_panels() {
+  return {
+      {"Wrong answers: missed, phantom or late", "share of the queries [%]", "%g", 100,
+       [](const Result& r) { return 100 * r.wrong_share(); }},
+      {"Greatest time error", "magnitude [ulps]", "10^{%L}", 1,
+       [](const Result& r) -> std::optional<double> {
+         if (!r.time_error) return std::nullopt;
+         return static_cast<double>(r.time_error->greatest_size);
        }},
   };
 }
@@ -129,11 +143,13 @@ std::string panel_script(const SetResults& set, const Panel& panel, std::size_t 
 }
 
 /// An empty panel as wide as the canvas: a legend that belongs to all the others.
-std::string legend(const SetResults& set) {
-  std::string text =
+/// @param top  where it ends, as a fraction of the canvas  @param rows  at most so many
+std::string legend(const SetResults& set, double top, int rows) {
+  std::string text = fmt::format(
       "unset logscale\nunset border\nunset tics\nunset title\nunset xlabel\nunset ylabel\nunset arrow 1\nunset grid\n"
-      "set lmargin at screen 0.01\nset rmargin at screen 0.99\nset bmargin at screen 0.005\nset tmargin at screen "
-      "0.06\nset xrange [0:1]\nset yrange [0:1]\nset key inside center center horizontal maxrows 1 samplen 2 width 1\n";
+      "set lmargin at screen 0.01\nset rmargin at screen 0.99\nset bmargin at screen 0.005\nset tmargin at screen {}\n"
+      "set xrange [0:1]\nset yrange [0:1]\nset key inside center center horizontal maxrows {} samplen 2 width 1\n",
+      top, rows);
   std::string drawn;
   for (const std::string& method : methods_of(set)) {
     drawn += fmt::format("{}-1 {} title \"{}\" noenhanced", drawn.empty() ? "plot " : ", \\\n     ",
@@ -150,13 +166,24 @@ std::string error_plot_name(const SetResults& set) {
   return name;
 }
 
-Plot error_plot(const SetResults& set) {
+namespace {
+
+/// Panels side by side and below each other, a legend under them all.
+struct Layout {
+  int width, height;  ///< of the canvas, pixels
+  const char* grid;   ///< gnuplot's multiplot layout and margins
+  double legend_top;  ///< fraction of the canvas
+  int legend_rows;
+};
+
+Plot panels_plot(const std::string& name, const SetResults& set, const std::vector<Panel>& panels,
+                 const Layout& layout) {
   std::string body = fmt::format(
-      "set multiplot layout 2,2 margins 0.08,0.985,0.12,0.9 spacing 0.09,0.13 title \"Error against run time: {} ({} "
-      "queries, {} contacts)\\n{{/*0.8 numbers at points: tolerances; dashed line: no error}}\" font ',14'\n"
+      "set multiplot layout {} title \"Error against run time: {} ({} queries, {} contacts)\\n{{/*0.8 numbers at "
+      "points: tolerances; dashed line: no error}}\" font ',14'\n"
       "set logscale xy\nset format x '%g'\nset xlabel 'mean run time [us per query]'\nset grid xtics ytics lc rgb "
       "'#E4E4E4' lt 1\nunset key\n",
-      set.set.name, set.set.queries.size(), set.set.contacts());
+      layout.grid, set.set.name, set.set.queries.size(), set.set.contacts());
   double fastest = 1e300, slowest = 0;
   for (const Result& result : set.results) {
     if (result.asked == 0) continue;
@@ -164,9 +191,21 @@ Plot error_plot(const SetResults& set) {
     slowest = std::max(slowest, result.mean);
   }
   body += fmt::format("set xrange [{:.6g}:{:.6g}]\n", fastest / 2, slowest * 2.5);
-  const auto all = panels();
-  for (std::size_t i = 0; i < all.size(); ++i) body += panel_script(set, all[i], i);
-  return drawn_twice(error_plot_name(set), 1200, 900, body + legend(set) + "unset multiplot\n");
+  for (std::size_t i = 0; i < panels.size(); ++i) body += panel_script(set, panels[i], i);
+  body += legend(set, layout.legend_top, layout.legend_rows) + "unset multiplot\n";
+  return drawn_twice(name, layout.width, layout.height, body);
+}
+
+}  // namespace
+
+Plot error_plot(const SetResults& set) {
+  return panels_plot(error_plot_name(set), set, panels(),
+                     {1200, 900, "2,2 margins 0.08,0.985,0.12,0.9 spacing 0.09,0.13", 0.06, 1});
+}
+
+Plot overview_plot(const SetResults& set) {
+  return panels_plot(kOverviewPlot, set, overview_panels(),
+                     {1000, 470, "1,2 margins 0.08,0.985,0.25,0.8 spacing 0.09,0.1", 0.12, 2});
 }
 
 }  // namespace touchstone::report

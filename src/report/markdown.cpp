@@ -167,6 +167,7 @@ std::string markdown_text(const Report& report, bool plots) {
       "# Touchstone: error against run time\n\nVersion {}, {}, {}. Made by `touchstone report --seed {}{}`.\n\n",
       version(), machine_name(), compiler_name(), report.size.seed, report.size.quick ? " --quick" : "");
   text += summary(report);
+  text += picture(plots, kOverviewPlot, "Error against run time on " + report.sets.front().set.name);
   for (const std::string& remark : report.remarks) text += remark + "\n\n";
   text += kHowToRead + methods_section(report);
   for (const SetResults& set : report.sets) text += set_section(set, plots);

@@ -87,6 +87,7 @@ std::string percentile_plot_name(const SetResults& set) {
 
 std::vector<Plot> plots(const Report& report) {
   std::vector<Plot> all;
+  all.push_back(overview_plot(report.sets.front()));
   for (const SetResults& set : report.sets) {
     all.push_back(error_plot(set));
     all.push_back(percentile_plot(set));

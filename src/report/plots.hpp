@@ -16,6 +16,7 @@ struct Plot {
   std::vector<std::string> reads = {};  ///< files beside the script
 };
 
+inline constexpr const char* kOverviewPlot = "error-against-time";
 inline constexpr const char* kLevelPlot = "levels";
 inline constexpr const char* kScalePlot = "scale";
 std::string error_plot_name(const SetResults& set);       ///< "error-simulation-edge-edge"
@@ -23,6 +24,9 @@ std::string percentile_plot_name(const SetResults& set);  ///< "percentiles-simu
 
 /// Missed, phantom and late shares and the time error, each against the mean run time.
 Plot error_plot(const SetResults& set);
+
+/// The picture that stands for a whole report: wrong answers and the greatest time error on one set.
+Plot overview_plot(const SetResults& set);
 
 /// All of them.
 std::vector<Plot> plots(const Report& report);

@@ -154,7 +154,7 @@ std::set<std::string> set_names() {
 }
 
 std::set<std::string> plot_names(const std::set<std::string>& sets) {
-  std::set<std::string> plots = {"levels", "scale"};
+  std::set<std::string> plots = {"error-against-time", "levels", "scale"};
   for (std::string name : sets) {
     name[name.find('/')] = '-';
     if (name == "scale-edge-edge") continue;
@@ -211,7 +211,7 @@ TEST_CASE_WITH("gnuplot", "with gnuplot every plot of a report is drawn, as SVG 
   CHECK(occurrences(run.err, "gnuplot") == 0);
 
   const std::set<std::string> sets = set_names();
-  CHECK(occurrences(folder.read("report/report.md"), ".svg)") == 2 * (sets.size() - 1) + 2);
+  CHECK(occurrences(folder.read("report/report.md"), ".svg)") == 2 * (sets.size() - 1) + 3);
   const std::set<std::string> plots = plot_names(sets);
   CHECK(count_files(out + "/plots") == 3 * plots.size());
   for (const auto& name : plots) {

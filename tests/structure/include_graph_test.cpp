@@ -94,3 +94,22 @@ TEST_CASE("a planted violation in a public header is found") {
   CHECK(violations[0].find("include/touchstone/solve.hpp:2:") == 0);
   CHECK(public_header_violations("eigen.hpp", "#include <Eigen/Core>\n").empty());
 }
+
+TEST_CASE("the table of layers in docs/design.md is the one that is held") {
+  const std::string page = text_of(std::filesystem::path(TOUCHSTONE_SOURCE_DIR) / "docs/design.md");
+  const auto differences = layer_table_differences(page);
+  INFO(lines_of(differences));
+  CHECK(differences.empty());
+
+  const auto planted = [&](const std::string& there, const std::string& instead) {
+    std::string other = page;
+    const std::size_t at = other.find(there);
+    REQUIRE(at != std::string::npos);
+    return layer_table_differences(other.replace(at, there.size(), instead)).size();
+  };
+  CHECK(planted("| `oracle` |", "| `oracles` |") == 2);  // one is missing, one is unknown
+  CHECK(planted("| `families` |", "| `families` | planted | `geometry`, `seeded`, `solver` |\n| `families` |") == 1);
+  CHECK(planted("| all of the others |", "| `geometry` |") == 1);
+  CHECK(planted("| nothing |", "| everything |") == 1);
+  CHECK(planted("| folder |", "| other |") > 10);
+}

@@ -115,6 +115,43 @@ std::vector<std::string> source_violations(const std::string& path, std::string_
   return violations;
 }
 
+std::vector<std::string> layer_table_differences(std::string_view page) {
+  // | `folder` | what lives there | `layer`, `layer` |    or: nothing, or: all of the others
+  static const std::regex row(R"(\| `([a-z_]+)` \|.*\| ([^|]*) \|)");
+  static const std::regex name("`([a-z_]+)`");
+  std::vector<std::string> differences;
+  std::map<std::string, Layers> shown;
+  bool in_table = false;
+  std::istringstream lines{std::string(page)};
+  for (std::string line; std::getline(lines, line);) {
+    if (starts_with(line, "| folder |")) in_table = true;
+    if (!starts_with(line, "|")) in_table = false;
+    std::smatch match;
+    if (!in_table || !std::regex_match(line, match, row)) continue;
+    const std::string folder = match[1], uses = match[2];
+    Layers& layers = shown[folder];
+    if (uses == "all of the others") {
+      for (const auto& entry : layer_table()) layers.insert(entry.first);
+      layers.erase(folder);
+      continue;
+    }
+    for (std::sregex_iterator i(uses.begin(), uses.end(), name), none; i != none; ++i) layers.insert((*i)[1]);
+    if (layers.empty() && uses != "nothing") differences.push_back("`" + folder + "`: " + uses + " names no layer");
+  }
+  for (const auto& [folder, uses] : layer_table()) {
+    const auto found = shown.find(folder);
+    if (found == shown.end()) {
+      differences.push_back("the page has no `" + folder + "`");
+    } else if (found->second != uses) {
+      differences.push_back("the page lets `" + folder + "` use other layers");
+    }
+  }
+  for (const auto& entry : shown) {
+    if (layer_table().count(entry.first) == 0) differences.push_back("there is no layer `" + entry.first + "`");
+  }
+  return differences;
+}
+
 std::vector<std::string> public_header_violations(const std::string& name, std::string_view text) {
   static const std::regex standard_header("[a-z_]+");
   std::vector<std::string> violations;

@@ -20,6 +20,9 @@ std::vector<Include> includes_of(std::string_view text);
 /// What is wrong with the includes of src/`path` ("exact/decide.cpp"), one sentence each, with the line.
 std::vector<std::string> source_violations(const std::string& path, std::string_view text);
 
+/// How the table of layers on a page of docs/ (folder, what lives there, may use) differs from the one that is held here.
+std::vector<std::string> layer_table_differences(std::string_view page);
+
 /// What is wrong with the includes of include/touchstone/`name` ("solve.hpp").
 std::vector<std::string> public_header_violations(const std::string& name, std::string_view text);
 
