@@ -1,4 +1,4 @@
-// Who is compared: every baseline at every tolerance, exact arithmetic alone, and the whole solver.
+// The methods that are compared: every baseline at every tolerance, exact arithmetic alone, and the whole solver.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace touchstone::report {
 
-/// A method, at one tolerance where it has one.
+/// A method, with one tolerance if it takes any.
 struct Contestant {
   std::string name;
   std::string about;
@@ -36,10 +36,10 @@ struct Contestant {
 /// Baselines first, in their registry's order and tolerances as given; then `exact_only` and `touchstone`.
 std::vector<Contestant> contestants(const std::vector<double>& tolerances);
 
-/// What a contestant says of one query.
+/// The reply of a contestant to one query.
 struct Reply {
   Claim claim;
-  Level level = Level::exact;  ///< who decided; of touchstone and exact_only only
+  Level level = Level::exact;  ///< the level that decided; of touchstone and exact_only only
 };
 Reply ask(const Contestant& contestant, const Query& query);
 

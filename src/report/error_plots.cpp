@@ -12,7 +12,7 @@
 namespace touchstone::report {
 namespace {
 
-/// One of the four panels: what stands on its vertical axis.
+/// One of the four panels: the quantity on its vertical axis.
 struct Panel {
   std::string title;
   std::string axis;
@@ -36,7 +36,7 @@ std::vector<Panel> panels() {
   };
 }
 
-/// Where zero is drawn on the logarithmic axis: a decade or more below the least value that is not zero.
+/// The position of zero on the logarithmic axis: a decade or more below the least value that is not zero.
 double zero_line(const SetResults& set, const Panel& panel) {
   double least = panel.least_unit;
   for (const Result& result : set.results) {
@@ -56,7 +56,7 @@ std::vector<std::string> methods_of(const SetResults& set) {
   return names;
 }
 
-/// Where a panel has labels already, so that no two are written over each other.
+/// The labels that a panel has so far, so that no two overlap.
 class Labels {
  public:
   std::string at(double x, double y, const std::string& text) {
@@ -128,7 +128,7 @@ std::string panel_script(const SetResults& set, const Panel& panel, std::size_t 
                     zero / 100);
 }
 
-/// An empty panel as wide as the canvas: a legend that belongs to all the others.
+/// An empty panel as wide as the canvas: the legend of all other panels.
 std::string legend(const SetResults& set) {
   std::string text =
       "unset logscale\nunset border\nunset tics\nunset title\nunset xlabel\nunset ylabel\nunset arrow 1\nunset grid\n"

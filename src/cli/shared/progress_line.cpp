@@ -1,31 +1,49 @@
 // SPDX-License-Identifier: MIT
-#include "cli/shared/share_line.hpp"
+#include "cli/shared/progress_line.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
+#include <algorithm>
 
 #include "cli/shared/interrupt.hpp"
 #include "cli/shared/words.hpp"
 
 namespace touchstone::cli {
+namespace {
 
-ShareLine::ShareLine() : visible_(::isatty(STDERR_FILENO) == 1) {}
+constexpr const char* kWipe = "\r\033[K";  // to the start of the line, and erase to its end
 
-ShareLine::~ShareLine() {
-  if (drawn_) print_error("\r\033[K");
+}  // namespace
+
+ProgressLine::ProgressLine() : visible_(::isatty(STDERR_FILENO) == 1) {}
+
+ProgressLine::~ProgressLine() {
+  if (drawn_) print_error(kWipe);
 }
 
-void ShareLine::operator()(std::string_view what, double share) {
-  throw_if_interrupted();
-  constexpr auto kPause = std::chrono::milliseconds(100);
-  const auto now = std::chrono::steady_clock::now();
-  if (!visible_ || now - last_ < kPause) return;
-  last_ = now;
+void ProgressLine::draw(const std::function<std::string()>& text) {
+  constexpr auto kPause = std::chrono::milliseconds(50);
+  const auto now = Clock::now();
+  if (!visible_ || now - last_drawn_ < kPause) return;
+  last_drawn_ = now;
   drawn_ = true;
-  print_error(fmt::format("\r\033[K{:3.0f} %  {}", 100 * share, what));
-  std::fflush(stderr);
+  print_error(kWipe + text());
+}
+
+double ProgressLine::seconds() const noexcept { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+std::string progress_bar(double fraction) {
+  constexpr std::size_t kWidth = 24;
+  const auto filled = static_cast<std::size_t>(std::clamp(fraction, 0.0, 1.0) * kWidth);
+  return "[" + std::string(filled, '#') + std::string(kWidth - filled, '.') + "]";
+}
+
+std::function<void(std::string_view, double)> draw_fraction_on(ProgressLine& line) {
+  return [&line](std::string_view task, double fraction) {
+    throw_if_interrupted();
+    line.draw([&] { return fmt::format("{:3.0f} %  {}", 100 * fraction, task); });
+  };
 }
 
 }  // namespace touchstone::cli

@@ -1,27 +1,41 @@
-// How far a long command is: one line on standard error, only when that is a terminal.
+// The progress of a long command: one line on standard error, which is drawn only when that is a terminal.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <chrono>
+#include <functional>
+#include <string>
 #include <string_view>
 
 namespace touchstone::cli {
 
-class ShareLine {
+class ProgressLine {
  public:
-  ShareLine();
-  /// Wipes the line out.
-  ~ShareLine();
-  ShareLine(const ShareLine&) = delete;
-  ShareLine& operator=(const ShareLine&) = delete;
+  ProgressLine();
+  ~ProgressLine();  ///< wipes the line
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Says what is being done and which share of all is done, ten times a second at most. @throws Interrupted
-  void operator()(std::string_view what, double share);
+  /// Draws `text()` in place of the line, twenty times a second at most. `text` is called only when the line is drawn.
+  /// Call this from one thread at a time.
+  void draw(const std::function<std::string()>& text);
+
+  double seconds() const noexcept;  ///< since construction
 
  private:
-  const bool visible_;
+  using Clock = std::chrono::steady_clock;
+
+  bool visible_;
   bool drawn_ = false;
-  std::chrono::steady_clock::time_point last_{};
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point last_drawn_ = start_;
 };
+
+/// "[######..................]" for a quarter; a fraction outside [0, 1] counts as the nearer end.
+std::string progress_bar(double fraction);
+
+/// A function that draws the current task and the fraction of the whole work that is done: "42 %  drawing". The
+/// function throws Interrupted. `line` must outlive it.
+std::function<void(std::string_view task, double fraction)> draw_fraction_on(ProgressLine& line);
 
 }  // namespace touchstone::cli

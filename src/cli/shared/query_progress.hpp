@@ -1,43 +1,35 @@
-// A line on standard error that says how far a command has come; only when that is a terminal.
+// The progress of a command that works through query files, or writes them.
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "cli/shared/inputs.hpp"
+#include "cli/shared/progress_line.hpp"
 
 namespace touchstone::cli {
 
-class Progress {
+class QueryProgress {
  public:
-  explicit Progress(const std::vector<Input>& inputs);
-  ~Progress();  ///< wipes the line
+  /// @param inputs  the files that are read; none when queries are only written
+  explicit QueryProgress(const std::vector<Input>& inputs);
 
-  /// So much more is done. Called from one thread at a time.
+  /// Adds work that has just been done, and draws the line. Call this from one thread at a time.
   void add(std::size_t bytes, std::uint64_t queries);
 
-  std::uint64_t queries() const noexcept { return queries_; }
-  double seconds() const noexcept;  ///< since construction
-
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
+  double seconds() const noexcept { return line_.seconds(); }  ///< since construction
 
  private:
-  using Clock = std::chrono::steady_clock;
+  std::string text() const;
 
-  void draw() const;
-
-  bool visible_;
-  bool drawn_ = false;
+  ProgressLine line_;
   std::optional<std::uint64_t> total_bytes_ = 0;  ///< nothing when a pipe is among the inputs
   std::uint64_t bytes_ = 0;
   std::uint64_t queries_ = 0;
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point last_drawn_ = start_;
 };
 
 }  // namespace touchstone::cli
