@@ -1,4 +1,4 @@
-// The reader of answers files: any bytes are claims or an error that names a row, in whatever pieces they are read.
+// The reader of answers files. Any bytes are claims or an error that names a row, and the pieces do not matter.
 // The first byte chooses the size of the pieces.
 // SPDX-License-Identifier: MIT
 #include <bit>

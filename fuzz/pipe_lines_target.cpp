@@ -1,5 +1,5 @@
-// The lines of programs that are asked over pipes: any bytes are an answer, or none; a time is what the C library makes
-// of it; a query that can be read is written as it was.
+// The lines of programs that are asked over pipes. Any bytes are an answer or none; a time has the value that the C
+// library reads; a query that can be read is written back unchanged.
 // SPDX-License-Identifier: MIT
 #include "pipes/protocol.hpp"
 

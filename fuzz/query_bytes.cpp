@@ -12,7 +12,7 @@
 namespace touchstone::fuzzing {
 namespace {
 
-// Operations on a coordinate: one byte, and what it needs.
+// Operations on a coordinate: one byte, and the bytes of its operands.
 constexpr unsigned kSmall = 0x80;  // below it: a small integer, halved up to seven times
 enum CoordinateOp : unsigned { kRaw, kEarlier, kNext, kMinus, kScaled, kSum, kUlps, kSpecial };
 // Operations on a corner.
@@ -53,7 +53,7 @@ double raw_double(std::uint64_t bits) {
   return std::bit_cast<double>(bits);
 }
 
-/// `value` moved by so many doubles.
+/// `value` moved by a number of doubles.
 double moved(double value, int doubles) {
   const double towards = std::copysign(std::numeric_limits<double>::infinity(), doubles);
   for (int i = std::abs(doubles); i > 0; --i) value = std::nextafter(value, towards);

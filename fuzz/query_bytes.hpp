@@ -16,10 +16,10 @@ struct Question {
   double t_max = 1;
 };
 
-/// Any bytes make a question, and more bytes than are needed change nothing.
+/// Any bytes make a question. Bytes beyond those that are needed change nothing.
 Question question_from(Bytes input);
 
-/// Bytes that make just this query with t_max 1; as short as the tricks allow. -0 and all finite values are kept.
+/// Bytes that make exactly this query with t_max 1, as short as possible. -0 and all finite values are kept.
 std::string bytes_for(const Query& query);
 
 }  // namespace touchstone::fuzzing

@@ -1,5 +1,5 @@
-// The reader of query files: any bytes are queries or an error that names a row, in whatever pieces they are read; and
-// what was read can be written and read again. The first byte chooses the kind and the size of the pieces.
+// The reader of query files. Any bytes are queries or an error that names a row, and the pieces do not matter; queries
+// that were read can be written and read again. The first byte chooses the kind and the size of the pieces.
 // SPDX-License-Identifier: MIT
 #include <cstring>
 #include <string>
@@ -46,7 +46,7 @@ Outcome read(std::string_view text, Kind kind, std::size_t chunk_bytes) {
   return outcome;
 }
 
-/// The values, minus zero taken for zero: a fraction has none.
+/// The values. Minus zero counts as zero, because a fraction has no minus zero.
 bool same(const Query& one, const Query& other) {
   const auto equal = [](const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
   if (one.kind != other.kind) return false;

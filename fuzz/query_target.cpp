@@ -1,4 +1,4 @@
-// The answers of every method to one query are the same in everything.
+// All methods give the same answer to one query, in every field.
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <string>
@@ -16,7 +16,7 @@
 namespace touchstone::fuzzing {
 namespace {
 
-/// The oracle takes as long as hundreds of the others.
+/// One answer of the oracle takes as long as hundreds of the others.
 constexpr std::uint64_t kOracleOneIn = 256;
 constexpr std::uint64_t kBatchOneIn = 8;
 constexpr int kBatch = 11;  // a whole vector of lanes, and some over

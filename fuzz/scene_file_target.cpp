@@ -1,4 +1,4 @@
-// The readers of scenes and checkpoints, which are JSON: any bytes are a scene or an error of one line, and a scene that is
+// The readers of scenes and checkpoints, which are JSON. Any bytes are a scene or an error of one line. A scene that is
 // written reads back as the same text.
 // SPDX-License-Identifier: MIT
 #include <string>
@@ -12,7 +12,7 @@
 namespace touchstone::fuzzing {
 namespace {
 
-/// Long lists of elements, which a few bytes can ask for, tell no more than short ones.
+/// A few bytes can ask for long lists of elements, which show no more than short ones.
 constexpr std::size_t kMostParticles = 20'000;
 
 void check_error(const Error& error) {

@@ -8,7 +8,7 @@
 
 namespace touchstone::fuzzing {
 
-/// For the target of this name; the same each time.
+/// The seeds of the target of this name; the same in every run.
 std::vector<std::string> seeds_for(std::string_view target);
 
 }  // namespace touchstone::fuzzing

@@ -1,4 +1,4 @@
-// What libFuzzer drives, and what an ordinary test replays fuzz/corpus through.
+// The fuzz targets. libFuzzer drives them, and an ordinary test replays fuzz/corpus through them.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -13,16 +13,16 @@ namespace touchstone::fuzzing {
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// Something is wrong with the project; the message says what, and with what input.
+/// A fault of the project; the message names it and the input.
 class Finding : public std::logic_error {
  public:
   using std::logic_error::logic_error;
 };
 
 struct Target {
-  std::string_view name;  ///< also of its corpus, fuzz/corpus/NAME
+  std::string_view name;  ///< also the name of its corpus, fuzz/corpus/NAME
   std::string_view about;
-  void (*run)(Bytes input);  ///< @throws Finding; anything else that it throws is a finding, too
+  void (*run)(Bytes input);  ///< @throws Finding; any other exception is a finding, too
 };
 
 void fuzz_query(Bytes input);         // query_target.cpp
@@ -53,7 +53,7 @@ inline std::string_view as_text(Bytes input) noexcept {
   return {reinterpret_cast<const char*>(input.data()), input.size()};
 }
 
-/// A number that depends on all the bytes (FNV-1a): what is done now and then is done for the same inputs always.
+/// A number that depends on all the bytes (FNV-1a). Rare checks use it to choose the same inputs in every run.
 constexpr std::uint64_t hash_of(Bytes input) noexcept {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const std::uint8_t byte : input) hash = (hash ^ byte) * 0x100000001b3;

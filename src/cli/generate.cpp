@@ -13,7 +13,7 @@
 
 #include "cli/shared/interrupt.hpp"
 #include "cli/shared/new_folders.hpp"
-#include "cli/shared/progress.hpp"
+#include "cli/shared/query_progress.hpp"
 #include "cli/shared/summary.hpp"
 #include "cli/shared/words.hpp"
 #include "io/output_file.hpp"
@@ -59,7 +59,7 @@ void write_batch(const Batch& batch, Target& target, Counts& counts) {
 
 /// Writes one scene's files, uncommitted.
 void write_scene(SceneName scene, const GenerateOptions& options, NewFolders& folders, std::list<Target>& targets,
-                 Counts& counts, Progress& progress) {
+                 Counts& counts, QueryProgress& progress) {
   CandidateOptions wanted = options.candidates;
   wanted.scene = scene;
   wanted.edge_edge = wanted.vertex_face = false;
@@ -92,7 +92,7 @@ int run_generate(const GenerateOptions& options) {
   NewFolders folders;
   std::list<Target> targets;
   Counts counts;
-  Progress progress({});
+  QueryProgress progress({});
   for (const SceneName scene : scenes) write_scene(scene, options, folders, targets, counts, progress);
   if (targets.empty()) {
     throw InvalidQuery(fmt::format("scene {} has no faces, so there are no {} queries in it",

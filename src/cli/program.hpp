@@ -1,4 +1,4 @@
-// The program as a function: everything but what a process needs around it.
+// The program as a function, without the set-up of the process around it.
 // SPDX-License-Identifier: MIT
 #pragma once
 

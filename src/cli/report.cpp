@@ -12,7 +12,7 @@
 #include "cli/shared/inputs.hpp"
 #include "cli/shared/new_folders.hpp"
 #include "cli/shared/options.hpp"
-#include "cli/shared/share_line.hpp"
+#include "cli/shared/progress_line.hpp"
 #include "cli/shared/words.hpp"
 #include "io/output_file.hpp"
 #include "report/report.hpp"
@@ -27,7 +27,7 @@ struct ReportOptions {
   std::optional<Kind> kind;
 };
 
-/// What was found in query files, one set a kind; evenly thinned, so that memory does not grow with the files.
+/// The queries of files, one set a kind. The sets are thinned evenly, so that memory does not grow with the files.
 struct GivenQueries {
   std::vector<report::QuerySet> sets;
   std::uint64_t not_doubles = 0;
@@ -87,11 +87,11 @@ GivenQueries read_queries(const std::string& source, const std::string& about, c
 int run_report(const ReportOptions& options) {
   NewFolders folders;
   folders.make(std::filesystem::path(options.out) / "plots");
-  // What cannot be written is found out before minutes are spent, not after.
+  // A folder that cannot be written to is found before minutes are spent, not after.
   io::OutputFile((std::filesystem::path(options.out) / "report.md").string());
 
-  ShareLine draw;
-  const auto progress = [&draw](std::string_view what, double share) { draw(what, share); };
+  ProgressLine line;
+  const auto progress = draw_fraction_on(line);
   const std::size_t most = report::most_given(options.size);
   std::vector<report::QuerySet> sets;
   std::vector<std::string> remarks;

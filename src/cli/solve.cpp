@@ -9,8 +9,9 @@
 
 #include "cli/shared/inputs.hpp"
 #include "cli/shared/pipeline.hpp"
-#include "cli/shared/progress.hpp"
+#include "cli/shared/query_progress.hpp"
 #include "cli/shared/summary.hpp"
+#include "cli/shared/words.hpp"
 #include "io/answer_writer.hpp"
 #include "io/output_file.hpp"
 #include "io/query_parser.hpp"
@@ -46,7 +47,7 @@ int run_solve(const SolveOptions& options) {
 
   QueryStream stream(inputs, options.chunk_bytes);
   Counts counts;
-  Progress progress(inputs);
+  QueryProgress progress(inputs);
   out.write(io::kAnswerHeader);
   run_in_order<SolveItem>(
       threads, [&](SolveItem& item) { return stream.next(item); },

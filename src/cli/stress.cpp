@@ -10,7 +10,7 @@
 
 #include "cli/shared/new_folders.hpp"
 #include "cli/shared/options.hpp"
-#include "cli/shared/share_line.hpp"
+#include "cli/shared/progress_line.hpp"
 #include "cli/shared/words.hpp"
 #include "io/output_file.hpp"
 #include "stress/stress.hpp"
@@ -32,12 +32,12 @@ std::string dial_names() {
 int run_stress(const StressOptions& options) {
   NewFolders folders;
   folders.make(std::filesystem::path(options.out) / "plots");
-  // What cannot be written is found out before minutes are spent, not after.
+  // A folder that cannot be written to is found before minutes are spent, not after.
   const std::string file = (std::filesystem::path(options.out) / "stress.md").string();
   io::OutputFile{file};
 
-  ShareLine draw;
-  const auto progress = [&draw](std::string_view what, double share) { draw(what, share); };
+  ProgressLine line;
+  const auto progress = draw_fraction_on(line);
   const stress::Stress made = stress::run_stress(options.stress, progress);
   const std::string hint = stress::write_stress(made, options.out, progress);
   folders.keep();

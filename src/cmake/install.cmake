@@ -12,8 +12,12 @@ install(TARGETS ${touchstone_libraries} EXPORT touchstone-targets
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+# Building this target builds everything that `cmake --install` copies, and no test.
+add_custom_target(touchstone_installed)
+add_dependencies(touchstone_installed ${touchstone_libraries})
 if(TARGET touchstone_program)
   install(TARGETS touchstone_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  add_dependencies(touchstone_installed touchstone_program)
 endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/touchstone DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")

@@ -1,4 +1,4 @@
-// A solver that gives whole answers, not only claims: ours. Everything in them is held against the judge's.
+// A solver that gives whole answers, not only claims: ours. Everything in them is compared with the judge's answer.
 // SPDX-License-Identifier: MIT
 #pragma once
 

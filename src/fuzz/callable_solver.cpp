@@ -9,13 +9,6 @@
 namespace touchstone::fuzz {
 namespace {
 
-Reply crash(std::string detail) {
-  Reply reply;
-  reply.state = Reply::State::crashed;
-  reply.detail = std::move(detail);
-  return reply;
-}
-
 class CallableSolver final : public SolverUnderTest {
  public:
   CallableSolver(std::string name, Callable callable, std::function<bool(Kind)> supports)
@@ -32,9 +25,9 @@ class CallableSolver final : public SolverUnderTest {
     try {
       return callable_(query);
     } catch (const std::exception& error) {
-      return crash(std::string("exception: ") + error.what());
+      return no_answer(Reply::State::crashed, std::string("exception: ") + error.what());
     } catch (...) {
-      return crash("exception of an unknown type");
+      return no_answer(Reply::State::crashed, "exception of an unknown type");
     }
   }
 

@@ -1,4 +1,4 @@
-// The name of one fuzzed query: with it, it is made again.
+// The name of one fuzzed query, from which the query is made again.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -14,25 +14,25 @@
 
 namespace touchstone::fuzz {
 
-/// A query of a family or one that was given, or one of those that hill climbing comes to from there.
+/// A query of a family, or a given query, or a query that hill climbing reaches from one of these.
 struct CaseName {
   families::CaseId start;
   std::uint64_t step = 0;  ///< 0: the query itself
-  bool given = false;      ///< start.index counts the queries that were given; start.family means nothing
+  bool given = false;      ///< start.index is the position among the given queries; start.family has no meaning
 };
 
 /// "near_hit edge-edge 7 1234", or "near_hit edge-edge 7 1234 +5" for the fifth step of climbing from there; "given
-/// edge-edge 7 1234" for one that was given.
+/// edge-edge 7 1234" for a given query.
 std::string case_text(const CaseName& name);
 
-/// Back; nothing when the text is no case.
+/// The inverse of case_text; nothing when the text is no case.
 std::optional<CaseName> parse_case_text(std::string_view text);
 
-/// The query itself. Climbing that far takes so many steps again.
-/// @param given  the queries that were given  @throws InvalidQuery when it is one of these and there is none such
+/// The query itself. A case of step n takes n steps of climbing again.
+/// @param given  the given queries  @throws InvalidQuery when the case is a given query that is not among them
 Query query_of_case(const CaseName& name, const std::vector<Query>& given = {});
 
-/// Where the case starts: its query at step 0.
+/// The query at step 0 of the case.
 Query start_of_case(const CaseName& name, const std::vector<Query>& given);
 
 }  // namespace touchstone::fuzz

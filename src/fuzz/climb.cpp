@@ -34,8 +34,8 @@ double changed(double x, Query& query, Rng& rng) {
   }
 }
 
-/// Moves one coordinate to where the margin would be zero if it were linear in it. V's coefficients are: there the
-/// coefficient that remains is rounding.
+/// Moves one coordinate to the value at which the margin would be zero if it were linear in the coordinate. V's
+/// coefficients are linear in it, so that there only rounding remains of them.
 void step_to_zero(Query& query, Rng& rng) {
   double& x = random_coordinate(query, rng);
   const double before = x;

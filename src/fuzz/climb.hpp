@@ -1,4 +1,4 @@
-// Hill climbing: from a family's query towards those on which the filters are only just certain.
+// Hill climbing: from a query towards queries on which the filters are only just certain.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -13,9 +13,9 @@ namespace touchstone::fuzz {
 /// The most steps that a case's name may ask for.
 constexpr std::uint64_t kMostClimbSteps = 1'000'000;
 
-/// A walk whose every step changes a coordinate or two. The change stays when it brings the magnitude of
-/// `filter_margin` nearer to 1, in proportion, where the error bounds are put to the test; else the next step starts
-/// from where this one did. Step k depends on the case and k only.
+/// A walk. Each step changes one or two coordinates. The change stays when it brings the magnitude of `filter_margin`
+/// nearer to 1, in proportion, because there the error bounds are tested. Otherwise the next step starts from the same
+/// query again. Step k depends on the case and k only.
 class Climb {
  public:
   explicit Climb(const families::CaseId& start);
@@ -23,7 +23,7 @@ class Climb {
   /// From any query.
   Climb(const Query& start, const families::Rng& random);
 
-  /// The next query looked at, kept or not: each is worth asking.
+  /// The next query, kept or not: each of them is worth asking.
   Query next();
 
  private:

@@ -1,4 +1,4 @@
-// In which way a query is degenerate: failures of one sort are one finding.
+// The way in which a query is degenerate. Failures with one class and one degeneracy are one finding.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace touchstone::fuzz {
 
-/// How the elements touch and which of the polynomials that decide it vanish identically.
+/// How the elements touch, and which of the deciding polynomials vanish identically.
 struct Degeneracy {
   Kind kind = Kind::edge_edge;
   Nature nature = Nature::none;
@@ -22,7 +22,7 @@ struct Degeneracy {
   auto operator<=>(const Degeneracy&) const = default;
 };
 
-/// Of a query with finite coordinates and its exact answer. The polynomials are computed exactly.
+/// The degeneracy of a query with finite coordinates and its exact answer. The polynomials are computed exactly.
 Degeneracy degeneracy_of(const Query& query, const Answer& truth);
 
 /// For a person: "sustained, a0 against b, V = n = 0", "no contact".

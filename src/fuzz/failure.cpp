@@ -7,7 +7,6 @@
 
 #include "certify/answer_check.hpp"
 #include "certify/early.hpp"
-#include "fuzz/answering_solver.hpp"
 
 namespace touchstone::fuzz {
 namespace {
@@ -73,19 +72,6 @@ std::optional<Failure> failure_of(Kind kind, const Answer& answer, const Answer&
     return Failure{FailureClass::malformed, wrong};
   }
   return std::nullopt;
-}
-
-std::optional<Failure> failure_on(const Query& query, SolverUnderTest& solver, AnsweringSolver* whole,
-                                  const Answer& truth, const EarlyLimit& early, Reply& reply) {
-  if (whole == nullptr) {
-    reply = solver.ask(query);
-    return failure_of(reply, truth, early);
-  }
-  const Answer answer = whole->answer(query);
-  reply = Reply{};
-  reply.contact = answer.contact;
-  if (answer.contact) reply.toi = answer.toi;
-  return failure_of(query.kind, answer, truth);
 }
 
 }  // namespace touchstone::fuzz

@@ -1,4 +1,4 @@
-// What can be wrong with a reply, given the exact answer.
+// The ways in which a reply can be wrong, given the exact answer.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -24,27 +24,22 @@ inline constexpr std::array<FailureClass, kFailureClasses> kEveryFailure{
 
 std::string_view failure_name(FailureClass failure) noexcept;  ///< "crash", "missed", ...
 
-/// How far before the exact time a claimed time may lie; without either member, as far as it likes.
+/// The distance by which a claimed time may lie before the exact time; without either member, any distance.
 struct EarlyLimit {
   std::optional<std::uint64_t> ulps;  ///< doubles between the claim and the answer's toi
-  std::optional<double> share;        ///< of the step
+  std::optional<double> share;        ///< as a fraction of the step
 };
 
-/// A failure and, for a person, what is wrong where the class alone does not say.
+/// A failure. `detail` tells a person more than the class alone.
 struct Failure {
   FailureClass failure;
   std::string detail;
 };
 
-/// What is wrong with this reply, if anything. `truth` is the exact answer.
+/// The failure of this reply, if any. `truth` is the exact answer.
 std::optional<Failure> failure_of(const Reply& reply, const Answer& truth, const EarlyLimit& early);
 
-/// What is wrong with a whole answer, if anything: everything but its level counts.
+/// The failure of a whole answer, if any. Everything except its level counts.
 std::optional<Failure> failure_of(Kind kind, const Answer& answer, const Answer& truth);
-
-/// Asks the solver and judges what it says; `whole` is the same solver where it gives whole answers, else null.
-class AnsweringSolver;
-std::optional<Failure> failure_on(const Query& query, SolverUnderTest& solver, AnsweringSolver* whole,
-                                  const Answer& truth, const EarlyLimit& early, Reply& reply);
 
 }  // namespace touchstone::fuzz

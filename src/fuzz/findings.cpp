@@ -48,7 +48,7 @@ std::vector<Finding> Findings::take(std::size_t most) {
   const auto frequent_first = [](const Finding& a, const Finding& b) { return a.count > b.count; };
   for (auto& findings : by_class) std::stable_sort(findings.begin(), findings.end(), frequent_first);
 
-  // One of every class in turn, until there are enough.
+  // Each class gives one finding in turn, until there are enough.
   std::array<std::size_t, kFailureClasses> share{};
   std::size_t left = most;
   for (bool more = true; more;) {

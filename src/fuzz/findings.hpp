@@ -1,4 +1,4 @@
-// What a run has found: failures of one class and one kind of degeneracy are one finding, shown by its simplest query.
+// The findings of a run: failures of one class and one kind of degeneracy are one finding, shown by its simplest query.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -20,7 +20,7 @@ namespace touchstone::fuzz {
 
 /// One failing query.
 struct Example {
-  CaseName name;  ///< of the query that it is or was shrunk from
+  CaseName name;  ///< of this query, or of the query that it was shrunk from
   Query query;
   Reply reply;
   Answer truth;
@@ -31,21 +31,21 @@ struct Example {
 struct Finding {
   FailureClass failure = FailureClass::missed;
   Degeneracy degeneracy;
-  std::uint64_t count = 0;  ///< how many queries failed in this way
-  Example example;          ///< the simplest of them, or what it was shrunk to
+  std::uint64_t count = 0;  ///< number of queries that failed in this way
+  Example example;          ///< the simplest of them, or its shrunk form
 };
 
 class Findings {
  public:
   void add(const Failure& failure, const CaseName& name, const Query& query, const Reply& reply, const Answer& truth);
 
-  /// What is kept does not depend on the order in which parts are merged.
+  /// The result does not depend on the order in which findings are merged.
   void merge(Findings&& other);
 
   std::size_t size() const noexcept { return buckets_.size(); }
 
-  /// At most `most` of them, 0 for all: the worst class first, within a class the most frequent first; where there are
-  /// more, every class gets an equal share.
+  /// At most `most` findings, 0 for all: the worst class first, within a class the most frequent first. When there are
+  /// more than `most`, every class gets equally many.
   std::vector<Finding> take(std::size_t most);
 
  private:
@@ -61,7 +61,7 @@ class Findings {
   std::map<Key, Bucket> buckets_;
 };
 
-/// Failures by family and class; what was given stands for a family.
+/// Failures by family and class. The given queries count as one more family.
 class FailureTable {
  public:
   FailureTable();
@@ -83,7 +83,7 @@ class FailureTable {
   Row& row(const CaseName& name) {
     return name.given ? rows_.back() : rows_[static_cast<std::size_t>(name.start.family)];
   }
-  std::vector<Row> rows_;  // of every family, and of what was given
+  std::vector<Row> rows_;  // of every family, and of the given queries
 };
 
 }  // namespace touchstone::fuzz

@@ -1,4 +1,4 @@
-// The engine for who links touchstone::fuzz.
+// The public face of the engine, for programs that link touchstone::fuzz.
 // SPDX-License-Identifier: MIT
 #include <touchstone/fuzz.hpp>
 

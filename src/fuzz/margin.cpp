@@ -18,7 +18,7 @@ using filters::Vector;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// value / bound; +infinity where that says nothing.
+/// value / bound; +infinity when that has no meaning.
 double quotient(double value, double bound) noexcept {
   const double q = value / bound;
   return std::isnan(q) || bound <= 0 ? kInfinity : q;
@@ -38,7 +38,7 @@ double value(const std::array<double, 4>& c, double t) noexcept {
   return ((c[0] * s + c[1] * t) * s + c[2] * t * t) * s + c[3] * t * t * t;
 }
 
-/// Where V changes sign between 0 and 1, when it differs in sign at both ends; by bisection.
+/// The time between 0 and 1 at which V changes sign, when its signs at both ends differ; by bisection.
 double sign_change(const std::array<double, 4>& c) noexcept {
   double low = 0, high = 1;
   for (int i = 0; i < 40; ++i) {

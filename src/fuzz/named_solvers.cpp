@@ -44,7 +44,7 @@ class OurSolver final : public AnsweringSolver {
   Method method_;
 };
 
-/// The same query many times over in one batch, which works on several at once: they must all get one answer.
+/// The same query many times in one batch. A batch works on several queries at once; all must get the same answer.
 class BatchSolver final : public AnsweringSolver {
  public:
   const std::string& name() const override { return name_; }

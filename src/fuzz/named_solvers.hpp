@@ -1,4 +1,4 @@
-// The solvers that the project itself holds, by name.
+// The solvers of the project itself, by name.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -6,9 +6,10 @@
 
 #include <touchstone/error.hpp>
 
-#include "fuzz/pipe_protocol.hpp"
+#include "fuzz/give_up.hpp"
 #include "fuzz/pipe_run.hpp"
 #include "io/fail.hpp"
+#include "pipes/protocol.hpp"
 
 namespace touchstone::fuzz {
 namespace {
@@ -38,21 +39,22 @@ class PipeSolver : public SolverUnderTest {
 
   Reply ask(const Query& query) override {
     const std::string trouble = start();
-    if (!trouble.empty()) return broken(Reply::State::crashed, "it cannot be started again: " + trouble);
+    if (!trouble.empty()) return give_up(run_, Reply::State::crashed, "it cannot be started again: " + trouble);
     bool supported = true;
     Reply reply = exchange(query, limits_.answer, supported);
     if (supported) return reply;
-    return broken(Reply::State::malformed, "it says 'unsupported', but has answered a query of this kind before");
+    return give_up(run_, Reply::State::malformed,
+                   "it says 'unsupported', but has answered a query of this kind before");
   }
 
  private:
-  /// Which kinds it takes. What fails now is asked again later, and is a finding then.
+  /// Finds out which kinds the program takes. A query that fails now is asked again later, and is a finding then.
   void first_answers() {
     std::string trouble;
     bool any = false;
     for (const Kind kind : kKinds) {
       bool supported = true;
-      // An interpreter takes its time to start.
+      // An interpreter takes some time to start.
       const Reply reply = exchange(plain_query(kind), any ? limits_.answer : limits_.start, supported);
       supported_[static_cast<std::size_t>(kind)] = supported;
       const bool answered = reply.state == Reply::State::answered;
@@ -61,14 +63,14 @@ class PipeSolver : public SolverUnderTest {
         first_ = kind;
       }
       if (!answered && trouble.empty()) trouble = reply.detail;
-      if (!answered && !any) break;  // it would be the same for the others
+      if (!answered && !any) break;  // the other kinds would fail in the same way
     }
     if (any) return;
     if (trouble.empty()) trouble = "it supports no kind of query";
     throw Error(io::in_quotes(name_) + ": the solver's command gives no answers: " + trouble);
   }
 
-  /// Starts it again if need be. @returns why there is no process, or nothing when there is one
+  /// Starts the program again if it does not run. @returns the reason when it cannot run, else nothing
   std::string start() {
     if (run_) return {};
     try {
@@ -82,37 +84,29 @@ class PipeSolver : public SolverUnderTest {
 
   Reply exchange(const Query& query, std::chrono::milliseconds time, bool& supported) {
     if (!run_) run_ = std::make_unique<PipeRun>(name_, limits_);
-    const PipeRun::Exchange exchange = run_->exchange(query_line(query), time);
+    const PipeRun::Exchange exchange = run_->exchange(pipes::query_line(query), time);
     using End = PipeRun::Exchange::End;
     const std::string said = exchange.line.empty() ? "" : "; it had said " + io::in_quotes(exchange.line);
     switch (exchange.end) {
-      case End::died: return broken(Reply::State::crashed, run_->child().story() + said);
+      case End::died: return give_up(run_, Reply::State::crashed, run_->child().story() + said);
       case End::late:
-        return broken(Reply::State::hung,
-                      "no answer within " + std::to_string(time.count()) + " ms (are answers flushed?)" + said);
+        return give_up(run_, Reply::State::hung,
+                       "no answer within " + std::to_string(time.count()) + " ms (are answers flushed?)" + said);
       case End::too_long:
-        return broken(Reply::State::malformed, "a line of more than " + std::to_string(limits_.line) +
-                                                   " bytes: " + io::in_quotes(exchange.line));
+        return give_up(
+            run_, Reply::State::malformed,
+            "a line of more than " + std::to_string(limits_.line) + " bytes: " + io::in_quotes(exchange.line));
       case End::unasked:
-        return broken(Reply::State::malformed, "it says more than it was asked: " + io::in_quotes(exchange.line));
+        return give_up(run_, Reply::State::malformed,
+                       "it says more than it was asked: " + io::in_quotes(exchange.line));
       case End::line: break;
     }
-    const auto answer = read_answer_line(exchange.line);
-    if (!answer) return broken(Reply::State::malformed, io::in_quotes(exchange.line) + " is no answer");
+    const auto answer = pipes::read_answer_line(exchange.line);
+    if (!answer) return give_up(run_, Reply::State::malformed, io::in_quotes(exchange.line) + " is no answer");
     supported = answer->supported;
     Reply reply;
     reply.contact = answer->contact;
     reply.toi = answer->toi;
-    return reply;
-  }
-
-  /// The process is of no more use: who has lost count of the lines would answer the wrong query from now on.
-  Reply broken(Reply::State state, std::string detail) {
-    if (run_) run_->child().kill();
-    run_.reset();
-    Reply reply;
-    reply.state = state;
-    reply.detail = std::move(detail);
     return reply;
   }
 

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <utility>
 
+#include <touchstone/error.hpp>
+
 namespace touchstone::fuzz {
 namespace {
 
@@ -15,6 +17,22 @@ bool has(const std::vector<Kind>& kinds, Kind kind) {
 }
 
 }  // namespace
+
+std::string kind_names(const std::vector<Kind>& kinds) {
+  std::string names;
+  for (const Kind kind : kinds) names.append(names.empty() ? "" : ", ").append(kind_name(kind));
+  return names;
+}
+
+std::vector<Kind> supported_kinds(const SolverUnderTest& solver, const std::vector<Kind>& wanted) {
+  std::vector<Kind> kinds;
+  for (const Kind kind : families::kKinds) {
+    if ((wanted.empty() || has(wanted, kind)) && solver.supports(kind)) kinds.push_back(kind);
+  }
+  if (!kinds.empty()) return kinds;
+  const std::string names = kind_names(wanted);
+  throw InvalidQuery(solver.name() + " takes no queries" + (names.empty() ? "" : " of this kind: " + names));
+}
 
 GivenPlan plan_of_given(const std::vector<Query>& given, const std::vector<Kind>& wanted,
                         const std::vector<Kind>& asked, std::optional<std::uint64_t> most) {

@@ -1,16 +1,23 @@
-// Which queries a run asks, in pieces that any thread can do in any order.
+// The queries that a run asks, in pieces that any thread can do in any order.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <touchstone/query.hpp>
 
 #include "families/families.hpp"
+#include "fuzz/solver_under_test.hpp"
 
 namespace touchstone::fuzz {
+
+/// Those of the `wanted` kinds (empty: all) that the solver supports. @throws InvalidQuery when it supports none
+std::vector<Kind> supported_kinds(const SolverUnderTest& solver, const std::vector<Kind>& wanted);
+
+std::string kind_names(const std::vector<Kind>& kinds);  ///< "edge-edge, vertex-face"
 
 /// Cases `first` to `first + count - 1` of one family and kind.
 struct Piece {
@@ -20,24 +27,24 @@ struct Piece {
   std::uint64_t count;
 };
 
-/// Which of the queries that were given a run asks.
+/// The given queries that a run asks.
 struct GivenPlan {
   std::vector<std::uint64_t> to_ask;  ///< their positions
-  std::uint64_t wanted = 0;           ///< how many are of a kind that is wanted
-  std::uint64_t not_taken = 0;        ///< how many of these are of a kind that the solver does not take
+  std::uint64_t wanted = 0;           ///< number of given queries of a wanted kind
+  std::uint64_t not_taken = 0;        ///< number of these whose kind the solver does not support
 };
 
 /// @param wanted  kinds; empty: all
-/// @param asked  those of them that the solver takes
-/// @param most  how many to ask
+/// @param asked  the wanted kinds that the solver supports
+/// @param most  the most queries to ask
 GivenPlan plan_of_given(const std::vector<Query>& given, const std::vector<Kind>& wanted,
                         const std::vector<Kind>& asked, std::optional<std::uint64_t> most);
 
-/// Every family with every kind in turn, a few hundred cases at a time, so that a run that ends early has seen all of
-/// them.
+/// Every family with every kind in turn, a few hundred cases at a time. A run that ends early has then seen all
+/// families and kinds.
 class Plan {
  public:
-  /// @param cases  how many in all, shared out evenly; nothing: without end
+  /// @param cases  the number of cases in all, divided evenly; nothing: without end
   Plan(std::vector<families::Family> families, std::vector<Kind> kinds, std::optional<std::uint64_t> cases);
 
   /// Piece `number`, counted from 0; nothing after the last one.

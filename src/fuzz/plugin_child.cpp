@@ -28,7 +28,7 @@ void refuse(SharedCall& call, std::string_view reason) {
   call.failure[size] = '\0';
 }
 
-/// What the parent has registered to run at exit is its own affair: a plugin that calls exit() must not run it here.
+/// The parent's functions that run at exit belong to the parent. A plugin that calls exit() must not run them here.
 void leave_at_exit() {
 #ifdef __GLIBC__
   ::on_exit([](int status, void*) { ::_exit(status); }, nullptr);

@@ -1,4 +1,4 @@
-// The child's side of a plugin: loads it, and answers what the parent asks.
+// The child's side of a plugin: loads it, and answers the parent's queries.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace touchstone::fuzz {
 
-/// Runs in the child process until it is told to end. `path` is absolute. What prevents the plugin from running is
-/// left in `call.failure`.
+/// Runs in the child process until it is told to end. `path` is absolute. `call.failure` receives the reason when the
+/// plugin cannot run.
 void serve_plugin(const std::string& path, SharedCall& call);
 
 /// The bit of plugin.h, 1 to 8, for a kind given by its number.

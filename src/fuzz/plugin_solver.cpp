@@ -14,6 +14,7 @@
 #include <touchstone/error.hpp>
 
 #include "fuzz/child_process.hpp"
+#include "fuzz/give_up.hpp"
 #include "fuzz/plugin_child.hpp"
 #include "fuzz/shared_call.hpp"
 #include "io/fail.hpp"
@@ -23,7 +24,7 @@ namespace {
 
 using Clock = ChildProcess::Clock;
 
-/// Memory that a child sees, too.
+/// Memory that this process and a child share.
 class SharedMemory {
  public:
   SharedMemory() {
@@ -47,7 +48,7 @@ class Run {
       : limits_(limits), child_({-1, -1, -1, limits.memory}, [&] { serve_plugin(path, memory_.call()); }) {}
 
   ~Run() {
-    // Told to end, so that its teardown is called; not when it is in the middle of something.
+    // A child that is ready is told to end, so that its teardown runs. A child in the middle of a query is not.
     if (call().stage.load() != Stage::ready || child_.ended()) return;
     call().kind = 0;
     raise(call(), Side::parent, call().asked);
@@ -64,7 +65,7 @@ class Run {
   /// Waits for the next answer.
   End wait(std::chrono::nanoseconds time) {
     const auto deadline = Clock::now() + time;
-    // In slices that get longer: most answers come at once, and a death should be noticed soon.
+    // The slices get longer: most answers come at once, and a death should be noticed soon.
     std::chrono::nanoseconds slice = std::chrono::microseconds(200);
     for (;;) {
       if (wait_for_change(call(), Side::parent, call().answered, answers_, slice)) break;
@@ -90,7 +91,7 @@ class PluginSolver : public SolverUnderTest {
  public:
   PluginSolver(const std::string& path, const Limits& limits) : name_(path), limits_(limits) {
     std::error_code error;
-    path_ = std::filesystem::absolute(path, error).string();  // a name without a slash would be looked for elsewhere
+    path_ = std::filesystem::absolute(path, error).string();  // dlopen looks elsewhere for a name without a slash
     if (error) path_ = path;
     if (!std::filesystem::exists(path_, error)) io::fail(path, "there is no such plugin");
     if (std::filesystem::is_directory(path_, error)) io::fail(path, "is a folder, not a plugin");
@@ -104,10 +105,11 @@ class PluginSolver : public SolverUnderTest {
 
   Reply ask(const Query& query) override {
     if (!run_) {
-      // Forked from a program with several threads, one may have been caught in the middle of something; hence twice.
+      // A fork may catch another thread of this program in the middle of something that the child then waits for. A
+      // second fork is unlikely to meet that again.
       std::string reason = start();
       if (!reason.empty()) reason = start();
-      if (!reason.empty()) return broken(Reply::State::crashed, "it cannot be started again: " + reason);
+      if (!reason.empty()) return give_up(run_, Reply::State::crashed, "it cannot be started again: " + reason);
     }
     SharedCall& call = run_->call();
     for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
@@ -119,10 +121,10 @@ class PluginSolver : public SolverUnderTest {
     raise(call, Side::parent, call.asked);
     switch (run_->wait(limits_.answer)) {
       case Run::End::answered: return reply(call.status, call.toi);
-      case Run::End::died: return broken(Reply::State::crashed, run_->child().story());
+      case Run::End::died: return give_up(run_, Reply::State::crashed, run_->child().story());
       case Run::End::late: break;
     }
-    return broken(Reply::State::hung, "no answer within " + in_milliseconds(limits_.answer));
+    return give_up(run_, Reply::State::hung, "no answer within " + in_milliseconds(limits_.answer));
   }
 
  private:
@@ -135,27 +137,16 @@ class PluginSolver : public SolverUnderTest {
   static Reply reply(std::int32_t status, double toi) {
     Reply reply;
     switch (status) {
-      case TOUCHSTONE_NO_CONTACT: break;
+      case TOUCHSTONE_NO_CONTACT: return reply;
       case TOUCHSTONE_CONTACT: reply.toi = toi; [[fallthrough]];
-      case TOUCHSTONE_CONTACT_ONLY: reply.contact = true; break;
-      default:
-        reply.state = Reply::State::malformed;
-        reply.detail = "solve returned " + std::to_string(status) + ", which is no touchstone_status";
+      case TOUCHSTONE_CONTACT_ONLY: reply.contact = true; return reply;
+      default: break;
     }
-    return reply;
+    return no_answer(Reply::State::malformed,
+                     "solve returned " + std::to_string(status) + ", which is no touchstone_status");
   }
 
-  /// The process is of no more use.
-  Reply broken(Reply::State state, std::string detail) {
-    if (run_) run_->child().kill();
-    run_.reset();
-    Reply reply;
-    reply.state = state;
-    reply.detail = std::move(detail);
-    return reply;
-  }
-
-  /// @returns why there is no process, or nothing when there is one
+  /// @returns the reason when there is no process, else nothing
   std::string start() {
     run_ = std::make_unique<Run>(path_, limits_);
     const auto end = run_->wait(limits_.start);
@@ -172,9 +163,7 @@ class PluginSolver : public SolverUnderTest {
                                      : std::string(loading ? "loading it" : "its init") + " takes longer than " +
                                            in_milliseconds(limits_.start);
     }
-    run_->child().kill();
-    run_.reset();
-    return reason;
+    return give_up(run_, Reply::State::crashed, reason).detail;
   }
 
   std::string name_;

@@ -1,4 +1,4 @@
-// Somebody's solver in a shared library (touchstone/plugin.h), asked in a process of its own.
+// A solver in a shared library (touchstone/plugin.h), asked in a process of its own.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -10,12 +10,12 @@
 
 namespace touchstone::fuzz {
 
-/// Starts the process and loads the library there. A query that crashes or hangs it costs the process, and the next
+/// Starts the process and loads the library there. A query on which it crashes or hangs costs the process, and the next
 /// query starts another. The thread that calls this, and ask(), must live as long as the solver: on Linux the process
 /// dies with it.
-/// @throws Error when there is no such library, it does not export touchstone_solver(), it was made for another
+/// @throws Error when there is no such library, when it does not export touchstone_solver() or was made for another
 /// version,
-///               or its init fails, crashes or hangs
+/// or when its init fails, crashes or hangs
 std::unique_ptr<SolverUnderTest> load_plugin(const std::string& path, const Limits& limits = {});
 
 }  // namespace touchstone::fuzz

@@ -15,7 +15,7 @@
 namespace touchstone::fuzz {
 namespace {
 
-// Two processes on two cores hand a word over in less than a microsecond; who waits longer had better let others run.
+// Two processes on two cores exchange a word in less than a microsecond. A longer wait should let other threads run.
 constexpr int kSpins = 400;
 constexpr int kYields = 4;
 
@@ -27,7 +27,7 @@ void relax() noexcept {
 #endif
 }
 
-/// Sleeps until somebody calls wake(), a signal comes, or the time is over; not at all when the word has changed.
+/// Sleeps until wake() is called, a signal comes, or the time is over. Does not sleep when the word has changed.
 void sleep_on(const std::atomic<std::uint32_t>& word, std::uint32_t old, std::chrono::nanoseconds time) {
 #ifdef __linux__
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(time);

@@ -1,4 +1,4 @@
-// A call across two processes: one asks, the other answers, over memory that both see.
+// A call between two processes over memory that both see: one asks, the other answers.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -9,13 +9,13 @@
 
 namespace touchstone::fuzz {
 
-/// What the child is doing, so that a death can be told by its place.
+/// What the child is doing. After the child's death, this is the stage in which it died.
 enum class Stage : std::uint32_t { loading, initialising, ready, solving, ending };
 
 /// Lives in shared memory. The child runs hostile code that may write anything here, so the parent reads plain numbers
 /// only, once each, and checks them.
 struct SharedCall {
-  std::atomic<std::uint32_t> asked{0};     ///< raised by the parent when a query is there
+  std::atomic<std::uint32_t> asked{0};     ///< raised by the parent when a query is ready
   std::atomic<std::uint32_t> answered{0};  ///< raised by the child when it is ready, and for each answer
   std::atomic<std::uint32_t> asleep[2]{};  ///< not 0: the parent, or the child, may sleep and must be woken
   std::atomic<Stage> stage{Stage::loading};

@@ -10,7 +10,7 @@
 namespace touchstone::fuzz {
 namespace {
 
-constexpr std::uint64_t kSeed = 1;  // the moves that draw lots draw the same ones every time
+constexpr std::uint64_t kSeed = 1;  // random moves are the same in every run
 
 bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
@@ -21,7 +21,7 @@ bool is_finite(const Query& query) {
   return true;
 }
 
-/// Two queries with one fingerprint are as good as never met; then a candidate is not tried.
+/// Two queries almost never have the same fingerprint; when they do, one candidate is not tried.
 std::uint64_t fingerprint(const Query& query) {
   std::uint64_t state = static_cast<std::uint64_t>(query.kind);
   std::uint64_t hash = 0;

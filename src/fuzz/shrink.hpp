@@ -14,25 +14,25 @@
 namespace touchstone::fuzz {
 
 struct ShrinkLimits {
-  std::uint64_t tries = 20'000;          ///< how many queries are asked at most
-  std::function<bool()> stop = nullptr;  ///< asked before each; true ends it with what there is
+  std::uint64_t tries = 20'000;          ///< the most queries that are asked
+  std::function<bool()> stop = nullptr;  ///< called before each; true ends the shrinking with the best query so far
 };
 
 /// The simplest query found, by `difficulty`, for which `still_fails` holds; `query` itself when there is no simpler
-/// one. The same for the same arguments, unless `stop` ends it. `still_fails` is only called with finite coordinates.
+/// one. Equal arguments give equal results unless `stop` ends it. `still_fails` is only called with finite coordinates.
 Query shrink(const Query& query, const std::function<bool(const Query&)>& still_fails, const ShrinkLimits& limits = {});
 
-/// What the moves of shrink_moves.hpp work on: the simplest query so far, and a place to offer simpler ones to.
+/// The state that the moves of shrink_moves.hpp work on: the simplest query so far. Moves offer simpler ones to it.
 class Shrinking {
  public:
   Shrinking(const Query& query, const std::function<bool(const Query&)>& still_fails, const ShrinkLimits& limits);
 
   const Query& best() const noexcept { return best_; }
 
-  /// Takes the candidate for the best when it is simpler, finite and still fails; says whether it did.
+  /// Takes the candidate as the best when it is simpler, finite and still fails. @returns whether it did
   bool offer(const Query& candidate);
 
-  /// Whether to give up: no tries are left, or somebody asks for an end.
+  /// Whether to give up: no tries are left, or `stop` asked for an end.
   bool over() const noexcept { return over_; }
 
   seeded::Rng& rng() noexcept { return rng_; }

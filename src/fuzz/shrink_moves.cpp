@@ -20,7 +20,7 @@ using families::operator-;
 
 constexpr std::array<std::size_t, 3> kAxes{0, 1, 2};
 
-/// The sets of axes that a move may be about: all, and each alone.
+/// The sets of axes that a move may change: all axes, and each axis alone.
 constexpr std::array<std::array<bool, 3>, 4> kAxisSets{
     {{true, true, true}, {true, false, false}, {false, true, false}, {false, false, true}}};
 
@@ -61,7 +61,7 @@ Query mapped_axes(const Query& query, const std::array<bool, 3>& axes, F&& f) {
   });
 }
 
-/// Times powers of two: to integers, to halves, or to ordinary size.
+/// Multiplies by powers of two: to integers, to halves, or to ordinary size.
 void scale(Shrinking& s) {
   for (const auto& axes : kAxisSets) {
     const Digits digits = digits_of(s.best(), axes);
@@ -73,7 +73,7 @@ void scale(Shrinking& s) {
   }
 }
 
-/// A corner to the origin: for both ends at once, or for each end with everything that is there.
+/// Moves a corner to the origin: at both ends together, or at each end with all corners there.
 void translate(Shrinking& s) {
   for (std::size_t i = 0; i < corners_of(s); ++i) {
     for (const auto& axes : kAxisSets) {
@@ -99,8 +99,8 @@ void translate(Shrinking& s) {
   }
 }
 
-/// Every coordinate to a multiple of one power of two, or to a few digits of its own; to the nearest, towards zero, or
-/// by lot up or down.
+/// Rounds every coordinate to a multiple of one power of two, or to a few digits of its own: to the nearest, towards
+/// zero, or at random up or down.
 void round_all(Shrinking& s) {
   constexpr int kLots = 8;
   for (const int digits : {1, 2, 3, 4, 5, 6, 8, 10, 14, 20, 28, 40}) {
@@ -142,7 +142,7 @@ void stand_still(Shrinking& s) {
   }
 }
 
-/// Corners fall onto others or the origin, or move as others do.
+/// Moves corners onto others or the origin, or gives them the motion of others.
 void merge(Shrinking& s) {
   const auto offer = [&](std::size_t i, const Vec3& start, const Vec3& end) {
     Query query = s.best();
@@ -166,7 +166,7 @@ void merge(Shrinking& s) {
   }
 }
 
-/// Whole axes: emptied, without motion, mirrored; time reversed.
+/// Changes whole axes: to zero, without motion, mirrored. Reverses time.
 void simplify_axes(Shrinking& s) {
   for (const std::size_t axis : kAxes) {
     std::array<bool, 3> only{};
@@ -203,7 +203,7 @@ void simplify_number(Number&& number, Offer&& offer) {
   }
 }
 
-/// One coordinate after the other, at one end or at both.
+/// Simplifies one coordinate after the other, at one end or at both.
 void simplify_coordinates(Shrinking& s) {
   enum class End { start, end, both };
   for (std::size_t i = 0; i < corners_of(s); ++i) {
@@ -227,7 +227,7 @@ void simplify_coordinates(Shrinking& s) {
   }
 }
 
-/// One value after the other, wherever it stands, either sign.
+/// Simplifies one value after the other, at all its occurrences with either sign.
 void simplify_values(Shrinking& s) {
   for (std::size_t i = 0; i < corners_of(s); ++i) {
     for (const std::size_t axis : kAxes) {
@@ -246,7 +246,7 @@ void simplify_values(Shrinking& s) {
   }
 }
 
-/// A corner's coordinate at both ends at once, to pairs of small integers.
+/// Sets one coordinate of a corner at both ends to pairs of small integers.
 void simplify_pairs(Shrinking& s) {
   constexpr int kReach = 2;
   for (std::size_t i = 0; i < corners_of(s); ++i) {
@@ -264,7 +264,7 @@ void simplify_pairs(Shrinking& s) {
   }
 }
 
-/// Several coordinates at once, by lot, to integers or halves near where they are or near zero.
+/// Moves several random coordinates at once to integers or halves near their values or near zero.
 void draw_lots(Shrinking& s) {
   constexpr int kTries = 600;
   for (int i = 0; i < kTries && !s.over(); ++i) {

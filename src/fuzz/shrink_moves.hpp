@@ -11,7 +11,7 @@ namespace touchstone::fuzz {
 /// Offers one sort of simpler queries, as often as they are taken.
 using Move = void (*)(Shrinking&);
 
-/// All of them, those that change most first.
+/// All moves. Those that change most come first.
 const std::vector<Move>& shrink_moves();
 
 }  // namespace touchstone::fuzz

@@ -1,4 +1,4 @@
-// How hard a query is to read.
+// The difficulty of reading a query.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -8,9 +8,9 @@
 
 namespace touchstone::fuzz {
 
-/// The less, the easier: about the length of the coordinates in binary, where a fraction weighs more than an integer of
-/// as many digits. Corners that stand still or lie on an earlier one cost next to nothing, and every distinct absolute
-/// value a little.
+/// A smaller number is easier to read. It is about the length of the coordinates in binary; a fraction weighs more than
+/// an integer with as many digits. Corners that stand still or lie on an earlier corner cost next to nothing. Every
+/// distinct absolute value costs a little.
 std::int64_t difficulty(const Query& query) noexcept;
 
 }  // namespace touchstone::fuzz

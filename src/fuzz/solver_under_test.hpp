@@ -1,19 +1,20 @@
-// A solver to be attacked: ours, a baseline, a callable, somebody's plugin or program.
+// A solver under test: ours, a baseline, a callable, a plugin or a program.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <touchstone/query.hpp>
 
 namespace touchstone::fuzz {
 
-/// What a solver did with one query.
+/// The reply of a solver to one query.
 struct Reply {
   enum class State : std::uint8_t {
-    answered,  ///< it returned; what it says is still to be judged
+    answered,  ///< it returned; its claim is still to be judged
     crashed,   ///< it ended by a signal or an exception, or its program exited
     hung,      ///< it did not return within the limit on wall-clock time
     malformed  ///< it returned something that is no answer: a line that cannot be read, a status that is undefined
@@ -24,17 +25,25 @@ struct Reply {
   std::string detail;         ///< for a person: the signal, the exit status, the line; empty when answered
 };
 
+/// The reply of a solver that gave no answer: it crashed, hung, or sent something malformed.
+inline Reply no_answer(Reply::State state, std::string detail) {
+  Reply reply;
+  reply.state = state;
+  reply.detail = std::move(detail);
+  return reply;
+}
+
 class SolverUnderTest {
  public:
   virtual ~SolverUnderTest() = default;
 
-  /// As reports name it: "paper", "./theirs.so", "python3 theirs.py".
+  /// The name in reports: "paper", "./theirs.so", "python3 theirs.py".
   virtual const std::string& name() const = 0;
 
-  /// Whether it takes queries of this kind; the others are not asked.
+  /// Whether it takes queries of this kind. Other kinds are not asked.
   virtual bool supports(Kind kind) const = 0;
 
-  /// Asks it for the first contact in [0, 1]. Never throws because of what the solver does. One call at a time.
+  /// Asks for the first contact in [0, 1]. No behaviour of the solver makes it throw. One call at a time.
   virtual Reply ask(const Query& query) = 0;
 };
 

@@ -7,21 +7,12 @@
 
 #include <touchstone/solve.hpp>
 
+#include "report/do_not_optimize.hpp"
+
 namespace touchstone::report {
 namespace {
 
 constexpr double kWholeStep = 1;
-
-/// Makes the compiler believe that `value` is used.
-template <class Value>
-void keep(const Value& value) {
-#if defined(__GNUC__)
-  asm volatile("" : : "m"(value) : "memory");
-#else
-  static volatile const Value* kept;
-  kept = &value;
-#endif
-}
 
 Claim claim_of(bool contact, double toi) {
   Claim claim;
@@ -76,12 +67,12 @@ Reply ask(const Contestant& contestant, const Query& query) {
 }
 
 void ask_all(const Contestant& contestant, const std::vector<Query>& queries, std::size_t count) {
-  // One loop a sort of method, so that none pays for the choice.
+  // Each sort of method has a loop of its own, so that no query pays for the choice.
   if (contestant.baseline != nullptr) {
     const auto function = contestant.baseline->solve;
-    for (std::size_t i = 0; i < count; ++i) keep(function(queries[i], kWholeStep, contestant.tolerance));
+    for (std::size_t i = 0; i < count; ++i) do_not_optimize(function(queries[i], kWholeStep, contestant.tolerance));
   } else {
-    for (std::size_t i = 0; i < count; ++i) keep(solve(queries[i], contestant.method));
+    for (std::size_t i = 0; i < count; ++i) do_not_optimize(solve(queries[i], contestant.method));
   }
 }
 

@@ -15,7 +15,7 @@
 
 namespace touchstone::report {
 
-/// A method, at one tolerance where it has one.
+/// A method, with one tolerance if it takes any.
 struct Contestant {
   std::string name;
   std::string about;
@@ -41,7 +41,7 @@ struct Contestant {
 /// Baselines first, in their registry's order and tolerances as given; then `exact_only`, `touchstone_cgal` and `touchstone`.
 std::vector<Contestant> contestants(const std::vector<double>& tolerances);
 
-/// What a contestant says of one query.
+/// The reply of a contestant to one query.
 struct Reply {
   Claim claim;
   Level level = Level::exact;  ///< the level that decided; only of the solver's own methods

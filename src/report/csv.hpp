@@ -9,14 +9,14 @@
 
 namespace touchstone::report {
 
-/// The header, whose `exponent_column` says what SetResults::exponent is an exponent of.
+/// The header. `exponent_column` names the quantity whose exponent SetResults::exponent is.
 std::string csv_header(const std::string& exponent_column);
 
 /// A row for each set and contestant.
 std::string csv_rows(const Size& size, const std::vector<SetResults>& sets);
 
 /// A header, then a row for each set and contestant, and for each scale and contestant. Cells without meaning are
-/// empty. Shares are from 0 to 1, times are microseconds, time errors are ulps (negative: early).
+/// empty. Fractions are from 0 to 1, times are microseconds, time errors are ulps (negative: early).
 std::string csv_text(const Report& report);
 
 }  // namespace touchstone::report

@@ -52,21 +52,22 @@ double beside(double border, Rng& random) {
   return random.below(2) == 0 ? border - distance : border + distance;
 }
 
-/// A time and a weight of which at least one is near a border.
-struct Place {
+/// The time and one weight of a meeting. At least one of the two is near a border of its range [0, 1].
+struct MeetingNearBorder {
   double time;
   double weight;
 };
 
-Place place_near_border(Rng& random) {
-  const std::uint64_t sort = random.below(3);
-  Place place{random.uniform(0.1, 0.9), random.uniform(0.2, 0.8)};
-  if (sort != 0) place.time = beside(static_cast<double>(random.below(2)), random);
-  if (sort != 1) place.weight = beside(static_cast<double>(random.below(2)), random);
-  return place;
+MeetingNearBorder meeting_near_border(Rng& random) {
+  const std::uint64_t which = random.below(3);  // the weight alone, the time alone, or both
+  MeetingNearBorder meeting{random.uniform(0.1, 0.9), random.uniform(0.2, 0.8)};
+  if (which != 0) meeting.time = beside(static_cast<double>(random.below(2)), random);
+  if (which != 1) meeting.weight = beside(static_cast<double>(random.below(2)), random);
+  return meeting;
 }
 
-/// Where the point with these weights of three corners (or fewer) is at `time`; in doubles, which is near enough.
+/// The position at `time` of the point with these weights of three corners (or fewer). It is computed in doubles, which
+/// is near enough.
 Vec3 point_at(const Query& query, std::size_t first, const std::array<double, 3>& weights, double time) {
   Vec3 point;
   for (std::size_t k = 0; k < weights.size() && first + k < query.start.size(); ++k) {
@@ -78,18 +79,18 @@ Vec3 point_at(const Query& query, std::size_t first, const std::array<double, 3>
 
 Query near_query(Kind kind, Rng& random) {
   Query query = random_query(kind, random);
-  const Place place = place_near_border(random);
+  const MeetingNearBorder meeting = meeting_near_border(random);
   const double other = random.uniform(0.2, 0.8);
   Vec3 shift;
   std::size_t moved = 1;  // corners of the first element: an edge's two or the one vertex
   if (kind == Kind::edge_edge) {
     moved = 2;
-    shift = point_at(query, 2, {1 - other, other, 0}, place.time) -
-            point_at(query, 0, {1 - place.weight, place.weight, 0}, place.time);
+    shift = point_at(query, 2, {1 - other, other, 0}, meeting.time) -
+            point_at(query, 0, {1 - meeting.weight, meeting.weight, 0}, meeting.time);
   } else {
-    const double rest = 1 - place.weight;
-    shift = point_at(query, 1, {place.weight, rest * other, rest * (1 - other)}, place.time) -
-            point_at(query, 0, {1, 0, 0}, place.time);
+    const double rest = 1 - meeting.weight;
+    shift = point_at(query, 1, {meeting.weight, rest * other, rest * (1 - other)}, meeting.time) -
+            point_at(query, 0, {1, 0, 0}, meeting.time);
   }
   for (std::size_t k = 0; k < moved; ++k) {
     query.start[k] = query.start[k] + shift;

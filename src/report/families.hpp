@@ -16,12 +16,12 @@ namespace touchstone::report {
 /// @param edges, steps  how large a scene is and for how long it moves
 std::vector<QuerySet> simulation_sets(std::uint64_t seed, std::size_t count, std::size_t edges, std::size_t steps);
 
-/// Corners anywhere in a cube of side 2 at both ends. Edge-edge and vertex-face: at random, a point never meets an
-/// edge.
+/// Corners anywhere in a cube of side 2 at both ends. Edge-edge and vertex-face only: a random point never meets a
+/// random edge.
 std::vector<QuerySet> random_sets(std::uint64_t seed, std::size_t count);
 
 /// The elements' lines and planes meet at a time and place that lies just inside or just outside of the elements or of
-/// the step, by a share that is log-uniform from 2^-50 to 2^-6. Edge-edge and vertex-face.
+/// the step, by a fraction that is log-uniform from 2^-50 to 2^-6. Edge-edge and vertex-face.
 std::vector<QuerySet> near_sets(std::uint64_t seed, std::size_t count);
 
 /// The same queries with every coordinate times 2^exponent, which is exact for those of the two families above from

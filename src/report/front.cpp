@@ -17,7 +17,7 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-/// The median of the magnitudes; 0 where there was no time to compare.
+/// The median of the magnitudes; 0 without a time to compare.
 double ulps_off(const Result& result) {
   return result.time_error ? static_cast<double>(result.time_error->median_size) : 0;
 }

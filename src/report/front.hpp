@@ -1,4 +1,4 @@
-// Which methods no other one beats in both error and run time.
+// The methods that no other method beats in both error and run time.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -13,10 +13,10 @@ namespace touchstone::report {
 /// is better in one of the three.
 bool dominates(const Result& a, const Result& b) noexcept;
 
-/// Of those that were asked anything; by mean time, the fastest first.
+/// The front among the contestants that were asked any query, by mean time, the fastest first.
 std::vector<const Result*> front(const std::vector<Result>& results);
 
-/// One paragraph: who is on the front, and where touchstone stands.
+/// One paragraph: the methods on the front, and the position of touchstone.
 std::string front_sentence(const std::vector<Result>& results);
 
 }  // namespace touchstone::report

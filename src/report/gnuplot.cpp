@@ -34,7 +34,7 @@ std::optional<std::string> find_gnuplot() {
 
 namespace {
 
-/// The last line that says something.
+/// The last line that is not blank.
 std::string last_words(std::string_view text) {
   std::string last;
   while (!text.empty()) {
@@ -45,7 +45,7 @@ std::string last_words(std::string_view text) {
   return io::printable(last.substr(0, 200));
 }
 
-/// Everything until the other end is closed; the end of it that matters, when it is long.
+/// Everything until the other end is closed; only its end when it is long.
 std::string read_all(int descriptor) {
   constexpr std::size_t kKept = 4096;
   std::string text;
@@ -62,7 +62,7 @@ std::string read_all(int descriptor) {
 }  // namespace
 
 void run_gnuplot(const std::string& gnuplot, const std::string& folder, const std::string& script) {
-  // Nothing but calls that are safe after a fork in a program with threads: the words are made before it.
+  // After the fork of a program with threads only some calls are safe; the arguments are therefore made before it.
   std::string program = gnuplot, option = "-d", argument = script;
   char* const words[] = {program.data(), option.data(), argument.data(), nullptr};
   std::array<int, 2> ends{};

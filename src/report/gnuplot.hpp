@@ -1,4 +1,4 @@
-// Runs gnuplot, where it is installed.
+// Runs gnuplot, if it is installed.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -7,11 +7,11 @@
 
 namespace touchstone::report {
 
-/// Where PATH finds it, as an absolute path.
+/// The gnuplot that PATH finds, as an absolute path.
 std::optional<std::string> find_gnuplot();
 
-/// Runs one script in `folder`, by name and without a shell: `gnuplot -d SCRIPT`, -d so that nobody's own settings
-/// change the plot. Nothing that gnuplot prints is shown. @throws Error when it does not end well, with its last words
+/// Runs one script in `folder`, by name and without a shell: `gnuplot -d SCRIPT`. -d keeps the user's own settings from
+/// changing the plot. The output of gnuplot is not shown. @throws Error when it fails, with the last line of its output
 void run_gnuplot(const std::string& gnuplot, const std::string& folder, const std::string& script);
 
 }  // namespace touchstone::report

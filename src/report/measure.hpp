@@ -19,10 +19,10 @@ namespace touchstone::report {
 
 inline constexpr std::array<const char*, 5> kPercentileNames{"50 %", "90 %", "99 %", "99.9 %", "slowest"};
 
-/// What one contestant did on one set. Every number is about the first `asked` queries of the set.
+/// The result of one contestant on one set. Every number is about the first `asked` queries of the set.
 struct Result {
   Contestant contestant;
-  std::size_t asked = 0;  ///< 0: it does not take this kind, and the rest means nothing
+  std::size_t asked = 0;  ///< 0: it does not take this kind, and the rest has no meaning
   std::size_t contacts = 0;
   std::size_t missed = 0;
   std::size_t phantom = 0;
@@ -40,7 +40,7 @@ struct Result {
   double phantom_share() const noexcept { return share(phantom, asked - contacts); }
   double late_share() const noexcept { return share(late, contacts); }
 
-  /// 0 of a whole that is empty: there was nothing to get wrong.
+  /// 0 when no query was asked.
   static double share(std::size_t part, std::size_t whole) noexcept {
     return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
   }
@@ -48,7 +48,7 @@ struct Result {
 
 struct SetResults {
   QuerySet set;
-  int exponent = 0;             ///< of what is varied, in powers of two: the scale of the coordinates, say
+  int exponent = 0;             ///< of the varied quantity, in powers of two: the scale of the coordinates, for example
   std::vector<Result> results;  ///< one for each contestant, in their order
 };
 
@@ -56,16 +56,16 @@ struct Effort {
   double budget = 0.2;  ///< seconds that one contestant may take for one pass over a set; it is asked fewer queries
                         ///< when that is not enough, one at least
   int passes = 5;
-  double least_pass = 0.005;  ///< seconds; queries are asked again and again for so long
-  int tries = 3;              ///< of each single query, the shortest of which counts; that drops interrupts
-  bool ours_in_full = false;  ///< the solver's own methods are asked the whole set, whatever it takes
+  double least_pass = 0.005;  ///< seconds; queries are asked again until then
+  int tries = 3;              ///< of each single query; the shortest counts, which drops interrupts
+  bool ours_in_full = false;  ///< the methods of the solver itself are asked the whole set, however long it takes
 };
 
-/// Called again and again; may throw to end it all.
+/// Called often during the work; may throw to end it.
 using Pulse = std::function<void()>;
 
-/// Fills in `set.truth` by Method::exact and measures. Contestants take turns pass by pass, so that a machine that
-/// gets slower or busy does so for all of them.
+/// Fills in `set.truth` by Method::exact and measures. Contestants take turns pass by pass: a machine that gets slower
+/// or busy does so for all of them.
 SetResults measure(QuerySet set, const std::vector<Contestant>& contestants, const Effort& effort, const Pulse& pulse);
 
 }  // namespace touchstone::report

@@ -23,21 +23,21 @@
 namespace touchstone::report {
 namespace {
 
-/// What comes through the pipe before the result, or before the words of an exception.
+/// The header that comes through the pipe before the result, or before the message of an exception.
 struct Header {
   bool done = false;
   long resident_before = -1;  ///< bytes; -1: not known
-  std::size_t length = 0;     ///< of what follows
+  std::size_t length = 0;     ///< of the bytes that follow
 };
 
-/// Bytes, or -1 where the system does not tell.
+/// Bytes, or -1 when the system does not report it.
 long resident_now() {
   std::ifstream pages("/proc/self/statm");
   long all = 0, resident = 0;
   return pages >> all >> resident ? resident * ::sysconf(_SC_PAGESIZE) : -1;
 }
 
-/// What has been freed and the allocator holds would be used again without the process growing.
+/// Memory that was freed but that the allocator keeps would be used again, and the process would not grow.
 void give_back_free_memory() {
 #ifdef __GLIBC__
   ::malloc_trim(0);
@@ -85,7 +85,7 @@ bool read_all(int descriptor, void* data, std::size_t size) {
   }
   const bool told =
       write_all(pipe, &header, sizeof header) && write_all(pipe, header.done ? result : words.data(), header.length);
-  ::_exit(told ? 0 : 1);  // nothing of the parent's is flushed or destroyed twice
+  ::_exit(told ? 0 : 1);  // neither flushes nor destroys the parent's objects a second time
 }
 
 }  // namespace
@@ -121,7 +121,7 @@ std::optional<std::uint64_t> run_in_own_process(const std::function<void()>& pre
   if (!told) throw Error("a process ended before its work was done");
   if (!header.done) throw Error(words);
   if (header.resident_before < 0) return std::nullopt;
-  // Where there is a /proc/self/statm, ru_maxrss counts KB.
+  // On systems with /proc/self/statm, ru_maxrss counts KB.
   const long grown = 1024 * usage.ru_maxrss - header.resident_before;
   return static_cast<std::uint64_t>(std::max(grown, 0L));
 }

@@ -1,4 +1,4 @@
-// Work in a process of its own, and the memory that it took there.
+// Work in a process of its own, and the memory that the work takes there.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -10,14 +10,13 @@
 
 namespace touchstone::report {
 
-/// Calls `prepare` and then `work` in a forked process and copies the `size` bytes at `result`, which it fills there,
-/// back to here. In a program with several threads both must be careful: only the calling thread lives on in that
-/// process.
-/// @returns by how many bytes the process's resident memory grew from `work`'s beginning until its peak: all that is
-/// touched,
-///          with what is freed again and what the allocator holds back; also code that neither `prepare` nor anything
-///          before it has used. Nothing where the system does not tell
-/// @throws Error  with the words of an exception that leaves them, or when the process ends otherwise
+/// Calls `prepare` and then `work` in a forked process. `work` fills the `size` bytes at `result` there, and they are
+/// copied back into this process. In a program with several threads both must be careful: only the calling thread lives
+/// on in the forked process.
+/// @returns the growth of the process's resident memory in bytes, from the start of `work` to its peak. That is all
+///          memory that is touched, also memory that is freed again or that the allocator keeps, and also code that
+///          runs for the first time. Nothing when the system does not report it.
+/// @throws Error  with the message of an exception that leaves them, or when the process ends in another way
 std::optional<std::uint64_t> run_in_own_process(const std::function<void()>& prepare, const std::function<void()>& work,
                                                 void* result, std::size_t size);
 
@@ -27,7 +26,7 @@ struct OwnRun {
   std::optional<std::uint64_t> memory;  ///< bytes, as above
 };
 
-/// The same for what `work` returns.
+/// The same for the value that `work` returns.
 template <class Work>
 auto run_in_own_process(const std::function<void()>& prepare, const Work& work) {
   using T = std::invoke_result_t<Work>;

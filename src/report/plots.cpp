@@ -29,7 +29,7 @@ Plot percentile_plot(const SetResults& set) {
   text += "set xrange [-0.3:4.3]\nset xtics (";
   for (std::size_t i = 0; i < kPercentileNames.size(); ++i) {
     const bool percent = std::string_view(kPercentileNames[i]).find('%') != std::string_view::npos;
-    // gnuplot takes a tic's label for a format, where a per cent sign is written twice.
+    // gnuplot reads a tic's label as a format, in which a per cent sign is written twice.
     text += fmt::format("{}'{}{}' {}", i == 0 ? "" : ", ", kPercentileNames[i], percent ? "%" : "", i);
   }
   text +=

@@ -22,16 +22,16 @@ inline constexpr const char* kScalePlot = "scale";
 std::string error_plot_name(const SetResults& set);       ///< "error-simulation-edge-edge"
 std::string percentile_plot_name(const SetResults& set);  ///< "percentiles-simulation-edge-edge"
 
-/// Missed, phantom and late shares and the time error, each against the mean run time.
+/// The fractions missed, phantom and late and the time error, each against the mean run time.
 Plot error_plot(const SetResults& set);
 
-/// The picture that stands for a whole report: wrong answers and the greatest time error on one set.
+/// The overview picture: wrong answers and the greatest time error on one set.
 Plot overview_plot(const SetResults& set);
 
-/// All of them.
+/// All plots of a report.
 std::vector<Plot> plots(const Report& report);
 
-/// `body` drawn twice, as SVG and as PNG, on a canvas of so many pixels.
+/// `body` drawn twice, as SVG and as PNG, on a canvas of the given size in pixels.
 Plot drawn_twice(const std::string& name, int width, int height, const std::string& body);
 
 /// Colour and shape of one method, the same in every plot: "lc rgb '#0072B2' pt 5".

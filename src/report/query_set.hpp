@@ -1,4 +1,4 @@
-// What the methods are asked: queries of one kind, in an order without meaning, and their exact answers.
+// A set of queries that the methods are asked: of one kind, in an order without meaning, with their exact answers.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -13,7 +13,7 @@ namespace touchstone::report {
 
 struct QuerySet {
   std::string name;   ///< "simulation/edge-edge": lower-case letters, digits, '-' and '/'; files are named after it
-  std::string about;  ///< one sentence without its full stop: where the queries come from
+  std::string about;  ///< the origin of the queries: one sentence without its full stop
   Kind kind = Kind::edge_edge;
   std::vector<Query> queries;
   std::vector<Answer> truth;  ///< by Method::exact, one for each query

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 const std::vector<double> kTolerances{1e-3, 1e-6, 1e-9};
 constexpr std::array<int, 11> kExponents{-900, -600, -300, -100, -30, 0, 30, 100, 300, 600, 900};
-constexpr double kSimulating = 0.4;  ///< share of the time
+constexpr double kSimulating = 0.4;  ///< fraction of the time
 constexpr double kMeasuring = 0.5;   ///< the rest is drawing
 
 /// Numbers of queries, and seconds.
@@ -36,7 +36,7 @@ Amounts amounts(bool quick) {
 }
 
 std::vector<QuerySet> scale_sets(std::uint64_t seed, std::size_t count) {
-  // Half ordinary and half near ones, in turns.
+  // Ordinary and near queries take turns.
   QuerySet base = random_sets(seed, count / 2).front();
   const auto near = near_sets(seed, count - count / 2).front().queries;
   base.queries.insert(base.queries.end(), near.begin(), near.end());
@@ -71,7 +71,7 @@ Report make_report(const Size& size, std::vector<QuerySet> given, const Progress
   report.size = size;
   report.contestants = contestants(kTolerances);
 
-  // First, while this process, of which those of the runs are copies, is small.
+  // The scenes run first, while this process is small: the processes of the runs are copies of it.
   report.scene_runs = run_scenes(size.quick, [&](double share) { progress("simulating", kSimulating * share); });
 
   progress("generating", kSimulating);

@@ -13,7 +13,7 @@
 
 namespace touchstone::report {
 
-/// How much is measured.
+/// The amount of measuring.
 struct Size {
   bool quick = false;
   std::uint64_t seed = 1;
@@ -26,13 +26,13 @@ struct Report {
   std::vector<SetResults> sets;
   std::vector<SetResults> scales;  ///< one set at several scales, ascending; contestants at usual tolerances
   SceneRuns scene_runs;
-  std::vector<std::string> remarks;  ///< of what was left out of the sets, whole sentences
+  std::vector<std::string> remarks;  ///< on queries that the sets leave out; whole sentences
 };
 
-/// Called with what is being done and which share of all is done, again and again; may throw to end it.
+/// Called often, with the current task and the fraction of all work that is done; may throw to end the work.
 using Progress = std::function<void(std::string_view what, double share)>;
 
-/// At most so many queries of one of the `given` sets are used.
+/// The most queries of one `given` set that are used.
 std::size_t most_given(const Size& size) noexcept;
 
 /// Measures the simulation-like sets, the random and the near ones, `given` ones (their truth need not be filled in),

@@ -18,7 +18,7 @@
 namespace touchstone::report {
 namespace {
 
-/// What is run, and how long it takes beside the others, roughly.
+/// One run, and roughly its time relative to the other runs.
 struct Plan {
   const char* scene;
   sim::Index size;
@@ -50,7 +50,7 @@ double weight(const std::vector<Plan>& plans) {
   return sum;
 }
 
-/// What comes back from the process of a run.
+/// The result that the process of a run sends back.
 struct Counts {
   std::uint64_t edges, contacts, crossings;
   double seconds, collision_share;
@@ -72,7 +72,7 @@ Counts count(const Plan& plan, const ScenePulse& pulse) {
   return counts;
 }
 
-/// `small` is the same scene, only to bring in the code that runs: its memory is none of the scene's.
+/// `small` is a small form of the scene. It runs first, so that the memory of the code does not count as the scene's.
 SceneRun run_scene(const Plan& plan, const Plan& small, const ScenePulse& pulse) {
   const auto prepare = [&] {
     sim::give_memory_back();  // as `touchstone simulate` does

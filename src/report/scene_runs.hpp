@@ -1,4 +1,4 @@
-// How fast scenes are simulated, and in how much memory, every step proved.
+// The speed and the memory of simulations, with every step proved.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -13,14 +13,14 @@ namespace touchstone::report {
 /// The first steps of a shipped scene.
 struct SceneRun {
   std::string scene;
-  std::uint64_t size = 0;   ///< what was asked for
+  std::uint64_t size = 0;   ///< as requested
   std::uint64_t edges = 0;  ///< that can collide
   std::uint64_t steps = 0;
   std::uint64_t contacts = 0;           ///< found by the narrow phase
   std::uint64_t crossings = 0;          ///< found by the proofs
   double seconds = 0;                   ///< of processor time, for all steps
-  double collision_share = 0;           ///< of it: broad and narrow phase, response and proof
-  std::optional<std::uint64_t> memory;  ///< bytes, of run_in_own_process; of the scene's making, too
+  double collision_share = 0;           ///< fraction of the time: broad and narrow phase, response and proof
+  std::optional<std::uint64_t> memory;  ///< bytes, of run_in_own_process; includes making the scene
 
   double seconds_per_step() const noexcept { return seconds / static_cast<double>(steps); }
 };
@@ -36,7 +36,7 @@ struct SceneRuns {
   SceneSeries cable_drop, whip;
 };
 
-/// Called before each step with the share of all that is done.
+/// Called before each step with the fraction of all work that is done.
 using ScenePulse = std::function<void(double share)>;
 
 /// Runs them one after another, each in a process of its own and on one thread. About a minute and a quarter, or a

@@ -1,4 +1,4 @@
-// How reports write numbers.
+// Numbers as reports write them.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -12,7 +12,7 @@ namespace touchstone::report {
 std::string percent(double share);     ///< "0", "12.5 %"
 std::string ulps(std::int64_t error);  ///< "-12", "4.5e+15"
 
-/// How many queries of the set were asked: "4000", or "130 of 4000".
+/// The number of queries of the set that were asked: "4000", or "130 of 4000".
 std::string asked_text(const Result& result, const QuerySet& set);
 
 }  // namespace touchstone::report

@@ -7,9 +7,9 @@
 
 namespace touchstone::report {
 
-/// The greatest time error of each method and tolerance against its mean run time, on logarithmic axes; a letter a point, and
-/// the lines below say whose. Upper case: every answer is right but for its time; lower case: some contact is missed,
-/// invented or late. Empty when no method claims a time.
+/// The greatest time error of each method and tolerance against its mean run time, on logarithmic axes. Each point is a
+/// letter, which the lines below explain. Upper case: every answer is right except for its time. Lower case: some
+/// contact is missed, invented or late. Empty when no method claims a time.
 std::string text_plot(const SetResults& set);
 
 }  // namespace touchstone::report

@@ -1,4 +1,4 @@
-// How far claimed times lie from the exact ones, in units in the last place.
+// The distance of claimed times from the exact ones, in units in the last place.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -13,7 +13,7 @@ namespace touchstone::report {
 /// when it is later, 0 when they are equal. Both are finite and of magnitude at most 1.
 std::int64_t signed_ulps(double claimed, double exact) noexcept;
 
-/// Of the claims of contact that are true. Negative: early; positive: late.
+/// The errors of the true claims of contact. Negative: early; positive: late.
 struct TimeError {
   std::size_t claims = 0;
   std::int64_t earliest = 0;       ///< the least of the signed errors

@@ -24,21 +24,23 @@ Vec3 direction(Rng& rng) {
   return v;
 }
 
-enum class Place : std::uint8_t { inside, border, outside };
+/// Whether the meeting point lies in the interior of an element, on its border, or 1/64 outside of it.
+enum class Containment : std::uint8_t { inside, border, outside };
 
-/// Half of them inside, a quarter on a border, a quarter just outside.
-Place place(Rng& rng) {
-  static constexpr std::array<Place, 4> kPlaces{Place::inside, Place::inside, Place::border, Place::outside};
-  return rng.pick(kPlaces);
+/// Inside half of the time, on a border a quarter of the time, just outside a quarter of the time.
+Containment random_containment(Rng& rng) {
+  using enum Containment;
+  static constexpr std::array<Containment, 4> kChoices{inside, inside, border, outside};
+  return rng.pick(kChoices);
 }
 
 /// A weight of an edge's second corner.
-double weight(Place place, Rng& rng) {
+double weight(Containment containment, Rng& rng) {
   const bool high = rng.one_in(2);
-  switch (place) {
-    case Place::inside: return rng.between(1, 7) / 8.0;
-    case Place::border: return high ? 1 : 0;
-    case Place::outside: break;
+  switch (containment) {
+    case Containment::inside: return rng.between(1, 7) / 8.0;
+    case Containment::border: return high ? 1 : 0;
+    case Containment::outside: break;
   }
   return high ? 65.0 / 64 : -1.0 / 64;
 }
@@ -48,14 +50,14 @@ struct FaceWeights {
 };
 
 /// Weights of a face's second and third corner.
-FaceWeights face_weights(Place place, Rng& rng) {
+FaceWeights face_weights(Containment containment, Rng& rng) {
   static constexpr std::array<FaceWeights, 3> kInside{{{0.25, 0.25}, {0.5, 0.25}, {0.125, 0.5}}};
   static constexpr std::array<FaceWeights, 6> kBorder{{{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0, 0.25}, {0.5, 0.5}}};
   static constexpr std::array<FaceWeights, 3> kOutside{{{-1.0 / 64, 0.5}, {0.5, -1.0 / 64}, {0.5, 33.0 / 64}}};
-  switch (place) {
-    case Place::inside: return rng.pick(kInside);
-    case Place::border: return rng.pick(kBorder);
-    case Place::outside: break;
+  switch (containment) {
+    case Containment::inside: return rng.pick(kInside);
+    case Containment::border: return rng.pick(kBorder);
+    case Containment::outside: break;
   }
   return rng.pick(kOutside);
 }
@@ -76,13 +78,13 @@ Configuration random_configuration(Kind kind, Rng& rng) {
   const Vec3 meeting = made.meeting = integers(rng);
   const Vec3 one = direction(rng), other = direction(rng);
   if (kind == Kind::edge_edge) {
-    const Place a = place(rng);
-    const Place b = a == Place::outside ? Place::inside : place(rng);
+    const Containment a = random_containment(rng);
+    const Containment b = a == Containment::outside ? Containment::inside : random_containment(rng);
     const double s = weight(a, rng), t = weight(b, rng);
     made.at = {combined(meeting, -s, one), combined(meeting, 1 - s, one), combined(meeting, -t, other),
                combined(meeting, 1 - t, other)};
   } else {
-    const FaceWeights w = face_weights(place(rng), rng);
+    const FaceWeights w = face_weights(random_containment(rng), rng);
     const Vec3 origin = combined(combined(meeting, -w.first, one), -w.second, other);
     made.at = {meeting, origin, combined(origin, 1, one), combined(origin, 1, other)};
   }

@@ -1,5 +1,5 @@
-// Elements that meet at a prescribed time and place, in numbers so plain that doubles hold them exactly: what the dials
-// make stiff.
+// Elements that meet at a prescribed time and place, in numbers so plain that doubles hold them exactly. The dials make
+// them stiff.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -14,12 +14,12 @@ namespace touchstone::stress {
 
 using Corners = std::array<Vec3, 4>;
 
-/// Where the corners are at `time`, and how they move. The line of one element then meets the line or plane of the
-/// other; inside of both elements, on a border, or 1/64 outside of one.
+/// The corners at `time`, and their velocities. At that time the line of one element meets the line or plane of the
+/// other: inside of both elements, on a border, or 1/64 outside of one.
 struct Configuration {
   Kind kind = Kind::edge_edge;
   double time = 0;     ///< a multiple of 1/8 in [0, 1]
-  Vec3 meeting;        ///< the place, three integers
+  Vec3 meeting;        ///< the point, three integers
   Corners at{};        ///< multiples of 2^-9 below 2^5
   Corners velocity{};  ///< integers from -4 to 4
 };
@@ -27,17 +27,17 @@ struct Configuration {
 /// Edge-edge or vertex-face.
 Configuration random_configuration(Kind kind, seeded::Rng& rng);
 
-/// Each coordinate times the same one of `factors`.
+/// The corners with x, y and z multiplied by those of `factors`.
 Corners scaled(const Corners& corners, const Vec3& factors);
 
-/// All corners by a matrix of small integers and determinant 1: what was large and small along the axes becomes so
-/// along directions of no account, and is rounded where doubles do not hold both.
+/// All corners times a matrix of small integers and determinant 1. Large and small extents along the axes then lie
+/// along general directions, and coordinates that doubles do not hold are rounded.
 Corners sheared(const Corners& corners);
 
-/// x y z become y z x, so many times.
+/// x y z become y z x, `times` times.
 Corners turned(const Corners& corners, int times);
 
-/// The query in which the corners are where the configuration says, as near as doubles come.
+/// The query whose corners are at the configuration's positions, rounded to doubles.
 Query query_of(const Configuration& configuration);
 
 }  // namespace touchstone::stress

@@ -16,7 +16,7 @@ double power(int exponent) { return std::ldexp(1.0, exponent); }
 
 Vec3 all_axes(double factor) { return {factor, factor, factor}; }
 
-/// Half of them along the axes, where all is exact, half along directions of no account.
+/// Half of the queries lie along the axes, where all is exact, half along general directions.
 Configuration oriented(Configuration made, Rng& rng) {
   const int turns = rng.between(0, 2);
   made.at = turned(made.at, turns);
@@ -29,7 +29,7 @@ Configuration oriented(Configuration made, Rng& rng) {
 
 Query scale(Kind kind, int setting, Rng& rng) {
   Query query = query_of(random_configuration(kind, rng));
-  // Products of three lengths leave the doubles long before the coordinates do.
+  // Products of three lengths leave the range of doubles long before the coordinates do.
   const double below_one = power(-6);  // so that the coordinates, of size 2^6, are of size 1
   for (auto* corners : {&query.start, &query.end}) {
     for (Vec3& c : *corners) {
@@ -58,7 +58,7 @@ Query sliver(Kind kind, int setting, Rng& rng) {
     made.velocity = scaled(made.velocity, {1, thin, 1});
     return query_of(oriented(made, rng));
   }
-  // The second edge is short, around the place where they meet.
+  // The second edge is short and contains the meeting point.
   for (Vec3& c : made.at) c = {c.x - made.meeting.x, c.y - made.meeting.y, c.z - made.meeting.z};
   const Corners shrunk = scaled(made.at, all_axes(thin));
   made.at[2] = shrunk[2];
@@ -155,10 +155,10 @@ report::QuerySet make_set(const Dial& dial, Kind kind, int setting, std::uint64_
   set.name = std::string(dial.name) + "/" + std::string(kind_name(kind));
   set.about = dial.about;
   set.kind = kind;
-  // The same configurations at every setting, as far as that can be: differences are the dial's.
-  const auto place =
+  // Every setting gets the same configurations, as far as possible, so that differences come from the dial.
+  const auto stream =
       4 * static_cast<std::uint64_t>(find_dial(dial.name) - dials().data()) + static_cast<std::uint64_t>(kind);
-  Rng rng(seeded::seed_of_part(seed, 100 + place));
+  Rng rng(seeded::seed_of_part(seed, 100 + stream));
   for (std::size_t i = 0; i < count; ++i) set.queries.push_back(dial.make(kind, setting, rng));
   return set;
 }

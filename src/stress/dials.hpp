@@ -1,4 +1,4 @@
-// One way to make queries stiff each, with a dial that says how stiff, in powers of two.
+// Dials. Each makes queries stiff in one way, and its setting says how stiff, in powers of two.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -17,10 +17,10 @@ namespace touchstone::stress {
 
 struct Dial {
   std::string_view name;      ///< as --dial takes it
-  std::string_view varies;    ///< what 2^setting is, for tables and axes
-  std::string_view about;     ///< how the queries are made; one sentence without its full stop
+  std::string_view varies;    ///< the meaning of 2^setting, for tables and axes
+  std::string_view about;     ///< the way in which the queries are made; one sentence without its full stop
   std::vector<int> settings;  ///< ascending
-  int gentle;                 ///< the one of them that is not stiff
+  int gentle;                 ///< the setting that is not stiff
   Query (*make)(Kind kind, int setting, seeded::Rng& rng);
 };
 

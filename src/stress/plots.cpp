@@ -12,10 +12,10 @@ namespace {
 using report::Result;
 using report::SetResults;
 
-/// A share of fewer queries is mostly chance.
+/// A fraction of fewer queries is mostly chance.
 constexpr std::size_t kFewest = 20;
 
-/// One panel: `value` of every method against the setting, where it has one.
+/// One panel: `value` of every method against the setting, at the settings where it has a value.
 template <class Value>
 std::string panel(const Table& table, const std::string& prefix, const Value& value) {
   std::string data, drawn;

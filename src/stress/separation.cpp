@@ -63,7 +63,7 @@ Line line_through(const Fraction& root, int bits, int shift) {
 }  // namespace
 
 Query separated_roots(Kind kind, int bits, Rng& rng) {
-  // Apart by 1 / (q q'), which 53 bits bring down to about 2^-100; what is more comes from nearness to t = 0.
+  // The roots are 1 / (q q') apart, which 53 bits bring down to about 2^-100. Nearness to t = 0 brings the rest.
   const int digits = std::max(2, std::min(bits, 100) / 2);
   const int shift = std::max(0, bits - 100);
   auto [first, second] = neighbours(digits, rng);
@@ -71,12 +71,12 @@ Query separated_roots(Kind kind, int bits, Rng& rng) {
   const Line h = line_through(first, digits, shift), g = line_through(second, digits, shift);
 
   const bool inside = !rng.one_in(4);
-  const double place = (inside ? rng.between(-4, 4) : rng.one_in(2) ? 5 : -5) / 8.0;
+  const double offset = (inside ? rng.between(-4, 4) : rng.one_in(2) ? 5 : -5) / 8.0;
   const auto corners = [&](double height, double rise) -> Corners {
     if (kind == Kind::edge_edge) {  // the second edge turns around its middle, over the first one
-      return {{{-0.5, 0, 0}, {0.5, 0, 0}, {place - 1, -rise, height}, {place + 1, rise, height}}};
+      return {{{-0.5, 0, 0}, {0.5, 0, 0}, {offset - 1, -rise, height}, {offset + 1, rise, height}}};
     }
-    return {{{place, 0, height}, {-1, -rise, 0}, {1, -rise, 0}, {0, rise, 0}}};
+    return {{{offset, 0, height}, {-1, -rise, 0}, {1, -rise, 0}, {0, rise, 0}}};
   };
   const int turns = rng.between(0, 2);
   Query query;

@@ -9,8 +9,8 @@
 namespace touchstone::stress {
 
 /// A query whose V has the factors h(t) and g(t), linear in t, with roots that are different and about 2^-bits apart,
-/// bits from 4 to 200. Where h is 0 the elements meet, most of them; where g is 0 the edges are parallel, or the face
-/// is flat, and do not meet. Edge-edge or vertex-face.
+/// bits from 4 to 200. At the root of h most of the elements meet. At the root of g the edges are parallel, or the face
+/// is flat, and the elements do not meet. Edge-edge or vertex-face.
 Query separated_roots(Kind kind, int bits, seeded::Rng& rng);
 
 }  // namespace touchstone::stress

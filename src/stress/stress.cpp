@@ -14,8 +14,8 @@
 namespace touchstone::stress {
 namespace {
 
-constexpr double kMeasuring = 0.9;          ///< share of the time; the rest is drawing
-constexpr std::size_t kOracleQueries = 10;  ///< of each set; it takes as long for one as the others for hundreds
+constexpr double kMeasuring = 0.9;          ///< fraction of the time; the rest is drawing
+constexpr std::size_t kOracleQueries = 10;  ///< of each set; one takes as long as hundreds of the others
 
 /// Wall-clock seconds: of one pass of one method over one set, and the least that is measured.
 const report::Effort kEffort{0.02, 3, 0.001, 1, true};

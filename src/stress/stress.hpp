@@ -1,4 +1,4 @@
-// The stability table: every method at every setting of every dial, and where each of them breaks.
+// The stability table: every method at every setting of every dial, and the settings at which each breaks.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -34,13 +34,13 @@ struct Stress {
   std::vector<std::string> oracle_differs;  ///< one line for each query where the judge and the oracle differ
 };
 
-/// Asks everybody everything. Method::exact judges, and the oracle judges the judge on some queries of each set.
+/// Asks all methods all queries. Method::exact judges, and the oracle judges Method::exact on some queries of each set.
 Stress run_stress(const Options& options, const report::Progress& progress);
 
 /// Answers of `touchstone` that are wrong, or whose time is not the exact one.
 std::size_t own_errors(const Stress& stress);
 
-/// What `touchstone` did at one setting.
+/// The result of `touchstone` at one setting.
 const report::Result& own_result(const report::SetResults& setting);
 
 /// The run time of `touchstone` along one dial, in microseconds a query.

@@ -10,6 +10,7 @@
 #include <touchstone/error.hpp>
 
 #include "fuzz/named_solvers.hpp"
+#include "fuzz/run_case.hpp"
 #include "fuzz/toys.hpp"
 #include "support/catch.hpp"
 #include "support/query_text.hpp"
@@ -106,8 +107,7 @@ TEST_CASE("a planted bug of every class is found, counted and kept through shrin
     CHECK(kinds.insert(finding.degeneracy).second);
     const Query& query = finding.example.query;
     const Answer truth = solve(query, Method::exact);
-    Reply reply;
-    const auto failure = fuzz::failure_on(query, *solver, nullptr, truth, settings.early, reply);
+    const auto failure = fuzz::failure_of(solver->ask(query), truth, settings.early);
     REQUIRE(failure.has_value());
     CHECK(failure->failure == planted.failure);
     CHECK(failure->failure == finding.failure);

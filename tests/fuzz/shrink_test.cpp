@@ -8,6 +8,7 @@
 
 #include "fuzz/engine.hpp"
 #include "fuzz/named_solvers.hpp"
+#include "fuzz/run_case.hpp"
 #include "fuzz/simplicity.hpp"
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
@@ -67,9 +68,8 @@ TEST_CASE("most shrunk failures of solvers in doubles are integers or halves bel
     const Query original = fuzz::query_of_case(finding.example.name);
     const Query& query = finding.example.query;
     CAPTURE(fuzz::case_text(finding.example.name), cpp_initializer(query));
-    fuzz::Reply reply;
     const Answer truth = solve(query, Method::exact);
-    const auto failure = fuzz::failure_on(query, *solver, nullptr, truth, {}, reply);
+    const auto failure = fuzz::failure_of(solver->ask(query), truth, {});
     REQUIRE(failure.has_value());
     CHECK(failure->failure == finding.failure);
     CHECK(fuzz::degeneracy_of(query, truth) == finding.degeneracy);

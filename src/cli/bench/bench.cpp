@@ -26,7 +26,7 @@
 namespace touchstone::cli {
 namespace {
 
-/// One method on one set: what is asked, and where the answers go.
+/// One method on one set: the queries, and room for the answers.
 struct Entry {
   const BenchSet* set = nullptr;
   BenchMethod method = BenchMethod::floor;
@@ -35,7 +35,7 @@ struct Entry {
   std::vector<Answer> answers;
 };
 
-/// Those whose "set/method" the filter finds, and the floor of each set that has one.
+/// The measurements whose "set/method" matches the filter, and the floor of each set that has one.
 std::vector<Entry> chosen_entries(const std::vector<BenchSet>& sets, const std::string& filter) {
   const std::regex pattern(filter);
   std::vector<Entry> entries;

@@ -1,4 +1,4 @@
-// `touchstone bench`: how long an answer takes, as a ratio to the least that anyone could do with a query.
+// `touchstone bench`: the time of an answer, as a ratio to the least work that any solver does with a query.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -14,7 +14,7 @@ namespace touchstone::cli {
 
 struct BenchOptions {
   std::vector<std::string> files;
-  std::optional<Kind> kind;  ///< what the files hold
+  std::optional<Kind> kind;  ///< of the files' queries
   std::string filter;        ///< a regular expression; empty: everything
   int repetitions = 5;
   double min_time = 0.05;    ///< seconds a repetition

@@ -1,4 +1,4 @@
-// Takes the place of bench_clock.cpp where Google Benchmark is not installed.
+// Replaces clock.cpp when Google Benchmark is not installed.
 // SPDX-License-Identifier: MIT
 #include <touchstone/error.hpp>
 

@@ -5,23 +5,15 @@
 #include <chrono>
 
 #include "filters/same_side.hpp"
+#include "report/do_not_optimize.hpp"
 
 namespace touchstone::cli {
 namespace {
 
-/// Makes the compiler believe that `value` is used.
-template <class Value>
-void keep(const Value& value) {
-#if defined(__GNUC__)
-  asm volatile("" : : "m"(value) : "memory");
-#else
-  static volatile const Value* kept;
-  kept = &value;
-#endif
+/// Kinds without a V have fewer corners, and zeros in place of the others: the cost is the same.
+void ask_floor(const Query& query) {
+  report::do_not_optimize(filters::coplanarity_coefficients(filters::frame_of(query)));
 }
-
-/// The kinds without a V have fewer corners, the others being zero: they pay the same.
-void ask_floor(const Query& query) { keep(filters::coplanarity_coefficients(filters::frame_of(query))); }
 
 void ask(BenchMethod method, const Query& query, Answer& answer) {
   switch (method) {
@@ -64,7 +56,7 @@ std::vector<Query> spread(const std::vector<Query>& queries, std::size_t most) {
 
 void ask_all(BenchMethod method, const std::vector<Query>& queries, const QueryColumns& columns,
              std::vector<Answer>& answers) {
-  // One loop a method, so that none pays for the choice.
+  // Each method has a loop of its own, so that no query pays for the choice.
   switch (method) {
     case BenchMethod::floor:
       for (const Query& query : queries) ask_floor(query);
@@ -82,7 +74,7 @@ void ask_all(BenchMethod method, const std::vector<Query>& queries, const QueryC
       for (std::size_t i = 0; i < queries.size(); ++i) ask(method, queries[i], answers[i]);
       break;
   }
-  keep(answers);
+  report::do_not_optimize(answers);
 }
 
 double slowest_microseconds(BenchMethod method, const std::vector<Query>& queries) {
@@ -95,7 +87,7 @@ double slowest_microseconds(BenchMethod method, const std::vector<Query>& querie
     for (int attempt = 0; attempt < 3; ++attempt) {
       const auto start = Clock::now();
       ask(method, query, answer);
-      keep(answer);
+      report::do_not_optimize(answer);
       const double taken = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
       if (attempt == 0 || taken < best) best = taken;
     }

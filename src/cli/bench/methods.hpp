@@ -1,4 +1,4 @@
-// What `touchstone bench` compares: passes over a set of queries.
+// The methods that `touchstone bench` compares: each is a pass over a set of queries.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -29,7 +29,7 @@ inline constexpr std::array<BenchMethod, 7> kBenchMethods{
 std::string_view bench_method_name(
     BenchMethod method) noexcept;  ///< "touchstone_batch" for batch, "touchstone_cgal" for cgal
 
-/// How many queries of a set are asked at most: a slow method gets a few, spread evenly over the set.
+/// The most queries of a set that a method gets. A slow method gets a few, spread evenly over the set.
 std::size_t most_queries(BenchMethod method) noexcept;
 
 /// Every n-th query, such that there are at most `most`.

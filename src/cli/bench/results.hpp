@@ -1,4 +1,4 @@
-// What `touchstone bench` found out, for a person and for a program.
+// The results of `touchstone bench`, for a person and for a program.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -20,8 +20,8 @@ struct BenchSet {
   std::vector<Answer> answers;
 };
 
-/// Of simulation-like candidates, random doubles, the bundled (degenerate) queries and the given files; those that hold
-/// a query, in this order. Queries whose coordinates are not all doubles are left out.
+/// The sets of simulation-like candidates, random doubles, the bundled (degenerate) queries and the given files, in
+/// this order. Empty sets are left out, and so are queries whose coordinates are not all doubles.
 std::vector<BenchSet> bench_sets(const BenchOptions& options);
 
 }  // namespace touchstone::cli

@@ -13,10 +13,12 @@
 #include "certify/tally.hpp"
 #include "cli/certify/claims.hpp"
 #include "cli/certify/json_report.hpp"
+#include "cli/certify/summary.hpp"
 #include "cli/shared/inputs.hpp"
 #include "cli/shared/pipeline.hpp"
-#include "cli/shared/progress.hpp"
+#include "cli/shared/query_progress.hpp"
 #include "cli/shared/summary.hpp"
+#include "cli/shared/words.hpp"
 #include "io/output_file.hpp"
 #include "io/query_parser.hpp"
 
@@ -32,8 +34,8 @@ struct CertifyItem : QueryItem {
   std::string refuted_json;                          ///< all of them, each after a separator; only for a report
 };
 
-/// The report while it grows: its beginning can be written only when all claims are judged, and the refuted ones
-/// may be more than memory holds.
+/// The report while it grows. Its beginning can be written only when all claims are judged, and memory may not hold
+/// all refuted claims until then.
 class GrowingReport {
  public:
   explicit GrowingReport(const std::string& path)
@@ -130,7 +132,7 @@ int run_certify(const CertifyOptions& options) {
   std::vector<certify::RefutedClaim> first_refuted;
   const int threads = thread_count(options.threads);
   QueryStream stream(inputs, options.chunk_bytes);
-  Progress progress(inputs);
+  QueryProgress progress(inputs);
   run_in_order<CertifyItem>(
       threads,
       [&](CertifyItem& item) {

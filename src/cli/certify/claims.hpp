@@ -1,4 +1,4 @@
-// An answers file read in step with the queries that it is about.
+// An answers file, read in step with the queries of its claims.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -10,7 +10,7 @@
 //     "early": {                               of the claims that hold and have a toi: how early it is
 //       "claims": 3,                           how many there are; when 0 the rest is left out
 //       "ulps": {"least", "most",              the number of doubles from the claimed toi to the exact answer's
-//                "median": {"from", "below"},  where the lower median lies: from <= median < below
+//                "median": {"from", "below"},  the range of the lower median: from <= median < below
 //                "histogram": [{"from", "below", "claims"}]},    "below" is null when there is no greater one
 //       "time": {...}                          the same for their difference, as hexfloats
 //     },

@@ -30,7 +30,7 @@ struct ExplainOptions {
   double t_max = 1;
 };
 
-/// The pieces of a file are read until the one that holds the query; only that one is parsed.
+/// A query and the piece of the file that holds it. Only that piece is parsed.
 struct FoundQuery {
   io::QueryChunk chunk;  ///< record.text lies in here
   io::QueryRecord record;
@@ -62,7 +62,7 @@ int run_explain(const ExplainOptions& options) {
   const Input input = find_inputs({options.file}, options.kind).front();
   const auto found = find_query(input, options.query);
   const auto& record = found->record;
-  // Through solve first: it refuses what exact::explain may not be given.
+  // solve comes first: it refuses the queries that exact::explain does not accept.
   std::visit([&](const auto& query) { static_cast<void>(solve(query, Method::exact, options.t_max)); }, record.query);
   const exact::Story story =
       std::visit([&](const auto& query) { return exact::explain(query, options.t_max); }, record.query);

@@ -11,7 +11,7 @@
 
 namespace touchstone::cli {
 
-/// Every corner at both ends, as the file gives it, and as a hexfloat where it is a double. Whole lines.
+/// Every corner at both ends, as the file gives it, and as a hexfloat if it is a double. Whole lines.
 std::string corners_for_person(const std::variant<Query, RationalQuery>& query, const RationalQuery& as_given);
 
 /// The cubic, the candidate times with the signs that decide them, and the answer. Whole lines.

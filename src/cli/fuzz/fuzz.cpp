@@ -2,7 +2,6 @@
 #include "cli/fuzz/fuzz.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -14,7 +13,9 @@
 #include "cli/shared/interrupt.hpp"
 #include "cli/shared/new_folders.hpp"
 #include "cli/shared/pipeline.hpp"
+#include "cli/shared/progress_line.hpp"
 #include "cli/shared/words.hpp"
+#include "fuzz/run_case.hpp"
 #include "io/output_file.hpp"
 
 namespace touchstone::cli {
@@ -22,24 +23,7 @@ namespace {
 
 constexpr double kUsualSeconds = 10;
 
-/// A line on standard error, only when that is a terminal.
-class ProgressLine {
- public:
-  ~ProgressLine() {
-    if (drawn_) print_error("\r\033[K");
-  }
-  void draw(const fuzz::Progress& progress) {
-    if (!visible_) return;
-    drawn_ = true;
-    print_error("\r\033[K" + progress_for_person(progress));
-  }
-
- private:
-  const bool visible_ = ::isatty(STDERR_FILENO) == 1;
-  bool drawn_ = false;
-};
-
-/// That nothing can be written to the folder is found out before minutes are spent, not after.
+/// Throws when nothing can be written to the folder: before minutes are spent on a search, not after.
 void check_folder(const std::string& out) {
   if (out.empty()) return;
   NewFolders folders;
@@ -48,10 +32,10 @@ void check_folder(const std::string& out) {
 }
 
 void print_findings(io::OutputFile& console, const std::vector<fuzz::Finding>& findings, const FuzzOptions& options) {
-  std::vector<Place> places(findings.size());
-  if (!options.out.empty()) places = write_findings(findings, options);
+  std::vector<WrittenQuery> written(findings.size());
+  if (!options.out.empty()) written = write_findings(findings, options);
   for (std::size_t i = 0; i < findings.size(); ++i) {
-    console.write(finding_for_person(i + 1, findings[i], options, places[i]));
+    console.write(finding_for_person(i + 1, findings[i], options, written[i]));
   }
 }
 
@@ -88,7 +72,7 @@ int run_fuzz(const FuzzOptions& options) {
   {
     ProgressLine line;
     outcome = fuzz::run(solver_factory(options.solver), settings, [&](const fuzz::Progress& progress) {
-      line.draw(progress);
+      line.draw([&] { return progress_for_person(progress); });
       return !interrupted();
     });
   }

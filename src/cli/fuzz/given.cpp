@@ -48,7 +48,7 @@ std::vector<Input> inputs_of(const FuzzOptions& options) {
   if (options.a_case) kind = options.a_case->start.kind;
   std::vector<Input> inputs;
   for (const std::string& file : options.from) {
-    // --kind also chooses among the queries of many files, so it does not overrule a folder as it does in solve.
+    // --kind also selects among the queries of many files, so that it does not overrule a folder as it does in solve.
     const auto found = find_inputs({file}, io::kind_of_folder(file) ? std::nullopt : kind);
     inputs.insert(inputs.end(), found.begin(), found.end());
   }

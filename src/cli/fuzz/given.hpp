@@ -10,13 +10,13 @@
 
 namespace touchstone::cli {
 
-/// Every query of the files of `--from` whose coordinates are doubles. How many are left out, and where the first of
-/// them stands, is said on standard error, file by file.
+/// Every query of the files of `--from` whose coordinates are doubles. Standard error says, file by file, how many
+/// queries are left out and which is the first of them.
 /// A file is of the kind that its folder is named after, or else of the one that `--kind` or `--case` names.
 /// @throws Error  when none is left
 std::vector<Query> given_queries(const FuzzOptions& options);
 
-/// Nothing that is read by `--from` may be one of the files that `--out` is for. @throws FileError
+/// Checks that no file of `--from` is one that `--out` would write. @throws FileError
 void refuse_to_overwrite_given(const FuzzOptions& options);
 
 }  // namespace touchstone::cli

@@ -100,7 +100,7 @@ std::string case_command(const FuzzOptions& options, const fuzz::CaseName& name)
 }
 
 std::string finding_for_person(std::size_t number, const Finding& finding, const FuzzOptions& options,
-                               const Place& place) {
+                               const WrittenQuery& written) {
   const fuzz::Example& example = finding.example;
   std::string text = fmt::format("\n{}. {}{}, {}: {}\n", number, fuzz::failure_name(finding.failure),
                                  finding.count > 1 ? fmt::format(" {} times", grouped(finding.count)) : "",
@@ -110,8 +110,8 @@ std::string finding_for_person(std::size_t number, const Finding& finding, const
   text += fmt::format("   exact: {}\n", fuzz::truth_text(example.truth));
   if (!example.detail.empty()) text += fmt::format("   {}\n", io::printable(example.detail));
   text += fmt::format("   {}\n", case_command(options, example.name));
-  if (!place.file.empty()) {
-    text += fmt::format("   {}\n", explain_command(place.file, finding.degeneracy.kind, place.query));
+  if (!written.file.empty()) {
+    text += fmt::format("   {}\n", explain_command(written.file, finding.degeneracy.kind, written.query));
   }
   return text;
 }
@@ -121,14 +121,14 @@ std::string findings_file(const std::string& out, Kind kind, FailureClass failur
   return (folder / (std::string(fuzz::failure_name(failure)) + ".csv")).string();
 }
 
-std::vector<Place> write_findings(const std::vector<Finding>& findings, const FuzzOptions& options) {
+std::vector<WrittenQuery> write_findings(const std::vector<Finding>& findings, const FuzzOptions& options) {
   struct Target {
     io::OutputFile file;
     std::uint64_t queries = 0;
   };
   NewFolders folders;
   std::map<std::string, Target> targets;
-  std::vector<Place> places;
+  std::vector<WrittenQuery> written;
   for (const Finding& finding : findings) {
     const std::string path = findings_file(options.out, finding.degeneracy.kind, finding.failure);
     auto target = targets.find(path);
@@ -142,11 +142,11 @@ std::vector<Place> write_findings(const std::vector<Finding>& findings, const Fu
                     fuzz::degeneracy_text(finding.degeneracy), io::printable(case_command(options, example.name)));
     io::append_query(text, example.query, example.truth.contact);
     target->second.file.write(text);
-    places.push_back({path, target->second.queries++});
+    written.push_back({path, target->second.queries++});
   }
   for (auto& [path, target] : targets) target.file.commit();
   folders.keep();
-  return places;
+  return written;
 }
 
 }  // namespace touchstone::cli

@@ -1,4 +1,4 @@
-// What `touchstone fuzz` says of what it has found, to a person and in query files.
+// The report of `touchstone fuzz` on its findings, as text for a person and as query files.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -13,34 +13,34 @@ namespace touchstone::cli {
 /// One line of a terminal, without its end.
 std::string progress_for_person(const fuzz::Progress& progress);
 
-/// Who was asked what, how much and how fast.
+/// The solver, the judge, the seed, and the number and rate of the queries.
 std::string search_for_person(const FuzzOptions& options, const fuzz::Outcome& outcome, int threads);
 
-/// How many of the given queries were asked; empty when all of them were.
+/// The number of given queries that were asked; empty when all of them were.
 std::string given_for_person(const fuzz::Outcome& outcome);
 
-/// Failures by family and class; families without any are left out. Empty when there is none at all.
+/// Failures by family and class. Families without failures are left out. Empty without any failure.
 std::string table_for_person(const fuzz::FailureTable& table);
 
-/// The command that makes this query again, asks the solver and shrinks it again.
+/// The command that makes this query again, asks the solver again and shrinks the query again.
 std::string case_command(const FuzzOptions& options, const fuzz::CaseName& name);
 
-/// Where a finding's query stands; no file: nowhere.
-struct Place {
-  std::string file;
+/// The position of a finding's query among the written files.
+struct WrittenQuery {
+  std::string file;  ///< empty: the query was not written
   std::uint64_t query = 0;
 };
 
-/// One finding with its corners, what was claimed, what is true, and the commands that repeat and explain it.
+/// One finding: its corners, the claim, the true answer, and the commands that repeat and explain it.
 std::string finding_for_person(std::size_t number, const fuzz::Finding& finding, const FuzzOptions& options,
-                               const Place& place);
+                               const WrittenQuery& written);
 
 /// FOLDER/KIND/CLASS.csv.
 std::string findings_file(const std::string& out, Kind kind, fuzz::FailureClass failure);
 
 /// Writes the findings' queries, with their true answers, to FOLDER/KIND/CLASS.csv. The folders are made where they are
 /// missing, and the files appear when all of them are complete.
-/// @returns the place of each @throws FileError
-std::vector<Place> write_findings(const std::vector<fuzz::Finding>& findings, const FuzzOptions& options);
+/// @returns the position of each @throws FileError
+std::vector<WrittenQuery> write_findings(const std::vector<fuzz::Finding>& findings, const FuzzOptions& options);
 
 }  // namespace touchstone::cli

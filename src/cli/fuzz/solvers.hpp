@@ -8,7 +8,7 @@
 
 namespace touchstone::cli {
 
-/// What `--solver` and `--solver-command` say; at most one of them.
+/// The values of `--solver` and `--solver-command`, of which at most one is given.
 struct SolverChoice {
   std::string solver =
       "touchstone";     ///< a name, or the path of a plugin: whatever has a slash or ends in .so or .dylib
@@ -16,7 +16,7 @@ struct SolverChoice {
   double limit = 1;     ///< seconds that a plugin or program may take for an answer
 };
 
-/// Makes one solver for each thread. The only place that knows where solvers come from.
+/// Makes one solver for each thread. No other function knows where solvers come from.
 /// @throws Error  when there is no such solver
 fuzz::SolverFactory solver_factory(const SolverChoice& choice);
 

@@ -1,4 +1,4 @@
-// The query files that a command is about: named on the command line, or bundled with the program.
+// The query files that a command reads: named on the command line, or bundled with the program.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -29,19 +29,19 @@ struct Input {
   io::InputFile open() const;
 };
 
-/// The files of these names, each checked to be there; a name that is no file may be that of a bundled one.
-/// @param kind  what they hold; by default what their folders are called
+/// The files of these names. Each is checked to exist; a name that is no file may be the name of a bundled file.
+/// @param kind  the kind of their queries; by default each file's folder names it
 /// @throws FileError
 std::vector<Input> find_inputs(const std::vector<std::string>& names, std::optional<Kind> kind);
 
 /// Every bundled file. @throws FileError when the program was built without them
 std::vector<Input> bundled_inputs();
 
-/// A piece of work for the pipeline: some queries of one input.
+/// One item of the pipeline: some queries of one input.
 struct QueryItem {
   std::size_t input = 0;  ///< index into the inputs
   io::QueryChunk chunk;
-  std::exception_ptr error;  ///< what went wrong after the queries of this item that are well
+  std::exception_ptr error;  ///< the error that came after the readable queries of this item
 };
 
 /// The chunks of several files, one file after the other.

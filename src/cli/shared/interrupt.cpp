@@ -31,8 +31,8 @@ void watch_for_signals() {
 }
 
 void occupy_closed_descriptors() {
-  // Whatever is opened next would take the number of a closed standard stream, and be written to in its place. What is
-  // opened for reading only refuses writes, as the closed stream would.
+  // The next file that is opened would take the number of a closed standard stream, and output for the stream would go
+  // into that file. A descriptor that is open for reading only refuses writes, as the closed stream would.
   for (;;) {
     const int descriptor = ::open("/dev/null", O_RDONLY);
     if (descriptor > STDERR_FILENO) ::close(descriptor);

@@ -1,4 +1,4 @@
-// Ctrl-C: stop reading, remove what was half written, and then end as the signal says.
+// Ctrl-C: a command stops reading, removes half-written files, and then ends by the signal.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -6,18 +6,18 @@
 
 namespace touchstone::cli {
 
-/// Thrown in the place where a command notices that it shall end.
+/// Thrown where a command notices that it has to end.
 struct Interrupted : std::exception {
   const char* what() const noexcept override { return "interrupted"; }
 };
 
-/// From now on SIGINT, SIGTERM and SIGHUP are noted, and a write to a closed pipe is an error rather than a signal.
+/// From now on SIGINT, SIGTERM and SIGHUP are noted, and a write to a closed pipe is an error instead of a signal.
 void watch_for_signals();
 
-/// Gives standard streams that the caller has closed a descriptor that nothing can be written to.
+/// Opens a read-only descriptor in place of each standard stream that the caller has closed.
 void occupy_closed_descriptors();
 
-/// Whether one of them has come.
+/// Whether one of these signals has come.
 bool interrupted() noexcept;
 
 /// @throws Interrupted

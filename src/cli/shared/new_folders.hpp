@@ -1,4 +1,4 @@
-// Folders on the way to an output file, made when they are missing and taken back when nothing comes of it.
+// Folders that lead to an output file: made when they are missing, removed again when no file is written.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -11,16 +11,16 @@ class NewFolders {
  public:
   NewFolders() = default;
 
-  /// Makes `folder` and what leads to it. @throws FileError
+  /// Makes `folder` and its missing parents. @throws FileError
   void make(const std::filesystem::path& folder);
 
-  /// They stay.
+  /// The folders stay.
   void keep() noexcept { made_.clear(); }
 
   NewFolders(const NewFolders&) = delete;
   NewFolders& operator=(const NewFolders&) = delete;
 
-  /// Removes the folders that were made here, those that are empty.
+  /// Removes the folders that were made here and are still empty.
   ~NewFolders();
 
  private:

@@ -9,7 +9,7 @@ namespace touchstone::cli {
 
 int default_threads() noexcept {
 #if TOUCHSTONE_WITH_TBB
-  return tbb::info::default_concurrency();  // what this process may use, which may be less than the machine has
+  return tbb::info::default_concurrency();  // those that this process may use; the machine may have more
 #else
   return 1;
 #endif

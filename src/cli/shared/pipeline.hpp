@@ -17,22 +17,22 @@
 
 namespace touchstone::cli {
 
-/// How many threads a command uses when nobody says: all that the machine has; 1 without oneTBB.
+/// The number of threads that a command uses by default: all that the machine has; 1 without oneTBB.
 int default_threads() noexcept;
 
 /// `threads`, or default_threads() for 0.
 int thread_count(int threads) noexcept;
 
 /// Calls read(item) for new items until it returns false, work(item) for each on any of `threads` threads, and
-/// write(item) in the order of reading, so that what is written does not depend on the number of threads.
+/// write(item) in the order of reading. The output therefore does not depend on the number of threads.
 ///
 /// That holds for errors too: an exception of read or work is kept in item.error, the item is written as far as it
-/// got, and then the exception is thrown here. read ends with its first error; work's takes the place of read's, for
-/// it concerns an earlier query.
+/// got, and then the exception is thrown here. Reading ends with its first error. An error of work replaces that one,
+/// because it concerns an earlier query.
 template <class Item, class Read, class Work, class Write>
 void run_in_order(int threads, Read read, Work work, Write write) {
   bool more = true;
-  // Nothing is thrown through the pipeline: oneTBB would forget the items that are under way. They drain instead.
+  // No exception passes through the pipeline: oneTBB would drop the items that are under way. They drain instead.
   std::exception_ptr failure;
   std::atomic<bool> failed = false;
   const auto read_item = [&]() -> std::shared_ptr<Item> {
@@ -72,7 +72,7 @@ void run_in_order(int threads, Read read, Work work, Write write) {
   if (threads > 1) {
     using ItemPointer = std::shared_ptr<Item>;
     const auto count = static_cast<std::size_t>(threads);
-    constexpr std::size_t kItemsPerThread = 4;  // enough to bridge a slow one, few enough to keep memory small
+    constexpr std::size_t kItemsPerThread = 4;  // bridges a slow item, and keeps memory small
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, count);
     tbb::task_arena arena(threads);
     arena.execute([&] {

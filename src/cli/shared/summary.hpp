@@ -1,20 +1,17 @@
-// What a person reads at the end.
+// The counts and the speed of a run, as text for a person.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <string>
-#include <vector>
+#include <string_view>
 
 #include <touchstone/answer.hpp>
 
-#include "certify/tally.hpp"
-#include "cli/shared/words.hpp"
-
 namespace touchstone::cli {
 
-/// What a run's answers were and who gave them.
+/// The answers of a run, counted by level and by nature.
 struct Counts {
   std::uint64_t queries = 0;
   std::array<std::uint64_t, 4> levels{};   ///< by Level
@@ -24,13 +21,10 @@ struct Counts {
   void merge(const Counts& other) noexcept;
 };
 
+/// One line of a summary, with its line feed.
+std::string summary_line(std::string_view heading, std::string_view text);
+
 // Blocks of whole lines:
 std::string counts_for_person(const Counts& counts);
 std::string speed_for_person(std::uint64_t queries, double seconds, int threads);
-std::string verdicts_for_person(const certify::VerdictCounts& verdicts);
-std::string early_for_person(const certify::EarlyTally& early);  ///< empty when no claim had a toi
-
-/// One refuted claim and the command that tells its story.
-std::string refuted_for_person(const certify::RefutedClaim& refuted);
-
 }  // namespace touchstone::cli

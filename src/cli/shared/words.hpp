@@ -1,4 +1,4 @@
-// How the program says numbers and names to a person.
+// Numbers and names as text for a person.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -17,13 +17,13 @@ namespace touchstone::cli {
 std::string grouped(std::uint64_t number);                          ///< "1,000,000"
 std::string counted(std::uint64_t number, std::string_view thing);  ///< "1 file", "1,024 files"
 
-/// "12.5 %" of a whole that may be zero; what is there but rounds to nothing is "< 0.1 %".
+/// "12.5 %" of a whole that may be zero. A part that is not zero but rounds to zero is "< 0.1 %".
 std::string share(std::uint64_t part, std::uint64_t whole);
 
 /// "0x1.8p-1 (0.75)".
 std::string time_for_person(double time);
 
-/// What touches what and how: "crossing, a against b1"; "no contact".
+/// The nature and the features of a contact: "crossing, a against b1"; "no contact".
 std::string contact_for_person(const Answer& answer);
 
 /// Every method, in the order in which --help lists them.
@@ -35,13 +35,13 @@ std::string_view method_name(Method method) noexcept;
 /// The method of that name, or nothing.
 std::optional<Method> method_from_name(std::string_view name) noexcept;
 
-/// Writes to standard error as it is; when nobody can hear it, nobody does.
+/// Writes `text` unchanged to standard error. A write that fails is ignored.
 void print_error(const std::string& text) noexcept;
 
 /// `word` as one word of a POSIX shell command.
 std::string shell_word(const std::string& word);
 
-/// The command that tells one query's story.
+/// The command that explains one query.
 std::string explain_command(const std::string& file, Kind kind, std::uint64_t query);
 
 }  // namespace touchstone::cli

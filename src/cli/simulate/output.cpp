@@ -45,7 +45,7 @@ constexpr const char* kPlotScript =
     "  set output\n"
     "}\n";
 
-/// A file that cannot be written keeps none of the others from being written.
+/// A file that cannot be written does not keep the others from being written.
 class Attempts {
  public:
   template <class Do>
@@ -56,7 +56,7 @@ class Attempts {
       if (!first_) first_ = std::current_exception();
     }
   }
-  /// What could be written only in part is not there.
+  /// A file that could be written only in part is removed.
   template <class Do>
   void with(std::optional<io::OutputFile>& file, Do&& act) {
     attempt([&] {
@@ -69,7 +69,7 @@ class Attempts {
       }
     });
   }
-  /// The first failure, now that all have been attempted.
+  /// Throws the first failure, after all attempts.
   void end() const {
     if (first_) std::rethrow_exception(first_);
   }
@@ -88,7 +88,7 @@ void write_whole(const std::string& path, std::string_view text) {
 
 SimulateOutput::SimulateOutput(const SimulateOptions& options, sim::Simulation& simulation)
     : options_(&options), simulation_(&simulation) {
-  // What cannot be written is found out before the run, not after.
+  // Files that cannot be written are found before the run, not after it.
   const auto open_energies = [&](const std::string& path) {
     energies_.emplace_back(path);
     energies_.back()->write(sim::energy_header() + sim::energy_row(simulation, {}));

@@ -1,4 +1,4 @@
-// The files of a simulation's run.
+// The files that a simulation's run writes.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -15,20 +15,20 @@
 
 namespace touchstone::cli {
 
-/// Tables appear whole at the end, after a run that failed as well; frames as they are made.
+/// Tables appear whole at the end, also after a run that failed. Frames appear as they are made.
 class SimulateOutput {
  public:
   SimulateOutput(const SimulateOptions& options, sim::Simulation& simulation);
 
   void step(const std::vector<sim::StepRecord>& records);
 
-  /// All but the plots. @throws Error for the first file that cannot be written, after the others have been
+  /// Writes all files except the plots. @throws Error for the first file that cannot be written, after the others
   void finish();
 
-  /// The same of a run that ends early, up to the last step that was taken.
+  /// The same for a run that ends early, up to the last step that was taken.
   void finish_early();
 
-  /// The plots. @returns a hint when there is nothing to draw, or no gnuplot to draw it
+  /// Draws the plots. @returns a hint when there is nothing to draw, or no gnuplot to draw it
   std::string draw();
 
   SimulateOutput(const SimulateOutput&) = delete;

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Links followed as far as there is something to follow.
+/// The absolute path with links resolved, as far as the path exists.
 fs::path place_of(const fs::path& path) {
   std::error_code error;
   const fs::path absolute = fs::absolute(path, error);
@@ -27,7 +27,7 @@ fs::path place_of(const fs::path& path) {
 }
 
 struct NamedFile {
-  std::string option;  // that it is named by
+  std::string option;  // the option that names the file
   fs::path path, place;
   bool input = false;
 
@@ -64,7 +64,7 @@ class Files {
     if (a.place != b.place || (a.input && b.input)) return;
     const NamedFile& out = a.input ? b : a;
     if (a.input || b.input) {
-      // What a run goes on from is read whole before it is replaced by where the run has come to.
+      // A run reads its old checkpoint whole before it replaces that by the new one.
       if (a.option == "--resume" && b.option == "--checkpoint") return;
       throw Error(fmt::format("{} would write over {}, which is read", out.option, shown(out)));
     }
@@ -89,7 +89,7 @@ class Files {
   }
 
   std::vector<NamedFile> files_;
-  fs::path frames_;  // where there are some
+  fs::path frames_;  // empty: the run writes no frames
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Which files a simulation's run reads and writes, known before it runs.
+// The files that a simulation's run reads and writes, known before it runs.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -16,8 +16,8 @@ inline constexpr const char* kEnergies = "energies";  ///< .csv, .gp, .svg and .
 inline constexpr const char* kCandidates = "candidates.csv";
 std::string frame_name(std::uint64_t step);
 
-/// @throws Error when two outputs share a file, an output would take the place of an input, or one is a folder to
-/// another
+/// @throws Error when two outputs are the same file, an output would replace an input, or an output is a file where
+/// another needs a folder
 void check_paths(const SimulateOptions& options);
 
 }  // namespace touchstone::cli

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "cli/simulate/summary.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/shared/words.hpp"
+#include "sim/output_text.hpp"
+
+namespace touchstone::cli {
+
+void StepTotals::add(const std::vector<sim::StepRecord>& records) {
+  ++steps;
+  for (const sim::StepRecord& record : records) {
+    ++parts;
+    gained += static_cast<std::uint64_t>(record.gained_energy);
+    first_order += static_cast<std::uint64_t>(record.first_order);
+  }
+}
+
+std::string simulation_for_person(const sim::Simulation& simulation, const StepTotals& totals, double rate) {
+  std::string text;
+  constexpr std::size_t kMostShown = 20;
+  const auto& crossings = simulation.crossings();
+  for (std::size_t i = 0; i < crossings.size() && i < kMostShown; ++i) {
+    text += "crossing: " + sim::crossing_for_person(simulation, crossings[i]) + "\n";
+  }
+  if (crossings.size() > kMostShown) text += fmt::format("crossing: {} more\n", grouped(crossings.size() - kMostShown));
+  const auto& refused = simulation.refused();
+  if (totals.parts > totals.steps) {
+    text += fmt::format(
+        "{} in {}: refused were {} that did not converge, {} without a response, {} that gained "
+        "energy, {} that failed their proof\n",
+        counted(totals.steps, "step"), counted(totals.parts, "part"), refused.not_converged, refused.not_resolved,
+        refused.gained_energy, refused.not_certified);
+  }
+  if (totals.gained > 0)
+    text += fmt::format("in {} energy was gained: too short to be cut again\n", counted(totals.gained, "part"));
+  if (totals.first_order > 0) {
+    text +=
+        fmt::format("{} of first order, by implicit-euler: the scene's integrator gained energy or did not converge\n",
+                    counted(totals.first_order, "part"));
+  }
+  if (const auto& times = simulation.times(); times.total() > 0) {
+    const auto share = [&](double seconds) { return 100 * seconds / times.total(); };
+    text += fmt::format(
+        "of {:.2f} s of processor time: integration {:.0f} %, solving with contacts {:.0f} %, finding and answering "
+        "contacts {:.0f} %, proof {:.0f} %\n",
+        times.total(), share(times.integration), share(times.contacts), share(times.response), share(times.proof));
+  }
+  text += fmt::format("{:.1f} steps a second\n", rate);
+  return text + fmt::format("{} steps, {} crossings\n", totals.steps, crossings.size());
+}
+
+}  // namespace touchstone::cli

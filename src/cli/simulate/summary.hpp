@@ -1,0 +1,23 @@
+// The summary that a simulation's run ends with.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/simulation.hpp"
+
+namespace touchstone::cli {
+
+/// Counts over all steps of a run.
+struct StepTotals {
+  std::uint64_t steps = 0, parts = 0, gained = 0, first_order = 0;
+
+  void add(const std::vector<sim::StepRecord>& records);
+};
+
+/// Crossings, refused parts, processor time, and "N steps, 0 crossings". @param rate  steps a second
+std::string simulation_for_person(const sim::Simulation& simulation, const StepTotals& totals, double rate);
+
+}  // namespace touchstone::cli

@@ -1,0 +1,41 @@
+// A solver under test together with the judge of its replies.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include <touchstone/answer.hpp>
+#include <touchstone/query.hpp>
+#include <touchstone/solve.hpp>
+
+#include "fuzz/answering_solver.hpp"
+#include "fuzz/failure.hpp"
+#include "fuzz/solver_under_test.hpp"
+
+namespace touchstone::fuzz {
+
+/// A reply and what is wrong with it, if anything.
+struct JudgedReply {
+  Reply reply;
+  std::optional<Failure> failure;
+};
+
+class JudgedSolver {
+ public:
+  /// @param judge  the method whose answers count as the true ones
+  JudgedSolver(SolverUnderTest& solver, Method judge, const EarlyLimit& early);
+
+  /// The judge's answer. The solver is not asked.
+  Answer truth(const Query& query) const;
+
+  /// Asks the solver and judges its reply: everything in a whole answer, or the claim of a solver that gives no more.
+  JudgedReply ask(const Query& query, const Answer& truth) const;
+
+ private:
+  SolverUnderTest& solver_;
+  AnsweringSolver* answering_;  ///< the same solver when it gives whole answers, else null
+  Method judge_;
+  EarlyLimit early_;
+};
+
+}  // namespace touchstone::fuzz

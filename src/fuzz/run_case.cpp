@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz/run_case.hpp"
+
+#include <utility>
+
+#include "fuzz/judged_solver.hpp"
+#include "fuzz/plan.hpp"
+#include "fuzz/shrink.hpp"
+#include "fuzz/simplicity.hpp"
+#include "numbers/float_environment.hpp"
+
+namespace touchstone::fuzz {
+
+std::optional<Finding> run_case(SolverUnderTest& solver, const CaseName& name, const Settings& settings,
+                                const std::function<bool()>& stop) {
+  const numbers::DefaultFloatEnvironment environment;
+  supported_kinds(solver, {name.start.kind});
+  const JudgedSolver judged(solver, settings.judge, settings.early);
+  const Query query = query_of_case(name, settings.given);
+  const Answer truth = judged.truth(query);
+  const auto [reply, failure] = judged.ask(query, truth);
+  if (!failure) return std::nullopt;
+  Findings findings;
+  findings.add(*failure, name, query, reply, truth);
+  Finding finding = std::move(findings.take(1).front());
+  shrink_finding(finding, solver, settings, stop);
+  return finding;
+}
+
+void shrink_finding(Finding& finding, SolverUnderTest& solver, const Settings& settings,
+                    const std::function<bool()>& stop) {
+  if (settings.shrink_tries == 0) return;
+  const JudgedSolver judged(solver, settings.judge, settings.early);
+  Example best = finding.example;
+  const auto still_fails = [&](const Query& query) {
+    const Answer truth = judged.truth(query);
+    // The conditions on the true answer come first, because asking the solver may be dear.
+    if (truth.nature != finding.degeneracy.nature || truth.feature_a != finding.degeneracy.feature_a ||
+        truth.feature_b != finding.degeneracy.feature_b || degeneracy_of(query, truth) != finding.degeneracy) {
+      return false;
+    }
+    auto [reply, failure] = judged.ask(query, truth);
+    if (!failure || failure->failure != finding.failure) return false;
+    best = {finding.example.name, query, std::move(reply), truth, failure->detail, difficulty(query)};
+    return true;
+  };
+  ShrinkLimits limits;
+  limits.tries = settings.shrink_tries;
+  limits.stop = stop;
+  shrink(finding.example.query, still_fails, limits);
+  finding.example = std::move(best);  // the last query that failed is the simplest
+}
+
+}  // namespace touchstone::fuzz

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz/search.hpp"
+
+#include "fuzz/climb.hpp"
+
+namespace touchstone::fuzz {
+
+void SearchState::start_clock() {
+  std::call_once(started_once_, [this] {
+    start_ = std::chrono::steady_clock::now();
+    started_ = true;
+  });
+}
+
+double SearchState::seconds() const {
+  return started_ ? std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() : 0;
+}
+
+void Searcher::search(const JudgedSolver& solver) {
+  state_.start_clock();
+  if (settings_.given.empty()) {
+    ask_families(solver);
+  } else {
+    ask_given(solver);
+  }
+}
+
+bool Searcher::over() {
+  if (settings_.seconds && state_.seconds() >= *settings_.seconds) state_.stop = true;
+  return state_.stop;
+}
+
+void Searcher::ask_families(const JudgedSolver& solver) {
+  while (!state_.stop) {
+    const auto piece = plan_.piece(state_.next++);
+    if (!piece) return;
+    for (std::uint64_t i = 0; i < piece->count && !over(); ++i) {
+      start_from({{piece->family, piece->kind, settings_.seed, piece->first + i}}, solver);
+    }
+  }
+}
+
+void Searcher::ask_given(const JudgedSolver& solver) {
+  const std::uint64_t count = given_.to_ask.size();
+  for (std::uint64_t i = state_.next++; i < count && !over(); i = state_.next++) {
+    const std::uint64_t position = given_.to_ask[i];
+    ++state_.given_asked;
+    start_from({{{}, settings_.given[position].kind, settings_.seed, position}, 0, true}, solver);
+  }
+}
+
+void Searcher::start_from(CaseName name, const JudgedSolver& solver) {
+  const Query query = start_of_case(name, settings_.given);
+  ask(name, query, solver);
+  if (settings_.climb == 0) return;
+  Climb climb = name.given ? Climb(query, families::rng_of(name.start)) : Climb(name.start);
+  for (name.step = 1; name.step <= settings_.climb && !over(); ++name.step) ask(name, climb.next(), solver);
+}
+
+void Searcher::ask(const CaseName& name, const Query& query, const JudgedSolver& solver) {
+  const Answer truth = solver.truth(query);
+  const auto [reply, failure] = solver.ask(query, truth);
+  state_.queries.fetch_add(1, std::memory_order_relaxed);
+  table.add_case(name);
+  if (!failure) return;
+  state_.failures[FailureTable::index(failure->failure)].fetch_add(1, std::memory_order_relaxed);
+  table.add_failure(name, failure->failure);
+  findings.add(*failure, name, query, reply, truth);
+}
+
+}  // namespace touchstone::fuzz

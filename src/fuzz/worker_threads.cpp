@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz/worker_threads.hpp"
+
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "numbers/float_environment.hpp"
+
+namespace touchstone::fuzz {
+
+void run_on_threads(std::size_t count, std::atomic<bool>& stop, const std::function<void(std::size_t)>& work,
+                    const std::function<bool()>& watch) {
+  std::mutex mutex;
+  std::condition_variable done;
+  std::size_t running = count;
+  std::exception_ptr error;
+  std::vector<std::jthread> threads;
+  // Destroyed before the threads are joined, also when `watch` throws.
+  struct StopAtEnd {
+    std::atomic<bool>& stop;
+    ~StopAtEnd() { stop = true; }
+  } const stop_at_end{stop};
+  for (std::size_t i = 0; i < count; ++i) {
+    threads.emplace_back([&, i] {
+      std::exception_ptr mine;
+      try {
+        const numbers::DefaultFloatEnvironment environment;
+        work(i);
+      } catch (...) {
+        mine = std::current_exception();
+        stop = true;
+      }
+      const std::lock_guard lock(mutex);
+      if (mine && !error) error = mine;
+      --running;
+      done.notify_one();
+    });
+  }
+  std::unique_lock lock(mutex);
+  while (!done.wait_for(lock, std::chrono::milliseconds(100), [&] { return running == 0; })) {
+    lock.unlock();
+    if (!watch()) stop = true;
+    lock.lock();
+  }
+  lock.unlock();
+  threads.clear();
+  if (error) std::rethrow_exception(error);
+}
+
+}  // namespace touchstone::fuzz

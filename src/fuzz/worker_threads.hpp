@@ -1,0 +1,17 @@
+// Threads that work while the caller's thread watches them.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+
+namespace touchstone::fuzz {
+
+/// Runs `work(i)` on a thread of its own for every i below `count`, each in the default floating-point environment.
+/// Meanwhile calls `watch` a few times a second on the caller's thread. `stop` becomes true when `watch` returns false,
+/// when a thread throws, and at the end; `work` is to look at it. @throws the first exception of a thread
+void run_on_threads(std::size_t count, std::atomic<bool>& stop, const std::function<void(std::size_t)>& work,
+                    const std::function<bool()>& watch);
+
+}  // namespace touchstone::fuzz

@@ -1,0 +1,116 @@
+// The progress of a long command: drawn on a terminal, wiped at the end, and nowhere else.
+// SPDX-License-Identifier: MIT
+#include "cli/shared/progress_line.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "support/catch.hpp"
+
+using namespace touchstone::cli;
+
+namespace {
+
+/// Standard error goes to `descriptor` while this lives.
+class StandardErrorTo {
+ public:
+  explicit StandardErrorTo(int descriptor) : before_(::dup(STDERR_FILENO)) {
+    std::fflush(stderr);
+    if (before_ < 0 || ::dup2(descriptor, STDERR_FILENO) < 0) throw std::runtime_error("standard error stays");
+  }
+  ~StandardErrorTo() {
+    std::fflush(stderr);
+    ::dup2(before_, STDERR_FILENO);
+    ::close(before_);
+  }
+  StandardErrorTo(const StandardErrorTo&) = delete;
+  StandardErrorTo& operator=(const StandardErrorTo&) = delete;
+
+ private:
+  int before_;
+};
+
+struct Terminal {
+  int ours = ::posix_openpt(O_RDWR | O_NOCTTY);
+  int theirs = -1;
+
+  Terminal() {
+    if (ours < 0 || ::grantpt(ours) != 0 || ::unlockpt(ours) != 0) return;
+    theirs = ::open(::ptsname(ours), O_RDWR | O_NOCTTY);
+  }
+  ~Terminal() {
+    if (theirs >= 0) ::close(theirs);
+    if (ours >= 0) ::close(ours);
+  }
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
+};
+
+std::string waiting_on(int descriptor) {
+  ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) | O_NONBLOCK);
+  std::array<char, 4096> buffer;
+  const ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
+  return count > 0 ? std::string(buffer.data(), static_cast<std::size_t>(count)) : std::string();
+}
+
+/// Draws "first" too early to be shown, and then "second".
+void draw_twice(int& calls) {
+  ProgressLine line;
+  line.draw([&] {
+    ++calls;
+    return std::string("first");
+  });
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  draw_fraction_on(line)("second", 0.42);
+  line.draw([&] {
+    ++calls;
+    return std::string("third");
+  });
+}
+
+}  // namespace
+
+TEST_CASE("a progress line is drawn on a terminal, not too often, and wiped at the end") {
+  const Terminal terminal;
+  if (terminal.theirs < 0) {
+    WARN("this machine gives no pseudo-terminal; nothing is checked");
+    return;
+  }
+  int calls = 0;
+  {
+    const StandardErrorTo standard_error(terminal.theirs);
+    draw_twice(calls);
+  }
+  CHECK(waiting_on(terminal.ours) == "\r\033[K 42 %  second\r\033[K");
+  CHECK(calls == 0);
+}
+
+TEST_CASE("a progress line is not drawn into a file") {
+  std::FILE* const file = std::tmpfile();
+  REQUIRE(file != nullptr);
+  int calls = 0;
+  {
+    const StandardErrorTo standard_error(::fileno(file));
+    draw_twice(calls);
+  }
+  CHECK(std::fseek(file, 0, SEEK_END) == 0);
+  CHECK(std::ftell(file) == 0);
+  CHECK(calls == 0);
+  std::fclose(file);
+}
+
+TEST_CASE("a progress bar fills from left to right") {
+  CHECK(progress_bar(0) == "[........................]");
+  CHECK(progress_bar(0.25) == "[######..................]");
+  CHECK(progress_bar(1) == "[########################]");
+  CHECK(progress_bar(1.5) == progress_bar(1));
+  CHECK(progress_bar(-1) == progress_bar(0));
+}
