@@ -37,7 +37,7 @@ class ExactTime {
 
   /// The time as text for a person, as `touchstone explain` prints it. A time that the library holds as a rational is
   /// a fraction in lowest terms: "1/3". Any other is the only root of a polynomial in the interval from lower() to
-  /// upper(): "root of (2) t^2 + (-1) in [0x1.6a09e667f3bccp-1, 0x1.6a09e667f3bcdp-1]". A coefficient is an integer or
+  /// upper(): "root of (-2) t^2 + (1) in [0x1.6a09e667f3bccp-1, 0x1.6a09e667f3bcdp-1]". A coefficient is an integer or
   /// an integer times a power of two: "(1101 * 2^-1)". Such a root may be rational too.
   std::string to_string() const;
 

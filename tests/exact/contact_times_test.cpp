@@ -47,6 +47,15 @@ TEST_CASE("a point crosses a triangle within its plane") {
   CHECK(times[0].last.compare(0.5) == 0);
 }
 
+TEST_CASE("an irrational time as text: its polynomial and the doubles around it") {
+  // The face turns about its edge f0 f2, and the vertex stays at z = 1: V = 1 - 2 t^2.
+  const Query query = VertexFace{{{{0, 0.125, 1}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
+                                 {{{1, 0.125, 1}, {0, 0, 0}, {1, 0, 2}, {0, 1, 0}}}};
+  const auto times = contact_times(query);
+  REQUIRE(times.size() == 1);
+  CHECK(times[0].first.to_string() == "root of (-2) t^2 + (1) in [0x1.6a09e667f3bccp-1, 0x1.6a09e667f3bcdp-1]");
+}
+
 TEST_CASE("an edge that turns inside out in line with another") {
   // b covers 2 -+ 3t: it grows from a point and reaches [0, 1] at t = 1/3.
   const auto growing = contact_times(in_line({2, 2}, {-1, 5}));
