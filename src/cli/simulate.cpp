@@ -24,8 +24,8 @@
 #include "io/input_file.hpp"
 #include "sim/checkpoint.hpp"
 #include "sim/memory.hpp"
-#include "sim/scene_file.hpp"
-#include "sim/shipped_scenes.hpp"
+#include "scene/scene_file.hpp"
+#include "scene/shipped_scenes.hpp"
 
 namespace touchstone::cli {
 namespace {

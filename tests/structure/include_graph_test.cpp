@@ -55,7 +55,10 @@ TEST_CASE("a planted violation of the layer table is found") {
                Planted{"exact/x.cpp", "#include <solver/cascade.hpp>\n", "with quotes"},
                Planted{"io/x.cpp", "#include <touchstone/eigen.hpp>\n", "without Eigen"},
                Planted{"sim/x.cpp", "#include \"exact/exact.hpp\"\n", "`sim` may not use `exact`"},
-               Planted{"solver/x.cpp", "#include \"sim/scene.hpp\"\n", "`solver` may not use `sim`"},
+               Planted{"solver/x.cpp", "#include \"scene/scene.hpp\"\n", "`solver` may not use `scene`"},
+               Planted{"rods/x.cpp", "#include \"contact/contact.hpp\"\n", "`rods` may not use `contact`"},
+               Planted{"contact/x.cpp", "#include \"dynamics/newton.hpp\"\n", "`contact` may not use `dynamics`"},
+               Planted{"dynamics/x.cpp", "#include \"sim/simulation.hpp\"\n", "`dynamics` may not use `sim`"},
                Planted{"unheard_of/x.cpp", "", "has no `unheard_of`"});
   CAPTURE(planted.path, planted.text);
   const auto violations = source_violations(planted.path, planted.text);
