@@ -11,6 +11,7 @@
 #include "support/catch.hpp"
 
 using namespace touchstone::sim;
+namespace linear = touchstone::linear;
 
 namespace {
 
