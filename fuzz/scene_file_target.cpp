@@ -6,7 +6,7 @@
 #include <touchstone/error.hpp>
 
 #include "sim/checkpoint.hpp"
-#include "sim/scene_file.hpp"
+#include "scene/scene_file.hpp"
 #include "targets.hpp"
 
 namespace touchstone::fuzzing {

@@ -6,8 +6,8 @@
 #include "pipes/protocol.hpp"
 #include "query_bytes.hpp"
 #include "sim/checkpoint.hpp"
-#include "sim/scene_file.hpp"
-#include "sim/shipped_scenes.hpp"
+#include "scene/scene_file.hpp"
+#include "scene/shipped_scenes.hpp"
 
 namespace touchstone::fuzzing {
 namespace {

@@ -23,35 +23,35 @@ void Step::advance() {
 }
 
 template <std::size_t N>
-std::vector<Box> Step::boxes(const std::vector<std::array<Index, N>>& elements) const {
-  std::vector<Box> all;
+std::vector<broad_phase::Box> Step::boxes(const std::vector<std::array<Index, N>>& elements) const {
+  std::vector<broad_phase::Box> all;
   all.reserve(elements.size());
   for (const auto& element : elements) {
-    Box box = empty_box();
+    broad_phase::Box box = broad_phase::empty_box();
     for (const Index corner : element) {
-      extend(box, start_[corner]);
-      extend(box, end_[corner]);
+      broad_phase::extend(box, start_[corner]);
+      broad_phase::extend(box, end_[corner]);
     }
     all.push_back(box);
   }
   return all;
 }
 
-std::vector<Box> Step::corner_boxes() const {
+std::vector<broad_phase::Box> Step::corner_boxes() const {
   std::vector<std::array<Index, 1>> corners;
   for (std::size_t i = 0; i < start_.size(); ++i) corners.push_back({static_cast<Index>(i)});
   return boxes(corners);
 }
 
-void Step::for_each_candidate(Kind kind, bool shared_corners, const PairConsumer& found) const {
+void Step::for_each_candidate(Kind kind, bool shared_corners, const broad_phase::PairConsumer& found) const {
   if (kind == Kind::edge_edge) {
-    for_each_overlap(boxes(mesh().edges), [&](Index i, Index j) {
+    broad_phase::for_each_overlap(boxes(mesh().edges), [&](Index i, Index j) {
       const auto &a = mesh().edges[i], &b = mesh().edges[j];
       const bool shared = a[0] == b[0] || a[0] == b[1] || a[1] == b[0] || a[1] == b[1];
       if (shared_corners || !shared) found(i, j);
     });
   } else {
-    for_each_overlap(corner_boxes(), boxes(mesh().faces), [&](Index i, Index j) {
+    broad_phase::for_each_overlap(corner_boxes(), boxes(mesh().faces), [&](Index i, Index j) {
       const auto& f = mesh().faces[j];
       const bool shared = f[0] == i || f[1] == i || f[2] == i;
       if (shared_corners || !shared) found(i, j);

@@ -9,7 +9,7 @@
 
 #include <touchstone/query.hpp>
 
-#include "generators/broad_phase.hpp"
+#include "broad_phase/grid.hpp"
 #include "generators/scene.hpp"
 
 namespace touchstone::generators {
@@ -28,14 +28,14 @@ class Step {
 
   /// Calls found(i, j) once for each pair whose boxes around the whole step overlap: edges i < j, or corner i and face
   /// j. An element moves inside its box, so every contact is among them.
-  void for_each_candidate(Kind kind, bool shared_corners, const PairConsumer& found) const;
+  void for_each_candidate(Kind kind, bool shared_corners, const broad_phase::PairConsumer& found) const;
 
   Query query(Kind kind, Index i, Index j) const;
 
  private:
   template <std::size_t N>
-  std::vector<Box> boxes(const std::vector<std::array<Index, N>>& elements) const;
-  std::vector<Box> corner_boxes() const;
+  std::vector<broad_phase::Box> boxes(const std::vector<std::array<Index, N>>& elements) const;
+  std::vector<broad_phase::Box> corner_boxes() const;
 
   std::unique_ptr<Scene> scene_;
   double first_time_;

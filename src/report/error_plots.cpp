@@ -12,11 +12,7 @@
 namespace touchstone::report {
 namespace {
 
-<<<<<<< HEAD
 /// One panel of a picture: a value of every method against its mean run time.
-=======
-/// One of the four panels: the quantity on its vertical axis.
->>>>>>> b461379e4f28004daa57e993d26879d623123d09
 struct Panel {
   std::string title;
   std::string axis;
@@ -41,7 +37,6 @@ std::vector<Panel> panels() {
   };
 }
 
-<<<<<<< HEAD
 /// The panels of the overview picture: wrong answers of any sort, and the greatest time error.
 std::vector<Panel> overview_panels() {
   return {
@@ -55,10 +50,7 @@ std::vector<Panel> overview_panels() {
   };
 }
 
-/// Where zero is drawn on the logarithmic axis: a decade or more below the least value that is not zero.
-=======
 /// The position of zero on the logarithmic axis: a decade or more below the least value that is not zero.
->>>>>>> b461379e4f28004daa57e993d26879d623123d09
 double zero_line(const SetResults& set, const Panel& panel) {
   double least = panel.least_unit;
   for (const Result& result : set.results) {
@@ -150,16 +142,10 @@ std::string panel_script(const SetResults& set, const Panel& panel, std::size_t 
                     zero / 100);
 }
 
-<<<<<<< HEAD
 /// An empty panel as wide as the canvas: the legend of all other panels.
 /// @param top  its upper end, as a fraction of the canvas  @param rows  the greatest number of rows
 std::string legend(const SetResults& set, double top, int rows) {
   std::string text = fmt::format(
-=======
-/// An empty panel as wide as the canvas: the legend of all other panels.
-std::string legend(const SetResults& set) {
-  std::string text =
->>>>>>> b461379e4f28004daa57e993d26879d623123d09
       "unset logscale\nunset border\nunset tics\nunset title\nunset xlabel\nunset ylabel\nunset arrow 1\nunset grid\n"
       "set lmargin at screen 0.01\nset rmargin at screen 0.99\nset bmargin at screen 0.005\nset tmargin at screen {}\n"
       "set xrange [0:1]\nset yrange [0:1]\nset key inside center center horizontal maxrows {} samplen 2 width 1\n",

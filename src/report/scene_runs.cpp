@@ -12,7 +12,7 @@
 #include "report/own_process.hpp"
 #include "report/text.hpp"
 #include "sim/memory.hpp"
-#include "sim/shipped_scenes.hpp"
+#include "scene/shipped_scenes.hpp"
 #include "sim/simulation.hpp"
 
 namespace touchstone::report {

@@ -4,8 +4,8 @@
 #include <touchstone/error.hpp>
 
 #include "io/times.hpp"
-#include "sim/json_node.hpp"
-#include "sim/scene_file.hpp"
+#include "scene/json_node.hpp"
+#include "scene/scene_file.hpp"
 #include "sim/state_check.hpp"
 
 namespace touchstone::sim {

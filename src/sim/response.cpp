@@ -6,8 +6,8 @@
 #include <tuple>
 #include <utility>
 
-#include "sim/features.hpp"
-#include "sim/impact_zones.hpp"
+#include "scene/features.hpp"
+#include "contact/impact_zones.hpp"
 
 namespace touchstone::sim {
 namespace {

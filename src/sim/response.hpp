@@ -4,9 +4,9 @@
 
 #include <optional>
 
-#include "sim/contact_finder.hpp"
+#include "contact/contact_finder.hpp"
 #include "sim/phase_times.hpp"
-#include "sim/stepper.hpp"
+#include "dynamics/stepper.hpp"
 
 namespace touchstone::sim {
 

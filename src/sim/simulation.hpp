@@ -12,7 +12,7 @@
 #include "sim/phase_times.hpp"
 #include "sim/refusal.hpp"
 #include "sim/response.hpp"
-#include "sim/stepper.hpp"
+#include "dynamics/stepper.hpp"
 
 namespace touchstone::sim {
 

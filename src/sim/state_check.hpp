@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "sim/stepper.hpp"
+#include "dynamics/stepper.hpp"
 
 namespace touchstone::sim {
 

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <string>
 
-#include "sim/scene_parts.hpp"
-#include "sim/shipped_scenes.hpp"
+#include "scene/parts.hpp"
+#include "scene/shipped_scenes.hpp"
 #include "sim/simulation.hpp"
 
 using namespace touchstone::sim;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "sim/scene_parts.hpp"
+#include "scene/parts.hpp"
 
 namespace touchstone::sim {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "seeded/rng.hpp"
-#include "sim/elements.hpp"
+#include "contact/colliders.hpp"
 
 namespace touchstone::sim {
 

@@ -5,9 +5,9 @@
 
 #include <touchstone/solve.hpp>
 
-#include "generators/broad_phase.hpp"
+#include "broad_phase/grid.hpp"
 #include "seeded/rng.hpp"
-#include "sim/shipped_scenes.hpp"
+#include "scene/shipped_scenes.hpp"
 #include "sim/sim_scenes.hpp"
 #include "sim/simulation.hpp"
 #include "support/catch.hpp"
@@ -72,15 +72,15 @@ TEST_CASE("a cable that is fast asks about few pairs, however many of its segmen
       contacts += record.response.contacts;
     }
     // What boxes around the paths would ask.
-    std::vector<generators::Box> boxes;
+    std::vector<broad_phase::Box> boxes;
     for (const Edge& edge : simulation.elements().edges()) {
-      boxes.push_back(generators::empty_box());
+      boxes.push_back(broad_phase::empty_box());
       for (const Index p : edge) {
-        generators::extend(boxes.back(), corner_of(before, p));
-        generators::extend(boxes.back(), corner_of(simulation.state().q, p));
+        broad_phase::extend(boxes.back(), corner_of(before, p));
+        broad_phase::extend(boxes.back(), corner_of(simulation.state().q, p));
       }
     }
-    generators::for_each_overlap(boxes, [&](std::uint32_t, std::uint32_t) { ++swept; });
+    broad_phase::for_each_overlap(boxes, [&](std::uint32_t, std::uint32_t) { ++swept; });
   }
   CHECK(contacts > 0);
   CHECK(swept > 50 * segments);

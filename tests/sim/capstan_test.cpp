@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/scene_parts.hpp"
+#include "scene/parts.hpp"
 #include "sim/simulation.hpp"
 #include "support/catch.hpp"
 

@@ -7,7 +7,7 @@
 #include <touchstone/solve.hpp>
 
 #include "sim/all_pairs.hpp"
-#include "sim/contact_finder.hpp"
+#include "contact/contact_finder.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone;

@@ -7,7 +7,7 @@
 #include <touchstone/solve.hpp>
 
 #include "seeded/rng.hpp"
-#include "sim/contact.hpp"
+#include "contact/contact.hpp"
 #include "sim/sim_scenes.hpp"
 #include "support/catch.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "seeded/rng.hpp"
-#include "sim/energy.hpp"
+#include "rods/energy.hpp"
 #include "sim/sim_scenes.hpp"
 #include "support/catch.hpp"
 

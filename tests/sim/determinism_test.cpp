@@ -6,8 +6,8 @@
 
 #include "sim/checkpoint.hpp"
 #include "sim/output_text.hpp"
-#include "sim/scene_parts.hpp"
-#include "sim/shipped_scenes.hpp"
+#include "scene/parts.hpp"
+#include "scene/shipped_scenes.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone::sim;

@@ -8,7 +8,7 @@
 
 #include "seeded/rng.hpp"
 #include "sim/all_pairs.hpp"
-#include "sim/shipped_scenes.hpp"
+#include "scene/shipped_scenes.hpp"
 #include "sim/simulation.hpp"
 #include "support/catch.hpp"
 

@@ -5,8 +5,8 @@
 #include <functional>
 #include <vector>
 
-#include "sim/scene_file.hpp"
-#include "sim/shipped_scenes.hpp"
+#include "scene/scene_file.hpp"
+#include "scene/shipped_scenes.hpp"
 #include "sim/sim_scenes.hpp"
 #include "sim/simulation.hpp"
 #include "support/catch.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "sim/linking.hpp"
-#include "sim/shipped_scenes.hpp"
+#include "scene/shipped_scenes.hpp"
 #include "sim/simulation.hpp"
 #include "support/catch.hpp"
 

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "sim/sim_scenes.hpp"
-#include "sim/stepper.hpp"
+#include "dynamics/stepper.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone::sim;

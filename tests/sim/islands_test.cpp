@@ -4,13 +4,14 @@
 
 #include <cmath>
 
-#include "sim/islands.hpp"
+#include "dynamics/islands.hpp"
 #include "sim/sim_scenes.hpp"
-#include "sim/sparse_solver.hpp"
-#include "sim/stepper.hpp"
+#include "linear/sparse_solver.hpp"
+#include "dynamics/stepper.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone::sim;
+namespace linear = touchstone::linear;
 
 namespace {
 
@@ -25,7 +26,7 @@ Eigen::MatrixXd block_of(int n, int seed) {
 
 /// The matrix that the solver was given, dense.
 struct Twin {
-  SparseSolver* solver;
+  linear::SparseSolver* solver;
   Eigen::MatrixXd dense;
 
   void add(std::size_t number, const std::vector<int>& block, const Eigen::MatrixXd& values) {
@@ -37,7 +38,7 @@ struct Twin {
       }
     }
   }
-  void add_contact(std::size_t number, const SparseSolver::Corners& corners, const std::array<double, 4>& omega,
+  void add_contact(std::size_t number, const linear::SparseSolver::Corners& corners, const std::array<double, 4>& omega,
                    const Eigen::Matrix3d& values) {
     solver->add_contact(number, omega, values);
     for (std::size_t c = 0; c < 12; ++c) {
@@ -88,19 +89,19 @@ Scene many_cables() {
 TEST_CASE("the sparse solver solves what it was given, components side by side or not") {
   // Seven chains alike and one that is not: four beside each other, and four alone.
   constexpr int kChains = 8, kLong = 12, kSize = kChains * kLong;
-  Blocks blocks;
+  linear::Blocks blocks;
   for (int chain = 0; chain < kChains; ++chain) {
     for (int i = 0; i + 3 < kLong; i += chain == 7 ? 3 : 2) {
       const int first = kLong * chain + i;
       blocks.push_back({first, first + 1, chain == 3 && i == 0 ? -1 : first + 2, first + 3});
     }
   }
-  PatternCache cache;
-  SparseSolver solver(kSize, blocks, cache);
+  linear::PatternCache cache;
+  linear::SparseSolver solver(kSize, blocks, cache);
   // One contact after both: what the pattern was for the two does not outlast them.
   for (const std::size_t contacts : {0, 2, 1, 2, 0}) {
     CAPTURE(contacts);
-    std::vector<SparseSolver::Corners> corners{{0, 1, 2, 3, 4, 5, 24, 25, 26, -1, -1, -1},
+    std::vector<linear::SparseSolver::Corners> corners{{0, 1, 2, 3, 4, 5, 24, 25, 26, -1, -1, -1},
                                                {90, 91, 92, -1, 40, 41, 30, 31, 32, 33, 34, 35}};
     corners.resize(contacts);
     solver.set_contacts(corners);
@@ -127,14 +128,14 @@ TEST_CASE("the sparse solver solves what it was given, components side by side o
 
 TEST_CASE("a large system with contacts is solved to a hundredth, in the measure that Newton's method goes by") {
   constexpr int kSize = 600;
-  PatternCache cache;
+  linear::PatternCache cache;
   // Corners from two elements that are apart; and along a chain, whose pattern has some of their blocks and not others.
   const bool chain = GENERATE(false, true);
   CAPTURE(chain);
-  Blocks blocks;
+  linear::Blocks blocks;
   for (int i = 0; i + 6 <= kSize; i += chain ? 3 : 6) blocks.push_back({i, i + 1, i + 2, i + 3, i + 4, i + 5});
-  SparseSolver solver(kSize, blocks, cache);
-  std::vector<SparseSolver::Corners> corners;
+  linear::SparseSolver solver(kSize, blocks, cache);
+  std::vector<linear::SparseSolver::Corners> corners;
   for (int i = 0; i + 36 < kSize; i += 6) {
     const int k = chain ? i + 6 : i + 30;
     corners.push_back({i, i + 1, i + 2, i + 3, i + 4, i + 5, k, k + 1, k + 2, k + 3, k + 4, k + 5});
@@ -162,7 +163,7 @@ TEST_CASE("Newton's method in parts ends where that on the whole scene does") {
   const System system(scene);
   Settings settings;
   const Energy energy(system);
-  PatternCache cache;
+  linear::PatternCache cache;
   Newton whole(system, settings, cache);
   Islands parts(system, settings);
   Stepper stepper(system, settings);
@@ -286,8 +287,8 @@ TEST_CASE("a contact's second derivative is exact where its pull is, and never n
 TEST_CASE(
     "where contacts make a large system indefinite beside its pattern, the answer still leads down, and is not zero") {
   constexpr int kSize = 600;
-  PatternCache cache;
-  SparseSolver solver(kSize, {}, cache);
+  linear::PatternCache cache;
+  linear::SparseSolver solver(kSize, {}, cache);
   solver.set_contacts({{0, 1, 2, 30, 31, 32, -1, -1, -1, -1, -1, -1}});
   solver.clear();
   // A contact resists that its two corners come closer; that they move together, only the pattern's diagonal would.

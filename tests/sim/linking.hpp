@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "sim/system.hpp"
+#include "rods/system.hpp"
 
 namespace touchstone::sim {
 

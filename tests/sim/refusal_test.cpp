@@ -8,7 +8,7 @@
 #include <touchstone/solve.hpp>
 
 #include "sim/checkpoint.hpp"
-#include "sim/scene_parts.hpp"
+#include "scene/parts.hpp"
 #include "sim/sim_scenes.hpp"
 #include "sim/simulation.hpp"
 #include "support/catch.hpp"

@@ -5,8 +5,8 @@
 
 #include "seeded/rng.hpp"
 #include "sim/linking.hpp"
-#include "sim/scene_parts.hpp"
-#include "sim/shipped_scenes.hpp"
+#include "scene/parts.hpp"
+#include "scene/shipped_scenes.hpp"
 #include "sim/simulation.hpp"
 #include "support/catch.hpp"
 

@@ -4,9 +4,9 @@
 
 #include <Eigen/Core>
 
-#include "sim/energy.hpp"
-#include "sim/scene_parts.hpp"
-#include "sim/stepper.hpp"
+#include "rods/energy.hpp"
+#include "scene/parts.hpp"
+#include "dynamics/stepper.hpp"
 
 namespace touchstone::sim {
 

@@ -7,9 +7,9 @@
 
 #include <touchstone/error.hpp>
 
-#include "sim/impact_zones.hpp"
-#include "sim/scene_file.hpp"
-#include "sim/shipped_scenes.hpp"
+#include "contact/impact_zones.hpp"
+#include "scene/scene_file.hpp"
+#include "scene/shipped_scenes.hpp"
 #include "sim/sim_scenes.hpp"
 #include "sim/simulation.hpp"
 #include "support/catch.hpp"

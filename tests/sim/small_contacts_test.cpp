@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "sim/scene_parts.hpp"
+#include "scene/parts.hpp"
 #include "sim/simulation.hpp"
 #include "support/catch.hpp"
 

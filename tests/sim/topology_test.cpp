@@ -8,7 +8,7 @@
 #include <string>
 
 #include "sim/linking.hpp"
-#include "sim/scene_parts.hpp"
+#include "scene/parts.hpp"
 #include "sim/simulation.hpp"
 #include "support/catch.hpp"
 

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "cli/simulate/simulate.hpp"
-#include "sim/shipped_scenes.hpp"
+#include "scene/shipped_scenes.hpp"
 
 namespace touchstone::cli {
 

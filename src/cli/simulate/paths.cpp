@@ -11,7 +11,7 @@
 #include <touchstone/query.hpp>
 
 #include "io/fail.hpp"
-#include "sim/shipped_scenes.hpp"
+#include "scene/shipped_scenes.hpp"
 
 namespace touchstone::cli {
 namespace {

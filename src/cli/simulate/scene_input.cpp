@@ -8,8 +8,8 @@
 
 #include "cli/shared/interrupt.hpp"
 #include "io/input_file.hpp"
-#include "sim/scene_file.hpp"
-#include "sim/shipped_scenes.hpp"
+#include "scene/scene_file.hpp"
+#include "scene/shipped_scenes.hpp"
 
 namespace touchstone::cli {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "cli/simulate/simulate.hpp"
 #include "io/fail.hpp"
+#include "scene/scene.hpp"
 #include "sim/checkpoint.hpp"
-#include "sim/scene.hpp"
 
 namespace touchstone::cli {
 

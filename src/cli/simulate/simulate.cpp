@@ -19,8 +19,8 @@
 #include "cli/simulate/paths.hpp"
 #include "cli/simulate/scene_input.hpp"
 #include "cli/simulate/summary.hpp"
+#include "scene/scene_file.hpp"
 #include "sim/memory.hpp"
-#include "sim/scene_file.hpp"
 
 namespace touchstone::cli {
 namespace {

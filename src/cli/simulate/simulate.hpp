@@ -7,7 +7,7 @@
 #include <string>
 
 #include "cli/shared/command.hpp"
-#include "sim/narrow_phase.hpp"
+#include "contact/narrow_phase.hpp"
 
 namespace touchstone::cli {
 

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "contact/colliders.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "broad_phase/box_tree.hpp"
+#include "scene/features.hpp"
+
+namespace touchstone::sim {
+namespace {
+
+/// Around the particles at x, wider by `margin` in exact arithmetic: a sum y is off by less than the distance to the
+/// next double, which is at most 2^-52 |y|, or it is exact where that underflows.
+template <std::size_t N>
+broad_phase::Box box_around(const std::array<Index, N>& particles, const VectorX& x, double margin) {
+  constexpr double kToNext = 0x1p-52;
+  broad_phase::Box box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto coordinate = [&](Index p) { return x[3 * static_cast<Eigen::Index>(p) + static_cast<Eigen::Index>(k)]; };
+    double low = coordinate(particles[0]), high = low;
+    for (std::size_t c = 1; c < N; ++c) {
+      low = std::min(low, coordinate(particles[c]));
+      high = std::max(high, coordinate(particles[c]));
+    }
+    low -= margin;
+    high += margin;
+    const double outward = margin > 0 ? kToNext : 0;
+    box.low[k] = low - outward * std::fabs(low);
+    box.high[k] = high + outward * std::fabs(high);
+  }
+  return box;
+}
+
+/// What particles do in a step, give or take a margin along each axis.
+struct Motion {
+  const VectorX& x0;
+  const VectorX& x1;
+  double margin;
+
+  template <std::size_t N>
+  broad_phase::MovingBox box(const std::array<Index, N>& particles) const {
+    return {box_around(particles, x0, margin), box_around(particles, x1, margin)};
+  }
+  broad_phase::MovingBox box(Index particle) const { return box(std::array{particle}); }
+
+  template <class Element>
+  std::vector<broad_phase::MovingBox> boxes(const std::vector<Element>& elements) const {
+    std::vector<broad_phase::MovingBox> boxes;
+    boxes.reserve(elements.size());
+    for (const Element& element : elements) boxes.push_back(box(element));
+    return boxes;
+  }
+};
+
+template <std::size_t N>
+bool contains(const std::array<Index, N>& element, Index particle) {
+  return std::find(element.begin(), element.end(), particle) != element.end();
+}
+
+/// Of the edges that can move, as a large floor is no measure of what lies on it; of all when none can.
+double shortest_of(const std::vector<Edge>& edges, const std::vector<char>& moves, const VectorX& q) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double moving = kInfinity, all = kInfinity;
+  for (const Edge& edge : edges) {
+    const double length = (position(q, edge[0]) - position(q, edge[1])).norm();
+    all = std::min(all, length);
+    if (moves[edge[0]] || moves[edge[1]]) moving = std::min(moving, length);
+  }
+  if (moving < kInfinity) return moving;
+  return all < kInfinity ? all : 1;
+}
+
+}  // namespace
+
+Elements::Elements(const Scene& scene, const System& system) : faces_(scene.faces) {
+  for (const Spring& spring : scene.springs) {
+    if (spring.collides) edges_.push_back({spring.a, spring.b});
+  }
+  for (const Cable& cable : scene.cables) {
+    for (std::size_t j = 0; j < cable.edge_count(); ++j) {
+      edges_.push_back({cable.particles[j], cable.particles[(j + 1) % cable.particles.size()]});
+    }
+  }
+  edges_.insert(edges_.end(), scene.wires.begin(), scene.wires.end());
+  for (const Face& face : faces_) {
+    for (std::size_t k = 0; k < 3; ++k) edges_.push_back({face[k], face[(k + 1) % 3]});
+  }
+  for (Edge& edge : edges_) std::sort(edge.begin(), edge.end());
+  std::sort(edges_.begin(), edges_.end());
+  edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+
+  const std::size_t count = scene.particles.size();
+  moves_.assign(system.particle_count(), 0);
+  for (std::size_t p = 0; p < count; ++p) moves_[p] = !scene.particles[p].path.empty() || !scene.particles[p].pinned();
+
+  std::vector<char> in_edge(count, 0);
+  std::vector<std::vector<Index>> edges_at(count);
+  for (Index e = 0; e < edges_.size(); ++e) {
+    for (const Index p : edges_[e]) {
+      in_edge[p] = 1;
+      edges_at[p].push_back(e);
+    }
+  }
+  shortest_ = shortest_of(edges_, moves_, system.initial_position);
+  std::set<std::pair<Index, Index>> folding;  // in a triangle either end of an edge leads to the third corner
+  for (Index p = 0; p < count; ++p) {
+    if (!scene.particles[p].collides) continue;  // check_scene: then nothing that could be hit has it as a corner
+    vertices_.push_back(p);
+    if (!in_edge[p]) points_.push_back(p);
+    for (const Index e : edges_at[p]) {
+      for (const Index other : edges_at[p]) {
+        const Index end = edges_[other][0] == p ? edges_[other][1] : edges_[other][0];
+        if (e == other || !can_move({Kind::point_edge, end, e})) continue;
+        if (folding.insert({end, e}).second) folds_.push_back({end, e});
+      }
+    }
+  }
+  const bool anything_moves = std::any_of(vertices_.begin(), vertices_.end(), [&](Index p) { return moves_[p] != 0; });
+  passes_.edge_edge = anything_moves && edges_.size() > 1;
+  passes_.vertex_face = anything_moves && !faces_.empty() && vertices_.size() > 3;
+  passes_.joints = !folds_.empty();
+  passes_.points = anything_moves && !points_.empty() && points_.size() + edges_.size() > 1;
+  passes_.anything_moves = anything_moves;
+  passes_.free_points = points_.size();
+  passes_.not_colliding = count - vertices_.size();
+}
+
+std::array<Index, 4> Elements::corners(const Pair& pair) const noexcept {
+  switch (pair.kind) {
+    case Kind::edge_edge: return {edges_[pair.i][0], edges_[pair.i][1], edges_[pair.j][0], edges_[pair.j][1]};
+    case Kind::vertex_face: return {pair.i, faces_[pair.j][0], faces_[pair.j][1], faces_[pair.j][2]};
+    case Kind::point_edge: return {pair.i, edges_[pair.j][0], edges_[pair.j][1], 0};
+    case Kind::point_point: return {pair.i, pair.j, 0, 0};
+  }
+  return {};
+}
+
+Query Elements::query(const Pair& pair, const VectorX& x0, const VectorX& x1) const noexcept {
+  Query query;
+  query.kind = pair.kind;
+  const auto particles = corners(pair);
+  for (std::size_t c = 0; c < corner_count(pair.kind); ++c) {
+    query.start[c] = corner_of(x0, particles[c]);
+    query.end[c] = corner_of(x1, particles[c]);
+  }
+  return query;
+}
+
+bool Elements::can_move(const Pair& pair) const noexcept {
+  const auto particles = corners(pair);
+  for (std::size_t c = 0; c < corner_count(pair.kind); ++c) {
+    if (moves_[particles[c]]) return true;
+  }
+  return false;
+}
+
+std::vector<Pair> Elements::candidates(const VectorX& x0, const VectorX& x1, double margin) const {
+  std::vector<Pair> pairs;
+  const Motion motion{x0, x1, margin};
+  const auto add = [&](const Pair& pair) {
+    if (can_move(pair)) pairs.push_back(pair);
+  };
+  std::vector<broad_phase::MovingBox> edge_boxes;
+  if (passes_.edge_edge || passes_.joints || passes_.points) edge_boxes = motion.boxes(edges_);
+  if (passes_.edge_edge) {
+    broad_phase::for_each_pair(edge_boxes, [&](Index i, Index j) {
+      if (!contains(edges_[j], edges_[i][0]) && !contains(edges_[j], edges_[i][1])) add({Kind::edge_edge, i, j});
+    });
+  }
+  if (kFaces && passes_.vertex_face) {
+    broad_phase::for_each_pair(motion.boxes(vertices_), motion.boxes(faces_), [&](Index i, Index j) {
+      if (!contains(faces_[j], vertices_[i])) add({Kind::vertex_face, vertices_[i], j});
+    });
+  }
+  if (kFolds && passes_.joints) {
+    for (const Fold& fold : folds_) {
+      if (broad_phase::meet(motion.box(fold.particle), edge_boxes[fold.edge]))
+        pairs.push_back({Kind::point_edge, fold.particle, fold.edge});
+    }
+  }
+  if (passes_.points) {
+    const auto point_boxes = motion.boxes(points_);
+    broad_phase::for_each_pair(point_boxes, edge_boxes, [&](Index i, Index j) { add({Kind::point_edge, points_[i], j}); });
+    broad_phase::for_each_pair(point_boxes, [&](Index i, Index j) { add({Kind::point_point, points_[i], points_[j]}); });
+  }
+  return pairs;
+}
+
+Vector3 Elements::place(const Pair& pair, const VectorX& x0, const VectorX& x1, const Answer& answer) const noexcept {
+  const auto c = corners(pair);
+  const auto at = [&](Index p) -> Vector3 {
+    return position(x0, p) + answer.toi * (position(x1, p) - position(x0, p));
+  };
+  if (pair.kind != Kind::edge_edge) return at(c[0]);  // the first element is a particle
+  return answer.weights_a[0] * at(c[0]) + answer.weights_a[1] * at(c[1]);
+}
+
+std::string Elements::describe(const Pair& pair) const {
+  const auto c = corners(pair);
+  switch (pair.kind) {
+    case Kind::edge_edge: return fmt::format("edge {}-{} and edge {}-{}", c[0], c[1], c[2], c[3]);
+    case Kind::vertex_face: return fmt::format("particle {} and face {}-{}-{}", c[0], c[1], c[2], c[3]);
+    case Kind::point_edge: return fmt::format("particle {} and edge {}-{}", c[0], c[1], c[2]);
+    case Kind::point_point: return fmt::format("particle {} and particle {}", c[0], c[1]);
+  }
+  return "";
+}
+
+}  // namespace touchstone::sim

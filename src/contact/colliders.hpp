@@ -1,0 +1,80 @@
+// What can collide in a scene, and which pairs of it come close during a step.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <touchstone/answer.hpp>
+#include <touchstone/query.hpp>
+
+#include "rods/system.hpp"
+
+namespace touchstone::sim {
+
+/// Two elements that may touch. i and j are: edge and edge, particle and face, particle and edge, particle and
+/// particle.
+struct Pair {
+  Kind kind = Kind::edge_edge;
+  Index i = 0, j = 0;
+};
+
+/// The passes that a scene needs, each with its reason; what is not needed is never looked at again.
+struct Passes {
+  bool edge_edge = false, vertex_face = false, joints = false, points = false;
+  bool anything_moves = false;
+  std::size_t free_points = 0;    ///< particles that collide and are in no edge
+  std::size_t not_colliding = 0;  ///< particles
+};
+
+/// A particle, and an edge that it could only reach by folding over the particle that both their edges share.
+struct Fold {
+  Index particle = 0, edge = 0;
+};
+
+class Elements {
+ public:
+  Elements(const Scene& scene, const System& system);
+
+  const std::vector<Edge>& edges() const noexcept { return edges_; }
+  const std::vector<Face>& faces() const noexcept { return faces_; }
+  const Passes& passes() const noexcept { return passes_; }
+
+  /// The particles of a pair in the order of the query's corners; entries past corner_count(kind) mean nothing.
+  std::array<Index, 4> corners(const Pair& pair) const noexcept;
+
+  Query query(const Pair& pair, const VectorX& x0, const VectorX& x1) const noexcept;
+
+  /// Every pair whose boxes overlap at some time, when they move from x0 to x1 with their elements and are wider by
+  /// `margin` on all sides: so every pair that may touch while each particle ends within `margin` of x1 along each axis.
+  /// Without pairs in which nothing can move and, but for folds, pairs that share a particle. Always in the same order.
+  std::vector<Pair> candidates(const VectorX& x0, const VectorX& x1, double margin) const;
+
+  /// Where the pair's elements touch in the motion from x0 to x1, by the exact solver's answer. m
+  Vector3 place(const Pair& pair, const VectorX& x0, const VectorX& x1, const Answer& answer) const noexcept;
+
+  /// "edge 3-4 and edge 10-11": by their particles.
+  std::string describe(const Pair& pair) const;
+
+  /// Of the initial positions, of those edges that can move, or of all when none can; 1 when there is no edge. m
+  double shortest_edge() const noexcept { return shortest_; }
+
+ private:
+  bool can_move(const Pair& pair) const noexcept;
+
+  std::vector<Edge> edges_;
+  std::vector<Face> faces_;
+  std::vector<Index> vertices_;  // every particle that collides
+  std::vector<Index> points_;    // those that are in no edge
+  std::vector<Fold> folds_;
+  std::vector<char> moves_;  // by particle
+  Passes passes_;
+  double shortest_ = 1;
+};
+
+inline Vec3 corner_of(const VectorX& q, Index particle) noexcept {
+  const auto at = 3 * static_cast<Eigen::Index>(particle);
+  return {q[at], q[at + 1], q[at + 2]};
+}
+
+}  // namespace touchstone::sim

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include "contact/contact.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/features.hpp"
+
+namespace touchstone::sim {
+namespace {
+
+using Corners = std::array<Vector3, 4>;
+
+double clamped(double x) { return std::clamp(x, 0.0, 1.0); }
+
+/// The parameters in [0, 1] of the closest points of segments p0 p1 and q0 q1 (Ericson, "Real-Time Collision
+/// Detection", 5.1.9).
+std::array<double, 2> closest_on_segments(const Vector3& p0, const Vector3& p1, const Vector3& q0, const Vector3& q1) {
+  const Vector3 u = p1 - p0, w = q1 - q0, r = p0 - q0;
+  const double a = u.squaredNorm(), e = w.squaredNorm(), b = u.dot(w), c = u.dot(r), f = w.dot(r);
+  const double denominator = a * e - b * b;
+  double s = denominator > 1e-14 * a * e ? clamped((b * f - c * e) / denominator) : 0.5;
+  double t = e > 0 ? (b * s + f) / e : 0;
+  if (t < 0) {
+    t = 0;
+    s = a > 0 ? clamped(-c / a) : 0;
+  } else if (t > 1) {
+    t = 1;
+    s = a > 0 ? clamped((b - c) / a) : 0;
+  }
+  return {s, t};
+}
+
+/// Barycentric coordinates of the point of triangle a b c that is closest to p (Ericson, 5.1.5).
+std::array<double, 3> closest_on_triangle(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c) {
+  const Vector3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp), d6 = ac.dot(cp);
+  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
+  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
+  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
+    const double t = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+    return {0, 1 - t, t};
+  }
+  const double sum = va + vb + vc;
+  return {va / sum, vb / sum, vc / sum};
+}
+
+std::array<double, 4> signed_weights(Kind kind, const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  switch (kind) {
+    case Kind::edge_edge: return {-a[0], -a[1], b[0], b[1]};
+    case Kind::vertex_face: return {1, -b[0], -b[1], -b[2]};
+    case Kind::point_edge: return {1, -b[0], -b[1], 0};
+    case Kind::point_point: return {1, -1, 0, 0};
+  }
+  return {};
+}
+
+std::array<double, 4> closest_weights(Kind kind, const Corners& c) {
+  switch (kind) {
+    case Kind::edge_edge: {
+      const auto [s, t] = closest_on_segments(c[0], c[1], c[2], c[3]);
+      return {-(1 - s), -s, 1 - t, t};
+    }
+    case Kind::vertex_face: {
+      const auto b = closest_on_triangle(c[0], c[1], c[2], c[3]);
+      return {1, -b[0], -b[1], -b[2]};
+    }
+    case Kind::point_edge: {
+      const Vector3 along = c[2] - c[1];
+      const double t = clamped(along.dot(c[0] - c[1]) / along.squaredNorm());
+      return {1, -(1 - t), -t, 0};
+    }
+    case Kind::point_point: break;
+  }
+  return {1, -1, 0, 0};
+}
+
+/// The elements' common normal, not oriented; zero where they have none.
+Vector3 common_normal(Kind kind, const Corners& c) {
+  if (kind == Kind::edge_edge || kind == Kind::vertex_face) {
+    const Vector3 u = kind == Kind::edge_edge ? c[1] - c[0] : c[2] - c[1];
+    const Vector3 w = kind == Kind::edge_edge ? c[3] - c[2] : c[3] - c[1];
+    const Vector3 n = u.cross(w);
+    if (n.norm() > 1e-7 * u.norm() * w.norm()) return n.normalized();
+  }
+  return Vector3::Zero();
+}
+
+Vector3 weighted(const Contact& contact, const VectorX& x) {
+  Vector3 sum = Vector3::Zero();
+  for (std::size_t c = 0; c < contact.corners; ++c) sum += contact.omega[c] * position(x, contact.particles[c]);
+  return sum;
+}
+
+Contact empty_contact(const Elements& elements, const Pair& pair) {
+  Contact contact;
+  contact.pair = pair;
+  contact.particles = elements.corners(pair);
+  contact.corners = corner_count(pair.kind);
+  return contact;
+}
+
+}  // namespace
+
+Contact contact_of(const Elements& elements, const Pair& pair, const VectorX& x0, const VectorX& x1,
+                   const Answer& answer, bool exact_weights) {
+  Contact contact = empty_contact(elements, pair);
+  contact.time = answer.toi;
+  Corners at{};
+  for (std::size_t c = 0; c < contact.corners; ++c) {
+    const Vector3 start = position(x0, contact.particles[c]), end = position(x1, contact.particles[c]);
+    at[c] = start + contact.time * (end - start);
+  }
+  contact.omega =
+      exact_weights ? signed_weights(pair.kind, answer.weights_a, answer.weights_b) : closest_weights(pair.kind, at);
+  const Vector3 before = weighted(contact, x0), moved = weighted(contact, x1) - before;
+  Vector3 n = common_normal(pair.kind, at);
+  if (n.isZero()) {
+    // Parallel edges, or a point: the normal is across the edge, towards where the elements came from.
+    n = before;
+    if (pair.kind == Kind::point_edge || pair.kind == Kind::edge_edge) {
+      const Vector3 along = (pair.kind == Kind::edge_edge ? at[1] - at[0] : at[2] - at[1]).normalized();
+      n -= n.dot(along) * along;
+    }
+    if (!(n.norm() > 0)) n = -moved;
+    if (!(n.norm() > 0)) n = Vector3::UnitZ();
+    n.normalize();
+  }
+  // With the weights of the contact, where they were before is against the way they moved. A grazing one moves along
+  // the elements, and only the place tells.
+  const double side = std::abs(n.dot(moved)) > 1e-9 * moved.norm() ? -n.dot(moved) : n.dot(before);
+  contact.normal = side < 0 ? Vector3(-n) : n;
+  contact.gap = std::max(contact.normal.dot(before), 0.0);
+  return contact;
+}
+
+bool proximity(const Elements& elements, const Pair& pair, const VectorX& x0, double thickness, Contact& contact) {
+  contact = empty_contact(elements, pair);
+  Corners at{};
+  for (std::size_t c = 0; c < contact.corners; ++c) at[c] = position(x0, contact.particles[c]);
+  // Far apart along an axis, as most pairs of a step's candidates are.
+  const std::size_t first = pair.kind == Kind::edge_edge ? 2 : 1;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    double low_a = at[0][k], high_a = low_a, low_b = at[first][k], high_b = low_b;
+    for (std::size_t c = 1; c < contact.corners; ++c) {
+      double& low = c < first ? low_a : low_b;
+      double& high = c < first ? high_a : high_b;
+      low = std::min(low, at[c][k]);
+      high = std::max(high, at[c][k]);
+    }
+    if (low_a - high_b >= thickness || low_b - high_a >= thickness) return false;
+  }
+  contact.omega = closest_weights(pair.kind, at);
+  const Vector3 between = weighted(contact, x0);
+  contact.gap = between.norm();
+  if (!(contact.gap < thickness) || contact.gap == 0) return false;
+  contact.normal = between / contact.gap;
+  return true;
+}
+
+bool resolve(const Contact& contact, const ImpulseRule& rule, const Motion& motion) {
+  const Vector3& n = contact.normal;
+  Vector3 moved = Vector3::Zero(), response = Vector3::Zero();  // response: what a unit impulse along each axis does
+  for (std::size_t c = 0; c < contact.corners; ++c) {
+    const auto at = 3 * static_cast<Eigen::Index>(contact.particles[c]);
+    moved += contact.omega[c] * (motion.x1->segment<3>(at) - motion.x0->segment<3>(at));
+    response += contact.omega[c] * contact.omega[c] * motion.inverse_mass->segment<3>(at);
+  }
+  const double k_normal = response.dot(n.cwiseProduct(n));
+  if (!(k_normal > 0)) return false;
+  const auto apply = [&](const Vector3& impulse, VectorX& to) {
+    for (std::size_t c = 0; c < contact.corners; ++c) {
+      const auto at = 3 * static_cast<Eigen::Index>(contact.particles[c]);
+      to.segment<3>(at) += contact.omega[c] * motion.inverse_mass->segment<3>(at).cwiseProduct(impulse);
+    }
+  };
+  bool changed = false;
+  double approach = n.dot(moved);
+  if (approach < 0) {
+    const double after = approach < -rule.rest ? -rule.restitution * approach : 0;
+    const double j = (after - approach) / k_normal;
+    Vector3 impulse = j * n;
+    if (kFriction && rule.friction > 0) {
+      const Vector3 slip = moved - approach * n;
+      const double speed = slip.norm();
+      if (speed > 0) {
+        const Vector3 t = slip / speed;
+        impulse -= std::min(speed / response.dot(t.cwiseProduct(t)), rule.friction * j) * t;
+      }
+    }
+    for (std::size_t c = 0; c < contact.corners; ++c) {
+      const auto at = 3 * static_cast<Eigen::Index>(contact.particles[c]);
+      for (Eigen::Index k = 0; k < 3; ++k) {
+        if (motion.driven != nullptr && (*motion.inverse_mass)[at + k] == 0)
+          *motion.driven -= contact.omega[c] * impulse[k] * ((*motion.x1)[at + k] - (*motion.x0)[at + k]);
+      }
+    }
+    apply(impulse, *motion.x1);
+    approach = after;
+    changed = true;
+  }
+  const double missing = rule.thickness - (contact.gap + approach);
+  if (missing > 1e-3 * rule.thickness) {
+    const Vector3 push = rule.recovery * missing / k_normal * n;
+    apply(push, *motion.x1);
+    apply(push, *motion.pushed);
+    changed = true;
+  }
+  return changed;
+}
+
+}  // namespace touchstone::sim

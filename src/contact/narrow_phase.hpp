@@ -1,0 +1,63 @@
+// Which of the candidate pairs touch during a step, and when first.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include <touchstone/solve.hpp>
+
+#include "contact/colliders.hpp"
+
+namespace touchstone::sim {
+
+/// Who answers during the response. The proof always asks the exact solver.
+enum class NarrowPhase : std::uint8_t {
+  exact,  ///< touchstone::solve
+  paper   ///< as in the paper: the closed form in doubles for edges, which loses contacts, and nothing for faces
+};
+
+using QuerySink = std::function<void(const Query&, const Answer&)>;
+
+/// Answers to pairs[i], in order; the same for any number of threads.
+class PairSolver {
+ public:
+  PairSolver(const Elements& elements, NarrowPhase narrow_phase, int threads);
+
+  /// For every contact in the order of `pairs`: found(index, answer). @returns how many each level decided
+  template <class Found>
+  LevelCounts contacts(const std::vector<Pair>& pairs, const VectorX& x0, const VectorX& x1, Found found) {
+    LevelCounts counts;
+    for (std::size_t first = 0; first < pairs.size(); first += kBlock) {
+      const std::size_t count = std::min(kBlock, pairs.size() - first);
+      ask(pairs.data() + first, count, x0, x1);
+      for (std::size_t i = 0; i < count; ++i) {
+        count_level(answers_[i].level, counts);
+        if (answers_[i].contact) found(first + i, answers_[i]);
+        if (sink_) sink_(queries_[i], answers_[i]);
+      }
+    }
+    return counts;
+  }
+
+  /// Sees every query and its answer from now on.
+  void watch(QuerySink sink) { sink_ = std::move(sink); }
+
+  /// Whether its answers have weights.
+  bool exact() const noexcept { return narrow_phase_ == NarrowPhase::exact; }
+
+ private:
+  static constexpr std::size_t kBlock = 1024;  // queries that stay in the cache
+  void ask(const Pair* pairs, std::size_t count, const VectorX& x0, const VectorX& x1);
+  static void count_level(Level level, LevelCounts& counts) noexcept;
+
+  const Elements* elements_;
+  NarrowPhase narrow_phase_;
+  int threads_;
+  QuerySink sink_;
+  std::vector<Query> queries_;
+  std::vector<Answer> answers_;
+};
+
+}  // namespace touchstone::sim

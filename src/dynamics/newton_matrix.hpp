@@ -1,0 +1,45 @@
+// The second derivatives that Newton's method solves with. SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "contact/contact_potential.hpp"
+#include "rods/energy.hpp"
+#include "linear/sparse_solver.hpp"
+
+namespace touchstone::sim {
+
+/// Second derivatives in the free coordinates.
+class NewtonMatrix final : public BlockSink {
+ public:
+  NewtonMatrix(const System& system, linear::PatternCache& cache);
+
+  /// The contacts of the next minimisation.
+  void set_contacts(std::span<const ContactTerm> contacts);
+
+  int free_count() const noexcept { return solver_->size(); }
+
+  /// Begins anew with these numbers, one a coordinate.
+  void start(const VectorX& diagonal);
+  void length(std::size_t element, const Eigen::Matrix3d& block) override;
+  void joint(std::size_t element, const JointMatrix& block) override;
+  void contact(std::size_t number, const ContactTerm& term, const Eigen::Matrix3d& block) {
+    solver_->add_contact(number, term.omega, block);
+  }
+
+  /// False when the matrix is not positive definite.
+  bool factorise() { return solver_->factorise(); }
+
+  /// -H^-1 gradient, zero in the fixed coordinates.
+  VectorX direction(const VectorX& gradient) const;
+
+ private:
+  std::vector<int> free_;  // the unknown of each coordinate, -1 for what is fixed
+  std::size_t joint_offset_ = 0;
+  std::size_t contact_count_ = 0;
+  std::unique_ptr<linear::SparseSolver> solver_;
+};
+
+}  // namespace touchstone::sim

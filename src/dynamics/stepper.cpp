@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+#include "dynamics/stepper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace touchstone::sim {
+namespace {
+
+// Second-order methods keep the energy of small vibrations or take from it, but on stiff elements that turn in a step
+// they may multiply it. Implicit Euler takes from it where the potential is convex, and where it buckles mostly.
+constexpr double kEnergyShare = 2e-3;  // of the kinetic and stored energy, which a step may gain
+constexpr double kStubborn = 0.125;    // of the scene's step: where they do not converge in that, implicit Euler may
+constexpr double kContactTolerance = 1e-3;  // m/s: contact springs are no more exact than this
+
+}  // namespace
+
+struct Stepper::Solution {
+  State state;  // at the stage's end; v is the stage's velocity
+  VectorX strain_rate;
+};
+
+Stepper::Stepper(const System& system, const Settings& settings)
+    : system_(&system), settings_(settings), energy_(system), newton_(system, settings) {}
+
+State Stepper::initial() const {
+  State state;
+  state.q = system_->initial_position;
+  state.v = system_->initial_velocity;
+  system_->prescribe(0, state.q);
+  state.frames = system_->initial_frames(state.q);
+  return state;
+}
+
+Advance Stepper::advance(const State& state, double h) {
+  Advance advance;
+  switch (settings_.integrator) {
+    case Integrator::implicit_euler: advance = implicit_euler(state, h); break;
+    case Integrator::tr_bdf2: advance = tr_bdf2(state, h); break;
+    case Integrator::implicit_midpoint: advance = implicit_midpoint(state, h); break;
+    case Integrator::symplectic_euler: advance = symplectic_euler(state, h); break;
+  }
+  if (advance.converged) finish(state, h, advance.state);
+  const bool is_explicit = settings_.integrator == Integrator::symplectic_euler;
+  const bool second_order =
+      settings_.integrator == Integrator::tr_bdf2 || settings_.integrator == Integrator::implicit_midpoint;
+  const bool is_short = h <= kStubborn * settings_.time_step;
+  advance.gained_energy = advance.converged && !is_explicit && gained_energy(state, h, advance.state);
+  if (second_order && (advance.converged ? advance.gained_energy : is_short)) {
+    const Advance tried = std::move(advance);
+    advance = implicit_euler(state, h);
+    advance.iterations += tried.iterations;
+    advance.convex += tried.convex;
+    advance.first_order = true;
+    if (advance.converged) {
+      finish(state, h, advance.state);
+      advance.gained_energy = gained_energy(state, h, advance.state);
+    }
+  }
+  if (!advance.converged) return advance;
+  if (!advance.state.q.allFinite() || !advance.state.v.allFinite()) advance.converged = false;
+  return advance;
+}
+
+void Stepper::finish(const State& before, double h, State& after) const {
+  after.time = before.time + h;
+  system_->prescribe(after.time, after.q);
+  for (Eigen::Index i = 0; i < after.q.size(); ++i) {
+    if (!system_->fixed[static_cast<std::size_t>(i)]) continue;
+    after.v[i] = (after.q[i] - before.q[i]) / h;
+  }
+}
+
+VectorX Stepper::acceleration(const State& state) const {
+  VectorX gradient = -system_->force;
+  energy_.derivatives(state.q, state.frames, state.time, energy_.elastic(), Curvature::convex, gradient, nullptr);
+  // The damping force of strain s is -c ds/dt grad s: that of a spring of stiffness c, strained by ds/dt.
+  const VectorX strains = energy_.strains(state.q, state.frames, state.time);
+  Strains damping{energy_.damped(strains, 1).stiffness - energy_.elastic().stiffness, strains};
+  if (damping.stiffness.any()) {
+    damping.rest -= energy_.strain_rates(state.q, state.v, state.frames, state.time);
+    energy_.derivatives(state.q, state.frames, state.time, damping, Curvature::convex, gradient, nullptr);
+  }
+  VectorX a = VectorX::Zero(state.q.size());
+  for (Eigen::Index i = 0; i < a.size(); ++i) {
+    if (!system_->fixed[static_cast<std::size_t>(i)])
+      a[i] = -gradient[i] / system_->mass[i] - settings_.drag * state.v[i];
+  }
+  return a;
+}
+
+Stepper::Solution Stepper::solve(const State& state, const Stage& stage, const VectorX& guess_velocity,
+                                 Advance& advance) {
+  VectorX guess = stage.base + stage.span * guess_velocity;
+  for (Eigen::Index i = 0; i < guess.size(); ++i) {
+    if (system_->fixed[static_cast<std::size_t>(i)]) guess[i] = state.q[i];
+  }
+  system_->prescribe(stage.time, guess);
+  Solution solution;
+  solution.state = state;
+  const NewtonResult result = newton_.minimise(stage, guess, solution.state.q, solution.state.frames);
+  advance.converged = result.converged;
+  advance.iterations += result.iterations;
+  advance.convex += result.convex;
+  advance.mover = result.mover;
+  solution.state.time = stage.time;
+  solution.state.v = (solution.state.q - stage.base) / stage.span;
+  return solution;
+}
+
+Stage Stepper::euler_stage(const State& state, double h) const {
+  return {state.q, state.v, h, state.time + h, energy_.damped(energy_.strains(state.q, state.frames, state.time), h),
+          {},      0};
+}
+
+Advance Stepper::implicit_euler(const State& state, double h) {
+  Advance advance;
+  advance.state = solve(state, euler_stage(state, h), state.v, advance).state;
+  return advance;
+}
+
+Advance Stepper::advance_with(const State& state, double h, std::span<const ContactTerm> contacts,
+                              const VectorX& near) {
+  Advance advance;
+  Stage stage = euler_stage(state, h);
+  stage.contacts = contacts;
+  stage.tolerance = kContactTolerance;
+  advance.state = solve(state, stage, (near - state.q) / h, advance).state;
+  if (!advance.converged) return advance;
+  finish(state, h, advance.state);
+  advance.converged = advance.state.q.allFinite() && advance.state.v.allFinite();
+  return advance;
+}
+
+bool Stepper::gained_energy(const State& before, double h, const State& after) const {
+  State later = before;  // what a twisted end of a ring gives by its turn is no gain either
+  later.time += h;
+  const Energies was = energies(*system_, before), turned = energies(*system_, later), is = energies(*system_, after);
+  const double slack =
+      kEnergyShare * std::max(was.total() - was.load, is.total() - is.load) + 1e-12 * (std::abs(was.load) + 1e-3);
+  // The work is that of the forces at the step's end: these methods take them from all over the step.
+  const double work = 2 * std::max(driven_work(before, h, {}, after), 0.0);
+  return !(is.total() <= std::max(was.total(), turned.total()) + work + slack);
+}
+
+double Stepper::driven_work(const State& before, double h, std::span<const ContactTerm> contacts,
+                            const State& after) const {
+  VectorX moved = VectorX::Zero(after.q.size());
+  for (Eigen::Index i = 0; i < moved.size(); ++i) {
+    if (system_->fixed[static_cast<std::size_t>(i)]) moved[i] = after.q[i] - before.q[i];
+  }
+  if (moved.isZero(0)) return 0;
+  const Stage stage = euler_stage(before, h);
+  VectorX pull = system_->mass.cwiseProduct(after.v - before.v) / h - system_->force;
+  energy_.derivatives(after.q, after.frames, after.time, stage.strains, Curvature::exact, pull, nullptr);
+  double work = pull.dot(moved);
+  for (const ContactTerm& term : contacts) {
+    const Vector3 against = contact_derivatives(term, before.q, after.q, Vector3::Zero()).gradient;
+    work += against.dot(relative_motion(term, moved));
+  }
+  return work;
+}
+
+Advance Stepper::implicit_midpoint(const State& state, double h) {
+  // Half a step of implicit Euler to the middle, and as far again.
+  Advance advance;
+  const Stage stage{state.q,
+                    state.v,
+                    h / 2,
+                    state.time + h / 2,
+                    energy_.damped(energy_.strains(state.q, state.frames, state.time), h / 2),
+                    {},
+                    0};
+  const State middle = solve(state, stage, state.v, advance).state;
+  if (!advance.converged) return advance;
+  advance.state.q = 2 * middle.q - state.q;
+  advance.state.v = 2 * middle.v - state.v;
+  VectorX q = advance.state.q;
+  system_->prescribe(state.time + h, q);
+  advance.state.frames = system_->transported(middle.frames, middle.q, q);
+  return advance;
+}
+
+Advance Stepper::tr_bdf2(const State& state, double h) {
+  // A trapezoid to t + g h, then the second-order backward difference through t and t + g h; with g = 2 - sqrt 2 both
+  // stages have the same span.
+  const double share = 1 - std::sqrt(0.5), weight = std::sqrt(2.0) / 4;
+  Advance advance;
+  const VectorX a0 = acceleration(state);
+  const VectorX s0 = energy_.strains(state.q, state.frames, state.time);
+  const VectorX r0 = energy_.strain_rates(state.q, state.v, state.frames, state.time);
+
+  Stage stage;
+  stage.span = share * h;
+  stage.base = state.q + stage.span * state.v;
+  stage.base_velocity = state.v + stage.span * a0;
+  stage.time = state.time + 2 * share * h;
+  const VectorX s1_base = s0 + stage.span * r0;
+  stage.strains = energy_.damped(s1_base, stage.span);
+  const State middle = solve(state, stage, state.v, advance).state;
+  if (!advance.converged) return advance;
+  const VectorX a1 = (middle.v - stage.base_velocity) / stage.span;
+  const VectorX r1 = (energy_.strains(middle.q, middle.frames, middle.time) - s1_base) / stage.span;
+
+  stage.base = state.q + weight * h * (state.v + middle.v);
+  stage.base_velocity = state.v + weight * h * (a0 + a1);
+  stage.time = state.time + h;
+  stage.strains = energy_.damped(s0 + weight * h * (r0 + r1), stage.span);
+  advance.state = solve(middle, stage, middle.v, advance).state;
+  return advance;
+}
+
+Advance Stepper::symplectic_euler(const State& state, double h) {
+  Advance advance;
+  advance.state.v = state.v + h * acceleration(state);
+  advance.state.q = state.q + h * advance.state.v;
+  for (Eigen::Index i = 0; i < state.q.size(); ++i) {
+    if (system_->fixed[static_cast<std::size_t>(i)]) advance.state.q[i] = state.q[i];
+  }
+  system_->prescribe(state.time + h, advance.state.q);
+  advance.converged = advance.state.q.allFinite();
+  if (advance.converged) advance.state.frames = system_->transported(state.frames, state.q, advance.state.q);
+  return advance;
+}
+
+Energies energies(const System& system, const State& state) {
+  const Energy energy(system);
+  const Strains elastic = energy.elastic();
+  const VectorX strain = energy.strains(state.q, state.frames, state.time) - elastic.rest;
+  const VectorX stored = 0.5 * elastic.stiffness.cwiseProduct(strain.cwiseProduct(strain));
+  Energies e;
+  e.kinetic = 0.5 * (system.mass.array() * state.v.array().square()).sum();
+  const auto lengths = static_cast<Eigen::Index>(system.lengths.size());
+  e.stretch = stored.head(lengths).sum();
+  for (Eigen::Index i = lengths; i < stored.size(); i += 3) {
+    e.bend += stored[i] + stored[i + 1];
+    e.twist += stored[i + 2];
+  }
+  e.load = -system.force.dot(state.q);
+  return e;
+}
+
+}  // namespace touchstone::sim

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include "linear/block_matrix.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace touchstone::linear {
+namespace {
+
+constexpr int kNone = -1;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+template <class Number>
+constexpr int lanes = 1;
+template <>
+constexpr int lanes<Lanes> = Lanes::kCount;
+
+double* first_lane(double* value) { return value; }
+double* first_lane(Lanes* value) { return value->each.data(); }
+
+/// Unknowns that blocks tie together, and nothing else.
+struct Components {
+  std::vector<int> of, local;  // of each unknown: its component, and its number there
+  std::vector<int> sizes;
+};
+
+Components components_of(int size, const Blocks& blocks) {
+  std::vector<int> root(at(size));
+  std::iota(root.begin(), root.end(), 0);
+  const auto root_of = [&](int i) {
+    while (root[at(i)] != i) i = root[at(i)] = root[at(root[at(i)])];
+    return i;
+  };
+  for (const auto& block : blocks) {
+    int before = kNone;
+    for (const int i : block) {
+      if (i < 0) continue;
+      if (before >= 0) {
+        const int a = root_of(before), b = root_of(i);
+        root[at(std::max(a, b))] = std::min(a, b);
+      }
+      before = i;
+    }
+  }
+  Components all;
+  all.of.resize(at(size));
+  for (int i = 0; i < size; ++i) {
+    const int r = root_of(i);
+    if (r == i) {
+      all.of[at(i)] = static_cast<int>(all.sizes.size());
+      all.sizes.push_back(0);
+    }
+    all.of[at(i)] = all.of[at(r)];
+    all.local.push_back(all.sizes[at(all.of[at(i)])]++);
+  }
+  return all;
+}
+
+}  // namespace
+
+template <class Number>
+void Diagonal<Number>::assemble(const Parts& parts) {
+  int size = 0, entries = 0;
+  for (const auto& part : parts) {
+    size += part->size;
+    entries += static_cast<int>(part->row.size());
+  }
+  matrix.resize(size, size);
+  matrix.resizeNonZeros(entries);
+  int *end = matrix.outerIndexPtr(), *row = matrix.innerIndexPtr();
+  size = entries = 0;
+  for (const auto& part : parts) {
+    for (auto first = part->first.begin() + 1; first != part->first.end(); ++first) *++end = entries + *first;
+    row = std::transform(part->row.begin(), part->row.end(), row, [&](int r) { return size + r; });
+    size += part->size;
+    entries += static_cast<int>(part->row.size());
+  }
+  analysed = false;
+}
+
+template <class Number>
+double* Diagonal<Number>::entry(int row, int column) {
+  const auto [low, high] = std::minmax(row, column);
+  const int* const begin = matrix.innerIndexPtr() + matrix.outerIndexPtr()[high];
+  const int* const end = matrix.innerIndexPtr() + matrix.outerIndexPtr()[high + 1];
+  const int* const found = std::lower_bound(begin, end, low);
+  return found != end && *found == low ? first_lane(matrix.valuePtr() + (found - matrix.innerIndexPtr())) : nullptr;
+}
+
+template <class Number>
+bool Diagonal<Number>::factorise() {
+  if (matrix.rows() == 0) return true;
+  if (!analysed) factor.analyzePattern(matrix);
+  analysed = true;
+  factor.factorize(matrix);
+  if (factor.info() != Eigen::Success) return false;
+  Eigen::Matrix<Number, Eigen::Dynamic, 1> pivots = factor.vectorD();
+  const Eigen::Map<const Eigen::ArrayXd> all(first_lane(pivots.data()), pivots.size() * lanes<Number>);
+  return all.allFinite() && (all > 0).all();
+}
+
+void BlockMatrix::take_pattern(int size, const Blocks& all, PatternCache* cache) {
+  const Components components = components_of(size, all);
+  const std::size_t count = components.sizes.size();
+  std::vector<Blocks> local_blocks(count);
+  std::vector<int> component_of_block(all.size(), kNone), block_number(all.size(), 0);
+  for (std::size_t b = 0; b < all.size(); ++b) {
+    const auto first = std::find_if(all[b].begin(), all[b].end(), [](int i) { return i >= 0; });
+    if (first == all[b].end()) continue;
+    component_of_block[b] = components.of[at(*first)];
+    Blocks& own = local_blocks[at(component_of_block[b])];
+    block_number[b] = static_cast<int>(own.size());
+    own.push_back(all[b]);
+    for (int& i : own.back()) {
+      if (i >= 0) i = components.local[at(i)];
+    }
+  }
+  patterns_.resize(count);
+  // In the order in which patterns appear: the order of addresses would not be the same in each run.
+  std::map<const SparsePattern*, std::size_t> group_of;
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t c = 0; c < count; ++c) {
+    patterns_[c] = cache != nullptr ? cache->get(components.sizes[c], local_blocks[c])
+                                    : std::make_shared<const SparsePattern>(components.sizes[c], local_blocks[c]);
+    const auto [found, fresh] = group_of.try_emplace(patterns_[c].get(), groups.size());
+    if (fresh) groups.emplace_back();
+    groups[found->second].push_back(c);
+  }
+  struct Place {
+    int unknown = 0, entry = 0, lane = kNone;
+  };
+  std::vector<Place> places(count);
+  std::vector<std::shared_ptr<const SparsePattern>> by_four, by_one;
+  Place four{0, 0, 0}, one;
+  const auto next = [](Place& place, const SparsePattern& pattern) {
+    place.unknown += pattern.size;
+    place.entry += static_cast<int>(pattern.row.size());
+  };
+  for (const auto& group : groups) {
+    const auto& pattern = patterns_[group[0]];
+    const std::size_t in_fours = group.size() - group.size() % Lanes::kCount;
+    for (std::size_t i = 0; i < in_fours; ++i) {
+      four.lane = static_cast<int>(i % Lanes::kCount);
+      places[group[i]] = four;
+      if (four.lane != Lanes::kCount - 1) continue;
+      by_four.push_back(pattern);
+      next(four, *pattern);
+    }
+    for (std::size_t i = in_fours; i < group.size(); ++i) {
+      places[group[i]] = one;
+      by_one.push_back(pattern);
+      next(one, *pattern);
+    }
+  }
+  fours_.assemble(by_four);
+  alone_.assemble(by_one);
+  where_.resize(at(size));
+  for (std::size_t i = 0; i < where_.size(); ++i) {
+    const std::size_t c = at(components.of[i]);
+    const int number = places[c].unknown + patterns_[c]->numbers[at(components.local[i])];
+    where_[i] =
+        places[c].lane == kNone ? Lanes::kCount * four.unknown + number : Lanes::kCount * number + places[c].lane;
+  }
+  blocks_.assign(all.size(), {});
+  for (std::size_t b = 0; b < all.size(); ++b) {
+    if (component_of_block[b] == kNone) continue;
+    const std::size_t c = at(component_of_block[b]);
+    const Place& place = places[c];
+    BlockPlace& own = blocks_[b];
+    own.places = patterns_[c]->places.data() + patterns_[c]->place_first[at(block_number[b])];
+    own.stride = place.lane == kNone ? 1 : Lanes::kCount;
+    own.values = place.lane == kNone ? alone_.matrix.valuePtr() + place.entry
+                                     : fours_.matrix.valuePtr()[place.entry].each.data() + place.lane;
+  }
+}
+
+double* BlockMatrix::entry(int unknown, int other) {
+  const int first_alone = Lanes::kCount * static_cast<int>(fours_.matrix.rows());
+  const int a = place(unknown), b = place(other);
+  if (a >= first_alone && b >= first_alone) return alone_.entry(a - first_alone, b - first_alone);
+  if (a >= first_alone || b >= first_alone || a % Lanes::kCount != b % Lanes::kCount) return nullptr;
+  double* const found = fours_.entry(a / Lanes::kCount, b / Lanes::kCount);
+  return found == nullptr ? nullptr : found + a % Lanes::kCount;
+}
+
+void BlockMatrix::clear() {
+  fours_.matrix.coeffs().setConstant(0);
+  alone_.matrix.coeffs().setConstant(0);
+}
+
+void BlockMatrix::add(std::size_t block, const std::vector<int>& unknowns, const double* column_major) {
+  const auto [places, values, stride] = blocks_[block];
+  if (places == nullptr) return;
+  const int* place = places;
+  const std::size_t n = unknowns.size();
+  for (std::size_t c = 0; c < n; ++c) {
+    if (unknowns[c] < 0) continue;
+    for (std::size_t r = c; r < n; ++r) {
+      if (unknowns[r] >= 0) values[*place++ * stride] += column_major[c * n + r];
+    }
+  }
+}
+
+bool BlockMatrix::factorise() { return fours_.factorise() && alone_.factorise(); }
+
+void BlockMatrix::apply_inverse(Vector& x) const {
+  const Eigen::Index fours = fours_.matrix.rows(), singles = alone_.matrix.rows();
+  if (fours > 0) x.head(fours) = fours_.factor.solve(x.head(fours));
+  auto rest = numbers(x).segment(Lanes::kCount * fours, singles);
+  if (singles > 0) rest = alone_.factor.solve(rest);
+}
+
+void BlockMatrix::times(const Vector& x, Vector& y) const {
+  const Eigen::Index fours = fours_.matrix.rows(), singles = alone_.matrix.rows();
+  y.head(fours) = fours_.matrix.selfadjointView<Eigen::Upper>() * x.head(fours);
+  numbers(y).segment(Lanes::kCount * fours, singles) =
+      alone_.matrix.selfadjointView<Eigen::Upper>() * numbers(x).segment(Lanes::kCount * fours, singles);
+  const Eigen::Index known = Lanes::kCount * fours + singles;
+  numbers(y).tail(numbers(y).size() - known).setZero();
+}
+
+}  // namespace touchstone::linear

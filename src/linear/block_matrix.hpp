@@ -1,0 +1,66 @@
+// A symmetric matrix, the sum of dense blocks, in parts that nothing ties together; Eigen factorises it.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <memory>
+#include <vector>
+
+#include "linear/lanes.hpp"
+#include "linear/sparse_pattern.hpp"
+
+namespace touchstone::linear {
+
+/// Parts that nothing ties together, as one matrix; with Lanes for numbers, each part is four of one pattern.
+template <class Number>
+struct Diagonal {
+  using Parts = std::vector<std::shared_ptr<const SparsePattern>>;
+  void assemble(const Parts& parts);
+  double* entry(int row, int column);  ///< null when there is none
+  bool factorise();                    ///< false when it is not positive definite
+
+  Eigen::SparseMatrix<Number> matrix;  ///< the upper triangle, in an order that fills up little
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<Number>, Eigen::Upper, Eigen::NaturalOrdering<int>> factor;
+  bool analysed = false;
+};
+
+class BlockMatrix {
+ public:
+  /// @param cache  null when this pattern will not come again
+  void take_pattern(int size, const Blocks& blocks, PatternCache* cache);
+
+  /// The entry of these two unknowns; null when there is none.
+  double* entry(int unknown, int other);
+  void clear();
+  /// @param unknowns  of this block, as they were given
+  void add(std::size_t block, const std::vector<int>& unknowns, const double* column_major);
+  bool factorise();  ///< false when it is not positive definite
+
+  /// All unknowns' numbers, those of parts that stand side by side first; what is past `size` is 0 and means nothing.
+  using Vector = Eigen::Matrix<Lanes, Eigen::Dynamic, 1>;
+  Vector zero() const { return Vector::Constant(fours_.matrix.rows() + alone_.matrix.rows() / Lanes::kCount + 1, 0); }
+  static Eigen::Map<Eigen::VectorXd> numbers(Vector& v) { return {v.data()->each.data(), Lanes::kCount * v.size()}; }
+  static Eigen::Map<const Eigen::VectorXd> numbers(const Vector& v) {
+    return {v.data()->each.data(), Lanes::kCount * v.size()};
+  }
+  int place(int unknown) const { return where_[static_cast<std::size_t>(unknown)]; }  ///< among a vector's numbers
+
+  void apply_inverse(Vector& x) const;
+  void times(const Vector& x, Vector& y) const;
+
+ private:
+  struct BlockPlace {
+    const int* places = nullptr;  // in its part's pattern; null when all of it is left out
+    double* values = nullptr;     // of its part
+    int stride = 1;               // between them
+  };
+  Diagonal<Lanes> fours_;
+  Diagonal<double> alone_;
+  std::vector<int> where_;
+  std::vector<BlockPlace> blocks_;
+  std::vector<std::shared_ptr<const SparsePattern>> patterns_;  // of each part
+};
+
+}  // namespace touchstone::linear

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "linear/sparse_solver.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "linear/block_matrix.hpp"
+
+namespace touchstone::linear {
+namespace {
+
+using Corners = SparseSolver::Corners;
+using Vector3 = Eigen::Vector3d;
+
+/// Larger systems keep their pattern when contacts come and go, and what does not fit it is left to conjugate
+/// gradients: contacts tie a pile of cables together in such a way that a factor of all of it fills up.
+constexpr int kLargestDirect = 300;
+constexpr double kResidual = 1e-2;  // relative: on a corner as sharp as friction's, more takes away nothing
+constexpr int kMostIterations = 400;
+
+using Vector = BlockMatrix::Vector;
+
+/// A contact as conjugate gradients need it: what of it lies beside the matrix's pattern.
+struct Tie {
+  Corners at{};                          // places in a vector; what is left out is one past the last
+  std::array<std::uint8_t, 4> beside{};  // for each corner, the corners (as bits) whose blocks are not in the pattern
+  std::array<double, 4> omega{};
+  Eigen::Matrix3d block = Eigen::Matrix3d::Zero();
+};
+
+Vector3 gathered(const Tie& tie, std::size_t corner, const double* x) {
+  const int* const place = tie.at.data() + 3 * corner;
+  return {x[place[0]], x[place[1]], x[place[2]]};
+}
+
+}  // namespace
+
+struct SparseSolver::Parts {
+  int size = 0;
+  Blocks blocks;
+  PatternCache* cache = nullptr;
+  bool with_contacts = false;  // whether the pattern has entries that only contacts need
+
+  BlockMatrix matrix;
+
+  std::vector<Tie> ties;
+  std::vector<double*> contact_places;  // each contact's entries, pair of corners by pair; null where there is none
+  std::vector<std::size_t> contact_first;
+  bool beside = false;  // whether any contact has entries beside the pattern
+
+  bool fits(const Corners& unknowns, std::size_t a, std::size_t b);
+  void take_contacts(const std::vector<Corners>& contacts);
+  void times(const Vector& in, Vector& out) const;
+  void iterate(Vector& right) const;
+
+  bool absent(const Tie& tie, std::size_t corner) const {
+    const int* const place = tie.at.data() + 3 * corner;
+    return place[0] == size && place[1] == size && place[2] == size;
+  }
+};
+
+/// Whether the pattern has every entry of the block of two corners.
+bool SparseSolver::Parts::fits(const Corners& unknowns, std::size_t a, std::size_t b) {
+  for (std::size_t i = 3 * a; i < 3 * a + 3; ++i) {
+    for (std::size_t j = 3 * b; j < 3 * b + 3; ++j) {
+      if (unknowns[i] >= 0 && unknowns[j] >= 0 && matrix.entry(unknowns[i], unknowns[j]) == nullptr) return false;
+    }
+  }
+  return true;
+}
+
+void SparseSolver::Parts::take_contacts(const std::vector<Corners>& contacts) {
+  ties.assign(contacts.size(), {});
+  contact_places.clear();
+  contact_first.clear();
+  beside = false;
+  for (std::size_t n = 0; n < contacts.size(); ++n) {
+    Tie& tie = ties[n];
+    const Corners& unknowns = contacts[n];
+    for (std::size_t k = 0; k < 12; ++k) tie.at[k] = unknowns[k] < 0 ? size : matrix.place(unknowns[k]);
+    contact_first.push_back(contact_places.size());
+    // The matrix takes the blocks of corners that fit it all with each other, so that what it has of a contact is never
+    // negative: with one of three corners' blocks left out it could be, and would then have no factor.
+    std::array<std::uint8_t, 4> together{};  // for each corner, those that go into the matrix with it
+    for (std::size_t a = 0; a < 4; ++a) {
+      if (absent(tie, a)) continue;
+      std::size_t first = 0;
+      while (first < a) {
+        bool all = together[first] != 0;
+        for (std::size_t b = 0; b < a; ++b) {
+          if ((together[first] >> b & 1u) != 0) all = all && fits(unknowns, a, b);
+        }
+        if (all) break;
+        ++first;
+      }
+      const auto group = static_cast<std::uint8_t>((first < a ? together[first] : 0u) | 1u << a);
+      for (std::size_t b = 0; b <= a; ++b) {
+        if ((group >> b & 1u) != 0) together[b] = group;
+      }
+    }
+    for (std::size_t a = 0; a < 4; ++a) {
+      if (absent(tie, a)) continue;
+      for (std::size_t b = a; b < 4; ++b) {
+        if (absent(tie, b)) continue;
+        const bool in = (together[a] >> b & 1u) != 0;
+        if (!in) {
+          tie.beside[a] = static_cast<std::uint8_t>(tie.beside[a] | 1u << b);
+          tie.beside[b] = static_cast<std::uint8_t>(tie.beside[b] | 1u << a);
+          beside = true;
+        }
+        for (std::size_t i = 3 * a; i < 3 * a + 3; ++i) {
+          for (std::size_t j = a == b ? i : 3 * b; j < 3 * b + 3; ++j) {
+            const bool is_there = in && unknowns[i] >= 0 && unknowns[j] >= 0;
+            contact_places.push_back(is_there ? matrix.entry(unknowns[i], unknowns[j]) : nullptr);
+          }
+        }
+      }
+    }
+  }
+  contact_first.push_back(contact_places.size());
+}
+
+/// y = the whole matrix times x.
+void SparseSolver::Parts::times(const Vector& in, Vector& out) const {
+  matrix.times(in, out);
+  const double* const x = in.data()->each.data();
+  double* const y = out.data()->each.data();
+  for (const Tie& tie : ties) {
+    Vector3 pull = Vector3::Zero();
+    std::uint8_t summed = 0;
+    for (std::size_t a = 0; a < 4; ++a) {
+      if (tie.beside[a] == 0) continue;
+      if (tie.beside[a] != summed) {
+        summed = tie.beside[a];
+        Vector3 sum = Vector3::Zero();
+        for (std::size_t b = 0; b < 4; ++b) {
+          if ((summed >> b & 1u) != 0) sum += tie.omega[b] * gathered(tie, b, x);
+        }
+        pull = tie.block * sum;
+      }
+      for (std::size_t i = 0; i < 3; ++i) y[tie.at[3 * a + i]] += tie.omega[a] * pull[static_cast<Eigen::Index>(i)];
+    }
+  }
+  y[size] = 0;
+}
+
+/// Conjugate gradients, with the factor of what is in the pattern as preconditioner.
+void SparseSolver::Parts::iterate(Vector& right) const {
+  const auto numbers = [](auto& v) { return BlockMatrix::numbers(v); };
+  Vector x = matrix.zero(), z = right;
+  auto& r = right;
+  matrix.apply_inverse(z);
+  Vector p = z, hp = x;
+  double rz = numbers(r).dot(numbers(z));
+  const double enough = kResidual * kResidual * rz;
+  for (int i = 0; i < kMostIterations && rz > enough; ++i) {
+    times(p, hp);
+    const double curvature = numbers(p).dot(numbers(hp));
+    if (!(curvature > 0)) {
+      // The whole need not be positive where what is in the pattern is. What has been found leads down; if that is
+      // nothing, the preconditioner's own answer does, while a step of length zero would look like an arrival.
+      if (i == 0) x = p;
+      break;
+    }
+    const double step = rz / curvature;
+    numbers(x) += step * numbers(p);
+    numbers(r) -= step * numbers(hp);
+    z = r;
+    matrix.apply_inverse(z);
+    const double before = rz;
+    rz = numbers(r).dot(numbers(z));
+    numbers(p) = numbers(z) + rz / before * numbers(p);
+  }
+  right = std::move(x);
+}
+
+SparseSolver::SparseSolver(int size, Blocks blocks, PatternCache& cache) : parts_(std::make_unique<Parts>()) {
+  parts_->size = size;
+  parts_->blocks = std::move(blocks);
+  parts_->cache = &cache;
+  parts_->matrix.take_pattern(size, parts_->blocks, &cache);
+}
+
+SparseSolver::~SparseSolver() = default;
+
+void SparseSolver::set_contacts(const std::vector<Corners>& contacts) {
+  Parts& parts = *parts_;
+  // What other contacts have added to the pattern says nothing about these.
+  if (parts.with_contacts) parts.matrix.take_pattern(parts.size, parts.blocks, parts.cache);
+  parts.take_contacts(contacts);
+  parts.with_contacts = parts.beside && parts.size <= kLargestDirect;
+  if (!parts.with_contacts) return;
+  Blocks all = parts.blocks;
+  for (const Corners& corners : contacts) all.emplace_back(corners.begin(), corners.end());
+  parts.matrix.take_pattern(parts.size, all, nullptr);
+  parts.take_contacts(contacts);
+}
+
+int SparseSolver::size() const noexcept { return parts_->size; }
+
+void SparseSolver::clear() { parts_->matrix.clear(); }
+
+void SparseSolver::add_diagonal(int row, double value) { *parts_->matrix.entry(row, row) += value; }
+
+void SparseSolver::add(std::size_t block, const double* column_major) {
+  parts_->matrix.add(block, parts_->blocks[block], column_major);
+}
+
+void SparseSolver::add_contact(std::size_t contact, const std::array<double, 4>& omega, const Eigen::Matrix3d& block) {
+  Parts& parts = *parts_;
+  Tie& tie = parts.ties[contact];
+  tie.omega = omega;
+  tie.block = block;
+  double* const* place = parts.contact_places.data() + parts.contact_first[contact];
+  for (std::size_t a = 0; a < 4; ++a) {
+    if (parts.absent(tie, a)) continue;
+    for (std::size_t b = a; b < 4; ++b) {
+      if (parts.absent(tie, b)) continue;
+      const double weight = omega[a] * omega[b];
+      for (Eigen::Index i = 0; i < 3; ++i) {
+        for (Eigen::Index j = a == b ? i : 0; j < 3; ++j) {
+          if (*place != nullptr) **place += weight * block(i, j);
+          ++place;
+        }
+      }
+    }
+  }
+}
+
+bool SparseSolver::factorise() { return parts_->matrix.factorise(); }
+
+Eigen::VectorXd SparseSolver::solve(const Eigen::VectorXd& right) const {
+  const Parts& parts = *parts_;
+  Vector vector = parts.matrix.zero();
+  auto x = BlockMatrix::numbers(vector);
+  for (int i = 0; i < parts.size; ++i) x[parts.matrix.place(i)] = right[i];
+  if (parts.beside) {
+    parts.iterate(vector);
+  } else {
+    parts.matrix.apply_inverse(vector);
+  }
+  Eigen::VectorXd solution(right.size());
+  const auto found = BlockMatrix::numbers(vector);
+  for (int i = 0; i < parts.size; ++i) solution[i] = found[parts.matrix.place(i)];
+  return solution;
+}
+
+}  // namespace touchstone::linear

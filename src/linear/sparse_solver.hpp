@@ -1,0 +1,46 @@
+// Symmetric positive definite systems: a sum of small dense blocks, whose pattern is known once and for all, and of
+// contacts, which come and go. Eigen's sparse Cholesky factorises them.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "linear/sparse_pattern.hpp"
+
+namespace touchstone::linear {
+
+class SparseSolver {
+ public:
+  SparseSolver(int size, Blocks blocks, PatternCache& cache);
+  ~SparseSolver();
+  SparseSolver(const SparseSolver&) = delete;
+  SparseSolver& operator=(const SparseSolver&) = delete;
+
+  /// The unknowns x, y, z of up to four corners, -1 for what is left out.
+  using Corners = std::array<int, 12>;
+  /// Further contacts, in place of those that were given last time.
+  void set_contacts(const std::vector<Corners>& contacts);
+
+  int size() const noexcept;
+  void clear();
+  void add_diagonal(int row, double value);
+  void add(std::size_t block, const double* column_major);  ///< a symmetric block, of the size given at first
+
+  /// The block of corners a and b is omega_a omega_b `block`, which is symmetric and not negative; at most once a
+  /// contact between calls of clear().
+  void add_contact(std::size_t contact, const std::array<double, 4>& omega, const Eigen::Matrix3d& block);
+
+  /// False when the matrix is not positive definite.
+  bool factorise();
+  Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace touchstone::linear

@@ -1,0 +1,115 @@
+// A scene as the integrators see it: generalised coordinates, masses, and the elements that store energy.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "rods/joint.hpp"
+#include "rods/frames.hpp"
+#include "scene/scene.hpp"
+
+namespace touchstone::sim {
+
+using VectorX = Eigen::VectorXd;
+
+/// A spring, or the stretch of a cable's segment: 1/2 stiffness (|x_b - x_a| - rest)^2.
+struct Length {
+  Index a = 0, b = 0;
+  double stiffness = 0, damping = 0, rest = 0;
+  bool cable = false;
+};
+
+/// The part of a cable that has one tangent and one material frame.
+struct RodEdge {
+  Index a = 0, b = 0;
+  bool twists = false;
+};
+
+/// Where two rod edges e and f meet, in particle p[1]. Bending is 1/2 bend |kappa - rest|^2, torsion 1/2 twist m^2.
+struct Joint {
+  std::array<Index, 3> p{};
+  Index e = 0, f = 0;
+  double bend = 0, twist = 0;  ///< E I and G J over the length that belongs to the joint, N m
+  double damping = 0;          ///< s
+  std::array<double, 2> rest{};
+  double closing_rate = 0, closing_until = 0;  ///< rad/s and s: a ring's inserted twist
+};
+
+/// Prescribed angle of a clamped end's frame.
+struct DrivenAngle {
+  Index edge = 0;
+  double rate = 0, until = 0;
+};
+
+/// Some of a system's elements, by number, with all particles and edges that they refer to.
+struct SystemPart {
+  std::vector<Index> particles, edges, lengths, joints;
+};
+
+/// Coordinates q: three for each particle, then an angle for each rod edge.
+class System {
+ public:
+  explicit System(const Scene& scene);
+
+  /// These elements alone, in this order: what Newton's method asks for, so without paths and initial values.
+  /// @param local_particle, local_edge  the number of each particle and edge in the part
+  System part(const SystemPart& members, const std::vector<Index>& local_particle,
+              const std::vector<Index>& local_edge) const;
+
+  std::size_t particle_count() const noexcept { return particle_count_; }
+  Eigen::Index size() const noexcept { return static_cast<Eigen::Index>(3 * particle_count_ + edges.size()); }
+  Eigen::Index angle(Index edge) const noexcept { return static_cast<Eigen::Index>(3 * particle_count_ + edge); }
+  std::size_t strain_count() const noexcept { return lengths.size() + 3 * joints.size(); }
+
+  /// Sets the coordinates that are prescribed at this time: driven particles and driven angles.
+  void prescribe(double time, VectorX& q) const;
+
+  /// Curvature and twist of one of `joints`; the time says how much twist has been inserted into a ring.
+  JointStrain joint_strain(const Joint& joint, const VectorX& q, const Frames& frames, double time) const;
+
+  /// Reference frames for `q` when nothing is known of an earlier time, without twist between neighbours except where
+  /// a ring closes.
+  Frames initial_frames(const VectorX& q) const;
+
+  /// `frames` of `from`, carried along to `to`.
+  Frames transported(const Frames& frames, const VectorX& from, const VectorX& to) const;
+
+  std::vector<Length> lengths;
+  std::vector<RodEdge> edges;
+  std::vector<Joint> joints;
+  std::vector<DrivenAngle> driven_angles;
+  VectorX mass;             ///< of each coordinate: kg, and kg m^2 for angles
+  VectorX force;            ///< constant: gravity and the particles' own, N
+  std::vector<char> fixed;  ///< of each coordinate; not solved for
+  VectorX initial_position, initial_velocity;
+  std::vector<Index> ghosts;  ///< particles that only hold a clamped end's direction; they do not collide
+
+ private:
+  /// A ghost whose clamped end is driven: it goes along, so that the direction stays.
+  struct Follower {
+    Index ghost = 0, leader = 0;
+    Vector3 offset;
+  };
+
+  System() = default;
+  void add_cable(const Cable& cable);
+  void add_clamp(const Cable& cable, const CableEnd& end, bool at_start, Index edge);
+  void add_joint(const Cable& cable, Index e, Index f, double share);
+
+  std::size_t particle_count_ = 0;
+  std::vector<std::pair<Index, std::vector<Waypoint>>> paths_;  // of driven particles
+  std::vector<Follower> followers_;
+  // While it is being put together:
+  std::vector<Vector3> placed_;  // initial positions, ghosts included
+  std::vector<double> particle_mass_;
+  std::vector<double> inertia_;                // by edge
+  std::vector<double> length_;                 // by edge: at rest
+  std::vector<Index> bent_;                    // joints that rest as they are placed
+  std::vector<std::pair<Index, Index>> runs_;  // joints of each cable, from the first to one past the last
+};
+
+inline Vector3 position(const VectorX& q, Index particle) {
+  return q.segment<3>(3 * static_cast<Eigen::Index>(particle));
+}
+
+}  // namespace touchstone::sim

@@ -1,0 +1,105 @@
+// Figure 1 of the paper: a basketball of springs, a rim, and a net of strings.
+// SPDX-License-Identifier: MIT
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "generators/mesh.hpp"
+#include "scene/parts.hpp"
+#include "scene/shipped_scenes.hpp"
+
+namespace touchstone::sim {
+namespace {
+
+constexpr double kBallRadius = 0.12, kBallMass = 0.6, kRimRadius = 0.225, kRimHeight = 1.6;
+// rad/s. Nobody sees it; but with it the ends of an edge do not move exactly alike, and the leading
+// coefficient of a cubic is tiny instead of zero: what the paper's closed form divides by, and loses edges.
+constexpr double kSpin = 1e-12;
+constexpr double kNetDepth = 0.4, kNetEnd = 0.128;  // radius of the net's opening, which a cord holds
+
+void add_ball(Scene& scene, Index n, const Vector3& centre, const Vector3& spin) {
+  const generators::Sphere sphere = generators::sphere_mesh(n);
+  const auto first = static_cast<Index>(scene.particles.size());
+  const double share = kBallMass / (1.1 * static_cast<double>(sphere.directions.size()));
+  for (const Vec3& d : sphere.directions) add_particle(scene, centre + kBallRadius * Vector3(d.x, d.y, d.z), share);
+  // Springs from the middle stand for the air inside; the middle is nothing that could be hit.
+  const Index middle = add_particle(scene, centre, 0.1 * kBallMass / 1.1);
+  scene.particles[middle].collides = false;
+  const auto corners = static_cast<double>(sphere.directions.size());
+  for (const auto& edge : sphere.mesh.edges) add_spring(scene, first + edge[0], first + edge[1], 4000, 0.5, true);
+  for (Index i = first; i < middle; ++i) add_spring(scene, i, middle, 6e4 / corners, 20 / corners, false);
+  for (const auto& face : sphere.mesh.faces) scene.faces.push_back({first + face[0], first + face[1], first + face[2]});
+  for (Index i = first; i <= middle; ++i) {
+    scene.particles[i].velocity = spin.cross(scene.particles[i].position - centre);
+  }
+}
+
+/// Strings resist neither bending nor twist.
+void make_string(Cable& cord) {
+  set_material(cord, 5e7, 0.3, 0.0025, 1100);
+  cord.bend = cord.twist = 0;
+  cord.damping = 5e-3;
+}
+
+/// Knots in rows, each tied to two of the next row by strings of `parts` segments.
+void add_net(Scene& scene, Index around, Index rows, Index parts) {
+  std::vector<std::vector<Index>> knots(rows + 1);
+  for (Index r = 0; r <= rows; ++r) {
+    const double down = static_cast<double>(r) / rows;
+    const double radius = kRimRadius + (kNetEnd - kRimRadius) * std::sin(0.5 * std::numbers::pi * down);
+    for (Index i = 0; i < around; ++i) {
+      const double phi = 2 * std::numbers::pi * (i + 0.5 * (r % 2)) / around;
+      const Vector3 at(radius * std::cos(phi), radius * std::sin(phi), kRimHeight - kNetDepth * down);
+      knots[r].push_back(r == 0 ? add_pinned(scene, at) : add_particle(scene, at, 0));
+    }
+  }
+  for (Index i = 0; i < around; ++i) scene.wires.push_back({knots[0][i], knots[0][(i + 1) % around]});
+  for (Index r = 0; r < rows; ++r) {
+    for (Index i = 0; i < around; ++i) {
+      for (Index side = 0; side < 2; ++side) {
+        const Index other = r % 2 == 0 ? (i + side + around - 1) % around : (i + side) % around;
+        const Index from = knots[r][i], to = knots[r + 1][other];
+        Cable cord;
+        cord.particles.push_back(from);
+        const Vector3 a = scene.particles[from].position, b = scene.particles[to].position;
+        for (Index s = 1; s < parts; ++s) {
+          cord.particles.push_back(add_particle(scene, a + (b - a) * (static_cast<double>(s) / parts), 0));
+        }
+        cord.particles.push_back(to);
+        make_string(cord);
+        scene.cables.push_back(std::move(cord));
+      }
+    }
+  }
+  // Without it the net would hang as a cylinder.
+  Cable last;
+  last.particles = knots[rows];
+  last.closed = true;
+  make_string(last);
+  scene.cables.push_back(std::move(last));
+}
+
+}  // namespace
+
+Scene make_hoop(Index edges) {
+  Scene scene;
+  scene.settings.duration = 10;
+  scene.settings.contact.restitution = 0.4;
+  scene.settings.contact.friction = 0.2;
+  scene.settings.contact.thickness = 1e-3;
+  scene.settings.drag = 0.1;
+  scene.settings.newton_tolerance = 1e-4;
+  // Half of the edges for the ball, 12 n^2, and half for the net, 2 * around * rows * parts.
+  const double half = 0.5 * edges;
+  const auto n = static_cast<Index>(std::max(2.0, std::round(std::sqrt(half / 12))));
+  const auto rows = static_cast<Index>(std::max(3.0, std::round(std::cbrt(half / 2) * 0.95)));
+  const auto around = static_cast<Index>(std::max(8.0, std::round(half / (2.0 * 2.0 * rows))));
+  add_net(scene, around, rows, 2);
+  add_ball(scene, n, {0.03, -0.02, kRimHeight + 0.6}, kSpin * Vector3(0.48, 0.6, 0.64));
+  add_floor(scene, 3);
+  return scene;
+}
+
+}  // namespace touchstone::sim

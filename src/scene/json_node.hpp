@@ -1,0 +1,68 @@
+// A JSON value that knows its path, so that every complaint can name it.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace touchstone::sim {
+
+/// @throws Error for what is no JSON, and for a key that an object has twice, by its path
+nlohmann::json parse_json(std::string_view text);
+
+class JsonNode {
+ public:
+  /// @param whole  what to call a document, whose path is empty
+  explicit JsonNode(const nlohmann::json& document, std::string_view whole = "the scene")
+      : JsonNode(document, "", whole) {}
+
+  /// @throws Error "PATH: REASON"
+  [[noreturn]] void fail(std::string_view reason) const;
+
+  /// An object with no other keys than these.
+  void check_keys(std::initializer_list<std::string_view> keys) const;
+
+  bool has(std::string_view key) const;
+  JsonNode at(std::string_view key) const;  ///< @throws Error when it is missing
+  std::optional<JsonNode> find(std::string_view key) const;
+  std::vector<JsonNode> items() const;  ///< of a list
+
+  double number() const;
+  std::uint32_t index() const;  ///< a whole number from 0 to 2^32 - 1
+  std::uint64_t whole_number(std::uint64_t least, std::uint64_t most) const;
+  void version(std::uint32_t must) const;  ///< this number, and no other
+  bool boolean() const;
+  std::string text() const;
+  Vector3 vector() const;
+  template <std::size_t N>
+  std::array<std::uint32_t, N> indices() const {
+    const auto all = items();
+    if (all.size() != N) fail("must be a list of " + std::to_string(N) + " particle numbers");
+    std::array<std::uint32_t, N> result{};
+    for (std::size_t i = 0; i < N; ++i) result[i] = all[i].index();
+    return result;
+  }
+
+  double number_or(std::string_view key, double otherwise) const;
+  bool boolean_or(std::string_view key, bool otherwise) const;
+  Vector3 vector_or(std::string_view key, const Vector3& otherwise) const;
+
+ private:
+  JsonNode(const nlohmann::json& value, std::string path, std::string_view whole)
+      : value_(&value), path_(std::move(path)), whole_(whole) {}
+
+  const nlohmann::json* value_;
+  std::string path_;
+  std::string_view whole_;
+};
+
+}  // namespace touchstone::sim

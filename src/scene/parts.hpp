@@ -1,0 +1,24 @@
+// What several of the shipped scenes are built from.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "scene/scene.hpp"
+
+namespace touchstone::sim {
+
+Index add_particle(Scene& scene, const Vector3& position, double mass);
+Index add_pinned(Scene& scene, const Vector3& position);
+
+/// A spring at rest between two particles.
+void add_spring(Scene& scene, Index a, Index b, double stiffness, double damping, bool collides);
+
+/// E A, E I and G J of a round section of an isotropic material, and its mass.
+void set_material(Cable& cable, double young, double poisson, double radius, double density);
+
+/// Free particles at equal distances, without velocity, as a cable still to be added to the scene.
+Cable straight_cable(Scene& scene, const Vector3& from, const Vector3& to, Index segments);
+
+/// A square floor in the plane z = 0, of two faces.
+void add_floor(Scene& scene, double half_width);
+
+}  // namespace touchstone::sim

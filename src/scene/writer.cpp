@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+
+#include "scene/scene_file.hpp"
+
+namespace touchstone::sim {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json list(const Vector3& v) { return Json::array({v.x(), v.y(), v.z()}); }
+
+Json json_of(const Settings& s) {
+  Json json;
+  json["time_step"] = s.time_step;
+  json["duration"] = s.duration;
+  json["integrator"] = integrator_name(s.integrator);
+  json["gravity"] = list(s.gravity);
+  json["drag"] = s.drag;
+  json["newton_tolerance"] = s.newton_tolerance;
+  json["contact"] = {{"restitution", s.contact.restitution},
+                     {"friction", s.contact.friction},
+                     {"thickness", s.contact.thickness},
+                     {"passes", s.contact.passes}};
+  return json;
+}
+
+Json json_of(const Particle& p) {
+  Json json;
+  json["position"] = list(p.position);
+  if (!p.velocity.isZero(0)) json["velocity"] = list(p.velocity);
+  if (!p.force.isZero(0)) json["force"] = list(p.force);
+  if (p.mass != 0) json["mass"] = p.mass;
+  if (!p.path.empty()) {
+    for (const Waypoint& point : p.path)
+      json["path"].push_back({{"time", point.time}, {"position", list(point.position)}});
+  } else if (p.pinned()) {
+    json["pinned"] = true;
+  } else if (p.fixed[0] || p.fixed[1] || p.fixed[2]) {
+    json["pinned"] = p.fixed;
+  }
+  if (!p.collides) json["collides"] = false;
+  return json;
+}
+
+Json json_of(const CableEnd& end) {
+  Json json;
+  json["hold"] = "clamped";
+  if (end.twist_rate != 0) {
+    json["twist_rate"] = end.twist_rate;
+    json["twist_until"] = end.twist_until;
+  }
+  return json;
+}
+
+Json json_of(const Cable& cable) {
+  Json json;
+  json["particles"] = cable.particles;
+  if (cable.closed) json["closed"] = true;
+  json["radius"] = cable.radius;
+  json["density"] = cable.density;
+  json["stretch"] = cable.stretch;
+  json["bend"] = cable.bend;
+  json["twist"] = cable.twist;
+  json["damping"] = cable.damping;
+  if (cable.natural_curvature != std::array<double, 2>{}) json["natural_curvature"] = cable.natural_curvature;
+  if (cable.rest_is_bent) json["rest_is_bent"] = true;
+  if (cable.length_scale != 1) json["length_scale"] = cable.length_scale;
+  // Pinned ends are pinned particles.
+  if (cable.start.clamped) json["start"] = json_of(cable.start);
+  if (cable.end.clamped) json["end"] = json_of(cable.end);
+  if (cable.closing_twist_rate != 0) {
+    json["closing_twist_rate"] = cable.closing_twist_rate;
+    json["closing_twist_until"] = cable.closing_twist_until;
+  }
+  return json;
+}
+
+/// One line an element, so that a person can find it.
+template <class Elements, class Write>
+void append(std::string& text, const char* name, const Elements& elements, Write write) {
+  text += ",\n\"" + std::string(name) + "\": [";
+  const char* separator = "\n";
+  for (const auto& element : elements) {
+    text += separator + write(element).dump();
+    separator = ",\n";
+  }
+  text += "]";
+}
+
+}  // namespace
+
+std::string scene_to_json(const Scene& scene) {
+  std::string text = "{\"touchstone_scene\": 1,\n\"name\": " + Json(scene.name).dump() +
+                     ",\n\"settings\": " + json_of(scene.settings).dump(2);
+  append(text, "particles", scene.particles, [](const Particle& p) { return json_of(p); });
+  append(text, "springs", scene.springs, [](const Spring& s) {
+    Json json = {
+        {"particles", {s.a, s.b}}, {"stiffness", s.stiffness}, {"damping", s.damping}, {"rest_length", s.rest_length}};
+    if (!s.collides) json["collides"] = false;
+    return json;
+  });
+  append(text, "cables", scene.cables, [](const Cable& cable) { return json_of(cable); });
+  append(text, "wires", scene.wires, [](const Edge& wire) { return Json(wire); });
+  append(text, "faces", scene.faces, [](const Face& face) { return Json(face); });
+  return text + "}\n";
+}
+
+}  // namespace touchstone::sim

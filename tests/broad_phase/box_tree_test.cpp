@@ -1,0 +1,183 @@
+// Every pair of moving boxes that meet once, among boxes of all sizes and speeds; and what is said not to meet, held
+// against exact arithmetic.
+// SPDX-License-Identifier: MIT
+#include "broad_phase/box_tree.hpp"
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "numbers/exact_number.hpp"
+#include "seeded/rng.hpp"
+#include "support/catch.hpp"
+
+using namespace touchstone;
+using numbers::Exact;
+using broad_phase::MovingBox;
+using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+
+namespace {
+
+/// Boxes of up to 0.2, and about so many large ones of up to 20; all fly by up to `speed` together, and each a little on
+/// its own.
+std::vector<MovingBox> random_boxes(seeded::Rng& random, std::size_t count, std::size_t large, double speed) {
+  std::vector<MovingBox> boxes;
+  const double flight[3] = {speed * random.symmetric(), speed * random.symmetric(), speed * random.symmetric()};
+  for (std::size_t i = 0; i < count; ++i) {
+    MovingBox box;
+    const double size = random.between(1, static_cast<int>(count)) <= static_cast<int>(large) ? 20 : 0.2;
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.start.low[k] = 2 * random.symmetric();
+      box.start.high[k] = box.start.low[k] + (random.one_in(9) ? 0 : size * random.unit());
+      box.end.low[k] = box.start.low[k] + flight[k] + 0.1 * random.symmetric();
+      box.end.high[k] = box.end.low[k] + (random.one_in(9) ? 0 : size * random.unit());
+    }
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+/// Whether the boxes share a point at some time of the step: an interval of times, so if at all, then at one of the
+/// step's ends or where some bound of one box passes one of the other.
+bool meet_exactly(const MovingBox& a, const MovingBox& b) {
+  std::array<std::pair<Exact, Exact>, 6> room;  // at both ends of the step
+  for (std::size_t k = 0; k < 3; ++k) {
+    room[2 * k] = {Exact(b.start.high[k]) - Exact(a.start.low[k]), Exact(b.end.high[k]) - Exact(a.end.low[k])};
+    room[2 * k + 1] = {Exact(a.start.high[k]) - Exact(b.start.low[k]), Exact(a.end.high[k]) - Exact(b.end.low[k])};
+  }
+  const Exact zero(0);
+  const auto share_at = [&](const Exact& p, const Exact& q) {  // t = p / q, q > 0
+    for (const auto& [at_start, at_end] : room) {
+      if (at_start * (q - p) + at_end * p < zero) return false;
+    }
+    return true;
+  };
+  if (share_at(zero, Exact(1)) || share_at(Exact(1), Exact(1))) return true;
+  for (const auto& [at_start, at_end] : room) {
+    const Exact turn = at_end - at_start;
+    if ((at_start < zero) == (at_end < zero)) continue;
+    if (turn < zero ? share_at(at_start, -turn) : share_at(-at_start, turn)) return true;
+  }
+  return false;
+}
+
+/// Two boxes that overlap from the time on when f = high - low of one pair of bounds is no longer negative, and until g
+/// of another pair becomes so: f and g are zero at the same time but for one rounding, in which they may still meet.
+std::pair<MovingBox, MovingBox> barely_meeting(seeded::Rng& random) {
+  MovingBox a, b;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (MovingBox* box : {&a, &b}) {
+      box->start.low[k] = box->end.low[k] = -1e9;
+      box->start.high[k] = box->end.high[k] = 1e9;
+    }
+  }
+  const auto number = [&] { return std::ldexp(random.symmetric(), random.between(-6, 6)); };
+  // Along x, b's upper bound begins below a's lower one.
+  double &low0 = a.start.low[0], &low1 = a.end.low[0], &high0 = b.start.high[0], &high1 = b.end.high[0];
+  low0 = number();
+  high0 = low0 - std::fabs(number());
+  low1 = number();
+  high1 = low1 + std::fabs(number());
+  // Along y, a's upper bound ends below b's lower one.
+  double &top0 = a.start.high[1], &top1 = a.end.high[1], &bottom0 = b.start.low[1], &bottom1 = b.end.low[1];
+  top0 = number();
+  bottom0 = top0 - std::fabs(number());
+  bottom1 = number();
+  const double t = (low0 - high0) / ((low0 - high0) + (high1 - low1));
+  top1 = bottom1 - (top0 - bottom0) * (1 - t) / t;
+  return {a, b};
+}
+
+Pairs brute_force(const std::vector<MovingBox>& boxes) {
+  Pairs pairs;
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    for (std::uint32_t j = i + 1; j < boxes.size(); ++j) {
+      if (broad_phase::meet(boxes[i], boxes[j])) pairs.insert({i, j});
+    }
+  }
+  return pairs;
+}
+
+}  // namespace
+
+TEST_CASE("each pair of boxes that meet is found once, and no other") {
+  seeded::Rng random(11);
+  std::size_t found_in_all = 0;
+  for (const std::size_t large : {0, 1, 5, 200}) {
+    for (int round = 0; round < 20; ++round) {
+      const double speed = round % 4 == 0 ? 0 : 10.0 * round;
+      const auto a = random_boxes(random, 200, large, speed), b = random_boxes(random, 150, large / 2, speed);
+      Pairs across_expected, found, across;
+      for (std::uint32_t i = 0; i < a.size(); ++i) {
+        for (std::uint32_t j = 0; j < b.size(); ++j) {
+          if (broad_phase::meet(a[i], b[j])) across_expected.insert({i, j});
+        }
+      }
+      broad_phase::for_each_pair(a, [&](std::uint32_t i, std::uint32_t j) { CHECK(found.insert({i, j}).second); });
+      broad_phase::for_each_pair(a, b, [&](std::uint32_t i, std::uint32_t j) { CHECK(across.insert({i, j}).second); });
+      CHECK(found == brute_force(a));
+      CHECK(across == across_expected);
+      found_in_all += found.size() + across.size();
+    }
+  }
+  CHECK(found_in_all > 1000);
+  broad_phase::for_each_pair({}, [](std::uint32_t, std::uint32_t) { FAIL("there is nothing"); });
+  broad_phase::for_each_pair({}, {broad_phase::empty_moving_box()}, [](std::uint32_t, std::uint32_t) { FAIL("there is nothing"); });
+}
+
+TEST_CASE("boxes that are all alike, or in one place at one end of the step, make no deep tree and lose no pair") {
+  for (const bool alike : {true, false}) {
+    std::vector<MovingBox> boxes(300, {{{0, 0, 0}, {1, 1, 1}}, {{5, 5, 5}, {6, 6, 6}}});
+    double far = 1;
+    for (MovingBox& box : boxes) {  // each twice as far away as the one before
+      if (alike) break;
+      box.end.low[0] = far;
+      box.end.high[0] = far + 1;
+      far *= 2;
+    }
+    std::size_t found = 0;
+    broad_phase::for_each_pair(boxes, [&](std::uint32_t, std::uint32_t) { ++found; });
+    CHECK(found == 300 * 299 / 2);  // at t = 0 at least
+  }
+}
+
+TEST_CASE("boxes that share a point at some time are never said not to meet") {
+  seeded::Rng random(12);
+  long meeting = 0, apart = 0, within_rounding = 0;
+  const auto judge = [&](const MovingBox& a, const MovingBox& b) {
+    const bool truth = meet_exactly(a, b);
+    ++(truth ? meeting : apart);
+    if (!truth && broad_phase::meet(a, b)) ++within_rounding;
+    if (!truth) return;
+    REQUIRE(broad_phase::meet(a, b));
+    REQUIRE(broad_phase::meet(b, a));
+  };
+  for (int round = 0; round < 600; ++round) {
+    const auto boxes = random_boxes(random, 24, 4, std::ldexp(1, random.between(-4, 30)));
+    for (std::size_t i = 0; i + 1 < boxes.size(); ++i) judge(boxes[i], boxes[i + 1]);
+  }
+  CHECK(meeting > 500);
+  CHECK(apart > 500);
+  CHECK(within_rounding == 0);
+
+  meeting = apart = 0;
+  for (int i = 0; i < 200'000; ++i) {
+    const auto [a, b] = barely_meeting(random);
+    judge(a, b);
+  }
+  CHECK(meeting > 20'000);
+  CHECK(apart > 20'000);
+  CHECK(10 * within_rounding > 9 * apart);  // which is where the rounding matters
+}
+
+TEST_CASE("bounds whose difference overflows, and infinite ones, prove nothing") {
+  constexpr double kMost = std::numeric_limits<double>::max(), kInfinity = std::numeric_limits<double>::infinity();
+  const MovingBox passing{{{-kMost, 0, 0}, {-kMost, 1, 1}}, {{kMost, 0, 0}, {kMost, 1, 1}}};
+  const MovingBox coming{{{kMost, 0, 0}, {kMost, 1, 1}}, {{-kMost, 0, 0}, {-kMost, 1, 1}}};
+  const MovingBox everywhere{{{-kInfinity, 0, 0}, {kInfinity, 1, 1}}, {{-kInfinity, 0, 0}, {kInfinity, 1, 1}}};
+  CHECK(broad_phase::meet(passing, coming));
+  CHECK(broad_phase::meet(passing, everywhere));
+  CHECK(broad_phase::meet(everywhere, everywhere));
+  CHECK_FALSE(broad_phase::meet(passing, {{{-kMost, 2, 0}, {kMost, 3, 1}}, {{-kMost, 2, 0}, {kMost, 3, 1}}}));
+}
