@@ -10,7 +10,7 @@ namespace touchstone::oracle {
 
 /// The first contact in [0, t_max]; level is Level::oracle. The query must be valid (finite, t_max in [0, 1],
 /// well-formed fractions) and the floating-point environment the default one: callers in `solver` see to both.
-Answer decide(const Query& query, double t_max);
-Answer decide(const RationalQuery& query, double t_max);
+Answer decide_by_oracle(const Query& query, double t_max);
+Answer decide_by_oracle(const RationalQuery& query, double t_max);
 
 }  // namespace touchstone::oracle
