@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cmath>
-#include <limits>
+#include <cstddef>
 
 #include "exact/common_scale.hpp"
 #include "exact/exact.hpp"
-#include "geometry/vector.hpp"
+#include "geometry/frame.hpp"
 #include "numbers/exact_number.hpp"
 #include "numbers/fixed_int.hpp"
 #include "numbers/limb_scratch.hpp"
@@ -16,16 +16,14 @@ namespace {
 /// V of four positions, in any number type.
 template <class N>
 auto coplanarity_of(bool edges, const std::array<geometry::Vector<N>, 4>& x) {
-  const auto u = edges ? x[1] - x[0] : x[2] - x[1];
-  const auto w = edges ? x[3] - x[2] : x[3] - x[1];
-  const auto r = edges ? x[2] - x[0] : x[0] - x[1];
-  return geometry::dot(geometry::cross(u, w), r);
+  return geometry::coplanarity(geometry::frame_of(edges, [&](std::size_t i, std::size_t j) { return x[i] - x[j]; }));
 }
 
-/// A value times 2^exponent, but for underflow to the least double of its sign.
+/// A value times 2^exponent; the least double of its sign where that underflows to zero.
 double scaled(double value, int exponent) noexcept {
+  constexpr double kLeastDouble = 0x1p-1074;
   const double result = std::ldexp(value, exponent);
-  return value != 0 && result == 0 ? std::copysign(std::numeric_limits<double>::denorm_min(), value) : result;
+  return value != 0 && result == 0 ? std::copysign(kLeastDouble, value) : result;
 }
 
 template <int Limbs>
@@ -34,8 +32,9 @@ geometry::Vector<numbers::FixedInt<Limbs>> integers(const Vec3& x, int low) {
   return {{Int::scaled(x.x, low), Int::scaled(x.y, low), Int::scaled(x.z, low)}};
 }
 
-// Integer coordinates x / 2^low are below 2^bits, differences below 2^(bits + 1), and V sums 6 products of three of them: with 3
-// spare bits in each the sign has its place. Positions at m / 2^k, times 2^k, are below 2^(bits + k).
+// Integer coordinates x / 2^low are below 2^bits, and differences below 2^(bits + 1). V sums 6 products of three differences.
+// With 3 spare bits in each difference, the sum and its sign have room. Positions at the time m / 2^k, times 2^k, are below
+// 2^(bits + k).
 
 template <int Limbs>
 double value_at_end(const Query& query, const BitSpan& span, bool start) {
@@ -73,7 +72,7 @@ double value_in_any_size(const Query& query, double t) {
   return scaled(significand, static_cast<int>(exponent));
 }
 
-/// How many limbs hold so many bits and 3 to spare; 3 for more than two.
+/// How many limbs hold so many bits and 3 to spare; 3 stands for more than two.
 int limbs_for(int bits) noexcept { return bits <= 64 - 3 ? 1 : bits <= 128 - 3 ? 2 : 3; }
 
 }  // namespace

@@ -172,7 +172,7 @@ Story tell(const Q& query, double t_max) {
 }
 
 template <class N, class Q>
-Answer decide_in(const Q& query, double t_max) {
+Answer first_contact_in(const Q& query, double t_max) {
   return with_elements<N>(query, [&](const auto& elements) { return first_contact(elements, Exact(t_max), nullptr); });
 }
 
@@ -183,15 +183,15 @@ std::vector<RootInterval> touching_times_of_any(const Q& query, double t_max) {
 
 }  // namespace
 
-Answer decide(const Query& query, double t_max) {
+Answer decide_exactly(const Query& query, double t_max) {
   const numbers::LimbScratch scratch;  // no number outlives the decision
   const int bits = coordinate_span(query).bits();
-  if (bits <= kMostBits<1>) return decide_in<Short>(query, t_max);
-  if (bits <= kMostBits<2>) return decide_in<Medium>(query, t_max);
-  if (bits <= kMostBits<3>) return decide_in<Long>(query, t_max);
-  return decide_in<Exact>(query, t_max);
+  if (bits <= kMostBits<1>) return first_contact_in<Short>(query, t_max);
+  if (bits <= kMostBits<2>) return first_contact_in<Medium>(query, t_max);
+  if (bits <= kMostBits<3>) return first_contact_in<Long>(query, t_max);
+  return first_contact_in<Exact>(query, t_max);
 }
-Answer decide(const RationalQuery& query, double t_max) { return decide_in<Exact>(query, t_max); }
+Answer decide_exactly(const RationalQuery& query, double t_max) { return first_contact_in<Exact>(query, t_max); }
 
 Story explain(const Query& query, double t_max) { return tell(query, t_max); }
 Story explain(const RationalQuery& query, double t_max) { return tell(query, t_max); }

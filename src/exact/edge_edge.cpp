@@ -1,22 +1,24 @@
-// Edge a0 a1 against edge b0 b1: u = a1 - a0, w = b1 - b0, r = b0 - a0, n = u x w, V = n . r.
+// Edge a0 a1 against edge b0 b1: see geometry/frame.hpp for u, w, r, n and V.
 // SPDX-License-Identifier: MIT
 #include "exact/elements.hpp"
 #include "exact/vectors_at.hpp"
 
 namespace touchstone::exact {
 
-using geometry::cross;
-using geometry::cross_component;
 using geometry::dot;
+using geometry::first_numerator;
+using geometry::second_numerator;
+
+namespace {
+constexpr bool kEdges = true;
+}
 
 template <class N>
 EdgeEdgeElements<N>::EdgeEdgeElements(const typename Forms<N>::Corners& corners)
     : corners_(corners),
-      u_(corners[1] - corners[0]),
-      w_(corners[3] - corners[2]),
-      r_(corners[2] - corners[0]),
-      n_(cross(u_, w_)),
-      coplanarity_(dot(n_, r_)) {}
+      frame_(geometry::frame_of(kEdges, [&](std::size_t i, std::size_t j) { return corners[i] - corners[j]; })),
+      n_(geometry::normal(frame_)),
+      coplanarity_(dot(n_, frame_.r)) {}
 
 template <class N>
 const PointOnEdge<N>& EdgeEdgeElements<N>::pair(Pair which) const {
@@ -40,10 +42,10 @@ bool EdgeEdgeElements<N>::touching(const Moment& moment, SideSigns& found) const
   // The lines meet at f1 = (r x w)_k / n_k on the first edge and f2 = (r x u)_k / n_k on the second; each in [0, 1].
   const std::size_t axis = static_cast<std::size_t>(k);
   found.axis = k;
-  const Quadratic f1 = cross_component(r_, w_, axis);
+  const Quadratic f1 = first_numerator(frame_, axis);
   if ((found.sign[0] = s * moment.sign(f1, "(r x w)", k)) < 0) return false;
   if ((found.sign[1] = s * moment.sign(n_[axis] - f1, "n - (r x w)", k)) < 0) return false;
-  const Quadratic f2 = cross_component(r_, u_, axis);
+  const Quadratic f2 = second_numerator(kEdges, frame_, axis);
   if ((found.sign[2] = s * moment.sign(f2, "(r x u)", k)) < 0) return false;
   return (found.sign[3] = s * moment.sign(n_[axis] - f2, "n - (r x u)", k)) >= 0;
 }
@@ -52,30 +54,33 @@ template <class N>
 void EdgeEdgeElements<N>::locate(const RealRoot& root, const SideSigns& found, Answer& answer) const {
   if (found.axis < 0) return locate_parallel(root, answer);
   const std::size_t axis = static_cast<std::size_t>(found.axis);
-  const auto place = [&](std::size_t first, const auto& other, Feature corner0, Feature corner1, Feature interior,
-                         Feature& feature) {
+  // `first` is the index of the element's first sign; `numerator` gives the fraction along it.
+  const auto locate_on = [&](std::size_t first, const auto& numerator, std::array<Feature, 3> names,
+                             Feature& feature) -> std::array<double, 3> {
     if (found.sign[first] == 0) {
-      feature = corner0;
-      return std::array<double, 3>{1, 0, 0};
+      feature = names[0];
+      return {1, 0, 0};
     }
     if (found.sign[first + 1] == 0) {
-      feature = corner1;
-      return std::array<double, 3>{0, 1, 0};
+      feature = names[1];
+      return {0, 1, 0};
     }
-    feature = interior;
-    const double weight = root.quotient(Quadratic(cross_component(r_, other, axis)), n_[axis]);
-    return std::array<double, 3>{1 - weight, weight, 0};
+    feature = names[2];
+    const double weight = root.quotient(Quadratic(numerator()), n_[axis]);
+    return {1 - weight, weight, 0};
   };
-  answer.weights_a = place(0, w_, Feature::a0, Feature::a1, Feature::a, answer.feature_a);
-  answer.weights_b = place(2, u_, Feature::b0, Feature::b1, Feature::b, answer.feature_b);
+  const auto f1 = [&] { return first_numerator(frame_, axis); };
+  const auto f2 = [&] { return second_numerator(kEdges, frame_, axis); };
+  answer.weights_a = locate_on(0, f1, {Feature::a0, Feature::a1, Feature::a}, answer.feature_a);
+  answer.weights_b = locate_on(2, f2, {Feature::b0, Feature::b1, Feature::b}, answer.feature_b);
 }
 
 template <class N>
 void EdgeEdgeElements<N>::locate_parallel(const RealRoot& root, Answer& answer) const {
   static constexpr Feature a_features[] = {Feature::a0, Feature::a1, Feature::a};
   static constexpr Feature b_features[] = {Feature::b0, Feature::b1, Feature::b};
-  const bool a_is_point = vanishes(u_, root);
-  const bool b_is_point = vanishes(w_, root);
+  const bool a_is_point = vanishes(frame_.u, root);
+  const bool b_is_point = vanishes(frame_.w, root);
   if (a_is_point) {
     answer.feature_a = Feature::a0;
     answer.weights_a = {1, 0, 0};
@@ -90,15 +95,16 @@ void EdgeEdgeElements<N>::locate_parallel(const RealRoot& root, Answer& answer) 
     answer.weights_a = pair(b0_on_a).weights(root);
     return;
   }
-  // Both have a length, and they are collinear: they share one point iff a corner of one is a corner of the other and
-  // they leave it in opposite directions; a longer part otherwise.
+  // Both have a length, and they are collinear. They share one point iff a corner of one is a corner of the other and they
+  // leave it in opposite directions. Otherwise they share a longer part.
   for (const Pair a_corner : {a0_on_b, a1_on_b}) {
     const PointOnEdge<N>& corner = pair(a_corner);
     if (!corner.touching(Moment::at(root))) continue;
     const int b_place = corner.place(root);
     if (b_place == 2) break;
     // Directions away from the shared corner: +-u and +-w.
-    const int direction = root.sign_at(dot(u_, w_)) * (a_corner == a0_on_b ? 1 : -1) * (b_place == 0 ? 1 : -1);
+    const int direction =
+        root.sign_at(dot(frame_.u, frame_.w)) * (a_corner == a0_on_b ? 1 : -1) * (b_place == 0 ? 1 : -1);
     if (direction > 0) break;
     answer.feature_a = a_features[a_corner];
     answer.feature_b = b_features[b_place];
@@ -119,7 +125,7 @@ void EdgeEdgeElements<N>::locate_overlap(const RealRoot& root, Answer& answer) c
     return;
   }
   // The shared part ends at the corner of b that lies farther along a; the other one may be beyond a0.
-  const bool same_direction = root.sign_at(dot(u_, w_)) > 0;
+  const bool same_direction = root.sign_at(dot(frame_.u, frame_.w)) > 0;
   answer.weights_a = pair(same_direction ? b1_on_a : b0_on_a).weights(root);
   answer.weights_b = same_direction ? std::array<double, 3>{0, 1, 0} : std::array<double, 3>{1, 0, 0};
 }
@@ -131,9 +137,6 @@ void EdgeEdgeElements<N>::append_events(Events<N>& events) const {
   for (const Pair which : {a0_on_b, a1_on_b, b0_on_a, b1_on_a}) pair(which).append_events(events);
 }
 
-template class EdgeEdgeElements<Short>;
-template class EdgeEdgeElements<Medium>;
-template class EdgeEdgeElements<Long>;
-template class EdgeEdgeElements<Exact>;
+TOUCHSTONE_FOR_EACH_NUMBER_TYPE(EdgeEdgeElements);
 
 }  // namespace touchstone::exact

@@ -1,5 +1,5 @@
-// The four queries in exact arithmetic: moving corners, when two elements touch and where. Everything is a sign of a
-// polynomial in t of degree at most 3 at an exact time, or just after it.
+// The four kinds of query in exact arithmetic: moving corners, when two elements touch, and where. Everything is a sign of
+// a polynomial in t of degree at most 3, at an exact time or just after it.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -12,6 +12,7 @@
 #include "exact/bounded_list.hpp"
 #include "exact/exact.hpp"
 #include "exact/lazy.hpp"
+#include "geometry/frame.hpp"
 #include "geometry/vector.hpp"
 #include "numbers/fixed_int.hpp"
 #include "numbers/real_root.hpp"
@@ -32,16 +33,24 @@ struct Forms {
   using Corners = std::array<Point, 4>;
 };
 
-/// The number types that the layer is made for: integers of one, two or three limbs for the coordinates, and numbers of any
-/// size.
+/// The number types of coordinates at this level: integers of one, two or three limbs, and Exact, numbers of any size.
 using Short = numbers::FixedInt<1>;
 using Medium = numbers::FixedInt<2>;
 using Long = numbers::FixedInt<3>;
 
-/// How many bits B integer coordinates may have, |x| < 2^B, so that nothing overflows. In bits: differences B + 1, their
-/// changes over the step B + 2; a quadratic's coefficients are at most 2^(2 B + 5), from 4 products of B + 2 and B + 1 or 2
-/// of B + 2 and B + 2, those of sums of three and of dot products 2 B + 7, their Bernstein coefficients 2 B + 9; V's are sums
-/// of 3 such products with B + 1 and 3 with B + 2, below 3 B + 10, and its Bernstein coefficients, below 6 times more, 3 B + 13.
+/// Instantiates a class template for each of them.
+#define TOUCHSTONE_FOR_EACH_NUMBER_TYPE(Template) \
+  template class Template<Short>;                 \
+  template class Template<Medium>;                \
+  template class Template<Long>;                  \
+  template class Template<Exact>
+
+/// How many bits B integer coordinates may have, |x| < 2^B, so that nothing overflows. In bits:
+/// - differences B + 1, their changes over the step B + 2;
+/// - a quadratic's coefficients 2 B + 5, from 4 products of B + 2 and B + 1 or 2 of B + 2 and B + 2; sums of three of them and
+///   dot products 2 B + 7; their Bernstein coefficients 2 B + 9;
+/// - V's coefficients 3 B + 10, sums of 3 such products with B + 1 and 3 with B + 2; its Bernstein coefficients, below 6 times
+///   more, 3 B + 13.
 template <int Limbs>
 constexpr int kMostBits = (64 * 3 * Limbs - 1 - 13) / 3;
 static_assert(kMostBits<1> + 2 < 64 && 2 * kMostBits<1> + 9 < 128 && kMostBits<2> + 2 < 128 &&
@@ -54,7 +63,7 @@ constexpr std::size_t kMostEvents = 8;
 template <class N>
 using Events = BoundedList<typename Forms<N>::Quadratic, kMostEvents>;
 
-/// Signs at a root or just after it; may keep a record for `explain`.
+/// Signs at a root or just after it. It keeps a record of them when `explain` wants one.
 class Moment {
  public:
   static Moment at(const RealRoot& root, std::vector<CandidateStory::Condition>* record = nullptr) {
@@ -81,14 +90,14 @@ class Moment {
   std::vector<CandidateStory::Condition>* record_;
 };
 
-/// What `touching` has found out on its way: the axis along which n is not zero (-1: none), and the signs of the side conditions
-/// along it, in their order, each 0 or 1 where the elements touch. `locate` need not ask again.
+/// Signs that `touching` computes and `locate` needs again: the axis along which n is not zero (-1: none), and the signs of
+/// the side conditions along it, in their order, each 0 or 1 where the elements touch.
 struct SideSigns {
   int axis = -1;
   std::array<int, 4> sign{};
 };
 
-/// What a record calls the polynomials of a point and an edge.
+/// The names of a point's and an edge's polynomials in the record.
 struct PointOnEdgeNames {
   const char* cross;
   const char* dot;
@@ -134,7 +143,7 @@ class EdgeEdgeElements {
   const Cubic& coplanarity() const { return coplanarity_; }
   /// Given that the four corners are coplanar at the moment.
   bool touching(const Moment& moment, SideSigns& found) const;
-  /// Where they touch at the root, `found` being what `touching` said of it.
+  /// Where they touch at the root. `found` is from `touching` at the same root.
   void locate(const RealRoot& root, const SideSigns& found, Answer& answer) const;
   void append_events(Events<N>& events) const;  ///< complete when the corners are always coplanar
 
@@ -145,7 +154,7 @@ class EdgeEdgeElements {
   void locate_overlap(const RealRoot& root, Answer& answer) const;
 
   typename Forms<N>::Corners corners_;
-  Point u_, w_, r_;
+  geometry::Frame<Point> frame_;
   geometry::Vector<Quadratic> n_;
   Cubic coplanarity_;
   mutable std::array<Lazy<PointOnEdge<N>>, 4> pairs_;
@@ -173,7 +182,7 @@ class VertexFaceElements {
   void locate_flat(const RealRoot& root, Answer& answer) const;
 
   typename Forms<N>::Corners corners_;
-  Point u_, w_, r_;
+  geometry::Frame<Point> frame_;
   geometry::Vector<Quadratic> n_;
   Cubic coplanarity_;
   mutable std::array<Lazy<PointOnEdge<N>>, 3> sides_;

@@ -12,8 +12,8 @@ namespace touchstone::exact {
 
 /// The first contact in [0, t_max]; level is Level::exact. The query must be valid (finite, t_max in [0, 1],
 /// well-formed fractions) and the floating-point environment the default one: callers in `solver` see to both.
-Answer decide(const Query& query, double t_max);
-Answer decide(const RationalQuery& query, double t_max);
+Answer decide_exactly(const Query& query, double t_max);
+Answer decide_exactly(const RationalQuery& query, double t_max);
 
 /// V(t) within a relative error of 2^-50 and with its exact sign, for edge-edge and vertex-face queries and 0 <= t <= 1. A
 /// value that underflows is the least double of its sign; one that overflows is infinite.

@@ -14,7 +14,7 @@ struct RootInterval {
   numbers::RealRoot last;
 };
 
-/// The set of touching times in [0, t_max], ascending and disjoint. Preconditions as for decide.
+/// The set of touching times in [0, t_max], ascending and disjoint. Preconditions as for decide_exactly.
 std::vector<RootInterval> touching_times(const Query& query, double t_max);
 std::vector<RootInterval> touching_times(const RationalQuery& query, double t_max);
 

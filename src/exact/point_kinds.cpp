@@ -43,13 +43,7 @@ void PointPointElements<N>::append_events(Events<N>& events) const {
   append_coincidence(difference_, events);
 }
 
-template class PointEdgeElements<Short>;
-template class PointEdgeElements<Medium>;
-template class PointEdgeElements<Long>;
-template class PointEdgeElements<Exact>;
-template class PointPointElements<Short>;
-template class PointPointElements<Medium>;
-template class PointPointElements<Long>;
-template class PointPointElements<Exact>;
+TOUCHSTONE_FOR_EACH_NUMBER_TYPE(PointEdgeElements);
+TOUCHSTONE_FOR_EACH_NUMBER_TYPE(PointPointElements);
 
 }  // namespace touchstone::exact

@@ -50,9 +50,6 @@ void PointOnEdge<N>::append_events(Events<N>& events) const {
   append_coincidence(from_y_, events);
 }
 
-template class PointOnEdge<Short>;
-template class PointOnEdge<Medium>;
-template class PointOnEdge<Long>;
-template class PointOnEdge<Exact>;
+TOUCHSTONE_FOR_EACH_NUMBER_TYPE(PointOnEdge);
 
 }  // namespace touchstone::exact

@@ -1,22 +1,23 @@
-// Vertex v against triangle f0 f1 f2: u = f1 - f0, w = f2 - f0, r = v - f0, n = u x w, V = n . r.
+// Vertex v against triangle f0 f1 f2: see geometry/frame.hpp for u, w, r, n and V.
 // SPDX-License-Identifier: MIT
 #include "exact/elements.hpp"
 #include "exact/vectors_at.hpp"
 
 namespace touchstone::exact {
 
-using geometry::cross;
-using geometry::cross_component;
-using geometry::dot;
+using geometry::first_numerator;
+using geometry::second_numerator;
+
+namespace {
+constexpr bool kEdges = false;
+}
 
 template <class N>
 VertexFaceElements<N>::VertexFaceElements(const typename Forms<N>::Corners& corners)
     : corners_(corners),
-      u_(corners[2] - corners[1]),
-      w_(corners[3] - corners[1]),
-      r_(corners[0] - corners[1]),
-      n_(cross(u_, w_)),
-      coplanarity_(dot(n_, r_)) {}
+      frame_(geometry::frame_of(kEdges, [&](std::size_t i, std::size_t j) { return corners[i] - corners[j]; })),
+      n_(geometry::normal(frame_)),
+      coplanarity_(geometry::dot(n_, frame_.r)) {}
 
 template <class N>
 const PointOnEdge<N>& VertexFaceElements<N>::side(std::size_t which) const {
@@ -34,9 +35,9 @@ bool VertexFaceElements<N>::touching(const Moment& moment, SideSigns& found) con
   // r = w1 u + w2 w with w1 = (r x w)_k / n_k and w2 = (u x r)_k / n_k; inside iff w1, w2 and 1 - w1 - w2 are >= 0.
   const std::size_t axis = static_cast<std::size_t>(k);
   found.axis = k;
-  const Quadratic w1 = cross_component(r_, w_, axis);
+  const Quadratic w1 = first_numerator(frame_, axis);
   if ((found.sign[1] = s * moment.sign(w1, "(r x w)", k)) < 0) return false;
-  const Quadratic w2 = cross_component(u_, r_, axis);
+  const Quadratic w2 = second_numerator(kEdges, frame_, axis);
   if ((found.sign[2] = s * moment.sign(w2, "(u x r)", k)) < 0) return false;
   return (found.sign[0] = s * moment.sign(n_[axis] - w1 - w2, "n - (r x w) - (u x r)", k)) >= 0;
 }
@@ -47,8 +48,8 @@ void VertexFaceElements<N>::locate(const RealRoot& root, const SideSigns& found,
   answer.weights_a = {1, 0, 0};
   if (found.axis < 0) return locate_flat(root, answer);
   const std::size_t axis = static_cast<std::size_t>(found.axis);
-  const Quadratic w1 = cross_component(r_, w_, axis);
-  const Quadratic w2 = cross_component(u_, r_, axis);
+  const Quadratic w1 = first_numerator(frame_, axis);
+  const Quadratic w2 = second_numerator(kEdges, frame_, axis);
   const Quadratic weights[3] = {n_[axis] - w1 - w2, w1, w2};
   unsigned support = 0;  // bit i: weight i is positive
   for (unsigned i = 0; i < 3; ++i) {
@@ -92,9 +93,6 @@ void VertexFaceElements<N>::append_events(Events<N>& events) const {
   for (std::size_t i = 0; i < 3; ++i) side(i).append_events(events);
 }
 
-template class VertexFaceElements<Short>;
-template class VertexFaceElements<Medium>;
-template class VertexFaceElements<Long>;
-template class VertexFaceElements<Exact>;
+TOUCHSTONE_FOR_EACH_NUMBER_TYPE(VertexFaceElements);
 
 }  // namespace touchstone::exact

@@ -4,7 +4,7 @@
 namespace touchstone::filters {
 
 #ifdef TOUCHSTONE_X86_VECTORS
-ContactValues contact_values_fused(const Vec3* start, const Vec3* end, bool edges, double t, std::size_t axis);
+ContactValues contact_values_fused(const Query& query, double t, std::size_t axis);
 #endif
 
 ContactValuesFunction contact_values_function(bool fused) noexcept {
@@ -15,11 +15,11 @@ ContactValuesFunction contact_values_function(bool fused) noexcept {
   return nullptr;
 }
 
-ContactValues contact_values(const Vec3* start, const Vec3* end, bool edges, double t, std::size_t axis) noexcept {
+ContactValues contact_values(const Query& query, double t, std::size_t axis) noexcept {
 #ifdef TOUCHSTONE_X86_VECTORS
-  if (const auto fused = contact_values_function(true)) return fused(start, end, edges, t, axis);
+  if (const auto fused = contact_values_function(true)) return fused(query, t, axis);
 #endif
-  return contact_values_by_steps(start, end, edges, t, axis);
+  return contact_values_by_steps(query, t, axis);
 }
 
 }  // namespace touchstone::filters

@@ -3,10 +3,10 @@
 
 namespace touchstone::filters {
 
-ContactValues contact_values_fused(const Vec3* start, const Vec3* end, bool edges, double t, std::size_t axis);
+ContactValues contact_values_fused(const Query& query, double t, std::size_t axis);
 
-ContactValues contact_values_fused(const Vec3* start, const Vec3* end, bool edges, double t, std::size_t axis) {
-  return contact_values_by_steps(start, end, edges, t, axis);
+ContactValues contact_values_fused(const Query& query, double t, std::size_t axis) {
+  return contact_values_by_steps(query, t, axis);
 }
 
 }  // namespace touchstone::filters

@@ -6,48 +6,42 @@
 #include <cstddef>
 
 namespace touchstone::filters {
-namespace {
 
-using Axis = double Vec3::*;
-
-bool is_constant(const Query& q, Axis axis) noexcept {
-  const double value = q.start[0].*axis;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (q.start[i].*axis != value || q.end[i].*axis != value) return false;
-  }
-  return true;
-}
-
-/// The power of two that is about as large as the elements and how far they are apart; 0 when that is nothing, or no double.
-/// Any positive number would be right: with this one the bounds of the tests that follow are tight.
-double size_of(const Query& q, Axis x, Axis y) noexcept {
-  double largest = 0;
-  for (std::size_t i = 1; i < 3; ++i) {
-    for (const Axis axis : {x, y}) {
-      largest = std::max(
-          {largest, std::fabs(q.start[i].*axis - q.start[0].*axis), std::fabs(q.end[i].*axis - q.end[0].*axis)});
+std::optional<Query> as_crossing_edges(const Query& query) noexcept {
+  using Axis = double Vec3::*;
+  if (query.kind != Kind::point_edge) return std::nullopt;
+  const auto& start = query.start;
+  const auto& end = query.end;
+  const auto is_constant = [&](Axis axis) {
+    const double value = start[0].*axis;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (start[i].*axis != value || end[i].*axis != value) return false;
     }
-  }
-  return largest > 0 && std::isfinite(largest) ? std::ldexp(1.0, std::ilogb(largest)) : 0;
-}
-
-}  // namespace
-
-bool as_crossing_edges(const Query& point_edge, Query& edges) noexcept {
-  const Query& q = point_edge;
+    return true;
+  };
   constexpr Axis kPlanes[][3] = {
       {&Vec3::z, &Vec3::x, &Vec3::y}, {&Vec3::x, &Vec3::y, &Vec3::z}, {&Vec3::y, &Vec3::z, &Vec3::x}};
   for (const auto& [across, x, y] : kPlanes) {
-    if (!is_constant(q, across)) continue;
-    const double size = size_of(q, x, y);
-    if (size == 0) return false;
-    const auto place = [x = x, y = y](const Vec3& from, double z) { return Vec3{from.*x, from.*y, z}; };
-    edges.kind = Kind::edge_edge;
-    edges.start = {place(q.start[0], -size), place(q.start[0], size), place(q.start[1], 0), place(q.start[2], 0)};
-    edges.end = {place(q.end[0], -size), place(q.end[0], size), place(q.end[1], 0), place(q.end[2], 0)};
-    return true;
+    if (!is_constant(across)) continue;
+    double largest = 0;
+    for (std::size_t i = 1; i < 3; ++i) {
+      for (const Axis axis : {x, y}) {
+        largest =
+            std::max({largest, std::fabs(start[i].*axis - start[0].*axis), std::fabs(end[i].*axis - end[0].*axis)});
+      }
+    }
+    if (!(largest > 0 && std::isfinite(largest))) return std::nullopt;
+    // Half the length of the segment across the plane. Any positive number would be right. With a power of two about as
+    // large as the elements and the distance between them, the bounds of the tests that follow are tight.
+    const double size = std::ldexp(1.0, std::ilogb(largest));
+    const auto moved = [x = x, y = y](const Vec3& from, double z) { return Vec3{from.*x, from.*y, z}; };
+    std::optional<Query> edges(std::in_place);
+    edges->kind = Kind::edge_edge;
+    edges->start = {moved(start[0], -size), moved(start[0], size), moved(start[1], 0), moved(start[2], 0)};
+    edges->end = {moved(end[0], -size), moved(end[0], size), moved(end[1], 0), moved(end[2], 0)};
+    return edges;
   }
-  return false;
+  return std::nullopt;
 }
 
 void name_point_and_edge(Answer& answer) noexcept {

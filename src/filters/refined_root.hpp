@@ -2,17 +2,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
-#include <cstdint>
 
-#include <touchstone/answer.hpp>
-#include <touchstone/query.hpp>
-
-#include "filters/filters.hpp"
+#include "filters/question.hpp"
 
 namespace touchstone::filters {
 
-/// A simple root of V in plain numbers: it lies in [t - radius, t + radius], where V' keeps the sign of `slope` and is at
+/// Bounds on the coordinates of the frame over the step: U, W, R of the derivations.
+struct Magnitudes {
+  double u, w, r;
+};
+
+/// A simple root of V in plain numbers. It lies in [t - radius, t + radius], where V' keeps the sign of `slope` and is at
 /// least half of it (see BernsteinCubic::Root). At h away from t, h at most the radius, V' differs from `slope` by at most
 /// slope_error + curvature h.
 struct SimpleRoot {
@@ -21,26 +23,22 @@ struct SimpleRoot {
   double slope;
   double slope_error;
   double curvature;
+  Magnitudes magnitudes{};
+  std::size_t axis = 0;  ///< along which n is certainly not zero at the root
+  bool inside = false;   ///< the side conditions are known to hold; otherwise refine_root decides them
 };
 
-/// Bounds U, W, R of the coordinates of u, w, r, their product, and the axis along which n is certainly not zero at the root.
-struct ContactFrame {
-  double u, w, r;
-  double product;
-  std::size_t axis;
+/// What a closer look at a root says: whether the elements touch there within [0, t_max].
+struct RefinedRoot {
+  Finding finding = Finding::uncertain;
+  double toi = 0, toi_upper = 0;  ///< the neighbouring doubles around a contact's time
+  /// Of a contact. Edge-edge: f1, f2 and 0, the fractions along the first and the second edge. Vertex-face: the weights of
+  /// f0, f1 and f2.
+  std::array<double, 3> weights{};
 };
 
-/// What is to be said of one root of V.
-enum class RootVerdict : std::uint8_t {
-  contact,   ///< the elements touch there; the answer is written
-  outside,   ///< they do not touch there
-  too_late,  ///< the root lies after t_max
-  uncertain  ///< a time, a side or a weight cannot be certified: a touched corner or border, for one
-};
-
-/// Decides a simple root of V. `inside` says that the side conditions are known to hold; otherwise they are decided
-/// here. Asks `exact_value` when the time is too close to a double.
-RootVerdict refine_root(const Query& query, const SimpleRoot& root, const ContactFrame& frame, bool inside,
-                        double t_max, ExactValue exact_value, Answer& answer);
+/// Decides a simple root of V. It asks for an exact value when the time is too close to a double. It is uncertain where a
+/// time, a side or a weight cannot be certified: a touched corner or border, for one.
+RefinedRoot refine_root(const Question& question, const SimpleRoot& root);
 
 }  // namespace touchstone::filters

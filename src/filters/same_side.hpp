@@ -3,23 +3,12 @@
 
 #include <touchstone/query.hpp>
 
-#include "filters/coplanarity_form.hpp"
+#include "filters/step_frame.hpp"
 
 namespace touchstone::filters {
 
-using Vector = geometry::Vector<double>;
-using Frame = FrameOf<double>;
-
-/// Whether queries of this kind have a coplanarity cubic.
-constexpr bool has_cubic(Kind kind) noexcept { return kind == Kind::edge_edge || kind == Kind::vertex_face; }
-
-/// The frame of a query that has a cubic.
-inline Frame frame_of(const Query& query) noexcept {
-  const auto corner = [&query](int side, std::size_t i) {
-    const Vec3& x = (side == 0 ? query.start : query.end)[i];
-    return Vector{{x.x, x.y, x.z}};
-  };
-  return query.kind == Kind::edge_edge ? edge_edge_frame<double>(corner) : vertex_face_frame<double>(corner);
-}
+/// The first test, for any coordinates, NaN and infinity included. True proves that the kind has a cubic, that the
+/// coordinates are finite, and that there is no contact in [0, 1].
+bool same_side(const Query& query) noexcept;
 
 }  // namespace touchstone::filters

@@ -4,9 +4,9 @@
 #include "filters/same_side_kernel.hpp"
 #include "filters/same_side_widths.hpp"
 
-namespace touchstone {
+namespace touchstone::filters {
 
-bool has_vectors(VectorWidth width) noexcept {
+bool has_kernel(VectorWidth width) noexcept {
   switch (width) {
     case VectorWidth::widest:
     case VectorWidth::none:
@@ -22,15 +22,13 @@ bool has_vectors(VectorWidth width) noexcept {
   return false;
 }
 
-namespace filters {
-
 SameSideKernel same_side_kernel(Kind kind, VectorWidth width) noexcept {
   if (width == VectorWidth::widest) {
-    width = has_vectors(VectorWidth::bits_512)   ? VectorWidth::bits_512
-            : has_vectors(VectorWidth::bits_256) ? VectorWidth::bits_256
-                                                 : VectorWidth::bits_128;
+    width = has_kernel(VectorWidth::bits_512)   ? VectorWidth::bits_512
+            : has_kernel(VectorWidth::bits_256) ? VectorWidth::bits_256
+                                                : VectorWidth::bits_128;
   }
-  if (!has_vectors(width)) return nullptr;
+  if (!has_kernel(width)) return nullptr;
 #ifdef TOUCHSTONE_X86_VECTORS
   if (width == VectorWidth::bits_512) return same_side_kernel_512(kind);
   if (width == VectorWidth::bits_256) return same_side_kernel_256(kind);
@@ -38,5 +36,4 @@ SameSideKernel same_side_kernel(Kind kind, VectorWidth width) noexcept {
   return width == VectorWidth::none ? kernel_for<1>(kind) : kernel_for<2>(kind);
 }
 
-}  // namespace filters
-}  // namespace touchstone
+}  // namespace touchstone::filters

@@ -1,4 +1,4 @@
-// The first filter over many queries at once, with the vectors of the machine. SPDX-License-Identifier: MIT
+// The first test over many queries at once, in vectors of doubles. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>
@@ -15,12 +15,15 @@ struct Columns {
   const double* end[4][3];
 };
 
-/// proved[i] != 0, 0 <= i < count, proves that query first + i of the columns has no contact, and that its coordinates
-/// are finite, exactly when certain_same_side does. The same result whatever the width: every lane takes the same steps.
+/// proved[i] != 0, 0 <= i < count, proves that query first + i of the columns has no contact and that its coordinates are
+/// finite. It is so exactly when certain_same_side is true. The result is the same for every width, since every lane takes
+/// the same steps.
 using SameSideKernel = void (*)(const Columns& columns, std::size_t first, std::size_t count, std::int64_t* proved);
 
-/// The kernel for queries of a kind that has a cubic, with vectors of that width; null when the machine, or the compiler that
-/// built the library, has none. Never null for VectorWidth::none and widest.
+/// Whether the machine has vectors of that width, and the compiler that built the library could use them.
+bool has_kernel(VectorWidth width) noexcept;
+
+/// The kernel for queries of a kind that has a cubic, with vectors of that width; null where has_kernel is false.
 SameSideKernel same_side_kernel(Kind kind, VectorWidth width) noexcept;
 
 }  // namespace touchstone::filters

@@ -1,6 +1,6 @@
-// The kernel's text. Each file that includes it is compiled for other vectors, so nothing here may be shared between
-// them: the functions are local to the file, the templates of coplanarity_form.hpp are instantiated for types that only
-// that file has, and nothing of the standard library is called.
+// The kernel's text. Each file that includes it is compiled for vectors of another width, so no compiled function may be
+// shared between these files: the functions here are local to the file, the templates of coplanarity_form.hpp are
+// instantiated for types that only that file has, and nothing of the standard library is called.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -15,37 +15,32 @@ namespace {
 
 using numbers::Pack;
 
-template <int Lanes, bool Edges>
+template <int Width, bool Edges>
 void same_side_pack(const Columns& columns, std::size_t first, std::int64_t* proved) {
   const auto corner = [&columns, first](int side, std::size_t i) {
-    geometry::Vector<Pack<Lanes>> x;
+    geometry::Vector<Pack<Width>> x;
     for (std::size_t k = 0; k < 3; ++k) {
       std::memcpy(&x.c[k].v, (side == 0 ? columns.start : columns.end)[i][k] + first, sizeof x.c[k].v);
     }
     return x;
   };
-  FrameOf<Pack<Lanes>> frame;
-  if constexpr (Edges) {
-    frame = edge_edge_frame<Pack<Lanes>>(corner);
-  } else {
-    frame = vertex_face_frame<Pack<Lanes>>(corner);
-  }
+  const StepFrame<Pack<Width>> frame = step_frame<Pack<Width>>(Edges, corner);
   const auto mask = certain_same_side(frame, coplanarity_coefficients(frame));
-  static_assert(sizeof mask == Lanes * sizeof *proved);
+  static_assert(sizeof mask == Width * sizeof *proved);
   std::memcpy(proved, &mask, sizeof mask);
 }
 
 /// Whole packs; the rest one by one.
-template <int Lanes, bool Edges>
+template <int Width, bool Edges>
 void same_side(const Columns& columns, std::size_t first, std::size_t count, std::int64_t* proved) {
   std::size_t i = 0;
-  for (; i + Lanes <= count; i += Lanes) same_side_pack<Lanes, Edges>(columns, first + i, proved + i);
+  for (; i + Width <= count; i += Width) same_side_pack<Width, Edges>(columns, first + i, proved + i);
   for (; i < count; ++i) same_side_pack<1, Edges>(columns, first + i, proved + i);
 }
 
-template <int Lanes>
+template <int Width>
 SameSideKernel kernel_for(Kind kind) {
-  return kind == Kind::edge_edge ? same_side<Lanes, true> : same_side<Lanes, false>;
+  return kind == Kind::edge_edge ? same_side<Width, true> : same_side<Width, false>;
 }
 
 }  // namespace

@@ -5,21 +5,20 @@
 #include <cmath>
 #include <limits>
 
-#include "filters/coplanarity_form.hpp"
+#include "filters/boxes.hpp"
+#include "filters/step_frame.hpp"
 
 namespace touchstone::filters {
 namespace {
 
-// A projection is a sum of 3 products d_k (x_k - o_k): each passes through one difference, one product and at most two
-// additions, so its error is at most 3 ((1 + e)^4 - 1) D M (1 + e) = 12 e D M to first order, with D and M the largest
-// absolute coordinates of the direction and of the computed differences. The rest of the constant covers second-order
-// terms, the rounding of the bound and underflow (3 * 2^-1075, below e D M / 2 when D M >= 2^-1000). Overflow needs no
-// guard: a projection that is infinite or NaN is seen as such, and an infinite bound is never exceeded.
+// Let D and M be the largest absolute coordinates of the direction and of the computed differences. A projection is a sum
+// of 3 products d_k (x_k - o_k). Each product passes through one difference, one product and at most two additions. So the
+// error is at most 3 ((1 + e)^4 - 1) D M (1 + e) = 12 e D M to first order. The rest of the constant covers second-order
+// terms, the rounding of the bound, and underflow (3 * 2^-1075, below e D M / 2 when D M >= 2^-1000). Overflow needs no
+// guard: gap_along looks for projections that are infinite or NaN, and no gap exceeds an infinite bound.
 constexpr double kProjectionBound = 13 * kUnit;
 
 double largest_of(const Vector& v) noexcept { return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])}); }
-
-std::size_t corners_of_first(Kind kind) noexcept { return kind == Kind::edge_edge ? 2 : 1; }
 
 Vector relative(const Vec3& x, const Vec3& origin) noexcept {
   return {{x.x - origin.x, x.y - origin.y, x.z - origin.z}};
@@ -51,26 +50,26 @@ Gap gap_along(const RelativeCorners& corners, const Vector& direction) noexcept 
   const double bound = projection_bound(corners, direction);
   constexpr double inf = std::numeric_limits<double>::infinity();
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  // The plane may move with the elements: a projection is linear in time, so that of a corner of one element exceeds that
-  // of a corner of the other by at least the lesser of what it does at both ends of the step.
-  double above = inf;  // how far the second element is above the first, at the end where that is least
+  // The plane may move with the elements. A projection is linear in time. So the difference of two corners' projections is
+  // never less than the smaller of its two values at the ends of the step.
+  double above = inf;  // how far the second element is above the first, at the end of the step where that is least
   double below = inf;
   for (const auto* at : {&corners.start, &corners.end}) {
     double least[2] = {inf, inf};
     double greatest[2] = {-inf, -inf};
     for (std::size_t i = 0; i < corners.count; ++i) {
       const std::size_t element = i < corners.first_count ? 0 : 1;
-      const double place = geometry::dot(direction, (*at)[i]);
-      // A NaN (of a direction that is not finite) must not drop out of a minimum unseen.
-      if (!(std::fabs(place) < inf)) return {nan, nan};
-      least[element] = std::min(least[element], place);
-      greatest[element] = std::max(greatest[element], place);
+      const double projection = geometry::dot(direction, (*at)[i]);
+      // A NaN comes from a direction that is not finite. std::min would drop it.
+      if (!(std::fabs(projection) < inf)) return {nan, nan};
+      least[element] = std::min(least[element], projection);
+      greatest[element] = std::max(greatest[element], projection);
     }
     above = std::min(above, least[1] - greatest[0]);
     below = std::min(below, least[0] - greatest[1]);
   }
-  // Either projection is off by at most `bound`. A third one covers the rounding of their difference: e times a value
-  // of at most 6 D M (1 + 4 e).
+  // Each of the two projections is off by at most `bound`. A third `bound` covers the rounding of their difference: e times
+  // a value of at most 6 D M (1 + 4 e).
   return {std::max(above, below), 3 * bound};
 }
 
@@ -79,24 +78,11 @@ bool separates(const RelativeCorners& corners, const Vector& direction) noexcept
   return gap.value > gap.error;
 }
 
-bool boxes_disjoint(const Query& query) noexcept {
-  const std::size_t count = corner_count(query.kind);
-  const std::size_t first_count = corners_of_first(query.kind);
-  const auto disjoint_along = [&](double Vec3::*axis) {
-    double low[2], high[2];
-    for (std::size_t element = 0; element < 2; ++element) {
-      const std::size_t begin = element == 0 ? 0 : first_count;
-      const std::size_t end = element == 0 ? first_count : count;
-      low[element] = std::min(query.start[begin].*axis, query.end[begin].*axis);
-      high[element] = std::max(query.start[begin].*axis, query.end[begin].*axis);
-      for (std::size_t i = begin + 1; i < end; ++i) {
-        low[element] = std::min({low[element], query.start[i].*axis, query.end[i].*axis});
-        high[element] = std::max({high[element], query.start[i].*axis, query.end[i].*axis});
-      }
-    }
-    return high[0] < low[1] || high[1] < low[0];
-  };
-  return disjoint_along(&Vec3::x) || disjoint_along(&Vec3::y) || disjoint_along(&Vec3::z);
+Test test_that_separates(const Query& query) noexcept {
+  const RelativeCorners corners = relative_corners(query);
+  if (separates(corners, between_closest_points(corners, query.kind))) return Test::closest_points;
+  if (has_cubic(query.kind) && separates(corners, normal_at_mid_step(corners, query.kind))) return Test::normal;
+  return separates(corners, between_centres(corners)) ? Test::centres : Test::none;
 }
 
 }  // namespace touchstone::filters

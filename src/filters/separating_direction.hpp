@@ -1,4 +1,4 @@
-// A plane, moving evenly, that keeps two elements apart during the whole step.
+// A plane that moves evenly and keeps two elements apart during the whole step.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -7,11 +7,10 @@
 
 #include <touchstone/query.hpp>
 
-#include "geometry/vector.hpp"
+#include "filters/question.hpp"
+#include "filters/step_frame.hpp"
 
 namespace touchstone::filters {
-
-using Vector = geometry::Vector<double>;
 
 /// The corners of both elements at both ends of the step, relative to one of them: each coordinate is one rounded
 /// subtraction of two of the query's doubles. Corners 0 .. first_count - 1 are the first element's.
@@ -27,9 +26,9 @@ RelativeCorners relative_corners(const Query& query) noexcept;
 /// A bound on the error of each computed projection d . (x - origin) that is finite; NaN when it may underflow.
 double projection_bound(const RelativeCorners& corners, const Vector& direction) noexcept;
 
-/// How far the two elements are apart along a direction at every time of the step, one of them always being above the
-/// other: computed, off by at most `error`. NaN where a projection is not finite, or may underflow. Not positive: they may
-/// touch.
+/// The least distance along a direction between the two elements over the step, where one is above the other all along;
+/// negative or zero where they may touch. The true distance is at most `error` away. NaN where a projection is not finite,
+/// or may underflow.
 struct Gap {
   double value;
   double error;
@@ -40,11 +39,10 @@ Gap gap_along(const RelativeCorners& corners, const Vector& direction) noexcept;
 /// direction is sound, finite or not.
 bool separates(const RelativeCorners& corners, const Vector& direction) noexcept;
 
-/// True proves that the boxes around the two elements' paths are disjoint. Comparisons of the query's own doubles:
-/// no rounding.
-bool boxes_disjoint(const Query& query) noexcept;
+/// Which direction separates the elements of a valid query; Test::none when none does.
+Test test_that_separates(const Query& query) noexcept;
 
-/// Directions that often separate, from the positions at mid-step; only promising, never trusted.
+/// Directions that often separate, from the positions at mid-step. They are only a hint: any direction is sound.
 Vector between_closest_points(const RelativeCorners& corners, Kind kind) noexcept;
 Vector normal_at_mid_step(const RelativeCorners& corners, Kind kind) noexcept;
 Vector between_centres(const RelativeCorners& corners) noexcept;

@@ -49,21 +49,22 @@ double sign_change(const std::array<double, 4>& c) noexcept {
 }
 
 /// The weights of the touching point at the root over their rounding errors, about 2^-49 of the terms' size.
-double side_margin(const Query& query, const filters::Frame& f, double t) noexcept {
+double side_margin(const Query& query, const filters::StepFrame<double>& f, double t) noexcept {
   constexpr double kRounding = 0x1p-49;
-  const Vector u = between(f.u0, f.u1, t), w = between(f.w0, f.w1, t), r = between(f.r0, f.r1, t);
-  const Vector n = geometry::cross(u, w);
+  const geometry::Frame<Vector> at = {between(f.start.u, f.end.u, t), between(f.start.w, f.end.w, t),
+                                      between(f.start.r, f.end.r, t)};
+  const Vector n = geometry::normal(at);
   std::size_t k = std::fabs(n[0]) > std::fabs(n[1]) ? 0 : 1;
   if (std::fabs(n[2]) > std::fabs(n[k])) k = 2;
-  const double first = geometry::cross_component(r, w, k) / n[k];
-  const double second = (query.kind == Kind::edge_edge ? 1 : -1) * geometry::cross_component(r, u, k) / n[k];
+  const double first = geometry::first_numerator(at, k) / n[k];
+  const double second = geometry::second_numerator(query.kind == Kind::edge_edge, at, k) / n[k];
   const double third = query.kind == Kind::edge_edge ? 1 - first : 1 - first - second;
   const double margin = least({quotient(first, kRounding), quotient(second, kRounding), quotient(third, kRounding)});
   return query.kind == Kind::edge_edge ? least({margin, quotient(1 - second, kRounding)}) : margin;
 }
 
 double cubic_margin(const Query& query) noexcept {
-  const filters::Frame frame = filters::frame_of(query);
+  const filters::StepFrame<double> frame = filters::frame_of(query);
   const auto c = filters::coplanarity_coefficients(frame);
   const auto bounds = filters::coplanarity_bounds(frame);
   const double margin = !bounds.valid ? kInfinity

@@ -1,6 +1,8 @@
-// The names of kinds, corners, natures, features and levels, as files and people write them.
+// The names of kinds, corners, natures, features and levels, as files and people write them. A value that is none of
+// the enumerators has the empty name.
 // SPDX-License-Identifier: MIT
-#include <limits>
+#include <cstddef>
+#include <iterator>
 
 #include <touchstone/answer.hpp>
 #include <touchstone/query.hpp>
@@ -20,7 +22,8 @@ std::string_view kind_name(Kind kind) noexcept {
 std::string_view corner_name(Kind kind, std::size_t index) noexcept {
   static constexpr std::string_view names[4][4] = {
       {"a0", "a1", "b0", "b1"}, {"v", "f0", "f1", "f2"}, {"p", "e0", "e1", ""}, {"p", "q", "", ""}};
-  return index < corner_count(kind) ? names[static_cast<std::size_t>(kind)][index] : std::string_view{};
+  const auto row = static_cast<std::size_t>(kind);
+  return row < std::size(names) && index < corner_count(kind) ? names[row][index] : std::string_view{};
 }
 
 std::string_view nature_name(Nature nature) noexcept {
@@ -37,7 +40,8 @@ std::string_view nature_name(Nature nature) noexcept {
 std::string_view feature_name(Feature feature) noexcept {
   static constexpr std::string_view names[] = {"",    "a0",  "a1",  "a", "b0", "b1", "b",  "v", "f0", "f1",     "f2",
                                                "f01", "f12", "f20", "f", "p",  "e0", "e1", "e", "q",  "overlap"};
-  return names[static_cast<std::size_t>(feature)];
+  const auto index = static_cast<std::size_t>(feature);
+  return index < std::size(names) ? names[index] : std::string_view{};
 }
 
 std::string_view level_name(Level level) noexcept {
@@ -49,8 +53,5 @@ std::string_view level_name(Level level) noexcept {
   }
   return "";
 }
-
-Answer::Answer() noexcept
-    : toi(std::numeric_limits<double>::infinity()), toi_upper(std::numeric_limits<double>::infinity()) {}
 
 }  // namespace touchstone

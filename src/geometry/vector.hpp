@@ -1,4 +1,4 @@
-// Vectors over any number type, polynomials in t included: the formulas of the design are written once.
+// Vectors over any number type, polynomials in t included.
 // SPDX-License-Identifier: MIT
 #pragma once
 

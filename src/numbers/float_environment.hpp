@@ -1,6 +1,9 @@
-// The floating-point environment that every proof of the library assumes: round to nearest, subnormals kept,
-// exceptions masked. A caller's program may have another: -ffast-math start-up code sets flush-to-zero, interval
-// arithmetic leaves a rounding mode behind, feenableexcept unmasks traps.
+// The floating-point environment that every proof of the library assumes: round to nearest, subnormals kept, exceptions
+// masked. A caller's program may have another: -ffast-math start-up code sets flush-to-zero, interval arithmetic leaves a
+// rounding mode behind, feenableexcept unmasks traps.
+//
+// An x86 processor has two floating-point units, with an environment each: SSE, which computes the doubles, with MXCSR; and
+// x87, which compilers use for long double and for some constants, and which traps by its own masks.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -8,7 +11,8 @@
 #include <cfloat>
 #include <limits>
 
-#if defined(__x86_64__) || defined(__i386__)
+#if defined(__x86_64__) || (defined(__i386__) && defined(__SSE2_MATH__))
+#define TOUCHSTONE_HAS_MXCSR 1
 #include <xmmintrin.h>
 #endif
 
@@ -18,37 +22,83 @@ static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<doub
               "doubles must be IEEE 754's binary64");
 static_assert(FLT_EVAL_METHOD == 0,
               "an operation must round to double, not to the x87's longer type: use -mfpmath=sse");
+#ifdef TOUCHSTONE_HAS_MXCSR
+
+/// SSE's environment. MXCSR: bits 15 flush-to-zero, 14-13 rounding, 12-7 exception masks, 6 denormals-are-zero, 5-0 status
+/// flags.
+class DefaultSseEnvironment {
+ public:
+  static constexpr unsigned kDefaultControl = 0x1F80;
+
+  DefaultSseEnvironment() noexcept : saved_(_mm_getcsr()), changed_((saved_ & kControlBits) != kDefaultControl) {
+    if (changed_) _mm_setcsr(kDefaultControl);
+  }
+  ~DefaultSseEnvironment() {
+    if (changed_) _mm_setcsr(saved_);
+  }
+  DefaultSseEnvironment(const DefaultSseEnvironment&) = delete;
+  DefaultSseEnvironment& operator=(const DefaultSseEnvironment&) = delete;
+
+ private:
+  static constexpr unsigned kControlBits = 0xFFC0;
+  unsigned saved_;
+  bool changed_;
+};
+
+#ifdef __GNUC__
+/// x87's environment. Control word: bits 11-10 rounding, 9-8 precision, 5-0 exception masks.
+class DefaultX87Environment {
+ public:
+  DefaultX87Environment() noexcept {
+    unsigned short control;
+    __asm__ volatile("fnstcw %0" : "=m"(control));
+    changed_ = (control & kControlBits) != (kDefaultControl & kControlBits);
+    // The status flags are cleared too: a raised flag whose exception is unmasked traps at the next x87 instruction.
+    if (changed_) __asm__ volatile("fnstenv %0\n\tfnclex\n\tfldcw %1" : "=m"(saved_) : "m"(kDefaultControl));
+  }
+  ~DefaultX87Environment() {
+    if (changed_) __asm__ volatile("fldenv %0" : : "m"(saved_));
+  }
+  DefaultX87Environment(const DefaultX87Environment&) = delete;
+  DefaultX87Environment& operator=(const DefaultX87Environment&) = delete;
+
+ private:
+  static constexpr unsigned short kControlBits = 0x0F3F;
+  static constexpr unsigned short kDefaultControl = 0x037F;  // to nearest, 64 bits, all masked; bit 6 is always set
+  struct Environment {
+    unsigned words[7];
+  };
+  Environment saved_;
+  bool changed_;
+};
+#endif
+
+#endif
 
 /// Sets the default environment, whatever it is now.
 inline void set_default_float_environment() noexcept {
   std::fesetenv(FE_DFL_ENV);
-#if defined(__x86_64__) || (defined(__i386__) && defined(__SSE2_MATH__))
-  constexpr unsigned kDefaultControl = 0x1F80;  // see below
-  _mm_setcsr(kDefaultControl);
+#ifdef TOUCHSTONE_HAS_MXCSR
+  _mm_setcsr(DefaultSseEnvironment::kDefaultControl);
 #elif defined(__aarch64__)
   __asm__ volatile("msr fpcr, %0" : : "r"(0ul));  // glibc keeps bits that it does not name
 #endif
 }
 
-/// Sets the default environment for its lifetime and restores the caller's, status flags included where it changed
-/// anything. Code that relies on it must sit behind a call that the compiler does not inline and read its operands
+/// Sets the default environment for its lifetime. It restores the caller's at the end, with its status flags where it
+/// changed anything. Code that relies on it must sit behind a call that the compiler does not inline, and read its operands
 /// from memory, so that no operation moves across the change (see `solver`).
 class DefaultFloatEnvironment {
  public:
-#if defined(__x86_64__) || (defined(__i386__) && defined(__SSE2_MATH__))
-  DefaultFloatEnvironment() noexcept : saved_(_mm_getcsr()), changed_((saved_ & kControlBits) != kDefaultControl) {
-    if (changed_) _mm_setcsr(kDefaultControl);
-  }
-  ~DefaultFloatEnvironment() {
-    if (changed_) _mm_setcsr(saved_);
-  }
+#ifdef TOUCHSTONE_HAS_MXCSR
+  // Both are read on every call and written only where they differ: the default environment costs a few cycles.
+  DefaultFloatEnvironment() noexcept {}
 
  private:
-  // MXCSR: bits 15 flush-to-zero, 14-13 rounding, 12-7 exception masks, 6 denormals-are-zero, 5-0 status flags.
-  static constexpr unsigned kControlBits = 0xFFC0;
-  static constexpr unsigned kDefaultControl = 0x1F80;
-  unsigned saved_;
-  bool changed_;
+  DefaultSseEnvironment sse_;
+#ifdef __GNUC__
+  DefaultX87Environment x87_;
+#endif
 #elif defined(__aarch64__)
   DefaultFloatEnvironment() noexcept : control_(0), status_(0) {
     __asm__ volatile("mrs %0, fpcr" : "=r"(control_));

@@ -1,7 +1,7 @@
-// Doubles that are worked on side by side: lane by lane, each operator is one IEEE operation.
+// Packs of doubles that are computed side by side. Each operator is one IEEE operation in every lane.
 //
-// A file may be compiled for wider vectors than every processor has. Nothing that it instantiates may then be shared
-// with other files, so packs are in an unnamed namespace: every file that includes this has a type of its own.
+// A file may be compiled for wider vectors than every processor has. No function that it instantiates may then be shared
+// with other files. So packs are in an unnamed namespace: every file that includes this one has types of its own.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -14,15 +14,17 @@
 namespace touchstone::numbers {
 namespace {
 
-template <int Lanes>
-struct Lane {
-  typedef double Doubles __attribute__((vector_size(8 * Lanes)));
-  typedef std::int64_t Integers __attribute__((vector_size(8 * Lanes)));
+/// The compiler's vector types for so many doubles.
+template <int Width>
+struct VectorTypes {
+  typedef double Doubles __attribute__((vector_size(8 * Width)));
+  typedef std::int64_t Integers __attribute__((vector_size(8 * Width)));
 };
 
-template <int Lanes>
+/// So many doubles.
+template <int Width>
 struct Pack {
-  typename Lane<Lanes>::Doubles v;
+  typename VectorTypes<Width>::Doubles v;
 
   friend Pack operator+(Pack a, Pack b) { return {a.v + b.v}; }
   friend Pack operator-(Pack a, Pack b) { return {a.v - b.v}; }
@@ -39,32 +41,34 @@ struct Pack {
   /// a, or -a where s is negative.
   friend Pack flipped(Pack a, Pack s) { return from_bits(a.bits() ^ (s.bits() & INT64_MIN)); }
 
-  typename Lane<Lanes>::Integers bits() const { return reinterpret_cast<typename Lane<Lanes>::Integers>(v); }
-  static Pack from_bits(typename Lane<Lanes>::Integers b) {
-    return {reinterpret_cast<typename Lane<Lanes>::Doubles>(b)};
+  typename VectorTypes<Width>::Integers bits() const {
+    return reinterpret_cast<typename VectorTypes<Width>::Integers>(v);
+  }
+  static Pack from_bits(typename VectorTypes<Width>::Integers b) {
+    return {reinterpret_cast<typename VectorTypes<Width>::Doubles>(b)};
   }
 };
 
 inline Pack<4> pack(double a, double b, double c, double d) {
-  const Lane<4>::Doubles v = {a, b, c, d};
+  const VectorTypes<4>::Doubles v = {a, b, c, d};
   return {v};
 }
 
 inline Pack<2> pack(double a, double b) {
-  const Lane<2>::Doubles v = {a, b};
+  const VectorTypes<2>::Doubles v = {a, b};
   return {v};
 }
 
 /// The two lanes of a in the other order.
 inline Pack<2> swapped(Pack<2> a) { return pack(a.v[1], a.v[0]); }
 
-/// Lanes I, J, K, L of a.
+/// Width I, J, K, L of a.
 template <int I, int J, int K, int L>
 Pack<4> shuffled(Pack<4> a) {
 #ifdef __clang__
   return {__builtin_shufflevector(a.v, a.v, I, J, K, L)};
 #else
-  const Lane<4>::Integers order = {I, J, K, L};
+  const VectorTypes<4>::Integers order = {I, J, K, L};
   return {__builtin_shuffle(a.v, order)};
 #endif
 }

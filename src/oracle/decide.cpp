@@ -77,8 +77,12 @@ Answer decide_motion(Kind kind, const Corners& corners, double t_max) {
 
 }  // namespace
 
-Answer decide(const Query& query, double t_max) { return decide_motion(query.kind, read_motion(query), t_max); }
+Answer decide_by_oracle(const Query& query, double t_max) {
+  return decide_motion(query.kind, read_motion(query), t_max);
+}
 
-Answer decide(const RationalQuery& query, double t_max) { return decide_motion(query.kind, read_motion(query), t_max); }
+Answer decide_by_oracle(const RationalQuery& query, double t_max) {
+  return decide_motion(query.kind, read_motion(query), t_max);
+}
 
 }  // namespace touchstone::oracle

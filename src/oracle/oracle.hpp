@@ -10,8 +10,8 @@ namespace touchstone::oracle {
 
 /// The first contact in [0, t_max]; level is Level::oracle. The query must be valid (finite, t_max in [0, 1],
 /// well-formed fractions) and the floating-point environment the default one: callers in `solver` see to both.
-Answer decide(const Query& query, double t_max);
-Answer decide(const RationalQuery& query, double t_max);
+Answer decide_by_oracle(const Query& query, double t_max);
+Answer decide_by_oracle(const RationalQuery& query, double t_max);
 
 /// V(t) through CGAL's number types, for edge-edge and vertex-face queries and 0 <= t <= 1: the exact sign, and the value
 /// within a relative error of 2^-50. V is the determinant of the rows a1 - a0, b1 - b0, b0 - a0 of an edge-edge query and

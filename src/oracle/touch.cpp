@@ -33,7 +33,7 @@ std::optional<Touch> touch_parallel_edges(const Corner& A, const Corner& B, cons
     if (!coincide(at, *end, *shared.front())) has_length = true;
     if (relative_direction(at, A, B, *farthest, *end) > 0) farthest = end;
   }
-  Touch where = {place_on_edge(at, *farthest, A, B, kEdgeA), place_on_edge(at, *farthest, C, D, kEdgeB)};
+  Touch where = {point_on_edge(at, *farthest, A, B, kEdgeA), point_on_edge(at, *farthest, C, D, kEdgeB)};
   if (has_length) where.a.feature = where.b.feature = Feature::overlap;
   return where;
 }
@@ -50,8 +50,8 @@ std::optional<Feature> part_on_line(const Moment& at, const Polynomial& start, c
   return names.interior;
 }
 
-Place place_on_line(const Moment& at, Feature part, const Polynomial& start, const Polynomial& end,
-                    const EdgeNames& names) {
+FeaturePoint point_on_line(const Moment& at, Feature part, const Polynomial& start, const Polynomial& end,
+                           const EdgeNames& names) {
   if (part == names.start) return {part, {1, 0, 0}};
   if (part == names.end) return {part, {0, 1, 0}};
   const double along = at.ratio(start, start - end);
@@ -72,14 +72,15 @@ std::optional<Touch> touch_edges(const Corners& c, const Moment& at) {
     const Polynomial cdb = orientation(axis, C, D, B);
     const auto part_a = part_on_line(at, cda, cdb, kEdgeA);
     if (!part_a) return std::nullopt;
-    return Touch{place_on_line(at, *part_a, cda, cdb, kEdgeA), place_on_line(at, *part_b, abc, abd, kEdgeB)};
+    return Touch{point_on_line(at, *part_a, cda, cdb, kEdgeA), point_on_line(at, *part_b, abc, abd, kEdgeB)};
   }
   return touch_parallel_edges(A, B, C, D, at);
 }
 
 /// The point is on the triangle's plane and the triangle has an area, seen along `axis` too: the point is inside when
 /// each of the triangles that it makes with two corners is oriented like the whole, or flat. Their areas are weights.
-std::optional<Place> place_on_face(const Corners& c, std::size_t axis, const Polynomial& area, const Moment& at) {
+std::optional<FeaturePoint> point_on_face(const Corners& c, std::size_t axis, const Polynomial& area,
+                                          const Moment& at) {
   const auto& [P, F0, F1, F2] = c;
   const std::array<Polynomial, 3> parts = {orientation(axis, P, F1, F2), orientation(axis, F0, P, F2),
                                            orientation(axis, F0, F1, P)};
@@ -92,18 +93,18 @@ std::optional<Place> place_on_face(const Corners& c, std::size_t axis, const Pol
   }
   static constexpr std::array<Feature, 8> names = {Feature::none, Feature::f0,  Feature::f1,  Feature::f01,
                                                    Feature::f2,   Feature::f20, Feature::f12, Feature::f};
-  Place place = {names[pattern], {0, 0, 0}};
+  FeaturePoint touched = {names[pattern], {0, 0, 0}};
   for (unsigned i = 0; i < 3; ++i) {
     if (pattern == 1U << i)
-      place.weights[i] = 1;
+      touched.weights[i] = 1;
     else if (pattern & 1U << i)
-      place.weights[i] = at.ratio(parts[i], area);
+      touched.weights[i] = at.ratio(parts[i], area);
   }
-  return place;
+  return touched;
 }
 
 /// A flat triangle is its three edges.
-std::optional<Place> place_on_flat_face(const Corners& c, const Moment& at) {
+std::optional<FeaturePoint> point_on_flat_face(const Corners& c, const Moment& at) {
   struct Side {
     std::size_t from;
     std::size_t to;
@@ -116,45 +117,45 @@ std::optional<Place> place_on_flat_face(const Corners& c, const Moment& at) {
   static constexpr std::array<Feature, 3> corners = {Feature::f0, Feature::f1, Feature::f2};
   for (std::size_t i = 0; i < 3; ++i) {
     if (!coincide(at, P, c[1 + i])) continue;
-    Place place = {corners[i], {0, 0, 0}};
-    place.weights[i] = 1;
-    return place;
+    FeaturePoint touched = {corners[i], {0, 0, 0}};
+    touched.weights[i] = 1;
+    return touched;
   }
   for (const Side& side : sides) {
     const Corner& X = c[1 + side.from];
     const Corner& Y = c[1 + side.to];
     if (!is_on_segment(at, P, X, Y)) continue;
-    const Place on_side = place_on_edge(at, P, X, Y, side.names);
-    Place place = {on_side.feature, {0, 0, 0}};
-    place.weights[side.from] = on_side.weights[0];
-    place.weights[side.to] = on_side.weights[1];
-    return place;
+    const FeaturePoint on_side = point_on_edge(at, P, X, Y, side.names);
+    FeaturePoint touched = {on_side.feature, {0, 0, 0}};
+    touched.weights[side.from] = on_side.weights[0];
+    touched.weights[side.to] = on_side.weights[1];
+    return touched;
   }
   return std::nullopt;
 }
 
 std::optional<Touch> touch_face(const Corners& c, const Moment& at) {
-  const Place vertex = {Feature::v, {1, 0, 0}};
+  const FeaturePoint vertex = {Feature::v, {1, 0, 0}};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Polynomial area = orientation(axis, c[1], c[2], c[3]);
     if (at.sign(area) == CGAL::ZERO) continue;
-    const auto place = place_on_face(c, axis, area, at);
-    return place ? std::optional<Touch>({vertex, *place}) : std::nullopt;
+    const auto touched = point_on_face(c, axis, area, at);
+    return touched ? std::optional<Touch>({vertex, *touched}) : std::nullopt;
   }
-  const auto place = place_on_flat_face(c, at);
-  return place ? std::optional<Touch>({vertex, *place}) : std::nullopt;
+  const auto touched = point_on_flat_face(c, at);
+  return touched ? std::optional<Touch>({vertex, *touched}) : std::nullopt;
 }
 
 }  // namespace
 
 std::optional<Touch> touch(Kind kind, const Corners& c, const Moment& at) {
-  const Place point = {Feature::p, {1, 0, 0}};
+  const FeaturePoint point = {Feature::p, {1, 0, 0}};
   switch (kind) {
     case Kind::edge_edge: return touch_edges(c, at);
     case Kind::vertex_face: return touch_face(c, at);
     case Kind::point_edge:
       if (!is_on_segment(at, c[0], c[1], c[2])) return std::nullopt;
-      return Touch{point, place_on_edge(at, c[0], c[1], c[2], {Feature::e0, Feature::e1, Feature::e})};
+      return Touch{point, point_on_edge(at, c[0], c[1], c[2], {Feature::e0, Feature::e1, Feature::e})};
     case Kind::point_point:
       if (!coincide(at, c[0], c[1])) return std::nullopt;
       return Touch{point, {Feature::q, {1, 0, 0}}};

@@ -4,13 +4,13 @@
 
 #include <optional>
 
-#include "oracle/place.hpp"
+#include "oracle/feature_point.hpp"
 
 namespace touchstone::oracle {
 
 struct Touch {
-  Place a;
-  Place b;
+  FeaturePoint a;
+  FeaturePoint b;
 };
 
 /// The touching point at a moment at which the contact equations hold, or nothing.

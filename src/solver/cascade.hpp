@@ -1,11 +1,12 @@
-// The cascade: filters, then exact. SPDX-License-Identifier: MIT
+// The cascade: the filters, then the exact level where they are uncertain. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <touchstone/answer.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/solve.hpp>
 
-// Not inlined, and operands come from memory: no operation moves out of the caller's environment guard.
+// A function that is not inlined and reads its operands from memory: the compiler cannot move its operations out of the
+// caller's environment guard.
 #if defined(__GNUC__)
 #define TOUCHSTONE_BEHIND_GUARD __attribute__((noinline))
 #else
@@ -15,7 +16,7 @@
 namespace touchstone::solver {
 
 /// Validates a query and answers it, in the default floating-point environment. `query.kind` says which corners count.
-/// @throws InvalidQuery  naming t_max or the first coordinate that is not finite
+/// @throws InvalidQuery  naming the kind, t_max or the first coordinate that is not finite
 TOUCHSTONE_BEHIND_GUARD Answer answer(const Query& query, Method method, double t_max);
 
 /// answer(query, Method::fast, t_max).contact. @throws InvalidQuery the same

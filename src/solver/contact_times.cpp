@@ -34,7 +34,7 @@ double ExactTime::upper() const noexcept { return impl_->root.upper(); }
 
 int ExactTime::compare(const ExactTime& other) const {
   const numbers::DefaultFloatEnvironment environment;
-  // Copies: roots keep what they find out, and other threads may hold these times, too.
+  // Copies, because comparing changes a root's cached bracket, and other threads may hold these times too.
   const numbers::RealRoot mine = impl_->root;
   const numbers::RealRoot theirs = other.impl_->root;
   return mine.compare(theirs);
@@ -58,7 +58,7 @@ std::string ExactTime::to_string() const {
 
 std::vector<ContactInterval> contact_times(const Query& query, double t_max) {
   const numbers::DefaultFloatEnvironment environment;
-  solver::validate(query.kind, query.start.data(), query.end.data(), t_max);
+  solver::validate(query, t_max);
   return with_exact_times(exact::touching_times(query, t_max));
 }
 

@@ -11,7 +11,7 @@
 namespace touchstone {
 namespace {
 
-/// The query in doubles when every coordinate is one.
+/// Whether every coordinate is a double; `result` is then the query in doubles.
 bool in_doubles(const RationalQuery& query, Query& result) {
   result.kind = query.kind;
   for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
@@ -55,7 +55,7 @@ Answer solve(const RationalQuery& query, Method method, double t_max) {
   Query doubles;
   if (in_doubles(query, doubles)) return solver::answer(doubles, method, t_max);
   const bool by_cgal = method == Method::oracle || method == Method::fast_cgal;
-  return by_cgal ? oracle::decide(query, t_max) : exact::decide(query, t_max);
+  return by_cgal ? oracle::decide_by_oracle(query, t_max) : exact::decide_exactly(query, t_max);
 }
 
 }  // namespace touchstone

@@ -23,7 +23,7 @@ namespace touchstone {
 namespace {
 
 constexpr int kMaxThreads = 1024;
-constexpr std::size_t kBlock = 64;  // queries that a kernel is asked at a time; a few microseconds of work
+constexpr std::size_t kBlock = 64;  // how many queries a kernel is given at a time; a few microseconds of work
 
 void validate_options(const BatchOptions& options) {
   if (options.threads < 0 || options.threads > kMaxThreads) {
@@ -36,7 +36,8 @@ void validate_options(const BatchOptions& options) {
   solver::validate_t_max(options.t_max);
 }
 
-/// Calls answer_range(first, last) until [0, count) is covered, in the default environment, on as many threads as asked for.
+/// Covers [0, count) by calls of answer_range(first, last), in the default environment, on `threads` threads (0: as many as
+/// the machine has).
 template <class AnswerRange>
 void for_each_range(std::size_t count, int threads, const AnswerRange& answer_range) {
   const auto in_environment = [&](std::size_t first, std::size_t last) {
@@ -60,8 +61,7 @@ void for_each_range(std::size_t count, int threads, const AnswerRange& answer_ra
   in_environment(0, count);
 }
 
-/// Answers [first, last), whose coordinates are in columns that begin at query `first`, where the kernel proves nothing
-/// through answer_one(i).
+/// Answers queries [first, last) of the columns. Where the kernel proves nothing, answer_one(i) answers query i.
 template <class AnswerOne>
 void answer_columns(const filters::Columns& columns, filters::SameSideKernel kernel, std::size_t first,
                     std::size_t last, Answer* answers, const AnswerOne& answer_one) {
@@ -87,8 +87,7 @@ void answer_all(std::size_t count, const BatchOptions& options, const QueryAt& q
     const numbers::DefaultFloatEnvironment environment;
     for (std::size_t i = 0; i < count; ++i) {
       try {
-        const Query& query = query_at(i);
-        solver::validate(query.kind, query.start.data(), query.end.data(), options.t_max);
+        solver::validate(query_at(i), options.t_max);
       } catch (const InvalidQuery& error) {
         throw InvalidQuery("query " + std::to_string(i) + ": " + error.what());
       }
@@ -98,6 +97,8 @@ void answer_all(std::size_t count, const BatchOptions& options, const QueryAt& q
 }
 
 }  // namespace
+
+bool has_vectors(VectorWidth width) noexcept { return filters::has_kernel(width); }
 
 Query QueryColumns::operator[](std::size_t q) const noexcept {
   Query query;
@@ -117,6 +118,7 @@ void solve_batch(const Query* queries, std::size_t count, Answer* answers, const
 }
 
 void solve_batch(const QueryColumns& queries, Answer* answers, const BatchOptions& options) {
+  solver::validate_kind(queries.kind);
   const auto query_at = [&queries](std::size_t i) { return queries[i]; };
   const auto answer_one = [&](std::size_t i) { return solver::answer(queries[i], options.method, options.t_max); };
   filters::Columns columns;

@@ -31,7 +31,7 @@ std::string shortened(const std::string& text) {
   return text.size() <= kShown ? text : text.substr(0, kShown) + "...";
 }
 
-/// Whether all coordinates of `count` corners are finite: x - x is +0 for those and a NaN for the others.
+/// Whether all coordinates of `count` corners are finite: x - x is +0 for a finite x and a NaN for any other.
 bool all_finite(const Vec3* corners, std::size_t count) noexcept {
   std::uint64_t differences = 0;
   const double* x = &corners->x;
@@ -44,14 +44,15 @@ bool all_finite(const Vec3* corners, std::size_t count) noexcept {
   return differences == 0;
 }
 
-[[noreturn]] void throw_not_finite(Kind kind, const Vec3* start, const Vec3* end) {
+[[noreturn]] void throw_not_finite(const Query& query) {
   for (int side = 0; side < 2; ++side) {
-    const Vec3* corners = side == 0 ? start : end;
-    for (std::size_t i = 0; i < corner_count(kind); ++i) {
+    const auto& corners = side == 0 ? query.start : query.end;
+    for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
       const double coordinates[3] = {corners[i].x, corners[i].y, corners[i].z};
       for (std::size_t axis = 0; axis < 3; ++axis) {
         if (std::isfinite(coordinates[axis])) continue;
-        throw InvalidQuery(where(kind, i, side, axis) + number(coordinates[axis]) + "; coordinates must be finite");
+        throw InvalidQuery(where(query.kind, i, side, axis) + number(coordinates[axis]) +
+                           "; coordinates must be finite");
       }
     }
   }
@@ -69,15 +70,26 @@ void validate_finite_time(double time) {
   if (!std::isfinite(time)) throw InvalidQuery("the time is " + number(time) + "; it must be finite");
 }
 
-void validate(Kind kind, const Vec3* start, const Vec3* end, double t_max) {
+void validate_kind(Kind kind) {
+  if (kind <= Kind::point_point) return;
+  throw InvalidQuery("the kind is " + std::to_string(static_cast<int>(kind)) + "; it must be one of 0 to " +
+                     std::to_string(static_cast<int>(Kind::point_point)) +
+                     ": edge-edge, vertex-face, point-edge or point-point");
+}
+
+void validate(const Query& query, double t_max) {
+  validate_kind(query.kind);
   validate_t_max(t_max);
-  const std::size_t count = corner_count(kind);
+  const Vec3* const start = query.start.data();
+  const Vec3* const end = query.end.data();
+  const std::size_t count = corner_count(query.kind);
   const bool finite =
       count == 4 ? all_finite(start, 4) && all_finite(end, 4) : all_finite(start, count) && all_finite(end, count);
-  if (!finite) throw_not_finite(kind, start, end);
+  if (!finite) throw_not_finite(query);
 }
 
 void validate(const RationalQuery& query, double t_max) {
+  validate_kind(query.kind);
   validate_t_max(t_max);
   for (int side = 0; side < 2; ++side) {
     const auto& corners = side == 0 ? query.start : query.end;

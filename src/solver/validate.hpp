@@ -1,4 +1,4 @@
-// Queries from outside: meaningless ones become errors before anything is computed. SPDX-License-Identifier: MIT
+// Queries from outside. A meaningless one becomes an error before anything is computed. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace touchstone::solver {
 
-/// Whether 0 <= t_max <= 1, -0.0 included. Looks at bits: in flush-to-zero mode a comparison takes a negative
-/// subnormal for zero.
+/// Whether 0 <= t_max <= 1, -0.0 included. It compares bits, because in flush-to-zero mode a comparison of doubles takes a
+/// negative subnormal for zero.
 inline bool is_time(double t_max) noexcept {
   constexpr std::uint64_t kOne = 0x3FF0000000000000;
   constexpr std::uint64_t kMinusZero = 0x8000000000000000;
@@ -25,14 +25,17 @@ void validate_t_max(double t_max);
 /// @throws InvalidQuery  unless the time is finite
 void validate_finite_time(double time);
 
-/// @throws InvalidQuery  naming t_max or the first coordinate that is not finite
+/// @throws InvalidQuery  naming the kind's number, unless it is one of Kind's
+void validate_kind(Kind kind);
+
+/// @throws InvalidQuery  naming the kind, t_max or the first coordinate that is not finite
 /// Not inlined, and its operands come from memory: see cascade.hpp.
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-void validate(Kind kind, const Vec3* start, const Vec3* end, double t_max);
+void validate(const Query& query, double t_max);
 
-/// @throws InvalidQuery  naming the first coordinate that is not a fraction
+/// @throws InvalidQuery  naming the kind, t_max or the first coordinate that is not a fraction
 void validate(const RationalQuery& query, double t_max);
 
 }  // namespace touchstone::solver

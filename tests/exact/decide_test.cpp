@@ -12,7 +12,7 @@ using namespace touchstone;
 
 namespace {
 
-Answer decide(const Query& query, double t_max = 1) { return exact::decide(query, t_max); }
+Answer decide(const Query& query, double t_max = 1) { return exact::decide_exactly(query, t_max); }
 
 void check_contact(const Query& query, double toi, Nature nature, Feature a, Feature b, std::array<double, 3> weights_a,
                    std::array<double, 3> weights_b) {
@@ -145,7 +145,7 @@ TEST_CASE("a time that no double holds is enclosed by its neighbours") {
   rational.start[0] = {Fraction{"5", "9"}, Fraction{"-2", "3"}, Fraction{"1", "7"}};
   rational.end[0] = {Fraction{"5", "9"}, Fraction{"-2", "3"}, Fraction{"-4", "21"}};
   rational.start[1] = rational.end[1] = {Fraction{"10", "18"}, Fraction{"2", "-3"}, Fraction{"0", "1"}};
-  const Answer sevenths = exact::decide(rational, 1);
+  const Answer sevenths = exact::decide_exactly(rational, 1);
   REQUIRE(sevenths.contact);
   CHECK(sevenths.toi < 3.0 / 7 + 0x1p-54);
   CHECK(std::nextafter(sevenths.toi, 1) == sevenths.toi_upper);

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "filters/bound_search.hpp"
-#include "filters/same_side.hpp"
 #include "filters/separating_direction.hpp"
+#include "filters/step_frame.hpp"
 #include "numbers/exact_number.hpp"
 #include "support/catch.hpp"
 
@@ -27,7 +27,7 @@ Exact determinant(const ExactVector& a, const ExactVector& b, const ExactVector&
 
 /// The input: four corners at both ends, 24 doubles; frame of an edge-edge query.
 struct Case {
-  filters::Frame frame;
+  filters::StepFrame<double> frame;
   std::array<ExactVector, 3> start, end;  // u, w, r
 };
 
@@ -36,8 +36,8 @@ Case case_of(const std::vector<double>& x) {
   static constexpr std::size_t kMinuend[] = {1, 3, 2};
   static constexpr std::size_t kSubtrahend[] = {0, 2, 0};
   Case result;
-  filters::Vector* rounded[2][3] = {{&result.frame.u0, &result.frame.w0, &result.frame.r0},
-                                    {&result.frame.u1, &result.frame.w1, &result.frame.r1}};
+  filters::Vector* rounded[2][3] = {{&result.frame.start.u, &result.frame.start.w, &result.frame.start.r},
+                                    {&result.frame.end.u, &result.frame.end.w, &result.frame.end.r}};
   for (std::size_t side = 0; side < 2; ++side) {
     for (std::size_t v = 0; v < 3; ++v) {
       for (std::size_t k = 0; k < 3; ++k) {
@@ -216,7 +216,7 @@ TEST_CASE("where the same-side bound applies nothing overflows") {
     std::vector<double> x(24);
     const int exponent = rng.between(328, 341);
     for (double& v : x) v = std::ldexp(rng.one_in(2) ? 1 + rng.unit() : -1 - rng.unit(), exponent);
-    const filters::Frame frame = case_of(x).frame;
+    const filters::StepFrame<double> frame = case_of(x).frame;
     if (!filters::coplanarity_bounds(frame).valid) continue;
     ++applies;
     for (const double c : filters::coplanarity_coefficients(frame)) REQUIRE(std::isfinite(c));
@@ -235,7 +235,7 @@ TEST_CASE("where u and w are huge and r is small nothing overflows where the sam
       const bool far = k / 3 % 2 == 1;
       x[k] = std::ldexp(rng.one_in(2) ? 1 + rng.unit() : -1 - rng.unit(), far ? exponent : -450);
     }
-    const filters::Frame frame = case_of(x).frame;
+    const filters::StepFrame<double> frame = case_of(x).frame;
     const bool valid = filters::coplanarity_bounds(frame).valid;
     ++(valid ? applies : guarded);
     if (!valid) continue;

@@ -8,7 +8,7 @@
 #include "exact/exact.hpp"
 #include "filters/bernstein_cubic.hpp"
 #include "filters/bracket.hpp"
-#include "filters/same_side.hpp"
+#include "filters/step_frame.hpp"
 #include "numbers/exact_number.hpp"
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
@@ -16,6 +16,7 @@
 using namespace touchstone;
 using namespace touchstone::tests;
 using filters::BernsteinCubic;
+using filters::Finding;
 using numbers::Exact;
 
 namespace {
@@ -23,13 +24,13 @@ namespace {
 /// A frame given by 18 doubles (differences that are doubles themselves), and V's exact power coefficients, from the
 /// rule of Sarrus over polynomials.
 struct FrameSample {
-  filters::Frame frame;
+  filters::StepFrame<double> frame;
   double size;
   std::array<Exact, 4> power;
 
   explicit FrameSample(const std::vector<double>& x) {
     const auto vector = [&](std::size_t i) { return filters::Vector{{x[3 * i], x[3 * i + 1], x[3 * i + 2]}}; };
-    frame = {vector(0), vector(1), vector(2), vector(3), vector(4), vector(5)};
+    frame = {{vector(0), vector(1), vector(2)}, {vector(3), vector(4), vector(5)}};
     const auto largest = [&](std::size_t i) {
       double m = 0;
       for (std::size_t k = 0; k < 3; ++k) m = std::max({m, std::fabs(x[3 * i + k]), std::fabs(x[9 + 3 * i + k])});
@@ -141,12 +142,10 @@ TEST_CASE("a root just outside of the step is not taken for the one inside") {
       Query query(face);
       if (reversed) std::swap(query.start, query.end);
       CAPTURE(k, reversed);
-      const filters::Frame frame = filters::frame_of(query);
       Answer answer;
-      const filters::Decision decision = filters::bracket(query, frame, filters::coplanarity_coefficients(frame), 1,
-                                                          filters::Want::everything, &exact::coplanarity_at, answer);
-      CHECK(decision != filters::Decision::no_contact);
-      if (decision != filters::Decision::contact) continue;
+      const Finding finding = filters::decide_in_brackets({query, 1, exact::coplanarity_at}, answer);
+      CHECK(finding != Finding::no_contact);
+      if (finding != Finding::contact) continue;
       ++decided;
       CHECK(answer.toi == (reversed ? 0.25 : 0.75));
       CHECK(answer.toi_upper == answer.toi);
@@ -185,14 +184,12 @@ TEST_CASE("contacts at, before and after the ends of the step, against exact ari
       for (std::uint64_t i = 0; i < 4000; ++i) {
         const CaseId id{family, kind, 31, i};
         const Query query = make(id);
-        const filters::Frame frame = filters::frame_of(query);
         Answer answer;
-        const filters::Decision decision = filters::bracket(query, frame, filters::coplanarity_coefficients(frame), 1,
-                                                            filters::Want::everything, &exact::coplanarity_at, answer);
-        if (decision == filters::Decision::uncertain) continue;
+        const Finding finding = filters::decide_in_brackets({query, 1, exact::coplanarity_at}, answer);
+        if (finding == Finding::uncertain) continue;
         INFO(case_name(id));
-        const Answer truth = exact::decide(query, 1);
-        REQUIRE((decision == filters::Decision::contact) == truth.contact);
+        const Answer truth = exact::decide_exactly(query, 1);
+        REQUIRE((finding == Finding::contact) == truth.contact);
         ++decided;
         if (!truth.contact) continue;
         REQUIRE(answer.toi == truth.toi);

@@ -20,7 +20,7 @@ using numbers::Exact;
 
 namespace {
 
-using Place = std::array<Exact, 3>;
+using ExactVector = std::array<Exact, 3>;
 
 struct Input {
   std::array<Vec3, 4> start, end;
@@ -38,9 +38,10 @@ struct Input {
     axis = static_cast<std::size_t>(std::fabs(std::frexp(x[25], &exponent)) * 6 - 3) % 3;
   }
 
-  ContactValues values(bool edges) const { return filters::contact_values(start.data(), end.data(), edges, t, axis); }
+  Query query(bool edges) const { return edges ? Query(EdgeEdge{start, end}) : Query(VertexFace{start, end}); }
+  ContactValues values(bool edges) const { return filters::contact_values(query(edges), t, axis); }
 
-  Place difference(std::size_t i, std::size_t j) const {
+  ExactVector difference(std::size_t i, std::size_t j) const {
     const auto along = [&](double Vec3::*k) {
       const Exact from = Exact(start[i].*k) - Exact(start[j].*k);
       const Exact to = Exact(end[i].*k) - Exact(end[j].*k);
@@ -60,7 +61,7 @@ struct Input {
   }
 };
 
-Exact cross_at(const Place& a, const Place& b, std::size_t k) {
+Exact cross_at(const ExactVector& a, const ExactVector& b, std::size_t k) {
   return a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
 }
 
@@ -75,15 +76,15 @@ double worst_ratio(const std::vector<double>& x, bool edges, int which) {
   const auto pick = [edges](std::size_t e, std::size_t f) { return edges ? e : f; };
   const std::size_t u_to = pick(1, 2), u_from = pick(0, 1), w_to = 3, w_from = pick(2, 1), r_to = pick(2, 0),
                     r_from = pick(0, 1);
-  const Place u = in.difference(u_to, u_from);
-  const Place w = in.difference(w_to, w_from);
-  const Place r = in.difference(r_to, r_from);
+  const ExactVector u = in.difference(u_to, u_from);
+  const ExactVector w = in.difference(w_to, w_from);
+  const ExactVector r = in.difference(r_to, r_from);
   const double U = in.bound(u_to, u_from);
   const double W = in.bound(w_to, w_from);
   const double R = in.bound(r_to, r_from);
   if (!(std::min({U, W, R}) >= 0x1p-250 && std::max({U, W, R}) <= 0x1p250)) return std::nan("");
-  const auto at = filters::precise_values(in.start.data(), in.end.data(), edges, in.t, in.axis);
-  const Place n = {cross_at(u, w, 0), cross_at(u, w, 1), cross_at(u, w, 2)};
+  const auto at = filters::precise_values(in.query(edges), in.t, in.axis);
+  const ExactVector n = {cross_at(u, w, 0), cross_at(u, w, 1), cross_at(u, w, 2)};
   if (which == 0)
     return ratio(at.coplanarity, n[0] * r[0] + n[1] * r[1] + n[2] * r[2], filters::kCoplanarityError * (U * W * R));
   const Exact f1 = cross_at(r, w, in.axis);
@@ -171,9 +172,9 @@ TEST_CASE("fused and plain steps give the same bits") {
     const int spread = rng.between(0, 30);
     for (double& v : x) v = std::ldexp(rng.unit() - 0.5, exponent - rng.between(0, spread));
     const Input in(x);
-    const bool edges = rng.one_in(2);
-    const ContactValues plain = plain_function(in.start.data(), in.end.data(), edges, in.t, in.axis);
-    const ContactValues fused = fused_function(in.start.data(), in.end.data(), edges, in.t, in.axis);
+    const Query query = in.query(rng.one_in(2));
+    const ContactValues plain = plain_function(query, in.t, in.axis);
+    const ContactValues fused = fused_function(query, in.t, in.axis);
     REQUIRE(std::memcmp(&plain, &fused, sizeof plain) == 0);
   }
 }

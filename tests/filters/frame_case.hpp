@@ -10,7 +10,7 @@
 #include "filters/bernstein_cubic.hpp"
 #include "filters/bound_search.hpp"
 #include "filters/coplanarity_form.hpp"
-#include "filters/same_side.hpp"
+#include "filters/step_frame.hpp"
 #include "numbers/exact_number.hpp"
 
 namespace touchstone::tests {
@@ -20,7 +20,7 @@ using numbers::Exact;
 /// An edge-edge query from 24 doubles, its frame, and the exact Bernstein coefficients of V, each times 3 when inner.
 struct FrameCase {
   Query query;
-  filters::Frame frame;
+  filters::StepFrame<double> frame;
   struct {
     double u, w, r;
   } size;                                          ///< bounds of the coordinates of u, w, r
@@ -34,7 +34,8 @@ struct FrameCase {
     }
     static constexpr std::size_t kMinuend[] = {1, 3, 2};
     static constexpr std::size_t kSubtrahend[] = {0, 2, 0};
-    filters::Vector* rounded[2][3] = {{&frame.u0, &frame.w0, &frame.r0}, {&frame.u1, &frame.w1, &frame.r1}};
+    filters::Vector* rounded[2][3] = {{&frame.start.u, &frame.start.w, &frame.start.r},
+                                      {&frame.end.u, &frame.end.w, &frame.end.r}};
     for (std::size_t side = 0; side < 2; ++side) {
       for (std::size_t v = 0; v < 3; ++v) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -44,8 +45,8 @@ struct FrameCase {
         }
       }
     }
-    size = {filters::largest(frame.u0, frame.u1), filters::largest(frame.w0, frame.w1),
-            filters::largest(frame.r0, frame.r1)};
+    size = {filters::largest(frame.start.u, frame.end.u), filters::largest(frame.start.w, frame.end.w),
+            filters::largest(frame.start.r, frame.end.r)};
     exact[0] = determinant(start[0], start[1], start[2]);
     exact[1] = determinant(start[0], end[1], start[2]) + determinant(end[0], start[1], start[2]) +
                determinant(start[0], start[1], end[2]);

@@ -78,7 +78,7 @@ TEST_CASE("the side conditions near a root are within their bounds") {
   for (const double h : kDistances) {
     const auto search = searched(85, 1, 5000, in_range, [h](const FrameCase& s, const std::vector<double>& x) {
       const double t = time_from(x[24]);
-      const filters::SideValues at = filters::side_values(s.query.kind, s.frame, magnitudes(s), t, h);
+      const filters::SideValues at = filters::side_values(true, s.frame, magnitudes(s), t, h);
       double worst = 0;
       for (const double side : {-h, h}) {
         const Exact time = Exact(std::clamp(t + side, 0.0, 1.0));
@@ -110,8 +110,9 @@ TEST_CASE("no side is certain where n may be zero") {
       }
     }
     const FrameCase s(x);
-    const filters::Sides found = filters::sides(s.query, s.frame, magnitudes(s), 0, 0);
-    ++(found.side == filters::Side::unknown ? unknown : known);
+    const filters::SideValues found = filters::side_values(true, s.frame, magnitudes(s), 0, 0);
+    const filters::Side side = filters::side_of(true, found);
+    ++(side == filters::Side::unknown ? unknown : known);
     const Exact at(0);
     Exact n = s.cross(0, 1, found.axis, at), first = s.cross(2, 1, found.axis, at),
           second = s.cross(2, 0, found.axis, at);
@@ -122,8 +123,8 @@ TEST_CASE("no side is certain where n may be zero") {
     }
     const bool outside = first.sign() < 0 || second.sign() < 0 || (n - first).sign() < 0 || (n - second).sign() < 0;
     CAPTURE(i);
-    if (found.side == filters::Side::outside) REQUIRE(outside);
-    if (found.side == filters::Side::inside) REQUIRE(!outside);
+    if (side == filters::Side::outside) REQUIRE(outside);
+    if (side == filters::Side::inside) REQUIRE(!outside);
   }
   CHECK(unknown > 1000);
   CHECK(known > 1000);

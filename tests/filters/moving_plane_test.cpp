@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "filters/filters.hpp"
+#include "filters/boxes.hpp"
+#include "filters/deciding_test.hpp"
 #include "filters/separating_direction.hpp"
 #include "numbers/exact_number.hpp"
 #include "support/catch.hpp"
@@ -13,7 +14,8 @@
 
 using namespace touchstone;
 using namespace touchstone::tests;
-using filters::Proof;
+using filters::corners_of_first;
+using filters::Test;
 using numbers::Exact;
 
 namespace {
@@ -27,8 +29,6 @@ Query in_one_line(double gap, const Vec3& motion_a, const Vec3& motion_b) {
   for (std::size_t i = 0; i < 4; ++i) query.end[i] = plus(query.start[i], i < 2 ? motion_a : motion_b);
   return query;
 }
-
-std::size_t corners_of_first(Kind kind) { return kind == Kind::edge_edge ? 2 : 1; }
 
 /// 8 times the place of a corner along d at t = eighths / 8.
 Exact place(const Query& query, std::size_t corner, const filters::Vector& d, int eighths) {
@@ -81,13 +81,13 @@ Query flying_together(Kind kind, Rng& rng, filters::Vector& direction) {
 
 TEST_CASE("elements that fly in a line one after the other are apart, and are not when one passes the other") {
   const Vec3 far{10, 10, 0}, back{-10, -10, 0};
-  CHECK(filters::separation_proof(in_one_line(1, far, far)) == Proof::closest_points);
-  CHECK(filters::separation_proof(in_one_line(0x1p-40, far, far)) == Proof::closest_points);
-  CHECK(filters::separation_proof(in_one_line(1, far, {9.5, 9.5, 0})) == Proof::closest_points);
-  CHECK(filters::separation_proof(in_one_line(0, far, far)) == Proof::none);
-  CHECK(filters::separation_proof(in_one_line(1, far, back)) == Proof::none);
-  CHECK(filters::separation_proof(in_one_line(1, far, {9, 9, 0})) == Proof::none);  // touch at the end
-  CHECK(filters::separation_proof(in_one_line(-4, back, far)) == Proof::none);      // the same, the other way round
+  CHECK(deciding_test(in_one_line(1, far, far)) == Test::closest_points);
+  CHECK(deciding_test(in_one_line(0x1p-40, far, far)) == Test::closest_points);
+  CHECK(deciding_test(in_one_line(1, far, {9.5, 9.5, 0})) == Test::closest_points);
+  CHECK(deciding_test(in_one_line(0, far, far)) == Test::none);
+  CHECK(deciding_test(in_one_line(1, far, back)) == Test::none);
+  CHECK(deciding_test(in_one_line(1, far, {9, 9, 0})) == Test::none);  // touch at the end
+  CHECK(deciding_test(in_one_line(-4, back, far)) == Test::none);      // the same, the other way round
 }
 
 TEST_CASE("along a direction that separates, one element is above the other at all times") {

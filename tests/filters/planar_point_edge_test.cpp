@@ -1,6 +1,7 @@
 // Points and edges in two dimensions: the bracket level answers about them as the exact level does.
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <optional>
 
 #include "exact/exact.hpp"
 #include "filters/filters.hpp"
@@ -11,6 +12,7 @@
 #include "support/query_text.hpp"
 
 using namespace touchstone;
+using filters::Finding;
 using seeded::Rng;
 
 namespace {
@@ -44,15 +46,15 @@ Count compare(double coordinate(Rng&), int count) {
     const double levels[] = {0, -1, 0.1, 1e9, 0x1p-1074};
     const Query query = planar(rng, i % 3, levels[rng.below(5)], coordinate);
     const double t_max = i % 4 == 0 ? rng.unit() : 1;
-    const Answer exact = exact::decide(query, t_max);
+    const Answer exact = exact::decide_exactly(query, t_max);
     Answer answer;
-    const auto decision = filters::decide(query, t_max, filters::Want::everything, exact::coplanarity_at, answer);
+    const auto decision = filters::decide_by_filters({query, t_max, exact::coplanarity_at}, answer);
     Answer ignored;
-    const auto any = filters::decide(query, t_max, filters::Want::contact_only, exact::coplanarity_at, ignored);
+    const auto any = filters::decide_by_filters({query, t_max, exact::coplanarity_at, true}, ignored);
     CAPTURE(i, t_max, tests::describe(exact));
-    if (decision == filters::Decision::uncertain) continue;
-    REQUIRE(any == decision);
-    REQUIRE((decision == filters::Decision::contact) == exact.contact);
+    if (decision.finding == Finding::uncertain) continue;
+    REQUIRE((any.finding == decision.finding && any.test == decision.test));
+    REQUIRE((decision.finding == Finding::contact) == exact.contact);
     found.bracket += answer.level == Level::bracket;
     if (!exact.contact) continue;
     ++found.contacts;
@@ -83,9 +85,9 @@ TEST_CASE("ordinary contacts of a point and an edge in a plane need no exact ari
   for (int i = 0; i < 5000; ++i) {
     const Query query = planar(rng, 2, 0, any);
     Answer answer;
-    const auto decision = filters::decide(query, 1, filters::Want::everything, exact::coplanarity_at, answer);
-    contacts += decision == filters::Decision::contact;
-    undecided += decision == filters::Decision::uncertain;
+    const Finding finding = filters::decide_by_filters({query, 1, exact::coplanarity_at}, answer).finding;
+    contacts += finding == Finding::contact;
+    undecided += finding == Finding::uncertain;
   }
   CHECK(contacts > 500);
   CHECK(undecided < 10);
@@ -93,21 +95,21 @@ TEST_CASE("ordinary contacts of a point and an edge in a plane need no exact ari
 
 TEST_CASE("only a point and an edge that stay in a coordinate plane are made edges of") {
   Rng rng(5);
-  Query edges;
   Query query = planar(rng, 1, 0.25, any);
-  REQUIRE(filters::as_crossing_edges(query, edges));
-  CHECK(edges.kind == Kind::edge_edge);
+  const std::optional<Query> edges = filters::as_crossing_edges(query);
+  REQUIRE(edges);
+  CHECK(edges->kind == Kind::edge_edge);
   query.end[2].y = std::nextafter(0.25, 1.0);
-  CHECK_FALSE(filters::as_crossing_edges(query, edges));
-  // All in one place, and differences that no double holds.
+  CHECK_FALSE(filters::as_crossing_edges(query));
+  // All corners in one place, and differences that no double holds.
   query = {};
   query.kind = Kind::point_edge;
-  CHECK_FALSE(filters::as_crossing_edges(query, edges));
+  CHECK_FALSE(filters::as_crossing_edges(query));
   query.start[0].x = 1.7e308;
   query.start[1].x = -1.7e308;
-  CHECK_FALSE(filters::as_crossing_edges(query, edges));
-  // The least difference there is.
+  CHECK_FALSE(filters::as_crossing_edges(query));
+  // The least difference that a double holds.
   query.start[0].x = 0x1p-1074;
   query.start[1].x = 0;
-  CHECK(filters::as_crossing_edges(query, edges));
+  CHECK(filters::as_crossing_edges(query));
 }

@@ -41,10 +41,9 @@ double component_ratio(const FrameCase& sample, double t, double distance, doubl
     slip = -slip;
   }
   const std::size_t k = 2;
-  const Vec3* const start = sample.query.start.data();
-  const Vec3* const end = sample.query.end.data();
-  const auto w = filters::moving_difference(start, end, 3, 2, t), r = filters::moving_difference(start, end, 2, 0, t);
-  const filters::Component first = filters::component(r, w, filters::cross(r.value, w.value), k);
+  const auto w = filters::moving_difference(sample.query, 3, 2, t),
+             r = filters::moving_difference(sample.query, 2, 0, t);
+  const filters::Component first = filters::cross_component(r, w, k);
   const Exact truth = sample.cross(2, 1, k, Exact(t) + Exact(distance) + Exact(slip));
   // The same component less its true value, as two doubles: its errors stay.
   const double high = numbers::approximate_quotient(truth, Exact(1));
@@ -180,45 +179,48 @@ std::vector<double> swept(const std::vector<double>& x) {
   return meeting(corners, 0.5 + 0x1p-6 * x[24], share(x[25]), 0.5 * share(x[26]));
 }
 
-/// How far the weights of a contact that refine_root writes are from the true ones, over 2^-50, when it sees the root from
-/// about as far away, on the side of `away`, as it may without being uncertain of them; NaN when it never is certain of a
-/// contact.
+/// The error of the weights of a contact that refine_root finds, over 2^-50. It sees the root from the side of `away`, from
+/// about as far as it can without being uncertain of the weights. NaN when it is never certain of a contact.
 double weights_ratio(const FrameCase& s, double away) {
   const BernsteinCubic cubic = s.cubic();
   const SeenRoot nearest = seen_from(s, cubic, 0);
   if (!nearest.found) return std::nan("");
-  filters::ContactFrame frame{s.size.u, s.size.w, s.size.r, cubic.size(), 0};
+  std::size_t axis = 0;
   double greatest = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const double n = std::fabs(numbers::approximate_quotient(s.cross(0, 1, k, Exact(nearest.root.t)), Exact(1)));
     if (n > greatest) {
       greatest = n;
-      frame.axis = k;
+      axis = k;
     }
   }
-  Answer answer;
+  filters::RefinedRoot refined;
   const auto contact_from = [&](double distance) {
-    const auto [found, root] = seen_from(s, cubic, distance);
-    return found && filters::refine_root(s.query, root, frame, true, 1, exact::coplanarity_at, answer) ==
-                        filters::RootVerdict::contact;
+    auto [found, root] = seen_from(s, cubic, distance);
+    if (!found) return false;
+    root.magnitudes = {s.size.u, s.size.w, s.size.r};
+    root.axis = axis;
+    root.inside = true;
+    refined = filters::refine_root({s.query, 1, exact::coplanarity_at}, root);
+    return refined.finding == filters::Finding::contact;
   };
   away = std::copysign(0x1p-11, away);
   while (!contact_from(away)) {
     away *= 0.9375;
     if (std::fabs(away) < 0x1p-50) return std::nan("");
   }
-  Exact time(answer.toi);
+  Exact time(refined.toi);
   for (int i = 0; i < 3; ++i) time = time + Exact(missing(s, time));
-  const Exact n = s.cross(0, 1, frame.axis, time);
+  const Exact n = s.cross(0, 1, axis, time);
   const auto off = [&](double weight, const Exact& numerator) {
     return std::fabs(numbers::approximate_quotient(Exact(weight) * n - numerator, n));
   };
-  const Exact first = s.cross(2, 1, frame.axis, time), second = s.cross(2, 0, frame.axis, time);
+  const Exact first = s.cross(2, 1, axis, time), second = s.cross(2, 0, axis, time);
   for (const Exact& f : {first, second}) {
     if (f.sign() * n.sign() < 0 || (n - f).sign() * n.sign() < 0) return std::nan("");
   }
-  return 0x1p50 * std::max({off(answer.weights_a[1], first), off(answer.weights_a[0], n - first),
-                            off(answer.weights_b[1], second), off(answer.weights_b[0], n - second)});
+  const auto [f1, f2, unused] = refined.weights;
+  return 0x1p50 * std::max({off(f1, first), off(1 - f1, n - first), off(f2, second), off(1 - f2, n - second)});
 }
 
 }  // namespace
@@ -240,7 +242,7 @@ TEST_CASE("a root so near 0 that V underflows beside it is not mistaken for anot
   // V = 2^-500 (r - t (r + 2^-250)) with r = 2^-580: a root near 2^-330, where V is below every double.
   EdgeEdge query{{{{0, 0, 0}, {0x1p-250, 0, 0}, {0x1p-252, -0x1p-251, 0x1p-580}, {0x1p-252, 0x1p-251, 0x1p-580}}},
                  {{{0, 0, 0}, {0x1p-250, 0, 0}, {0x1p-252, -0x1p-251, -0x1p-250}, {0x1p-252, 0x1p-251, -0x1p-250}}}};
-  const Answer exact_one = exact::decide(query, 1);
+  const Answer exact_one = exact::decide_exactly(query, 1);
   REQUIRE(exact_one.contact);
   CHECK(exact_one.toi < 0x1p-329);
   CHECK(decision_difference(solve(query), exact_one).empty());

@@ -59,7 +59,7 @@ TEST_CASE("no query of the public data is missed or a phantom") {
     std::size_t number = 0;
     for (const auto& [query, truth] : read_queries(entry.path())) {
       INFO(entry.path().string() << " query " << number++);
-      const Answer answer = oracle::decide(query, 1);
+      const Answer answer = oracle::decide_by_oracle(query, 1);
       INFO(describe(answer));
       if (answer.contact != truth) FAIL_CHECK((truth ? "missed" : "phantom"));
       ++checked;

@@ -39,7 +39,7 @@ TEST_CASE("a parallel edge comes down") {
   check_contact(parallel_fall(1, 0, 1, 2), isolated_at_half(Feature::a0, Feature::b0, kFirst, kFirst));
   check_no_contact(parallel_fall(0, 1, std::nextafter(1, 2), 2));
   check_no_contact(parallel_fall(-1, 1, 0, 4), 0.25);
-  CHECK(oracle::decide(parallel_fall(-1, 1, 0, 4), 0.5).nature == Nature::isolated);
+  CHECK(oracle::decide_by_oracle(parallel_fall(-1, 1, 0, 4), 0.5).nature == Nature::isolated);
 }
 
 TEST_CASE("edges on one line") {

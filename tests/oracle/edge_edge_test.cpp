@@ -67,7 +67,7 @@ TEST_CASE("edges that graze: a double root of V") {
   // V is 1 - 2t z with z the height of a0: higher, the double root falls apart; lower, it is gone.
   Query high = query;
   high.end[0].z = 0x1p-60;
-  CHECK(oracle::decide(high, 1).nature == Nature::crossing);
+  CHECK(oracle::decide_by_oracle(high, 1).nature == Nature::crossing);
   Query low = query;
   low.end[0].z = -0x1p-60;
   check_no_contact(low);

@@ -69,12 +69,12 @@ inline void check_no_contact(const Answer& answer) {
 
 inline void check_contact(const Query& query, const Expected& expected, double t_max = 1) {
   INFO(cpp_initializer(query));
-  check_answer(oracle::decide(query, t_max), expected);
+  check_answer(oracle::decide_by_oracle(query, t_max), expected);
 }
 
 inline void check_no_contact(const Query& query, double t_max = 1) {
   INFO(cpp_initializer(query));
-  check_no_contact(oracle::decide(query, t_max));
+  check_no_contact(oracle::decide_by_oracle(query, t_max));
 }
 
 }  // namespace touchstone::tests

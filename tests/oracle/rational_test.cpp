@@ -47,19 +47,20 @@ Expected falls_on(Feature feature, const Weights& weights) {
 }  // namespace
 
 TEST_CASE("a vertex over thirds of a face") {
-  check_answer(oracle::decide(falling_over("1/3", "1/3"), 1), falls_on(Feature::f12, {0, 0.5, 0.5}));
-  check_answer(oracle::decide(falling_over("2/9", "2/9"), 1), falls_on(Feature::f, {1.0 / 3, 1.0 / 3, 1.0 / 3}));
-  check_answer(oracle::decide(falling_over("2/3", "0"), 1), falls_on(Feature::f1, kSecond));
-  check_no_contact(oracle::decide(falling_over("333333333333333333334/1000000000000000000000", "1/3"), 1));
-  check_no_contact(oracle::decide(falling_over("1/3", "1/3"), kOneThird.first));
+  check_answer(oracle::decide_by_oracle(falling_over("1/3", "1/3"), 1), falls_on(Feature::f12, {0, 0.5, 0.5}));
+  check_answer(oracle::decide_by_oracle(falling_over("2/9", "2/9"), 1),
+               falls_on(Feature::f, {1.0 / 3, 1.0 / 3, 1.0 / 3}));
+  check_answer(oracle::decide_by_oracle(falling_over("2/3", "0"), 1), falls_on(Feature::f1, kSecond));
+  check_no_contact(oracle::decide_by_oracle(falling_over("333333333333333333334/1000000000000000000000", "1/3"), 1));
+  check_no_contact(oracle::decide_by_oracle(falling_over("1/3", "1/3"), kOneThird.first));
 }
 
 TEST_CASE("fractions need not be reduced and their denominators may be negative") {
-  check_answer(oracle::decide(falling_over("-100/-300", "-7/-21"), 1), falls_on(Feature::f12, {0, 0.5, 0.5}));
+  check_answer(oracle::decide_by_oracle(falling_over("-100/-300", "-7/-21"), 1), falls_on(Feature::f12, {0, 0.5, 0.5}));
   const std::string zeros(400, '0');
   const std::string third = "1" + zeros + "/3" + zeros;
-  check_answer(oracle::decide(falling_over(third, "-0/-5"), 1), falls_on(Feature::f01, {0.5, 0.5, 0}));
-  check_no_contact(oracle::decide(falling_over(third, "1/-" + std::string(400, '9')), 1));
+  check_answer(oracle::decide_by_oracle(falling_over(third, "-0/-5"), 1), falls_on(Feature::f01, {0.5, 0.5, 0}));
+  check_no_contact(oracle::decide_by_oracle(falling_over(third, "1/-" + std::string(400, '9')), 1));
 }
 
 TEST_CASE("points that meet at a third") {
@@ -68,7 +69,8 @@ TEST_CASE("points that meet at a third") {
   query.start[0] = position("0", "0", "0");
   query.end[0] = position("1", "0", "0");
   query.start[1] = query.end[1] = position("1/3", "0", "0");
-  check_answer(oracle::decide(query, 1), {kOneThird, Nature::isolated, Feature::p, Feature::q, kFirst, kFirst});
+  check_answer(oracle::decide_by_oracle(query, 1),
+               {kOneThird, Nature::isolated, Feature::p, Feature::q, kFirst, kFirst});
 }
 
 TEST_CASE("edges of thirds and sevenths that meet corner to corner") {
@@ -81,7 +83,8 @@ TEST_CASE("edges of thirds and sevenths that meet corner to corner") {
   query.end[1] = position("1", "1", "3/5");
   query.start[2] = query.end[2] = position("-1/3", "4/7", "0");
   query.start[3] = query.end[3] = position("1/3", "1/7", "0");
-  check_answer(oracle::decide(query, 1), {at(0.5), Nature::crossing, Feature::a0, Feature::b1, kFirst, kSecond});
+  check_answer(oracle::decide_by_oracle(query, 1),
+               {at(0.5), Nature::crossing, Feature::a0, Feature::b1, kFirst, kSecond});
 }
 
 TEST_CASE("a point on an edge of thirds, all the time") {
@@ -90,6 +93,6 @@ TEST_CASE("a point on an edge of thirds, all the time") {
   query.start[0] = query.end[0] = position("1/3", "1/3", "1/3");
   query.start[1] = query.end[1] = position("0", "0", "0");
   query.start[2] = query.end[2] = position("1", "1", "1");
-  check_answer(oracle::decide(query, 1),
+  check_answer(oracle::decide_by_oracle(query, 1),
                {at(0), Nature::sustained, Feature::p, Feature::e, kFirst, {2.0 / 3, 1.0 / 3, 0}});
 }

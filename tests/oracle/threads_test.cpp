@@ -31,7 +31,7 @@ TEST_CASE("answers are the same from four threads at once") {
   std::vector<Answer> alone;
   std::size_t contacts = 0;
   for (const Query& query : queries) {
-    alone.push_back(oracle::decide(query, 1));
+    alone.push_back(oracle::decide_by_oracle(query, 1));
     contacts += alone.back().contact ? 1 : 0;
   }
   CHECK(contacts > 20);
@@ -41,7 +41,7 @@ TEST_CASE("answers are the same from four threads at once") {
   std::vector<std::thread> threads;
   for (auto& answers : together) {
     threads.emplace_back([&queries, &answers] {
-      for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = oracle::decide(queries[i], 1);
+      for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = oracle::decide_by_oracle(queries[i], 1);
     });
   }
   for (auto& thread : threads) thread.join();
@@ -55,7 +55,7 @@ TEST_CASE("answers are the same from four threads at once") {
 
 TEST_CASE("the rounding mode is left as it was") {
   for (const Query& query : mixed_queries()) {
-    oracle::decide(query, 1);
+    oracle::decide_by_oracle(query, 1);
     REQUIRE(std::fegetround() == FE_TONEAREST);
   }
 }

@@ -1,6 +1,6 @@
 // Points on segments, coordinate by coordinate.
 // SPDX-License-Identifier: MIT
-#include "oracle/place.hpp"
+#include "oracle/feature_point.hpp"
 
 #include "oracle/equations.hpp"
 
@@ -33,7 +33,8 @@ CGAL::Sign relative_direction(const Moment& at, const Corner& X, const Corner& Y
   return CGAL::ZERO;
 }
 
-Place place_on_edge(const Moment& at, const Corner& P, const Corner& X, const Corner& Y, const EdgeNames& names) {
+FeaturePoint point_on_edge(const Moment& at, const Corner& P, const Corner& X, const Corner& Y,
+                           const EdgeNames& names) {
   if (coincide(at, P, X)) return {names.start, {1, 0, 0}};
   if (coincide(at, P, Y)) return {names.end, {0, 1, 0}};
   std::size_t axis = 0;  // the edge has a length, so one of its coordinates has

@@ -1,4 +1,4 @@
-// Where a point lies on an edge at one moment: by location alone, whatever the edge's shape then.
+// Where a point lies on an edge at one moment. The edge may be a point then.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -11,13 +11,13 @@
 
 namespace touchstone::oracle {
 
-/// A part of an element with a point's barycentric coordinates on it.
-struct Place {
+/// A feature of an element, and the barycentric coordinates of a point on it.
+struct FeaturePoint {
   Feature feature;
   std::array<double, 3> weights;
 };
 
-/// What the parts of an edge are called.
+/// The names of an edge's features.
 struct EdgeNames {
   Feature start;
   Feature end;
@@ -33,7 +33,7 @@ bool is_on_segment(const Moment& at, const Corner& P, const Corner& X, const Cor
 /// The sign of (Y - X) . (Q - P), for vectors known to be parallel.
 CGAL::Sign relative_direction(const Moment& at, const Corner& X, const Corner& Y, const Corner& P, const Corner& Q);
 
-/// The place of P on XY, where it must lie: a corner when it is at a corner. Weights are (of X, of Y, 0).
-Place place_on_edge(const Moment& at, const Corner& P, const Corner& X, const Corner& Y, const EdgeNames& names);
+/// The feature of XY that P touches, with P's weights (of X, of Y, 0). P must lie on XY. A corner wins over the interior.
+FeaturePoint point_on_edge(const Moment& at, const Corner& P, const Corner& X, const Corner& Y, const EdgeNames& names);
 
 }  // namespace touchstone::oracle

@@ -1,0 +1,34 @@
+// What the filters are asked, and what they say. SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include <touchstone/query.hpp>
+
+namespace touchstone::filters {
+
+/// V(t) for a double t within a relative error of 2^-50, with its exact sign: what doubles cannot tell, from a level
+/// below. A value that underflows is the least double of its sign.
+using ExactValue = double (*)(const Query& query, double t);
+
+/// Whether and when the elements of a valid query touch in [0, t_max].
+struct Question {
+  const Query& query;
+  double t_max;
+  ExactValue exact_value;
+  bool contact_only = false;  ///< the time and the rest of the answer are not wanted
+};
+
+/// What is known of contact: in [0, t_max], or at one root of V.
+enum class Finding : std::uint8_t { uncertain, no_contact, contact };
+
+/// The tests, in the order in which a query meets them.
+enum class Test : std::uint8_t { none, same_side, shared_corner, boxes, bracket, closest_points, normal, centres };
+
+/// What the filters say: `uncertain` by no test, or something certain by one.
+struct Decision {
+  Finding finding = Finding::uncertain;
+  Test test = Test::none;
+};
+
+}  // namespace touchstone::filters
