@@ -13,6 +13,7 @@
 
 #include "cli/shared/interrupt.hpp"
 #include "cli/shared/new_folders.hpp"
+#include "cli/shared/options.hpp"
 #include "cli/shared/query_progress.hpp"
 #include "cli/shared/summary.hpp"
 #include "cli/shared/words.hpp"
@@ -113,12 +114,6 @@ int run_generate(const GenerateOptions& options) {
 
 namespace {
 
-std::string check_whole_number(const std::string& text, std::uint64_t least, std::uint64_t greatest) {
-  const bool number = !text.empty() && text.size() < 20 && text.find_first_not_of("0123456789") == std::string::npos;
-  if (number && std::stoull(text) >= least && std::stoull(text) <= greatest) return {};
-  return fmt::format("{} must be a whole number from {} to {}", text, least, greatest);
-}
-
 template <class Number>
 void add_number(CLI::App& subcommand, const std::string& name, Number& value, std::uint64_t least,
                 std::uint64_t greatest, const std::string& about) {
@@ -134,7 +129,8 @@ void add_scene_option(CLI::App& subcommand, GenerateOptions& options) {
           [&options](const std::vector<std::string>& names) {
             for (const auto& name : names) options.scenes.push_back(*generators::scene_from_name(name));
           },
-          "What moves: cloth, draped over a deforming sphere; sheets, two crumpled ones that slide along each other; "
+          "The moving scene: cloth, draped over a deforming sphere; sheets, two crumpled ones that slide along each "
+          "other; "
           "cables, two bundles that whip across each other (default: all three; may be given more than once)")
       ->type_name("NAME")
       ->check([](const std::string& name) {
@@ -167,31 +163,30 @@ void add_generate(CLI::App& program, Command& command) {
   add_scene_option(*subcommand, *options);
   add_kind(*subcommand, *options);
   add_number(*subcommand, "--count", candidates.count, 0, kAnyNumber,
-             "At most so many queries a file, drawn evenly from all the steps; 0: every candidate");
-  add_number(*subcommand, "--seed", candidates.seed, 0, kAnyNumber, "Another seed, another scene of the same sort");
+             "The most queries of a file, drawn evenly from all steps; 0: every candidate");
+  add_number(*subcommand, "--seed", candidates.seed, 0, kAnyNumber, "The seed of the scene's form and motion");
   add_number(*subcommand, "--size", candidates.edges, generators::kFewestEdges, generators::kMostEdges,
-             "About how many edges a scene has; surfaces have two faces for three edges");
-  add_number(*subcommand, "--steps", candidates.steps, 1, 1'000'000, "How many steps it moves on");
+             "The approximate number of edges of a scene; surfaces have two faces for three edges");
+  add_number(*subcommand, "--steps", candidates.steps, 1, 1'000'000, "The number of steps");
   subcommand
       ->add_option("--speed", candidates.speed,
-                   "How fast: at 1 most corners move by a tenth of an edge's length a step (default: 1)")
+                   "The speed: at 1 most corners move by a tenth of an edge's length in a step (default: 1)")
       ->type_name("X")
       ->check(CLI::Range(0.0, generators::kGreatestSpeed));
   subcommand->add_flag("--shared-corners", candidates.shared_corners,
-                       "Also the pairs that share a corner: they touch in it all the time");
-  subcommand->add_option("--out", options->out, "The folder to write into; it is made when it is not there")
+                       "Include pairs that share a corner, where they touch all the time");
+  subcommand->add_option("--out", options->out, "The folder for the query files; it is made when it is missing")
       ->required()
       ->type_name("FOLDER");
   subcommand->footer(
-      "Writes FOLDER/SCENE/KIND/seed-S.csv. A scene's corners are where smooth formulas put them at the ends of its "
-      "steps,\n"
-      "rounded to doubles; between them they move on straight lines. Candidates are the pairs whose boxes around the "
+      "Writes FOLDER/SCENE/KIND/seed-S.csv. Smooth formulas, rounded to doubles, give a scene's corners at the ends "
+      "of\n"
+      "its steps; between them the corners move on straight lines. Candidates are the pairs whose boxes around the "
       "whole\n"
-      "step overlap: what a simulator's broad phase hands to its narrow phase, about one contact in a hundred. The "
-      "truth\n"
-      "column is the exact answer. The same options write the same bytes on every machine. The files appear when all "
-      "is\n"
-      "done, and not at all after an error.\n\n"
+      "step overlap, as a simulator's broad phase finds them; about one in a hundred has contact. The truth column is "
+      "the\n"
+      "exact answer. The same options write the same bytes on every machine. The files appear when all of them are\n"
+      "complete. After an error there are none.\n\n"
       "Examples\n"
       "  touchstone generate --out queries && touchstone certify queries/*/*/*.csv\n"
       "  touchstone generate --scene cables --size 20000 --steps 1000 --count 1000000 --out big\n\n"

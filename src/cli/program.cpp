@@ -56,17 +56,17 @@ int parse_and_run(int argc, const char* const* argv) {
       "  touchstone solve --out answers.csv edge-edge/a.csv vertex-face/b.csv\n"
       "  touchstone explain --query 12 edge-edge/a.csv\n"
       "  touchstone generate --out queries                 query files like a simulation's\n"
-      "  touchstone bench --filter simulation              how long answers take\n"
+      "  touchstone bench --filter simulation              the time of an answer\n"
       "  touchstone report --out report                    error against run time of every method\n"
       "  touchstone fuzz --solver paper                    the simplest queries on which a solver is wrong\n"
-      "  touchstone stress --out stress                    where each method breaks, dial by dial\n"
+      "  touchstone stress --out stress                    where each method breaks as queries get stiff\n"
       "  touchstone simulate hoop --out hoop               a basketball through a net, each step proved\n\n"
       "A query file has a row for each corner at t = 0 and then for each at t = 1, in the order\n"
       "  edge-edge    a0 a1 b0 b1      vertex-face  v f0 f1 f2      point-edge  p e0 e1      point-point  p q\n"
-      "and seven integers a row: x_num,x_den,y_num,y_den,z_num,z_den,truth. Its folder's name, or --kind, says which "
-      "of\n"
-      "the four it holds. Lines that start with # and blank lines are skipped; rows are counted as lines, queries from "
-      "0.\n\n"
+      "and seven integers a row: x_num,x_den,y_num,y_den,z_num,z_den,truth. --kind, or else the name of its folder, "
+      "is\n"
+      "the kind of its queries. Lines that start with # and blank lines are skipped. Rows are counted as lines from\n"
+      "1, queries from 0.\n\n"
       "Exit status: 0 done and every claim holds, 1 some claim is refuted, 2 bad usage or bad input.");
   Command command;
   add_solve(program, command);

@@ -14,6 +14,7 @@
 #include "cli/shared/options.hpp"
 #include "cli/shared/progress_line.hpp"
 #include "cli/shared/words.hpp"
+#include "io/kind_of_file.hpp"
 #include "io/output_file.hpp"
 #include "report/report.hpp"
 
@@ -68,7 +69,7 @@ GivenQueries read_queries(const std::string& source, const std::string& about, c
       ++given.not_doubles;
     }
   });
-  for (const Kind kind : {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point}) {
+  for (const Kind kind : io::kKinds) {
     Thinned& queries = by_kind[static_cast<std::size_t>(kind)];
     if (queries.seen() == 0) continue;
     report::QuerySet set;
@@ -128,25 +129,24 @@ void add_report(CLI::App& program, Command& command) {
       program.add_subcommand("report", "Compare error and run time of every method: tables and plots");
   subcommand->add_option("FILE", options->files, "Query files to ask as well, as the sets files/KIND")->type_name("");
   add_kind_option(*subcommand, options->kind);
-  subcommand->add_option("--out", options->out, "The folder to write into; it is made when it is not there")
+  subcommand->add_option("--out", options->out, "The folder for the report; it is made when it is missing")
       ->required()
       ->type_name("FOLDER");
-  subcommand->add_flag("--quick", options->size.quick, "A few queries of everything: some seconds, and rough numbers");
+  subcommand->add_flag("--quick", options->size.quick, "A few queries of each set: some seconds, and rough numbers");
   add_seed_option(*subcommand, options->size.seed);
   subcommand->footer(
       "Asks every method simulation-like candidates, the bundled queries, the given files, random and nearly touching\n"
       "elements: the paper's closed form, a careful one, Newton, inclusion, conservative advancement (at several "
       "tolerances\n"
-      "where they have one), exact arithmetic alone, touchstone paired with CGAL, and touchstone. Exact arithmetic "
-      "judges.\n"
-      "Writes\n"
-      "  FOLDER/report.md    tables: errors, mean run time, percentiles, levels, scales, and who is on the front\n"
+      "where they have one), exact arithmetic alone, touchstone paired with CGAL, and touchstone. Exact arithmetic\n"
+      "judges. Writes\n"
+      "  FOLDER/report.md    tables: errors, mean run time, percentiles, levels, scales, and the methods on the front\n"
       "  FOLDER/report.csv   every number, with version, machine and compiler\n"
       "  FOLDER/simulation.csv  how fast scenes are simulated, and in how much memory\n"
-      "  FOLDER/plots/       NAME.svg, NAME.png, and NAME.gp that drew them\n"
+      "  FOLDER/plots/       NAME.svg, NAME.png, and their gnuplot script NAME.gp\n"
       "in about three minutes. Plots need gnuplot at run time: gnuplot-nox on Debian and Ubuntu, gnuplot on Fedora "
       "and\n"
-      "Arch. Without it the scripts are there to be drawn later.\n\n"
+      "Arch. Without gnuplot only the scripts are written, and can be drawn later.\n\n"
       "Examples\n"
       "  touchstone report --out report\n"
       "  touchstone report --quick --out report data/*/edge-edge/*.csv\n\n"

@@ -76,14 +76,14 @@ void add_solve(CLI::App& program, Command& command) {
   add_query_options(*subcommand, *options);
   subcommand
       ->add_option("--out", options->out,
-                   "Where the answers go (default: standard output). The file appears "
-                   "when all is done, and not at all after an error")
+                   "The file for the answers (default: standard output). It appears when all answers are complete; "
+                   "after an error there is none")
       ->type_name("FILE");
   subcommand->footer(
-      "The answers are CSV with the columns file,query,contact,toi,toi_upper,nature,feature_a,feature_b,level: one "
-      "row\n"
-      "a query, in input order, the same for any number of threads. toi and toi_upper are the neighbouring doubles\n"
-      "around the exact first time of contact (equal when it is a double), as C hexfloats; empty without contact.");
+      "The answers are CSV with the columns file,query,contact,toi,toi_upper,nature,feature_a,feature_b,level. Each\n"
+      "query has a row, in input order; the number of threads changes nothing. toi and toi_upper are the neighbouring\n"
+      "doubles around the exact first time of contact, as C hexfloats. They are equal when the time is a double, and\n"
+      "empty without contact.");
   subcommand->callback([options, &command] { command = [options] { return run_solve(*options); }; });
 }
 

@@ -56,9 +56,9 @@ int run_stress(const StressOptions& options) {
 
 void add_stress(CLI::App& program, Command& command) {
   const auto options = std::make_shared<StressOptions>();
-  CLI::App* const subcommand =
-      program.add_subcommand("stress", "Where each method breaks as queries get stiff: a stability table and plots");
-  subcommand->add_option("--out", options->out, "The folder to write into; it is made when it is not there")
+  CLI::App* const subcommand = program.add_subcommand(
+      "stress", "Show where each method breaks as queries get stiff: a stability table and plots");
+  subcommand->add_option("--out", options->out, "The folder for the table and the plots; it is made when it is missing")
       ->required()
       ->check([](const std::string& text) { return text.empty() ? "the folder's name is empty" : ""; })
       ->type_name("FOLDER");
@@ -72,27 +72,29 @@ void add_stress(CLI::App& program, Command& command) {
               if (std::find(which.begin(), which.end(), dial) == which.end()) which.push_back(dial);
             }
           },
-          "Only this dial, of " + dial_names() + "; may be given again (default: all)")
+          "Only this dial: " + dial_names() + "; may be given more than once (default: all)")
       ->type_name("NAME")
       ->check([](const std::string& name) {
         return stress::find_dial(name) ? std::string() : name + " is no dial; they are " + dial_names();
       });
-  subcommand->add_option("--count", options->stress.count, "Queries at each setting, of each kind (default: 200)")
+  subcommand
+      ->add_option("--count", options->stress.count,
+                   "The number of queries at each setting, of each kind (default: 200)")
       ->type_name("N")
       ->check(CLI::Range(1, 100'000));
   add_seed_option(*subcommand, options->stress.seed);
   subcommand->footer(
       "Asks every method queries that get stiffer as a dial is turned:\n"
       "  scale       of all coordinates, 2^-1070 to 2^1020\n"
-      "  offset      from the origin, beside the size, up to 2^60\n"
-      "  sliver      aspect of faces, length of one edge beside the other's, down to 2^-60\n"
-      "  parallel    angle of edges, of a vertex' way to the face, down to 2^-100\n"
+      "  offset      from the origin, relative to the size, up to 2^60\n"
+      "  sliver      aspect of faces, length of one edge relative to the other's, down to 2^-60\n"
+      "  parallel    angle between edges, or between a vertex's path and the face, down to 2^-100\n"
       "  separation  of two roots of the cubic, down to 2^-200\n"
-      "  speed       way in a step, beside the size, up to 2^60\n"
+      "  speed       distance moved in a step, relative to the size, up to 2^60\n"
       "Exact arithmetic judges, and the oracle judges it on some queries of each setting. Writes\n"
       "  FOLDER/stress.md    missed, phantom, late, time error, run time and levels, and how run time grows\n"
       "  FOLDER/stress.csv   every number, with version, machine and compiler\n"
-      "  FOLDER/plots/       NAME.svg, NAME.png, and NAME.gp that drew them; that needs gnuplot\n"
+      "  FOLDER/plots/       NAME.svg, NAME.png, and their script NAME.gp; drawing needs gnuplot\n"
       "in about half a minute, longer on a busy machine.\n\n"
       "Examples\n"
       "  touchstone stress --out stress\n"

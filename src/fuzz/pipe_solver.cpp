@@ -9,12 +9,11 @@
 #include "fuzz/give_up.hpp"
 #include "fuzz/pipe_run.hpp"
 #include "io/fail.hpp"
+#include "io/kind_of_file.hpp"
 #include "pipes/protocol.hpp"
 
 namespace touchstone::fuzz {
 namespace {
-
-constexpr std::array<Kind, 4> kKinds{Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point};
 
 /// Two elements at rest, far from each other.
 Query plain_query(Kind kind) {
@@ -52,7 +51,7 @@ class PipeSolver : public SolverUnderTest {
   void first_answers() {
     std::string trouble;
     bool any = false;
-    for (const Kind kind : kKinds) {
+    for (const Kind kind : io::kKinds) {
       bool supported = true;
       // An interpreter takes some time to start.
       const Reply reply = exchange(plain_query(kind), any ? limits_.answer : limits_.start, supported);

@@ -1,4 +1,4 @@
-// How the io layer says what is wrong with a file: one line, "FILE:ROW: reason", whatever bytes the file holds.
+// Error messages about files: one line, "FILE:ROW: reason", whatever bytes the file holds.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -20,7 +20,7 @@ std::string printable(std::string_view name);
 /// 'text' in quotes for a message: control characters and bytes past ASCII escaped, cut after 40 bytes.
 std::string in_quotes(std::string_view text);
 
-/// What the operating system says of `error_number`, for example "No such file or directory".
+/// The operating system's message for `error_number`, for example "No such file or directory".
 std::string system_reason(int error_number);
 
 }  // namespace touchstone::io

@@ -1,4 +1,4 @@
-// Where bytes come from: a file, a pipe, or text that is already in memory.
+// A source of bytes: a file, a pipe, or text that is already in memory.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -21,11 +21,11 @@ class InputFile {
   /// Reads `content`, which must outlive the result, as if it were a file called `name`.
   static InputFile from_memory(std::string name, std::string_view content);
 
-  /// Everything that open() can find out without opening (a pipe can be opened only once).
+  /// The checks of open(), without opening: a pipe can be opened only once.
   /// @returns the size in bytes, or nothing for a pipe or device. @throws FileError as open() does
   static std::optional<std::uint64_t> check(const std::string& path);
 
-  /// The next bytes, at most `capacity` of them, into `to`; how many there were, 0 at the end.
+  /// Reads at most `capacity` bytes into `to`. @returns their number, 0 at the end
   /// @throws FileError when the operating system cannot read
   std::size_t read(char* to, std::size_t capacity);
 

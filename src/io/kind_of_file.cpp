@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/kind_of_file.hpp"
 
-#include <array>
 #include <filesystem>
 #include <system_error>
 
@@ -9,8 +8,6 @@
 
 namespace touchstone::io {
 namespace {
-
-constexpr std::array kKinds = {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point};
 
 std::string folder_name(const std::string& path) {
   std::error_code ignored;  // without a working folder the path is taken as it is

@@ -1,7 +1,8 @@
-// Which kind of query a file holds.
+// The kinds of queries, by name, and the kind that a file holds.
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +10,8 @@
 #include <touchstone/query.hpp>
 
 namespace touchstone::io {
+
+inline constexpr std::array<Kind, 4> kKinds{Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point};
 
 /// The kind of this name ("edge-edge", ...), or nothing.
 std::optional<Kind> kind_from_name(std::string_view name) noexcept;
@@ -20,8 +23,8 @@ std::string kind_names();
 /// working folder.
 std::optional<Kind> kind_of_folder(const std::string& path);
 
-/// The kind a query file is read as: `given` (an option of the caller) or else its folder's.
-/// @throws FileError when neither says
+/// The kind as which a query file is read: `given` (an option of the caller) or else that of its folder.
+/// @throws FileError when there is neither
 Kind kind_of_file(const std::string& path, std::optional<Kind> given);
 
 }  // namespace touchstone::io

@@ -47,7 +47,7 @@ struct QueryChunk {
 
 class QueryChunkReader {
  public:
-  /// @param chunk_bytes  how much is read at a time; any value gives the same queries and the same errors
+  /// @param chunk_bytes  the bytes of one read; any value gives the same queries and the same errors
   QueryChunkReader(InputFile file, Kind kind, std::size_t chunk_bytes = kChunkBytes);
 
   /// The next queries, or nothing at the end of the file.
@@ -75,12 +75,12 @@ class QueryChunkReader {
   std::uint64_t first_row_ = 1;
   std::uint64_t next_query_ = 0;
 
-  std::size_t line_ = 0;       ///< where the first line that is not scanned yet starts in buffer_
+  std::size_t line_ = 0;       ///< the start in buffer_ of the first line that is not scanned yet
   std::size_t searched_ = 0;   ///< no line end in [line_, searched_)
   std::size_t lines_ = 0;      ///< lines scanned, all before line_
   std::size_t rows_ = 0;       ///< rows of the query that is not complete yet
   std::size_t queries_ = 0;    ///< complete queries in buffer_
-  std::size_t cut_ = 0;        ///< where the last complete query, and comments after it, end
+  std::size_t cut_ = 0;        ///< the end of the last complete query and the comments after it
   std::size_t cut_lines_ = 0;  ///< lines before cut_
 
   std::string error_;  ///< to be thrown once the whole queries before it are out

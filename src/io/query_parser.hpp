@@ -12,7 +12,7 @@
 
 namespace touchstone::io {
 
-/// One query of a file, with what the file claims of it.
+/// One query of a file, with the claim of its truth column.
 struct QueryRecord {
   std::variant<Query, RationalQuery> query;  ///< rational when some coordinate is not a double
   bool truth = false;                        ///< the file's truth column

@@ -21,8 +21,8 @@ struct DoubleRow {
 };
 
 /// Reads the row at `text` when it is of the usual sort: no blanks, coordinates that are doubles, numerators of at
-/// most 2^53 in lowest terms and denominators of at most 38 digits. @returns where the next line starts, or nullptr
-/// when the row is of another sort, damaged ones included. Eight bytes past the end of the line must be readable, and
+/// most 2^53 in lowest terms and denominators of at most 38 digits. @returns the start of the next line, or nullptr
+/// when the row is of another sort or damaged. Eight bytes past the end of the line must be readable, and
 /// the last line must be followed by a zero byte.
 const char* read_usual_row(const char* text, DoubleRow& row) noexcept;
 
@@ -34,7 +34,7 @@ struct RowFields {
 
 /// Takes a line (with or without its '\r') apart and checks all of it: seven columns, decimal integers with an optional
 /// '-' and blanks around them, positive denominators, truth 0 or 1. A sign on a denominator, a leading '+', decimal
-/// points and exponents are refused: whoever wrote them meant another format.
+/// points and exponents are refused, because they belong to other formats.
 /// @returns nothing when the line is not such a row; `reason` then says why
 std::optional<RowFields> read_row(std::string_view line, std::string& reason);
 

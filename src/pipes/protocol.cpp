@@ -2,19 +2,18 @@
 #include "pipes/protocol.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <system_error>
 
+#include "io/kind_of_file.hpp"
 #include "io/times.hpp"
 
 namespace touchstone::pipes {
 namespace {
 
 constexpr std::string_view kBlanks = " \t";
-constexpr std::array<Kind, 4> kKinds{Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point};
 
 std::string_view without_blanks(std::string_view text) noexcept {
   const std::size_t first = text.find_first_not_of(kBlanks);
@@ -31,8 +30,8 @@ bool equal_but_case(std::string_view text, std::string_view lower) noexcept {
   return true;
 }
 
-/// What a well-formed number beyond the doubles' range rounds to, 0 or infinity: by the place of its first digit that
-/// is not 0, which is hundreds of places from the point then, on the one side or the other.
+/// The rounded value of a well-formed number beyond the doubles' range, 0 or infinity. The position of its first digit
+/// that is not 0 decides, because it lies hundreds of digits before or after the point.
 double rounded_beyond_range(std::string_view text, bool hexadecimal) noexcept {
   const std::size_t mark = std::min(text.find_first_of(hexadecimal ? "pP" : "eE"), text.size());
   const std::string_view digits = text.substr(0, mark);
@@ -50,7 +49,7 @@ double rounded_beyond_range(std::string_view text, bool hexadecimal) noexcept {
   return order > 0 ? std::numeric_limits<double>::infinity() : 0;
 }
 
-/// Any number that strtod reads in the C locale; beyond the doubles' range, what it rounds to.
+/// Any number that strtod reads in the C locale, rounded also beyond the doubles' range.
 std::optional<double> parse_any_double(std::string_view text) noexcept {
   const bool negative = text.starts_with('-');
   if (negative || text.starts_with('+')) text.remove_prefix(1);
@@ -126,19 +125,17 @@ std::optional<AnswerLine> read_answer_line(std::string_view line) noexcept {
 }
 
 std::optional<Query> read_query_line(std::string_view line) noexcept {
-  const std::string_view name = take_word(line);
-  for (const Kind kind : kKinds) {
-    if (name != kind_name(kind)) continue;
-    Query query;
-    query.kind = kind;
-    for (auto* corners : {&query.start, &query.end}) {
-      for (std::size_t i = 0; i < corner_count(kind); ++i) {
-        if (!take_corner(line, (*corners)[i])) return std::nullopt;
-      }
+  const auto kind = io::kind_from_name(take_word(line));
+  if (!kind) return std::nullopt;
+  Query query;
+  query.kind = *kind;
+  for (auto* corners : {&query.start, &query.end}) {
+    for (std::size_t i = 0; i < corner_count(*kind); ++i) {
+      if (!take_corner(line, (*corners)[i])) return std::nullopt;
     }
-    if (without_blanks(line).empty()) return query;
   }
-  return std::nullopt;
+  if (!without_blanks(line).empty()) return std::nullopt;
+  return query;
 }
 
 }  // namespace touchstone::pipes

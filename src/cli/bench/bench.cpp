@@ -114,7 +114,7 @@ int run_bench(const BenchOptions& options) {
   }
   const std::vector<BenchSet> sets = bench_sets(options);
   std::vector<Entry> entries = chosen_entries(sets, options.filter);
-  if (entries.empty()) throw InvalidQuery("nothing that is measured is called like --filter " + options.filter);
+  if (entries.empty()) throw InvalidQuery("no entry matches --filter " + options.filter);
   const std::vector<BenchResult> results = measured(entries, options);
 
   if (!options.csv.empty()) outputs.front().write(bench_csv(results));
@@ -129,28 +129,31 @@ int run_bench(const BenchOptions& options) {
 void add_bench(CLI::App& program, Command& command) {
   const auto options = std::make_shared<BenchOptions>();
   CLI::App* const subcommand = program.add_subcommand("bench", "Measure how long answers take, as ratios to a floor");
-  subcommand->add_option("FILE", options->files, "Query files to measure on as well, as the source `files`")
+  subcommand->add_option("FILE", options->files, "Query files to measure as well, as the source `files`")
       ->type_name("");
   add_kind_option(*subcommand, options->kind);
   subcommand
-      ->add_option("--filter", options->filter,
-                   "Only entries whose name SOURCE/KIND/PART/METHOD this regular expression finds; a set's floor is "
-                   "always measured")
+      ->add_option(
+          "--filter", options->filter,
+          "Only entries whose name SOURCE/KIND/PART/METHOD matches this regular expression; the floor of a set is "
+          "always measured")
       ->type_name("REGEX")
       ->check(check_regex);
-  subcommand->add_option("--repetitions", options->repetitions, "How often; the median counts (default: 5)")
+  subcommand
+      ->add_option("--repetitions", options->repetitions,
+                   "The number of repetitions, of which the median counts (default: 5)")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
-  subcommand->add_option("--min-time", options->min_time, "How long a repetition takes at least (default: 0.05)")
+  subcommand->add_option("--min-time", options->min_time, "The least length of a repetition (default: 0.05)")
       ->type_name("SECONDS")
       ->check(CLI::Range(1e-6, 100.0));
   subcommand
       ->add_option("--count", options->count,
-                   "How many queries of each kind are generated, by scene and at random (default: 4000)")
+                   "The number of queries to generate of each kind, by scene and at random (default: 4000)")
       ->type_name("N")
       ->check(CLI::Range(1, 1'000'000));
-  subcommand->add_option("--csv", options->csv, "Write every number there as CSV")->type_name("FILE");
-  subcommand->add_option("--json", options->json, "Write every number there, repetition by repetition, as JSON")
+  subcommand->add_option("--csv", options->csv, "Write every number to this file as CSV")->type_name("FILE");
+  subcommand->add_option("--json", options->json, "Write every number and repetition to this file as JSON")
       ->type_name("FILE");
   subcommand->footer(
       "SOURCE is simulation (candidate pairs of the three scenes of touchstone generate), random (doubles), bundled\n"
@@ -160,11 +163,9 @@ void add_bench(CLI::App& program, Command& command) {
       "touchstone_batch (one thread), touchstone_columns (the same, structure of arrays), touchstone_cgal (solve\n"
       "by Method::fast_cgal: CGAL where the filters are uncertain), exact (exact arithmetic alone) or oracle (a few\n"
       "queries).\n\n"
-      "Times are processor time, the median over the repetitions, which are run in random order; `x floor` is the "
-      "ratio to\n"
-      "the floor of the same set and run, and can be compared across machines. The slowest single query is the best "
-      "of\n"
-      "three tries. The last columns are the shares of answers that each level decided.\n\n"
+      "Times are processor time: the median of the repetitions, which run in random order. `x floor` is the ratio to\n"
+      "the floor of the same set and run; it can be compared across machines. The slowest single query is the best\n"
+      "of three tries. The last columns are the percentages of answers that each level decided.\n\n"
       "Examples\n"
       "  touchstone bench --filter simulation\n"
       "  touchstone bench --filter 'all/(touchstone|floor)' --repetitions 9 --csv bench.csv data/*/*.csv\n\n"

@@ -9,12 +9,12 @@
 #include "cli/shared/inputs.hpp"
 #include "cli/shared/interrupt.hpp"
 #include "generators/candidates.hpp"
+#include "io/kind_of_file.hpp"
 #include "seeded/rng.hpp"
 
 namespace touchstone::cli {
 namespace {
 
-constexpr std::array<Kind, 4> kKinds{Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point};
 constexpr std::uint64_t kSeed = 1;
 
 using ByKind = std::array<std::vector<Query>, 4>;
@@ -41,7 +41,7 @@ ByKind simulation_queries(std::size_t count) {
 ByKind random_queries(std::size_t count) {
   ByKind queries;
   seeded::Rng random(kSeed);
-  for (const Kind kind : kKinds) {
+  for (const Kind kind : io::kKinds) {
     for (std::size_t i = 0; i < count; ++i) {
       double size = 0x1p-20;
       for (std::uint64_t doublings = random.below(41); doublings > 0; --doublings) size *= 2;
@@ -69,7 +69,7 @@ ByKind queries_of(const std::vector<Input>& inputs) {
 }
 
 void append_sets(const std::string& source, const ByKind& queries, std::vector<BenchSet>& sets) {
-  for (const Kind kind : kKinds) {
+  for (const Kind kind : io::kKinds) {
     const std::string name = source + "/" + std::string(kind_name(kind)) + "/";
     BenchSet all{name + "all", queries[static_cast<std::size_t>(kind)], {}}, hits{name + "hits", {}, {}},
         misses{name + "misses", {}, {}};

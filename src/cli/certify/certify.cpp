@@ -169,7 +169,7 @@ int run_certify(const CertifyOptions& options) {
 void add_certify(CLI::App& program, Command& command) {
   const auto options = std::make_shared<CertifyOptions>();
   CLI::App* const subcommand =
-      program.add_subcommand("certify", "Judge claimed answers, exactly: which hold, and which are refuted");
+      program.add_subcommand("certify", "Judge claimed answers exactly: each holds or is refuted");
   subcommand->add_option("FILE", options->files, "Query files (default: the queries bundled with the program)")
       ->type_name("");
   add_query_options(*subcommand, *options);
@@ -179,15 +179,17 @@ void add_certify(CLI::App& program, Command& command) {
                    "row a query in the order of the queries (default: the truth column of the query files)")
       ->type_name("FILE");
   subcommand
-      ->add_option("--report", options->report,
-                   "Write a JSON report that lists every refuted claim; - for standard output, in the summary's place")
+      ->add_option(
+          "--report", options->report,
+          "Write a JSON report that lists every refuted claim; - writes it to standard output instead of the summary")
       ->type_name("FILE");
   subcommand->footer(
       "A claim is missed (contact denied, but there is one), phantom (contact claimed, but there is none), late (its "
       "toi\n"
       "lies after the exact time: stepping there would pass through), or it holds.\n"
       "Exit status: 0 all claims hold, 1 some are refuted, 2 bad usage or bad input.\n\n"
-      "The report is one JSON object: counts of verdicts (claims), of who decided (decided_by) and of the contacts'\n"
+      "The report is one JSON object: counts of verdicts (claims), of deciding levels (decided_by) and of the "
+      "contacts'\n"
       "natures; how early the claims are that hold and have a toi (early: in ulps and in time, with histograms); the\n"
       "counts of each file (files); and every refuted claim (refuted) with its file, query, rows, verdict, claim, "
       "exact\n"

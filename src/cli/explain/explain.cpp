@@ -85,12 +85,11 @@ void add_explain(CLI::App& program, Command& command) {
   const auto options = std::make_shared<ExplainOptions>();
   CLI::App* const subcommand = program.add_subcommand("explain", "Tell how one query is decided");
   subcommand->add_option("FILE", options->file, "The query file")->required()->type_name("");
-  subcommand->add_option("--query", options->query, "Which of its queries, counted from 0")
+  subcommand->add_option("--query", options->query, "The number of the query in the file, counted from 0")
       ->required()
       ->type_name("N")
       ->check([](const std::string& text) {
-        const bool number = !text.empty() && text.size() < 19 && text.find_first_not_of("0123456789") == text.npos;
-        return number ? std::string() : text + " must be a number counted from 0";
+        return check_whole_number(text).empty() ? std::string() : text + " must be a number counted from 0";
       });
   add_kind_option(*subcommand, options->kind);
   subcommand

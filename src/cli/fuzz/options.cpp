@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/fuzz/fuzz.hpp"
+#include "cli/shared/options.hpp"
 #include "cli/shared/words.hpp"
 #include "fuzz/climb.hpp"
 #include "fuzz/named_solvers.hpp"
@@ -14,20 +15,12 @@
 namespace touchstone::cli {
 namespace {
 
-constexpr std::uint64_t kMostNumber = 999'999'999'999'999'999;
-
-std::string check_whole_number(const std::string& text, std::uint64_t least, std::uint64_t most = kMostNumber) {
-  const bool number = !text.empty() && text.size() < 19 && text.find_first_not_of("0123456789") == std::string::npos;
-  if (number && std::stoull(text) >= least && std::stoull(text) <= most) return {};
-  return fmt::format("{} must be a whole number from {} to {}", text, least, most);
-}
-
 std::string check_seconds(const std::string& text) {
   const auto value = io::parse_finite_double(text);
   return value && *value > 0 && *value <= 1e9 ? std::string() : text + " must be a number of seconds above 0";
 }
 
-/// "16ulps", or a share of the step.
+/// "16ulps", or a fraction of the step.
 std::optional<fuzz::EarlyLimit> early_limit(const std::string& text) {
   constexpr std::string_view kUlps = "ulps";
   fuzz::EarlyLimit limit;
@@ -64,13 +57,14 @@ std::string listed_families() {
 void add_solver_options(CLI::App& subcommand, FuzzOptions& options) {
   std::string names;
   for (const auto name : fuzz::solver_names()) names.append(names.empty() ? "" : ", ").append(name);
-  auto* const solver = subcommand
-                           .add_option("--solver", options.solver.solver,
-                                       "Who is asked: " + names + ", or the path of a plugin (default: touchstone)")
-                           ->type_name("NAME");
+  auto* const solver =
+      subcommand
+          .add_option("--solver", options.solver.solver,
+                      "The solver under test: " + names + ", or the path of a plugin (default: touchstone)")
+          ->type_name("NAME");
   subcommand
       .add_option("--solver-command", options.solver.command,
-                  "A program that is asked over pipes, as the shell would be told to run it")
+                  "The command line of a program under test, which is asked over pipes")
       ->type_name("COMMAND")
       ->check([](const std::string& text) {
         const bool blank = text.find_first_not_of(" \t\n") == std::string::npos;
@@ -80,7 +74,7 @@ void add_solver_options(CLI::App& subcommand, FuzzOptions& options) {
   subcommand
       .add_option_function<std::string>(
           "--limit", [&options](const std::string& text) { options.solver.limit = *io::parse_finite_double(text); },
-          "How long a plugin or program may take for an answer (default: 1); then it hangs")
+          "Seconds that a plugin or program may take for an answer (default: 1); after that it counts as hanging")
       ->type_name("S")
       ->check([](const std::string& text) {
         const auto value = io::parse_finite_double(text);
@@ -93,21 +87,23 @@ void add_solver_options(CLI::App& subcommand, FuzzOptions& options) {
           [&options](const std::string& name) {
             options.settings.judge = method_from_name(name).value_or(options.settings.judge);
           },
-          "Whose answers are the true ones: exact, fast, oracle or fast-cgal; see solve --level (default: exact)")
+          "The code whose answers count as true: exact, fast, oracle or fast-cgal; see solve --level (default: exact)")
       ->type_name("LEVEL")
       ->check(CLI::IsMember({"fast", "exact", "oracle", "fast-cgal"}));
   subcommand
       .add_option_function<std::string>(
           "--early", [&options](const std::string& text) { options.settings.early = *early_limit(text); },
-          "How far before the exact time a claimed time may lie: 16ulps, or 1e-6 of the step (default: any distance)")
+          "The distance by which a claimed time may lie before the exact time: 16ulps, or 1e-6 for that fraction of "
+          "the "
+          "step (default: any distance)")
       ->type_name("LIMIT")
       ->check([](const std::string& text) {
         return early_limit(text) ? std::string()
-                                 : text + " must be a number of ulps, 16ulps, or a share of the step in [0, 1]";
+                                 : text + " must be a number of ulps, 16ulps, or a fraction of the step in [0, 1]";
       });
 }
 
-/// @returns that of the families
+/// @returns the option --family
 CLI::Option* add_source_options(CLI::App& subcommand, FuzzOptions& options, std::vector<CLI::Option*>& of_search) {
   fuzz::Settings& settings = options.settings;
   of_search.push_back(subcommand
@@ -141,20 +137,19 @@ CLI::Option* add_source_options(CLI::App& subcommand, FuzzOptions& options, std:
           return check_whole_number(text, least, most);
         }));
   };
-  number("--seed", settings.seed, 0, "Another seed, other queries (default: 1)");
+  number("--seed", settings.seed, 0, "The seed of the queries (default: 1)");
   number("--cases", settings.cases, 1,
-         "Ends after so many; with it alone the outcome is the same for any number of threads");
+         "The number of queries to start from; without --seconds the outcome does not depend on the number of threads");
   of_search.push_back(
       subcommand
           .add_option_function<std::string>(
               "--seconds", [&settings](const std::string& text) { settings.seconds = io::parse_finite_double(text); },
-              "Ends the search after so long; shrinking may take as long again (default: 10, unless "
-              "--cases is given)")
+              "The length of the search; shrinking may take as long again (default: 10, unless --cases is given)")
           ->type_name("S")
           ->check(check_seconds));
   number("--climb", settings.climb, 0,
-         "So many steps from every case towards queries on which the filters are only just certain, each asked as well "
-         "(default: 0)",
+         "The number of steps from every case towards queries on which the filters are only just certain; each step is "
+         "asked as well (default: 0)",
          fuzz::kMostClimbSteps);
   return of_search.front();
 }
@@ -174,7 +169,7 @@ void add_fuzz(CLI::App& program, Command& command) {
       subcommand
           ->add_option_function<std::string>(
               "--case", [options](const std::string& text) { options->a_case = fuzz::parse_case_text(text); },
-              "Only this query, named as the findings name it: \"FAMILY KIND SEED INDEX\"")
+              "Only this query, with its name from a finding: \"FAMILY KIND SEED INDEX\"")
           ->type_name("CASE")
           ->check([](const std::string& text) {
             return fuzz::parse_case_text(text) ? std::string()
@@ -182,32 +177,33 @@ void add_fuzz(CLI::App& program, Command& command) {
           });
   for (CLI::Option* const option : of_search) a_case->excludes(option);
   subcommand
-      ->add_option("--from", options->from,
-                   "Queries of these files instead of families': each as it is, and with --climb what lies around it "
-                   "(their kind is the name of the folder just above each file, or else the one --kind)")
+      ->add_option(
+          "--from", options->from,
+          "Queries of these files instead of families: each as it is, and with --climb also queries around it. The "
+          "name of each file's folder is their kind, or else the one --kind is")
       ->type_name("FILE")
       ->excludes(family);
-  subcommand->add_option("--out", options->out, "A folder for the shrunk failures; it is made when it is not there")
+  subcommand->add_option("--out", options->out, "The folder for the shrunk failures; it is made when it is missing")
       ->type_name("FOLDER");
   subcommand
       ->add_option("--findings", options->settings.most_findings,
-                   "How many findings to shrink and show; 0: all (default: 32)")
+                   "The most findings to shrink and show; 0: all (default: 32)")
       ->type_name("N")
       ->check([](const std::string& text) { return check_whole_number(text, 0); });
   subcommand
-      ->add_option("--threads", options->settings.threads,
-                   "How many threads to use (default: all that the machine has)")
+      ->add_option("--threads", options->settings.threads, "The number of threads (default: all that the machine has)")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   subcommand->footer(
-      "Makes seeded queries that are degenerate, nearly so, or extreme, asks the solver, and judges what it says:\n"
+      "Makes seeded queries that are degenerate, nearly so, or extreme, asks the solver, and judges its replies:\n"
       "  missed   contact denied, but there is one          phantom    contact claimed, but there is none\n"
       "  late     its time lies after the exact one         early      its time lies farther before it than --early\n"
-      "  nan      its time is no number                     malformed  no answer that can be understood\n"
+      "  nan      its time is no number                     malformed  an answer that cannot be read\n"
       "  crash, hang                                        differs    a whole answer (ours) differs in anything\n"
-      "Failures of one class and one kind of degeneracy are one finding: the simplest query is kept and shrunk, to\n"
-      "FOLDER/KIND/CLASS.csv with --out, where certify and explain read it; files of earlier runs stay unless they\n"
-      "are written anew. Ctrl-C ends the search with what it has found.\n\n" +
+      "Failures of one class and one kind of degeneracy are one finding. Its simplest query is shrunk, and --out "
+      "writes\n"
+      "it to FOLDER/KIND/CLASS.csv, which certify and explain read. Files of earlier runs stay unless this run writes\n"
+      "the same file. Ctrl-C ends the search and shows the findings so far.\n\n" +
       listed_families() +
       "\nExamples\n"
       "  touchstone fuzz --solver paper --seconds 10 --out broken\n"
@@ -216,7 +212,7 @@ void add_fuzz(CLI::App& program, Command& command) {
       "  touchstone fuzz --solver newton --climb 20 --from candidates/edge-edge/candidates.csv\n"
       "  touchstone fuzz --solver ./theirs.so --out broken          a plugin: see touchstone/plugin.h\n"
       "  touchstone fuzz --solver-command \"python3 theirs.py\"      see share/touchstone/examples\n\n"
-      "Exit status: 0 nothing was found, 1 something was, 2 bad usage or a file that cannot be written.");
+      "Exit status: 0 no failure, 1 some failure, 2 bad usage or a file that cannot be written.");
   subcommand->callback([options, &command] { command = [options] { return run_fuzz(*options); }; });
 }
 

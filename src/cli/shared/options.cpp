@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/shared/options.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <map>
@@ -16,7 +18,7 @@ void add_kind_option(CLI::App& subcommand, std::optional<Kind>& kind) {
   subcommand
       .add_option_function<std::string>(
           "--kind", [&kind](const std::string& name) { kind = io::kind_from_name(name); },
-          "What the files hold: " + io::kind_names() + " (default: the name of the folder just above each file)")
+          "The kind of the files' queries: " + io::kind_names() + " (default: the name of each file's folder)")
       ->type_name("KIND")
       ->check([](const std::string& name) {
         return io::kind_from_name(name) ? std::string() : name + " is no kind; it must be " + io::kind_names();
@@ -24,13 +26,15 @@ void add_kind_option(CLI::App& subcommand, std::optional<Kind>& kind) {
 }
 
 void add_seed_option(CLI::App& subcommand, std::uint64_t& seed) {
-  subcommand.add_option("--seed", seed, "Another seed, other generated queries (default: 1)")
+  subcommand.add_option("--seed", seed, "The seed of the generated queries (default: 1)")
       ->type_name("N")
-      ->check([](const std::string& text) {
-        const bool number =
-            !text.empty() && text.size() < 19 && text.find_first_not_of("0123456789") == std::string::npos;
-        return number ? std::string() : text + " must be a whole number from 0 to 999999999999999999";
-      });
+      ->check([](const std::string& text) { return check_whole_number(text); });
+}
+
+std::string check_whole_number(const std::string& text, std::uint64_t least, std::uint64_t most) {
+  const bool number = !text.empty() && text.size() < 19 && text.find_first_not_of("0123456789") == std::string::npos;
+  if (number && std::stoull(text) >= least && std::stoull(text) <= most) return {};
+  return fmt::format("{} must be a whole number from {} to {}", text, least, most);
 }
 
 void add_query_options(CLI::App& subcommand, QueryOptions& options) {
@@ -39,13 +43,13 @@ void add_query_options(CLI::App& subcommand, QueryOptions& options) {
       .add_option_function<std::string>(
           "--level",
           [&options](const std::string& name) { options.method = method_from_name(name).value_or(options.method); },
-          "Which code answers; all of them give the same answer. fast: filters, and exact arithmetic where they are "
-          "uncertain (default). exact: exact arithmetic alone. oracle: an independent decider over CGAL that "
+          "The code that answers; every level gives the same answer. fast: filters, and exact arithmetic where they "
+          "are uncertain (default). exact: exact arithmetic alone. oracle: an independent decider over CGAL that "
           "shares no code with the others; a thousand times slower. fast-cgal: filters, and CGAL where they are "
           "uncertain")
       ->type_name("LEVEL")
       ->check(CLI::IsMember({"fast", "exact", "oracle", "fast-cgal"}));
-  subcommand.add_option("--threads", options.threads, "How many threads to use (default: all that the machine has)")
+  subcommand.add_option("--threads", options.threads, "The number of threads (default: all that the machine has)")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
 }

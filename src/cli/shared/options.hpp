@@ -30,6 +30,10 @@ void add_kind_option(CLI::App& subcommand, std::optional<Kind>& kind);
 void add_query_options(CLI::App& subcommand, QueryOptions& options);
 void add_seed_option(CLI::App& subcommand, std::uint64_t& seed);
 
+/// A CLI11 check: "" when `text` is a whole number from `least` to `most`, else the reason why not.
+inline constexpr std::uint64_t kMostNumber = 999'999'999'999'999'999;
+std::string check_whole_number(const std::string& text, std::uint64_t least = 0, std::uint64_t most = kMostNumber);
+
 /// @throws FileError when writing to `output` (an empty name or "-": none) would destroy one of `inputs`; its message
 /// ends with `advice`
 void refuse_to_overwrite(const std::string& output, const std::vector<std::string>& inputs,

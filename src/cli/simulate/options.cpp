@@ -20,47 +20,48 @@ void add_simulate(CLI::App& program, Command& command) {
                           shipped.least, shipped.most, shipped.usual);
   }
   subcommand->add_option("SCENE", options->scene, "A scene that comes with the program, or a JSON file")->type_name("");
-  subcommand->add_option("--size", options->size, "How large a shipped scene is made")
+  subcommand->add_option("--size", options->size, "The size of a scene that comes with the program")
       ->type_name("N")
       ->check(CLI::Range(std::uint32_t{1}, std::numeric_limits<std::uint32_t>::max()));
-  subcommand->add_option("--steps", options->steps, "How many steps to make (default: the scene's duration)")
+  subcommand->add_option("--steps", options->steps, "The number of steps (default: the scene's duration)")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000'000'000}));
   subcommand
-      ->add_option("--out", options->out, "A folder for frames (VTK, a series for ParaView), energies and their plot")
+      ->add_option("--out", options->out, "The folder for frames (VTK, a series for ParaView), energies and their plot")
       ->type_name("FOLDER");
-  subcommand->add_option("--frame-every", options->frame_every, "A frame each N steps (default: 2)")
+  subcommand
+      ->add_option("--frame-every", options->frame_every, "The number of steps from one frame to the next (default: 2)")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
-  subcommand->add_option("--proof", options->proof, "A table of each step's proof")->type_name("FILE");
-  subcommand->add_option("--energies", options->energies, "A table of each step's energies and contacts")
+  subcommand->add_option("--proof", options->proof, "Write a table with the proof of each step")->type_name("FILE");
+  subcommand->add_option("--energies", options->energies, "Write a table with the energies and contacts of each step")
       ->type_name("FILE");
   subcommand
       ->add_option(
           "--queries", options->queries,
           "Write every candidate pair of the proofs as FOLDER/KIND/candidates.csv, query files with true answers")
       ->type_name("FOLDER");
-  subcommand->add_option("--checkpoint", options->checkpoint, "Where to write the state at the end")->type_name("FILE");
-  subcommand->add_option("--resume", options->resume, "Go on from a checkpoint, as if the run had not stopped")
+  subcommand->add_option("--checkpoint", options->checkpoint, "Write the state at the end to this file")
+      ->type_name("FILE");
+  subcommand->add_option("--resume", options->resume, "Continue from a checkpoint as if the run had not stopped")
       ->type_name("FILE");
   CLI::Option* const scene_out =
-      subcommand->add_option("--scene-out", options->scene_out, "Write the scene as JSON, and do no more")
-          ->type_name("FILE");
-  CLI::Option* const explain =
-      subcommand->add_flag("--explain", options->explain, "Say which passes the scene needs and why, and do no more");
+      subcommand->add_option("--scene-out", options->scene_out, "Write the scene as JSON and end")->type_name("FILE");
+  CLI::Option* const explain = subcommand->add_flag("--explain", options->explain,
+                                                    "Print the passes that the scene needs and the reasons, and end");
   subcommand
       ->add_option_function<std::string>(
           "--narrow-phase",
           [options](const std::string& name) {
             options->narrow_phase = name == "paper" ? sim::NarrowPhase::paper : sim::NarrowPhase::exact;
           },
-          "Who finds the contacts that are answered: exact, or paper, the closed form in doubles, for edges only. The "
-          "proof is exact, and with paper it reports the crossings instead of refusing the step")
+          "The method that finds the contacts to respond to: exact, or paper, the closed form in doubles, for edges "
+          "only. The proof is always exact. With paper it reports crossings instead of refusing the step")
       ->type_name("NAME")
       ->check(CLI::IsMember({"exact", "paper"}));
   subcommand
       ->add_option("--threads", options->threads,
-                   "How many threads answer queries (default: 1); no result depends on it")
+                   "The number of threads that answer queries (default: 1); no result depends on it")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   subcommand->get_option("--frame-every")->needs(subcommand->get_option("--out"));
@@ -74,17 +75,16 @@ void add_simulate(CLI::App& program, Command& command) {
     scene_out->excludes(subcommand->get_option(of_run));
     explain->excludes(subcommand->get_option(of_run));
   }
-  subcommand->footer(
-      "Scenes\n" + scenes +
-      "\nUnits are SI. A step that would let two elements touch is not taken: its response is tried again "
-      "in shorter\nparts. The last line is `N steps, 0 crossings`.\n\n"
-      "Examples\n"
-      "  touchstone simulate hoop --out hoop\n"
-      "  touchstone simulate cable-drop --size 5000 --proof proof.csv\n"
-      "  touchstone simulate hoop --scene-out hoop.json && touchstone simulate hoop.json\n"
-      "  touchstone simulate hoop --narrow-phase paper\n\n"
-      "Exit status: 0 done without a crossing, 1 crossings, 2 bad usage, a bad scene or a step that "
-      "cannot be taken.");
+  subcommand->footer("Scenes\n" + scenes +
+                     "\nUnits are SI. A step that would let two elements touch is not taken: it is tried again in "
+                     "shorter\nparts. The last line is `N steps, 0 crossings`.\n\n"
+                     "Examples\n"
+                     "  touchstone simulate hoop --out hoop\n"
+                     "  touchstone simulate cable-drop --size 5000 --proof proof.csv\n"
+                     "  touchstone simulate hoop --scene-out hoop.json && touchstone simulate hoop.json\n"
+                     "  touchstone simulate hoop --narrow-phase paper\n\n"
+                     "Exit status: 0 done without a crossing, 1 crossings, 2 bad usage, a bad scene or a step that "
+                     "cannot be taken.");
   subcommand->callback([options, &command] { command = [options] { return run_simulate(*options); }; });
 }
 

@@ -11,6 +11,7 @@
 #include <touchstone/query.hpp>
 
 #include "io/fail.hpp"
+#include "io/kind_of_file.hpp"
 #include "scene/shipped_scenes.hpp"
 
 namespace touchstone::cli {
@@ -112,7 +113,7 @@ void check_paths(const SimulateOptions& options) {
     files.frames_in(out / kFrameFolder);
   }
   if (!options.queries.empty()) {
-    for (const Kind kind : {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point}) {
+    for (const Kind kind : io::kKinds) {
       files.add_in("--queries", fs::path(options.queries) / kind_name(kind), kCandidates);
     }
   }
