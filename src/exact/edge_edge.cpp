@@ -95,8 +95,8 @@ void EdgeEdgeElements<N>::locate_parallel(const RealRoot& root, Answer& answer) 
     answer.weights_a = pair(b0_on_a).weights(root);
     return;
   }
-  // Both have a length, and they are collinear. They share one point iff a corner of one is a corner of the other and they
-  // leave it in opposite directions. Otherwise they share a longer part.
+  // Both have a length, and they are collinear. They share one point iff a corner of one is a corner of the other and
+  // they leave it in opposite directions. Otherwise they share a longer part.
   for (const Pair a_corner : {a0_on_b, a1_on_b}) {
     const PointOnEdge<N>& corner = pair(a_corner);
     if (!corner.touching(Moment::at(root))) continue;

@@ -1,5 +1,5 @@
-// The four kinds of query in exact arithmetic: moving corners, when two elements touch, and where. Everything is a sign of
-// a polynomial in t of degree at most 3, at an exact time or just after it.
+// The four kinds of query in exact arithmetic: moving corners, when two elements touch, and where. Everything is a sign
+// of a polynomial in t of degree at most 3, at an exact time or just after it.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -47,18 +47,18 @@ using Long = numbers::FixedInt<3>;
 
 /// How many bits B integer coordinates may have, |x| < 2^B, so that nothing overflows. In bits:
 /// - differences B + 1, their changes over the step B + 2;
-/// - a quadratic's coefficients 2 B + 5, from 4 products of B + 2 and B + 1 or 2 of B + 2 and B + 2; sums of three of them and
-///   dot products 2 B + 7; their Bernstein coefficients 2 B + 9;
-/// - V's coefficients 3 B + 10, sums of 3 such products with B + 1 and 3 with B + 2; its Bernstein coefficients, below 6 times
-///   more, 3 B + 13.
+/// - a quadratic's coefficients 2 B + 5, from 4 products of B + 2 and B + 1 or 2 of B + 2 and B + 2; sums of three of
+///   them and dot products 2 B + 7; their Bernstein coefficients 2 B + 9;
+/// - V's coefficients 3 B + 10, sums of 3 such products with B + 1 and 3 with B + 2; its Bernstein coefficients, below
+///   6 times more, 3 B + 13.
 template <int Limbs>
 constexpr int kMostBits = (64 * 3 * Limbs - 1 - 13) / 3;
 static_assert(kMostBits<1> + 2 < 64 && 2 * kMostBits<1> + 9 < 128 && kMostBits<2> + 2 < 128 &&
               2 * kMostBits<2> + 9 < 256);
 static_assert(kMostBits<3> + 2 < 192 && 2 * kMostBits<3> + 9 < 384);
 
-/// Polynomials among whose roots are all times at which touching may begin or end: at most two for each of the four pairs
-/// of a corner and the other edge.
+/// Polynomials among whose roots are all times at which touching may begin or end: at most two for each of the four
+/// pairs of a corner and the other edge.
 constexpr std::size_t kMostEvents = 8;
 template <class N>
 using Events = BoundedList<typename Forms<N>::Quadratic, kMostEvents>;
@@ -90,8 +90,8 @@ class Moment {
   std::vector<CandidateStory::Condition>* record_;
 };
 
-/// Signs that `touching` computes and `locate` needs again: the axis along which n is not zero (-1: none), and the signs of
-/// the side conditions along it, in their order, each 0 or 1 where the elements touch.
+/// Signs that `touching` computes and `locate` needs again: the axis along which n is not zero (-1: none), and the
+/// signs of the side conditions along it, in their order, each 0 or 1 where the elements touch.
 struct SideSigns {
   int axis = -1;
   std::array<int, 4> sign{};

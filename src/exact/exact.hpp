@@ -15,8 +15,8 @@ namespace touchstone::exact {
 Answer decide_exactly(const Query& query, double t_max);
 Answer decide_exactly(const RationalQuery& query, double t_max);
 
-/// V(t) within a relative error of 2^-50 and with its exact sign, for edge-edge and vertex-face queries and 0 <= t <= 1. A
-/// value that underflows is the least double of its sign; one that overflows is infinite.
+/// V(t) within a relative error of 2^-50 and with its exact sign, for edge-edge and vertex-face queries and
+/// 0 <= t <= 1. A value that underflows is the least double of its sign; one that overflows is infinite.
 double coplanarity_at(const Query& query, double t);
 
 /// One candidate time and the signs that decide it.

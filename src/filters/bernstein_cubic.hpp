@@ -1,5 +1,5 @@
-// A cubic over [0, 1], and a little beyond, known up to rounding errors: certified sign variations, and one root certified
-// to an interval.
+// A cubic over [0, 1], and a little beyond, known up to rounding errors: certified sign variations, and one root
+// certified to an interval.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -31,8 +31,8 @@ class BernsteinCubic {
   /// where it may have more over [low, high]; returns n, at most 3. Only a promise: `variations` certifies.
   int split_points(double low, double high, double (&split)[4]) const noexcept;
 
-  /// Where [p, q] has exactly one root: proves that it lies in [t - radius, t + radius], inside [p, q], where the cubic's
-  /// slope keeps the sign of `slope` and is at least half of it. Certain only if so.
+  /// Where [p, q] has exactly one root: proves that it lies in [t - radius, t + radius], inside [p, q], where the
+  /// cubic's slope keeps the sign of `slope` and is at least half of it. Certain only if so.
   struct Root {
     bool certain;
     double t;       ///< exact_to_one
@@ -53,7 +53,8 @@ class BernsteinCubic {
   double size() const noexcept { return size_; }
   double slope_error() const noexcept;
 
-  /// At h away from t, |h| <= kGreatestRadius, the slope differs from slope(t) by at most slope_error() + curvature() |h|.
+  /// At h away from t, |h| <= kGreatestRadius, the slope differs from slope(t) by at most slope_error() + curvature()
+  /// |h|.
   double curvature() const noexcept { return curvature_; }
   static constexpr double kGreatestRadius = 0x1p-10;
 

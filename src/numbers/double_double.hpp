@@ -1,8 +1,8 @@
-// Error-free transformations and short double-double arithmetic (Dekker 1971, Knuth; see Ogita, Rump and Oishi 2005), for
-// doubles and for packs of them. Everything assumes round to nearest, one IEEE operation per operator, and no underflow
-// in products (see the guards of the callers). Nothing is contracted; where a file is compiled for a processor with fused
-// multiply-add, the low part of a product, which is exact either way, comes from one. The inline namespace keeps
-// functions of such files apart from those of the others.
+// Error-free transformations and short double-double arithmetic (Dekker 1971, Knuth; see Ogita, Rump and Oishi 2005),
+// for doubles and for packs of them. Everything assumes round to nearest, one IEEE operation per operator, and no
+// underflow in products (see the guards of the callers). Nothing is contracted; where a file is compiled for a
+// processor with fused multiply-add, the low part of a product, which is exact either way, comes from one. The inline
+// namespace keeps functions of such files apart from those of the others.
 // SPDX-License-Identifier: MIT
 #pragma once
 

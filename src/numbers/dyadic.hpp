@@ -31,7 +31,8 @@ class Dyadic {
   int sign() const noexcept { return (size_ > 0) - (size_ < 0); }
   bool is_zero() const noexcept { return size_ == 0; }
 
-  /// The value is sign() * (limb(0) + limb(1) 2^64 + ...) * 2^(64 limb_exponent()); the first and the last limb are not 0.
+  /// The value is sign() * (limb(0) + limb(1) 2^64 + ...) * 2^(64 limb_exponent()); the first and the last limb are not
+  /// 0.
   int limb_count() const noexcept { return size_ < 0 ? -size_ : size_; }
   Limb limb(int i) const noexcept { return data()[i]; }
   int limb_exponent() const noexcept { return exponent_; }

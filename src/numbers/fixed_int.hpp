@@ -1,5 +1,5 @@
-// Integers of a fixed number of 64-bit limbs, in two's complement: exact arithmetic without a branch or an allocation, for
-// numbers whose size is known beforehand. Products are as wide as both factors together; sums are as wide as their
+// Integers of a fixed number of 64-bit limbs, in two's complement: exact arithmetic without a branch or an allocation,
+// for numbers whose size is known beforehand. Products are as wide as both factors together; sums are as wide as their
 // operands, and it is the user's part to leave room for their carries.
 // SPDX-License-Identifier: MIT
 #pragma once

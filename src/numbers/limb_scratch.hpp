@@ -7,8 +7,9 @@
 
 namespace touchstone::numbers {
 
-/// While one lives, the numbers of its thread that are too long to hold their own limbs take blocks of it, as long as there are
-/// some and they are large enough, and the heap's after that. Such numbers must not outlive it, nor go to another thread.
+/// While one lives, the numbers of its thread that are too long to hold their own limbs take blocks of it, as long as
+/// there are some and they are large enough, and the heap's after that. Such numbers must not outlive it, nor go to
+/// another thread.
 class LimbScratch {
  public:
   using Limb = unsigned long;

@@ -17,16 +17,17 @@
 
 namespace touchstone::numbers {
 
-/// The coefficients times one power of two, each within a relative error of 2^-52 where it does not underflow, the largest
-/// about 1: for hints. Zero beyond p's size, at most 4.
+/// The coefficients times one power of two, each within a relative error of 2^-52 where it does not underflow, the
+/// largest about 1: for hints. Zero beyond p's size, at most 4.
 struct ScaledDoubles {
   std::array<double, 4> c;
   long exponent;  ///< coefficient i is about c[i] 2^exponent
 };
 ScaledDoubles scaled_to_doubles(Coefficients p);
 
-/// The value of a polynomial of degree at most 3, from coefficients within a relative error of 2^-51, at any time between
-/// `lower`, in [0, 1], and the next double: off by at most `error`, which is NaN or infinite where nothing is known.
+/// The value of a polynomial of degree at most 3, from coefficients within a relative error of 2^-51, at any time
+/// between `lower`, in [0, 1], and the next double: off by at most `error`, which is NaN or infinite where nothing is
+/// known.
 struct ValueNear {
   double value;
   double error;
@@ -77,7 +78,8 @@ class RealRoot {
   /// 1 - this root.
   RealRoot reversed() const;
 
-  /// numerator(root) / denominator(root) within an absolute error of 2^-50.5, given that the quotient lies in [0, 1] and the denominator is not zero at the root.
+  /// numerator(root) / denominator(root) within an absolute error of 2^-50.5, given that the quotient lies in [0, 1]
+  /// and the denominator is not zero at the root.
   double quotient(const Polynomial<Exact, 2>& numerator, const Polynomial<Exact, 2>& denominator) const;
   template <class R>
   double quotient(const Polynomial<R, 2>& numerator, const Polynomial<R, 2>& denominator) const {
@@ -112,8 +114,8 @@ class RealRoot {
     }
   }
 
-  /// The sign at the root of a polynomial of degree at most 3, from coefficients within a relative error of 2^-51; 0 when
-  /// uncertain.
+  /// The sign at the root of a polynomial of degree at most 3, from coefficients within a relative error of 2^-51; 0
+  /// when uncertain.
   int certain_sign(const double* c, int size) const {
     const ValueNear value = value_near(c, size, lower_);
     return value.value > value.error ? 1 : value.value < -value.error ? -1 : 0;
@@ -155,8 +157,8 @@ class RootList {
 /// over the real line. p has formal degree at most 3 and is not identically zero.
 RootList isolate_roots(Coefficients p, const Exact& limit);
 
-/// Whether p has certainly no root in [0, 1]: its Bernstein coefficients have one sign, those at the ends strictly. R leaves
-/// room for sums of 6 coefficients.
+/// Whether p has certainly no root in [0, 1]: its Bernstein coefficients have one sign, those at the ends strictly. R
+/// leaves room for sums of 6 coefficients.
 template <class R, int D>
 bool has_no_root(const Polynomial<R, D>& p) {
   const int first = sign_of(p[0]);

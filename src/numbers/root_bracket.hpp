@@ -9,8 +9,8 @@
 namespace touchstone::numbers {
 
 /// An open dyadic interval in which a polynomial p of degree 2 or 3 has exactly one root, a simple one, and changes its
-/// sign; or the root itself, where that turned out to be dyadic: then low() == high(). Functions that take p want the one it
-/// was made for.
+/// sign; or the root itself, where that turned out to be dyadic: then low() == high(). Functions that take p want the
+/// one it was made for.
 class RootBracket {
  public:
   RootBracket() = default;
@@ -34,11 +34,12 @@ class RootBracket {
     if (high < high_) high_ = high;
   }
 
-  /// q's sign at the root, if q has one strict sign all over the bracket, as its Bernstein coefficients there show, or if the
-  /// bracket is the root. q's formal degree is at most 3.
+  /// q's sign at the root, if q has one strict sign all over the bracket, as its Bernstein coefficients there show, or
+  /// if the bracket is the root. q's formal degree is at most 3.
   std::optional<int> sign_over(Coefficients q) const;
 
-  /// Makes the bracket smaller: by a factor of at least 2, and as a rule of 2^40 and more, the more the oftener it is called.
+  /// Makes the bracket smaller: by a factor of at least 2, and as a rule of 2^40 and more, the more the oftener it is
+  /// called.
   void narrow(Coefficients p);
 
  private:
