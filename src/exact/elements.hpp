@@ -57,8 +57,8 @@ static_assert(kMostBits<1> + 2 < 64 && 2 * kMostBits<1> + 9 < 128 && kMostBits<2
               2 * kMostBits<2> + 9 < 256);
 static_assert(kMostBits<3> + 2 < 192 && 2 * kMostBits<3> + 9 < 384);
 
-/// Polynomials among whose roots are all times at which touching may begin or end: at most two for each of the four
-/// pairs of a corner and the other edge.
+/// Polynomials whose roots contain all times at which touching may begin or end: at most two for each of the four pairs
+/// of a corner and the other edge.
 constexpr std::size_t kMostEvents = 8;
 template <class N>
 using Events = BoundedList<typename Forms<N>::Quadratic, kMostEvents>;
@@ -113,13 +113,13 @@ class PointOnEdge {
 
   bool touching(const Moment& moment) const;
 
-  /// Where on the edge a touching point is: 0 at x, 1 at y, 2 between. x wins where both coincide.
-  int place(const RealRoot& root) const;
+  /// The position on the edge of a touching point: 0 at x, 1 at y, 2 between. x wins where both coincide.
+  int position(const RealRoot& root) const;
 
-  /// The weights (x, y) of a touching point, supported on its place.
+  /// The weights (x, y) of a touching point, supported on its position.
   std::array<double, 3> weights(const RealRoot& root) const;
 
-  /// Appends polynomials among whose roots are all times at which touching may begin or end.
+  /// Appends polynomials whose roots contain all times at which touching may begin or end.
   void append_events(Events<N>& events) const;
 
  private:
@@ -141,7 +141,7 @@ class EdgeEdgeElements {
   explicit EdgeEdgeElements(const typename Forms<N>::Corners& corners);
 
   const Cubic& coplanarity() const { return coplanarity_; }
-  /// Given that the four corners are coplanar at the moment.
+  /// Whether the elements touch. The four corners must be coplanar at the moment.
   bool touching(const Moment& moment, SideSigns& found) const;
   /// Where they touch at the root. `found` is from `touching` at the same root.
   void locate(const RealRoot& root, const SideSigns& found, Answer& answer) const;

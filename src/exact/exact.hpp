@@ -32,12 +32,12 @@ struct CandidateStory {
   bool touching = false;
 };
 
-/// How the exact level comes to its answer.
+/// How the exact level finds its answer.
 struct Story {
   bool has_cubic = false;  ///< edge-edge and vertex-face have one
-  std::vector<std::string>
-      coefficients;  ///< V's exact coefficients, constant first, as fractions or integers times 2^k
-  std::string why;   ///< one sentence: which case this is
+  /// V's exact coefficients, constant first, as fractions or integers times 2^k.
+  std::vector<std::string> coefficients;
+  std::string why;  ///< one sentence: which case this is
   std::vector<CandidateStory> candidates;
   Answer answer;
 };

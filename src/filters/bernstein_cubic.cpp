@@ -27,7 +27,7 @@ constexpr double kValueBound = 60 * kUnit;
 // The derivative's Bernstein coefficients 3 b1 - 3 b0, 3 b2 - 3 b1, 3 b3 - 3 b2, at most 24 P: off by 122 + 3 * 34 and
 // the roundings 12 + 24, or by 2 * 122 + 24, at most 268 e P. Its value: at most 4 roundings of monomials that sum to
 // at most 24 P, 96 e P more. The curvature is twice the difference of two of these coefficients, off by
-// 2 (260 + 268 + 48) = 1152 e P, which at most 2^-10 away makes 1.2 e P of slope: this is where it is accounted for.
+// 2 (260 + 268 + 48) = 1152 e P. At most 2^-10 away this makes 1.2 e P of slope, which this constant includes.
 constexpr double kSlopeBound = 366 * kUnit;
 
 double between(double a, double b, double x) noexcept { return (1 - x) * a + x * b; }
@@ -39,7 +39,7 @@ BernsteinCubic::Variations variations_of(const std::array<double, 4>& b, double 
   const double second = flipped(b[1], b[0]);
   const double third = flipped(b[2], b[0]);
   if (flipped(b[3], b[0]) > 0) return second > middle && third > middle ? Variations::none : Variations::uncertain;
-  // One variation whatever the uncertain ones are, unless the middle may go back and forth.
+  // One variation whatever the uncertain signs are, unless the middle ones may change sign twice.
   return second > middle || third < -middle ? Variations::one : Variations::uncertain;
 }
 
@@ -93,9 +93,9 @@ BernsteinCubic::Variations BernsteinCubic::variations(double p, double q) const 
 }
 
 BernsteinCubic::Root BernsteinCubic::root_between(double p, double q) const noexcept {
-  // Halley's method, kept inside by bisection; what it finds is certified below. It ends where `refine_root`, which
-  // takes one more step in double-double, needs no better place: there the step's error is a multiple of its length
-  // squared, 2^-70 t or so, and seldom decides on which side of a double the root lies.
+  // Halley's method, kept inside by bisection; the code below certifies its result. `refine_root` takes one more step,
+  // in double-double. The iteration ends where that step's error, a multiple of its length squared, is about 2^-70 t:
+  // then it seldom matters for the side of a double on which the root lies.
   const double value_p = value(p);
   const double value_q = value(q);
   double low = p;

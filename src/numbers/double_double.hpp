@@ -56,13 +56,14 @@ DoubleDoubleOf<N> two_product(N a, N b) noexcept {
 #endif
 }
 
-/// The same number with the least low part: at most half a unit in the last place of the high one.
+/// The same number with the smallest low part: at most half a unit in the last place of the high part.
 template <class N>
 DoubleDoubleOf<N> normalised(const DoubleDoubleOf<N>& a) noexcept {
   return two_sum(a.high, a.low);
 }
 
-// The four below do not normalise: low parts grow by the few units in the last place that the callers' bounds allow.
+// The four operators below do not normalise. Low parts grow by a few units in the last place; the callers' bounds allow
+// for that.
 
 template <class N>
 DoubleDoubleOf<N> operator+(const DoubleDoubleOf<N>& a, const DoubleDoubleOf<N>& b) noexcept {

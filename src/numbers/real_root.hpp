@@ -1,5 +1,5 @@
-// Real roots of polynomials of degree at most 3 with exact coefficients, and the signs of other polynomials there,
-// decided without approximating the root: zero means zero.
+// Real roots of polynomials of degree at most 3 with exact coefficients, and the signs of other polynomials there.
+// Signs are exact, zero included: no approximation of the root decides them.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -17,8 +17,8 @@
 
 namespace touchstone::numbers {
 
-/// The coefficients times one power of two, each within a relative error of 2^-52 where it does not underflow, the
-/// largest about 1: for hints. Zero beyond p's size, at most 4.
+/// The coefficients times one power of two that makes the largest about 1, for hints. Each is within a relative error
+/// of 2^-52 where it does not underflow. Zero beyond p's size, at most 4.
 struct ScaledDoubles {
   std::array<double, 4> c;
   long exponent;  ///< coefficient i is about c[i] 2^exponent
@@ -35,7 +35,7 @@ struct ValueNear {
 ValueNear value_near(const double* c, int size, double lower) noexcept;
 
 /// One real root in [0, 1]: either a rational, or the only root of a polynomial inside an open dyadic interval, where
-/// that polynomial changes sign. What it finds out about itself it keeps: not to be asked by two threads at a time.
+/// that polynomial changes sign. Its functions cache narrower intervals, const ones too: two threads must not share it.
 class RealRoot {
  public:
   /// numerator / denominator; the denominator is not zero.
@@ -45,7 +45,7 @@ class RealRoot {
   /// signs, `sign_low` being p(low)'s. p's leading coefficient is not zero.
   static RealRoot isolated(Coefficients p, const Exact& low, const Exact& high, int sign_low);
 
-  /// As a root of the polynomial that was isolated.
+  /// Of this root in the polynomial that was isolated.
   int multiplicity() const { return multiplicity_; }
 
   /// The neighbouring doubles around the root: the largest double <= it and the smallest >= it.
@@ -132,12 +132,12 @@ class RealRoot {
   int multiplicity_ = 1;
   Exact numerator_, denominator_;  // of a rational root; the denominator is positive
   static constexpr std::int64_t kSmall = std::int64_t{1} << 60;
-  std::int64_t small_numerator_ = 0,
-               small_denominator_ = 0;  // the same in integers below kSmall; 0 and 0 where they are not
-  int degree_ = 0;                      // of the polynomial of an isolated root
+  // The same in integers below kSmall; 0 and 0 where they are larger.
+  std::int64_t small_numerator_ = 0, small_denominator_ = 0;
+  int degree_ = 0;  // of the polynomial of an isolated root
   std::array<Exact, 4> p_;
   RootBracket bracket_;         // no wider than between the neighbouring doubles
-  mutable RootBracket narrow_;  // the narrowest that was asked for
+  mutable RootBracket narrow_;  // the narrowest so far
   double lower_ = 0, upper_ = 0;
 };
 

@@ -57,8 +57,8 @@ Exact truncated(mpf_class x, mp_bitcnt_t bits) {
   return exact_from_integer(mpz_class(x)) * power_of_two(-static_cast<long>(bits));
 }
 
-// Approximations that improve with `bits`, without a bound: their users check them exactly and ask again. The first are
-// in doubles.
+// Approximations that improve with `bits`, without an error bound. Their users check them exactly, and ask again for
+// more bits where the check fails. The first ones are in doubles.
 constexpr mp_bitcnt_t kInDoubles = 32;
 
 Exact from_double(double x) { return Exact(std::isfinite(x) ? x : 0.0); }
