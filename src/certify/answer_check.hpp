@@ -1,4 +1,4 @@
-// Comparing answers, and checking one against what its type promises. Each function returns an empty string when all is
+// Comparing two answers, and checking one by itself. Each function returns an empty string when all is
 // well and one sentence otherwise.
 // SPDX-License-Identifier: MIT
 #pragma once

@@ -8,8 +8,8 @@
 namespace touchstone::certify {
 namespace {
 
-/// The place of a finite double among all of them, in order; both zeros share one place.
-std::uint64_t place(double value) noexcept {
+/// The index of a finite double among all finite doubles in order; both zeros have one index.
+std::uint64_t index_of(double value) noexcept {
   constexpr std::uint64_t kSign = std::uint64_t{1} << 63;
   const auto bits = std::bit_cast<std::uint64_t>(value);
   return (bits & kSign) != 0 ? kSign - (bits & ~kSign) : kSign + bits;
@@ -27,7 +27,7 @@ EarlyBucket<Distance> bucket_of_median(const std::vector<EarlyBucket<Distance>>&
 
 }  // namespace
 
-std::uint64_t ulps_between(double from, double to) noexcept { return place(to) - place(from); }
+std::uint64_t ulps_between(double from, double to) noexcept { return index_of(to) - index_of(from); }
 
 void EarlyTally::add(double claimed, double toi) noexcept {
   const std::uint64_t ulps = ulps_between(claimed, toi);

@@ -1,4 +1,4 @@
-// How much earlier than the exact time the claimed times are, for claims that hold. Exact counts in bounded memory.
+// For claims that hold: how far before the exact time the claimed time lies. Exact counts in bounded memory.
 // SPDX-License-Identifier: MIT
 #pragma once
 

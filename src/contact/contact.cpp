@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/frame.hpp"
 #include "scene/features.hpp"
 
 namespace touchstone::sim {
@@ -86,8 +87,8 @@ std::array<double, 4> closest_weights(Kind kind, const Corners& c) {
 /// The elements' common normal, not oriented; zero where they have none.
 Vector3 common_normal(Kind kind, const Corners& c) {
   if (kind == Kind::edge_edge || kind == Kind::vertex_face) {
-    const Vector3 u = kind == Kind::edge_edge ? c[1] - c[0] : c[2] - c[1];
-    const Vector3 w = kind == Kind::edge_edge ? c[3] - c[2] : c[3] - c[1];
+    const auto [u, w, r] = geometry::frame_of(kind == Kind::edge_edge,
+                                              [&c](std::size_t i, std::size_t j) { return Vector3(c[i] - c[j]); });
     const Vector3 n = u.cross(w);
     if (n.norm() > 1e-7 * u.norm() * w.norm()) return n.normalized();
   }

@@ -1,4 +1,4 @@
-// How many bits the coordinates of a query take as integers over a common power of two. SPDX-License-Identifier: MIT
+// How many bits the coordinates of a query have as integers over a common power of two. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <algorithm>

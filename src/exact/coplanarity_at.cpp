@@ -32,9 +32,9 @@ geometry::Vector<numbers::FixedInt<Limbs>> integers(const Vec3& x, int low) {
   return {{Int::scaled(x.x, low), Int::scaled(x.y, low), Int::scaled(x.z, low)}};
 }
 
-// Integer coordinates x / 2^low are below 2^bits, and differences below 2^(bits + 1). V sums 6 products of three differences.
-// With 3 spare bits in each difference, the sum and its sign have room. Positions at the time m / 2^k, times 2^k, are below
-// 2^(bits + k).
+// Integer coordinates x / 2^low are below 2^bits, and differences below 2^(bits + 1). V sums 6 products of three
+// differences. With 3 spare bits in each difference, the sum and its sign have room. Positions at the time m / 2^k,
+// times 2^k, are below 2^(bits + k).
 
 template <int Limbs>
 double value_at_end(const Query& query, const BitSpan& span, bool start) {

@@ -9,13 +9,13 @@
 
 namespace touchstone::exact {
 
-/// The corners of a query, all multiplied by one positive number (which changes no touching time, nature, feature or
-/// weight): for integers such that all coordinates are some, within kMostBits by the caller's care, and else
-/// such that the largest coordinate is of ordinary size.
+/// The corners of a query, all multiplied by one positive number, which changes no touching time, nature, feature or
+/// weight. For integer types, that number makes all coordinates integers; the caller makes sure that they have at most
+/// kMostBits. For Exact, it makes the largest coordinate of ordinary size.
 template <class N>
 typename Forms<N>::Corners moving_corners(const Query& query);
 template <class N>
-typename Forms<N>::Corners moving_corners(const RationalQuery& query);  ///< of numbers of any size only
+typename Forms<N>::Corners moving_corners(const RationalQuery& query);  ///< for Exact only
 
 /// Calls f with the elements of the query's kind, over numbers of type N.
 template <class N, class Q, class F>

@@ -1,4 +1,4 @@
-// The first contact, all contacts, and their story.
+// The first contact, all contacts, and the record of how they are found.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
@@ -16,8 +16,8 @@
 namespace touchstone::exact {
 namespace {
 
-/// Times in [0, limit] among which are all ends of touching intervals, ascending and distinct; both ends included.
-/// For elements that are coplanar at all times or have no coplanarity cubic.
+/// Ascending, distinct times in [0, limit], 0 and limit included, that contain all ends of touching intervals. For
+/// elements that are coplanar at all times or have no coplanarity cubic.
 class CandidateTimes {
  public:
   template <class Elements>

@@ -84,30 +84,30 @@ void EdgeEdgeElements<N>::locate_parallel(const RealRoot& root, Answer& answer) 
   if (a_is_point) {
     answer.feature_a = Feature::a0;
     answer.weights_a = {1, 0, 0};
-    answer.feature_b = b_features[pair(a0_on_b).place(root)];  // b0 when the second edge is a point, too
+    answer.feature_b = b_features[pair(a0_on_b).position(root)];  // b0 when the second edge is a point, too
     answer.weights_b = pair(a0_on_b).weights(root);
     return;
   }
   if (b_is_point) {
     answer.feature_b = Feature::b0;
     answer.weights_b = {1, 0, 0};
-    answer.feature_a = a_features[pair(b0_on_a).place(root)];
+    answer.feature_a = a_features[pair(b0_on_a).position(root)];
     answer.weights_a = pair(b0_on_a).weights(root);
     return;
   }
-  // Both have a length, and they are collinear. They share one point iff a corner of one is a corner of the other and they
-  // leave it in opposite directions. Otherwise they share a longer part.
+  // Both have a length, and they are collinear. They share one point iff a corner of one is a corner of the other and
+  // they leave it in opposite directions. Otherwise they share a longer part.
   for (const Pair a_corner : {a0_on_b, a1_on_b}) {
     const PointOnEdge<N>& corner = pair(a_corner);
     if (!corner.touching(Moment::at(root))) continue;
-    const int b_place = corner.place(root);
-    if (b_place == 2) break;
+    const int b_position = corner.position(root);
+    if (b_position == 2) break;
     // Directions away from the shared corner: +-u and +-w.
     const int direction =
-        root.sign_at(dot(frame_.u, frame_.w)) * (a_corner == a0_on_b ? 1 : -1) * (b_place == 0 ? 1 : -1);
+        root.sign_at(dot(frame_.u, frame_.w)) * (a_corner == a0_on_b ? 1 : -1) * (b_position == 0 ? 1 : -1);
     if (direction > 0) break;
     answer.feature_a = a_features[a_corner];
-    answer.feature_b = b_features[b_place];
+    answer.feature_b = b_features[b_position];
     answer.weights_a = a_corner == a0_on_b ? std::array<double, 3>{1, 0, 0} : std::array<double, 3>{0, 1, 0};
     answer.weights_b = corner.weights(root);
     return;

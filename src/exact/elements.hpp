@@ -1,5 +1,5 @@
-// The four kinds of query in exact arithmetic: moving corners, when two elements touch, and where. Everything is a sign of
-// a polynomial in t of degree at most 3, at an exact time or just after it.
+// The four kinds of query in exact arithmetic: moving corners, when two elements touch, and where. Everything is a sign
+// of a polynomial in t of degree at most 3, at an exact time or just after it.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -47,17 +47,17 @@ using Long = numbers::FixedInt<3>;
 
 /// How many bits B integer coordinates may have, |x| < 2^B, so that nothing overflows. In bits:
 /// - differences B + 1, their changes over the step B + 2;
-/// - a quadratic's coefficients 2 B + 5, from 4 products of B + 2 and B + 1 or 2 of B + 2 and B + 2; sums of three of them and
-///   dot products 2 B + 7; their Bernstein coefficients 2 B + 9;
-/// - V's coefficients 3 B + 10, sums of 3 such products with B + 1 and 3 with B + 2; its Bernstein coefficients, below 6 times
-///   more, 3 B + 13.
+/// - a quadratic's coefficients 2 B + 5, from 4 products of B + 2 and B + 1 or 2 of B + 2 and B + 2; sums of three of
+///   them and dot products 2 B + 7; their Bernstein coefficients 2 B + 9;
+/// - V's coefficients 3 B + 10, sums of 3 such products with B + 1 and 3 with B + 2; its Bernstein coefficients, below
+///   6 times more, 3 B + 13.
 template <int Limbs>
 constexpr int kMostBits = (64 * 3 * Limbs - 1 - 13) / 3;
 static_assert(kMostBits<1> + 2 < 64 && 2 * kMostBits<1> + 9 < 128 && kMostBits<2> + 2 < 128 &&
               2 * kMostBits<2> + 9 < 256);
 static_assert(kMostBits<3> + 2 < 192 && 2 * kMostBits<3> + 9 < 384);
 
-/// Polynomials among whose roots are all times at which touching may begin or end: at most two for each of the four pairs
+/// Polynomials whose roots contain all times at which touching may begin or end: at most two for each of the four pairs
 /// of a corner and the other edge.
 constexpr std::size_t kMostEvents = 8;
 template <class N>
@@ -90,8 +90,8 @@ class Moment {
   std::vector<CandidateStory::Condition>* record_;
 };
 
-/// Signs that `touching` computes and `locate` needs again: the axis along which n is not zero (-1: none), and the signs of
-/// the side conditions along it, in their order, each 0 or 1 where the elements touch.
+/// Signs that `touching` computes and `locate` needs again: the axis along which n is not zero (-1: none), and the
+/// signs of the side conditions along it, in their order, each 0 or 1 where the elements touch.
 struct SideSigns {
   int axis = -1;
   std::array<int, 4> sign{};
@@ -113,13 +113,13 @@ class PointOnEdge {
 
   bool touching(const Moment& moment) const;
 
-  /// Where on the edge a touching point is: 0 at x, 1 at y, 2 between. x wins where both coincide.
-  int place(const RealRoot& root) const;
+  /// The position on the edge of a touching point: 0 at x, 1 at y, 2 between. x wins where both coincide.
+  int position(const RealRoot& root) const;
 
-  /// The weights (x, y) of a touching point, supported on its place.
+  /// The weights (x, y) of a touching point, supported on its position.
   std::array<double, 3> weights(const RealRoot& root) const;
 
-  /// Appends polynomials among whose roots are all times at which touching may begin or end.
+  /// Appends polynomials whose roots contain all times at which touching may begin or end.
   void append_events(Events<N>& events) const;
 
  private:
@@ -141,7 +141,7 @@ class EdgeEdgeElements {
   explicit EdgeEdgeElements(const typename Forms<N>::Corners& corners);
 
   const Cubic& coplanarity() const { return coplanarity_; }
-  /// Given that the four corners are coplanar at the moment.
+  /// Whether the elements touch. The four corners must be coplanar at the moment.
   bool touching(const Moment& moment, SideSigns& found) const;
   /// Where they touch at the root. `found` is from `touching` at the same root.
   void locate(const RealRoot& root, const SideSigns& found, Answer& answer) const;

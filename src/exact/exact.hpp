@@ -15,8 +15,8 @@ namespace touchstone::exact {
 Answer decide_exactly(const Query& query, double t_max);
 Answer decide_exactly(const RationalQuery& query, double t_max);
 
-/// V(t) within a relative error of 2^-50 and with its exact sign, for edge-edge and vertex-face queries and 0 <= t <= 1. A
-/// value that underflows is the least double of its sign; one that overflows is infinite.
+/// V(t) within a relative error of 2^-50 and with its exact sign, for edge-edge and vertex-face queries and
+/// 0 <= t <= 1. A value that underflows is the least double of its sign; one that overflows is infinite.
 double coplanarity_at(const Query& query, double t);
 
 /// One candidate time and the signs that decide it.
@@ -32,12 +32,12 @@ struct CandidateStory {
   bool touching = false;
 };
 
-/// How the exact level comes to its answer.
+/// How the exact level finds its answer.
 struct Story {
   bool has_cubic = false;  ///< edge-edge and vertex-face have one
-  std::vector<std::string>
-      coefficients;  ///< V's exact coefficients, constant first, as fractions or integers times 2^k
-  std::string why;   ///< one sentence: which case this is
+  /// V's exact coefficients, constant first, as fractions or integers times 2^k.
+  std::vector<std::string> coefficients;
+  std::string why;  ///< one sentence: which case this is
   std::vector<CandidateStory> candidates;
   Answer answer;
 };

@@ -7,7 +7,7 @@
 
 namespace touchstone::exact {
 
-/// Like std::optional, which clears its storage when it is made: these are large, many, and mostly unused.
+/// Like std::optional, but its constructor does not clear the storage: these values are large, many, and mostly unused.
 template <class T>
 class Lazy {
  public:

@@ -13,7 +13,7 @@ void PointEdgeElements<N>::locate(const RealRoot& root, const SideSigns&, Answer
   static constexpr Feature features[] = {Feature::e0, Feature::e1, Feature::e};
   answer.feature_a = Feature::p;
   answer.weights_a = {1, 0, 0};
-  answer.feature_b = features[point_.place(root)];
+  answer.feature_b = features[point_.position(root)];
   answer.weights_b = point_.weights(root);
 }
 

@@ -23,13 +23,13 @@ bool PointOnEdge<N>::touching(const Moment& moment) const {
 }
 
 template <class N>
-int PointOnEdge<N>::place(const RealRoot& root) const {
+int PointOnEdge<N>::position(const RealRoot& root) const {
   return vanishes(from_x_, root) ? 0 : vanishes(from_y_, root) ? 1 : 2;
 }
 
 template <class N>
 std::array<double, 3> PointOnEdge<N>::weights(const RealRoot& root) const {
-  const int where = place(root);
+  const int where = position(root);
   if (where == 0) return {1, 0, 0};
   if (where == 1) return {0, 1, 0};
   const double s = root.quotient(geometry::dot(from_x_, edge_), geometry::dot(edge_, edge_));

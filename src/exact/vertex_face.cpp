@@ -68,7 +68,7 @@ void VertexFaceElements<N>::locate(const RealRoot& root, const SideSigns& found,
 template <class N>
 void VertexFaceElements<N>::locate_flat(const RealRoot& root, Answer& answer) const {
   for (std::size_t i = 0; i < 3; ++i) {
-    if (side(i).place(root) == 0) {
+    if (side(i).position(root) == 0) {
       static constexpr Feature corners[] = {Feature::f0, Feature::f1, Feature::f2};
       answer.feature_b = corners[i];
       answer.weights_b[i] = 1;

@@ -9,23 +9,25 @@
 namespace touchstone::filters {
 namespace {
 
-// e = kUnit and P = size throughout. The given coefficients are off by at most 34 e P (b0, b3) and 122 e P (3 b1, 3 b2) but
-// for what their bounds have in reserve, and in absolute value at most 4 P and 12 P (see coplanarity_form.hpp). Times are
-// exact_to_one, so s = 1 - t is exact. For t in [-m, 1 + m], m = kMargin = 2^-20, |s| + |t| is at most 1 + 2 m, and sums
-// weighted by products of three of s and t grow by less than 1 + 2^-17: each constant has more slack than that.
+// e = kUnit and P = size throughout. The given coefficients are off by at most 34 e P (b0, b3) and 122 e P (3 b1, 3 b2)
+// but for what their bounds have in reserve, and in absolute value at most 4 P and 12 P (see coplanarity_form.hpp).
+// Times are exact_to_one, so s = 1 - t is exact. For t in [-m, 1 + m], m = kMargin = 2^-20, |s| + |t| is at most
+// 1 + 2 m, and sums weighted by products of three of s and t grow by less than 1 + 2^-17: each constant has more slack
+// than that.
 
 // Coefficients over a part of [0, 1], by interpolating b0, b1, b2, b3 three times. 3 b1 / 3: 122 / 3 + 4 < 45 e P. An
 // interpolation (1 - x) a + x b passes each operand through 2 roundings, of values of at most 4 P: 8 e P a time.
 constexpr double kPartBound = 70 * kUnit;
 
-// The value (c0 s + c1 t) s^2 + (c2 s + c3 t) t^2: the coefficients' errors weigh 34 (s^3 + t^3) + 122 s t = 34 + 20 s t
-// <= 39 e P; each monomial passes through 5 roundings, and their absolute values sum to at most 4 P: 20 e P.
+// The value (c0 s + c1 t) s^2 + (c2 s + c3 t) t^2: the coefficients' errors weigh
+// 34 (s^3 + t^3) + 122 s t = 34 + 20 s t <= 39 e P; each monomial passes through 5 roundings, and their absolute values
+// sum to at most 4 P: 20 e P.
 constexpr double kValueBound = 60 * kUnit;
 
-// The derivative's Bernstein coefficients 3 b1 - 3 b0, 3 b2 - 3 b1, 3 b3 - 3 b2, at most 24 P: off by 122 + 3 * 34 and the
-// roundings 12 + 24, or by 2 * 122 + 24, at most 268 e P. Its value: at most 4 roundings of monomials that sum to at most
-// 24 P, 96 e P more. The curvature is twice the difference of two of these coefficients, off by 2 (260 + 268 + 48) =
-// 1152 e P, which at most 2^-10 away makes 1.2 e P of slope: this is where it is accounted for.
+// The derivative's Bernstein coefficients 3 b1 - 3 b0, 3 b2 - 3 b1, 3 b3 - 3 b2, at most 24 P: off by 122 + 3 * 34 and
+// the roundings 12 + 24, or by 2 * 122 + 24, at most 268 e P. Its value: at most 4 roundings of monomials that sum to
+// at most 24 P, 96 e P more. The curvature is twice the difference of two of these coefficients, off by
+// 2 (260 + 268 + 48) = 1152 e P. At most 2^-10 away this makes 1.2 e P of slope, which this constant includes.
 constexpr double kSlopeBound = 366 * kUnit;
 
 double between(double a, double b, double x) noexcept { return (1 - x) * a + x * b; }
@@ -37,7 +39,7 @@ BernsteinCubic::Variations variations_of(const std::array<double, 4>& b, double 
   const double second = flipped(b[1], b[0]);
   const double third = flipped(b[2], b[0]);
   if (flipped(b[3], b[0]) > 0) return second > middle && third > middle ? Variations::none : Variations::uncertain;
-  // One variation whatever the uncertain ones are, unless the middle may go back and forth.
+  // One variation whatever the uncertain signs are, unless the middle ones may change sign twice.
   return second > middle || third < -middle ? Variations::one : Variations::uncertain;
 }
 
@@ -91,9 +93,9 @@ BernsteinCubic::Variations BernsteinCubic::variations(double p, double q) const 
 }
 
 BernsteinCubic::Root BernsteinCubic::root_between(double p, double q) const noexcept {
-  // Halley's method, kept inside by bisection; what it finds is certified below. It ends where `refine_root`, which takes
-  // one more step in double-double, needs no better place: there the step's error is a multiple of its length squared,
-  // 2^-70 t or so, and seldom decides on which side of a double the root lies.
+  // Halley's method, kept inside by bisection; the code below certifies its result. `refine_root` takes one more step,
+  // in double-double. The iteration ends where that step's error, a multiple of its length squared, is about 2^-70 t:
+  // then it seldom matters for the side of a double on which the root lies.
   const double value_p = value(p);
   const double value_q = value(q);
   double low = p;

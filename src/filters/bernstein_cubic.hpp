@@ -1,5 +1,5 @@
-// A cubic over [0, 1], and a little beyond, known up to rounding errors: certified sign variations, and one root certified
-// to an interval.
+// A cubic over [0, 1], and a little beyond, known up to rounding errors: certified sign variations, and one root
+// certified to an interval.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -8,14 +8,14 @@
 
 namespace touchstone::filters {
 
-/// A time near t, at most 2^-53 away, from which to 1 is a double: so 1 - t has no error for the bounds below. Those at
-/// which BernsteinCubic evaluates must be such.
+/// A time at most 2^-53 away from t whose distance to 1 is a double, so that 1 - t has no rounding error in the bounds
+/// below. BernsteinCubic evaluates only at such times.
 inline double exact_to_one(double t) noexcept { return 1 - (1 - t); }
 
 class BernsteinCubic {
  public:
-  /// What is said of the cubic holds for t in [-kMargin, 1 + kMargin]: a root at or near the step's end is then no
-  /// different from others.
+  /// All functions hold for t in [-kMargin, 1 + kMargin]. So a root at or near the step's end is no different from
+  /// others.
   static constexpr double kMargin = 0x1p-20;
 
   /// `coefficients` b0, 3 b1, 3 b2, b3 as coplanarity_coefficients computes them, from vectors whose coordinates'
@@ -27,12 +27,13 @@ class BernsteinCubic {
   enum class Variations : std::uint8_t { none, one, uncertain };
   Variations variations(double p, double q) const noexcept;
 
-  /// Points low = split[0] < ... < split[n] = high between which the cubic promises to have at most one sign variation,
-  /// where it may have more over [low, high]; returns n, at most 3. Only a promise: `variations` certifies.
+  /// Points low = split[0] < ... < split[n] = high between which the cubic is likely to have at most one sign
+  /// variation, where it may have more over [low, high]; returns n, at most 3. This is only likely: `variations`
+  /// certifies it.
   int split_points(double low, double high, double (&split)[4]) const noexcept;
 
-  /// Where [p, q] has exactly one root: proves that it lies in [t - radius, t + radius], inside [p, q], where the cubic's
-  /// slope keeps the sign of `slope` and is at least half of it. Certain only if so.
+  /// Where [p, q] has exactly one root: proves that it lies in [t - radius, t + radius], inside [p, q], where the
+  /// cubic's slope keeps the sign of `slope` and is at least half of it. Certain only if so.
   struct Root {
     bool certain;
     double t;       ///< exact_to_one
@@ -53,7 +54,8 @@ class BernsteinCubic {
   double size() const noexcept { return size_; }
   double slope_error() const noexcept;
 
-  /// At h away from t, |h| <= kGreatestRadius, the slope differs from slope(t) by at most slope_error() + curvature() |h|.
+  /// At h away from t, |h| <= kGreatestRadius, the slope differs from slope(t) by at most slope_error() + curvature()
+  /// |h|.
   double curvature() const noexcept { return curvature_; }
   static constexpr double kGreatestRadius = 0x1p-10;
 

@@ -10,8 +10,8 @@ namespace touchstone::filters {
 /// How many corners the first element has; the others are the second one's.
 constexpr std::size_t corners_of_first(Kind kind) noexcept { return kind == Kind::edge_edge ? 2 : 1; }
 
-/// True proves that the boxes around the two elements' paths are disjoint. It compares the query's own doubles: nothing is
-/// rounded.
+/// True proves that the boxes around the two elements' paths are disjoint. It compares the query's own doubles: nothing
+/// is rounded.
 bool boxes_disjoint(const Query& query) noexcept;
 
 }  // namespace touchstone::filters

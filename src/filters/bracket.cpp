@@ -13,8 +13,8 @@
 namespace touchstone::filters {
 namespace {
 
-// With U, W and R between these, no product of three underflows or overflows to an effect, and no low part of one does. The
-// loss is at most 2^-1074 per product, 2^-500 of U W and 2^-300 of U W R.
+// With U, W and R between these, no product of three underflows or overflows to an effect, and no low part of one does.
+// The loss is at most 2^-1074 per product, 2^-500 of U W and 2^-300 of U W R.
 constexpr double kLeast = 0x1p-250;
 constexpr double kGreatest = 0x1p250;
 
@@ -40,11 +40,11 @@ struct SideValues {
   Bounded normal, first, second;
 };
 
-// At t, exact_to_one, the vectors u, w and r are off by at most 3 e times their bound: the rounded differences, two products
-// and a sum. A component of a cross product of two of them has 2 monomials with 3 + 3 + 2 roundings: 16 e. Its slope in t is
-// at most 2 (2 + 2) = 8 times the product of the bounds, since a coordinate changes by at most twice its bound over the
-// step. So at any time within h of t the component is off by at most (16 e + 8 h) times the product. Within kMargin of the
-// step, bounds and slopes grow by less than 2^-18 of themselves; the constants cover that.
+// At t, exact_to_one, the vectors u, w and r are off by at most 3 e times their bound: the rounded differences, two
+// products and a sum. A component of a cross product of two of them has 2 monomials with 3 + 3 + 2 roundings: 16 e. Its
+// slope in t is at most 2 (2 + 2) = 8 times the product of the bounds, since a coordinate changes by at most twice its
+// bound over the step. So at any time within h of t the component is off by at most (16 e + 8 h) times the product.
+// Within kMargin of the step, bounds and slopes grow by less than 2^-18 of themselves; the constants cover that.
 SideValues side_values(bool edges, const StepFrame<double>& f, const Magnitudes& m, double t, double h) noexcept {
   const geometry::Frame<Vector> frame = {at(f.start.u, f.end.u, t), at(f.start.w, f.end.w, t),
                                          at(f.start.r, f.end.r, t)};
@@ -138,8 +138,8 @@ std::optional<Finding> decide_at_root(const Search& s, double p, double q, Answe
   return refined.finding;
 }
 
-/// Decides from the cubic's roots in [low, high], of which [0, 1] is a part. Nothing where roots could not be told apart
-/// from each other or from the ends of the range.
+/// Decides from the cubic's roots in [low, high], of which [0, 1] is a part. Nothing where roots could not be told
+/// apart from each other or from the ends of the range.
 std::optional<Finding> decide_over(const Search& s, double low, double high, Answer& answer) {
   using Variations = BernsteinCubic::Variations;
   const Variations whole = s.cubic.variations(low, high);

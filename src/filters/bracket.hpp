@@ -1,5 +1,5 @@
-// The bracket level. It isolates the sign changes of V with certified signs, decides the side conditions over each bracket,
-// and drives the time of a contact to its two neighbouring doubles, all in error-bounded doubles.
+// The bracket level. It isolates the sign changes of V with certified signs, decides the side conditions over each
+// bracket, and drives the time of a contact to its two neighbouring doubles, all in error-bounded doubles.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -9,10 +9,10 @@
 
 namespace touchstone::filters {
 
-/// Decides an edge-edge or vertex-face query whose contact, if any, is an ordinary crossing inside both elements, at the
-/// step's ends too. It asks for an exact value only where the time is so close to a double, or so small, that doubles cannot
-/// tell. On `contact` the answer is complete (nature, features, times, weights) except for its level, or untouched where
-/// only contact is asked for. Otherwise the answer is untouched.
+/// Decides an edge-edge or vertex-face query whose contact, if any, is an ordinary crossing inside both elements, at
+/// the step's ends too. It asks for an exact value only where the time is so close to a double, or so small, that
+/// doubles cannot tell. On `contact` the answer is complete (nature, features, times, weights) except for its level, or
+/// untouched where only contact is asked for. Otherwise the answer is untouched.
 Finding decide_in_brackets(const Question& question, Answer& answer);
 
 }  // namespace touchstone::filters

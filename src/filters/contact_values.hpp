@@ -23,22 +23,22 @@ struct ContactValues {
   ValueAndSlope fourth;  ///< n - f2 for edges; for a face the same as `third`
 };
 
-// Errors of the values, in e^2 = 2^-106, for coordinates of u bounded by U (likewise w, r). They come from the operators of
-// double_double.hpp, which round low parts and leave out a product of two low parts. Let s = 1 - t. Below, "low parts a ...,
-// b ..." lists the sizes of the rounded low parts in units of e times the bound.
+// Errors of the values, in e^2 = 2^-106, for coordinates of u bounded by U (likewise w, r). They come from the
+// operators of double_double.hpp, which round low parts and leave out a product of two low parts. Let s = 1 - t. Below,
+// "low parts a ..., b ..." lists the sizes of the rounded low parts in units of e times the bound.
 //   Differences of doubles are exact, with low parts of at most e U.
 //     s times a difference: low parts s ..., 2 s ...: 3 s e^2 U, low part 2 s e U. t times a difference likewise.
 //     The sum of both, at most U: low parts 2 ..., 3 ...: 3 + 2 + 3 = 8 e^2 U. Normalised, the low part is e U.
-//   A product of two such coordinates: operands 8 + 8; low parts 1 ..., 1 ..., 2 ..., 3 ..., and 1 left out: 24 e^2 U W, low
-//   part 3 e U W.
-//     The difference of two products, at most 2 U W: low parts 6 ..., 8 ...: 62 e^2 U W, of which 32 are the operands', low
-//     part 8 e U W. That is the error of a component of n, f1 or f2.
+//   A product of two such coordinates: operands 8 + 8; low parts 1 ..., 1 ..., 2 ..., 3 ..., and 1 left out:
+//   24 e^2 U W, low part 3 e U W.
+//     The difference of two products, at most 2 U W: low parts 6 ..., 8 ...: 62 e^2 U W, of which 32 are the operands',
+//     low part 8 e U W. That is the error of a component of n, f1 or f2.
 //     Differences of components, over the sum M of their U W, R W, R U. n - f1: low parts 8 ..., 10 ...: 80 e^2 M.
 //     n - f1 - f2: low parts 10 ..., 12 ... more: 102 e^2 M.
 //   V is linear in each coordinate, and the factors of a vector's coordinates sum to 4 P (see coplanarity_form.hpp).
 //     The coordinates' errors make 3 * 4 * 8 = 96 e^2 P.
-//     The cross product's own: 2 * 8 + 6 in each component, and 6 + n_k, in all 3 * 28 + 4 = 88 e^2 P. Normalised, its low
-//     part is e n_k.
+//     The cross product's own: 2 * 8 + 6 in each component, and 6 + n_k, in all 3 * 28 + 4 = 88 e^2 P. Normalised, its
+//     low part is e n_k.
 //     The product n_k r_k: (1 + 1 + 2 + 3 + 1) n_k, in all 32 e^2 P, low part 3 e n_k.
 //     Two sums, at most 4 P: low parts 12 ..., 16 ..., 16 ..., 20 ...: 64 e^2 P.
 //     In all 96 + 88 + 32 + 64 = 280 e^2 P.

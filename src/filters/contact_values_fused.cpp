@@ -6,7 +6,7 @@ namespace touchstone::filters {
 ContactValues contact_values_fused(const Query& query, double t, std::size_t axis);
 
 ContactValues contact_values_fused(const Query& query, double t, std::size_t axis) {
-  return contact_values_by_steps(query, t, axis);
+  return rounded(precise_values(query, t, axis));
 }
 
 }  // namespace touchstone::filters

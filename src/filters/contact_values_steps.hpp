@@ -89,8 +89,7 @@ inline PreciseValues precise_values(const Query& query, double t, std::size_t k)
   return {coplanarity, normal, first, second, third, fourth};
 }
 
-inline ContactValues contact_values_by_steps(const Query& query, double t, std::size_t k) {
-  const PreciseValues at = precise_values(query, t, k);
+inline ContactValues rounded(const PreciseValues& at) noexcept {
   return {numbers::rounded(at.coplanarity),
           rounded(at.normal),
           rounded(at.first),

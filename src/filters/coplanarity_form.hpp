@@ -1,6 +1,6 @@
 // The coplanarity cubic in Bernstein form over the step, and the proof that it keeps one sign, with every bound on the
-// rounding. The text is written once, for doubles and for vectors of doubles. Each operator must be one IEEE operation in
-// every lane.
+// rounding. The text is written once, for doubles and for vectors of doubles. Each operator must be one IEEE operation
+// in every lane.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -15,9 +15,10 @@ namespace touchstone::filters {
 /// Unit roundoff of a double, 2^-53.
 constexpr double kUnit = 0x1p-53;
 
-// The error of the coefficients. Let U, W, R be the largest absolute coordinates of the computed u, w, r over both ends,
-// P = U W R, e = 2^-53. A determinant is linear in each of its entries. It is largest for entries of +-1, where it is 4
-// (Hadamard). So |[u w r]| <= 4 P, and the absolute coordinates of a cross product sum to at most 4 U W. To first order:
+// The error of the coefficients. Let U, W, R be the largest absolute coordinates of the computed u, w, r over both
+// ends, P = U W R, e = 2^-53. A determinant is linear in each of its entries. It is largest for entries of +-1, where
+// it is 4 (Hadamard). So |[u w r]| <= 4 P, and the absolute coordinates of a cross product sum to at most 4 U W. To
+// first order:
 //   b0 = (u0 x w0) . r0.
 //     The rounded differences: three vectors, each off by e times its bound: 3 * 4 e P.
 //     The cross product: products of at most 2 U W a coordinate, 6 e P, and a subtraction each, 4 e P.
@@ -25,13 +26,13 @@ constexpr double kUnit = 0x1p-53;
 //     In all 12 + 6 + 4 + 4 + 8 = 34 e P.
 //   3 b1 = (u0 x w1 + u1 x w0) . r0 + (u0 x w0) . r1, three determinants.
 //     Differences: 36 e P. Cross products: 30 e P. Their sum, of at most 8 U W in all: 8 e P.
-//     The dot product with that sum: 8 + 16 e P. The other dot product: 4 + 8 e P. The sum of both, of at most 12 P: 12 e P.
-//     In all 36 + 30 + 8 + 24 + 12 + 12 = 122 e P.
+//     The dot product with that sum: 8 + 16 e P. The other dot product: 4 + 8 e P. The sum of both, of at most 12 P:
+//     12 e P. In all 36 + 30 + 8 + 24 + 12 + 12 = 122 e P.
 // The constants have a reserve over that. It covers three things:
 //   - the second-order terms (relative 2^-48);
 //   - the rounding of the bound itself (2 products, and one by the constant: relative 3 e);
-//   - underflow. A product that underflows is off by at most 2^-1075, in all by 18 * 2^-1075 R + 6 * 2^-1075. That is below
-//     e P / 2 when U W and U W R are at least 2^-1000. (Differences of doubles do not underflow.)
+//   - underflow. A product that underflows is off by at most 2^-1075, in all by 18 * 2^-1075 R + 6 * 2^-1075. That is
+//     below e P / 2 when U W and U W R are at least 2^-1000. (Differences of doubles do not underflow.)
 constexpr double kEndsBound = 35 * kUnit;
 constexpr double kMiddleBound = 123 * kUnit;
 
@@ -110,9 +111,10 @@ TOUCHSTONE_INLINE CoefficientBounds<N> coplanarity_bounds(const StepFrame<N>& f)
 
 /// Whether V certainly has one sign all over [0, 1]: its four coefficients have that sign, and V lies in their hull.
 ///
-/// Coordinates that are not finite never prove it. Every coordinate of a query is in a component of the frame at its end
-/// of the step, and every component is in some product of b0 or b3. If a component is NaN, so is b0 or b3, and comparisons
-/// with that are false. If none is NaN and one is infinite, its vector's bound is infinite, and U W R is infinite or NaN.
+/// Coordinates that are not finite never prove it. Every coordinate of a query is in a component of the frame at its
+/// end of the step, and every component is in some product of b0 or b3. If a component is NaN, so is b0 or b3, and
+/// comparisons with that are false. If none is NaN and one is infinite, its vector's bound is infinite, and U W R is
+/// infinite or NaN.
 template <class N>
 TOUCHSTONE_INLINE auto certain_same_side(const StepFrame<N>& f, const std::array<N, 4>& b) noexcept {
   const auto [ends, middle, valid] = coplanarity_bounds(f);

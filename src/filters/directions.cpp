@@ -1,5 +1,5 @@
-// Promising directions. Nothing here needs to be right: a bad direction only fails to separate. Closest points after
-// Ericson, Real-Time Collision Detection (2005), 5.1.5 and 5.1.9.
+// Directions that are likely to separate. Nothing here needs to be right: a bad direction only fails to separate.
+// Closest points after Ericson, Real-Time Collision Detection (2005), 5.1.5 and 5.1.9.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 

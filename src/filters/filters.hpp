@@ -1,5 +1,5 @@
-// Fast tests in doubles. Each is sound by itself for any finite input in the default floating-point environment: it proves
-// something, or says that it is uncertain. It never guesses.
+// Fast tests in doubles. Each is sound by itself for any finite input in the default floating-point environment: it
+// proves something, or says that it is uncertain. It never guesses.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -11,8 +11,8 @@
 namespace touchstone::filters {
 
 /// The tests after same_side: separation and shared corners (Level::filter) and the bracket level (Level::bracket).
-/// `answer` is the caller's object, so that it is never copied. It comes in as Answer(). It is complete when it goes out,
-/// unless the finding is uncertain or the question is for contact only.
+/// `answer` is the caller's object, so that it is never copied. It comes in as Answer(). It is complete when it goes
+/// out, unless the finding is uncertain or the question is for contact only.
 Decision decide_by_filters(const Question& question, Answer& answer);
 
 }  // namespace touchstone::filters

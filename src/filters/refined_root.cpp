@@ -20,14 +20,14 @@ struct Offset {
   double error;  ///< the true offset is off by at most this
 };
 
-/// The root's offset from `time`, within the root's radius, where V is `value`, off by at most `value_error` before it was
-/// rounded to a double.
+/// The root's offset from `time`, within the root's radius, where V is `value`, off by at most `value_error` before it
+/// was rounded to a double.
 ///
 /// It is -V / S, with S the mean of V' from there to the root. |S| is at least half of |slope| (see SimpleRoot), so the
 /// offset is at most 2 (|value| + value_error) / |slope|. S differs from V'(t) by at most the curvature times the mean
-/// distance from t in between. Let q be the bound on the relative difference of S from the slope; 1 / S <= (1 + 2 q) / slope.
-/// Then -value / slope is off by at most (1 + 2 q) (value_error + q |value|) / slope, its own rounding and the value's. The
-/// factor has slack for the rounding of these lines and of sums with the result.
+/// distance from t in between. Let q be the bound on the relative difference of S from the slope;
+/// 1 / S <= (1 + 2 q) / slope. Then -value / slope is off by at most (1 + 2 q) (value_error + q |value|) / slope, its
+/// own rounding and the value's. The factor has slack for the rounding of these lines and of sums with the result.
 Offset offset_of(const SimpleRoot& root, double time, double value, double value_error) noexcept {
   const double per_slope = 1 / std::fabs(root.slope);
   const double distance = std::fabs(time - root.t) + (std::fabs(value) + value_error) * per_slope;
@@ -36,18 +36,18 @@ Offset offset_of(const SimpleRoot& root, double time, double value, double value
   return {-value / root.slope, (1 + 0x1p-20) * missing * per_slope};
 }
 
-/// A bound on the error of value + slope * offset, for a component of n, f1 or f2 at the root or a difference of them. It is
-/// in units of M, the product of the bounds of its vectors (or the sum of such products).
+/// A bound on the error of value + slope * offset, for a component of n, f1 or f2 at the root or a difference of them.
+/// It is in units of M, the product of the bounds of its vectors (or the sum of such products).
 ///
 /// The value before rounding is off by kComponentError M = 103 e^2 M.
-/// The slope is at most 8 M. In a component it sums 4 products of two factors that are off by 4 e and 1 e times their bounds:
-/// (4 + 2 + 2) e M each; 4 e M, 4 e M and 8 e M for their sums; and 8 e M and 8 e M more for differences: 64 e M.
-/// The product of slope and offset is rounded, and so is the value, which is at most the sum of that product and the result:
-/// 8 e M |offset| each, 80 e M |offset| in all, which kComponentError / e covers.
+/// The slope is at most 8 M. In a component it sums 4 products of two factors that are off by 4 e and 1 e times their
+/// bounds: (4 + 2 + 2) e M each; 4 e M, 4 e M and 8 e M for their sums; and 8 e M and 8 e M more for differences:
+/// 64 e M. The product of slope and offset is rounded, and so is the value, which is at most the sum of that product
+/// and the result: 8 e M |offset| each, 80 e M |offset| in all, which kComponentError / e covers.
 /// The second derivative is at most 16 M. The offset's error weighs 8 M.
 /// Where t lies up to kMargin = 2^-20 outside of [0, 1], coordinates are larger by 2^-19 of their bounds, and so is the
-/// slope, 8 M (1 + 2^-19). For the rounding errors, 103 has room for that beside 102 and 80. For the offset's weight, the
-/// factor has; it also has slack for the rounding of the result and of these lines.
+/// slope, 8 M (1 + 2^-19). For the rounding errors, 103 has room for that beside 102 and 80. For the offset's weight,
+/// the factor has; it also has slack for the rounding of the result and of these lines.
 double component_spread(const Offset& offset) noexcept {
   const double away = std::fabs(offset.value);
   const double reach = away + offset.error;
@@ -68,16 +68,16 @@ int sign_at_root(const ValueAndSlope& component, const Offset& offset, double er
 double after(double x) noexcept { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
 double before(double x) noexcept { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) - 1); }
 
-/// A bound on the error of an ExactValue: 2^-50 of it, and less than 2^-1074 where it underflows. The terms of offset_of may
-/// underflow too.
+/// A bound on the error of an ExactValue: 2^-50 of it, and less than 2^-1074 where it underflows. The terms of
+/// offset_of may underflow too.
 double exact_value_error(double value) noexcept { return 8 * kUnit * std::fabs(value) + 0x1p-1072; }
 
-/// Finds the two neighbouring doubles around a root, equal when it is a double. It uses the root's offset and, where this
-/// leaves a doubt, V's exact value at a double: its sign tells on which side of the double the root lies, because V is
-/// monotone within the root's radius.
+/// Finds the two neighbouring doubles around a root, equal when it is a double. It uses the root's offset and, where
+/// this leaves a doubt, V's exact value at a double: its sign tells on which side of the double the root lies, because
+/// V is monotone within the root's radius.
 ///
-/// Its results are RefinedRoots without weights: `contact` means that the times are found, `no_contact` that the root lies
-/// outside [0, 1].
+/// Its results are RefinedRoots without weights: `contact` means that the times are found, `no_contact` that the root
+/// lies outside [0, 1].
 template <class ValueAt>
 class NeighbouringDoubles {
  public:
@@ -88,8 +88,8 @@ class NeighbouringDoubles {
   RefinedRoot find() {
     const bool inner = root_.t - root_.radius > 0 && root_.t + root_.radius < 1;
     if (const std::optional<RefinedRoot> found = inner ? settled() : settled_near_end()) return *found;
-    // The root is several doubles away from the nearest, since it is small. A step from there is as good as its value is
-    // exact.
+    // The root is several doubles away from the nearest, since it is small. A step from there is as good as its value
+    // is exact.
     const double nearest = base_ + offset_.value;
     if (!(nearest > 0 && nearest < 1 && within_radius(nearest))) return {};
     if (look_from(nearest) == 0) return {Finding::contact, nearest, nearest};
@@ -174,9 +174,9 @@ RefinedRoot refine_root(const Question& question, const SimpleRoot& root) {
   if (refined.finding != Finding::contact) return refined;
   if (refined.toi > t_max || (refined.toi == t_max && refined.toi < refined.toi_upper)) return {Finding::no_contact};
 
-  // A weight f = a / n in [0, 1], of components off by A and N, is off by at most (A + N) / |n|, here at most 2.75 e; by two
-  // roundings in each of a and n, 4 e; and by one of the quotient and one of 1 - f, e / 2 each. In all 7.75 e of the
-  // promised 8 e = 2^-50.
+  // A weight f = a / n in [0, 1], of components off by A and N, is off by at most (A + N) / |n|, here at most 2.75 e;
+  // by two roundings in each of a and n, 4 e; and by one of the quotient and one of 1 - f, e / 2 each. In all 7.75 e of
+  // the promised 8 e = 2^-50.
   const double normal = at_root(at.normal, offset);
   constexpr double kWeightError = 2.75 * kUnit;
   if (!(spread * (2 * uw + rw + ru) <= kWeightError * std::fabs(normal))) return {Finding::uncertain};

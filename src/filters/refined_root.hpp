@@ -14,9 +14,9 @@ struct Magnitudes {
   double u, w, r;
 };
 
-/// A simple root of V in plain numbers. It lies in [t - radius, t + radius], where V' keeps the sign of `slope` and is at
-/// least half of it (see BernsteinCubic::Root). At h away from t, h at most the radius, V' differs from `slope` by at most
-/// slope_error + curvature h.
+/// A simple root of V in plain numbers. It lies in [t - radius, t + radius], where V' keeps the sign of `slope` and is
+/// at least half of it (see BernsteinCubic::Root). At h away from t, h at most the radius, V' differs from `slope` by
+/// at most slope_error + curvature h.
 struct SimpleRoot {
   double t;  ///< 1 - t is a double
   double radius;
@@ -32,13 +32,13 @@ struct SimpleRoot {
 struct RefinedRoot {
   Finding finding = Finding::uncertain;
   double toi = 0, toi_upper = 0;  ///< the neighbouring doubles around a contact's time
-  /// Of a contact. Edge-edge: f1, f2 and 0, the fractions along the first and the second edge. Vertex-face: the weights of
-  /// f0, f1 and f2.
+  /// Of a contact. Edge-edge: f1, f2 and 0, the fractions along the first and the second edge. Vertex-face: the weights
+  /// of f0, f1 and f2.
   std::array<double, 3> weights{};
 };
 
-/// Decides a simple root of V. It asks for an exact value when the time is too close to a double. It is uncertain where a
-/// time, a side or a weight cannot be certified: a touched corner or border, for one.
+/// Decides a simple root of V. It asks for an exact value when the time is too close to a double. It is uncertain where
+/// a time, a side or a weight cannot be certified: a touched corner or border, for one.
 RefinedRoot refine_root(const Question& question, const SimpleRoot& root);
 
 }  // namespace touchstone::filters

@@ -15,9 +15,9 @@ struct Columns {
   const double* end[4][3];
 };
 
-/// proved[i] != 0, 0 <= i < count, proves that query first + i of the columns has no contact and that its coordinates are
-/// finite. It is so exactly when certain_same_side is true. The result is the same for every width, since every lane takes
-/// the same steps.
+/// proved[i] != 0, 0 <= i < count, proves that query first + i of the columns has no contact and that its coordinates
+/// are finite. It is so exactly when certain_same_side is true. The result is the same for every width, since every
+/// lane takes the same steps.
 using SameSideKernel = void (*)(const Columns& columns, std::size_t first, std::size_t count, std::int64_t* proved);
 
 /// Whether the machine has vectors of that width, and the compiler that built the library could use them.

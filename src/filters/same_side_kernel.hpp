@@ -1,5 +1,5 @@
-// The kernel's text. Each file that includes it is compiled for vectors of another width, so no compiled function may be
-// shared between these files: the functions here are local to the file, the templates of coplanarity_form.hpp are
+// The kernel's text. Each file that includes it is compiled for vectors of another width, so no compiled function may
+// be shared between these files: the functions here are local to the file, the templates of coplanarity_form.hpp are
 // instantiated for types that only that file has, and nothing of the standard library is called.
 // SPDX-License-Identifier: MIT
 #pragma once

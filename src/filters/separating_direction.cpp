@@ -11,11 +11,12 @@
 namespace touchstone::filters {
 namespace {
 
-// Let D and M be the largest absolute coordinates of the direction and of the computed differences. A projection is a sum
-// of 3 products d_k (x_k - o_k). Each product passes through one difference, one product and at most two additions. So the
-// error is at most 3 ((1 + e)^4 - 1) D M (1 + e) = 12 e D M to first order. The rest of the constant covers second-order
-// terms, the rounding of the bound, and underflow (3 * 2^-1075, below e D M / 2 when D M >= 2^-1000). Overflow needs no
-// guard: gap_along looks for projections that are infinite or NaN, and no gap exceeds an infinite bound.
+// Let D and M be the largest absolute coordinates of the direction and of the computed differences. A projection is a
+// sum of 3 products d_k (x_k - o_k). Each product passes through one difference, one product and at most two additions.
+// So the error is at most 3 ((1 + e)^4 - 1) D M (1 + e) = 12 e D M to first order. The rest of the constant covers
+// second-order terms, the rounding of the bound, and underflow (3 * 2^-1075, below e D M / 2 when D M >= 2^-1000).
+// Overflow needs no guard: gap_along looks for projections that are infinite or NaN, and no gap exceeds an infinite
+// bound.
 constexpr double kProjectionBound = 13 * kUnit;
 
 double largest_of(const Vector& v) noexcept { return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])}); }
@@ -50,8 +51,8 @@ Gap gap_along(const RelativeCorners& corners, const Vector& direction) noexcept 
   const double bound = projection_bound(corners, direction);
   constexpr double inf = std::numeric_limits<double>::infinity();
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  // The plane may move with the elements. A projection is linear in time. So the difference of two corners' projections is
-  // never less than the smaller of its two values at the ends of the step.
+  // The plane may move with the elements. A projection is linear in time. So the difference of two corners' projections
+  // is never less than the smaller of its two values at the ends of the step.
   double above = inf;  // how far the second element is above the first, at the end of the step where that is least
   double below = inf;
   for (const auto* at : {&corners.start, &corners.end}) {
@@ -68,8 +69,8 @@ Gap gap_along(const RelativeCorners& corners, const Vector& direction) noexcept 
     above = std::min(above, least[1] - greatest[0]);
     below = std::min(below, least[0] - greatest[1]);
   }
-  // Each of the two projections is off by at most `bound`. A third `bound` covers the rounding of their difference: e times
-  // a value of at most 6 D M (1 + 4 e).
+  // Each of the two projections is off by at most `bound`. A third `bound` covers the rounding of their difference: e
+  // times a value of at most 6 D M (1 + 4 e).
   return {std::max(above, below), 3 * bound};
 }
 

@@ -27,8 +27,8 @@ RelativeCorners relative_corners(const Query& query) noexcept;
 double projection_bound(const RelativeCorners& corners, const Vector& direction) noexcept;
 
 /// The least distance along a direction between the two elements over the step, where one is above the other all along;
-/// negative or zero where they may touch. The true distance is at most `error` away. NaN where a projection is not finite,
-/// or may underflow.
+/// negative or zero where they may touch. The true distance is at most `error` away. NaN where a projection is not
+/// finite, or may underflow.
 struct Gap {
   double value;
   double error;

@@ -16,10 +16,11 @@ bool equal(const Vec3& a, const Vec3& b) noexcept { return a.x == b.x && a.y == 
 
 /// Whether two edges are certainly not parallel (nor points) at t = 0.
 ///
-/// Let U and W be the largest absolute coordinates of their directions. A component of the cross product has 2 monomials that
-/// pass through 2 differences, a product and a subtraction each: 8 e U W, e = 2^-53. The rest of the constant covers
-/// second-order terms and, for U W >= 2^-1000, underflow. Overflow is no error: products are at most U W, so where one
-/// overflows U W is infinite and no component exceeds it, and an infinite difference of finite numbers is not zero.
+/// Let U and W be the largest absolute coordinates of their directions. A component of the cross product has 2
+/// monomials that pass through 2 differences, a product and a subtraction each: 8 e U W, e = 2^-53. The rest of the
+/// constant covers second-order terms and, for U W >= 2^-1000, underflow. Overflow is no error: products are at most
+/// U W, so where one overflows U W is infinite and no component exceeds it, and an infinite difference of finite
+/// numbers is not zero.
 bool certainly_not_parallel(const Query& q) noexcept {
   constexpr double kBound = 9 * 0x1p-53;
   const auto direction = [&](std::size_t from, std::size_t to) {

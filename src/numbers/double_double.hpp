@@ -1,8 +1,8 @@
-// Error-free transformations and short double-double arithmetic (Dekker 1971, Knuth; see Ogita, Rump and Oishi 2005), for
-// doubles and for packs of them. Everything assumes round to nearest, one IEEE operation per operator, and no underflow
-// in products (see the guards of the callers). Nothing is contracted; where a file is compiled for a processor with fused
-// multiply-add, the low part of a product, which is exact either way, comes from one. The inline namespace keeps
-// functions of such files apart from those of the others.
+// Error-free transformations and short double-double arithmetic (Dekker 1971, Knuth; see Ogita, Rump and Oishi 2005),
+// for doubles and for packs of them. Everything assumes round to nearest, one IEEE operation per operator, and no
+// underflow in products (see the guards of the callers). Nothing is contracted; where a file is compiled for a
+// processor with fused multiply-add, the low part of a product, which is exact either way, comes from one. The inline
+// namespace keeps functions of such files apart from those of the others.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -56,13 +56,14 @@ DoubleDoubleOf<N> two_product(N a, N b) noexcept {
 #endif
 }
 
-/// The same number with the least low part: at most half a unit in the last place of the high one.
+/// The same number with the smallest low part: at most half a unit in the last place of the high part.
 template <class N>
 DoubleDoubleOf<N> normalised(const DoubleDoubleOf<N>& a) noexcept {
   return two_sum(a.high, a.low);
 }
 
-// The four below do not normalise: low parts grow by the few units in the last place that the callers' bounds allow.
+// The four operators below do not normalise. Low parts grow by a few units in the last place; the callers' bounds allow
+// for that.
 
 template <class N>
 DoubleDoubleOf<N> operator+(const DoubleDoubleOf<N>& a, const DoubleDoubleOf<N>& b) noexcept {

@@ -1,8 +1,8 @@
 // Dyadic rationals m 2^e of any size, exact under +, - and *: the ring that decisions are made in.
 //
-// Why our own, beside CGAL's Mpzf that has the same representation: on the exact level's queries most numbers have one
-// to six limbs, and Mpzf spends most of its time around the arithmetic (calls into GMP for single limbs, copies, heap
-// blocks above eight limbs). Here short operands are worked on in line; long ones go to GMP's mpn level.
+// CGAL's Mpzf has the same representation. The reason for a class of our own: on the exact level's queries most numbers
+// have one to six limbs, and Mpzf spends most of its time around the arithmetic (calls into GMP for single limbs,
+// copies, heap blocks above eight limbs). Here short operands are computed in line; long ones go to GMP's mpn level.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -31,7 +31,8 @@ class Dyadic {
   int sign() const noexcept { return (size_ > 0) - (size_ < 0); }
   bool is_zero() const noexcept { return size_ == 0; }
 
-  /// The value is sign() * (limb(0) + limb(1) 2^64 + ...) * 2^(64 limb_exponent()); the first and the last limb are not 0.
+  /// The value is sign() * (limb(0) + limb(1) 2^64 + ...) * 2^(64 limb_exponent()); the first and the last limb are not
+  /// 0.
   int limb_count() const noexcept { return size_ < 0 ? -size_ : size_; }
   Limb limb(int i) const noexcept { return data()[i]; }
   int limb_exponent() const noexcept { return exponent_; }
@@ -66,7 +67,7 @@ class Dyadic {
 
   Limb* data() noexcept { return capacity_ == kInline ? inline_ : heap_; }
   const Limb* data() const noexcept { return capacity_ == kInline ? inline_ : heap_; }
-  void reserve(int limbs);  // of a number that holds nothing yet
+  void reserve(int limbs);  // only for a number that holds nothing yet
   void release() noexcept;
   void copy_limbs(const Dyadic& other) noexcept;
   void trim(int count, bool negative) noexcept;

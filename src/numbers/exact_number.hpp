@@ -1,4 +1,4 @@
-// The exact ring that decisions are made in, and its doors to doubles and text.
+// The exact ring that decisions are made in, and conversions to doubles and text.
 // SPDX-License-Identifier: MIT
 #pragma once
 

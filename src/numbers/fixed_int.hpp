@@ -1,6 +1,6 @@
-// Integers of a fixed number of 64-bit limbs, in two's complement: exact arithmetic without a branch or an allocation, for
-// numbers whose size is known beforehand. Products are as wide as both factors together; sums are as wide as their
-// operands, and it is the user's part to leave room for their carries.
+// Integers of a fixed number of 64-bit limbs, in two's complement: exact arithmetic without a branch or an allocation,
+// for numbers whose size is known beforehand. Products are as wide as both factors together. Sums are as wide as their
+// operands: the user must leave room for the carry.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -40,7 +40,7 @@ class FixedInt {
     FixedInt result;
     if (significand == 0) return result;
     int shift = (biased == 0 ? 1 : biased) - 1075 - exponent;
-    if (shift < 0) {  // then these bits are zero
+    if (shift < 0) {  // the bits shifted out are zero
       significand >>= -shift;
       shift = 0;
     }
@@ -99,7 +99,7 @@ class FixedInt {
       }
       product.set_limb(i + Others, carry);
     }
-    // The limbs of a negative x stand for x + 2^(64 size): take what that adds to the product away from its upper part.
+    // The limbs of a negative x stand for x + 2^(64 size). Subtract from the product's upper part what this adds to it.
     subtract_above(product, b, Limbs, a.sign_mask());
     subtract_above(product, a, Others, b.sign_mask());
     return product;

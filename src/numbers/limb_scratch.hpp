@@ -1,4 +1,4 @@
-// Memory for long numbers that live no longer than one decision: without the heap, in the caller's frame.
+// Memory for long numbers that live no longer than one decision: on the stack, without the heap.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -7,8 +7,9 @@
 
 namespace touchstone::numbers {
 
-/// While one lives, the numbers of its thread that are too long to hold their own limbs take blocks of it, as long as there are
-/// some and they are large enough, and the heap's after that. Such numbers must not outlive it, nor go to another thread.
+/// While a scratch lives, numbers of its thread that are too long to hold their own limbs take its blocks. Where no
+/// block is free or large enough, they use the heap. A number in a block must not outlive the scratch, nor go to
+/// another thread.
 class LimbScratch {
  public:
   using Limb = unsigned long;
@@ -27,7 +28,7 @@ class LimbScratch {
     return scratch != nullptr && limbs <= kBlockLimbs ? scratch->take_block() : nullptr;
   }
 
-  /// Whether the block was one of the thread's, and is so no more.
+  /// Frees the block if it belongs to a scratch of this thread; returns whether it does.
   static bool give_back(const Limb* block) noexcept {
     for (LimbScratch* scratch = current_; scratch != nullptr; scratch = scratch->previous_) {
       const std::ptrdiff_t offset =

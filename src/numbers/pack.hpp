@@ -1,7 +1,8 @@
 // Packs of doubles that are computed side by side. Each operator is one IEEE operation in every lane.
 //
-// A file may be compiled for wider vectors than every processor has. No function that it instantiates may then be shared
-// with other files. So packs are in an unnamed namespace: every file that includes this one has types of its own.
+// A file may be compiled for wider vectors than every processor has. No function that it instantiates may then be
+// shared with other files. So packs are in an unnamed namespace: every file that includes this one has types of its
+// own.
 // SPDX-License-Identifier: MIT
 #pragma once
 

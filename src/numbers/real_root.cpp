@@ -60,8 +60,8 @@ Dense positive_remainder(Dense a, const Dense& b) {
   return a;
 }
 
-/// numerator / denominator over a bracket, if it varies by so little that this is the quotient at the root within 2^-50.5; it is
-/// known to lie in [0, 1] there.
+/// numerator / denominator over a bracket, if it varies by so little that this is the quotient at the root within
+/// 2^-50.5; it is known to lie in [0, 1] there.
 bool quotient_over(const RootBracket& bracket, Coefficients numerator, Coefficients denominator, double& result) {
   // Both polynomials lie between the least and the greatest of their Bernstein coefficients over the bracket. Twice
   // those of a quadratic: 2 q(low), its polar form, 2 q(high).
@@ -278,10 +278,10 @@ bool RealRoot::vanishes_at_isolated(Coefficients q) const {
 }
 
 ValueNear value_near(const double* c, int size, double lower) noexcept {
-  // e = 2^-53, S the sum of the coefficients' absolute values. At `lower` the coefficients are off by 4 e S, and at most 6
-  // roundings of values of at most S follow. The next double is at most e away, where the slope is at most 3 S: 13 e S in
-  // all; the rest is for second-order terms and the rounding of S. From a least S up, coefficients and products that
-  // underflow do not count; what overflows makes the error infinite.
+  // e = 2^-53, S the sum of the coefficients' absolute values. At `lower` the coefficients are off by 4 e S, and at
+  // most 6 roundings of values of at most S follow. The next double is at most e away, where the slope is at most 3 S:
+  // 13 e S in all; the rest is for second-order terms and the rounding of S. From a least S up, coefficients and
+  // products that underflow do not count; what overflows makes the error infinite.
   constexpr double kBound = 14 * 0x1p-53;
   constexpr double kLeast = 0x1p-900;
   double value = c[size - 1];

@@ -1,5 +1,5 @@
-// Real roots of polynomials of degree at most 3 with exact coefficients, and the signs of other polynomials there,
-// decided without approximating the root: zero means zero.
+// Real roots of polynomials of degree at most 3 with exact coefficients, and the signs of other polynomials there.
+// Signs are exact, zero included: no approximation of the root decides them.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -17,16 +17,17 @@
 
 namespace touchstone::numbers {
 
-/// The coefficients times one power of two, each within a relative error of 2^-52 where it does not underflow, the largest
-/// about 1: for hints. Zero beyond p's size, at most 4.
+/// The coefficients times one power of two that makes the largest about 1, for hints. Each is within a relative error
+/// of 2^-52 where it does not underflow. Zero beyond p's size, at most 4.
 struct ScaledDoubles {
   std::array<double, 4> c;
   long exponent;  ///< coefficient i is about c[i] 2^exponent
 };
 ScaledDoubles scaled_to_doubles(Coefficients p);
 
-/// The value of a polynomial of degree at most 3, from coefficients within a relative error of 2^-51, at any time between
-/// `lower`, in [0, 1], and the next double: off by at most `error`, which is NaN or infinite where nothing is known.
+/// The value of a polynomial of degree at most 3, from coefficients within a relative error of 2^-51, at any time
+/// between `lower`, in [0, 1], and the next double: off by at most `error`, which is NaN or infinite where nothing is
+/// known.
 struct ValueNear {
   double value;
   double error;
@@ -34,7 +35,7 @@ struct ValueNear {
 ValueNear value_near(const double* c, int size, double lower) noexcept;
 
 /// One real root in [0, 1]: either a rational, or the only root of a polynomial inside an open dyadic interval, where
-/// that polynomial changes sign. What it finds out about itself it keeps: not to be asked by two threads at a time.
+/// that polynomial changes sign. Its functions cache narrower intervals, const ones too: two threads must not share it.
 class RealRoot {
  public:
   /// numerator / denominator; the denominator is not zero.
@@ -44,7 +45,7 @@ class RealRoot {
   /// signs, `sign_low` being p(low)'s. p's leading coefficient is not zero.
   static RealRoot isolated(Coefficients p, const Exact& low, const Exact& high, int sign_low);
 
-  /// As a root of the polynomial that was isolated.
+  /// Of this root in the polynomial that was isolated.
   int multiplicity() const { return multiplicity_; }
 
   /// The neighbouring doubles around the root: the largest double <= it and the smallest >= it.
@@ -77,7 +78,8 @@ class RealRoot {
   /// 1 - this root.
   RealRoot reversed() const;
 
-  /// numerator(root) / denominator(root) within an absolute error of 2^-50.5, given that the quotient lies in [0, 1] and the denominator is not zero at the root.
+  /// numerator(root) / denominator(root) within an absolute error of 2^-50.5, given that the quotient lies in [0, 1]
+  /// and the denominator is not zero at the root.
   double quotient(const Polynomial<Exact, 2>& numerator, const Polynomial<Exact, 2>& denominator) const;
   template <class R>
   double quotient(const Polynomial<R, 2>& numerator, const Polynomial<R, 2>& denominator) const {
@@ -112,8 +114,8 @@ class RealRoot {
     }
   }
 
-  /// The sign at the root of a polynomial of degree at most 3, from coefficients within a relative error of 2^-51; 0 when
-  /// uncertain.
+  /// The sign at the root of a polynomial of degree at most 3, from coefficients within a relative error of 2^-51; 0
+  /// when uncertain.
   int certain_sign(const double* c, int size) const {
     const ValueNear value = value_near(c, size, lower_);
     return value.value > value.error ? 1 : value.value < -value.error ? -1 : 0;
@@ -130,12 +132,12 @@ class RealRoot {
   int multiplicity_ = 1;
   Exact numerator_, denominator_;  // of a rational root; the denominator is positive
   static constexpr std::int64_t kSmall = std::int64_t{1} << 60;
-  std::int64_t small_numerator_ = 0,
-               small_denominator_ = 0;  // the same in integers below kSmall; 0 and 0 where they are not
-  int degree_ = 0;                      // of the polynomial of an isolated root
+  // The same in integers below kSmall; 0 and 0 where they are larger.
+  std::int64_t small_numerator_ = 0, small_denominator_ = 0;
+  int degree_ = 0;  // of the polynomial of an isolated root
   std::array<Exact, 4> p_;
   RootBracket bracket_;         // no wider than between the neighbouring doubles
-  mutable RootBracket narrow_;  // the narrowest that was asked for
+  mutable RootBracket narrow_;  // the narrowest so far
   double lower_ = 0, upper_ = 0;
 };
 
@@ -155,8 +157,8 @@ class RootList {
 /// over the real line. p has formal degree at most 3 and is not identically zero.
 RootList isolate_roots(Coefficients p, const Exact& limit);
 
-/// Whether p has certainly no root in [0, 1]: its Bernstein coefficients have one sign, those at the ends strictly. R leaves
-/// room for sums of 6 coefficients.
+/// Whether p has certainly no root in [0, 1]: its Bernstein coefficients have one sign, those at the ends strictly. R
+/// leaves room for sums of 6 coefficients.
 template <class R, int D>
 bool has_no_root(const Polynomial<R, D>& p) {
   const int first = sign_of(p[0]);

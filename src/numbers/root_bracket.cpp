@@ -10,7 +10,7 @@
 namespace touchstone::numbers {
 namespace {
 
-constexpr long kMostBits = 20000;  // of a bracket's ends, that a hint is worth
+constexpr long kMostBits = 20000;  // of a bracket's ends: a hint is not worth more
 
 /// A double with an exponent of its own: no overflow, no underflow. Only for hints.
 class Wide {
@@ -73,15 +73,15 @@ Exact quotient(Exact numerator, const Exact& denominator, long exponent) {
   }
 }
 
-/// From a point towards a root.
+/// A step from a point towards a root.
 struct Step {
-  Wide length;        ///< to the root of the parabola that p is at the point
-  long good_bits;     ///< of the length, in all likelihood
+  Wide length;        ///< to the root of p's parabola at the point
+  long good_bits;     ///< of the length; an estimate
   Wide newton_slope;  ///< p' at the root, with as many good bits; 0 where two roots are so close that it has none
 };
 
-/// To the root where p rises (slope_sign 1) or falls (-1). Two roots close to each other do not disturb it. Nothing when p is no
-/// parabola from here to there.
+/// The step to the root where p rises (slope_sign 1) or falls (-1). Two roots close to each other do not disturb it.
+/// Nothing when p is too far from a parabola between the point and the root.
 std::optional<Step> parabola_step(Coefficients p, const Exact& point, int slope_sign) {
   const Exact zero;
   const Exact& leading = p.size == 4 ? p.c[3] : zero;
@@ -124,8 +124,9 @@ struct NearRoots {
   int count;
 };
 
-/// Near the real roots of y^3 + 3 p y + q, by Cardano's formula where there is one and by Viete's where there are three. Of two
-/// that nearly coincide half of the digits are right, and it may be uncertain whether they are real: they are given then.
+/// Approximations of the real roots of y^3 + 3 p y + q, by Cardano's formula where there is one root and by Viete's
+/// where there are three. Of two roots that nearly coincide, half of the digits are right. Where it is uncertain
+/// whether two roots are real, they are given.
 NearRoots roots_of_depressed(const Wide& p, const Wide& q) {
   const Wide half_q = Wide(0.5) * q;
   const Wide discriminant = half_q * half_q + p * p * p;
@@ -193,8 +194,8 @@ void RootBracket::narrow(Coefficients p) {
   }
 }
 
-// Around the root of the parabola that p is at the lower end, and steps from there. Whatever the hints say, a bracket's ends are
-// what p's exact signs there prove. False when it has not become much smaller.
+// Tries an interval around the root of p's parabola at the lower end, and steps from there. The parabola is only a
+// hint: exact signs of p prove the ends of every bracket. False when the bracket has not become much smaller.
 bool RootBracket::narrow_by_model(Coefficients p) {
   std::optional<Step> step = parabola_step(p, low_, -sign_low_);
   if (!step || step->length.sign() <= 0 || step->length.log2() > Wide(high_ - low_).log2() + 1) return false;
@@ -215,8 +216,8 @@ bool RootBracket::narrow_by_model(Coefficients p) {
   return keep_within(p, root, power_of_two(step->length.log2() - step->good_bits + 1));
 }
 
-// Where all three roots lie so close to each other that from here they are one. With t = (y - b) / 3a a cubic's roots are
-// those of y^3 + 3 (3ac - b^2) y + (2b^3 - 9abc + 27a^2 d), over 27 a^2.
+// For three roots so close to each other that the parabola cannot tell them apart. With t = (y - b) / 3a, a cubic's
+// roots are those of y^3 + 3 (3ac - b^2) y + (2b^3 - 9abc + 27a^2 d), over 27 a^2.
 bool RootBracket::narrow_by_formula(Coefficients cubic) {
   if (by_formula_ || cubic.size < 4) return false;
   by_formula_ = true;
@@ -238,8 +239,8 @@ bool RootBracket::narrow_by_formula(Coefficients cubic) {
   return false;
 }
 
-/// Keeps what is within the radius of the middle, or else the side of it where the root is. Whether the bracket has become much
-/// smaller.
+/// Narrows to within the radius of the middle, or else to the side of that interval on which the root lies. Returns
+/// whether the bracket has become much smaller.
 bool RootBracket::keep_within(Coefficients p, const Exact& middle, const Exact& radius) {
   const Exact before = high_ - low_;
   if (keep_side(p, middle - radius) || keep_side(p, middle + radius)) return true;

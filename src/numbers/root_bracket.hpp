@@ -1,4 +1,4 @@
-// An interval around one root of a polynomial, as small as it takes. SPDX-License-Identifier: MIT
+// An interval around one root of a polynomial that narrows as far as a caller needs. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 namespace touchstone::numbers {
 
 /// An open dyadic interval in which a polynomial p of degree 2 or 3 has exactly one root, a simple one, and changes its
-/// sign; or the root itself, where that turned out to be dyadic: then low() == high(). Functions that take p want the one it
-/// was made for.
+/// sign. Where the root is found to be dyadic, low() == high() is the root itself. The argument p of the functions
+/// below must be the polynomial that the bracket was made for.
 class RootBracket {
  public:
   RootBracket() = default;
@@ -25,20 +25,20 @@ class RootBracket {
   /// The sign of (root - value); exact.
   int compare(Coefficients p, const Exact& value) const;
 
-  /// Uses what `compare` says of the value; true when the root is the value itself.
+  /// Narrows to the side of the value on which the root lies; true when the root is the value itself.
   bool keep_side(Coefficients p, const Exact& value);
 
-  /// Uses that the root lies between two values.
+  /// Narrows to between two values, where the root is known to lie.
   void keep_between(const Exact& low, const Exact& high) {
     if (low > low_) low_ = low;
     if (high < high_) high_ = high;
   }
 
-  /// q's sign at the root, if q has one strict sign all over the bracket, as its Bernstein coefficients there show, or if the
-  /// bracket is the root. q's formal degree is at most 3.
+  /// q's sign at the root, if q has one strict sign all over the bracket, as its Bernstein coefficients there show, or
+  /// if the bracket is the root. q's formal degree is at most 3.
   std::optional<int> sign_over(Coefficients q) const;
 
-  /// Makes the bracket smaller: by a factor of at least 2, and as a rule of 2^40 and more, the more the oftener it is called.
+  /// Narrows the bracket by a factor of at least 2, and usually of 2^40 or more. The factor grows from call to call.
   void narrow(Coefficients p);
 
  private:
@@ -48,8 +48,8 @@ class RootBracket {
 
   Exact low_, high_;
   int sign_low_ = 0;
-  int corrections_ = 0;      // that the next call makes
-  bool by_formula_ = false;  // was done
+  int corrections_ = 0;      // how many the next call of narrow makes
+  bool by_formula_ = false;  // narrow_by_formula has been called
 };
 
 /// p(t).

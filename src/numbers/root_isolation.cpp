@@ -18,7 +18,8 @@ struct BernsteinSigns {
   int variations = 0;
 
   BernsteinSigns(Coefficients p, const Exact& limit) : size(p.size) {
-    // With c_i scaled by limit^i the interval is [0, 1], and coefficient k is sum_i binomial(k, i) / binomial(n, i) c_i.
+    // With c_i scaled by limit^i the interval is [0, 1], and coefficient k is sum_i binomial(k, i) / binomial(n, i)
+    // c_i.
     std::array<Exact, 4> c;
     Exact power(1);
     for (int i = 0; i < size; ++i) {
@@ -56,8 +57,8 @@ Exact truncated(mpf_class x, mp_bitcnt_t bits) {
   return exact_from_integer(mpz_class(x)) * power_of_two(-static_cast<long>(bits));
 }
 
-// Approximations that improve with `bits`, without a bound: their users check them exactly and ask again. The first are in
-// doubles.
+// Approximations that improve with `bits`, without an error bound. Their users check them exactly, and ask again for
+// more bits where the check fails. The first ones are in doubles.
 constexpr mp_bitcnt_t kInDoubles = 32;
 
 Exact from_double(double x) { return Exact(std::isfinite(x) ? x : 0.0); }
@@ -181,7 +182,8 @@ class OpenInterval {
 
     Exact low(0);
     for (const int side : {-1, 1}) {
-      // The critical point is > 0 iff: left one, slope > 0 at 0 left of the inflection; right one, not (slope >= 0 right of it).
+      // The critical point is > 0 iff: left one, slope > 0 at 0 left of the inflection; right one, not (slope >= 0
+      // right of it).
       const int side0 = side_of_inflection(Exact(0));
       const int side_limit = side_of_inflection(limit_);
       const bool after_zero =

@@ -33,7 +33,8 @@ bool is_on_segment(const Moment& at, const Corner& P, const Corner& X, const Cor
 /// The sign of (Y - X) . (Q - P), for vectors known to be parallel.
 CGAL::Sign relative_direction(const Moment& at, const Corner& X, const Corner& Y, const Corner& P, const Corner& Q);
 
-/// The feature of XY that P touches, with P's weights (of X, of Y, 0). P must lie on XY. A corner wins over the interior.
+/// The feature of XY that P touches, with P's weights (of X, of Y, 0). P must lie on XY. A corner wins over the
+/// interior.
 FeaturePoint point_on_edge(const Moment& at, const Corner& P, const Corner& X, const Corner& Y, const EdgeNames& names);
 
 }  // namespace touchstone::oracle

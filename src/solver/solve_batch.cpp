@@ -36,8 +36,8 @@ void validate_options(const BatchOptions& options) {
   solver::validate_t_max(options.t_max);
 }
 
-/// Covers [0, count) by calls of answer_range(first, last), in the default environment, on `threads` threads (0: as many as
-/// the machine has).
+/// Covers [0, count) by calls of answer_range(first, last), in the default environment, on `threads` threads (0: as
+/// many as the machine has).
 template <class AnswerRange>
 void for_each_range(std::size_t count, int threads, const AnswerRange& answer_range) {
   const auto in_environment = [&](std::size_t first, std::size_t last) {

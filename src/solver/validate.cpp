@@ -31,19 +31,6 @@ std::string shortened(const std::string& text) {
   return text.size() <= kShown ? text : text.substr(0, kShown) + "...";
 }
 
-/// Whether all coordinates of `count` corners are finite: x - x is +0 for a finite x and a NaN for any other.
-bool all_finite(const Vec3* corners, std::size_t count) noexcept {
-  std::uint64_t differences = 0;
-  const double* x = &corners->x;
-  for (std::size_t i = 0; i < 3 * count; ++i) {
-    const double difference = x[i] - x[i];
-    std::uint64_t bits;
-    std::memcpy(&bits, &difference, sizeof bits);
-    differences |= bits;
-  }
-  return differences == 0;
-}
-
 [[noreturn]] void throw_not_finite(const Query& query) {
   for (int side = 0; side < 2; ++side) {
     const auto& corners = side == 0 ? query.start : query.end;
@@ -80,11 +67,22 @@ void validate_kind(Kind kind) {
 void validate(const Query& query, double t_max) {
   validate_kind(query.kind);
   validate_t_max(t_max);
-  const Vec3* const start = query.start.data();
-  const Vec3* const end = query.end.data();
+  // x - x is +0 for a finite x and a NaN for any other.
+  const auto all_finite = [&query](std::size_t count) {
+    std::uint64_t differences = 0;
+    for (const Vec3* const corners : {query.start.data(), query.end.data()}) {
+      const double* const x = &corners->x;
+      for (std::size_t i = 0; i < 3 * count; ++i) {
+        const double difference = x[i] - x[i];
+        std::uint64_t bits;
+        std::memcpy(&bits, &difference, sizeof bits);
+        differences |= bits;
+      }
+    }
+    return differences == 0;
+  };
   const std::size_t count = corner_count(query.kind);
-  const bool finite =
-      count == 4 ? all_finite(start, 4) && all_finite(end, 4) : all_finite(start, count) && all_finite(end, count);
+  const bool finite = count == 4 ? all_finite(4) : all_finite(count);  // most have four, and that loop is unrolled
   if (!finite) throw_not_finite(query);
 }
 

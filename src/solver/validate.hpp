@@ -9,8 +9,8 @@
 
 namespace touchstone::solver {
 
-/// Whether 0 <= t_max <= 1, -0.0 included. It compares bits, because in flush-to-zero mode a comparison of doubles takes a
-/// negative subnormal for zero.
+/// Whether 0 <= t_max <= 1, -0.0 included. It compares bits, because in flush-to-zero mode a comparison of doubles
+/// takes a negative subnormal for zero.
 inline bool is_time(double t_max) noexcept {
   constexpr std::uint64_t kOne = 0x3FF0000000000000;
   constexpr std::uint64_t kMinusZero = 0x8000000000000000;

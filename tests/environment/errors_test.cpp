@@ -117,6 +117,35 @@ TEST_CASE("a t_max of -0.0 is 0") {
   }
 }
 
+TEST_CASE("a kind that is none of the four is refused by its number") {
+  const std::string says = "the kind is 77; it must be one of 0 to 3";
+  Query query;
+  query.kind = Kind(77);
+  RationalQuery fractions;
+  fractions.kind = Kind(77);
+  for (const Method method : kMethods) {
+    check_message(refusal([&] { solve(query, method); }), {says});
+    check_message(refusal([&] { solve(fractions, method); }), {says});
+  }
+  check_message(refusal([&] { solve(query); }), {says});
+  check_message(refusal([&] { solve(query, 0.5); }), {says});
+  check_message(refusal([&] { solve_any(query); }), {says});
+  check_message(refusal([&] { contact_times(query); }), {says});
+  check_message(refusal([&] { contact_times(fractions); }), {says});
+  check_message(refusal([&] { solve_batch({Query(), query}); }), {"query 1", says});
+  Answer answer;
+  check_message(refusal([&] { solve_batch(&query, 1, &answer); }), {"query 0", says});
+  QueryColumns columns;  // of no queries, and of the wrong kind all the same
+  columns.kind = Kind(77);
+  check_message(refusal([&] { solve_batch(columns); }), {says});
+  check_message(refusal([&] { solve_batch(columns, &answer); }), {says});
+  query.kind = Kind(4);
+  check_message(refusal([&] { solve(query); }), {"the kind is 4;"});
+  CHECK(kind_name(Kind(77)).empty());
+  CHECK(corner_name(Kind(77), 0).empty());
+  CHECK(feature_name(Feature(77)).empty());
+}
+
 TEST_CASE("a batch names the first query that is wrong") {
   std::vector<Query> queries(2000, make(CaseId{Family::lattice4, Kind::vertex_face, 22, 0}));
   queries[1234].start[3].x = kNan;

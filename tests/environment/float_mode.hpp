@@ -43,7 +43,8 @@ struct FloatMode {
   int rounding = FE_TONEAREST;
   bool flush = false;      ///< subnormals are flushed to zero (where kCanFlush)
   bool traps = false;      ///< every floating-point exception unmasked (glibc only)
-  bool short_x87 = false;  ///< x87 computes with 24 bits (x86 only)
+  int x87_bits = 64;       ///< of x87's significands: 24, 53 or 64 (x86 only)
+  bool x87_traps = false;  ///< every exception of x87 unmasked, whatever those of SSE are (x86 only)
   std::string name() const;
 };
 
@@ -54,7 +55,8 @@ inline std::string FloatMode::name() const {
                                                  : "to nearest";
   if (flush) text += ", subnormals flushed";
   if (traps) text += ", exceptions unmasked";
-  if (short_x87) text += ", x87 at 24 bits";
+  if (x87_bits != 64) text += ", x87 at " + std::to_string(x87_bits) + " bits";
+  if (x87_traps) text += ", x87's exceptions unmasked";
   return text;
 }
 
@@ -86,12 +88,12 @@ class WithFloatMode {
     std::feclearexcept(FE_ALL_EXCEPT);
     std::fesetround(mode.rounding);
 #if TOUCHSTONE_X86
-    if (mode.short_x87) {
-      unsigned short control = 0;
-      __asm__ volatile("fnstcw %0" : "=m"(control));
-      control = static_cast<unsigned short>(control & ~0x300u);
-      __asm__ volatile("fldcw %0" : : "m"(control));
-    }
+    unsigned short control = 0;
+    __asm__ volatile("fnstcw %0" : "=m"(control));
+    const unsigned precision = mode.x87_bits == 24 ? 0u : mode.x87_bits == 53 ? 0x200u : 0x300u;
+    control = static_cast<unsigned short>((control & ~0x300u) | precision);
+    if (mode.x87_traps) control = static_cast<unsigned short>(control & ~0x3Fu);
+    __asm__ volatile("fldcw %0" : : "m"(control));
 #endif
     set_control_register((control_register() & ~kFlushBits) | (mode.flush ? kFlushBits : 0));
 #if defined(__GLIBC__)
@@ -106,16 +108,20 @@ class WithFloatMode {
   std::fenv_t saved_;
 };
 
-/// Every rounding mode, with and without flushing, with and without traps; and a short x87.
+/// Every rounding mode, with and without flushing, with and without traps; and x87 with fewer bits, or with traps where
+/// SSE has none.
 inline std::vector<FloatMode> float_modes() {
   std::vector<FloatMode> modes;
   for (const int rounding : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
     for (const bool flush : {false, true}) {
-      for (const bool traps : {false, true}) modes.push_back({rounding, flush, traps, false});
+      for (const bool traps : {false, true}) modes.push_back({rounding, flush, traps});
     }
   }
-  modes.push_back({FE_TONEAREST, false, false, true});
-  modes.push_back({FE_UPWARD, true, true, true});
+  modes.push_back({FE_TONEAREST, false, false, 24});
+  modes.push_back({FE_TONEAREST, false, false, 53});
+  modes.push_back({FE_UPWARD, true, true, 24});
+  modes.push_back({FE_TONEAREST, false, false, 64, true});
+  modes.push_back({FE_DOWNWARD, true, false, 53, true});
   return modes;
 }
 

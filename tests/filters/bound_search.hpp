@@ -15,8 +15,8 @@
 
 namespace touchstone::tests {
 
-/// A bound is idle, and costs speed, where a search does not come nearer than this; and a search that finds nothing proves
-/// nothing.
+/// A bound is idle, and costs speed, where a search does not come nearer than this; and a search that finds nothing
+/// proves nothing.
 constexpr double kNear = 0.125;
 
 /// In slow builds searches are short, and not held to come near.

@@ -131,8 +131,8 @@ TEST_CASE("a certified root is there, and its slope and curvature bounds hold") 
 }
 
 TEST_CASE("a root just outside of the step is not taken for the one inside") {
-  // n = (0, 0, a(t)) with a = t + e, and v at height 3/4 - t: V = (t + e) (3/4 - t); and the same with time reversed. A step from the
-  // chord's zero, beside the end, is near the wrong root.
+  // n = (0, 0, a(t)) with a = t + e, and v at height 3/4 - t: V = (t + e) (3/4 - t); and the same with time reversed. A
+  // step from the chord's zero, beside the end, is near the wrong root.
   int decided = 0;
   for (int k = 30; k <= 52; ++k) {
     const double beside = std::ldexp(1.0, -k);

@@ -107,8 +107,8 @@ inline double share(double x) {
 /// A time for a BernsteinCubic.
 inline double time_from(double x) { return filters::exact_to_one(share(x)); }
 
-/// Searches over the 24 coordinates and `more` numbers besides, with so many steps at most from a start, among samples for
-/// which `usable` says that the level works on them.
+/// Searches over the 24 coordinates and `more` numbers besides, with so many steps at most from a start, among samples
+/// for which `usable` says that the level works on them.
 template <class Usable, class Ratio>
 BoundSearch searched(std::uint64_t seed, std::size_t more, int steps, const Usable& usable, const Ratio& ratio) {
   Rng rng(seed);

@@ -68,8 +68,8 @@ TEST_CASE("what the filters decide is so, and every test decides in the families
 }
 
 TEST_CASE("edges so long that a product of their lengths overflows are left to the exact level") {
-  // The middle coefficient of (u x w)_x is infinite in doubles, while b0 and b3 are finite and above 0. So doubles see a cubic
-  // without roots, but 3 b1 and 3 b2 are below 0.
+  // The middle coefficient of (u x w)_x is infinite in doubles, while b0 and b3 are finite and above 0. So doubles see
+  // a cubic without roots, but 3 b1 and 3 b2 are below 0.
   constexpr double kLong = 0x1.8p511, kThin = 0x1p-46;
   for (const double r : {1.0, 0x1p-100, 0x1p100}) {
     EdgeEdge query{{{{0, 0, 0}, {0, kLong, 0}, {kThin * r, r, -r / 8}, {kThin * r, r, kLong}}},

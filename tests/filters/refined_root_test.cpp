@@ -73,7 +73,8 @@ SeenRoot seen_from(const FrameCase& s, const BernsteinCubic& cubic, double away,
   return {promised, {t, radius, slope, cubic.slope_error(), cubic.curvature()}};
 }
 
-/// How far a root is from `near`, which is next to it: a step of Newton's with exact values, as good as the root itself.
+/// How far a root is from `near`, which is next to it: a step of Newton's with exact values, as good as the root
+/// itself.
 double missing(const FrameCase& s, const Exact& near) {
   return -numbers::approximate_quotient(s.value(near), s.slope(near));
 }
@@ -116,8 +117,7 @@ TEST_CASE("the step to a root is off by no more than it says") {
            const BernsteinCubic cubic = s.cubic();
            const auto [found, root] = seen_from(s, cubic, scale_from(x[24], -56, -11));
            if (!found) return std::nan("");
-           const double value =
-               filters::contact_values(s.query.start.data(), s.query.end.data(), true, root.t, 0).coplanarity;
+           const double value = filters::contact_values(s.query, root.t, 0).coplanarity;
            const double error = filters::kCoplanarityError * cubic.size();
            const Offset offset = filters::offset_of(root, root.t, value, error);
            return std::fabs(missing(s, Exact(root.t) + Exact(offset.value))) / offset.error;
@@ -127,8 +127,8 @@ TEST_CASE("the step to a root is off by no more than it says") {
 TEST_CASE("the step to a root from another time is off by no more than it says") {
   report("step from beside", searched(88, 3, 20000, in_range, [](const FrameCase& s, const std::vector<double>& x) {
            const BernsteinCubic cubic = s.cubic();
-           // Seen from farther away than roots are, so that the slopes there and here differ by as much as they may; the
-           // curvature is then far above its own error. The time is anywhere, or near the root.
+           // Seen from farther away than roots are, so that the slopes there and here differ by as much as they may;
+           // the curvature is then far above its own error. The time is anywhere, or near the root.
            const double away = scale_from(x[24], -20, -2);
            const auto [found, root] = seen_from(s, cubic, away, 0.25);
            const double time = root.t + scale_from(x[25], -50, -3) - (x[26] > 0 ? away : 0);
@@ -179,8 +179,8 @@ std::vector<double> swept(const std::vector<double>& x) {
   return meeting(corners, 0.5 + 0x1p-6 * x[24], share(x[25]), 0.5 * share(x[26]));
 }
 
-/// The error of the weights of a contact that refine_root finds, over 2^-50. It sees the root from the side of `away`, from
-/// about as far as it can without being uncertain of the weights. NaN when it is never certain of a contact.
+/// The error of the weights of a contact that refine_root finds, over 2^-50. It sees the root from the side of `away`,
+/// from about as far as it can without being uncertain of the weights. NaN when it is never certain of a contact.
 double weights_ratio(const FrameCase& s, double away) {
   const BernsteinCubic cubic = s.cubic();
   const SeenRoot nearest = seen_from(s, cubic, 0);
