@@ -36,6 +36,7 @@ reason_not_to_run() {
     .ci/run*) echo 'it runs every test, this one among them' ;;
     fuzz/run.sh*) echo 'it builds with clang and fuzzes for minutes; .ci/run runs it' ;;
     fuzz/weaken-constants.py*) echo 'it builds the library dozens of times' ;;
+    *' --target docs') echo 'tests/doxygen runs Doxygen' ;;
     'cmake --preset '*) echo 'it configures a build for developers; building that takes many minutes' ;;
     'cmake --build --preset '*) echo 'it builds everything, for many minutes' ;;
     'ctest '*) echo 'it runs every test, this one among them' ;;

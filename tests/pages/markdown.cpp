@@ -119,7 +119,7 @@ std::vector<std::string> broken_links(const std::string& root, const std::string
     const std::size_t hash = target.find('#');
     const std::string file = target.substr(0, hash);
     const fs::path there = file.empty() ? fs::path(root) / path : (fs::path(root) / path).parent_path() / file;
-    if (!fs::exists(there)) {
+    if (!file.empty() && !fs::exists(there)) {
       broken.push_back(at(path, line, "nothing is at " + target));
     } else if (hash != std::string::npos) {
       const Page other = file.empty() ? page : parse_page(file_text(there));

@@ -122,7 +122,7 @@ std::vector<std::string> source_violations(const std::string& path, std::string_
 }
 
 std::vector<std::string> layer_table_differences(std::string_view page) {
-  // | `folder` | what lives there | `layer`, `layer` |    or: nothing, or: all of the others
+  // | `folder` | what lives there | `layer`, `layer` |    or: nothing, or: all of the others but `layer`
   static const std::regex row(R"(\| `([a-z_]+)` \|.*\| ([^|]*) \|)");
   static const std::regex name("`([a-z_]+)`");
   std::vector<std::string> differences;
@@ -136,12 +136,16 @@ std::vector<std::string> layer_table_differences(std::string_view page) {
     if (!in_table || !std::regex_match(line, match, row)) continue;
     const std::string folder = match[1], uses = match[2];
     Layers& layers = shown[folder];
-    if (uses == "all of the others") {
-      for (const auto& entry : layer_table()) layers.insert(entry.first);
-      layers.erase(folder);
-      continue;
+    Layers named;
+    for (std::sregex_iterator i(uses.begin(), uses.end(), name), none; i != none; ++i) named.insert((*i)[1]);
+    if (starts_with(uses, "all of the others")) {
+      named.insert(folder);
+      for (const auto& entry : layer_table()) {
+        if (named.count(entry.first) == 0) layers.insert(entry.first);
+      }
+    } else {
+      layers.insert(named.begin(), named.end());
     }
-    for (std::sregex_iterator i(uses.begin(), uses.end(), name), none; i != none; ++i) layers.insert((*i)[1]);
     if (layers.empty() && uses != "nothing") differences.push_back("`" + folder + "`: " + uses + " names no layer");
   }
   for (const auto& [folder, uses] : layer_table()) {
