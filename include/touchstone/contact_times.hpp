@@ -22,6 +22,7 @@ class ExactTime {
   /// Negative, zero or positive as this time is before, equal to or after the other; exact.
   int compare(const ExactTime& other) const;
   int compare(double time) const;
+  int compare(const Fraction& time) const;  ///< @throws InvalidQuery when `time` is no fraction
 
   /// 1 - this time, exactly.
   ExactTime reversed() const;

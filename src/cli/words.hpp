@@ -29,6 +29,9 @@ std::string_view method_name(Method method) noexcept;  ///< "fast", "exact", "or
 /// Writes to standard error as it is; when nobody can hear it, nobody does.
 void print_error(const std::string& text) noexcept;
 
+/// Why an option's value is no double, for a message after the value: " is no finite number".
+std::string fault_of_number(std::string_view text);
+
 /// `word` as one word of a POSIX shell command.
 std::string shell_word(const std::string& word);
 

@@ -36,8 +36,8 @@ struct Failure {
   std::string detail;
 };
 
-/// What is wrong with this reply, if anything. `truth` is the exact answer.
-std::optional<Failure> failure_of(const Reply& reply, const Answer& truth, const EarlyLimit& early);
+/// What is wrong with this reply to `query`, if anything. `truth` is the exact answer.
+std::optional<Failure> failure_of(const Query& query, const Reply& reply, const Answer& truth, const EarlyLimit& early);
 
 /// What is wrong with a whole answer, if anything: everything but its level counts.
 std::optional<Failure> failure_of(Kind kind, const Answer& answer, const Answer& truth);

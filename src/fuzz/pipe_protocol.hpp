@@ -17,7 +17,8 @@ namespace touchstone::fuzz {
 //            in the order a0 a1 b0 b1, v f0 f1 f2, p e0 e1 or p q, and then x y z of each corner at t = 1: 24, 24, 18
 //            or 12.
 // An answer: "0"            they do not touch for t in [0, 1]
-//            "1 TOI"        they do, first at TOI, a number that C's strtod reads: hexfloat, decimal, nan, inf
+//            "1 TOI"        they do, first at TOI, a number that C's strtod reads: hexfloat, decimal, nan, inf;
+//                           at most 1024 characters. It counts as it is written, not as the double next to it
 //            "1"            they do; this solver does not say when
 //            "unsupported"  it does not take queries of this kind; only as the first answer to a kind
 // and a line feed, before which a carriage return and blanks do no harm. Exactly one answer to each query, in their
@@ -29,11 +30,12 @@ std::string query_line(const Query& query);
 struct AnswerLine {
   bool supported = true;
   bool contact = false;
-  std::optional<double> toi;  ///< may be NaN or infinite
+  std::optional<double> toi;   ///< may be NaN or infinite
+  std::string toi_as_written;  ///< as in Claim: the time when `toi` is only the nearest double to it
 };
 
 /// What a line without its line feed says, or nothing when it is none of the above.
-std::optional<AnswerLine> read_answer_line(std::string_view line) noexcept;
+std::optional<AnswerLine> read_answer_line(std::string_view line);
 
 /// The query that a line (without its line feed) holds, or nothing when it holds none; query_line's inverse.
 std::optional<Query> read_query_line(std::string_view line) noexcept;

@@ -25,6 +25,9 @@ void validate_t_max(double t_max);
 /// @throws InvalidQuery  unless the time is finite
 void validate_finite_time(double time);
 
+/// @throws InvalidQuery  unless numerator and denominator are decimal integers, the denominator not zero
+void validate_fraction(const Fraction& time);
+
 /// @throws InvalidQuery  naming t_max or the first coordinate that is not finite
 /// Not inlined, and its operands come from memory: see cascade.hpp.
 #if defined(__GNUC__)
