@@ -10,6 +10,8 @@
 #include <touchstone/error.hpp>
 
 #include "io/answer_reader.hpp"
+#include "numbers/fraction.hpp"
+#include "numbers/written_number.hpp"
 #include "targets.hpp"
 
 namespace touchstone::fuzzing {
@@ -21,6 +23,7 @@ struct Row {
   bool contact;
   std::optional<std::uint64_t> toi;  ///< its bits
   std::uint64_t row;
+  std::string toi_as_written;
   bool operator==(const Row&) const = default;
 };
 
@@ -30,16 +33,25 @@ struct Outcome {
   bool operator==(const Outcome&) const = default;
 };
 
+/// The time as it is written has an exact value, and where that is a double, it is `toi`.
+void check_written(const io::AnswerRow& row) {
+  const auto value = numbers::exact_value(row.toi_as_written);
+  if (!row.toi || !value) throw Finding("a time as written without a value: " + std::string(row.toi_as_written));
+  const auto exact = numbers::exact_double(value->numerator, value->denominator);
+  if (exact && *exact != *row.toi) throw Finding("another double than is written: " + std::string(row.toi_as_written));
+}
+
 Outcome read(std::string_view text, std::size_t chunk_bytes) {
   Outcome outcome;
   try {
     io::AnswerReader reader(io::InputFile::from_memory("fuzz.csv", text), chunk_bytes);
     io::AnswerRow row;
     while (reader.next(row)) {
-      Row kept{std::nullopt, row.query, row.contact, std::nullopt, row.row};
+      Row kept{std::nullopt, row.query, row.contact, std::nullopt, row.row, std::string(row.toi_as_written)};
       if (row.file) kept.file = std::string(*row.file);
       if (row.toi) kept.toi = std::bit_cast<std::uint64_t>(*row.toi);
       if (row.toi && (!row.contact || !std::isfinite(*row.toi))) throw Finding("a toi without contact, or not finite");
+      if (!row.toi_as_written.empty()) check_written(row);
       if (!outcome.rows.empty() && row.row <= outcome.rows.back().row) throw Finding("rows that do not ascend");
       outcome.rows.push_back(std::move(kept));
     }

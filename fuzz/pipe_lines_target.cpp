@@ -32,6 +32,11 @@ void check_answer(std::string_view line) {
     throw Finding("strtod does not read this number to its end: " + text);
   }
   if (!same_number(expected, *answer->toi)) throw Finding("strtod reads another number here: " + text);
+  const std::string& written = answer->toi_as_written;
+  if (written.empty()) return;
+  if (!std::isfinite(expected) || !same_number(std::strtod(written.c_str(), nullptr), expected)) {
+    throw Finding("the time as it is written is another number: " + written + " for " + text);
+  }
 }
 
 void check_query(std::string_view line) {

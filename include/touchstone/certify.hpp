@@ -4,9 +4,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include <touchstone/answer.hpp>
+#include <touchstone/query.hpp>
 
 namespace touchstone {
 
@@ -14,6 +16,10 @@ namespace touchstone {
 struct Claim {
   bool contact = false;       ///< Whether the solver claims a contact.
   std::optional<double> toi;  ///< The claimed time of impact, finite; empty when the solver gives none.
+
+  /// The time as the solver wrote it, a decimal ("0.1") or a hexfloat, when `toi` is only the nearest double to it.
+  /// Empty: the time is `toi`.
+  std::string toi_as_written = {};
 };
 
 /// The judgement of a claim.
@@ -28,7 +34,15 @@ enum class Verdict : std::uint8_t {
 std::string_view verdict_name(Verdict verdict) noexcept;
 
 /// The verdict on `claim`, where `truth` is the exact answer to the same query. A claim without a toi is judged by
-/// `contact` alone. A toi before the exact time holds, however early it is.
+/// `contact` alone. A toi before the exact time holds, however early it is. `toi_as_written` is not read.
 Verdict judge(const Claim& claim, const Answer& truth) noexcept;
+
+/// The same with the time as written, compared exactly. The query is asked for its exact time only when the time as
+/// written lies strictly between `truth.toi` and `truth.toi_upper`.
+/// @param truth  the answer to `query` for t_max = 1
+/// @throws InvalidQuery  when `toi_as_written` is no finite number, or has more than 4096 digits in its numerator or
+///                       denominator
+Verdict judge(const Claim& claim, const Query& query, const Answer& truth);
+Verdict judge(const Claim& claim, const RationalQuery& query, const Answer& truth);
 
 }  // namespace touchstone

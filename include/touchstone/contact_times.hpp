@@ -31,6 +31,7 @@ class ExactTime {
 
   /// The same against a double. @throws InvalidQuery  for a time that is not finite
   int compare(double time) const;
+  int compare(const Fraction& time) const;  ///< @throws InvalidQuery when `time` is no fraction
 
   /// 1 - this time, exactly: the time in the motion run backwards.
   ExactTime reversed() const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "certify/tally.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace touchstone::certify {
@@ -25,7 +26,9 @@ void Tally::add(const Claim& claim, const Answer& answer, Verdict verdict) noexc
   verdicts.add(verdict);
   ++levels[static_cast<std::size_t>(answer.level)];
   ++natures[static_cast<std::size_t>(answer.nature)];
-  if (verdict == Verdict::holds && claim.contact && claim.toi) early.add(*claim.toi, answer.toi);
+  if (verdict != Verdict::holds || !claim.contact || !claim.toi) return;
+  // A time as written that holds may round to the double after the exact time: it is no double early.
+  early.add(std::min(*claim.toi, answer.toi), answer.toi);
 }
 
 void Tally::merge(const Tally& other) noexcept {

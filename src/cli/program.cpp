@@ -23,6 +23,7 @@
 #include "cli/simulate/simulate.hpp"
 #include "cli/solve.hpp"
 #include "cli/stress.hpp"
+#include "io/fail.hpp"
 #include "io/output_file.hpp"
 
 namespace touchstone::cli {
@@ -39,7 +40,8 @@ int complain(const std::string& line) {
   return kBadInput;
 }
 
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+/// The first line of what the parser of arguments says. It repeats the arguments, which may be of any length.
+std::string first_line(const std::string& text) { return io::with_short_words(text.substr(0, text.find('\n'))); }
 
 int parse_and_run(int argc, const char* const* argv) {
   CLI::App program(
@@ -90,7 +92,7 @@ int parse_and_run(int argc, const char* const* argv) {
     const auto unknown = program.remaining();
     if (program.get_subcommands().empty() && !unknown.empty()) {
       return complain(
-          "touchstone: " + unknown.front() +
+          "touchstone: " + io::with_short_words(unknown.front()) +
           " is no subcommand; they are solve, certify, explain, generate, bench, report, fuzz, stress and simulate");
     }
     return complain("touchstone: " + first_line(error.what()) + " (see touchstone --help)");

@@ -8,7 +8,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #ifdef __linux__
-#include <sys/prctl.h>
 #include <sys/syscall.h>
 #endif
 
@@ -22,6 +21,7 @@
 
 #include <touchstone/error.hpp>
 
+#include "fuzz/supervisor.hpp"
 #include "io/fail.hpp"
 
 namespace touchstone::fuzz {
@@ -32,17 +32,6 @@ constexpr std::size_t kTail = 4096;
 [[noreturn]] void fail(const char* what) { throw Error(std::string(what) + ": " + io::system_reason(errno)); }
 
 // ---- in the child, between fork and the solver's code
-
-/// Closes every descriptor from `first` on.
-void close_from(int first) {
-#ifdef SYS_close_range
-  if (::syscall(SYS_close_range, static_cast<unsigned>(first), ~0U, 0U) == 0) return;
-#endif
-  rlimit limit{};
-  const bool known = ::getrlimit(RLIMIT_NOFILE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
-  const int end = known ? static_cast<int>(std::min<rlim_t>(limit.rlim_cur, 1 << 20)) : 1 << 16;
-  for (int descriptor = first; descriptor < end; ++descriptor) ::close(descriptor);
-}
 
 void give_up() { ::_exit(126); }
 
@@ -84,15 +73,18 @@ std::uint64_t mapped_bytes() {
   return std::strtoull(text.data(), nullptr, 10) * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
+void unblock_signals() {
+  sigset_t none;
+  ::sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+}
+
 void default_signals() {
   for (int signal = 1; signal < NSIG; ++signal) {
     struct sigaction action {};
     action.sa_handler = SIG_DFL;
     ::sigaction(signal, &action, nullptr);  // some cannot be changed, which is well
   }
-  sigset_t none;
-  ::sigemptyset(&none);
-  ::sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
 constexpr bool kSanitized =
@@ -109,12 +101,10 @@ constexpr bool kSanitized =
 #endif
 
 void become_child(const ChildProcess::Setup& setup, int errors, pid_t parent) {
+  supervise(parent);
   ::setsid();
-#ifdef __linux__
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-#endif
-  if (::getppid() != parent) give_up();  // it died before it could be watched
-  if (!kSanitized) default_signals();    // sanitizers report through handlers of their own
+  if (!kSanitized) default_signals();  // sanitizers report through handlers of their own
+  unblock_signals();
   arrange_descriptors(setup, errors);
   limit_to(RLIMIT_CORE, 0);
   // Sanitizers map terabytes that they never touch.
@@ -122,6 +112,25 @@ void become_child(const ChildProcess::Setup& setup, int errors, pid_t parent) {
 }
 
 // ---- in the parent
+
+/// Every signal is blocked in this thread as long as this lives; in a forked child, until the child changes that.
+class AllSignalsBlocked {
+ public:
+  AllSignalsBlocked() {
+    sigset_t all;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &before_);
+  }
+  ~AllSignalsBlocked() {
+    if (::getpid() == owner_) ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  AllSignalsBlocked(const AllSignalsBlocked&) = delete;
+  AllSignalsBlocked& operator=(const AllSignalsBlocked&) = delete;
+
+ private:
+  sigset_t before_{};
+  pid_t owner_ = ::getpid();
+};
 
 std::string signal_text(int signal) {
   const char* const name = ::strsignal(signal);
@@ -134,10 +143,14 @@ ChildProcess::ChildProcess(const Setup& setup, const std::function<void()>& run)
   Pipe errors;
   set_nonblocking(errors.read);
   const pid_t parent = ::getpid();
-  pid_ = ::fork();
+  {
+    // A signal that comes before the supervisor awaits it stays pending there, and runs no handler of ours.
+    const AllSignalsBlocked blocked;
+    pid_ = ::fork();
+    if (pid_ == 0) become_child(setup, errors.write, parent);
+  }
   if (pid_ < 0) fail("no process can be made for the solver");
   if (pid_ == 0) {
-    become_child(setup, errors.write, parent);
     try {
       run();
     } catch (...) {
@@ -162,7 +175,7 @@ void ChildProcess::reap(int options) {
     error = ::waitid(P_PID, static_cast<id_t>(pid_), &ended, WEXITED | WNOWAIT | options) == 0 ? 0 : errno;
   } while (error == EINTR);
   if (error == 0 && ended.si_pid != pid_) return;
-  if (error == 0) ::kill(-pid_, SIGKILL);  // what it has left running in its group
+  if (error == 0) ::kill(-pid_, SIGKILL);  // what it has left running in its group, where it has no supervisor
   int status = 0;
   while (error == 0 && ::waitpid(pid_, &status, 0) < 0) error = errno == EINTR ? 0 : errno;
   status_ = status;  // of a process that somebody else has waited for, nobody knows how it ended
@@ -187,6 +200,13 @@ bool ChildProcess::wait_until(Clock::time_point deadline) {
 
 void ChildProcess::kill() {
   if (ended()) return;
+#ifdef __linux__
+  // The supervisor ends the solver and its daemons; it cannot when the solver's code has stopped or killed it.
+  constexpr auto kPatience = std::chrono::seconds(5);
+  ::kill(pid_, SIGTERM);
+  ::kill(pid_, SIGCONT);
+  if (wait_until(Clock::now() + kPatience)) return;
+#endif
   ::kill(-pid_, SIGKILL);
   ::kill(pid_, SIGKILL);  // before it has its own group, that is how to reach it
   if (!status_) reap(0);
@@ -204,9 +224,10 @@ std::string ChildProcess::story() {
 
 void ChildProcess::drain() {
   std::array<char, kTail> bytes;
-  // As much as a pipe holds and no more: who writes for ever must not be read for ever.
+  // As much as a pipe holds and no more: a process that writes for ever must not be read for ever.
   for (int i = 0; i < 16; ++i) {
     const ssize_t count = ::read(errors_, bytes.data(), bytes.size());
+    if (count == 0) errors_ended_ = true;
     if (count <= 0) return;
     tail_.append(bytes.data(), static_cast<std::size_t>(count));
     if (tail_.size() > kTail) tail_.erase(0, tail_.size() - kTail);
@@ -222,6 +243,16 @@ std::string ChildProcess::last_words() {
   const std::size_t line = text.find_last_of('\n');
   if (line != std::string_view::npos) text.remove_prefix(line + 1);
   return io::printable(text.substr(0, 200));
+}
+
+void close_from(int first) {
+#ifdef SYS_close_range
+  if (::syscall(SYS_close_range, static_cast<unsigned>(first), ~0U, 0U) == 0) return;
+#endif
+  rlimit limit{};
+  const bool known = ::getrlimit(RLIMIT_NOFILE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+  const int end = known ? static_cast<int>(std::min<rlim_t>(limit.rlim_cur, 1 << 20)) : 1 << 16;
+  for (int descriptor = first; descriptor < end; ++descriptor) ::close(descriptor);
 }
 
 Pipe::Pipe() {

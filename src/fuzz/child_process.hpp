@@ -14,7 +14,8 @@ namespace touchstone::fuzz {
 
 /// Runs code in a forked process of its own session, with every descriptor closed but those it is given, nothing to
 /// read on standard input, standard output thrown away, standard error kept (its last words), no core dumps, default
-/// signal handling and a limit on its memory. It dies with the thread that started it (Linux) and with this object.
+/// signal handling and a limit on its memory. It dies with the thread that started it (Linux) and with this object, and
+/// so does every process that it has started, daemons included (Linux; elsewhere those of its process group).
 class ChildProcess {
  public:
   using Clock = std::chrono::steady_clock;
@@ -31,7 +32,7 @@ class ChildProcess {
   /// be made
   ChildProcess(const Setup& setup, const std::function<void()>& run);
 
-  /// Kills it and whatever it has started in its session's group, and waits for it.
+  /// Kills it and whatever it has started, and waits for it.
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
@@ -54,12 +55,16 @@ class ChildProcess {
   /// Reads what it has written to standard error; call it now and then, or a child that says much waits for a reader.
   void drain();
 
+  /// Where its standard error can be waited for: readable when there is something to drain. -1 once it is closed.
+  int errors() const noexcept { return errors_ended_ ? -1 : errors_; }
+
  private:
   void reap(int options);
 
-  pid_t pid_ = -1;
+  pid_t pid_ = -1;             ///< the supervisor's (Linux), which ends as the process does
   std::optional<int> status_;  ///< as waitpid gives it, once it has ended
   int errors_ = -1;            ///< our end of its standard error
+  bool errors_ended_ = false;  ///< nobody can write there any more
   std::string tail_;
 };
 
@@ -78,5 +83,8 @@ struct Pipe {
 
 /// @throws Error
 void set_nonblocking(int descriptor);
+
+/// Closes every descriptor from `first` on.
+void close_from(int first);
 
 }  // namespace touchstone::fuzz

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/failure.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <touchstone/certify.hpp>
@@ -14,6 +15,11 @@ namespace {
 bool too_early(double claimed, double toi, const EarlyLimit& early) {
   if (early.ulps && certify::ulps_between(claimed, toi) > *early.ulps) return true;
   return early.share && toi - claimed > *early.share;
+}
+
+/// Whether the claimed time is before the step; one that rounds to -0 is, unless it is 0.
+bool is_negative(const Reply& reply) {
+  return *reply.toi < 0 || (*reply.toi == 0 && reply.toi_as_written.starts_with('-'));
 }
 
 }  // namespace
@@ -33,7 +39,8 @@ std::string_view failure_name(FailureClass failure) noexcept {
   return "";
 }
 
-std::optional<Failure> failure_of(const Reply& reply, const Answer& truth, const EarlyLimit& early) {
+std::optional<Failure> failure_of(const Query& query, const Reply& reply, const Answer& truth,
+                                  const EarlyLimit& early) {
   switch (reply.state) {
     case Reply::State::crashed: return Failure{FailureClass::crash, reply.detail};
     case Reply::State::hung: return Failure{FailureClass::hang, reply.detail};
@@ -45,15 +52,16 @@ std::optional<Failure> failure_of(const Reply& reply, const Answer& truth, const
     return std::nullopt;
   }
   if (reply.toi && std::isnan(*reply.toi)) return Failure{FailureClass::nan, ""};
-  switch (judge({true, reply.toi}, truth)) {
+  switch (judge({true, reply.toi, reply.toi_as_written}, query, truth)) {
     case Verdict::holds: break;
     case Verdict::missed: return Failure{FailureClass::missed, ""};
     case Verdict::phantom: return Failure{FailureClass::phantom, ""};
     case Verdict::late: return Failure{FailureClass::late, ""};
   }
   if (!reply.toi) return std::nullopt;
-  if (*reply.toi < 0) return Failure{FailureClass::malformed, "a time before the step"};
-  if (too_early(*reply.toi, truth.toi, early)) return Failure{FailureClass::early, ""};
+  if (is_negative(reply)) return Failure{FailureClass::malformed, "a time before the step"};
+  // A time as written that is not late may round to the double after the exact time.
+  if (too_early(std::min(*reply.toi, truth.toi), truth.toi, early)) return Failure{FailureClass::early, ""};
   return std::nullopt;
 }
 
@@ -61,7 +69,8 @@ std::optional<Failure> failure_of(Kind kind, const Answer& answer, const Answer&
   Reply claimed;
   claimed.contact = answer.contact;
   if (answer.contact) claimed.toi = answer.toi;
-  if (auto failure = failure_of(claimed, truth, {})) return failure;
+  // Whole answers hold doubles, so that the judge needs no query.
+  if (auto failure = failure_of(Query(), claimed, truth, {})) return failure;
   if (std::string wrong = certify::decision_difference(answer, truth); !wrong.empty()) {
     return Failure{FailureClass::differs, wrong};
   }

@@ -36,8 +36,8 @@ struct Failure {
   std::string detail;
 };
 
-/// The failure of this reply, if any. `truth` is the exact answer.
-std::optional<Failure> failure_of(const Reply& reply, const Answer& truth, const EarlyLimit& early);
+/// The failure of this reply to `query`, if any. `truth` is the exact answer.
+std::optional<Failure> failure_of(const Query& query, const Reply& reply, const Answer& truth, const EarlyLimit& early);
 
 /// The failure of a whole answer, if any. Everything except its level counts.
 std::optional<Failure> failure_of(Kind kind, const Answer& answer, const Answer& truth);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "io/fail.hpp"
+
 namespace touchstone::fuzz {
 namespace {
 
@@ -48,6 +50,7 @@ std::string claim_text(const Reply& reply) {
     case Reply::State::answered: break;
   }
   if (!reply.contact) return "no contact";
+  if (!reply.toi_as_written.empty()) return "contact at " + io::shortened(reply.toi_as_written);
   return reply.toi ? "contact at " + decimal_text(*reply.toi) : "contact";
 }
 

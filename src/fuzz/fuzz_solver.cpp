@@ -54,7 +54,7 @@ FuzzFinding public_finding(fuzz::Finding&& finding) {
           fuzz::degeneracy_text(finding.degeneracy),
           finding.count,
           example.query,
-          Claim{example.reply.contact, example.reply.toi},
+          Claim{example.reply.contact, example.reply.toi, example.reply.toi_as_written},
           example.truth,
           std::move(example.detail),
           fuzz::case_text(example.name)};
@@ -68,6 +68,7 @@ std::string to_string(const FuzzFinding& finding) {
   fuzz::Reply reply;
   reply.contact = finding.claim.contact;
   reply.toi = finding.claim.toi;
+  reply.toi_as_written = finding.claim.toi_as_written;
   if (finding.failure == FuzzFailure::crash) reply.state = fuzz::Reply::State::crashed;
   std::string text(fuzz_failure_name(finding.failure));
   if (finding.count > 1) text.append(" ").append(std::to_string(finding.count)).append(" times");

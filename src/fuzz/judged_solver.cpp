@@ -12,7 +12,7 @@ JudgedReply JudgedSolver::ask(const Query& query, const Answer& truth) const {
   JudgedReply judged;
   if (answering_ == nullptr) {
     judged.reply = solver_.ask(query);
-    judged.failure = failure_of(judged.reply, truth, early_);
+    judged.failure = failure_of(query, judged.reply, truth, early_);
     return judged;
   }
   const Answer answer = answering_->answer(query);

@@ -139,11 +139,14 @@ PipeRun::Exchange PipeRun::exchange(std::string_view line, std::chrono::millisec
       result.end = End::late;
       break;
     }
-    std::array<pollfd, 2> ends{{{out_.read, POLLIN, 0}, {in_.write, POLLOUT, 0}}};
-    // Not longer than so at a time: what it says on standard error is read, lest it waits for that.
-    constexpr long kSlice = 50;
-    const int ready = ::poll(ends.data(), rest.empty() ? 1 : 2, static_cast<int>(std::min<long>(left, kSlice)));
-    if (ready <= 0) child_->drain();
+    // Standard error is read as soon as there is anything: a program that writes much there waits for that before it
+    // answers. Negative descriptors are left out.
+    std::array<pollfd, 3> ends{
+        {{out_.read, POLLIN, 0}, {child_->errors(), POLLIN, 0}, {rest.empty() ? -1 : in_.write, POLLOUT, 0}}};
+    constexpr long kLongest = 3'600'000;
+    const int ready = ::poll(ends.data(), ends.size(), static_cast<int>(std::min(left, kLongest)));
+    if (ready == 0) ++idle_waits_;
+    if (ready > 0 && ends[1].revents != 0) child_->drain();
     if (ready > 0 && ends[0].revents != 0) read_some();
     if (take_line(result.line)) {
       if (result.line.size() > limits_.line) result.end = End::too_long;

@@ -34,6 +34,9 @@ class PipeRun {
 
   ChildProcess& child() noexcept { return *child_; }
 
+  /// How often exchange() has waited in vain, until its time was over.
+  std::uint64_t idle_waits() const noexcept { return idle_waits_; }
+
  private:
   bool take_line(std::string& line);
   bool read_some();
@@ -44,6 +47,7 @@ class PipeRun {
   std::optional<ChildProcess> child_;
   std::string buffer_;   ///< read, but not yet a whole line
   bool closed_ = false;  ///< it has closed its output
+  std::uint64_t idle_waits_ = 0;
 };
 
 }  // namespace touchstone::fuzz

@@ -106,6 +106,7 @@ class PipeSolver : public SolverUnderTest {
     Reply reply;
     reply.contact = answer->contact;
     reply.toi = answer->toi;
+    reply.toi_as_written = answer->toi_as_written;
     return reply;
   }
 

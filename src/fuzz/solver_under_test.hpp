@@ -21,8 +21,9 @@ struct Reply {
   };
   State state = State::answered;
   bool contact = false;
-  std::optional<double> toi;  ///< as claimed: may be NaN, infinite or outside [0, 1]
-  std::string detail;         ///< for a person: the signal, the exit status, the line; empty when answered
+  std::optional<double> toi;   ///< as claimed: may be NaN, infinite or outside [0, 1]
+  std::string toi_as_written;  ///< as in Claim: the time when `toi` is only the nearest double to it
+  std::string detail;          ///< for a person: the signal, the exit status, the line; empty when answered
 };
 
 /// The reply of a solver that gave no answer: it crashed, hung, or sent something malformed.

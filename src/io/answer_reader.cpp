@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <utility>
 
 #include "io/fail.hpp"
 #include "io/times.hpp"
+#include "numbers/written_number.hpp"
 
 namespace touchstone::io {
 namespace {
@@ -51,12 +53,28 @@ bool AnswerReader::next(AnswerRow& row) {
   row.contact = contact == "1";
 
   row.toi = std::nullopt;
-  const std::string_view toi = index_[kToi] == kAbsent ? std::string_view() : fields_[index_[kToi]];
-  if (toi.empty()) return true;
-  row.toi = parse_finite_double(toi);
-  if (!row.toi) refuse("toi is " + in_quotes(toi) + "; it must be a finite number such as 0x1.8p-2 or 0.375, or empty");
-  if (!row.contact) refuse("contact is 0 and toi is " + in_quotes(toi) + "; without contact toi must be empty");
+  row.toi_as_written = {};
+  if (index_[kToi] != kAbsent && !fields_[index_[kToi]].empty()) read_toi(fields_[index_[kToi]], row);
   return true;
+}
+
+void AnswerReader::read_toi(std::string_view field, AnswerRow& row) const {
+  row.toi = parse_rounded_double(field);
+  if (!row.toi) {
+    refuse("toi is " + in_quotes(field) + "; it must be a finite number such as 0x1.8p-2 or 0.375, or empty");
+  }
+  if (std::isinf(*row.toi)) refuse("toi is " + in_quotes(field) + "; it " + std::string(fault_of_double(field)));
+  if (!row.contact) refuse("contact is 0 and toi is " + in_quotes(field) + "; without contact toi must be empty");
+  if (is_plainly_a_double(field)) return;
+  // Long texts are refused before they are looked at more closely; an exponent makes a number long, too.
+  constexpr std::size_t kMost = numbers::kMostWrittenDigits;
+  if (field.size() > kMost) {
+    refuse("toi has " + std::to_string(field.size()) + " characters; at most " + std::to_string(kMost) + " are read");
+  }
+  if (!numbers::exact_value(field)) {
+    refuse("toi is " + in_quotes(field) + "; as a fraction it has more than " + std::to_string(kMost) + " digits");
+  }
+  row.toi_as_written = field;
 }
 
 void AnswerReader::read_header() {

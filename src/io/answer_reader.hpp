@@ -21,7 +21,10 @@ struct AnswerRow {
   std::uint64_t query = 0;
   bool contact = false;
   std::optional<double> toi;  ///< finite; only with contact
-  std::uint64_t row = 0;      ///< the line where it starts, counted from 1
+  /// The field's text when it may be no double, but one whose nearest double is `toi`; else empty. Its exact value has
+  /// at most numbers::kMostWrittenDigits. Valid until the next row.
+  std::string_view toi_as_written;
+  std::uint64_t row = 0;  ///< the line where it starts, counted from 1
 };
 
 /// Reads RFC 4180 CSV whose first line names its columns, in any order: `query` and `contact` are needed, `file` and
@@ -43,6 +46,7 @@ class AnswerReader {
  private:
   enum Column : std::size_t { kFile, kQuery, kContact, kToi, kOther };
 
+  void read_toi(std::string_view field, AnswerRow& row) const;
   bool next_record();
   bool find_record_end(std::size_t& end);
   void split_record(std::string_view record);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/fail.hpp"
 
+#include <algorithm>
 #include <system_error>
 
 #include <touchstone/error.hpp>
@@ -22,6 +23,8 @@ void append_escaped(std::string& out, unsigned char byte) {
     out += kDigits[byte & 15];
   }
 }
+
+constexpr std::size_t kShown = 40;  // of a text that is too long for a message
 
 constexpr bool is_control(unsigned char byte) { return byte < 0x20 || byte == 0x7F; }
 
@@ -48,10 +51,11 @@ std::string printable(std::string_view name) {
   return out;
 }
 
-std::string in_quotes(std::string_view text) {
-  constexpr std::size_t kLongest = 40;
-  std::string out = "'";
-  for (const char c : text.substr(0, kLongest)) {
+std::string in_quotes(std::string_view text) { return std::string("'").append(shortened(text)).append("'"); }
+
+std::string shortened(std::string_view text) {
+  std::string out;
+  for (const char c : text.substr(0, kShown)) {
     const auto byte = static_cast<unsigned char>(c);
     if (is_control(byte) || byte >= 0x80) {
       append_escaped(out, byte);
@@ -59,8 +63,21 @@ std::string in_quotes(std::string_view text) {
       out += c;
     }
   }
-  if (text.size() > kLongest) out += "...";
-  return out + "'";
+  if (text.size() > kShown) out += "...";
+  return out;
+}
+
+std::string with_short_words(std::string_view message) {
+  constexpr std::size_t kLongestWord = 100;  // names of files are longer than numbers
+  std::string out;
+  while (!message.empty()) {
+    const std::size_t end = std::min(message.find(' '), message.size());
+    const std::string_view word = message.substr(0, end);
+    out += word.size() > kLongestWord ? printable(word.substr(0, kShown)) + "..." : printable(word);
+    if (end < message.size()) out += ' ';
+    message.remove_prefix(std::min(end + 1, message.size()));
+  }
+  return out;
 }
 
 std::string system_reason(int error_number) { return std::generic_category().message(error_number); }

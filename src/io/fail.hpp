@@ -20,6 +20,12 @@ std::string printable(std::string_view name);
 /// 'text' in quotes for a message: control characters and bytes past ASCII escaped, cut after 40 bytes.
 std::string in_quotes(std::string_view text);
 
+/// `text` as in_quotes writes it, without the quotes.
+std::string shortened(std::string_view text);
+
+/// `message`, which another library wrote, made printable; every word of more than 100 bytes is cut after 40.
+std::string with_short_words(std::string_view message);
+
 /// The operating system's message for `error_number`, for example "No such file or directory".
 std::string system_reason(int error_number);
 

@@ -2,14 +2,13 @@
 #include "io/output_file.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
-#include <cstdio>
+#include <cstdint>
 #include <filesystem>
-#include <random>
 #include <system_error>
 #include <utility>
 
@@ -31,23 +30,107 @@ void write_all(int descriptor, std::string_view bytes, const std::string& name) 
   }
 }
 
+/// A descriptor that closes itself; -1 is none.
+class Descriptor {
+ public:
+  explicit Descriptor(int descriptor) noexcept : descriptor_(descriptor) {}
+  ~Descriptor() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+ private:
+  int descriptor_;
+};
+
 struct Created {
   std::string path;
   int descriptor;
 };
 
-/// A new file beside `target`, with the permissions that the umask grants (mkstemp would make it private).
+/// A process holds a lock on its temporary file for as long as the file has that name. The system releases it when the
+/// process ends, however that ends. So a temporary file that can be locked is the leftover of a process that was
+/// killed. Where locks do not work, nothing can be locked, and leftovers stay.
+bool lock(int descriptor) { return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0; }
+
+enum class Existing : std::uint8_t { none, removed, kept };
+
+/// Removes the file of this temporary name when it is a leftover.
+Existing remove_leftover(const std::string& path) {
+  const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+  if (descriptor < 0) return errno == ENOENT ? Existing::none : Existing::kept;
+  struct stat status {};
+  const bool leftover = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && lock(descriptor);
+  // The lock is held until the name is gone, so that nobody else removes a new file of this name in the belief that it
+  // is this one.
+  struct stat named {};
+  const bool same =
+      leftover && ::lstat(path.c_str(), &named) == 0 && named.st_ino == status.st_ino && named.st_dev == status.st_dev;
+  const bool removed = same && ::unlink(path.c_str()) == 0;
+  ::close(descriptor);
+  return removed ? Existing::removed : Existing::kept;
+}
+
+/// A new file of this name, locked, with the permissions that the umask grants (mkstemp would make it private).
+/// @returns -1, and errno, when there is none; EEXIST also when another process has taken the file for a leftover
+/// before it was locked
+int create_locked(const std::string& path) {
+  const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor < 0) return -1;
+  const bool locked = lock(descriptor);
+  const bool taken = !locked && errno == EWOULDBLOCK;
+  struct stat status {};
+  if (!taken && ::fstat(descriptor, &status) == 0 && status.st_nlink > 0) return descriptor;
+  ::close(descriptor);
+  errno = EEXIST;
+  return -1;
+}
+
+/// A new file beside `target`. Its name is one of a few, so that the next process that writes the same target finds the
+/// leftovers of those that were killed, and removes them, without a search through the folder.
 Created create_beside(const std::string& target, const std::string& name) {
-  std::random_device random;
-  for (int attempt = 0; attempt < 100; ++attempt) {
-    std::array<char, 32> suffix;
-    std::snprintf(suffix.data(), suffix.size(), ".%08x.partial", static_cast<unsigned>(random()));
-    std::string path = target + suffix.data();
-    const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor >= 0) return {std::move(path), descriptor};
-    if (errno != EEXIST) fail(name, "cannot be written: " + system_reason(errno));
+  constexpr int kNames = 100;  // as many processes may write one target at a time
+  const auto temporary = [&](int number) { return target + ".touchstone-" + std::to_string(number) + ".partial"; };
+  for (int number = 1; number <= kNames; ++number) {
+    std::string path = temporary(number);
+    for (int attempt = 0; attempt < 2; ++attempt) {
+      const int descriptor = create_locked(path);
+      if (descriptor >= 0) {
+        for (int later = number + 1; later <= kNames; ++later) {
+          if (remove_leftover(temporary(later)) == Existing::none) break;
+        }
+        return {std::move(path), descriptor};
+      }
+      if (errno != EEXIST) fail(name, "cannot be written: " + system_reason(errno));
+      if (remove_leftover(path) == Existing::kept) break;
+    }
   }
-  fail(name, "cannot be written: no free temporary name beside it");
+  fail(name, "cannot be written: no temporary name beside it is free, up to " + printable(temporary(kNames)));
+}
+
+/// The path that a link leads to, one link after the other, whether there is a file or not; `path` itself when it is no
+/// link.
+std::string end_of_links(const std::string& path) {
+  constexpr int kMostLinks = 40;  // as many as Linux follows
+  std::filesystem::path at = path;
+  std::error_code error;
+  for (int links = 0; std::filesystem::is_symlink(std::filesystem::symlink_status(at, error)); ++links) {
+    if (links == kMostLinks) fail(path, "is a link that leads to no file: " + system_reason(ELOOP));
+    const auto target = std::filesystem::read_symlink(at, error);
+    if (error) fail(path, "is a link that cannot be followed: " + error.message());
+    at = at.parent_path() / target;  // `target` alone when it is absolute
+  }
+  return at.string();
+}
+
+/// Refuses a link whose target cannot be made because its folder is missing.
+void check_folder_of(const std::string& target, const std::string& path) {
+  if (target == path) return;
+  const auto folder = std::filesystem::path(target).parent_path();
+  std::error_code error;
+  if (folder.empty() || std::filesystem::is_directory(folder, error)) return;
+  fail(path, "is a link to " + printable(target) + ", whose folder is not there");
 }
 
 }  // namespace
@@ -62,12 +145,9 @@ OutputFile::OutputFile(const std::string& path) : name_(path), target_(path) {
     if (descriptor_ < 0) fail(path, "cannot be written: " + system_reason(errno));
     return;
   }
-  if (exists) {
-    // A link stays a link: the file that it leads to is replaced.
-    std::error_code error;
-    const auto real = std::filesystem::canonical(path, error);
-    if (!error) target_ = real.string();
-  }
+  // A link stays a link: the file that it leads to is replaced, or made.
+  target_ = end_of_links(path);
+  check_folder_of(target_, path);
   Created created = create_beside(target_, name_);
   temporary_ = std::move(created.path);
   descriptor_ = created.descriptor;
@@ -96,6 +176,8 @@ void OutputFile::commit() {
   flush();
   if (!owned_) return;
   if (!temporary_.empty() && ::fsync(descriptor_) != 0) fail(name_, "cannot be written: " + system_reason(errno));
+  // Closing may tell of an error, so it comes before the rename; the lock lasts until after it.
+  const Descriptor lock(temporary_.empty() ? -1 : ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0));
   if (::close(std::exchange(descriptor_, -1)) != 0) fail(name_, "cannot be written: " + system_reason(errno));
   if (temporary_.empty()) return;
   // Once more right before it counts: for root a rename would put a plain file in the place of a device.
@@ -116,8 +198,9 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
       owned_(other.owned_) {}
 
 OutputFile::~OutputFile() {
-  if (descriptor_ >= 0 && owned_) ::close(descriptor_);
+  // In this order: once the lock is gone, a file of this name may be another process's.
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  if (descriptor_ >= 0 && owned_) ::close(descriptor_);
 }
 
 SpoolFile::SpoolFile(const std::string& path) : name_("the temporary file of " + path) {

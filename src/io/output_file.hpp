@@ -9,8 +9,9 @@
 namespace touchstone::io {
 
 /// Writes beside the target under a temporary name, and takes the target's place in commit(). Destroyed without a
-/// commit, it removes what it wrote: whatever stood under the target's name still stands there.
-/// A target that is a device or pipe, and standard output, are written straight away: they have nothing to replace.
+/// commit, it removes what it wrote: whatever stood under the target's name still stands there. A process that is
+/// killed cannot remove it: TARGET.touchstone-N.partial stays, and is removed when the same target is written again. A
+/// target that is a device or pipe, and standard output, are written straight away: they have nothing to replace.
 class OutputFile {
  public:
   /// @throws FileError when the target is a folder or nothing can be written beside it
@@ -35,7 +36,7 @@ class OutputFile {
   void flush();
 
   std::string name_;       ///< for messages
-  std::string target_;     ///< the final name, symbolic links followed
+  std::string target_;     ///< the final name: where a symbolic link leads, whether there is a file or not
   std::string temporary_;  ///< empty: written straight away
   std::string buffer_;
   int descriptor_ = -1;

@@ -15,4 +15,14 @@ std::string hexfloat(double value);
 /// Nothing for anything else: blanks, text after the number, "nan", "inf", values beyond the doubles' range.
 std::optional<double> parse_finite_double(std::string_view text) noexcept;
 
+/// The same, and for a number beyond the doubles' range the zero or infinity that it rounds to.
+std::optional<double> parse_rounded_double(std::string_view text) noexcept;
+
+/// Why parse_finite_double reads nothing from `text`, for a message after the text: "is no number". Empty when it does.
+std::string_view fault_of_double(std::string_view text) noexcept;
+
+/// Whether the digits alone show that `number`, which parse_finite_double reads, spells exactly a double: a hexfloat of
+/// at most 53 bits, as hexfloat() writes it. False where that is not so easily seen.
+bool is_plainly_a_double(std::string_view number) noexcept;
+
 }  // namespace touchstone::io

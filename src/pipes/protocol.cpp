@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "pipes/protocol.hpp"
 
-#include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
-#include <system_error>
 
 #include "io/kind_of_file.hpp"
 #include "io/times.hpp"
+#include "numbers/written_number.hpp"
 
 namespace touchstone::pipes {
 namespace {
 
+constexpr std::size_t kLongestNumber = 1024;
 constexpr std::string_view kBlanks = " \t";
 
 std::string_view without_blanks(std::string_view text) noexcept {
@@ -30,50 +29,33 @@ bool equal_but_case(std::string_view text, std::string_view lower) noexcept {
   return true;
 }
 
-/// The rounded value of a well-formed number beyond the doubles' range, 0 or infinity. The position of its first digit
-/// that is not 0 decides, because it lies hundreds of digits before or after the point.
-double rounded_beyond_range(std::string_view text, bool hexadecimal) noexcept {
-  const std::size_t mark = std::min(text.find_first_of(hexadecimal ? "pP" : "eE"), text.size());
-  const std::string_view digits = text.substr(0, mark);
-  const std::size_t point = std::min(digits.find('.'), digits.size());
-  const std::size_t first = digits.find_first_not_of("0.");
-  if (first == std::string_view::npos) return 0;
-  const double place = static_cast<double>(point) - static_cast<double>(first);
-  double exponent = 0;
-  bool negative = false;
-  for (const char c : text.substr(std::min(mark + 1, text.size()))) {
-    if (c == '-') negative = true;
-    if (c >= '0' && c <= '9') exponent = std::min(10 * exponent + (c - '0'), 1e15);
-  }
-  const double order = (hexadecimal ? 4 : 1) * place + (negative ? -exponent : exponent);
-  return order > 0 ? std::numeric_limits<double>::infinity() : 0;
-}
-
 /// Any number that strtod reads in the C locale, rounded also beyond the doubles' range.
 std::optional<double> parse_any_double(std::string_view text) noexcept {
+  if (text.size() > kLongestNumber) return std::nullopt;
   const bool negative = text.starts_with('-');
   if (negative || text.starts_with('+')) text.remove_prefix(1);
-  const auto signed_value = [&](double value) { return negative ? -value : value; };
+  std::optional<double> value;
   if (equal_but_case(text, "inf") || equal_but_case(text, "infinity")) {
-    return signed_value(std::numeric_limits<double>::infinity());
+    value = std::numeric_limits<double>::infinity();
+  } else if (equal_but_case(text, "nan")) {
+    value = std::numeric_limits<double>::quiet_NaN();
+  } else if (!text.starts_with('-')) {
+    value = io::parse_rounded_double(text);
   }
-  if (equal_but_case(text, "nan")) return signed_value(std::numeric_limits<double>::quiet_NaN());
+  if (value && negative) value = -*value;
+  return value;
+}
 
-  const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");
-  if (hexadecimal) text.remove_prefix(2);
-  constexpr std::string_view kFirst = ".0123456789abcdefABCDEF";  // from_chars takes a sign and names of its own
-  if (text.empty() || kFirst.substr(0, hexadecimal ? kFirst.size() : 11).find(text.front()) == std::string_view::npos) {
-    return std::nullopt;
-  }
-  if (text.find("+-") != std::string_view::npos) return std::nullopt;  // libstdc++ 12 takes it for an exponent's sign
-  double value = 0;
-  const char* const last = text.data() + text.size();
-  const auto [end, error] =
-      std::from_chars(text.data(), last, value, hexadecimal ? std::chars_format::hex : std::chars_format::general);
-  if (end != last) return std::nullopt;
-  if (error == std::errc::result_out_of_range) return signed_value(rounded_beyond_range(text, hexadecimal));
-  if (error != std::errc{}) return std::nullopt;
-  return signed_value(value);
+/// The text of a finite time that is no double, for the judge; empty for the others.
+std::string text_beside_doubles(std::string_view number, double nearest) {
+  if (!std::isfinite(nearest) || io::is_plainly_a_double(number)) return {};
+  std::string text(number.substr(number.starts_with('+') ? 1 : 0));
+  if (numbers::exact_value(text)) return numbers::is_exactly_a_double(text) ? std::string() : text;
+  // A number with more digits than are read exactly. kLongestNumber characters alone cannot spell so many, so the
+  // exponent is far below 0: the number is closer to 0 than any time of a query of doubles but 0, and 1e-4000 compares
+  // with all of these times as the number does. Such times are roots of polynomials whose coefficients that are not 0
+  // lie between 2^-3222 and 2^3100, so none is below 2^-6400, about 1e-1927, but 0.
+  return text.starts_with('-') ? "-1e-4000" : "1e-4000";
 }
 
 /// The first word of `text`, which is left with the rest.
@@ -109,7 +91,7 @@ std::string query_line(const Query& query) {
   return line;
 }
 
-std::optional<AnswerLine> read_answer_line(std::string_view line) noexcept {
+std::optional<AnswerLine> read_answer_line(std::string_view line) {
   if (line.ends_with('\r')) line.remove_suffix(1);
   const std::string_view word = take_word(line);
   const std::string_view rest = without_blanks(line);
@@ -121,6 +103,7 @@ std::optional<AnswerLine> read_answer_line(std::string_view line) noexcept {
   if (!answer.contact) return std::nullopt;
   answer.toi = parse_any_double(rest);
   if (!answer.toi) return std::nullopt;
+  answer.toi_as_written = text_beside_doubles(rest, *answer.toi);
   return answer;
 }
 

@@ -17,7 +17,8 @@ namespace touchstone::pipes {
 //            t = 0, in the order a0 a1 b0 b1, v f0 f1 f2, p e0 e1 or p q, and then x y z of each corner at t = 1: 24,
 //            24, 18 or 12 numbers.
 // An answer: "0"            no contact for t in [0, 1]
-//            "1 TOI"        contact, first at TOI, a number that C's strtod reads: hexfloat, decimal, nan, inf
+//            "1 TOI"        contact, first at TOI, a number that C's strtod reads: hexfloat, decimal, nan, inf; at most
+//                           1024 characters. It counts as it is written, not as the double next to it
 //            "1"            contact; this solver reports no time
 //            "unsupported"  the solver takes no queries of this kind; only as the first answer to a kind
 //            and a line feed. A carriage return and blanks before it do no harm.
@@ -30,11 +31,12 @@ std::string query_line(const Query& query);
 struct AnswerLine {
   bool supported = true;
   bool contact = false;
-  std::optional<double> toi;  ///< may be NaN or infinite
+  std::optional<double> toi;   ///< may be NaN or infinite
+  std::string toi_as_written;  ///< as in Claim: the time when `toi` is only the nearest double to it
 };
 
 /// The answer in a line (without its line feed), or nothing when the line is none of the above.
-std::optional<AnswerLine> read_answer_line(std::string_view line) noexcept;
+std::optional<AnswerLine> read_answer_line(std::string_view line);
 
 /// The query in a line (without its line feed), or nothing when the line holds none; query_line's inverse.
 std::optional<Query> read_query_line(std::string_view line) noexcept;

@@ -2,8 +2,9 @@
 #include "scene/json_node.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
-#include <set>
+#include <utility>
 
 #include <touchstone/error.hpp>
 
@@ -18,78 +19,109 @@ std::string key_path(const std::string& object, std::string_view key) {
   return object.empty() ? std::string(key) : object + "." + std::string(key);
 }
 
-/// Where a parser is, and which keys it has seen there: of two equal ones the library would drop the first without a
-/// word. A pass of its own, as the library's parser with a callback takes time that grows with the square of a list.
-class KeyWatch final : public nlohmann::json_sax<nlohmann::json> {
+/// Makes a document of what the library's parser reads. The library's own maker drops the first of two equal keys
+/// without a word, and when memory runs out it destroys what it has made itself, which ends the program (see
+/// JsonDocument).
+class DocumentMaker final : public nlohmann::json_sax<nlohmann::json> {
  public:
-  bool null() override { return count(); }
-  bool boolean(bool) override { return count(); }
-  bool number_integer(number_integer_t) override { return count(); }
-  bool number_unsigned(number_unsigned_t) override { return count(); }
-  bool number_float(number_float_t, const string_t&) override { return count(); }
-  bool string(string_t&) override { return count(); }
-  bool binary(binary_t&) override { return count(); }
-  bool start_object(std::size_t) override { return begin(false); }
-  bool start_array(std::size_t) override { return begin(true); }
+  explicit DocumentMaker(nlohmann::json& root) : root_(root) {}
+
+  bool null() override { return add(nullptr); }
+  bool boolean(bool value) override { return add(value); }
+  bool number_integer(number_integer_t value) override { return add(value); }
+  bool number_unsigned(number_unsigned_t value) override { return add(value); }
+  bool number_float(number_float_t value, const string_t&) override { return add(value); }
+  bool string(string_t& value) override { return add(std::move(value)); }
+  bool binary(binary_t&) override { return false; }  // no JSON text has any
+  bool start_object(std::size_t) override { return begin(nlohmann::json::object()); }
+  bool start_array(std::size_t) override { return begin(nlohmann::json::array()); }
   bool end_object() override { return end(); }
   bool end_array() override { return end(); }
   bool key(string_t& name) override {
     Open& object = open_.back();
     object.name = name;
-    if (!object.keys.insert(name).second) throw Error(path() + ": the key is there twice in one object");
+    if (object.value->contains(name)) throw Error(path() + ": the key is there twice in one object");
     return true;
   }
-  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override {
-    return false;  // the parser that makes the document says it better
+  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception& error) override {
+    // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
+    const std::string what = error.what();
+    const std::size_t bracket = what.find("] ");
+    throw Error("no JSON: " + io::with_short_words(bracket == std::string::npos ? what : what.substr(bracket + 2)));
   }
 
  private:
   struct Open {
-    bool list = false;
-    std::size_t count = 0;       // of a list: values that have begun
-    std::string name;            // of an object: its latest key
-    std::set<std::string> keys;  // of an object
+    nlohmann::json* value;  // does not move: nothing is added to what holds it while it is open
+    std::string name;       // of an object: its latest key
   };
-  bool begin(bool list) {
-    count();
-    open_.push_back({list, 0, {}, {}});
+
+  nlohmann::json& put(nlohmann::json&& value) {
+    if (open_.empty()) return root_ = std::move(value);
+    nlohmann::json& parent = *open_.back().value;
+    if (parent.is_array()) return parent.emplace_back(std::move(value));
+    return parent[open_.back().name] = std::move(value);
+  }
+  bool add(nlohmann::json&& value) {
+    put(std::move(value));
+    return true;
+  }
+  bool begin(nlohmann::json&& empty) {
+    nlohmann::json& value = put(std::move(empty));
+    open_.push_back({&value, {}});
     return true;
   }
   bool end() {
     open_.pop_back();
     return true;
   }
-  bool count() {
-    if (!open_.empty()) ++open_.back().count;
-    return true;
-  }
   std::string path() const {
     constexpr std::size_t kLongest = 400;  // keys may be any text, and as deep as the file is long
     std::string path;
     for (const Open& open : open_) {
-      const std::string quoted = io::in_quotes(open.name);
-      path = open.list ? item_path(path, open.count - 1) : key_path(path, quoted.substr(1, quoted.size() - 2));
+      const std::string name = io::shortened(open.name);
+      path = open.value->is_array() ? item_path(path, open.value->size() - 1) : key_path(path, name);
       if (path.size() > kLongest) return path + "...";
     }
     return path;
   }
 
+  nlohmann::json& root_;
   std::vector<Open> open_;
 };
 
+/// The last element of a list or object, which is not empty.
+nlohmann::json& last_of(nlohmann::json& value) { return *std::prev(value.end()); }
+
+void erase_last(nlohmann::json& value) { value.erase(std::prev(value.end())); }
+
 }  // namespace
 
-nlohmann::json parse_json(std::string_view text) {
-  KeyWatch watch;
-  nlohmann::json::sax_parse(text.begin(), text.end(), &watch);
-  try {
-    return nlohmann::json::parse(text.begin(), text.end());
-  } catch (const nlohmann::json::exception& error) {
-    // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
-    const std::string what = error.what();
-    const std::size_t bracket = what.find("] ");
-    throw Error("no JSON: " + (bracket == std::string::npos ? what : what.substr(bracket + 2)));
+JsonDocument::~JsonDocument() {
+  // Depth first, from the last element to the first. `current` is being emptied; `above` is what holds it, with the
+  // next one above in the place from which the current one was taken.
+  nlohmann::json current = std::move(value_), above;
+  for (;;) {
+    if (current.is_structured() && !current.empty()) {
+      nlohmann::json next = std::move(last_of(current));
+      last_of(current) = std::move(above);
+      above = std::move(current);
+      current = std::move(next);
+    } else if (above.is_structured()) {
+      current = std::move(above);
+      above = std::move(last_of(current));
+      erase_last(current);
+    } else {
+      return;
+    }
   }
+}
+
+JsonDocument parse_json(std::string_view text) {
+  JsonDocument document;
+  DocumentMaker maker(document.value());
+  nlohmann::json::sax_parse(text.begin(), text.end(), &maker);
+  return document;
 }
 
 void JsonNode::fail(std::string_view reason) const {

@@ -16,8 +16,24 @@
 
 namespace touchstone::sim {
 
+/// A document that can be destroyed when there is no memory left. The library's destructor allocates a list of all
+/// elements, and a failure there ends the program, as no exception may leave a destructor.
+class JsonDocument {
+ public:
+  JsonDocument() = default;
+  JsonDocument(JsonDocument&& other) noexcept = default;
+  JsonDocument& operator=(JsonDocument&&) = delete;
+  ~JsonDocument();
+
+  nlohmann::json& value() noexcept { return value_; }
+  const nlohmann::json& value() const noexcept { return value_; }
+
+ private:
+  nlohmann::json value_;
+};
+
 /// @throws Error for what is no JSON, and for a key that an object has twice, by its path
-nlohmann::json parse_json(std::string_view text);
+JsonDocument parse_json(std::string_view text);
 
 class JsonNode {
  public:

@@ -7,8 +7,8 @@
 #include <touchstone/error.hpp>
 
 #include "scene/json_node.hpp"
-#include "scene/scene_file.hpp"
 #include "scene/parts.hpp"
+#include "scene/scene_file.hpp"
 
 namespace touchstone::sim {
 namespace {
@@ -220,8 +220,8 @@ void add_cable(Scene& scene, const JsonNode& node) {
 }  // namespace
 
 Scene scene_from_json(std::string_view text) {
-  const nlohmann::json document = parse_json(text);
-  const JsonNode root(document);
+  const JsonDocument document = parse_json(text);
+  const JsonNode root(document.value());
   root.check_keys(
       {"touchstone_scene", "name", "settings", "particles", "springs", "surfaces", "cables", "wires", "faces"});
   root.at("touchstone_scene").version(kVersion);

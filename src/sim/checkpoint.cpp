@@ -3,6 +3,7 @@
 
 #include <touchstone/error.hpp>
 
+#include "io/sealed_json.hpp"
 #include "io/times.hpp"
 #include "scene/json_node.hpp"
 #include "scene/scene_file.hpp"
@@ -11,16 +12,28 @@
 namespace touchstone::sim {
 namespace {
 
+constexpr std::uint32_t kVersion = 2;
+
+/// A run must not go on from a state that is not the one that was written: a changed bit is other physics.
+void check_seal(std::string_view text) {
+  if (io::seal_holds(text)) return;
+  // Checkpoints of version 1 have no digest. No single changed bit makes the 2 of this version a 1.
+  if (text.find("\"touchstone_checkpoint\": 1,") != std::string_view::npos) {
+    throw Error("the checkpoint has no digest, as an older version wrote it; start the run again from its scene");
+  }
+  throw Error("the checkpoint's digest does not match its content: the file is damaged or no checkpoint");
+}
+
 double from_hexfloat(const JsonNode& node) {
   const auto value = io::parse_finite_double(node.text());
   if (!value) node.fail("is no finite hexfloat, such as \"0x1.8p-2\"");
   return *value;
 }
 
-nlohmann::json hexfloats(const double* values, std::size_t count) {
-  nlohmann::json list = nlohmann::json::array();
+/// Appends to a list of a document: a list by itself could not be destroyed when memory runs out.
+void append_hexfloats(nlohmann::json& list, const double* values, std::size_t count) {
+  if (list.is_null()) list = nlohmann::json::array();
   for (std::size_t i = 0; i < count; ++i) list.push_back(io::hexfloat(values[i]));
-  return list;
 }
 
 VectorX vector_from(const JsonNode& node) {
@@ -34,26 +47,27 @@ VectorX vector_from(const JsonNode& node) {
 
 std::string checkpoint_to_json(const Simulation& simulation) {
   const State& state = simulation.state();
-  nlohmann::json json;
-  json["touchstone_checkpoint"] = 1;
+  JsonDocument document;
+  nlohmann::json& json = document.value();
+  json["touchstone_checkpoint"] = kVersion;
   json["steps"] = simulation.steps();
   json["time"] = io::hexfloat(state.time);
-  json["q"] = hexfloats(state.q.data(), static_cast<std::size_t>(state.q.size()));
-  json["v"] = hexfloats(state.v.data(), static_cast<std::size_t>(state.v.size()));
-  json["directors"] = nlohmann::json::array();
-  for (const Vector3& d : state.frames.director) {
-    for (const double x : {d.x(), d.y(), d.z()}) json["directors"].push_back(io::hexfloat(x));
-  }
-  json["reference_twists"] = hexfloats(state.frames.reference_twist.data(), state.frames.reference_twist.size());
+  append_hexfloats(json["q"], state.q.data(), static_cast<std::size_t>(state.q.size()));
+  append_hexfloats(json["v"], state.v.data(), static_cast<std::size_t>(state.v.size()));
+  append_hexfloats(json["directors"], nullptr, 0);
+  for (const Vector3& d : state.frames.director) append_hexfloats(json["directors"], d.data(), 3);
+  append_hexfloats(json["reference_twists"], state.frames.reference_twist.data(), state.frames.reference_twist.size());
   json["scene"] = scene_to_json(simulation.scene());
-  return json.dump(1) + "\n";
+  return io::sealed_json(json.dump(1) + "\n");
 }
 
 Checkpoint checkpoint_from_json(std::string_view text) {
-  const nlohmann::json json = parse_json(text);
-  const JsonNode root(json, "the checkpoint");
-  root.check_keys({"touchstone_checkpoint", "steps", "time", "q", "v", "directors", "reference_twists", "scene"});
-  root.at("touchstone_checkpoint").version(1);
+  check_seal(text);
+  const JsonDocument document = parse_json(text);
+  const JsonNode root(document.value(), "the checkpoint");
+  root.check_keys(
+      {"sha256", "touchstone_checkpoint", "steps", "time", "q", "v", "directors", "reference_twists", "scene"});
+  root.at("touchstone_checkpoint").version(kVersion);
   Checkpoint checkpoint;
   const std::string scene = root.at("scene").text();
   try {

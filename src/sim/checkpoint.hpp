@@ -15,10 +15,10 @@ struct Checkpoint {
   State state;
 };
 
-/// Scene and state; numbers of the state are C hexfloats.
+/// Scene and state; numbers of the state are C hexfloats. The text carries a digest of itself (io/sealed_json.hpp).
 std::string checkpoint_to_json(const Simulation& simulation);
 
-/// @throws Error naming the key that is missing or makes no sense
+/// @throws Error when the digest does not match the text, and naming the key that is missing or makes no sense
 Checkpoint checkpoint_from_json(std::string_view text);
 
 }  // namespace touchstone::sim

@@ -3,7 +3,10 @@
 
 #include <utility>
 
+#include <touchstone/error.hpp>
+
 #include "exact/exact_times.hpp"
+#include "numbers/common_denominator.hpp"
 #include "numbers/float_environment.hpp"
 #include "solver/validate.hpp"
 
@@ -44,6 +47,18 @@ int ExactTime::compare(double time) const {
   const numbers::DefaultFloatEnvironment environment;
   solver::validate_finite_time(time);
   return impl_->root.compare(numbers::Exact(time));
+}
+
+int ExactTime::compare(const Fraction& time) const {
+  const numbers::DefaultFloatEnvironment environment;
+  solver::validate_fraction(time);
+  const auto integers = numbers::over_common_denominator({{time.numerator, time.denominator}, {"1", "1"}});
+  const numbers::Exact& numerator = integers[0];
+  const numbers::Exact& denominator = integers[1];  // positive
+  if (numbers::sign_of(numerator) < 0) return 1;
+  if (numbers::sign_of(numerator - denominator) > 0) return -1;
+  const numbers::RealRoot mine = impl_->root;  // a copy: roots keep what they find out
+  return mine.compare(numbers::RealRoot::rational(numerator, denominator, 1));
 }
 
 ExactTime ExactTime::reversed() const {

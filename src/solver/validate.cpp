@@ -31,6 +31,19 @@ std::string shortened(const std::string& text) {
   return text.size() <= kShown ? text : text.substr(0, kShown) + "...";
 }
 
+std::string text_of(const Fraction& fraction) {
+  return shortened(fraction.numerator) + "/" + shortened(fraction.denominator);
+}
+
+/// Why the two texts are no fraction, for a message after them; empty when they are one.
+std::string fault_of(const Fraction& fraction) {
+  if (!numbers::is_decimal_integer(fraction.numerator) || !numbers::is_decimal_integer(fraction.denominator)) {
+    return "; numerator and denominator must be decimal integers";
+  }
+  const bool zero = fraction.denominator.find_first_not_of("-0") == std::string::npos;
+  return zero ? "; the denominator must not be 0" : "";
+}
+
 [[noreturn]] void throw_not_finite(const Query& query) {
   for (int side = 0; side < 2; ++side) {
     const auto& corners = side == 0 ? query.start : query.end;
@@ -55,6 +68,11 @@ void validate_t_max(double t_max) {
 
 void validate_finite_time(double time) {
   if (!std::isfinite(time)) throw InvalidQuery("the time is " + number(time) + "; it must be finite");
+}
+
+void validate_fraction(const Fraction& time) {
+  const std::string fault = fault_of(time);
+  if (!fault.empty()) throw InvalidQuery("the time is " + text_of(time) + fault);
 }
 
 void validate_kind(Kind kind) {
@@ -93,12 +111,9 @@ void validate(const RationalQuery& query, double t_max) {
     const auto& corners = side == 0 ? query.start : query.end;
     for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto& [numerator, denominator] = corners[i][axis];
-        const bool integers = numbers::is_decimal_integer(numerator) && numbers::is_decimal_integer(denominator);
-        if (integers && denominator.find_first_not_of("-0") != std::string::npos) continue;
-        throw InvalidQuery(
-            where(query.kind, i, side, axis) + shortened(numerator) + "/" + shortened(denominator) +
-            (integers ? "; the denominator must not be 0" : "; numerator and denominator must be decimal integers"));
+        const std::string fault = fault_of(corners[i][axis]);
+        if (fault.empty()) continue;
+        throw InvalidQuery(where(query.kind, i, side, axis) + text_of(corners[i][axis]) + fault);
       }
     }
   }

@@ -25,6 +25,9 @@ void validate_t_max(double t_max);
 /// @throws InvalidQuery  unless the time is finite
 void validate_finite_time(double time);
 
+/// @throws InvalidQuery  unless numerator and denominator are decimal integers, the denominator not zero
+void validate_fraction(const Fraction& time);
+
 /// @throws InvalidQuery  naming the kind's number, unless it is one of Kind's
 void validate_kind(Kind kind);
 

@@ -5,9 +5,11 @@
 
 #include <touchstone/certify.hpp>
 #include <touchstone/contact_times.hpp>
+#include <touchstone/error.hpp>
 #include <touchstone/solve.hpp>
 
 #include "certify/tally.hpp"
+#include "io/times.hpp"
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
 #include "support/query_text.hpp"
@@ -86,6 +88,116 @@ TEST_CASE("late agrees with exact comparison against the exact time") {
   }
   CHECK(late > 50);
   CHECK(between_doubles > 5);
+}
+
+namespace {
+
+/// Two points of which one moves along x from `from` to `to`; the other stands at 0.
+Query meeting(double from, double to) {
+  PointPoint points;
+  points.start[0].x = from;
+  points.end[0].x = to;
+  return points;
+}
+
+template <class AnyQuery>
+Verdict as_written(const std::string& text, const AnyQuery& query) {
+  return judge({true, io::parse_rounded_double(text), text}, query, solve(query));
+}
+
+}  // namespace
+
+TEST_CASE("a time as written is compared exactly, not by its nearest double") {
+  SECTION("the exact time is a double, 1/2") {
+    const Query query = meeting(-1, 1);
+    CHECK(as_written("0.5", query) == Verdict::holds);
+    CHECK(as_written("0.500000000000000000000000000", query) == Verdict::holds);
+    CHECK(as_written("0.50000000000000000001", query) == Verdict::late);
+    CHECK(as_written("0.49999999999999999999", query) == Verdict::holds);
+    CHECK(as_written("0x0.80000000000000000000000001p0", query) == Verdict::late);
+  }
+  SECTION("the exact time is 1/10, which no double is") {
+    const Query query = meeting(-1, 9);
+    CHECK(as_written("0.1", query) == Verdict::holds);
+    CHECK(as_written("1e-1", query) == Verdict::holds);
+    CHECK(as_written("0.10000000000000000000000001", query) == Verdict::late);
+    CHECK(as_written("0.09999999999999999999999999", query) == Verdict::holds);
+    CHECK(as_written("0x1.999999999999ap-4", query) == Verdict::late);
+    CHECK(as_written("0x1.9999999999999p-4", query) == Verdict::holds);
+    CHECK(as_written("0x1.99999999999999999999p-4", query) == Verdict::holds);
+    CHECK(as_written("0.2", query) == Verdict::late);
+    // The nearest double decides where there is no text.
+    CHECK(judge({true, 0.1}, query, solve(query)) == Verdict::late);
+    CHECK(judge({true, 0.1}, solve(query)) == Verdict::late);
+  }
+  SECTION("the exact time is the square root of 1/2") {
+    PointEdge moving;
+    moving.start = {{{0, 0.5, 0}, {0, 0, 0}, {1, 0, 0}}};
+    moving.end = {{{1, 0.5, 0}, {0, 0, 0}, {1, 1, 0}}};
+    const Query query = moving;
+    CHECK(as_written("0.70710678118654752440084436210484903928", query) == Verdict::holds);
+    CHECK(as_written("0.70710678118654752440084436210484903929", query) == Verdict::late);
+    const std::string root =
+        "0.707106781186547524400844362104849039284835937688474036588339868995366239231053519425193"
+        "76716382078636750692311545614851246241802792536860632206074854996791570661133296375279637";
+    CHECK(as_written(root, query) == Verdict::holds);
+    CHECK(as_written(root.substr(0, root.size() - 1) + "9", query) == Verdict::late);
+  }
+  SECTION("the query is rational") {
+    RationalQuery query;
+    query.kind = Kind::point_point;
+    query.start[0][0] = {"-1", "7"};
+    query.end[0][0] = {"2", "7"};
+    CHECK(as_written("0.33333333333333333333333333", query) == Verdict::holds);
+    CHECK(as_written("0.33333333333333333333333334", query) == Verdict::late);
+  }
+}
+
+TEST_CASE("times closer to 0 than any double are compared exactly") {
+  const Query at_once = meeting(0, 1);
+  CHECK(as_written("1e-400", at_once) == Verdict::late);
+  CHECK(as_written("0x1p-2000", at_once) == Verdict::late);
+  CHECK(as_written("-1e-400", at_once) == Verdict::holds);
+  CHECK(as_written("0e-400", at_once) == Verdict::holds);
+  // 2^-1074 / (2^-1074 + 2^997) = 3.68...e-624
+  const Query soon = meeting(-0x1p-1074, 0x1p997);
+  REQUIRE(solve(soon).toi == 0);
+  CHECK(as_written("1e-400", soon) == Verdict::late);
+  CHECK(as_written("3.68e-624", soon) == Verdict::holds);
+  CHECK(as_written("3.69e-624", soon) == Verdict::late);
+  CHECK(as_written("0x1p-2071", soon) == Verdict::late);
+  CHECK(as_written("0x.ffffffp-2071", soon) == Verdict::holds);
+}
+
+TEST_CASE(
+    "a time as written agrees with the nearest double wherever that decides, and is refused when it is no number") {
+  constexpr std::uint64_t kSeed = 12;
+  CAPTURE(kSeed);
+  Rng rng(kSeed);
+  for (int i = 0; i < 200; ++i) {
+    const Query query = make(Family::prescribed, Kind::edge_edge, rng);
+    const Answer answer = solve(query);
+    if (!answer.contact) continue;
+    for (const double toi : {0.0, answer.toi, answer.toi_upper, std::nextafter(answer.toi, 2.0), 0.75, 1.0, 2.0}) {
+      REQUIRE(judge({true, toi, io::hexfloat(toi)}, query, answer) == judge({true, toi}, answer));
+    }
+  }
+  const Query query = meeting(-1, 1);
+  for (const char* text : {"half", "1e-9999", "nan"}) {
+    CHECK_THROWS_AS(judge({true, 0.5, text}, query, solve(query)), InvalidQuery);
+  }
+  CHECK(judge({true, {}, "half"}, query, solve(query)) == Verdict::holds);
+  CHECK(judge({false, {}, ""}, query, solve(query)) == Verdict::missed);
+}
+
+TEST_CASE("a claim that holds as written is no double early when its nearest double is after the exact time") {
+  certify::Tally tally;
+  const Query query = meeting(-1, 9);
+  const Claim claim{true, 0.1, "0.1"};
+  tally.add(claim, solve(query), judge(claim, query, solve(query)));
+  CHECK(tally.verdicts.holds == 1);
+  CHECK(tally.early.most_ulps() == 0);
+  CHECK(tally.early.most_time() == 0);
 }
 
 TEST_CASE("verdicts have the names that reports use") {

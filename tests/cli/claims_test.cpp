@@ -1,6 +1,7 @@
 // touchstone certify --claims: an answers file in step with the queries.
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -80,6 +81,37 @@ TEST_CASE("a claim one double after the exact time is late, at it or before it h
                     "    claim: contact at 0x1.5555555555556p-2 (0.33333333333333337)\n"
                     "    exact: contact at 0x1.5555555555555p-2 (0.3333333333333333), isolated, p against q\n"
                     "    touchstone explain --query 0 point-point/a.csv\n") == 1);
+}
+
+TEST_CASE("a claimed time is compared as it is written, exactly") {
+  const TemporaryFolder folder;
+  // A point that meets another one at t = 1/2, and one that does at t = 1/10.
+  const std::string file = folder.write("point-point/a.csv",
+                                        "-1,1,0,1,0,1,1\n0,1,0,1,0,1,1\n1,1,0,1,0,1,1\n0,1,0,1,0,1,1\n"
+                                        "-1,1,0,1,0,1,1\n0,1,0,1,0,1,1\n9,1,0,1,0,1,1\n0,1,0,1,0,1,1\n");
+  const auto certify = [&](const std::string& half, const std::string& tenth) {
+    const std::string claims = "query,contact,toi\n0,1," + half + "\n1,1," + tenth + "\n";
+    return run_program({"certify", "--claims", folder.write("c.csv", claims), "--report", folder.path("r.json"), file});
+  };
+  CHECK(certify("0.5", "0.1").status == 0);
+  CHECK(nlohmann::json::parse(folder.read("r.json"))["early"]["ulps"]["most"] == 0);
+  CHECK(certify("0.49999999999999999999", "0.09999999999999999999").status == 0);
+  CHECK(certify("-1e-400", "1e-400").status == 0);
+
+  const Run late = certify("0.50000000000000000001", "0.10000000000000000000001");
+  CHECK(late.status == 1);
+  CHECK(occurrences(late.out, "2 of 2 claims refuted") == 1);
+  CHECK(occurrences(late.out, "claim: contact at 0.50000000000000000001\n    exact: contact at 0x1p-1 (0.5)") == 1);
+  const auto report = nlohmann::json::parse(folder.read("r.json"));
+  CHECK(report["refuted"][0]["verdict"] == "late");
+  CHECK(report["refuted"][0]["claim"] == nlohmann::json{{"contact", 1}, {"toi", "0.50000000000000000001"}});
+  CHECK(report["refuted"][1]["claim"] == nlohmann::json{{"contact", 1}, {"toi", "0.10000000000000000000001"}});
+
+  const Run doubles = certify("0.75", "0x1.999999999999ap-4");
+  CHECK(doubles.status == 1);
+  const auto hexfloats = nlohmann::json::parse(folder.read("r.json"));
+  CHECK(hexfloats["refuted"][0]["claim"]["toi"] == "0x1.8p-1");
+  CHECK(hexfloats["refuted"][1]["claim"]["toi"] == "0x1.999999999999ap-4");
 }
 
 TEST_CASE("missed and phantom claims are refuted whatever the truth column says") {

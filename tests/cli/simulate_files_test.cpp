@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "cli/run_program.hpp"
+#include "io/sealed_json.hpp"
 #include "support/catch.hpp"
 #include "support/skip.hpp"
 
+using namespace touchstone;
 using namespace touchstone::tests;
 
 namespace {
@@ -186,12 +188,59 @@ TEST_CASE("a file that cannot be written is not there, and keeps none of the oth
   check_rest(before_it, steps);
 }
 
+TEST_CASE("memory that runs out while JSON is read ends with status 2, wherever it does") {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  WARN("sanitizers map terabytes: limits on memory are not tested");
+#else
+  const TemporaryFolder folder;
+  std::string flat = "{\"touchstone_scene\": 1, \"particles\": [0", nested = flat.substr(0, flat.size() - 1);
+  for (int i = 0; i < 1'000'000; ++i) flat += ",0";
+  for (int i = 0; i < 200'000; ++i) nested += "{\"position\":[0,0,0]},";
+  std::string deep = "{\"touchstone_scene\": 1, \"name\": " + std::string(1'000'000, '[');
+  const std::string whole = deep + std::string(1'000'000, ']') + "}";
+  int ran_out = 0;
+  for (const std::string& text : {flat + "]}", nested + "0]}", deep, whole}) {
+    for (const bool checkpoint : {false, true}) {
+      const std::string file = folder.write("in.json", checkpoint ? io::sealed_json(text) : text);
+      for (std::uint64_t mebibytes = 24; mebibytes <= 160; mebibytes += 8) {
+        RunOptions options;
+        options.address_space = mebibytes << 20;
+        std::vector<std::string> arguments = {"simulate", "--scene-out", folder.path("out.json")};
+        if (checkpoint) arguments.push_back("--resume");
+        arguments.push_back(file);
+        const Run run = run_program(arguments, options);
+        CAPTURE(text.substr(0, 50), checkpoint, mebibytes, run.err);
+        if (run.status == 127) continue;  // too little for the loader to start the program
+        CHECK(run.status == 2);
+        CHECK(occurrences(run.err, "\n") == 1);
+        ran_out += run.err == "touchstone: out of memory\n";
+      }
+    }
+  }
+  CHECK(ran_out >= 10);  // the sweep meets every phase of reading
+#endif
+}
+
+TEST_CASE("a damaged checkpoint is refused by file and digest") {
+  const TemporaryFolder folder;
+  REQUIRE(run_program({"simulate", "two-edges", "--steps", "3", "--checkpoint", folder.path("a.json")}).status == 0);
+  std::string text = folder.read("a.json");
+  const std::size_t velocity = text.find("\"v\": [") + 14;
+  text[velocity] = static_cast<char>(text[velocity] ^ 1);
+  const Run run = run_program({"simulate", "--resume", folder.write("b.json", text), "--out", folder.path("out")});
+  CAPTURE(run.err);
+  CHECK(run.status == 2);
+  CHECK(occurrences(run.err, "b.json: the checkpoint's digest does not match its content") == 1);
+  CHECK(occurrences(run.err, "\n") == 1);
+  CHECK(folder.names() == std::set<std::string>{"a.json", "b.json"});
+}
+
 TEST_CASE("a checkpoint that does not fit its scene is refused by file and key") {
   const TemporaryFolder folder;
   REQUIRE(run_program({"simulate", "two-edges", "--steps", "3", "--checkpoint", folder.path("a.json")}).status == 0);
   std::string text = folder.read("a.json");
   text.replace(text.find("\"steps\": 3"), 10, "\"steps\": 4");
-  const std::string bad = folder.write("b.json", text);
+  const std::string bad = folder.write("b.json", io::sealed_json("{" + text.substr(text.find('\n') + 1)));
   const Run run = run_program({"simulate", "--resume", bad, "--out", folder.path("out")});
   CAPTURE(run.err);
   CHECK(run.status == 2);

@@ -68,6 +68,74 @@ TEST_CASE("bad usage ends with status 2 and one line") {
   check_refused({"explain", "--query", "0", "--t-max", "nan", "a.csv"}, "--t-max");
 }
 
+TEST_CASE("numbers beyond the doubles are called what they are, and long ones are not repeated whole") {
+  const std::string digits(100'000, '1');
+  check_refused({"explain", "--query", "0", "--t-max", "1e-400", "a.csv"},
+                "--t-max: 1e-400 is closer to 0 than any double that is not 0");
+  check_refused({"explain", "--query", "0", "--t-max", "1e400", "a.csv"}, "1e400 is beyond the greatest double");
+  check_refused({"explain", "--query", "0", "--t-max", "half", "a.csv"}, "half is no finite number");
+  check_refused({"fuzz", "--seconds", "1e-400"}, "1e-400 is closer to 0 than any double that is not 0");
+  check_refused({"fuzz", "--limit", "1e400"}, "1e400 is beyond the greatest double");
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"explain", "--query", "0", "--t-max", digits, "a.csv"},
+                                             {"explain", "--query", digits, "a.csv"},
+                                             {"explain", "--query=" + digits, "a.csv"},
+                                             {"certify", "--threads", digits},
+                                             {"certify", "--kind", digits, "a.csv"},
+                                             {"certify", "--level", digits},
+                                             {"certify", "--" + digits},
+                                             {digits},
+                                             {"fuzz", "--seconds", digits},
+                                             {"fuzz", "--early", digits},
+                                             {"fuzz", "--early", digits + "ulps"},
+                                             {"fuzz", "--limit", digits},
+                                             {"fuzz", "--seed", digits},
+                                             {"fuzz", "--family", digits},
+                                             {"fuzz", "--case", digits},
+                                             {"fuzz", "--solver", digits},
+                                             {"generate", "--seed", digits, "--out", "x"},
+                                             {"generate", "--scene", digits, "--out", "x"},
+                                             {"bench", "--filter", "(" + digits},
+                                             {"stress", "--dial", digits, "--out", "x"},
+                                             {"simulate", "hoop", "--size", digits},
+                                             {"simulate", digits},
+                                             {"simulate", "hoop", "--narrow-phase", digits}}) {
+    const Run run = run_program(arguments);
+    CAPTURE(arguments[0], run.err);
+    CHECK(run.status == 2);
+    CHECK(occurrences(run.err, "\n") == 1);
+    CHECK(run.err.size() < 2000);
+  }
+}
+
+TEST_CASE("a file's hostile number is not repeated whole") {
+  const TemporaryFolder folder;
+  const std::string digits(100'000, '1');
+  const auto check_short = [](const std::vector<std::string>& arguments) {
+    const Run run = run_program(arguments);
+    CAPTURE(arguments[0], run.err);
+    CHECK(run.status == 2);
+    CHECK(occurrences(run.err, "\n") == 1);
+    CHECK(run.err.size() < 1000);
+  };
+  std::string queries = two_point_queries();
+  check_short({"solve", folder.write("point-point/a.csv", digits + queries)});
+  check_short({"solve", folder.write("point-point/b.csv", digits + "e5" + queries)});
+  const std::string good = folder.write("point-point/c.csv", queries);
+  for (const std::string& row : {digits + ",1,0.25", "0," + digits + ",0.25", "0,1," + digits, "0,1,x" + digits,
+                                 "0,1,0." + digits, "0,1,1e-" + digits, "0,1,0x1p-" + digits}) {
+    check_short({"certify", "--claims", folder.write("d.csv", "query,contact,toi\n" + row + "\n"), good});
+  }
+  check_short({"certify", "--claims", folder.write("e.csv", digits + ",query,contact\n"), good});
+  for (const std::string& scene :
+       {"{\"touchstone_scene\": " + digits + "}", "{\"touchstone_scene\": 1, \"settings\": {\"drag\": " + digits + "}}",
+        "{\"touchstone_scene\": 1, \"" + digits + "\": 1}", "{\"touchstone_scene\": 1, \"settings\": " + digits + "x}",
+        "{\"touchstone_scene\": 1, \"settings\": {\"integrator\": \"" + digits + "\"}}", "[" + digits + "e]", digits,
+        "\"" + digits}) {
+    check_short({"simulate", folder.write("s.json", scene), "--steps", "0"});
+  }
+}
+
 TEST_CASE("files that are missing, folders, or of no known kind end with status 2 and one line") {
   const TemporaryFolder folder;
   const std::string text = two_point_queries();

@@ -30,7 +30,7 @@ Reply says(bool contact, std::optional<double> toi = std::nullopt) {
 }
 
 std::string class_of(const Reply& reply, const Answer& truth, const fuzz::EarlyLimit& early = {}) {
-  const auto failure = fuzz::failure_of(reply, truth, early);
+  const auto failure = fuzz::failure_of(Query(), reply, truth, early);  // times are doubles: the query says no more
   return failure ? std::string(fuzz::failure_name(failure->failure)) : "right";
 }
 
@@ -81,7 +81,7 @@ TEST_CASE("a reply that is no answer is of its state's class, and keeps the deta
   reply.detail = "signal 11";
   reply.state = Reply::State::crashed;
   CHECK(class_of(reply, contact_at(0.5, 0.5)) == "crash");
-  CHECK(fuzz::failure_of(reply, Answer(), {})->detail == "signal 11");
+  CHECK(fuzz::failure_of(Query(), reply, Answer(), {})->detail == "signal 11");
   reply.state = Reply::State::hung;
   CHECK(class_of(reply, Answer()) == "hang");
   reply.state = Reply::State::malformed;

@@ -127,6 +127,30 @@ TEST_CASE("only query and contact are needed, in any order and layout") {
   CHECK(decimal.rows.at(0).toi == 0.375);
 }
 
+TEST_CASE("a time is handed on as it is written when it may be no double") {
+  const auto written = [](const std::string& toi) {
+    std::string text;
+    double nearest = 0;
+    io::AnswerReader reader(io::InputFile::from_memory("a.csv", "query,contact,toi\n0,1," + toi + "\n1,0,\n"));
+    io::AnswerRow row;
+    REQUIRE(reader.next(row));
+    text = row.toi_as_written;
+    nearest = row.toi.value();
+    REQUIRE(reader.next(row));
+    CHECK(row.toi_as_written.empty());
+    return std::pair(text, nearest);
+  };
+  using Written = std::pair<std::string, double>;
+  CHECK(written("0x1.8p-2") == Written("", 0.375));
+  CHECK(written("0x0p+0") == Written("", 0.0));
+  CHECK(written("-0x1.fffffffffffffp-1") == Written("", -0x1.fffffffffffffp-1));
+  CHECK(written("0.1") == Written("0.1", 0.1));
+  CHECK(written("0.50000000000000000001") == Written("0.50000000000000000001", 0.5));
+  CHECK(written("0x1.00000000000008p-1") == Written("0x1.00000000000008p-1", 0.5));
+  CHECK(written("1e-400") == Written("1e-400", 0.0));
+  CHECK(written("-1e-400") == Written("-1e-400", 0.0));
+}
+
 TEST_CASE("a row in quotes that spans lines counts them") {
   const ReadAnswers answers = read("file,query,contact\n\"a\nb\",0,1\n\"a\nb\",1,2\n", 7);
   REQUIRE(answers.rows.size() == 1);
@@ -157,11 +181,17 @@ TEST_CASE("faults of a claims file are named with file, row and reason") {
   CHECK(error_of(head + "99999999999999999999,0,\n").substr(0, 18) == "a.csv:3: query is ");
   CHECK(error_of(head + "1,yes,\n") == "a.csv:3: contact is 'yes'; it must be 0 or 1");
   CHECK(error_of(head + "1, 1,\n") == "a.csv:3: contact is ' 1'; it must be 0 or 1");
+  const std::string digits(100'000, '1');
+  CHECK(error_of(head + "1,1,0." + digits + "\n") == "a.csv:3: toi has 100002 characters; at most 4096 are read");
+  CHECK(error_of(head + "1,1,1e-5000\n") == "a.csv:3: toi is '1e-5000'; as a fraction it has more than 4096 digits");
+  CHECK(error_of(head + "1,1,1" + digits + "\n") ==
+        "a.csv:3: toi is '1111111111111111111111111111111111111111...'; it is beyond the greatest double");
+  CHECK(error_of(head + "1,1,x" + digits + "\n").size() < 200);
   const std::string finite = "; it must be a finite number such as 0x1.8p-2 or 0.375, or empty";
   CHECK(error_of(head + "1,1,nan\n") == "a.csv:3: toi is 'nan'" + finite);
   CHECK(error_of(head + "1,1,inf\n") == "a.csv:3: toi is 'inf'" + finite);
   CHECK(error_of(head + "1,1,-inf\n") == "a.csv:3: toi is '-inf'" + finite);
-  CHECK(error_of(head + "1,1,1e400\n") == "a.csv:3: toi is '1e400'" + finite);
+  CHECK(error_of(head + "1,1,1e400\n") == "a.csv:3: toi is '1e400'; it is beyond the greatest double");
   CHECK(error_of(head + "1,0,inf\n") == "a.csv:3: toi is 'inf'" + finite);
   CHECK(error_of(head + "1,0,0.5\n") == "a.csv:3: contact is 0 and toi is '0.5'; without contact toi must be empty");
 }

@@ -4,8 +4,10 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <string>
 
@@ -86,6 +88,121 @@ TEST_CASE("a replaced file keeps its permissions, a link stays a link") {
   struct stat status {};
   REQUIRE(::stat(folder.path("real.csv").c_str(), &status) == 0);
   CHECK((status.st_mode & 0777) == 0640);
+}
+
+TEST_CASE("a link that leads to no file yet stays a link, and the file is made where it leads") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path("far"));
+  std::filesystem::create_symlink("far/real.csv", folder.path("second"));
+  std::filesystem::create_symlink(folder.path("second"), folder.path("first"));
+  io::OutputFile out(folder.path("first"));
+  out.write("new");
+  CHECK(folder.names() == Names{"far", "first", "second"});  // what is not yet whole lies beside the target
+  out.commit();
+  CHECK(folder.names() == Names{"far", "first", "second"});
+  CHECK(std::filesystem::is_symlink(folder.path("first")));
+  CHECK(std::filesystem::is_symlink(folder.path("second")));
+  CHECK(folder.read("far/real.csv") == "new");
+}
+
+TEST_CASE("links that lead nowhere are refused, and stay") {
+  const TemporaryFolder folder;
+  const std::string link = folder.path("link");
+  SECTION("the target's folder is missing") {
+    std::filesystem::create_symlink("no/real.csv", link);
+    CHECK(error_of([&] { io::OutputFile{link}; }) ==
+          link + ": is a link to " + folder.path("no/real.csv") + ", whose folder is not there");
+  }
+  SECTION("a loop") {
+    std::filesystem::create_symlink("other", link);
+    std::filesystem::create_symlink("link", folder.path("other"));
+    CHECK(error_of([&] { io::OutputFile{link}; }) ==
+          link + ": is a link that leads to no file: Too many levels of symbolic links");
+  }
+  SECTION("a folder") {
+    std::filesystem::create_directory(folder.path("far"));
+    std::filesystem::create_symlink("far", link);
+    CHECK(error_of([&] { io::OutputFile{link}; }) == link + ": is a folder; name a file to write");
+  }
+  CHECK(std::filesystem::is_symlink(link));
+}
+
+TEST_CASE("what a killed process leaves is removed when the same file is written again") {
+  const TemporaryFolder folder;
+  const std::string target = folder.path("a.csv");
+  for (int killed = 0; killed < 3; ++killed) {
+    const pid_t child = ::fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+      io::OutputFile first(target), second(target);
+      first.write(std::string(100'000, 'x'));
+      ::kill(::getpid(), SIGKILL);
+    }
+    ::waitpid(child, nullptr, 0);
+    // Those of the process that was killed before are gone already.
+    CHECK(folder.names() == Names{"a.csv.touchstone-1.partial", "a.csv.touchstone-2.partial"});
+  }
+  folder.write("b.csv.touchstone-1.partial", "of another file");
+  folder.write("a.csv.partial", "nobody's");
+  io::OutputFile out(target);
+  out.write("whole");
+  out.commit();
+  CHECK(folder.names() == Names{"a.csv", "a.csv.partial", "b.csv.touchstone-1.partial"});
+  CHECK(folder.read("a.csv") == "whole");
+}
+
+TEST_CASE("what a live process writes is left alone, in this process and in others") {
+  const TemporaryFolder folder;
+  const std::string target = folder.path("a.csv");
+  int ready[2], go[2];
+  REQUIRE(::pipe(ready) == 0);
+  REQUIRE(::pipe(go) == 0);
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    io::OutputFile theirs(target);
+    theirs.write("theirs");
+    char byte = 0;
+    if (::write(ready[1], &byte, 1) != 1 || ::read(go[0], &byte, 1) != 1) ::_exit(1);
+    theirs.commit();
+    ::_exit(0);
+  }
+  char byte = 0;
+  REQUIRE(::read(ready[0], &byte, 1) == 1);
+  {
+    io::OutputFile one(target), two(target);
+    CHECK(folder.names() ==
+          Names{"a.csv.touchstone-1.partial", "a.csv.touchstone-2.partial", "a.csv.touchstone-3.partial"});
+    one.write("one");
+    two.write("two");
+    one.commit();
+    CHECK(folder.read("a.csv") == "one");
+    two.commit();
+    CHECK(folder.read("a.csv") == "two");
+  }
+  CHECK(folder.names() == Names{"a.csv", "a.csv.touchstone-1.partial"});
+  REQUIRE(::write(go[1], &byte, 1) == 1);
+  int status = -1;
+  ::waitpid(child, &status, 0);
+  CHECK(status == 0);
+  CHECK(folder.names() == Names{"a.csv"});
+  CHECK(folder.read("a.csv") == "theirs");
+  for (const int end : {ready[0], ready[1], go[0], go[1]}) ::close(end);
+}
+
+TEST_CASE("a temporary name that something else has taken is not touched") {
+  const TemporaryFolder folder;
+  folder.write("precious", "precious");
+  std::filesystem::create_symlink("precious", folder.path("a.csv.touchstone-1.partial"));
+  std::filesystem::create_directory(folder.path("a.csv.touchstone-2.partial"));
+  REQUIRE(::mkfifo(folder.path("a.csv.touchstone-3.partial").c_str(), 0600) == 0);
+  const Names before = folder.names();
+  {
+    io::OutputFile out(folder.path("a.csv"));
+    out.write("x");
+  }
+  CHECK(folder.names() == before);
+  CHECK(folder.read("precious") == "precious");
 }
 
 TEST_CASE("places where no file can be are refused") {

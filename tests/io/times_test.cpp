@@ -56,3 +56,30 @@ TEST_CASE("what is no finite number is refused") {
     CHECK_FALSE(io::parse_finite_double(text));
   }
 }
+
+TEST_CASE("a number beyond the doubles' range rounds to 0 or infinity, and a message says so") {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  CHECK(io::parse_rounded_double("1e-400") == 0.0);
+  CHECK(std::signbit(*io::parse_rounded_double("-1e-400")));
+  CHECK(io::parse_rounded_double("0x1p5000") == kInfinity);
+  CHECK(io::parse_rounded_double("-1e400") == -kInfinity);
+  CHECK(io::parse_rounded_double("1" + std::string(800, '0') + "e-790") == 1e10);
+  CHECK(io::parse_rounded_double("0.1") == 0.1);
+  for (const char* text : {"", "inf", "nan", "-inf", "1e", "+1", "1 "}) CHECK_FALSE(io::parse_rounded_double(text));
+  CHECK(io::fault_of_double("1e-400") == "is closer to 0 than any double that is not 0");
+  CHECK(io::fault_of_double("-1e400") == "is beyond the greatest double");
+  CHECK(io::fault_of_double("nan") == "is no finite number");
+  CHECK(io::fault_of_double("x") == "is no finite number");
+  CHECK(io::fault_of_double("0.1").empty());
+}
+
+TEST_CASE("a hexfloat is plainly a double when it is written as one") {
+  for (const double value : {0.0, 1.0, 0.375, -0.1, 0x1.fffffffffffffp-1, 0x1p-999, 1e100}) {
+    CHECK(io::is_plainly_a_double(io::hexfloat(value)));
+  }
+  for (const char* text :
+       {"0.5", "1", "0x1.00000000000000p0", "0x1.00000000000008p0", "0x1p-1075", "0x.8p0", "0x3p0", ""}) {
+    CAPTURE(text);
+    CHECK_FALSE(io::is_plainly_a_double(text));
+  }
+}

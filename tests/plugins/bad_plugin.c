@@ -33,6 +33,23 @@ static void leave_a_note(void) {
   fclose(file);
 }
 
+/* A process of its own session whose parent has ended, as daemons are. Returns once it runs. */
+static void leave_a_daemon(void) {
+  int ready[2];
+  char byte = 0;
+  if (pipe(ready) != 0) abort();
+  if (fork() == 0) {
+    setsid();
+    if (fork() != 0) _exit(0);
+    leave_a_note();
+    if (write(ready[1], &byte, 1) != 1) _exit(1);
+    for (;;) pause();
+  }
+  if (read(ready[0], &byte, 1) != 1) abort();
+  close(ready[0]);
+  close(ready[1]);
+}
+
 static void teardown(void* state) {
   if (told("teardown hangs")) pause();
   if (state == &calls) leave_a_note();
@@ -85,6 +102,8 @@ static int solve(void* state, int kind, const double* start, const double* end, 
       free(memory);
       return TOUCHSTONE_CONTACT;
     }
+    case 21: leave_a_daemon(); break;
+    case 22: leave_a_daemon(); abort();
     default: break;
   }
   return TOUCHSTONE_NO_CONTACT;

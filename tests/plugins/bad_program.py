@@ -17,6 +17,22 @@ def say(text):
     sys.stdout.flush()
 
 
+def leave_a_daemon(note):
+    """A process of its own session whose parent has ended. Returns once it runs; its number is in the file."""
+    if os.fork() == 0:
+        os.setsid()
+        if os.fork() != 0:
+            os._exit(0)
+        with open(note + ".new", "w") as file:
+            file.write("%d\n" % os.getpid())
+        os.rename(note + ".new", note)
+        time.sleep(600)
+        os._exit(0)
+    os.wait()
+    while not os.path.exists(note):
+        time.sleep(0.01)
+
+
 calls = 0
 for line in sys.stdin:
     calls += 1
@@ -80,5 +96,14 @@ for line in sys.stdin:
         time.sleep(60)
     elif what == 20:
         say("\n")
+    elif what in (21, 22):
+        leave_a_daemon(order)
+        if what == 22:
+            sys.exit(3)
+        say("0\n")
+    elif what == 23:
+        sys.stderr.write("x" * 200000)
+        sys.stderr.flush()
+        say("0\n")
     else:
         say("0\n")

@@ -79,6 +79,23 @@ TEST_CASE("answers that can be read") {
   CHECK(read("0")->supported);
 }
 
+TEST_CASE("a time that is no double is kept as it is written") {
+  const auto written = [](const std::string& time) { return fuzz::read_answer_line("1 " + time)->toi_as_written; };
+  for (const char* time :
+       {"0.5", "0x1p-1", "0x1.8000000000000p-2", "5e-1", "0", "-0.0", "inf", "nan", "1e999", "+0.25"}) {
+    CAPTURE(time);
+    CHECK(written(time).empty());
+  }
+  CHECK(written("0.1") == "0.1");
+  CHECK(written("+0.1") == "0.1");
+  CHECK(written("-0.1 \r") == "-0.1");
+  CHECK(written("0.50000000000000000001") == "0.50000000000000000001");
+  CHECK(written("1e-400") == "1e-400");
+  // Closer to 0 than any time of a query of doubles.
+  CHECK(written("3e-9999999999") == "1e-4000");
+  CHECK(written("-0x1p-99999") == "-1e-4000");
+}
+
 TEST_CASE("answers that cannot be read") {
   for (const char* line :
        {"",        " ",    "2",      "01",    "-1",    "yes",     "0 0",   "0 0.5",         "1 0.5 0.5",

@@ -9,7 +9,12 @@
 #include <string>
 
 #include <touchstone/error.hpp>
+#include <touchstone/solve.hpp>
 
+#include "fuzz/failure.hpp"
+#include "fuzz/pipe_run.hpp"
+#include "io/temporary_folder.hpp"
+#include "pipes/protocol.hpp"
 #include "plugins/outside_solver.hpp"
 #include "support/catch.hpp"
 #include "support/skip.hpp"
@@ -157,4 +162,66 @@ TEST_CASE_WITH("python3", "a program ends with its solver") {
     }
     CHECK(vanishes(process));
   }
+}
+
+TEST_CASE("a daemon that a program starts is ended with the program") {
+#ifndef __linux__
+  WARN("only Linux lets a process adopt its descendants: daemons are not tested");
+#else
+  if (no_python()) return;
+  const TemporaryFolder folder;
+  const std::string note = folder.path("note");
+  fuzz::Limits limits;
+  limits.answer = std::chrono::milliseconds(10'000);
+  {
+    const auto solver = fuzz::run_command(bad_program(note), limits);
+    SECTION("when the run ends") {
+      CHECK(solver->ask(order(21)).state == Reply::State::answered);
+      CHECK(::kill(std::stoi(folder.read("note")), 0) == 0);  // not before
+    }
+    SECTION("when the program ends") {
+      const Reply reply = solver->ask(order(22));
+      CHECK(reply.state == Reply::State::crashed);
+      CHECK(has(reply.detail, "exit status 3"));
+    }
+  }
+  CHECK(vanishes(std::stoi(folder.read("note"))));
+#endif
+}
+
+TEST_CASE("a program that says much on standard error before it answers is not waited for in vain") {
+  if (no_python()) return;
+  fuzz::Limits limits;
+  limits.answer = std::chrono::milliseconds(10'000);
+  fuzz::PipeRun run(bad_program(), limits);
+  for (int i = 0; i < 3; ++i) {
+    const auto exchange = run.exchange(fuzz::query_line(order(23)), limits.start);
+    CHECK(exchange.end == fuzz::PipeRun::Exchange::End::line);
+    CHECK(exchange.line == "0");
+  }
+  // 200,000 bytes are three times what a pipe holds: the program goes on only when they are read.
+  CHECK(run.idle_waits() == 0);
+}
+
+TEST_CASE("a program that has closed its standard error answers on") {
+  const auto solver = fuzz::run_command(std::string(TOUCHSTONE_EXAMPLE_PROGRAM) + " 2>&-", quick_limits());
+  for (int i = 0; i < 3; ++i) CHECK(solver->ask(crossing_edges()).contact);
+}
+
+TEST_CASE("a program's time counts as it is written") {
+  const auto said = [](const std::string& time) {
+    // The shell answers every query with this time.
+    return fuzz::run_command("while read line; do echo '1 " + time + "'; done", quick_limits())->ask(meeting_points());
+  };
+  const Answer truth = solve(meeting_points());
+  REQUIRE(truth.toi == 0.5);
+  const auto failure = [&](const std::string& time) {
+    const auto found = fuzz::failure_of(meeting_points(), said(time), truth, {std::uint64_t{0}, {}});
+    return found ? std::string(fuzz::failure_name(found->failure)) : "";
+  };
+  CHECK(failure("0.5") == "");
+  CHECK(failure("0.50000000000000000001") == "late");
+  CHECK(failure("0.49999999999999999999") == "");
+  CHECK(failure("-1e-400") == "malformed");
+  CHECK(failure("0x1.0000000000001p-1") == "late");
 }

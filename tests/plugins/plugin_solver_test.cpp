@@ -3,6 +3,7 @@
 #include "fuzz/plugin_solver.hpp"
 
 #include <signal.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -186,6 +187,37 @@ TEST_CASE("a process that a plugin leaves behind is ended, too") {
   const auto solver = fuzz::load_plugin(TOUCHSTONE_BAD_PLUGIN, limits);
   CHECK(solver->ask(order(14)).state == Reply::State::crashed);
   CHECK(vanishes(std::stoi(folder.read("note"))));
+}
+
+TEST_CASE("a daemon that a plugin starts is ended with the plugin's process") {
+#ifndef __linux__
+  WARN("only Linux lets a process adopt its descendants: daemons are not tested");
+#else
+  const TemporaryFolder folder;
+  const Variable note("BAD_PLUGIN_NOTE", folder.path("note"));
+  fuzz::Limits limits;
+  limits.answer = std::chrono::milliseconds(5000);
+  {
+    const auto solver = fuzz::load_plugin(TOUCHSTONE_BAD_PLUGIN, limits);
+    SECTION("when the run ends") {
+      CHECK(solver->ask(order(21)).state == Reply::State::answered);
+      CHECK(::kill(std::stoi(folder.read("note")), 0) == 0);  // not before
+    }
+    SECTION("when the plugin crashes") {
+      const Reply reply = solver->ask(order(22));
+      CHECK(reply.state == Reply::State::crashed);
+      CHECK(has(reply.detail, "signal 6"));
+      CHECK(vanishes(std::stoi(folder.read("note"))));
+    }
+    SECTION("when the plugin hangs") {
+      CHECK(solver->ask(order(21)).state == Reply::State::answered);
+      CHECK(solver->ask(order(5)).state == Reply::State::hung);
+      CHECK(vanishes(std::stoi(folder.read("note"))));
+    }
+  }
+  CHECK(vanishes(std::stoi(folder.read("note"))));
+  CHECK(::waitpid(-1, nullptr, WNOHANG) == -1);  // no child is left behind
+#endif
 }
 
 TEST_CASE("a plugin gets so much memory and no more") {

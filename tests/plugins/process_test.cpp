@@ -6,8 +6,11 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
+#include <string>
 
 #include "fuzz/plugin_solver.hpp"
+#include "io/temporary_folder.hpp"
 #include "plugins/outside_solver.hpp"
 #include "support/catch.hpp"
 
@@ -35,6 +38,33 @@ TEST_CASE("a plugin's process dies when its parent is killed, asleep or hanging"
     ::waitpid(parent, nullptr, 0);
     CHECK(vanishes(process));
   }
+}
+
+TEST_CASE("a plugin's daemon dies when the process that asks is killed") {
+#ifndef __linux__
+  WARN("only Linux lets a process adopt its descendants: daemons are not tested");
+#else
+  const TemporaryFolder folder;
+  REQUIRE(::setenv("BAD_PLUGIN_NOTE", folder.path("note").c_str(), 1) == 0);
+  fuzz::Pipe pipe;
+  const pid_t parent = ::fork();
+  REQUIRE(parent >= 0);
+  if (parent == 0) {
+    const auto solver = fuzz::load_plugin(TOUCHSTONE_BAD_PLUGIN);
+    const char answered = solver->ask(order(21)).state == fuzz::Reply::State::answered ? 'y' : 'n';
+    if (::write(pipe.write, &answered, 1) < 0) ::_exit(1);
+    for (;;) ::pause();
+  }
+  char answered = 0;
+  REQUIRE(::read(pipe.read, &answered, 1) == 1);
+  CHECK(answered == 'y');
+  const int daemon = std::stoi(folder.read("note"));
+  CHECK(::kill(daemon, 0) == 0);
+  ::kill(parent, SIGKILL);
+  ::waitpid(parent, nullptr, 0);
+  CHECK(vanishes(daemon));
+  ::unsetenv("BAD_PLUGIN_NOTE");
+#endif
 }
 
 TEST_CASE("many processes leave no zombie and no descriptor behind") {

@@ -8,13 +8,15 @@
 
 #include <touchstone/error.hpp>
 
-#include "sim/checkpoint.hpp"
+#include "io/sealed_json.hpp"
 #include "scene/parts.hpp"
 #include "scene/shipped_scenes.hpp"
+#include "sim/checkpoint.hpp"
 #include "sim/simulation.hpp"
 #include "sim/state_check.hpp"
 #include "support/catch.hpp"
 
+using namespace touchstone;
 using namespace touchstone::sim;
 using Json = nlohmann::json;
 
@@ -82,6 +84,12 @@ void check_refused(const std::string& text, const std::string& message) {
   FAIL_CHECK("it was accepted, and not refused with " + message);
 }
 
+/// A checkpoint's text with a digest that matches, so that its content is looked at.
+std::string sealed(Json json) {
+  json.erase("sha256");
+  return io::sealed_json(json.dump());
+}
+
 std::string number(double value) {
   std::array<char, 40> text{};
   std::snprintf(text.data(), text.size(), "%a", value);
@@ -116,16 +124,18 @@ TEST_CASE("a checkpoint whose text is damaged is refused") {
   const Simulation simulation(make_shipped_scene("two-edges", 1), {});
   const std::string good = text_of(simulation);
   CHECK_NOTHROW(resume(good));
-  check_refused("x", "no JSON");
-  check_refused("[]", "the checkpoint: must be an object");
-  check_refused("{}", "the checkpoint: lacks the key 'touchstone_checkpoint'");
+  const std::string mismatch =
+      "the checkpoint's digest does not match its content: the file is damaged or no checkpoint";
+  for (const char* text : {"", "x", "[]", "{}", "\n", "{\n}"}) check_refused(text, mismatch);
   const auto with = [&](const char* key, const Json& value) {
     Json json = Json::parse(good);
     json[key] = value;
-    return json.dump();
+    return sealed(json);
   };
+  check_refused(io::sealed_json("{x"), "no JSON");
+  check_refused(io::sealed_json("{\"q\": []}"), "the checkpoint: lacks the key 'touchstone_checkpoint'");
   check_refused(with("colour", 1), "the checkpoint: has no key 'colour'");
-  check_refused(with("touchstone_checkpoint", 2), "touchstone_checkpoint: must be 1");
+  check_refused(with("touchstone_checkpoint", 3), "touchstone_checkpoint: must be 2");
   check_refused(with("q", "0x1p+0"), "q: must be a list");
   check_refused(with("time", 0.5), "time: must be a string");
   for (const char* text : {"", "nan", "inf", "1e999", " 1", "0x1p0 ", "zz"}) {
@@ -135,12 +145,42 @@ TEST_CASE("a checkpoint whose text is damaged is refused") {
   check_refused(with("scene", 3), "scene: must be a string");
   check_refused(with("scene", "{}"), "scene: the scene: lacks the key 'touchstone_scene'");
   std::string twice = good;
-  twice.insert(1, "\"steps\": 0, ");
-  check_refused(twice, "steps: the key is there twice in one object");
+  twice.replace(0, twice.find('\n'), "{\"steps\": 0, ");
+  check_refused(io::sealed_json(twice), "steps: the key is there twice in one object");
   for (const Json& steps : {Json(-1), Json(1.5), Json("3"), Json(1'000'000'000'001), Json(1e300)}) {
     CAPTURE(steps.dump());
     check_refused(with("steps", steps), "steps: must be a whole number from 0 to 1000000000000");
   }
+}
+
+TEST_CASE("no bit of a checkpoint can change unnoticed") {
+  std::string text = text_of(Simulation(make_shipped_scene("two-edges", 1), {}));
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    for (int bit = 0; bit < 8; ++bit) {
+      text[i] = static_cast<char>(text[i] ^ (1 << bit));
+      std::string message = "none";
+      try {
+        checkpoint_from_json(text);
+      } catch (const Error& error) {
+        message = error.what();
+      }
+      text[i] = static_cast<char>(text[i] ^ (1 << bit));
+      CAPTURE(i, bit);
+      REQUIRE(message == "the checkpoint's digest does not match its content: the file is damaged or no checkpoint");
+    }
+  }
+  CHECK_NOTHROW(resume(text));
+  for (const std::size_t size : {text.size() - 1, text.size() / 2, std::size_t{70}}) {
+    CHECK_THROWS_AS(checkpoint_from_json(text.substr(0, size)), Error);
+  }
+  CHECK_THROWS_AS(checkpoint_from_json(text + "\n"), Error);
+}
+
+TEST_CASE("a checkpoint of an older version, which has no digest, is refused as such") {
+  Json json = Json::parse(text_of(Simulation(make_shipped_scene("two-edges", 1), {})));
+  json.erase("sha256");
+  json["touchstone_checkpoint"] = 1;
+  check_refused(json.dump(1), "the checkpoint has no digest, as an older version wrote it; start the run again");
 }
 
 TEST_CASE("a state that a run of its scene cannot come to is refused by its key") {
@@ -152,7 +192,7 @@ TEST_CASE("a state that a run of its scene cannot come to is refused by its key"
   const auto with = [&](const std::function<void(Json&)>& damage) {
     Json json = Json::parse(good);
     damage(json);
-    return json.dump();
+    return sealed(json);
   };
   const auto at = [&](const char* key, std::size_t i, double value) {
     return with([&](Json& json) { json[key][i] = number(value); });
@@ -228,6 +268,6 @@ TEST_CASE("a state that a run of its scene cannot come to is refused by its key"
     const VectorX& q = edges.state().q;
     // One edge's end is put on the other's.
     for (int k = 0; k < 3; ++k) json["q"][static_cast<std::size_t>(6 + k)] = number(q[k]);
-    check_refused(json.dump(), "q: the checkpoint begins with elements that touch: edge 0-1 and edge 2-3");
+    check_refused(sealed(json), "q: the checkpoint begins with elements that touch: edge 0-1 and edge 2-3");
   }
 }

@@ -28,7 +28,7 @@ const std::map<std::string, Layers>& layer_table() {
       {"generators", {"broad_phase", "geometry", "io", "seeded"}},
       {"fuzz",
        {"solver", "certify", "baselines", "families", "filters", "io", "numbers", "geometry", "pipes", "seeded"}},
-      {"pipes", {"geometry", "io"}},
+      {"pipes", {"geometry", "io", "numbers"}},
       {"io", {"geometry", "numbers"}},
       {"linear", {}},
       {"scene", {"io"}},

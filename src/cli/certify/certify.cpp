@@ -67,7 +67,7 @@ void judge_queries(CertifyItem& item, const CertifyOptions& options, const std::
     if (from_file && i == item.claims.size()) break;  // item.error says why
     const Claim claim = from_file ? item.claims[i] : Claim{record.truth, std::nullopt};
     const Answer answer = answer_to(record.query, options.method);
-    const Verdict verdict = judge(claim, answer);
+    const Verdict verdict = std::visit([&](const auto& query) { return judge(claim, query, answer); }, record.query);
     item.tally.add(claim, answer, verdict);
     if (verdict == Verdict::holds) continue;
     certify::RefutedClaim refuted{inputs[item.input].name,

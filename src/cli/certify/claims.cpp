@@ -36,7 +36,7 @@ void ClaimStream::read(const QueryItem& item, std::vector<Claim>& claims) {
           fmt::format("query is {} where {} of {} comes next; claims must be in the order of the queries, one each",
                       row.query, query, io::printable(input.name)));
     }
-    claims.push_back({row.contact, row.toi});
+    claims.push_back({row.contact, row.toi, std::string(row.toi_as_written)});
     ++claims_;
   }
 }

@@ -9,6 +9,7 @@
 #include <touchstone/version.hpp>
 
 #include "io/times.hpp"
+#include "numbers/written_number.hpp"
 
 namespace touchstone::cli {
 namespace {
@@ -81,6 +82,13 @@ Json corners_json(const RationalQuery& query) {
   return json;
 }
 
+/// A time that is no double is shown as the claim writes it.
+Json toi_json(const Claim& claim) {
+  const std::string& written = claim.toi_as_written;
+  if (!written.empty() && !numbers::is_exactly_a_double(written)) return written;
+  return json_of(claim.toi);
+}
+
 /// File names need not be valid UTF-8; JSON must be.
 std::string text_of(const Json& json, int indent) {
   return json.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -95,7 +103,7 @@ std::string refuted_claim_json(const certify::RefutedClaim& refuted) {
       {"query", refuted.query},
       {"rows", {refuted.first_row, refuted.last_row}},
       {"verdict", verdict_name(refuted.verdict)},
-      {"claim", {{"contact", refuted.claim.contact ? 1 : 0}, {"toi", json_of(refuted.claim.toi)}}},
+      {"claim", {{"contact", refuted.claim.contact ? 1 : 0}, {"toi", toi_json(refuted.claim)}}},
       {"answer", json_of(refuted.answer)},
       {"corners", corners_json(refuted.as_given)},
   };

@@ -26,8 +26,9 @@
 //     }]
 //   }
 //
-// Times are hexfloats in strings. File names that are no valid UTF-8 have the bad bytes replaced by U+FFFD. The report
-// depends on nothing but the input: no clock, no number of threads.
+// Times are hexfloats in strings; a claimed time that is no double is the text that the claim has. File names that are
+// no valid UTF-8 have the bad bytes replaced by U+FFFD. The report depends on nothing but the input: no clock, no
+// number of threads.
 // SPDX-License-Identifier: MIT
 #pragma once
 

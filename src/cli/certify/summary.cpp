@@ -6,6 +6,7 @@
 #include "cli/shared/summary.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
+#include "numbers/written_number.hpp"
 
 namespace touchstone::cli {
 namespace {
@@ -44,7 +45,12 @@ std::string early_for_person(const certify::EarlyTally& early) {
 std::string refuted_for_person(const certify::RefutedClaim& refuted) {
   const Claim& claim = refuted.claim;
   std::string claimed = claim.contact ? "contact" : "no contact";
-  if (claim.toi) claimed += " at " + time_for_person(*claim.toi);
+  const std::string& written = claim.toi_as_written;
+  if (!written.empty() && !numbers::is_exactly_a_double(written)) {
+    claimed += " at " + io::shortened(written);
+  } else if (claim.toi) {
+    claimed += " at " + time_for_person(*claim.toi);
+  }
   const Answer& answer = refuted.answer;
   const std::string truth =
       answer.contact ? fmt::format("contact at {}, {}", time_for_person(answer.toi), contact_for_person(answer))

@@ -99,7 +99,8 @@ void add_explain(CLI::App& program, Command& command) {
       ->type_name("T")
       ->check([](const std::string& text) {
         const auto value = io::parse_finite_double(text);
-        return value && *value >= 0 && *value <= 1 ? std::string() : text + " must be a number in [0, 1]";
+        if (value && *value >= 0 && *value <= 1) return std::string();
+        return text + (value ? " must be a number in [0, 1]" : fault_of_number(text));
       });
   subcommand->footer(
       "Shows the corners as given and as doubles, the coplanarity cubic's exact coefficients, each time at which "

@@ -17,7 +17,8 @@ namespace {
 
 std::string check_seconds(const std::string& text) {
   const auto value = io::parse_finite_double(text);
-  return value && *value > 0 && *value <= 1e9 ? std::string() : text + " must be a number of seconds above 0";
+  if (value && *value > 0 && *value <= 1e9) return {};
+  return text + (value ? " must be a number of seconds above 0" : fault_of_number(text));
 }
 
 /// "16ulps", or a fraction of the step.
@@ -78,8 +79,8 @@ void add_solver_options(CLI::App& subcommand, FuzzOptions& options) {
       ->type_name("S")
       ->check([](const std::string& text) {
         const auto value = io::parse_finite_double(text);
-        return value && *value >= 0.001 && *value <= 3600 ? std::string()
-                                                          : text + " must be a number of seconds from 0.001 to 3600";
+        if (value && *value >= 0.001 && *value <= 3600) return std::string();
+        return text + (value ? " must be a number of seconds from 0.001 to 3600" : fault_of_number(text));
       });
   subcommand
       .add_option_function<std::string>(

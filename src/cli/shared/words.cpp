@@ -60,6 +60,8 @@ std::optional<Method> method_from_name(std::string_view name) noexcept {
   return std::nullopt;
 }
 
+std::string fault_of_number(std::string_view text) { return std::string(" ").append(io::fault_of_double(text)); }
+
 std::string shell_word(const std::string& word) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%";
   if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;

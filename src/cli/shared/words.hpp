@@ -38,6 +38,9 @@ std::optional<Method> method_from_name(std::string_view name) noexcept;
 /// Writes `text` unchanged to standard error. A write that fails is ignored.
 void print_error(const std::string& text) noexcept;
 
+/// Why an option's value is no double, for a message after the value: " is no finite number".
+std::string fault_of_number(std::string_view text);
+
 /// `word` as one word of a POSIX shell command.
 std::string shell_word(const std::string& word);
 

@@ -1,0 +1,14 @@
+// The digest SHA-256 (FIPS 180-4), written here so that the project depends on no cryptographic library for 60 lines.
+// Anybody can check one without this program: `sha256sum` computes the same.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace touchstone::io {
+
+/// 64 lower-case hexadecimal digits. Bytes that differ have digests that differ, for all that is known.
+std::string sha256(std::string_view bytes);
+
+}  // namespace touchstone::io
