@@ -195,7 +195,7 @@ TEST_CASE("a program that says much on standard error before it answers is not w
   limits.answer = std::chrono::milliseconds(10'000);
   fuzz::PipeRun run(bad_program(), limits);
   for (int i = 0; i < 3; ++i) {
-    const auto exchange = run.exchange(fuzz::query_line(order(23)), limits.start);
+    const auto exchange = run.exchange(pipes::query_line(order(23)), limits.start);
     CHECK(exchange.end == fuzz::PipeRun::Exchange::End::line);
     CHECK(exchange.line == "0");
   }
