@@ -113,7 +113,7 @@ int run_program(int argc, const char* const* argv) {
     // The standard library's errors repeat names of any length.
     constexpr std::size_t kLongest = 10'000;
     const std::string text = error.what();
-    return complain("touchstone: " + (text.size() > kLongest ? io::with_short_words(text) : text));
+    return complain(std::string("touchstone: ").append(text.size() > kLongest ? io::with_short_words(text) : text));
   }
 }
 
