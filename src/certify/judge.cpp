@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <touchstone/certify.hpp>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include <touchstone/contact_times.hpp>
 #include <touchstone/error.hpp>
 

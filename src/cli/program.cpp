@@ -114,7 +114,10 @@ int run_program(int argc, const char* const* argv) {
   } catch (const std::bad_alloc&) {
     return complain("touchstone: out of memory");
   } catch (const std::exception& error) {
-    return complain(std::string("touchstone: ") + error.what());
+    // The standard library's errors repeat names of any length.
+    constexpr std::size_t kLongest = 10'000;
+    const std::string text = error.what();
+    return complain(std::string("touchstone: ").append(text.size() > kLongest ? io::with_short_words(text) : text));
   }
 }
 

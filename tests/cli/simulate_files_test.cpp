@@ -202,7 +202,7 @@ TEST_CASE("memory that runs out while JSON is read ends with status 2, wherever 
   for (const std::string& text : {flat + "]}", nested + "0]}", deep, whole}) {
     for (const bool checkpoint : {false, true}) {
       const std::string file = folder.write("in.json", checkpoint ? io::sealed_json(text) : text);
-      for (std::uint64_t mebibytes = 24; mebibytes <= 160; mebibytes += 8) {
+      for (std::uint64_t mebibytes = 24; mebibytes <= 160; mebibytes += 16) {
         RunOptions options;
         options.address_space = mebibytes << 20;
         std::vector<std::string> arguments = {"simulate", "--scene-out", folder.path("out.json")};

@@ -240,7 +240,7 @@ TEST_CASE("bad usage and bad scenes end with status 2, one line, and nothing wri
   check_refused({"simulate", folder.path("bad.json"), "--size", "4"}, "only shipped scenes are made to a size");
   check_refused({"simulate", "hoop", "--threads", "0"}, "--threads");
   check_refused({"simulate", "hoop", "--narrow-phase", "best"}, "--narrow-phase");
-  check_refused({"simulate", "--resume", folder.path("bad.json")}, "has no key 'particles'");
+  check_refused({"simulate", "--resume", folder.path("bad.json")}, "bad.json: the checkpoint's digest does not match");
   check_refused({"simulate", "two-edges", "--proof", folder.path("no/proof.csv")}, "cannot be written");
   check_refused({"simulate", "two-edges", "--checkpoint", folder.path("no/state.json")}, "cannot be written");
   check_refused({"simulate", "--resume", "x", "--size", "9"}, "--size: a checkpoint has its size");

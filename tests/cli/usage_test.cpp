@@ -99,6 +99,8 @@ TEST_CASE("numbers beyond the doubles are called what they are, and long ones ar
                                              {"stress", "--dial", digits, "--out", "x"},
                                              {"simulate", "hoop", "--size", digits},
                                              {"simulate", digits},
+                                             {"solve", digits},
+                                             {"solve", "--kind", "point-point", "--out", "x/" + digits, "/dev/null"},
                                              {"simulate", "hoop", "--narrow-phase", digits}}) {
     const Run run = run_program(arguments);
     CAPTURE(arguments[0], run.err);
