@@ -11,13 +11,13 @@
 #include "filters/shared_corner.hpp"
 
 namespace touchstone::filters {
-namespace {
 
-/// The tests on coordinates as they are.
-Decision decide_once(const Question& question, Answer& answer) {
+Decision decide_by_filters(const Question& question, Answer& answer) {
   const Query& query = question.query;
+  answer.level = Level::filter;
   if (touch_in_shared_corner(query, question.t_max, answer)) return {Finding::contact, Test::shared_corner};
   if (boxes_disjoint(query)) return {Finding::no_contact, Test::boxes};
+
   // Before the separating directions: most queries that come so far touch, or have a root and pass each other by.
   Finding finding = Finding::uncertain;
   if (has_cubic(query.kind)) {
@@ -26,24 +26,19 @@ Decision decide_once(const Question& question, Answer& answer) {
     finding = decide_in_brackets({*edges, question.t_max, question.exact_value, question.contact_only}, answer);
     if (finding == Finding::contact) name_point_and_edge(answer);
   }
-  if (finding != Finding::uncertain) return {finding, Test::bracket};
-  const Test separation = test_that_separates(query);
-  return {separation == Test::none ? Finding::uncertain : Finding::no_contact, separation};
-}
-
-}  // namespace
-
-Decision decide_by_filters(const Question& question, Answer& answer) {
-  Decision decision = decide_once(question, answer);
-  if (decision.finding == Finding::uncertain) {
-    if (const std::optional<Query> scaled = rescaled(question.query)) {
-      decision = same_side(*scaled)
-                     ? Decision{Finding::no_contact, Test::same_side}
-                     : decide_once({*scaled, question.t_max, question.exact_value, question.contact_only}, answer);
-    }
+  if (finding != Finding::uncertain) {
+    answer.level = Level::bracket;
+    return {finding, Test::bracket};
   }
-  answer.level = decision.test == Test::bracket ? Level::bracket : Level::filter;
-  return decision;
+
+  const Test separation = test_that_separates(query);
+  if (separation != Test::none) return {Finding::no_contact, separation};
+
+  const std::optional<Query> scaled = rescaled(query);
+  if (!scaled) return {};
+  if (same_side(*scaled)) return {Finding::no_contact, Test::same_side};
+  // A rescaled query is of ordinary size, so it is not rescaled again.
+  return decide_by_filters({*scaled, question.t_max, question.exact_value, question.contact_only}, answer);
 }
 
 }  // namespace touchstone::filters

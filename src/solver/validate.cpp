@@ -44,6 +44,18 @@ std::string fault_of(const Fraction& fraction) {
   return zero ? "; the denominator must not be 0" : "";
 }
 
+/// Whether `count` numbers are finite: x - x is +0 for a finite x and a NaN for any other.
+bool all_finite(const double* x, std::size_t count) noexcept {
+  std::uint64_t differences = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double difference = x[i] - x[i];
+    std::uint64_t bits;
+    std::memcpy(&bits, &difference, sizeof bits);
+    differences |= bits;
+  }
+  return differences == 0;
+}
+
 [[noreturn]] void throw_not_finite(const Query& query) {
   for (int side = 0; side < 2; ++side) {
     const auto& corners = side == 0 ? query.start : query.end;
@@ -85,22 +97,11 @@ void validate_kind(Kind kind) {
 void validate(const Query& query, double t_max) {
   validate_kind(query.kind);
   validate_t_max(t_max);
-  // x - x is +0 for a finite x and a NaN for any other.
-  const auto all_finite = [&query](std::size_t count) {
-    std::uint64_t differences = 0;
-    for (const Vec3* const corners : {query.start.data(), query.end.data()}) {
-      const double* const x = &corners->x;
-      for (std::size_t i = 0; i < 3 * count; ++i) {
-        const double difference = x[i] - x[i];
-        std::uint64_t bits;
-        std::memcpy(&bits, &difference, sizeof bits);
-        differences |= bits;
-      }
-    }
-    return differences == 0;
-  };
-  const std::size_t count = corner_count(query.kind);
-  const bool finite = count == 4 ? all_finite(4) : all_finite(count);  // most have four, and that loop is unrolled
+  const double* const start = &query.start[0].x;
+  const double* const end = &query.end[0].x;
+  const std::size_t count = 3 * corner_count(query.kind);
+  const bool finite =
+      count == 12 ? all_finite(start, 12) && all_finite(end, 12) : all_finite(start, count) && all_finite(end, count);
   if (!finite) throw_not_finite(query);
 }
 
