@@ -205,7 +205,7 @@ Plot error_plot(const SetResults& set) {
 
 Plot overview_plot(const SetResults& set) {
   return panels_plot(kOverviewPlot, set, overview_panels(),
-                     {1000, 470, "1,2 margins 0.08,0.985,0.25,0.8 spacing 0.09,0.1", 0.12, 2});
+                     {1000, 470, "1,2 margins 0.095,0.985,0.25,0.8 spacing 0.105,0.1", 0.12, 2});
 }
 
 }  // namespace touchstone::report

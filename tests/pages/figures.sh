@@ -157,9 +157,10 @@ table_simulation() {
   printf '|---|---:|---:|---:|---:|---:|---:|---:|\n'
   rows simulation.csv <<'END'
     {
+      ms = 1000 * get("seconds_per_step")
       memory = get("memory_bytes") == "" ? "" : sprintf("%.2g", get("memory_bytes") / get("edges") / 1000)
-      printf "| `%s`, size %s | %s | %s | %s | %s | %.3g | %s | %s |\n", get("scene"), get("size"), grouped(get("edges")),
-        get("steps"), grouped(get("contacts")), get("crossings"), 1000 * get("seconds_per_step"),
+      printf "| `%s`, size %s | %s | %s | %s | %s | %s | %s | %s |\n", get("scene"), get("size"), grouped(get("edges")),
+        get("steps"), grouped(get("contacts")), get("crossings"), ms < 1000 ? sprintf("%.3g", ms) : grouped(ms),
         percent(get("collision_share"), 1), memory
     }
 END

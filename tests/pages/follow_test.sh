@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# A planted mistake on a page is found by follow.sh, and a page that is right is found right.
-#   follow_test.sh FOLLOW_SH SCRATCH CMAKE
+# A planted mistake on a page is found by follow.sh and figures.sh, and a page that is right is found right.
+#   follow_test.sh ROOT SCRATCH CMAKE
 # SPDX-License-Identifier: MIT
 set -euo pipefail
-follow=$1 scratch=$2 cmake=$3
+project=$1 scratch=$2 cmake=$3
+follow=$project/tests/pages/follow.sh
 rm -rf -- "$scratch"
 mkdir -p -- "$scratch/root"
 failures=0
@@ -100,4 +101,25 @@ expect 1 'a block without end' 'has no end' <<'END'
 ```sh
 true
 END
+
+# A figure that changes in a CSV file or on the page is found.
+figures=$project/tests/pages/figures.sh
+mkdir -p -- "$scratch/copy"
+for changed in nothing bench.csv ../accuracy-and-speed.md; do
+  rm -rf -- "$scratch/copy/docs"
+  cp -r -- "$project/docs" "$scratch/copy/docs"
+  wanted=0
+  if [[ $changed != nothing ]]; then
+    wanted=1
+    awk -F, -v OFS=, '/point-point.all,oracle/ { $6 = 1 } / wrong on 0 of / { sub(/on 0/, "on 1") } { print }' \
+      "$project/docs/accuracy-and-speed/$changed" >"$scratch/copy/docs/accuracy-and-speed/$changed"
+  fi
+  status=0
+  "$figures" "$scratch/copy" >"$scratch/log" 2>&1 || status=$?
+  if ((status != wanted)); then
+    printf 'figures.sh with a change in %s: exit status %s, not %s\n' "$changed" "$status" "$wanted"
+    cat "$scratch/log"
+    failures=$((failures + 1))
+  fi
+done
 exit $((failures > 0))
