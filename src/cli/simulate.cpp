@@ -22,10 +22,10 @@
 #include "cli/words.hpp"
 #include "io/fail.hpp"
 #include "io/input_file.hpp"
-#include "sim/checkpoint.hpp"
-#include "sim/memory.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/shipped_scenes.hpp"
+#include "sim/checkpoint.hpp"
+#include "sim/memory.hpp"
 
 namespace touchstone::cli {
 namespace {
@@ -110,7 +110,7 @@ class SimulateProgress {
 struct Totals {
   std::uint64_t parts = 0, gained = 0, first_order = 0;
 
-  void add(const sim::StepRecord& record) {
+  void add(const sim::SubstepRecord& record) {
     ++parts;
     gained += static_cast<std::uint64_t>(record.gained_energy);
     first_order += static_cast<std::uint64_t>(record.first_order);

@@ -7,8 +7,8 @@
 #include <touchstone/error.hpp>
 
 #include "scene/json_node.hpp"
-#include "scene/scene_file.hpp"
 #include "scene/parts.hpp"
+#include "scene/scene_file.hpp"
 
 namespace touchstone::sim {
 namespace {

@@ -8,9 +8,9 @@
 
 #include <touchstone/error.hpp>
 
-#include "sim/checkpoint.hpp"
 #include "scene/parts.hpp"
 #include "scene/shipped_scenes.hpp"
+#include "sim/checkpoint.hpp"
 #include "sim/simulation.hpp"
 #include "sim/state_check.hpp"
 #include "support/catch.hpp"

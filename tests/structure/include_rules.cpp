@@ -33,12 +33,12 @@ const std::map<std::string, Layers>& layer_table() {
       {"rods", {"scene"}},
       {"contact", {"broad_phase", "linear", "scene", "rods", "solver", "baselines", "geometry"}},
       {"dynamics", {"linear", "scene", "rods", "contact"}},
-      {"sim", {"scene", "rods", "contact", "dynamics", "io"}},
+      {"sim", {"linear", "scene", "rods", "contact", "dynamics", "io"}},
       {"report", {"solver", "baselines", "generators", "io", "geometry", "seeded", "scene", "sim"}},
       {"stress", {"solver", "baselines", "report", "geometry", "seeded"}},
-      {"cli",
-       {"geometry", "numbers", "filters", "exact", "oracle", "solver", "certify", "baselines", "generators", "io",
-        "report", "families", "fuzz", "seeded", "scene", "rods", "contact", "dynamics", "sim", "stress"}},
+      {"cli", {"geometry",  "numbers",    "filters", "exact",    "oracle",   "solver", "certify",
+               "baselines", "generators", "io",      "report",   "families", "fuzz",   "seeded",
+               "scene",     "rods",       "contact", "dynamics", "sim",      "stress"}},
   };
   return table;
 }
