@@ -11,8 +11,8 @@ namespace {
 
 using Number = std::uint32_t;
 
-/// Times at which nothing is known to keep two boxes apart; none when `from` exceeds `to`.
-struct Times {
+/// Times at which no bound is known to keep two boxes apart; none when `from` exceeds `to`.
+struct TimeInterval {
   double from = 0, to = 1;
 };
 
@@ -24,7 +24,7 @@ struct Times {
 constexpr double kTimesError = 12 * 0x1p-53;
 
 /// Leaves out times at which f is certainly negative. @returns false when that is always
-bool keep_where_not_negative(double f0, double f1, Times& times) noexcept {
+bool keep_where_not_negative(double f0, double f1, TimeInterval& times) noexcept {
   // A difference that overflows makes a quotient 0 or NaN, and either leaves the times as they are: std::max and
   // std::min return their first argument then.
   if (f0 < 0) {
@@ -36,7 +36,7 @@ bool keep_where_not_negative(double f0, double f1, Times& times) noexcept {
   return true;
 }
 
-/// A binary tree over boxes: parts of what is near each other at both ends of the step.
+/// A binary tree over boxes. Boxes of one branch are near each other at both ends of the step.
 class Tree {
  public:
   struct Node {
@@ -91,8 +91,7 @@ class Tree {
     return {widest, 0.5 * least[widest] + 0.5 * greatest[widest]};
   }
 
-  /// Where the second part of [first, last) begins, which are in order then. Which box is in which part depends on the
-  /// boxes only.
+  /// Sorts [first, last) into two parts, and returns where the second begins. The parts depend on the boxes only.
   Number split(Number first, Number last) {
     const auto begin = items_.begin() + first, end = items_.begin() + last;
     const Extent extent = widest_extent(first, last);
@@ -182,7 +181,7 @@ void join(MovingBox& box, const MovingBox& other) noexcept {
 }
 
 bool meet(const MovingBox& a, const MovingBox& b) noexcept {
-  Times times;
+  TimeInterval times;
   for (std::size_t k = 0; k < 3; ++k) {
     if (!keep_where_not_negative(b.start.high[k] - a.start.low[k], b.end.high[k] - a.end.low[k], times)) return false;
     if (!keep_where_not_negative(a.start.high[k] - b.start.low[k], a.end.high[k] - b.end.low[k], times)) return false;
@@ -199,8 +198,7 @@ void for_each_pair(const std::vector<MovingBox>& boxes, const PairConsumer& foun
   });
 }
 
-void for_each_pair(const std::vector<MovingBox>& a, const std::vector<MovingBox>& b,
-                   const PairConsumer& found) {
+void for_each_pair(const std::vector<MovingBox>& a, const std::vector<MovingBox>& b, const PairConsumer& found) {
   const Tree in_a(a), in_b(b);
   if (in_a.empty() || in_b.empty()) return;
   across(in_a, 0, in_b, 0, [&](Number i, Number j) { found(in_a.number(i), in_b.number(j)); });

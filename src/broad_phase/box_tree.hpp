@@ -1,5 +1,6 @@
-// Which boxes come to overlap while they move: a tree of moving boxes, near-linear in their number also where all fly
-// so fast that each sweeps over the places of many others. SPDX-License-Identifier: MIT
+// The pairs of boxes that overlap at some time while they move: a tree of moving boxes. It is near-linear in their
+// number even when all boxes fly so fast that each sweeps over many others.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -9,8 +10,8 @@
 
 namespace touchstone::broad_phase {
 
-/// A box whose bounds move evenly from those at t = 0 to those at t = 1. A corner that is in it at both ends, and moves
-/// on a straight line, is in it all the time.
+/// A box whose bounds move evenly from those at t = 0 to those at t = 1. A corner that moves on a straight line and is
+/// in the box at both ends is in it at all times.
 struct MovingBox {
   Box start, end;
 };
@@ -24,12 +25,11 @@ void join(MovingBox& box, const MovingBox& other) noexcept;
 /// False proves that the boxes are disjoint at all times in [0, 1].
 bool meet(const MovingBox& a, const MovingBox& b) noexcept;
 
-/// Calls found(i, j) once for each i < j whose boxes meet, and for no other pair; in an order that depends on the boxes
-/// only.
+/// Calls found(i, j) once for each i < j whose boxes meet, and for no other pair. The order of the calls depends on the
+/// boxes only.
 void for_each_pair(const std::vector<MovingBox>& boxes, const PairConsumer& found);
 
 /// The same for box i of `a` and box j of `b`.
-void for_each_pair(const std::vector<MovingBox>& a, const std::vector<MovingBox>& b,
-                   const PairConsumer& found);
+void for_each_pair(const std::vector<MovingBox>& a, const std::vector<MovingBox>& b, const PairConsumer& found);
 
 }  // namespace touchstone::broad_phase

@@ -15,8 +15,8 @@
 namespace touchstone::sim {
 namespace {
 
-/// Around the particles at x, wider by `margin` in exact arithmetic: a sum y is off by less than the distance to the
-/// next double, which is at most 2^-52 |y|, or it is exact where that underflows.
+/// The box around the particles at x, wider by at least `margin` in exact arithmetic. A rounded sum y is off by less
+/// than the distance to the next double, which is at most 2^-52 |y|; where that underflows, the sum is exact.
 template <std::size_t N>
 broad_phase::Box box_around(const std::array<Index, N>& particles, const VectorX& x, double margin) {
   constexpr double kToNext = 0x1p-52;
@@ -37,8 +37,8 @@ broad_phase::Box box_around(const std::array<Index, N>& particles, const VectorX
   return box;
 }
 
-/// What particles do in a step, give or take a margin along each axis.
-struct Motion {
+/// The motion of particles in a substep, give or take a margin along each axis.
+struct Sweep {
   const VectorX& x0;
   const VectorX& x1;
   double margin;
@@ -63,7 +63,7 @@ bool contains(const std::array<Index, N>& element, Index particle) {
   return std::find(element.begin(), element.end(), particle) != element.end();
 }
 
-/// Of the edges that can move, as a large floor is no measure of what lies on it; of all when none can.
+/// Of the edges that can move, as a large floor is no measure of the elements that lie on it; of all when none can.
 double shortest_of(const std::vector<Edge>& edges, const std::vector<char>& moves, const VectorX& q) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double moving = kInfinity, all = kInfinity;
@@ -78,7 +78,7 @@ double shortest_of(const std::vector<Edge>& edges, const std::vector<char>& move
 
 }  // namespace
 
-Elements::Elements(const Scene& scene, const System& system) : faces_(scene.faces) {
+Colliders::Colliders(const Scene& scene, const System& system) : faces_(scene.faces) {
   for (const Spring& spring : scene.springs) {
     if (spring.collides) edges_.push_back({spring.a, spring.b});
   }
@@ -131,7 +131,7 @@ Elements::Elements(const Scene& scene, const System& system) : faces_(scene.face
   passes_.not_colliding = count - vertices_.size();
 }
 
-std::array<Index, 4> Elements::corners(const Pair& pair) const noexcept {
+std::array<Index, 4> Colliders::corners(const Pair& pair) const noexcept {
   switch (pair.kind) {
     case Kind::edge_edge: return {edges_[pair.i][0], edges_[pair.i][1], edges_[pair.j][0], edges_[pair.j][1]};
     case Kind::vertex_face: return {pair.i, faces_[pair.j][0], faces_[pair.j][1], faces_[pair.j][2]};
@@ -141,7 +141,7 @@ std::array<Index, 4> Elements::corners(const Pair& pair) const noexcept {
   return {};
 }
 
-Query Elements::query(const Pair& pair, const VectorX& x0, const VectorX& x1) const noexcept {
+Query Colliders::query(const Pair& pair, const VectorX& x0, const VectorX& x1) const noexcept {
   Query query;
   query.kind = pair.kind;
   const auto particles = corners(pair);
@@ -152,7 +152,7 @@ Query Elements::query(const Pair& pair, const VectorX& x0, const VectorX& x1) co
   return query;
 }
 
-bool Elements::can_move(const Pair& pair) const noexcept {
+bool Colliders::can_move(const Pair& pair) const noexcept {
   const auto particles = corners(pair);
   for (std::size_t c = 0; c < corner_count(pair.kind); ++c) {
     if (moves_[particles[c]]) return true;
@@ -160,9 +160,9 @@ bool Elements::can_move(const Pair& pair) const noexcept {
   return false;
 }
 
-std::vector<Pair> Elements::candidates(const VectorX& x0, const VectorX& x1, double margin) const {
+std::vector<Pair> Colliders::candidates(const VectorX& x0, const VectorX& x1, double margin) const {
   std::vector<Pair> pairs;
-  const Motion motion{x0, x1, margin};
+  const Sweep motion{x0, x1, margin};
   const auto add = [&](const Pair& pair) {
     if (can_move(pair)) pairs.push_back(pair);
   };
@@ -186,13 +186,18 @@ std::vector<Pair> Elements::candidates(const VectorX& x0, const VectorX& x1, dou
   }
   if (passes_.points) {
     const auto point_boxes = motion.boxes(points_);
-    broad_phase::for_each_pair(point_boxes, edge_boxes, [&](Index i, Index j) { add({Kind::point_edge, points_[i], j}); });
-    broad_phase::for_each_pair(point_boxes, [&](Index i, Index j) { add({Kind::point_point, points_[i], points_[j]}); });
+    broad_phase::for_each_pair(point_boxes, edge_boxes, [&](Index i, Index j) {
+      add({Kind::point_edge, points_[i], j});
+    });
+    broad_phase::for_each_pair(point_boxes, [&](Index i, Index j) {
+      add({Kind::point_point, points_[i], points_[j]});
+    });
   }
   return pairs;
 }
 
-Vector3 Elements::place(const Pair& pair, const VectorX& x0, const VectorX& x1, const Answer& answer) const noexcept {
+Vector3 Colliders::contact_point(const Pair& pair, const VectorX& x0, const VectorX& x1,
+                                 const Answer& answer) const noexcept {
   const auto c = corners(pair);
   const auto at = [&](Index p) -> Vector3 {
     return position(x0, p) + answer.toi * (position(x1, p) - position(x0, p));
@@ -201,7 +206,7 @@ Vector3 Elements::place(const Pair& pair, const VectorX& x0, const VectorX& x1, 
   return answer.weights_a[0] * at(c[0]) + answer.weights_a[1] * at(c[1]);
 }
 
-std::string Elements::describe(const Pair& pair) const {
+std::string Colliders::describe(const Pair& pair) const {
   const auto c = corners(pair);
   switch (pair.kind) {
     case Kind::edge_edge: return fmt::format("edge {}-{} and edge {}-{}", c[0], c[1], c[2], c[3]);

@@ -1,4 +1,4 @@
-// What can collide in a scene, and which pairs of it come close during a step.
+// The elements of a scene that can collide, and the pairs of them that come close during a substep.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -19,7 +19,7 @@ struct Pair {
   Index i = 0, j = 0;
 };
 
-/// The passes that a scene needs, each with its reason; what is not needed is never looked at again.
+/// The passes that a scene needs, with the reasons. A pass that is not needed costs nothing after that.
 struct Passes {
   bool edge_edge = false, vertex_face = false, joints = false, points = false;
   bool anything_moves = false;
@@ -27,14 +27,15 @@ struct Passes {
   std::size_t not_colliding = 0;  ///< particles
 };
 
-/// A particle, and an edge that it could only reach by folding over the particle that both their edges share.
+/// A particle, and an edge that it can only reach by folding: an edge of the particle and this one share another
+/// particle.
 struct Fold {
   Index particle = 0, edge = 0;
 };
 
-class Elements {
+class Colliders {
  public:
-  Elements(const Scene& scene, const System& system);
+  Colliders(const Scene& scene, const System& system);
 
   const std::vector<Edge>& edges() const noexcept { return edges_; }
   const std::vector<Face>& faces() const noexcept { return faces_; }
@@ -45,13 +46,14 @@ class Elements {
 
   Query query(const Pair& pair, const VectorX& x0, const VectorX& x1) const noexcept;
 
-  /// Every pair whose boxes overlap at some time, when they move from x0 to x1 with their elements and are wider by
-  /// `margin` on all sides: so every pair that may touch while each particle ends within `margin` of x1 along each axis.
-  /// Without pairs in which nothing can move and, but for folds, pairs that share a particle. Always in the same order.
+  /// Every pair whose boxes overlap at some time, when the boxes move from x0 to x1 with their elements and are wider
+  /// by `margin` on all sides. So every pair that may touch while each particle ends within `margin` of x1 along each
+  /// axis. Pairs in which nothing can move are left out and, but for folds, pairs that share a particle. The order
+  /// depends on the arguments only.
   std::vector<Pair> candidates(const VectorX& x0, const VectorX& x1, double margin) const;
 
   /// Where the pair's elements touch in the motion from x0 to x1, by the exact solver's answer. m
-  Vector3 place(const Pair& pair, const VectorX& x0, const VectorX& x1, const Answer& answer) const noexcept;
+  Vector3 contact_point(const Pair& pair, const VectorX& x0, const VectorX& x1, const Answer& answer) const noexcept;
 
   /// "edge 3-4 and edge 10-11": by their particles.
   std::string describe(const Pair& pair) const;

@@ -14,6 +14,20 @@ namespace {
 
 using Corners = std::array<Vector3, 4>;
 
+// Of |u|^2 |w|^2: the squared sine of the angle between two edges, below which rounding decides where parallel lines
+// are nearest; any point is as good then.
+constexpr double kParallelSquare = 1e-14;
+
+// The sine of the angle between two edges below which their cross product is no normal: the square root of the above.
+constexpr double kParallel = 1e-7;
+
+// Of the way that elements moved: the part along the normal below which a contact is a grazing one, and the positions
+// before, not the motion, say on which side the elements were.
+constexpr double kGrazing = 1e-9;
+
+// Of the thickness: a distance that is missing by less is not made good, or a resting contact would never be at rest.
+constexpr double kMissing = 1e-3;
+
 double clamped(double x) { return std::clamp(x, 0.0, 1.0); }
 
 /// The parameters in [0, 1] of the closest points of segments p0 p1 and q0 q1 (Ericson, "Real-Time Collision
@@ -22,7 +36,7 @@ std::array<double, 2> closest_on_segments(const Vector3& p0, const Vector3& p1, 
   const Vector3 u = p1 - p0, w = q1 - q0, r = p0 - q0;
   const double a = u.squaredNorm(), e = w.squaredNorm(), b = u.dot(w), c = u.dot(r), f = w.dot(r);
   const double denominator = a * e - b * b;
-  double s = denominator > 1e-14 * a * e ? clamped((b * f - c * e) / denominator) : 0.5;
+  double s = denominator > kParallelSquare * a * e ? clamped((b * f - c * e) / denominator) : 0.5;
   double t = e > 0 ? (b * s + f) / e : 0;
   if (t < 0) {
     t = 0;
@@ -90,7 +104,7 @@ Vector3 common_normal(Kind kind, const Corners& c) {
     const auto [u, w, r] = geometry::frame_of(kind == Kind::edge_edge,
                                               [&c](std::size_t i, std::size_t j) { return Vector3(c[i] - c[j]); });
     const Vector3 n = u.cross(w);
-    if (n.norm() > 1e-7 * u.norm() * w.norm()) return n.normalized();
+    if (n.norm() > kParallel * u.norm() * w.norm()) return n.normalized();
   }
   return Vector3::Zero();
 }
@@ -101,19 +115,19 @@ Vector3 weighted(const Contact& contact, const VectorX& x) {
   return sum;
 }
 
-Contact empty_contact(const Elements& elements, const Pair& pair) {
+Contact empty_contact(const Colliders& colliders, const Pair& pair) {
   Contact contact;
   contact.pair = pair;
-  contact.particles = elements.corners(pair);
+  contact.particles = colliders.corners(pair);
   contact.corners = corner_count(pair.kind);
   return contact;
 }
 
 }  // namespace
 
-Contact contact_of(const Elements& elements, const Pair& pair, const VectorX& x0, const VectorX& x1,
+Contact contact_of(const Colliders& colliders, const Pair& pair, const VectorX& x0, const VectorX& x1,
                    const Answer& answer, bool exact_weights) {
-  Contact contact = empty_contact(elements, pair);
+  Contact contact = empty_contact(colliders, pair);
   contact.time = answer.toi;
   Corners at{};
   for (std::size_t c = 0; c < contact.corners; ++c) {
@@ -125,7 +139,7 @@ Contact contact_of(const Elements& elements, const Pair& pair, const VectorX& x0
   const Vector3 before = weighted(contact, x0), moved = weighted(contact, x1) - before;
   Vector3 n = common_normal(pair.kind, at);
   if (n.isZero()) {
-    // Parallel edges, or a point: the normal is across the edge, towards where the elements came from.
+    // Parallel edges, or a point: the normal is across the edge, towards the side that the elements came from.
     n = before;
     if (pair.kind == Kind::point_edge || pair.kind == Kind::edge_edge) {
       const Vector3 along = (pair.kind == Kind::edge_edge ? at[1] - at[0] : at[2] - at[1]).normalized();
@@ -135,19 +149,19 @@ Contact contact_of(const Elements& elements, const Pair& pair, const VectorX& x0
     if (!(n.norm() > 0)) n = Vector3::UnitZ();
     n.normalize();
   }
-  // With the weights of the contact, where they were before is against the way they moved. A grazing one moves along
-  // the elements, and only the place tells.
-  const double side = std::abs(n.dot(moved)) > 1e-9 * moved.norm() ? -n.dot(moved) : n.dot(before);
+  // The side that the elements came from is against the way they moved, by the weights of the contact. A grazing one
+  // moves along the elements, and only the positions before tell.
+  const double side = std::abs(n.dot(moved)) > kGrazing * moved.norm() ? -n.dot(moved) : n.dot(before);
   contact.normal = side < 0 ? Vector3(-n) : n;
   contact.gap = std::max(contact.normal.dot(before), 0.0);
   return contact;
 }
 
-bool proximity(const Elements& elements, const Pair& pair, const VectorX& x0, double thickness, Contact& contact) {
-  contact = empty_contact(elements, pair);
+bool proximity(const Colliders& colliders, const Pair& pair, const VectorX& x0, double thickness, Contact& contact) {
+  contact = empty_contact(colliders, pair);
   Corners at{};
   for (std::size_t c = 0; c < contact.corners; ++c) at[c] = position(x0, contact.particles[c]);
-  // Far apart along an axis, as most pairs of a step's candidates are.
+  // Most candidate pairs of a substep are far apart along an axis.
   const std::size_t first = pair.kind == Kind::edge_edge ? 2 : 1;
   for (Eigen::Index k = 0; k < 3; ++k) {
     double low_a = at[0][k], high_a = low_a, low_b = at[first][k], high_b = low_b;
@@ -167,9 +181,9 @@ bool proximity(const Elements& elements, const Pair& pair, const VectorX& x0, do
   return true;
 }
 
-bool resolve(const Contact& contact, const ImpulseRule& rule, const Motion& motion) {
+bool apply_impulse(const Contact& contact, const ImpulseRule& rule, const Motion& motion) {
   const Vector3& n = contact.normal;
-  Vector3 moved = Vector3::Zero(), response = Vector3::Zero();  // response: what a unit impulse along each axis does
+  Vector3 moved = Vector3::Zero(), response = Vector3::Zero();  // response: to a unit impulse along each axis
   for (std::size_t c = 0; c < contact.corners; ++c) {
     const auto at = 3 * static_cast<Eigen::Index>(contact.particles[c]);
     moved += contact.omega[c] * (motion.x1->segment<3>(at) - motion.x0->segment<3>(at));
@@ -209,10 +223,10 @@ bool resolve(const Contact& contact, const ImpulseRule& rule, const Motion& moti
     changed = true;
   }
   const double missing = rule.thickness - (contact.gap + approach);
-  if (missing > 1e-3 * rule.thickness) {
+  if (missing > kMissing * rule.thickness) {
     const Vector3 push = rule.recovery * missing / k_normal * n;
     apply(push, *motion.x1);
-    apply(push, *motion.pushed);
+    apply(push, *motion.correction);
     changed = true;
   }
   return changed;

@@ -6,7 +6,12 @@
 namespace touchstone::sim {
 namespace {
 
-constexpr double kMostGrowth = 4;  // of the margin in one step
+// Times the thickness: the margin grows no further in one substep. Each doubling makes eight times as many pairs.
+constexpr double kMostGrowth = 4;
+
+// Of the margin: a particle has room while it is within this of where it ended when pairs were collected. The rest is
+// for rounding, which cannot let it leave its box then.
+constexpr double kRoom = 0.999;
 
 }  // namespace
 
@@ -18,7 +23,8 @@ void ContactFinder::begin(const VectorX& x0, const VectorX& x1, double margin) {
 }
 
 void ContactFinder::collect(const VectorX& x1) {
-  pairs_ = elements_->candidates(*x0_, x1, margin_);
+  cancel_->check();
+  pairs_ = colliders_->candidates(*x0_, x1, margin_);
   asked_.assign(pairs_.size(), 0);
   collected_ = x1;
 }
@@ -27,21 +33,21 @@ std::vector<Contact> ContactFinder::close(double thickness) const {
   std::vector<Contact> all;
   Contact contact;
   for (const Pair& pair : pairs_) {
-    if (proximity(*elements_, pair, *x0_, thickness, contact)) all.push_back(contact);
+    if (proximity(*colliders_, pair, *x0_, thickness, contact)) all.push_back(contact);
   }
   return all;
 }
 
 void ContactFinder::find(const VectorX& x1, std::vector<Contact>& found, ResponseCounts& counts) {
   found.clear();
-  // Block by block: pairs are many, and those that are open need not be copied all at once.
+  // Block by block: there are many pairs, and the open ones need not be copied all at once.
   constexpr std::size_t kBlock = 4096;
   std::vector<Pair> open;
   std::vector<std::size_t> places;
   const auto ask = [&] {
     const LevelCounts levels = solver_.contacts(open, *x0_, x1, [&](std::size_t i, const Answer& answer) {
       const bool planar = open[i].kind == Kind::point_edge || open[i].kind == Kind::point_point;
-      found.push_back(contact_of(*elements_, open[i], *x0_, x1, answer, planar || solver_.exact()));
+      found.push_back(contact_of(*colliders_, open[i], *x0_, x1, answer, planar || solver_.exact()));
       ++counts.natures[static_cast<std::size_t>(answer.nature)];
       asked_[places[i]] = 0;  // until it is known to be gone
     });
@@ -66,20 +72,19 @@ void ContactFinder::find(const VectorX& x1, std::vector<Contact>& found, Respons
 }
 
 bool ContactFinder::has_room(const VectorX& x1, Index particle) const {
-  // A little less than the margin, so that rounding here cannot let a particle leave its box.
-  return ((position(x1, particle) - position(collected_, particle)).array().abs() <= 0.999 * margin_).all();
+  return ((position(x1, particle) - position(collected_, particle)).array().abs() <= kRoom * margin_).all();
 }
 
 void ContactFinder::moved(const VectorX& x1, const std::vector<char>& particles) {
   for (Index p = 0; p < particles.size(); ++p) {
     if (!particles[p] || has_room(x1, p)) continue;
-    // What moved once will move again, but room has its price: each doubling makes eight times as many pairs.
+    // A particle that moved once will move again.
     margin_ = std::min(2 * margin_, most_margin_);
     collect(x1);
     return;
   }
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const auto corners = elements_->corners(pairs_[i]);
+    const auto corners = colliders_->corners(pairs_[i]);
     for (std::size_t c = 0; c < corner_count(pairs_[i].kind); ++c) {
       if (particles[corners[c]]) asked_[i] = 0;
     }

@@ -1,4 +1,4 @@
-// The contacts of a step whose end is still being changed: candidates are collected once, with room to move in.
+// The contacts of a substep whose end is still being changed: candidates are collected once, with room to move in.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -13,7 +13,7 @@ struct ResponseCounts {
   std::uint64_t close = 0;                 ///< pairs that were nearer than the thickness at the start
   std::uint64_t contacts = 0;              ///< found by the narrow phase, over all passes
   std::array<std::uint64_t, 5> natures{};  ///< of these, by Nature
-  LevelCounts levels;                      ///< who decided, over all queries of the response
+  LevelCounts levels;                      ///< how many queries of the response each level decided
   std::uint64_t queries = 0;
   int passes = 0;             ///< of impulses that had contacts to answer
   int solves = 0;             ///< implicit steps with the contacts in their potential
@@ -23,18 +23,20 @@ struct ResponseCounts {
 
 class ContactFinder {
  public:
-  ContactFinder(const Elements& elements, NarrowPhase narrow_phase, int threads)
-      : elements_(&elements), solver_(elements, narrow_phase, threads) {}
+  /// @param cancel  is checked at each pass and block of pairs, and lives as long as this
+  ContactFinder(const Colliders& colliders, NarrowPhase narrow_phase, int threads,
+                const linear::Cancellation& cancel = linear::Cancellation::never())
+      : colliders_(&colliders), cancel_(&cancel), solver_(colliders, narrow_phase, threads, cancel) {}
 
-  /// Collects the pairs that may touch while every particle ends within `margin` of x1. x0 must stay until the next
+  /// Collects the pairs that may touch while every particle ends within `margin` of x1. x0 must live until the next
   /// call.
   void begin(const VectorX& x0, const VectorX& x1, double margin);
 
   /// Pairs that are nearer than `thickness` at x0, which is at most the margin.
   std::vector<Contact> close(double thickness) const;
 
-  /// The contacts between x0 and x1, in the order of their time. Pairs that had none last time are asked again only
-  /// when `moved` has named one of their particles since.
+  /// The contacts between x0 and x1, in the order of their time. A pair that had none last time is asked again only
+  /// when `moved` has named one of its particles since.
   void find(const VectorX& x1, std::vector<Contact>& found, ResponseCounts& counts);
 
   /// These particles end elsewhere now: at x1.
@@ -44,7 +46,8 @@ class ContactFinder {
   void collect(const VectorX& x1);
   bool has_room(const VectorX& x1, Index particle) const;
 
-  const Elements* elements_;
+  const Colliders* colliders_;
+  const linear::Cancellation* cancel_;
   PairSolver solver_;
   const VectorX* x0_ = nullptr;
   std::vector<Pair> pairs_;

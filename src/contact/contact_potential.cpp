@@ -82,11 +82,11 @@ ContactDerivatives contact_derivatives(const ContactTerm& term, const VectorX& x
 }
 
 Vector3 next_pull(const ContactTerm& term, const VectorX& x0, const VectorX& x, const Vector3& pull, const Vector3& du,
-                  double share) {
+                  double step_length) {
   const Slip slip(term, x0, x);
   const Vector3 moved = du - term.normal.dot(du) * term.normal;
-  const Vector3 wanted = slip.ratio * (slip.across + moved - slip.bend * slip.direction().dot(moved) * pull);
-  const Vector3 next = pull + share * (wanted - pull);
+  const Vector3 whole = slip.ratio * (slip.across + moved - slip.bend * slip.direction().dot(moved) * pull);
+  const Vector3 next = pull + step_length * (whole - pull);
   return next / std::max(1.0, next.norm());
 }
 

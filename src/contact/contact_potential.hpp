@@ -1,4 +1,5 @@
-// Contacts as part of an implicit step: what stiff elements need, on which a bare impulse would pump energy.
+// Contacts as terms of the potential of an implicit step. Stiff elements need them, as bare impulses pump energy into
+// those.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -34,10 +35,10 @@ double contact_value(const ContactTerm& term, const VectorX& x0, const VectorX& 
 /// Friction over `slip` at x: along the slip, across the normal, never longer than 1.
 Vector3 friction_pull(const ContactTerm& term, const VectorX& x0, const VectorX& x);
 
-/// First derivative with respect to u, and a second one that is never negative: friction bends so sharply at rest that
-/// Newton's method with its own second derivative turns at one contact or another in every step, and creeps. So
-/// `pull` is a variable of its own, that meets friction_pull at the solution only (Chan, Golub and Mulet 1999, for
-/// total variation, which has the same corner); where they agree the second derivative is exact.
+/// The first derivative with respect to u, and a second one that is never negative. Friction bends so sharply at rest
+/// that Newton's method with the exact second derivative turns back at one contact or another in every iteration, and
+/// creeps. So `pull` is a variable of its own, which meets friction_pull at the solution only (Chan, Golub and Mulet
+/// 1999, for total variation, which has the same corner). Where the two agree, the second derivative is exact.
 struct ContactDerivatives {
   Vector3 gradient;
   Eigen::Matrix3d hessian;
@@ -45,8 +46,8 @@ struct ContactDerivatives {
 ContactDerivatives contact_derivatives(const ContactTerm& term, const VectorX& x0, const VectorX& x,
                                        const Vector3& pull);
 
-/// `pull` after a step of `share` of Newton's direction, which moves u by `share` of `du` from x.
+/// `pull` after a step of `step_length` of Newton's direction, which moves u by `step_length` times `du` from x.
 Vector3 next_pull(const ContactTerm& term, const VectorX& x0, const VectorX& x, const Vector3& pull, const Vector3& du,
-                  double share);
+                  double step_length);
 
 }  // namespace touchstone::sim

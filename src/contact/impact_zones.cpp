@@ -7,6 +7,15 @@
 #include <map>
 
 namespace touchstone::sim {
+namespace {
+
+// Of the greatest moment of inertia: particles on a line have none about it, but for rounding.
+constexpr double kNoMoment = 1e-9;
+
+// Radians, in a substep. Below half a turn the map (1 - t) + t R is regular for every t; this leaves room for rounding.
+constexpr double kMostTurn = 1.0;
+
+}  // namespace
 
 bool ImpactZones::join(const Contact& contact) {
   bool joined = false;
@@ -30,7 +39,7 @@ std::vector<std::vector<Index>> ImpactZones::zones() {
 bool move_rigidly(const std::vector<Index>& zone, const System& system, const VectorX& inverse_mass, const VectorX& x0,
                   VectorX& x1) {
   const auto at = [](Index p) { return 3 * static_cast<Eigen::Index>(p); };
-  // What is held in one coordinate only counts as held: it does not move at all then.
+  // A particle that is held in one coordinate only counts as held: it does not move at all then.
   const Index* held = nullptr;
   Vector3 displacement = Vector3::Zero();
   for (const Index& p : zone) {
@@ -66,16 +75,15 @@ bool move_rigidly(const std::vector<Index>& zone, const System& system, const Ve
     angular += m * arm.cross(Vector3(position(x1, p) - position(x0, p) - shift));
     inertia += m * (arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose());
   }
-  // Particles on a line have no moment of inertia about it, and no angular momentum either.
+  // Particles on a line have no angular momentum about it either.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(inertia);
   Vector3 turn = Vector3::Zero();
   for (Eigen::Index k = 0; k < 3; ++k) {
     const double moment = axes.eigenvalues()[k];
-    if (moment > 1e-9 * axes.eigenvalues()[2])
+    if (moment > kNoMoment * axes.eigenvalues()[2])
       turn += axes.eigenvectors().col(k).dot(angular) / moment * axes.eigenvectors().col(k);
   }
-  // Below half a turn the map (1 - t) + t R is regular for every t; a radian leaves room for rounding.
-  const double angle = std::min(turn.norm(), 1.0);
+  const double angle = std::min(turn.norm(), kMostTurn);
   const Eigen::Matrix3d rotation =
       angle > 0 ? Eigen::AngleAxisd(angle, turn.normalized()).toRotationMatrix() : Eigen::Matrix3d::Identity();
   for (const Index p : zone) {

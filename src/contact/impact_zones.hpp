@@ -27,9 +27,9 @@ class ImpactZones {
   linear::UnionFind joined_;
 };
 
-/// Gives the zone's particles the rigid motion with their momentum and angular momentum, or that of what is held or
-/// driven among them. All positions in between are images of x0 under one affine map that is never singular, so no
-/// two of them meet. False when what is held among them moves in different ways.
+/// Gives the zone's particles the rigid motion with their momentum and angular momentum, or the motion of the held or
+/// driven ones among them. All positions in between are images of x0 under one affine map that is never singular, so no
+/// two of them meet. False when held particles among them move in different ways.
 bool move_rigidly(const std::vector<Index>& zone, const System& system, const VectorX& inverse_mass, const VectorX& x0,
                   VectorX& x1);
 

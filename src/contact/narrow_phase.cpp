@@ -5,11 +5,18 @@
 
 namespace touchstone::sim {
 
-PairSolver::PairSolver(const Elements& elements, NarrowPhase narrow_phase, int threads)
-    : elements_(&elements), narrow_phase_(narrow_phase), threads_(threads), queries_(kBlock), answers_(kBlock) {}
+PairSolver::PairSolver(const Colliders& colliders, NarrowPhase narrow_phase, int threads,
+                       const linear::Cancellation& cancel)
+    : colliders_(&colliders),
+      cancel_(&cancel),
+      narrow_phase_(narrow_phase),
+      threads_(threads),
+      queries_(kBlock),
+      answers_(kBlock) {}
 
 void PairSolver::ask(const Pair* pairs, std::size_t count, const VectorX& x0, const VectorX& x1) {
-  for (std::size_t i = 0; i < count; ++i) queries_[i] = elements_->query(pairs[i], x0, x1);
+  cancel_->check();
+  for (std::size_t i = 0; i < count; ++i) queries_[i] = colliders_->query(pairs[i], x0, x1);
   BatchOptions options;
   options.threads = threads_;
   if (narrow_phase_ == NarrowPhase::exact) {
@@ -17,8 +24,8 @@ void PairSolver::ask(const Pair* pairs, std::size_t count, const VectorX& x0, co
     return;
   }
   for (std::size_t i = 0; i < count; ++i) {
-    // The paper knows edges only; what particles do to faces it does not see. Edges that share a particle it leaves to
-    // "two dimensional continuous collision methods" (3.6): to the exact one here.
+    // The paper knows edges only: it sees no contact of a particle with a face. It leaves edges that share a particle
+    // to "two dimensional continuous collision methods" (3.6), here to the exact solver.
     if (pairs[i].kind == Kind::vertex_face) {
       answers_[i] = Answer();
     } else if (pairs[i].kind == Kind::edge_edge) {

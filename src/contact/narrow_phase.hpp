@@ -9,10 +9,11 @@
 #include <touchstone/solve.hpp>
 
 #include "contact/colliders.hpp"
+#include "linear/cancellation.hpp"
 
 namespace touchstone::sim {
 
-/// Who answers during the response. The proof always asks the exact solver.
+/// The solver that finds contacts for the response. The proof always asks the exact one.
 enum class NarrowPhase : std::uint8_t {
   exact,  ///< touchstone::solve
   paper   ///< as in the paper: the closed form in doubles for edges, which loses contacts, and nothing for faces
@@ -23,7 +24,9 @@ using QuerySink = std::function<void(const Query&, const Answer&)>;
 /// Answers to pairs[i], in order; the same for any number of threads.
 class PairSolver {
  public:
-  PairSolver(const Elements& elements, NarrowPhase narrow_phase, int threads);
+  /// @param cancel  is checked before each block of pairs, and lives as long as this
+  PairSolver(const Colliders& colliders, NarrowPhase narrow_phase, int threads,
+             const linear::Cancellation& cancel = linear::Cancellation::never());
 
   /// For every contact in the order of `pairs`: found(index, answer). @returns how many each level decided
   template <class Found>
@@ -52,7 +55,8 @@ class PairSolver {
   void ask(const Pair* pairs, std::size_t count, const VectorX& x0, const VectorX& x1);
   static void count_level(Level level, LevelCounts& counts) noexcept;
 
-  const Elements* elements_;
+  const Colliders* colliders_;
+  const linear::Cancellation* cancel_;
   NarrowPhase narrow_phase_;
   int threads_;
   QuerySink sink_;

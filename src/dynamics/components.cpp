@@ -35,8 +35,7 @@ void Members::append(Index component, std::vector<Index>& to) const {
 }
 
 Components::Components(const System& system) {
-  // An angle goes with its edge: a free one whose ends are held is a node beside the
-  // particles.
+  // An angle goes with its edge. A free angle whose edge has held ends is a node of its own.
   const auto count = static_cast<Index>(system.particle_count());
   linear::UnionFind tied(system.particle_count() + system.edges.size());
   const auto node_of_edge = [&](Index e) {
@@ -53,7 +52,7 @@ Components::Components(const System& system) {
     }
     return before;
   };
-  for (const Length& length : system.lengths) join_all({length.a, length.b});
+  for (const StretchElement& length : system.stretch_elements) join_all({length.a, length.b});
   for (const RodEdge& edge : system.edges) join_all({edge.a, edge.b});
   for (const Joint& joint : system.joints)
     join_all({joint.p[0], joint.p[1], joint.p[2], node_of_edge(joint.e), node_of_edge(joint.f)});
@@ -81,8 +80,8 @@ Components::Components(const System& system) {
   };
   particles.sort(components, count, [&](Index p) { return of_particle[p]; });
   edges.sort(components, of_edge.size(), [&](Index e) { return of_edge[e]; });
-  lengths.sort(components, system.lengths.size(), [&](Index l) {
-    return first_known({of_particle[system.lengths[l].a], of_particle[system.lengths[l].b]});
+  stretch_elements.sort(components, system.stretch_elements.size(), [&](Index l) {
+    return first_known({of_particle[system.stretch_elements[l].a], of_particle[system.stretch_elements[l].b]});
   });
   joints.sort(components, system.joints.size(), [&](Index j) {
     const Joint& joint = system.joints[j];

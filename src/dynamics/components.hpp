@@ -1,4 +1,4 @@
-// What of a scene springs and cables tie together, whatever touches.
+// The particles and elements that springs and cables tie together, contacts left aside.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -22,14 +22,14 @@ struct Members {
   void append(Index component, std::vector<Index>& to) const;
 };
 
-/// What is held ties nothing, and is in no component.
+/// Held particles tie nothing, and are in no component.
 struct Components {
   explicit Components(const System& system);
 
   std::vector<Index> of_particle;
-  Members particles, lengths, edges, joints;
+  Members particles, stretch_elements, edges, joints;
   std::vector<Index> unknowns;     ///< of each component
-  std::vector<Index> loose_edges;  ///< that are held, and carry frames all the same
+  std::vector<Index> loose_edges;  ///< held ones, which have frames all the same
 };
 
 }  // namespace touchstone::sim

@@ -9,47 +9,49 @@
 namespace touchstone::sim {
 namespace {
 
-constexpr Index kLeastUnknowns = 1000;  // smaller parts are solved together: each has a price beside its size
+// Unknowns: smaller islands are solved together, as each solve has a cost beside its size.
+constexpr Index kLeastUnknowns = 1000;
 
-VectorX gathered(const VectorX& v, const SystemPart& part, const System& system) {
-  VectorX own(static_cast<Eigen::Index>(3 * part.particles.size() + part.edges.size()));
+VectorX gathered(const VectorX& v, const SystemSubset& subset, const System& system) {
+  VectorX own(static_cast<Eigen::Index>(3 * subset.particles.size() + subset.edges.size()));
   Eigen::Index at = 0;
-  for (const Index p : part.particles) {
+  for (const Index p : subset.particles) {
     own.segment<3>(at) = position(v, p);
     at += 3;
   }
-  for (const Index e : part.edges) own[at++] = v[system.angle(e)];
+  for (const Index e : subset.edges) own[at++] = v[system.angle(e)];
   return own;
 }
 
-VectorX gathered_strains(const VectorX& v, const SystemPart& part, const System& system) {
-  VectorX own(static_cast<Eigen::Index>(part.lengths.size() + 3 * part.joints.size()));
+VectorX gathered_strains(const VectorX& v, const SystemSubset& subset, const System& system) {
+  VectorX own(static_cast<Eigen::Index>(subset.stretch_elements.size() + 3 * subset.joints.size()));
   Eigen::Index at = 0;
-  for (const Index l : part.lengths) own[at++] = v[static_cast<Eigen::Index>(l)];
-  for (const Index j : part.joints) {
-    own.segment<3>(at) = v.segment<3>(static_cast<Eigen::Index>(system.lengths.size() + 3 * std::size_t{j}));
+  for (const Index l : subset.stretch_elements) own[at++] = v[static_cast<Eigen::Index>(l)];
+  for (const Index j : subset.joints) {
+    own.segment<3>(at) = v.segment<3>(static_cast<Eigen::Index>(system.stretch_elements.size() + 3 * std::size_t{j}));
     at += 3;
   }
   return own;
 }
 
-/// Of the whole system; -1 stays.
-Eigen::Index coordinate_of(const SystemPart& part, Eigen::Index own, const System& system) {
+/// The coordinate of the whole system for one of the subset's; -1 stays.
+Eigen::Index coordinate_of(const SystemSubset& subset, Eigen::Index own, const System& system) {
   if (own < 0) return own;
   const auto particle = static_cast<std::size_t>(own) / 3;
-  if (particle < part.particles.size()) return 3 * static_cast<Eigen::Index>(part.particles[particle]) + own % 3;
-  return system.angle(part.edges[static_cast<std::size_t>(own) - 3 * part.particles.size()]);
+  if (particle < subset.particles.size()) return 3 * static_cast<Eigen::Index>(subset.particles[particle]) + own % 3;
+  return system.angle(subset.edges[static_cast<std::size_t>(own) - 3 * subset.particles.size()]);
 }
 
 }  // namespace
 
-Islands::Islands(const System& system, const Settings& settings)
-    : system_(&system), settings_(settings), components_(system) {
+Islands::Islands(const System& system, const Settings& settings, const linear::Cancellation& cancel)
+    : system_(&system), settings_(settings), cancel_(&cancel), components_(system) {
   local_particle_.assign(system.particle_count(), kNone);
   local_edge_.assign(system.edges.size(), kNone);
 }
 
-std::vector<Islands::Part> Islands::parts_of(std::span<const ContactTerm> contacts, std::vector<Index>& part_of) const {
+std::vector<Islands::Island> Islands::islands_of(std::span<const ContactTerm> contacts,
+                                                 std::vector<Index>& island_of) const {
   linear::UnionFind tied(components_.unknowns.size());
   for (const ContactTerm& term : contacts) {
     Index before = kNone;
@@ -60,44 +62,44 @@ std::vector<Islands::Part> Islands::parts_of(std::span<const ContactTerm> contac
       before = own;
     }
   }
-  part_of.assign(components_.unknowns.size(), kNone);
-  std::vector<Index> island_unknowns(components_.unknowns.size(), 0);
-  for (Index c = 0; c < components_.unknowns.size(); ++c) island_unknowns[tied.root(c)] += components_.unknowns[c];
-  std::vector<Part> parts;
-  Index open = kNone, in_open = 0;  // a part that small islands still join
+  island_of.assign(components_.unknowns.size(), kNone);
+  std::vector<Index> tied_unknowns(components_.unknowns.size(), 0);
+  for (Index c = 0; c < components_.unknowns.size(); ++c) tied_unknowns[tied.root(c)] += components_.unknowns[c];
+  std::vector<Island> islands;
+  Index open = kNone, in_open = 0;  // an island that small ones still join
   for (Index c = 0; c < components_.unknowns.size(); ++c) {
     const Index root = tied.root(c);
     if (root == c) {
-      const bool small = island_unknowns[c] < kLeastUnknowns;
+      const bool small = tied_unknowns[c] < kLeastUnknowns;
       if (!small || open == kNone) {
-        parts.emplace_back();
-        part_of[c] = static_cast<Index>(parts.size() - 1);
+        islands.emplace_back();
+        island_of[c] = static_cast<Index>(islands.size() - 1);
         if (small) {
-          open = part_of[c];
+          open = island_of[c];
           in_open = 0;
         }
       } else {
-        part_of[c] = open;
+        island_of[c] = open;
       }
-      if (small && (in_open += island_unknowns[c]) >= kLeastUnknowns) open = kNone;
+      if (small && (in_open += tied_unknowns[c]) >= kLeastUnknowns) open = kNone;
     }
-    part_of[c] = part_of[root];
-    parts[part_of[c]].push_back(c);
+    island_of[c] = island_of[root];
+    islands[island_of[c]].push_back(c);
   }
-  return parts;
+  return islands;
 }
 
-SystemPart Islands::members_of(const Part& part, bool with_loose, const std::vector<Index>& contacts,
-                               const Stage& stage) {
-  SystemPart own;
-  for (const Index c : part) {
+SystemSubset Islands::members_of(const Island& island, bool with_loose, const std::vector<Index>& contacts,
+                                 const Stage& stage) {
+  SystemSubset own;
+  for (const Index c : island) {
     components_.particles.append(c, own.particles);
     components_.edges.append(c, own.edges);
-    components_.lengths.append(c, own.lengths);
+    components_.stretch_elements.append(c, own.stretch_elements);
     components_.joints.append(c, own.joints);
   }
   if (with_loose) own.edges.insert(own.edges.end(), components_.loose_edges.begin(), components_.loose_edges.end());
-  // What is held comes along wherever something leans on it.
+  // Held particles and edges come along with the elements that lean on them.
   for (Index i = 0; i < own.edges.size(); ++i) local_edge_[own.edges[i]] = i;
   for (Index i = 0; i < own.particles.size(); ++i) local_particle_[own.particles[i]] = i;
   const auto need_edge = [&](Index e) {
@@ -119,9 +121,9 @@ SystemPart Islands::members_of(const Part& part, bool with_loose, const std::vec
     need(system_->edges[e].a);
     need(system_->edges[e].b);
   }
-  for (const Index l : own.lengths) {
-    need(system_->lengths[l].a);
-    need(system_->lengths[l].b);
+  for (const Index l : own.stretch_elements) {
+    need(system_->stretch_elements[l].a);
+    need(system_->stretch_elements[l].b);
   }
   for (const Index i : contacts) {
     for (std::size_t c = 0; c < stage.contacts[i].corners; ++c) need(stage.contacts[i].particles[c]);
@@ -129,11 +131,11 @@ SystemPart Islands::members_of(const Part& part, bool with_loose, const std::vec
   return own;
 }
 
-NewtonResult Islands::minimise_part(const Part& part, bool with_loose, const std::vector<Index>& contacts,
-                                    const Begin& begin, VectorX& q, Frames& frames) {
+NewtonResult Islands::minimise_island(const Island& island, bool with_loose, const std::vector<Index>& contacts,
+                                      const Begin& begin, VectorX& q, Frames& frames) {
   const Stage& stage = *begin.stage;
-  const SystemPart own = members_of(part, with_loose, contacts, stage);
-  const System system = system_->part(own, local_particle_, local_edge_);
+  const SystemSubset own = members_of(island, with_loose, contacts, stage);
+  const System system = system_->subset(own, local_particle_, local_edge_);
   Stage own_stage;
   own_stage.base = gathered(stage.base, own, *system_);
   own_stage.base_velocity = gathered(stage.base_velocity, own, *system_);
@@ -159,11 +161,11 @@ NewtonResult Islands::minimise_part(const Part& part, bool with_loose, const std
   for (const Index j : own.joints) own_frames.reference_twist.push_back(begin.frames->reference_twist[j]);
   NewtonResult result;
   {
-    Newton newton(system, settings_, patterns_);
+    Newton newton(system, settings_, patterns_, *cancel_);
     result = newton.minimise(own_stage, gathered(*begin.guess, own, *system_), own_q, own_frames);
   }
   if (!result.converged) {
-    result.mover.coordinate = coordinate_of(own, result.mover.coordinate, *system_);
+    result.largest_change.coordinate = coordinate_of(own, result.largest_change.coordinate, *system_);
     return result;
   }
   Eigen::Index at = 0;
@@ -180,23 +182,23 @@ NewtonResult Islands::minimise_part(const Part& part, bool with_loose, const std
 }
 
 NewtonResult Islands::minimise(const Stage& stage, const VectorX& guess, VectorX& q, Frames& frames) {
-  std::vector<Index> part_of;
-  const std::vector<Part> parts = parts_of(stage.contacts, part_of);
-  if (parts.size() < 2) {
-    if (whole_ == nullptr) whole_ = std::make_unique<Newton>(*system_, settings_, patterns_);
+  std::vector<Index> island_of;
+  const std::vector<Island> islands = islands_of(stage.contacts, island_of);
+  if (islands.size() < 2) {
+    if (whole_ == nullptr) whole_ = std::make_unique<Newton>(*system_, settings_, patterns_, *cancel_);
     return whole_->minimise(stage, guess, q, frames);
   }
-  std::vector<std::vector<Index>> contacts(parts.size());
+  std::vector<std::vector<Index>> contacts(islands.size());
   for (Index i = 0; i < stage.contacts.size(); ++i) {
     const ContactTerm& term = stage.contacts[i];
     for (std::size_t c = 0; c < term.corners; ++c) {
       const Index component = components_.of_particle[term.particles[c]];
       if (component == kNone) continue;
-      contacts[part_of[component]].push_back(i);
+      contacts[island_of[component]].push_back(i);
       break;
     }
   }
-  // Parts share what is held: each begins where it was, whatever the others have written.
+  // Islands share held particles. Each island begins at the state before, whatever the others have written.
   const VectorX q_before = q;
   const Frames frames_before = frames;
   for (Eigen::Index i = 0; i < q.size(); ++i) {
@@ -204,15 +206,15 @@ NewtonResult Islands::minimise(const Stage& stage, const VectorX& guess, VectorX
   }
   NewtonResult all;
   all.converged = true;
-  for (Index p = 0; p < parts.size(); ++p) {
+  for (Index p = 0; p < islands.size(); ++p) {
     const Begin begin{&stage, &guess, &q_before, &frames_before};
-    const NewtonResult own = minimise_part(parts[p], p == 0, contacts[p], begin, q, frames);
+    const NewtonResult own = minimise_island(islands[p], p == 0, contacts[p], begin, q, frames);
     all.iterations = std::max(all.iterations, own.iterations);
-    all.convex = std::max(all.convex, own.convex);
+    all.projected = std::max(all.projected, own.projected);
     all.last_step = std::max(all.last_step, own.last_step);
     if (own.converged) continue;
     all.converged = false;
-    all.mover = own.mover;
+    all.largest_change = own.largest_change;
     return all;
   }
   return all;

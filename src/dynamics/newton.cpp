@@ -4,240 +4,369 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "scene/features.hpp"
 #include "dynamics/newton_matrix.hpp"
+#include "dynamics/watchdog.hpp"
+#include "scene/features.hpp"
 
 namespace touchstone::sim {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+// Iterations; scenes converge in 3 to 15, and a substep that needs more than this is cheaper in two halves.
 constexpr int kMostIterations = 100;
+
+// The line search. A step length of 2^-30 moves nothing that the tolerance would see.
 constexpr int kMostHalvings = 30;
 constexpr int kMostDoublings = 10;
-constexpr int kPatience = 15;    // iterations before the first excursion: what converges sooner is not led elsewhere
-constexpr int kMostSteps = 4;    // of an excursion
-constexpr double kFlat = 1000;   // tolerances that a step may still be long when rounding hides what it gains
-constexpr double kLever = 0.01;  // m: an angle's change counts as what it moves this far from the axis
+constexpr double kSufficientDecrease = 1e-4;  // Armijo's fraction of the decrease that the slope promises
 
-Mover mover_of(const VectorX& direction, Eigen::Index particles, double span) {
-  Mover mover;
-  VectorX moved = direction.cwiseAbs();
-  moved.tail(moved.size() - particles) *= kLever;
-  moved.maxCoeff(&mover.coordinate);
-  mover.speed = std::abs(direction[mover.coordinate]) / span;
-  return mover;
-}
+// Rounding. The terms of the potential are sums of products of a few factors: 64 epsilon of their sum of magnitudes is
+// far more than sums of that many terms lose, as their errors have either sign.
+constexpr double kPotentialNoise = 64 * kEpsilon;
+// A step of fewer units in the last place of the largest coordinate than this is lost in the rounding of strains.
+constexpr double kLeastStep = 16;
+
+// Tolerances: a step of up to this many of them ends the search where rounding hides its decrease.
+constexpr double kFlat = 1000;
+
+// m: the change of an angle counts as the way of a point at this distance from the axis.
+constexpr double kLever = 0.01;
+
+struct PotentialValue {
+  double value = 0;  // J
+  double noise = 0;  // J: the part that may be rounding
+};
+
+/// A point of the search, and what is known there.
+struct Iterate {
+  VectorX q;
+  Frames frames;
+  PotentialValue potential;
+  std::vector<Vector3> pulls;  // of friction, for each contact; empty without friction
+  VectorX direction;           // Newton's
+  double slope = 0;            // J: of the potential along the direction
+  double noise = 0;            // J: differences of the potential below this mean nothing
+};
+
+/// A point of the line through an iterate.
+struct Trial {
+  double step_length = 0;  // 1: Newton's whole step
+  VectorX q;
+  Frames frames;
+  PotentialValue potential;
+};
+
+/// The first and second derivatives at an iterate. The second ones stay in the matrix.
+struct Assembly {
+  bool positive_definite = false;
+  bool projected = false;  // the Hessian, because the exact one is not positive definite
+  VectorX gradient;
+  double stored_force = 0;  // N: the sum of magnitudes of the elements' and contacts' forces
+};
+
+/// The length of Newton's step, and the lengths that are too short to matter, m.
+struct StepSize {
+  double reach = 0;   // of Newton's whole step
+  double enough = 0;  // a reach of no more than this is convergence
+  double ulp = 0;     // of the largest coordinate
+};
 
 }  // namespace
 
-/// Where the search is, and what is known there.
-struct Newton::Place {
-  VectorX q;
-  Frames frames;
-  Potential potential;
-  std::vector<Vector3> pulls;  // of friction, for each contact; empty without friction
-  VectorX direction;           // to go
-  double slope = 0;            // J: of the potential along it
-  double noise = 0;            // J: what the potential cannot tell apart
+/// One minimisation under way: assemble, find a step, accept it, until it has converged.
+class Newton::Descent {
+ public:
+  Descent(const Newton& newton, const Stage& stage, const VectorX& guess, const VectorX& q, const Frames& frames);
+
+  NewtonResult run();
+  Iterate& iterate() noexcept { return here_; }
+
+ private:
+  enum class Search : std::uint8_t { accepted, converged, failed };
+
+  PotentialValue potential(const VectorX& q, const Frames& frames) const;
+  Iterate start(const VectorX& guess, const VectorX& q, const Frames& frames) const;
+
+  Assembly assemble();
+  bool factorise(Hessian hessian, VectorX& gradient);
+  void add_contacts(VectorX& gradient);
+  bool find_direction(const Assembly& assembly, StepSize& size);
+
+  Search advance(bool projected, StepSize size, NewtonResult& result);
+  Trial trial(double step_length) const;
+  double sufficient(double step_length) const;
+  bool decreases(const Trial& trial) const;
+  bool backtrack(Trial& best) const;
+  void extend(Trial& best) const;
+  bool is_flat(const Trial& best, const StepSize& size) const;
+  void accept(Trial trial);
+  void climb(Trial trial);
+
+  double reach_of(const VectorX& direction) const;
+  LargestChange largest_change() const;
+
+  const Newton* newton_;
+  const Stage* stage_;
+  Eigen::Index particles_;  // coordinates of particles, which come before the angles
+  double inverse_;          // 1 / span^2
+  VectorX diagonal_;        // of inertia and drag, kg/s^2
+  bool friction_ = false;
+  Iterate here_;
+  Watchdog<Iterate> watchdog_;
 };
 
-/// A few whole steps although the potential rises. Stiff lengths resist a straight step as much as it turns them on the
-/// way, so that only tiny steps lead down (Maratos 1978); a step or two later that is made good. While they are out of
-/// shape, what their turning resists is the tension that they are meant to have, not that which they have: Newton's
-/// method with the tensions as variables. Comes back when it was for nothing (the watchdog of Chamberlain et al. 1982).
-struct Newton::Excursion {
-  int left = 0;             // steps; 0: there is none under way
-  int wait = 0, pause = 1;  // iterations before the next one, and after one that was for nothing
-  double wanted = 0;        // J: what it must come down to
-  VectorX tensions;
-  Place from;
-};
+Newton::Descent::Descent(const Newton& newton, const Stage& stage, const VectorX& guess, const VectorX& q,
+                         const Frames& frames)
+    : newton_(&newton),
+      stage_(&stage),
+      particles_(static_cast<Eigen::Index>(3 * newton.system_->particle_count())),
+      inverse_(1 / (stage.span * stage.span)),
+      here_(start(guess, q, frames)) {}
 
-Newton::Newton(const System& system, const Settings& settings, linear::PatternCache& patterns)
-    : system_(&system),
-      energy_(system),
-      drag_(settings.drag),
-      tolerance_(settings.newton_tolerance),
-      matrix_(std::make_unique<NewtonMatrix>(system, patterns)) {}
-
-Newton::~Newton() = default;
-
-Newton::Potential Newton::potential(const Stage& stage, const VectorX& q, const Frames& frames) const {
-  const auto mass = system_->mass.array();
+PotentialValue Newton::Descent::potential(const VectorX& q, const Frames& frames) const {
+  const Stage& stage = *stage_;
+  const double drag_factor = newton_->drag_;
+  const auto mass = newton_->system_->mass.array();
   const VectorX moved = q - stage.base;
   const double inertia =
       0.5 / (stage.span * stage.span) * (mass * (moved - stage.span * stage.base_velocity).array().square()).sum();
-  const double drag = 0.5 * drag_ / stage.span * (mass * moved.array().square()).sum();
-  const double load = (system_->force.array() * moved.array()).sum();
-  const double stored = energy_.value(q, frames, stage.time, stage.strains);
+  const double drag = 0.5 * drag_factor / stage.span * (mass * moved.array().square()).sum();
+  const double load = (newton_->system_->force.array() * moved.array()).sum();
+  const double stored = newton_->energy_.value(q, frames, stage.time, stage.strains);
   double contact = 0;
   for (const ContactTerm& term : stage.contacts) contact += contact_value(term, stage.base, q);
   return {inertia + drag - load + stored + contact,
-          64 * kEpsilon * (inertia + drag + std::abs(load) + stored + contact)};
+          kPotentialNoise * (inertia + drag + std::abs(load) + stored + contact)};
 }
 
-Newton::Place Newton::start(const Stage& stage, const VectorX& guess, const VectorX& q, const Frames& frames) const {
+/// The better of two: the guess, and the positions before with only the prescribed coordinates moved.
+Iterate Newton::Descent::start(const VectorX& guess, const VectorX& q, const Frames& frames) const {
+  const System& system = *newton_->system_;
   VectorX still = q;
   for (Eigen::Index i = 0; i < q.size(); ++i) {
-    if (system_->fixed[static_cast<std::size_t>(i)]) still[i] = guess[i];
+    if (system.fixed[static_cast<std::size_t>(i)]) still[i] = guess[i];
   }
-  Place at_still{still, system_->transported(frames, q, still), {}, {}, {}, 0, 0};
-  Place at_guess{guess, system_->transported(frames, q, guess), {}, {}, {}, 0, 0};
-  for (Place* const place : {&at_still, &at_guess}) place->potential = potential(stage, place->q, place->frames);
+  Iterate at_still{still, system.transported(frames, q, still), {}, {}, {}, 0, 0};
+  Iterate at_guess{guess, system.transported(frames, q, guess), {}, {}, {}, 0, 0};
+  for (Iterate* const iterate : {&at_still, &at_guess}) iterate->potential = potential(iterate->q, iterate->frames);
   const double value = at_still.potential.value;
   return !std::isfinite(value) || at_guess.potential.value <= value ? at_guess : at_still;
 }
 
-NewtonResult Newton::minimise(const Stage& stage, const VectorX& guess, VectorX& q, Frames& frames) {
-  Place here = start(stage, guess, q, frames);
-  const NewtonResult result = descend(stage, here);
-  q = std::move(here.q);
-  frames = std::move(here.frames);
-  return result;
-}
-
-NewtonResult Newton::descend(const Stage& stage, Place& here) {
+NewtonResult Newton::Descent::run() {
   NewtonResult result;
-  if (!std::isfinite(here.potential.value)) return result;
-  if (matrix_->free_count() == 0) {
+  NewtonMatrix& matrix = *newton_->matrix_;
+  if (!std::isfinite(here_.potential.value)) return result;
+  if (matrix.free_count() == 0) {
     result.converged = true;
     return result;
   }
-  const VectorX& mass = system_->mass;
-  const auto particles = static_cast<Eigen::Index>(3 * system_->particle_count());
-  const auto size_of = [&](const VectorX& d) {
-    const auto angles = d.tail(d.size() - particles);
-    return std::max(d.head(particles).lpNorm<Eigen::Infinity>(),
-                    angles.size() > 0 ? kLever * angles.lpNorm<Eigen::Infinity>() : 0.0);
-  };
-  matrix_->set_contacts(stage.contacts);
-  const bool friction = kFriction && std::any_of(stage.contacts.begin(), stage.contacts.end(),
-                                                 [](const ContactTerm& term) { return term.slip > 0; });
-  if (friction) {
-    for (const ContactTerm& term : stage.contacts) here.pulls.push_back(friction_pull(term, stage.base, here.q));
+  diagonal_ = (inverse_ + newton_->drag_ / stage_->span) * newton_->system_->mass;
+  matrix.set_contacts(stage_->contacts);
+  friction_ = kFriction && std::any_of(stage_->contacts.begin(), stage_->contacts.end(),
+                                       [](const ContactTerm& term) { return term.slip > 0; });
+  if (friction_) {
+    for (const ContactTerm& term : stage_->contacts) here_.pulls.push_back(friction_pull(term, stage_->base, here_.q));
   }
-  const auto add_contacts = [&](VectorX& gradient) {
-    for (std::size_t i = 0; i < stage.contacts.size(); ++i) {
-      const ContactTerm& term = stage.contacts[i];
-      const ContactDerivatives d =
-          contact_derivatives(term, stage.base, here.q, friction ? here.pulls[i] : Vector3::Zero());
-      for (std::size_t c = 0; c < term.corners; ++c) {
-        gradient.segment<3>(3 * static_cast<Eigen::Index>(term.particles[c])) += term.omega[c] * d.gradient;
-      }
-      matrix_->contact(i, term, d.hessian);
-    }
-  };
-  const double inverse = 1 / (stage.span * stage.span);
-  const VectorX diagonal = (inverse + drag_ / stage.span) * mass;
-  const auto try_share = [&](double part) {
-    Trial trial{part, here.q + part * here.direction, {}, {}};
-    trial.frames = system_->transported(here.frames, here.q, trial.q);
-    trial.potential = potential(stage, trial.q, trial.frames);
-    return trial;
-  };
-  const auto take = [&](Trial trial) {
-    for (std::size_t i = 0; i < here.pulls.size(); ++i) {
-      const ContactTerm& term = stage.contacts[i];
-      const Vector3 du = relative_motion(term, here.direction);
-      here.pulls[i] = next_pull(term, stage.base, here.q, here.pulls[i], du, std::min(trial.share, 1.0));
-    }
-    here.q = std::move(trial.q);
-    here.frames = std::move(trial.frames);
-    here.potential = trial.potential;
-  };
-  const auto wanted = [&](double share) { return here.potential.value + 1e-4 * share * here.slope + here.noise; };
-  const auto is_lower = [&](const Trial& trial) { return trial.potential.value <= wanted(trial.share); };
-  Excursion out;
   for (result.iterations = 1; result.iterations <= kMostIterations; ++result.iterations) {
-    const VectorX* const tensions = out.left > 0 ? &out.tensions : nullptr;
-    VectorX gradient = VectorX::Zero(here.q.size());
-    matrix_->start(diagonal);
-    energy_.derivatives(here.q, here.frames, stage.time, stage.strains, Curvature::exact, gradient, matrix_.get(),
-                        tensions);
-    add_contacts(gradient);
-    const double stored_force = gradient.lpNorm<1>();
-    const bool convex = !matrix_->factorise();
-    if (convex) {
-      ++result.convex;
-      matrix_->start(diagonal);
-      VectorX ignored = VectorX::Zero(here.q.size());
-      energy_.derivatives(here.q, here.frames, stage.time, stage.strains, Curvature::convex, ignored, matrix_.get(),
-                          tensions);
-      add_contacts(ignored);
-      if (!matrix_->factorise()) return result;
-    }
-    const VectorX moved = here.q - stage.base;
-    gradient += inverse * mass.cwiseProduct(moved - stage.span * stage.base_velocity) +
-                drag_ / stage.span * mass.cwiseProduct(moved) - system_->force;
-    here.direction = matrix_->direction(gradient);
-    here.slope = gradient.dot(here.direction);
-    double reach = size_of(here.direction);
-    if (!std::isfinite(here.slope) || !std::isfinite(reach)) return result;
-
-    // Coordinates are rounded: so much of the potential, and of a step, means nothing.
-    const double ulp = kEpsilon * here.q.head(particles).lpNorm<Eigen::Infinity>();
-    here.noise = here.potential.noise + ulp * stored_force;
-    const double enough = std::max(std::max(tolerance_, stage.tolerance) * stage.span, 16 * ulp);
-    Trial best = try_share(1);
-    bool lower = out.left > 0 ? best.potential.value <= out.wanted : is_lower(best);
-    const auto go_out = [&] {
-      out.tensions = energy_.tensions_after(here.q, stage.strains, here.direction);
-      take(std::move(best));
-    };
-    if (out.left > 0 && !lower) {
-      if (--out.left > 0 && std::isfinite(best.potential.value)) {
-        go_out();
-        continue;
-      }
-      out.left = 0;  // also where its next place is out of range
-      here = std::move(out.from);
-      reach = size_of(here.direction);
-      best = try_share(0.5);
-      lower = is_lower(best);
-      out.wait = out.pause;
-      out.pause *= 2;
-    } else if (out.left > 0) {
-      out.left = 0;
-      out.pause = 1;
-    }
-    result.last_step = reach / stage.span;
-    if (reach <= enough) {
-      // The last step is shorter than the tolerance: taken when it leads down, left when rounding hides where down is.
-      if (best.potential.value <= here.potential.value) take(std::move(best));
-      result.converged = true;
-      return result;
-    }
-    if (!lower && result.iterations > kPatience && best.share == 1 && out.wait == 0 &&
-        std::isfinite(best.potential.value)) {
-      out = {kMostSteps, 0, out.pause, wanted(1), {}, here};
-      go_out();
-      continue;
-    }
-    if (out.wait > 0) --out.wait;
-    for (int halving = 0; !lower; ++halving) {
-      if (halving == kMostHalvings) {
-        result.mover = mover_of(here.direction, particles, stage.span);
-        return result;
-      }
-      best = try_share(best.share / 2);
-      lower = is_lower(best);
-    }
-    // Where the potential is not convex, as beside a buckled shape, a step by what is convex of it is far too short.
-    for (int doubling = 0; convex && best.share >= 1 && doubling < kMostDoublings; ++doubling) {
-      Trial longer = try_share(2 * best.share);
-      if (!is_lower(longer) || longer.potential.value >= best.potential.value - here.noise) break;
-      best = std::move(longer);
-    }
-    // Where the potential is so flat that rounding hides what a step gains, no method can tell the places apart.
-    const bool flat = -here.slope <= here.noise && reach <= kFlat * enough && best.share >= 1;
-    take(std::move(best));
-    if (flat) {
-      result.converged = true;
-      return result;
+    newton_->cancel_->check();
+    const Assembly assembly = assemble();
+    if (assembly.projected) ++result.projected;
+    if (!assembly.positive_definite) return result;
+    StepSize size;
+    if (!find_direction(assembly, size)) return result;
+    switch (advance(assembly.projected, size, result)) {
+      case Search::accepted: break;
+      case Search::converged: result.converged = true; return result;
+      case Search::failed: result.largest_change = largest_change(); return result;
     }
   }
-  result.mover = mover_of(here.direction, particles, stage.span);
+  result.largest_change = largest_change();
+  return result;
+}
+
+Assembly Newton::Descent::assemble() {
+  Assembly assembly;
+  assembly.gradient = VectorX::Zero(here_.q.size());
+  assembly.positive_definite = factorise(Hessian::exact, assembly.gradient);
+  assembly.stored_force = assembly.gradient.lpNorm<1>();
+  if (!assembly.positive_definite) {
+    assembly.projected = true;
+    VectorX ignored = VectorX::Zero(here_.q.size());
+    assembly.positive_definite = factorise(Hessian::projected, ignored);
+    if (!assembly.positive_definite) return assembly;
+  }
+  const VectorX& mass = newton_->system_->mass;
+  const VectorX moved = here_.q - stage_->base;
+  assembly.gradient += inverse_ * mass.cwiseProduct(moved - stage_->span * stage_->base_velocity) +
+                       newton_->drag_ / stage_->span * mass.cwiseProduct(moved) - newton_->system_->force;
+  return assembly;
+}
+
+/// Adds the forces of elements and contacts to the gradient. False when the matrix is not positive definite.
+bool Newton::Descent::factorise(Hessian hessian, VectorX& gradient) {
+  NewtonMatrix& matrix = *newton_->matrix_;
+  matrix.start(diagonal_);
+  newton_->energy_.derivatives(here_.q, here_.frames, stage_->time, stage_->strains, hessian, gradient, &matrix,
+                               watchdog_.tensions());
+  add_contacts(gradient);
+  return matrix.factorise();
+}
+
+void Newton::Descent::add_contacts(VectorX& gradient) {
+  for (std::size_t i = 0; i < stage_->contacts.size(); ++i) {
+    const ContactTerm& term = stage_->contacts[i];
+    const ContactDerivatives d =
+        contact_derivatives(term, stage_->base, here_.q, friction_ ? here_.pulls[i] : Vector3::Zero());
+    for (std::size_t c = 0; c < term.corners; ++c) {
+      gradient.segment<3>(3 * static_cast<Eigen::Index>(term.particles[c])) += term.omega[c] * d.gradient;
+    }
+    newton_->matrix_->contact(i, term, d.hessian);
+  }
+}
+
+/// False where the direction is out of range.
+bool Newton::Descent::find_direction(const Assembly& assembly, StepSize& size) {
+  here_.direction = newton_->matrix_->direction(assembly.gradient);
+  here_.slope = assembly.gradient.dot(here_.direction);
+  size.reach = reach_of(here_.direction);
+  if (!std::isfinite(here_.slope) || !std::isfinite(size.reach)) return false;
+  // Coordinates are rounded, so differences of the potential and steps below these mean nothing.
+  size.ulp = kEpsilon * here_.q.head(particles_).lpNorm<Eigen::Infinity>();
+  here_.noise = here_.potential.noise + size.ulp * assembly.stored_force;
+  size.enough = std::max(std::max(newton_->tolerance_, stage_->tolerance) * stage_->span, kLeastStep * size.ulp);
+  return true;
+}
+
+/// One step from here, by the line search or, where that creeps, uphill under the watchdog's eye.
+Newton::Descent::Search Newton::Descent::advance(bool projected, StepSize size, NewtonResult& result) {
+  Trial best = trial(1);
+  bool decreased = watchdog_.is_out() ? best.potential.value <= watchdog_.target() : decreases(best);
+  if (watchdog_.is_out()) {
+    if (decreased) {
+      watchdog_.succeed();
+    } else if (watchdog_.may_go_on(std::isfinite(best.potential.value))) {
+      climb(std::move(best));
+      return Search::accepted;
+    } else {
+      here_ = watchdog_.come_back();
+      size.reach = reach_of(here_.direction);
+      best = trial(0.5);
+      decreased = decreases(best);
+    }
+  }
+  result.last_step = size.reach / stage_->span;
+  if (size.reach <= size.enough) {
+    // The last step is shorter than the tolerance. It is taken when it leads down; else rounding hides where down is.
+    if (best.potential.value <= here_.potential.value) accept(std::move(best));
+    return Search::converged;
+  }
+  const bool whole_step_rises = !decreased && best.step_length == 1 && std::isfinite(best.potential.value);
+  if (whole_step_rises && watchdog_.may_go_out(result.iterations)) {
+    watchdog_.go_out(here_, sufficient(1));
+    climb(std::move(best));
+    return Search::accepted;
+  }
+  watchdog_.rest();
+  if (!decreased && !backtrack(best)) return Search::failed;
+  // Where the exact Hessian is not positive definite, as beside a buckled shape, a step by the projected one is far too
+  // short.
+  if (projected) extend(best);
+  const bool flat = is_flat(best, size);
+  accept(std::move(best));
+  return flat ? Search::converged : Search::accepted;
+}
+
+Trial Newton::Descent::trial(double step_length) const {
+  Trial trial{step_length, here_.q + step_length * here_.direction, {}, {}};
+  trial.frames = newton_->system_->transported(here_.frames, here_.q, trial.q);
+  trial.potential = potential(trial.q, trial.frames);
+  return trial;
+}
+
+/// The potential below which a step of this length decreases it sufficiently.
+double Newton::Descent::sufficient(double step_length) const {
+  return here_.potential.value + kSufficientDecrease * step_length * here_.slope + here_.noise;
+}
+
+bool Newton::Descent::decreases(const Trial& trial) const {
+  return trial.potential.value <= sufficient(trial.step_length);
+}
+
+/// Halves the step until it decreases the potential sufficiently. False when it never does.
+bool Newton::Descent::backtrack(Trial& best) const {
+  for (int halving = 0; halving < kMostHalvings; ++halving) {
+    best = trial(best.step_length / 2);
+    if (decreases(best)) return true;
+  }
+  return false;
+}
+
+/// Doubles a whole step as long as that pays.
+void Newton::Descent::extend(Trial& best) const {
+  for (int doubling = 0; best.step_length >= 1 && doubling < kMostDoublings; ++doubling) {
+    Trial longer = trial(2 * best.step_length);
+    if (!decreases(longer) || longer.potential.value >= best.potential.value - here_.noise) return;
+    best = std::move(longer);
+  }
+}
+
+/// Where the potential is so flat that rounding hides the decrease of a step, no method can tell the iterates apart.
+bool Newton::Descent::is_flat(const Trial& best, const StepSize& size) const {
+  return -here_.slope <= here_.noise && size.reach <= kFlat * size.enough && best.step_length >= 1;
+}
+
+void Newton::Descent::accept(Trial trial) {
+  for (std::size_t i = 0; i < here_.pulls.size(); ++i) {
+    const ContactTerm& term = stage_->contacts[i];
+    const Vector3 du = relative_motion(term, here_.direction);
+    here_.pulls[i] = next_pull(term, stage_->base, here_.q, here_.pulls[i], du, std::min(trial.step_length, 1.0));
+  }
+  here_.q = std::move(trial.q);
+  here_.frames = std::move(trial.frames);
+  here_.potential = trial.potential;
+}
+
+/// Accepts a step of the watchdog's, which need not decrease the potential.
+void Newton::Descent::climb(Trial trial) {
+  watchdog_.set_tensions(newton_->energy_.tensions_after(here_.q, stage_->strains, here_.direction));
+  accept(std::move(trial));
+}
+
+double Newton::Descent::reach_of(const VectorX& direction) const {
+  const auto angles = direction.tail(direction.size() - particles_);
+  return std::max(direction.head(particles_).lpNorm<Eigen::Infinity>(),
+                  angles.size() > 0 ? kLever * angles.lpNorm<Eigen::Infinity>() : 0.0);
+}
+
+LargestChange Newton::Descent::largest_change() const {
+  LargestChange largest;
+  VectorX moved = here_.direction.cwiseAbs();
+  moved.tail(moved.size() - particles_) *= kLever;
+  moved.maxCoeff(&largest.coordinate);
+  largest.speed = std::abs(here_.direction[largest.coordinate]) / stage_->span;
+  return largest;
+}
+
+Newton::Newton(const System& system, const Settings& settings, linear::PatternCache& patterns,
+               const linear::Cancellation& cancel)
+    : system_(&system),
+      energy_(system),
+      drag_(settings.drag),
+      tolerance_(settings.newton_tolerance),
+      cancel_(&cancel),
+      matrix_(std::make_unique<NewtonMatrix>(system, patterns, cancel)) {}
+
+Newton::~Newton() = default;
+
+NewtonResult Newton::minimise(const Stage& stage, const VectorX& guess, VectorX& q, Frames& frames) {
+  Descent descent(*this, stage, guess, q, frames);
+  const NewtonResult result = descent.run();
+  q = std::move(descent.iterate().q);
+  frames = std::move(descent.iterate().frames);
   return result;
 }
 

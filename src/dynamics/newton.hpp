@@ -6,8 +6,9 @@
 #include <span>
 
 #include "contact/contact_potential.hpp"
-#include "rods/energy.hpp"
+#include "linear/cancellation.hpp"
 #include "linear/sparse_pattern.hpp"
+#include "rods/energy.hpp"
 
 namespace touchstone::sim {
 
@@ -19,11 +20,11 @@ struct Stage {
   double time = 0;                        ///< at its end, s
   Strains strains;                        ///< with the damping of this span
   std::span<const ContactTerm> contacts;  ///< relative to base
-  double tolerance = 0;                   ///< m/s; 0: the settings' one
+  double tolerance = 0;                   ///< m/s; 0: the tolerance of the settings
 };
 
-/// What changed most in the last iteration.
-struct Mover {
+/// The coordinate that changed most in the last iteration, and how fast.
+struct LargestChange {
   Eigen::Index coordinate = -1;  ///< -1: there was none
   double speed = 0;              ///< m/s or rad/s
 };
@@ -31,46 +32,33 @@ struct Mover {
 struct NewtonResult {
   bool converged = false;
   int iterations = 0;
-  int convex = 0;        ///< iterations whose exact second derivatives were not positive definite
-  double last_step = 0;  ///< m/s: the largest change in the last iteration, as a velocity
-  Mover mover;           ///< when it did not converge
+  int projected = 0;             ///< iterations with the projected Hessian, as the exact one was not positive definite
+  double last_step = 0;          ///< m/s: the largest change in the last iteration, as a velocity
+  LargestChange largest_change;  ///< when it did not converge
 };
 
 class NewtonMatrix;
 
 class Newton {
  public:
-  Newton(const System& system, const Settings& settings, linear::PatternCache& patterns);
+  /// @param cancel  is checked in each iteration, and lives as long as this
+  Newton(const System& system, const Settings& settings, linear::PatternCache& patterns,
+         const linear::Cancellation& cancel = linear::Cancellation::never());
   ~Newton();
   Newton(const Newton&) = delete;
   Newton& operator=(const Newton&) = delete;
 
-  /// `q` and `frames` belong together; `guess` says where to begin, its prescribed coordinates where they end. They are
-  /// the solution when the result says that it converged, and of no use otherwise.
+  /// `q` and `frames` belong together; `guess` is the first iterate, with the prescribed coordinates at their ends.
+  /// They are the solution when the result says that it converged, and of no use otherwise.
   NewtonResult minimise(const Stage& stage, const VectorX& guess, VectorX& q, Frames& frames);
 
  private:
-  struct Place;
-  struct Excursion;
-  struct Potential {
-    double value = 0;
-    double noise = 0;  ///< how much of it may be rounding
-  };
-  /// A place along the line that is searched.
-  struct Trial {
-    double share = 0;  ///< of the direction
-    VectorX q;
-    Frames frames;
-    Potential potential;
-  };
-  Potential potential(const Stage& stage, const VectorX& q, const Frames& frames) const;
-  /// Where the potential is lower: at the guess, or where nothing has moved but what must.
-  Place start(const Stage& stage, const VectorX& guess, const VectorX& q, const Frames& frames) const;
-  NewtonResult descend(const Stage& stage, Place& here);
+  class Descent;
 
   const System* system_;
   Energy energy_;
   double drag_, tolerance_;
+  const linear::Cancellation* cancel_;
   std::unique_ptr<NewtonMatrix> matrix_;
 };
 

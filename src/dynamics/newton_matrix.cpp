@@ -5,14 +5,14 @@
 
 namespace touchstone::sim {
 
-NewtonMatrix::NewtonMatrix(const System& system, linear::PatternCache& cache)
-    : free_(static_cast<std::size_t>(system.size()), -1), joint_offset_(system.lengths.size()) {
+NewtonMatrix::NewtonMatrix(const System& system, linear::PatternCache& cache, const linear::Cancellation& cancel)
+    : free_(static_cast<std::size_t>(system.size()), -1), joint_offset_(system.stretch_elements.size()) {
   int count = 0;
   for (std::size_t i = 0; i < free_.size(); ++i) {
     if (!system.fixed[i]) free_[i] = count++;
   }
   linear::Blocks cliques;
-  for (const Length& element : system.lengths) {
+  for (const StretchElement& element : system.stretch_elements) {
     std::vector<int> all;
     for (const Index p : {element.a, element.b}) {
       for (Index c = 0; c < 3; ++c) all.push_back(free_[3 * p + c]);
@@ -28,7 +28,7 @@ NewtonMatrix::NewtonMatrix(const System& system, linear::PatternCache& cache)
     }
     cliques.push_back(std::move(all));
   }
-  solver_ = std::make_unique<linear::SparseSolver>(count, std::move(cliques), cache);
+  solver_ = std::make_unique<linear::SparseSolver>(count, std::move(cliques), cache, cancel);
 }
 
 void NewtonMatrix::set_contacts(std::span<const ContactTerm> contacts) {
@@ -51,7 +51,7 @@ void NewtonMatrix::start(const VectorX& diagonal) {
   }
 }
 
-void NewtonMatrix::length(std::size_t element, const Eigen::Matrix3d& block) {
+void NewtonMatrix::stretch(std::size_t element, const Eigen::Matrix3d& block) {
   Eigen::Matrix<double, 6, 6> all;
   all << block, -block, -block, block;
   solver_->add(element, all.data());

@@ -1,4 +1,5 @@
-// The second derivatives that Newton's method solves with. SPDX-License-Identifier: MIT
+// The matrix of second derivatives of Newton's method.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <memory>
@@ -6,24 +7,24 @@
 #include <vector>
 
 #include "contact/contact_potential.hpp"
-#include "rods/energy.hpp"
 #include "linear/sparse_solver.hpp"
+#include "rods/energy.hpp"
 
 namespace touchstone::sim {
 
 /// Second derivatives in the free coordinates.
 class NewtonMatrix final : public BlockSink {
  public:
-  NewtonMatrix(const System& system, linear::PatternCache& cache);
+  NewtonMatrix(const System& system, linear::PatternCache& cache, const linear::Cancellation& cancel);
 
   /// The contacts of the next minimisation.
   void set_contacts(std::span<const ContactTerm> contacts);
 
   int free_count() const noexcept { return solver_->size(); }
 
-  /// Begins anew with these numbers, one a coordinate.
+  /// Sets the matrix to this diagonal, which has a number for each coordinate.
   void start(const VectorX& diagonal);
-  void length(std::size_t element, const Eigen::Matrix3d& block) override;
+  void stretch(std::size_t element, const Eigen::Matrix3d& block) override;
   void joint(std::size_t element, const JointMatrix& block) override;
   void contact(std::size_t number, const ContactTerm& term, const Eigen::Matrix3d& block) {
     solver_->add_contact(number, term.omega, block);

@@ -5,14 +5,21 @@
 #include <cmath>
 #include <utility>
 
+#include "dynamics/energy_budget.hpp"
+
 namespace touchstone::sim {
 namespace {
 
-// Second-order methods keep the energy of small vibrations or take from it, but on stiff elements that turn in a step
-// they may multiply it. Implicit Euler takes from it where the potential is convex, and where it buckles mostly.
-constexpr double kEnergyShare = 2e-3;  // of the kinetic and stored energy, which a step may gain
-constexpr double kStubborn = 0.125;    // of the scene's step: where they do not converge in that, implicit Euler may
-constexpr double kContactTolerance = 1e-3;  // m/s: contact springs are no more exact than this
+// Fraction of the scene's step. In substeps that are no longer than this, implicit Euler stands in for a second-order
+// method that does not converge; longer ones are halved first.
+constexpr double kFirstOrderBelow = 0.125;
+
+// m/s, of Newton's method with contacts: their springs are no more exact than this.
+constexpr double kContactTolerance = 1e-3;
+
+// Times the work of driven coordinates that is measured at the substep's end: the second-order methods take their
+// forces from all over the substep.
+constexpr double kWorkFactor = 2;
 
 }  // namespace
 
@@ -21,8 +28,8 @@ struct Stepper::Solution {
   VectorX strain_rate;
 };
 
-Stepper::Stepper(const System& system, const Settings& settings)
-    : system_(&system), settings_(settings), energy_(system), newton_(system, settings) {}
+Stepper::Stepper(const System& system, const Settings& settings, const linear::Cancellation& cancel)
+    : system_(&system), settings_(settings), energy_(system), newton_(system, settings, cancel) {}
 
 State Stepper::initial() const {
   State state;
@@ -45,13 +52,13 @@ Advance Stepper::advance(const State& state, double h) {
   const bool is_explicit = settings_.integrator == Integrator::symplectic_euler;
   const bool second_order =
       settings_.integrator == Integrator::tr_bdf2 || settings_.integrator == Integrator::implicit_midpoint;
-  const bool is_short = h <= kStubborn * settings_.time_step;
+  const bool is_short = h <= kFirstOrderBelow * settings_.time_step;
   advance.gained_energy = advance.converged && !is_explicit && gained_energy(state, h, advance.state);
   if (second_order && (advance.converged ? advance.gained_energy : is_short)) {
     const Advance tried = std::move(advance);
     advance = implicit_euler(state, h);
     advance.iterations += tried.iterations;
-    advance.convex += tried.convex;
+    advance.projected += tried.projected;
     advance.first_order = true;
     if (advance.converged) {
       finish(state, h, advance.state);
@@ -74,13 +81,13 @@ void Stepper::finish(const State& before, double h, State& after) const {
 
 VectorX Stepper::acceleration(const State& state) const {
   VectorX gradient = -system_->force;
-  energy_.derivatives(state.q, state.frames, state.time, energy_.elastic(), Curvature::convex, gradient, nullptr);
+  energy_.derivatives(state.q, state.frames, state.time, energy_.elastic(), Hessian::projected, gradient, nullptr);
   // The damping force of strain s is -c ds/dt grad s: that of a spring of stiffness c, strained by ds/dt.
   const VectorX strains = energy_.strains(state.q, state.frames, state.time);
   Strains damping{energy_.damped(strains, 1).stiffness - energy_.elastic().stiffness, strains};
   if (damping.stiffness.any()) {
     damping.rest -= energy_.strain_rates(state.q, state.v, state.frames, state.time);
-    energy_.derivatives(state.q, state.frames, state.time, damping, Curvature::convex, gradient, nullptr);
+    energy_.derivatives(state.q, state.frames, state.time, damping, Hessian::projected, gradient, nullptr);
   }
   VectorX a = VectorX::Zero(state.q.size());
   for (Eigen::Index i = 0; i < a.size(); ++i) {
@@ -102,8 +109,8 @@ Stepper::Solution Stepper::solve(const State& state, const Stage& stage, const V
   const NewtonResult result = newton_.minimise(stage, guess, solution.state.q, solution.state.frames);
   advance.converged = result.converged;
   advance.iterations += result.iterations;
-  advance.convex += result.convex;
-  advance.mover = result.mover;
+  advance.projected += result.projected;
+  advance.largest_change = result.largest_change;
   solution.state.time = stage.time;
   solution.state.v = (solution.state.q - stage.base) / stage.span;
   return solution;
@@ -134,14 +141,11 @@ Advance Stepper::advance_with(const State& state, double h, std::span<const Cont
 }
 
 bool Stepper::gained_energy(const State& before, double h, const State& after) const {
-  State later = before;  // what a twisted end of a ring gives by its turn is no gain either
+  State later = before;  // the twist that is inserted into a ring gives energy, which is no gain either
   later.time += h;
   const Energies was = energies(*system_, before), turned = energies(*system_, later), is = energies(*system_, after);
-  const double slack =
-      kEnergyShare * std::max(was.total() - was.load, is.total() - is.load) + 1e-12 * (std::abs(was.load) + 1e-3);
-  // The work is that of the forces at the step's end: these methods take them from all over the step.
-  const double work = 2 * std::max(driven_work(before, h, {}, after), 0.0);
-  return !(is.total() <= std::max(was.total(), turned.total()) + work + slack);
+  const double work = kWorkFactor * std::max(driven_work(before, h, {}, after), 0.0);
+  return !(is.total() <= std::max(was.total(), turned.total()) + work + energy_tolerance(was, is));
 }
 
 double Stepper::driven_work(const State& before, double h, std::span<const ContactTerm> contacts,
@@ -153,7 +157,7 @@ double Stepper::driven_work(const State& before, double h, std::span<const Conta
   if (moved.isZero(0)) return 0;
   const Stage stage = euler_stage(before, h);
   VectorX pull = system_->mass.cwiseProduct(after.v - before.v) / h - system_->force;
-  energy_.derivatives(after.q, after.frames, after.time, stage.strains, Curvature::exact, pull, nullptr);
+  energy_.derivatives(after.q, after.frames, after.time, stage.strains, Hessian::exact, pull, nullptr);
   double work = pull.dot(moved);
   for (const ContactTerm& term : contacts) {
     const Vector3 against = contact_derivatives(term, before.q, after.q, Vector3::Zero()).gradient;
@@ -163,7 +167,7 @@ double Stepper::driven_work(const State& before, double h, std::span<const Conta
 }
 
 Advance Stepper::implicit_midpoint(const State& state, double h) {
-  // Half a step of implicit Euler to the middle, and as far again.
+  // Half a substep of implicit Euler leads to the middle; the end lies as far beyond it.
   Advance advance;
   const Stage stage{state.q,
                     state.v,
@@ -183,19 +187,19 @@ Advance Stepper::implicit_midpoint(const State& state, double h) {
 }
 
 Advance Stepper::tr_bdf2(const State& state, double h) {
-  // A trapezoid to t + g h, then the second-order backward difference through t and t + g h; with g = 2 - sqrt 2 both
-  // stages have the same span.
-  const double share = 1 - std::sqrt(0.5), weight = std::sqrt(2.0) / 4;
+  // A trapezoid to t + g h, then the second-order backward difference through t and t + g h. With g = 2 - sqrt 2 both
+  // stages have the same span, g / 2 of h.
+  const double fraction = 1 - std::sqrt(0.5), weight = std::sqrt(2.0) / 4;
   Advance advance;
   const VectorX a0 = acceleration(state);
   const VectorX s0 = energy_.strains(state.q, state.frames, state.time);
   const VectorX r0 = energy_.strain_rates(state.q, state.v, state.frames, state.time);
 
   Stage stage;
-  stage.span = share * h;
+  stage.span = fraction * h;
   stage.base = state.q + stage.span * state.v;
   stage.base_velocity = state.v + stage.span * a0;
-  stage.time = state.time + 2 * share * h;
+  stage.time = state.time + 2 * fraction * h;
   const VectorX s1_base = s0 + stage.span * r0;
   stage.strains = energy_.damped(s1_base, stage.span);
   const State middle = solve(state, stage, state.v, advance).state;
@@ -222,23 +226,6 @@ Advance Stepper::symplectic_euler(const State& state, double h) {
   advance.converged = advance.state.q.allFinite();
   if (advance.converged) advance.state.frames = system_->transported(state.frames, state.q, advance.state.q);
   return advance;
-}
-
-Energies energies(const System& system, const State& state) {
-  const Energy energy(system);
-  const Strains elastic = energy.elastic();
-  const VectorX strain = energy.strains(state.q, state.frames, state.time) - elastic.rest;
-  const VectorX stored = 0.5 * elastic.stiffness.cwiseProduct(strain.cwiseProduct(strain));
-  Energies e;
-  e.kinetic = 0.5 * (system.mass.array() * state.v.array().square()).sum();
-  const auto lengths = static_cast<Eigen::Index>(system.lengths.size());
-  e.stretch = stored.head(lengths).sum();
-  for (Eigen::Index i = lengths; i < stored.size(); i += 3) {
-    e.bend += stored[i] + stored[i + 1];
-    e.twist += stored[i + 2];
-  }
-  e.load = -system.force.dot(state.q);
-  return e;
 }
 
 }  // namespace touchstone::sim

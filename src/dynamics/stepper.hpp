@@ -1,32 +1,29 @@
-// One step of the equations of motion, contacts left aside.
+// One substep of the equations of motion, by the integrator of the scene.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <span>
 
 #include "dynamics/islands.hpp"
+#include "dynamics/state.hpp"
 
 namespace touchstone::sim {
-
-struct State {
-  double time = 0;  ///< s
-  VectorX q, v;     ///< m and m/s; rad and rad/s for angles
-  Frames frames;    ///< of q
-};
 
 struct Advance {
   bool converged = false;
   State state;                 ///< at the end of the step, when it converged
   int iterations = 0;          ///< of Newton's method, over all stages
-  int convex = 0;              ///< of these, with second derivatives made positive
+  int projected = 0;           ///< of these, with second derivatives made positive
   bool first_order = false;    ///< by implicit Euler, where the scene's own method gains energy or does not converge
-  bool gained_energy = false;  ///< more than a little, and than driven coordinates gave; not told of explicit steps
-  Mover mover;                 ///< when it did not converge
+  bool gained_energy = false;  ///< more than its tolerance and the work of driven coordinates; never for explicit ones
+  LargestChange largest_change;  ///< when it did not converge
 };
 
 class Stepper {
  public:
-  Stepper(const System& system, const Settings& settings);
+  /// @param cancel  is checked in each iteration of Newton's method, and lives as long as this
+  Stepper(const System& system, const Settings& settings,
+          const linear::Cancellation& cancel = linear::Cancellation::never());
 
   /// The scene at time 0.
   State initial() const;
@@ -34,15 +31,16 @@ class Stepper {
   /// `state` moved on by h seconds. Not converged: the step is too long for it; `advance.state` means nothing.
   Advance advance(const State& state, double h);
 
-  /// One step of implicit Euler with contacts in its potential, whatever the scene's integrator is. It begins to
-  /// search at `near`.
+  /// The same by implicit Euler with contacts in its potential, whatever the scene's integrator is. `near` is the first
+  /// iterate.
   Advance advance_with(const State& state, double h, std::span<const ContactTerm> contacts, const VectorX& near);
 
-  /// The work, J, that driven coordinates do in a step of implicit Euler with contacts: what moves them, against
-  /// their own inertia and loads, springs and contacts, times how far. The step gains no more energy than this.
+  /// The work, J, of driven coordinates in a substep of implicit Euler with contacts: the forces that move them against
+  /// their inertia and loads, springs and contacts, times their displacements. The substep gains no more energy than
+  /// this.
   double driven_work(const State& before, double h, std::span<const ContactTerm> contacts, const State& after) const;
 
-  /// What acts at this state, over mass: zero in fixed coordinates.
+  /// The acceleration at this state; zero in fixed coordinates.
   VectorX acceleration(const State& state) const;
 
  private:
@@ -61,12 +59,5 @@ class Stepper {
   Energy energy_;
   Islands newton_;
 };
-
-/// J, by where they are. Potential energies of gravity and of the particles' forces are zero at the origin.
-struct Energies {
-  double kinetic = 0, stretch = 0, bend = 0, twist = 0, load = 0;
-  double total() const noexcept { return kinetic + stretch + bend + twist + load; }
-};
-Energies energies(const System& system, const State& state);
 
 }  // namespace touchstone::sim

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
+
+#include "linear/union_find.hpp"
 
 namespace touchstone::linear {
 namespace {
@@ -15,39 +16,31 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 template <class Number>
 constexpr int lanes = 1;
 template <>
-constexpr int lanes<Lanes> = Lanes::kCount;
+constexpr int lanes<FourDoubles> = FourDoubles::kCount;
 
 double* first_lane(double* value) { return value; }
-double* first_lane(Lanes* value) { return value->each.data(); }
+double* first_lane(FourDoubles* value) { return value->each.data(); }
 
-/// Unknowns that blocks tie together, and nothing else.
+/// The connected components of the unknowns that blocks tie together.
 struct Components {
   std::vector<int> of, local;  // of each unknown: its component, and its number there
   std::vector<int> sizes;
 };
 
 Components components_of(int size, const Blocks& blocks) {
-  std::vector<int> root(at(size));
-  std::iota(root.begin(), root.end(), 0);
-  const auto root_of = [&](int i) {
-    while (root[at(i)] != i) i = root[at(i)] = root[at(root[at(i)])];
-    return i;
-  };
+  UnionFind tied(at(size));
   for (const auto& block : blocks) {
     int before = kNone;
     for (const int i : block) {
       if (i < 0) continue;
-      if (before >= 0) {
-        const int a = root_of(before), b = root_of(i);
-        root[at(std::max(a, b))] = std::min(a, b);
-      }
+      if (before >= 0) tied.join(static_cast<UnionFind::Index>(before), static_cast<UnionFind::Index>(i));
       before = i;
     }
   }
   Components all;
   all.of.resize(at(size));
   for (int i = 0; i < size; ++i) {
-    const int r = root_of(i);
+    const auto r = static_cast<int>(tied.root(static_cast<UnionFind::Index>(i)));
     if (r == i) {
       all.of[at(i)] = static_cast<int>(all.sizes.size());
       all.sizes.push_back(0);
@@ -61,21 +54,21 @@ Components components_of(int size, const Blocks& blocks) {
 }  // namespace
 
 template <class Number>
-void Diagonal<Number>::assemble(const Parts& parts) {
+void Diagonal<Number>::assemble(const Patterns& patterns) {
   int size = 0, entries = 0;
-  for (const auto& part : parts) {
-    size += part->size;
-    entries += static_cast<int>(part->row.size());
+  for (const auto& pattern : patterns) {
+    size += pattern->size;
+    entries += static_cast<int>(pattern->row.size());
   }
   matrix.resize(size, size);
   matrix.resizeNonZeros(entries);
   int *end = matrix.outerIndexPtr(), *row = matrix.innerIndexPtr();
   size = entries = 0;
-  for (const auto& part : parts) {
-    for (auto first = part->first.begin() + 1; first != part->first.end(); ++first) *++end = entries + *first;
-    row = std::transform(part->row.begin(), part->row.end(), row, [&](int r) { return size + r; });
-    size += part->size;
-    entries += static_cast<int>(part->row.size());
+  for (const auto& pattern : patterns) {
+    for (auto first = pattern->first.begin() + 1; first != pattern->first.end(); ++first) *++end = entries + *first;
+    row = std::transform(pattern->row.begin(), pattern->row.end(), row, [&](int r) { return size + r; });
+    size += pattern->size;
+    entries += static_cast<int>(pattern->row.size());
   }
   analysed = false;
 }
@@ -128,23 +121,23 @@ void BlockMatrix::take_pattern(int size, const Blocks& all, PatternCache* cache)
     if (fresh) groups.emplace_back();
     groups[found->second].push_back(c);
   }
-  struct Place {
+  struct Slot {
     int unknown = 0, entry = 0, lane = kNone;
   };
-  std::vector<Place> places(count);
+  std::vector<Slot> places(count);
   std::vector<std::shared_ptr<const SparsePattern>> by_four, by_one;
-  Place four{0, 0, 0}, one;
-  const auto next = [](Place& place, const SparsePattern& pattern) {
+  Slot four{0, 0, 0}, one;
+  const auto next = [](Slot& place, const SparsePattern& pattern) {
     place.unknown += pattern.size;
     place.entry += static_cast<int>(pattern.row.size());
   };
   for (const auto& group : groups) {
     const auto& pattern = patterns_[group[0]];
-    const std::size_t in_fours = group.size() - group.size() % Lanes::kCount;
+    const std::size_t in_fours = group.size() - group.size() % FourDoubles::kCount;
     for (std::size_t i = 0; i < in_fours; ++i) {
-      four.lane = static_cast<int>(i % Lanes::kCount);
+      four.lane = static_cast<int>(i % FourDoubles::kCount);
       places[group[i]] = four;
-      if (four.lane != Lanes::kCount - 1) continue;
+      if (four.lane != FourDoubles::kCount - 1) continue;
       by_four.push_back(pattern);
       next(four, *pattern);
     }
@@ -160,29 +153,29 @@ void BlockMatrix::take_pattern(int size, const Blocks& all, PatternCache* cache)
   for (std::size_t i = 0; i < where_.size(); ++i) {
     const std::size_t c = at(components.of[i]);
     const int number = places[c].unknown + patterns_[c]->numbers[at(components.local[i])];
-    where_[i] =
-        places[c].lane == kNone ? Lanes::kCount * four.unknown + number : Lanes::kCount * number + places[c].lane;
+    where_[i] = places[c].lane == kNone ? FourDoubles::kCount * four.unknown + number
+                                        : FourDoubles::kCount * number + places[c].lane;
   }
   blocks_.assign(all.size(), {});
   for (std::size_t b = 0; b < all.size(); ++b) {
     if (component_of_block[b] == kNone) continue;
     const std::size_t c = at(component_of_block[b]);
-    const Place& place = places[c];
+    const Slot& place = places[c];
     BlockPlace& own = blocks_[b];
     own.places = patterns_[c]->places.data() + patterns_[c]->place_first[at(block_number[b])];
-    own.stride = place.lane == kNone ? 1 : Lanes::kCount;
+    own.stride = place.lane == kNone ? 1 : FourDoubles::kCount;
     own.values = place.lane == kNone ? alone_.matrix.valuePtr() + place.entry
                                      : fours_.matrix.valuePtr()[place.entry].each.data() + place.lane;
   }
 }
 
 double* BlockMatrix::entry(int unknown, int other) {
-  const int first_alone = Lanes::kCount * static_cast<int>(fours_.matrix.rows());
+  const int first_alone = FourDoubles::kCount * static_cast<int>(fours_.matrix.rows());
   const int a = place(unknown), b = place(other);
   if (a >= first_alone && b >= first_alone) return alone_.entry(a - first_alone, b - first_alone);
-  if (a >= first_alone || b >= first_alone || a % Lanes::kCount != b % Lanes::kCount) return nullptr;
-  double* const found = fours_.entry(a / Lanes::kCount, b / Lanes::kCount);
-  return found == nullptr ? nullptr : found + a % Lanes::kCount;
+  if (a >= first_alone || b >= first_alone || a % FourDoubles::kCount != b % FourDoubles::kCount) return nullptr;
+  double* const found = fours_.entry(a / FourDoubles::kCount, b / FourDoubles::kCount);
+  return found == nullptr ? nullptr : found + a % FourDoubles::kCount;
 }
 
 void BlockMatrix::clear() {
@@ -208,16 +201,16 @@ bool BlockMatrix::factorise() { return fours_.factorise() && alone_.factorise();
 void BlockMatrix::apply_inverse(Vector& x) const {
   const Eigen::Index fours = fours_.matrix.rows(), singles = alone_.matrix.rows();
   if (fours > 0) x.head(fours) = fours_.factor.solve(x.head(fours));
-  auto rest = numbers(x).segment(Lanes::kCount * fours, singles);
+  auto rest = numbers(x).segment(FourDoubles::kCount * fours, singles);
   if (singles > 0) rest = alone_.factor.solve(rest);
 }
 
 void BlockMatrix::times(const Vector& x, Vector& y) const {
   const Eigen::Index fours = fours_.matrix.rows(), singles = alone_.matrix.rows();
   y.head(fours) = fours_.matrix.selfadjointView<Eigen::Upper>() * x.head(fours);
-  numbers(y).segment(Lanes::kCount * fours, singles) =
-      alone_.matrix.selfadjointView<Eigen::Upper>() * numbers(x).segment(Lanes::kCount * fours, singles);
-  const Eigen::Index known = Lanes::kCount * fours + singles;
+  numbers(y).segment(FourDoubles::kCount * fours, singles) =
+      alone_.matrix.selfadjointView<Eigen::Upper>() * numbers(x).segment(FourDoubles::kCount * fours, singles);
+  const Eigen::Index known = FourDoubles::kCount * fours + singles;
   numbers(y).tail(numbers(y).size() - known).setZero();
 }
 

@@ -1,4 +1,4 @@
-// A symmetric matrix, the sum of dense blocks, in parts that nothing ties together; Eigen factorises it.
+// A symmetric matrix that is a sum of dense blocks. Its connected components are factorised apart, by Eigen.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -8,16 +8,17 @@
 #include <memory>
 #include <vector>
 
-#include "linear/lanes.hpp"
+#include "linear/four_doubles.hpp"
 #include "linear/sparse_pattern.hpp"
 
 namespace touchstone::linear {
 
-/// Parts that nothing ties together, as one matrix; with Lanes for numbers, each part is four of one pattern.
+/// Several components as one block-diagonal matrix. With FourDoubles for numbers, each block stands for four components
+/// of one pattern.
 template <class Number>
 struct Diagonal {
-  using Parts = std::vector<std::shared_ptr<const SparsePattern>>;
-  void assemble(const Parts& parts);
+  using Patterns = std::vector<std::shared_ptr<const SparsePattern>>;
+  void assemble(const Patterns& patterns);
   double* entry(int row, int column);  ///< null when there is none
   bool factorise();                    ///< false when it is not positive definite
 
@@ -38,12 +39,17 @@ class BlockMatrix {
   void add(std::size_t block, const std::vector<int>& unknowns, const double* column_major);
   bool factorise();  ///< false when it is not positive definite
 
-  /// All unknowns' numbers, those of parts that stand side by side first; what is past `size` is 0 and means nothing.
-  using Vector = Eigen::Matrix<Lanes, Eigen::Dynamic, 1>;
-  Vector zero() const { return Vector::Constant(fours_.matrix.rows() + alone_.matrix.rows() / Lanes::kCount + 1, 0); }
-  static Eigen::Map<Eigen::VectorXd> numbers(Vector& v) { return {v.data()->each.data(), Lanes::kCount * v.size()}; }
+  /// The numbers of all unknowns: first those of components that are solved four by four, then the others. Numbers past
+  /// `size` are 0 and mean nothing.
+  using Vector = Eigen::Matrix<FourDoubles, Eigen::Dynamic, 1>;
+  Vector zero() const {
+    return Vector::Constant(fours_.matrix.rows() + alone_.matrix.rows() / FourDoubles::kCount + 1, 0);
+  }
+  static Eigen::Map<Eigen::VectorXd> numbers(Vector& v) {
+    return {v.data()->each.data(), FourDoubles::kCount * v.size()};
+  }
   static Eigen::Map<const Eigen::VectorXd> numbers(const Vector& v) {
-    return {v.data()->each.data(), Lanes::kCount * v.size()};
+    return {v.data()->each.data(), FourDoubles::kCount * v.size()};
   }
   int place(int unknown) const { return where_[static_cast<std::size_t>(unknown)]; }  ///< among a vector's numbers
 
@@ -52,15 +58,15 @@ class BlockMatrix {
 
  private:
   struct BlockPlace {
-    const int* places = nullptr;  // in its part's pattern; null when all of it is left out
-    double* values = nullptr;     // of its part
+    const int* places = nullptr;  // in the pattern of its component; null when the whole block is left out
+    double* values = nullptr;     // of its component
     int stride = 1;               // between them
   };
-  Diagonal<Lanes> fours_;
+  Diagonal<FourDoubles> fours_;
   Diagonal<double> alone_;
   std::vector<int> where_;
   std::vector<BlockPlace> blocks_;
-  std::vector<std::shared_ptr<const SparsePattern>> patterns_;  // of each part
+  std::vector<std::shared_ptr<const SparsePattern>> patterns_;  // of each component
 };
 
 }  // namespace touchstone::linear

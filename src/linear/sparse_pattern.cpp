@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <numeric>
 
-// Indices are int, as they are half of the memory; `at` makes them what vectors want.
+// Indices are int, as they are half of the memory; `at` makes std::size_t of them.
 namespace touchstone::linear {
 namespace {
 

@@ -1,4 +1,4 @@
-// Which entries a sparse symmetric matrix has, and in which order: found out once, for any number of matrices.
+// The entries of a sparse symmetric matrix and their order, found once for any number of matrices.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -8,20 +8,20 @@
 
 namespace touchstone::linear {
 
-/// Dense blocks that a matrix is the sum of: the unknowns of each, -1 for rows and columns that are left out.
+/// The dense blocks whose sum is a matrix: the unknowns of each, -1 for rows and columns that are left out.
 using Blocks = std::vector<std::vector<int>>;
 
 struct SparsePattern {
   SparsePattern(int unknowns, const Blocks& blocks);
 
   int size;
-  /// Of each unknown: an order in which few entries fill up (approximate minimum degree).
+  /// The number of each unknown in an order with little fill-in (approximate minimum degree).
   std::vector<int> numbers;
 
   /// The matrix's upper triangle, column by column, in these numbers; rows ascend, and the diagonal comes last.
   std::vector<int> first, row;
 
-  /// Where the entries of each block are: those of its lower triangle, column by column, without what is left out.
+  /// Where the entries of each block are: its lower triangle, column by column, without rows and columns left out.
   std::vector<int> places, place_first;
 
  private:
@@ -29,7 +29,7 @@ struct SparsePattern {
   void take_matrix(const Blocks& blocks);
 };
 
-/// Patterns that were met before: the cables of a pile are mostly alike.
+/// Patterns by their blocks. The cables of a pile are mostly alike, so most patterns come again.
 class PatternCache {
  public:
   std::shared_ptr<const SparsePattern> get(int unknowns, const Blocks& blocks);

@@ -13,15 +13,19 @@ namespace {
 using Corners = SparseSolver::Corners;
 using Vector3 = Eigen::Vector3d;
 
-/// Larger systems keep their pattern when contacts come and go, and what does not fit it is left to conjugate
-/// gradients: contacts tie a pile of cables together in such a way that a factor of all of it fills up.
+// Unknowns. Larger systems keep their pattern when contacts come and go, and conjugate gradients add the entries that
+// do not fit it: contacts tie a pile of cables together so that a factor of the whole fills up.
 constexpr int kLargestDirect = 300;
-constexpr double kResidual = 1e-2;  // relative: on a corner as sharp as friction's, more takes away nothing
+// Relative, of conjugate gradients: the corner of friction is so sharp that a smaller residual saves no iteration of
+// Newton's method.
+constexpr double kResidual = 1e-2;
+
+// Of conjugate gradients.
 constexpr int kMostIterations = 400;
 
 using Vector = BlockMatrix::Vector;
 
-/// A contact as conjugate gradients need it: what of it lies beside the matrix's pattern.
+/// A contact for conjugate gradients: its blocks that are outside the matrix's pattern.
 struct Tie {
   Corners at{};                          // places in a vector; what is left out is one past the last
   std::array<std::uint8_t, 4> beside{};  // for each corner, the corners (as bits) whose blocks are not in the pattern
@@ -36,10 +40,11 @@ Vector3 gathered(const Tie& tie, std::size_t corner, const double* x) {
 
 }  // namespace
 
-struct SparseSolver::Parts {
+struct SparseSolver::Impl {
   int size = 0;
   Blocks blocks;
   PatternCache* cache = nullptr;
+  const Cancellation* cancel = nullptr;
   bool with_contacts = false;  // whether the pattern has entries that only contacts need
 
   BlockMatrix matrix;
@@ -61,7 +66,7 @@ struct SparseSolver::Parts {
 };
 
 /// Whether the pattern has every entry of the block of two corners.
-bool SparseSolver::Parts::fits(const Corners& unknowns, std::size_t a, std::size_t b) {
+bool SparseSolver::Impl::fits(const Corners& unknowns, std::size_t a, std::size_t b) {
   for (std::size_t i = 3 * a; i < 3 * a + 3; ++i) {
     for (std::size_t j = 3 * b; j < 3 * b + 3; ++j) {
       if (unknowns[i] >= 0 && unknowns[j] >= 0 && matrix.entry(unknowns[i], unknowns[j]) == nullptr) return false;
@@ -70,7 +75,7 @@ bool SparseSolver::Parts::fits(const Corners& unknowns, std::size_t a, std::size
   return true;
 }
 
-void SparseSolver::Parts::take_contacts(const std::vector<Corners>& contacts) {
+void SparseSolver::Impl::take_contacts(const std::vector<Corners>& contacts) {
   ties.assign(contacts.size(), {});
   contact_places.clear();
   contact_first.clear();
@@ -80,8 +85,8 @@ void SparseSolver::Parts::take_contacts(const std::vector<Corners>& contacts) {
     const Corners& unknowns = contacts[n];
     for (std::size_t k = 0; k < 12; ++k) tie.at[k] = unknowns[k] < 0 ? size : matrix.place(unknowns[k]);
     contact_first.push_back(contact_places.size());
-    // The matrix takes the blocks of corners that fit it all with each other, so that what it has of a contact is never
-    // negative: with one of three corners' blocks left out it could be, and would then have no factor.
+    // The matrix takes groups of corners whose blocks all fit its pattern, so that its share of a contact is positive
+    // semidefinite. With a single block of three corners left out it might not be, and the matrix would have no factor.
     std::array<std::uint8_t, 4> together{};  // for each corner, those that go into the matrix with it
     for (std::size_t a = 0; a < 4; ++a) {
       if (absent(tie, a)) continue;
@@ -122,7 +127,7 @@ void SparseSolver::Parts::take_contacts(const std::vector<Corners>& contacts) {
 }
 
 /// y = the whole matrix times x.
-void SparseSolver::Parts::times(const Vector& in, Vector& out) const {
+void SparseSolver::Impl::times(const Vector& in, Vector& out) const {
   matrix.times(in, out);
   const double* const x = in.data()->each.data();
   double* const y = out.data()->each.data();
@@ -145,8 +150,8 @@ void SparseSolver::Parts::times(const Vector& in, Vector& out) const {
   y[size] = 0;
 }
 
-/// Conjugate gradients, with the factor of what is in the pattern as preconditioner.
-void SparseSolver::Parts::iterate(Vector& right) const {
+/// Conjugate gradients, with the factor of the matrix of the pattern as preconditioner.
+void SparseSolver::Impl::iterate(Vector& right) const {
   const auto numbers = [](auto& v) { return BlockMatrix::numbers(v); };
   Vector x = matrix.zero(), z = right;
   auto& r = right;
@@ -155,11 +160,12 @@ void SparseSolver::Parts::iterate(Vector& right) const {
   double rz = numbers(r).dot(numbers(z));
   const double enough = kResidual * kResidual * rz;
   for (int i = 0; i < kMostIterations && rz > enough; ++i) {
+    cancel->check();
     times(p, hp);
     const double curvature = numbers(p).dot(numbers(hp));
     if (!(curvature > 0)) {
-      // The whole need not be positive where what is in the pattern is. What has been found leads down; if that is
-      // nothing, the preconditioner's own answer does, while a step of length zero would look like an arrival.
+      // The whole matrix need not be positive definite where that of the pattern is. The iterate so far leads down. In
+      // the first iteration the direction itself does; a step of length zero would look like convergence.
       if (i == 0) x = p;
       break;
     }
@@ -175,48 +181,50 @@ void SparseSolver::Parts::iterate(Vector& right) const {
   right = std::move(x);
 }
 
-SparseSolver::SparseSolver(int size, Blocks blocks, PatternCache& cache) : parts_(std::make_unique<Parts>()) {
-  parts_->size = size;
-  parts_->blocks = std::move(blocks);
-  parts_->cache = &cache;
-  parts_->matrix.take_pattern(size, parts_->blocks, &cache);
+SparseSolver::SparseSolver(int size, Blocks blocks, PatternCache& cache, const Cancellation& cancel)
+    : impl_(std::make_unique<Impl>()) {
+  impl_->size = size;
+  impl_->blocks = std::move(blocks);
+  impl_->cache = &cache;
+  impl_->cancel = &cancel;
+  impl_->matrix.take_pattern(size, impl_->blocks, &cache);
 }
 
 SparseSolver::~SparseSolver() = default;
 
 void SparseSolver::set_contacts(const std::vector<Corners>& contacts) {
-  Parts& parts = *parts_;
-  // What other contacts have added to the pattern says nothing about these.
-  if (parts.with_contacts) parts.matrix.take_pattern(parts.size, parts.blocks, parts.cache);
-  parts.take_contacts(contacts);
-  parts.with_contacts = parts.beside && parts.size <= kLargestDirect;
-  if (!parts.with_contacts) return;
-  Blocks all = parts.blocks;
+  Impl& own = *impl_;
+  // The pattern may still have entries of earlier contacts.
+  if (own.with_contacts) own.matrix.take_pattern(own.size, own.blocks, own.cache);
+  own.take_contacts(contacts);
+  own.with_contacts = own.beside && own.size <= kLargestDirect;
+  if (!own.with_contacts) return;
+  Blocks all = own.blocks;
   for (const Corners& corners : contacts) all.emplace_back(corners.begin(), corners.end());
-  parts.matrix.take_pattern(parts.size, all, nullptr);
-  parts.take_contacts(contacts);
+  own.matrix.take_pattern(own.size, all, nullptr);
+  own.take_contacts(contacts);
 }
 
-int SparseSolver::size() const noexcept { return parts_->size; }
+int SparseSolver::size() const noexcept { return impl_->size; }
 
-void SparseSolver::clear() { parts_->matrix.clear(); }
+void SparseSolver::clear() { impl_->matrix.clear(); }
 
-void SparseSolver::add_diagonal(int row, double value) { *parts_->matrix.entry(row, row) += value; }
+void SparseSolver::add_diagonal(int row, double value) { *impl_->matrix.entry(row, row) += value; }
 
 void SparseSolver::add(std::size_t block, const double* column_major) {
-  parts_->matrix.add(block, parts_->blocks[block], column_major);
+  impl_->matrix.add(block, impl_->blocks[block], column_major);
 }
 
 void SparseSolver::add_contact(std::size_t contact, const std::array<double, 4>& omega, const Eigen::Matrix3d& block) {
-  Parts& parts = *parts_;
-  Tie& tie = parts.ties[contact];
+  Impl& own = *impl_;
+  Tie& tie = own.ties[contact];
   tie.omega = omega;
   tie.block = block;
-  double* const* place = parts.contact_places.data() + parts.contact_first[contact];
+  double* const* place = own.contact_places.data() + own.contact_first[contact];
   for (std::size_t a = 0; a < 4; ++a) {
-    if (parts.absent(tie, a)) continue;
+    if (own.absent(tie, a)) continue;
     for (std::size_t b = a; b < 4; ++b) {
-      if (parts.absent(tie, b)) continue;
+      if (own.absent(tie, b)) continue;
       const double weight = omega[a] * omega[b];
       for (Eigen::Index i = 0; i < 3; ++i) {
         for (Eigen::Index j = a == b ? i : 0; j < 3; ++j) {
@@ -228,21 +236,21 @@ void SparseSolver::add_contact(std::size_t contact, const std::array<double, 4>&
   }
 }
 
-bool SparseSolver::factorise() { return parts_->matrix.factorise(); }
+bool SparseSolver::factorise() { return impl_->matrix.factorise(); }
 
 Eigen::VectorXd SparseSolver::solve(const Eigen::VectorXd& right) const {
-  const Parts& parts = *parts_;
-  Vector vector = parts.matrix.zero();
+  const Impl& own = *impl_;
+  Vector vector = own.matrix.zero();
   auto x = BlockMatrix::numbers(vector);
-  for (int i = 0; i < parts.size; ++i) x[parts.matrix.place(i)] = right[i];
-  if (parts.beside) {
-    parts.iterate(vector);
+  for (int i = 0; i < own.size; ++i) x[own.matrix.place(i)] = right[i];
+  if (own.beside) {
+    own.iterate(vector);
   } else {
-    parts.matrix.apply_inverse(vector);
+    own.matrix.apply_inverse(vector);
   }
   Eigen::VectorXd solution(right.size());
   const auto found = BlockMatrix::numbers(vector);
-  for (int i = 0; i < parts.size; ++i) solution[i] = found[parts.matrix.place(i)];
+  for (int i = 0; i < own.size; ++i) solution[i] = found[own.matrix.place(i)];
   return solution;
 }
 

@@ -1,5 +1,5 @@
-// Symmetric positive definite systems: a sum of small dense blocks, whose pattern is known once and for all, and of
-// contacts, which come and go. Eigen's sparse Cholesky factorises them.
+// Symmetric positive definite systems: sums of small dense blocks, whose pattern never changes, and of contacts, which
+// come and go. Eigen's sparse Cholesky factorises them.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -9,20 +9,22 @@
 #include <memory>
 #include <vector>
 
+#include "linear/cancellation.hpp"
 #include "linear/sparse_pattern.hpp"
 
 namespace touchstone::linear {
 
 class SparseSolver {
  public:
-  SparseSolver(int size, Blocks blocks, PatternCache& cache);
+  /// @param cancel  is checked in each iteration of conjugate gradients, and lives as long as this
+  SparseSolver(int size, Blocks blocks, PatternCache& cache, const Cancellation& cancel = Cancellation::never());
   ~SparseSolver();
   SparseSolver(const SparseSolver&) = delete;
   SparseSolver& operator=(const SparseSolver&) = delete;
 
   /// The unknowns x, y, z of up to four corners, -1 for what is left out.
   using Corners = std::array<int, 12>;
-  /// Further contacts, in place of those that were given last time.
+  /// Replaces the contacts.
   void set_contacts(const std::vector<Corners>& contacts);
 
   int size() const noexcept;
@@ -30,8 +32,8 @@ class SparseSolver {
   void add_diagonal(int row, double value);
   void add(std::size_t block, const double* column_major);  ///< a symmetric block, of the size given at first
 
-  /// The block of corners a and b is omega_a omega_b `block`, which is symmetric and not negative; at most once a
-  /// contact between calls of clear().
+  /// The block of corners a and b is omega_a omega_b `block`; `block` is symmetric and positive semidefinite. At most
+  /// once for a contact between calls of clear().
   void add_contact(std::size_t contact, const std::array<double, 4>& omega, const Eigen::Matrix3d& block);
 
   /// False when the matrix is not positive definite.
@@ -39,8 +41,8 @@ class SparseSolver {
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace touchstone::linear

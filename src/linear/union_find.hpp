@@ -1,4 +1,4 @@
-// Which of the numbers 0, 1, ... have been joined.
+// A partition of the numbers 0, 1, ... into sets, which are joined two by two.
 // SPDX-License-Identifier: MIT
 #pragma once
 

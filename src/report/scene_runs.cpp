@@ -11,8 +11,8 @@
 #include "report/machine.hpp"
 #include "report/own_process.hpp"
 #include "report/text.hpp"
-#include "sim/memory.hpp"
 #include "scene/shipped_scenes.hpp"
+#include "sim/memory.hpp"
 #include "sim/simulation.hpp"
 
 namespace touchstone::report {
@@ -59,7 +59,7 @@ struct Counts {
 Counts count(const Plan& plan, const ScenePulse& pulse) {
   sim::Simulation simulation(sim::make_shipped_scene(plan.scene, plan.size), {});
   Counts counts{};
-  counts.edges = simulation.elements().edges().size();
+  counts.edges = simulation.colliders().edges().size();
   for (std::uint64_t i = 0; i < plan.steps; ++i) {
     pulse(static_cast<double>(i) / static_cast<double>(plan.steps));
     for (const auto& record : simulation.step()) {

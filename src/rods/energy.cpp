@@ -10,7 +10,7 @@ namespace touchstone::sim {
 namespace {
 
 Eigen::Index joint_row(const System& system, std::size_t j) {
-  return static_cast<Eigen::Index>(system.lengths.size() + 3 * j);
+  return static_cast<Eigen::Index>(system.stretch_elements.size() + 3 * j);
 }
 
 /// The joint's eleven coordinates of a vector.
@@ -33,8 +33,8 @@ void scatter(const System& system, const Joint& joint, const JointVector& local,
 
 VectorX Energy::elastic_stiffness() const {
   VectorX stiffness(static_cast<Eigen::Index>(system_->strain_count()));
-  for (std::size_t i = 0; i < system_->lengths.size(); ++i) {
-    stiffness[static_cast<Eigen::Index>(i)] = system_->lengths[i].stiffness;
+  for (std::size_t i = 0; i < system_->stretch_elements.size(); ++i) {
+    stiffness[static_cast<Eigen::Index>(i)] = system_->stretch_elements[i].stiffness;
   }
   for (std::size_t j = 0; kRods && j < system_->joints.size(); ++j) {
     const Joint& joint = system_->joints[j];
@@ -45,8 +45,8 @@ VectorX Energy::elastic_stiffness() const {
 
 Strains Energy::elastic() const {
   Strains s{elastic_stiffness(), VectorX::Zero(static_cast<Eigen::Index>(system_->strain_count()))};
-  for (std::size_t i = 0; i < system_->lengths.size(); ++i) {
-    s.rest[static_cast<Eigen::Index>(i)] = system_->lengths[i].rest;
+  for (std::size_t i = 0; i < system_->stretch_elements.size(); ++i) {
+    s.rest[static_cast<Eigen::Index>(i)] = system_->stretch_elements[i].rest;
   }
   for (std::size_t j = 0; kRods && j < system_->joints.size(); ++j) {
     const auto& rest = system_->joints[j].rest;
@@ -63,8 +63,8 @@ Strains Energy::damped(const VectorX& base, double span) const {
     s.rest[row] = (s.stiffness[row] * s.rest[row] + extra * base[row]) / sum;
     s.stiffness[row] = sum;
   };
-  for (std::size_t i = 0; i < system_->lengths.size(); ++i) {
-    damp(static_cast<Eigen::Index>(i), system_->lengths[i].damping);
+  for (std::size_t i = 0; i < system_->stretch_elements.size(); ++i) {
+    damp(static_cast<Eigen::Index>(i), system_->stretch_elements[i].damping);
   }
   for (std::size_t j = 0; kRods && j < system_->joints.size(); ++j) {
     const Joint& joint = system_->joints[j];
@@ -78,8 +78,8 @@ Strains Energy::damped(const VectorX& base, double span) const {
 
 VectorX Energy::strains(const VectorX& q, const Frames& frames, double time) const {
   VectorX s(static_cast<Eigen::Index>(system_->strain_count()));
-  for (std::size_t i = 0; i < system_->lengths.size(); ++i) {
-    const Length& element = system_->lengths[i];
+  for (std::size_t i = 0; i < system_->stretch_elements.size(); ++i) {
+    const StretchElement& element = system_->stretch_elements[i];
     s[static_cast<Eigen::Index>(i)] = (position(q, element.b) - position(q, element.a)).norm();
   }
   for (std::size_t j = 0; kRods && j < system_->joints.size(); ++j) {
@@ -91,8 +91,8 @@ VectorX Energy::strains(const VectorX& q, const Frames& frames, double time) con
 
 VectorX Energy::strain_rates(const VectorX& q, const VectorX& v, const Frames& frames, double time) const {
   VectorX rates(static_cast<Eigen::Index>(system_->strain_count()));
-  for (std::size_t i = 0; i < system_->lengths.size(); ++i) {
-    const Length& element = system_->lengths[i];
+  for (std::size_t i = 0; i < system_->stretch_elements.size(); ++i) {
+    const StretchElement& element = system_->stretch_elements[i];
     const Vector3 along = (position(q, element.b) - position(q, element.a)).normalized();
     rates[static_cast<Eigen::Index>(i)] = along.dot(position(v, element.b) - position(v, element.a));
   }
@@ -107,9 +107,9 @@ VectorX Energy::strain_rates(const VectorX& q, const VectorX& v, const Frames& f
 }
 
 VectorX Energy::tensions_after(const VectorX& q, const Strains& strains, const VectorX& step) const {
-  VectorX tensions(static_cast<Eigen::Index>(system_->lengths.size()));
-  for (std::size_t i = 0; i < system_->lengths.size(); ++i) {
-    const Length& element = system_->lengths[i];
+  VectorX tensions(static_cast<Eigen::Index>(system_->stretch_elements.size()));
+  for (std::size_t i = 0; i < system_->stretch_elements.size(); ++i) {
+    const StretchElement& element = system_->stretch_elements[i];
     const auto row = static_cast<Eigen::Index>(i);
     const Vector3 between = position(q, element.b) - position(q, element.a);
     const double longer = between.normalized().dot(position(step, element.b) - position(step, element.a));
@@ -123,10 +123,10 @@ double Energy::value(const VectorX& q, const Frames& frames, double time, const 
   return 0.5 * (strains.stiffness.array() * (s - strains.rest).array().square()).sum();
 }
 
-void Energy::derivatives(const VectorX& q, const Frames& frames, double time, const Strains& strains,
-                         Curvature curvature, VectorX& gradient, BlockSink* sink, const VectorX* tensions) const {
-  for (std::size_t i = 0; i < system_->lengths.size(); ++i) {
-    const Length& element = system_->lengths[i];
+void Energy::derivatives(const VectorX& q, const Frames& frames, double time, const Strains& strains, Hessian hessian,
+                         VectorX& gradient, BlockSink* sink, const VectorX* tensions) const {
+  for (std::size_t i = 0; i < system_->stretch_elements.size(); ++i) {
+    const StretchElement& element = system_->stretch_elements[i];
     const auto row = static_cast<Eigen::Index>(i);
     const Vector3 between = position(q, element.b) - position(q, element.a);
     const double length = between.norm();
@@ -137,9 +137,9 @@ void Energy::derivatives(const VectorX& q, const Frames& frames, double time, co
     gradient.segment<3>(3 * static_cast<Eigen::Index>(element.b)) += pull;
     if (sink == nullptr) continue;
     const double turning = (tensions != nullptr ? (*tensions)[row] : stress) / length;
-    const double across = curvature == Curvature::convex ? std::max(turning, 0.0) : turning;
+    const double across = hessian == Hessian::projected ? std::max(turning, 0.0) : turning;
     const Eigen::Matrix3d projection = along * along.transpose();
-    sink->length(i, k * projection + across * (Eigen::Matrix3d::Identity() - projection));
+    sink->stretch(i, k * projection + across * (Eigen::Matrix3d::Identity() - projection));
   }
   for (std::size_t j = 0; kRods && j < system_->joints.size(); ++j) {
     const Joint& joint = system_->joints[j];
@@ -153,7 +153,7 @@ void Energy::derivatives(const VectorX& q, const Frames& frames, double time, co
     scatter(*system_, joint, stress[0] * k1 + stress[1] * k2 + stress[2] * m, gradient);
     if (sink == nullptr) continue;
     JointMatrix block = k[0] * k1 * k1.transpose() + k[1] * k2 * k2.transpose() + k[2] * m * m.transpose();
-    if (curvature == Curvature::exact) strain.add_hessians(stress[0], stress[1], stress[2], block);
+    if (hessian == Hessian::exact) strain.add_hessians(stress[0], stress[1], stress[2], block);
     sink->joint(j, block);
   }
 }

@@ -11,22 +11,22 @@ namespace touchstone::sim {
 /// Takes the second derivatives of the elements.
 class BlockSink {
  public:
-  virtual void length(std::size_t element, const Eigen::Matrix3d& block) = 0;  ///< [block -block; -block block]
+  virtual void stretch(std::size_t element, const Eigen::Matrix3d& block) = 0;  ///< [block -block; -block block]
   virtual void joint(std::size_t element, const JointMatrix& block) = 0;
 
  protected:
   ~BlockSink() = default;
 };
 
-/// Stiffness and rest of every strain: of the scene, or with damping folded in. A strain s that is damped with c and
-/// was s0 a time `span` ago has the incremental potential 1/2 k (s - rest)^2 + c / (2 span) (s - s0)^2, which is one
-/// parabola.
+/// Stiffness and rest of every strain: those of the scene, or with damping folded in. A strain s with damping c that
+/// was s0 a time `span` ago has the incremental potential 1/2 k (s - rest)^2 + c / (2 span) (s - s0)^2. The sum is one
+/// parabola again.
 struct Strains {
   VectorX stiffness, rest;
 };
 
-/// How second derivatives are made: as they are, or without the parts that may be negative.
-enum class Curvature : std::uint8_t { exact, convex };
+/// The second derivatives as they are, or projected: without their terms that may be negative.
+enum class Hessian : std::uint8_t { exact, projected };
 
 class Energy {
  public:
@@ -36,21 +36,21 @@ class Energy {
   /// @param base  strains at the beginning of the span  @param span  s
   Strains damped(const VectorX& base, double span) const;
 
-  /// All strains: lengths, then kappa1, kappa2 and twist of each joint.
+  /// All strains: the lengths of stretch elements, then kappa1, kappa2 and twist of each joint.
   VectorX strains(const VectorX& q, const Frames& frames, double time) const;
 
-  /// Their rates for velocities v (frames as they are carried along).
+  /// The rates of the strains for velocities v, with frames that are carried along.
   VectorX strain_rates(const VectorX& q, const VectorX& v, const Frames& frames, double time) const;
 
   /// The sum of 1/2 stiffness (strain - rest)^2. Not finite where an edge folds onto its neighbour.
   double value(const VectorX& q, const Frames& frames, double time, const Strains& strains) const;
 
   /// Adds to `gradient`, and gives the second derivatives to `sink` unless it is null.
-  /// @param tensions  N, of each length: what its turning resists in the second derivatives; null: the stress it has
-  void derivatives(const VectorX& q, const Frames& frames, double time, const Strains& strains, Curvature curvature,
+  /// @param tensions  N, of each stretch element: its resistance to turning in the second derivatives; null: its stress
+  void derivatives(const VectorX& q, const Frames& frames, double time, const Strains& strains, Hessian hessian,
                    VectorX& gradient, BlockSink* sink, const VectorX* tensions = nullptr) const;
 
-  /// What the tension of each length becomes, to first order, when q changes by `step`, N.
+  /// The tension of each stretch element after q changes by `step`, to first order, N.
   VectorX tensions_after(const VectorX& q, const Strains& strains, const VectorX& step) const;
 
  private:

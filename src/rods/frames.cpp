@@ -6,11 +6,20 @@
 #include <cmath>
 
 namespace touchstone::sim {
+namespace {
+
+// 1 + cosine of the angle between tangents that count as opposite: below it, the quotient by it is mostly rounding.
+constexpr double kOpposite = 1e-12;
+
+// Length of the part of a unit vector across another one: below it, that part is mostly rounding, some 1e-16.
+constexpr double kShortest = 1e-8;
+
+}  // namespace
 
 Vector3 parallel_transport(const Vector3& u, const Vector3& from, const Vector3& to) {
   const double cosine = from.dot(to);
-  // Opposite tangents have no shortest rotation; a step in which an edge turns by 180 degrees has no frame to carry.
-  if (cosine < -1 + 1e-12) return unit_perpendicular(u, to);
+  // Opposite tangents have no shortest rotation. Where an edge turns by 180 degrees in a substep, any frame is as good.
+  if (cosine < -1 + kOpposite) return unit_perpendicular(u, to);
   const Vector3 axis = from.cross(to);
   return cosine * u + axis.cross(u) + (axis.dot(u) / (1 + cosine)) * axis;
 }
@@ -24,7 +33,7 @@ Vector3 any_perpendicular(const Vector3& t) {
 Vector3 unit_perpendicular(const Vector3& u, const Vector3& t) {
   const Vector3 rest = u - u.dot(t) * t;
   const double length = rest.norm();
-  return length > 1e-8 ? Vector3(rest / length) : any_perpendicular(t);
+  return length > kShortest ? Vector3(rest / length) : any_perpendicular(t);
 }
 
 double signed_angle(const Vector3& u, const Vector3& v, const Vector3& axis) {

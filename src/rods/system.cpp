@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "scene/features.hpp"
 #include "rods/joint.hpp"
+#include "scene/features.hpp"
 
 namespace touchstone::sim {
 namespace {
@@ -35,7 +35,8 @@ System::System(const Scene& scene) : particle_count_(scene.particles.size()) {
     particle_mass_.push_back(p.mass);
     if (!p.path.empty()) paths_.emplace_back(i, p.path);
   }
-  for (const Spring& s : scene.springs) lengths.push_back({s.a, s.b, s.stiffness, s.damping, s.rest_length, false});
+  for (const Spring& s : scene.springs)
+    stretch_elements.push_back({s.a, s.b, s.stiffness, s.damping, s.rest_length, false});
   for (const Cable& cable : scene.cables) add_cable(cable);
   std::erase_if(followers_, [&](const Follower& f) { return scene.particles[f.leader].path.empty(); });
 
@@ -74,24 +75,24 @@ System::System(const Scene& scene) : particle_count_(scene.particles.size()) {
   }
   placed_ = {};
   particle_mass_ = inertia_ = length_ = {};
-  lengths.shrink_to_fit();
+  stretch_elements.shrink_to_fit();
   edges.shrink_to_fit();
   joints.shrink_to_fit();
 }
 
-System System::part(const SystemPart& members, const std::vector<Index>& local_particle,
-                    const std::vector<Index>& local_edge) const {
+System System::subset(const SystemSubset& members, const std::vector<Index>& local_particle,
+                      const std::vector<Index>& local_edge) const {
   System own;
   own.particle_count_ = members.particles.size();
   own.edges.reserve(members.edges.size());
   for (const Index e : members.edges) {
     own.edges.push_back({local_particle[edges[e].a], local_particle[edges[e].b], edges[e].twists});
   }
-  own.lengths.reserve(members.lengths.size());
-  for (const Index l : members.lengths) {
-    own.lengths.push_back(lengths[l]);
-    own.lengths.back().a = local_particle[lengths[l].a];
-    own.lengths.back().b = local_particle[lengths[l].b];
+  own.stretch_elements.reserve(members.stretch_elements.size());
+  for (const Index l : members.stretch_elements) {
+    own.stretch_elements.push_back(stretch_elements[l]);
+    own.stretch_elements.back().a = local_particle[stretch_elements[l].a];
+    own.stretch_elements.back().b = local_particle[stretch_elements[l].b];
   }
   own.joints.reserve(members.joints.size());
   for (const Index j : members.joints) {
@@ -134,12 +135,12 @@ void System::add_cable(const Cable& cable) {
   const std::size_t count = cable.particles.size();
   const bool twists = cable.twist > 0 && cable.bend > 0;
   const double section = std::numbers::pi * cable.radius * cable.radius;
-  // What a cable that does not bend needs is its length and mass alone.
+  // A cable that does not bend has stretch elements and mass only.
   const bool is_rod = cable.bend > 0;
   for (std::size_t j = 0; j < cable.edge_count(); ++j) {
     const Index a = cable.particles[j], b = cable.particles[(j + 1) % count];
     const double length = cable.length_scale * (placed_[b] - placed_[a]).norm();
-    lengths.push_back({a, b, cable.stretch / length, cable.damping * cable.stretch / length, length, true});
+    stretch_elements.push_back({a, b, cable.stretch / length, cable.damping * cable.stretch / length, length, true});
     const double half = 0.5 * cable.density * section * length;
     particle_mass_[a] += half;
     particle_mass_[b] += half;
@@ -163,8 +164,8 @@ void System::add_cable(const Cable& cable) {
 }
 
 void System::add_clamp(const Cable& cable, const CableEnd& end, bool at_start, Index edge) {
-  // The clamp holds an edge of its own beyond the end, so that the joint at the end stands for half a segment: the
-  // cantilever's error is then of second order, where a clamped first segment would make it shorter by half of one.
+  // The clamp holds an edge of its own beyond the end, so that the joint at the end stands for half a segment. The
+  // error of a cantilever is then of second order; a clamped first segment would make it shorter by half a segment.
   const RodEdge inner = edges[edge];
   const Index at = at_start ? inner.a : inner.b;
   const Index other = at_start ? inner.b : inner.a;
@@ -213,7 +214,7 @@ Frames System::initial_frames(const VectorX& q) const {
   frames.reference_twist.assign(joints.size(), 0);
   std::vector<char> known(edges.size(), 0);
   for (const auto& [first, last] : runs_) {
-    // Joints are in the order of the cable but for the clamps, which come last: each touches an edge that is known.
+    // Joints are in the order of the cable, and those of clamps come last. So each has an edge whose frame is known.
     for (Index j = first; j < last; ++j) {
       const Joint& joint = joints[j];
       const Vector3 te = tangent(q, edges[joint.e]), tf = tangent(q, edges[joint.f]);

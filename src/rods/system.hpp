@@ -1,25 +1,25 @@
-// A scene as the integrators see it: generalised coordinates, masses, and the elements that store energy.
+// The system of the integrators: generalised coordinates, masses, and the elements that store energy.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
 
-#include "rods/joint.hpp"
 #include "rods/frames.hpp"
+#include "rods/joint.hpp"
 #include "scene/scene.hpp"
 
 namespace touchstone::sim {
 
 using VectorX = Eigen::VectorXd;
 
-/// A spring, or the stretch of a cable's segment: 1/2 stiffness (|x_b - x_a| - rest)^2.
-struct Length {
+/// A spring, or the stretching of a segment of a cable: 1/2 stiffness (|x_b - x_a| - rest)^2.
+struct StretchElement {
   Index a = 0, b = 0;
   double stiffness = 0, damping = 0, rest = 0;
   bool cable = false;
 };
 
-/// The part of a cable that has one tangent and one material frame.
+/// A segment of a cable that bends: it has one tangent and one material frame.
 struct RodEdge {
   Index a = 0, b = 0;
   bool twists = false;
@@ -41,9 +41,9 @@ struct DrivenAngle {
   double rate = 0, until = 0;
 };
 
-/// Some of a system's elements, by number, with all particles and edges that they refer to.
-struct SystemPart {
-  std::vector<Index> particles, edges, lengths, joints;
+/// Numbers of some of a system's elements, and of all particles and edges that these refer to.
+struct SystemSubset {
+  std::vector<Index> particles, edges, stretch_elements, joints;
 };
 
 /// Coordinates q: three for each particle, then an angle for each rod edge.
@@ -51,30 +51,30 @@ class System {
  public:
   explicit System(const Scene& scene);
 
-  /// These elements alone, in this order: what Newton's method asks for, so without paths and initial values.
-  /// @param local_particle, local_edge  the number of each particle and edge in the part
-  System part(const SystemPart& members, const std::vector<Index>& local_particle,
-              const std::vector<Index>& local_edge) const;
+  /// A system of these elements alone, in this order. It has all that Newton's method asks for; it has no paths and no
+  /// initial values.
+  /// @param local_particle, local_edge  the number of each particle and edge in the subset
+  System subset(const SystemSubset& members, const std::vector<Index>& local_particle,
+                const std::vector<Index>& local_edge) const;
 
   std::size_t particle_count() const noexcept { return particle_count_; }
   Eigen::Index size() const noexcept { return static_cast<Eigen::Index>(3 * particle_count_ + edges.size()); }
   Eigen::Index angle(Index edge) const noexcept { return static_cast<Eigen::Index>(3 * particle_count_ + edge); }
-  std::size_t strain_count() const noexcept { return lengths.size() + 3 * joints.size(); }
+  std::size_t strain_count() const noexcept { return stretch_elements.size() + 3 * joints.size(); }
 
   /// Sets the coordinates that are prescribed at this time: driven particles and driven angles.
   void prescribe(double time, VectorX& q) const;
 
-  /// Curvature and twist of one of `joints`; the time says how much twist has been inserted into a ring.
+  /// Curvature and twist of one of `joints`. The twist that is inserted into a ring depends on the time.
   JointStrain joint_strain(const Joint& joint, const VectorX& q, const Frames& frames, double time) const;
 
-  /// Reference frames for `q` when nothing is known of an earlier time, without twist between neighbours except where
-  /// a ring closes.
+  /// Reference frames for `q` at the start of a run: without twist between neighbours, except where a ring closes.
   Frames initial_frames(const VectorX& q) const;
 
   /// `frames` of `from`, carried along to `to`.
   Frames transported(const Frames& frames, const VectorX& from, const VectorX& to) const;
 
-  std::vector<Length> lengths;
+  std::vector<StretchElement> stretch_elements;
   std::vector<RodEdge> edges;
   std::vector<Joint> joints;
   std::vector<DrivenAngle> driven_angles;
@@ -85,7 +85,7 @@ class System {
   std::vector<Index> ghosts;  ///< particles that only hold a clamped end's direction; they do not collide
 
  private:
-  /// A ghost whose clamped end is driven: it goes along, so that the direction stays.
+  /// A ghost whose clamped end is driven. It follows the end, so that the direction stays.
   struct Follower {
     Index ghost = 0, leader = 0;
     Vector3 offset;
@@ -99,12 +99,12 @@ class System {
   std::size_t particle_count_ = 0;
   std::vector<std::pair<Index, std::vector<Waypoint>>> paths_;  // of driven particles
   std::vector<Follower> followers_;
-  // While it is being put together:
+  // Used by the constructor only:
   std::vector<Vector3> placed_;  // initial positions, ghosts included
   std::vector<double> particle_mass_;
   std::vector<double> inertia_;                // by edge
   std::vector<double> length_;                 // by edge: at rest
-  std::vector<Index> bent_;                    // joints that rest as they are placed
+  std::vector<Index> bent_;                    // joints whose bends at rest are the initial ones
   std::vector<std::pair<Index, Index>> runs_;  // joints of each cable, from the first to one past the last
 };
 

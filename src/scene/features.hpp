@@ -1,5 +1,5 @@
-// What a scene may lack, and then does not pay for. tests/cost holds that against builds in which one of these is false
-// and its code is not there at all.
+// Features that a scene may lack. A scene without one does not pay for it: tests/cost compares its instruction counts
+// with those of a build in which the constant here is false and the code is not there at all.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -1,4 +1,4 @@
-// A JSON value that knows its path, so that every complaint can name it.
+// A JSON value with its path, which every message about it names.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -32,12 +32,12 @@ class JsonDocument {
   nlohmann::json value_;
 };
 
-/// @throws Error for what is no JSON, and for a key that an object has twice, by its path
+/// @throws Error for text that is no JSON, and for a key that an object has twice, by its path
 JsonDocument parse_json(std::string_view text);
 
 class JsonNode {
  public:
-  /// @param whole  what to call a document, whose path is empty
+  /// @param whole  the name of the document in messages, as its path is empty
   explicit JsonNode(const nlohmann::json& document, std::string_view whole = "the scene")
       : JsonNode(document, "", whole) {}
 

@@ -1,4 +1,4 @@
-// What several of the shipped scenes are built from.
+// Parts of which several shipped scenes are built: particles, springs, cables of a material, a floor.
 // SPDX-License-Identifier: MIT
 #pragma once
 

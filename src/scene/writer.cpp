@@ -77,8 +77,8 @@ Json json_of(const Cable& cable) {
 }
 
 /// One line an element, so that a person can find it.
-template <class Elements, class Write>
-void append(std::string& text, const char* name, const Elements& elements, Write write) {
+template <class Indices, class Write>
+void append(std::string& text, const char* name, const Indices& elements, Write write) {
   text += ",\n\"" + std::string(name) + "\": [";
   const char* separator = "\n";
   for (const auto& element : elements) {

@@ -1,4 +1,4 @@
-// Where a run stands, so that it can go on as if it had never stopped, to the last bit.
+// The state of a run as a file, from which it goes on as if it had never stopped, to the last bit.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -8,7 +8,7 @@
 namespace touchstone::sim {
 
 std::string vtk_frame(const Simulation& simulation) {
-  const auto& elements = simulation.elements();
+  const auto& colliders = simulation.colliders();
   const std::size_t count = simulation.scene().particles.size();
   std::string text =
       fmt::format("# vtk DataFile Version 3.0\ntouchstone t = {:.9g} s\nASCII\nDATASET POLYDATA\nPOINTS {} double\n",
@@ -17,13 +17,13 @@ std::string vtk_frame(const Simulation& simulation) {
     const Vector3 x = position(simulation.state().q, p);
     text += fmt::format("{} {} {}\n", x.x(), x.y(), x.z());
   }
-  if (!elements.edges().empty()) {
-    text += fmt::format("LINES {} {}\n", elements.edges().size(), 3 * elements.edges().size());
-    for (const Edge& edge : elements.edges()) text += fmt::format("2 {} {}\n", edge[0], edge[1]);
+  if (!colliders.edges().empty()) {
+    text += fmt::format("LINES {} {}\n", colliders.edges().size(), 3 * colliders.edges().size());
+    for (const Edge& edge : colliders.edges()) text += fmt::format("2 {} {}\n", edge[0], edge[1]);
   }
-  if (!elements.faces().empty()) {
-    text += fmt::format("POLYGONS {} {}\n", elements.faces().size(), 4 * elements.faces().size());
-    for (const Face& face : elements.faces()) text += fmt::format("3 {} {} {}\n", face[0], face[1], face[2]);
+  if (!colliders.faces().empty()) {
+    text += fmt::format("POLYGONS {} {}\n", colliders.faces().size(), 4 * colliders.faces().size());
+    for (const Face& face : colliders.faces()) text += fmt::format("3 {} {} {}\n", face[0], face[1], face[2]);
   }
   text += fmt::format("POINT_DATA {}\nVECTORS velocity double\n", count);
   for (Index p = 0; p < count; ++p) {
@@ -33,10 +33,10 @@ std::string vtk_frame(const Simulation& simulation) {
   return text;
 }
 
-std::string vtk_series(const std::vector<Frame>& frames) {
+std::string vtk_series(const std::vector<SeriesFrame>& frames) {
   std::string text = "{\n  \"file-series-version\": \"1.0\",\n  \"files\": [";
   const char* separator = "\n";
-  for (const Frame& frame : frames) {
+  for (const SeriesFrame& frame : frames) {
     text += fmt::format("{}    {{\"name\": \"{}\", \"time\": {}}}", separator, frame.name, frame.time);
     separator = ",\n";
   }
@@ -51,7 +51,7 @@ std::string proof_header() {
          "proof_bracket,proof_exact,gained_energy,crossings,certified\n";
 }
 
-std::string proof_row(const StepRecord& r) {
+std::string proof_row(const SubstepRecord& r) {
   const auto& c = r.response;
   return fmt::format("{},{:a},{:a},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", r.step, r.time,
                      r.length, r.newton_iterations, r.first_order, c.close, c.contacts, c.natures[1], c.natures[2],
@@ -62,10 +62,10 @@ std::string proof_row(const StepRecord& r) {
 
 std::string energy_header() { return "step,time,kinetic,stretch,bend,twist,load,total,parts,close,contacts,pairs\n"; }
 
-std::string energy_row(const Simulation& simulation, const std::vector<StepRecord>& records) {
+std::string energy_row(const Simulation& simulation, const std::vector<SubstepRecord>& records) {
   const Energies e = simulation.energies();
   std::uint64_t close = 0, contacts = 0, pairs = 0;
-  for (const StepRecord& record : records) {
+  for (const SubstepRecord& record : records) {
     close += record.response.close;
     contacts += record.response.contacts;
     pairs += record.proof.pairs;
@@ -77,31 +77,31 @@ std::string energy_row(const Simulation& simulation, const std::vector<StepRecor
 
 std::string crossing_for_person(const Simulation& simulation, const Crossing& crossing) {
   return fmt::format("step {}, {:.9g} s: {} at ({:.6g}, {:.6g}, {:.6g}) ({})", crossing.step, crossing.time,
-                     simulation.elements().describe(crossing.pair), crossing.place.x(), crossing.place.y(),
-                     crossing.place.z(), nature_name(crossing.answer.nature));
+                     simulation.colliders().describe(crossing.pair), crossing.point.x(), crossing.point.y(),
+                     crossing.point.z(), nature_name(crossing.answer.nature));
 }
 
 namespace {
 
 constexpr const char* kNothingMoves = "nothing that collides can move";
 
-std::string why_edges(const Elements& elements) {
-  const std::size_t edges = elements.edges().size();
-  if (!elements.passes().edge_edge && edges > 1) return kNothingMoves;
+std::string why_edges(const Colliders& colliders) {
+  const std::size_t edges = colliders.edges().size();
+  if (!colliders.passes().edge_edge && edges > 1) return kNothingMoves;
   return edges == 1 ? "1 edge" : fmt::format("{} edges", edges);
 }
 
-std::string why_faces(const Elements& elements) {
-  const Passes& passes = elements.passes();
-  const std::size_t faces = elements.faces().size();
+std::string why_faces(const Colliders& colliders) {
+  const Passes& passes = colliders.passes();
+  const std::size_t faces = colliders.faces().size();
   if (!passes.vertex_face && faces > 0) {
     return passes.anything_moves ? "no particle collides but the corners of one face" : kNothingMoves;
   }
   return faces == 1 ? "1 face" : fmt::format("{} faces", faces);
 }
 
-std::string why_points(const Elements& elements) {
-  const Passes& passes = elements.passes();
+std::string why_points(const Colliders& colliders) {
+  const Passes& passes = colliders.passes();
   if (passes.points) return fmt::format("{} without edges collide with edges and each other", passes.free_points);
   if (passes.free_points == 0) {
     return passes.not_colliding == 0
@@ -116,8 +116,8 @@ std::string why_points(const Elements& elements) {
 
 std::string explain(const Simulation& simulation) {
   const Scene& scene = simulation.scene();
-  const Elements& elements = simulation.elements();
-  const Passes& passes = elements.passes();
+  const Colliders& colliders = simulation.colliders();
+  const Passes& passes = colliders.passes();
   const auto line = [](bool on, std::string_view name, const std::string& why) {
     return fmt::format("{:4} {:22} {}\n", on ? "yes" : "no", name, why);
   };
@@ -128,18 +128,18 @@ std::string explain(const Simulation& simulation) {
   const auto twisting = count_if([](const Cable& c) { return c.twist > 0; });
   const auto& contact = scene.settings.contact;
   std::string text;
-  text += line(!simulation.system().lengths.empty(), "stretch forces",
+  text += line(!simulation.system().stretch_elements.empty(), "stretch forces",
                fmt::format("{} springs and {} cables", scene.springs.size(), scene.cables.size()));
   text +=
       line(bending > 0, "bending forces", fmt::format("{} of {} cables resist bending", bending, scene.cables.size()));
   text +=
       line(twisting > 0, "twist angles", fmt::format("{} of {} cables resist twist", twisting, scene.cables.size()));
   text += line(scene.settings.drag > 0, "drag", fmt::format("coefficient {} 1/s", scene.settings.drag));
-  text += line(passes.edge_edge, "edge-edge pass", why_edges(elements));
-  text += line(passes.vertex_face, "vertex-face pass", why_faces(elements));
+  text += line(passes.edge_edge, "edge-edge pass", why_edges(colliders));
+  text += line(passes.vertex_face, "vertex-face pass", why_faces(colliders));
   text += line(passes.joints, "fold pass (planar)",
                passes.joints ? "edges share particles that can move" : "no edges share a particle and can move");
-  text += line(passes.points, "single-particle pass", why_points(elements));
+  text += line(passes.points, "single-particle pass", why_points(colliders));
   text += line(contact.friction > 0, "friction", fmt::format("coefficient {}", contact.friction));
   text += fmt::format("     integrator             {}, steps of {} s\n", integrator_name(scene.settings.integrator),
                       scene.settings.time_step);

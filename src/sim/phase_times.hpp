@@ -8,13 +8,21 @@ namespace touchstone::sim {
 
 /// Seconds of all threads.
 struct PhaseTimes {
-  double integration = 0;  ///< steps without contacts
-  double contacts = 0;     ///< steps that were solved again with contacts in their potential
+  double integration = 0;  ///< substeps without contacts
+  double contacts = 0;     ///< substeps that are solved again with contacts in their potential
   double response = 0;     ///< broad and narrow phase, impulses and impact zones
   double proof = 0;
 
   double total() const noexcept { return integration + contacts + response + proof; }
   double collision() const noexcept { return response + proof; }
+
+  PhaseTimes& operator+=(const PhaseTimes& other) noexcept {
+    integration += other.integration;
+    contacts += other.contacts;
+    response += other.response;
+    proof += other.proof;
+    return *this;
+  }
 };
 
 /// Adds what passes until its end to one phase.

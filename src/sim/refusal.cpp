@@ -11,13 +11,13 @@
 namespace touchstone::sim {
 namespace {
 
-std::string at(const Vector3& place) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", place.x(), place.y(), place.z());
+std::string at(const Vector3& point) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", point.x(), point.y(), point.z());
 }
 
 /// Whether any particle of the pair is free to move in any direction.
-bool can_give_way(const Pair& pair, const System& system, const Elements& elements) {
-  const auto corners = elements.corners(pair);
+bool can_give_way(const Pair& pair, const System& system, const Colliders& colliders) {
+  const auto corners = colliders.corners(pair);
   for (std::size_t c = 0; c < corner_count(pair.kind); ++c) {
     const auto* const fixed = system.fixed.data() + 3 * std::size_t{corners[c]};
     if (!fixed[0] || !fixed[1] || !fixed[2]) return true;
@@ -34,8 +34,9 @@ std::string not_converged(const Refusal& refusal, const Scene& scene, const Syst
       "a smaller settings.time_step{} or softer springs and cables would be right",
       refusal.with_contacts && scene.settings.contact.friction > 0 ? ", less settings.contact.friction" : "");
   const std::string_view with = refusal.with_contacts ? " with its contacts" : "";
-  if (refusal.mover.coordinate < 0) return fmt::format("its equations{} cannot be solved in doubles; {}", with, advice);
-  const auto coordinate = static_cast<std::size_t>(refusal.mover.coordinate);
+  if (refusal.largest_change.coordinate < 0)
+    return fmt::format("its equations{} cannot be solved in doubles; {}", with, advice);
+  const auto coordinate = static_cast<std::size_t>(refusal.largest_change.coordinate);
   const std::size_t particles = system.particle_count();
   const bool is_angle = coordinate >= 3 * particles;
   const RodEdge edge = is_angle ? system.edges[coordinate - 3 * particles] : RodEdge{};
@@ -43,7 +44,7 @@ std::string not_converged(const Refusal& refusal, const Scene& scene, const Syst
   return fmt::format(
       "Newton's method{} does not settle {} at {}, which it still changes by {:.3g} {}; {}", with,
       is_angle ? fmt::format("the twist of segment {}-{}", edge.a, edge.b) : fmt::format("particle {}", particle),
-      at(position(q, particle)), refusal.mover.speed, is_angle ? "rad/s" : "m/s", advice);
+      at(position(q, particle)), refusal.largest_change.speed, is_angle ? "rad/s" : "m/s", advice);
 }
 
 }  // namespace
@@ -70,23 +71,23 @@ std::string refused_for_person(const RefusedCounts& counts, const RefusedCounts&
   return text;
 }
 
-Vector3 place_of(const Contact& contact, const VectorX& q) {
-  // Of omega, the first element's share has one sign and sums to 1.
+Vector3 contact_point(const Contact& contact, const VectorX& q) {
+  // The weights of the first element have one sign, and their magnitudes sum to 1.
   const std::size_t of_first = contact.pair.kind == Kind::edge_edge ? 2 : 1;
-  Vector3 place = Vector3::Zero();
-  for (std::size_t c = 0; c < of_first; ++c) place += std::abs(contact.omega[c]) * position(q, contact.particles[c]);
-  return place;
+  Vector3 point = Vector3::Zero();
+  for (std::size_t c = 0; c < of_first; ++c) point += std::abs(contact.omega[c]) * position(q, contact.particles[c]);
+  return point;
 }
 
 std::string refusal_for_person(const Refusal& refusal, const Scene& scene, const System& system,
-                               const Elements& elements, const VectorX& q) {
-  const std::string pair = refusal.pair ? elements.describe(*refusal.pair) : "";
+                               const Colliders& colliders, const VectorX& q) {
+  const std::string pair = refusal.pair ? colliders.describe(*refusal.pair) : "";
   switch (refusal.cause) {
     case Cause::not_converged: return not_converged(refusal, scene, system, q);
     case Cause::not_resolved:
       if (!refusal.pair) return "contacts are left";
-      return fmt::format("{} would touch at {}, and {}", pair, at(refusal.place),
-                         can_give_way(*refusal.pair, system, elements)
+      return fmt::format("{} would touch at {}, and {}", pair, at(refusal.point),
+                         can_give_way(*refusal.pair, system, colliders)
                              ? "have no room between what is held or driven; paths that leave them room would be right"
                              : "nothing of them is free to give way; other paths or pins would be right");
     case Cause::gained_energy: return "energy would be gained";
@@ -94,7 +95,7 @@ std::string refusal_for_person(const Refusal& refusal, const Scene& scene, const
       return fmt::format(
           "{} would cross at {}; a smaller settings.time_step or a larger settings.contact.thickness "
           "would be right",
-          pair, at(refusal.place));
+          pair, at(refusal.point));
   }
   return "";
 }

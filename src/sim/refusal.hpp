@@ -1,4 +1,4 @@
-// Why a part of a step was not taken, and what of it a user can do something about.
+// Why a substep was not taken, and what a user can do about it.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -16,7 +16,7 @@ enum class Cause : std::uint8_t {
   not_certified   ///< the proof found a crossing
 };
 
-/// Steps and parts that were tried and not taken.
+/// Substeps that were tried and not taken.
 struct RefusedCounts {
   std::uint64_t not_converged = 0, not_resolved = 0, gained_energy = 0, not_certified = 0;
 };
@@ -24,8 +24,8 @@ struct RefusedCounts {
 struct Refusal {
   Cause cause = Cause::not_converged;
   std::optional<Pair> pair;         ///< not resolved: one that is left in contact; not certified: the one that crosses
-  Vector3 place = Vector3::Zero();  ///< m, where it touches
-  Mover mover;                      ///< not converged
+  Vector3 point = Vector3::Zero();  ///< m, where it touches
+  LargestChange largest_change;     ///< not converged
   bool with_contacts = false;       ///< not converged: in the response, and not before it
 };
 
@@ -34,11 +34,11 @@ void count(RefusedCounts& counts, Cause cause) noexcept;
 /// "12 did not converge, 1 found no response": of the tries since `before`.
 std::string refused_for_person(const RefusedCounts& counts, const RefusedCounts& before);
 
-/// Of the pair that the contact is about, at these positions.
-Vector3 place_of(const Contact& contact, const VectorX& q);
+/// Where the pair of the contact touches, at these positions.
+Vector3 contact_point(const Contact& contact, const VectorX& q);
 
-/// Who, where, and what would be right, in one line.
+/// The elements in the way, where they are, and what would be right, in one line.
 std::string refusal_for_person(const Refusal& refusal, const Scene& scene, const System& system,
-                               const Elements& elements, const VectorX& q);
+                               const Colliders& colliders, const VectorX& q);
 
 }  // namespace touchstone::sim

@@ -2,145 +2,130 @@
 #include "sim/response.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <tuple>
 #include <utility>
 
-#include "scene/features.hpp"
 #include "contact/impact_zones.hpp"
+#include "dynamics/energy_budget.hpp"
+#include "sim/contact_terms.hpp"
 
 namespace touchstone::sim {
 namespace {
 
-constexpr int kSweeps = 4;            // over all contacts known so far, in each pass
-constexpr int kSolves = 4;            // implicit steps, each with the contacts that the one before it left
-constexpr double kStiffer = 20;       // contact stiffness over that of the elements
-constexpr double kLimitKnown = 0.2;   // by which share of the largest one limits of friction may still change
-constexpr double kFastestOut = 1.0;   // m/s at which what is too near is pushed apart
-constexpr double kStickSpeed = 5e-3;  // m/s: slower slip is friction at rest
+constexpr int kSweeps = 4;  // over all contacts known so far, in each pass of impulses
+constexpr int kSolves = 4;  // with the contacts in the potential, each with those that the one before it left
 
-using PairKey = std::tuple<Kind, Index, Index>;
-PairKey key(const Pair& pair) { return {pair.kind, pair.i, pair.j}; }
+/// The energy that the end of a substep may have, J.
+struct EnergyLimit {
+  double highest = 0;      // of the energies before the substep and after it without contacts
+  double tolerance = 0;    // a gain that counts as none
+  double driven_work = 0;  // of driven particles by impulses and impact zones, which is no gain either
+};
 
 }  // namespace
 
-/// One response under way.
-struct Response::Work {
-  const State* state;
-  double h;
-  VectorX wanted;  // where the integrator, without contacts or with them, wants to be: next.v belongs to it
-  State* next;
-  VectorX pushed;  // the part of next.q - wanted that is no velocity
-  double energy;   // the larger of those before the step and after it without contacts
-  double slack;    // how much more is no gain
-  double driven;   // work of driven particles by impulses and impact zones, which is no gain either, J
-  ResponseCounts* counts;
-  PhaseTimes* times;
+/// One response under way: the end of the substep as it stands, and where the integrator would have it.
+class Response::Attempt {
+ public:
+  Attempt(Response& response, Substep substep);
+
+  ResponseResult run();
+
+ private:
+  using Outcome = ResponseResult::Outcome;
+
+  Outcome answer();
+  bool resolve_by_impulses(std::vector<Contact> known);
+  bool solve_with_contacts(std::vector<Contact> contacts);
+  bool resolve_by_zones(std::vector<Contact> contacts);
+
+  void take_velocities();
+  bool gained_energy() const;
+  Vector3 free_momentum(const std::vector<Index>& zone) const;
+
+  Response* response_;
+  const ResponseModel* model_;
+  const State* start_;
+  double h_;
+  ResponseResult result_;
+  VectorX integrated_;  // the positions that the integrator leads to, to which the velocities belong
+  VectorX correction_;  // the part of the way from there that is no velocity
+  EnergyLimit limit_;
 };
 
-Response::Response(const Elements& elements, const System& system, const Settings& settings, NarrowPhase narrow_phase,
-                   int threads)
-    : elements_(&elements),
-      system_(&system),
-      contact_(settings.contact),
-      gravity_(settings.gravity),
-      time_step_(settings.time_step),
-      thickness_(settings.contact.thickness > 0 ? settings.contact.thickness : elements.shortest_edge() / 50),
-      inverse_mass_(VectorX::Zero(static_cast<Eigen::Index>(3 * system.particle_count()))),
-      stiffness_(VectorX::Zero(static_cast<Eigen::Index>(system.particle_count()))),
+Response::Response(const Colliders& colliders, const System& system, const Settings& settings, NarrowPhase narrow_phase,
+                   int threads, Stepper& stepper, const linear::Cancellation& cancel)
+    : model_(colliders, system, settings),
       repels_(narrow_phase == NarrowPhase::exact),
-      finder_(elements, narrow_phase, threads) {
-  for (Eigen::Index i = 0; i < inverse_mass_.size(); ++i) {
-    if (!system.fixed[static_cast<std::size_t>(i)]) inverse_mass_[i] = 1 / system.mass[i];
-  }
-  for (const Length& element : system.lengths) {
-    stiffness_[element.a] += element.stiffness;
-    stiffness_[element.b] += element.stiffness;
-  }
+      finder_(colliders, narrow_phase, threads, cancel),
+      stepper_(&stepper) {}
+
+ResponseResult Response::respond(Substep substep) { return Attempt(*this, std::move(substep)).run(); }
+
+Response::Attempt::Attempt(Response& response, Substep substep)
+    : response_(&response), model_(&response.model_), start_(substep.start), h_(substep.h) {
+  result_.end = std::move(substep.end);
 }
 
-Response::Outcome Response::respond(Stepper& stepper, const State& state, double h, State& next, ResponseCounts& counts,
-                                    PhaseTimes& times) {
-  const PhaseClock clock(times.response);
-  trouble_ = {};
-  const auto& passes = elements_->passes();
+ResponseResult Response::Attempt::run() {
+  {
+    const PhaseClock clock(result_.times.response);
+    result_.outcome = answer();
+  }
+  return std::move(result_);
+}
+
+ResponseResult::Outcome Response::Attempt::answer() {
+  const auto& passes = model_->colliders().passes();
   if (!passes.edge_edge && !passes.vertex_face && !passes.joints && !passes.points) return Outcome::done;
-  finder_.begin(state.q, next.q, thickness_);
-  // The paper has no repulsion: what its solver does not find, nothing holds.
+  ContactFinder& finder = response_->finder_;
+  State& end = result_.end;
+  finder.begin(start_->q, end.q, model_->thickness());
+  // The paper has no repulsion: contacts that its solver does not find are not answered.
   std::vector<Contact> known, found;
-  if (repels_) known = finder_.close(thickness_);
-  counts.close = known.size();
-  finder_.find(next.q, found, counts);
+  if (response_->repels_) known = finder.close(model_->thickness());
+  result_.counts.close = known.size();
+  finder.find(end.q, found, result_.counts);
   if (known.empty() && found.empty()) return Outcome::done;
   known.insert(known.end(), found.begin(), found.end());
   found = {};
 
-  const Energies before = energies(*system_, state), without = energies(*system_, next);
-  constexpr double kShare = 2e-3;
-  const double slack = kShare * std::max(before.total() - before.load, without.total() - without.load) +
-                       1e-12 * (std::abs(before.load) + 1e-3);
-  Work work{&state, h, next.q,  &next, VectorX::Zero(inverse_mass_.size()), std::max(before.total(), without.total()),
-            slack,  0, &counts, &times};
-  const bool stiff = std::any_of(known.begin(), known.end(), [&](const Contact& c) { return is_stiff(c, h); });
+  const Energies before = energies(model_->system(), *start_), without = energies(model_->system(), end);
+  limit_ = {std::max(before.total(), without.total()), energy_tolerance(before, without), 0};
+  integrated_ = end.q;
+  correction_ = VectorX::Zero(model_->inverse_mass().size());
+  const bool stiff = std::any_of(known.begin(), known.end(), [&](const Contact& c) { return model_->is_stiff(c, h_); });
   if (!stiff) {
-    const State free = next;
-    if (impulses(work, known, contact_.passes)) {
-      take_velocities(work, next);
-      if (!gained_energy(work, next)) return Outcome::done;
+    const State free = end;
+    if (resolve_by_impulses(known)) {
+      take_velocities();
+      if (!gained_energy()) return Outcome::done;
     }
-    next = free;
-    work.wanted = free.q;
-    work.pushed.setZero();
-    work.driven = 0;
+    end = free;
+    integrated_ = free.q;
+    correction_.setZero();
+    limit_.driven_work = 0;
   }
-  if (!solve_with_contacts(work, stepper, std::move(known))) return Outcome::not_converged;
-  if (!impulses(work, {}, contact_.passes)) {
-    finder_.find(next.q, found, counts);
-    if (!freeze_zones(work, found)) return Outcome::not_resolved;
+  if (!solve_with_contacts(std::move(known))) return Outcome::not_converged;
+  if (!resolve_by_impulses({})) {
+    finder.find(end.q, found, result_.counts);
+    if (!resolve_by_zones(found)) return Outcome::not_resolved;
   }
-  take_velocities(work, next);
-  return gained_energy(work, next) ? Outcome::gained_energy : Outcome::done;
+  take_velocities();
+  return gained_energy() ? Outcome::gained_energy : Outcome::done;
 }
 
-double Response::recovery(double h) const { return 0.2 * std::min(1.0, h / time_step_); }
-
-double Response::pushed_out(double room, double h) const { return std::min(recovery(h) * room, kFastestOut * h); }
-
-bool Response::is_stiff(const Contact& contact, double h) const {
-  for (std::size_t c = 0; c < contact.corners; ++c) {
-    const auto p = static_cast<Eigen::Index>(contact.particles[c]);
-    if (contact.omega[c] != 0 && stiffness_[p] * h * h * inverse_mass_.segment<3>(3 * p).maxCoeff() > 1) return true;
-  }
-  return false;
-}
-
-void Response::take_velocities(const Work& work, State& next) const {
-  const auto n = inverse_mass_.size();
-  if (next.q.head(n) == work.wanted.head(n)) return;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    if (next.q[i] != work.wanted[i]) next.v[i] += (next.q[i] - work.wanted[i] - work.pushed[i]) / work.h;
-  }
-  next.frames = system_->transported(next.frames, work.wanted, next.q);
-}
-
-bool Response::gained_energy(const Work& work, const State& next) const {
-  // Contacts take energy away, but for what driven particles give; what gains without them was refused before.
-  // Pushing apart what was too near lifts weight; that is not the contacts' doing.
-  const double lifted = (system_->force.head(work.pushed.size()).array() * work.pushed.array()).abs().sum();
-  return energies(*system_, next).total() > work.energy + work.slack + lifted + std::max(work.driven, 0.0);
-}
-
-bool Response::impulses(Work& work, std::vector<Contact> known, int passes) {
-  const ImpulseRule rule{contact_.restitution, contact_.friction, thickness_, 2 * gravity_.norm() * work.h * work.h,
-                         0.5 * recovery(work.h)};
-  VectorX& x1 = work.next->q;
+/// Impulses on the known contacts and on those that come up, pass by pass. False when contacts are left.
+bool Response::Attempt::resolve_by_impulses(std::vector<Contact> known) {
+  const ImpulseRule rule = model_->impulse_rule(h_);
+  ContactFinder& finder = response_->finder_;
+  VectorX& x1 = result_.end.q;
   double driven = 0;
-  const Motion motion{&work.state->q, &x1, &work.pushed, &inverse_mass_, &driven};
-  std::vector<char> touched(system_->particle_count(), 0);
+  const Motion motion{&start_->q, &x1, &correction_, &model_->inverse_mass(), &driven};
+  std::vector<char> touched(model_->system().particle_count(), 0);
   const auto resolve_all = [&](const std::vector<Contact>& contacts) {
     bool any = false;
     for (const Contact& contact : contacts) {
-      if (!resolve(contact, rule, motion)) continue;
+      if (!apply_impulse(contact, rule, motion)) continue;
       any = true;
       for (std::size_t c = 0; c < contact.corners; ++c) touched[contact.particles[c]] = 1;
     }
@@ -151,181 +136,119 @@ bool Response::impulses(Work& work, std::vector<Contact> known, int passes) {
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
       if (!resolve_all(known)) break;
     }
-    finder_.moved(x1, touched);
+    finder.moved(x1, touched);
     std::fill(touched.begin(), touched.end(), char{0});
-    finder_.find(x1, found, *work.counts);
-    if (found.empty() || pass == passes) {
-      work.driven += driven / (work.h * work.h);
+    finder.find(x1, found, result_.counts);
+    if (found.empty() || pass == model_->contact().passes) {
+      limit_.driven_work += driven / (h_ * h_);
       return found.empty();
     }
-    ++work.counts->passes;
+    ++result_.counts.passes;
     known.insert(known.end(), found.begin(), found.end());
   }
 }
 
-void Response::measure_hold(const VectorX& q) {
-  hold_.assign(system_->particle_count(), Eigen::Matrix3f::Zero());
-  for (const Length& element : system_->lengths) {
-    const Vector3 along = (position(q, element.b) - position(q, element.a)).normalized();
-    const Eigen::Matrix3f stiffness = (element.stiffness * along * along.transpose()).cast<float>();
-    hold_[element.a] += stiffness;
-    hold_[element.b] += stiffness;
-  }
-  for (const Joint& joint : system_->joints) {
-    // A bend of one segment's length: the middle moves against both of its neighbours.
-    const double length = 0.5 * (position(q, joint.p[2]) - position(q, joint.p[0])).norm();
-    const double across = joint.bend / (length * length + 1e-300);
-    for (std::size_t k = 0; k < 3; ++k)
-      hold_[joint.p[k]] += static_cast<float>((k == 1 ? 4 : 1) * across) * Eigen::Matrix3f::Identity();
-  }
-}
-
-ContactTerm Response::term_of(const Contact& contact, const Work& work) const {
-  ContactTerm term;
-  term.particles = contact.particles;
-  term.corners = contact.corners;
-  term.omega = contact.omega;
-  term.normal = contact.normal;
-  term.stick = kStickSpeed * work.h;
-  double softness = 0;
-  for (std::size_t c = 0; c < contact.corners; ++c) {
-    const Index p = contact.particles[c];
-    const double inverse = inverse_mass_.segment<3>(3 * static_cast<Eigen::Index>(p)).maxCoeff();
-    if (inverse > 0) {
-      // A cable is stiff along itself and soft across, which is where it is mostly touched.
-      const double hold =
-          1 / (inverse * work.h * work.h) + contact.normal.dot(hold_[p].cast<double>() * contact.normal);
-      softness += contact.omega[c] * contact.omega[c] / hold;
-    }
-  }
-  term.stiffness = softness > 0 ? kStiffer / softness : 0;
-  // Elements may come as near as the thickness; what is nearer already moves out slowly.
-  const double room = thickness_ - contact.gap;
-  term.goal = room > 0 ? pushed_out(room, work.h) : room;
-  // The speed of impact is that before the step: at its end, what leans on a contact would seem to fly into it.
-  const double approach = work.h * contact.normal.dot(relative_motion(term, work.state->v));
-  if (approach < -2 * gravity_.norm() * work.h * work.h)
-    term.goal = std::max(term.goal, -contact_.restitution * approach);
-  return term;
-}
-
-bool Response::solve_with_contacts(Work& work, Stepper& stepper, std::vector<Contact> contacts) {
-  measure_hold(work.state->q);
-  std::vector<ContactTerm> terms;
-  std::vector<std::pair<PairKey, std::size_t>> term_of_pair;  // sorted whenever it is searched
-  const auto add = [&](const Contact& contact) {
-    terms.push_back(term_of(contact, work));
-    // What its spring holds where elements are nearer than the thickness.
-    if (contact.gap < thickness_) {
-      const double out = pushed_out(thickness_ - contact.gap, work.h);
-      work.slack += 0.5 * terms.back().stiffness * out * out;
-    }
-    term_of_pair.emplace_back(key(contact.pair), terms.size() - 1);
-  };
-  terms.reserve(contacts.size() + contacts.size() / 4);
-  term_of_pair.reserve(terms.capacity());
-  for (const Contact& contact : contacts) add(contact);
-  contacts = {};
-  work.wanted = {};
-  const std::vector<char> all(system_->particle_count(), 1);
+/// Solves the substep again with the contacts in its potential, until no other ones come up. False when Newton's method
+/// does not converge.
+bool Response::Attempt::solve_with_contacts(std::vector<Contact> contacts) {
+  ContactTerms terms(*model_, *start_, h_, limit_.tolerance, contacts);
+  contacts = {};  // memory: the terms have all of them
+  integrated_ = {};
+  const std::vector<char> all(model_->system().particle_count(), 1);
   std::vector<Contact> found;
+  State& end = result_.end;
   double driven = 0;
   for (int solve = 0; solve < kSolves; ++solve) {
-    // What is left of the last try only takes room.
-    const VectorX near = std::move(work.next->q);
-    *work.next = {};
-    const double before = work.times->contacts;
+    const VectorX near = std::move(end.q);
+    end = {};  // the end of the previous solve only takes room
+    const double before = result_.times.contacts;
     Advance advance = [&] {
-      const PhaseClock clock(work.times->contacts);
-      return stepper.advance_with(*work.state, work.h, terms, near);
+      const PhaseClock clock(result_.times.contacts);
+      return response_->stepper_->advance_with(*start_, h_, terms.all(), near);
     }();
-    work.times->response -= work.times->contacts - before;  // which goes on, and counts this too
-    ++work.counts->solves;
-    work.counts->newton_iterations += advance.iterations;
-    trouble_.mover = advance.mover;
+    result_.times.response -= result_.times.contacts - before;  // its clock goes on, and counts this too
+    ++result_.counts.solves;
+    result_.counts.newton_iterations += advance.iterations;
+    result_.largest_change = advance.largest_change;
     if (!advance.converged) return false;
-    *work.next = std::move(advance.state);
-    driven = stepper.driven_work(*work.state, work.h, terms, *work.next);
-    finder_.moved(work.next->q, all);
-    finder_.find(work.next->q, found, *work.counts);
-    // Friction changes how tension runs along a cable, and with it the forces that limit friction.
-    double most = 0, change = 0;
-    if (kFriction && contact_.friction > 0) {
-      for (ContactTerm& term : terms) {
-        const double slip = contact_.friction * normal_force(term, work.state->q, work.next->q);
-        most = std::max(most, slip);
-        change = std::max(change, std::abs(slip - term.slip));
-        term.slip = slip;
-      }
-    }
-    std::sort(term_of_pair.begin(), term_of_pair.end());
-    const auto known = static_cast<std::ptrdiff_t>(term_of_pair.size());
-    for (const Contact& contact : found) {
-      const PairKey wanted = key(contact.pair);
-      const auto known_end = term_of_pair.begin() + known;
-      const auto same = std::lower_bound(term_of_pair.begin(), known_end, std::pair{wanted, std::size_t{0}});
-      if (same == known_end || same->first != wanted) {
-        add(contact);
-      } else {
-        // It turned on the way: where it touches now says more than where it would have touched.
-        ContactTerm& term = terms[same->second];
-        const double slip = term.slip;
-        term = term_of(contact, work);
-        term.slip = slip;
-      }
-    }
-    const bool friction_known = change <= kLimitKnown * most;
-    if (found.empty() && friction_known) break;
+    end = std::move(advance.state);
+    driven = response_->stepper_->driven_work(*start_, h_, terms.all(), end);
+    response_->finder_.moved(end.q, all);
+    response_->finder_.find(end.q, found, result_.counts);
+    const bool friction_settled = terms.update_friction(end.q);
+    terms.take(found);
+    if (found.empty() && friction_settled) break;
   }
-  work.energy = std::max(work.energy, energies(*system_, *work.state).total() + driven);
-  work.wanted = work.next->q;
+  limit_.tolerance = terms.tolerance();
+  limit_.highest = std::max(limit_.highest, energies(model_->system(), *start_).total() + driven);
+  integrated_ = end.q;
   return true;
 }
 
-bool Response::is_held(Index particle) const {
-  return (inverse_mass_.segment<3>(3 * static_cast<Eigen::Index>(particle)).array() == 0).all();
+/// Lets particles in contact move as rigid bodies. False when contacts are left all the same.
+bool Response::Attempt::resolve_by_zones(std::vector<Contact> contacts) {
+  // Each round joins particles that were apart, or ends: there are at most as many rounds as particles.
+  const System& system = model_->system();
+  ImpactZones zones(system.particle_count());
+  VectorX& x1 = result_.end.q;
+  while (!contacts.empty()) {
+    for (const Contact& contact : contacts) {
+      result_.left = contact;
+      if (!zones.join(contact)) return false;  // a zone moves as one: only rounding can make particles of it meet
+    }
+    const auto groups = zones.zones();
+    result_.counts.zones = static_cast<int>(groups.size());
+    for (const auto& zone : groups) {
+      const Vector3 before = free_momentum(zone);
+      if (!move_rigidly(zone, system, model_->inverse_mass(), start_->q, x1)) {
+        const auto of_zone = [&](const Contact& c) { return zones.zone(c.particles[0]) == zone.front(); };
+        result_.left = *std::find_if(contacts.begin(), contacts.end() - 1, of_zone);
+        return false;
+      }
+      for (const Index p : zone) correction_.segment<3>(3 * static_cast<Eigen::Index>(p)).setZero();
+      // A driven particle carries the zone, and gives its free particles the momentum that they gain.
+      const auto driven = std::find_if(zone.begin(), zone.end(), [&](Index p) { return model_->is_held(p); });
+      if (driven != zone.end()) {
+        limit_.driven_work +=
+            (free_momentum(zone) - before).dot(position(x1, *driven) - position(start_->q, *driven)) / (h_ * h_);
+      }
+    }
+    response_->finder_.begin(start_->q, x1, 0);
+    response_->finder_.find(x1, contacts, result_.counts);
+  }
+  return true;
 }
 
-Vector3 Response::free_momentum(const std::vector<Index>& zone, const Work& work) const {
+/// Gives the end the velocities that belong to its positions.
+void Response::Attempt::take_velocities() {
+  State& end = result_.end;
+  const auto n = correction_.size();
+  if (end.q.head(n) == integrated_.head(n)) return;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (end.q[i] != integrated_[i]) end.v[i] += (end.q[i] - integrated_[i] - correction_[i]) / h_;
+  }
+  end.frames = model_->system().transported(end.frames, integrated_, end.q);
+}
+
+/// Contacts take energy away, but for what driven particles give; substeps that gain without contacts were refused
+/// before. Position corrections lift weight, which is no gain either.
+bool Response::Attempt::gained_energy() const {
+  const System& system = model_->system();
+  const double lifted = (system.force.head(correction_.size()).array() * correction_.array()).abs().sum();
+  return energies(system, result_.end).total() >
+         limit_.highest + limit_.tolerance + lifted + std::max(limit_.driven_work, 0.0);
+}
+
+/// Of the displacements in this substep, kg m, but for a constant; held particles are left aside.
+Vector3 Response::Attempt::free_momentum(const std::vector<Index>& zone) const {
   Vector3 sum = Vector3::Zero();
   for (const Index p : zone) {
     const auto at = 3 * static_cast<Eigen::Index>(p);
-    if (!is_held(p)) sum += system_->mass[at] * (position(work.next->q, p) - position(work.pushed, p));
+    if (!model_->is_held(p)) {
+      sum += model_->system().mass[at] * (position(result_.end.q, p) - position(correction_, p));
+    }
   }
   return sum;
-}
-
-bool Response::freeze_zones(Work& work, std::vector<Contact> contacts) {
-  // Each round joins particles that were apart, or ends: there are at most as many rounds as particles.
-  ImpactZones zones(system_->particle_count());
-  VectorX& x1 = work.next->q;
-  while (!contacts.empty()) {
-    for (const Contact& contact : contacts) {
-      trouble_.left = contact;
-      if (!zones.join(contact)) return false;  // a zone moves as one: only rounding can make its own parts meet
-    }
-    const auto groups = zones.zones();
-    work.counts->zones = static_cast<int>(groups.size());
-    for (const auto& zone : groups) {
-      const Vector3 before = free_momentum(zone, work);
-      if (!move_rigidly(zone, *system_, inverse_mass_, work.state->q, x1)) {
-        const auto of_zone = [&](const Contact& c) { return zones.zone(c.particles[0]) == zone.front(); };
-        trouble_.left = *std::find_if(contacts.begin(), contacts.end() - 1, of_zone);
-        return false;
-      }
-      for (const Index p : zone) work.pushed.segment<3>(3 * static_cast<Eigen::Index>(p)).setZero();
-      // What is driven carries the zone, and gives its free particles the momentum that they gain.
-      const auto driven = std::find_if(zone.begin(), zone.end(), [&](Index p) { return is_held(p); });
-      if (driven != zone.end()) {
-        work.driven +=
-            (free_momentum(zone, work) - before).dot(position(x1, *driven) - position(work.state->q, *driven)) /
-            (work.h * work.h);
-      }
-    }
-    finder_.begin(work.state->q, x1, 0);
-    finder_.find(x1, contacts, *work.counts);
-  }
-  return true;
 }
 
 }  // namespace touchstone::sim

@@ -10,12 +10,30 @@
 #include <touchstone/error.hpp>
 
 #include "sim/state_check.hpp"
+#include "sim/step_limits.hpp"
 
 namespace touchstone::sim {
 namespace {
 
-constexpr int kMostParts = 20'000;    // of a step, refused ones included: 2^24 of them would take for ever
-constexpr double kEnergyParts = 100;  // of a step, to which it is cut at most because it would gain energy
+// Substeps of a step, refused ones included: 2^24 of them would take for ever.
+constexpr int kMostSubsteps = 20'000;
+
+// A gain of energy halves a step into at most about so many substeps. Halving helps until substeps are as short as the
+// times in which the elements and contacts answer; a shorter one is better taken than halved for ever.
+constexpr double kMostSubstepsForEnergy = 100;
+
+Refusal refused_for(Cause cause) {
+  Refusal refusal;
+  refusal.cause = cause;
+  return refusal;
+}
+
+Refusal not_converged(const LargestChange& change, bool with_contacts) {
+  Refusal refusal = refused_for(Cause::not_converged);
+  refusal.largest_change = change;
+  refusal.with_contacts = with_contacts;
+  return refusal;
+}
 
 Scene checked(Scene scene) {
   check_scene(scene);
@@ -26,14 +44,14 @@ Scene checked(Scene scene) {
 }  // namespace
 
 Simulation::Simulation(Scene scene, const SimulationOptions& options)
-    : scene_(checked(std::move(scene))),
+    : cancel_(options.check_cancelled),
+      scene_(checked(std::move(scene))),
       system_(scene_),
-      elements_(scene_, system_),
-      stepper_(system_, scene_.settings),
-      response_(elements_, system_, scene_.settings, options.narrow_phase, options.threads),
-      prover_(elements_, NarrowPhase::exact, options.threads),
+      colliders_(scene_, system_),
+      stepper_(system_, scene_.settings, cancel_),
+      response_(colliders_, system_, scene_.settings, options.narrow_phase, options.threads, stepper_, cancel_),
+      prover_(colliders_, NarrowPhase::exact, options.threads, cancel_),
       narrow_phase_(options.narrow_phase),
-      before_part_(options.before_part),
       state_(stepper_.initial()) {
   check_start(state_, "the scene");
 }
@@ -41,9 +59,9 @@ Simulation::Simulation(Scene scene, const SimulationOptions& options)
 Simulation::~Simulation() = default;
 
 void Simulation::check_start(const State& state, std::string_view what) {
-  const std::vector<Pair> pairs = elements_.candidates(state.q, state.q, 0);
+  const std::vector<Pair> pairs = colliders_.candidates(state.q, state.q, 0);
   prover_.contacts(pairs, state.q, state.q, [&](std::size_t i, const Answer&) {
-    throw Error(fmt::format("{} begins with elements that touch: {}", what, elements_.describe(pairs[i])));
+    throw Error(fmt::format("{} begins with elements that touch: {}", what, colliders_.describe(pairs[i])));
   });
 }
 
@@ -54,14 +72,14 @@ void Simulation::resume(State state, std::uint64_t steps) {
   steps_ = steps;
 }
 
-std::vector<StepRecord> Simulation::step() {
+std::vector<SubstepRecord> Simulation::step() {
   std::optional<State> before;
   const std::size_t crossings_before = crossings_.size();
   ++steps_;
   try {
-    return parts_of_step(before);
+    return make_substeps(before);
   } catch (...) {
-    // Whatever it is, and whoever threw it: steps are made whole.
+    // Whatever is thrown: a step is made as a whole or not at all.
     if (before) state_ = std::move(*before);
     crossings_.resize(crossings_before);
     --steps_;
@@ -69,42 +87,40 @@ std::vector<StepRecord> Simulation::step() {
   }
 }
 
-std::vector<StepRecord> Simulation::parts_of_step(std::optional<State>& before) {
-  // Parts are dyadic shares of the step, so that their ends fall on the step's end exactly. A part that is refused is
-  // halved; what is left of the step is then tried at once again.
-  std::vector<StepRecord> records;
+std::vector<SubstepRecord> Simulation::make_substeps(std::optional<State>& before) {
+  // Substeps are dyadic fractions of the step, so that their ends fall on the step's end exactly. A substep that is
+  // refused is halved. Once the halves of a longer one are made, the next one is as long again.
+  std::vector<SubstepRecord> records;
   const auto whole = static_cast<double>(steps_ - 1);
   const RefusedCounts refused_before = refused_;
   Refusal refusal;  // the latest
   const auto why = [&] {
     return fmt::format("({}): {}", refused_for_person(refused_, refused_before),
-                       refusal_for_person(refusal, scene_, system_, elements_, state_.q));
+                       refusal_for_person(refusal, scene_, system_, colliders_, state_.q));
   };
-  double done = 0, share = 1;
-  int halvings = 0, parts = 0;
+  double done = 0, fraction = 1;
+  int halvings = 0, tries = 0;
   while (done < 1) {
-    if (before_part_) before_part_();
-    const double start = time_at(whole + done), end = time_at(whole + done + share);
-    if (++parts > kMostParts) {
+    cancel_.check();
+    const double start = time_at(whole + done), end = time_at(whole + done + fraction);
+    if (++tries > kMostSubsteps) {
       throw Error(fmt::format("step {} cannot be taken: after {} tries of its parts it has come to {:.9g} s {}", steps_,
-                              kMostParts, start, why()));
+                              kMostSubsteps, start, why()));
     }
-    StepRecord record;
-    record.step = steps_;
-    if (share < 1 && !before) before = state_;
-    const auto tried = try_part(end - start, end, record);
-    if (!tried) {
-      records.push_back(record);
-      done += share;
-      while (halvings > 0 && std::fmod(done, 2 * share) == 0) {
-        share *= 2;
+    if (fraction < 1 && !before) before = state_;
+    const auto tried = try_substep(end - start, end);
+    if (const auto* const record = std::get_if<SubstepRecord>(&tried)) {
+      records.push_back(*record);
+      done += fraction;
+      while (halvings > 0 && std::fmod(done, 2 * fraction) == 0) {
+        fraction *= 2;
         --halvings;
       }
       continue;
     }
-    refusal = *tried;
+    refusal = std::get<Refusal>(tried);
     count(refused_, refusal.cause);
-    share /= 2;
+    fraction /= 2;
     if (++halvings > kMostHalvings) {
       throw Error(fmt::format("step {} at {:.9g} s cannot be taken, not even in parts of {:.3g} s {}", steps_, start,
                               end - start, why()));
@@ -113,73 +129,79 @@ std::vector<StepRecord> Simulation::parts_of_step(std::optional<State>& before) 
   return records;
 }
 
-std::optional<Refusal> Simulation::try_part(double h, double end_time, StepRecord& record) {
+std::variant<SubstepRecord, Refusal> Simulation::try_substep(double h, double end_time) {
   Advance advance = [&] {
     const PhaseClock clock(times_.integration);
     return stepper_.advance(state_, h);
   }();
-  const auto refused = [](Cause cause) {
-    Refusal refusal;
-    refusal.cause = cause;
-    return refusal;
-  };
-  const auto not_converged = [&](const Mover& mover, bool with_contacts) {
-    Refusal refusal = refused(Cause::not_converged);
-    refusal.mover = mover;
-    refusal.with_contacts = with_contacts;
-    return refusal;
-  };
-  if (!advance.converged) return not_converged(advance.mover, false);
-  // Halving helps until steps are as short as what the elements and contacts answer in; after that, the step is better
-  // taken than halved for ever.
-  const bool may_be_cut = narrow_phase_ == NarrowPhase::exact && h > scene_.settings.time_step / kEnergyParts;
-  if (advance.gained_energy && may_be_cut) return refused(Cause::gained_energy);
-  record.gained_energy = advance.gained_energy ? 1 : 0;
-  State& next = advance.state;
-  switch (response_.respond(stepper_, state_, h, next, record.response, times_)) {
-    case Response::Outcome::done: break;
-    case Response::Outcome::not_converged: return not_converged(response_.trouble().mover, true);
-    case Response::Outcome::not_resolved: {
-      Refusal refusal = refused(Cause::not_resolved);
-      if (const auto& left = response_.trouble().left) {
-        refusal.pair = left->pair;
-        refusal.place = place_of(*left, state_.q);
-      }
-      return refusal;
-    }
-    case Response::Outcome::gained_energy:
-      if (may_be_cut) return refused(Cause::gained_energy);
-      record.gained_energy = 1;
-      break;
+  if (!advance.converged) return not_converged(advance.largest_change, false);
+  const bool may_be_halved =
+      narrow_phase_ == NarrowPhase::exact && h > scene_.settings.time_step / kMostSubstepsForEnergy;
+  if (advance.gained_energy && may_be_halved) return refused_for(Cause::gained_energy);
+
+  ResponseResult response = response_.respond({&state_, h, std::move(advance.state)});
+  times_ += response.times;
+  const bool contacts_gained = response.outcome == ResponseResult::Outcome::gained_energy;
+  if (response.outcome != ResponseResult::Outcome::done && (!contacts_gained || may_be_halved)) {
+    return refusal_of(response);
   }
+  State& next = response.end;
   if (!next.q.allFinite() || !next.v.allFinite()) return not_converged({}, false);
 
-  const PhaseClock clock(times_.proof);
-  // The proof looks at the positions as they are stored, and finds its own candidates.
-  const std::vector<Pair> pairs = elements_.candidates(state_.q, next.q, 0);
   std::vector<Crossing> crossings;
-  record.proof.pairs = pairs.size();
-  record.proof.levels = prover_.contacts(pairs, state_.q, next.q, [&](std::size_t i, const Answer& answer) {
-    crossings.push_back({record.step, state_.time + answer.toi * h, elements_.place(pairs[i], state_.q, next.q, answer),
-                         pairs[i], answer});
-  });
-  record.proof.crossings = crossings.size();
+  const Proof proof = prove(next, h, crossings);
   if (!crossings.empty() && narrow_phase_ == NarrowPhase::exact) {
-    Refusal refusal = refused(Cause::not_certified);
+    Refusal refusal = refused_for(Cause::not_certified);
     refusal.pair = crossings.front().pair;
-    refusal.place = crossings.front().place;
+    refusal.point = crossings.front().point;
     return refusal;
   }
   crossings_.insert(crossings_.end(), crossings.begin(), crossings.end());
-
   next.time = end_time;
   state_ = std::move(next);
+
+  SubstepRecord record;
+  record.step = steps_;
   record.time = end_time;
   record.length = h;
-  record.newton_iterations = advance.iterations + record.response.newton_iterations;
-  record.newton_convex = advance.convex;
+  record.newton_iterations = advance.iterations + response.counts.newton_iterations;
+  record.newton_projected = advance.projected;
   record.first_order = advance.first_order ? 1 : 0;
-  return std::nullopt;
+  record.gained_energy = advance.gained_energy || contacts_gained ? 1 : 0;
+  record.response = response.counts;
+  record.proof = proof;
+  return record;
+}
+
+Refusal Simulation::refusal_of(const ResponseResult& response) const {
+  switch (response.outcome) {
+    case ResponseResult::Outcome::not_converged: return not_converged(response.largest_change, true);
+    case ResponseResult::Outcome::not_resolved: {
+      Refusal refusal = refused_for(Cause::not_resolved);
+      if (response.left) {
+        refusal.pair = response.left->pair;
+        refusal.point = contact_point(*response.left, state_.q);
+      }
+      return refusal;
+    }
+    case ResponseResult::Outcome::done:
+    case ResponseResult::Outcome::gained_energy: break;
+  }
+  return refused_for(Cause::gained_energy);
+}
+
+/// Looks at the positions as they are stored, and finds its own candidates.
+Proof Simulation::prove(const State& end, double h, std::vector<Crossing>& crossings) {
+  const PhaseClock clock(times_.proof);
+  const std::vector<Pair> pairs = colliders_.candidates(state_.q, end.q, 0);
+  Proof proof;
+  proof.pairs = pairs.size();
+  proof.levels = prover_.contacts(pairs, state_.q, end.q, [&](std::size_t i, const Answer& answer) {
+    crossings.push_back({steps_, state_.time + answer.toi * h,
+                         colliders_.contact_point(pairs[i], state_.q, end.q, answer), pairs[i], answer});
+  });
+  proof.crossings = crossings.size();
+  return proof;
 }
 
 }  // namespace touchstone::sim

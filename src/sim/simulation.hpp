@@ -3,16 +3,18 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
+#include "dynamics/energy_budget.hpp"
+#include "dynamics/stepper.hpp"
+#include "linear/cancellation.hpp"
 #include "sim/phase_times.hpp"
 #include "sim/refusal.hpp"
 #include "sim/response.hpp"
-#include "dynamics/stepper.hpp"
 
 namespace touchstone::sim {
 
@@ -20,7 +22,7 @@ namespace touchstone::sim {
 struct Crossing {
   std::uint64_t step = 0;
   double time = 0;                  ///< s, when they touch first
-  Vector3 place = Vector3::Zero();  ///< m, where
+  Vector3 point = Vector3::Zero();  ///< m, where
   Pair pair;
   Answer answer;
 };
@@ -32,14 +34,14 @@ struct Proof {
   std::uint64_t crossings = 0;
 };
 
-/// What happened in one step, or in one part of a step that had to be shortened.
-struct StepRecord {
+/// The course of one substep: of a whole step, or of a part of one that had to be shortened.
+struct SubstepRecord {
   std::uint64_t step = 0;  ///< from 1
   double time = 0;         ///< s, at its end
   double length = 0;       ///< s
-  int newton_iterations = 0, newton_convex = 0;
+  int newton_iterations = 0, newton_projected = 0;
   int first_order = 0;    ///< 1 when implicit Euler stood in for the scene's own method
-  int gained_energy = 0;  ///< 1 when the part gained energy, and was too short to be cut again
+  int gained_energy = 0;  ///< 1 when the substep gained energy, and was too short to be halved again
   ResponseCounts response;
   Proof proof;
 };
@@ -47,7 +49,9 @@ struct StepRecord {
 struct SimulationOptions {
   NarrowPhase narrow_phase = NarrowPhase::exact;
   int threads = 1;
-  std::function<void()> before_part = {};  ///< may throw to end the run: the step under way has not been made then
+  /// Called between substeps, iterations of Newton's method and passes over contacts. It may throw to end the run: the
+  /// step under way has not been made then.
+  std::function<void()> check_cancelled = {};
 };
 
 class Simulation {
@@ -58,14 +62,16 @@ class Simulation {
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  /// Moves on by settings.time_step, in shorter parts where a whole step is refused.
-  /// @returns a record of each part @throws Error when even the shortest part is refused, naming what is in the way and
-  /// what would be right, or what before_part or the sink of queries throws: nothing has moved then
-  std::vector<StepRecord> step();
+  /// Moves on by settings.time_step, in shorter substeps where a whole step is refused. Nothing has moved when it
+  /// throws.
+  /// @returns a record of each substep
+  /// @throws Error when even the shortest substep is refused, naming the elements in the way and what would be right;
+  /// and any exception of check_cancelled and of the sink of queries
+  std::vector<SubstepRecord> step();
 
   const Scene& scene() const noexcept { return scene_; }
   const System& system() const noexcept { return system_; }
-  const Elements& elements() const noexcept { return elements_; }
+  const Colliders& colliders() const noexcept { return colliders_; }
   const State& state() const noexcept { return state_; }
   std::uint64_t steps() const noexcept { return steps_; }
   const std::vector<Crossing>& crossings() const noexcept { return crossings_; }
@@ -76,8 +82,8 @@ class Simulation {
   const PhaseTimes& times() const noexcept { return times_; }
   Energies energies() const { return sim::energies(system_, state_); }
 
-  /// Goes on from a state of the same scene. @throws Error as check_state does, or when elements touch: it stays where
-  /// it is then
+  /// Goes on from a state of the same scene.
+  /// @throws Error as check_state does, or when elements touch. The simulation stays at its own state then
   void resume(State state, std::uint64_t steps);
 
   /// Sees every query of the proofs, with its answer.
@@ -86,19 +92,21 @@ class Simulation {
  private:
   double time_at(double steps) const noexcept { return steps * scene_.settings.time_step; }
   void check_start(const State& state, std::string_view what);
-  /// @param before  set to the state before the step, once a part may move it
-  std::vector<StepRecord> parts_of_step(std::optional<State>& before);
-  /// The part, or why it is not taken.
-  std::optional<Refusal> try_part(double h, double end_time, StepRecord& record);
+  /// @param before  set to the state before the step, once a substep may move it
+  std::vector<SubstepRecord> make_substeps(std::optional<State>& before);
+  /// Moves the state on by h seconds, unless the substep is refused.
+  std::variant<SubstepRecord, Refusal> try_substep(double h, double end_time);
+  Refusal refusal_of(const ResponseResult& response) const;
+  Proof prove(const State& end, double h, std::vector<Crossing>& crossings);
 
+  linear::Cancellation cancel_;
   Scene scene_;
   System system_;
-  Elements elements_;
+  Colliders colliders_;
   Stepper stepper_;
   Response response_;
   PairSolver prover_;
   NarrowPhase narrow_phase_;
-  std::function<void()> before_part_;
   State state_;
   std::uint64_t steps_ = 0;
   std::vector<Crossing> crossings_;

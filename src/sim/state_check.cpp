@@ -27,11 +27,25 @@ constexpr double kUnit = 4 * kEpsilon;
 // tangent, and |r| may be as small as 1e-8 (unit_perpendicular): 1.3e-6.
 constexpr double kAcross = 2e-6;
 
-// Below this, squared lengths underflow, and a segment has no tangent.
+// m. Squared lengths of shorter segments underflow, and these have no tangent.
 constexpr double kShortest = 1e-150;
 
-// A frame may be turned by half a turn in one go: no run has so many goes as this takes.
+// Radians. A frame turns by half a turn at most in each substep: no run has so many substeps as this takes.
 constexpr double kMostTwist = 1e12;
+
+// 1 + cosine of the angle between two segments. Below it they are so near to a fold, which has no shortest rotation,
+// that parallel_transport takes another way.
+constexpr double kFold = 1e-11;
+
+// Radians: rounding of the twist between two directors, which the steps of a run add up. Near a fold, rounding turns
+// the shortest rotation by so many epsilon over 1 + the cosine.
+constexpr double kTwistRounding = 1e-9;
+constexpr double kFoldRounding = 64 * kEpsilon;
+
+// A driven coordinate's velocity is a difference of two rounded positions over the length of a substep, of unknown
+// length: epsilon of the positions, with room for the interpolation of the path. Its speed is rounded, too.
+constexpr double kPathRounding = 16 * kEpsilon;
+constexpr double kSpeedRounding = 1.000001;
 
 [[noreturn]] void fail(std::string_view key, std::size_t number, const std::string& reason) {
   throw Error(fmt::format("{}[{}]: {}", key, number, reason));
@@ -96,7 +110,6 @@ void check_held(const Scene& scene, const System& system, const State& state) {
   VectorX moved = VectorX::Constant(system.size(), none);  // by paths and turned ends
   system.prescribe(state.time, moved);
   const Driven driven = driven_of(scene);
-  // A velocity is what a part of a step has moved it by, each end being rounded; which part is not known.
   const double shortest = std::ldexp(scene.settings.time_step, -kMostHalvings);
   for (std::size_t i = 0; i < system.fixed.size(); ++i) {
     if (!system.fixed[i]) continue;
@@ -109,8 +122,8 @@ void check_held(const Scene& scene, const System& system, const State& state) {
                        state.time, io::hexfloat(held), io::hexfloat(state.q[at])));
     }
     if (!moves && state.v[at] != 0) fail("v", i, coordinate_name(system, i) + " is held: its velocity must be 0");
-    const double rounding = 16 * kEpsilon * (driven.reach + std::abs(held)) / shortest;
-    if (std::abs(state.v[at]) <= driven.speed * 1.000001 + rounding) continue;
+    const double rounding = kPathRounding * (driven.reach + std::abs(held)) / shortest;
+    if (std::abs(state.v[at]) <= driven.speed * kSpeedRounding + rounding) continue;
     fail("v", i,
          fmt::format("{} is driven, and nothing in this scene is driven faster than {:.6g}", coordinate_name(system, i),
                      driven.speed));
@@ -156,11 +169,9 @@ void check_twists(const System& system, const State& state) {
     }
     if (!has_tangent(state, e) || !has_tangent(state, f)) continue;
     const Vector3 te = tangent(state, e), tf = tangent(state, f);
-    // Rounding turns the shortest rotation by so much the more the nearer the segments are to a fold, where there is
-    // none; parallel_transport takes another way there.
     const double fold = 1 + te.dot(tf);
-    if (fold < 1e-11) continue;
-    const double tolerance = 1e-9 + 64 * kEpsilon / fold + kEpsilon * std::abs(twist);
+    if (fold < kFold) continue;
+    const double tolerance = kTwistRounding + kFoldRounding / fold + kEpsilon * std::abs(twist);
     const Vector3 over = unit_perpendicular(parallel_transport(state.frames.director[joint.e], te, tf), tf);
     const double off = signed_angle(turned(over, tf, twist), state.frames.director[joint.f], tf);
     if (std::abs(off) <= tolerance) continue;

@@ -13,8 +13,8 @@
 #include "support/catch.hpp"
 
 using namespace touchstone;
-using numbers::Exact;
 using broad_phase::MovingBox;
+using numbers::Exact;
 using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
 namespace {
@@ -123,7 +123,8 @@ TEST_CASE("each pair of boxes that meet is found once, and no other") {
   }
   CHECK(found_in_all > 1000);
   broad_phase::for_each_pair({}, [](std::uint32_t, std::uint32_t) { FAIL("there is nothing"); });
-  broad_phase::for_each_pair({}, {broad_phase::empty_moving_box()}, [](std::uint32_t, std::uint32_t) { FAIL("there is nothing"); });
+  broad_phase::for_each_pair({}, {broad_phase::empty_moving_box()},
+                             [](std::uint32_t, std::uint32_t) { FAIL("there is nothing"); });
 }
 
 TEST_CASE("boxes that are all alike, or in one place at one end of the step, make no deep tree and lose no pair") {

@@ -71,7 +71,7 @@ int main(int count, char** arguments) {
   Simulation simulation(scene_of(arguments[1], count > 2), {});
   std::uint64_t contacts = 0, solves = 0;
   for (int i = 0; i < 25; ++i) {
-    for (const StepRecord& record : simulation.step()) {
+    for (const SubstepRecord& record : simulation.step()) {
       contacts += record.response.contacts;
       solves += static_cast<std::uint64_t>(record.response.solves);
     }

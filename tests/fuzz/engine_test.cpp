@@ -107,7 +107,7 @@ TEST_CASE("a planted bug of every class is found, counted and kept through shrin
     CHECK(kinds.insert(finding.degeneracy).second);
     const Query& query = finding.example.query;
     const Answer truth = solve(query, Method::exact);
-    const auto failure = fuzz::failure_of(solver->ask(query), truth, settings.early);
+    const auto failure = fuzz::failure_of(query, solver->ask(query), truth, settings.early);
     REQUIRE(failure.has_value());
     CHECK(failure->failure == planted.failure);
     CHECK(failure->failure == finding.failure);

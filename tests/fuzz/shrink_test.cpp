@@ -69,7 +69,7 @@ TEST_CASE("most shrunk failures of solvers in doubles are integers or halves bel
     const Query& query = finding.example.query;
     CAPTURE(fuzz::case_text(finding.example.name), cpp_initializer(query));
     const Answer truth = solve(query, Method::exact);
-    const auto failure = fuzz::failure_of(solver->ask(query), truth, {});
+    const auto failure = fuzz::failure_of(query, solver->ask(query), truth, {});
     REQUIRE(failure.has_value());
     CHECK(failure->failure == finding.failure);
     CHECK(fuzz::degeneracy_of(query, truth) == finding.degeneracy);

@@ -65,7 +65,7 @@ TEST_CASE("V by CGAL is V by our own exact arithmetic, in every family and at ev
       for (std::uint64_t index = 0; index < 60; ++index) {
         const CaseId id{family.family, kind, 91, index};
         const Query query = make(id);
-        const Answer answer = exact::decide(query, 1);
+        const Answer answer = exact::decide_exactly(query, 1);
         const double toi = answer.contact ? answer.toi : 0x1.fp-40;
         for (const double t :
              {0.0, 1.0, 0.5, 0x1.5555555555555p-2, toi, answer.contact ? answer.toi_upper : 0x1p-1074}) {
@@ -93,12 +93,12 @@ TEST_CASE("the bracket level asks CGAL for values, and decides by them") {
         const Query query = make(id);
         const long before = asked;
         Answer answer;
-        const auto decision = filters::decide(query, 1, filters::Want::everything, counted_coplanarity_at, answer);
-        if (asked == before || decision == filters::Decision::uncertain) continue;
+        const auto [finding, test] = filters::decide_by_filters({query, 1, counted_coplanarity_at}, answer);
+        if (asked == before || finding == filters::Finding::uncertain) continue;
         ++decided;
-        const Answer truth = exact::decide(query, 1);
+        const Answer truth = exact::decide_exactly(query, 1);
         INFO(case_name(id) << "  " << cpp_initializer(query));
-        REQUIRE((decision == filters::Decision::contact) == truth.contact);
+        REQUIRE((finding == filters::Finding::contact) == truth.contact);
         if (!truth.contact) continue;
         REQUIRE(answer.toi == truth.toi);
         REQUIRE(answer.toi_upper == truth.toi_upper);

@@ -16,14 +16,14 @@ bool has(const std::array<Index, N>& element, Index particle) {
 
 }  // namespace
 
-std::vector<Pair> all_pairs(const Scene& scene, const Elements& elements) {
+std::vector<Pair> all_pairs(const Scene& scene, const Colliders& colliders) {
   std::vector<Pair> pairs;
   std::set<PairKey> folds;
   const auto fold = [&](Index end, Index edge) {
     const Pair pair{Kind::point_edge, end, edge};
     if (folds.insert(key(pair)).second) pairs.push_back(pair);
   };
-  const auto& edges = elements.edges();
+  const auto& edges = colliders.edges();
   std::vector<char> in_edge(scene.particles.size(), 0);
   for (Index e = 0; e < edges.size(); ++e) {
     in_edge[edges[e][0]] = in_edge[edges[e][1]] = 1;
@@ -39,8 +39,8 @@ std::vector<Pair> all_pairs(const Scene& scene, const Elements& elements) {
     }
   }
   for (Index p = 0; p < scene.particles.size(); ++p) {
-    for (Index f = 0; f < elements.faces().size(); ++f) {
-      if (!has(elements.faces()[f], p)) pairs.push_back({Kind::vertex_face, p, f});
+    for (Index f = 0; f < colliders.faces().size(); ++f) {
+      if (!has(colliders.faces()[f], p)) pairs.push_back({Kind::vertex_face, p, f});
     }
     if (in_edge[p]) continue;
     for (Index e = 0; e < edges.size(); ++e) pairs.push_back({Kind::point_edge, p, e});

@@ -5,8 +5,8 @@
 #include <tuple>
 #include <vector>
 
-#include "seeded/rng.hpp"
 #include "contact/colliders.hpp"
+#include "seeded/rng.hpp"
 
 namespace touchstone::sim {
 
@@ -14,7 +14,7 @@ using PairKey = std::tuple<Kind, Index, Index>;
 inline PairKey key(const Pair& pair) { return {pair.kind, pair.i, pair.j}; }
 
 /// Every pair that could touch in a scene whose particles all collide and all may move.
-std::vector<Pair> all_pairs(const Scene& scene, const Elements& elements);
+std::vector<Pair> all_pairs(const Scene& scene, const Colliders& colliders);
 
 /// Edges, faces, folds and loose particles. On a grid boxes touch more often than they overlap.
 Scene random_scene(seeded::Rng& random, bool on_grid);

@@ -6,8 +6,8 @@
 
 #include <touchstone/solve.hpp>
 
-#include "sim/all_pairs.hpp"
 #include "contact/contact_finder.hpp"
+#include "sim/all_pairs.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone;
@@ -20,12 +20,12 @@ TEST_CASE("contacts are found in the order of time, and again after ends have mo
   for (int round = 0; round < 60; ++round) {
     const Scene scene = random_scene(random, false);
     const System system(scene);
-    const Elements elements(scene, system);
-    const std::vector<Pair> all = all_pairs(scene, elements);
+    const Colliders colliders(scene, system);
+    const std::vector<Pair> all = all_pairs(scene, colliders);
     const VectorX x0 = system.initial_position;
     VectorX x1 = x0;
     for (double& x : x1) x += 0.7 * random.symmetric();
-    ContactFinder finder(elements, NarrowPhase::exact, 1);
+    ContactFinder finder(colliders, NarrowPhase::exact, 1);
     const double margin = 0.05;
     finder.begin(x0, x1, margin);
     std::vector<Contact> found;
@@ -35,12 +35,12 @@ TEST_CASE("contacts are found in the order of time, and again after ends have mo
       finder.find(x1, found, counts);
       std::set<PairKey> expected, keys;
       for (const Pair& pair : all) {
-        if (solve(elements.query(pair, x0, x1)).contact) expected.insert(key(pair));
+        if (solve(colliders.query(pair, x0, x1)).contact) expected.insert(key(pair));
       }
       double last = 0;
       for (const Contact& contact : found) {
         CHECK(keys.insert(key(contact.pair)).second);
-        CHECK(contact.time == solve(elements.query(contact.pair, x0, x1)).toi);
+        CHECK(contact.time == solve(colliders.query(contact.pair, x0, x1)).toi);
         CHECK(contact.time >= last);
         last = contact.time;
       }
@@ -76,17 +76,17 @@ TEST_CASE("what is nearer than the thickness at the start is found, each once, w
   for (int round = 0; round < 60; ++round) {
     const Scene scene = random_scene(random, false);
     const System system(scene);
-    const Elements elements(scene, system);
+    const Colliders colliders(scene, system);
     const VectorX x0 = system.initial_position;
     VectorX x1 = x0;
     for (double& x : x1) x += 0.1 * random.symmetric();
     const double thickness = 0.1;
-    ContactFinder finder(elements, NarrowPhase::exact, 1);
+    ContactFinder finder(colliders, NarrowPhase::exact, 1);
     finder.begin(x0, x1, thickness);
     std::set<PairKey> expected, keys;
-    for (const Pair& pair : all_pairs(scene, elements)) {
+    for (const Pair& pair : all_pairs(scene, colliders)) {
       Contact contact;
-      if (proximity(elements, pair, x0, thickness, contact)) expected.insert(key(pair));
+      if (proximity(colliders, pair, x0, thickness, contact)) expected.insert(key(pair));
     }
     for (const Contact& contact : finder.close(thickness)) {
       CHECK(keys.insert(key(contact.pair)).second);
@@ -105,7 +105,7 @@ TEST_CASE("what is nearer than the thickness at the start is found, each once, w
           there.segment<3>(3 * static_cast<Eigen::Index>(contact.particles[c])) +=
               (edges ? share : -share) * contact.gap * contact.normal;
         }
-        CHECK(solve(elements.query(contact.pair, x0, there)).contact == (share > 1));
+        CHECK(solve(colliders.query(contact.pair, x0, there)).contact == (share > 1));
       }
       ++near;
     }

@@ -6,8 +6,8 @@
 
 #include <touchstone/solve.hpp>
 
-#include "seeded/rng.hpp"
 #include "contact/contact.hpp"
+#include "seeded/rng.hpp"
 #include "sim/sim_scenes.hpp"
 #include "support/catch.hpp"
 
@@ -69,7 +69,7 @@ TEST_CASE("an impulse reverses the approach, keeps momenta, and takes the energy
     const Kind kind = random.one_in(2) ? Kind::edge_edge : Kind::vertex_face;
     const Encounter encounter(random, kind);
     const System system(encounter.scene);
-    const Elements elements(encounter.scene, system);
+    const Colliders colliders(encounter.scene, system);
     const VectorX x0 = system.initial_position;
     VectorX x1 = x0;
     bool any_pinned = false;
@@ -82,9 +82,9 @@ TEST_CASE("an impulse reverses the approach, keeps momenta, and takes the energy
       x1.segment<3>(3 * p) += 2 * random_vector(random);
       inverse_mass.segment<3>(3 * p).setConstant(1 / system.mass[3 * p]);
     }
-    const Answer answer = solve(elements.query(encounter.pair, x0, x1));
+    const Answer answer = solve(colliders.query(encounter.pair, x0, x1));
     if (!answer.contact || answer.nature != Nature::crossing || answer.toi == 0) continue;
-    const Contact contact = contact_of(elements, encounter.pair, x0, x1, answer, true);
+    const Contact contact = contact_of(colliders, encounter.pair, x0, x1, answer, true);
     // The normal has length 1, is across both elements, and points to the side that they came from.
     CHECK(contact.normal.norm() == Approx(1));
     CHECK(contact.gap > 0);
@@ -133,14 +133,14 @@ TEST_CASE("an impulse reverses the approach, keeps momenta, and takes the energy
     REQUIRE(before < 0);
     if (!(k > 1e-9)) continue;  // it touches what is pinned, and nothing else
     const Sums start = sums(system, x0, x1, contact.time, moved);
-    VectorX pushed = VectorX::Zero(12), after = x1;
-    CHECK(resolve(contact, rule, {&x0, &after, &pushed, &inverse_mass}));
+    VectorX correction = VectorX::Zero(12), after = x1;
+    CHECK(apply_impulse(contact, rule, {&x0, &after, &correction, &inverse_mass}));
     const double scale = 1 + std::abs(before) / k;
     CHECK(normal_speed(after) == Approx(-rule.restitution * before).margin(1e-11 * (1 + std::abs(before))));
     const Sums end = sums(system, x0, after, contact.time, moved);
     CHECK(end.kinetic == Approx(start.kinetic - (1 - rule.restitution * rule.restitution) * before * before / (2 * k))
                              .margin(1e-9 * (1 + start.kinetic) * scale));
-    CHECK(pushed.isZero(0));
+    CHECK(correction.isZero(0));
     if (any_pinned) {
       ++pinned;
     } else {
@@ -153,7 +153,7 @@ TEST_CASE("an impulse reverses the approach, keeps momenta, and takes the energy
     }
     // Once they separate there is nothing to do.
     const VectorX again = after;
-    CHECK_FALSE(resolve(contact, rule, {&x0, &after, &pushed, &inverse_mass}));
+    CHECK_FALSE(apply_impulse(contact, rule, {&x0, &after, &correction, &inverse_mass}));
     CHECK(after == again);
     (kind == Kind::edge_edge ? edges : faces) += 1;
   }
@@ -168,17 +168,17 @@ TEST_CASE("friction shrinks the slip by its coefficient times what the normal ve
   for (int attempt = 0; attempt < 20000 && sticks + slides < 400; ++attempt) {
     const Encounter encounter(random, random.one_in(2) ? Kind::edge_edge : Kind::vertex_face);
     const System system(encounter.scene);
-    const Elements elements(encounter.scene, system);
+    const Colliders colliders(encounter.scene, system);
     const VectorX x0 = system.initial_position;
-    VectorX x1 = x0, inverse_mass = VectorX::Zero(12), pushed = VectorX::Zero(12);
+    VectorX x1 = x0, inverse_mass = VectorX::Zero(12), correction = VectorX::Zero(12);
     for (Index p = 0; p < 4; ++p) {
       if (encounter.scene.particles[p].pinned()) continue;
       x1.segment<3>(3 * p) += 2 * random_vector(random);
       inverse_mass.segment<3>(3 * p).setConstant(1 / system.mass[3 * p]);
     }
-    const Answer answer = solve(elements.query(encounter.pair, x0, x1));
+    const Answer answer = solve(colliders.query(encounter.pair, x0, x1));
     if (!answer.contact || answer.nature != Nature::crossing || answer.toi == 0) continue;
-    const Contact contact = contact_of(elements, encounter.pair, x0, x1, answer, true);
+    const Contact contact = contact_of(colliders, encounter.pair, x0, x1, answer, true);
     const auto relative = [&](const VectorX& end) {
       Vector3 speed = Vector3::Zero();
       for (std::size_t c = 0; c < 4; ++c)
@@ -196,7 +196,7 @@ TEST_CASE("friction shrinks the slip by its coefficient times what the normal ve
     const double normal = contact.normal.dot(before);
     const Vector3 slip = before - normal * contact.normal;
     VectorX after = x1;
-    REQUIRE(resolve(contact, rule, {&x0, &after, &pushed, &inverse_mass}));
+    REQUIRE(apply_impulse(contact, rule, {&x0, &after, &correction, &inverse_mass}));
     const double share = std::max(1 - rule.friction * (1 + rule.restitution) * std::abs(normal) / slip.norm(), 0.0);
     const Vector3 expected = -rule.restitution * normal * contact.normal + share * slip;
     CHECK((relative(after) - expected).norm() < 1e-10 * (1 + before.norm()));
@@ -218,20 +218,20 @@ TEST_CASE("friction takes at most its coefficient times the normal impulse, and 
   for (Index p = 1; p < 4; ++p) scene.particles[p].fixed = {true, true, true};
   scene.faces = {{1, 2, 3}};
   const System system(scene);
-  const Elements elements(scene, system);
+  const Colliders colliders(scene, system);
   const VectorX x0 = system.initial_position;
   VectorX inverse_mass = VectorX::Zero(12);
   inverse_mass.head<3>().setConstant(0.5);
   for (const double slip : {0.1, 0.59, 0.61, 3.0}) {
-    VectorX x1 = x0, pushed = VectorX::Zero(12);
+    VectorX x1 = x0, correction = VectorX::Zero(12);
     x1.head<3>() += Vector3(slip, 0, -1);
-    const Answer answer = solve(elements.query({Kind::vertex_face, 0, 0}, x0, x1));
+    const Answer answer = solve(colliders.query({Kind::vertex_face, 0, 0}, x0, x1));
     REQUIRE(answer.contact);
-    const Contact contact = contact_of(elements, {Kind::vertex_face, 0, 0}, x0, x1, answer, true);
+    const Contact contact = contact_of(colliders, {Kind::vertex_face, 0, 0}, x0, x1, answer, true);
     ImpulseRule rule;
     rule.restitution = 0.5;
     rule.friction = 0.4;
-    resolve(contact, rule, {&x0, &x1, &pushed, &inverse_mass});
+    apply_impulse(contact, rule, {&x0, &x1, &correction, &inverse_mass});
     CHECK(x1[2] - x0[2] == Approx(0.5));
     CHECK(x1[0] - x0[0] == Approx(std::max(0.0, slip - 0.4 * 1.5)).margin(1e-12));  // |dv_n| = 1.5
   }
@@ -247,18 +247,18 @@ TEST_CASE("elements nearer than the thickness are pushed apart, without velocity
   for (Particle& p : scene.particles) p.mass = 1;
   scene.wires = {{0, 1}, {2, 3}};
   const System system(scene);
-  const Elements elements(scene, system);
+  const Colliders colliders(scene, system);
   const VectorX x0 = system.initial_position, inverse_mass = VectorX::Ones(12);
   Contact contact;
-  CHECK_FALSE(proximity(elements, {Kind::edge_edge, 0, 1}, x0, 0.0099, contact));
-  REQUIRE(proximity(elements, {Kind::edge_edge, 0, 1}, x0, 0.03, contact));
+  CHECK_FALSE(proximity(colliders, {Kind::edge_edge, 0, 1}, x0, 0.0099, contact));
+  REQUIRE(proximity(colliders, {Kind::edge_edge, 0, 1}, x0, 0.03, contact));
   CHECK(contact.gap == Approx(0.01));
   CHECK(contact.normal.z() == Approx(1));
   ImpulseRule rule;
   rule.thickness = 0.03;
   rule.recovery = 0.1;
-  VectorX x1 = x0, pushed = VectorX::Zero(12);
-  CHECK(resolve(contact, rule, {&x0, &x1, &pushed, &inverse_mass}));
+  VectorX x1 = x0, correction = VectorX::Zero(12);
+  CHECK(apply_impulse(contact, rule, {&x0, &x1, &correction, &inverse_mass}));
   CHECK(x1[8] - x1[2] == Approx(0.01 + 0.1 * 0.02));
-  CHECK((x1 - x0 - pushed).lpNorm<Eigen::Infinity>() < 1e-15);
+  CHECK((x1 - x0 - correction).lpNorm<Eigen::Infinity>() < 1e-15);
 }

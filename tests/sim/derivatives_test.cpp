@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "seeded/rng.hpp"
 #include "rods/energy.hpp"
+#include "seeded/rng.hpp"
 #include "sim/sim_scenes.hpp"
 #include "support/catch.hpp"
 
@@ -71,7 +71,7 @@ TEST_CASE("the gradient is that of the energy, by central differences") {
     const Energy energy(place.system);
     const Strains strains = energy.elastic();
     VectorX gradient = VectorX::Zero(place.q.size());
-    energy.derivatives(place.q, place.frames, 0, strains, Curvature::exact, gradient, nullptr);
+    energy.derivatives(place.q, place.frames, 0, strains, Hessian::exact, gradient, nullptr);
     const double step = 1e-5;
     for (Eigen::Index i = 0; i < place.q.size(); ++i) {
       const auto at = [&](double by) {
@@ -94,7 +94,7 @@ TEST_CASE("the Hessian is that of the energy, by second differences") {
     const Strains strains = energy.elastic();
     VectorX gradient = VectorX::Zero(place.q.size());
     DenseSink sink(place.system);
-    energy.derivatives(place.q, place.frames, 0, strains, Curvature::exact, gradient, &sink);
+    energy.derivatives(place.q, place.frames, 0, strains, Hessian::exact, gradient, &sink);
     const double step = 1e-4;
     for (Eigen::Index i = 0; i < place.q.size(); ++i) {
       for (Eigen::Index j = 0; j <= i; ++j) {
@@ -126,14 +126,14 @@ TEST_CASE("without twist, bending is that of the centreline alone, however far t
   CHECK(energy.value(place.q, place.frames, 0, energy.elastic()) == Approx(before).epsilon(1e-12));
 }
 
-TEST_CASE("the convex second derivatives have no negative eigenvalue, the exact ones do") {
+TEST_CASE("the projected Hessian has no negative eigenvalue, the exact one does") {
   const Place place = random_place(3, false);
   const Energy energy(place.system);
   VectorX gradient = VectorX::Zero(place.q.size());
-  DenseSink exact(place.system), convex(place.system);
-  energy.derivatives(place.q, place.frames, 0, energy.elastic(), Curvature::exact, gradient, &exact);
-  energy.derivatives(place.q, place.frames, 0, energy.elastic(), Curvature::convex, gradient, &convex);
-  CHECK(smallest_eigenvalue(convex.matrix) > -1e-9);
+  DenseSink exact(place.system), projected(place.system);
+  energy.derivatives(place.q, place.frames, 0, energy.elastic(), Hessian::exact, gradient, &exact);
+  energy.derivatives(place.q, place.frames, 0, energy.elastic(), Hessian::projected, gradient, &projected);
+  CHECK(smallest_eigenvalue(projected.matrix) > -1e-9);
   CHECK(smallest_eigenvalue(exact.matrix) < -1e-3);
 }
 

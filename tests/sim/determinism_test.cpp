@@ -4,10 +4,10 @@
 #include <functional>
 #include <string>
 
-#include "sim/checkpoint.hpp"
-#include "sim/output_text.hpp"
 #include "scene/parts.hpp"
 #include "scene/shipped_scenes.hpp"
+#include "sim/checkpoint.hpp"
+#include "sim/output_text.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone::sim;
@@ -21,7 +21,7 @@ struct Course {
 
 void go_on(Simulation& simulation, int steps, Course& course) {
   for (int i = 0; i < steps; ++i) {
-    for (const StepRecord& record : simulation.step()) {
+    for (const SubstepRecord& record : simulation.step()) {
       course.bytes += proof_row(record);
       course.contacts += record.response.contacts + record.response.close;
       course.most_pairs = std::max(course.most_pairs, record.proof.pairs);

@@ -52,7 +52,7 @@ struct Course {
 Course run(Simulation& simulation, int steps) {
   Course course;
   for (int i = 0; i < steps; ++i) {
-    for (const StepRecord& record : simulation.step()) {
+    for (const SubstepRecord& record : simulation.step()) {
       ++course.parts;
       course.contacts += record.response.contacts + record.response.close;
     }
@@ -136,20 +136,18 @@ TEST_CASE("a step in which a contact gives more than the driven face does is ref
       for (Particle& particle : scene.particles) particle.velocity = {0, 0, -3};
       add_plate(scene, -0.107, 0.6, 10);
       const System system(scene);
-      const Elements elements(scene, system);
+      const Colliders colliders(scene, system);
       Stepper stepper(system, scene.settings);
       const State start = stepper.initial();
-      Response response(elements, system, scene.settings, NarrowPhase::exact, 1);
+      Response response(colliders, system, scene.settings, NarrowPhase::exact, 1, stepper);
       const double h = scene.settings.time_step;
       const Advance free = stepper.advance(start, h);
       REQUIRE(free.converged);
-      State next = free.state;
-      ResponseCounts counts;
-      PhaseTimes times;
       CAPTURE(stiffness, restitution);
-      CHECK(response.respond(stepper, start, h, next, counts, times) ==
-            (restitution > 1 ? Response::Outcome::gained_energy : Response::Outcome::done));
-      CHECK(counts.contacts > 0);
+      const ResponseResult result = response.respond({&start, h, free.state});
+      CHECK(result.outcome ==
+            (restitution > 1 ? ResponseResult::Outcome::gained_energy : ResponseResult::Outcome::done));
+      CHECK(result.counts.contacts > 0);
     }
   }
 }

@@ -61,7 +61,7 @@ class Course {
   }
 
   /// Parts are shares 2^-k of the step that begin at multiples of themselves; after one that was cut they grow again.
-  void check_lengths(const std::vector<StepRecord>& records) {
+  void check_lengths(const std::vector<SubstepRecord>& records) {
     double done = 0;
     for (std::size_t part = 0; part < records.size(); ++part) {
       const double share = records[part].length / simulation_.scene().settings.time_step;
@@ -74,7 +74,7 @@ class Course {
     CHECK(done == Approx(1));
   }
 
-  void check(const StepRecord& record, const State& start, const State& end) {
+  void check(const SubstepRecord& record, const State& start, const State& end) {
     const std::uint64_t touched = record.response.contacts + record.response.close;
     contacts += touched;
     taken_all_the_same += static_cast<std::uint64_t>(record.gained_energy);

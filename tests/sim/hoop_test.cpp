@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/linking.hpp"
 #include "scene/shipped_scenes.hpp"
+#include "sim/linking.hpp"
 #include "sim/simulation.hpp"
 #include "support/catch.hpp"
 
@@ -57,7 +57,7 @@ TEST_CASE("ten seconds of the hoop: no crossing, the ball goes through rim and n
   REQUIRE(hoop.scene.cables.back().closed);
   REQUIRE_FALSE(hoop.scene.particles[hoop.middle].collides);
   Simulation simulation(hoop.scene, {});
-  CHECK(simulation.elements().edges().size() > 500);  // the paper's figure has as many
+  CHECK(simulation.colliders().edges().size() > 500);  // the paper's figure has as many
   // What the response says of itself: beyond the lifting of weight by the thickness, and 0.2 % of the kinetic and
   // stored energy, a step with contacts gains nothing.
   const double lifted = simulation.system().force.cwiseAbs().sum() * simulation.thickness();
@@ -71,7 +71,7 @@ TEST_CASE("ten seconds of the hoop: no crossing, the ball goes through rim and n
     const auto records = simulation.step();
     CHECK(records.size() == 1);  // no step had to be cut
     bool touched = false;
-    for (const StepRecord& record : records) {
+    for (const SubstepRecord& record : records) {
       CHECK(record.proof.crossings == 0);
       CHECK(record.gained_energy == 0);
       contacts += record.response.contacts;

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "dynamics/islands.hpp"
-#include "sim/sim_scenes.hpp"
-#include "linear/sparse_solver.hpp"
 #include "dynamics/stepper.hpp"
+#include "linear/sparse_solver.hpp"
+#include "sim/sim_scenes.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone::sim;
@@ -102,7 +102,7 @@ TEST_CASE("the sparse solver solves what it was given, components side by side o
   for (const std::size_t contacts : {0, 2, 1, 2, 0}) {
     CAPTURE(contacts);
     std::vector<linear::SparseSolver::Corners> corners{{0, 1, 2, 3, 4, 5, 24, 25, 26, -1, -1, -1},
-                                               {90, 91, 92, -1, 40, 41, 30, 31, 32, 33, 34, 35}};
+                                                       {90, 91, 92, -1, 40, 41, 30, 31, 32, 33, 34, 35}};
     corners.resize(contacts);
     solver.set_contacts(corners);
     Twin twin{&solver, Eigen::MatrixXd::Zero(kSize, kSize)};
@@ -158,19 +158,19 @@ TEST_CASE("a large system with contacts is solved to a hundredth, in the measure
   CHECK(error.dot(twin.dense * error) < 0.03 * 0.03 * expected.dot(twin.dense * expected));
 }
 
-TEST_CASE("Newton's method in parts ends where that on the whole scene does") {
+TEST_CASE("Newton's method on islands ends where that on the whole scene does") {
   const Scene scene = many_cables();
   const System system(scene);
   Settings settings;
   const Energy energy(system);
   linear::PatternCache cache;
   Newton whole(system, settings, cache);
-  Islands parts(system, settings);
+  Islands islands(system, settings);
   Stepper stepper(system, settings);
   State state = stepper.initial();
   const double h = settings.time_step;
-  // Two cables that are far from each other in number, and so in different parts, lean on each other, and one on what
-  // is held.
+  // Two cables that are far from each other in number, and so in different islands, lean on each other, and one leans
+  // on a held particle.
   ContactTerm between, held;
   between.particles = {10, 11, 786, 787};
   between.corners = 4;
@@ -197,7 +197,7 @@ TEST_CASE("Newton's method in parts ends where that on the whole scene does") {
     VectorX q = state.q, expected = state.q;
     Frames frames = state.frames, expected_frames = state.frames;
     REQUIRE(whole.minimise(stage, guess, expected, expected_frames).converged);
-    REQUIRE(parts.minimise(stage, guess, q, frames).converged);
+    REQUIRE(islands.minimise(stage, guess, q, frames).converged);
     CHECK((q - expected).lpNorm<Eigen::Infinity>() < 10 * settings.newton_tolerance * h);
     double frame_error = 0, twist_error = 0;
     for (std::size_t e = 0; e < frames.director.size(); ++e)
@@ -236,9 +236,9 @@ TEST_CASE("what does not converge is named by its coordinate in the whole scene"
   const VectorX near = state.q + kStep * state.v;
   const Advance advance = stepper.advance_with(state, kStep, std::vector<ContactTerm>{term}, near);
   REQUIRE_FALSE(advance.converged);
-  CHECK(advance.mover.coordinate == z);
-  CHECK(advance.mover.speed > 0.1 * kSpeed);
-  CHECK(advance.mover.speed < 10 * kSpeed);
+  CHECK(advance.largest_change.coordinate == z);
+  CHECK(advance.largest_change.speed > 0.1 * kSpeed);
+  CHECK(advance.largest_change.speed < 10 * kSpeed);
 }
 
 TEST_CASE("a contact's second derivative is exact where its pull is, and never negative elsewhere") {

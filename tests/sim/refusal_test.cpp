@@ -7,8 +7,8 @@
 #include <touchstone/error.hpp>
 #include <touchstone/solve.hpp>
 
-#include "sim/checkpoint.hpp"
 #include "scene/parts.hpp"
+#include "sim/checkpoint.hpp"
 #include "sim/sim_scenes.hpp"
 #include "sim/simulation.hpp"
 #include "support/catch.hpp"
@@ -82,6 +82,7 @@ TEST_CASE("what ends a run between the parts of a step takes back the parts that
   const Index through = add_particle(crossed, {20.2, 0.2, 1}, 0);
   crossed.particles[through].path = {{0, {20.2, 0.2, 1}}, {1.0 / 16, {20.3, 0.2, -1}}};
 
+  constexpr int kNever = 1'000'000'000;
   for (const bool paper : {false, true}) {
     CAPTURE(paper);
     const Scene& scene = paper ? crossed : blocked;
@@ -92,23 +93,22 @@ TEST_CASE("what ends a run between the parts of a step takes back the parts that
     REQUIRE(parts == 16);
     REQUIRE(twin.crossings().size() == (paper ? 1 : 0));
 
-    int tries = 0, last = 0;  // of parts; the last one that is let begin
-    options.before_part = [&] {
-      if (++tries > last) throw std::runtime_error("enough");
+    int checks = 0, last = kNever;  // the last check that lets the run go on
+    options.check_cancelled = [&] {
+      if (++checks > last) throw std::runtime_error("enough");
     };
     Simulation simulation(scene, options);
     const std::string before = checkpoint_to_json(simulation);
     for (last = 0; last < 24; last += 3) {
       CAPTURE(last);
-      tries = 0;
+      checks = 0;
       CHECK_THROWS_WITH(simulation.step(), "enough");
       CHECK((checkpoint_to_json(simulation) == before));
       CHECK(simulation.steps() == 0);
       CHECK(simulation.crossings().empty());
     }
     // A sink of queries that can take no more, in the middle of a proof.
-    tries = 0;
-    last = 1000;
+    last = kNever;
     int queries = 0;
     simulation.watch([&](const touchstone::Query&, const touchstone::Answer&) {
       if (++queries == 5) throw std::runtime_error("full");
@@ -117,11 +117,11 @@ TEST_CASE("what ends a run between the parts of a step takes back the parts that
     CHECK((checkpoint_to_json(simulation) == before));
     CHECK(simulation.crossings().empty());
     simulation.watch({});
-    tries = 0;
+    checks = 0;
     CHECK(simulation.step().size() == parts);
     CHECK((checkpoint_to_json(simulation) == checkpoint_to_json(twin)));
     REQUIRE(simulation.crossings().size() == twin.crossings().size());
-    CHECK(tries > 24);
+    CHECK(checks > 24);
   }
 }
 
@@ -135,14 +135,14 @@ TEST_CASE("who is in the way of a step, where, and what would be right") {
   scene.cables.push_back(straight_cable(scene, {5, 0, 0}, {8, 0, 0}, 3));
   set_material(scene.cables.back(), 1e5, 0.3, 0.01, 1000);
   const System system(scene);
-  const Elements elements(scene, system);
+  const Colliders colliders(scene, system);
   const auto words = [&](const Refusal& refusal) {
-    return refusal_for_person(refusal, scene, system, elements, system.initial_position);
+    return refusal_for_person(refusal, scene, system, colliders, system.initial_position);
   };
   Refusal refusal;
   refusal.cause = Cause::not_resolved;
   refusal.pair = Pair{touchstone::Kind::vertex_face, 0, 0};
-  refusal.place = {0.25, 0.5, -1};
+  refusal.point = {0.25, 0.5, -1};
   CHECK(words(refusal) ==
         "particle 0 and face 1-2-3 would touch at (0.25, 0.5, -1), and nothing of them is free to give way; other "
         "paths or pins would be right");
@@ -159,11 +159,11 @@ TEST_CASE("who is in the way of a step, where, and what would be right") {
   CHECK(words(refusal) ==
         "its equations cannot be solved in doubles; a smaller settings.time_step or softer springs and cables would be "
         "right");
-  refusal.mover = {3 * free + 1, 0.25};
+  refusal.largest_change = {3 * free + 1, 0.25};
   CHECK(words(refusal) ==
         "Newton's method does not settle particle 4 at (0.25, 0.5, 2), which it still changes by 0.25 m/s; a smaller "
         "settings.time_step or softer springs and cables would be right");
-  refusal.mover = {system.angle(1), 3};
+  refusal.largest_change = {system.angle(1), 3};
   refusal.with_contacts = true;
   scene.settings.contact.friction = 0.5;
   CHECK(words(refusal) ==
@@ -178,12 +178,12 @@ TEST_CASE("the place of a contact is the touched point of its first element") {
                  {add_particle(scene, {1, -1, 1}, 1), add_particle(scene, {1, 3, 1}, 1)}};
   const Index a = add_particle(scene, {0, 9, 9}, 1), b = add_particle(scene, {2, 9, 9}, 1);
   const System system(scene);
-  const Elements elements(scene, system);
+  const Colliders colliders(scene, system);
   VectorX end = system.initial_position;
   for (Eigen::Index k = 2; k < 6; k += 3) end[k] = 2;
   const auto contact = [&](const Pair& pair) {
-    return contact_of(elements, pair, system.initial_position, end,
-                      touchstone::solve(elements.query(pair, system.initial_position, end)), true);
+    return contact_of(colliders, pair, system.initial_position, end,
+                      touchstone::solve(colliders.query(pair, system.initial_position, end)), true);
   };
   const Vector3 place = place_of(contact({touchstone::Kind::edge_edge, 0, 1}), system.initial_position);
   CHECK((place - Vector3(1, 0, 0)).norm() < 1e-14);

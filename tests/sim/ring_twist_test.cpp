@@ -3,10 +3,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "seeded/rng.hpp"
-#include "sim/linking.hpp"
 #include "scene/parts.hpp"
 #include "scene/shipped_scenes.hpp"
+#include "seeded/rng.hpp"
+#include "sim/linking.hpp"
 #include "sim/simulation.hpp"
 #include "support/catch.hpp"
 
@@ -21,7 +21,7 @@ double total_twist(const System& system, const State& state) {
   const VectorX strains = Energy(system).strains(state.q, state.frames, state.time);
   double sum = 0;
   for (std::size_t j = 0; j < system.joints.size(); ++j)
-    sum += strains[static_cast<Eigen::Index>(system.lengths.size() + 3 * j + 2)];
+    sum += strains[static_cast<Eigen::Index>(system.stretch_elements.size() + 3 * j + 2)];
   return sum / (2 * kPi);
 }
 

@@ -179,7 +179,7 @@ TEST_CASE("an end is turned, and a ring wound up, until it is said to rest") {
     const VectorX strains = energy.strains(q, frames, time);
     double sum = 0;
     for (std::size_t j = 0; j < wound.joints.size(); ++j)
-      sum += strains[static_cast<Eigen::Index>(wound.lengths.size() + 3 * j + 2)];
+      sum += strains[static_cast<Eigen::Index>(wound.stretch_elements.size() + 3 * j + 2)];
     return sum;
   };
   CHECK(std::abs(total_twist(0)) < 1e-12);

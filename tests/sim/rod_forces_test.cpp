@@ -90,7 +90,7 @@ Hung hung(Index segments) {
   const double weight = 1000 * kPi * 0.005 * 0.005 * 9.81;  // N/m
   Hung hung;
   hung.sag = -position(state.q, segments / 2).z();
-  for (const Length& element : system.lengths) {
+  for (const StretchElement& element : system.stretch_elements) {
     const Vector3 along = position(state.q, element.b) - position(state.q, element.a);
     const double pull = element.stiffness * (along.norm() - element.rest) * along.x() / along.norm() / weight;
     hung.least_horizontal = std::min(hung.least_horizontal, pull);

@@ -73,7 +73,7 @@ double distance_from_buckling(double moment, Index segments) {
   DenseSink sink(system);
   VectorX gradient = VectorX::Zero(state.q.size());
   const Energy energy(system);
-  energy.derivatives(state.q, state.frames, 0, energy.elastic(), Curvature::exact, gradient, &sink);
+  energy.derivatives(state.q, state.frames, 0, energy.elastic(), Hessian::exact, gradient, &sink);
   // A twist angle about a tangent that itself tilts by w = t_x + i t_y is driven by a semi-tangential moment, which
   // leaves E I w' = i M w / 2 at the end (Ziegler, "Principles of Structural Stability", 1968). Greenhill's moment
   // keeps its direction: E I w' = i M w. The other half is added by hand; it has no potential.

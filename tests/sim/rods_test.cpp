@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/sim_scenes.hpp"
 #include "dynamics/stepper.hpp"
+#include "sim/sim_scenes.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone::sim;

@@ -5,9 +5,9 @@
 
 #include <touchstone/error.hpp>
 
-#include "sim/checkpoint.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/shipped_scenes.hpp"
+#include "sim/checkpoint.hpp"
 #include "sim/simulation.hpp"
 #include "support/catch.hpp"
 
@@ -242,6 +242,12 @@ TEST_CASE("what makes no sense is refused with its path") {
   check_refused(scene_with(R"(, "faces": [[0, 1, 9]])"), "faces[0].particles: there is no particle 9");
   check_refused(scene_with(R"(, "cables": [{"particles": [0, 1], "radius": 0, "density": 1, "stretch": 1}])"),
                 "cables[0].radius: 0 is not in");
+  // Its square is 0 in doubles, and so would be the stiffness that follows from it.
+  for (const char* stiffness : {R"("young": 1e9)", R"("stretch": 1)"}) {
+    check_refused(scene_with(R"(, "cables": [{"particles": [0, 1], "radius": 1e-200, "density": 1, )" +
+                             std::string(stiffness) + "}]"),
+                  "cables[0].radius: 1e-200 is not in");
+  }
   check_refused(
       scene_with(R"(, "cables": [{"particles": [0, 1], "radius": 1, "density": 1, "stretch": 1, "twist": 1}])"),
       "cables[0].twist");

@@ -11,7 +11,7 @@ DenseSink::DenseSink(const System& system)
     : matrix(Eigen::MatrixXd::Zero(system.size(), system.size())), system_(&system) {}
 
 void DenseSink::length(std::size_t element, const Eigen::Matrix3d& block) {
-  const Eigen::Index a = 3 * system_->lengths[element].a, b = 3 * system_->lengths[element].b;
+  const Eigen::Index a = 3 * system_->stretch_elements[element].a, b = 3 * system_->stretch_elements[element].b;
   matrix.block<3, 3>(a, a) += block;
   matrix.block<3, 3>(b, b) += block;
   matrix.block<3, 3>(a, b) -= block;
@@ -84,7 +84,7 @@ Eigen::MatrixXd stiffness_matrix(const System& system, const State& state) {
   DenseSink sink(system);
   VectorX gradient = VectorX::Zero(state.q.size());
   const Energy energy(system);
-  energy.derivatives(state.q, state.frames, state.time, energy.elastic(), Curvature::exact, gradient, &sink);
+  energy.derivatives(state.q, state.frames, state.time, energy.elastic(), Hessian::exact, gradient, &sink);
   const std::vector<Eigen::Index> free = free_coordinates(system);
   const auto count = static_cast<Eigen::Index>(free.size());
   Eigen::MatrixXd matrix(count, count);

@@ -4,9 +4,9 @@
 
 #include <Eigen/Core>
 
+#include "dynamics/stepper.hpp"
 #include "rods/energy.hpp"
 #include "scene/parts.hpp"
-#include "dynamics/stepper.hpp"
 
 namespace touchstone::sim {
 
@@ -14,7 +14,7 @@ namespace touchstone::sim {
 class DenseSink final : public BlockSink {
  public:
   explicit DenseSink(const System& system);
-  void length(std::size_t element, const Eigen::Matrix3d& block) override;
+  void stretch(std::size_t element, const Eigen::Matrix3d& block) override;
   void joint(std::size_t element, const JointMatrix& block) override;
 
   Eigen::MatrixXd matrix;

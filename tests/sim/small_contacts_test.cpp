@@ -47,7 +47,7 @@ TEST_CASE("edges that share a particle fold onto each other, and not through, in
     // Held in the plane it must turn back; else it passes beside the edge.
     if (out_of_plane == 0) scene.particles[c].fixed = {false, false, true};
     Simulation simulation(scene, {});
-    CHECK(simulation.elements().passes().joints);
+    CHECK(simulation.colliders().passes().joints);
     double lowest = 1;
     const Told told = [&] {
       Told sum;
@@ -81,7 +81,7 @@ TEST_CASE("a particle meets an edge in its own plane, and another particle head 
     const Index e = add_particle(scene, {0, 12, 0}, 1);
     scene.particles[e].velocity = {0, -3, 0};
     Simulation simulation(scene, {});
-    CHECK(simulation.elements().passes().points);
+    CHECK(simulation.colliders().passes().points);
     CHECK(run(simulation, 120).contacts == 2);
     // The common speed is (2 - 3) / 4 m/s, and that of approach 3 m/s.
     const VectorX& v = simulation.state().v;

@@ -36,7 +36,7 @@ Course run(const Scene& scene, int steps) {
   const double first = simulation.energies().load;
   double before = simulation.energies().total();
   for (int i = 0; i < steps; ++i) {
-    for (const StepRecord& record : simulation.step()) {
+    for (const SubstepRecord& record : simulation.step()) {
       ++course.parts;
       course.first_order += record.first_order;
     }

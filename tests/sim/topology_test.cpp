@@ -7,8 +7,8 @@
 #include <numbers>
 #include <string>
 
-#include "sim/linking.hpp"
 #include "scene/parts.hpp"
+#include "sim/linking.hpp"
 #include "sim/simulation.hpp"
 #include "support/catch.hpp"
 

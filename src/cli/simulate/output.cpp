@@ -129,7 +129,7 @@ void SimulateOutput::write_frame() {
   since_frame_ = 0;
 }
 
-void SimulateOutput::step(const std::vector<sim::StepRecord>& records) {
+void SimulateOutput::step(const std::vector<sim::SubstepRecord>& records) {
   ++steps_;
   Attempts attempts;
   attempts.with(proof_, [&](io::OutputFile& file) {

@@ -20,7 +20,7 @@ class SimulateOutput {
  public:
   SimulateOutput(const SimulateOptions& options, sim::Simulation& simulation);
 
-  void step(const std::vector<sim::StepRecord>& records);
+  void step(const std::vector<sim::SubstepRecord>& records);
 
   /// Writes all files except the plots. @throws Error for the first file that cannot be written, after the others
   void finish();
@@ -42,7 +42,7 @@ class SimulateOutput {
   sim::Simulation* simulation_;
   NewFolders folders_;
   std::filesystem::path frames_;
-  std::vector<sim::Frame> written_;
+  std::vector<sim::SeriesFrame> written_;
   std::optional<io::OutputFile> proof_, frame_index_, checkpoint_;
   std::vector<std::optional<io::OutputFile>> energies_;
   std::array<std::optional<io::OutputFile>, 4> queries_;  // by Kind

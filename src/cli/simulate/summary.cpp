@@ -8,9 +8,9 @@
 
 namespace touchstone::cli {
 
-void StepTotals::add(const std::vector<sim::StepRecord>& records) {
+void StepTotals::add(const std::vector<sim::SubstepRecord>& records) {
   ++steps;
-  for (const sim::StepRecord& record : records) {
+  for (const sim::SubstepRecord& record : records) {
     ++parts;
     gained += static_cast<std::uint64_t>(record.gained_energy);
     first_order += static_cast<std::uint64_t>(record.first_order);

@@ -14,7 +14,7 @@ namespace touchstone::cli {
 struct StepTotals {
   std::uint64_t steps = 0, parts = 0, gained = 0, first_order = 0;
 
-  void add(const std::vector<sim::StepRecord>& records);
+  void add(const std::vector<sim::SubstepRecord>& records);
 };
 
 /// Crossings, refused parts, processor time, and "N steps, 0 crossings". @param rate  steps a second

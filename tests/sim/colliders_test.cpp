@@ -6,9 +6,9 @@
 
 #include <touchstone/solve.hpp>
 
+#include "scene/shipped_scenes.hpp"
 #include "seeded/rng.hpp"
 #include "sim/all_pairs.hpp"
-#include "scene/shipped_scenes.hpp"
 #include "sim/simulation.hpp"
 #include "support/catch.hpp"
 
@@ -33,7 +33,7 @@ TEST_CASE("every pair that touches in a step is a candidate, also where boxes on
     const bool on_grid = round % 2 == 0;
     const Scene scene = random_scene(random, on_grid);
     const System system(scene);
-    const Elements elements(scene, system);
+    const Colliders colliders(scene, system);
     const VectorX x0 = system.initial_position;
     VectorX x1 = x0;
     for (double& x : x1) x += on_grid ? random.between(-1, 1) : random.symmetric();
@@ -41,21 +41,21 @@ TEST_CASE("every pair that touches in a step is a candidate, also where boxes on
     // Where particles end within the margin of x1, pairs that were collected with it are enough.
     VectorX near = x1;
     for (double& x : near) x += margin * (on_grid ? random.between(-1, 1) : random.symmetric());
-    const std::set<PairKey> without = keys(elements.candidates(x0, x1, 0)),
-                            with = keys(elements.candidates(x0, x1, margin));
-    const std::vector<Pair> all = all_pairs(scene, elements);
+    const std::set<PairKey> without = keys(colliders.candidates(x0, x1, 0)),
+                            with = keys(colliders.candidates(x0, x1, margin));
+    const std::vector<Pair> all = all_pairs(scene, colliders);
     const std::set<PairKey> possible = keys(all);
     CHECK(std::includes(possible.begin(), possible.end(), without.begin(), without.end()));
     CHECK(std::includes(with.begin(), with.end(), without.begin(), without.end()));
     CHECK(without.size() < 3 * all.size() / 4);
     for (const Pair& pair : all) {
-      if (solve(elements.query(pair, x0, x1)).contact) {
-        CAPTURE(round, elements.describe(pair));
+      if (solve(colliders.query(pair, x0, x1)).contact) {
+        CAPTURE(round, colliders.describe(pair));
         CHECK(without.count(key(pair)) == 1);
         ++touching[static_cast<std::size_t>(pair.kind)];
       }
-      if (solve(elements.query(pair, x0, near)).contact) {
-        CAPTURE(round, elements.describe(pair));
+      if (solve(colliders.query(pair, x0, near)).contact) {
+        CAPTURE(round, colliders.describe(pair));
         CHECK(with.count(key(pair)) == 1);
       }
     }
@@ -73,8 +73,8 @@ TEST_CASE("the proof of a step names every pair that touches in it, and no other
     p.velocity.z() -= 4;
   }
   Simulation simulation(scene, {narrow_phase, 1});
-  const Elements& elements = simulation.elements();
-  const std::vector<Pair> all = all_pairs(scene, elements);
+  const Colliders& colliders = simulation.colliders();
+  const std::vector<Pair> all = all_pairs(scene, colliders);
   std::size_t crossings = 0;
   for (int i = 0; i < 20; ++i) {
     const VectorX before = simulation.state().q;
@@ -83,14 +83,14 @@ TEST_CASE("the proof of a step names every pair that touches in it, and no other
     REQUIRE(records.size() == 1);
     std::set<PairKey> touching, told;
     for (const Pair& pair : all) {
-      const auto corners = elements.corners(pair);
+      const auto corners = colliders.corners(pair);
       bool counts = false;  // what is pinned and what does not collide is nobody's crossing
       bool collides = true;
       for (std::size_t c = 0; c < corner_count(pair.kind); ++c) {
         counts |= !scene.particles[corners[c]].pinned();
         collides &= scene.particles[corners[c]].collides;
       }
-      if (counts && collides && solve(elements.query(pair, before, simulation.state().q)).contact)
+      if (counts && collides && solve(colliders.query(pair, before, simulation.state().q)).contact)
         touching.insert(key(pair));
     }
     for (std::size_t c = crossings; c < simulation.crossings().size(); ++c) {

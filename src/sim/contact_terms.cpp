@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "sim/contact_terms.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/features.hpp"
+
+namespace touchstone::sim {
+namespace {
+
+// Stiffness of a contact over that of the elements that it touches: a contact gives way by a twentieth of what they do,
+// and the matrix stays well conditioned.
+constexpr double kStiffer = 20;
+
+// m/s: slower slip is friction at rest.
+constexpr double kStickSpeed = 5e-3;
+
+// The fraction of the largest limit of friction by which limits may still change when they count as settled.
+constexpr double kSettledFriction = 0.2;
+
+// m^2: keeps a division finite where a joint's neighbours coincide, and is lost beside any other square.
+constexpr double kTiny = 1e-300;
+
+}  // namespace
+
+ContactTerms::ContactTerms(const ResponseModel& model, const State& start, double h, double tolerance,
+                           const std::vector<Contact>& contacts)
+    : model_(&model), start_(&start), h_(h), tolerance_(tolerance) {
+  measure_hold();
+  terms_.reserve(contacts.size() + contacts.size() / 4);
+  term_of_pair_.reserve(terms_.capacity());
+  for (const Contact& contact : contacts) add(contact);
+}
+
+void ContactTerms::measure_hold() {
+  const System& system = model_->system();
+  const VectorX& q = start_->q;
+  hold_.assign(system.particle_count(), Eigen::Matrix3f::Zero());
+  for (const StretchElement& element : system.stretch_elements) {
+    const Vector3 along = (position(q, element.b) - position(q, element.a)).normalized();
+    const Eigen::Matrix3f stiffness = (element.stiffness * along * along.transpose()).cast<float>();
+    hold_[element.a] += stiffness;
+    hold_[element.b] += stiffness;
+  }
+  for (const Joint& joint : system.joints) {
+    // A bend of one segment's length: the middle moves against both of its neighbours.
+    const double length = 0.5 * (position(q, joint.p[2]) - position(q, joint.p[0])).norm();
+    const double across = joint.bend / (length * length + kTiny);
+    for (std::size_t k = 0; k < 3; ++k)
+      hold_[joint.p[k]] += static_cast<float>((k == 1 ? 4 : 1) * across) * Eigen::Matrix3f::Identity();
+  }
+}
+
+ContactTerm ContactTerms::term_of(const Contact& contact) const {
+  ContactTerm term;
+  term.particles = contact.particles;
+  term.corners = contact.corners;
+  term.omega = contact.omega;
+  term.normal = contact.normal;
+  term.stick = kStickSpeed * h_;
+  double softness = 0;
+  for (std::size_t c = 0; c < contact.corners; ++c) {
+    const Index p = contact.particles[c];
+    const double inverse = model_->inverse_mass(p);
+    if (inverse > 0) {
+      // A cable is stiff along itself and soft across, which is where it is mostly touched.
+      const double hold = 1 / (inverse * h_ * h_) + contact.normal.dot(hold_[p].cast<double>() * contact.normal);
+      softness += contact.omega[c] * contact.omega[c] / hold;
+    }
+  }
+  term.stiffness = softness > 0 ? kStiffer / softness : 0;
+  // Elements may come as near as the thickness; those that are nearer already move out slowly.
+  const double missing = model_->thickness() - contact.gap;
+  term.goal = missing > 0 ? model_->position_correction(missing, h_) : missing;
+  // The speed of impact is that before the substep: at its end, elements that lean on a contact seem to fly into it.
+  const double approach = h_ * contact.normal.dot(relative_motion(term, start_->v));
+  if (approach < -model_->resting_approach(h_))
+    term.goal = std::max(term.goal, -model_->contact().restitution * approach);
+  return term;
+}
+
+void ContactTerms::add(const Contact& contact) {
+  terms_.push_back(term_of(contact));
+  if (contact.gap < model_->thickness()) {
+    const double out = model_->position_correction(model_->thickness() - contact.gap, h_);
+    tolerance_ += 0.5 * terms_.back().stiffness * out * out;
+  }
+  term_of_pair_.emplace_back(key(contact.pair), terms_.size() - 1);
+}
+
+bool ContactTerms::update_friction(const VectorX& end) {
+  double most = 0, change = 0;
+  if (kFriction && model_->contact().friction > 0) {
+    for (ContactTerm& term : terms_) {
+      const double slip = model_->contact().friction * normal_force(term, start_->q, end);
+      most = std::max(most, slip);
+      change = std::max(change, std::abs(slip - term.slip));
+      term.slip = slip;
+    }
+  }
+  return change <= kSettledFriction * most;
+}
+
+void ContactTerms::take(const std::vector<Contact>& found) {
+  std::sort(term_of_pair_.begin(), term_of_pair_.end());
+  const auto known = static_cast<std::ptrdiff_t>(term_of_pair_.size());
+  for (const Contact& contact : found) {
+    const PairKey sought = key(contact.pair);
+    const auto known_end = term_of_pair_.begin() + known;
+    const auto same = std::lower_bound(term_of_pair_.begin(), known_end, std::pair{sought, std::size_t{0}});
+    if (same == known_end || same->first != sought) {
+      add(contact);
+    } else {
+      // It turned on the way: where it touches now says more than where it would have touched.
+      ContactTerm& term = terms_[same->second];
+      const double slip = term.slip;
+      term = term_of(contact);
+      term.slip = slip;
+    }
+  }
+}
+
+}  // namespace touchstone::sim

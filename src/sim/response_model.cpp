@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "sim/response_model.hpp"
+
+#include <algorithm>
+
+namespace touchstone::sim {
+namespace {
+
+// The fraction of a missing distance that a whole step of the scene makes good; a substep makes good as much less as it
+// is shorter, so that the speed is the same. A missing distance is gone in some ten steps, and nothing jumps.
+constexpr double kRecovery = 0.2;
+
+// Of that fraction, for impulses: each of many sweeps makes it good again.
+constexpr double kImpulseRecovery = 0.5;
+
+// m/s: the greatest speed of a position correction. Elements that begin far too near do not fly apart.
+constexpr double kFastestCorrection = 1.0;
+
+// Of gravity's displacement in a step: an approach below this is that of elements at rest.
+constexpr double kResting = 2;
+
+// The default thickness, as a fraction of the shortest edge that moves.
+constexpr double kEdgesPerThickness = 50;
+
+}  // namespace
+
+ResponseModel::ResponseModel(const Colliders& colliders, const System& system, const Settings& settings)
+    : colliders_(&colliders),
+      system_(&system),
+      contact_(settings.contact),
+      gravity_(settings.gravity.norm()),
+      time_step_(settings.time_step),
+      thickness_(settings.contact.thickness > 0 ? settings.contact.thickness
+                                                : colliders.shortest_edge() / kEdgesPerThickness),
+      inverse_mass_(VectorX::Zero(static_cast<Eigen::Index>(3 * system.particle_count()))),
+      stiffness_(VectorX::Zero(static_cast<Eigen::Index>(system.particle_count()))) {
+  for (Eigen::Index i = 0; i < inverse_mass_.size(); ++i) {
+    if (!system.fixed[static_cast<std::size_t>(i)]) inverse_mass_[i] = 1 / system.mass[i];
+  }
+  for (const StretchElement& element : system.stretch_elements) {
+    stiffness_[element.a] += element.stiffness;
+    stiffness_[element.b] += element.stiffness;
+  }
+}
+
+double ResponseModel::inverse_mass(Index particle) const {
+  return inverse_mass_.segment<3>(3 * static_cast<Eigen::Index>(particle)).maxCoeff();
+}
+
+bool ResponseModel::is_held(Index particle) const {
+  return (inverse_mass_.segment<3>(3 * static_cast<Eigen::Index>(particle)).array() == 0).all();
+}
+
+bool ResponseModel::is_stiff(const Contact& contact, double h) const {
+  for (std::size_t c = 0; c < contact.corners; ++c) {
+    const Index p = contact.particles[c];
+    if (contact.omega[c] != 0 && stiffness_[p] * h * h * inverse_mass(p) > 1) return true;
+  }
+  return false;
+}
+
+ImpulseRule ResponseModel::impulse_rule(double h) const {
+  return {contact_.restitution, contact_.friction, thickness_, resting_approach(h), kImpulseRecovery * recovery(h)};
+}
+
+double ResponseModel::resting_approach(double h) const { return kResting * gravity_ * h * h; }
+
+double ResponseModel::position_correction(double missing, double h) const {
+  return std::min(recovery(h) * missing, kFastestCorrection * h);
+}
+
+double ResponseModel::recovery(double h) const { return kRecovery * std::min(1.0, h / time_step_); }
+
+}  // namespace touchstone::sim
