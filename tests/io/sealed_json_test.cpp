@@ -48,7 +48,7 @@ TEST_CASE("any change of a sealed text breaks the seal") {
     REQUIRE_FALSE(io::seal_holds(text));
   }
   for (const std::string& text : {std::string(), std::string("{"), good.substr(1), good + " ", good + good,
-                                  good.substr(0, good.size() - 1), "{" + good.substr(good.find('\n'))}) {
+                                  good.substr(0, good.size() - 1), std::string("{").append(good, good.find('\n'))}) {
     CHECK_FALSE(io::seal_holds(text));
   }
 }

@@ -36,7 +36,9 @@ double ProgressLine::seconds() const noexcept { return std::chrono::duration<dou
 std::string progress_bar(double fraction) {
   constexpr std::size_t kWidth = 24;
   const auto filled = static_cast<std::size_t>(std::clamp(fraction, 0.0, 1.0) * kWidth);
-  return "[" + std::string(filled, '#') + std::string(kWidth - filled, '.') + "]";
+  std::string bar = "[";
+  bar.append(filled, '#').append(kWidth - filled, '.');
+  return bar + "]";
 }
 
 std::function<void(std::string_view, double)> draw_fraction_on(ProgressLine& line) {
