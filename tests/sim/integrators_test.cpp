@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "dynamics/energy_budget.hpp"
 #include "dynamics/stepper.hpp"
 #include "sim/sim_scenes.hpp"
 #include "support/catch.hpp"

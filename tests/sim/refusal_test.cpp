@@ -185,10 +185,10 @@ TEST_CASE("the place of a contact is the touched point of its first element") {
     return contact_of(colliders, pair, system.initial_position, end,
                       touchstone::solve(colliders.query(pair, system.initial_position, end)), true);
   };
-  const Vector3 place = place_of(contact({touchstone::Kind::edge_edge, 0, 1}), system.initial_position);
+  const Vector3 place = contact_point(contact({touchstone::Kind::edge_edge, 0, 1}), system.initial_position);
   CHECK((place - Vector3(1, 0, 0)).norm() < 1e-14);
   end[3 * a] = 3;
-  CHECK(place_of(contact({touchstone::Kind::point_point, a, b}), system.initial_position) == Vector3(0, 9, 9));
+  CHECK(contact_point(contact({touchstone::Kind::point_point, a, b}), system.initial_position) == Vector3(0, 9, 9));
 }
 
 TEST_CASE("an explicit step that explodes says which step it would have needed") {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "dynamics/energy_budget.hpp"
 #include "sim/sim_scenes.hpp"
 #include "support/catch.hpp"
 
