@@ -80,7 +80,7 @@ TEST_CASE("answers that can be read") {
 }
 
 TEST_CASE("a time that is no double is kept as it is written") {
-  const auto written = [](const std::string& time) { return fuzz::read_answer_line("1 " + time)->toi_as_written; };
+  const auto written = [](const std::string& time) { return pipes::read_answer_line("1 " + time)->toi_as_written; };
   for (const char* time :
        {"0.5", "0x1p-1", "0x1.8000000000000p-2", "5e-1", "0", "-0.0", "inf", "nan", "1e999", "+0.25"}) {
     CAPTURE(time);

@@ -164,11 +164,10 @@ TEST_CASE_WITH("python3", "a program ends with its solver") {
   }
 }
 
-TEST_CASE("a daemon that a program starts is ended with the program") {
+TEST_CASE_WITH("python3", "a daemon that a program starts is ended with the program") {
 #ifndef __linux__
   WARN("only Linux lets a process adopt its descendants: daemons are not tested");
 #else
-  if (no_python()) return;
   const TemporaryFolder folder;
   const std::string note = folder.path("note");
   fuzz::Limits limits;
@@ -189,8 +188,7 @@ TEST_CASE("a daemon that a program starts is ended with the program") {
 #endif
 }
 
-TEST_CASE("a program that says much on standard error before it answers is not waited for in vain") {
-  if (no_python()) return;
+TEST_CASE_WITH("python3", "a program that says much on standard error before it answers is not waited for in vain") {
   fuzz::Limits limits;
   limits.answer = std::chrono::milliseconds(10'000);
   fuzz::PipeRun run(bad_program(), limits);
