@@ -123,8 +123,8 @@ class Searcher {
   Reply reply_;
 };
 
-/// Runs `work(i)` on a thread of its own for every i below `count`, and meanwhile calls `look` a few times a second.
-/// An exception of a thread ends the others and is thrown here.
+/// Runs `work(i)` on a thread of its own for every i below `count`, and meanwhile calls `look` a few times a second, until
+/// it returns false, which ends the others. An exception of a thread ends the others and is thrown here.
 template <class Work, class Look>
 void on_threads(std::size_t count, Shared& shared, Work work, Look look) {
   std::mutex mutex;
@@ -152,10 +152,14 @@ void on_threads(std::size_t count, Shared& shared, Work work, Look look) {
       done.notify_one();
     });
   }
+  bool watched = true;
   std::unique_lock lock(mutex);
   while (!done.wait_for(lock, std::chrono::milliseconds(100), [&] { return running == 0; })) {
     lock.unlock();
-    if (!look()) shared.stop = true;
+    if (watched && !look()) {
+      watched = false;
+      shared.stop = true;
+    }
     lock.lock();
   }
   lock.unlock();
