@@ -15,9 +15,13 @@ using families::Rng;
 
 double height_of(const Query& query) { return std::fabs(std::log2(std::fabs(filter_margin(query)))); }
 
+// Below, one call of rng a statement: compilers evaluate the arguments of a call in different orders, and a case's name
+// means the same query on every machine.
+
 double& random_coordinate(Query& query, Rng& rng) {
   auto& corners = rng.one_in(2) ? query.start : query.end;
-  return families::coordinate(corners[rng.below(corner_count(query.kind))], static_cast<std::size_t>(rng.below(3)));
+  const auto axis = static_cast<std::size_t>(rng.below(3));
+  return families::coordinate(corners[rng.below(corner_count(query.kind))], axis);
 }
 
 double changed(double x, Query& query, Rng& rng) {
@@ -25,8 +29,14 @@ double changed(double x, Query& query, Rng& rng) {
       rng.one_in(2) ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity();
   switch (rng.between(0, 6)) {
     case 0: return std::nextafter(x, away);
-    case 1: return x + std::ldexp(rng.symmetric() * (std::fabs(x) + 0x1p-1022), -rng.between(0, 50));
-    case 2: return x * (1 + std::ldexp(rng.symmetric(), -rng.between(0, 52)));
+    case 1: {
+      const int exponent = -rng.between(0, 50);
+      return x + std::ldexp(rng.symmetric() * (std::fabs(x) + 0x1p-1022), exponent);
+    }
+    case 2: {
+      const int exponent = -rng.between(0, 52);
+      return x * (1 + std::ldexp(rng.symmetric(), exponent));
+    }
     case 3: return random_coordinate(query, rng);
     case 4: return std::nextafter(random_coordinate(query, rng), away);
     case 5: return -x;
@@ -40,7 +50,8 @@ void step_to_zero(Query& query, Rng& rng) {
   double& x = random_coordinate(query, rng);
   const double before = x;
   const double margin = filter_margin(query);
-  x = before + std::ldexp(rng.symmetric() * (std::fabs(before) + 0x1p-1000), -rng.between(0, 30));
+  const int exponent = -rng.between(0, 30);
+  x = before + std::ldexp(rng.symmetric() * (std::fabs(before) + 0x1p-1000), exponent);
   const double moved = before - margin * (x - before) / (filter_margin(query) - margin);
   x = std::isfinite(moved) ? moved : before;
 }

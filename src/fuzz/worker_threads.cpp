@@ -40,10 +40,14 @@ void run_on_threads(std::size_t count, std::atomic<bool>& stop, const std::funct
       done.notify_one();
     });
   }
+  bool watched = true;
   std::unique_lock lock(mutex);
   while (!done.wait_for(lock, std::chrono::milliseconds(100), [&] { return running == 0; })) {
     lock.unlock();
-    if (!watch()) stop = true;
+    if (watched && !watch()) {
+      watched = false;
+      stop = true;
+    }
     lock.lock();
   }
   lock.unlock();

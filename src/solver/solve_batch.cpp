@@ -10,6 +10,7 @@
 #include "filters/same_side_columns.hpp"
 #include "numbers/float_environment.hpp"
 #include "solver/cascade.hpp"
+#include "solver/thread_handover.hpp"
 #include "solver/validate.hpp"
 
 #ifdef TOUCHSTONE_WITH_TBB
@@ -48,11 +49,17 @@ void for_each_range(std::size_t count, int threads, const AnswerRange& answer_ra
   if (threads == 0) threads = tbb::info::default_concurrency();
   if (threads > 1) {
     tbb::task_arena arena(threads);
+    solver::ThreadHandover started, finished;
+    started.give();
     arena.execute([&] {
-      tbb::parallel_for(
-          tbb::blocked_range<std::size_t>(0, count, kBlock),
-          [&](const tbb::blocked_range<std::size_t>& range) { in_environment(range.begin(), range.end()); });
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kBlock),
+                        [&](const tbb::blocked_range<std::size_t>& range) {
+                          started.take();
+                          in_environment(range.begin(), range.end());
+                          finished.give();
+                        });
     });
+    finished.take();
     return;
   }
 #else

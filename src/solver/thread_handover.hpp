@@ -1,0 +1,34 @@
+// Tells thread sanitizer that oneTBB orders a task after what starts it and before what waits for it. The system's oneTBB
+// is not built with the sanitizer, so the sanitizer cannot see that by itself. Other builds compile this to nothing.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#if defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define TOUCHSTONE_THREAD_SANITIZER 1
+#endif
+#elif defined(__SANITIZE_THREAD__)
+#define TOUCHSTONE_THREAD_SANITIZER 1
+#endif
+#ifdef TOUCHSTONE_THREAD_SANITIZER
+#include <sanitizer/tsan_interface.h>
+#endif
+
+namespace touchstone::solver {
+
+/// What happens before give() in one thread happens before what follows take() in another.
+class ThreadHandover {
+ public:
+#ifdef TOUCHSTONE_THREAD_SANITIZER
+  void give() noexcept { __tsan_release(this); }
+  void take() noexcept { __tsan_acquire(this); }
+
+ private:
+  char place_ = 0;
+#else
+  void give() noexcept {}
+  void take() noexcept {}
+#endif
+};
+
+}  // namespace touchstone::solver
