@@ -5,9 +5,9 @@
 #include "io/query_writer.hpp"
 #include "pipes/protocol.hpp"
 #include "query_bytes.hpp"
-#include "sim/checkpoint.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/shipped_scenes.hpp"
+#include "sim/checkpoint.hpp"
 
 namespace touchstone::fuzzing {
 namespace {
