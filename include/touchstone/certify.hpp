@@ -37,12 +37,16 @@ std::string_view verdict_name(Verdict verdict) noexcept;
 /// `contact` alone. A toi before the exact time holds, however early it is. `toi_as_written` is not read.
 Verdict judge(const Claim& claim, const Answer& truth) noexcept;
 
-/// The same with the time as written, compared exactly. The query is asked for its exact time only when the time as
-/// written lies strictly between `truth.toi` and `truth.toi_upper`.
-/// @param truth  the answer to `query` for t_max = 1
+/// The verdict with the time as written, compared exactly. The exact time is computed only when the time as written lies
+/// strictly between `truth.toi` and `truth.toi_upper`.
+/// @param claim  the claim on `query`
+/// @param query  the query that was asked
+/// @param truth  the exact answer to `query` for t_max = 1
 /// @throws InvalidQuery  when `toi_as_written` is no finite number, or has more than 4096 digits in its numerator or
 ///                       denominator
 Verdict judge(const Claim& claim, const Query& query, const Answer& truth);
+
+/// The same for rational coordinates.
 Verdict judge(const Claim& claim, const RationalQuery& query, const Answer& truth);
 
 }  // namespace touchstone
