@@ -17,8 +17,8 @@ struct Claim {
   bool contact = false;       ///< Whether the solver claims a contact.
   std::optional<double> toi;  ///< The claimed time of impact, finite; empty when the solver gives none.
 
-  /// The time as the solver wrote it, a decimal ("0.1") or a hexfloat, when `toi` is only the nearest double to it.
-  /// Empty: the time is `toi`.
+  /// The time as the solver wrote it, a decimal ("0.1") or a hexfloat. It is needed when `toi` is only the nearest
+  /// double to that number. If it is empty, the time is `toi`.
   std::string toi_as_written = {};
 };
 
@@ -37,7 +37,7 @@ std::string_view verdict_name(Verdict verdict) noexcept;
 /// `contact` alone. A toi before the exact time holds, however early it is. `toi_as_written` is not read.
 Verdict judge(const Claim& claim, const Answer& truth) noexcept;
 
-/// The same with the time as written, compared exactly. The query is asked for its exact time only when the time as
+/// The same with the time as written, compared exactly. The exact time of the query is computed only when the time as
 /// written lies strictly between `truth.toi` and `truth.toi_upper`.
 /// @param truth  the answer to `query` for t_max = 1
 /// @throws InvalidQuery  when `toi_as_written` is no finite number, or has more than 4096 digits in its numerator or
