@@ -1,5 +1,5 @@
-// Which boxes come to overlap while they move: a tree of moving boxes, near-linear in their number also where all fly
-// so fast that each sweeps over the places of many others. SPDX-License-Identifier: MIT
+// The pairs of moving boxes that overlap at some time: a tree of boxes. The time is nearly linear in the number of
+// boxes, even if every box moves so fast that it passes over the places of many others. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -9,8 +9,8 @@
 
 namespace touchstone::broad_phase {
 
-/// A box whose bounds move evenly from those at t = 0 to those at t = 1. A corner that is in it at both ends, and moves
-/// on a straight line, is in it all the time.
+/// A box whose bounds move evenly from those at t = 0 to those at t = 1. A corner that is in the box at both ends, and
+/// moves on a straight line, is in the box at all times.
 struct MovingBox {
   Box start, end;
 };
@@ -18,14 +18,14 @@ struct MovingBox {
 /// A box with nothing in it, for `join`.
 MovingBox empty_moving_box() noexcept;
 
-/// `box` becomes one that holds the other one, too, at all times.
+/// Extends `box` so that it contains the other box at all times.
 void join(MovingBox& box, const MovingBox& other) noexcept;
 
 /// False proves that the boxes are disjoint at all times in [0, 1].
 bool meet(const MovingBox& a, const MovingBox& b) noexcept;
 
-/// Calls found(i, j) once for each i < j whose boxes meet, and for no other pair; in an order that depends on the boxes
-/// only.
+/// Calls found(i, j) once for each i < j whose boxes meet, and for no other pair. The order of the calls depends on the
+/// boxes only.
 void for_each_pair(const std::vector<MovingBox>& boxes, const PairConsumer& found);
 
 /// The same for box i of `a` and box j of `b`.
