@@ -10,7 +10,7 @@ namespace touchstone {
 
 /// How the two elements meet at the first contact. V(t) is the coplanarity cubic of edge-edge and vertex-face queries:
 /// a polynomial of degree at most 3 that is zero exactly when the four corners lie in one plane. The other two kinds
-/// have no V. A change of sign is that of the polynomial over the real line, at t = 0 and t = 1 too.
+/// have no V. V is a polynomial on the whole real line, so it may change its sign at t = 0 and t = 1 too.
 enum class Nature : std::uint8_t {
   none,       ///< there is no contact
   crossing,   ///< V is not identically zero and changes sign at the time of impact
@@ -19,8 +19,8 @@ enum class Nature : std::uint8_t {
   isolated    ///< the contact is a single instant, and V is identically zero or the kind has no V
 };
 
-/// The part of an element that is touched. Where several names fit one place, the answer has the first of them in this
-/// order: a zero-length edge is touched at its first corner.
+/// The part of an element that is touched. If several features fit the touching point, the answer is the first of them
+/// in this order. So a zero-length edge is touched at its first corner.
 enum class Feature : std::uint8_t {
   none,    ///< there is no contact
   a0,      ///< first corner of the first edge
@@ -81,7 +81,7 @@ struct Answer {
 
   /// Barycentric coordinates of the touching point on the first element at the exact time: (a0, a1, 0) for an edge,
   /// (1, 0, 0) for a vertex or point. Each is in [0, 1] and within 2^-50 of its true value. A corner that does not
-  /// belong to the touched feature has weight 0. Of an overlap's many points the answer has the one with the
+  /// belong to the touched feature has weight 0. An overlap has many touching points. The answer gives the one with the
   /// lexicographically smallest (a0, a1, b0, b1).
   std::array<double, 3> weights_a{};
 

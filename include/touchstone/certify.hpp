@@ -17,8 +17,8 @@ struct Claim {
   bool contact = false;       ///< Whether the solver claims a contact.
   std::optional<double> toi;  ///< The claimed time of impact, finite; empty when the solver gives none.
 
-  /// The time as the solver wrote it, a decimal ("0.1") or a hexfloat, when `toi` is only the nearest double to it.
-  /// Empty: the time is `toi`.
+  /// The time as the solver wrote it, a decimal ("0.1") or a hexfloat. It is needed when `toi` is only the nearest
+  /// double to that number. If it is empty, the time is `toi`.
   std::string toi_as_written = {};
 };
 

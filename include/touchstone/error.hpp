@@ -7,8 +7,8 @@
 
 namespace touchstone {
 
-/// The base of every exception that the library throws on purpose. The message names the wrong thing and its place, and
-/// says which values are right.
+/// The base class of the library's own exceptions. The message names the wrong value and its place, and says which
+/// values are valid.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -1,4 +1,5 @@
-// Touchstone: break a solver of your own. In a library of its own: link touchstone::fuzz.
+// Touchstone: find queries on which your solver is wrong. This header belongs to a second library: link
+// touchstone::fuzz.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -88,9 +89,9 @@ struct FuzzReport {
 };
 
 /// Asks `solver` for the first contact in [0, 1] of many queries that are degenerate, nearly degenerate or extreme, and
-/// judges its claims by exact arithmetic. Every call happens in the default floating-point environment. A query that
-/// fails leads to more calls, with simpler queries like it. An exception from the solver is a crash: it is a failure
-/// like the others.
+/// judges its claims by exact arithmetic. Every call happens in the default floating-point environment. After a
+/// failure, the solver is called with simpler queries of the same sort, to shrink the query. An exception from the
+/// solver is the failure `crash`.
 /// @param solver   the solver: its claim about a query
 /// @param options  which queries, and which times are accepted
 /// @return the failures found

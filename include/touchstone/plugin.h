@@ -13,7 +13,7 @@
  *     cc -O2 -shared -fPIC -I PREFIX/include -o theirs.so theirs.c
  *
  * A query is two elements. Their corners move on straight lines from t = 0 to t = 1. `start` holds the corners at t = 0
- * and `end` those at t = 1: x y z of the first corner, then x y z of the second, and so on.
+ * and `end` holds the corners at t = 1: x y z of the first corner, then x y z of the second corner, and so on.
  *
  *     edge-edge    a0 a1 b0 b1    4 corners, 12 doubles in each
  *     vertex-face  v f0 f1 f2     4 corners, 12 doubles in each
@@ -24,8 +24,8 @@
  * share a point; the ends of edges and the borders of faces belong to them, and contact at t = 0 or t = 1 counts.
  *
  * The library runs in a process of its own. The process has no input, its standard output is discarded, and the last
- * lines of its standard error go into the report. A crash, a call of exit() or a late answer is a finding; then the
- * process is started again and `init` is called again. Calls come one at a time, from one thread.
+ * lines of its standard error go into the report. A crash, a call of exit() or a late answer is a finding. After it the
+ * process is started again, and `init` is called again. One thread makes all calls, one at a time.
  */
 
 #ifdef __cplusplus

@@ -1,4 +1,4 @@
-// Touchstone: the questions. Corners of two elements at both ends of a step.
+// Touchstone: queries. A query is two elements with their corners at both ends of a step.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -25,7 +25,7 @@ enum class Method : std::uint8_t {
 ///
 /// Every finite coordinate is ordinary input: zero, subnormal and huge values too. The answer does not depend on the
 /// caller's floating-point environment (rounding mode, flush-to-zero), and the environment is left unchanged. Any
-/// number of threads may call it. It allocates nothing when a filter decides.
+/// number of threads may call it. It allocates no memory when a filter decides.
 /// @param query  the two elements and their motion
 /// @param t_max  the end of the time range, 0 <= t_max <= 1
 /// @return the answer
@@ -60,8 +60,8 @@ Answer solve(const RationalQuery& query, double t_max = 1.0);
 /// level decides for Method::fast and Method::exact, and CGAL for the other two.
 Answer solve(const RationalQuery& query, Method method, double t_max = 1.0);
 
-/// Whether the two elements touch at any t in [0, t_max]: the `contact` of solve(query, t_max). It does not compute the
-/// time, which is cheaper.
+/// Whether the two elements touch at any t in [0, t_max]: the `contact` of solve(query, t_max). It is cheaper than
+/// `solve`, because it does not compute the time.
 /// @param query  the two elements and their motion
 /// @param t_max  the end of the time range, 0 <= t_max <= 1
 /// @return whether they touch
@@ -81,7 +81,7 @@ enum class VectorWidth : std::uint8_t {
 /// Whether the processor and this build of the library support this SIMD width. True for widest, none and bits_128.
 bool has_vectors(VectorWidth width) noexcept;
 
-/// How a batch is answered. No option but `t_max` and `method` changes an answer.
+/// The options of a batch. Only `t_max` and `method` can change an answer.
 struct BatchOptions {
   double t_max = 1.0;            ///< the end of the time range of every query, 0 <= t_max <= 1
   Method method = Method::fast;  ///< the code that answers
@@ -124,7 +124,7 @@ struct QueryColumns {
   Query operator[](std::size_t q) const noexcept;
 };
 
-/// The answers to queries in columns. They equal those of `solve` for each query and come sooner.
+/// The answers to queries in columns. They equal the answers of `solve` to the same queries, and are computed faster.
 /// @param queries  the columns
 /// @param options  how they are answered
 /// @return answers[q] for query q

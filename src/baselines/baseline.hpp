@@ -11,8 +11,7 @@
 
 namespace touchstone::baselines {
 
-/// What a method says of one query. No guarantee comes with it: each method's `about` says what it is known to get
-/// wrong.
+/// A method's answer to one query. It has no guarantee: the method's `about` says where it is known to be wrong.
 struct Result {
   bool contact = false;
   double toi = std::numeric_limits<double>::infinity();  ///< in [0, t_max]; +infinity without contact
@@ -22,7 +21,7 @@ struct Result {
 enum class Tolerance : std::uint8_t {
   none,    ///< it has none, and ignores the argument
   length,  ///< a distance between the elements, in the unit of the coordinates
-  share    ///< a dimensionless share: of the step for times, of an element for weights
+  share    ///< a dimensionless fraction: of the step for times, of an element for weights
 };
 
 /// One way to answer a query.
@@ -50,37 +49,38 @@ const std::vector<Method>& methods();
 const Method* find_method(std::string_view name);
 
 /// The paper's sections 3.2 to 3.4 as printed: the cubic by Cardano's formulas, then two of the three equations (27).
-/// Edge-edge, and vertex-face in the same spirit. Loses contacts wherever V vanishes identically, has a double root, or
-/// the elements are parallel at contact, and those whose time or weights round to the wrong side of 0 or 1.
+/// Edge-edge, and vertex-face in the same spirit. It loses contacts where V is identically zero or has a double root,
+/// and where the elements are parallel at contact. It also loses contacts whose time or weights round to the wrong side
+/// of 0 or 1.
 Result solve_paper(const Query& query, double t_max, double tolerance);
 
 /// The same idea with the care that doubles allow: scaling, relative degree tests, polished roots, robust projections,
-/// coplanar and degenerate cases. Fixed slacks in place of a tolerance: near misses within them are phantoms, contacts
-/// that rounding moves beyond them are missed, and its toi may be late by some ulps.
+/// coplanar and degenerate cases. It has fixed slacks in place of a tolerance. Near misses within them are phantoms.
+/// Contacts that rounding moves beyond them are missed. Its toi may be late by some ulps.
 Result solve_closed_form(const Query& query, double t_max, double tolerance);
 
-/// V's roots by bracketed Newton steps between its critical points, to `tolerance` in time; inside tests with the same
-/// share of slack. Near misses within it are phantoms. The position at a time that is off by the tolerance may be off
-/// by more than that share of a short edge, so small fast elements are missed.
+/// V's roots by bracketed Newton steps between its critical points, to `tolerance` in time; the inside tests have the
+/// same slack, as a fraction of the element. Near misses within it are phantoms. Where the time is off by the
+/// tolerance, the position may be off by more than that fraction of a short edge. So small fast elements are missed.
 Result solve_newton(const Query& query, double t_max, double tolerance);
 
 /// Bisection of (time, weights), earliest time first, keeping each box whose image may contain the origin, until an
 /// image is smaller than `tolerance`: B. Wang, Z. Ferguson, T. Schneider, X. Jiang, M. Attene, D. Panozzo, "A
-/// large-scale benchmark and an inclusion-based algorithm for continuous collision detection", ACM TOG 40 (2021).
-/// Conservative: misses nothing and its toi is never late. Elements that pass within the tolerance are phantoms, and so
-/// are all that are not settled after kIntervalSteps boxes.
+/// large-scale benchmark and an inclusion-based algorithm for continuous collision detection", ACM TOG 40 (2021). It is
+/// conservative: it misses no contact, and its toi is never late. Elements that pass within the tolerance are phantoms.
+/// So are elements that are undecided after kIntervalSteps boxes.
 Result solve_interval(const Query& query, double t_max, double tolerance);
 
 /// Steps of distance / (bound on the relative speed) until the distance is at most `tolerance`: B. Mirtich,
-/// "Impulse-based dynamic simulation of rigid body systems" (1996). Contact within the tolerance is a phantom where
-/// none follows. A rounded step past the contact, or past t_max, loses it; after kAdvancementSteps steps it says
-/// contact where it stands.
+/// "Impulse-based dynamic simulation of rigid body systems" (1996). Elements within the tolerance that do not touch
+/// later are a phantom. A step that rounding moves past the contact, or past t_max, loses the contact. After
+/// kAdvancementSteps steps it claims a contact at the time that it has reached.
 Result solve_conservative_advancement(const Query& query, double t_max, double tolerance);
 
-/// Boxes that `interval` looks at before it gives up and says contact at the earliest time left.
+/// The number of boxes that `interval` examines before it claims a contact at the earliest time left.
 constexpr int kIntervalSteps = 1 << 16;
 
-/// Steps of `conservative_advancement` before it gives up and says contact at the time it has reached.
+/// The number of steps of `conservative_advancement` before it claims a contact at the time that it has reached.
 constexpr int kAdvancementSteps = 10000;
 
 }  // namespace touchstone::baselines

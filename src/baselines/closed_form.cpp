@@ -5,20 +5,20 @@
 
 #include "baselines/first_touch.hpp"
 
-// The degree is decided against the coefficients' own rounding noise, no large term is divided by a small one, S comes
-// from the sum without cancellation and T = -Q / S, a double root is looked for where V is stationary and a root at an
-// end of the step where V is all but zero there, and Newton steps polish what the formulas give.
+// The degree is decided by comparing the coefficients with their own rounding noise. No large term is divided by a
+// small one. S is the sum without cancellation, and T = -Q / S. A double root is sought where V is stationary. A root
+// at an end of the step is sought where V is nearly zero there. Newton steps polish the roots of the formulas.
 namespace touchstone::baselines {
 namespace {
 
 // Slack of the inside tests: a few thousand ulps, what weights of well-shaped elements lose to rounding.
 constexpr double kSlack = 1e-12;
 
-// A root this far outside [0, t_max] is taken for one at its end.
+// A root at most this far outside [0, t_max] counts as a root at its end.
 constexpr double kTimeSlack = 1e-14;
 
-// With a smaller leading coefficient than this share of the others, the two roots near [0, 1] are those of the
-// quadratic, to first order, and the formulas of the cubic would lose them in the difference of two numbers near b / a.
+// If the leading coefficient is smaller than this fraction of the others, the two roots near [0, 1] are those of the
+// quadratic, to first order. The formulas of the cubic would lose them in the difference of two numbers near b / a.
 constexpr double kSmallLeading = 1e-6;
 
 double polished(const Cubic& p, double t) {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-// Every feature has its own projection: more work than to search for the closest pair of features, but no case depends
-// on which side of a threshold a rounded number fell.
+// Every feature has its own projection. This is more work than a search for the closest pair of features, but no case
+// depends on which side of a threshold a rounded number fell.
 namespace touchstone::baselines {
 
 using geometry::cross;
@@ -15,7 +15,7 @@ using geometry::dot;
 namespace {
 
 // Below this sine, squared, the direction of the common normal is rounding noise, and the boundaries are as near as the
-// interiors but for the same share of a length.
+// interiors, up to the same fraction of a length.
 constexpr double kParallel = 0x1p-80;
 
 double length(const Vector& v) { return std::sqrt(dot(v, v)); }

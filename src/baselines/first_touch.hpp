@@ -25,11 +25,11 @@ class Times {
   std::size_t count_ = 0;
 };
 
-/// Adds the roots of p in [0, t_max], double ones included, each good to `tolerance`; nothing when p is noise.
+/// Adds the roots of p in [0, t_max], double roots included, each within `tolerance`; nothing when p is rounding noise.
 using RootFinder = void (*)(const Cubic& p, double t_max, double tolerance, Times& times);
 
-/// The first candidate time at which the elements touch but for `slack`: a share of the element for weights, of the
-/// frame's largest component for distances.
+/// The first candidate time at which the elements touch within `slack`: a fraction of the element for weights, and of
+/// the frame's largest component for distances.
 Result first_touch(const Query& query, double t_max, RootFinder roots, double tolerance, double slack);
 
 }  // namespace touchstone::baselines

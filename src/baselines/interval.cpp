@@ -10,8 +10,9 @@
 
 // The difference of a point of one element and one of the other is affine in t and in each weight, so its image over a
 // box of them lies in the convex hull of its values at the box's corners: per axis, between the least and the greatest.
-// A box whose image, widened by the rounding error, holds no origin touches nowhere and is dropped. Boxes are taken
-// earliest t first: the first one small enough to call a hit starts no later than any contact that is left.
+// If the image of a box, widened by the rounding error, does not contain the origin, the elements do not touch in the
+// box, and it is dropped. Boxes are taken in the order of their earliest t. So the first box that is small enough to be
+// a hit starts no later than any contact that is left.
 namespace touchstone::baselines {
 namespace {
 
@@ -70,7 +71,8 @@ class Difference {
 
   std::size_t axes() const { return kind_ == Kind::point_point ? 1 : kind_ == Kind::point_edge ? 2 : 3; }
 
-  /// The image of the box: whether it may hold the origin, its largest width, and how far it spreads along each axis.
+  /// The image of the box: whether it may contain the origin, its largest width, and how far it spreads along each
+  /// axis.
   struct Image {
     bool may_touch = true;
     double width = 0;

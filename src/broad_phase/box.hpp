@@ -1,4 +1,4 @@
-// Axis-aligned boxes around elements, the common currency of the broad phases.
+// Axis-aligned boxes around elements. Both broad phases work on them.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -21,7 +21,7 @@ Box empty_box() noexcept;
 void extend(Box& box, const Vec3& corner) noexcept;
 bool overlap(const Box& a, const Box& b) noexcept;
 
-/// Takes the numbers of two boxes.
+/// Called with the indices of two boxes.
 using PairConsumer = std::function<void(std::uint32_t, std::uint32_t)>;
 
 }  // namespace touchstone::broad_phase

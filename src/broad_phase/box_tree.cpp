@@ -11,22 +11,24 @@ namespace {
 
 using Number = std::uint32_t;
 
-/// Times at which no bound is known to keep two boxes apart; none when `from` exceeds `to`.
+/// The times at which two boxes may overlap; none if `from` exceeds `to`.
 struct TimeInterval {
   double from = 0, to = 1;
 };
 
-// f moves evenly from f0 to f1, which are differences of two bounds, and is negative all the time when both are:
-// rounding does not change a difference's sign. When one is, f is zero at t = -f0 / (f1 - f0) = 1 - f1 / (f1 - f0).
-// With e = 2^-53 the computed f0 and f1 are off by e of themselves, and so, as their signs differ, is f1 - f0, with e
-// more for its own rounding; the quotient, at most 1, is off by 4 e, and 1 less it by 5 e. So two times and their
-// comparison are off by 10 e; the rest covers terms of second order and underflow.
+// f is linear in t, from f0 to f1. Both are differences of two bounds, and rounding does not change a difference's
+// sign. If both are negative, f is negative at all times. If one of them is negative, f is zero at
+// t = -f0 / (f1 - f0) = 1 - f1 / (f1 - f0).
+// Let e = 2^-53. The computed f0 and f1 have a relative error of e. Their signs differ, so f1 - f0 has a relative
+// error of e, and e more for its own rounding. The quotient is at most 1 and is off by 4 e; 1 minus the quotient is off
+// by 5 e. So two times and their comparison are off by 10 e. The rest of the constant covers terms of second order and
+// underflow.
 constexpr double kTimesError = 12 * 0x1p-53;
 
-/// Leaves out times at which f is certainly negative. @returns false when that is always
+/// Removes the times at which f is certainly negative. @returns false if f is negative at all times
 bool keep_where_not_negative(double f0, double f1, TimeInterval& times) noexcept {
-  // A difference that overflows makes a quotient 0 or NaN, and either leaves the times as they are: std::max and
-  // std::min return their first argument then.
+  // A difference that overflows makes a quotient 0 or NaN. Neither changes the times: std::max and std::min return
+  // their first argument then.
   if (f0 < 0) {
     if (f1 < 0) return false;
     times.from = std::max(times.from, -f0 / (f1 - f0));
@@ -36,12 +38,12 @@ bool keep_where_not_negative(double f0, double f1, TimeInterval& times) noexcept
   return true;
 }
 
-/// A binary tree over boxes. Boxes of one branch are near each other at both ends of the step.
+/// A binary tree over boxes. The boxes of a node are near each other at both ends of the step.
 class Tree {
  public:
   struct Node {
     MovingBox box;
-    Number first, last;  ///< places of its boxes
+    Number first, last;  ///< positions of its boxes in items_
     Number second;       ///< the second child; the first one comes next. 0: a leaf
     bool is_leaf() const noexcept { return second == 0; }
   };
@@ -65,7 +67,7 @@ class Tree {
  private:
   static constexpr Number kLeaf = 8;  // boxes in a leaf, at most
 
-  /// A box's number, and its lower bounds at both ends: where it is.
+  /// A box's number, and its lower bounds at both ends.
   struct Item {
     std::array<double, 6> at;
     Number number;
@@ -91,13 +93,14 @@ class Tree {
     return {widest, 0.5 * least[widest] + 0.5 * greatest[widest]};
   }
 
-  /// Sorts [first, last) into two parts, and returns where the second begins. The parts depend on the boxes only.
+  /// Divides the items [first, last) into two parts. @returns where the second part begins. Only the boxes decide which
+  /// box is in which part.
   Number split(Number first, Number last) {
     const auto begin = items_.begin() + first, end = items_.begin() + last;
     const Extent extent = widest_extent(first, last);
     const auto beyond = std::partition(begin, end, [&](const Item& i) { return i.at[extent.axis] < extent.middle; });
     const Number middle = first + static_cast<Number>(beyond - begin);
-    const Number fewest = 1 + (last - first) / 8;  // in a part, or the tree may become as deep as there are boxes
+    const Number fewest = 1 + (last - first) / 8;  // in each part; otherwise the depth might reach the number of boxes
     if (middle - first >= fewest && last - middle >= fewest) return middle;
     const Number half = first + (last - first) / 2;
     std::nth_element(begin, items_.begin() + half, end, [&](const Item& i, const Item& j) {
@@ -129,7 +132,7 @@ class Tree {
   std::vector<Node> nodes_;
 };
 
-/// found(place in a, place in b) for boxes that meet.
+/// Calls found(position in a, position in b) for boxes that meet.
 template <class Found>
 void across(const Tree& a, Number in_a, const Tree& b, Number in_b, const Found& found) {
   const Tree::Node &x = a.node(in_a), &y = b.node(in_b);

@@ -1,4 +1,5 @@
-// The pairs of boxes that overlap: a uniform grid, near-linear in the number of boxes when they are of similar size.
+// The pairs of boxes that overlap: a uniform grid. The time is nearly linear in the number of boxes if their sizes are
+// similar.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -18,7 +18,7 @@ std::uint64_t ulps_between(double from, double to) noexcept;
 template <class Distance>
 struct EarlyBucket {
   Distance from{};
-  std::optional<Distance> below;  ///< nothing: up to the greatest there is
+  std::optional<Distance> below;  ///< nothing: no upper end
   std::uint64_t claims = 0;
 };
 

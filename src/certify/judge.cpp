@@ -52,8 +52,8 @@ Verdict judge_as_written(const Claim& claim, const AnyQuery& query, const Answer
   const Verdict verdict = judge(claim, truth);
   const bool of_contact = claim.contact && truth.contact && claim.toi;
   if (!of_contact || claim.toi_as_written.empty()) return verdict;
-  // A time whose nearest double is before toi lies before the midpoint of two doubles that are both at most toi; and
-  // the same after toi_upper. There the nearest double decides.
+  // If the nearest double of a time is before toi, the time lies before the midpoint of two doubles that are both at
+  // most toi. The same holds after toi_upper. In both cases the nearest double decides.
   if (*claim.toi < truth.toi || *claim.toi > truth.toi_upper) return verdict;
   return is_late_as_written(claim, query, truth) ? Verdict::late : Verdict::holds;
 }

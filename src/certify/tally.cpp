@@ -27,7 +27,7 @@ void Tally::add(const Claim& claim, const Answer& answer, Verdict verdict) noexc
   ++levels[static_cast<std::size_t>(answer.level)];
   ++natures[static_cast<std::size_t>(answer.nature)];
   if (verdict != Verdict::holds || !claim.contact || !claim.toi) return;
-  // A time as written that holds may round to the double after the exact time: it is no double early.
+  // A time as written may hold and yet round to the double after the exact time. Then it is early by 0 doubles.
   early.add(std::min(*claim.toi, answer.toi), answer.toi);
 }
 

@@ -72,7 +72,8 @@ double dyadic_time(Rng& rng) {
   return std::ldexp(rng.between(1, (1 << bits) - 1), -bits);
 }
 
-// Every corner is random but one, of a power-of-two weight, which is put where the weighted sums agree at `time`.
+// Every corner is random except one. That corner has a weight that is a power of two, and is placed so that the
+// weighted sums agree at `time`.
 Sample prescribed(Kind kind, Rng& rng, double time, Where where) {
   static constexpr std::array<int, 4> widths{2, 3, 8, 17};
   const int bits = rng.pick(widths);

@@ -1,4 +1,4 @@
-// Seeded queries, built to hurt: each family is one way to be degenerate, or nearly so, or extreme.
+// Seeded queries that are hard for solvers. Each family is degenerate, nearly degenerate or extreme in one way.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -18,7 +18,7 @@ namespace touchstone::families {
 using seeded::Rng;
 
 enum class Family : std::uint8_t {
-  // Small integers, where coincidences of every sort happen by themselves.
+  // Small integers, where coincidences of every sort happen by chance.
   lattice1,
   lattice2,
   lattice4,
@@ -62,11 +62,11 @@ enum class Family : std::uint8_t {
   huge,
   corner_scale,
   mixed_scale,
-  // Later ones go to the end: the seeded queries of the others stay what they are.
+  // A new family goes to the end, so that the seeded queries of the others do not change.
   beside_ends
 };
 
-/// What a family is like, to choose by.
+/// The properties of a family.
 enum class Group : std::uint8_t { lattice, coplanar, contact, perturbed, scale };
 
 struct FamilyInfo {
@@ -86,7 +86,7 @@ constexpr std::array<Kind, 4> kKinds{Kind::edge_edge, Kind::vertex_face, Kind::p
 
 struct Sample {
   Query query;
-  std::optional<double> touches_at;  ///< by construction the elements touch then, perhaps earlier too
+  std::optional<double> touches_at;  ///< by construction the elements touch at this time, perhaps earlier too
 };
 
 /// The next query of a family. The caller's floating-point environment must be the default one.
@@ -103,7 +103,7 @@ struct CaseId {
 Sample make_sample(const CaseId& id);
 Query make(const CaseId& id);
 
-/// The generator behind a case, for who needs more random numbers than its query.
+/// The generator of a case, for a caller that needs more random numbers than the query has used.
 Rng rng_of(const CaseId& id);
 
 /// "grazing_apart edge-edge 7 1234", and back; nothing when the text is no case.

@@ -57,7 +57,7 @@ Query near_rigid(Kind kind, Rng& rng) {
   return query;
 }
 
-// A lattice of spacing one ulp around a place that is far from the origin in terms of it.
+// A lattice around a point that is far from the origin. Its spacing is one ulp there.
 Query ulp_lattice(Kind kind, Rng& rng) {
   static constexpr std::array<double, 6> places{1.0, 1.5, 0.1, -3.7, 1e8, 1.9999999};
   Query query = lattice(kind, rng, rng.between(1, 3));
@@ -101,7 +101,8 @@ Query random_doubles(Kind kind, Rng& rng) {
   return query_of(kind, corners);
 }
 
-// What a broad phase hands over: elements of size about 1 a fraction of that apart, displaced by a fraction of it.
+// Pairs such as a broad phase finds: elements of size about 1, whose distance and displacement are fractions of that
+// size.
 Query simulation(Kind kind, Rng& rng) {
   std::array<Moving, 4> corners{};
   const std::size_t first_of_b = element_sizes(kind).a;

@@ -1,5 +1,5 @@
-// Queries built from where V's roots lie: double and triple, irrational and on a corner, beside 0 and 1, and where the
-// elements are parallel.
+// Queries that are built from the places of V's roots: double and triple, irrational and on a corner, beside 0 and 1,
+// and where the elements are parallel.
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <utility>
@@ -115,7 +115,8 @@ Query layers(Kind kind, Rng& rng) {
   return turned(query, rng);
 }
 
-// Layers that meet so soon after 0, or so shortly before 1, that the time is no double, or a subnormal one.
+// Elements in two parallel planes that meet so soon after 0, or so shortly before 1, that the time is no double, or a
+// subnormal one.
 Query extreme_time(Kind kind, Rng& rng) {
   Query query = lattice(kind, rng, rng.between(1, 3));
   // One call of rng a statement: compilers evaluate the arguments of a call in different orders.

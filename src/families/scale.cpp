@@ -14,8 +14,8 @@ constexpr int kGreatestExponent = 1000;
 
 int any_exponent(Rng& rng) { return rng.between(kLeastExponent, kGreatestExponent); }
 
-// Half of the time an exponent at which products of two, three or four coordinates, or their low parts, begin to
-// underflow or overflow.
+// An exponent. Half of the time it is one at which products of two, three or four coordinates, or their low parts,
+// begin to underflow or overflow.
 int telling_exponent(Rng& rng) {
   static constexpr std::array<int, 10> telling{-537, -510, -358, -340, -322, -268, -250, 250, 341, 512};
   if (rng.one_in(2)) return any_exponent(rng);

@@ -22,7 +22,7 @@ void check(const CandidateOptions& options) {
   }
 }
 
-/// Collects queries and hands them out when there are enough.
+/// Collects queries and passes them on in batches.
 class Batches {
  public:
   Batches(const std::function<void(const Batch&)>& take, std::size_t step, Kind kind) : take_(take) {
@@ -46,8 +46,8 @@ class Batches {
   Batch batch_;
 };
 
-/// Hands out `wanted` of the step's candidates, each as likely as any other, or all when there are no more than that
-/// (a reservoir: the n-th candidate takes the place of an earlier one with probability wanted / n). @returns how many
+/// Passes on `wanted` of the step's candidates, each with the same probability, or all if there are no more. It is
+/// reservoir sampling: the n-th candidate replaces an earlier one with probability wanted / n. @returns how many
 std::uint64_t hand_out(const Step& step, Batches& batches, Kind kind, bool shared_corners, std::uint64_t wanted,
                        seeded::Rng random) {
   std::vector<std::array<Index, 2>> drawn;

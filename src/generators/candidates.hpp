@@ -1,4 +1,4 @@
-// Simulation-like queries: the pairs of elements of a moving scene that come close enough to be asked about.
+// Queries such as a simulation asks: the candidate pairs of elements of a moving scene.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -17,11 +17,11 @@ struct CandidateOptions {
   SceneName scene = SceneName::cloth;
   std::uint64_t seed = 1;
   std::size_t edges = 4000;  ///< about how many the scene has; in [kFewestEdges, kMostEdges]
-  std::size_t steps = 20;    ///< how many steps the scene moves on
+  std::size_t steps = 20;    ///< the number of steps that the scene makes
   double speed = 1;          ///< 1: most corners move by a tenth of an edge's length a step; finite, >= 0
   bool edge_edge = true;
   bool vertex_face = true;
-  bool shared_corners = false;  ///< also the pairs that share a corner, which touch in it all the time
+  bool shared_corners = false;  ///< also the pairs that share a corner; they touch there at all times
   std::uint64_t count = 0;      ///< at most so many of each kind, drawn evenly from all the steps; 0: every one
 };
 

@@ -28,7 +28,7 @@ class Cloth final : public Scene {
     edge_length_ = 2 * kHalfSide / static_cast<double>(n);
     for (std::size_t i = 0; i <= n; ++i) {
       for (std::size_t j = 0; j <= n; ++j) {
-        // Not a perfect grid: each corner is moved by up to a fifth of an edge.
+        // The grid is not perfect: each corner is moved by up to a fifth of an edge.
         const double x = static_cast<double>(i) + random.uniform(-0.2, 0.2);
         const double y = static_cast<double>(j) + random.uniform(-0.2, 0.2);
         rest_.push_back({edge_length_ * x - kHalfSide, edge_length_ * y - kHalfSide, 0});

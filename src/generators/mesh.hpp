@@ -1,4 +1,4 @@
-// What is joined to what: corners, edges and faces of sheets, spheres and chains.
+// The connectivity of sheets, spheres and chains: corners, edges and faces.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -1,4 +1,5 @@
-// One step of a moving scene: where the corners are at both ends, and which elements come close in between.
+// One step of a moving scene: the positions of the corners at both ends, and the pairs of elements that come close in
+// between.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -66,7 +66,7 @@ void AnswerReader::read_toi(std::string_view field, AnswerRow& row) const {
   if (std::isinf(*row.toi)) refuse("toi is " + in_quotes(field) + "; it " + std::string(fault_of_double(field)));
   if (!row.contact) refuse("contact is 0 and toi is " + in_quotes(field) + "; without contact toi must be empty");
   if (is_plainly_a_double(field)) return;
-  // Long texts are refused before they are looked at more closely; an exponent makes a number long, too.
+  // Long texts are refused before they are parsed. A large exponent makes a number long, too.
   constexpr std::size_t kMost = numbers::kMostWrittenDigits;
   if (field.size() > kMost) {
     refuse("toi has " + std::to_string(field.size()) + " characters; at most " + std::to_string(kMost) + " are read");
@@ -97,7 +97,7 @@ void AnswerReader::read_header() {
   }
 }
 
-/// Takes the next record that is not blank apart into fields_. @returns false at the end of the file
+/// Splits the next record that is not blank into fields_. @returns false at the end of the file
 bool AnswerReader::next_record() {
   for (;;) {
     record_row_ = line_;

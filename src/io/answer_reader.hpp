@@ -1,4 +1,4 @@
-// answers.csv, read as what somebody claims.
+// Reads answers.csv as the claims of a solver.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -15,20 +15,20 @@
 
 namespace touchstone::io {
 
-/// One row of an answers file, as far as it is a claim.
+/// One row of an answers file: the columns that make a claim.
 struct AnswerRow {
   std::optional<std::string_view> file;  ///< nothing when the file has no such column; valid until the next row
   std::uint64_t query = 0;
   bool contact = false;
   std::optional<double> toi;  ///< finite; only with contact
-  /// The field's text when it may be no double, but one whose nearest double is `toi`; else empty. Its exact value has
-  /// at most numbers::kMostWrittenDigits. Valid until the next row.
+  /// The field's text, if its number may lie beside its nearest double `toi`; else empty. Its exact value has at most
+  /// numbers::kMostWrittenDigits digits. Valid until the next row.
   std::string_view toi_as_written;
   std::uint64_t row = 0;  ///< the line where it starts, counted from 1
 };
 
-/// Reads RFC 4180 CSV whose first line names its columns, in any order: `query` and `contact` are needed, `file` and
-/// `toi` are read, the others of answers.csv are known and skipped, any other name is an error. Rows are bounded by
+/// Reads RFC 4180 CSV. The first line names the columns, in any order. `query` and `contact` are needed, and `file` and
+/// `toi` are optional. The other columns of answers.csv are skipped. Any other name is an error. Rows are bounded by
 /// kLongestLine, lines may end in CRLF, and blank lines are skipped.
 class AnswerReader {
  public:

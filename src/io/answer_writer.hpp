@@ -13,7 +13,8 @@ namespace touchstone::io {
 /// The header, with its line end.
 inline constexpr std::string_view kAnswerHeader = "file,query,contact,toi,toi_upper,nature,feature_a,feature_b,level\n";
 
-/// `text` as a CSV field by RFC 4180: in quotes, and its quotes doubled, when it holds a comma, quote or line end.
+/// `text` as a CSV field by RFC 4180. If it contains a comma, a quote or a line end, it is in quotes and its quotes are
+/// doubled.
 std::string csv_field(std::string_view text);
 
 /// Appends one row. Without contact every column between `contact` and `level` is empty.

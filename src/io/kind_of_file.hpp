@@ -19,11 +19,11 @@ std::optional<Kind> kind_from_name(std::string_view name) noexcept;
 /// The four names, for messages: "edge-edge, vertex-face, point-edge or point-point".
 std::string kind_names();
 
-/// The kind that the folder just above the file is named after, or nothing. A bare file name is looked up in the
-/// working folder.
+/// The kind that the file's folder is named after, or nothing. The folder of a bare file name is the working folder.
 std::optional<Kind> kind_of_folder(const std::string& path);
 
-/// The kind as which a query file is read: `given` (an option of the caller) or else that of its folder.
+/// The kind of the queries of a file: `given` (an option of the caller), or else the kind that its folder is named
+/// after.
 /// @throws FileError when there is neither
 Kind kind_of_file(const std::string& path, std::optional<Kind> given);
 

@@ -50,8 +50,8 @@ struct Created {
 };
 
 /// A process holds a lock on its temporary file for as long as the file has that name. The system releases it when the
-/// process ends, however that ends. So a temporary file that can be locked is the leftover of a process that was
-/// killed. Where locks do not work, nothing can be locked, and leftovers stay.
+/// process ends in any way. So a temporary file that can be locked is the leftover of a process that was killed. Where
+/// locks do not work, nothing can be locked, and leftovers stay.
 bool lock(int descriptor) { return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0; }
 
 enum class Existing : std::uint8_t { none, removed, kept };
@@ -62,8 +62,8 @@ Existing remove_leftover(const std::string& path) {
   if (descriptor < 0) return errno == ENOENT ? Existing::none : Existing::kept;
   struct stat status {};
   const bool leftover = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && lock(descriptor);
-  // The lock is held until the name is gone, so that nobody else removes a new file of this name in the belief that it
-  // is this one.
+  // The lock is held until the name is gone. Otherwise another process could take a new file of this name for this one,
+  // and remove it.
   struct stat named {};
   const bool same =
       leftover && ::lstat(path.c_str(), &named) == 0 && named.st_ino == status.st_ino && named.st_dev == status.st_dev;
@@ -176,11 +176,11 @@ void OutputFile::commit() {
   flush();
   if (!owned_) return;
   if (!temporary_.empty() && ::fsync(descriptor_) != 0) fail(name_, "cannot be written: " + system_reason(errno));
-  // Closing may tell of an error, so it comes before the rename; the lock lasts until after it.
+  // Closing may report an error, so it comes before the rename. The lock lasts until after the rename.
   const Descriptor lock(temporary_.empty() ? -1 : ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0));
   if (::close(std::exchange(descriptor_, -1)) != 0) fail(name_, "cannot be written: " + system_reason(errno));
   if (temporary_.empty()) return;
-  // Once more right before it counts: for root a rename would put a plain file in the place of a device.
+  // Checked again directly before the rename: for root, a rename would replace a device by a plain file.
   struct stat status {};
   if (::stat(target_.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
     fail(name_, "has become something else than a file; it is left alone");

@@ -8,10 +8,10 @@
 
 namespace touchstone::io {
 
-/// Writes beside the target under a temporary name, and takes the target's place in commit(). Destroyed without a
-/// commit, it removes what it wrote: whatever stood under the target's name still stands there. A process that is
-/// killed cannot remove it: TARGET.touchstone-N.partial stays, and is removed when the same target is written again. A
-/// target that is a device or pipe, and standard output, are written straight away: they have nothing to replace.
+/// Writes a temporary file beside the target; commit() puts it in the target's place. If the object is destroyed
+/// without a commit, it removes the temporary file, and the target is unchanged. A process that is killed cannot remove
+/// the file. Then TARGET.touchstone-N.partial stays, until the same target is written again. Devices, pipes and
+/// standard output are written directly, since there is no file to replace.
 class OutputFile {
  public:
   /// @throws FileError when the target is a folder or nothing can be written beside it
@@ -22,7 +22,7 @@ class OutputFile {
   /// @throws FileError when the disk is full, the reader of a pipe has gone, and so on
   void write(std::string_view bytes);
 
-  /// Everything is on the disk, and under the final name. @throws FileError
+  /// Puts everything on the disk, under the final name. @throws FileError
   void commit();
 
   const std::string& name() const noexcept { return name_; }
@@ -37,7 +37,7 @@ class OutputFile {
 
   std::string name_;       ///< for messages
   std::string target_;     ///< the final name: where a symbolic link leads, whether there is a file or not
-  std::string temporary_;  ///< empty: written straight away
+  std::string temporary_;  ///< empty: the target is written directly
   std::string buffer_;
   int descriptor_ = -1;
   bool owned_ = true;

@@ -72,8 +72,8 @@ void QueryChunkReader::scan() {
   if (error_.empty() && !too_long(searched_) && at_end_ && line_ < searched_) scan_line(searched_);
 }
 
-/// Refuses what grows without bound once the current line reaches to `end`: the line itself or the query around it,
-/// whichever limit comes first in the file (so that the message does not depend on how much was read at a time).
+/// Refuses a line or a query that is too long, where the current line reaches to `end`. It reports the limit that comes
+/// first in the file, so that the message does not depend on how much was read at a time.
 bool QueryChunkReader::too_long(std::size_t end) {
   const std::size_t line_limit = line_ + kLongestLine;
   const std::size_t query_limit = rows_ > 0 ? cut_ + kLongestQuery : std::string::npos;

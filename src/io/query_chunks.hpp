@@ -40,7 +40,7 @@ struct QueryChunk {
 
   std::string_view text() const noexcept { return std::string_view(bytes).substr(0, bytes.size() - kPadding); }
 
-  /// The text and then kPadding zero bytes: a parser may look that far ahead and needs no other end mark.
+  /// The text and then kPadding zero bytes. So a parser may read that far ahead, and needs no other end mark.
   static constexpr std::size_t kPadding = 16;
   std::string bytes = std::string(kPadding, '\0');
 };
@@ -83,7 +83,7 @@ class QueryChunkReader {
   std::size_t cut_ = 0;        ///< the end of the last complete query and the comments after it
   std::size_t cut_lines_ = 0;  ///< lines before cut_
 
-  std::string error_;  ///< to be thrown once the whole queries before it are out
+  std::string error_;  ///< thrown after the complete queries before it
   std::uint64_t error_row_ = 0;
 };
 

@@ -28,7 +28,7 @@ class QueryParser {
   explicit QueryParser(const QueryChunk& chunk);
 
   /// The next query into `record`. @returns false after the last one
-  /// @throws FileError  naming the row of the query's first fault; there is no going on after that
+  /// @throws FileError  naming the row of the query's first fault; no query can be read after that
   bool next(QueryRecord& record);
 
  private:

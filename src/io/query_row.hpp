@@ -20,10 +20,10 @@ struct DoubleRow {
   bool truth = false;
 };
 
-/// Reads the row at `text` when it is of the usual sort: no blanks, coordinates that are doubles, numerators of at
-/// most 2^53 in lowest terms and denominators of at most 38 digits. @returns the start of the next line, or nullptr
-/// when the row is of another sort or damaged. Eight bytes past the end of the line must be readable, and
-/// the last line must be followed by a zero byte.
+/// Reads the row at `text` if it has the usual form: no blanks, coordinates that are doubles, numerators of at most
+/// 2^53 in lowest terms and denominators of at most 38 digits. @returns the start of the next line, or nullptr when the
+/// row has another form or is damaged. Eight bytes past the end of the line must be readable, and the last line must be
+/// followed by a zero byte.
 const char* read_usual_row(const char* text, DoubleRow& row) noexcept;
 
 /// Any well-formed row, as text.
@@ -32,9 +32,9 @@ struct RowFields {
   bool truth = false;
 };
 
-/// Takes a line (with or without its '\r') apart and checks all of it: seven columns, decimal integers with an optional
-/// '-' and blanks around them, positive denominators, truth 0 or 1. A sign on a denominator, a leading '+', decimal
-/// points and exponents are refused, because they belong to other formats.
+/// Splits a line (with or without its '\r') into its columns, and checks all of it: seven columns, decimal integers
+/// with an optional '-' and blanks around them, positive denominators, truth 0 or 1. A sign on a denominator, a leading
+/// '+', decimal points and exponents are refused, because they belong to other formats.
 /// @returns nothing when the line is not such a row; `reason` then says why
 std::optional<RowFields> read_row(std::string_view line, std::string& reason);
 

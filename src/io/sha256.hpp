@@ -8,7 +8,7 @@
 
 namespace touchstone::io {
 
-/// 64 lower-case hexadecimal digits. Bytes that differ have digests that differ, for all that is known.
+/// 64 lower-case hexadecimal digits. No two texts with the same digest are known.
 std::string sha256(std::string_view bytes);
 
 }  // namespace touchstone::io

@@ -12,8 +12,8 @@
 namespace touchstone::io {
 namespace {
 
-/// The 0 or infinity that a well-formed number beyond the doubles' range rounds to. It is told by the position of the
-/// first digit that is not 0, which lies hundreds of positions before or after the point.
+/// The 0 or infinity that a well-formed number beyond the doubles' range rounds to. The position of the first digit
+/// that is not 0 tells which: it lies hundreds of positions before or after the point.
 double rounded_beyond_range(std::string_view text, bool hexadecimal) noexcept {
   const std::size_t mark = std::min(text.find_first_of(hexadecimal ? "pP" : "eE"), text.size());
   const std::string_view digits = text.substr(0, mark);

@@ -15,14 +15,15 @@ std::string hexfloat(double value);
 /// Nothing for anything else: blanks, text after the number, "nan", "inf", values beyond the doubles' range.
 std::optional<double> parse_finite_double(std::string_view text) noexcept;
 
-/// The same, and for a number beyond the doubles' range the zero or infinity that it rounds to.
+/// The same, except that a number beyond the doubles' range gives the zero or infinity that it rounds to.
 std::optional<double> parse_rounded_double(std::string_view text) noexcept;
 
-/// Why parse_finite_double reads nothing from `text`, for a message after the text: "is no number". Empty when it does.
+/// The reason why parse_finite_double refuses `text`, for a message after the text: "is no number". Empty if it does
+/// not.
 std::string_view fault_of_double(std::string_view text) noexcept;
 
 /// Whether the digits alone show that `number`, which parse_finite_double reads, spells exactly a double: a hexfloat of
-/// at most 53 bits, as hexfloat() writes it. False where that is not so easily seen.
+/// at most 53 bits, as hexfloat() writes it. False where the digits alone do not show it.
 bool is_plainly_a_double(std::string_view number) noexcept;
 
 }  // namespace touchstone::io

@@ -51,10 +51,10 @@ std::string text_beside_doubles(std::string_view number, double nearest) {
   if (!std::isfinite(nearest) || io::is_plainly_a_double(number)) return {};
   std::string text(number.substr(number.starts_with('+') ? 1 : 0));
   if (numbers::exact_value(text)) return numbers::is_exactly_a_double(text) ? std::string() : text;
-  // A number with more digits than are read exactly. kLongestNumber characters alone cannot spell so many, so the
-  // exponent is far below 0: the number is closer to 0 than any time of a query of doubles but 0, and 1e-4000 compares
-  // with all of these times as the number does. Such times are roots of polynomials whose coefficients that are not 0
-  // lie between 2^-3222 and 2^3100, so none is below 2^-6400, about 1e-1927, but 0.
+  // This number has more digits than are read exactly. kLongestNumber characters cannot spell so many digits without an
+  // exponent far below 0. So the number is closer to 0 than any contact time of a query of doubles, except the time 0.
+  // All these times compare with 1e-4000 as they do with the number. They are roots of polynomials whose nonzero
+  // coefficients lie between 2^-3222 and 2^3100. So no time except 0 is below 2^-6400, about 1e-1927.
   return text.starts_with('-') ? "-1e-4000" : "1e-4000";
 }
 

@@ -1,5 +1,4 @@
-// The protocol of solvers that are programs of their own and are asked over pipes: one line a query, one line an
-// answer.
+// The protocol between `touchstone fuzz` and a solver program, over pipes: one line a query, one line an answer.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -22,7 +21,11 @@ namespace touchstone::pipes {
 //            "1"            contact; this solver reports no time
 //            "unsupported"  the solver takes no queries of this kind; only as the first answer to a kind
 //            and a line feed. A carriage return and blanks before it do no harm.
+<<<<<<< HEAD
 // The program writes exactly one answer to each query, in the order of the queries, and flushes it: the next query
+=======
+// The program writes exactly one answer to each query, in the order of the queries, and flushes it. The next query
+>>>>>>> 9a8ff3071d2879e6a4235f0fa988b55805573ffb
 // comes only after the answer. The program ends when its input ends.
 
 /// The line for a query, line feed included.

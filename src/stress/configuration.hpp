@@ -1,5 +1,5 @@
-// Elements that meet at a prescribed time and place, in numbers so plain that doubles hold them exactly. The dials make
-// them stiff.
+// Elements that meet at a prescribed time and place. Their numbers are so short that doubles hold them exactly. The
+// dials make them stiff.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -30,8 +30,8 @@ Configuration random_configuration(Kind kind, seeded::Rng& rng);
 /// The corners with x, y and z multiplied by those of `factors`.
 Corners scaled(const Corners& corners, const Vec3& factors);
 
-/// All corners times a matrix of small integers and determinant 1. Large and small extents along the axes then lie
-/// along general directions, and coordinates that doubles do not hold are rounded.
+/// All corners times a matrix of small integers and determinant 1. Then large and small extents no longer lie along the
+/// axes, and coordinates that doubles cannot hold are rounded.
 Corners sheared(const Corners& corners);
 
 /// x y z become y z x, `times` times.

@@ -1,4 +1,4 @@
-// Dials. Each makes queries stiff in one way, and its setting says how stiff, in powers of two.
+// Dials. A dial makes queries stiff in one way. Its setting says how stiff, as a power of two.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -29,7 +29,7 @@ const std::vector<Dial>& dials();
 /// The dial of this name, or null.
 const Dial* find_dial(std::string_view name) noexcept;
 
-/// The kinds that are asked.
+/// The kinds of query that the dials make.
 inline constexpr std::array<Kind, 2> kKinds{Kind::edge_edge, Kind::vertex_face};
 
 /// `count` queries at one setting. The same seed makes the same queries on every machine.

@@ -63,7 +63,8 @@ Line line_through(const Fraction& root, int bits, int shift) {
 }  // namespace
 
 Query separated_roots(Kind kind, int bits, Rng& rng) {
-  // The roots are 1 / (q q') apart, which 53 bits bring down to about 2^-100. Nearness to t = 0 brings the rest.
+  // The roots are 1 / (q q') apart. With 53 bits this is at least about 2^-100. Roots near t = 0 can be nearer to each
+  // other.
   const int digits = std::max(2, std::min(bits, 100) / 2);
   const int shift = std::max(0, bits - 100);
   auto [first, second] = neighbours(digits, rng);

@@ -20,8 +20,8 @@ constexpr std::size_t kOracleQueries = 10;  ///< of each set; one takes as long 
 /// Wall-clock seconds: of one pass of one method over one set, and the least that is measured.
 const report::Effort kEffort{0.02, 3, 0.001, 1, true};
 
-/// Every method, at the tolerance that its users commonly choose. The pairing with CGAL is left out: it would take most
-/// of the time, and CGAL has its say as the oracle.
+/// Every method, at the tolerance that its users commonly choose. `fast_cgal` is left out: it would take most of the
+/// time, and CGAL takes part as the oracle.
 std::vector<report::Contestant> usual_contestants() {
   std::vector<double> tolerances;
   for (const auto& method : baselines::methods()) {

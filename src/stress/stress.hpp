@@ -19,7 +19,7 @@ struct Options {
   std::vector<const Dial*> which;  ///< empty: all dials
 };
 
-/// One dial turned all the way, for one kind.
+/// All settings of one dial, for one kind.
 struct Table {
   const Dial* dial;
   Kind kind;
@@ -34,7 +34,8 @@ struct Stress {
   std::vector<std::string> oracle_differs;  ///< one line for each query where the judge and the oracle differ
 };
 
-/// Asks all methods all queries. Method::exact judges, and the oracle judges Method::exact on some queries of each set.
+/// Gives every query to every method. Method::exact judges the answers. The oracle checks Method::exact on some queries
+/// of each set.
 Stress run_stress(const Options& options, const report::Progress& progress);
 
 /// Answers of `touchstone` that are wrong, or whose time is not the exact one.
