@@ -10,7 +10,7 @@ namespace touchstone::sim {
 DenseSink::DenseSink(const System& system)
     : matrix(Eigen::MatrixXd::Zero(system.size(), system.size())), system_(&system) {}
 
-void DenseSink::length(std::size_t element, const Eigen::Matrix3d& block) {
+void DenseSink::stretch(std::size_t element, const Eigen::Matrix3d& block) {
   const Eigen::Index a = 3 * system_->stretch_elements[element].a, b = 3 * system_->stretch_elements[element].b;
   matrix.block<3, 3>(a, a) += block;
   matrix.block<3, 3>(b, b) += block;
