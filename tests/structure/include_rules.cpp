@@ -29,7 +29,7 @@ const std::map<std::string, Layers>& layer_table() {
       {"fuzz", {"solver", "certify", "baselines", "families", "filters", "io", "numbers", "geometry", "seeded"}},
       {"io", {"geometry", "numbers"}},
       {"linear", {}},
-      {"scene", {"io"}},
+      {"scene", {"generators", "io"}},
       {"rods", {"scene"}},
       {"contact", {"broad_phase", "linear", "scene", "rods", "solver", "baselines", "geometry"}},
       {"dynamics", {"linear", "scene", "rods", "contact"}},
