@@ -1,11 +1,6 @@
-<<<<<<< HEAD
-// The pairs of boxes that overlap at some time while they move: a tree of moving boxes. It is near-linear in their
-// number even when all boxes fly so fast that each sweeps over many others.
-// SPDX-License-Identifier: MIT
-=======
 // The pairs of moving boxes that overlap at some time: a tree of boxes. The time is nearly linear in the number of
-// boxes, even if every box moves so fast that it passes over the places of many others. SPDX-License-Identifier: MIT
->>>>>>> 9a8ff3071d2879e6a4235f0fa988b55805573ffb
+// boxes, even if every box moves so fast that it passes over the places of many others.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -15,13 +10,8 @@
 
 namespace touchstone::broad_phase {
 
-<<<<<<< HEAD
-/// A box whose bounds move evenly from those at t = 0 to those at t = 1. A corner that moves on a straight line and is
-/// in the box at both ends is in it at all times.
-=======
 /// A box whose bounds move evenly from those at t = 0 to those at t = 1. A corner that is in the box at both ends, and
 /// moves on a straight line, is in the box at all times.
->>>>>>> 9a8ff3071d2879e6a4235f0fa988b55805573ffb
 struct MovingBox {
   Box start, end;
 };

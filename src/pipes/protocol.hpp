@@ -21,11 +21,7 @@ namespace touchstone::pipes {
 //            "1"            contact; this solver reports no time
 //            "unsupported"  the solver takes no queries of this kind; only as the first answer to a kind
 //            and a line feed. A carriage return and blanks before it do no harm.
-<<<<<<< HEAD
-// The program writes exactly one answer to each query, in the order of the queries, and flushes it: the next query
-=======
 // The program writes exactly one answer to each query, in the order of the queries, and flushes it. The next query
->>>>>>> 9a8ff3071d2879e6a4235f0fa988b55805573ffb
 // comes only after the answer. The program ends when its input ends.
 
 /// The line for a query, line feed included.
