@@ -49,8 +49,8 @@ struct SubstepRecord {
 struct SimulationOptions {
   NarrowPhase narrow_phase = NarrowPhase::exact;
   int threads = 1;
-  /// Called between substeps, iterations of Newton's method and passes over contacts. It may throw to end the run: the
-  /// step under way has not been made then.
+  /// Called while the simulation is made, and between substeps, iterations of Newton's method and passes over contacts.
+  /// It may throw to end the run: the step under way has not been made then.
   std::function<void()> check_cancelled = {};
 };
 

@@ -26,7 +26,9 @@ class Course {
   explicit Course(const Scene& scene)
       : simulation_(scene, {NarrowPhase::exact, 1, [this] { note_start(); }}),
         alone_(simulation_.system(), scene.settings),
-        lifted_(simulation_.system().force.cwiseAbs().sum() * simulation_.thickness()) {}
+        lifted_(simulation_.system().force.cwiseAbs().sum() * simulation_.thickness()) {
+    ready_ = true;
+  }
 
   void run(int steps) {
     for (int i = 0; i < steps; ++i) {
@@ -56,7 +58,8 @@ class Course {
 
  private:
   void note_start() {
-    // A part that was refused is tried again from the same state.
+    if (!ready_) return;  // the simulation is being made
+    // Every check of a substep sees the state at its start, and so do those of a substep that is tried again.
     if (starts_.empty() || starts_.back().time != simulation_.state().time) starts_.push_back(simulation_.state());
   }
 
@@ -95,10 +98,11 @@ class Course {
     CHECK(gain <= 2e-3 * inner + lifted_ + rounding);
   }
 
+  bool ready_ = false;                // declared before the simulation, whose constructor calls note_start
+  std::vector<State> starts_, ends_;  // of the parts of a step
   Simulation simulation_;
   Stepper alone_;
   double lifted_;
-  std::vector<State> starts_, ends_;  // of the parts of a step
 };
 
 /// A cable that falls across a pinned wire, in the middle of it.
