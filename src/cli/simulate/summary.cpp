@@ -11,7 +11,7 @@ namespace touchstone::cli {
 void StepTotals::add(const std::vector<sim::SubstepRecord>& records) {
   ++steps;
   for (const sim::SubstepRecord& record : records) {
-    ++parts;
+    ++substeps;
     gained += static_cast<std::uint64_t>(record.gained_energy);
     first_order += static_cast<std::uint64_t>(record.first_order);
   }
@@ -26,11 +26,11 @@ std::string simulation_for_person(const sim::Simulation& simulation, const StepT
   }
   if (crossings.size() > kMostShown) text += fmt::format("crossing: {} more\n", grouped(crossings.size() - kMostShown));
   const auto& refused = simulation.refused();
-  if (totals.parts > totals.steps) {
+  if (totals.substeps > totals.steps) {
     text += fmt::format(
         "{} in {}: refused were {} that did not converge, {} without a response, {} that gained "
         "energy, {} that failed their proof\n",
-        counted(totals.steps, "step"), counted(totals.parts, "part"), refused.not_converged, refused.not_resolved,
+        counted(totals.steps, "step"), counted(totals.substeps, "part"), refused.not_converged, refused.not_resolved,
         refused.gained_energy, refused.not_certified);
   }
   if (totals.gained > 0)
