@@ -1,4 +1,4 @@
-// What the response to contacts knows of a scene: masses, stiffnesses, and how fast distances are made good.
+// The scene as the response to contacts sees it: masses, stiffnesses, and the speed of position corrections.
 // SPDX-License-Identifier: MIT
 #pragma once
 
