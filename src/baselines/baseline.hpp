@@ -11,18 +11,17 @@
 
 namespace touchstone::baselines {
 
-/// What a method says of one query. No guarantee comes with it: each method's `about` says what it is known to get
-/// wrong.
+/// The answer of a method to one query. No guarantee comes with it: each method's `about` names its known faults.
 struct Result {
   bool contact = false;
   double toi = std::numeric_limits<double>::infinity();  ///< in [0, t_max]; +infinity without contact
 };
 
-/// What a method's tolerance measures.
+/// The quantity that a method's tolerance measures.
 enum class Tolerance : std::uint8_t {
   none,    ///< it has none, and ignores the argument
   length,  ///< a distance between the elements, in the unit of the coordinates
-  share    ///< a dimensionless share: of the step for times, of an element for weights
+  share    ///< a dimensionless fraction: of the step for times, of an element for weights
 };
 
 /// One way to answer a query.
@@ -60,8 +59,8 @@ Result solve_paper(const Query& query, double t_max, double tolerance);
 Result solve_closed_form(const Query& query, double t_max, double tolerance);
 
 /// V's roots by bracketed Newton steps between its critical points, to `tolerance` in time; inside tests with the same
-/// share of slack. Near misses within it are phantoms. The position at a time that is off by the tolerance may be off
-/// by more than that share of a short edge, so small fast elements are missed.
+/// fraction of slack. Near misses within it are phantoms. The position at a time that is off by the tolerance may be
+/// off by more than that fraction of a short edge, so small fast elements are missed.
 Result solve_newton(const Query& query, double t_max, double tolerance);
 
 /// Bisection of (time, weights), earliest time first, keeping each box whose image may contain the origin, until an

@@ -17,7 +17,7 @@ constexpr double kSlack = 1e-12;
 // A root this far outside [0, t_max] is taken for one at its end.
 constexpr double kTimeSlack = 1e-14;
 
-// With a smaller leading coefficient than this share of the others, the two roots near [0, 1] are those of the
+// With a smaller leading coefficient than this fraction of the others, the two roots near [0, 1] are those of the
 // quadratic, to first order, and the formulas of the cubic would lose them in the difference of two numbers near b / a.
 constexpr double kSmallLeading = 1e-6;
 

@@ -15,7 +15,7 @@ using geometry::dot;
 namespace {
 
 // Below this sine, squared, the direction of the common normal is rounding noise, and the boundaries are as near as the
-// interiors but for the same share of a length.
+// interiors but for the same fraction of a length.
 constexpr double kParallel = 0x1p-80;
 
 double length(const Vector& v) { return std::sqrt(dot(v, v)); }

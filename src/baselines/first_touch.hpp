@@ -1,4 +1,5 @@
-// What `closed_form` and `newton` share: candidate times are roots of polynomials, and each is tested at its time.
+// The common part of `closed_form` and `newton`: candidate times are roots of polynomials, and each is tested
+// at its time.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -28,7 +29,7 @@ class Times {
 /// Adds the roots of p in [0, t_max], double ones included, each good to `tolerance`; nothing when p is noise.
 using RootFinder = void (*)(const Cubic& p, double t_max, double tolerance, Times& times);
 
-/// The first candidate time at which the elements touch but for `slack`: a share of the element for weights, of the
+/// The first candidate time at which the elements touch but for `slack`: a fraction of the element for weights, of the
 /// frame's largest component for distances.
 Result first_touch(const Query& query, double t_max, RootFinder roots, double tolerance, double slack);
 

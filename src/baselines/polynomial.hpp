@@ -12,8 +12,8 @@
 
 namespace touchstone::baselines {
 
-/// What a formula's terms add up to in absolute value: computed in this type, it gives the size against which the
-/// result in doubles may be rounding noise.
+/// The sum of the absolute values of a formula's terms. A result in doubles that is tiny beside it may be
+/// rounding noise.
 struct Magnitude {
   double m = 0;
 };
@@ -88,10 +88,10 @@ inline bool one_sided(const std::array<double, 4>& c, double noise) {
   return std::min({c[0], b1, b2, b3}) > noise || std::max({c[0], b1, b2, b3}) < -noise;
 }
 
-/// A value within this share of the sizes of all terms may be zero.
+/// A value within this fraction of the sizes of all terms may be zero.
 constexpr double kZero = 0x1p-46;
 
-/// A coefficient within this share of its size is taken for zero: a determinant of differences has seven roundings.
+/// A coefficient within this fraction of its size is taken for zero: a determinant of differences has seven roundings.
 constexpr double kNoise = 0x1p-50;
 
 inline bool is_noise(const Cubic& p, std::size_t i) { return std::fabs(p.c[i]) <= kNoise * p.size[i]; }

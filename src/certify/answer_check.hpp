@@ -23,7 +23,7 @@ std::string weight_difference(const Answer& one, const Answer& other);
 /// Differences in any field, compared bit for bit; with `levels`, the level too.
 std::string bit_difference(const Answer& one, const Answer& other, bool levels);
 
-/// What is wrong with the answer in itself: times that are no neighbours or outside [0, t_max], features that the kind
+/// The faults of the answer in itself: times that are no neighbours or outside [0, t_max], features that the kind
 /// does not have, weights outside [0, 1], off their feature or not summing to 1.
 std::string malformation(Kind kind, const Answer& answer, double t_max);
 

@@ -66,7 +66,7 @@ enum class Family : std::uint8_t {
   beside_ends
 };
 
-/// What a family is like, to choose by.
+/// The groups of families, to choose by.
 enum class Group : std::uint8_t { lattice, coplanar, contact, perturbed, scale };
 
 struct FamilyInfo {

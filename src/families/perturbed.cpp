@@ -101,7 +101,8 @@ Query random_doubles(Kind kind, Rng& rng) {
   return query_of(kind, corners);
 }
 
-// What a broad phase hands over: elements of size about 1 a fraction of that apart, displaced by a fraction of it.
+// Pairs as a broad phase hands them over: elements of size about 1, a fraction of that apart, displaced by a
+// fraction of it.
 Query simulation(Kind kind, Rng& rng) {
   std::array<Moving, 4> corners{};
   const std::size_t first_of_b = element_sizes(kind).a;

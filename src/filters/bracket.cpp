@@ -33,7 +33,7 @@ struct Bounded {
   double error;
 };
 
-/// n, f1 and f2 along the axis where n is largest, each times the sign of n there: what the side conditions compare.
+/// n, f1 and f2 along the axis where n is largest, each times the sign of n there. The side conditions compare them.
 struct SideValues {
   std::size_t axis;
   double sign;

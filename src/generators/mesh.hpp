@@ -1,4 +1,4 @@
-// What is joined to what: corners, edges and faces of sheets, spheres and chains.
+// The topology of a scene: corners, edges and faces of sheets, spheres and chains.
 // SPDX-License-Identifier: MIT
 #pragma once
 

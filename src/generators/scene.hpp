@@ -28,8 +28,8 @@ std::string_view scene_name(SceneName scene) noexcept;  ///< "cloth", "sheets", 
 std::optional<SceneName> scene_from_name(std::string_view name) noexcept;
 bool has_faces(SceneName scene) noexcept;
 
-/// Things move at about one unit of length a unit of time, within a ball of radius 2 around the origin. What comes in
-/// contact passes through: a scene does not respond, so it has as much contact at the end as at the start.
+/// Things move at about one unit of length a unit of time, within a ball of radius 2 around the origin. Elements in
+/// contact pass through each other: a scene does not respond, so it has as much contact at the end as at the start.
 class Scene {
  public:
   virtual ~Scene() = default;

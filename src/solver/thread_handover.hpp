@@ -17,7 +17,7 @@
 
 namespace touchstone::solver {
 
-/// What happens before give() in one thread happens before what follows take() in another.
+/// Orders two threads: everything before give() in one happens before everything after take() in the other.
 class ThreadHandover {
  public:
 #ifdef TOUCHSTONE_THREAD_SANITIZER

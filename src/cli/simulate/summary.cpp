@@ -41,11 +41,12 @@ std::string simulation_for_person(const sim::Simulation& simulation, const StepT
                     counted(totals.first_order, "part"));
   }
   if (const auto& times = simulation.times(); times.total() > 0) {
-    const auto share = [&](double seconds) { return 100 * seconds / times.total(); };
+    const auto percentage = [&](double seconds) { return 100 * seconds / times.total(); };
     text += fmt::format(
         "of {:.2f} s of processor time: integration {:.0f} %, solving with contacts {:.0f} %, finding and answering "
         "contacts {:.0f} %, proof {:.0f} %\n",
-        times.total(), share(times.integration), share(times.contacts), share(times.response), share(times.proof));
+        times.total(), percentage(times.integration), percentage(times.contacts), percentage(times.response),
+        percentage(times.proof));
   }
   text += fmt::format("{:.1f} steps a second\n", rate);
   return text + fmt::format("{} steps, {} crossings\n", totals.steps, crossings.size());
