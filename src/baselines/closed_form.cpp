@@ -7,11 +7,11 @@
 
 // The degree is decided against the coefficients' own rounding noise, no large term is divided by a small one, S comes
 // from the sum without cancellation and T = -Q / S, a double root is looked for where V is stationary and a root at an
-// end of the step where V is all but zero there, and Newton steps polish what the formulas give.
+// end of the step where V is all but zero there, and Newton steps polish the formulas' results.
 namespace touchstone::baselines {
 namespace {
 
-// Slack of the inside tests: a few thousand ulps, what weights of well-shaped elements lose to rounding.
+// Slack of the inside tests: a few thousand ulps, as much as weights of well-shaped elements lose to rounding.
 constexpr double kSlack = 1e-12;
 
 // A root this far outside [0, t_max] is taken for one at its end.

@@ -47,7 +47,7 @@ class Grid {
   /// 20 bits and a carry an axis.
   static std::uint64_t key(const Cell& cell) noexcept { return cell[0] | cell[1] << 21 | cell[2] << 42; }
 
-  /// The one cell in which an overlapping pair is reported: that of the low corner of what both share.
+  /// The one cell in which an overlapping pair is reported: that of the low corner of their intersection.
   std::uint64_t key_of_overlap(const Box& a, const Box& b) const noexcept {
     Cell at;
     for (std::size_t k = 0; k < 3; ++k) at[k] = cell(std::max(a.low[k], b.low[k]), k);

@@ -1,4 +1,4 @@
-// Counts of verdicts and of what the exact answers were. Tallies of parts of the queries add up to that of the whole.
+// Counts of verdicts and of exact answers by sort. Tallies of parts of the queries add up to that of the whole.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -28,7 +28,7 @@ struct VerdictCounts {
 
 struct Tally {
   VerdictCounts verdicts;
-  std::array<std::uint64_t, 4> levels{};   ///< by Level: who decided
+  std::array<std::uint64_t, 4> levels{};   ///< by Level: how many each decided
   std::array<std::uint64_t, 5> natures{};  ///< by Nature of the exact answer, Nature::none first
   EarlyTally early;                        ///< of claims that hold and have a toi
 

@@ -62,7 +62,7 @@ enum class Family : std::uint8_t {
   huge,
   corner_scale,
   mixed_scale,
-  // Later ones go to the end: the seeded queries of the others stay what they are.
+  // Later ones go to the end: the seeded queries of the others stay the same.
   beside_ends
 };
 

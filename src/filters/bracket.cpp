@@ -93,7 +93,7 @@ Side side_of(bool edges, const SideValues& values) noexcept {
   return side;
 }
 
-/// A question on its way through this level, and what is known of it here.
+/// A question on its way through this level, with the values computed for it here.
 struct Search {
   const Question& question;
   const StepFrame<double>& frame;

@@ -23,7 +23,7 @@ using Clock = ChildProcess::Clock;
 
 /// Plain words, or the shell's.
 std::vector<std::string> words_of(const std::string& command_line) {
-  // Without a shell in between, the program itself is what dies with us.
+  // Without a shell in between, the program itself dies with us.
   if (command_line.find_first_of("\"'\\$`|&;<>()*?[]{}#~=%!\n") != std::string::npos) {
     return {"/bin/sh", "-c", command_line};
   }

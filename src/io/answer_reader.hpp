@@ -1,4 +1,4 @@
-// answers.csv, read as what somebody claims.
+// answers.csv, read as claims.
 // SPDX-License-Identifier: MIT
 #pragma once
 
