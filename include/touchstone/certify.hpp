@@ -37,8 +37,8 @@ std::string_view verdict_name(Verdict verdict) noexcept;
 /// `contact` alone. A toi before the exact time holds, however early it is. `toi_as_written` is not read.
 Verdict judge(const Claim& claim, const Answer& truth) noexcept;
 
-/// The verdict with the time as written, compared exactly. The exact time is computed only when the time as written lies
-/// strictly between `truth.toi` and `truth.toi_upper`.
+/// The verdict with the time as written, compared exactly. The exact time is computed only when the time as written
+/// lies strictly between `truth.toi` and `truth.toi_upper`.
 /// @param claim  the claim on `query`
 /// @param query  the query that was asked
 /// @param truth  the exact answer to `query` for t_max = 1

@@ -17,7 +17,7 @@
 
 namespace touchstone {
 
-/// What is wrong with a solver's reply to a query, worst first.
+/// The ways in which a solver's reply to a query can be wrong, worst first.
 enum class FuzzFailure : std::uint8_t {
   crash,      ///< the solver threw an exception, or its process ended
   hang,       ///< the solver did not return in time; only a solver in a process of its own has a time limit

@@ -17,7 +17,7 @@ struct Result {
   double toi = std::numeric_limits<double>::infinity();  ///< in [0, t_max]; +infinity without contact
 };
 
-/// What a method's tolerance measures.
+/// The quantity that a method's tolerance measures.
 enum class Tolerance : std::uint8_t {
   none,    ///< it has none, and ignores the argument
   length,  ///< a distance between the elements, in the unit of the coordinates

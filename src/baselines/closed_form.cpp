@@ -11,7 +11,7 @@
 namespace touchstone::baselines {
 namespace {
 
-// Slack of the inside tests: a few thousand ulps, what weights of well-shaped elements lose to rounding.
+// Slack of the inside tests: a few thousand ulps, as much as weights of well-shaped elements lose to rounding.
 constexpr double kSlack = 1e-12;
 
 // A root at most this far outside [0, t_max] counts as a root at its end.

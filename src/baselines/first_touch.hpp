@@ -1,4 +1,5 @@
-// What `closed_form` and `newton` share: candidate times are roots of polynomials, and each is tested at its time.
+// The common part of `closed_form` and `newton`: candidate times are roots of polynomials, and each is tested
+// at its time.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -11,9 +11,9 @@
 #include "baselines/baseline.hpp"
 #include "baselines/frame.hpp"
 
-// Changed is only what it cannot run without: the coefficients of (3), which the paper does not give; b, c and d
-// divided by a where it says "divide through by a"; real cube roots for G >= 0; for G < 0, T the conjugate of S, as any
-// other pair of cube roots gives wrong roots. What it could do better, it does not: the degree is whether a computed
+// The paper's method is changed only where it could not run: the coefficients of (3), which the paper does not give; b,
+// c and d divided by a where it says "divide through by a"; real cube roots for G >= 0; for G < 0, T the conjugate of
+// S, as any other pair of cube roots gives wrong roots. Its weaknesses are kept: the degree is whether a computed
 // coefficient is exactly zero, T is a difference that may cancel, no root is polished, and of section 3.6 (planar
 // motion) there is nothing. Vertex-face, which the paper does not have, takes the same cubic, and then F0 + f1 F0F1 +
 // f2 F0F2 = V in place of (27).

@@ -1,4 +1,4 @@
-// Comparisons of answers, and what an answer must satisfy by itself.
+// Comparisons of answers, and the conditions that an answer must satisfy by itself.
 // SPDX-License-Identifier: MIT
 #include "certify/answer_check.hpp"
 

@@ -105,7 +105,7 @@ int run_generate(const GenerateOptions& options) {
   auto console = io::OutputFile::standard_output();
   for (const Target& target : targets) {
     console.write(fmt::format("{}: {}, {} with contact\n", target.file.name(), counted(target.queries, "query"),
-                              share(target.contacts, target.queries)));
+                              percentage(target.contacts, target.queries)));
   }
   console.write(counts_for_person(counts));
   console.commit();

@@ -40,7 +40,7 @@ int complain(const std::string& line) {
   return kBadInput;
 }
 
-/// The first line of what the parser of arguments says. It repeats the arguments, which may be of any length.
+/// The first line of the message of the parser of arguments. It repeats the arguments, which may be of any length.
 std::string first_line(const std::string& text) { return io::with_short_words(text.substr(0, text.find('\n'))); }
 
 int parse_and_run(int argc, const char* const* argv) {

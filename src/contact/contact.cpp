@@ -14,18 +14,19 @@ namespace {
 
 using Corners = std::array<Vector3, 4>;
 
-// Of |u|^2 |w|^2: the squared sine of the angle between two edges, below which rounding decides where parallel lines
-// are nearest; any point is as good then.
+// The squared sine of the angle between two edges, a fraction of |u|^2 |w|^2. Below it, rounding decides where the
+// lines are nearest, and any point is as good.
 constexpr double kParallelSquare = 1e-14;
 
 // The sine of the angle between two edges below which their cross product is no normal: the square root of the above.
 constexpr double kParallel = 1e-7;
 
-// Of the way that elements moved: the part along the normal below which a contact is a grazing one, and the positions
-// before, not the motion, say on which side the elements were.
+// Fraction of the elements' displacement. Where less of it lies along the normal, the contact is a grazing one, and the
+// positions before, not the motion, tell on which side the elements were.
 constexpr double kGrazing = 1e-9;
 
-// Of the thickness: a distance that is missing by less is not made good, or a resting contact would never be at rest.
+// Fraction of the thickness: elements that are too near by less than this get no position correction, or a resting
+// contact would never be at rest.
 constexpr double kMissing = 1e-3;
 
 double clamped(double x) { return std::clamp(x, 0.0, 1.0); }

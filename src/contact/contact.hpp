@@ -34,7 +34,7 @@ struct ImpulseRule {
   double restitution = 0, friction = 0;
   double thickness = 0;  ///< m
   double rest = 0;       ///< m: an approach of no more than this in the substep does not bounce
-  double recovery = 0;   ///< fraction of a missing distance that one impulse makes good
+  double recovery = 0;   ///< fraction of a missing distance that one impulse corrects
 };
 
 /// The displacements of a substep, on which impulses act. Divided by its length they are velocities.
@@ -42,7 +42,7 @@ struct Motion {
   const VectorX* x0 = nullptr;
   VectorX* x1 = nullptr;
   VectorX* correction = nullptr;          ///< the position corrections in x1, which are no velocity
-  const VectorX* inverse_mass = nullptr;  ///< of each coordinate; 0 for what is held
+  const VectorX* inverse_mass = nullptr;  ///< of each coordinate; 0 where it is held
   double* driven = nullptr;               ///< work of driven particles by impulses, times h^2, kg m^2; may be null
 };
 

@@ -6,11 +6,11 @@
 namespace touchstone::sim {
 namespace {
 
-// Times the thickness: the margin grows no further in one substep. Each doubling makes eight times as many pairs.
+// In units of the thickness: the margin grows no further in one substep. Each doubling makes eight times as many pairs.
 constexpr double kMostGrowth = 4;
 
-// Of the margin: a particle has room while it is within this of where it ended when pairs were collected. The rest is
-// for rounding, which cannot let it leave its box then.
+// Fraction of the margin: a particle has room while it is within this distance of its end when pairs were collected.
+// The rest is for rounding, which cannot let it leave its box then.
 constexpr double kRoom = 0.999;
 
 }  // namespace

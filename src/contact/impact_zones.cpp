@@ -9,7 +9,7 @@
 namespace touchstone::sim {
 namespace {
 
-// Of the greatest moment of inertia: particles on a line have none about it, but for rounding.
+// Fraction of the greatest moment of inertia. Particles on a line have no moment about it, but for rounding.
 constexpr double kNoMoment = 1e-9;
 
 // Radians, in a substep. Below half a turn the map (1 - t) + t R is regular for every t; this leaves room for rounding.

@@ -11,8 +11,8 @@ namespace {
 
 // Fraction of the kinetic and stored energy that a substep may gain. Second-order methods keep the energy of small
 // vibrations or take from it, but on stiff elements that turn in a substep they may multiply it. Implicit Euler takes
-// from it where the potential is convex, and mostly also where it buckles. The fraction lets pass what either makes of
-// small vibrations, and stops what multiplies.
+// from it where the potential is convex, and mostly also where it buckles. The fraction lets pass the gains of either
+// on small vibrations, and stops an energy that multiplies.
 constexpr double kGain = 2e-3;
 
 // Rounding of the energies, relative to that of the loads, which may be much larger than the others: some thousands of

@@ -13,8 +13,8 @@ struct Energies {
 };
 Energies energies(const System& system, const State& state);
 
-/// The gain, J, between two states of a substep that counts as none: a share of the kinetic and stored energy, for what
-/// the methods make of small vibrations, and the rounding of the loads.
+/// The gain, J, between two states of a substep that counts as none: a fraction of the kinetic and stored energy, as
+/// the methods may amplify small vibrations, and the rounding of the loads.
 double energy_tolerance(const Energies& before, const Energies& after);
 
 }  // namespace touchstone::sim

@@ -40,7 +40,7 @@ struct PotentialValue {
   double noise = 0;  // J: the part that may be rounding
 };
 
-/// A point of the search, and what is known there.
+/// A point of the search with its potential, friction and direction.
 struct Iterate {
   VectorX q;
   Frames frames;

@@ -37,7 +37,7 @@ class NewtonMatrix final : public BlockSink {
   VectorX direction(const VectorX& gradient) const;
 
  private:
-  std::vector<int> free_;  // the unknown of each coordinate, -1 for what is fixed
+  std::vector<int> free_;  // the unknown of each coordinate, -1 for a fixed one
   std::size_t joint_offset_ = 0;
   std::size_t contact_count_ = 0;
   std::unique_ptr<linear::SparseSolver> solver_;

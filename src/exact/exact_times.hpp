@@ -1,4 +1,4 @@
-// All touching times with exact ends: what contact_times is made of. SPDX-License-Identifier: MIT
+// All touching times with exact ends, from which contact_times is made. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>

@@ -33,7 +33,7 @@ struct Bounded {
   double error;
 };
 
-/// n, f1 and f2 along the axis where n is largest, each times the sign of n there: what the side conditions compare.
+/// n, f1 and f2 along the axis where n is largest, each times the sign of n there. The side conditions compare them.
 struct SideValues {
   std::size_t axis;
   double sign;
@@ -93,7 +93,7 @@ Side side_of(bool edges, const SideValues& values) noexcept {
   return side;
 }
 
-/// A question on its way through this level, and what is known of it here.
+/// A question on its way through this level, with the values computed for it here.
 struct Search {
   const Question& question;
   const StepFrame<double>& frame;

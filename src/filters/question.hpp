@@ -1,4 +1,4 @@
-// What the filters are asked, and what they say. SPDX-License-Identifier: MIT
+// The question to the filters, and their decision. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace touchstone::filters {
 
-/// V(t) for a double t within a relative error of 2^-50, with its exact sign: what doubles cannot tell, from a level
-/// below. A value that underflows is the least double of its sign.
+/// V(t) for a double t within a relative error of 2^-50, with its exact sign. A level below computes it where
+/// doubles are not enough. A value that underflows is the least double of its sign.
 using ExactValue = double (*)(const Query& query, double t);
 
 /// Whether and when the elements of a valid query touch in [0, t_max].
@@ -16,16 +16,16 @@ struct Question {
   const Query& query;
   double t_max;
   ExactValue exact_value;
-  bool contact_only = false;  ///< the time and the rest of the answer are not wanted
+  bool contact_only = false;  ///< the time and the rest of the answer are not needed
 };
 
-/// What is known of contact: in [0, t_max], or at one root of V.
+/// The knowledge of contact: in [0, t_max], or at one root of V.
 enum class Finding : std::uint8_t { uncertain, no_contact, contact };
 
 /// The tests, in the order in which a query meets them.
 enum class Test : std::uint8_t { none, same_side, shared_corner, boxes, bracket, closest_points, normal, centres };
 
-/// What the filters say: `uncertain` by no test, or something certain by one.
+/// The decision of the filters: `uncertain` by no test, or something certain by one.
 struct Decision {
   Finding finding = Finding::uncertain;
   Test test = Test::none;

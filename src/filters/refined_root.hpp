@@ -28,7 +28,7 @@ struct SimpleRoot {
   bool inside = false;   ///< the side conditions are known to hold; otherwise refine_root decides them
 };
 
-/// What a closer look at a root says: whether the elements touch there within [0, t_max].
+/// The result of a closer look at a root: whether the elements touch there within [0, t_max].
 struct RefinedRoot {
   Finding finding = Finding::uncertain;
   double toi = 0, toi_upper = 0;  ///< the neighbouring doubles around a contact's time

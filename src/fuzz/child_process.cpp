@@ -175,7 +175,7 @@ void ChildProcess::reap(int options) {
     error = ::waitid(P_PID, static_cast<id_t>(pid_), &ended, WEXITED | WNOWAIT | options) == 0 ? 0 : errno;
   } while (error == EINTR);
   if (error == 0 && ended.si_pid != pid_) return;
-  if (error == 0) ::kill(-pid_, SIGKILL);  // what it has left running in its group, where it has no supervisor
+  if (error == 0) ::kill(-pid_, SIGKILL);  // the rest of its group, where it has no supervisor
   int status = 0;
   while (error == 0 && ::waitpid(pid_, &status, 0) < 0) error = errno == EINTR ? 0 : errno;
   status_ = status;  // of a process that somebody else has waited for, nobody knows how it ended

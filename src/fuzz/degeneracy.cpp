@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "geometry/frame.hpp"
 #include "geometry/vector.hpp"
 #include "numbers/exact_number.hpp"
 #include "numbers/polynomial.hpp"
@@ -57,16 +58,19 @@ std::uint8_t bits(std::initializer_list<bool> flags) {
 std::uint8_t vanishing(const Query& q) {
   using geometry::cross;
   using geometry::dot;
+  const auto corner_difference = [&q](std::size_t i, std::size_t j) { return difference(q, i, j); };
   switch (q.kind) {
     case Kind::edge_edge: {
-      const Moving u = difference(q, 1, 0), w = difference(q, 3, 2), r = difference(q, 2, 0);
-      const auto n = cross(u, w);
+      const auto frame = geometry::frame_of(true, corner_difference);
+      const auto& [u, w, r] = frame;
+      const auto n = geometry::normal(frame);
       return bits({numbers::is_zero(dot(n, r)), vanishes(n), vanishes(cross(r, u)), vanishes(cross(r, w)), vanishes(u),
                    vanishes(w)});
     }
     case Kind::vertex_face: {
-      const Moving u = difference(q, 2, 1), w = difference(q, 3, 1), r = difference(q, 0, 1);
-      const auto n = cross(u, w);
+      const auto frame = geometry::frame_of(false, corner_difference);
+      const auto& [u, w, r] = frame;
+      const auto n = geometry::normal(frame);
       return bits({numbers::is_zero(dot(n, r)), vanishes(n), vanishes(u), vanishes(w), vanishes(difference(q, 3, 2))});
     }
     case Kind::point_edge: {

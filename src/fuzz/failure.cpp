@@ -14,7 +14,7 @@ namespace {
 
 bool too_early(double claimed, double toi, const EarlyLimit& early) {
   if (early.ulps && certify::ulps_between(claimed, toi) > *early.ulps) return true;
-  return early.share && toi - claimed > *early.share;
+  return early.fraction && toi - claimed > *early.fraction;
 }
 
 /// Whether the claimed time is before the step; one that rounds to -0 is, unless it is 0.

@@ -27,7 +27,7 @@ std::string_view failure_name(FailureClass failure) noexcept;  ///< "crash", "mi
 /// The distance by which a claimed time may lie before the exact time; without either member, any distance.
 struct EarlyLimit {
   std::optional<std::uint64_t> ulps;  ///< doubles between the claim and the answer's toi
-  std::optional<double> share;        ///< as a fraction of the step
+  std::optional<double> fraction;     ///< of the step
 };
 
 /// A failure. `detail` tells a person more than the class alone.

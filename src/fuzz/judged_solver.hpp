@@ -14,7 +14,7 @@
 
 namespace touchstone::fuzz {
 
-/// A reply and what is wrong with it, if anything.
+/// A reply and its failure, if any.
 struct JudgedReply {
   Reply reply;
   std::optional<Failure> failure;

@@ -23,7 +23,7 @@ using Clock = ChildProcess::Clock;
 
 /// Plain words, or the shell's.
 std::vector<std::string> words_of(const std::string& command_line) {
-  // Without a shell in between, the program itself is what dies with us.
+  // Without a shell in between, the program itself dies with us.
   if (command_line.find_first_of("\"'\\$`|&;<>()*?[]{}#~=%!\n") != std::string::npos) {
     return {"/bin/sh", "-c", command_line};
   }
@@ -132,7 +132,7 @@ PipeRun::Exchange PipeRun::exchange(std::string_view line, std::chrono::millisec
   Exchange result{End::line, {}};
   std::string_view rest = line;
   while (!closed_) {
-    // Who answers before it has read the query, or stops reading, gets its answer judged all the same.
+    // A program may answer before it has read the whole query, or stop reading. Its answer is judged all the same.
     if (!rest.empty() && !write_some(rest)) rest = {};
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
     if (left <= 0) {

@@ -26,7 +26,7 @@ class PipeRun {
   struct Exchange {
     enum class End : std::uint8_t { line, died, late, too_long, unasked };
     End end;
-    std::string line;  ///< without its line feed; what there is of it when there was none
+    std::string line;  ///< without its line feed; incomplete when the line feed has not come
   };
 
   /// Sends a line (with its line feed) and waits for one.

@@ -9,7 +9,7 @@
 
 namespace touchstone::fuzz {
 
-/// What the child is doing. After the child's death, this is the stage in which it died.
+/// The stage of the child's work. After the child's death, this is the stage in which it died.
 enum class Stage : std::uint32_t { loading, initialising, ready, solving, ending };
 
 /// Lives in shared memory. The child runs hostile code that may write anything here, so the parent reads plain numbers
@@ -29,7 +29,7 @@ struct SharedCall {
   std::int32_t status = 0;
   double toi = 0;
 
-  // What the plugin is.
+  // The plugin, as it describes itself.
   std::uint32_t kinds = 0;
   std::array<char, 512> failure{};  ///< why it cannot run, or ""
 };

@@ -78,7 +78,7 @@ CandidateCounts for_each_batch(const CandidateOptions& options, const std::funct
         ++handed_out;
       });
     } else {
-      // What earlier steps could not fill, later ones may.
+      // Later steps may fill the count that earlier ones could not.
       const std::uint64_t steps_left = options.steps - number;
       const std::uint64_t wanted = (options.count - handed_out + steps_left - 1) / steps_left;
       const seeded::Rng random(seeded::seed_of_part(options.seed, 2 + 2 * number + (kind == Kind::edge_edge ? 0 : 1)));

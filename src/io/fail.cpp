@@ -39,7 +39,7 @@ void fail(std::string_view file, std::uint64_t row, std::string_view reason) {
 }
 
 std::string printable(std::string_view name) {
-  constexpr std::size_t kLongestPath = 4096;  // what is longer names no file
+  constexpr std::size_t kLongestPath = 4096;  // a longer path names no file
   std::string out;
   for (const char c : name.substr(0, name.size() > kLongestPath ? kShown : name.size())) {
     const auto byte = static_cast<unsigned char>(c);

@@ -62,7 +62,7 @@ std::string sha256(std::string_view bytes) {
   State state = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
   const std::uint64_t bits = std::uint64_t{8} * bytes.size();
   for (; bytes.size() >= kBlock; bytes.remove_prefix(kBlock)) add_block(state, bytes.data());
-  // What is left, a bit 1, bits 0, and the number of bits as 64 bits: one block, or two.
+  // The remaining bytes, a bit 1, bits 0, and the number of bits as 64 bits: one block, or two.
   std::string rest(bytes);
   rest += '\x80';
   while (rest.size() % kBlock != kBlock - 8) rest += '\0';

@@ -27,7 +27,7 @@ using Vector = BlockMatrix::Vector;
 
 /// A contact for conjugate gradients: its blocks that are outside the matrix's pattern.
 struct Tie {
-  Corners at{};                          // places in a vector; what is left out is one past the last
+  Corners at{};                          // indices in a vector; one past the last for an unknown that is left out
   std::array<std::uint8_t, 4> beside{};  // for each corner, the corners (as bits) whose blocks are not in the pattern
   std::array<double, 4> omega{};
   Eigen::Matrix3d block = Eigen::Matrix3d::Zero();
@@ -85,7 +85,7 @@ void SparseSolver::Impl::take_contacts(const std::vector<Corners>& contacts) {
     const Corners& unknowns = contacts[n];
     for (std::size_t k = 0; k < 12; ++k) tie.at[k] = unknowns[k] < 0 ? size : matrix.place(unknowns[k]);
     contact_first.push_back(contact_places.size());
-    // The matrix takes groups of corners whose blocks all fit its pattern, so that its share of a contact is positive
+    // The matrix takes groups of corners whose blocks all fit its pattern, so that its part of a contact is positive
     // semidefinite. With a single block of three corners left out it might not be, and the matrix would have no factor.
     std::array<std::uint8_t, 4> together{};  // for each corner, those that go into the matrix with it
     for (std::size_t a = 0; a < 4; ++a) {

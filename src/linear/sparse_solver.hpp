@@ -22,7 +22,7 @@ class SparseSolver {
   SparseSolver(const SparseSolver&) = delete;
   SparseSolver& operator=(const SparseSolver&) = delete;
 
-  /// The unknowns x, y, z of up to four corners, -1 for what is left out.
+  /// The unknowns x, y, z of up to four corners, -1 for a coordinate that is left out.
   using Corners = std::array<int, 12>;
   /// Replaces the contacts.
   void set_contacts(const std::vector<Corners>& contacts);

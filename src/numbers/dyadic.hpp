@@ -76,8 +76,9 @@ class Dyadic {
   int exponent_;  // in limbs
   int capacity_;
   union {
-    Limb inline_[kInline];
-    Limb* heap_;
+    // Private, though clang-tidy takes the members of an unnamed union for public ones.
+    Limb inline_[kInline];  // NOLINT(readability-identifier-naming)
+    Limb* heap_;            // NOLINT(readability-identifier-naming)
   };
 };
 

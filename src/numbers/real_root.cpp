@@ -281,7 +281,7 @@ ValueNear value_near(const double* c, int size, double lower) noexcept {
   // e = 2^-53, S the sum of the coefficients' absolute values. At `lower` the coefficients are off by 4 e S, and at
   // most 6 roundings of values of at most S follow. The next double is at most e away, where the slope is at most 3 S:
   // 13 e S in all; the rest is for second-order terms and the rounding of S. From a least S up, coefficients and
-  // products that underflow do not count; what overflows makes the error infinite.
+  // products that underflow do not count; an overflow makes the error infinite.
   constexpr double kBound = 14 * 0x1p-53;
   constexpr double kLeast = 0x1p-900;
   double value = c[size - 1];

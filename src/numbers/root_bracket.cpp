@@ -107,7 +107,7 @@ std::optional<Step> parabola_step(Coefficients p, const Exact& point, int slope_
                       : cancels               ? Wide(-2) * f / (d + to_come)
                                               : (to_come - d) / (Wide(2) * a);
 
-  // What the cubic's leading term does to it, and the missing root of a negative discriminant.
+  // The error from the cubic's leading term, and from the missing root of a negative discriminant.
   const Wide disturbance = Wide(leading) * length * length * length;
   const bool close = root.log2() < d.log2() - 2 * kCancelled;  // the other root, as seen from here
   const long error = !close ? disturbance.log2() - root.log2()

@@ -13,7 +13,7 @@
 namespace touchstone::oracle {
 namespace {
 
-using Number = CGAL::Gmpzf;  // an integer times a power of two: what sums and products of doubles are
+using Number = CGAL::Gmpzf;  // an integer times a power of two, as sums and products of doubles are
 using Position = std::array<Number, 3>;
 
 /// (1 - t) start + t end, exactly.

@@ -1,4 +1,4 @@
-// Exact times: real algebraic numbers of CGAL's algebraic kernel, and what the oracle asks of them. The kernel's
+// Exact times: real algebraic numbers of CGAL's algebraic kernel, and the oracle's questions about them. The kernel's
 // headers stay behind this one.
 // SPDX-License-Identifier: MIT
 #pragma once

@@ -13,9 +13,9 @@ namespace touchstone::oracle {
 Answer decide_by_oracle(const Query& query, double t_max);
 Answer decide_by_oracle(const RationalQuery& query, double t_max);
 
-/// V(t) through CGAL's number types, for edge-edge and vertex-face queries and 0 <= t <= 1: the exact sign, and the value
-/// within a relative error of 2^-50. V is the determinant of the rows a1 - a0, b1 - b0, b0 - a0 of an edge-edge query and
-/// of the rows f1 - f0, f2 - f0, v - f0 of a vertex-face query, which fixes its sign.
+/// V(t) through CGAL's number types, for edge-edge and vertex-face queries and 0 <= t <= 1: the exact sign, and the
+/// value within a relative error of 2^-50. V is the determinant of the rows a1 - a0, b1 - b0, b0 - a0 of an edge-edge
+/// query and of the rows f1 - f0, f2 - f0, v - f0 of a vertex-face query, which fixes its sign.
 /// A value that underflows is the least double of its sign; one that overflows is infinite.
 double coplanarity_at(const Query& query, double t);
 

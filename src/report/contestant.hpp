@@ -38,7 +38,8 @@ struct Contestant {
   std::string label() const;           ///< "newton 1e-6"
 };
 
-/// Baselines first, in their registry's order and tolerances as given; then `exact_only`, `touchstone_cgal` and `touchstone`.
+/// Baselines first, in their registry's order and tolerances as given; then `exact_only`, `touchstone_cgal` and
+/// `touchstone`.
 std::vector<Contestant> contestants(const std::vector<double>& tolerances);
 
 /// The reply of a contestant to one query.

@@ -18,8 +18,8 @@ Vector3 position_at(const std::vector<Waypoint>& path, double time) {
   if (after == path.begin()) return path.front().position;
   if (after == path.end()) return path.back().position;
   const Waypoint& before = *(after - 1);
-  const double share = (time - before.time) / (after->time - before.time);
-  return before.position + share * (after->position - before.position);
+  const double fraction = (time - before.time) / (after->time - before.time);
+  return before.position + fraction * (after->position - before.position);
 }
 
 Vector3 tangent(const VectorX& q, const RodEdge& edge) {
@@ -186,12 +186,12 @@ void System::add_clamp(const Cable& cable, const CableEnd& end, bool at_start, I
   driven_angles.push_back({own, end.twist_rate, end.twist_until});
 }
 
-void System::add_joint(const Cable& cable, Index e, Index f, double share) {
+void System::add_joint(const Cable& cable, Index e, Index f, double fraction) {
   Joint joint;
   joint.p = {edges[e].a, edges[e].b, edges[f].b};
   joint.e = e;
   joint.f = f;
-  const double length = share * 0.5 * (length_[e] + length_[f]);
+  const double length = fraction * 0.5 * (length_[e] + length_[f]);
   joint.bend = cable.bend / length;
   joint.twist = edges[e].twists ? cable.twist / length : 0;
   joint.damping = cable.damping;

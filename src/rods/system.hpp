@@ -94,7 +94,7 @@ class System {
   System() = default;
   void add_cable(const Cable& cable);
   void add_clamp(const Cable& cable, const CableEnd& end, bool at_start, Index edge);
-  void add_joint(const Cable& cable, Index e, Index f, double share);
+  void add_joint(const Cable& cable, Index e, Index f, double fraction);
 
   std::size_t particle_count_ = 0;
   std::vector<std::pair<Index, std::vector<Waypoint>>> paths_;  // of driven particles

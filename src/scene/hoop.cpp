@@ -14,16 +14,16 @@ namespace touchstone::sim {
 namespace {
 
 constexpr double kBallRadius = 0.12, kBallMass = 0.6, kRimRadius = 0.225, kRimHeight = 1.6;
-// rad/s. Nobody sees it; but with it the ends of an edge do not move exactly alike, and the leading
-// coefficient of a cubic is tiny instead of zero: what the paper's closed form divides by, and loses edges.
+// rad/s. The spin is too slow to be seen. But with it the ends of an edge do not move exactly alike, and the leading
+// coefficient of a cubic is tiny instead of zero. The paper's closed form divides by that coefficient, and loses edges.
 constexpr double kSpin = 1e-12;
 constexpr double kNetDepth = 0.4, kNetEnd = 0.128;  // radius of the net's opening, which a cord holds
 
 void add_ball(Scene& scene, Index n, const Vector3& centre, const Vector3& spin) {
   const generators::Sphere sphere = generators::sphere_mesh(n);
   const auto first = static_cast<Index>(scene.particles.size());
-  const double share = kBallMass / (1.1 * static_cast<double>(sphere.directions.size()));
-  for (const Vec3& d : sphere.directions) add_particle(scene, centre + kBallRadius * Vector3(d.x, d.y, d.z), share);
+  const double mass = kBallMass / (1.1 * static_cast<double>(sphere.directions.size()));
+  for (const Vec3& d : sphere.directions) add_particle(scene, centre + kBallRadius * Vector3(d.x, d.y, d.z), mass);
   // Springs from the middle stand for the air inside; the middle is nothing that could be hit.
   const Index middle = add_particle(scene, centre, 0.1 * kBallMass / 1.1);
   scene.particles[middle].collides = false;

@@ -19,9 +19,8 @@ std::string key_path(const std::string& object, std::string_view key) {
   return object.empty() ? std::string(key) : object + "." + std::string(key);
 }
 
-/// Makes a document of what the library's parser reads. The library's own maker drops the first of two equal keys
-/// without a word, and when memory runs out it destroys what it has made itself, which ends the program (see
-/// JsonDocument).
+/// Makes a document of the values that the library's parser reads. The library's own maker drops the first of two equal
+/// keys without a word. When memory runs out, it destroys its own document, which ends the program (see JsonDocument).
 class DocumentMaker final : public nlohmann::json_sax<nlohmann::json> {
  public:
   explicit DocumentMaker(nlohmann::json& root) : root_(root) {}
@@ -52,7 +51,7 @@ class DocumentMaker final : public nlohmann::json_sax<nlohmann::json> {
 
  private:
   struct Open {
-    nlohmann::json* value;  // does not move: nothing is added to what holds it while it is open
+    nlohmann::json* value;  // does not move: nothing is added to its holder while it is open
     std::string name;       // of an object: its latest key
   };
 
@@ -98,7 +97,7 @@ void erase_last(nlohmann::json& value) { value.erase(std::prev(value.end())); }
 }  // namespace
 
 JsonDocument::~JsonDocument() {
-  // Depth first, from the last element to the first. `current` is being emptied; `above` is what holds it, with the
+  // Depth first, from the last element to the first. `current` is being emptied; `above` holds it, with the
   // next one above in the place from which the current one was taken.
   nlohmann::json current = std::move(value_), above;
   for (;;) {

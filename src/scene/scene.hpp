@@ -1,4 +1,5 @@
-// What is simulated: particles, springs, cables and faces, and the settings of a run. Units are SI throughout.
+// The description of a simulation: particles, springs, cables and faces, and the settings of a run. Units are SI
+// throughout.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -25,10 +26,10 @@ struct Particle {
   Vector3 position = Vector3::Zero();  ///< m
   Vector3 velocity = Vector3::Zero();  ///< m/s
   Vector3 force = Vector3::Zero();     ///< N, constant
-  double mass = 0;                     ///< kg, beside what its cables add
+  double mass = 0;                     ///< kg, without the mass that its cables add
   std::array<bool, 3> fixed{};         ///< coordinates that never change
   std::vector<Waypoint> path;          ///< not empty: driven, and all three coordinates follow it
-  bool collides = true;                ///< false: nothing that could be hit, and no corner of anything that is
+  bool collides = true;                ///< false: nothing can hit it, and it is no corner of an element that collides
 
   bool pinned() const noexcept { return !path.empty() || (fixed[0] && fixed[1] && fixed[2]); }
 };
@@ -72,8 +73,8 @@ using Edge = std::array<Index, 2>;
 using Face = std::array<Index, 3>;
 
 enum class Integrator : std::uint8_t {
-  implicit_euler,     ///< first order, damps what is too fast for the step: the default
-  tr_bdf2,            ///< second order, and still damps what is too fast
+  implicit_euler,     ///< first order, damps motion that is too fast for the step: the default
+  tr_bdf2,            ///< second order, and still damps motion that is too fast
   implicit_midpoint,  ///< second order, keeps the energy of linear springs
   symplectic_euler    ///< explicit: cheap, for soft scenes; the step must be shorter than the stiffest period / pi
 };

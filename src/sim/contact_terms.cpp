@@ -9,14 +9,14 @@
 namespace touchstone::sim {
 namespace {
 
-// Stiffness of a contact over that of the elements that it touches: a contact gives way by a twentieth of what they do,
-// and the matrix stays well conditioned.
+// Stiffness of a contact over that of the elements that it touches. A contact yields a twentieth as far as they do, and
+// the matrix stays well conditioned.
 constexpr double kStiffer = 20;
 
 // m/s: slower slip is friction at rest.
 constexpr double kStickSpeed = 5e-3;
 
-// The fraction of the largest limit of friction by which limits may still change when they count as settled.
+// Fraction of the largest limit of friction. Limits that change by less count as settled.
 constexpr double kSettledFriction = 0.2;
 
 // m^2: keeps a division finite where a joint's neighbours coincide, and is lost beside any other square.

@@ -25,7 +25,7 @@ struct PhaseTimes {
   }
 };
 
-/// Adds what passes until its end to one phase.
+/// Adds the time until its end to one phase.
 class PhaseClock {
  public:
   explicit PhaseClock(double& sum) : sum_(&sum), start_(std::clock()) {}

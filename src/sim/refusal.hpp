@@ -1,4 +1,4 @@
-// Why a substep was not taken, and what a user can do about it.
+// The cause for which a substep was not taken, and the remedy.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -37,7 +37,7 @@ std::string refused_for_person(const RefusedCounts& counts, const RefusedCounts&
 /// Where the pair of the contact touches, at these positions.
 Vector3 contact_point(const Contact& contact, const VectorX& q);
 
-/// The elements in the way, where they are, and what would be right, in one line.
+/// The elements in the way, their position and a remedy, in one line.
 std::string refusal_for_person(const Refusal& refusal, const Scene& scene, const System& system,
                                const Colliders& colliders, const VectorX& q);
 

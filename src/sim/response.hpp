@@ -33,9 +33,9 @@ struct ResponseResult {
   PhaseTimes times;              ///< of this response
 };
 
-/// Impulses first, in the order of exact time. They act on single particles, which is right for what is loose and pumps
-/// energy into what is stiff: where the energy says so, the substep is solved again with the contacts in its potential,
-/// and impulses only tidy up. Contacts that are left then are answered by rigid impact zones.
+/// Impulses first, in the order of exact time. They act on single particles, which is right for loose particles and
+/// pumps energy into stiff elements. Where the energy grows, the substep is solved again with the contacts in its
+/// potential, and impulses only tidy up. Contacts that are left then are answered by rigid impact zones.
 class Response {
  public:
   /// @param stepper  solves substeps again  @param cancel  is checked in each pass; both live as long as this

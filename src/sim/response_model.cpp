@@ -6,17 +6,18 @@
 namespace touchstone::sim {
 namespace {
 
-// The fraction of a missing distance that a whole step of the scene makes good; a substep makes good as much less as it
-// is shorter, so that the speed is the same. A missing distance is gone in some ten steps, and nothing jumps.
+// The fraction of a missing distance that position corrections restore in a whole step of the scene. A shorter substep
+// restores less in proportion, so that the speed is the same. A missing distance is gone in some ten steps, and nothing
+// jumps.
 constexpr double kRecovery = 0.2;
 
-// Of that fraction, for impulses: each of many sweeps makes it good again.
+// Impulses restore this part of that fraction in each of their many sweeps.
 constexpr double kImpulseRecovery = 0.5;
 
 // m/s: the greatest speed of a position correction. Elements that begin far too near do not fly apart.
 constexpr double kFastestCorrection = 1.0;
 
-// Of gravity's displacement in a step: an approach below this is that of elements at rest.
+// In units of gravity's displacement in a step. A shorter approach is that of elements at rest.
 constexpr double kResting = 2;
 
 // The default thickness, as a fraction of the shortest edge that moves.

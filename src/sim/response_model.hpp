@@ -1,4 +1,4 @@
-// What the response to contacts knows of a scene: masses, stiffnesses, and how fast distances are made good.
+// The scene as the response to contacts sees it: masses, stiffnesses, and the speed of position corrections.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -18,7 +18,7 @@ class ResponseModel {
   /// m: elements may come as near as this.
   double thickness() const noexcept { return thickness_; }
 
-  /// 1/kg, of each coordinate of a particle; 0 for what is held.
+  /// 1/kg, of each coordinate of a particle; 0 where it is held.
   const VectorX& inverse_mass() const noexcept { return inverse_mass_; }
 
   /// The greatest inverse mass of a particle in any direction, 1/kg.

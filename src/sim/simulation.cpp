@@ -79,7 +79,7 @@ std::vector<SubstepRecord> Simulation::step() {
   try {
     return make_substeps(before);
   } catch (...) {
-    // Whatever is thrown: a step is made as a whole or not at all.
+    // A step is made as a whole or not at all, whatever the exception.
     if (before) state_ = std::move(*before);
     crossings_.resize(crossings_before);
     --steps_;

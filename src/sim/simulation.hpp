@@ -65,7 +65,7 @@ class Simulation {
   /// Moves on by settings.time_step, in shorter substeps where a whole step is refused. Nothing has moved when it
   /// throws.
   /// @returns a record of each substep
-  /// @throws Error when even the shortest substep is refused, naming the elements in the way and what would be right;
+  /// @throws Error when even the shortest substep is refused, naming the elements in the way and a remedy;
   /// and any exception of check_cancelled and of the sink of queries
   std::vector<SubstepRecord> step();
 

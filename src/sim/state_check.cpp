@@ -19,11 +19,11 @@ namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-// A director is r / |r| in doubles: the square root and the division are good to 5 halves and 1 half of epsilon, and so
-// is the length that is taken of it here.
+// A director is r / |r| in doubles: the square root and the division are good to 5 halves and 1 half of epsilon, and
+// its length is computed here with the same errors.
 constexpr double kUnit = 4 * kEpsilon;
 
-// r is what is left of a vector u, |u| < 4, across the tangent. Rounding leaves at most 28 |u| epsilon of it along the
+// r is the component of a vector u, |u| < 4, across the tangent. Rounding leaves at most 28 |u| epsilon of it along the
 // tangent, and |r| may be as small as 1e-8 (unit_perpendicular): 1.3e-6.
 constexpr double kAcross = 2e-6;
 
@@ -78,7 +78,7 @@ std::string coordinate_name(const System& system, std::size_t i) {
   return fmt::format("the twist of segment {}-{}", edge.a, edge.b);
 }
 
-/// What is driven: how fast (m/s or rad/s) and how far from the origin (m) anything of it gets.
+/// The driven coordinates of a scene: their greatest speed (m/s or rad/s) and distance from the origin (m).
 struct Driven {
   double speed = 0, reach = 0;
 };

@@ -10,7 +10,7 @@
 namespace touchstone::sim {
 
 /// Accepts every state that a run of the scene comes to after whole steps.
-/// @throws Error "KEY[NUMBER]: what is wrong, and what would be right", by the keys of a checkpoint
+/// @throws Error "KEY[NUMBER]: the fault and the right range", by the keys of a checkpoint
 void check_state(const Scene& scene, const System& system, const State& state, std::uint64_t steps);
 
 }  // namespace touchstone::sim

@@ -57,7 +57,7 @@ int ExactTime::compare(const Fraction& time) const {
   const numbers::Exact& denominator = integers[1];  // positive
   if (numbers::sign_of(numerator) < 0) return 1;
   if (numbers::sign_of(numerator - denominator) > 0) return -1;
-  const numbers::RealRoot mine = impl_->root;  // a copy: roots keep what they find out
+  const numbers::RealRoot mine = impl_->root;  // a copy: roots keep their narrowed brackets
   return mine.compare(numbers::RealRoot::rational(numerator, denominator, 1));
 }
 

@@ -1,5 +1,6 @@
-// Tells thread sanitizer that oneTBB orders a task after what starts it and before what waits for it. The system's oneTBB
-// is not built with the sanitizer, so the sanitizer cannot see that by itself. Other builds compile this to nothing.
+// Tells thread sanitizer that oneTBB orders a task after the code that starts it and before the code that waits for it.
+// The system's oneTBB is not built with the sanitizer, so the sanitizer cannot see that by itself. Other builds compile
+// this to nothing.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -16,7 +17,7 @@
 
 namespace touchstone::solver {
 
-/// What happens before give() in one thread happens before what follows take() in another.
+/// Orders two threads: everything before give() in one happens before everything after take() in the other.
 class ThreadHandover {
  public:
 #ifdef TOUCHSTONE_THREAD_SANITIZER

@@ -48,7 +48,7 @@ std::string set_malformation(const std::vector<ContactInterval>& times) {
   return "";
 }
 
-// What `solve` says must follow from the set.
+// The answer of `solve` must follow from the set.
 std::string contradiction(const Query& query, const Answer& answer, const std::vector<ContactInterval>& times) {
   if (answer.contact == times.empty()) return "contact and an empty set, or none and a set";
   if (times.empty()) return "";

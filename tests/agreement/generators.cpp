@@ -1,5 +1,5 @@
-// The generators themselves: what is built to touch does, every family holds both hits and misses where it can, and a
-// case is the same however it is made.
+// The generators themselves: elements that are built to touch do touch, every family holds both hits and misses where
+// it can, and a case is the same however it is made.
 // SPDX-License-Identifier: MIT
 #include <cmath>
 

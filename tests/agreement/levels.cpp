@@ -1,4 +1,4 @@
-// Who decides, family by family: a level that never runs is dead code, and so is its test.
+// The levels that decide, family by family: a level that never runs is dead code, and so is its test.
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 

@@ -95,7 +95,8 @@ TEST_CASE("solve allocates nothing before exact arithmetic, and hardly ever for 
         const std::size_t before = allocations;
         const Answer answer = solve(query);
         const std::size_t during = allocations - before;
-        // Coordinates of so many bits make coefficients of three times as many, and signs at roots of a few times those.
+        // Coordinates of so many bits make coefficients of three times as many, and signs at roots of a few times
+        // those.
         constexpr int kShortBits = 120;
         const bool is_long = exact::coordinate_span(query).bits() > kShortBits;
         if (answer.level == Level::exact || (answer.level == Level::bracket && is_long)) {

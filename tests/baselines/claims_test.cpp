@@ -1,4 +1,4 @@
-// What every baseline claims: ordinary queries, made by hand and at random, answered rightly.
+// Every baseline answers ordinary queries rightly, as it claims: queries made by hand and at random.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>

@@ -30,7 +30,7 @@ void check_failures(const std::string& method_name, const std::vector<Failure>& 
     const Answer truth = solve(failure.query);
     const baselines::Result result = method->solve(failure.query, 1.0, method->usual_tolerance);
     INFO(method_name << ", " << failure.name << ": said " << hexfloat(result.toi) << ", " << describe(truth));
-    // What is right, by three methods that share little code.
+    // The right answer, by three methods that share little code.
     CHECK(truth.contact == (failure.toi >= 0));
     if (truth.contact) CHECK(truth.toi == Approx(failure.toi));
     CHECK(solve(failure.query, Method::exact).toi == truth.toi);
@@ -97,7 +97,7 @@ TEST_CASE("the paper's method fails on ordinary queries") {
 TEST_CASE("the closed form with every care that doubles allow still fails") {
   const std::vector<Failure> failures{
       // All corners would be in one plane all the time but for 2^-44. V's coefficients, of 1e-11, are
-      // differences of numbers near 1000: what in them is noise can no longer be told, and V's computed
+      // differences of numbers near 1000: their noise cannot be told from their values, and V's computed
       // root is not where the edges' interiors meet.
       {"two edges, coplanar but for 2^-44",
        EdgeEdge{{{{4, 7, -5}, {4, 9, 1}, {-8, -5, -5}, {7, 7 + 0x1p-44, -14}}},
@@ -125,8 +125,8 @@ TEST_CASE("Newton to a tolerance fails within it, and beyond") {
        VertexFace{{{{-1, -1, 1}, {0, 0, -1}, {-1, -1, 0}, {1, -1, -1}}},
                   {{{0, 0, -1}, {-1, -1, 1}, {1, 0, 0}, {1, -1, 1}}}},
        Verdict::missed, 0.5},
-      // A hair of length 1e-10 crosses a resting edge at t = 0.3, along its own direction too: its time is found a little
-      // early, when it is not there yet.
+      // A hair of length 1e-10 crosses a resting edge at t = 0.3, along its own direction too: its time is found a
+      // little early, when it is not there yet.
       {"a short fast edge",
        EdgeEdge{{{{0.3, -0.3 - 5e-11, -0.3}, {0.3, -0.3 + 5e-11, -0.3}, {0, 0, 0}, {1, 0, 0}}},
                 {{{0.3, 0.7 - 5e-11, 0.7}, {0.3, 0.7 + 5e-11, 0.7}, {0, 0, 0}, {1, 0, 0}}}},
@@ -165,7 +165,7 @@ TEST_CASE("the conservative interval method invents contacts") {
       {"the published false alarm", published_false_alarm(), Verdict::phantom, -1},
   };
   check_failures("interval", failures);
-  // "Hit at t = 0": who only steps to the time of impact never gets on.
+  // "Hit at t = 0": a simulation that steps to the time of impact never gets on.
   CHECK(baselines::solve_interval(kMissAtStart, 1.0, 1e-6).toi == 0);
 }
 

@@ -19,8 +19,8 @@ using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
 namespace {
 
-/// Boxes of up to 0.2, and about so many large ones of up to 20; all fly by up to `speed` together, and each a little on
-/// its own.
+/// Boxes of up to 0.2, and about `large` larger ones of up to 20; all fly by up to `speed` together, and each a little
+/// on its own.
 std::vector<MovingBox> random_boxes(seeded::Rng& random, std::size_t count, std::size_t large, double speed) {
   std::vector<MovingBox> boxes;
   const double flight[3] = {speed * random.symmetric(), speed * random.symmetric(), speed * random.symmetric()};

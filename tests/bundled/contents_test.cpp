@@ -1,5 +1,5 @@
-// What the bundled queries are: enough of them, of every sort, embedded as they stand in src/cli/queries, and the same
-// to the program's reader as to the test's own.
+// The bundled queries: they are enough, and of every sort; they are embedded as they stand in src/cli/queries; the
+// program's reader and the test's own read the same.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <filesystem>

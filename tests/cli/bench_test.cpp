@@ -1,4 +1,4 @@
-// `touchstone bench`: what it prints and writes. How fast anything is, is not tested.
+// `touchstone bench`: its output and its files. Speed is not tested.
 // SPDX-License-Identifier: MIT
 #include <nlohmann/json.hpp>
 #include <string>

@@ -1,4 +1,4 @@
-// touchstone certify: what it refutes, how it says so, and its report.
+// touchstone certify: the claims that it refutes, its messages and its report.
 // SPDX-License-Identifier: MIT
 #include <nlohmann/json.hpp>
 #include <string>

@@ -77,7 +77,7 @@ TEST_CASE("files that would take each other's place are refused before anything 
   check_refused({scene, "--proof", folder.path("link")}, "--proof would write over ");
   check_refused({"--resume", state, "--energies", state}, "--energies would write over ");
 
-  // What goes well together.
+  // Files that go well together.
   const Run run = run_program({"simulate", "--resume", state, "--checkpoint", state, "--out", out, "--queries", out,
                                "--proof", out + ".csv", "--steps", "2"});
   CAPTURE(run.err);

@@ -19,12 +19,12 @@ TEST_CASE("numbers are grouped and counted") {
 }
 
 TEST_CASE("shares never round to all or nothing when it is not") {
-  CHECK(share(0, 0) == "0.0 %");
-  CHECK(share(0, 10) == "0.0 %");
-  CHECK(share(1, 8) == "12.5 %");
-  CHECK(share(10, 10) == "100.0 %");
-  CHECK(share(1, 1'000'000) == "< 0.1 %");
-  CHECK(share(999'999, 1'000'000) == "> 99.9 %");
+  CHECK(percentage(0, 0) == "0.0 %");
+  CHECK(percentage(0, 10) == "0.0 %");
+  CHECK(percentage(1, 8) == "12.5 %");
+  CHECK(percentage(10, 10) == "100.0 %");
+  CHECK(percentage(1, 1'000'000) == "< 0.1 %");
+  CHECK(percentage(999'999, 1'000'000) == "> 99.9 %");
 }
 
 TEST_CASE("the explain command can be pasted into a shell") {

@@ -1,5 +1,5 @@
-// What a scene does not have costs it nothing: instructions of its steps, counted by valgrind, against those of a build
-// that does not know the feature.
+// A feature that a scene does not have costs it nothing: the instructions of its steps, counted by valgrind, against
+// those of a build that does not know the feature.
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <cstdint>

@@ -60,7 +60,7 @@ inline std::string FloatMode::name() const {
   return text;
 }
 
-/// What a caller can see of the environment: control bits, without the status flags.
+/// The part of the environment that a caller can see: control bits, without the status flags.
 struct ControlBits {
   unsigned long control = 0;  ///< of the vector unit: MXCSR or FPCR
   unsigned short x87 = 0;

@@ -1,4 +1,4 @@
-// What `explain` tells: the cubic, the candidates and the signs that decide.
+// The story that `explain` tells: the cubic, the candidates and the signs that decide.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-// What the bracket level certifies on the way to its answer, against exact arithmetic.
+// The roots that the bracket level certifies on the way to its answer, against exact arithmetic.
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cmath>

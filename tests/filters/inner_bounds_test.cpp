@@ -1,5 +1,5 @@
-// The bounds of the cubic and of the side conditions under search, one by one: what the bracket level makes of them is
-// so far from the truth that a wrong one would seldom show in an answer.
+// The bounds of the cubic and of the side conditions under search, one by one. The bracket level is rarely near its
+// bounds, so a wrong one would seldom show in an answer.
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cmath>

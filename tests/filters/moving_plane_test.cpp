@@ -1,5 +1,5 @@
-// A separating plane may move: elements that fly together are apart although their paths overlap. What is called
-// separated is held against exact places at times between the ends.
+// A separating plane may move: elements that fly together are apart although their paths overlap. A claim of separation
+// is held against exact positions at times between the ends.
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cmath>

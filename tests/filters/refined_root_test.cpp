@@ -1,4 +1,4 @@
-// What drives a root to its neighbouring doubles and to its weights, under search, one bound by one.
+// The bounds that bring a root to its neighbouring doubles and to its weights, under search, one by one.
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cmath>
@@ -54,7 +54,7 @@ double component_ratio(const FrameCase& sample, double t, double distance, doubl
   return std::fabs(filters::at_root({rest, first.slope}, offset)) / bound;
 }
 
-/// A root of a sample's cubic as seen from a time at some distance: what SimpleRoot promises holds.
+/// A root of a sample's cubic as seen from a time at some distance: the promises of SimpleRoot hold.
 struct SeenRoot {
   bool found = false;
   SimpleRoot root{};

@@ -93,7 +93,7 @@ TEST_CASE("a planted bug of every class is found, counted and kept through shrin
                                    Planted{FailureClass::malformed, babble}, Planted{FailureClass::hang, hang});
   CAPTURE(fuzz::failure_name(planted.failure));
   fuzz::Settings settings = lattice_settings();
-  settings.early.share = 0.01;
+  settings.early.fraction = 0.01;
   const fuzz::Outcome outcome = fuzz::run(toy(planted.spoil), settings);
   CHECK(outcome.queries == 8000);
   CHECK(failures(outcome, planted.failure) > 100);

@@ -70,7 +70,7 @@ TEST_CASE("how early is too early is the caller's choice, in ulps or as a share"
   CHECK(class_of(says(true, early), truth, limit) == "right");
   CHECK(class_of(says(true, std::nextafter(early, 0.0)), truth, limit) == "early");
   limit = {};
-  limit.share = 0.125;
+  limit.fraction = 0.125;
   CHECK(class_of(says(true, 0.375), truth, limit) == "right");
   CHECK(class_of(says(true, std::nextafter(0.375, 0.0)), truth, limit) == "early");
   CHECK(class_of(says(true), truth, limit) == "right");

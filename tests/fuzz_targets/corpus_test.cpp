@@ -1,4 +1,5 @@
-// What fuzzing once found, and what it starts from, replayed through the same functions that libFuzzer drives.
+// The inputs that fuzzing once found, and those that it starts from, replayed through the same functions that libFuzzer
+// drives.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Query files: what is written is read back, however the file is cut up and laid out.
+// Query files: queries that are written are read back, however the file is cut up and laid out.
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cfloat>

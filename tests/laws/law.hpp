@@ -18,7 +18,8 @@ namespace touchstone::tests {
 inline bool every_family(const FamilyInfo&, Kind) { return true; }
 inline bool dyadic_families(const FamilyInfo& family, Kind) { return family.dyadic; }
 
-/// What a law found: nothing when it does not apply to the query, else an empty string when it holds or what is wrong.
+/// The result of a law: nothing when it does not apply to the query, an empty string when it holds, and otherwise the
+/// violation in words.
 using Finding = std::optional<std::string>;
 
 /// Checks `law(query, method, rng)` by Method::fast and Method::exact, or by the methods given, on `count` cases of

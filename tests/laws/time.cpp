@@ -62,7 +62,7 @@ TEST_CASE("law: contact_times with a t_max is T cut off there") {
 Answer cut_off(const Answer& whole, double t_max) {
   if (!whole.contact || whole.toi_upper > t_max) return {};
   Answer cut = whole;
-  // What would last longer is a single instant of the range that ends with it.
+  // A contact that would last longer is a single instant of the range, which ends with it.
   if (whole.toi == t_max && whole.nature == Nature::sustained) cut.nature = Nature::isolated;
   return cut;
 }

@@ -1,4 +1,4 @@
-// What a hand-analysed query must be answered.
+// The expected answer of a query that was analysed by hand.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -1,4 +1,4 @@
-// What the tests of plugins and of programs share.
+// Helpers that the tests of plugins and of programs share.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -1,4 +1,4 @@
-// Who is on the front.
+// The methods on the front of error and run time.
 // SPDX-License-Identifier: MIT
 #include <string>
 #include <vector>

@@ -71,7 +71,7 @@ TEST_CASE("a cable that is fast asks about few pairs, however many of its segmen
       queries += record.response.queries;
       contacts += record.response.contacts;
     }
-    // What boxes around the paths would ask.
+    // The queries that boxes around the paths would ask.
     std::vector<broad_phase::Box> boxes;
     for (const Edge& edge : simulation.colliders().edges()) {
       boxes.push_back(broad_phase::empty_box());

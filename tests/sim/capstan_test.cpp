@@ -1,4 +1,4 @@
-// A string round a post: what it holds, and what it does not.
+// A string round a post: the load that it holds, and the load that it does not.
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <numbers>
@@ -12,7 +12,7 @@ using namespace touchstone::sim;
 namespace {
 
 constexpr double kMu = 0.3;
-constexpr double kAtRest = 5e-3;  // m/s: what slips more slowly is at rest, as friction's law is smoothed there
+constexpr double kAtRest = 5e-3;  // m/s: a slower slip counts as rest, as friction's law is smoothed there
 constexpr double kPostRadius = 0.1;
 
 /// A post of wires along y.

@@ -24,7 +24,7 @@ double growth(Motion motion, double h) {
   scene.settings.integrator = Integrator::symplectic_euler;
   Cable& cable = add_cable(scene, {0, 0, 0}, {kSegments * kLength, 0, 0}, kSegments);
   set_material(cable, kYoung, kPoisson, kRadius, kDensity);
-  // What has a shorter limit than the one that is asked for is made soft.
+  // A motion with a shorter limit than the tested one is made soft.
   if (motion != Motion::stretch) cable.stretch *= motion == Motion::twist ? 1e-2 : 1e-4;
   if (motion != Motion::twist) cable.twist = 0;
   const System system(scene);

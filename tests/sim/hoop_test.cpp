@@ -58,8 +58,8 @@ TEST_CASE("ten seconds of the hoop: no crossing, the ball goes through rim and n
   REQUIRE_FALSE(hoop.scene.particles[hoop.middle].collides);
   Simulation simulation(hoop.scene, {});
   CHECK(simulation.colliders().edges().size() > 500);  // the paper's figure has as many
-  // What the response says of itself: beyond the lifting of weight by the thickness, and 0.2 % of the kinetic and
-  // stored energy, a step with contacts gains nothing.
+  // The promise of the response: a step with contacts gains no more than the lifting of weight by the thickness and
+  // 0.2 % of the kinetic and stored energy.
   const double lifted = simulation.system().force.cwiseAbs().sum() * simulation.thickness();
   const double first = simulation.energies().total();
   double gained = 0;

@@ -1,4 +1,4 @@
-// Newton's method in parts, and the linear systems beneath it, against the same without any of that.
+// Newton's method on islands, and the linear systems beneath it, against one method and one matrix for all.
 // SPDX-License-Identifier: MIT
 #include <Eigen/Cholesky>
 
@@ -98,7 +98,7 @@ TEST_CASE("the sparse solver solves what it was given, components side by side o
   }
   linear::PatternCache cache;
   linear::SparseSolver solver(kSize, blocks, cache);
-  // One contact after both: what the pattern was for the two does not outlast them.
+  // One contact after both: the pattern of the two contacts does not outlast them.
   for (const std::size_t contacts : {0, 2, 1, 2, 0}) {
     CAPTURE(contacts);
     std::vector<linear::SparseSolver::Corners> corners{{0, 1, 2, 3, 4, 5, 24, 25, 26, -1, -1, -1},

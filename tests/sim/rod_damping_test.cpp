@@ -1,4 +1,4 @@
-// What a cable's internal damping takes, and what moves its ends.
+// The energy that a cable's internal damping takes, and the motion of its ends.
 // SPDX-License-Identifier: MIT
 #include <Eigen/Eigenvalues>
 

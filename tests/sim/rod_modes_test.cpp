@@ -1,5 +1,5 @@
-// What second derivatives at rest know: how chains and cantilevers swing, when a twisted rod leaves its axis, how stiff
-// a helical spring is.
+// Second derivatives at rest against theory: the modes of chains and cantilevers, the twist at which a rod leaves its
+// axis, the stiffness of a helical spring.
 // SPDX-License-Identifier: MIT
 #include <Eigen/SVD>
 
@@ -178,7 +178,7 @@ TEST_CASE("a helical spring's stiffness is G d^4 / (8 D^3 n)") {
   const double expected = shear * std::pow(wire, 4) / (8 * std::pow(coil, 3) * kTurns);
   const double coarse = helix_stiffness(16), middle = helix_stiffness(32), fine = helix_stiffness(64);
   CAPTURE(coarse / expected, middle / expected, fine / expected);
-  // What infinitely many segments would give. The formula is that of a coil without slope; this one's is 2.2 degrees.
+  // The limit of infinitely many segments. The formula is that of a coil without slope; this one's is 2.2 degrees.
   CHECK(limit_of_second_order(middle, fine) == Approx(expected).epsilon(4e-3));
   CHECK(std::log2((coarse - middle) / (middle - fine)) == Approx(2).margin(0.3));
 }

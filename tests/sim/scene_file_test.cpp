@@ -1,4 +1,4 @@
-// Scenes as JSON: what is written is read again to the last bit, and what makes no sense is named.
+// Scenes as JSON: a scene that is written is read again to the last bit, and an error is named by its path.
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <tuple>

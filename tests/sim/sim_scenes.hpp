@@ -35,7 +35,7 @@ Eigen::MatrixXd stiffness_matrix(const System& system, const State& state);
 /// The coordinates that are free, in the order of the matrix above.
 std::vector<Eigen::Index> free_coordinates(const System& system);
 
-/// What infinitely many segments would give, from the values of n and 2 n of them, when errors fall with their square.
+/// The limit of infinitely many segments, from the values of n and 2 n of them, when errors fall with their square.
 constexpr double limit_of_second_order(double coarse, double fine) { return fine + (fine - coarse) / 3; }
 
 /// A straight cable of n equal segments from `from` to `to`; its particles come after those of the scene.

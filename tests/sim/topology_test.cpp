@@ -1,4 +1,4 @@
-// What is linked stays linked and what is not stays apart, however violently it moves.
+// Linked cables stay linked and others stay apart, however violently they move.
 // SPDX-License-Identifier: MIT
 #include <Eigen/Geometry>
 

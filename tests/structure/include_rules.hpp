@@ -17,13 +17,14 @@ struct Include {
 /// The #include lines of a source file, in order; not those in comments.
 std::vector<Include> includes_of(std::string_view text);
 
-/// What is wrong with the includes of src/`path` ("exact/decide.cpp"), one sentence each, with the line.
+/// The forbidden includes of src/`path` ("exact/decide.cpp"), one sentence each, with the line.
 std::vector<std::string> source_violations(const std::string& path, std::string_view text);
 
-/// How the table of layers on a page of docs/ (folder, what lives there, may use) differs from the one that is held here.
+/// The differences between the table of layers on a page of docs/ (folder, what lives there, may use) and the one that
+/// is held here.
 std::vector<std::string> layer_table_differences(std::string_view page);
 
-/// What is wrong with the includes of include/touchstone/`name` ("solve.hpp").
+/// The forbidden includes of include/touchstone/`name` ("solve.hpp").
 std::vector<std::string> public_header_violations(const std::string& name, std::string_view text);
 
 /// Whether a header's path belongs to CGAL, GMP, MPFR or Boost, which stay inside `numbers` and `oracle`.

@@ -1,4 +1,4 @@
-// What a failing test prints: queries as hexfloats that can be pasted into a test, answers field by field.
+// The text of a failing test: queries as hexfloats that can be pasted into a test, answers field by field.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -21,13 +21,14 @@ double greatest(const std::vector<double>& values) { return *std::max_element(va
 std::string levels_for_person(const BenchResult& result) {
   if (result.method == BenchMethod::floor) return {};
   const auto& levels = result.levels;
-  if (result.method == BenchMethod::oracle) return fmt::format("{:>36} oracle", share(levels.oracle, result.queries));
+  if (result.method == BenchMethod::oracle)
+    return fmt::format("{:>36} oracle", percentage(levels.oracle, result.queries));
   if (result.method == BenchMethod::cgal) {
-    return fmt::format("{:>10}{:>10}{:>16} oracle", share(levels.filter, result.queries),
-                       share(levels.bracket, result.queries), share(levels.oracle, result.queries));
+    return fmt::format("{:>10}{:>10}{:>16} oracle", percentage(levels.filter, result.queries),
+                       percentage(levels.bracket, result.queries), percentage(levels.oracle, result.queries));
   }
-  return fmt::format("{:>10}{:>10}{:>10}", share(levels.filter, result.queries), share(levels.bracket, result.queries),
-                     share(levels.exact, result.queries));
+  return fmt::format("{:>10}{:>10}{:>10}", percentage(levels.filter, result.queries),
+                     percentage(levels.bracket, result.queries), percentage(levels.exact, result.queries));
 }
 
 std::string line_for_person(const BenchResult& result) {
@@ -83,7 +84,7 @@ std::string bench_table(const std::vector<BenchResult>& results) {
     if (result.set != set) {
       set = result.set;
       const std::string title = fmt::format("{}: {}, {} with contact", set, counted(result.set_size, "query"),
-                                            share(result.contacts, result.set_size));
+                                            percentage(result.contacts, result.set_size));
       table += fmt::format("{}{}\n  {:<26}{:>12}{:>12}{:>14}{:>10}{:>10}{:>10}\n", table.empty() ? "" : "\n", title, "",
                            "ns a query", "x floor", "slowest, us", "filter", "bracket", "exact");
     }

@@ -31,8 +31,8 @@ std::optional<fuzz::EarlyLimit> early_limit(const std::string& text) {
     limit.ulps = std::stoull(number);
     return limit;
   }
-  limit.share = io::parse_finite_double(text);
-  if (!limit.share || *limit.share < 0 || *limit.share > 1) return std::nullopt;
+  limit.fraction = io::parse_finite_double(text);
+  if (!limit.fraction || *limit.fraction < 0 || *limit.fraction > 1) return std::nullopt;
   return limit;
 }
 

@@ -94,7 +94,7 @@ std::string case_command(const FuzzOptions& options, const fuzz::CaseName& name)
   if (options.settings.judge != Method::exact)
     command += fmt::format(" --judge {}", method_name(options.settings.judge));
   if (options.settings.early.ulps) command += fmt::format(" --early {}ulps", *options.settings.early.ulps);
-  if (options.settings.early.share) command += fmt::format(" --early {}", *options.settings.early.share);
+  if (options.settings.early.fraction) command += fmt::format(" --early {}", *options.settings.early.fraction);
   for (const std::string& file : options.from) command += " --from " + shell_word(file);
   return command + " --case " + shell_word(fuzz::case_text(name));
 }

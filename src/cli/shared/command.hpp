@@ -1,4 +1,4 @@
-// What every subcommand is to the program: a function that adds it to the parser, and an exit status.
+// A subcommand of the program: a function that adds it to the parser, and an exit status.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -39,7 +39,7 @@ std::string counts_for_person(const Counts& counts) {
   for (const Level level : {Level::filter, Level::bracket, Level::exact, Level::oracle}) {
     const auto number = counts.levels[static_cast<std::size_t>(level)];
     if (number > 0)
-      append(levels, fmt::format("{} {} ({})", level_name(level), grouped(number), share(number, counts.queries)));
+      append(levels, fmt::format("{} {} ({})", level_name(level), grouped(number), percentage(number, counts.queries)));
   }
   std::string natures;
   for (const Nature nature : {Nature::crossing, Nature::grazing, Nature::sustained, Nature::isolated}) {

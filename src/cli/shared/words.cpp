@@ -27,7 +27,7 @@ std::string counted(std::uint64_t number, std::string_view thing) {
   return fmt::format("{} {}{}", grouped(number), thing.substr(0, thing.size() - (y ? 1 : 0)), y ? "ies" : "s");
 }
 
-std::string share(std::uint64_t part, std::uint64_t whole) {
+std::string percentage(std::uint64_t part, std::uint64_t whole) {
   const double percent = whole == 0 ? 0.0 : 100 * static_cast<double>(part) / static_cast<double>(whole);
   if (part > 0 && percent < 0.1) return "< 0.1 %";
   if (part < whole && percent > 99.9) return "> 99.9 %";

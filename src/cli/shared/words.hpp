@@ -18,7 +18,7 @@ std::string grouped(std::uint64_t number);                          ///< "1,000,
 std::string counted(std::uint64_t number, std::string_view thing);  ///< "1 file", "1,024 files"
 
 /// "12.5 %" of a whole that may be zero. A part that is not zero but rounds to zero is "< 0.1 %".
-std::string share(std::uint64_t part, std::uint64_t whole);
+std::string percentage(std::uint64_t part, std::uint64_t whole);
 
 /// "0x1.8p-1 (0.75)".
 std::string time_for_person(double time);

@@ -77,7 +77,7 @@ void add_simulate(CLI::App& program, Command& command) {
   }
   subcommand->footer("Scenes\n" + scenes +
                      "\nUnits are SI. A step that would let two elements touch is not taken: it is tried again in "
-                     "shorter\nparts. The last line is `N steps, 0 crossings`.\n\n"
+                     "shorter\nsubsteps. The last line is `N steps, 0 crossings`.\n\n"
                      "Examples\n"
                      "  touchstone simulate hoop --out hoop\n"
                      "  touchstone simulate cable-drop --size 5000 --proof proof.csv\n"

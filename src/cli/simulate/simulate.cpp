@@ -83,7 +83,7 @@ Run run_steps(sim::Simulation& simulation, std::uint64_t steps, SimulateOutput& 
 int simulate(sim::Simulation& simulation, const SimulateOptions& options, io::OutputFile& console) {
   SimulateOutput output(options, simulation);
   const Run run = run_steps(simulation, steps_to_make(options, simulation), output);
-  std::exception_ptr unwritten;  // a file that cannot be written does not change what has been proved
+  std::exception_ptr unwritten;  // a file that cannot be written does not change the proofs made so far
   try {
     output.finish();
   } catch (const Error&) {

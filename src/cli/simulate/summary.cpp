@@ -11,7 +11,7 @@ namespace touchstone::cli {
 void StepTotals::add(const std::vector<sim::SubstepRecord>& records) {
   ++steps;
   for (const sim::SubstepRecord& record : records) {
-    ++parts;
+    ++substeps;
     gained += static_cast<std::uint64_t>(record.gained_energy);
     first_order += static_cast<std::uint64_t>(record.first_order);
   }
@@ -26,11 +26,11 @@ std::string simulation_for_person(const sim::Simulation& simulation, const StepT
   }
   if (crossings.size() > kMostShown) text += fmt::format("crossing: {} more\n", grouped(crossings.size() - kMostShown));
   const auto& refused = simulation.refused();
-  if (totals.parts > totals.steps) {
+  if (totals.substeps > totals.steps) {
     text += fmt::format(
         "{} in {}: refused were {} that did not converge, {} without a response, {} that gained "
         "energy, {} that failed their proof\n",
-        counted(totals.steps, "step"), counted(totals.parts, "part"), refused.not_converged, refused.not_resolved,
+        counted(totals.steps, "step"), counted(totals.substeps, "part"), refused.not_converged, refused.not_resolved,
         refused.gained_energy, refused.not_certified);
   }
   if (totals.gained > 0)
@@ -41,11 +41,12 @@ std::string simulation_for_person(const sim::Simulation& simulation, const StepT
                     counted(totals.first_order, "part"));
   }
   if (const auto& times = simulation.times(); times.total() > 0) {
-    const auto share = [&](double seconds) { return 100 * seconds / times.total(); };
+    const auto percentage = [&](double seconds) { return 100 * seconds / times.total(); };
     text += fmt::format(
         "of {:.2f} s of processor time: integration {:.0f} %, solving with contacts {:.0f} %, finding and answering "
         "contacts {:.0f} %, proof {:.0f} %\n",
-        times.total(), share(times.integration), share(times.contacts), share(times.response), share(times.proof));
+        times.total(), percentage(times.integration), percentage(times.contacts), percentage(times.response),
+        percentage(times.proof));
   }
   text += fmt::format("{:.1f} steps a second\n", rate);
   return text + fmt::format("{} steps, {} crossings\n", totals.steps, crossings.size());
