@@ -39,8 +39,11 @@ void kill_children() {
 }
 
 /// Kills and reaps all descendants; those of a killed process become children here, and are found the next time. Notes
-/// how `solver` ends.
+/// how `solver` ends, which nobody has reaped so far.
 void end_descendants(pid_t solver, int& solver_status) {
+  // First its group, which needs no list of children: /proc may be missing, or have none.
+  ::kill(-solver, SIGKILL);
+  ::kill(solver, SIGKILL);
   constexpr int kRounds = 2000;  // a millisecond each: a process that cannot be killed is not waited for for ever
   for (int round = 0; round < kRounds; ++round) {
     int status = 0;
@@ -55,18 +58,19 @@ void end_descendants(pid_t solver, int& solver_status) {
   }
 }
 
-/// Waits until the solver has ended or SIGTERM comes.
-void wait_for_end(pid_t solver, int& solver_status) {
+/// Waits until the solver has ended or SIGTERM comes. The solver is not reaped, so that its number, which is its group's
+/// too, remains its own.
+void wait_for_end(pid_t solver) {
   sigset_t awaited;
   ::sigemptyset(&awaited);
   ::sigaddset(&awaited, SIGCHLD);
   ::sigaddset(&awaited, SIGTERM);
   for (;;) {
-    int status = 0;
-    for (pid_t reaped; (reaped = ::waitpid(-1, &status, WNOHANG)) > 0;) {
-      if (reaped != solver) continue;
-      solver_status = status;
-      return;
+    for (;;) {
+      siginfo_t ended{};
+      if (::waitid(P_ALL, 0, &ended, WEXITED | WNOHANG | WNOWAIT) != 0 || ended.si_pid == 0) break;
+      if (ended.si_pid == solver) return;
+      ::waitpid(ended.si_pid, nullptr, WNOHANG);
     }
     if (::sigwaitinfo(&awaited, nullptr) == SIGTERM) return;
   }
@@ -106,7 +110,7 @@ void supervise(pid_t parent) {
   if (solver < 0) ::_exit(kCannotStart);
   close_from(0);         // an end of a pipe that stays open here would look like the solver's
   int status = SIGKILL;  // as waitpid tells of a process that was killed
-  wait_for_end(solver, status);
+  wait_for_end(solver);
   end_descendants(solver, status);
   end_as(status);
 }

@@ -133,6 +133,15 @@ void check_folder_of(const std::string& target, const std::string& path) {
   fail(path, "is a link to " + printable(target) + ", whose folder is not there");
 }
 
+/// Refuses a link whose text does not lead to the file that the system finds behind it. The link of an open descriptor,
+/// such as /dev/stdout, is one when its file has been removed: its text is the old name and " (deleted)".
+void check_same_file(const std::string& target, const struct stat& found, const std::string& path) {
+  struct stat status {};
+  const bool same =
+      ::stat(target.c_str(), &status) == 0 && status.st_ino == found.st_ino && status.st_dev == found.st_dev;
+  if (!same) fail(path, "leads to a file that has no name any more; name a file to write");
+}
+
 }  // namespace
 
 OutputFile::OutputFile(const std::string& path) : name_(path), target_(path) {
@@ -148,6 +157,7 @@ OutputFile::OutputFile(const std::string& path) : name_(path), target_(path) {
   // A link stays a link: the file that it leads to is replaced, or made.
   target_ = end_of_links(path);
   check_folder_of(target_, path);
+  if (exists) check_same_file(target_, status, path);
   Created created = create_beside(target_, name_);
   temporary_ = std::move(created.path);
   descriptor_ = created.descriptor;

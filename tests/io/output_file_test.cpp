@@ -127,6 +127,24 @@ TEST_CASE("links that lead nowhere are refused, and stay") {
   CHECK(std::filesystem::is_symlink(link));
 }
 
+#ifdef __linux__
+TEST_CASE("the link of an open descriptor whose file is removed is refused, and nothing is made") {
+  const TemporaryFolder folder;
+  const int descriptor = ::open(folder.path("removed").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  REQUIRE(descriptor >= 0);
+  const std::string link = "/proc/self/fd/" + std::to_string(descriptor);
+  { io::OutputFile(link).commit(); }
+  CHECK(folder.names() == Names{"removed"});
+  const int removed = ::open(folder.path("removed").c_str(), O_RDWR | O_CLOEXEC);
+  ::unlink(folder.path("removed").c_str());
+  const std::string removed_link = "/proc/self/fd/" + std::to_string(removed);
+  CHECK(error_of([&] { io::OutputFile out(removed_link); }).find("has no name any more") != std::string::npos);
+  CHECK(folder.names().empty());
+  ::close(removed);
+  ::close(descriptor);
+}
+#endif
+
 TEST_CASE("what a killed process leaves is removed when the same file is written again") {
   const TemporaryFolder folder;
   const std::string target = folder.path("a.csv");

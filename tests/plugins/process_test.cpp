@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/child_process.hpp"
 
+#ifdef __linux__
+#include <sched.h>
+#include <sys/mount.h>
+#endif
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <string>
@@ -13,6 +18,7 @@
 #include "io/temporary_folder.hpp"
 #include "plugins/outside_solver.hpp"
 #include "support/catch.hpp"
+#include "support/skip.hpp"
 
 using namespace touchstone;
 using namespace touchstone::tests;
@@ -66,6 +72,38 @@ TEST_CASE("a plugin's daemon dies when the process that asks is killed") {
   ::unsetenv("BAD_PLUGIN_NOTE");
 #endif
 }
+
+#ifdef __linux__
+TEST_CASE("what a process leaves in its group dies with it, also where there is no /proc") {
+  fuzz::Pipe pipe;
+  const pid_t parent = ::fork();
+  REQUIRE(parent >= 0);
+  if (parent == 0) {
+    const bool own_mounts = ::unshare(CLONE_NEWNS) == 0 || ::unshare(CLONE_NEWUSER | CLONE_NEWNS) == 0;
+    const bool hidden = own_mounts && ::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
+                        ::mount("none", "/proc", "tmpfs", 0, nullptr) == 0;
+    if (!hidden) ::_exit(1);
+    fuzz::ChildProcess::Setup setup;
+    setup.output = pipe.write;
+    fuzz::ChildProcess child(setup, [] {
+      const pid_t left = ::fork();
+      while (left == 0) ::pause();
+      if (::write(STDOUT_FILENO, &left, sizeof left) < 0) ::_exit(1);
+    });
+    child.wait_until(fuzz::ChildProcess::Clock::now() + std::chrono::seconds(20));
+    ::_exit(0);
+  }
+  int status = 0;
+  ::waitpid(parent, &status, 0);
+  if (status != 0) {
+    skip("/proc cannot be hidden here");
+    return;
+  }
+  pid_t left = 0;
+  REQUIRE(::read(pipe.read, &left, sizeof left) == sizeof left);
+  CHECK(vanishes(left));
+}
+#endif
 
 TEST_CASE("many processes leave no zombie and no descriptor behind") {
   const auto free_descriptor = [] {
