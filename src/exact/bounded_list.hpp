@@ -12,7 +12,7 @@ namespace touchstone::exact {
 template <class T, std::size_t Capacity>
 class BoundedList {
  public:
-  BoundedList() noexcept {}
+  BoundedList() noexcept {}  // NOLINT(modernize-use-equals-default): the elements are not made yet
   BoundedList(const BoundedList&) = delete;
   BoundedList& operator=(const BoundedList&) = delete;
   ~BoundedList() { std::destroy_n(begin(), size_); }

@@ -38,12 +38,14 @@ using Short = numbers::FixedInt<1>;
 using Medium = numbers::FixedInt<2>;
 using Long = numbers::FixedInt<3>;
 
+// NOLINTBEGIN(bugprone-macro-parentheses): the name of a template stands without parentheses.
 /// Instantiates a class template for each of them.
 #define TOUCHSTONE_FOR_EACH_NUMBER_TYPE(Template) \
   template class Template<Short>;                 \
   template class Template<Medium>;                \
   template class Template<Long>;                  \
   template class Template<Exact>
+// NOLINTEND(bugprone-macro-parentheses)
 
 /// How many bits B integer coordinates may have, |x| < 2^B, so that nothing overflows. In bits:
 /// - differences B + 1, their changes over the step B + 2;

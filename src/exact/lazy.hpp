@@ -11,7 +11,7 @@ namespace touchstone::exact {
 template <class T>
 class Lazy {
  public:
-  Lazy() noexcept {}
+  Lazy() noexcept {}  // NOLINT(modernize-use-equals-default): the value is not made yet
   ~Lazy() {
     if (made_) std::destroy_at(get());
   }

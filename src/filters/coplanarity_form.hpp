@@ -45,7 +45,7 @@ template <class N>
 TOUCHSTONE_INLINE auto products_in_range(const N& uw, const N& uwr) noexcept {
   const auto uw_in_range = (uw >= kLeastProduct) & (uw <= kGreatestProduct);
   const auto uwr_in_range = (uwr >= kLeastProduct) & (uwr <= kGreatestProduct);
-  return decltype(uw > uw)(uw_in_range & uwr_in_range);
+  return decltype(uw > uwr)(uw_in_range & uwr_in_range);
 }
 
 /// The frame at both ends of the step. Each coordinate is one rounded subtraction of two of the query's doubles.

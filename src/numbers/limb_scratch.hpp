@@ -43,7 +43,7 @@ class LimbScratch {
  private:
   Limb* take_block() noexcept;
 
-  static thread_local LimbScratch* current_;
+  static thread_local LimbScratch* current_;  // NOLINT(readability-identifier-naming)
 
   LimbScratch* previous_;
   std::uint64_t free_ = ~std::uint64_t{0};  // bit i: block i
