@@ -19,7 +19,7 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr int kMostIterations = 100;
 
 // The line search. A step length of 2^-30 moves nothing that the tolerance would see.
-constexpr int kMostHalvings = 30;
+constexpr int kMostBacktracks = 30;
 constexpr int kMostDoublings = 10;
 constexpr double kSufficientDecrease = 1e-4;  // Armijo's fraction of the decrease that the slope promises
 
@@ -298,7 +298,7 @@ bool Newton::Descent::decreases(const Trial& trial) const {
 
 /// Halves the step until it decreases the potential sufficiently. False when it never does.
 bool Newton::Descent::backtrack(Trial& best) const {
-  for (int halving = 0; halving < kMostHalvings; ++halving) {
+  for (int halving = 0; halving < kMostBacktracks; ++halving) {
     best = trial(best.step_length / 2);
     if (decreases(best)) return true;
   }

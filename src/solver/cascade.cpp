@@ -12,7 +12,7 @@ namespace {
 /// The arithmetic without error below the filters and the bracket level.
 struct ExactArithmetic {
   filters::ExactValue coplanarity_at;
-  Answer (*decide)(const Query& query, double t_max);
+  Answer (*decide_exactly)(const Query& query, double t_max);
 };
 constexpr ExactArithmetic kOwn = {exact::coplanarity_at, exact::decide_exactly};
 constexpr ExactArithmetic kCgal = {oracle::coplanarity_at, oracle::decide_by_oracle};
@@ -32,7 +32,7 @@ Answer answer(const Query& query, Method method, double t_max) {
   validate(query, t_max);
   const ExactArithmetic& below = method == Method::fast ? kOwn : kCgal;
   const filters::Decision decision = filters::decide_by_filters({query, t_max, below.coplanarity_at}, result);
-  if (decision.finding == filters::Finding::uncertain) result = below.decide(query, t_max);
+  if (decision.finding == filters::Finding::uncertain) result = below.decide_exactly(query, t_max);
   return result;
 }
 
