@@ -58,8 +58,8 @@ void end_descendants(pid_t solver, int& solver_status) {
   }
 }
 
-/// Waits until the solver has ended or SIGTERM comes. The solver is not reaped, so that its number, which is its group's
-/// too, remains its own.
+/// Waits until the solver has ended or SIGTERM comes. The solver is not reaped: its number, which is its group's too,
+/// remains its own.
 void wait_for_end(pid_t solver) {
   sigset_t awaited;
   ::sigemptyset(&awaited);
