@@ -6,15 +6,15 @@ set -euo pipefail
 project=$1 scratch=$2 cmake=$3
 follow=$project/tests/pages/follow.sh
 rm -rf -- "$scratch"
-mkdir -p -- "$scratch/root"
+mkdir -p -- "$scratch/tree"
 failures=0
 
 # expect STATUS NAME: the page on standard input is right (0) or wrong (1), and its log has the words that follow.
 expect() {
   local status=0 wanted=$1 name=$2 word
   shift 2
-  cat >"$scratch/root/page.md"
-  "$follow" page.md "$scratch/root" "$scratch/home" "$cmake" >"$scratch/log" 2>&1 || status=$?
+  cat >"$scratch/tree/page.md"
+  "$follow" page.md "$scratch/tree" "$scratch/home" "$cmake" >"$scratch/log" 2>&1 || status=$?
   if ((status != wanted)); then
     printf '%s: exit status %s, not %s\n' "$name" "$status" "$wanted"
     cat "$scratch/log"
