@@ -11,12 +11,27 @@ namespace touchstone {
 /// How the two elements meet at the first contact. V(t) is the coplanarity cubic of edge-edge and vertex-face queries:
 /// a polynomial of degree at most 3 that is zero exactly when the four corners lie in one plane. The other two kinds
 /// have no V. V is a polynomial on the whole real line, so it may change its sign at t = 0 and t = 1 too.
+///
+/// With a separation d > 0, let D(t) be the distance of the elements, for all real t. The nature is `entering` when
+/// D = d at the time of impact and D < d just after it. It is `grazing` when D = d there and D > d just before and just
+/// after it. It is `isolated` when D = d there, D > d just after it and D <= d just before it, which happens at t = 0
+/// only. It is `sustained` when D stays d, or when the elements start with D < d.
 enum class Nature : std::uint8_t {
   none,       ///< there is no contact
   crossing,   ///< V is not identically zero and changes sign at the time of impact
   grazing,    ///< V is not identically zero and does not change sign at the time of impact
   sustained,  ///< the elements touch during an interval of positive length that starts at the time of impact
-  isolated    ///< the contact is a single instant, and V is identically zero or the kind has no V
+  isolated,   ///< the contact is a single instant, and V is identically zero or the kind has no V
+  entering    ///< with a separation d > 0: the distance is d at the time of impact and less than d just after it
+};
+
+/// What the distance of the two elements does just after the time of impact. Only an answer with a separation d > 0
+/// has one.
+enum class Trend : std::uint8_t {
+  none,         ///< there is no contact, or no separation
+  approaching,  ///< the distance falls
+  constant,     ///< the distance stays as it is
+  leaving       ///< the distance rises
 };
 
 /// The part of an element that is touched. If several features fit the touching point, the answer is the first of them
@@ -63,13 +78,19 @@ std::string_view feature_name(Feature feature) noexcept;
 /// The level's name in files and on the command line: "filter", "bracket", "exact" or "oracle".
 std::string_view level_name(Level level) noexcept;
 
-/// The answer to one query. Without contact only `contact` and `level` have a meaning; both times are then +infinity.
+/// The trend's name in files and on the command line: "approaching", "constant" or "leaving". Empty for none.
+std::string_view trend_name(Trend trend) noexcept;
+
+/// The answer to one query. With a separation d > 0, `touch` below means to be within d, the touched features are those
+/// that hold the closest points, and the weights are those of the closest points. Without contact only `contact` and `level` have a meaning; both times are then +infinity.
 struct Answer {
   bool contact = false;               ///< Whether the elements touch at any time in [0, t_max].
   Level level = Level::exact;         ///< Which level decided.
   Nature nature = Nature::none;       ///< How the elements meet at the first contact.
   Feature feature_a = Feature::none;  ///< The touched part of the first element: edge a, vertex v or point p.
   Feature feature_b = Feature::none;  ///< The touched part of the second element: edge b, face f, edge e or point q.
+  bool starts_within = false;         ///< Whether the contact exists at t = 0 already. `toi` may be 0 without it.
+  Trend trend = Trend::none;          ///< What the distance does next, with a separation d > 0.
 
   /// The largest double <= the exact first time of contact, in [0, t_max]. A step of this length is safe, and no larger
   /// double is.

@@ -7,6 +7,7 @@
 #include <touchstone/contact_times.hpp>
 #include <touchstone/error.hpp>
 #include <touchstone/query.hpp>
+#include <touchstone/separation.hpp>
 #include <touchstone/solve.hpp>
 #include <touchstone/version.hpp>
 

@@ -1,4 +1,4 @@
-// The names of kinds, corners, natures, features and levels, as files and people write them. A value that is none of
+// The names of kinds, corners, natures, trends, metrics, features and levels, as files and people write them. A value that is none of
 // the enumerators has the empty name.
 // SPDX-License-Identifier: MIT
 #include <cstddef>
@@ -6,6 +6,7 @@
 
 #include <touchstone/answer.hpp>
 #include <touchstone/query.hpp>
+#include <touchstone/separation.hpp>
 
 namespace touchstone {
 
@@ -33,6 +34,25 @@ std::string_view nature_name(Nature nature) noexcept {
     case Nature::grazing: return "grazing";
     case Nature::sustained: return "sustained";
     case Nature::isolated: return "isolated";
+    case Nature::entering: return "entering";
+  }
+  return "";
+}
+
+std::string_view trend_name(Trend trend) noexcept {
+  switch (trend) {
+    case Trend::none: return "";
+    case Trend::approaching: return "approaching";
+    case Trend::constant: return "constant";
+    case Trend::leaving: return "leaving";
+  }
+  return "";
+}
+
+std::string_view metric_name(Metric metric) noexcept {
+  switch (metric) {
+    case Metric::euclidean: return "euclidean";
+    case Metric::max: return "max";
   }
   return "";
 }
