@@ -80,9 +80,11 @@ FAULTS = [
     ("kWeightError", "filters/refined_root.cpp", "kWeightError = 2.75 *", "kWeightError = 44 *"),
     ("kBound of shared corners", "filters/shared_corner.cpp", "kBound = 9 *", "kBound = 9 / 16.0 *"),
     ("underflow guard of shared corners", "filters/shared_corner.cpp", "uw >= 0x1p-1000 && ", ""),
-    ("kBound of signs at a root", "numbers/real_root.cpp", "kBound = 14 *", "kBound = 14 / 16.0 *"),
+    ("kConstantBound of signs at a root", "numbers/real_root.cpp", "kConstantBound = 5 *", "kConstantBound = -8.125 *"),
+    ("kDegreeBound of signs at a root", "numbers/real_root.cpp", "kDegreeBound = 3 *", "kDegreeBound = 3 / 16.0 *"),
     ("underflow guard of signs at a root", "numbers/real_root.cpp",
-     "sum >= kLeast ? kBound * sum : std::numeric_limits<double>::quiet_NaN()", "kBound * sum"),
+     "sum >= kLeast ? (kConstantBound + kDegreeBound * (size - 1)) * sum : std::numeric_limits<double>::quiet_NaN()",
+     "(kConstantBound + kDegreeBound * (size - 1)) * sum"),
 ]
 
 

@@ -6,6 +6,9 @@
 
 namespace touchstone::numbers {
 
+/// The largest degree of a polynomial whose roots and signs are decided: the distance to a plane takes 6.
+inline constexpr int kMostDegree = 6;
+
 /// Coefficients of a polynomial, constant first; the formal degree is size - 1.
 struct Coefficients {
   const Exact* c;

@@ -11,7 +11,7 @@
 namespace touchstone::numbers {
 namespace {
 
-constexpr int kMaxSize = 4;  // coefficients of a cubic
+constexpr int kMaxSize = kMostDegree + 1;  // coefficients
 
 /// The sign of q(numerator / denominator), denominator > 0.
 int sign_at_rational(Coefficients q, const Exact& numerator, const Exact& denominator) {
@@ -63,16 +63,12 @@ Dense positive_remainder(Dense a, const Dense& b) {
 /// numerator / denominator over a bracket, if it varies by so little that this is the quotient at the root within
 /// 2^-50.5; it is known to lie in [0, 1] there.
 bool quotient_over(const RootBracket& bracket, Coefficients numerator, Coefficients denominator, double& result) {
-  // Both polynomials lie between the least and the greatest of their Bernstein coefficients over the bracket. Twice
-  // those of a quadratic: 2 q(low), its polar form, 2 q(high).
+  // Both polynomials lie between the least and the greatest of their Bernstein coefficients over the bracket. Equal
+  // formal degrees have coefficients times the same number.
   const auto enclose = [&bracket](Coefficients q, Exact& least, Exact& greatest) {
-    const Exact& low = bracket.low();
-    const Exact& high = bracket.high();
-    const Exact at_low = Exact(2) * evaluate(q, low);
-    const Exact at_high = Exact(2) * evaluate(q, high);
-    const Exact middle = Exact(2) * q.c[0] + q.c[1] * (low + high) + Exact(2) * q.c[2] * low * high;
-    least = std::min({at_low, at_high, middle});
-    greatest = std::max({at_low, at_high, middle});
+    const BernsteinForm form(q, bracket.low(), bracket.high());
+    least = *std::min_element(form.begin(), form.end());
+    greatest = *std::max_element(form.begin(), form.end());
   };
   Exact n_least, n_greatest, d_least, d_greatest;
   enclose(numerator, n_least, n_greatest);
@@ -102,7 +98,7 @@ std::string hexfloat(double x) {
 }  // namespace
 
 ScaledDoubles scaled_to_doubles(Coefficients p) {
-  std::array<Approximation, 4> terms;
+  std::array<Approximation, kMostDegree + 1> terms;
   ScaledDoubles result = {{}, std::numeric_limits<long>::min()};
   const std::size_t size = static_cast<std::size_t>(p.size);
   for (std::size_t i = 0; i < size; ++i) {
@@ -168,8 +164,12 @@ double RealRoot::estimate() const {
   double slope = 0;
   constexpr int kIterations = 50;
   for (int i = 0; i < kIterations; ++i) {
-    const double value = ((c[3] * t + c[2]) * t + c[1]) * t + c[0];
-    slope = (3 * c[3] * t + 2 * c[2]) * t + c[1];
+    double value = c[static_cast<std::size_t>(degree_)];
+    slope = 0;
+    for (int k = degree_ - 1; k >= 0; --k) {
+      slope = slope * t + value;
+      value = value * t + c[static_cast<std::size_t>(k)];
+    }
     if ((value < 0) == (bracket_.sign_low() < 0)) {
       low = t;
     } else {
@@ -278,11 +278,12 @@ bool RealRoot::vanishes_at_isolated(Coefficients q) const {
 }
 
 ValueNear value_near(const double* c, int size, double lower) noexcept {
-  // e = 2^-53, S the sum of the coefficients' absolute values. At `lower` the coefficients are off by 4 e S, and at
-  // most 6 roundings of values of at most S follow. The next double is at most e away, where the slope is at most 3 S:
-  // 13 e S in all; the rest is for second-order terms and the rounding of S. From a least S up, coefficients and
-  // products that underflow do not count; an overflow makes the error infinite.
-  constexpr double kBound = 14 * 0x1p-53;
+  // e = 2^-53, S the sum of the coefficients' absolute values, n the degree. At `lower` the coefficients are off by
+  // 4 e S, and at most 2 n roundings of values of at most S follow. The next double is at most e away, where the slope
+  // is at most n S: (4 + 3 n) e S in all; the rest is for second-order terms and the rounding of S. From a least S up,
+  // coefficients and products that underflow do not count; an overflow makes the error infinite.
+  constexpr double kConstantBound = 5 * 0x1p-53;
+  constexpr double kDegreeBound = 3 * 0x1p-53;
   constexpr double kLeast = 0x1p-900;
   double value = c[size - 1];
   double sum = std::fabs(value);
@@ -290,7 +291,8 @@ ValueNear value_near(const double* c, int size, double lower) noexcept {
     value = value * lower + c[i];
     sum += std::fabs(c[i]);
   }
-  return {value, sum >= kLeast ? kBound * sum : std::numeric_limits<double>::quiet_NaN()};
+  return {value, sum >= kLeast ? (kConstantBound + kDegreeBound * (size - 1)) * sum
+                               : std::numeric_limits<double>::quiet_NaN()};
 }
 
 int RealRoot::sign_at(Coefficients q) const {
@@ -304,13 +306,26 @@ int RealRoot::sign_at(Coefficients q) const {
   }
 }
 
-int RealRoot::sign_after(Coefficients q) const {
-  // Just after the root, q has the sign of its first derivative that does not vanish there.
+int RealRoot::quick_sign_at(Coefficients q) const {
+  std::array<double, kMaxSize> c;
+  for (int i = 0; i < q.size; ++i) c[static_cast<std::size_t>(i)] = to_double(q.c[i]);
+  const int sign = certain_sign(c.data(), q.size);
+  return sign != 0 ? sign : sign_at(q);
+}
+
+int RealRoot::sign_after(Coefficients q) const { return sign_beside(q, 1); }
+int RealRoot::sign_before(Coefficients q) const { return sign_beside(q, -1); }
+
+int RealRoot::sign_beside(Coefficients q, int side) const {
+  // Just after the root, q has the sign of its first derivative that does not vanish there. Just before it, a derivative
+  // of odd order counts with the opposite sign.
   std::array<Exact, kMaxSize> derivative;
   std::copy(q.c, q.c + q.size, derivative.begin());
+  int factor = 1;
   for (int size = q.size; size > 0; --size) {
     const int sign = sign_at({derivative.data(), size});
-    if (sign != 0) return sign;
+    if (sign != 0) return factor * sign;
+    factor *= side;
     for (int i = 1; i < size; ++i)
       derivative[static_cast<std::size_t>(i - 1)] = derivative[static_cast<std::size_t>(i)] * Exact(i);
   }
@@ -319,27 +334,28 @@ int RealRoot::sign_after(Coefficients q) const {
 
 RealRoot RealRoot::reversed() const {
   if (is_rational_) return rational(denominator_ - numerator_, denominator_, multiplicity_);
-  // p(1 - t) by the binomial theorem.
-  const Exact& c1 = p_[1];
-  const Exact& c2 = p_[2];
-  const Exact& c3 = p_[3];
-  const std::array<Exact, 4> mirrored = {p_[0] + c1 + c2 + c3, -(c1 + Exact(2) * c2 + Exact(3) * c3),
-                                         c2 + Exact(3) * c3, -c3};
+  std::array<Exact, kMaxSize> mirrored = taylor_coefficients(polynomial(), Exact(1));  // of p(1 - t), but for signs
+  for (std::size_t i = 1; i < mirrored.size(); i += 2) mirrored[i] = -mirrored[i];
   RealRoot root = isolated({mirrored.data(), degree_ + 1}, Exact(1) - bracket_.high(), Exact(1) - bracket_.low(),
                            -bracket_.sign_low());
   root.multiplicity_ = multiplicity_;
   return root;
 }
 
-double RealRoot::quotient(const Polynomial<Exact, 2>& numerator, const Polynomial<Exact, 2>& denominator) const {
+double RealRoot::quotient(Coefficients numerator, Coefficients denominator) const {
   if (is_rational_) {
-    const Exact power = denominator_ * denominator_;
-    const auto homogeneous = [&](const Polynomial<Exact, 2>& q) {
-      return (q[2] * numerator_ + q[1] * denominator_) * numerator_ + q[0] * power;
+    const int degree = std::max(numerator.size, denominator.size) - 1;
+    const auto homogeneous = [&](Coefficients q) {
+      Exact value(0);
+      Exact power(1);  // of the denominator
+      for (int i = degree; i >= 0; --i) {
+        value = value * numerator_;
+        if (i < q.size) value = value + q.c[i] * power;
+        if (i > 0) power = power * denominator_;
+      }
+      return value;
     };
-    const Exact n = homogeneous(numerator);
-    const Exact d = homogeneous(denominator);
-    return std::clamp(approximate_quotient(n, d), 0.0, 1.0);
+    return std::clamp(approximate_quotient(homogeneous(numerator), homogeneous(denominator)), 0.0, 1.0);
   }
   double result;
   if (quotient_over(bracket_, numerator, denominator, result)) return result;

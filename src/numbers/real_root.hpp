@@ -1,4 +1,4 @@
-// Real roots of polynomials of degree at most 3 with exact coefficients, and the signs of other polynomials there.
+// Real roots of polynomials of degree at most 6 with exact coefficients, and the signs of other polynomials there.
 // Signs are exact, zero included: no approximation of the root decides them.
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -18,14 +18,14 @@
 namespace touchstone::numbers {
 
 /// The coefficients times one power of two that makes the largest about 1, for hints. Each is within a relative error
-/// of 2^-52 where it does not underflow. Zero beyond p's size, at most 4.
+/// of 2^-52 where it does not underflow. Zero beyond p's size.
 struct ScaledDoubles {
-  std::array<double, 4> c;
+  std::array<double, kMostDegree + 1> c;
   long exponent;  ///< coefficient i is about c[i] 2^exponent
 };
 ScaledDoubles scaled_to_doubles(Coefficients p);
 
-/// The value of a polynomial of degree at most 3, from coefficients within a relative error of 2^-51, at any time
+/// The value of a polynomial of degree at most kMostDegree, from coefficients within a relative error of 2^-51, at any time
 /// between `lower`, in [0, 1], and the next double: off by at most `error`, which is NaN or infinite where nothing is
 /// known.
 struct ValueNear {
@@ -47,6 +47,7 @@ class RealRoot {
 
   /// Of this root in the polynomial that was isolated.
   int multiplicity() const { return multiplicity_; }
+  void set_multiplicity(int multiplicity) { multiplicity_ = multiplicity; }
 
   /// The neighbouring doubles around the root: the largest double <= it and the smallest >= it.
   double lower() const { return lower_; }
@@ -54,6 +55,8 @@ class RealRoot {
 
   /// The sign of q at the root; exact.
   int sign_at(Coefficients q) const;
+  /// The same, tried in doubles first.
+  int quick_sign_at(Coefficients q) const;
   template <class R, int D>
   int sign_at(const Polynomial<R, D>& q) const {
     if constexpr (!std::is_same_v<R, Exact> && D <= 2) {
@@ -71,6 +74,9 @@ class RealRoot {
     return sign != 0 ? sign : sign_after(Coefficients(to_exact(q)));
   }
 
+  /// The sign of q just before the root. Zero only for q == 0.
+  int sign_before(Coefficients q) const;
+
   /// The sign of (this - other), of (this - value); exact.
   int compare(const RealRoot& other) const;
   int compare(const Exact& value) const;
@@ -80,10 +86,12 @@ class RealRoot {
 
   /// numerator(root) / denominator(root) within an absolute error of 2^-50.5, given that the quotient lies in [0, 1]
   /// and the denominator is not zero at the root.
-  double quotient(const Polynomial<Exact, 2>& numerator, const Polynomial<Exact, 2>& denominator) const;
+  double quotient(Coefficients numerator, Coefficients denominator) const;
   template <class R>
   double quotient(const Polynomial<R, 2>& numerator, const Polynomial<R, 2>& denominator) const {
-    return quotient(to_exact(numerator), to_exact(denominator));
+    const Polynomial<Exact, 2> exact_numerator = to_exact(numerator);
+    const Polynomial<Exact, 2> exact_denominator = to_exact(denominator);
+    return quotient(Coefficients(exact_numerator), Coefficients(exact_denominator));
   }
 
   /// For a person: "1/3", "root of 3 t^3 + -1 t + -1 in [0x1.8p-1, 0x1.9p-1]".
@@ -114,13 +122,14 @@ class RealRoot {
     }
   }
 
-  /// The sign at the root of a polynomial of degree at most 3, from coefficients within a relative error of 2^-51; 0
+  /// The sign at the root of a polynomial of degree at most kMostDegree, from coefficients within a relative error of 2^-51; 0
   /// when uncertain.
   int certain_sign(const double* c, int size) const {
     const ValueNear value = value_near(c, size, lower_);
     return value.value > value.error ? 1 : value.value < -value.error ? -1 : 0;
   }
 
+  int sign_beside(Coefficients q, int side) const;  // side 1: just after, -1: just before
   void find_small_integers();
   void find_neighbouring_doubles();
   double estimate() const;
@@ -135,13 +144,13 @@ class RealRoot {
   // The same in integers below kSmall; 0 and 0 where they are larger.
   std::int64_t small_numerator_ = 0, small_denominator_ = 0;
   int degree_ = 0;  // of the polynomial of an isolated root
-  std::array<Exact, 4> p_;
+  std::array<Exact, kMostDegree + 1> p_;
   RootBracket bracket_;         // no wider than between the neighbouring doubles
   mutable RootBracket narrow_;  // the narrowest so far
   double lower_ = 0, upper_ = 0;
 };
 
-/// Up to three roots, ascending and distinct.
+/// Up to kMostDegree roots, ascending and distinct.
 class RootList {
  public:
   int size() const { return size_; }
@@ -149,12 +158,12 @@ class RootList {
   void push(RealRoot root);
 
  private:
-  std::array<std::optional<RealRoot>, 3> roots_;
+  std::array<std::optional<RealRoot>, kMostDegree> roots_;
   int size_ = 0;
 };
 
 /// The distinct roots of p in the closed interval [0, limit], 0 <= limit <= 1, ascending, each with its multiplicity
-/// over the real line. p has formal degree at most 3 and is not identically zero.
+/// over the real line. p has formal degree at most kMostDegree and is not identically zero.
 RootList isolate_roots(Coefficients p, const Exact& limit);
 
 /// Whether p has certainly no root in [0, 1]: its Bernstein coefficients have one sign, those at the ends strictly. R

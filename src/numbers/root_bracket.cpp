@@ -73,6 +73,22 @@ Exact quotient(Exact numerator, const Exact& denominator, long exponent) {
   }
 }
 
+/// The first four coefficients of p(point + x).
+struct TaylorCubic {
+  Exact value, slope, half_curvature, third;
+};
+TaylorCubic taylor_cubic(Coefficients p, const Exact& point) {
+  if (p.size > 4) {
+    const auto c = taylor_coefficients(p, point);
+    return {c[0], c[1], c[2], c[3]};
+  }
+  const Exact leading = p.size == 4 ? p.c[3] : Exact();
+  const Exact inner = p.c[2] + leading * point;
+  const Exact twice = inner + leading * point;
+  return {p.c[0] + (p.c[1] + inner * point) * point, p.c[1] + (inner + twice) * point, twice + leading * point,
+          leading};
+}
+
 /// A step from a point towards a root.
 struct Step {
   Wide length;        ///< to the root of p's parabola at the point
@@ -81,15 +97,9 @@ struct Step {
 };
 
 /// The step to the root where p rises (slope_sign 1) or falls (-1). Two roots close to each other do not disturb it.
-/// Nothing when p is too far from a parabola between the point and the root.
+/// Nothing when p is too far from a parabola between the point and the root, as its cubic term there shows.
 std::optional<Step> parabola_step(Coefficients p, const Exact& point, int slope_sign) {
-  const Exact zero;
-  const Exact& leading = p.size == 4 ? p.c[3] : zero;
-  const Exact inner = p.c[2] + leading * point;
-  const Exact twice = inner + leading * point;
-  const Exact value = p.c[0] + (p.c[1] + inner * point) * point;
-  const Exact slope = p.c[1] + (inner + twice) * point;
-  const Exact half_curvature = twice + leading * point;
+  const auto [value, slope, half_curvature, leading] = taylor_cubic(p, point);
 
   // value + slope s + half_curvature s^2 = 0, and slope + 2 half_curvature s = +-sqrt(discriminant)
   const Wide f(value), d(slope), a(half_curvature);
@@ -153,6 +163,61 @@ Exact evaluate(Coefficients p, const Exact& t) {
   return value;
 }
 
+std::array<Exact, kMostDegree + 1> taylor_coefficients(Coefficients q, const Exact& point) {
+  std::array<Exact, kMostDegree + 1> c;
+  std::copy(q.c, q.c + q.size, c.begin());
+  if (is_zero(point)) return c;
+  for (std::size_t first = 0; first + 1 < static_cast<std::size_t>(q.size); ++first) {  // synthetic divisions
+    for (std::size_t i = static_cast<std::size_t>(q.size) - 1; i-- > first;) c[i] = c[i] + c[i + 1] * point;
+  }
+  return c;
+}
+
+BernsteinForm::BernsteinForm(Coefficients q, const Exact& low, const Exact& high) : size_(q.size) {
+  // With c_i the coefficients of q(low + (high - low) x), n the formal degree and b(n, i) the binomial coefficients,
+  // coefficient k is the sum of b(k, i) / b(n, i) c_i. The unit of a degree is a multiple of all b(n, i).
+  static constexpr int kBinomials[kMostDegree + 1][kMostDegree + 1] = {
+      {1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}, {1, 5, 10, 10, 5, 1}, {1, 6, 15, 20, 15, 6, 1}};
+  static constexpr int kUnits[kMostDegree + 1] = {1, 1, 2, 3, 12, 10, 60};
+  const std::size_t degree = static_cast<std::size_t>(size_) - 1;
+  std::array<Exact, kMostDegree + 1> c = taylor_coefficients(q, low);
+  const Exact width = high - low;
+  Exact power(1);
+  for (std::size_t i = 0; i <= degree; ++i) {
+    c[i] = c[i] * power * Exact(kUnits[degree] / kBinomials[degree][i]);
+    power = power * width;
+  }
+  for (std::size_t k = 0; k <= degree; ++k) {
+    c_[k] = c[0];
+    for (std::size_t i = 1; i <= k; ++i) c_[k] = c_[k] + c[i] * Exact(kBinomials[k][i]);
+  }
+}
+
+int BernsteinForm::variations() const {
+  int count = 0;
+  int previous = 0;
+  for (const Exact& c : *this) {
+    const int sign = sign_of(c);
+    if (sign == 0) continue;
+    count += previous != 0 && sign != previous;
+    previous = sign;
+  }
+  return count;
+}
+
+std::pair<BernsteinForm, BernsteinForm> BernsteinForm::split(int eighths) const {
+  const Exact later(eighths * 0.125);
+  const Exact earlier = Exact(1) - later;
+  BernsteinForm left(size_), right = *this;
+  for (std::size_t round = 0; round < static_cast<std::size_t>(size_); ++round) {  // de Casteljau's algorithm
+    left.c_[round] = right.c_[0];
+    for (std::size_t i = 0; i + round + 1 < static_cast<std::size_t>(size_); ++i) {
+      right.c_[i] = earlier * right.c_[i] + later * right.c_[i + 1];
+    }
+  }
+  return {std::move(left), std::move(right)};
+}
+
 int RootBracket::compare(Coefficients p, const Exact& value) const {
   if (value <= low_) return is_root() ? sign_of(low_ - value) : 1;
   if (value >= high_) return -1;
@@ -176,6 +241,9 @@ std::optional<int> RootBracket::sign_over(Coefficients q) const {
   // The inner coefficients, times a positive number: q's polar form with some arguments low and the others high.
   if (certain && q.size == 3) {
     certain = agrees(Exact(2) * q.c[0] + q.c[1] * (low_ + high_) + Exact(2) * q.c[2] * low_ * high_);
+  } else if (certain && q.size > 4) {
+    const BernsteinForm form(q, low_, high_);
+    certain = std::all_of(form.begin(), form.end(), agrees);
   } else if (certain && q.size == 4) {
     const auto inner = [&](const Exact& twice, const Exact& once) {
       return Exact(3) * q.c[0] + q.c[1] * (Exact(2) * twice + once) + q.c[2] * twice * (twice + Exact(2) * once) +
@@ -219,7 +287,7 @@ bool RootBracket::narrow_by_model(Coefficients p) {
 // For three roots so close to each other that the parabola cannot tell them apart. With t = (y - b) / 3a, a cubic's
 // roots are those of y^3 + 3 (3ac - b^2) y + (2b^3 - 9abc + 27a^2 d), over 27 a^2.
 bool RootBracket::narrow_by_formula(Coefficients cubic) {
-  if (by_formula_ || cubic.size < 4) return false;
+  if (by_formula_ || cubic.size != 4) return false;
   by_formula_ = true;
   const Exact &d = cubic.c[0], &c = cubic.c[1], &b = cubic.c[2], &a = cubic.c[3];
   const Exact three_a = Exact(3) * a;

@@ -1,14 +1,45 @@
 // An interval around one root of a polynomial that narrows as far as a caller needs. SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
+#include <utility>
 
 #include "numbers/coefficients.hpp"
 #include "numbers/exact_number.hpp"
 
 namespace touchstone::numbers {
 
-/// An open dyadic interval in which a polynomial p of degree 2 or 3 has exactly one root, a simple one, and changes its
+/// The coefficients of q(point + x) as a polynomial in x. Zero beyond q's size.
+std::array<Exact, kMostDegree + 1> taylor_coefficients(Coefficients q, const Exact& point);
+
+/// The Bernstein coefficients of a polynomial over an interval, all times one positive integer that depends on the
+/// formal degree only. The polynomial's values there, times that integer, lie between the least and the greatest.
+class BernsteinForm {
+ public:
+  BernsteinForm(Coefficients q, const Exact& low, const Exact& high);
+
+  const Exact* begin() const { return c_.data(); }
+  const Exact* end() const { return c_.data() + size_; }
+  int size() const { return size_; }
+  const Exact& operator[](int i) const { return c_[static_cast<std::size_t>(i)]; }
+
+  /// The number of changes of sign in their order, zeros left out. It is at least the number of roots inside, with
+  /// multiplicity, and differs from it by an even number (Descartes' rule).
+  int variations() const;
+
+  /// The forms over both parts of the interval, cut at low + eighths / 8 (high - low).
+  std::pair<BernsteinForm, BernsteinForm> split(int eighths) const;
+
+ private:
+  explicit BernsteinForm(int size) : size_(size) {}
+
+  int size_;
+  std::array<Exact, kMostDegree + 1> c_;
+};
+
+/// An open dyadic interval in which a polynomial p of degree 2 or more has exactly one root, a simple one, and changes its
 /// sign. Where the root is found to be dyadic, low() == high() is the root itself. The argument p of the functions
 /// below must be the polynomial that the bracket was made for.
 class RootBracket {
@@ -35,7 +66,7 @@ class RootBracket {
   }
 
   /// q's sign at the root, if q has one strict sign all over the bracket, as its Bernstein coefficients there show, or
-  /// if the bracket is the root. q's formal degree is at most 3.
+  /// if the bracket is the root.
   std::optional<int> sign_over(Coefficients q) const;
 
   /// Narrows the bracket by a factor of at least 2, and usually of 2^40 or more. The factor grows from call to call.

@@ -1,10 +1,11 @@
-// Isolation of the roots of a polynomial of degree at most 3 in [0, limit]. Most calls end at the sign variations of
+// Isolation of the roots of a polynomial in [0, limit]. Up to degree 3 most calls end at the sign variations of
 // the Bernstein coefficients (Descartes' rule: none, or exactly one root); the rest is decided by discriminants.
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
 #include <gmpxx.h>
 
+#include "numbers/bisection.hpp"
 #include "numbers/gmp_conversions.hpp"
 #include "numbers/real_root.hpp"
 
@@ -100,6 +101,7 @@ class OpenInterval {
 
   void isolate() {
     if (p_.size < 2) return;
+    if (p_.size > 4) return isolate_by_bisection(p_, limit_, roots_);
     const BernsteinSigns bernstein(p_, limit_);
     if (bernstein.variations == 0) return;
     if (p_.size == 2) {
@@ -229,7 +231,7 @@ class OpenInterval {
 }  // namespace
 
 RootList isolate_roots(Coefficients p, const Exact& limit) {
-  std::array<Exact, 4> c;
+  std::array<Exact, kMostDegree + 1> c;
   int size = p.size;
   while (size > 0 && is_zero(p.c[size - 1])) --size;
   RootList roots;

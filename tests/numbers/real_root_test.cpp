@@ -49,7 +49,7 @@ void check_neighbours(const RealRoot& root) {
 
 }  // namespace
 
-TEST_CASE("rational roots of cubics, simple and repeated, with multiplicity and order") {
+TEST_CASE("rational roots, simple and repeated, with multiplicity and order") {
   struct Rational {
     int n, d;
   };
@@ -58,14 +58,15 @@ TEST_CASE("rational roots of cubics, simple and repeated, with multiplicity and 
   for (int i = 0; i < 3000; ++i) {
     Coefs p = {Exact(rng.one_in(2) ? 1 : -3)};
     std::vector<Rational> expected;
-    const int degree = rng.between(1, 3);
+    const int degree = rng.between(1, i % 2 == 0 ? 3 : numbers::kMostDegree);
     for (int k = 0; k < degree; ++k) {
       Rational r = {rng.between(-3, 8), rng.between(1, 6)};
       if (k > 0 && rng.one_in(3) && !expected.empty()) r = expected.back();
       p = p * linear(r.n, r.d);
       if (r.n >= 0 && r.n <= r.d) expected.push_back(r);
     }
-    while (p.size() < 4 && rng.one_in(2)) p.push_back(Exact(0));  // a formal degree above the true one
+    while (p.size() < numbers::kMostDegree + 1 && rng.one_in(2))
+      p.push_back(Exact(0));  // a formal degree above the true one
     std::sort(expected.begin(), expected.end(), [](Rational a, Rational b) { return a.n * b.d < b.n * a.d; });
     const RootList roots = roots_of(p);
     std::size_t at = 0;
@@ -93,7 +94,9 @@ TEST_CASE("irrational roots: signs of polynomials that vanish there, and of near
   // t = sqrt(1/2) as a root of 2 t^2 - 1 and of (2 t^2 - 1)(t - 3), and together with a rational root.
   const Coefs square = {Exact(-1), Exact(0), Exact(2)};
   const Coefs near = {Exact(-1) + numbers::power_of_two(-300), Exact(0), Exact(2)};  // root just below
-  for (const Coefs& p : {square, square * linear(3, 1), square * linear(1, 4), square * linear(2, 3)}) {
+  for (const Coefs& p : {square, square * linear(3, 1), square * linear(1, 4), square * linear(2, 3), square * square,
+                         square * square * linear(1, 4), square * square * linear(1, 3) * linear(1, 3),
+                         square * square * square, square * linear(1, 3) * linear(1, 3) * linear(7, 10)}) {
     const RootList roots = roots_of(p);
     const RealRoot* root = nullptr;
     for (int i = 0; i < roots.size(); ++i) {
