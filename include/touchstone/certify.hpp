@@ -9,6 +9,7 @@
 
 #include <touchstone/answer.hpp>
 #include <touchstone/query.hpp>
+#include <touchstone/separation.hpp>
 
 namespace touchstone {
 
@@ -41,12 +42,13 @@ Verdict judge(const Claim& claim, const Answer& truth) noexcept;
 /// lies strictly between `truth.toi` and `truth.toi_upper`.
 /// @param claim  the claim on `query`
 /// @param query  the query that was asked
-/// @param truth  the exact answer to `query` for t_max = 1
+/// @param truth  the exact answer to `query` for t_max = 1 and for the separation
+/// @param separation  the separation that the claim is about
 /// @throws InvalidQuery  when `toi_as_written` is no finite number, or has more than 4096 digits in its numerator or
 ///                       denominator
-Verdict judge(const Claim& claim, const Query& query, const Answer& truth);
+Verdict judge(const Claim& claim, const Query& query, const Answer& truth, const Separation& separation = {});
 
 /// The same for rational coordinates.
-Verdict judge(const Claim& claim, const RationalQuery& query, const Answer& truth);
+Verdict judge(const Claim& claim, const RationalQuery& query, const Answer& truth, const Separation& separation = {});
 
 }  // namespace touchstone

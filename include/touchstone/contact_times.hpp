@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <touchstone/query.hpp>
+#include <touchstone/separation.hpp>
 
 namespace touchstone {
 
@@ -74,5 +75,24 @@ std::vector<ContactInterval> contact_times(const Query& query, double t_max = 1.
 /// @return the intervals
 /// @throws InvalidQuery  for a coordinate that is not a fraction or a t_max outside [0, 1]
 std::vector<ContactInterval> contact_times(const RationalQuery& query, double t_max = 1.0);
+
+/// The same for the times at which the elements are within a separation of each other.
+/// @param query       the two elements and their motion
+/// @param separation  the distance and its metric
+/// @param t_max       the end of the time range, 0 <= t_max <= 1
+/// @return the intervals
+/// @throws InvalidQuery  for a NaN or infinite coordinate, a t_max outside [0, 1], a distance that is negative or not
+///                       finite, or an unknown metric
+std::vector<ContactInterval> contact_times(const Query& query, const Separation& separation, double t_max = 1.0);
+
+/// The same for rational coordinates.
+/// @param query       the two elements and their motion
+/// @param separation  the distance and its metric
+/// @param t_max       the end of the time range, 0 <= t_max <= 1
+/// @return the intervals
+/// @throws InvalidQuery  for a coordinate that is not a fraction, a t_max outside [0, 1], a distance that is negative or
+///                       not finite, or an unknown metric
+std::vector<ContactInterval> contact_times(const RationalQuery& query, const Separation& separation,
+                                           double t_max = 1.0);
 
 }  // namespace touchstone

@@ -9,6 +9,7 @@
 
 #include <touchstone/answer.hpp>
 #include <touchstone/query.hpp>
+#include <touchstone/separation.hpp>
 
 namespace touchstone {
 
@@ -60,6 +61,25 @@ Answer solve(const RationalQuery& query, double t_max = 1.0);
 /// level decides for Method::fast and Method::exact, and CGAL for the other two.
 Answer solve(const RationalQuery& query, Method method, double t_max = 1.0);
 
+/// The first time in [0, t_max] at which the two elements are within a separation of each other, decided exactly, by
+/// Method::fast. With distance 0 it is solve(query, t_max).
+/// @param query       the two elements and their motion
+/// @param separation  the distance that they are to keep, and its metric
+/// @param t_max       the end of the time range, 0 <= t_max <= 1
+/// @return the answer
+/// @throws InvalidQuery  for a NaN or infinite coordinate, a t_max outside [0, 1], a distance that is negative or not
+///                       finite, or an unknown metric
+Answer solve(const Query& query, const Separation& separation, double t_max = 1.0);
+
+/// The same by the method of your choice.
+Answer solve(const Query& query, const Separation& separation, Method method, double t_max = 1.0);
+
+/// The same for rational coordinates, by Method::fast.
+Answer solve(const RationalQuery& query, const Separation& separation, double t_max = 1.0);
+
+/// The same for rational coordinates, by the method of your choice.
+Answer solve(const RationalQuery& query, const Separation& separation, Method method, double t_max = 1.0);
+
 /// Whether the two elements touch at any t in [0, t_max]: the `contact` of solve(query, t_max). It is cheaper than
 /// `solve`, because it does not compute the time.
 /// @param query  the two elements and their motion
@@ -67,6 +87,15 @@ Answer solve(const RationalQuery& query, Method method, double t_max = 1.0);
 /// @return whether they touch
 /// @throws InvalidQuery  for a NaN or infinite coordinate or a t_max outside [0, 1]
 bool solve_any(const Query& query, double t_max = 1.0);
+
+/// Whether the two elements are within a separation of each other at any t in [0, t_max]: the `contact` of
+/// solve(query, separation, t_max).
+/// @param query       the two elements and their motion
+/// @param separation  the distance that they are to keep, and its metric
+/// @param t_max       the end of the time range, 0 <= t_max <= 1
+/// @return whether they come so near
+/// @throws InvalidQuery  as solve(query, separation, t_max)
+bool solve_any(const Query& query, const Separation& separation, double t_max = 1.0);
 
 /// The SIMD width of a batch: the number of bits of the processor's vector registers that it uses. One instruction then
 /// tests several queries.
@@ -81,7 +110,7 @@ enum class VectorWidth : std::uint8_t {
 /// Whether the processor and this build of the library support this SIMD width. True for widest, none and bits_128.
 bool has_vectors(VectorWidth width) noexcept;
 
-/// The options of a batch. Only `t_max` and `method` can change an answer.
+/// The options of a batch. `threads` and `vectors` change no answer.
 struct BatchOptions {
   double t_max = 1.0;            ///< the end of the time range of every query, 0 <= t_max <= 1
   Method method = Method::fast;  ///< the code that answers
@@ -91,6 +120,14 @@ struct BatchOptions {
 
   /// The SIMD width. Only batches in columns by Method::fast or Method::fast_cgal use it.
   VectorWidth vectors = VectorWidth::widest;
+
+  /// The separation of every query. It changes the answers.
+  Separation separation = {};
+
+  /// A distance for each query, in place of separation.distance, which must then be 0: for elements of different
+  /// thickness. Null, or the first of distance_count doubles; the metric is separation.metric.
+  const double* distances = nullptr;
+  std::size_t distance_count = 0;  ///< the number of distances: that of the queries, or 0 without distances
 };
 
 /// The answers to many queries, in input order.

@@ -70,6 +70,8 @@ std::string decision_difference(const Answer& one, const Answer& other) {
   if (one.nature != other.nature) return "nature differs";
   if (one.feature_a != other.feature_a) return "feature_a differs";
   if (one.feature_b != other.feature_b) return "feature_b differs";
+  if (one.starts_within != other.starts_within) return "starts_within differs";
+  if (one.trend != other.trend) return "trend differs";
   return "";
 }
 
@@ -88,6 +90,7 @@ std::string bit_difference(const Answer& one, const Answer& other, bool levels) 
   if (!same_bits(one.toi, other.toi)) return "toi differs";
   if (!same_bits(one.toi_upper, other.toi_upper)) return "toi_upper differs";
   if (one.nature != other.nature) return "nature differs";
+  if (one.starts_within != other.starts_within || one.trend != other.trend) return "starts_within or trend differs";
   if (one.feature_a != other.feature_a || one.feature_b != other.feature_b) return "features differ";
   if (!same_bits(one.weights_a, other.weights_a) || !same_bits(one.weights_b, other.weights_b)) {
     return "weights differ in their bits";
@@ -100,6 +103,7 @@ std::string malformation(Kind kind, const Answer& answer, double t_max) {
   if (!answer.contact) {
     if (answer.toi != kInfinity || answer.toi_upper != kInfinity) return "a time is finite without contact";
     if (answer.nature != Nature::none) return "a nature without contact";
+    if (answer.trend != Trend::none || answer.starts_within) return "a trend or a start without contact";
     if (answer.feature_a != Feature::none || answer.feature_b != Feature::none) return "a feature without contact";
     return "";
   }
@@ -109,7 +113,8 @@ std::string malformation(Kind kind, const Answer& answer, double t_max) {
   }
   const bool has_cubic = kind == Kind::edge_edge || kind == Kind::vertex_face;
   const bool of_cubic = answer.nature == Nature::crossing || answer.nature == Nature::grazing;
-  if (answer.nature == Nature::none || (of_cubic && !has_cubic)) return "a nature that the kind does not have";
+  const bool of_separation = answer.trend != Trend::none;
+  if (answer.nature == Nature::none || (of_cubic && !has_cubic && !of_separation)) return "a nature that the kind does not have";
   const bool overlap = answer.feature_a == Feature::overlap;
   if (overlap != (answer.feature_b == Feature::overlap)) return "only one element overlaps";
   if (overlap && kind != Kind::edge_edge) return "an overlap of a kind that has none";

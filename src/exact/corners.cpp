@@ -50,8 +50,7 @@ Forms<Long>::Corners moving_corners<Long>(const Query& query) {
   return integer_corners<Long>(query);
 }
 
-template <>
-Forms<Exact>::Corners moving_corners<Exact>(const Query& query) {
+ScaledCorners scaled_corners(const Query& query) {
   const std::size_t count = corner_count(query.kind);
   double largest = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -72,13 +71,12 @@ Forms<Exact>::Corners moving_corners<Exact>(const Query& query) {
     }
     return c;
   };
-  Forms<Exact>::Corners corners;
-  for (std::size_t i = 0; i < count; ++i) corners[i] = moving<Exact>(exact(query.start[i]), exact(query.end[i]));
-  return corners;
+  ScaledCorners result = {{}, scale ? factor : Exact(1)};
+  for (std::size_t i = 0; i < count; ++i) result.corners[i] = moving<Exact>(exact(query.start[i]), exact(query.end[i]));
+  return result;
 }
 
-template <>
-Forms<Exact>::Corners moving_corners<Exact>(const RationalQuery& query) {
+ScaledCorners scaled_corners(const RationalQuery& query) {
   const std::size_t count = corner_count(query.kind);
   std::vector<std::pair<std::string_view, std::string_view>> fractions;
   for (std::size_t i = 0; i < count; ++i) {
@@ -86,17 +84,30 @@ Forms<Exact>::Corners moving_corners<Exact>(const RationalQuery& query) {
       for (const Fraction& f : (*corners)[i]) fractions.emplace_back(f.numerator, f.denominator);
     }
   }
+  fractions.emplace_back("1", "1");  // becomes the common denominator
   std::vector<Exact> integers = numbers::over_common_denominator(fractions);
+  Exact denominator = integers.back();
+  integers.pop_back();
   long largest = 0;
   for (const Exact& x : integers) largest = std::max(largest, numbers::approximate(x).exponent);
   const Exact factor = numbers::power_of_two(-largest);
   for (Exact& x : integers) x = x * factor;
-  Forms<Exact>::Corners corners;
+  ScaledCorners result = {{}, denominator * factor};
   for (std::size_t i = 0; i < count; ++i) {
     const Exact* c = &integers[6 * i];
-    corners[i] = moving<Exact>({c[0], c[1], c[2]}, {c[3], c[4], c[5]});
+    result.corners[i] = moving<Exact>({c[0], c[1], c[2]}, {c[3], c[4], c[5]});
   }
-  return corners;
+  return result;
+}
+
+template <>
+Forms<Exact>::Corners moving_corners<Exact>(const Query& query) {
+  return scaled_corners(query).corners;
+}
+
+template <>
+Forms<Exact>::Corners moving_corners<Exact>(const RationalQuery& query) {
+  return scaled_corners(query).corners;
 }
 
 }  // namespace touchstone::exact

@@ -17,6 +17,15 @@ typename Forms<N>::Corners moving_corners(const Query& query);
 template <class N>
 typename Forms<N>::Corners moving_corners(const RationalQuery& query);  ///< for Exact only
 
+/// The same for Exact, with the positive number that the corners are multiplied by. For rational coordinates and their
+/// common denominator it is a multiple of that.
+struct ScaledCorners {
+  Forms<Exact>::Corners corners;
+  Exact factor;
+};
+ScaledCorners scaled_corners(const Query& query);
+ScaledCorners scaled_corners(const RationalQuery& query);
+
 /// Calls f with the elements of the query's kind, over numbers of type N.
 template <class N, class Q, class F>
 auto with_elements(const Q& query, F&& f) {

@@ -65,30 +65,39 @@ constexpr std::size_t kMostEvents = 8;
 template <class N>
 using Events = BoundedList<typename Forms<N>::Quadratic, kMostEvents>;
 
-/// Signs at a root or just after it. It keeps a record of them when `explain` wants one.
+/// Signs at a root, or just before or after it. It keeps a record of them when `explain` wants one.
 class Moment {
  public:
   static Moment at(const RealRoot& root, std::vector<CandidateStory::Condition>* record = nullptr) {
-    return Moment(root, false, record);
+    return Moment(root, 0, record);
   }
-  static Moment just_after(const RealRoot& root) { return Moment(root, true, nullptr); }
+  static Moment just_after(const RealRoot& root) { return Moment(root, 1, nullptr); }
+  static Moment just_before(const RealRoot& root) { return Moment(root, -1, nullptr); }
 
   /// The sign of q at this moment. The name and the axis (0, 1, 2; -1 for none) are for the record.
   template <class R, int D>
   int sign(const numbers::Polynomial<R, D>& q, const char* name, int axis = -1) const {
-    const int sign = after_ ? root_.sign_after(q) : root_.sign_at(q);
+    const int sign = side_ == 0 ? root_.sign_at(q) : side_ > 0 ? root_.sign_after(q) : root_.sign_before(q);
     if (record_ != nullptr) keep(sign, name, axis);
     return sign;
   }
 
+  /// The same for a polynomial of any formal degree.
+  int sign(numbers::Coefficients q) const {
+    const int sign = root_.quick_sign_at(q);
+    return sign != 0 || side_ == 0 ? sign : side_ > 0 ? root_.sign_after(q) : root_.sign_before(q);
+  }
+
+  const RealRoot& root() const { return root_; }
+
  private:
-  Moment(const RealRoot& root, bool after, std::vector<CandidateStory::Condition>* record)
-      : root_(root), after_(after), record_(record) {}
+  Moment(const RealRoot& root, int side, std::vector<CandidateStory::Condition>* record)
+      : root_(root), side_(side), record_(record) {}
 
   void keep(int sign, const char* name, int axis) const;
 
   const RealRoot& root_;
-  bool after_;
+  int side_;  // 1: just after the root, -1: just before it
   std::vector<CandidateStory::Condition>* record_;
 };
 

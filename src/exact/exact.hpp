@@ -6,7 +6,9 @@
 #include <vector>
 
 #include <touchstone/answer.hpp>
+#include <touchstone/distance.hpp>
 #include <touchstone/query.hpp>
+#include <touchstone/separation.hpp>
 
 namespace touchstone::exact {
 
@@ -14,6 +16,16 @@ namespace touchstone::exact {
 /// well-formed fractions) and the floating-point environment the default one: callers in `solver` see to both.
 Answer decide_exactly(const Query& query, double t_max);
 Answer decide_exactly(const RationalQuery& query, double t_max);
+
+/// The same for contact within a separation > 0.
+Answer decide_exactly(const Query& query, double t_max, const Separation& separation);
+Answer decide_exactly(const RationalQuery& query, double t_max, const Separation& separation);
+
+/// The sign of (distance at t - separation), for 0 <= t <= 1.
+int compare_distance(const Query& query, double t, const Separation& separation);
+
+/// The distance at t, its features and weights, for 0 <= t <= 1.
+Distance distance_at(const Query& query, double t, Metric metric);
 
 /// V(t) within a relative error of 2^-50 and with its exact sign, for edge-edge and vertex-face queries and
 /// 0 <= t <= 1. A value that underflows is the least double of its sign; one that overflows is infinite.

@@ -5,7 +5,9 @@
 
 namespace touchstone::filters {
 
-bool boxes_disjoint(const Query& query) noexcept {
+bool boxes_disjoint(const Query& query) noexcept { return boxes_apart(query, 0); }
+
+bool boxes_apart(const Query& query, double distance) noexcept {
   const std::size_t count = corner_count(query.kind);
   const std::size_t first_count = corners_of_first(query.kind);
   const auto disjoint_along = [&](double Vec3::*axis) {
@@ -20,7 +22,8 @@ bool boxes_disjoint(const Query& query) noexcept {
         high[element] = std::max({high[element], query.start[i].*axis, query.end[i].*axis});
       }
     }
-    return high[0] < low[1] || high[1] < low[0];
+    // A difference that is rounded to more than a double is more than it: rounding is monotone.
+    return low[1] - high[0] > distance || low[0] - high[1] > distance;
   };
   return disjoint_along(&Vec3::x) || disjoint_along(&Vec3::y) || disjoint_along(&Vec3::z);
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <touchstone/answer.hpp>
+#include <touchstone/separation.hpp>
 
 #include "filters/question.hpp"
 #include "filters/same_side.hpp"
@@ -14,5 +15,8 @@ namespace touchstone::filters {
 /// `answer` is the caller's object, so that it is never copied. It comes in as Answer(). It is complete when it goes
 /// out, unless the finding is uncertain or the question is for contact only.
 Decision decide_by_filters(const Question& question, Answer& answer);
+
+/// True proves that the elements of a valid query are farther apart than a valid separation at all times in [0, 1].
+bool apart_all_along(const Query& query, const Separation& separation) noexcept;
 
 }  // namespace touchstone::filters

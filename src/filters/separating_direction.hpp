@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include <touchstone/query.hpp>
+#include <touchstone/separation.hpp>
 
 #include "filters/question.hpp"
 #include "filters/step_frame.hpp"
@@ -38,6 +39,9 @@ Gap gap_along(const RelativeCorners& corners, const Vector& direction) noexcept;
 /// True proves that d . x is smaller for one element than for the other at all times in [0, 1]: no contact. Any
 /// direction is sound, finite or not.
 bool separates(const RelativeCorners& corners, const Vector& direction) noexcept;
+
+/// True proves that the distance of the elements is greater than the separation at all times in [0, 1].
+bool separates_by(const RelativeCorners& corners, const Vector& direction, const Separation& separation) noexcept;
 
 /// Which direction separates the elements of a valid query; Test::none when none does.
 Test test_that_separates(const Query& query) noexcept;

@@ -49,6 +49,12 @@ class RealRoot {
   int multiplicity() const { return multiplicity_; }
   void set_multiplicity(int multiplicity) { multiplicity_ = multiplicity; }
 
+  /// Numerator and denominator, which is positive, of a root that is held as a rational. A rational root may be held
+  /// otherwise.
+  bool is_rational() const { return is_rational_; }
+  const Exact& numerator() const { return numerator_; }
+  const Exact& denominator() const { return denominator_; }
+
   /// The neighbouring doubles around the root: the largest double <= it and the smallest >= it.
   double lower() const { return lower_; }
   double upper() const { return upper_; }
@@ -76,6 +82,11 @@ class RealRoot {
 
   /// The sign of q just before the root. Zero only for q == 0.
   int sign_before(Coefficients q) const;
+  template <class R, int D>
+  int sign_before(const Polynomial<R, D>& q) const {
+    const int sign = sign_at(q);
+    return sign != 0 ? sign : sign_before(Coefficients(to_exact(q)));
+  }
 
   /// The sign of (this - other), of (this - value); exact.
   int compare(const RealRoot& other) const;

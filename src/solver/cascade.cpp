@@ -14,6 +14,9 @@ struct ExactArithmetic {
   filters::ExactValue coplanarity_at;
   Answer (*decide_exactly)(const Query& query, double t_max);
 };
+/// Contact at exactly t = 0 is a fact that no level below needs.
+void complete(Answer& answer) noexcept { answer.starts_within = answer.contact && answer.toi_upper == 0; }
+
 constexpr ExactArithmetic kOwn = {exact::coplanarity_at, exact::decide_exactly};
 constexpr ExactArithmetic kCgal = {oracle::coplanarity_at, oracle::decide_by_oracle};
 
@@ -24,6 +27,7 @@ Answer answer(const Query& query, Method method, double t_max) {
   if (method != Method::fast && method != Method::fast_cgal) {
     validate(query, t_max);
     result = method == Method::oracle ? oracle::decide_by_oracle(query, t_max) : exact::decide_exactly(query, t_max);
+    complete(result);
     return result;
   }
   result.level = Level::filter;
@@ -33,6 +37,7 @@ Answer answer(const Query& query, Method method, double t_max) {
   const ExactArithmetic& below = method == Method::fast ? kOwn : kCgal;
   const filters::Decision decision = filters::decide_by_filters({query, t_max, below.coplanarity_at}, result);
   if (decision.finding == filters::Finding::uncertain) result = below.decide_exactly(query, t_max);
+  complete(result);
   return result;
 }
 
@@ -44,6 +49,23 @@ bool any_contact(const Query& query, double t_max) {
   const filters::Finding finding = filters::decide_by_filters(question, ignored).finding;
   if (finding != filters::Finding::uncertain) return finding == filters::Finding::contact;
   return exact::decide_exactly(query, t_max).contact;
+}
+
+Answer answer(const Query& query, const Separation& separation, Method method, double t_max) {
+  if (separation.distance == 0) return answer(query, method, t_max);
+  validate(query, t_max);
+  const bool filters_first = method == Method::fast || method == Method::fast_cgal;
+  if (filters_first && filters::apart_all_along(query, separation)) {
+    Answer miss;
+    miss.level = Level::filter;
+    return miss;
+  }
+  const bool by_cgal = method == Method::oracle || method == Method::fast_cgal;
+  return by_cgal ? oracle::decide_by_oracle(query, t_max, separation) : exact::decide_exactly(query, t_max, separation);
+}
+
+bool any_contact(const Query& query, const Separation& separation, double t_max) {
+  return separation.distance == 0 ? any_contact(query, t_max) : answer(query, separation, Method::fast, t_max).contact;
 }
 
 }  // namespace touchstone::solver

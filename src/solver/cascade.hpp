@@ -22,4 +22,8 @@ TOUCHSTONE_BEHIND_GUARD Answer answer(const Query& query, Method method, double 
 /// answer(query, Method::fast, t_max).contact. @throws InvalidQuery the same
 TOUCHSTONE_BEHIND_GUARD bool any_contact(const Query& query, double t_max);
 
+/// The same for contact within a separation, which is valid. @throws InvalidQuery the same
+TOUCHSTONE_BEHIND_GUARD Answer answer(const Query& query, const Separation& separation, Method method, double t_max);
+TOUCHSTONE_BEHIND_GUARD bool any_contact(const Query& query, const Separation& separation, double t_max);
+
 }  // namespace touchstone::solver

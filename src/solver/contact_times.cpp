@@ -28,6 +28,15 @@ std::vector<ContactInterval> with_exact_times(std::vector<exact::RootInterval> i
   return times;
 }
 
+template <class AnyQuery>
+std::vector<ContactInterval> times_of_any(const AnyQuery& query, const Separation& separation, double t_max) {
+  const numbers::DefaultFloatEnvironment environment;
+  solver::validate(separation);
+  solver::validate(query, t_max);
+  return with_exact_times(separation.distance == 0 ? exact::touching_times(query, t_max)
+                                                   : exact::touching_times(query, t_max, separation));
+}
+
 }  // namespace
 
 ExactTime::ExactTime(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
@@ -72,15 +81,19 @@ std::string ExactTime::to_string() const {
 }
 
 std::vector<ContactInterval> contact_times(const Query& query, double t_max) {
-  const numbers::DefaultFloatEnvironment environment;
-  solver::validate(query, t_max);
-  return with_exact_times(exact::touching_times(query, t_max));
+  return contact_times(query, Separation(), t_max);
 }
 
 std::vector<ContactInterval> contact_times(const RationalQuery& query, double t_max) {
-  const numbers::DefaultFloatEnvironment environment;
-  solver::validate(query, t_max);
-  return with_exact_times(exact::touching_times(query, t_max));
+  return contact_times(query, Separation(), t_max);
+}
+
+std::vector<ContactInterval> contact_times(const Query& query, const Separation& separation, double t_max) {
+  return times_of_any(query, separation, t_max);
+}
+
+std::vector<ContactInterval> contact_times(const RationalQuery& query, const Separation& separation, double t_max) {
+  return times_of_any(query, separation, t_max);
 }
 
 }  // namespace touchstone

@@ -31,6 +31,41 @@ bool in_doubles(const RationalQuery& query, Query& result) {
 
 }  // namespace
 
+Answer solve(const Query& query, const Separation& separation, Method method, double t_max) {
+  const numbers::DefaultFloatEnvironment environment;
+  solver::validate(separation);
+  return solver::answer(query, separation, method, t_max);
+}
+
+Answer solve(const Query& query, const Separation& separation, double t_max) {
+  return solve(query, separation, Method::fast, t_max);
+}
+
+bool solve_any(const Query& query, const Separation& separation, double t_max) {
+  const numbers::DefaultFloatEnvironment environment;
+  solver::validate(separation);
+  return solver::any_contact(query, separation, t_max);
+}
+
+Answer solve(const RationalQuery& query, const Separation& separation, double t_max) {
+  return solve(query, separation, Method::fast, t_max);
+}
+
+Answer solve(const RationalQuery& query, const Separation& separation, Method method, double t_max) {
+  const numbers::DefaultFloatEnvironment environment;
+  solver::validate(separation);
+  solver::validate(query, t_max);
+  Query doubles;
+  if (in_doubles(query, doubles)) return solver::answer(doubles, separation, method, t_max);
+  const bool by_cgal = method == Method::oracle || method == Method::fast_cgal;
+  if (separation.distance == 0) {
+    Answer answer = by_cgal ? oracle::decide_by_oracle(query, t_max) : exact::decide_exactly(query, t_max);
+    answer.starts_within = answer.contact && answer.toi_upper == 0;
+    return answer;
+  }
+  return by_cgal ? oracle::decide_by_oracle(query, t_max, separation) : exact::decide_exactly(query, t_max, separation);
+}
+
 Answer solve(const Query& query, Method method, double t_max) {
   const numbers::DefaultFloatEnvironment environment;
   return solver::answer(query, method, t_max);
@@ -50,12 +85,7 @@ bool solve_any(const Query& query, double t_max) {
 Answer solve(const RationalQuery& query, double t_max) { return solve(query, Method::fast, t_max); }
 
 Answer solve(const RationalQuery& query, Method method, double t_max) {
-  const numbers::DefaultFloatEnvironment environment;
-  solver::validate(query, t_max);
-  Query doubles;
-  if (in_doubles(query, doubles)) return solver::answer(doubles, method, t_max);
-  const bool by_cgal = method == Method::oracle || method == Method::fast_cgal;
-  return by_cgal ? oracle::decide_by_oracle(query, t_max) : exact::decide_exactly(query, t_max);
+  return solve(query, Separation(), method, t_max);
 }
 
 }  // namespace touchstone

@@ -35,6 +35,36 @@ void validate_options(const BatchOptions& options) {
     throw InvalidQuery("this machine has no vectors of the width that is asked for; VectorWidth::widest always works");
   }
   solver::validate_t_max(options.t_max);
+  solver::validate(options.separation);
+}
+
+/// @throws InvalidQuery  for a column of distances without meaning
+void validate_distances(const BatchOptions& options, std::size_t count) {
+  if (options.distances == nullptr && options.distance_count == 0) return;
+  if (options.distance_count != count || options.distances == nullptr) {
+    throw InvalidQuery("there are " + std::to_string(options.distance_count) + " distances for " +
+                       std::to_string(count) + " queries; a column of distances must have one for each query");
+  }
+  if (options.separation.distance != 0) {
+    throw InvalidQuery("there is both a separation for all queries and a column of distances; give one of them");
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    try {
+      solver::validate_distance(options.distances[i]);
+    } catch (const InvalidQuery& error) {
+      throw InvalidQuery("query " + std::to_string(i) + ": " + error.what());
+    }
+  }
+}
+
+/// The separation of query i.
+Separation separation_of(const BatchOptions& options, std::size_t i) {
+  return options.distances == nullptr ? options.separation
+                                      : Separation{options.distances[i], options.separation.metric};
+}
+
+bool has_separation(const BatchOptions& options) {
+  return options.distances != nullptr || options.separation.distance != 0;
 }
 
 /// Covers [0, count) by calls of answer_range(first, last), in the default environment, on `threads` threads (0: as
@@ -88,6 +118,7 @@ template <class QueryAt, class AnswerRange>
 void answer_all(std::size_t count, const BatchOptions& options, const QueryAt& query_at,
                 const AnswerRange& answer_range) {
   validate_options(options);
+  validate_distances(options, count);
   try {
     for_each_range(count, options.threads, answer_range);
   } catch (const InvalidQuery&) {
@@ -119,22 +150,31 @@ Query QueryColumns::operator[](std::size_t q) const noexcept {
 
 void solve_batch(const Query* queries, std::size_t count, Answer* answers, const BatchOptions& options) {
   const auto query_at = [queries](std::size_t i) -> const Query& { return queries[i]; };
+  const bool with_separation = has_separation(options);
   answer_all(count, options, query_at, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) answers[i] = solver::answer(queries[i], options.method, options.t_max);
+    for (std::size_t i = first; i < last; ++i) {
+      answers[i] = with_separation
+                       ? solver::answer(queries[i], separation_of(options, i), options.method, options.t_max)
+                       : solver::answer(queries[i], options.method, options.t_max);
+    }
   });
 }
 
 void solve_batch(const QueryColumns& queries, Answer* answers, const BatchOptions& options) {
   solver::validate_kind(queries.kind);
   const auto query_at = [&queries](std::size_t i) { return queries[i]; };
-  const auto answer_one = [&](std::size_t i) { return solver::answer(queries[i], options.method, options.t_max); };
+  const bool with_separation = has_separation(options);
+  const auto answer_one = [&](std::size_t i) {
+    return with_separation ? solver::answer(queries[i], separation_of(options, i), options.method, options.t_max)
+                           : solver::answer(queries[i], options.method, options.t_max);
+  };
   filters::Columns columns;
   for (std::size_t i = 0; i < 4; ++i) {
     std::copy_n(queries.start[i].begin(), 3, columns.start[i]);
     std::copy_n(queries.end[i].begin(), 3, columns.end[i]);
   }
   const bool filters_first = options.method == Method::fast || options.method == Method::fast_cgal;
-  const bool with_kernel = filters_first && filters::has_cubic(queries.kind);
+  const bool with_kernel = filters_first && !with_separation && filters::has_cubic(queries.kind);
   answer_all(queries.count, options, query_at, [&](std::size_t first, std::size_t last) {
     if (with_kernel) {
       answer_columns(columns, filters::same_side_kernel(queries.kind, options.vectors), first, last, answers,

@@ -94,6 +94,22 @@ void validate_kind(Kind kind) {
                      ": edge-edge, vertex-face, point-edge or point-point");
 }
 
+void validate_distance(double distance) {
+  std::uint64_t bits;  // compared as bits: see is_time
+  std::memcpy(&bits, &distance, sizeof bits);
+  constexpr std::uint64_t kInfinity = 0x7FF0000000000000;
+  constexpr std::uint64_t kMinusZero = 0x8000000000000000;
+  if (bits < kInfinity || bits == kMinusZero) return;
+  throw InvalidQuery("the separation is " + number(distance) + "; it must be finite and not negative");
+}
+
+void validate(const Separation& separation) {
+  validate_distance(separation.distance);
+  if (!metric_name(separation.metric).empty()) return;
+  throw InvalidQuery("the metric is " + std::to_string(static_cast<int>(separation.metric)) +
+                     "; it must be 0 or 1: euclidean or max");
+}
+
 void validate(const Query& query, double t_max) {
   validate_kind(query.kind);
   validate_t_max(t_max);

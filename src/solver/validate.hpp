@@ -6,6 +6,7 @@
 
 #include <touchstone/error.hpp>
 #include <touchstone/query.hpp>
+#include <touchstone/separation.hpp>
 
 namespace touchstone::solver {
 
@@ -30,6 +31,12 @@ void validate_fraction(const Fraction& time);
 
 /// @throws InvalidQuery  naming the kind's number, unless it is one of Kind's
 void validate_kind(Kind kind);
+
+/// @throws InvalidQuery  naming the distance, unless it is finite and not negative
+void validate_distance(double distance);
+
+/// @throws InvalidQuery  naming the distance or the metric
+void validate(const Separation& separation);
 
 /// @throws InvalidQuery  naming the kind, t_max or the first coordinate that is not finite
 /// Not inlined, and its operands come from memory: see cascade.hpp.

@@ -1,0 +1,44 @@
+// Touchstone: the distance of two elements at one instant.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+
+#include <touchstone/answer.hpp>
+#include <touchstone/query.hpp>
+#include <touchstone/separation.hpp>
+
+namespace touchstone {
+
+/// The distance of two elements, and where it is attained.
+struct Distance {
+  /// The double nearest to the exact distance; of two equally near ones the one with an even last bit. Infinity for a
+  /// distance that is too large for a double.
+  double value = 0;
+
+  Feature feature_a = Feature::none;  ///< the part of the first element that holds its closest point
+  Feature feature_b = Feature::none;  ///< the same of the second element
+
+  /// Barycentric coordinates of the closest points, as in Answer, each within 2^-50 of its true value.
+  std::array<double, 3> weights_a{};
+  std::array<double, 3> weights_b{};  ///< the same on the second element
+};
+
+/// The distance of the two elements of a query at the time t, by exact arithmetic.
+/// @param query   the two elements and their motion; for elements at rest give the same corners at both ends
+/// @param t       the time, 0 <= t <= 1
+/// @param metric  how a distance is measured
+/// @return the distance
+/// @throws InvalidQuery  for a NaN or infinite coordinate, a t outside [0, 1] or an unknown metric
+Distance distance(const Query& query, double t = 0, Metric metric = Metric::euclidean);
+
+/// The distance of the two elements at the time t, compared exactly.
+/// @param query       the two elements and their motion
+/// @param t           the time, 0 <= t <= 1
+/// @param separation  the distance to compare with
+/// @return negative when the elements are nearer to each other than the separation, zero when their distance equals it,
+///         positive when they are farther apart
+/// @throws InvalidQuery  for a NaN or infinite coordinate, a t outside [0, 1], or a separation without meaning
+int compare_distance(const Query& query, double t, const Separation& separation);
+
+}  // namespace touchstone

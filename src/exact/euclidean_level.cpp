@@ -1,0 +1,323 @@
+// The Euclidean distance of two elements is the least over pairs of their features: corner and corner, corner and edge,
+// corner and face, edge and edge. Of each pair, a patch describes the points that are nearest to each other on the
+// feature's lines and planes, by weights that may lie outside the features. Where they lie inside, the patch's distance
+// counts.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "exact/distance_level.hpp"
+#include "geometry/frame.hpp"
+
+namespace touchstone::exact {
+namespace {
+
+using Point = geometry::Vector<Form>;
+
+/// A pair of features. All polynomials but the excess are to be divided by the scale, which is positive but where the
+/// features degenerate: a lesser pair then has the same closest points.
+struct Patch {
+  Feature feature_a = Feature::none;
+  Feature feature_b = Feature::none;
+  Form scale;   ///< 1, |e|^2 or |n|^2
+  Form gap;     ///< the squared distance
+  Form excess;  ///< squared distance minus level, times the level's denominator
+  /// The weights of the nearest points on each element; the formal degree is the scale's.
+  std::array<Form, 3> a, b;
+  /// The weights that are neither 0 nor 1 at all times.
+  std::array<std::pair<int, int>, 4> free = {};  ///< element (0, 1) and corner
+  std::size_t free_count = 0;
+
+  const Form& weight(std::size_t i) const {
+    const auto [element, corner] = free[i];
+    return (element == 0 ? a : b)[static_cast<std::size_t>(corner)];
+  }
+  void add_free(int element, std::initializer_list<int> corners) {
+    for (const int corner : corners) free[free_count++] = {element, corner};
+  }
+};
+
+/// A corner of an element.
+struct Corner {
+  Feature feature;
+  int index;  ///< of its weight
+  Point position;
+};
+
+/// An edge between two corners of an element.
+struct Edge {
+  Feature feature;
+  int first, second;  ///< of its weights
+  Point start, end;
+};
+
+Patch corner_and_corner(const Corner& a, const Corner& b) {
+  Patch patch;
+  patch.feature_a = a.feature;
+  patch.feature_b = b.feature;
+  patch.scale = Form(Exact(1));
+  const Point r = b.position - a.position;
+  patch.gap = geometry::dot(r, r);
+  patch.a[static_cast<std::size_t>(a.index)] = patch.b[static_cast<std::size_t>(b.index)] = patch.scale;
+  return patch;
+}
+
+/// With e = end - start and r = corner - start the foot on the edge's line has the weight (r . e) / |e|^2 at its end, and
+/// the squared distance is |e x r|^2 / |e|^2. `corner_first`: the corner belongs to the first element.
+Patch corner_and_edge(const Corner& corner, const Edge& edge, bool corner_first) {
+  Patch patch;
+  (corner_first ? patch.feature_a : patch.feature_b) = corner.feature;
+  (corner_first ? patch.feature_b : patch.feature_a) = edge.feature;
+  auto& on_corner = corner_first ? patch.a : patch.b;
+  auto& on_edge = corner_first ? patch.b : patch.a;
+  const Point e = edge.end - edge.start;
+  const Point r = corner.position - edge.start;
+  const Point c = geometry::cross(e, r);
+  patch.scale = geometry::dot(e, e);
+  patch.gap = geometry::dot(c, c);
+  on_corner[static_cast<std::size_t>(corner.index)] = patch.scale;
+  on_edge[static_cast<std::size_t>(edge.second)] = geometry::dot(r, e);
+  on_edge[static_cast<std::size_t>(edge.first)] = patch.scale - geometry::dot(r, e);
+  patch.add_free(corner_first ? 1 : 0, {edge.first, edge.second});
+  return patch;
+}
+
+/// Two edges, or a vertex and a face: see geometry/frame.hpp. Where n is not zero, r = f1 u - f2 w + (r . n) / |n|^2 n
+/// for edges, and r = w1 u + w2 w + (r . n) / |n|^2 n for a face, with f1 = (r x w) . n / |n|^2 and so on.
+Patch interiors(bool edges, const std::array<Point, 4>& x) {
+  Patch patch;
+  patch.feature_a = edges ? Feature::a : Feature::v;
+  patch.feature_b = edges ? Feature::b : Feature::f;
+  const auto frame = geometry::frame_of(edges, [&x](std::size_t i, std::size_t j) { return x[i] - x[j]; });
+  const Point n = geometry::normal(frame);
+  const Form coplanarity = geometry::dot(n, frame.r);
+  patch.scale = geometry::dot(n, n);
+  patch.gap = coplanarity * coplanarity;
+  const auto along_normal = [&n](const auto& numerator) {
+    return n[0] * numerator(0) + n[1] * numerator(1) + n[2] * numerator(2);
+  };
+  const Form first = along_normal([&](std::size_t k) { return geometry::first_numerator(frame, k); });
+  const Form second = along_normal([&](std::size_t k) { return geometry::second_numerator(edges, frame, k); });
+  if (edges) {
+    patch.a = {patch.scale - first, first, Form()};
+    patch.b = {patch.scale - second, second, Form()};
+    patch.add_free(0, {0, 1});
+    patch.add_free(1, {0, 1});
+  } else {
+    patch.a = {patch.scale, Form(), Form()};
+    patch.b = {patch.scale - first - second, first, second};
+    patch.add_free(1, {0, 1, 2});
+  }
+  return patch;
+}
+
+/// Lesser pairs before greater ones, in the order of their features.
+std::vector<Patch> patches_of(Kind kind, const std::array<Point, 4>& x) {
+  std::vector<Patch> patches;
+  std::vector<Corner> a, b;
+  std::vector<Edge> a_edges, b_edges;
+  switch (kind) {
+    case Kind::edge_edge:
+      a = {{Feature::a0, 0, x[0]}, {Feature::a1, 1, x[1]}};
+      b = {{Feature::b0, 0, x[2]}, {Feature::b1, 1, x[3]}};
+      a_edges = {{Feature::a, 0, 1, x[0], x[1]}};
+      b_edges = {{Feature::b, 0, 1, x[2], x[3]}};
+      break;
+    case Kind::vertex_face:
+      a = {{Feature::v, 0, x[0]}};
+      b = {{Feature::f0, 0, x[1]}, {Feature::f1, 1, x[2]}, {Feature::f2, 2, x[3]}};
+      b_edges = {{Feature::f01, 0, 1, x[1], x[2]}, {Feature::f12, 1, 2, x[2], x[3]}, {Feature::f20, 2, 0, x[3], x[1]}};
+      break;
+    case Kind::point_edge:
+      a = {{Feature::p, 0, x[0]}};
+      b = {{Feature::e0, 0, x[1]}, {Feature::e1, 1, x[2]}};
+      b_edges = {{Feature::e, 0, 1, x[1], x[2]}};
+      break;
+    case Kind::point_point:
+      a = {{Feature::p, 0, x[0]}};
+      b = {{Feature::q, 0, x[1]}};
+      break;
+  }
+  for (const Corner& corner : a) {
+    for (const Corner& other : b) patches.push_back(corner_and_corner(corner, other));
+  }
+  for (const Corner& corner : a) {
+    for (const Edge& edge : b_edges) patches.push_back(corner_and_edge(corner, edge, true));
+  }
+  for (const Corner& corner : b) {
+    for (const Edge& edge : a_edges) patches.push_back(corner_and_edge(corner, edge, false));
+  }
+  if (kind == Kind::edge_edge || kind == Kind::vertex_face) patches.push_back(interiors(kind == Kind::edge_edge, x));
+  return patches;
+}
+
+class EuclideanLevel final : public DistanceLevel {
+ public:
+  EuclideanLevel(Kind kind, std::vector<Patch> patches, const Ratio& level)
+      : kind_(kind), patches_(std::move(patches)) {
+    for (Patch& patch : patches_) patch.excess = patch.gap * level.denominator - patch.scale * level.numerator;
+  }
+
+  int compare(const Moment& moment) const override {
+    int least = 1;
+    for (const Patch& patch : patches_) {
+      const int sign = moment.sign(patch.excess);
+      if (sign >= least || !feet_inside(patch, moment)) continue;
+      if (sign < 0) return sign;
+      least = sign;
+    }
+    return least;
+  }
+
+  std::vector<Event> events() const override {
+    std::vector<Event> events;
+    for (std::size_t i = 0; i < patches_.size(); ++i) {
+      const Patch& patch = patches_[i];
+      if (!patch.excess.is_zero() && !never_inside(patch)) events.push_back({patch.excess, i});
+    }
+    return events;
+  }
+
+  bool holds(const Event& event, const Moment& moment) const override {
+    return feet_inside(patches_[event.place], moment);
+  }
+
+  void locate(const RealRoot& root, Answer& answer) const override {
+    const Moment moment = Moment::at(root);
+    if (kind_ == Kind::edge_edge && locate_overlap(root, answer)) return;
+    for (const Patch& patch : patches_) {
+      if (moment.sign(patch.excess) != 0 || !feet_strictly_inside(patch, moment)) continue;
+      answer.feature_a = patch.feature_a;
+      answer.feature_b = patch.feature_b;
+      answer.weights_a = weights(patch.a, patch.scale, root);
+      answer.weights_b = weights(patch.b, patch.scale, root);
+      return;
+    }
+  }
+
+  Ratio distance_at(const RealRoot& time) const override {
+    const Moment moment = Moment::at(time);
+    const Ratio at = {time.numerator(), time.denominator()};
+    std::optional<Ratio> least;
+    for (const Patch& patch : patches_) {
+      if (!feet_inside(patch, moment)) continue;
+      // The gap's formal degree may be greater than the scale's by two: r's own degree.
+      Ratio distance = {homogeneous_value(patch.gap, at), homogeneous_value(patch.scale, at)};
+      for (int i = patch.scale.size(); i < patch.gap.size(); ++i) {
+        distance.denominator = distance.denominator * at.denominator;
+      }
+      if (!least || exact::compare(distance, *least) < 0) least = std::move(distance);
+    }
+    return *least;  // the closest points lie on some pair of features
+  }
+
+  std::unique_ptr<DistanceLevel> with_level(const Ratio& level) const override {
+    return std::make_unique<EuclideanLevel>(kind_, patches_, level);
+  }
+
+ private:
+  static bool feet_inside(const Patch& patch, const Moment& moment) {
+    if (moment.sign(patch.scale) <= 0) return false;
+    for (std::size_t i = 0; i < patch.free_count; ++i) {
+      if (moment.sign(patch.weight(i)) < 0) return false;
+    }
+    return true;
+  }
+
+  static bool feet_strictly_inside(const Patch& patch, const Moment& moment) {
+    if (moment.sign(patch.scale) <= 0) return false;
+    for (std::size_t i = 0; i < patch.free_count; ++i) {
+      if (moment.sign(patch.weight(i)) <= 0) return false;
+    }
+    return true;
+  }
+
+  /// Whether some weight is certainly negative in all of [0, 1].
+  static bool never_inside(const Patch& patch) {
+    for (std::size_t i = 0; i < patch.free_count; ++i) {
+      const numbers::BernsteinForm form(patch.weight(i), Exact(0), Exact(1));
+      if (std::all_of(form.begin(), form.end(), [](const Exact& c) { return numbers::sign_of(c) < 0; })) return true;
+    }
+    return false;
+  }
+
+  static std::array<double, 3> weights(const std::array<Form, 3>& numerators, const Form& scale, const RealRoot& root) {
+    std::array<int, 3> positive{};
+    std::size_t count = 0;
+    for (int i = 0; i < 3; ++i) {
+      const Form& numerator = numerators[static_cast<std::size_t>(i)];
+      if (!numerator.is_zero() && root.quick_sign_at(numerator) > 0) positive[count++] = i;
+    }
+    std::array<double, 3> result{};
+    const auto quotient = [&](int i) { return root.quotient(numerators[static_cast<std::size_t>(i)], scale); };
+    if (count == 1) result[static_cast<std::size_t>(positive[0])] = 1;
+    if (count == 2) {
+      result[static_cast<std::size_t>(positive[1])] = quotient(positive[1]);
+      result[static_cast<std::size_t>(positive[0])] = 1 - result[static_cast<std::size_t>(positive[1])];
+    }
+    if (count == 3) {
+      for (int i = 0; i < 3; ++i) result[static_cast<std::size_t>(i)] = quotient(i);
+    }
+    return result;
+  }
+
+  /// Two edges that have more than one pair of closest points: they are parallel, and their projections on their
+  /// direction share a part of positive length. Each end of that part is a corner. False for other edges.
+  bool locate_overlap(const RealRoot& root, Answer& answer) const {
+    const Moment moment = Moment::at(root);
+    if (moment.sign(patches_[kInteriors].scale) != 0) return false;
+    const auto closest = [&](std::size_t patch) {
+      return moment.sign(patches_[patch].excess) == 0 && feet_inside(patches_[patch], moment);
+    };
+    // Without a length of their own, edges have no patch with a corner of the other.
+    const bool a0 = closest(kA0AndB), a1 = closest(kA0AndB + 1);
+    const bool b0 = closest(kB0AndA), b1 = closest(kB0AndA + 1);
+    if (static_cast<int>(a0) + static_cast<int>(a1) + static_cast<int>(b0) + static_cast<int>(b1) < 2) return false;
+    if (moment.sign(patches_[kA0AndB].scale) == 0 || moment.sign(patches_[kB0AndA].scale) == 0) return false;
+    if (!(a0 && a1) && !(b0 && b1)) {
+      // A corner of each: both are the shared part's ends, or they are each other's closest point.
+      const Patch& b_on_a = patches_[b0 ? kB0AndA : kB0AndA + 1];
+      if (moment.sign(b_on_a.a[a0 ? 1 : 0]) == 0) return false;
+    }
+    answer.feature_a = answer.feature_b = Feature::overlap;
+    // The smallest weight of a0: the end of the shared part that is farthest along a.
+    const Patch* end = &patches_[kA0AndB + 1];
+    if (!a1) {
+      end = &patches_[b0 ? kB0AndA : kB0AndA + 1];
+      const Patch& other = patches_[kB0AndA + 1];
+      if (b0 && b1 && moment.sign(other.a[1] - end->a[1]) > 0) end = &other;
+    }
+    answer.weights_a = weights(end->a, end->scale, root);
+    answer.weights_b = weights(end->b, end->scale, root);
+    return true;
+  }
+
+  // Places among the patches of two edges.
+  static constexpr std::size_t kA0AndB = 4, kB0AndA = 6, kInteriors = 8;
+
+  Kind kind_;
+  std::vector<Patch> patches_;
+};
+
+}  // namespace
+
+Exact homogeneous_value(const Form& p, const Ratio& time) {
+  Exact value(0);
+  Exact power(1);
+  for (int i = p.size() - 1; i >= 0; --i) {
+    value = value * time.numerator + p[i] * power;
+    if (i > 0) power = power * time.denominator;
+  }
+  return value;
+}
+
+std::unique_ptr<DistanceLevel> euclidean_level(Kind kind, const Forms<Exact>::Corners& corners, const Ratio& level) {
+  std::array<Point, 4> x;
+  for (std::size_t i = 0; i < corner_count(kind); ++i) x[i] = form_of(corners[i]);
+  return std::make_unique<EuclideanLevel>(kind, patches_of(kind, x), level);
+}
+
+}  // namespace touchstone::exact

@@ -1,0 +1,326 @@
+// The largest-axis distance. The difference of two points, one on each element, is an affine function of two parameters
+// s and t. The elements are within d of each other when some (s, t) satisfies a system of half-planes: six that keep the
+// difference in [-d, d] along the axes, and the borders of the elements. The polygon that they leave is bounded. It is
+// not empty exactly when one of its vertices exists, which is a point where two border lines meet.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "exact/distance_level.hpp"
+#include "exact/lazy.hpp"
+#include "geometry/frame.hpp"
+
+namespace touchstone::exact {
+namespace {
+
+using Point = geometry::Vector<Form>;
+
+/// s's coefficient times s, plus t's times t, plus the constant is >= 0.
+struct HalfPlane {
+  Form s, t, constant;
+};
+
+constexpr std::size_t kAxes = 6;  // the half-planes of the axes come first
+constexpr std::size_t kMost = 10;
+
+/// A set of half-planes: bit i is half-plane i.
+using Mask = unsigned;
+constexpr Mask bit(std::size_t i) { return 1U << i; }
+
+/// A vertex of the polygon: where the border lines of half-planes i < j meet.
+struct Vertex {
+  std::size_t i, j;
+  Mask tight;  ///< the half-planes on whose border lines it lies
+};
+
+class MaxLevel final : public DistanceLevel {
+ public:
+  MaxLevel(Kind kind, const std::array<Point, 4>& corners, const Ratio& level) : kind_(kind), corners_(corners) {
+    const Form zero, one(Exact(1)), minus_one(Exact(-1));
+    const bool edges = kind == Kind::edge_edge;
+    // The difference is r - s u - t w. For edges it is b0 + t (b1 - b0) - a0 - s u, for a face v - f0 - s u - t w, for a
+    // point and an edge p - e0 - s u, and for two points r.
+    Point u, w, r;
+    if (kind == Kind::edge_edge || kind == Kind::vertex_face) {
+      const auto frame =
+          geometry::frame_of(edges, [&](std::size_t i, std::size_t j) { return corners_[i] - corners_[j]; });
+      u = frame.u;
+      w = edges ? corners_[2] - corners_[3] : frame.w;
+      r = frame.r;
+    } else {
+      if (kind == Kind::point_edge) u = corners_[2] - corners_[1];
+      r = corners_[0] - corners_[1];
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Form d(level.numerator);
+      const Form us = u[k] * level.denominator, ws = w[k] * level.denominator, rs = r[k] * level.denominator;
+      add({us, ws, d - rs});    // r_k - s u_k - t w_k <= d
+      add({-us, -ws, d + rs});  // and >= -d
+    }
+    add({one, zero, zero});  // 0 <= s
+    add({zero, one, zero});  // 0 <= t
+    if (kind == Kind::vertex_face) {
+      add({minus_one, minus_one, one});  // s + t <= 1
+    } else {
+      add({minus_one, zero, kind == Kind::point_point ? zero : one});  // s <= 1
+      add({zero, minus_one, edges ? one : zero});                      // t <= 1
+    }
+  }
+
+  int compare(const Moment& moment) const override {
+    // At the mean of the polygon's vertices a half-plane holds strictly, unless it holds with equality at all of them.
+    Mask tight = bit(kAxes) - 1;
+    bool any = false;
+    for_each_vertex(moment, [&](const Vertex& vertex) {
+      any = true;
+      tight &= vertex.tight;
+      return tight != 0;
+    });
+    return !any ? 1 : tight == 0 ? -1 : 0;
+  }
+
+  std::vector<Event> events() const override {
+    std::vector<Event> events;
+    for (std::size_t i = 0; i < kAxes; ++i) {
+      for (std::size_t j = i + 1; j < count_; ++j) {
+        for (std::size_t k = j + 1; k < count_; ++k) {
+          const Form& form = determinant(i, j, k);
+          if (!form.is_zero()) events.push_back({form, 0});
+        }
+      }
+    }
+    return events;
+  }
+
+  bool holds(const Event&, const Moment& moment) const override { return compare(moment) <= 0; }
+
+  void locate(const RealRoot& root, Answer& answer) const override {
+    const Moment moment = Moment::at(root);
+    std::vector<Vertex> vertices;
+    for_each_vertex(moment, [&](const Vertex& vertex) {
+      vertices.push_back(vertex);
+      return true;
+    });
+    for (const Mask forced : parts_in_order(moment)) {
+      const Vertex* least = nullptr;
+      for (const Vertex& vertex : vertices) {
+        if ((vertex.tight & forced) == forced && (least == nullptr || precedes(vertex, *least, moment)))
+          least = &vertex;
+      }
+      if (least == nullptr) continue;
+      describe(*least, root, answer);
+      return;
+    }
+  }
+
+  Ratio distance_at(const RealRoot& time) const override {
+    // The least d of a linear programme in s, t and d: three of its borders meet there in one point.
+    const Moment moment = Moment::at(time);
+    const Ratio at = {time.numerator(), time.denominator()};
+    const MaxLevel ground(kind_, corners_, {Exact(0), Exact(1)});
+    std::vector<Ratio> candidates;
+    for (std::size_t i = 0; i < kAxes; ++i) {
+      for (std::size_t j = i + 1; j < count_; ++j) {
+        for (std::size_t k = j + 1; k < count_; ++k) {
+          const auto row = [&](std::size_t m) { return ground.row_at(m, at); };
+          const std::array<std::array<Exact, 4>, 3> rows = {row(i), row(j), row(k)};
+          const Exact slope = determinant_of(rows, 3);
+          if (numbers::is_zero(slope)) continue;
+          const Exact value = determinant_of(rows, 2);
+          Ratio d = numbers::sign_of(slope) > 0 ? Ratio{-value, slope} : Ratio{value, -slope};
+          if (numbers::sign_of(d.numerator) >= 0) candidates.push_back(std::move(d));
+        }
+      }
+    }
+    std::sort(candidates.begin(), candidates.end(),
+              [](const Ratio& a, const Ratio& b) { return exact::compare(a, b) < 0; });
+    return *std::partition_point(candidates.begin(), candidates.end(),
+                                 [&](const Ratio& d) { return with_level(d)->compare(moment) > 0; });
+  }
+
+  std::unique_ptr<DistanceLevel> with_level(const Ratio& level) const override {
+    return std::make_unique<MaxLevel>(kind_, corners_, level);
+  }
+
+ private:
+  void add(HalfPlane half_plane) { half_planes_[count_++] = std::move(half_plane); }
+
+  /// The place of a pair i < j among all pairs: those with a smaller j come before it.
+  static constexpr std::size_t place(std::size_t i, std::size_t j) { return i + j * (j - 1) / 2; }
+
+  /// The determinant of the rows (s, t) of two half-planes, or (s, t, constant) of three, i < j < k. Both are kept: the
+  /// same ones are asked for at many times.
+  const Form& determinant(std::size_t i, std::size_t j) const {
+    return pairs_[place(i, j)].value_or_make([&] {
+      const HalfPlane &a = half_planes_[i], &b = half_planes_[j];
+      return a.s * b.t - b.s * a.t;
+    });
+  }
+  const Form& determinant(std::size_t i, std::size_t j, std::size_t k) const {
+    return triples_[place(i, j) + k * (k - 1) * (k - 2) / 6].value_or_make([&] {
+      const HalfPlane &a = half_planes_[i], &b = half_planes_[j], &c = half_planes_[k];
+      return a.constant * determinant(j, k) - b.constant * determinant(i, k) + c.constant * determinant(i, j);
+    });
+  }
+
+  /// Half-plane m's value at the meeting point of i and j, times determinant(i, j).
+  const Form& value_at(std::size_t i, std::size_t j, std::size_t m, bool& negative) const {
+    // Sorting the rows changes the determinant's sign with each exchange.
+    negative = m > i && m < j;
+    return m < i ? determinant(m, i, j) : m < j ? determinant(i, m, j) : determinant(i, j, m);
+  }
+  int sign_at(const Vertex& vertex, std::size_t m, const Moment& moment) const {
+    bool negative = false;
+    const int sign = moment.sign(value_at(vertex.i, vertex.j, m, negative));
+    return negative ? -sign : sign;
+  }
+
+  /// Calls f with each vertex until it returns false.
+  template <class F>
+  void for_each_vertex(const Moment& moment, const F& f) const {
+    for (std::size_t j = count_ - 1; j > 0; --j) {  // vertices on the elements' borders first: they are cheaper
+      for (std::size_t i = j; i-- > 0;) {
+        const int orientation = moment.sign(determinant(i, j));
+        if (orientation == 0) continue;
+        Vertex vertex = {i, j, bit(i) | bit(j)};
+        bool inside = true;
+        for (std::size_t m = 0; m < count_ && inside; ++m) {
+          if (m == i || m == j) continue;
+          const int sign = orientation * sign_at(vertex, m, moment);
+          inside = sign >= 0;
+          if (sign == 0) vertex.tight |= bit(m);
+        }
+        if (inside && !f(vertex)) return;
+      }
+    }
+  }
+
+  // The elements' borders.
+  static constexpr std::size_t kS = kAxes, kT = kAxes + 1, kSum = kAxes + 2, kOtherS = kAxes + 2, kOtherT = kAxes + 3;
+
+  /// Parts of the elements on whose borders the closest points are looked for, in this order. A zero-length edge is its
+  /// first corner, and a flat triangle the first of its corners and edges that holds closest points.
+  std::vector<Mask> parts_in_order(const Moment& moment) const {
+    const auto vanishes = [&](const Point& v) {
+      return moment.sign(v[0]) == 0 && moment.sign(v[1]) == 0 && moment.sign(v[2]) == 0;
+    };
+    const auto point_at = [&](std::size_t i, std::size_t j, std::size_t border) {
+      return vanishes(corners_[i] - corners_[j]) ? bit(border) : 0U;
+    };
+    switch (kind_) {
+      case Kind::edge_edge: return {point_at(0, 1, kS) | point_at(2, 3, kT)};
+      case Kind::point_edge: return {point_at(1, 2, kS)};
+      case Kind::point_point: return {0U};
+      case Kind::vertex_face: break;
+    }
+    if (!vanishes(geometry::cross(corners_[2] - corners_[1], corners_[3] - corners_[1]))) return {0U};
+    return {bit(kS) | bit(kT), bit(kT) | bit(kSum), bit(kS) | bit(kSum), bit(kT), bit(kSum), bit(kS)};
+  }
+
+  /// The borders whose values are weights, in the order in which small weights are preferred.
+  std::vector<std::size_t> preferred_borders() const {
+    if (kind_ == Kind::vertex_face) return {kSum, kS};
+    if (kind_ == Kind::edge_edge) return {kOtherS, kOtherT};
+    return {kOtherS};
+  }
+
+  bool precedes(const Vertex& a, const Vertex& b, const Moment& moment) const {
+    for (const std::size_t border : preferred_borders()) {
+      const bool a_zero = (a.tight & bit(border)) != 0, b_zero = (b.tight & bit(border)) != 0;
+      if (a_zero && b_zero) continue;
+      if (a_zero || b_zero) return a_zero;
+      const auto [an, ad] = weight_of(a, border);
+      const auto [bn, bd] = weight_of(b, border);
+      const int sign = moment.sign(an * bd - bn * ad) * moment.sign(ad) * moment.sign(bd);
+      if (sign != 0) return sign < 0;
+    }
+    return false;
+  }
+
+  /// The border's value at the vertex: numerator and denominator.
+  std::pair<Form, Form> weight_of(const Vertex& vertex, std::size_t border) const {
+    bool negative = false;
+    const Form& value = value_at(vertex.i, vertex.j, border, negative);
+    return {negative ? -value : value, determinant(vertex.i, vertex.j)};
+  }
+
+  void describe(const Vertex& vertex, const RealRoot& root, Answer& answer) const {
+    const auto positive = [&](std::size_t border) { return (vertex.tight & bit(border)) == 0; };
+    const auto weight = [&](std::size_t border) {
+      const auto [numerator, denominator] = weight_of(vertex, border);
+      return root.quotient(numerator, denominator);
+    };
+    const auto on_edge = [&](std::size_t first, std::size_t second, const std::array<Feature, 3>& features,
+                             Feature& feature) -> std::array<double, 3> {
+      if (!positive(second)) return feature = features[0], std::array<double, 3>{1, 0, 0};
+      if (!positive(first)) return feature = features[1], std::array<double, 3>{0, 1, 0};
+      feature = features[2];
+      const double later = weight(second);
+      return {1 - later, later, 0};
+    };
+    answer.weights_a = answer.weights_b = {1, 0, 0};
+    switch (kind_) {
+      case Kind::edge_edge:
+        answer.weights_a = on_edge(kOtherS, kS, {Feature::a0, Feature::a1, Feature::a}, answer.feature_a);
+        answer.weights_b = on_edge(kOtherT, kT, {Feature::b0, Feature::b1, Feature::b}, answer.feature_b);
+        return;
+      case Kind::vertex_face: {
+        answer.feature_a = Feature::v;
+        static constexpr Feature by_support[8] = {Feature::none, Feature::f0,  Feature::f1,  Feature::f01,
+                                                  Feature::f2,   Feature::f20, Feature::f12, Feature::f};
+        unsigned support = 0;
+        static constexpr std::size_t borders[3] = {kSum, kS, kT};
+        for (unsigned i = 0; i < 3; ++i) support |= positive(borders[i]) ? 1U << i : 0U;
+        answer.feature_b = by_support[support];
+        for (unsigned i = 0; i < 3; ++i) {
+          answer.weights_b[i] = (support & (1U << i)) == 0 ? 0 : support == 1U << i ? 1 : weight(borders[i]);
+        }
+        return;
+      }
+      case Kind::point_edge:
+        answer.feature_a = Feature::p;
+        answer.weights_b = on_edge(kOtherS, kS, {Feature::e0, Feature::e1, Feature::e}, answer.feature_b);
+        return;
+      case Kind::point_point:
+        answer.feature_a = Feature::p;
+        answer.feature_b = Feature::q;
+        return;
+    }
+  }
+
+  /// A half-plane's row at a rational time, times the time's denominator: s, t, constant, and the factor of d.
+  std::array<Exact, 4> row_at(std::size_t m, const Ratio& time) const {
+    const auto value = [&](const Form& p) {
+      const Exact result = homogeneous_value(p, time);
+      return p.size() == 1 ? result * time.denominator : result;
+    };
+    const HalfPlane& h = half_planes_[m];
+    return {value(h.s), value(h.t), value(h.constant), m < kAxes ? time.denominator : Exact(0)};
+  }
+
+  /// The determinant of three rows' columns 0, 1 and `column`.
+  static Exact determinant_of(const std::array<std::array<Exact, 4>, 3>& rows, std::size_t column) {
+    const auto minor = [&](std::size_t i, std::size_t j) { return rows[i][0] * rows[j][1] - rows[j][0] * rows[i][1]; };
+    return rows[0][column] * minor(1, 2) - rows[1][column] * minor(0, 2) + rows[2][column] * minor(0, 1);
+  }
+
+  Kind kind_;
+  std::array<Point, 4> corners_;
+  std::array<HalfPlane, kMost> half_planes_;
+  std::size_t count_ = 0;
+  mutable std::array<Lazy<Form>, kMost*(kMost - 1) / 2> pairs_;
+  mutable std::array<Lazy<Form>, kMost*(kMost - 1) * (kMost - 2) / 6> triples_;
+};
+
+}  // namespace
+
+std::unique_ptr<DistanceLevel> max_level(Kind kind, const Forms<Exact>::Corners& corners, const Ratio& level) {
+  std::array<Point, 4> x;
+  for (std::size_t i = 0; i < corner_count(kind); ++i) x[i] = form_of(corners[i]);
+  return std::make_unique<MaxLevel>(kind, x, level);
+}
+
+}  // namespace touchstone::exact

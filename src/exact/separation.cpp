@@ -1,0 +1,174 @@
+// The first time, and all times, at which two elements are within a separation of each other; and their distance at one
+// time.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "exact/distance_level.hpp"
+#include "exact/exact.hpp"
+#include "exact/exact_times.hpp"
+#include "numbers/limb_scratch.hpp"
+
+namespace touchstone::exact {
+namespace {
+
+/// A distance in the form in which a metric holds levels.
+Ratio level_of(const Exact& distance, Metric metric) {
+  return {metric == Metric::euclidean ? distance * distance : distance, Exact(1)};
+}
+
+template <class Q>
+std::unique_ptr<DistanceLevel> level_for(const Q& query, const Separation& separation) {
+  const ScaledCorners scaled = scaled_corners(query);
+  const Ratio level = level_of(Exact(separation.distance) * scaled.factor, separation.metric);
+  const auto make = separation.metric == Metric::euclidean ? euclidean_level : max_level;
+  return make(query.kind, scaled.corners, level);
+}
+
+RealRoot time_at(double t) { return RealRoot::rational(Exact(t), Exact(1), 1); }
+
+/// An event's root.
+struct Candidate {
+  RealRoot time;
+  const DistanceLevel::Event* event;
+};
+
+std::vector<Candidate> candidates_of(const std::vector<DistanceLevel::Event>& events, const Exact& limit) {
+  std::vector<Candidate> candidates;
+  for (const DistanceLevel::Event& event : events) {
+    const numbers::RootList roots = numbers::isolate_roots(numbers::Coefficients(event.polynomial), limit);
+    for (int i = 0; i < roots.size(); ++i) candidates.push_back({roots[i], &event});
+  }
+  std::sort(candidates.begin(), candidates.end(),
+            [](const Candidate& a, const Candidate& b) { return a.time.compare(b.time) < 0; });
+  return candidates;
+}
+
+/// The nature and the trend of a contact at a time at which the distance is the level.
+void describe_course(const DistanceLevel& level, const RealRoot& time, Answer& answer) {
+  const int after = level.compare(Moment::just_after(time));
+  answer.trend = after < 0 ? Trend::approaching : after == 0 ? Trend::constant : Trend::leaving;
+  if (after < 0) {
+    answer.nature = Nature::entering;
+  } else if (after == 0) {
+    answer.nature = Nature::sustained;
+  } else {
+    answer.nature = level.compare(Moment::just_before(time)) > 0 ? Nature::grazing : Nature::isolated;
+  }
+}
+
+Answer contact_at(const DistanceLevel& level, const RealRoot& time) {
+  Answer answer;
+  answer.contact = true;
+  answer.toi = time.lower();
+  answer.toi_upper = time.upper();
+  describe_course(level, time, answer);
+  level.locate(time, answer);
+  return answer;
+}
+
+Answer first_contact(const DistanceLevel& level, double t_max) {
+  const RealRoot start = time_at(0);
+  const int at_start = level.compare(Moment::at(start));
+  if (at_start <= 0) {
+    Answer answer =
+        at_start == 0 ? contact_at(level, start) : contact_at(*level.with_level(level.distance_at(start)), start);
+    answer.starts_within = true;
+    if (at_start < 0) answer.nature = Nature::sustained;
+    return answer;
+  }
+  const std::vector<DistanceLevel::Event> events = level.events();
+  for (const Candidate& candidate : candidates_of(events, Exact(t_max))) {
+    if (level.holds(*candidate.event, Moment::at(candidate.time))) return contact_at(level, candidate.time);
+  }
+  return Answer();
+}
+
+std::vector<RootInterval> all_contacts(const DistanceLevel& level, double t_max) {
+  const std::vector<DistanceLevel::Event> events = level.events();
+  std::vector<RealRoot> times = {time_at(0)};
+  for (Candidate& candidate : candidates_of(events, Exact(t_max))) times.push_back(std::move(candidate.time));
+  times.push_back(time_at(t_max));
+  std::vector<RootInterval> intervals;
+  bool lasting = false;
+  const RealRoot* previous = nullptr;
+  for (const RealRoot& time : times) {
+    if (previous != nullptr && previous->compare(time) == 0) continue;
+    previous = &time;
+    // Between neighbouring times the elements are within the level always or never. The set is closed.
+    if (lasting) {
+      intervals.back().last = time;
+    } else if (level.compare(Moment::at(time)) <= 0) {
+      intervals.push_back({time, time});
+    } else {
+      continue;
+    }
+    lasting = time.compare(Exact(t_max)) < 0 && level.compare(Moment::just_after(time)) <= 0;
+  }
+  return intervals;
+}
+
+/// The double nearest to a ratio's square root or, for the other metric, to the ratio itself.
+double nearest_double(const Ratio& level, const Exact& factor, Metric metric) {
+  if (numbers::is_zero(level.numerator)) return 0;
+  // The sign of (distance - x).
+  const auto compare_with = [&](const Exact& x) {
+    const Ratio other = level_of(x * factor, metric);
+    return numbers::sign_of(level.numerator * other.denominator - other.numerator * level.denominator);
+  };
+  // Doubles above zero are ordered as their bit patterns: the greatest that is not above the distance.
+  std::uint64_t below = 0;
+  std::uint64_t above = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
+  while (above - below > 1) {
+    const std::uint64_t middle = below + (above - below) / 2;
+    (compare_with(Exact(std::bit_cast<double>(middle))) >= 0 ? below : above) = middle;
+  }
+  const Exact low(std::bit_cast<double>(below));
+  const bool overflows = above == std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
+  const Exact high = overflows ? numbers::power_of_two(1024) : Exact(std::bit_cast<double>(above));
+  const int side = compare_with((low + high) * Exact(0.5));
+  const bool up = side > 0 || (side == 0 && (below & 1) != 0);
+  return std::bit_cast<double>(up ? above : below);
+}
+
+}  // namespace
+
+Answer decide_exactly(const Query& query, double t_max, const Separation& separation) {
+  const numbers::LimbScratch scratch;  // no number outlives the decision
+  return first_contact(*level_for(query, separation), t_max);
+}
+Answer decide_exactly(const RationalQuery& query, double t_max, const Separation& separation) {
+  return first_contact(*level_for(query, separation), t_max);
+}
+
+std::vector<RootInterval> touching_times(const Query& query, double t_max, const Separation& separation) {
+  return all_contacts(*level_for(query, separation), t_max);
+}
+std::vector<RootInterval> touching_times(const RationalQuery& query, double t_max, const Separation& separation) {
+  return all_contacts(*level_for(query, separation), t_max);
+}
+
+int compare_distance(const Query& query, double t, const Separation& separation) {
+  const numbers::LimbScratch scratch;
+  return level_for(query, separation)->compare(Moment::at(time_at(t)));
+}
+
+Distance distance_at(const Query& query, double t, Metric metric) {
+  const numbers::LimbScratch scratch;
+  const RealRoot time = time_at(t);
+  const std::unique_ptr<DistanceLevel> zero = level_for(query, {0, metric});
+  const Ratio level = zero->distance_at(time);
+  Answer where;
+  zero->with_level(level)->locate(time, where);
+  return {nearest_double(level, scaled_corners(query).factor, metric), where.feature_a, where.feature_b,
+          where.weights_a, where.weights_b};
+}
+
+}  // namespace touchstone::exact
