@@ -1,7 +1,8 @@
-// The number types of the oracle: integers without limit, and polynomials over them in the time t.
+// The number types of the oracle: integers and rationals without limit, and integer polynomials in the time t.
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <CGAL/Gmpq.h>
 #include <CGAL/Gmpz.h>
 #include <CGAL/Polynomial.h>
 
@@ -12,6 +13,7 @@
 namespace touchstone::oracle {
 
 using Integer = CGAL::Gmpz;
+using Rational = CGAL::Gmpq;
 using Polynomial = CGAL::Polynomial<Integer>;
 
 }  // namespace touchstone::oracle

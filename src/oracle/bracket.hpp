@@ -5,13 +5,9 @@
 
 #include <utility>
 
-#include <CGAL/Gmpq.h>
-
 #include "oracle/algebra.hpp"
 
 namespace touchstone::oracle {
-
-using Rational = CGAL::Gmpq;
 
 /// denominator^degree p(numerator / denominator): an integer, of the sign of p there when the denominator is positive.
 Integer scaled_value(const Polynomial& p, const Integer& numerator, const Integer& denominator);

@@ -33,18 +33,41 @@ namespace {
 constexpr unsigned kFirstPrecision = 64;  // bits of the first bracket of a time: a double needs 53, a weight a few more
 constexpr int kWeightPrecision = 56;      // a quotient within 2^-56 leaves room for its rounding to a double
 
-/// Whether the Bernstein coefficients over [0, 1] have one strict sign: the polynomial is a convex combination of
-/// them there, so it has no root. Degree at most 3, raised to 3; each coefficient is times 3.
-bool has_one_sign_over_the_step(const Polynomial& p) {
-  const int degree = p.degree();
-  const Integer zero(0);
-  const Integer& p0 = p[0];
-  const Integer& p1 = degree >= 1 ? p[1] : zero;
-  const Integer& p2 = degree >= 2 ? p[2] : zero;
-  const Integer& p3 = degree >= 3 ? p[3] : zero;
-  const CGAL::Sign first = CGAL::sign(p0);
-  return first != CGAL::ZERO && CGAL::sign(Integer(p0 + p1 + p2 + p3)) == first &&
-         CGAL::sign(Integer(3 * p0 + p1)) == first && CGAL::sign(Integer(3 * p0 + 2 * p1 + p2)) == first;
+/// The coefficients of a positive multiple of p(low + (high - low) x), from the constant one up.
+std::vector<Integer> coefficients_over(const Polynomial& p, const Rational& low, const Rational& high) {
+  const std::size_t degree = static_cast<std::size_t>(p.degree());
+  const Integer unit = low.denominator() * high.denominator();
+  const Integer from = low.numerator() * high.denominator();
+  const Integer length = high.numerator() * low.denominator() - from;
+  std::vector<Integer> c(p.begin(), p.end());
+  Integer scale(1);
+  for (std::size_t i = degree; i-- > 0;) c[i] *= (scale *= unit);
+  for (std::size_t i = 0; i < degree; ++i) {
+    for (std::size_t j = degree; j-- > i;) c[j] += from * c[j + 1];
+  }
+  scale = Integer(1);
+  for (std::size_t i = 1; i <= degree; ++i) c[i] *= (scale *= length);
+  return c;
+}
+
+/// Whether the Bernstein coefficients over [low, high] have one strict sign: the polynomial is a convex combination of
+/// them there, so it has no root. In degree n the coefficient j is the sum of j! (n - i)! / ((j - i)! n!) c_i over
+/// i <= j, where c are the coefficients over the range. Here it is times n! / j!.
+bool has_one_sign_over(const Polynomial& p, const Rational& low, const Rational& high) {
+  const std::vector<Integer> c = coefficients_over(p, low, high);
+  const CGAL::Sign first = CGAL::sign(c[0]);
+  if (first == CGAL::ZERO) return false;
+  const std::size_t degree = c.size() - 1;
+  for (std::size_t j = 1; j <= degree; ++j) {
+    Integer coefficient(0);
+    for (std::size_t i = 0; i <= j; ++i) {
+      long factor = 1;  // (n - i)! / (j - i)!
+      for (std::size_t k = j - i + 1; k <= degree - i; ++k) factor *= static_cast<long>(k);
+      coefficient += Integer(factor) * c[i];
+    }
+    if (CGAL::sign(coefficient) != first) return false;
+  }
+  return true;
 }
 
 using SharedImpl = std::shared_ptr<const Moment::Impl>;
@@ -115,7 +138,7 @@ std::pair<double, double> Moment::enclosing_doubles() const {
 
 std::vector<Root> roots_within(const Polynomial& polynomial, double t_max) {
   std::vector<Root> roots;
-  if (has_one_sign_over_the_step(polynomial)) return roots;
+  if (has_one_sign_over(polynomial, Rational(0), Rational(1))) return roots;
   std::vector<std::pair<Real, int>> all;
   Kernel().solve_1_object()(polynomial, std::back_inserter(all));
   for (const auto& [real, multiplicity] : all) {
@@ -128,9 +151,14 @@ std::vector<Root> roots_within(const Polynomial& polynomial, double t_max) {
 }
 
 std::vector<Moment> times_dividing(double t_max, const std::vector<Polynomial>& polynomials) {
+  return times_dividing(Rational(0), Rational(t_max), polynomials);
+}
+
+std::vector<Moment> times_dividing(const Rational& low, const Rational& high,
+                                   const std::vector<Polynomial>& polynomials) {
   std::vector<Polynomial> distinct;  // many of them are multiples of each other when the plane of motion is fixed
   for (const auto& polynomial : polynomials) {
-    if (polynomial.is_zero() || has_one_sign_over_the_step(polynomial)) continue;
+    if (polynomial.is_zero() || has_one_sign_over(polynomial, low, high)) continue;
     const Polynomial canonical = CGAL::canonicalize(polynomial);
     if (std::find(distinct.begin(), distinct.end(), canonical) == distinct.end()) distinct.push_back(canonical);
   }
@@ -140,26 +168,27 @@ std::vector<Moment> times_dividing(double t_max, const std::vector<Polynomial>& 
     Kernel().solve_1_object()(polynomial, std::back_inserter(all));
     for (const auto& root : all) {
       const SharedImpl time = make(root.first);
-      const bool inside =
-          time->bracket.compare(Rational(0)) == CGAL::LARGER && time->bracket.compare(Rational(t_max)) == CGAL::SMALLER;
+      const bool inside = time->bracket.compare(low) == CGAL::LARGER && time->bracket.compare(high) == CGAL::SMALLER;
       if (inside) times.push_back(time);
     }
   }
-  times.push_back(make(Rational(0)));
-  times.push_back(make(Rational(t_max)));
+  times.push_back(make(low));
+  times.push_back(make(high));
   std::sort(times.begin(), times.end(), [](const auto& a, const auto& b) { return compare(a, b) == CGAL::SMALLER; });
   const auto last = std::unique(times.begin(), times.end(),
                                 [](const auto& a, const auto& b) { return compare(a, b) == CGAL::EQUAL; });
   return std::vector<Moment>(times.begin(), last);
 }
 
-Moment between(const Moment& earlier, const Moment& later) {
+Rational rational_between(const Moment& earlier, const Moment& later) {
   // The kernel's own Bound_between_1 needs MPFI or LEDA.
   for (unsigned bits = kFirstPrecision;; bits *= 2) {
     const Rational low = earlier.impl().narrowed(bits).high();
     const Rational high = later.impl().narrowed(bits).low();
-    if (low < high) return Moment(make(Rational((low + high) / Rational(2))));
+    if (low < high) return Rational((low + high) / Rational(2));
   }
 }
+
+Moment between(const Moment& earlier, const Moment& later) { return Moment(make(rational_between(earlier, later))); }
 
 }  // namespace touchstone::oracle

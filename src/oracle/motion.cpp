@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <sstream>
 #include <vector>
 
 namespace touchstone::oracle {
@@ -65,25 +66,76 @@ std::vector<Integer> to_common_unit(const std::vector<Fraction>& values) {
 
 Fraction coordinate(const std::array<Fraction, 3>& position, std::size_t axis) { return position[axis]; }
 
+/// The coordinates of one axis: of all corners at t = 0, then of all at t = 1.
+template <class AnyQuery>
+auto values_of_axis(const AnyQuery& query, std::size_t axis) {
+  const std::size_t count = corner_count(query.kind);
+  std::vector<decltype(coordinate(query.start[0], axis))> values;
+  for (std::size_t i = 0; i < count; ++i) values.push_back(coordinate(query.start[i], axis));
+  for (std::size_t i = 0; i < count; ++i) values.push_back(coordinate(query.end[i], axis));
+  return values;
+}
+
+/// Sets the motion along one axis. `ends` has the order of values_of_axis.
+void set_axis(Corners& corners, std::size_t axis, const Integer* ends, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    corners[i][axis] = Polynomial(ends[i], Integer(ends[count + i] - ends[i]));
+  }
+}
+
 template <class AnyQuery>
 Corners read_any_motion(const AnyQuery& query) {
-  const std::size_t count = corner_count(query.kind);
   Corners corners;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    std::vector<decltype(coordinate(query.start[0], axis))> values;
-    for (std::size_t i = 0; i < count; ++i) values.push_back(coordinate(query.start[i], axis));
-    for (std::size_t i = 0; i < count; ++i) values.push_back(coordinate(query.end[i], axis));
-    const auto integers = to_common_unit(values);
-    for (std::size_t i = 0; i < count; ++i) {
-      corners[i][axis] = Polynomial(integers[i], Integer(integers[count + i] - integers[i]));
-    }
+    const auto integers = to_common_unit(values_of_axis(query, axis));
+    set_axis(corners, axis, integers.data(), corner_count(query.kind));
   }
   return corners;
+}
+
+template <class AnyQuery, class Value>
+MeasuredMotion read_any_measured_motion(const AnyQuery& query, const Value& distance) {
+  const std::size_t count = corner_count(query.kind);
+  std::vector<Value> values;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto of_axis = values_of_axis(query, axis);
+    values.insert(values.end(), of_axis.begin(), of_axis.end());
+  }
+  values.push_back(distance);
+  const auto integers = to_common_unit(values);
+  MeasuredMotion motion;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    set_axis(motion.corners, axis, integers.data() + 2 * count * axis, count);
+  }
+  motion.distance = integers.back();
+  return motion;
+}
+
+/// The fraction that a double is.
+Fraction exact_fraction(double value) {
+  const Rational exact(value);
+  const auto digits = [](const Integer& integer) {
+    std::ostringstream text;
+    text << integer;
+    return text.str();
+  };
+  Fraction fraction;
+  fraction.numerator = digits(exact.numerator());
+  fraction.denominator = digits(exact.denominator());
+  return fraction;
 }
 
 }  // namespace
 
 Corners read_motion(const Query& query) { return read_any_motion(query); }
 Corners read_motion(const RationalQuery& query) { return read_any_motion(query); }
+
+MeasuredMotion read_measured_motion(const Query& query, double distance) {
+  return read_any_measured_motion(query, distance);
+}
+
+MeasuredMotion read_measured_motion(const RationalQuery& query, double distance) {
+  return read_any_measured_motion(query, exact_fraction(distance));
+}
 
 }  // namespace touchstone::oracle

@@ -18,9 +18,19 @@ using Corners = std::array<Corner, 4>;
 
 /// The motions in units that make every position at t = 0 and t = 1 an integer. Each axis has its own unit (a power
 /// of two for doubles, the common denominator for rationals): scaling an axis is an invertible linear map of space,
-/// so touching, its times and barycentric coordinates are those of the query. Distances are not, and nothing here
-/// needs them.
+/// so touching, its times and barycentric coordinates are those of the query. Distances are not.
 Corners read_motion(const Query& query);
 Corners read_motion(const RationalQuery& query);
+
+/// A motion and a distance in the same unit.
+struct MeasuredMotion {
+  Corners corners;
+  Integer distance;
+};
+
+/// The motion and the distance in one unit for all three axes, which makes all of them integers. So the distance of
+/// two elements compares with the given one as it does in the query.
+MeasuredMotion read_measured_motion(const Query& query, double distance);
+MeasuredMotion read_measured_motion(const RationalQuery& query, double distance);
 
 }  // namespace touchstone::oracle

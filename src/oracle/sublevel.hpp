@@ -1,0 +1,43 @@
+// The times at which the distance D of two elements is at most a given level, and the closest points where D is the
+// level. Both metrics say the same things about it: polynomials that divide time, and candidates for a closest pair.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "oracle/difference.hpp"
+#include "oracle/moment.hpp"
+
+namespace touchstone::oracle {
+
+/// A point B + (s / unit) (X - B) + (t / unit) (Y - B) of a face of the difference polygon. It counts at a moment at
+/// which `unit` is not zero, `positive` are positive and `nonnegative` are not negative, each times the sign of `unit`.
+struct Candidate {
+  const DifferenceFace* face;
+  Polynomial unit;
+  Polynomial s;
+  Polynomial t;
+  std::vector<Polynomial> positive;
+  std::vector<Polynomial> nonnegative;
+};
+
+struct Sublevel {
+  /// Between neighbouring roots of these, D is always below the level, always equal to it or always above it. Polynomials
+  /// that are identically zero are passed over.
+  std::vector<Polynomial> dividing;
+
+  /// One of these counts exactly when D is at most the level. Where D is the level, the closest pair of the answer is
+  /// among those that count.
+  std::vector<Candidate> candidates;
+};
+
+/// For the Euclidean metric. The level is that of the squared distance.
+Sublevel euclidean_sublevel(const DifferencePolygon& polygon, const Rational& level);
+
+/// For the largest-axis metric.
+Sublevel max_sublevel(const DifferencePolygon& polygon, const Rational& level);
+
+/// Whether a candidate counts at a moment.
+bool counts(const Candidate& candidate, const Moment& at);
+
+}  // namespace touchstone::oracle
