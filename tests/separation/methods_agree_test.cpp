@@ -1,0 +1,51 @@
+// The cascade against the exact level against the oracle, in everything that an answer with a separation says.
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+
+#include <touchstone/solve.hpp>
+
+#include "separation/distances.hpp"
+#include "support/answer_check.hpp"
+#include "support/catch.hpp"
+#include "support/report.hpp"
+
+namespace touchstone::tests {
+namespace {
+
+std::string against(const char* names, const Answer& one, const Answer& other) {
+  std::string difference = decision_difference(one, other);
+  if (difference.empty()) difference = weight_difference(one, other);
+  if (difference.empty()) return "";
+  return std::string(names) + ": " + difference + "\n    " + describe(one) + "\n    " + describe(other);
+}
+
+void methods_agree(Metric metric, std::size_t count) {
+  Report report;
+  std::size_t contacts = 0;
+  const auto all = [](const FamilyInfo&, Kind) { return true; };
+  for_each_case(11, count, all, [&](const CaseId& id) {
+    Rng rng = rng_of(id);
+    const Query query = make_sample(id.family, id.kind, rng).query;
+    const Separation separation = {interesting_distance(query, metric, rng), metric};
+    const double t_max = rng.one_in(4) ? rng.unit() : 1;
+    const Answer fast = solve(query, separation, Method::fast, t_max);
+    const Answer exact = solve(query, separation, Method::exact, t_max);
+    const Answer oracle = solve(query, separation, Method::oracle, t_max);
+    contacts += exact.contact;
+    std::string wrong = against("fast and exact", fast, exact);
+    if (wrong.empty()) wrong = against("exact and oracle", exact, oracle);
+    if (wrong.empty()) wrong = malformation(query.kind, exact, t_max);
+    if (wrong.empty() && solve_any(query, separation, t_max) != exact.contact) wrong = "solve_any differs";
+    report.add(id, query, wrong.empty() ? "" : "separation " + hexfloat(separation.distance) + ": " + wrong);
+  });
+  std::printf("%s: %zu queries by fast, exact and oracle, %zu contacts\n", std::string(metric_name(metric)).c_str(),
+              report.checked(), contacts);
+  report.finish();
+}
+
+}  // namespace
+
+TEST_CASE("methods agree on Euclidean separations") { methods_agree(Metric::euclidean, 8); }
+TEST_CASE("methods agree on largest-axis separations") { methods_agree(Metric::max, 4); }
+
+}  // namespace touchstone::tests
