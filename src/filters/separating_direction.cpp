@@ -24,7 +24,7 @@ constexpr double kProjectionBound = 13 * kUnit;
 // 2.5 e from the square, 1 e from the root, and 3 e more, or 2 e in place of 3.5 e for the sum of absolute values. So 8 e
 // cover all of it. A product that underflows is off by less than the least normal number. Squares from kLeastSquare up
 // have no underflow that counts.
-constexpr double kNormBound = 1 + 8 * kUnit;
+constexpr double kDirectionFactor = 1 + 8 * kUnit;
 constexpr double kLeastNormal = std::numeric_limits<double>::min();
 constexpr double kLeastSquare = 0x1p-900;
 
@@ -99,7 +99,7 @@ bool separates_by(const RelativeCorners& corners, const Vector& direction, const
     norm = std::fabs(direction[0]) + std::fabs(direction[1]) + std::fabs(direction[2]);
   }
   const Gap gap = gap_along(corners, direction);
-  const double least = (gap.error + separation.distance * norm) * kNormBound + kLeastNormal;
+  const double least = (gap.error + separation.distance * norm) * kDirectionFactor + kLeastNormal;
   return gap.value > least;
 }
 

@@ -53,13 +53,12 @@ bool any_contact(const Query& query, double t_max) {
 
 Answer answer(const Query& query, const Separation& separation, Method method, double t_max) {
   if (separation.distance == 0) return answer(query, method, t_max);
-  validate(query, t_max);
   const bool filters_first = method == Method::fast || method == Method::fast_cgal;
-  if (filters_first && filters::apart_all_along(query, separation)) {
-    Answer miss;
-    miss.level = Level::filter;
-    return miss;
-  }
+  Answer miss;
+  miss.level = Level::filter;
+  if (filters_first && is_time(t_max) && filters::clear_all_along(query, separation)) return miss;
+  validate(query, t_max);
+  if (filters_first && filters::apart_all_along(query, separation)) return miss;
   const bool by_cgal = method == Method::oracle || method == Method::fast_cgal;
   return by_cgal ? oracle::decide_by_oracle(query, t_max, separation) : exact::decide_exactly(query, t_max, separation);
 }
