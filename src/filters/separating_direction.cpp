@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "filters/boxes.hpp"
-#include "filters/filters.hpp"
 #include "filters/step_frame.hpp"
 
 namespace touchstone::filters {
@@ -108,14 +107,6 @@ Test test_that_separates(const Query& query) noexcept {
   if (separates(corners, between_closest_points(corners, query.kind))) return Test::closest_points;
   if (has_cubic(query.kind) && separates(corners, normal_at_mid_step(corners, query.kind))) return Test::normal;
   return separates(corners, between_centres(corners)) ? Test::centres : Test::none;
-}
-
-bool apart_all_along(const Query& query, const Separation& separation) noexcept {
-  if (boxes_apart(query, separation.distance)) return true;
-  const RelativeCorners corners = relative_corners(query);
-  return separates_by(corners, between_closest_points(corners, query.kind), separation) ||
-         (has_cubic(query.kind) && separates_by(corners, normal_at_mid_step(corners, query.kind), separation)) ||
-         separates_by(corners, between_centres(corners), separation);
 }
 
 }  // namespace touchstone::filters

@@ -53,14 +53,19 @@ bool any_contact(const Query& query, double t_max) {
 
 Answer answer(const Query& query, const Separation& separation, Method method, double t_max) {
   if (separation.distance == 0) return answer(query, method, t_max);
-  const bool filters_first = method == Method::fast || method == Method::fast_cgal;
-  Answer miss;
-  miss.level = Level::filter;
-  if (filters_first && is_time(t_max) && filters::clear_all_along(query, separation)) return miss;
-  validate(query, t_max);
-  if (filters_first && filters::apart_all_along(query, separation)) return miss;
+  Answer result;
+  if (method == Method::fast || method == Method::fast_cgal) {
+    result.level = Level::filter;
+    if (is_time(t_max) && filters::clear_all_along(query, separation)) return result;
+    validate(query, t_max);
+    if (filters::decide_by_filters(query, separation, t_max, result) != filters::Finding::uncertain) return result;
+  } else {
+    validate(query, t_max);
+  }
   const bool by_cgal = method == Method::oracle || method == Method::fast_cgal;
-  return by_cgal ? oracle::decide_by_oracle(query, t_max, separation) : exact::decide_exactly(query, t_max, separation);
+  result =
+      by_cgal ? oracle::decide_by_oracle(query, t_max, separation) : exact::decide_exactly(query, t_max, separation);
+  return result;
 }
 
 bool any_contact(const Query& query, const Separation& separation, double t_max) {
