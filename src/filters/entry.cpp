@@ -8,6 +8,11 @@
 // time, the closest points in doubles give a direction, and the direction proves a piece of the step free. These pieces
 // become shorter by squares. Near the end, the closest points in double-doubles prove that D > d up to some double, and
 // that D <= d at the next one.
+//
+// A direction may also turn: let it go evenly from n0 to n1 while t goes from t0 to t1. Then n . c is a quadratic, whose
+// Bernstein coefficients are n0 . c(t0), the mean of n0 . c(t1) and n1 . c(t0), and n1 . c(t1). The norm is at most what
+// goes evenly from |n0| to |n1|. So it is enough that n . c exceeds d |n| at both ends and that
+// n0 . c(t1) + n1 . c(t0) > d (|n0| + |n1|).
 // SPDX-License-Identifier: MIT
 #include "filters/entry.hpp"
 
@@ -33,6 +38,10 @@ using PreciseVector = geometry::Vector<DoubleDouble>;
 // additions, 6 e N S. Between the ends, (1 - t) g0 + t g1: 3 roundings of at most 3 N S: 9 e N S. In all 27 e N S to first
 // order. The rest covers a direction whose own coordinates are off by e, another 3 e N S, and second-order terms.
 constexpr double kWalkError = 32 * kUnit;
+
+// The same for a position between the ends: its coordinates are off by 4 e S, which makes 12 e N S more, and the sum of
+// two such products by 3 e (3 N S) of each. Less than 48 e N S for each product.
+constexpr double kTurnError = 48 * kUnit;
 
 // The product d |n|: 3.5 e for the norm, 1 e for the product, and the sum with the error.
 constexpr double kNormIncrease = 1 + 8 * kUnit;
@@ -159,7 +168,8 @@ Parameters closest(Domain domain, const Vector& r, const Vector& u, const Vector
   const double va = d3 * d6 - d5 * d4;
   if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
     const double q = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    return {1 - q, q};
+    const double s = 1 - q;
+    return {s, 1 - s};  // of two such numbers one is exact, so they add up to 1 exactly
   }
   const double denominator = va + vb + vc;
   return {vb / denominator, vc / denominator};
@@ -302,42 +312,34 @@ class EntryQuestion {
   Finding decide() noexcept {
     if (!(step_.size >= kLeastSize && step_.size <= kGreatestSize)) return Finding::uncertain;
     if (!(distance_ >= kLeastShare * step_.size && distance_ <= kGreatestSize)) return Finding::uncertain;
-    double t = 0;         // the elements are apart up to here
-    double estimate = 0;  // of the entry
-    bool short_piece = false;
-    Parameters p{};
-    for (int piece = 0;; ++piece) {
-      if (piece == kMostPieces) return Finding::uncertain;
-      const Vector r = between(step_.r[0], step_.r[1], t);
-      const Vector u = between(step_.u[0], step_.u[1], t);
-      const Vector w = between(step_.w[0], step_.w[1], t);
-      p = closest(step_.domain, r, u, w);
-      const Vector c = combined(r, u, w, p.s, p.q);
-      const double length = std::sqrt(dot(c, c));
-      const double approach = -dot(c, combined(r_slope_, u_slope_, w_slope_, p.s, p.q));
-      const Direction direction(step_, c, distance_);
-      if (!direction.clear_at(t)) {
-        if (piece == 0) return starts_within(p);
-        if (!(approach > 0)) return Finding::uncertain;
-        estimate = t + (length - distance_) * length / approach;
-        break;
+    Place here = place_at(0);  // the elements are apart up to here
+    for (int piece = 0; piece < kMostPieces; ++piece) {
+      const Direction direction(step_, here.c, distance_);
+      if (!direction.clear_at(here.t)) return piece == 0 ? starts_within(here.p) : enter(here);
+      double next = direction.last_clear_after(here.t);
+      const bool whole = next > t_max_;
+      if (whole) next = t_max_;
+      const bool clear = next > here.t && direction.clear_at(next);
+      if (whole && clear) return Finding::no_contact;
+      // Newton's step from so near is as good as doubles are.
+      const double newton = here.until_entry(distance_);
+      if (newton < kShortPiece) return enter(here);
+      if (clear && next - here.t > 0.5 * newton) {
+        here = place_at(next);
+        continue;
       }
-      double next = direction.last_clear_after(t);
-      if (next > t_max_) {
-        if (direction.clear_at(t_max_)) return Finding::no_contact;
-        next = t_max_;
+      // Elements that turn: so must the direction.
+      const Place there = place_at(std::min(here.t + 0.75 * newton, t_max_));
+      if (there.t > here.t && Direction(step_, there.c, distance_).clear_at(there.t) && turns_clear(here, there)) {
+        if (there.t == t_max_) return Finding::no_contact;
+        here = there;
+      } else if (clear) {
+        here = place_at(next);
+      } else {
+        return Finding::uncertain;
       }
-      if (short_piece && approach > 0) {
-        // Newton's step from so near is as good as doubles are.
-        estimate = t + (length - distance_) * length / approach;
-        if (next > t && direction.clear_at(next)) t = next;
-        break;
-      }
-      if (!(next > t && direction.clear_at(next))) return Finding::uncertain;
-      short_piece = next - t < kShortPiece;
-      t = next;
     }
-    return enter(t, estimate, p);
+    return Finding::uncertain;
   }
 
  private:
@@ -398,15 +400,55 @@ class EntryQuestion {
       case Free::none: return true;
       case Free::s: return inside(p.s);
       case Free::q: return inside(p.q);
-      case Free::sum: return false;  // p.s + p.q need not be exactly 1
+      case Free::sum: return inside(p.s) && inside(p.q) && p.s + p.q == 1;
       case Free::both: return inside(p.s) && inside(p.q) && (step_.domain == Domain::square || inside(p.s + p.q));
     }
     return false;
   }
 
-  /// The elements are apart up to t, and come within the separation near the estimate.
-  Finding enter(double t, double estimate, const Parameters& p) noexcept {
+  /// The closest points at a time, in doubles.
+  struct Place {
+    double t;
+    Parameters p;
+    Vector r, u, w, c;
+    double approach;  ///< half of how fast |c|^2 falls
+
+    /// About the time until |c| is the distance; infinite when c does not become shorter.
+    double until_entry(double distance) const noexcept {
+      const double length = std::sqrt(dot(c, c));
+      return approach > 0 ? (length - distance) * length / approach : std::numeric_limits<double>::infinity();
+    }
+  };
+  Place place_at(double t) const noexcept {
+    Place place = {t,
+                   {},
+                   between(step_.r[0], step_.r[1], t),
+                   between(step_.u[0], step_.u[1], t),
+                   between(step_.w[0], step_.w[1], t),
+                   {},
+                   0};
+    place.p = closest(step_.domain, place.r, place.u, place.w);
+    place.c = combined(place.r, place.u, place.w, place.p.s, place.p.q);
+    place.approach = -dot(place.c, combined(r_slope_, u_slope_, w_slope_, place.p.s, place.p.q));
+    return place;
+  }
+
+  /// Whether a direction that turns from one place's c to the other's keeps the elements apart between them, if each
+  /// does so at its own time.
+  bool turns_clear(const Place& a, const Place& b) const noexcept {
+    const double least =
+        (dot(a.c, b.r) + dot(b.c, a.r)) -
+        greatest_at_corners(step_.domain, dot(a.c, b.u) + dot(b.c, a.u), dot(a.c, b.w) + dot(b.c, a.w));
+    const double norms = std::sqrt(dot(a.c, a.c)) + std::sqrt(dot(b.c, b.c));
+    const double error = kTurnError * (largest_of(a.c) + largest_of(b.c)) * step_.size;
+    return least > kNormIncrease * (distance_ * norms + error);
+  }
+
+  /// The elements are apart up to a place, and come within the separation soon after it.
+  Finding enter(const Place& from) noexcept {
+    const double estimate = from.t + from.until_entry(distance_);
     if (!(estimate >= 0 && estimate <= 1)) return Finding::uncertain;
+    const Parameters p = place_at(estimate).p;
     // Newton's steps in double-doubles find the neighbouring doubles.
     double toi = estimate;
     constexpr int kMostSteps = 4;
@@ -425,7 +467,7 @@ class EntryQuestion {
         toi = below;
         continue;
       }
-      return conclude(t, toi, upper, found, velocity);
+      return conclude(from, toi, upper, found, velocity);
     }
     return Finding::uncertain;
   }
@@ -434,14 +476,21 @@ class EntryQuestion {
     return combined(r_slope_, u_slope_, w_slope_, found.p.s + found.ds, found.p.q + found.dq);
   }
 
-  Finding conclude(double t, double toi, double upper, const ClosestPoints& found, const Vector& velocity) noexcept {
+  Finding conclude(const Place& from, double toi, double upper, const ClosestPoints& found,
+                   const Vector& velocity) noexcept {
     const double length = std::sqrt(dot(found.c, found.c));
     // D > d up to toi. For n = c, |n|^2 - d |n| = |n| / (|n| + d) (|n|^2 - d^2).
-    if (toi > t) {
+    if (toi > from.t) {
       if (!(found.excess > found.error)) return Finding::uncertain;
       const double share = length / (length + distance_) * (1 - 8 * kUnit);
       if (!(share * (found.excess - found.error) + found.lowest > found.error)) return Finding::uncertain;
-      if (!Direction(step_, found.c, distance_).clear_at(t)) return Finding::uncertain;
+      if (!Direction(step_, found.c, distance_).clear_at(from.t)) {
+        Place there = place_at(toi);
+        there.c = found.c;
+        if (!Direction(step_, from.c, distance_).clear_at(from.t) || !turns_clear(from, there)) {
+          return Finding::uncertain;
+        }
+      }
     }
     if (upper > t_max_) return Finding::no_contact;
     // D <= d at the next double: |c + h velocity|^2 - d^2 <= 0.
@@ -451,26 +500,60 @@ class EntryQuestion {
     const double slope_error = kWalkError * largest_of(found.c) * (speed + step_.size);
     const double change = 2 * h * (approach - slope_error) - 5 * h * h * speed * speed;
     if (!(found.excess + found.error < change * (1 - 8 * kUnit))) return Finding::uncertain;
-    return describe(toi, upper, h, found, approach, slope_error, Nature::entering);
+    return describe(toi, upper, h, found, velocity, approach, slope_error, Nature::entering);
   }
 
-  /// The answer, once the exact time is known to lie in [toi, upper] and h = upper - toi.
-  Finding describe(double toi, double upper, double h, const ClosestPoints& found, double approach, double slope_error,
-                   Nature nature) noexcept {
+  /// How fast the free parameters move, from c . u = 0 and c . w = 0 at all times: the derivative of c for fixed
+  /// parameters is the velocity.
+  Parameters rates(const ClosestPoints& found, const Vector& velocity, Free free) const noexcept {
+    const double u = dot(velocity, found.u) + dot(found.c, u_slope_);
+    const double w = dot(velocity, found.w) + dot(found.c, w_slope_);
+    switch (free) {
+      case Free::none: break;
+      case Free::s: return {u / found.uu, 0};
+      case Free::q: return {0, w / found.ww};
+      case Free::sum: {
+        const double rate = (u - w) / ((found.uu - 2 * found.uw) + found.ww);
+        return {rate, -rate};
+      }
+      case Free::both: {
+        const double determinant = found.uu * found.ww - found.uw * found.uw;
+        return {(u * found.ww - w * found.uw) / determinant, (w * found.uu - u * found.uw) / determinant};
+      }
+    }
+    return {0, 0};
+  }
+
+  /// The answer, once the exact time is known to lie in [toi, upper], where h = upper - toi and the velocity is that of c.
+  Finding describe(double toi, double upper, double h, const ClosestPoints& found, const Vector& velocity,
+                   double approach, double slope_error, Nature nature) noexcept {
     const double speed = largest_of(r_slope_) + largest_of(u_slope_) + largest_of(w_slope_);
     const double c_size = largest_of(found.c);
-    // How far c . u and c . w may be from their values here, at the exact time.
     const double u_size = std::max(largest_of(step_.u[0]), largest_of(step_.u[1]));
     const double w_size = std::max(largest_of(step_.w[0]), largest_of(step_.w[1]));
-    const double drift = 4 * h * speed;  // 3 coordinates and roundings
-    const double cu_error = drift * (u_size + c_size) + found.error + kPreciseError * step_.size * u_size;
-    const double cw_error = drift * (w_size + c_size) + found.error + kPreciseError * step_.size * w_size;
+    // The exact time is toi + rest. |c|^2 falls by 2 approach a time, which is off by slope_error and, because it
+    // changes itself, by 3 h speed^2.
+    double rest = 0, rest_error = 0;
+    if (h > 0) {
+      constexpr double kSmall = 0x1p-30;
+      if (!(slope_error + 4 * h * speed * speed <= kSmall * approach)) return Finding::uncertain;
+      rest = std::clamp(found.excess / (2 * approach), 0.0, h);
+      rest_error = found.error / approach + 4 * kSmall * h;
+    }
+    // How far c . u and c . w, for parameters that move at their rates, may be from 0 at the exact time. Their first
+    // derivatives are at most 3 speed (U + C), their second ones 6 speed^2. The rates' own roundings are relative to
+    // these.
+    constexpr double kRateError = 0x1p-40;
+    const double drift = 4 * speed * (rest_error + kRateError * h);
+    const double bend = 8 * h * h * speed * speed;
+    const double cu_error = drift * (u_size + c_size) + bend + found.error + kPreciseError * step_.size * u_size;
+    const double cw_error = drift * (w_size + c_size) + bend + found.error + kPreciseError * step_.size * w_size;
     const double cu_most = std::fabs(found.cu) + cu_error;
     const double cw_most = std::fabs(found.cw) + cw_error;
     // Whether a squared length is that of an edge which neither the time h nor roundings change by more than 2^-38.
-    const auto is_long = [drift](double square, double size) {
+    const auto is_long = [h, speed](double square, double size) {
       constexpr double kLong = 0x1p80;
-      return square >= kLong * drift * drift && square * kLong >= size * size;
+      return square >= kLong * (16 * h * h * speed * speed) && square * kLong >= size * size;
     };
     const Free free = free_parameters(step_.domain, found.p);
     double ds = 0, dq = 0;  // how far the parameters may be from those of the exact time
@@ -485,12 +568,18 @@ class EntryQuestion {
         if (!is_long(found.ww, w_size)) return Finding::uncertain;
         dq = kSolveReserve * cw_most / found.ww;
         break;
-      case Free::sum: return Finding::uncertain;
+      case Free::sum: {
+        const double ee = (found.uu - 2 * found.uw) + found.ww;
+        if (!is_long(ee, u_size + w_size)) return Finding::uncertain;
+        ds = dq = kSolveReserve * (std::fabs(found.cu - found.cw) + cu_error + cw_error) / ee;
+        break;
+      }
       case Free::both: {
-        // Changes by 2^-38 of the lengths, and roundings, change a determinant of this size by less than a tenth.
+        // Changes by 2^-38 of the lengths, and roundings, change a determinant of this size by less than a tenth. The
+        // rates are off by less than 2^-40 of theirs.
         const double determinant = found.uu * found.ww - found.uw * found.uw;
         if (!is_long(found.uu, u_size) || !is_long(found.ww, w_size)) return Finding::uncertain;
-        if (!(determinant >= 0x1p-30 * found.uu * found.ww)) return Finding::uncertain;
+        if (!(determinant >= 0x1p-8 * found.uu * found.ww)) return Finding::uncertain;
         ds = kSolveReserve * (cu_most * found.ww + cw_most * std::fabs(found.uw)) / determinant;
         dq = kSolveReserve * (cw_most * found.uu + cu_most * std::fabs(found.uw)) / determinant;
         break;
@@ -498,11 +587,19 @@ class EntryQuestion {
     }
     constexpr double kMostError = 0x1p-52;  // leaves room for roundings below 2^-50
     if (!(ds <= kMostError && dq <= kMostError)) return Finding::uncertain;
-    // At the exact time's parameters.
-    const double moved = 4 * kMostError * (u_size + w_size);
-    if (!strictly_closest(found, cu_error + moved * u_size, cw_error + moved * w_size)) return Finding::uncertain;
+    const Parameters rate = rates(found, velocity, free);
+    const double s_change = rest * rate.s, q_change = rest * rate.q;
+    constexpr double kMostChange = 0x1p-40;  // small beside the margin of free parameters
+    if (!(std::fabs(s_change) <= kMostChange && std::fabs(q_change) <= kMostChange)) return Finding::uncertain;
+    // Multipliers at the exact time: c . u and c . w also change with the time and the parameters themselves.
+    const double moved =
+        4 * (kMostError + std::fabs(s_change) + std::fabs(q_change)) * (u_size + w_size) + 4 * h * speed;
+    const double turned = 4 * h * speed * c_size;
+    if (!strictly_closest(found, free, cu_error + moved * u_size + turned, cw_error + moved * w_size + turned)) {
+      return Finding::uncertain;
+    }
     // The distance falls or rises at the exact time, too.
-    const double trend_error = slope_error + drift * speed + 8 * kMostError * c_size * speed;
+    const double trend_error = slope_error + 4 * h * speed * speed + 16 * kMostChange * c_size * speed;
     if (nature == Nature::entering ? !(approach > trend_error) : !(std::fabs(approach) > trend_error)) {
       return Finding::uncertain;
     }
@@ -512,12 +609,12 @@ class EntryQuestion {
     answer_.nature = nature;
     answer_.trend = approach > 0 ? Trend::approaching : Trend::leaving;
     answer_.starts_within = nature == Nature::sustained;
-    name(found.p.s + found.ds, found.p.q + found.dq, free);
+    name(found.p.s + (found.ds + s_change), found.p.q + (found.dq + q_change), free);
     return Finding::contact;
   }
 
   /// Whether moving a parameter off its border certainly takes the points apart, to first order.
-  bool strictly_closest(const ClosestPoints& found, double cu_error, double cw_error) const noexcept {
+  bool strictly_closest(const ClosestPoints& found, Free free, double cu_error, double cw_error) const noexcept {
     const auto [s, q] = found.p;
     const double cu = found.cu, cw = found.cw;
     switch (step_.domain) {
@@ -533,12 +630,17 @@ class EntryQuestion {
       case Domain::triangle: break;
     }
     const double both = 2 * (cu_error + cw_error);
-    if (s == 0 && q == 0) return cu < -cu_error && cw < -cw_error;
-    if (s == 1 && q == 0) return cu > cu_error && cu - cw > both;
-    if (s == 0 && q == 1) return cw > cw_error && cw - cu > both;
-    if (q == 0) return cw < -cw_error;
-    if (s == 0) return cu < -cu_error;
-    return true;  // inside
+    switch (free) {
+      case Free::none:
+        if (s == 1) return cu > cu_error && cu - cw > both;
+        if (q == 1) return cw > cw_error && cw - cu > both;
+        return cu < -cu_error && cw < -cw_error;
+      case Free::s: return cw < -cw_error;
+      case Free::q: return cu < -cu_error;
+      case Free::sum: return cu > both && cw > both;
+      case Free::both: break;
+    }
+    return true;
   }
 
   void name(double s, double q, Free free) noexcept {
@@ -555,13 +657,14 @@ class EntryQuestion {
         break;
       case Kind::vertex_face:
         answer_.feature_a = Feature::v;
-        answer_.weights_b = {(1 - s) - q, s, q};
-        answer_.feature_b = free == Free::both ? Feature::f
-                            : free == Free::s  ? Feature::f01
-                            : free == Free::q  ? Feature::f20
-                            : s == 1           ? Feature::f1
-                            : q == 1           ? Feature::f2
-                                               : Feature::f0;
+        answer_.weights_b = {free == Free::sum ? 0 : (1 - s) - q, s, q};
+        answer_.feature_b = free == Free::both  ? Feature::f
+                            : free == Free::sum ? Feature::f12
+                            : free == Free::s   ? Feature::f01
+                            : free == Free::q   ? Feature::f20
+                            : s == 1            ? Feature::f1
+                            : q == 1            ? Feature::f2
+                                                : Feature::f0;
         break;
       case Kind::point_edge:
         answer_.feature_a = Feature::p;
@@ -578,9 +681,10 @@ class EntryQuestion {
   Finding starts_within(const Parameters& p) noexcept {
     const ClosestPoints found = refine(0, p);
     if (!found.ok || !allowed(found) || !(found.excess < -found.error)) return Finding::uncertain;
-    const double approach = -dot(found.c, velocity_of(found));
+    const Vector velocity = velocity_of(found);
+    const double approach = -dot(found.c, velocity);
     const double speed = largest_of(r_slope_) + largest_of(u_slope_) + largest_of(w_slope_);
-    return describe(0, 0, 0, found, approach, kWalkError * largest_of(found.c) * (speed + step_.size),
+    return describe(0, 0, 0, found, velocity, approach, kWalkError * largest_of(found.c) * (speed + step_.size),
                     Nature::sustained);
   }
 
