@@ -291,6 +291,7 @@ struct ClosestPoints {
   Vector c;               ///< rounded
   double excess;          ///< |c|^2 - d^2
   double cu, cw;          ///< c . u and c . w; about 0 along free parameters
+  double difference;      ///< c . w - c . u
   double lowest;          ///< the least c . (corner - c) over the corners
   double error;           ///< of the excess and of `lowest`
   Vector u, w;            ///< rounded
@@ -359,15 +360,30 @@ class EntryQuestion {
     at_t.c = rounded_vector(c);
     const DoubleDouble square = dot(c, c);
     at_t.excess = rounded(square - numbers::two_product(distance_, distance_));
-    at_t.cu = rounded(dot(c, u));
-    at_t.cw = rounded(dot(c, w));
-    // At the corner (i, j), corner - c is (s - i) u + (q - j) w.
-    at_t.lowest = (p.s * at_t.cu + p.q * at_t.cw + (at_t.ds * at_t.cu + at_t.dq * at_t.cw)) -
-                  greatest_at_corners(step_.domain, at_t.cu, at_t.cw);
-    at_t.error = kPreciseError * largest_of(at_t.c) * step_.size + 8 * kUnit * std::fabs(at_t.excess) +
-                 8 * kUnit * (std::fabs(at_t.cu) + std::fabs(at_t.cw));
+    const DoubleDouble cu = dot(c, u), cw = dot(c, w);
+    at_t.cu = rounded(cu);
+    at_t.cw = rounded(cw);
+    at_t.difference = rounded(cw - cu);
+    at_t.lowest = lowest_at_corners(at_t) * (1 + 16 * kUnit);
+    at_t.error = kPreciseError * largest_of(at_t.c) * step_.size + 8 * kUnit * std::fabs(at_t.excess);
     at_t.ok = largest_of(at_t.c) >= kLeastShare * step_.size;
     return at_t;
+  }
+
+  /// The least of c . (corner - c), where corner (i, j) - c is (s - i) u + (q - j) w. It is never positive, and each term
+  /// below that can be negative is a product without cancellation.
+  double lowest_at_corners(const ClosestPoints& at_t) const noexcept {
+    const double s = at_t.p.s + at_t.ds, q = at_t.p.q + at_t.dq;
+    const auto on_edge = [](double x, double slope) { return slope > 0 ? -(1 - x) * slope : x * slope; };
+    switch (step_.domain) {
+      case Domain::square: return on_edge(s, at_t.cu) + on_edge(q, at_t.cw);
+      case Domain::segment: return on_edge(s, at_t.cu);
+      case Domain::point: return 0;
+      case Domain::triangle: break;
+    }
+    const double rest = (1 - at_t.p.s - at_t.p.q) - (at_t.ds + at_t.dq);  // f0's weight
+    return std::min(
+        {s * at_t.cu + q * at_t.cw, q * at_t.difference - rest * at_t.cu, -s * at_t.difference - rest * at_t.cw, 0.0});
   }
 
   /// Newton's step of the free parameters towards c . u = c . w = 0. False where it is not determined.
@@ -571,7 +587,7 @@ class EntryQuestion {
       case Free::sum: {
         const double ee = (found.uu - 2 * found.uw) + found.ww;
         if (!is_long(ee, u_size + w_size)) return Finding::uncertain;
-        ds = dq = kSolveReserve * (std::fabs(found.cu - found.cw) + cu_error + cw_error) / ee;
+        ds = dq = kSolveReserve * (std::fabs(found.difference) + cu_error + cw_error) / ee;
         break;
       }
       case Free::both: {
@@ -632,8 +648,8 @@ class EntryQuestion {
     const double both = 2 * (cu_error + cw_error);
     switch (free) {
       case Free::none:
-        if (s == 1) return cu > cu_error && cu - cw > both;
-        if (q == 1) return cw > cw_error && cw - cu > both;
+        if (s == 1) return cu > cu_error && -found.difference > both;
+        if (q == 1) return cw > cw_error && found.difference > both;
         return cu < -cu_error && cw < -cw_error;
       case Free::s: return cw < -cw_error;
       case Free::q: return cu < -cu_error;
