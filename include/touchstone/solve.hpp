@@ -46,6 +46,7 @@ Answer solve(const PointEdge& query, double t_max = 1.0);
 Answer solve(const PointPoint& query, double t_max = 1.0);
 
 /// The same by the method of your choice.
+/// @throws InvalidQuery  also for a value that is none of Method's
 Answer solve(const Query& query, Method method, double t_max = 1.0);
 
 /// The same for rational coordinates, by Method::fast. When some coordinate is not a double, no filter applies and the
@@ -59,6 +60,7 @@ Answer solve(const RationalQuery& query, double t_max = 1.0);
 
 /// The same for rational coordinates, by the method of your choice. When some coordinate is not a double, the exact
 /// level decides for Method::fast and Method::exact, and CGAL for the other two.
+/// @throws InvalidQuery  also for a value that is none of Method's
 Answer solve(const RationalQuery& query, Method method, double t_max = 1.0);
 
 /// Whether the two elements touch at any t in [0, t_max]: the `contact` of solve(query, t_max). It is cheaper than

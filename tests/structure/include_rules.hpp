@@ -33,7 +33,7 @@ std::vector<Include> includes_of(std::string_view text);
 /// The forbidden includes of src/`path` ("exact/decide.cpp"), one sentence each, with the line.
 std::vector<std::string> source_violations(const std::string& path, std::string_view text);
 
-/// The differences between layer_table() and the table on a page of docs/ whose columns are folder, what lives there and
+/// The differences between layer_table() and the table on a page of docs/ with the columns folder, what lives there,
 /// may use.
 std::vector<std::string> layer_table_differences(std::string_view page);
 
