@@ -1,5 +1,6 @@
 // `touchstone report --quick`: a whole folder whose numbers fit together, or a clear error.
 // SPDX-License-Identifier: MIT
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -233,6 +234,20 @@ TEST_CASE_WITH("gnuplot", "with gnuplot every plot of a report is drawn, as SVG 
     CHECK(occurrences(folder.read("report/plots/" + name + ".gp"), "plot $") >= 2);
     CHECK(folder.read("report/plots/" + name + ".png").substr(1, 3) == "PNG");
     CHECK(occurrences(folder.read("report/plots/" + name + ".svg"), "</svg>") == 1);
+  }
+}
+
+TEST_CASE("an interrupted report ends by the signal and leaves nothing behind") {
+  for (const bool whole_group : {false, true}) {  // true: the process of the simulated scene gets the signal too
+    const TemporaryFolder folder;
+    RunOptions options;
+    options.interrupt_after = 0.5;
+    options.own_group = whole_group;
+    const Run run = run_program({"report", "--quick", "--out", folder.path("report")}, options);
+    CAPTURE(whole_group, run.err);
+    CHECK(run.status == 128 + SIGINT);
+    CHECK(run.err == "");
+    CHECK(folder.names().empty());
   }
 }
 
