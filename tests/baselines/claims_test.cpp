@@ -13,8 +13,8 @@
 namespace touchstone::tests {
 namespace {
 
+using baselines::Baseline;
 using baselines::Result;
-using Baseline = baselines::Method;
 
 // No method at its usual tolerance is farther from an ordinary contact's time than this: the tolerances are 1e-6, and
 // relative speeds at contact are at least 1e-2 where the queries below are ordinary.

@@ -24,7 +24,7 @@ struct Failure {
 };
 
 void check_failures(const std::string& method_name, const std::vector<Failure>& failures) {
-  const baselines::Method* method = baselines::find_method(method_name);
+  const baselines::Baseline* method = baselines::find_method(method_name);
   REQUIRE(method != nullptr);
   for (const Failure& failure : failures) {
     const Answer truth = solve(failure.query);
