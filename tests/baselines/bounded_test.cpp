@@ -1,4 +1,4 @@
-// Every baseline takes any finite query at any tolerance: an answer in range, after bounded work.
+// Every baseline answers any finite query at any tolerance: in range, and after bounded work.
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <limits>

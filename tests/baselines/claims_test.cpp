@@ -1,4 +1,4 @@
-// Every baseline answers ordinary queries rightly, as it claims: queries made by hand and at random.
+// Every baseline answers ordinary queries correctly, made by hand and at random.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>

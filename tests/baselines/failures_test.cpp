@@ -1,4 +1,4 @@
-// Each inexact method on queries that it gets wrong, and what is right.
+// Queries that an inexact method answers wrongly, with the right answers.
 // SPDX-License-Identifier: MIT
 #include <optional>
 #include <string>

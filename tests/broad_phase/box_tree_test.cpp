@@ -1,5 +1,5 @@
-// Every pair of moving boxes that meet once, among boxes of all sizes and speeds; and what is said not to meet, held
-// against exact arithmetic.
+// The tree finds each pair of moving boxes that meet, once, among boxes of all
+// sizes and speeds. Exact arithmetic checks the pairs that it calls apart.
 // SPDX-License-Identifier: MIT
 #include "broad_phase/box_tree.hpp"
 

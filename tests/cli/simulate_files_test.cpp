@@ -1,4 +1,4 @@
-// The files of `touchstone simulate`: which may be named together, what is there when one cannot be written, and plots.
+// The files of `touchstone simulate`: names that may be given together, files that cannot be written, and plots.
 // SPDX-License-Identifier: MIT
 #include <filesystem>
 #include <string>

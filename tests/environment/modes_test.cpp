@@ -1,5 +1,5 @@
-// Answers do not depend on the caller's floating-point environment, and leave it as it was. The build that defines
-// TOUCHSTONE_FAST_MATH_CALLER is a caller's with -ffast-math.
+// Answers do not depend on the caller's floating-point environment, and solve leaves it unchanged.
+// The build that defines TOUCHSTONE_FAST_MATH_CALLER stands for a caller with -ffast-math.
 // SPDX-License-Identifier: MIT
 #include <cstring>
 #include <string>

@@ -1,4 +1,4 @@
-// The bounds that bring a root to its neighbouring doubles and to its weights, under search, one by one.
+// Searches, one by one, for violations of the bounds that give a root's neighbouring doubles and its weights.
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-// Neighbours in a mesh: decided without the cubic, exactly as the exact level decides.
+// Neighbours in a mesh are decided without the cubic, and exactly as the exact level decides them.
 // SPDX-License-Identifier: MIT
 #include "filters/shared_corner.hpp"
 

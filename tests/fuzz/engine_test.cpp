@@ -1,4 +1,4 @@
-// The engine finds what is planted, counts it, and says the same whatever the number of threads.
+// The engine finds planted failures and counts them. Its result is the same for any number of threads.
 // SPDX-License-Identifier: MIT
 #include "fuzz/engine.hpp"
 

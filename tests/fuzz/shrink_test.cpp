@@ -1,4 +1,4 @@
-// Shrunk queries still fail in the same way, and can be read.
+// Shrunk queries still fail in the same way, and a person can read them.
 // SPDX-License-Identifier: MIT
 #include "fuzz/shrink.hpp"
 

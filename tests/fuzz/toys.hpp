@@ -1,4 +1,4 @@
-// Solvers with a planted bug each, around the exact answer.
+// Solvers that give the exact answer, except for one planted bug each.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -1,4 +1,4 @@
-// Scenes: well-formed meshes of the size that was asked for, in motion that is smooth and the same everywhere.
+// Moving meshes are well-formed and of the chosen size. Their motion is smooth, and the same on every machine.
 // SPDX-License-Identifier: MIT
 #include "generators/moving_mesh.hpp"
 

@@ -1,4 +1,4 @@
-// `touchstone report --quick`: a whole folder whose numbers fit together, or a clear error.
+// `touchstone report --quick`: a complete folder whose numbers fit together, or a clear error.
 // SPDX-License-Identifier: MIT
 #include <csignal>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// Which pairs are looked at, against looking at all of them.
+// The pairs that the colliders find, against the pairs among all elements.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>

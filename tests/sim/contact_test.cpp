@@ -1,4 +1,4 @@
-// The impulse's laws on random contacts, and what a contact's normal and weights are.
+// The laws of impulses on random contacts, and a contact's normal and weights.
 // SPDX-License-Identifier: MIT
 #include <Eigen/Geometry>
 

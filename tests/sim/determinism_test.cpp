@@ -1,4 +1,4 @@
-// The same bytes on any number of threads, and after a checkpoint as without.
+// A run writes the same bytes on any number of threads, and with a checkpoint as without.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <functional>

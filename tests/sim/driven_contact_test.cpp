@@ -1,4 +1,4 @@
-// Contact with what is driven: it does work, which is no reason to cut steps, and no licence to gain energy.
+// Contact with driven elements does work. It must neither cut steps short nor let the scene gain other energy.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// Stiff, light, tiny, far away: no NaN, no crossing, and no energy out of nothing.
+// Stiff, light, tiny and far-away scenes: no NaN, no crossing, and no gain of energy.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>

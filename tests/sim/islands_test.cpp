@@ -1,4 +1,4 @@
-// Newton's method on islands, and the linear systems beneath it, against one method and one matrix for all.
+// Newton's method on islands, and its linear systems, against one iteration and one matrix for the whole scene.
 // SPDX-License-Identifier: MIT
 #include <Eigen/Cholesky>
 

@@ -1,4 +1,4 @@
-// The linking number of two closed polygons, counted in exact integers: nothing of it is the simulator's.
+// The linking number of two closed polygons, counted in exact integers. It uses no code of the simulator.
 // SPDX-License-Identifier: MIT
 #pragma once
 

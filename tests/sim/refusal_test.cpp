@@ -1,4 +1,4 @@
-// Steps that are not taken, or not to their end: nothing has moved then, and the error says what is in the way.
+// Steps that are refused or cannot be completed: nothing has moved then, and the error names the obstacle.
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <numbers>

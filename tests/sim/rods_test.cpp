@@ -1,4 +1,4 @@
-// Cables against what is known of rods: the elastica, buckling, rings, waves.
+// Cables against the theory of rods: the elastica, buckling, rings, waves.
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <numbers>

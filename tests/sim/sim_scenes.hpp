@@ -1,4 +1,4 @@
-// Small scenes, and what several of these tests measure.
+// Small scenes, and measurements that several of these tests share.
 // SPDX-License-Identifier: MIT
 #pragma once
 

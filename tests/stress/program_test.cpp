@@ -1,4 +1,4 @@
-// `touchstone stress`: a whole folder in which touchstone errs nowhere and the others do, or a clear error.
+// `touchstone stress`: a complete folder with errors of the other methods and none of touchstone, or a clear error.
 // SPDX-License-Identifier: MIT
 #include <csignal>
 #include <cstdlib>
