@@ -35,7 +35,7 @@ void check_failures(const std::string& method_name, const std::vector<Failure>& 
     if (truth.contact) CHECK(truth.toi == Approx(failure.toi));
     CHECK(solve(failure.query, Method::exact).toi == truth.toi);
     CHECK(solve(failure.query, Method::oracle).toi == truth.toi);
-    // And what the method says of it.
+    // The method's own answer.
     const std::optional<double> toi = result.contact ? std::optional<double>(result.toi) : std::nullopt;
     CHECK(verdict_name(judge({result.contact, toi}, truth)) == verdict_name(failure.verdict));
   }

@@ -101,7 +101,7 @@ TEST_CASE("a callable that changes the floating-point environment spoils neither
   CHECK(text_of(after) == text_of(clean));
   CHECK(after.failures == 0);
 
-  // The queries themselves, by what a solver that is wrong of some is found to be wrong of.
+  // The queries are the same too: the findings of a solver that is wrong on some of them do not change.
   const auto wrong = [](const Query& query) {
     Claim claim = right(query);
     if (claim.contact) claim.toi = 1.0;

@@ -144,7 +144,7 @@ void check_scene_runs(const std::vector<Row>& rows) {
     CHECK(std::stod(row.at("seconds")) > 0);
     CHECK(std::stod(row.at("collision_share")) > 0);
     CHECK(std::stod(row.at("collision_share")) < 1);
-    // A particle is more than fifty doubles, with what its step needs; nothing here is measured in gigabytes.
+    // A particle and the memory of its step are more than fifty doubles. No scene here takes gigabytes.
     if (!row.at("memory_bytes").empty()) CHECK(number(row, "memory_bytes") > 400 * number(row, "edges"));
     if (!row.at("memory_bytes").empty() && !kSanitized) CHECK(number(row, "memory_bytes") < 100'000'000);
     CHECK(number(row, "edges") > edges[scene]);

@@ -11,8 +11,8 @@ namespace touchstone::sim {
 /// A closed polygon: its particles, in order.
 using Loop = std::vector<Index>;
 
-/// The signed crossings of one over the other in a projection, which is an integer whatever the projection. Positions
-/// are taken as the doubles that they are. Fails the test when two corners and an edge fall on one line of sight.
+/// The number of signed crossings of one over the other in a projection. It is the same integer for any projection.
+/// The positions are exact doubles. Fails the test when two corners and an edge fall on one line of sight.
 int linking_number(const VectorX& q, const Loop& a, const Loop& b);
 
 /// Gauss's integral over both polygons, in doubles: the same number but for rounding. Of a polygon with itself: its

@@ -70,7 +70,7 @@ std::string at(const std::string& file, const Include& include, const std::strin
   return file + ":" + std::to_string(include.line) + ": " + include.target + ": " + reason;
 }
 
-/// The layer that defines what a public header declares. The layers that may use it may include the header. A header
+/// The layer that defines the functions of a public header. The layers that may use it may include the header. A header
 /// with the owner "" declares types that every layer shares. A header with the owner "*" is for users alone.
 const std::map<std::string, std::string>& header_owners() {
   static const std::map<std::string, std::string> owners = {
@@ -99,7 +99,7 @@ std::string fault_of_public_include(const std::string& layer, const std::string&
   if (owner == "*") return "the library includes the headers that it needs, one by one";
   const auto row = layer_table().find(layer);
   const bool allowed = owner.empty() || owner == layer || (row != layer_table().end() && row->second.count(owner) != 0);
-  return allowed ? "" : "`" + layer + "` may not use `" + owner + "`, which defines what this header declares";
+  return allowed ? "" : "`" + layer + "` may not use `" + owner + "`, which defines the functions of this header";
 }
 
 /// Follows the layers that `layer` uses. `path` holds the layers on the way here, and `finished` those without a cycle
