@@ -142,7 +142,7 @@ TEST_CASE("answers are the same bit for bit in every floating-point mode, and th
   report.finish();
 }
 
-// Its V underflows at a time that doubles cannot tell from the root: the exact value asked for there is the least
+// V underflows at a time that doubles cannot distinguish from the root. Its exact value there is the least
 // double.
 Query underflowing() {
   return VertexFace{

@@ -34,7 +34,7 @@ std::uint64_t failures(const fuzz::Outcome& outcome, FailureClass failure) {
   return outcome.table.total().failures[fuzz::FailureTable::index(failure)];
 }
 
-/// Everything that a run says, but for its time.
+/// All results of a run except its time.
 std::string text_of(const fuzz::Outcome& outcome) {
   std::ostringstream text;
   text << outcome.queries << ' ' << outcome.kinds_of_failure << '\n';
