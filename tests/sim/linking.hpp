@@ -15,8 +15,8 @@ using Loop = std::vector<Index>;
 /// The positions are exact doubles. Fails the test when two corners and an edge fall on one line of sight.
 int linking_number(const VectorX& q, const Loop& a, const Loop& b);
 
-/// Gauss's integral over both polygons, in doubles: the same number except for rounding. For a polygon with itself it is
-/// the writhe, to which neighbouring edges contribute nothing.
+/// Gauss's integral over both polygons, in doubles: the same number except for rounding. For a polygon with itself it
+/// is the writhe, to which neighbouring edges contribute nothing.
 double gauss_integral(const VectorX& q, const Loop& a, const Loop& b);
 
 }  // namespace touchstone::sim
