@@ -8,6 +8,7 @@
 #include <touchstone/error.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/solve.hpp>
+#include <touchstone/vector_width.hpp>
 #include <touchstone/version.hpp>
 
 /// Robust, exact continuous collision detection: do two moving elements touch, and when first?

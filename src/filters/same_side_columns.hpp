@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include <touchstone/query.hpp>
-#include <touchstone/solve.hpp>
+#include <touchstone/vector_width.hpp>
 
 namespace touchstone::filters {
 

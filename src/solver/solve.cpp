@@ -51,6 +51,7 @@ Answer solve(const RationalQuery& query, double t_max) { return solve(query, Met
 
 Answer solve(const RationalQuery& query, Method method, double t_max) {
   const numbers::DefaultFloatEnvironment environment;
+  solver::validate_method(method);
   solver::validate(query, t_max);
   Query doubles;
   if (in_doubles(query, doubles)) return solver::answer(doubles, method, t_max);

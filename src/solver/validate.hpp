@@ -6,6 +6,7 @@
 
 #include <touchstone/error.hpp>
 #include <touchstone/query.hpp>
+#include <touchstone/solve.hpp>
 
 namespace touchstone::solver {
 
@@ -30,6 +31,12 @@ void validate_fraction(const Fraction& time);
 
 /// @throws InvalidQuery  naming the kind's number, unless it is one of Kind's
 void validate_kind(Kind kind);
+
+/// @throws InvalidQuery  naming the method's number, unless it is one of Method's
+void validate_method(Method method);
+
+/// @throws InvalidQuery  unless the width is one of VectorWidth's, and this machine has it
+void validate_vector_width(VectorWidth width);
 
 /// @throws InvalidQuery  naming the kind, t_max or the first coordinate that is not finite
 /// Not inlined, and its operands come from memory: see cascade.hpp.

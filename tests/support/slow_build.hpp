@@ -38,7 +38,7 @@ inline std::size_t effort(std::size_t count) {
   return TOUCHSTONE_SLOW_BUILD ? (count + kSlowdown - 1) / kSlowdown : count;
 }
 
-/// Whether checks apply that need all of the cases. Prints `what` is not checked when they do not.
+/// Whether the checks apply that need all cases. If they do not, it prints that `what` is not checked.
 inline bool whole_effort(const char* what) {
   if (effort(1000) >= 1000) return true;
   std::printf("not checked: %s (this build, or TOUCHSTONE_EFFORT, runs fewer cases)\n", what);
