@@ -19,6 +19,17 @@
 #define TOUCHSTONE_SANITIZED 0
 #endif
 
+#if defined(__SANITIZE_THREAD__)
+#define TOUCHSTONE_THREAD_SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define TOUCHSTONE_THREAD_SANITIZED 1
+#endif
+#endif
+#ifndef TOUCHSTONE_THREAD_SANITIZED
+#define TOUCHSTONE_THREAD_SANITIZED 0
+#endif
+
 #if TOUCHSTONE_SANITIZED || !defined(NDEBUG)
 #define TOUCHSTONE_SLOW_BUILD 1
 #else
