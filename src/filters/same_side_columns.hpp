@@ -6,7 +6,7 @@
 
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
-#include <touchstone/solve.hpp>
+#include <touchstone/vector_width.hpp>
 
 namespace touchstone::filters {
 

@@ -25,6 +25,7 @@ constexpr ExactArithmetic kCgal = {oracle::coplanarity_at, oracle::decide_by_ora
 Answer answer(const Query& query, Method method, double t_max) {
   Answer result;  // the one object that is returned everywhere, so that none is copied
   if (method != Method::fast && method != Method::fast_cgal) {
+    validate_method(method);
     validate(query, t_max);
     result = method == Method::oracle ? oracle::decide_by_oracle(query, t_max) : exact::decide_exactly(query, t_max);
     complete(result);
@@ -60,6 +61,7 @@ Answer answer(const Query& query, const Separation& separation, Method method, d
     validate(query, t_max);
     if (filters::decide_by_filters(query, separation, t_max, result) != filters::Finding::uncertain) return result;
   } else {
+    validate_method(method);
     validate(query, t_max);
   }
   const bool by_cgal = method == Method::oracle || method == Method::fast_cgal;

@@ -31,9 +31,8 @@ void validate_options(const BatchOptions& options) {
     throw InvalidQuery("threads is " + std::to_string(options.threads) + "; it must be in [0, " +
                        std::to_string(kMaxThreads) + "], 0 for as many as the machine has");
   }
-  if (!has_vectors(options.vectors)) {
-    throw InvalidQuery("this machine has no vectors of the width that is asked for; VectorWidth::widest always works");
-  }
+  solver::validate_method(options.method);
+  solver::validate_vector_width(options.vectors);
   solver::validate_t_max(options.t_max);
   solver::validate(options.separation);
 }
