@@ -141,8 +141,8 @@ TEST_CASE("a point comes near an edge in the largest-axis metric") {
 }
 
 TEST_CASE("edges whose common normal is no axis") {
-  // The edges' directions are (1, -1, 0) and (0, 1, -1), so n = (1, 1, 1). Edge a passes through (c, c, c), c from 3 to 1,
-  // and edge b through the origin. The distance is |n . r| / (1 + 1 + 1) = c, for the middles of both edges only.
+  // The edges' directions are (1, -1, 0) and (0, 1, -1), so n = (1, 1, 1). Edge a passes through (c, c, c), c from 3
+  // to 1, and edge b through the origin. The distance is |n . r| / (1 + 1 + 1) = c, for the middles of both edges only.
   const Query query =
       EdgeEdge{{{{2, 4, 3}, {4, 2, 3}, {0, -1, 1}, {0, 1, -1}}}, {{{0, 2, 1}, {2, 0, 1}, {0, -1, 1}, {0, 1, -1}}}};
   check_separated(query, within(2), at(0.5), kEnters, {Feature::a, Feature::b, {0.5, 0.5, 0}, {0.5, 0.5, 0}});
