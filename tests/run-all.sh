@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# From a fresh machine to all tests run: installs what is missing, builds everything with warnings as errors, and runs
-# every test. Its last words and its exit status are ctest's. Arguments are passed on to ctest (-R NAME, say). A test that
+# Runs every test on a fresh machine: installs missing packages, builds everything with warnings as errors, and runs
+# ctest. Its last lines and its exit status are ctest's. Arguments are passed on to ctest, such as -R NAME. A test that
 # cannot run here is "Skipped": the missing optional tools are named before the tests start, and every reason is in
 # build/ci/Testing/Temporary/LastTest.log.
 # TOUCHSTONE_QUERY_DATA, when set, is the folder of the public benchmark's queries.

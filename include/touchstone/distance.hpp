@@ -2,27 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-
-#include <touchstone/answer.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
 namespace touchstone {
-
-/// The distance of two elements, and where it is attained.
-struct Distance {
-  /// The double nearest to the exact distance; of two equally near ones the one with an even last bit. Infinity for a
-  /// distance that is too large for a double.
-  double value = 0;
-
-  Feature feature_a = Feature::none;  ///< the part of the first element that holds its closest point
-  Feature feature_b = Feature::none;  ///< the same of the second element
-
-  /// Barycentric coordinates of the closest points, as in Answer, each within 2^-50 of its true value.
-  std::array<double, 3> weights_a{};
-  std::array<double, 3> weights_b{};  ///< the same on the second element
-};
 
 /// The distance of the two elements of a query at the time t, by exact arithmetic.
 /// @param query   the two elements and their motion; for elements at rest give the same corners at both ends

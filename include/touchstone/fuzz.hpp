@@ -95,7 +95,7 @@ struct FuzzReport {
 /// @param solver   the solver: its claim about a query
 /// @param options  which queries, and which times are accepted
 /// @return the failures found
-/// @throws InvalidQuery  for options without meaning: an unknown family, no cases, a fraction outside [0, 1]
+/// @throws InvalidQuery  for options without meaning: an unknown family or kind, no cases, a fraction outside [0, 1]
 FuzzReport fuzz_solver(const std::function<Claim(const Query&)>& solver, const FuzzOptions& options = {});
 
 }  // namespace touchstone

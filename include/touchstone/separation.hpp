@@ -1,9 +1,12 @@
-// Touchstone: the minimum separation of a question. Two elements with a thickness meet before they touch.
+// Touchstone: the minimum separation of a question, and distances. Two elements with a thickness meet before they touch.
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string_view>
+
+#include <touchstone/answer.hpp>
 
 namespace touchstone {
 
@@ -23,6 +26,20 @@ std::string_view metric_name(Metric metric) noexcept;
 struct Separation {
   double distance = 0;                ///< in the coordinates' unit of length; finite and not negative, compared exactly
   Metric metric = Metric::euclidean;  ///< how a distance is measured
+};
+
+/// The distance of two elements, and where it is attained.
+struct Distance {
+  /// The double nearest to the exact distance; of two equally near ones the one with an even last bit. Infinity for a
+  /// distance that is too large for a double.
+  double value = 0;
+
+  Feature feature_a = Feature::none;  ///< the part of the first element that holds its closest point
+  Feature feature_b = Feature::none;  ///< the same of the second element
+
+  /// Barycentric coordinates of the closest points, as in Answer, each within 2^-50 of its true value.
+  std::array<double, 3> weights_a{};
+  std::array<double, 3> weights_b{};  ///< the same on the second element
 };
 
 }  // namespace touchstone

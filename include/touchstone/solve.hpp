@@ -10,6 +10,7 @@
 #include <touchstone/answer.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
+#include <touchstone/vector_width.hpp>
 
 namespace touchstone {
 
@@ -46,6 +47,7 @@ Answer solve(const PointEdge& query, double t_max = 1.0);
 Answer solve(const PointPoint& query, double t_max = 1.0);
 
 /// The same by the method of your choice.
+/// @throws InvalidQuery  also for a value that is none of Method's
 Answer solve(const Query& query, Method method, double t_max = 1.0);
 
 /// The same for rational coordinates, by Method::fast. When some coordinate is not a double, no filter applies and the
@@ -59,6 +61,7 @@ Answer solve(const RationalQuery& query, double t_max = 1.0);
 
 /// The same for rational coordinates, by the method of your choice. When some coordinate is not a double, the exact
 /// level decides for Method::fast and Method::exact, and CGAL for the other two.
+/// @throws InvalidQuery  also for a value that is none of Method's
 Answer solve(const RationalQuery& query, Method method, double t_max = 1.0);
 
 /// The first time in [0, t_max] at which the two elements are within a separation of each other, decided exactly, by
@@ -96,19 +99,6 @@ bool solve_any(const Query& query, double t_max = 1.0);
 /// @return whether they come so near
 /// @throws InvalidQuery  as solve(query, separation, t_max)
 bool solve_any(const Query& query, const Separation& separation, double t_max = 1.0);
-
-/// The SIMD width of a batch: the number of bits of the processor's vector registers that it uses. One instruction then
-/// tests several queries.
-enum class VectorWidth : std::uint8_t {
-  widest,    ///< the widest that both the processor and the library support
-  none,      ///< no SIMD: one query at a time
-  bits_128,  ///< two doubles; every supported processor has it
-  bits_256,  ///< four doubles, AVX2
-  bits_512   ///< eight doubles, AVX-512
-};
-
-/// Whether the processor and this build of the library support this SIMD width. True for widest, none and bits_128.
-bool has_vectors(VectorWidth width) noexcept;
 
 /// The options of a batch. `threads` and `vectors` change no answer.
 struct BatchOptions {

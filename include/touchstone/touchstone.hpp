@@ -5,15 +5,18 @@
 #include <touchstone/answer.hpp>
 #include <touchstone/certify.hpp>
 #include <touchstone/contact_times.hpp>
+#include <touchstone/distance.hpp>
 #include <touchstone/error.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 #include <touchstone/solve.hpp>
+#include <touchstone/vector_width.hpp>
 #include <touchstone/version.hpp>
 
 /// Robust, exact continuous collision detection: do two moving elements touch, and when first?
 ///
-/// `solve` answers one query, and `solve_batch` answers many. `contact_times` gives all times of contact. `judge`
+/// `solve` answers one query, and `solve_batch` answers many. `contact_times` gives all times of contact. `distance` measures
+/// at one instant. `judge`
 /// judges the claim of another solver. The header touchstone/touchstone.hpp brings all of these. Two more headers stand
 /// beside it: touchstone/eigen.hpp makes queries from Eigen vectors, and touchstone/fuzz.hpp searches for failures of
 /// another solver.

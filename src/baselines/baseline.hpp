@@ -25,7 +25,7 @@ enum class Tolerance : std::uint8_t {
 };
 
 /// One way to answer a query.
-struct Method {
+struct Baseline {
   std::string_view name;   ///< as written in reports and on the command line
   std::string_view about;  ///< one line: the idea, and what is known to fail
   Tolerance tolerance = Tolerance::none;
@@ -43,10 +43,10 @@ struct Method {
 };
 
 /// Every method of this layer: `paper`, `closed_form`, `newton`, `interval`, `conservative_advancement`.
-const std::vector<Method>& methods();
+const std::vector<Baseline>& methods();
 
 /// The method of that name, or null.
-const Method* find_method(std::string_view name);
+const Baseline* find_method(std::string_view name);
 
 /// The paper's sections 3.2 to 3.4 as printed: the cubic by Cardano's formulas, then two of the three equations (27).
 /// Edge-edge, and vertex-face in the same spirit. It loses contacts where V is identically zero or has a double root,

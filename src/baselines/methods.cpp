@@ -12,8 +12,8 @@ bool coplanar_kinds(Kind kind) { return kind == Kind::edge_edge || kind == Kind:
 
 }  // namespace
 
-const std::vector<Method>& methods() {
-  static const std::vector<Method> all{
+const std::vector<Baseline>& methods() {
+  static const std::vector<Baseline> all{
       {"paper", "the cubic by Cardano's formulas as printed; misses planar, parallel, grazing and boundary contacts",
        Tolerance::none, 0, coplanar_kinds, solve_paper},
       {"closed_form",
@@ -29,9 +29,9 @@ const std::vector<Method>& methods() {
   return all;
 }
 
-const Method* find_method(std::string_view name) {
+const Baseline* find_method(std::string_view name) {
   const auto& all = methods();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Method& method) { return method.name == name; });
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Baseline& method) { return method.name == name; });
   return found == all.end() ? nullptr : &*found;
 }
 

@@ -3,17 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "dynamics/newton_matrix.hpp"
+#include "dynamics/rounding.hpp"
 #include "dynamics/watchdog.hpp"
 #include "scene/features.hpp"
 
 namespace touchstone::sim {
 namespace {
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 // Iterations; scenes converge in 3 to 15, and a substep that needs more than this is cheaper in two halves.
 constexpr int kMostIterations = 100;

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <touchstone/answer.hpp>
-#include <touchstone/distance.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 

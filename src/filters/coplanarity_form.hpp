@@ -65,20 +65,29 @@ TOUCHSTONE_INLINE StepFrame<N> step_frame(bool edges, const Corner& corner) {
   return {at(0), at(1)};
 }
 
+/// The Bernstein coefficients n0, 2 n1, n2 of n = u x w over [0, 1].
+template <class N>
+using NormalCoefficients = std::array<geometry::Vector<N>, 3>;
+template <class N>
+TOUCHSTONE_INLINE NormalCoefficients<N> normal_coefficients(const StepFrame<N>& f) noexcept {
+  using geometry::cross;
+  const geometry::Vector<N> c01 = cross(f.start.u, f.end.w);
+  const geometry::Vector<N> c10 = cross(f.end.u, f.start.w);
+  return {cross(f.start.u, f.start.w), {{c01[0] + c10[0], c01[1] + c10[1], c01[2] + c10[2]}}, cross(f.end.u, f.end.w)};
+}
+
 /// The Bernstein coefficients b0, 3 b1, 3 b2, b3 of V = (u x w) . r over [0, 1].
 template <class N>
-TOUCHSTONE_INLINE std::array<N, 4> coplanarity_coefficients(const StepFrame<N>& f) noexcept {
-  using geometry::cross;
+TOUCHSTONE_INLINE std::array<N, 4> coplanarity_coefficients(const StepFrame<N>& f,
+                                                            const NormalCoefficients<N>& n) noexcept {
   using geometry::dot;
-  const auto& [u0, w0, r0] = f.start;
-  const auto& [u1, w1, r1] = f.end;
-  const geometry::Vector<N> n0 = cross(u0, w0);
-  const geometry::Vector<N> n2 = cross(u1, w1);
-  const geometry::Vector<N> c01 = cross(u0, w1);
-  const geometry::Vector<N> c10 = cross(u1, w0);
-  // Twice the middle Bernstein coefficient of n = u x w.
-  const geometry::Vector<N> n1 = {{c01[0] + c10[0], c01[1] + c10[1], c01[2] + c10[2]}};
-  return {dot(n0, r0), dot(n1, r0) + dot(n0, r1), dot(n2, r0) + dot(n1, r1), dot(n2, r1)};
+  const auto& r0 = f.start.r;
+  const auto& r1 = f.end.r;
+  return {dot(n[0], r0), dot(n[1], r0) + dot(n[0], r1), dot(n[2], r0) + dot(n[1], r1), dot(n[2], r1)};
+}
+template <class N>
+TOUCHSTONE_INLINE std::array<N, 4> coplanarity_coefficients(const StepFrame<N>& f) noexcept {
+  return coplanarity_coefficients(f, normal_coefficients(f));
 }
 
 inline double magnitude(double x) noexcept { return std::fabs(x); }
@@ -120,6 +129,59 @@ TOUCHSTONE_INLINE auto certain_same_side(const StepFrame<N>& f, const std::array
   const auto [ends, middle, valid] = coplanarity_bounds(f);
   return valid & (magnitude(b[0]) > ends) & (flipped(b[1], b[0]) > middle) & (flipped(b[2], b[0]) > middle) &
          (flipped(b[3], b[0]) > ends);
+}
+
+// Clearance. The lines of two edges, or a vertex and a face's plane, are |V| / |n| apart where n is not zero, and the
+// elements at least as far. So they are farther apart than d all along where |V| > d |n| in all of [0, 1]; V != 0 then
+// excludes n = 0. In the largest-axis metric the sum of n's absolute coordinates takes |n|'s place, because n . x is at
+// most that sum times x's largest coordinate. V and n lie in the hulls of their Bernstein coefficients. So it is enough
+// that V's have one sign, each |b_i| > d max |n_j|.
+//
+// The error of the norms, e = 2^-53, to first order. A coordinate of n0 or n2, a difference of two products: 2 e U W from
+// each of u and w, 2 e U W from the products, 2 e U W from the difference, in all 8 e U W. A coordinate of 2 n1 has twice
+// that, and 4 e U W for the sum of both parts: 20 e U W, of which n1 has half. So a norm is off by at most sqrt(3) times
+// 10 e U W, and a sum of absolute coordinates by 30 e U W. Squares, their sums and the root: at most a relative 3.5 e; sums
+// of absolute values: 2 e. The halving is exact. The product with d and the sum with the error bound: 3 e. With the
+// constants below, 8 e covers both relative errors and the second-order terms, and 32 e U W the absolute one. Squares that
+// underflow are off by 3 * 2^-1075 in all, and the root by less than 2^-530: below e U W when U W is at least 2^-400. The
+// product with d is off by 2^-1075 where it underflows: below e U W R / 8 when U W R is at least 2^-900, a part of the
+// reserve of kEndsBound and kMiddleBound.
+constexpr double kNormFactor = 1 + 8 * kUnit;
+constexpr double kNormBound = 32 * kUnit;
+constexpr double kLeastNormProduct = 0x1p-400;
+constexpr double kGreatestNormProduct = 0x1p400;
+constexpr double kLeastVolume = 0x1p-900;
+
+inline double square_root(double x) noexcept { return std::sqrt(x); }
+
+/// An upper bound on |n|, in the norm that belongs to the metric, over [0, 1], before kNormFactor and kNormBound.
+template <bool Euclidean, class N>
+TOUCHSTONE_INLINE N greatest_norm(const NormalCoefficients<N>& n) noexcept {
+  const auto norm = [](const geometry::Vector<N>& v) {
+    if constexpr (Euclidean) return geometry::dot(v, v);
+    return magnitude(v[0]) + magnitude(v[1]) + magnitude(v[2]);
+  };
+  // The middle one is twice too large, and its square four times.
+  const N middle = (Euclidean ? 0.25 : 0.5) * norm(n[1]);
+  const N greatest = larger(larger(norm(n[0]), norm(n[2])), middle);
+  return Euclidean ? square_root(greatest) : greatest;
+}
+
+/// Whether the elements are certainly farther apart than the distance all over [0, 1]. Coordinates that are not finite
+/// never prove it, as for certain_same_side: `larger` may drop a NaN of n, but b0 or b3 then is NaN, too.
+template <bool Euclidean, class N>
+TOUCHSTONE_INLINE auto certain_clearance(const StepFrame<N>& f, const N& distance) noexcept {
+  const NormalCoefficients<N> n = normal_coefficients(f);
+  const std::array<N, 4> b = coplanarity_coefficients(f, n);
+  const N uw = largest(f.start.u, f.end.u) * largest(f.start.w, f.end.w);
+  const N uwr = uw * largest(f.start.r, f.end.r);
+  const auto valid =
+      (uw >= kLeastNormProduct) & (uw <= kGreatestNormProduct) & (uwr >= kLeastVolume) & (uwr <= kGreatestProduct);
+  const N kept = distance * (kNormFactor * greatest_norm<Euclidean>(n) + kNormBound * uw);
+  const N ends = kEndsBound * uwr + kNormFactor * kept;
+  const N middle = kMiddleBound * uwr + kNormFactor * (3.0 * kept);
+  return decltype(uw > uwr)(valid) & (magnitude(b[0]) > ends) & (flipped(b[1], b[0]) > middle) &
+         (flipped(b[2], b[0]) > middle) & (flipped(b[3], b[0]) > ends);
 }
 
 }  // namespace touchstone::filters

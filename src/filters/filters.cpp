@@ -5,6 +5,7 @@
 
 #include "filters/boxes.hpp"
 #include "filters/bracket.hpp"
+#include "filters/entry.hpp"
 #include "filters/planar_point_edge.hpp"
 #include "filters/rescaled.hpp"
 #include "filters/separating_direction.hpp"
@@ -39,6 +40,22 @@ Decision decide_by_filters(const Question& question, Answer& answer) {
   if (same_side(*scaled)) return {Finding::no_contact, Test::same_side};
   // A rescaled query is of ordinary size, so it is not rescaled again.
   return decide_by_filters({*scaled, question.t_max, question.exact_value, question.contact_only}, answer);
+}
+
+Finding decide_by_filters(const Query& query, const Separation& separation, double t_max, Answer& answer) {
+  answer.level = Level::filter;
+  if (boxes_apart(query, separation.distance)) return Finding::no_contact;
+  const RelativeCorners corners = relative_corners(query);
+  if (separates_by(corners, between_closest_points(corners, query.kind), separation)) return Finding::no_contact;
+  const Finding finding = decide_entry(query, separation, t_max, answer);
+  if (finding != Finding::uncertain) {
+    answer.level = Level::bracket;
+    return finding;
+  }
+  const bool apart =
+      (has_cubic(query.kind) && separates_by(corners, normal_at_mid_step(corners, query.kind), separation)) ||
+      separates_by(corners, between_centres(corners), separation);
+  return apart ? Finding::no_contact : Finding::uncertain;
 }
 
 }  // namespace touchstone::filters

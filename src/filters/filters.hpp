@@ -16,7 +16,7 @@ namespace touchstone::filters {
 /// out, unless the finding is uncertain or the question is for contact only.
 Decision decide_by_filters(const Question& question, Answer& answer);
 
-/// True proves that the elements of a valid query are farther apart than a valid separation at all times in [0, 1].
-bool apart_all_along(const Query& query, const Separation& separation) noexcept;
+/// The same for a valid separation > 0, after clear_all_along.
+Finding decide_by_filters(const Query& query, const Separation& separation, double t_max, Answer& answer);
 
 }  // namespace touchstone::filters

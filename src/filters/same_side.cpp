@@ -49,4 +49,11 @@ bool same_side(const Query& query) noexcept {
   return valid & (same[0] != 0) & (same[1] != 0);
 }
 
+bool clear_all_along(const Query& query, const Separation& separation) noexcept {
+  if (!has_cubic(query.kind)) return false;
+  const StepFrame<double> frame = frame_of(query);
+  return separation.metric == Metric::euclidean ? certain_clearance<true>(frame, separation.distance)
+                                                : certain_clearance<false>(frame, separation.distance);
+}
+
 }  // namespace touchstone::filters

@@ -5,5 +5,8 @@
 namespace touchstone::filters {
 
 SameSideKernel same_side_kernel_256(Kind kind) noexcept { return kernel_for<4>(kind); }
+ClearanceKernel clearance_kernel_256(Kind kind, Metric metric) noexcept {
+  return clearance_kernel_for<4>(kind, metric);
+}
 
 }  // namespace touchstone::filters

@@ -5,5 +5,8 @@
 namespace touchstone::filters {
 
 SameSideKernel same_side_kernel_512(Kind kind) noexcept { return kernel_for<8>(kind); }
+ClearanceKernel clearance_kernel_512(Kind kind, Metric metric) noexcept {
+  return clearance_kernel_for<8>(kind, metric);
+}
 
 }  // namespace touchstone::filters

@@ -22,18 +22,35 @@ bool has_kernel(VectorWidth width) noexcept {
   return false;
 }
 
+namespace {
+
+VectorWidth narrowed(VectorWidth width) noexcept {
+  if (width != VectorWidth::widest) return width;
+  return has_kernel(VectorWidth::bits_512)   ? VectorWidth::bits_512
+         : has_kernel(VectorWidth::bits_256) ? VectorWidth::bits_256
+                                             : VectorWidth::bits_128;
+}
+
+}  // namespace
+
 SameSideKernel same_side_kernel(Kind kind, VectorWidth width) noexcept {
-  if (width == VectorWidth::widest) {
-    width = has_kernel(VectorWidth::bits_512)   ? VectorWidth::bits_512
-            : has_kernel(VectorWidth::bits_256) ? VectorWidth::bits_256
-                                                : VectorWidth::bits_128;
-  }
+  width = narrowed(width);
   if (!has_kernel(width)) return nullptr;
 #ifdef TOUCHSTONE_X86_VECTORS
   if (width == VectorWidth::bits_512) return same_side_kernel_512(kind);
   if (width == VectorWidth::bits_256) return same_side_kernel_256(kind);
 #endif
   return width == VectorWidth::none ? kernel_for<1>(kind) : kernel_for<2>(kind);
+}
+
+ClearanceKernel clearance_kernel(Kind kind, Metric metric, VectorWidth width) noexcept {
+  width = narrowed(width);
+  if (!has_kernel(width)) return nullptr;
+#ifdef TOUCHSTONE_X86_VECTORS
+  if (width == VectorWidth::bits_512) return clearance_kernel_512(kind, metric);
+  if (width == VectorWidth::bits_256) return clearance_kernel_256(kind, metric);
+#endif
+  return width == VectorWidth::none ? clearance_kernel_for<1>(kind, metric) : clearance_kernel_for<2>(kind, metric);
 }
 
 }  // namespace touchstone::filters

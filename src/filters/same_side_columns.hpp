@@ -5,7 +5,8 @@
 #include <cstdint>
 
 #include <touchstone/query.hpp>
-#include <touchstone/solve.hpp>
+#include <touchstone/separation.hpp>
+#include <touchstone/vector_width.hpp>
 
 namespace touchstone::filters {
 
@@ -20,10 +21,15 @@ struct Columns {
 /// lane takes the same steps.
 using SameSideKernel = void (*)(const Columns& columns, std::size_t first, std::size_t count, std::int64_t* proved);
 
+/// The same for a separation: distances[i] is that of query first + i, and proved[i] is certain_clearance.
+using ClearanceKernel = void (*)(const Columns& columns, const double* distances, std::size_t first, std::size_t count,
+                                 std::int64_t* proved);
+
 /// Whether the machine has vectors of that width, and the compiler that built the library could use them.
 bool has_kernel(VectorWidth width) noexcept;
 
 /// The kernel for queries of a kind that has a cubic, with vectors of that width; null where has_kernel is false.
 SameSideKernel same_side_kernel(Kind kind, VectorWidth width) noexcept;
+ClearanceKernel clearance_kernel(Kind kind, Metric metric, VectorWidth width) noexcept;
 
 }  // namespace touchstone::filters

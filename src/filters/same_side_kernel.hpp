@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstring>
+#include <type_traits>
 
 #include "filters/coplanarity_form.hpp"
 #include "filters/same_side_columns.hpp"
@@ -16,7 +17,7 @@ namespace {
 using numbers::Pack;
 
 template <int Width, bool Edges>
-void same_side_pack(const Columns& columns, std::size_t first, std::int64_t* proved) {
+StepFrame<Pack<Width>> frame_of_columns(const Columns& columns, std::size_t first) {
   const auto corner = [&columns, first](int side, std::size_t i) {
     geometry::Vector<Pack<Width>> x;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -24,23 +25,51 @@ void same_side_pack(const Columns& columns, std::size_t first, std::int64_t* pro
     }
     return x;
   };
-  const StepFrame<Pack<Width>> frame = step_frame<Pack<Width>>(Edges, corner);
-  const auto mask = certain_same_side(frame, coplanarity_coefficients(frame));
-  static_assert(sizeof mask == Width * sizeof *proved);
+  return step_frame<Pack<Width>>(Edges, corner);
+}
+
+template <class Mask>
+void store(const Mask& mask, std::int64_t* proved) {
   std::memcpy(proved, &mask, sizeof mask);
 }
 
 /// Whole packs; the rest one by one.
 template <int Width, bool Edges>
 void same_side(const Columns& columns, std::size_t first, std::size_t count, std::int64_t* proved) {
+  const auto prove = [&](auto width, std::size_t i) {
+    const auto frame = frame_of_columns<decltype(width)::value, Edges>(columns, first + i);
+    store(certain_same_side(frame, coplanarity_coefficients(frame)), proved + i);
+  };
   std::size_t i = 0;
-  for (; i + Width <= count; i += Width) same_side_pack<Width, Edges>(columns, first + i, proved + i);
-  for (; i < count; ++i) same_side_pack<1, Edges>(columns, first + i, proved + i);
+  for (; i + Width <= count; i += Width) prove(std::integral_constant<int, Width>(), i);
+  for (; i < count; ++i) prove(std::integral_constant<int, 1>(), i);
+}
+
+template <int Width, bool Edges, bool Euclidean>
+void clearance(const Columns& columns, const double* distances, std::size_t first, std::size_t count,
+               std::int64_t* proved) {
+  const auto prove = [&](auto width, std::size_t i) {
+    constexpr int kWidth = decltype(width)::value;
+    Pack<kWidth> distance;
+    std::memcpy(&distance.v, distances + i, sizeof distance.v);
+    store(certain_clearance<Euclidean>(frame_of_columns<kWidth, Edges>(columns, first + i), distance), proved + i);
+  };
+  std::size_t i = 0;
+  for (; i + Width <= count; i += Width) prove(std::integral_constant<int, Width>(), i);
+  for (; i < count; ++i) prove(std::integral_constant<int, 1>(), i);
 }
 
 template <int Width>
 SameSideKernel kernel_for(Kind kind) {
   return kind == Kind::edge_edge ? same_side<Width, true> : same_side<Width, false>;
+}
+
+template <int Width>
+ClearanceKernel clearance_kernel_for(Kind kind, Metric metric) {
+  if (metric == Metric::euclidean) {
+    return kind == Kind::edge_edge ? clearance<Width, true, true> : clearance<Width, false, true>;
+  }
+  return kind == Kind::edge_edge ? clearance<Width, true, false> : clearance<Width, false, false>;
 }
 
 }  // namespace

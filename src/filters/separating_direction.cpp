@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "filters/boxes.hpp"
-#include "filters/filters.hpp"
 #include "filters/step_frame.hpp"
 
 namespace touchstone::filters {
@@ -24,7 +23,7 @@ constexpr double kProjectionBound = 13 * kUnit;
 // 2.5 e from the square, 1 e from the root, and 3 e more, or 2 e in place of 3.5 e for the sum of absolute values. So 8 e
 // cover all of it. A product that underflows is off by less than the least normal number. Squares from kLeastSquare up
 // have no underflow that counts.
-constexpr double kNormBound = 1 + 8 * kUnit;
+constexpr double kDirectionFactor = 1 + 8 * kUnit;
 constexpr double kLeastNormal = std::numeric_limits<double>::min();
 constexpr double kLeastSquare = 0x1p-900;
 
@@ -99,7 +98,7 @@ bool separates_by(const RelativeCorners& corners, const Vector& direction, const
     norm = std::fabs(direction[0]) + std::fabs(direction[1]) + std::fabs(direction[2]);
   }
   const Gap gap = gap_along(corners, direction);
-  const double least = (gap.error + separation.distance * norm) * kNormBound + kLeastNormal;
+  const double least = (gap.error + separation.distance * norm) * kDirectionFactor + kLeastNormal;
   return gap.value > least;
 }
 
@@ -108,14 +107,6 @@ Test test_that_separates(const Query& query) noexcept {
   if (separates(corners, between_closest_points(corners, query.kind))) return Test::closest_points;
   if (has_cubic(query.kind) && separates(corners, normal_at_mid_step(corners, query.kind))) return Test::normal;
   return separates(corners, between_centres(corners)) ? Test::centres : Test::none;
-}
-
-bool apart_all_along(const Query& query, const Separation& separation) noexcept {
-  if (boxes_apart(query, separation.distance)) return true;
-  const RelativeCorners corners = relative_corners(query);
-  return separates_by(corners, between_closest_points(corners, query.kind), separation) ||
-         (has_cubic(query.kind) && separates_by(corners, normal_at_mid_step(corners, query.kind), separation)) ||
-         separates_by(corners, between_centres(corners), separation);
 }
 
 }  // namespace touchstone::filters

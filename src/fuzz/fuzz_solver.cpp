@@ -36,6 +36,11 @@ fuzz::Settings settings_of(const FuzzOptions& options) {
     throw InvalidQuery("climb is " + std::to_string(options.climb) + "; it must be at most " +
                        std::to_string(fuzz::kMostClimbSteps));
   }
+  for (const Kind kind : options.kinds) {
+    if (kind <= Kind::point_point) continue;
+    throw InvalidQuery("one of the kinds is " + std::to_string(static_cast<int>(kind)) + "; it must be one of 0 to " +
+                       std::to_string(static_cast<int>(Kind::point_point)));
+  }
   fuzz::Settings settings;
   for (const std::string& name : options.families) settings.families.push_back(family_of(name));
   settings.kinds = options.kinds;

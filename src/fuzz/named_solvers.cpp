@@ -93,7 +93,7 @@ class BatchSolver final : public AnsweringSolver {
   std::array<Answer, 2 * kCopies> answers_;
 };
 
-std::unique_ptr<SolverUnderTest> baseline_solver(const baselines::Method& method) {
+std::unique_ptr<SolverUnderTest> baseline_solver(const baselines::Baseline& method) {
   const auto ask = [&method](const Query& query) {
     constexpr double kWholeStep = 1;
     const baselines::Result result = method.solve(query, kWholeStep, method.usual_tolerance);
@@ -111,7 +111,7 @@ std::vector<std::string_view> solver_names() {
   std::vector<std::string_view> names;
   for (const auto& [name, method] : kOurs) names.push_back(name);
   names.push_back(kBatch);
-  for (const baselines::Method& method : baselines::methods()) names.push_back(method.name);
+  for (const baselines::Baseline& method : baselines::methods()) names.push_back(method.name);
   return names;
 }
 
@@ -120,7 +120,7 @@ std::unique_ptr<SolverUnderTest> named_solver(std::string_view name) {
     if (ours == name) return std::make_unique<OurSolver>(name, method);
   }
   if (name == kBatch) return std::make_unique<BatchSolver>();
-  const baselines::Method* const baseline = baselines::find_method(name);
+  const baselines::Baseline* const baseline = baselines::find_method(name);
   return baseline != nullptr ? baseline_solver(*baseline) : nullptr;
 }
 

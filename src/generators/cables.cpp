@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "generators/scene.hpp"
+#include "generators/moving_mesh.hpp"
 #include "generators/waves.hpp"
 
 namespace touchstone::generators {
@@ -15,7 +15,7 @@ struct Cable {
   Waves up;
 };
 
-class Cables final : public Scene {
+class Cables final : public MovingMesh {
  public:
   Cables(seeded::Rng random, std::size_t edges) : rotation_(random_rotation(random)), swell_({4, 0.5, 1}, random) {
     // As many crossings as edges: neither the cables' own joints nor empty space take most of the pairs.
@@ -53,7 +53,7 @@ class Cables final : public Scene {
 
 }  // namespace
 
-std::unique_ptr<Scene> make_cables(std::uint64_t seed, std::size_t edges) {
+std::unique_ptr<MovingMesh> make_cables(std::uint64_t seed, std::size_t edges) {
   return std::make_unique<Cables>(seeded::Rng(seed), edges);
 }
 

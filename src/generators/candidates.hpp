@@ -9,7 +9,7 @@
 
 #include <touchstone/query.hpp>
 
-#include "generators/scene.hpp"
+#include "generators/moving_mesh.hpp"
 
 namespace touchstone::generators {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "generators/scene.hpp"
+#include "generators/moving_mesh.hpp"
 #include "generators/waves.hpp"
 
 namespace touchstone::generators {
@@ -13,7 +13,7 @@ constexpr double kHalfSide = 1;     // of the cloth
 constexpr double kLiesUpTo = 0.22;  // turns from the top of the sphere to where the cloth leaves it and hangs
 constexpr double kRadiansPerTurn = 6.283185307179586;
 
-class Cloth final : public Scene {
+class Cloth final : public MovingMesh {
  public:
   Cloth(seeded::Rng random, std::size_t edges)
       : rotation_(random_rotation(random)),
@@ -74,7 +74,7 @@ class Cloth final : public Scene {
 
 }  // namespace
 
-std::unique_ptr<Scene> make_cloth(std::uint64_t seed, std::size_t edges) {
+std::unique_ptr<MovingMesh> make_cloth(std::uint64_t seed, std::size_t edges) {
   return std::make_unique<Cloth>(seeded::Rng(seed), edges);
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "generators/scene.hpp"
+#include "generators/moving_mesh.hpp"
 #include "generators/waves.hpp"
 
 namespace touchstone::generators {
 namespace {
 
-class Sheets final : public Scene {
+class Sheets final : public MovingMesh {
  public:
   Sheets(seeded::Rng random, std::size_t edges)
       : rotation_(random_rotation(random)),
@@ -58,7 +58,7 @@ class Sheets final : public Scene {
 
 }  // namespace
 
-std::unique_ptr<Scene> make_sheets(std::uint64_t seed, std::size_t edges) {
+std::unique_ptr<MovingMesh> make_sheets(std::uint64_t seed, std::size_t edges) {
   return std::make_unique<Sheets>(seeded::Rng(seed), edges);
 }
 

@@ -11,18 +11,18 @@
 namespace touchstone::generators {
 
 Step::Step(SceneName scene, std::uint64_t seed, std::size_t edges, double speed, double separation)
-    : scene_(make_scene(scene, seeded::seed_of_part(seed, 0), edges)),
+    : moving_(make_moving_mesh(scene, seeded::seed_of_part(seed, 0), edges)),
       first_time_(seeded::Rng(seeded::seed_of_part(seed, 1)).uniform(0, 100)),
-      duration_(0.1 * speed * scene_->edge_length()),
+      duration_(0.1 * speed * moving_->edge_length()),
       margin_(separation == 0 ? 0 : std::max(separation / 2, std::numeric_limits<double>::min())) {
-  scene_->place_corners(first_time_, end_);
+  moving_->place_corners(first_time_, end_);
   start_ = end_;
 }
 
 void Step::advance() {
   ++number_;
   std::swap(start_, end_);
-  scene_->place_corners(first_time_ + duration_ * static_cast<double>(number_), end_);
+  moving_->place_corners(first_time_ + duration_ * static_cast<double>(number_), end_);
 }
 
 template <std::size_t N>

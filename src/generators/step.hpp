@@ -11,7 +11,7 @@
 #include <touchstone/query.hpp>
 
 #include "broad_phase/grid.hpp"
-#include "generators/scene.hpp"
+#include "generators/moving_mesh.hpp"
 
 namespace touchstone::generators {
 
@@ -23,7 +23,7 @@ class Step {
   /// The next step; it starts where this one ends.
   void advance();
 
-  const Mesh& mesh() const noexcept { return scene_->mesh(); }
+  const Mesh& mesh() const noexcept { return moving_->mesh(); }
   const std::vector<Vec3>& start() const noexcept { return start_; }
   const std::vector<Vec3>& end() const noexcept { return end_; }
 
@@ -38,7 +38,7 @@ class Step {
   std::vector<broad_phase::Box> boxes(const std::vector<std::array<Index, N>>& elements) const;
   std::vector<broad_phase::Box> corner_boxes() const;
 
-  std::unique_ptr<Scene> scene_;
+  std::unique_ptr<MovingMesh> moving_;
   double first_time_;
   double duration_;
   double margin_;  ///< of each box; at least half the separation

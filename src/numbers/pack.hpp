@@ -42,6 +42,11 @@ struct Pack {
   /// a, or -a where s is negative.
   friend Pack flipped(Pack a, Pack s) { return from_bits(a.bits() ^ (s.bits() & INT64_MIN)); }
 
+  friend Pack square_root(Pack a) {
+    for (int i = 0; i < Width; ++i) a.v[i] = __builtin_sqrt(a.v[i]);
+    return a;
+  }
+
   typename VectorTypes<Width>::Integers bits() const {
     return reinterpret_cast<typename VectorTypes<Width>::Integers>(v);
   }

@@ -59,7 +59,7 @@ bool is_held_before(const DifferencePolygon& polygon, const Candidate& candidate
   const auto position = [&](std::size_t corner) -> const Corner& { return polygon.corners[corner].position; };
   const Corner& base = position(candidate.face->corners[0]);
   Corner point = candidate.unit * base;
-  if (candidate.face->dimension() == 1) {
+  if (candidate.face->dimension() == 1) {  // no interior point of a flat triangle counts: its unit is zero
     point = point + candidate.s * (position(candidate.face->corners[1]) - base);
   }
   for (const auto& face : polygon.faces) {
@@ -86,7 +86,6 @@ std::vector<const Candidate*> reduced_candidates(const DifferencePolygon& polygo
   std::vector<const Candidate*> reduced;
   for (const auto& candidate : sublevel.candidates) {
     if (is_spanned_by_fewer(polygon, *candidate.face, length_a, length_b)) continue;
-    if (flat && candidate.face->dimension() == 2) continue;
     if (!counts(candidate, at)) continue;
     if (flat && is_held_before(polygon, candidate, at)) continue;
     reduced.push_back(&candidate);

@@ -1,7 +1,6 @@
 // The first time at which two elements are within a separation. Time is divided where their distance can pass a level;
 // between neighbouring times of the division, one rational time speaks for all.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <tuple>
 #include <vector>
 
@@ -54,10 +53,7 @@ class Division {
   const Moment& time(std::size_t i) const { return times_[i]; }
 
   /// Whether the distance is at most the level.
-  bool is_within(std::size_t i) const {
-    return std::any_of(sublevel_.candidates.begin(), sublevel_.candidates.end(),
-                       [&](const Candidate& candidate) { return counts(candidate, times_[i]); });
-  }
+  bool is_within(std::size_t i) const { return oracle::is_within(sublevel_, times_[i]); }
 
   /// The distance compared with the level just before and just after a time of the step.
   CGAL::Comparison_result before(std::size_t i) const { return compare_between(i - 1); }

@@ -34,10 +34,10 @@ MovingFace moving_face(const DifferencePolygon& polygon, const DifferenceFace& f
   return moving;
 }
 
-/// A candidate with the conditions that keep it on its face.
+/// A candidate with the conditions that keep it on its face. Its distance counts as below the level.
 Candidate on_face(Kind kind, const DifferenceFace& face, const Polynomial& unit, const Polynomial& s,
                   const Polynomial& t) {
-  return {&face, unit, s, t, margins(kind, face.dimension(), unit, s, t), {}};
+  return {&face, unit, s, t, margins(kind, face.dimension(), unit, s, t), {}, unit};
 }
 
 /// `unit` times the candidate's point.
@@ -132,9 +132,8 @@ Sublevel euclidean_sublevel(const DifferencePolygon& polygon, const Rational& le
     for (const std::size_t corner : face.inward) {
       candidate.nonnegative.push_back(dot(point, polygon.corners[corner].position - moving.base));
     }
-    const Polynomial below = numerator * candidate.unit - denominator * scaled_square;
-    candidate.nonnegative.push_back(below);
-    sublevel.dividing.push_back(below);
+    candidate.below = numerator * candidate.unit - denominator * scaled_square;
+    sublevel.dividing.push_back(candidate.below);
     sublevel.candidates.push_back(std::move(candidate));
   }
   return sublevel;
@@ -165,6 +164,12 @@ bool counts(const Candidate& candidate, const Moment& at) {
   const auto is_nonnegative = [&](const Polynomial& p) { return at.sign(p) != -unit; };
   return std::all_of(candidate.positive.begin(), candidate.positive.end(), is_positive) &&
          std::all_of(candidate.nonnegative.begin(), candidate.nonnegative.end(), is_nonnegative);
+}
+
+bool is_within(const Sublevel& sublevel, const Moment& at) {
+  const auto closest = std::find_if(sublevel.candidates.begin(), sublevel.candidates.end(),
+                                    [&](const Candidate& candidate) { return counts(candidate, at); });
+  return closest != sublevel.candidates.end() && at.sign(closest->below) != -at.sign(closest->unit);
 }
 
 }  // namespace touchstone::oracle

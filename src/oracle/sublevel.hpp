@@ -19,15 +19,17 @@ struct Candidate {
   Polynomial t;
   std::vector<Polynomial> positive;
   std::vector<Polynomial> nonnegative;
+  Polynomial below;  ///< times the sign of `unit`, not negative when the point's distance is at most the level
 };
 
+/// The set of times at which D is at most the level.
 struct Sublevel {
-  /// Between neighbouring roots of these, D is always below the level, always equal to it or always above it. Polynomials
-  /// that are identically zero are passed over.
+  /// Between neighbouring roots of these, D is always below the level, always equal to it or always above it.
+  /// Polynomials that are identically zero are passed over.
   std::vector<Polynomial> dividing;
 
-  /// One of these counts exactly when D is at most the level. Where D is the level, the closest pair of the answer is
-  /// among those that count.
+  /// Those of the Euclidean metric count when they are the closest point. Those of the largest-axis metric count when
+  /// they are a corner of the part of the polygon that is within the level, so that none counts when D is above it.
   std::vector<Candidate> candidates;
 };
 
@@ -39,5 +41,8 @@ Sublevel max_sublevel(const DifferencePolygon& polygon, const Rational& level);
 
 /// Whether a candidate counts at a moment.
 bool counts(const Candidate& candidate, const Moment& at);
+
+/// Whether D is at most the level at a moment.
+bool is_within(const Sublevel& sublevel, const Moment& at);
 
 }  // namespace touchstone::oracle

@@ -34,7 +34,7 @@ std::string Contestant::label() const { return tolerance == 0 ? name : name + " 
 
 std::vector<Contestant> contestants(const std::vector<double>& tolerances) {
   std::vector<Contestant> all;
-  for (const baselines::Method& method : baselines::methods()) {
+  for (const baselines::Baseline& method : baselines::methods()) {
     Contestant contestant{std::string(method.name), std::string(method.about), &method, Method::fast, 0};
     if (!method.has_tolerance()) {
       all.push_back(contestant);

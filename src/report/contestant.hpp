@@ -19,9 +19,9 @@ namespace touchstone::report {
 struct Contestant {
   std::string name;
   std::string about;
-  const baselines::Method* baseline = nullptr;  ///< null: the solver, by `method`
-  Method method = Method::fast;                 ///< only without a baseline
-  double tolerance = 0;                         ///< 0: it has none
+  const baselines::Baseline* baseline = nullptr;  ///< null: the solver, by `method`
+  Method method = Method::fast;                   ///< only without a baseline
+  double tolerance = 0;                           ///< 0: it has none
 
   bool supports(Kind kind) const { return baseline == nullptr || baseline->supports(kind); }
   bool is_touchstone() const noexcept { return baseline == nullptr && method == Method::fast; }

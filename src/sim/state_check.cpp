@@ -12,16 +12,15 @@
 
 #include <touchstone/error.hpp>
 
+#include "dynamics/rounding.hpp"
 #include "io/times.hpp"
 
 namespace touchstone::sim {
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-
 // A director is r / |r| in doubles: the square root and the division are good to 5 halves and 1 half of epsilon, and
 // its length is computed here with the same errors.
-constexpr double kUnit = 4 * kEpsilon;
+constexpr double kUnitLengthError = 4 * kEpsilon;
 
 // r is the component of a vector u, |u| < 4, across the tangent. Rounding leaves at most 28 |u| epsilon of it along the
 // tangent, and |r| may be as small as 1e-8 (unit_perpendicular): 1.3e-6.
@@ -144,7 +143,7 @@ void check_directors(const System& system, const State& state) {
     const Vector3& director = state.frames.director[j];
     if (!director.allFinite()) fail("directors", 3 * j, "must be finite");
     if (!has_tangent(state, edge)) continue;
-    if (!(std::abs(director.norm() - 1) <= kUnit)) {
+    if (!(std::abs(director.norm() - 1) <= kUnitLengthError)) {
       fail("directors", 3 * j,
            fmt::format("this and the next two numbers, the director of segment {}-{}, must have length 1, not {}",
                        edge.a, edge.b, director.norm()));

@@ -25,6 +25,7 @@ constexpr ExactArithmetic kCgal = {oracle::coplanarity_at, oracle::decide_by_ora
 Answer answer(const Query& query, Method method, double t_max) {
   Answer result;  // the one object that is returned everywhere, so that none is copied
   if (method != Method::fast && method != Method::fast_cgal) {
+    validate_method(method);
     validate(query, t_max);
     result = method == Method::oracle ? oracle::decide_by_oracle(query, t_max) : exact::decide_exactly(query, t_max);
     complete(result);
@@ -53,15 +54,20 @@ bool any_contact(const Query& query, double t_max) {
 
 Answer answer(const Query& query, const Separation& separation, Method method, double t_max) {
   if (separation.distance == 0) return answer(query, method, t_max);
-  validate(query, t_max);
-  const bool filters_first = method == Method::fast || method == Method::fast_cgal;
-  if (filters_first && filters::apart_all_along(query, separation)) {
-    Answer miss;
-    miss.level = Level::filter;
-    return miss;
+  Answer result;
+  if (method == Method::fast || method == Method::fast_cgal) {
+    result.level = Level::filter;
+    if (is_time(t_max) && filters::clear_all_along(query, separation)) return result;
+    validate(query, t_max);
+    if (filters::decide_by_filters(query, separation, t_max, result) != filters::Finding::uncertain) return result;
+  } else {
+    validate_method(method);
+    validate(query, t_max);
   }
   const bool by_cgal = method == Method::oracle || method == Method::fast_cgal;
-  return by_cgal ? oracle::decide_by_oracle(query, t_max, separation) : exact::decide_exactly(query, t_max, separation);
+  result =
+      by_cgal ? oracle::decide_by_oracle(query, t_max, separation) : exact::decide_exactly(query, t_max, separation);
+  return result;
 }
 
 bool any_contact(const Query& query, const Separation& separation, double t_max) {

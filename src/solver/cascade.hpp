@@ -16,7 +16,7 @@
 namespace touchstone::solver {
 
 /// Validates a query and answers it, in the default floating-point environment. `query.kind` says which corners count.
-/// @throws InvalidQuery  naming the kind, t_max or the first coordinate that is not finite
+/// @throws InvalidQuery  naming the method, the kind, t_max or the first coordinate that is not finite
 TOUCHSTONE_BEHIND_GUARD Answer answer(const Query& query, Method method, double t_max);
 
 /// answer(query, Method::fast, t_max).contact. @throws InvalidQuery the same

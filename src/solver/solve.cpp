@@ -53,6 +53,7 @@ Answer solve(const RationalQuery& query, const Separation& separation, double t_
 
 Answer solve(const RationalQuery& query, const Separation& separation, Method method, double t_max) {
   const numbers::DefaultFloatEnvironment environment;
+  solver::validate_method(method);
   solver::validate(separation);
   solver::validate(query, t_max);
   Query doubles;

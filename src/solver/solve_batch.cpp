@@ -31,9 +31,8 @@ void validate_options(const BatchOptions& options) {
     throw InvalidQuery("threads is " + std::to_string(options.threads) + "; it must be in [0, " +
                        std::to_string(kMaxThreads) + "], 0 for as many as the machine has");
   }
-  if (!has_vectors(options.vectors)) {
-    throw InvalidQuery("this machine has no vectors of the width that is asked for; VectorWidth::widest always works");
-  }
+  solver::validate_method(options.method);
+  solver::validate_vector_width(options.vectors);
   solver::validate_t_max(options.t_max);
   solver::validate(options.separation);
 }
@@ -98,16 +97,17 @@ void for_each_range(std::size_t count, int threads, const AnswerRange& answer_ra
   in_environment(0, count);
 }
 
-/// Answers queries [first, last) of the columns. Where the kernel proves nothing, answer_one(i) answers query i.
-template <class AnswerOne>
-void answer_columns(const filters::Columns& columns, filters::SameSideKernel kernel, std::size_t first,
-                    std::size_t last, Answer* answers, const AnswerOne& answer_one) {
+/// Answers queries [first, last), at most kBlock of which kernel(first, count, proved) tests at a time. Where it proves
+/// nothing, answer_one(i) answers query i.
+template <class Kernel, class AnswerOne>
+void answer_columns(const Kernel& kernel, std::size_t first, std::size_t last, Answer* answers,
+                    const AnswerOne& answer_one) {
   Answer no_contact;
   no_contact.level = Level::filter;
   std::int64_t proved[kBlock];
   for (std::size_t begin = first; begin < last; begin += kBlock) {
     const std::size_t size = std::min(kBlock, last - begin);
-    kernel(columns, begin, size, proved);
+    kernel(begin, size, proved);
     for (std::size_t i = 0; i < size; ++i) answers[begin + i] = proved[i] != 0 ? no_contact : answer_one(begin + i);
   }
 }
@@ -174,13 +174,24 @@ void solve_batch(const QueryColumns& queries, Answer* answers, const BatchOption
     std::copy_n(queries.end[i].begin(), 3, columns.end[i]);
   }
   const bool filters_first = options.method == Method::fast || options.method == Method::fast_cgal;
-  const bool with_kernel = filters_first && !with_separation && filters::has_cubic(queries.kind);
+  const bool with_kernel = filters_first && filters::has_cubic(queries.kind);
   answer_all(queries.count, options, query_at, [&](std::size_t first, std::size_t last) {
-    if (with_kernel) {
-      answer_columns(columns, filters::same_side_kernel(queries.kind, options.vectors), first, last, answers,
-                     answer_one);
-    } else {
+    if (!with_kernel) {
       for (std::size_t i = first; i < last; ++i) answers[i] = answer_one(i);
+    } else if (with_separation) {
+      const auto kernel = filters::clearance_kernel(queries.kind, options.separation.metric, options.vectors);
+      double same[kBlock];
+      std::fill_n(same, kBlock, options.separation.distance);
+      const auto prove = [&](std::size_t begin, std::size_t size, std::int64_t* proved) {
+        kernel(columns, options.distances == nullptr ? same : options.distances + begin, begin, size, proved);
+      };
+      answer_columns(prove, first, last, answers, answer_one);
+    } else {
+      const auto kernel = filters::same_side_kernel(queries.kind, options.vectors);
+      const auto prove = [&](std::size_t begin, std::size_t size, std::int64_t* proved) {
+        kernel(columns, begin, size, proved);
+      };
+      answer_columns(prove, first, last, answers, answer_one);
     }
   });
 }

@@ -110,6 +110,22 @@ void validate(const Separation& separation) {
                      "; it must be 0 or 1: euclidean or max");
 }
 
+void validate_method(Method method) {
+  if (method <= Method::fast_cgal) return;
+  throw InvalidQuery("the method is " + std::to_string(static_cast<int>(method)) + "; it must be one of 0 to " +
+                     std::to_string(static_cast<int>(Method::fast_cgal)) + ": fast, exact, oracle or fast_cgal");
+}
+
+void validate_vector_width(VectorWidth width) {
+  if (width > VectorWidth::bits_512) {
+    throw InvalidQuery("the SIMD width is " + std::to_string(static_cast<int>(width)) + "; it must be one of 0 to " +
+                       std::to_string(static_cast<int>(VectorWidth::bits_512)) +
+                       ": widest, none, bits_128, bits_256 or bits_512");
+  }
+  if (has_vectors(width)) return;
+  throw InvalidQuery("this machine does not have the chosen SIMD width; VectorWidth::widest always works");
+}
+
 void validate(const Query& query, double t_max) {
   validate_kind(query.kind);
   validate_t_max(t_max);

@@ -7,6 +7,7 @@
 #include <touchstone/error.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
+#include <touchstone/solve.hpp>
 
 namespace touchstone::solver {
 
@@ -37,6 +38,12 @@ void validate_distance(double distance);
 
 /// @throws InvalidQuery  naming the distance or the metric
 void validate(const Separation& separation);
+
+/// @throws InvalidQuery  naming the method's number, unless it is one of Method's
+void validate_method(Method method);
+
+/// @throws InvalidQuery  unless the width is one of VectorWidth's, and this machine has it
+void validate_vector_width(VectorWidth width);
 
 /// @throws InvalidQuery  naming the kind, t_max or the first coordinate that is not finite
 /// Not inlined, and its operands come from memory: see cascade.hpp.

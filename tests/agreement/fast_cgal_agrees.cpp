@@ -1,4 +1,4 @@
-// The pairing of the filters with CGAL against the cascade, in everything that an answer says.
+// Method::fast_cgal against Method::fast, in every part of the answer.
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cstdio>

@@ -1,4 +1,4 @@
-// The cascade against the exact level against the oracle, in everything that an answer says.
+// The cascade, the exact level and the oracle against each other, in every part of the answer.
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <cstdio>

@@ -1,4 +1,4 @@
-// Every field of an answer against the third opinion, wherever rationals can tell: at times that are doubles.
+// Every field of an answer against the third opinion, at times that are doubles: there the opinion is rational.
 // SPDX-License-Identifier: MIT
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// solve allocates nothing but for long numbers: operator new and GMP's allocators are counted.
+// solve allocates memory for long numbers only: the test counts calls of operator new and of GMP's allocators.
 // SPDX-License-Identifier: MIT
 #include <gmp.h>
 

@@ -1,4 +1,4 @@
-// Every baseline takes any finite query at any tolerance: an answer in range, after bounded work.
+// Every baseline answers any finite query at any tolerance: in range, and after bounded work.
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <limits>
@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint64_t kSeed = 304;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-std::string complaint(const baselines::Method& method, const Query& query, double t_max, double tolerance) {
+std::string complaint(const baselines::Baseline& method, const Query& query, double t_max, double tolerance) {
   const baselines::Result result = method.solve(query, t_max, tolerance);
   const bool in_range = result.contact ? result.toi >= 0 && result.toi <= t_max : result.toi == kInfinity;
   if (in_range) return {};
@@ -28,7 +28,7 @@ TEST_CASE("every baseline answers in range for every family, t_max and tolerance
       [&](const CaseId& id) {
         const Query query = make(id);
         Rng rng = rng_of(id);
-        for (const baselines::Method& method : baselines::methods()) {
+        for (const baselines::Baseline& method : baselines::methods()) {
           if (!method.supports(id.kind)) continue;
           const double t_max = rng.pick(std::array<double, 4>{1.0, 0.0, 0.3, 0x1p-1074});
           // A tolerance that no image can reach uses up all the steps of `interval`, on most contacts: a few are
@@ -50,7 +50,7 @@ TEST_CASE("every baseline gets through coordinates at both ends of the doubles")
       Query query;
       query.kind = kind;
       for_each_coordinate(query, [&](double& x) { x = rng.pick(extremes); });
-      for (const baselines::Method& method : baselines::methods()) {
+      for (const baselines::Baseline& method : baselines::methods()) {
         if (!method.supports(kind)) continue;
         INFO(cpp_initializer(query));
         CHECK(complaint(method, query, 1.0, 1e-3) == "");

@@ -1,4 +1,4 @@
-// Every baseline answers ordinary queries rightly, as it claims: queries made by hand and at random.
+// Every baseline answers ordinary queries correctly, made by hand and at random.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,8 @@
 namespace touchstone::tests {
 namespace {
 
+using baselines::Baseline;
 using baselines::Result;
-using Baseline = baselines::Method;
 
 // No method at its usual tolerance is farther from an ordinary contact's time than this: the tolerances are 1e-6, and
 // relative speeds at contact are at least 1e-2 where the queries below are ordinary.

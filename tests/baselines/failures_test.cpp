@@ -1,4 +1,4 @@
-// Each inexact method on queries that it gets wrong, and what is right.
+// Queries that an inexact method answers wrongly, with the right answers.
 // SPDX-License-Identifier: MIT
 #include <optional>
 #include <string>
@@ -24,7 +24,7 @@ struct Failure {
 };
 
 void check_failures(const std::string& method_name, const std::vector<Failure>& failures) {
-  const baselines::Method* method = baselines::find_method(method_name);
+  const baselines::Baseline* method = baselines::find_method(method_name);
   REQUIRE(method != nullptr);
   for (const Failure& failure : failures) {
     const Answer truth = solve(failure.query);
@@ -35,7 +35,7 @@ void check_failures(const std::string& method_name, const std::vector<Failure>& 
     if (truth.contact) CHECK(truth.toi == Approx(failure.toi));
     CHECK(solve(failure.query, Method::exact).toi == truth.toi);
     CHECK(solve(failure.query, Method::oracle).toi == truth.toi);
-    // And what the method says of it.
+    // The method's own answer.
     const std::optional<double> toi = result.contact ? std::optional<double>(result.toi) : std::nullopt;
     CHECK(verdict_name(judge({result.contact, toi}, truth)) == verdict_name(failure.verdict));
   }
@@ -84,8 +84,8 @@ TEST_CASE("the paper's method fails on ordinary queries") {
        VertexFace{{{{0.25e-110, 0.25e-110, 1e-110}, {0, 0, 0}, {1e-110, 0, 0}, {0, 1e-110, 0}}},
                   {{{0.25e-110, 0.25e-110, -1e-110}, {0, 0, 0}, {1e-110, 0, 0}, {0, 1e-110, 0}}}},
        Verdict::missed, 0.5},
-      // At V's root near 0.4017 the weights are 1.6 and 1.7: no contact. But n_x is zero there but for rounding,
-      // and the noise over noise that the paper takes for weights is 0 and 0.
+      // At V's root near 0.4017 the weights are 1.6 and 1.7: no contact. But n_x is zero there except for
+      // rounding. The paper's weights are quotients of rounding noise, 0 and 0.
       {"a phantom",
        EdgeEdge{{{{1, -2, -3}, {3, 4, -2}, {0, -2, -3}, {1, 3, -4}}},
                 {{{3, -4, 0}, {3, -1, -2}, {0, -4, 0}, {4, 0, 1}}}},
@@ -96,9 +96,9 @@ TEST_CASE("the paper's method fails on ordinary queries") {
 
 TEST_CASE("the closed form with every care that doubles allow still fails") {
   const std::vector<Failure> failures{
-      // All corners would be in one plane all the time but for 2^-44. V's coefficients, of 1e-11, are
-      // differences of numbers near 1000: their noise cannot be told from their values, and V's computed
-      // root is not where the edges' interiors meet.
+      // All corners stay within 2^-44 of one plane. V's coefficients are about 1e-11 and are differences
+      // of numbers near 1000, so they are as small as their rounding. V's computed root is not the time
+      // at which the edges' interiors meet.
       {"two edges, coplanar but for 2^-44",
        EdgeEdge{{{{4, 7, -5}, {4, 9, 1}, {-8, -5, -5}, {7, 7 + 0x1p-44, -14}}},
                 {{{-2, 1, -5}, {4 + 0x1p-44, 3, -17}, {7, 10 - 0x1p-44, -5 + 0x1p-44}, {-2, 2, -2}}}},
@@ -172,7 +172,7 @@ TEST_CASE("the conservative interval method invents contacts") {
 TEST_CASE("conservative advancement invents contacts, and steps over them") {
   const std::vector<Failure> failures{
       {"a near miss", fall(-1e-7, -1), Verdict::phantom, -1},
-      // e1 comes to the resting point p at t = 1 exactly; the last step of distance / speed ends just after 1.
+      // e1 reaches the resting point p at t = 1 exactly. The last step of distance / speed ends just after 1.
       {"touching at the end",
        PointEdge{{{{3, 1, -3}, {-1, -4, 2}, {0, 2, -4}}}, {{{3, 1, -3}, {-1, -2, 2}, {3, 1, -3}}}}, Verdict::missed, 1},
       // In coordinates of 1e11 rounding keeps the distance above 1e-6 at the contact itself, and small steps go on

@@ -1,5 +1,5 @@
-// Every pair of moving boxes that meet once, among boxes of all sizes and speeds; and what is said not to meet, held
-// against exact arithmetic.
+// The tree finds each pair of moving boxes that meet, once, among boxes of all
+// sizes and speeds. Exact arithmetic checks the pairs that it calls apart.
 // SPDX-License-Identifier: MIT
 #include "broad_phase/box_tree.hpp"
 
@@ -62,8 +62,8 @@ bool meet_exactly(const MovingBox& a, const MovingBox& b) {
   return false;
 }
 
-/// Two boxes that overlap from the time on when f = high - low of one pair of bounds is no longer negative, and until g
-/// of another pair becomes so: f and g are zero at the same time but for one rounding, in which they may still meet.
+/// Two boxes that overlap while f = high - low of one pair of bounds and g of another pair are not negative. f rises
+/// and g falls, and both are zero at the same time except for one rounding. So the boxes barely meet, or miss.
 std::pair<MovingBox, MovingBox> barely_meeting(seeded::Rng& random) {
   MovingBox a, b;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -1,5 +1,5 @@
-// The bundled queries: they are enough, and of every sort; they are embedded as they stand in src/cli/queries; the
-// program's reader and the test's own read the same.
+// The bundled queries are enough, of every sort, and embedded as they stand in
+// src/cli/queries. The program's reader and the test's own reader read the same queries.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <filesystem>

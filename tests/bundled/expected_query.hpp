@@ -28,7 +28,7 @@ struct ExpectedQuery {
   std::string name() const;
 };
 
-/// @throws std::runtime_error  naming file and line of whatever is not as it should be
+/// @throws std::runtime_error  naming the file and line of the first fault
 std::vector<ExpectedQuery> parse_bundled_file(const cli::BundledFile& file);
 
 /// The queries of all bundled files.

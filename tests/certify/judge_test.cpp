@@ -1,4 +1,4 @@
-// Verdicts: each combination of claim and truth, and toi's one double before, at and after the exact time.
+// Verdicts: each combination of claim and truth, with toi at the exact time and one double before and after it.
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <limits>

@@ -101,9 +101,9 @@ TEST_CASE("an interrupt ends a run that waits for a pipe") {
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
   RunOptions options;
   options.interrupt_after = 0.3;
-  const Run opening = run_program({"solve", "--out", folder.path("out.csv"), pipe}, options);  // nobody ever writes
+  const Run opening = run_program({"solve", "--out", folder.path("out.csv"), pipe}, options);  // the pipe has no writer
   CHECK(opening.status == 128 + SIGINT);
-  const int writer = ::open(pipe.c_str(), O_RDWR);  // somebody might
+  const int writer = ::open(pipe.c_str(), O_RDWR);  // a writer that writes nothing
   REQUIRE(writer >= 0);
   const Run reading = run_program({"certify", "--threads", "1", pipe}, options);
   CHECK(reading.status == 128 + SIGINT);

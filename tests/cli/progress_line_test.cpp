@@ -1,4 +1,4 @@
-// The progress of a long command: drawn on a terminal, wiped at the end, and nowhere else.
+// The progress line of a long command is drawn on a terminal only, and is erased at the end.
 // SPDX-License-Identifier: MIT
 #include "cli/shared/progress_line.hpp"
 

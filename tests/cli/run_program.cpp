@@ -43,6 +43,7 @@ Run run_program(const std::vector<std::string>& arguments, const RunOptions& opt
 
   const pid_t child = ::fork();
   if (child == 0) {
+    if (options.own_group && ::setpgid(0, 0) != 0) ::_exit(126);
     if (!options.folder.empty() && ::chdir(options.folder.c_str()) != 0) ::_exit(126);
     if (!options.search_path.empty()) ::setenv("PATH", options.search_path.c_str(), 1);
     if (options.address_space > 0) {
@@ -59,7 +60,7 @@ Run run_program(const std::vector<std::string>& arguments, const RunOptions& opt
   if (child < 0) throw std::runtime_error("cannot fork");
   if (options.interrupt_after > 0) {
     std::this_thread::sleep_for(std::chrono::duration<double>(options.interrupt_after));
-    ::kill(child, SIGINT);
+    ::kill(options.own_group ? -child : child, SIGINT);
   }
   int status = 0;
   struct rusage usage {};

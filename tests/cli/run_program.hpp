@@ -1,4 +1,4 @@
-// Runs the built program as a user does, or one of its commands within the test, and keeps what it printed.
+// Runs the built program as a user does, or one of its commands within the test, and keeps the output.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -25,6 +25,8 @@ struct RunOptions {
   std::string search_path = {};      ///< PATH; empty: the test's own
   std::uint64_t address_space = 0;   ///< bytes of address space that it gets; 0: no limit
   double interrupt_after = 0;        ///< seconds until it gets SIGINT; 0: never
+  bool own_group = false;            ///< the program leads a process group, and SIGINT goes to the whole group, as
+                                     ///< Ctrl-C on a terminal does
 };
 
 Run run_program(const std::vector<std::string>& arguments, const RunOptions& options = {});

@@ -1,4 +1,4 @@
-// The files of `touchstone simulate`: which may be named together, what is there when one cannot be written, and plots.
+// The files of `touchstone simulate`: names that may be given together, files that cannot be written, and plots.
 // SPDX-License-Identifier: MIT
 #include <filesystem>
 #include <string>
@@ -177,7 +177,7 @@ TEST_CASE("a file that cannot be written is not there, and keeps none of the oth
   check_rest(at_the_end, "20");
   CHECK(last_line(at_the_end.out) == "20 steps, 0 crossings");
 
-  // In the middle of the run: more than what is kept in memory of a table.
+  // In the middle of the run: the table is longer than the part of it that stays in memory.
   arguments[3] = "5000";
   const Run before_it = run_program(arguments);
   CHECK(before_it.out == "");

@@ -1,4 +1,4 @@
-// `touchstone simulate`: its last line, its files, and what it refuses.
+// `touchstone simulate`: its last line, its files and its refusals.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <filesystem>

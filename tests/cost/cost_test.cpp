@@ -1,5 +1,5 @@
-// A feature that a scene does not have costs it nothing: the instructions of its steps, counted by valgrind, against
-// those of a build that does not know the feature.
+// A scene does not pay for a feature that it lacks. Valgrind counts
+// the instructions of its steps, also in a build without the feature.
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The Eigen overloads copy every coordinate to the right corner, bit for bit, from whatever Eigen calls a vector.
+// The Eigen overloads copy every coordinate to the right corner, bit for bit, from every type of Eigen's vectors.
 // SPDX-License-Identifier: MIT
 #include <Eigen/Dense>
 

@@ -1,4 +1,4 @@
-// Queries without meaning: each is refused with one line that names what and where.
+// Queries without meaning are refused. The message is one line that names the fault and its place.
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <limits>
@@ -144,6 +144,30 @@ TEST_CASE("a kind that is none of the four is refused by its number") {
   CHECK(kind_name(Kind(77)).empty());
   CHECK(corner_name(Kind(77), 0).empty());
   CHECK(feature_name(Feature(77)).empty());
+}
+
+TEST_CASE("a method that is none of the four is refused by its number") {
+  const std::string says = "the method is 9; it must be one of 0 to 3";
+  const Method method = Method(9);
+  check_message(refusal([&] { solve(Query(), method); }), {says});
+  check_message(refusal([&] { solve(RationalQuery(), method); }), {says});
+  BatchOptions options;
+  options.method = method;
+  check_message(refusal([&] { solve_batch({Query()}, options); }), {says});
+  check_message(refusal([&] { solve_batch(std::vector<Query>{}, options); }), {says});
+  check_message(refusal([&] { solve_batch(QueryColumns(), options); }), {says});
+  check_message(refusal([&] { solve(Query(), Method(4)); }), {"the method is 4;"});
+}
+
+TEST_CASE("a SIMD width that is none of the five is refused by its number") {
+  const std::string says = "the SIMD width is 77; it must be one of 0 to 4";
+  CHECK_FALSE(has_vectors(VectorWidth(77)));
+  BatchOptions options;
+  options.vectors = VectorWidth(77);
+  check_message(refusal([&] { solve_batch({Query()}, options); }), {says});
+  check_message(refusal([&] { solve_batch(QueryColumns(), options); }), {says});
+  options.vectors = VectorWidth(5);
+  check_message(refusal([&] { solve_batch(QueryColumns(), options); }), {"the SIMD width is 5;"});
 }
 
 TEST_CASE("a batch names the first query that is wrong") {

@@ -1,5 +1,5 @@
-// Answers do not depend on the caller's floating-point environment, and leave it as it was. The build that defines
-// TOUCHSTONE_FAST_MATH_CALLER is a caller's with -ffast-math.
+// Answers do not depend on the caller's floating-point environment, and solve leaves it unchanged.
+// The build that defines TOUCHSTONE_FAST_MATH_CALLER stands for a caller with -ffast-math.
 // SPDX-License-Identifier: MIT
 #include <cstring>
 #include <string>
@@ -142,7 +142,7 @@ TEST_CASE("answers are the same bit for bit in every floating-point mode, and th
   report.finish();
 }
 
-// Its V underflows at a time that doubles cannot tell from the root: the exact value asked for there is the least
+// V underflows at a time that doubles cannot distinguish from the root. Its exact value there is the least
 // double.
 Query underflowing() {
   return VertexFace{

@@ -65,7 +65,7 @@ void search_bound(BoundSearch& search, Rng& rng, std::size_t size, int exponent,
         search.worst = next;
         search.input = changed;
       }
-      // A little worse will do, less and less of it: to get over what is no summit.
+      // A step may also fall a little, less and less as the search goes on, to leave a local maximum.
       const double fall = std::max(0.12 * (1 - 1.25 * step / steps), 0.0);
       if (!std::isnan(value) && !(next >= (1 - fall) * value)) continue;
       input = changed;
@@ -74,7 +74,7 @@ void search_bound(BoundSearch& search, Rng& rng, std::size_t size, int exponent,
   }
 }
 
-/// Prints what the search found, and checks that it is no violation, and near one.
+/// Prints the result of the search. Checks that the ratio violates no bound, and that it comes near one.
 inline void report(const char* what, const BoundSearch& search, double near = kNear) {
   std::printf("%s: worst observed error / bound = %.4f in %ld evaluations\n", what, search.worst, search.evaluations);
   for (const double x : search.input) UNSCOPED_INFO("input " << std::hexfloat << x);

@@ -102,8 +102,8 @@ double worst_ratio(const std::vector<double>& x, bool edges, int which) {
   return worst;
 }
 
-/// Corners of which one is near the origin beside the others, so that differences of corners are as large as their
-/// bounds and their low parts as long as can be; b1 goes on from b0.
+/// Moves one corner near to the origin relative to the others. The differences of corners are then as large as their
+/// bounds, and their low parts are as long as possible. b1 continues from b0.
 std::vector<double> spread_out(std::vector<double> x, bool edges) {
   for (std::size_t side : {0u, 12u}) {
     for (std::size_t k = 0; k < 3; ++k) {

@@ -140,7 +140,7 @@ TEST_CASE("a root is certain to within the greatest radius, or not at all") {
     if (cubic.variations(0, 1) != BernsteinCubic::Variations::one) continue;
     const BernsteinCubic::Root root = cubic.root_between(0, 1);
     ++(root.certain ? certain : uncertain);
-    if (root.certain) CHECK(root.radius <= 0x1p-10);  // what the slope's error bound counts on
+    if (root.certain) CHECK(root.radius <= 0x1p-10);  // the slope's error bound assumes it
   }
   CHECK(certain > 10);
   CHECK(uncertain > 0);

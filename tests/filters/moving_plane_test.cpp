@@ -1,5 +1,5 @@
-// A separating plane may move: elements that fly together are apart although their paths overlap. A claim of separation
-// is held against exact positions at times between the ends.
+// A separating plane may move: elements that fly together are apart although their paths
+// overlap. Exact positions at times between the ends check each claim of separation.
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cmath>

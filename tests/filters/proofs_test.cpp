@@ -1,4 +1,4 @@
-// Each test of the filters decides something that the tests before it cannot, and decides it rightly.
+// Each test of the filters decides something that the tests before it cannot, and decides it correctly.
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cstdio>

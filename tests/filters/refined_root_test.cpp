@@ -1,4 +1,4 @@
-// The bounds that bring a root to its neighbouring doubles and to its weights, under search, one by one.
+// Searches, one by one, for violations of the bounds that give a root's neighbouring doubles and its weights.
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cmath>
@@ -26,10 +26,10 @@ namespace {
 
 bool in_range(const FrameCase& s) { return s.usable(); }
 
-/// A power of two from any double, 2^least to 2^greatest, times what is left of it.
+/// The significand of x, times a power of two from 2^least to 2^greatest that its low bits choose.
 double scale_from(double x, int least, int greatest) {
   int exponent = 0;
-  const double s = std::frexp(x, &exponent);  // whose low bits choose
+  const double s = std::frexp(x, &exponent);  // significand
   const auto choice = static_cast<int>(std::fabs(s) * 0x1p30) % (greatest - least + 1);
   return std::ldexp(s, least + choice);
 }

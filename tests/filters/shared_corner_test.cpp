@@ -1,4 +1,4 @@
-// Neighbours in a mesh: decided without the cubic, exactly as the exact level decides.
+// Neighbours in a mesh are decided without the cubic, and exactly as the exact level decides them.
 // SPDX-License-Identifier: MIT
 #include "filters/shared_corner.hpp"
 
@@ -48,7 +48,7 @@ TEST_CASE("what looks like a shared corner is not always one") {
   const std::array<Vec3, 4> folded = {{{0, 0, 0}, {2, 0, 0}, {0, 0, 0}, {1, 0, 0}}};
   CHECK_FALSE(filters::touch_in_shared_corner(EdgeEdge{folded, folded}, 1, answer));
   CHECK(solve(EdgeEdge{folded, folded}).feature_a == Feature::overlap);
-  // An edge of zero length is no direction.
+  // An edge of zero length has no direction.
   const std::array<Vec3, 4> point = {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 0}}};
   CHECK_FALSE(filters::touch_in_shared_corner(EdgeEdge{point, point}, 1, answer));
   // v shares f2, where f1 happens to be at the start, too: the first name counts.
@@ -58,7 +58,7 @@ TEST_CASE("what looks like a shared corner is not always one") {
 }
 
 TEST_CASE("edges that are parallel are never certainly not parallel, at any magnitude") {
-  // One edge is thrice the other, in whole numbers that its rounded difference does not hold.
+  // One edge is three times the other, in integers. The rounded difference of its corners is not exact.
   Rng rng(88);
   long differ = 0;
   for (int i = 0; i < 60000; ++i) {

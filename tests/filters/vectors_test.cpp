@@ -1,4 +1,4 @@
-// The first filter over columns: the same verdict as over one query, in every width and at every place of a vector.
+// The first filter over columns gives the same verdict as over one query, in every SIMD width and in every lane.
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <limits>

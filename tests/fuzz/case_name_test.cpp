@@ -1,4 +1,4 @@
-// A case's name is enough to make its query again, and nothing else is taken for a name.
+// A case's name is enough to make its query again. Any other text is refused.
 // SPDX-License-Identifier: MIT
 #include "fuzz/case_name.hpp"
 

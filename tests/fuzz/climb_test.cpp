@@ -1,4 +1,4 @@
-// Hill climbing comes to queries on which the filters are only just certain.
+// Hill climbing reaches queries on which the filters are only just certain.
 // SPDX-License-Identifier: MIT
 #include "fuzz/climb.hpp"
 

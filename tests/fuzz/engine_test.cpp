@@ -1,4 +1,4 @@
-// The engine finds what is planted, counts it, and says the same whatever the number of threads.
+// The engine finds planted failures and counts them. Its result is the same for any number of threads.
 // SPDX-License-Identifier: MIT
 #include "fuzz/engine.hpp"
 
@@ -34,7 +34,7 @@ std::uint64_t failures(const fuzz::Outcome& outcome, FailureClass failure) {
   return outcome.table.total().failures[fuzz::FailureTable::index(failure)];
 }
 
-/// Everything that a run says, but for its time.
+/// All results of a run except its time.
 std::string text_of(const fuzz::Outcome& outcome) {
   std::ostringstream text;
   text << outcome.queries << ' ' << outcome.kinds_of_failure << '\n';

@@ -1,4 +1,4 @@
-// Which class a reply is of.
+// The class of failure of a reply.
 // SPDX-License-Identifier: MIT
 #include "fuzz/failure.hpp"
 

@@ -1,4 +1,4 @@
-// Failures of one kind are one finding, whatever the order in which they come.
+// Failures of one kind are one finding, in whatever order they come.
 // SPDX-License-Identifier: MIT
 #include "fuzz/findings.hpp"
 

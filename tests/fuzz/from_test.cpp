@@ -1,4 +1,4 @@
-// touchstone fuzz --from: which queries of which files are asked, and what is said of the others.
+// touchstone fuzz --from: the queries of the files that are asked, and the report about the others.
 // SPDX-License-Identifier: MIT
 #include <string>
 #include <vector>

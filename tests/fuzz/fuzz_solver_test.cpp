@@ -101,7 +101,7 @@ TEST_CASE("a callable that changes the floating-point environment spoils neither
   CHECK(text_of(after) == text_of(clean));
   CHECK(after.failures == 0);
 
-  // The queries themselves, by what a solver that is wrong of some is found to be wrong of.
+  // The queries are the same too: the findings of a solver that is wrong on some of them do not change.
   const auto wrong = [](const Query& query) {
     Claim claim = right(query);
     if (claim.contact) claim.toi = 1.0;
@@ -137,7 +137,7 @@ TEST_CASE("kinds, families and earliness are the caller's choice") {
   CHECK(fuzz_solver(at_zero, options).failures > by_half);
 }
 
-TEST_CASE("options that mean nothing are refused") {
+TEST_CASE("options without meaning are refused") {
   const auto refuses = [](auto&& change) {
     FuzzOptions options = quick();
     change(options);
@@ -147,6 +147,7 @@ TEST_CASE("options that mean nothing are refused") {
   refuses([](FuzzOptions& options) { options.threads = 0; });
   refuses([](FuzzOptions& options) { options.threads = 1025; });
   refuses([](FuzzOptions& options) { options.families = {"lattice9"}; });
+  refuses([](FuzzOptions& options) { options.kinds = {Kind::edge_edge, Kind(77)}; });
   refuses([](FuzzOptions& options) { options.early_share = -0.5; });
   refuses([](FuzzOptions& options) { options.early_share = std::numeric_limits<double>::quiet_NaN(); });
   CHECK_THROWS_AS(fuzz_solver({}, quick()), InvalidQuery);

@@ -1,4 +1,4 @@
-// Shrunk queries still fail in the same way, and can be read.
+// Shrunk queries still fail in the same way, and a person can read them.
 // SPDX-License-Identifier: MIT
 #include "fuzz/shrink.hpp"
 
@@ -59,7 +59,7 @@ std::vector<fuzz::Finding> shrunk_failures(const char* name, std::uint64_t cases
 }  // namespace
 
 // A phantom of a solver with slack passes within that slack, some 2^-46 of the elements' size, which integers and
-// halves below 16 cannot; there, one value that is out of the ordinary is what it takes.
+// halves below 16 cannot. Such a query needs one extraordinary value.
 TEST_CASE("most shrunk failures of solvers in doubles are integers or halves below 16") {
   const auto name = GENERATE("paper", "closed_form");
   std::size_t all = 0, readable = 0, phantoms = 0, readable_phantoms = 0;

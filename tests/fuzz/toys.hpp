@@ -1,4 +1,4 @@
-// Solvers with a planted bug each, around the exact answer.
+// Solvers that give the exact answer, except for one planted bug each.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -25,7 +25,7 @@ inline fuzz::Reply right_reply(const Query& query) {
   return reply;
 }
 
-/// A solver that is right but for what `spoil` does to its reply.
+/// A solver with the right reply, which `spoil` then changes.
 inline fuzz::SolverFactory toy(std::function<void(const Query&, fuzz::Reply&)> spoil) {
   return [spoil] {
     return fuzz::callable_solver("toy", [spoil](const Query& query) {
@@ -36,8 +36,8 @@ inline fuzz::SolverFactory toy(std::function<void(const Query&, fuzz::Reply&)> s
   };
 }
 
-/// Whether the toys' bugs strike: a quarter of all queries, decided by the query alone, so that no result depends on
-/// who asks when.
+/// Whether the toys' bugs strike: on a quarter of all queries. The query alone decides it, so that no result depends
+/// on the thread or the time of the call.
 inline bool strikes(const Query& query) {
   const double first = query.start[0].x + query.end[0].y;
   return std::fmod(std::fabs(first), 4) == 1;

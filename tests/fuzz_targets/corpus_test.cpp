@@ -1,5 +1,5 @@
-// The inputs that fuzzing once found, and those that it starts from, replayed through the same functions that libFuzzer
-// drives.
+// Replays the inputs that fuzzing once found, and its
+// seeds, through the same functions that libFuzzer calls.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <filesystem>

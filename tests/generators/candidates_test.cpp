@@ -1,4 +1,4 @@
-// Candidate pairs: nothing that touches is left out, and the same options give the same queries.
+// The candidate pairs include every pair that touches, and the same options give the same queries.
 // SPDX-License-Identifier: MIT
 #include "generators/candidates.hpp"
 

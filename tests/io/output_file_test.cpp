@@ -97,7 +97,7 @@ TEST_CASE("a link that leads to no file yet stays a link, and the file is made w
   std::filesystem::create_symlink(folder.path("second"), folder.path("first"));
   io::OutputFile out(folder.path("first"));
   out.write("new");
-  CHECK(folder.names() == Names{"far", "first", "second"});  // what is not yet whole lies beside the target
+  CHECK(folder.names() == Names{"far", "first", "second"});  // the incomplete file lies beside the target
   out.commit();
   CHECK(folder.names() == Names{"far", "first", "second"});
   CHECK(std::filesystem::is_symlink(folder.path("first")));

@@ -1,4 +1,4 @@
-// Query files: queries that are written are read back, however the file is cut up and laid out.
+// Query files: queries are read as they were written, for any size of chunks and any layout.
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cfloat>

@@ -1,4 +1,4 @@
-// Reading a whole query file at once, and what it said when it was refused.
+// Reads a whole query file at once, and keeps the message of a refusal.
 // SPDX-License-Identifier: MIT
 #pragma once
 

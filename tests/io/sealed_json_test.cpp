@@ -1,4 +1,4 @@
-// Digests, and files that carry one of themselves.
+// Digests, and JSON files that contain their own digest.
 // SPDX-License-Identifier: MIT
 #include "io/sealed_json.hpp"
 

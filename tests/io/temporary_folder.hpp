@@ -1,4 +1,4 @@
-// A folder that vanishes with the test.
+// A folder that is removed at the end of the test.
 // SPDX-License-Identifier: MIT
 #pragma once
 

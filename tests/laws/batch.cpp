@@ -1,4 +1,4 @@
-// A batch is its queries one by one, whatever the number of threads, and asking again changes nothing.
+// A batch gives the answers of its queries one by one, for any number of threads, and the same ones again.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <limits>

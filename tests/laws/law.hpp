@@ -1,4 +1,4 @@
-// A law: something that must be true of the answers to a query and to one derived from it, whatever the answers are.
+// A law: a relation between the answer to a query and the answer to one derived from it. It holds for every query.
 // SPDX-License-Identifier: MIT
 #pragma once
 

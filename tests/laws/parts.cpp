@@ -1,5 +1,5 @@
-// Parts and wholes: an element cut in two loses nothing at the cut, a part's contact is the whole's, and a degenerate
-// element is the lesser one that it is.
+// Parts and wholes: an element cut in two has the contacts of the whole, a part has no
+// others, and a degenerate element has the contacts of the simpler element that it is.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <vector>

@@ -39,7 +39,7 @@ Finding same_answer(const Query& query, const RationalQuery& asked, Method metho
 
 TEST_CASE("law: a fraction is its value, however it is written") {
   check_law(kSeed, 40, every_family, 1, [](const Query& query, Method method, Rng& rng) -> Finding {
-    // Not reduced, and with signs on either side; doubles all the same, so that the level is the same too.
+    // Fractions that are not reduced, with either sign. They are still doubles, so the level is the same too.
     const mpz_class factor = rng.between(1, 12) * (rng.one_in(2) ? 1 : -1);
     const RationalQuery asked = rational(query, same, [&](const mpq_class& x) {
       return Fraction{mpz_class(x.get_num() * factor).get_str(), mpz_class(x.get_den() * factor).get_str()};

@@ -113,7 +113,7 @@ TEST_CASE("law: a step is its two halves") {
     const Answer whole = solve(query, method);
     Answer expected = solve(first, method);
     if (expected.contact) {
-      // The first half may see a single instant of what lasts through the second.
+      // A contact that lasts through the second half may be a single instant of the first.
       const bool at_its_end = expected.toi == 1;
       expected.toi *= 0.5;
       expected.toi_upper *= 0.5;

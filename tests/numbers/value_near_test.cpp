@@ -1,4 +1,4 @@
-// The sign of a polynomial at a root in doubles: certain only when it is so.
+// The sign of a polynomial at a root in doubles: it is certain only when it is right.
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cmath>

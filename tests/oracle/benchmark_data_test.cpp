@@ -1,4 +1,4 @@
-// Every query of the public benchmark's data with known truth, as the rationals that its rows say.
+// Every query of the public benchmark's data with known truth, with the rationals of its rows.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Parts of an answer that must not change when a query is told in another way.
+// Parts of an answer that must not change when a query is written in another way.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 

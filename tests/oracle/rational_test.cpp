@@ -96,3 +96,35 @@ TEST_CASE("a point on an edge of thirds, all the time") {
   check_answer(oracle::decide_by_oracle(query, 1),
                {at(0), Nature::sustained, Feature::p, Feature::e, kFirst, {2.0 / 3, 1.0 / 3, 0}});
 }
+
+TEST_CASE("a separation from thirds and sevenths") {
+  // The height 1/7 - 3 t / 7 is 1/32 at t = 25/96.
+  for (const Metric metric : {Metric::euclidean, Metric::max}) {
+    const Answer near = oracle::decide_by_oracle(falling_over("1/3", "1/3"), 1, {0x1p-5, metric});
+    CHECK(near.contact);
+    CHECK(near.toi <= 25.0 / 96);
+    CHECK(near.toi_upper >= 25.0 / 96);
+    CHECK(near.toi_upper == std::nextafter(near.toi, 1));
+    CHECK(near.nature == Nature::entering);
+    CHECK(near.trend == Trend::approaching);
+    const Answer within = oracle::decide_by_oracle(falling_over("2/9", "2/9"), 1, {0.25, metric});
+    CHECK(within.starts_within);
+    CHECK(within.nature == Nature::sustained);
+    CHECK(within.trend == Trend::approaching);
+    CHECK(within.toi_upper == 0);
+    CHECK_FALSE(oracle::decide_by_oracle(falling_over("1/3", "1/3"), 25.0 / 96 - 0x1p-50, {0x1p-5, metric}).contact);
+  }
+  // Two points whose distance falls from 2/3 to 0.
+  RationalQuery points;
+  points.kind = Kind::point_point;
+  points.start[0] = position("2/3", "0", "0");
+  points.end[0] = points.start[1] = points.end[1] = position("0", "0", "0");
+  const Answer quarter = oracle::decide_by_oracle(points, 1, {0.5, Metric::euclidean});
+  CHECK(quarter.toi == 0.25);
+  CHECK(quarter.toi_upper == 0.25);
+  points.start[0] = position("2/3", "1/2", "0");
+  points.end[0] = position("-2/3", "1/2", "0");
+  const Answer tangent = oracle::decide_by_oracle(points, 1, {0.5, Metric::euclidean});
+  CHECK(tangent.nature == Nature::grazing);
+  CHECK(tangent.toi == 0.5);
+}

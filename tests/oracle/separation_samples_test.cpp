@@ -306,7 +306,7 @@ TEST_CASE("no time of hard queries of every magnitude is within a separation bef
           const Separation separation = {separation_between(query, metric, rng), metric};
           INFO(case_name(id) << ", separation " << hexfloat(separation.distance) << " " << metric_name(metric));
           INFO(cpp_initializer(query));
-      const Answer answer = oracle::decide_by_oracle(query, 1, separation);
+          const Answer answer = oracle::decide_by_oracle(query, 1, separation);
           INFO(describe(answer) << " " << trend_name(answer.trend));
           Checker(query, separation).check_first(answer, 1);
         }

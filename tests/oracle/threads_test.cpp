@@ -1,4 +1,4 @@
-// The oracle from several threads at once, and what it leaves of the floating-point environment.
+// The oracle called from several threads at once, and the floating-point environment after a call.
 // SPDX-License-Identifier: MIT
 #include <cfenv>
 #include <thread>

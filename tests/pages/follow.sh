@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # Follows one page as a reader does: from its top, every command of it, in one shell that begins in the project's folder.
 #   follow.sh PAGE ROOT HOME_FOLDER CMAKE      PAGE: relative to ROOT; HOME_FOLDER: stands for the reader's home
-# Prints each command and what it printed, or the reason why it is not run here. Exit status 0 when the page is right.
+# Prints each command with its output, or the reason why it is not run here. Exit status 0 when the page is right.
 #
-# What a page says, and what is checked:
+# The marks on a page, and the checks:
 #   ```sh                    commands, one a line, or more lines with a \ at their ends; each must exit with 0, or with N
 #                            when it ends in the comment `# exit status N`
-#   ```text                  right after ```sh: what these commands print; `...` stands for any text within a line, and a
+#   ```text                  right after ```sh: the output of these commands; `...` stands for any text within a line, and a
 #                            line of `...` alone for any number of lines
 #   ```LANGUAGE ~/FILE       a file that the reader makes; it is written there when the page comes to it
 #   ```cpp                   with a main(): a program, built against the touchstone in ~/touchstone; a ```text right after
-#                            it is what it prints
+#                            it is its output
 # SPDX-License-Identifier: MIT
 set -uo pipefail
 page=$1 root=$2 cmake=$4
@@ -122,7 +122,7 @@ take_block() {
   if [[ -n $file ]]; then
     file=${file/#\~/$HOME}
     mkdir -p -- "$(dirname -- "$file")"
-    # A project is built for the first time: what an earlier run of this test built, the page's reader does not have.
+    # The page's reader builds the project for the first time. An earlier run of this test may have left a build.
     [[ ${file##*/} != CMakeLists.txt ]] || rm -rf -- "$(dirname -- "$file")/build"
     printf '%s' "$text" >"$file"
     printf '(%s is made)\n' "$file"

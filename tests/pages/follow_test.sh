@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A planted mistake on a page is found by follow.sh and figures.sh, and a page that is right is found right.
+# follow.sh and figures.sh find a planted mistake on a page, and accept a page that is right.
 #   follow_test.sh ROOT SCRATCH CMAKE
 # SPDX-License-Identifier: MIT
 set -euo pipefail

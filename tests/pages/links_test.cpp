@@ -1,4 +1,4 @@
-// Links between README and docs lead somewhere, and the files and names that the pages speak of are there.
+// Links between README and docs lead somewhere, and the files and names on the pages exist.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <filesystem>

@@ -1,4 +1,4 @@
-// A page as the tests of pages read it: headings, links, inline code and tables, fenced blocks left aside.
+// The parts of a page that its tests read: headings, links, inline code and tables, without fenced blocks.
 // SPDX-License-Identifier: MIT
 #pragma once
 

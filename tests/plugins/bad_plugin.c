@@ -96,8 +96,8 @@ static int solve(void* state, int kind, const double* start, const double* end, 
         if (lseek(i, 0, SEEK_CUR) != -1 || write(i, "", 0) == 0) *toi = i;
       }
       return TOUCHSTONE_CONTACT;
-    case 20: { /* whether there is a gibibyte to be had */
-      void* const memory = malloc((size_t)1 << 30);
+    case 20: {                                         /* whether there is a gibibyte to be had */
+      void* volatile memory = malloc((size_t)1 << 30); /* volatile: clang leaves an unused block out */
       *toi = memory == NULL ? 0 : 1;
       free(memory);
       return TOUCHSTONE_CONTACT;

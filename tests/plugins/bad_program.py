@@ -1,4 +1,4 @@
-# A program that does whatever the first coordinate of the query, or its first argument, tells it to.
+# A program that misbehaves in the way that the first coordinate of the query, or its first argument, names.
 # SPDX-License-Identifier: MIT
 import os
 import signal

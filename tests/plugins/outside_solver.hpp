@@ -22,7 +22,7 @@ inline fuzz::Limits quick_limits() {
   return limits;
 }
 
-/// Two points far apart; the first coordinate tells the bad ones what to do.
+/// Two points far apart. The first coordinate chooses the fault of a bad solver.
 inline Query order(int what) {
   PointPoint query;
   query.start = {{{static_cast<double>(what), 0, 0}, {100, 0, 0}}};

@@ -134,7 +134,7 @@ TEST_CASE("a command that gives no answers is an error that says why") {
   CHECK(has(error_of_starting("/nowhere/solver"), "No such file or directory"));
   CHECK(has(error_of_starting("/nowhere/solver 'by shell'"), "/nowhere/solver"));
   CHECK(has(error_of_starting("true"), "exit status 0"));
-  CHECK(has(error_of_starting("cat"), "is no answer"));  // it says what it was told
+  CHECK(has(error_of_starting("cat"), "is no answer"));  // it repeats the query
   CHECK(has(error_of_starting("yes"), "gives no answers"));
 }
 
@@ -197,7 +197,7 @@ TEST_CASE_WITH("python3", "a program that says much on standard error before it 
     CHECK(exchange.end == fuzz::PipeRun::Exchange::End::line);
     CHECK(exchange.line == "0");
   }
-  // 200,000 bytes are three times what a pipe holds: the program goes on only when they are read.
+  // A pipe holds a third of 200,000 bytes: the program goes on only when they are read.
   CHECK(run.idle_waits() == 0);
 }
 

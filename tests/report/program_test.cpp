@@ -1,5 +1,6 @@
-// `touchstone report --quick`: a whole folder whose numbers fit together, or a clear error.
+// `touchstone report --quick`: a complete folder whose numbers fit together, or a clear error.
 // SPDX-License-Identifier: MIT
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -143,7 +144,7 @@ void check_scene_runs(const std::vector<Row>& rows) {
     CHECK(std::stod(row.at("seconds")) > 0);
     CHECK(std::stod(row.at("collision_share")) > 0);
     CHECK(std::stod(row.at("collision_share")) < 1);
-    // A particle is more than fifty doubles, with what its step needs; nothing here is measured in gigabytes.
+    // A particle and the memory of its step are more than fifty doubles. No scene here takes gigabytes.
     if (!row.at("memory_bytes").empty()) CHECK(number(row, "memory_bytes") > 400 * number(row, "edges"));
     if (!row.at("memory_bytes").empty() && !kSanitized) CHECK(number(row, "memory_bytes") < 100'000'000);
     CHECK(number(row, "edges") > edges[scene]);
@@ -233,6 +234,20 @@ TEST_CASE_WITH("gnuplot", "with gnuplot every plot of a report is drawn, as SVG 
     CHECK(occurrences(folder.read("report/plots/" + name + ".gp"), "plot $") >= 2);
     CHECK(folder.read("report/plots/" + name + ".png").substr(1, 3) == "PNG");
     CHECK(occurrences(folder.read("report/plots/" + name + ".svg"), "</svg>") == 1);
+  }
+}
+
+TEST_CASE("an interrupted report ends by the signal and leaves nothing behind") {
+  for (const bool whole_group : {false, true}) {  // true: the process of the simulated scene gets the signal too
+    const TemporaryFolder folder;
+    RunOptions options;
+    options.interrupt_after = 0.5;
+    options.own_group = whole_group;
+    const Run run = run_program({"report", "--quick", "--out", folder.path("report")}, options);
+    CAPTURE(whole_group, run.err);
+    CHECK(run.status == 128 + SIGINT);
+    CHECK(run.err == "");
+    CHECK(folder.names().empty());
   }
 }
 

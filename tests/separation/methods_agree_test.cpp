@@ -5,6 +5,7 @@
 #include <touchstone/solve.hpp>
 
 #include "separation/distances.hpp"
+#include "solver/owned_columns.hpp"
 #include "support/answer_check.hpp"
 #include "support/catch.hpp"
 #include "support/report.hpp"
@@ -43,8 +44,51 @@ void methods_agree(Metric metric, std::size_t count) {
   report.finish();
 }
 
+/// Batches, in columns and one by one, with one separation for all or one for each.
+void batches_agree(Metric metric) {
+  for (const Kind kind : kKinds) {
+    std::vector<Query> queries;
+    std::vector<double> distances;
+    Rng rng(5);
+    for (const FamilyInfo& family : all_families()) {
+      for (int i = 0; i < 5; ++i) {
+        queries.push_back(make(family.family, kind, rng));
+        distances.push_back(rng.one_in(8) ? 0 : interesting_distance(queries.back(), metric, rng));
+      }
+    }
+    const solver::OwnedColumns columns(queries);
+    BatchOptions options;
+    options.separation.metric = metric;
+    options.distances = distances.data();
+    options.distance_count = distances.size();
+    for (const VectorWidth width :
+         {VectorWidth::widest, VectorWidth::none, VectorWidth::bits_128, VectorWidth::bits_256}) {
+      if (!has_vectors(width)) continue;
+      options.vectors = width;
+      const std::vector<Answer> in_columns = solve_batch(columns.view(), options);
+      const std::vector<Answer> one_by_one = solve_batch(queries, options);
+      for (std::size_t i = 0; i < queries.size(); ++i) {
+        const Answer alone = solve(queries[i], Separation{distances[i], metric});
+        REQUIRE(bit_difference(in_columns[i], alone, true).empty());
+        REQUIRE(bit_difference(one_by_one[i], alone, true).empty());
+      }
+    }
+    options.distances = nullptr;
+    options.distance_count = 0;
+    options.separation.distance = 0.25;
+    const std::vector<Answer> answers = solve_batch(columns.view(), options);
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      REQUIRE(bit_difference(answers[i], solve(queries[i], options.separation), true).empty());
+    }
+  }
+}
+
 }  // namespace
 
+TEST_CASE("batches give the answers of single queries, with one separation or a column of them") {
+  batches_agree(Metric::euclidean);
+  batches_agree(Metric::max);
+}
 TEST_CASE("methods agree on Euclidean separations") { methods_agree(Metric::euclidean, 8); }
 TEST_CASE("methods agree on largest-axis separations") { methods_agree(Metric::max, 4); }
 

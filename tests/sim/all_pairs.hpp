@@ -1,4 +1,4 @@
-// Every pair of a small scene, without any boxes, and scenes to try it on.
+// All pairs of a small scene, found without boxes, and scenes to compare them on.
 // SPDX-License-Identifier: MIT
 #pragma once
 

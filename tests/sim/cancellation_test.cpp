@@ -1,4 +1,4 @@
-// A run that is cancelled in the middle of a step: the check comes often, and nothing has moved then.
+// A run that is cancelled in the middle of a step: the check is called often, and the state is unchanged.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <stdexcept>

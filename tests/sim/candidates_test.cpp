@@ -1,4 +1,4 @@
-// The pairs that a step asks about: none too few, and not many too many.
+// The candidate pairs of a step: none is missing, and few are superfluous.
 // SPDX-License-Identifier: MIT
 #include <set>
 #include <tuple>

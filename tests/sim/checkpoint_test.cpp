@@ -1,4 +1,4 @@
-// Checkpoints: whatever a run comes to is accepted, and what it cannot have come to is refused by its key.
+// Checkpoints: a state that a run reaches is accepted. A state that no run reaches is refused, and its key is named.
 // SPDX-License-Identifier: MIT
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-// Which pairs are looked at, against looking at all of them.
+// The pairs that the colliders find, against the pairs among all elements.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
@@ -84,7 +84,7 @@ TEST_CASE("the proof of a step names every pair that touches in it, and no other
     std::set<PairKey> touching, told;
     for (const Pair& pair : all) {
       const auto corners = colliders.corners(pair);
-      bool counts = false;  // what is pinned and what does not collide is nobody's crossing
+      bool counts = false;  // pinned elements and those that do not collide have no crossings
       bool collides = true;
       for (std::size_t c = 0; c < corner_count(pair.kind); ++c) {
         counts |= !scene.particles[corners[c]].pinned();

@@ -1,4 +1,4 @@
-// The contacts of a step whose end is being changed, against looking at every pair anew.
+// The contacts while the end of a step changes, against a new search over every pair.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>

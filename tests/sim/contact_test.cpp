@@ -1,4 +1,4 @@
-// The impulse's laws on random contacts, and what a contact's normal and weights are.
+// The laws of impulses on random contacts, and a contact's normal and weights.
 // SPDX-License-Identifier: MIT
 #include <Eigen/Geometry>
 
@@ -131,7 +131,7 @@ TEST_CASE("an impulse reverses the approach, keeps momenta, and takes the energy
       k += contact.omega[c] * contact.omega[c] * inverse_mass[3 * contact.particles[c]];
     const double before = normal_speed(x1);
     REQUIRE(before < 0);
-    if (!(k > 1e-9)) continue;  // it touches what is pinned, and nothing else
+    if (!(k > 1e-9)) continue;  // it touches pinned particles only
     const Sums start = sums(system, x0, x1, contact.time, moved);
     VectorX correction = VectorX::Zero(12), after = x1;
     CHECK(apply_impulse(contact, rule, {&x0, &after, &correction, &inverse_mass}));

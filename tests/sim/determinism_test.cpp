@@ -1,4 +1,4 @@
-// The same bytes on any number of threads, and after a checkpoint as without.
+// A run writes the same bytes on any number of threads, and with a checkpoint as without.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <functional>
@@ -15,7 +15,7 @@ using namespace touchstone::sim;
 namespace {
 
 struct Course {
-  std::string bytes;                           // what the proofs say, and the last state
+  std::string bytes;                           // the results of the proofs, and the last state
   std::uint64_t contacts = 0, most_pairs = 0;  // contacts: those of elements that were only close included
 };
 
@@ -88,7 +88,7 @@ Scene hoop_at_once() {
   return scene;
 }
 
-/// Explicit steps are for what is soft: without the damping of cables, and with `softer` times their stretch.
+/// A scene that is soft enough for explicit steps: cables without damping and with `softer` times their stretch.
 Scene for_explicit_steps(Scene scene, double step, double softer) {
   scene.settings.time_step = step;
   scene.settings.integrator = Integrator::symplectic_euler;

@@ -1,4 +1,4 @@
-// Contact with what is driven: it does work, which is no reason to cut steps, and no licence to gain energy.
+// Contact with driven elements does work. It must neither cut steps short nor let the scene gain other energy.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
@@ -127,7 +127,7 @@ TEST_CASE("what a driven face gives is its force times how far it moves") {
 
 TEST_CASE("a step in which a contact gives more than the driven face does is refused") {
   for (const double stiffness : {1.0, 1000.0}) {
-    // Of elements that are stiff for the step, what leaves a contact too fast strains what follows.
+    // Where elements are stiff for the step, a particle that leaves a contact too fast strains its neighbours.
     for (const double restitution : {stiffness > 1 ? 0.0 : 1.0, 1.5}) {
       Scene scene;
       scene.settings.gravity.setZero();

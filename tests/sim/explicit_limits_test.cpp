@@ -1,4 +1,4 @@
-// How long an explicit step may be: the three limits of a rod, from both sides.
+// The three limits on the length of an explicit step of a rod, each from both sides.
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-// Stiff, light, tiny, far away: no NaN, no crossing, and no energy out of nothing.
+// Stiff, light, tiny and far-away scenes: no NaN, no crossing, and no gain of energy.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
@@ -18,9 +18,9 @@ namespace {
 
 constexpr double kRounding = 1e-11;  // of energies
 
-/// A run that is held, part by part, against what the response says of itself: beyond lifting weight by the thickness
-/// and 0.2 % of the kinetic and stored energy, contacts give no energy to what had `before`, and would have had
-/// `without` them.
+/// A run whose substeps are compared with the report of the response. `before` is the energy before a substep, and
+/// `without` the energy after it without contacts. Contacts add no energy to them, except for lifting weight by the
+/// thickness and 0.2 % of the kinetic and stored energy.
 class Course {
  public:
   explicit Course(const Scene& scene)
@@ -84,7 +84,7 @@ class Course {
     if (touched == 0 || record.gained_energy != 0) return;
     const System& system = simulation_.system();
     const Energies before = touchstone::sim::energies(system, start), after = touchstone::sim::energies(system, end);
-    // Implicit Euler by itself only loses energy; the others may gain some on what is not linear.
+    // Implicit Euler by itself only loses energy; the others may gain some where forces are not linear.
     Energies without = before;
     if (simulation_.scene().settings.integrator != Integrator::implicit_euler) {
       const Advance advance = alone_.advance(start, record.length);
@@ -270,7 +270,7 @@ TEST_CASE("a small pile of crossed cables rests for 100,000 steps") {
   course.run(steps);
   CHECK(course.contacts > static_cast<std::uint64_t>(steps));
   CHECK(course.taken_all_the_same == 0);
-  // Friction at rest creeps, and what creeps sinks. It never rises: a step lifts it by less than a hundredth of the
+  // Friction at rest creeps, so the scene sinks. It never rises: a step lifts it by less than a hundredth of the
   // thickness, and all of them together by less than the thickness.
   CAPTURE(settled, course.lifted());
   CHECK(course.energies().total() <= settled);

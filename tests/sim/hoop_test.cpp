@@ -1,5 +1,5 @@
-// The paper's figure 1, all ten seconds of it: the ball goes through the net, nothing crosses, no energy comes from
-// nowhere.
+// All ten seconds of the paper's figure 1: the ball goes
+// through the net, nothing crosses, and the energy bound holds.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>

@@ -43,7 +43,7 @@ struct Run {
   State state;
 };
 
-/// The share of the energy that is left after one period, steps of h omega long.
+/// The fraction of the energy that remains after one period, with steps of h omega.
 double energy_kept(Integrator integrator, double h_omega) {
   Run run(oscillator(integrator, 9, 1));
   const double h = h_omega / 3;

@@ -1,4 +1,4 @@
-// Newton's method on islands, and the linear systems beneath it, against one method and one matrix for all.
+// Newton's method on islands, and its linear systems, against one iteration and one matrix for the whole scene.
 // SPDX-License-Identifier: MIT
 #include <Eigen/Cholesky>
 
@@ -223,8 +223,8 @@ TEST_CASE("what does not converge is named by its coordinate in the whole scene"
   const Index particle = scene.cables[17].particles[15];
   const Eigen::Index z = 3 * static_cast<Eigen::Index>(particle) + 2;
   state.v[z] = kSpeed;
-  // A contact whose normal is longer than 1 makes no sense: it pulls the particle on, the more the farther it gets, and
-  // its energy rises all the same. So no step along the derivative leads down.
+  // A contact with a normal longer than 1 is meaningless: it pulls the particle on, more strongly with the distance,
+  // and yet its energy rises. So no step along the derivative decreases the energy.
   ContactTerm term;
   term.particles[0] = particle;
   term.corners = 1;

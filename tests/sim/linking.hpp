@@ -1,4 +1,4 @@
-// The linking number of two closed polygons, counted in exact integers: nothing of it is the simulator's.
+// The linking number of two closed polygons, counted in exact integers. It uses no code of the simulator.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -11,12 +11,12 @@ namespace touchstone::sim {
 /// A closed polygon: its particles, in order.
 using Loop = std::vector<Index>;
 
-/// The signed crossings of one over the other in a projection, which is an integer whatever the projection. Positions
-/// are taken as the doubles that they are. Fails the test when two corners and an edge fall on one line of sight.
+/// The number of signed crossings of one over the other in a projection. It is the same integer for any projection.
+/// The positions are exact doubles. Fails the test when two corners and an edge fall on one line of sight.
 int linking_number(const VectorX& q, const Loop& a, const Loop& b);
 
-/// Gauss's integral over both polygons, in doubles: the same number but for rounding. Of a polygon with itself: its
-/// writhe, to which neighbouring edges give nothing.
+/// Gauss's integral over both polygons, in doubles: the same number except for rounding. For a polygon with itself it
+/// is the writhe, to which neighbouring edges contribute nothing.
 double gauss_integral(const VectorX& q, const Loop& a, const Loop& b);
 
 }  // namespace touchstone::sim

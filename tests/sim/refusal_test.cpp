@@ -1,4 +1,4 @@
-// Steps that are not taken, or not to their end: nothing has moved then, and the error says what is in the way.
+// Steps that are refused or cannot be completed: nothing has moved then, and the error names the obstacle.
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <numbers>
@@ -73,8 +73,8 @@ TEST_CASE("what ends a run between the parts of a step takes back the parts that
   const Index loose = add_particle(blocked, {7, 7, 7}, 1);
   blocked.particles[loose].velocity = {1, 2, 3};
 
-  // The paper's narrow phase sees edges, so that one needs parts all the same, and no faces: a particle goes through
-  // one in the first part.
+  // The paper's narrow phase sees edges, so this step still needs substeps. It sees no faces, so a particle crosses one
+  // in the first substep.
   Scene crossed = blocked;
   const auto first = static_cast<Index>(crossed.particles.size());
   for (const Vector3& corner : {Vector3(20, 0, 0), Vector3(21, 0, 0), Vector3(20, 1, 0)}) add_pinned(crossed, corner);

@@ -25,7 +25,7 @@ double total_twist(const System& system, const State& state) {
   return sum / (2 * kPi);
 }
 
-/// Calugareanu, White and Fuller: an integer, as the ribbon closes, but for what has been inserted.
+/// Calugareanu, White and Fuller: an integer, because the ribbon closes, plus the inserted twist.
 double linking_of_edges(const System& system, const State& state, const Loop& ring) {
   return total_twist(system, state) + gauss_integral(state.q, ring, ring);
 }

@@ -83,7 +83,7 @@ TEST_CASE("internal damping takes the energy of each kind of motion at the rate 
     Integrator integrator;
     double step;       // times omega
     double own;        // damping of the method itself: its share of a step's length as tau
-    double tolerance;  // of the logarithm of what is left
+    double tolerance;  // of the logarithm of the remaining amplitude
   };
   const Method method = GENERATE(
       Method{Integrator::implicit_euler, 1e-3, 1, 2e-3}, Method{Integrator::tr_bdf2, 2e-2, 0, 1e-3},

@@ -1,4 +1,4 @@
-// The forces and moments that hold a cable in shape, against what is known of them.
+// The forces and moments that hold a cable in shape, against theory.
 // SPDX-License-Identifier: MIT
 #include <Eigen/Geometry>
 

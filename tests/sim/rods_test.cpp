@@ -1,4 +1,4 @@
-// Cables against what is known of rods: the elastica, buckling, rings, waves.
+// Cables against the theory of rods: the elastica, buckling, rings, waves.
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <numbers>
@@ -98,8 +98,8 @@ double ring_buckling_twist(double poisson, Index count) {
     Stepper stepper(system, scene.settings);
     State state = stepper.initial();
     state.time = 2;
-    // Joint j lies between edges j and j + 1; the last one holds what was inserted. Evenly spread, it is in
-    // equilibrium but for the ring's size: it widens a little.
+    // Joint j lies between edges j and j + 1; the last one holds the inserted twist. Evenly spread, it is
+    // in equilibrium except for the ring's size: the ring widens a little.
     for (Index j = 0; j < count; ++j) state.q[system.angle(j)] = twist * j / count;
     const Advance advance = stepper.advance(state, 10);
     REQUIRE(advance.converged);

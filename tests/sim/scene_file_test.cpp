@@ -50,7 +50,7 @@ TEST_CASE("every shipped scene is the same after a round trip through JSON") {
 }
 
 TEST_CASE("nothing that a scene says is lost on the way through JSON") {
-  // All that can be said, with numbers that nobody would write by default and that no short decimal is.
+  // A scene with every key. Its numbers are no defaults and no short decimals.
   double last = 0.1;
   const auto odd = [&] { return last = 0.1 + std::fmod(last * 7.7, 0.83); };
   Scene scene;
@@ -153,7 +153,7 @@ TEST_CASE("a checkpoint is the whole state, to the last bit") {
   CHECK(again.state.v == state.v);
   CHECK(again.state.frames.director == state.frames.director);
   CHECK(again.state.frames.reference_twist == state.frames.reference_twist);
-  // None of it is what a scene begins with.
+  // All of it differs from the initial state of the scene.
   const State fresh = Stepper(simulation.system(), scene.settings).initial();
   CHECK(state.q != fresh.q);
   CHECK(state.v != fresh.v);

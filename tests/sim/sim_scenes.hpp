@@ -1,4 +1,4 @@
-// Small scenes, and what several of these tests measure.
+// Small scenes, and measurements that several of these tests share.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -25,7 +25,7 @@ class DenseSink final : public BlockSink {
 
 double smallest_eigenvalue(const Eigen::MatrixXd& symmetric);
 
-/// Where the scene comes to rest: implicit steps so long that there is no inertia to speak of.
+/// The state in which the scene comes to rest. The implicit steps are so long that inertia is negligible.
 State at_rest(const System& system, const Scene& scene);
 State at_rest(const Scene& scene);
 

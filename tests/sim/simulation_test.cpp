@@ -65,7 +65,7 @@ TEST_CASE("on an incline it sticks when tan theta <= mu, and slides as Coulomb s
 TEST_CASE("it slides v^2 / (2 mu g) before it stops") {
   Scene scene = incline(0, 0.3);
   scene.particles[0].velocity = {2, 0, 0};
-  // Less what implicit Euler slows down too early: half a step's way.
+  // Implicit Euler slows it down half a step too early.
   CHECK(slid_after_a_second(scene) == Approx(4 / (2 * 0.3 * 9.81) - 2 * 1e-3 / 2).epsilon(1e-5));
 }
 

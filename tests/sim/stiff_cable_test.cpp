@@ -1,4 +1,4 @@
-// Cables that hardly stretch: Newton's method gets round their bends, and methods of second order gain no energy.
+// Cables that hardly stretch: Newton's method follows their bends, and methods of second order gain no energy.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-// Rational coordinates: the overloads agree, and the level tells whose arithmetic decided.
+// Rational coordinates: the overloads agree, and the level names the arithmetic that decided.
 // SPDX-License-Identifier: MIT
 #include <touchstone/solve.hpp>
 

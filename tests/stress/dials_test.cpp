@@ -1,4 +1,4 @@
-// The dials do what they say: each makes queries as stiff as its setting, with contacts and misses at every setting.
+// Each dial makes queries as stiff as its setting, with contacts and misses at every setting.
 // SPDX-License-Identifier: MIT
 #include "stress/dials.hpp"
 

@@ -1,5 +1,6 @@
-// `touchstone stress`: a whole folder in which touchstone errs nowhere and the others do, or a clear error.
+// `touchstone stress`: a complete folder with errors of the other methods and none of touchstone, or a clear error.
 // SPDX-License-Identifier: MIT
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -116,6 +117,26 @@ TEST_CASE("one dial alone, named twice, is turned once") {
   const std::string text = folder.read("s/stress.md");
   CHECK(occurrences(text, "\n## ") == 2);
   CHECK(occurrences(text, "--seed 9 --count 3 --dial sliver`") == 1);
+}
+
+TEST_CASE("an interrupted stress ends by the signal") {
+  const TemporaryFolder folder;
+  RunOptions options;
+  options.own_group = true;
+  options.interrupt_after = 0.5;
+  const Run measuring = run_program({"stress", "--count", "100000", "--out", folder.path("a")}, options);
+  CHECK(measuring.status == 128 + SIGINT);
+  CHECK(folder.names().empty());
+
+  // This gnuplot ends its process group, as Ctrl-C does: itself and the program that waits for it.
+  const std::string gnuplot = folder.write("bin/gnuplot", "#!/bin/sh\nkill -INT 0\n");
+  std::filesystem::permissions(gnuplot, std::filesystem::perms::owner_all);
+  options.interrupt_after = 0;
+  options.search_path = folder.path("bin") + ":/usr/bin:/bin";
+  const Run drawing = run_program({"stress", "--count", "1", "--dial", "sliver", "--out", folder.path("b")}, options);
+  CAPTURE(drawing.err);
+  CHECK(drawing.status == 128 + SIGINT);
+  CHECK(drawing.err == "");
 }
 
 TEST_CASE("a table that cannot be made ends with status 2, and leaves nothing behind") {

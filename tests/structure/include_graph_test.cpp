@@ -1,4 +1,4 @@
-// The include graph of the sources is the layer table's, and the public headers include nobody's library.
+// The sources include only what the table of layers allows, and the public headers include no other library.
 // SPDX-License-Identifier: MIT
 #include <string>
 #include <vector>
@@ -66,6 +66,14 @@ TEST_CASE("a planted violation of the layer table is found") {
                Planted{"rods/x.cpp", "#include \"contact/contact.hpp\"\n", "`rods` may not use `contact`"},
                Planted{"contact/x.cpp", "#include \"dynamics/newton.hpp\"\n", "`contact` may not use `dynamics`"},
                Planted{"dynamics/x.cpp", "#include \"sim/simulation.hpp\"\n", "`dynamics` may not use `sim`"},
+               Planted{"filters/x.hpp", "#include <touchstone/solve.hpp>\n", "`filters` may not use `solver`"},
+               Planted{"exact/x.cpp", "#include <touchstone/contact_times.hpp>\n", "`exact` may not use `solver`"},
+               Planted{"solver/x.cpp", "#include <touchstone/certify.hpp>\n", "`solver` may not use `certify`"},
+               Planted{"certify/x.cpp", "#include <touchstone/fuzz.hpp>\n", "`certify` may not use `fuzz`"},
+               Planted{"io/x.cpp", "#include <touchstone/plugin.h>\n", "`io` may not use `fuzz`"},
+               Planted{"version.cpp", "#include <touchstone/solve.hpp>\n", "may not use `solver`"},
+               Planted{"cli/x.cpp", "#include <touchstone/touchstone.hpp>\n", "one by one"},
+               Planted{"cli/x.cpp", "#include <touchstone/none.hpp>\n", "has no `none.hpp`"},
                Planted{"unheard_of/x.cpp", "", "has no `unheard_of`"});
   CAPTURE(planted.path, planted.text);
   const auto violations = source_violations(planted.path, planted.text);
@@ -73,7 +81,17 @@ TEST_CASE("a planted violation of the layer table is found") {
   CHECK(violations[0].find(planted.reason) != std::string::npos);
 }
 
-TEST_CASE("what the layer table allows is no violation") {
+TEST_CASE("the layers have no cycle, and a planted cycle is found") {
+  CHECK(cycle_of(layer_table()) == "");
+  CHECK(cycle_of({{"a", {"b", "c"}}, {"b", {"c"}}, {"c", {}}}) == "");
+  CHECK(cycle_of({{"a", {"a"}}}) == "a -> a");
+  CHECK(cycle_of({{"a", {"b"}}, {"b", {"c", "d"}}, {"c", {}}, {"d", {"b"}}}) == "b -> d -> b");
+  LayerTable table = layer_table();
+  table["geometry"].insert("cli");
+  CHECK(cycle_of(table) != "");
+}
+
+TEST_CASE("an include that the table of layers allows is no violation") {
   CHECK(source_violations("exact/x.cpp",
                           "#include \"numbers/a.hpp\"\n#include \"exact/b.hpp\"\n#include <touchstone/query.hpp>\n")
             .empty());
@@ -85,20 +103,29 @@ TEST_CASE("what the layer table allows is no violation") {
   CHECK(source_violations("cli/shared/x.cpp", "#include \"cli/queries/bundled.hpp\"\n").empty());
   CHECK(source_violations("numbers/x.hpp", "#include <CGAL/Mpzf.h>\n#include <gmp.h>\n").empty());
   CHECK(source_violations("exact/x.cpp", "// #include \"solver/cascade.hpp\"\n").empty());
+  CHECK(source_violations("filters/x.hpp", "#include <touchstone/vector_width.hpp>\n").empty());
+  CHECK(source_violations("solver/x.cpp", "#include <touchstone/contact_times.hpp>\n").empty());
+  CHECK(source_violations("contact/x.cpp", "#include <touchstone/solve.hpp>\n").empty());
 }
 
 TEST_CASE("a planted violation in a public header is found") {
   const char* text = GENERATE("#include <CGAL/Mpzf.h>\n", "#include <gmp.h>\n", "#include <mpfr.h>\n",
                               "#include <boost/version.hpp>\n", "#include <tbb/version.h>\n", "#include <Eigen/Core>\n",
-                              "#include \"solver/cascade.hpp\"\n", "#include <touchstone/eigen.hpp>\n");
+                              "#include \"solver/cascade.hpp\"\n", "#include <touchstone/eigen.hpp>\n",
+                              "#include <touchstone/certify.hpp>\n", "#include <touchstone/touchstone.hpp>\n",
+                              "#include <touchstone/none.hpp>\n");
   CAPTURE(text);
   const auto violations = public_header_violations("solve.hpp", std::string("#include <vector>\n") + text);
   REQUIRE(violations.size() == 1);
   CHECK(violations[0].find("include/touchstone/solve.hpp:2:") == 0);
   CHECK(public_header_violations("eigen.hpp", "#include <Eigen/Core>\n").empty());
+  CHECK(public_header_violations("certify.hpp", "#include <touchstone/solve.hpp>\n").empty());
+  CHECK(public_header_violations("touchstone.hpp", "#include <touchstone/certify.hpp>\n").empty());
+  CHECK(public_header_violations("query.hpp", "#include <touchstone/solve.hpp>\n").size() == 1);
+  CHECK(public_header_violations("none.hpp", "").size() == 1);
 }
 
-TEST_CASE("the table of layers in docs/design.md is the one that is held") {
+TEST_CASE("docs/design.md has the table of layers that these tests use") {
   const std::string page = text_of(std::filesystem::path(TOUCHSTONE_SOURCE_DIR) / "docs/design.md");
   const auto differences = layer_table_differences(page);
   INFO(lines_of(differences));

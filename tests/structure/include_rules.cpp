@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "structure/include_rules.hpp"
 
-#include <map>
+#include <algorithm>
 #include <regex>
-#include <set>
 #include <sstream>
 
 namespace touchstone::structure {
-namespace {
 
-using Layers = std::set<std::string>;
-
-/// The "may use" column. `cli` may use all of it.
-const std::map<std::string, Layers>& layer_table() {
-  static const std::map<std::string, Layers> table = {
+const LayerTable& layer_table() {
+  static const LayerTable table = {
       {"geometry", {}},
       {"numbers", {}},
       {"filters", {"geometry", "numbers"}},
@@ -36,7 +31,7 @@ const std::map<std::string, Layers>& layer_table() {
       {"contact", {"broad_phase", "linear", "scene", "rods", "solver", "baselines", "geometry"}},
       {"dynamics", {"linear", "scene", "rods", "contact"}},
       {"sim", {"linear", "scene", "rods", "contact", "dynamics", "io"}},
-      {"report", {"solver", "baselines", "generators", "io", "geometry", "seeded", "scene", "sim"}},
+      {"report", {"solver", "certify", "baselines", "generators", "io", "geometry", "seeded", "scene", "sim"}},
       {"stress", {"solver", "baselines", "report", "geometry", "seeded"}},
       {"cli", {"geometry",  "numbers",    "filters", "exact",   "oracle",   "solver", "certify",
                "baselines", "generators", "io",      "report",  "families", "fuzz",   "pipes",
@@ -44,6 +39,8 @@ const std::map<std::string, Layers>& layer_table() {
   };
   return table;
 }
+
+namespace {
 
 const Layers kNumberLibraryLayers = {"numbers", "oracle"};
 
@@ -73,7 +70,73 @@ std::string at(const std::string& file, const Include& include, const std::strin
   return file + ":" + std::to_string(include.line) + ": " + include.target + ": " + reason;
 }
 
+/// The layer that defines the functions of a public header. The layers that may use it may include the header. A header
+/// with the owner "" declares types that every layer shares. A header with the owner "*" is for users alone.
+const std::map<std::string, std::string>& header_owners() {
+  static const std::map<std::string, std::string> owners = {
+      {"answer.hpp", ""},
+      {"error.hpp", ""},
+      {"query.hpp", ""},
+      {"separation.hpp", ""},
+      {"vector_width.hpp", ""},
+      {"version.hpp", ""},
+      {"solve.hpp", "solver"},
+      {"contact_times.hpp", "solver"},
+      {"distance.hpp", "solver"},
+      {"certify.hpp", "certify"},
+      {"fuzz.hpp", "fuzz"},
+      {"plugin.h", "fuzz"},
+      {"eigen.hpp", "*"},
+      {"touchstone.hpp", "*"},
+  };
+  return owners;
+}
+
+/// The reason why a file of this layer may not include a public header ("solve.hpp"); empty when it may.
+std::string fault_of_public_include(const std::string& layer, const std::string& header) {
+  if (header == "eigen.hpp") return "the library does without Eigen";
+  const auto found = header_owners().find(header);
+  if (found == header_owners().end()) return "the table of public headers has no `" + header + "`";
+  const std::string& owner = found->second;
+  if (owner == "*") return "the library includes the headers that it needs, one by one";
+  const auto row = layer_table().find(layer);
+  const bool allowed = owner.empty() || owner == layer || (row != layer_table().end() && row->second.count(owner) != 0);
+  return allowed ? "" : "`" + layer + "` may not use `" + owner + "`, which defines the functions of this header";
+}
+
+/// Follows the layers that `layer` uses. `path` holds the layers on the way here, and `finished` those without a cycle
+/// below them.
+std::string cycle_from(const LayerTable& table, const std::string& layer, std::vector<std::string>& path,
+                       Layers& finished) {
+  const auto on_path = std::find(path.begin(), path.end(), layer);
+  if (on_path != path.end()) {
+    std::string cycle;
+    for (auto i = on_path; i != path.end(); ++i) cycle += *i + " -> ";
+    return cycle + layer;
+  }
+  const auto row = table.find(layer);
+  if (row == table.end() || finished.count(layer) != 0) return {};
+  path.push_back(layer);
+  for (const std::string& used : row->second) {
+    const std::string cycle = cycle_from(table, used, path, finished);
+    if (!cycle.empty()) return cycle;
+  }
+  path.pop_back();
+  finished.insert(layer);
+  return {};
+}
+
 }  // namespace
+
+std::string cycle_of(const LayerTable& table) {
+  Layers finished;
+  for (const auto& row : table) {
+    std::vector<std::string> path;
+    const std::string cycle = cycle_from(table, row.first, path, finished);
+    if (!cycle.empty()) return cycle;
+  }
+  return {};
+}
 
 std::vector<Include> includes_of(std::string_view text) {
   static const std::regex pattern(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"].*)");
@@ -114,8 +177,9 @@ std::vector<std::string> source_violations(const std::string& path, std::string_
       }
     } else if (layer_table().count(used) != 0) {
       violations.push_back(at(file, include, "the project's own layers are included with quotes"));
-    } else if (include.target == "touchstone/eigen.hpp") {
-      violations.push_back(at(file, include, "the library does without Eigen"));
+    } else if (used == "touchstone") {
+      const std::string fault = fault_of_public_include(layer, include.target.substr(used.size() + 1));
+      if (!fault.empty()) violations.push_back(at(file, include, fault));
     }
   }
   return violations;
@@ -166,6 +230,8 @@ std::vector<std::string> public_header_violations(const std::string& name, std::
   static const std::regex standard_header("[a-z_]+");
   std::vector<std::string> violations;
   const std::string file = "include/touchstone/" + name;
+  const auto owner = header_owners().find(name);
+  if (owner == header_owners().end()) return {file + ": the table of public headers has no `" + name + "`"};
   for (const Include& include : includes_of(text)) {
     const bool own = starts_with(include.target, "touchstone/") && include.target != "touchstone/eigen.hpp";
     const bool eigen = name == "eigen.hpp" && starts_with(include.target, "Eigen/");
@@ -173,6 +239,9 @@ std::vector<std::string> public_header_violations(const std::string& name, std::
     if (include.quoted || !(own || eigen || standard)) {
       violations.push_back(
           at(file, include, "a public header includes the standard library and <touchstone/...> only"));
+    } else if (own && owner->second != "*") {
+      const std::string fault = fault_of_public_include(owner->second, include.target.substr(sizeof "touchstone"));
+      if (!fault.empty()) violations.push_back(at(file, include, fault));
     }
   }
   return violations;

@@ -1,12 +1,25 @@
-// Which file may include what: the layer table of the design as a function of a file's text.
+// The rules about includes: the design's table of layers, applied to the text of a file.
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace touchstone::structure {
+
+using Layers = std::set<std::string>;
+
+/// The layers that each layer may use.
+using LayerTable = std::map<std::string, Layers>;
+
+/// The "may use" column of the design's table of layers.
+const LayerTable& layer_table();
+
+/// A cycle of layers that use each other, "a -> b -> a"; empty when the table has none.
+std::string cycle_of(const LayerTable& table);
 
 struct Include {
   int line = 0;
@@ -20,8 +33,8 @@ std::vector<Include> includes_of(std::string_view text);
 /// The forbidden includes of src/`path` ("exact/decide.cpp"), one sentence each, with the line.
 std::vector<std::string> source_violations(const std::string& path, std::string_view text);
 
-/// The differences between the table of layers on a page of docs/ (folder, what lives there, may use) and the one that
-/// is held here.
+/// The differences between layer_table() and the table on a page of docs/ with the columns folder, what lives there,
+/// may use.
 std::vector<std::string> layer_table_differences(std::string_view page);
 
 /// The forbidden includes of include/touchstone/`name` ("solve.hpp").

@@ -1,5 +1,6 @@
 // Each public header compiles by itself, in every mode that a user may compile it, without a warning.
 // SPDX-License-Identifier: MIT
+#include <sstream>
 #include <string>
 
 #include "structure/include_rules.hpp"
@@ -52,11 +53,15 @@ TEST_CASE("a header that does not compile by itself, or warns, is found") {
 
 TEST_CASE("public headers bring no header of CGAL, GMP, MPFR or Boost along") {
   const auto reads_number_library = [](const std::string& header) {
-    const ShellResult result = compile("#include <" + header + ">", "-std=c++17 -M");
-    INFO(result.output);
+    // Line markers name the files that are read. (-M of clang also lists those that __has_include only looks for.)
+    const ShellResult result = compile("#include <" + header + ">", "-std=c++17 -E");
     REQUIRE(result.status == 0);
-    for (const char* part : {"/CGAL/", "/boost/", "/gmp", "/mpfr", "/tbb/"}) {
-      if (result.output.find(part) != std::string::npos) return true;
+    std::istringstream lines(result.output);
+    for (std::string line; std::getline(lines, line);) {
+      if (line.rfind("# ", 0) != 0) continue;
+      for (const char* part : {"/CGAL/", "/boost/", "/gmp", "/mpfr", "/tbb/"}) {
+        if (line.find(part) != std::string::npos) return true;
+      }
     }
     return false;
   };

@@ -1,4 +1,4 @@
-// Run a command line and keep what it printed.
+// Runs a command line and keeps its output.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -1,5 +1,5 @@
-// Collects what went wrong over thousands of seeded queries: fails the test case, prints the first few with all that is
-// needed to repeat them, counts the rest.
+// Collects the failures over thousands of seeded queries. It fails the test case, prints
+// the first few failures with all that is needed to repeat them, and counts the rest.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -19,6 +19,17 @@
 #define TOUCHSTONE_SANITIZED 0
 #endif
 
+#if defined(__SANITIZE_THREAD__)
+#define TOUCHSTONE_THREAD_SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define TOUCHSTONE_THREAD_SANITIZED 1
+#endif
+#endif
+#ifndef TOUCHSTONE_THREAD_SANITIZED
+#define TOUCHSTONE_THREAD_SANITIZED 0
+#endif
+
 #if TOUCHSTONE_SANITIZED || !defined(NDEBUG)
 #define TOUCHSTONE_SLOW_BUILD 1
 #else
@@ -38,7 +49,7 @@ inline std::size_t effort(std::size_t count) {
   return TOUCHSTONE_SLOW_BUILD ? (count + kSlowdown - 1) / kSlowdown : count;
 }
 
-/// Whether checks apply that need all of the cases. Prints `what` is not checked when they do not.
+/// Whether the checks apply that need all cases. If they do not, it prints that `what` is not checked.
 inline bool whole_effort(const char* what) {
   if (effort(1000) >= 1000) return true;
   std::printf("not checked: %s (this build, or TOUCHSTONE_EFFORT, runs fewer cases)\n", what);

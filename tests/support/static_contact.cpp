@@ -1,4 +1,4 @@
-// Contact of standing elements over the rationals, by linear systems.
+// Contact of elements at rest over the rationals, by linear systems.
 // SPDX-License-Identifier: MIT
 #include "support/static_contact.hpp"
 

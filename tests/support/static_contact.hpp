@@ -1,5 +1,5 @@
-// A third opinion: whether two elements that stand still touch, from the definition "their closed convex hulls share
-// a point", by solving small linear systems over GMP's rationals. Includes nothing of the library's sources.
+// A third opinion: whether two elements at rest touch, from the definition "their closed convex hulls share a
+// point". It solves small linear systems over GMP's rationals, and includes nothing of the library's sources.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -31,7 +31,8 @@ void check_folder(const std::string& out) {
   io::OutputFile((std::filesystem::path(out) / "findings.csv").string());
 }
 
-void print_findings(io::OutputFile& console, const std::vector<fuzz::Finding>& findings, const FuzzOptions& options) {
+void print_findings(io::OutputFile& console, const std::vector<fuzz::Finding>& findings,
+                    const FuzzCommandOptions& options) {
   std::vector<WrittenQuery> written(findings.size());
   if (!options.out.empty()) written = write_findings(findings, options);
   for (std::size_t i = 0; i < findings.size(); ++i) {
@@ -39,7 +40,7 @@ void print_findings(io::OutputFile& console, const std::vector<fuzz::Finding>& f
   }
 }
 
-int run_one_case(const FuzzOptions& options, const fuzz::Settings& settings) {
+int run_one_case(const FuzzCommandOptions& options, const fuzz::Settings& settings) {
   if (options.a_case->given != !options.from.empty()) {
     throw Error(options.a_case->given ? "--case: a given query needs the files that it was given in, with --from"
                                       : "--from goes with a case that is given, not with one of a family");
@@ -58,7 +59,7 @@ int run_one_case(const FuzzOptions& options, const fuzz::Settings& settings) {
 
 }  // namespace
 
-int run_fuzz(const FuzzOptions& options) {
+int run_fuzz(const FuzzCommandOptions& options) {
   refuse_to_overwrite_given(options);
   check_folder(options.out);
   fuzz::Settings settings = options.settings;

@@ -12,7 +12,7 @@
 
 namespace touchstone::cli {
 
-struct FuzzOptions {
+struct FuzzCommandOptions {
   SolverChoice solver;
   fuzz::Settings settings;               ///< threads 0: all that the machine has
   std::vector<std::string> from;         ///< query files to start from; empty: families
@@ -20,7 +20,7 @@ struct FuzzOptions {
   std::optional<fuzz::CaseName> a_case;  ///< this one alone
 };
 
-int run_fuzz(const FuzzOptions& options);
+int run_fuzz(const FuzzCommandOptions& options);
 void add_fuzz(CLI::App& program, Command& command);
 
 }  // namespace touchstone::cli

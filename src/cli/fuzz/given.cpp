@@ -42,7 +42,7 @@ struct Count {
   }
 };
 
-std::vector<Input> inputs_of(const FuzzOptions& options) {
+std::vector<Input> inputs_of(const FuzzCommandOptions& options) {
   std::optional<Kind> kind;
   if (options.settings.kinds.size() == 1) kind = options.settings.kinds.front();
   if (options.a_case) kind = options.a_case->start.kind;
@@ -57,7 +57,7 @@ std::vector<Input> inputs_of(const FuzzOptions& options) {
 
 }  // namespace
 
-std::vector<Query> given_queries(const FuzzOptions& options) {
+std::vector<Query> given_queries(const FuzzCommandOptions& options) {
   const std::vector<Input> inputs = inputs_of(options);
   std::vector<Count> counts(inputs.size());
   std::vector<Query> queries;
@@ -79,7 +79,7 @@ std::vector<Query> given_queries(const FuzzOptions& options) {
   return queries;
 }
 
-void refuse_to_overwrite_given(const FuzzOptions& options) {
+void refuse_to_overwrite_given(const FuzzCommandOptions& options) {
   if (options.out.empty()) return;
   for (const Kind kind : families::kKinds) {
     for (const fuzz::FailureClass failure : fuzz::kEveryFailure) {

@@ -55,7 +55,7 @@ std::string listed_families() {
   return text + line + "\n";
 }
 
-void add_solver_options(CLI::App& subcommand, FuzzOptions& options) {
+void add_solver_options(CLI::App& subcommand, FuzzCommandOptions& options) {
   std::string names;
   for (const auto name : fuzz::solver_names()) names.append(names.empty() ? "" : ", ").append(name);
   auto* const solver =
@@ -105,7 +105,8 @@ void add_solver_options(CLI::App& subcommand, FuzzOptions& options) {
 }
 
 /// @returns the option --family
-CLI::Option* add_source_options(CLI::App& subcommand, FuzzOptions& options, std::vector<CLI::Option*>& of_search) {
+CLI::Option* add_source_options(CLI::App& subcommand, FuzzCommandOptions& options,
+                                std::vector<CLI::Option*>& of_search) {
   fuzz::Settings& settings = options.settings;
   of_search.push_back(subcommand
                           .add_option_function<std::vector<std::string>>(
@@ -158,7 +159,7 @@ CLI::Option* add_source_options(CLI::App& subcommand, FuzzOptions& options, std:
 }  // namespace
 
 void add_fuzz(CLI::App& program, Command& command) {
-  const auto options = std::make_shared<FuzzOptions>();
+  const auto options = std::make_shared<FuzzCommandOptions>();
   options->settings.threads = 0;
   options->settings.most_findings = 32;
   CLI::App* const subcommand =

@@ -39,7 +39,7 @@ std::string progress_for_person(const fuzz::Progress& progress) {
   return text;
 }
 
-std::string search_for_person(const FuzzOptions& options, const fuzz::Outcome& outcome, int threads) {
+std::string search_for_person(const FuzzCommandOptions& options, const fuzz::Outcome& outcome, int threads) {
   const std::string solver = options.solver.command.empty() ? options.solver.solver : options.solver.command;
   return fmt::format("{} judged by {}, seed {}: {} in {:.1f} s on {}, {} a second{}\n", io::printable(solver),
                      method_name(options.settings.judge), options.settings.seed, counted(outcome.queries, "query"),
@@ -89,7 +89,7 @@ std::string table_for_person(const FailureTable& table) {
   return text;
 }
 
-std::string case_command(const FuzzOptions& options, const fuzz::CaseName& name) {
+std::string case_command(const FuzzCommandOptions& options, const fuzz::CaseName& name) {
   std::string command = "touchstone fuzz " + solver_options(options.solver);
   if (options.settings.judge != Method::exact)
     command += fmt::format(" --judge {}", method_name(options.settings.judge));
@@ -99,7 +99,7 @@ std::string case_command(const FuzzOptions& options, const fuzz::CaseName& name)
   return command + " --case " + shell_word(fuzz::case_text(name));
 }
 
-std::string finding_for_person(std::size_t number, const Finding& finding, const FuzzOptions& options,
+std::string finding_for_person(std::size_t number, const Finding& finding, const FuzzCommandOptions& options,
                                const WrittenQuery& written) {
   const fuzz::Example& example = finding.example;
   std::string text = fmt::format("\n{}. {}{}, {}: {}\n", number, fuzz::failure_name(finding.failure),
@@ -121,7 +121,7 @@ std::string findings_file(const std::string& out, Kind kind, FailureClass failur
   return (folder / (std::string(fuzz::failure_name(failure)) + ".csv")).string();
 }
 
-std::vector<WrittenQuery> write_findings(const std::vector<Finding>& findings, const FuzzOptions& options) {
+std::vector<WrittenQuery> write_findings(const std::vector<Finding>& findings, const FuzzCommandOptions& options) {
   struct Target {
     io::OutputFile file;
     std::uint64_t queries = 0;

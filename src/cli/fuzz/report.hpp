@@ -14,7 +14,7 @@ namespace touchstone::cli {
 std::string progress_for_person(const fuzz::Progress& progress);
 
 /// The solver, the judge, the seed, and the number and rate of the queries.
-std::string search_for_person(const FuzzOptions& options, const fuzz::Outcome& outcome, int threads);
+std::string search_for_person(const FuzzCommandOptions& options, const fuzz::Outcome& outcome, int threads);
 
 /// The number of given queries that were asked; empty when all of them were.
 std::string given_for_person(const fuzz::Outcome& outcome);
@@ -23,7 +23,7 @@ std::string given_for_person(const fuzz::Outcome& outcome);
 std::string table_for_person(const fuzz::FailureTable& table);
 
 /// The command that makes this query again, asks the solver again and shrinks the query again.
-std::string case_command(const FuzzOptions& options, const fuzz::CaseName& name);
+std::string case_command(const FuzzCommandOptions& options, const fuzz::CaseName& name);
 
 /// The position of a finding's query among the written files.
 struct WrittenQuery {
@@ -32,7 +32,7 @@ struct WrittenQuery {
 };
 
 /// One finding: its corners, the claim, the true answer, and the commands that repeat and explain it.
-std::string finding_for_person(std::size_t number, const fuzz::Finding& finding, const FuzzOptions& options,
+std::string finding_for_person(std::size_t number, const fuzz::Finding& finding, const FuzzCommandOptions& options,
                                const WrittenQuery& written);
 
 /// FOLDER/KIND/CLASS.csv.
@@ -41,6 +41,6 @@ std::string findings_file(const std::string& out, Kind kind, fuzz::FailureClass 
 /// Writes the findings' queries, with their true answers, to FOLDER/KIND/CLASS.csv. The folders are made where they are
 /// missing, and the files appear when all of them are complete.
 /// @returns the position of each @throws FileError
-std::vector<WrittenQuery> write_findings(const std::vector<fuzz::Finding>& findings, const FuzzOptions& options);
+std::vector<WrittenQuery> write_findings(const std::vector<fuzz::Finding>& findings, const FuzzCommandOptions& options);
 
 }  // namespace touchstone::cli

@@ -14,6 +14,7 @@
 #endif
 
 #include "cli/shared/interrupt.hpp"
+#include "solver/thread_handover.hpp"
 
 namespace touchstone::cli {
 
@@ -75,20 +76,37 @@ void run_in_order(int threads, Read read, Work work, Write write) {
     constexpr std::size_t kItemsPerThread = 4;  // bridges a slow item, and keeps memory small
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, count);
     tbb::task_arena arena(threads);
+    // What oneTBB orders: the serial stages each by themselves, the stages of an item, and all of them between the start
+    // and the end.
+    solver::ThreadHandover started, reading, items, writing, finished;
+    started.give();
     arena.execute([&] {
       tbb::parallel_pipeline(
           kItemsPerThread * count,
           tbb::make_filter<void, ItemPointer>(tbb::filter_mode::serial_in_order, [&](tbb::flow_control& control) {
+            started.take();
+            reading.take();
             ItemPointer item = read_item();
             if (!item) control.stop();
+            reading.give();
+            items.give();
+            finished.give();
             return item;
           }) & tbb::make_filter<ItemPointer, ItemPointer>(tbb::filter_mode::parallel, [&](ItemPointer item) {
+            items.take();
             work_on(*item);
+            items.give();
             return item;
           }) & tbb::make_filter<ItemPointer, void>(tbb::filter_mode::serial_in_order, [&](ItemPointer item) {
+            items.take();
+            writing.take();
             write_item(*item);
+            item.reset();
+            writing.give();
+            finished.give();
           }));
     });
+    finished.take();
     if (failure) std::rethrow_exception(failure);
     return;
   }

@@ -1,6 +1,6 @@
-// Scenes: well-formed meshes of the size that was asked for, in motion that is smooth and the same everywhere.
+// Moving meshes are well-formed and of the chosen size. Their motion is smooth, and the same on every machine.
 // SPDX-License-Identifier: MIT
-#include "generators/scene.hpp"
+#include "generators/moving_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -72,15 +72,15 @@ TEST_CASE("scenes are of the size that was asked for and stay near the origin") 
   const std::size_t edges = GENERATE(100, 1000, 10000);
   CAPTURE(scene_name(name), edges);
   CHECK(scene_from_name(scene_name(name)) == name);
-  const auto scene = make_scene(name, 3, edges);
-  check_mesh(scene->mesh());
-  const auto count = static_cast<double>(scene->mesh().edges.size());
+  const auto moving = make_moving_mesh(name, 3, edges);
+  check_mesh(moving->mesh());
+  const auto count = static_cast<double>(moving->mesh().edges.size());
   CHECK(std::fabs(count / static_cast<double>(edges) - 1) < 0.2);
-  CHECK(scene->mesh().faces.empty() == !has_faces(name));
+  CHECK(moving->mesh().faces.empty() == !has_faces(name));
   std::vector<Vec3> corners;
   for (const double time : {0.0, 1.0, 50.5, 1e6}) {
-    scene->place_corners(time, corners);
-    REQUIRE(corners.size() == scene->mesh().corner_count);
+    moving->place_corners(time, corners);
+    REQUIRE(corners.size() == moving->mesh().corner_count);
     double furthest = 0;
     for (const Vec3& corner : corners) furthest = std::max(furthest, length(corner));
     CHECK(furthest < 2);
@@ -91,7 +91,7 @@ TEST_CASE("steps follow each other, and a corner moves about a tenth of an edge 
   const SceneName name = GENERATE(SceneName::cloth, SceneName::sheets, SceneName::cables);
   CAPTURE(scene_name(name));
   Step step(name, 1, 4000, 1);
-  const double edge = make_scene(name, 1, 4000)->edge_length();
+  const double edge = make_moving_mesh(name, 1, 4000)->edge_length();
   for (int i = 0; i < 3; ++i) {
     const std::vector<Vec3> before = step.end();
     step.advance();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generators/scene.hpp"
+#include "generators/moving_mesh.hpp"
 
 namespace touchstone::generators {
 
@@ -21,7 +21,7 @@ std::optional<SceneName> scene_from_name(std::string_view name) noexcept {
 
 bool has_faces(SceneName scene) noexcept { return scene != SceneName::cables; }
 
-std::unique_ptr<Scene> make_scene(SceneName scene, std::uint64_t seed, std::size_t edges) {
+std::unique_ptr<MovingMesh> make_moving_mesh(SceneName scene, std::uint64_t seed, std::size_t edges) {
   switch (scene) {
     case SceneName::cloth: return make_cloth(seed, edges);
     case SceneName::sheets: return make_sheets(seed, edges);

@@ -28,17 +28,17 @@ std::string_view scene_name(SceneName scene) noexcept;  ///< "cloth", "sheets", 
 std::optional<SceneName> scene_from_name(std::string_view name) noexcept;
 bool has_faces(SceneName scene) noexcept;
 
-/// Things move at about one unit of length a unit of time, within a ball of radius 2 around the origin. Elements in
-/// contact pass through each other: a scene has no contact response. So it has as much contact at the end as at the
-/// start.
-class Scene {
+/// A mesh whose corners are closed formulas of time. They move at about one unit of length a unit of time, within a
+/// ball of radius 2 around the origin. There is no contact response: elements in contact pass through each other. So
+/// there is as much contact at the end as at the start.
+class MovingMesh {
  public:
-  virtual ~Scene() = default;
+  virtual ~MovingMesh() = default;
 
   const Mesh& mesh() const noexcept { return mesh_; }
   double edge_length() const noexcept { return edge_length_; }  ///< about that of most edges
 
-  /// Where the corners are: `corners` gets mesh().corner_count positions. The same bits on every machine.
+  /// The positions of the corners: `corners` gets mesh().corner_count of them, the same bits on every machine.
   virtual void place_corners(double time, std::vector<Vec3>& corners) const = 0;
 
  protected:
@@ -46,14 +46,15 @@ class Scene {
   double edge_length_ = 0;
 };
 
-/// @param edges  about how many edges it has, at least kFewestEdges
 inline constexpr std::size_t kFewestEdges = 100;
 inline constexpr std::size_t kMostEdges = 1'000'000;
-std::unique_ptr<Scene> make_scene(SceneName scene, std::uint64_t seed, std::size_t edges);
 
-// One for each name.
-std::unique_ptr<Scene> make_cloth(std::uint64_t seed, std::size_t edges);
-std::unique_ptr<Scene> make_sheets(std::uint64_t seed, std::size_t edges);
-std::unique_ptr<Scene> make_cables(std::uint64_t seed, std::size_t edges);
+/// @param edges  the approximate number of edges, in [kFewestEdges, kMostEdges]
+std::unique_ptr<MovingMesh> make_moving_mesh(SceneName scene, std::uint64_t seed, std::size_t edges);
+
+// One function for each SceneName.
+std::unique_ptr<MovingMesh> make_cloth(std::uint64_t seed, std::size_t edges);
+std::unique_ptr<MovingMesh> make_sheets(std::uint64_t seed, std::size_t edges);
+std::unique_ptr<MovingMesh> make_cables(std::uint64_t seed, std::size_t edges);
 
 }  // namespace touchstone::generators
