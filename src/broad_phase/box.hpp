@@ -10,7 +10,7 @@
 
 namespace touchstone::broad_phase {
 
-/// Closed; bounds are coordinates of corners, so nothing is rounded.
+/// Closed; bounds are coordinates of corners, so nothing is rounded but by `grow`.
 struct Box {
   std::array<double, 3> low;
   std::array<double, 3> high;
@@ -19,6 +19,9 @@ struct Box {
 /// A box with nothing in it, for `extend`.
 Box empty_box() noexcept;
 void extend(Box& box, const Vec3& corner) noexcept;
+
+/// Moves each side outwards by at least `margin` >= 0. Bounds are then no longer coordinates.
+void grow(Box& box, double margin) noexcept;
 bool overlap(const Box& a, const Box& b) noexcept;
 
 /// Called with the indices of two boxes.

@@ -10,6 +10,7 @@
 #include <touchstone/answer.hpp>
 #include <touchstone/certify.hpp>
 #include <touchstone/query.hpp>
+#include <touchstone/separation.hpp>
 
 #include "certify/early.hpp"
 
@@ -30,7 +31,7 @@ struct VerdictCounts {
 struct Tally {
   VerdictCounts verdicts;
   std::array<std::uint64_t, 4> levels{};   ///< by Level: which level decided
-  std::array<std::uint64_t, 5> natures{};  ///< by Nature of the exact answer, Nature::none first
+  std::array<std::uint64_t, 6> natures{};  ///< by Nature of the exact answer, Nature::none first
   EarlyTally early;                        ///< of claims that hold and have a toi
 
   void add(const Claim& claim, const Answer& answer, Verdict verdict) noexcept;
@@ -54,6 +55,7 @@ struct RefutedClaim {
   Verdict verdict = Verdict::missed;
   Answer answer;
   RationalQuery as_given;  ///< the coordinates as the file writes them
+  Separation separation;   ///< what the claim is about
 };
 
 }  // namespace touchstone::certify

@@ -19,6 +19,7 @@
 #include "cli/shared/words.hpp"
 #include "io/output_file.hpp"
 #include "io/query_writer.hpp"
+#include "io/separation_text.hpp"
 
 namespace touchstone::cli {
 namespace {
@@ -45,11 +46,11 @@ std::vector<Kind> kinds_of(SceneName scene, std::optional<Kind> asked) {
   return kinds;
 }
 
-void write_batch(const Batch& batch, Target& target, Counts& counts) {
+void write_batch(const Batch& batch, const Separation& separation, Target& target, Counts& counts) {
   throw_if_interrupted();
   std::string text;
   for (const Query& query : batch.queries) {
-    const Answer answer = solve(query);
+    const Answer answer = solve(query, separation);
     io::append_query(text, query, answer.contact);
     target.contacts += answer.contact;
     counts.add(answer);
@@ -62,7 +63,9 @@ void write_batch(const Batch& batch, Target& target, Counts& counts) {
 void write_scene(SceneName scene, const GenerateOptions& options, NewFolders& folders, std::list<Target>& targets,
                  Counts& counts, QueryProgress& progress) {
   CandidateOptions wanted = options.candidates;
+  const Separation& separation = options.separation.separation;
   wanted.scene = scene;
+  wanted.separation = separation.distance;
   wanted.edge_edge = wanted.vertex_face = false;
   std::array<Target*, 2> target_of{};  // by Kind
   for (const Kind kind : kinds_of(scene, options.kind)) {
@@ -70,10 +73,12 @@ void write_scene(SceneName scene, const GenerateOptions& options, NewFolders& fo
     folders.make(folder);
     const auto file = folder / fmt::format("seed-{}.csv", wanted.seed);
     (kind == Kind::edge_edge ? wanted.edge_edge : wanted.vertex_face) = true;
-    target_of[static_cast<std::size_t>(kind)] = &targets.emplace_back(Target{kind, io::OutputFile(file.string())});
+    Target& target = targets.emplace_back(Target{kind, io::OutputFile(file.string())});
+    if (separation.distance > 0) target.file.write(io::separation_comment(separation));
+    target_of[static_cast<std::size_t>(kind)] = &target;
   }
   generators::for_each_batch(wanted, [&](const Batch& batch) {
-    write_batch(batch, *target_of[static_cast<std::size_t>(batch.kind)], counts);
+    write_batch(batch, separation, *target_of[static_cast<std::size_t>(batch.kind)], counts);
     progress.add(0, batch.queries.size());
   });
   for (const Target* target : target_of) {
@@ -173,6 +178,7 @@ void add_generate(CLI::App& program, Command& command) {
                    "The speed: at 1 most corners move by a tenth of an edge's length in a step (default: 1)")
       ->type_name("X")
       ->check(CLI::Range(0.0, generators::kGreatestSpeed));
+  add_separation_options(*subcommand, options->separation, "The distance at which two elements are in contact");
   subcommand->add_flag("--shared-corners", candidates.shared_corners,
                        "Include pairs that share a corner, where they touch all the time");
   subcommand->add_option("--out", options->out, "The folder for the query files; it is made when it is missing")
@@ -186,9 +192,11 @@ void add_generate(CLI::App& program, Command& command) {
       "step overlap, as a simulator's broad phase finds them; about one in a hundred has contact. The truth column is "
       "the\n"
       "exact answer. The same options write the same bytes on every machine. The files appear when all of them are\n"
-      "complete. After an error there are none.\n\n"
+      "complete. After an error there are none. With --separation D the boxes are grown so that every pair that comes\n"
+      "within D is a candidate, the truth column is about D, and a file's first line says so.\n\n"
       "Examples\n"
       "  touchstone generate --out queries && touchstone certify queries/*/*/*.csv\n"
+      "  touchstone generate --separation 1e-3 --out near && touchstone certify near/*/*/*.csv\n"
       "  touchstone generate --scene cables --size 20000 --steps 1000 --count 1000000 --out big\n\n"
       "Exit status: 0 done, 2 bad usage or a file that cannot be written.");
   subcommand->callback([options, &command] { command = [options] { return run_generate(*options); }; });

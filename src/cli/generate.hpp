@@ -9,6 +9,7 @@
 #include <touchstone/query.hpp>
 
 #include "cli/shared/command.hpp"
+#include "cli/shared/separation.hpp"
 #include "generators/candidates.hpp"
 
 namespace touchstone::cli {
@@ -17,6 +18,7 @@ struct GenerateOptions {
   std::vector<generators::SceneName> scenes;  ///< empty: all of them
   std::optional<Kind> kind;                   ///< nothing: edge-edge and vertex-face
   generators::CandidateOptions candidates;    ///< but for its scene and kinds
+  SeparationOption separation;                ///< of a contact
   std::string out;                            ///< a folder, made when it is not there
 };
 

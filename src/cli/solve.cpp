@@ -24,14 +24,19 @@ struct SolveItem : QueryItem {
   Counts counts;
 };
 
-void solve_queries(SolveItem& item, const std::vector<Input>& inputs, Method method) {
+void solve_queries(SolveItem& item, const std::vector<Input>& inputs, const SolveOptions& options) {
   if (item.chunk.file == nullptr) return;  // reading failed
   const std::string file = io::csv_field(inputs[item.input].name);
   io::QueryParser parser(item.chunk);
   io::QueryRecord record;
   while (parser.next(record)) {
-    const Answer answer = answer_to(record.query, method);
-    io::append_answer(item.rows, file, record.number, answer);
+    const Separation& separation = options.separation.separation;
+    const Answer answer = answer_to(record.query, options.method, separation);
+    if (options.separation.given) {
+      io::append_answer(item.rows, file, record.number, answer, separation);
+    } else {
+      io::append_answer(item.rows, file, record.number, answer);
+    }
     item.counts.add(answer);
   }
 }
@@ -48,10 +53,10 @@ int run_solve(const SolveOptions& options) {
   QueryStream stream(inputs, options.chunk_bytes);
   Counts counts;
   QueryProgress progress(inputs);
-  out.write(io::kAnswerHeader);
+  out.write(options.separation.given ? io::kSeparationAnswerHeader : io::kAnswerHeader);
   run_in_order<SolveItem>(
       threads, [&](SolveItem& item) { return stream.next(item); },
-      [&](SolveItem& item) { solve_queries(item, inputs, options.method); },
+      [&](SolveItem& item) { solve_queries(item, inputs, options); },
       [&](SolveItem& item) {
         out.write(item.rows);
         counts.merge(item.counts);
@@ -61,8 +66,10 @@ int run_solve(const SolveOptions& options) {
   if (to_standard_output) return kAllHold;
 
   auto console = io::OutputFile::standard_output();
-  console.write(fmt::format("{} in {} answered in {}\n", counted(counts.queries, "query"),
-                            counted(inputs.size(), "file"), options.out));
+  const std::string about =
+      options.separation.given ? " (" + separation_for_person(options.separation.separation) + ")" : std::string();
+  console.write(fmt::format("{} in {} answered in {}{}\n", counted(counts.queries, "query"),
+                            counted(inputs.size(), "file"), options.out, about));
   console.write(counts_for_person(counts));
   console.write(speed_for_person(counts.queries, progress.seconds(), threads));
   console.commit();
@@ -74,6 +81,7 @@ void add_solve(CLI::App& program, Command& command) {
   CLI::App* const subcommand = program.add_subcommand("solve", "Answer the queries of files, exactly");
   subcommand->add_option("FILE", options->files, "Query files")->required()->type_name("");
   add_query_options(*subcommand, *options);
+  add_separation_options(*subcommand, options->separation, "The distance at which two elements are in contact");
   subcommand
       ->add_option("--out", options->out,
                    "The file for the answers (default: standard output). It appears when all answers are complete; "
@@ -83,7 +91,13 @@ void add_solve(CLI::App& program, Command& command) {
       "The answers are CSV with the columns file,query,contact,toi,toi_upper,nature,feature_a,feature_b,level. Each\n"
       "query has a row, in input order; the number of threads changes nothing. toi and toi_upper are the neighbouring\n"
       "doubles around the exact first time of contact, as C hexfloats. They are equal when the time is a double, and\n"
-      "empty without contact.");
+      "empty without contact.\n\n"
+      "With --separation D a contact is a distance of at most D, and the columns "
+      "starts_within,trend,separation,metric\n"
+      "follow. starts_within is 1 when the elements are within D at t = 0 already. trend is what the distance does "
+      "just\n"
+      "after the time of contact: approaching, constant or leaving. The last two repeat the question in each row, and\n"
+      "certify reads them.");
   subcommand->callback([options, &command] { command = [options] { return run_solve(*options); }; });
 }
 

@@ -18,6 +18,7 @@ struct CandidateOptions {
   std::uint64_t seed = 1;
   std::size_t edges = 4000;  ///< about how many the scene has; in [kFewestEdges, kMostEdges]
   std::size_t steps = 20;    ///< the number of steps that the scene makes
+  double separation = 0;     ///< the distance of a contact: a candidate's boxes are that near; finite, >= 0
   double speed = 1;          ///< 1: most corners move by a tenth of an edge's length a step; finite, >= 0
   bool edge_edge = true;
   bool vertex_face = true;
@@ -42,8 +43,8 @@ struct CandidateCounts {
 };
 
 /// Calls take(batch) with batches of at most kBatchQueries, step by step; memory does not grow with their number.
-/// A pair is a candidate when the boxes around the two elements' paths overlap: every contact is among them. The same
-/// options give the same queries, bit for bit, on every machine.
+/// A pair is a candidate when the boxes around the two elements' paths, each grown by half the separation, overlap:
+/// every contact is among them. The same options give the same queries, bit for bit, on every machine.
 /// @returns how many queries were handed out
 /// @throws InvalidQuery  for options outside their ranges
 CandidateCounts for_each_batch(const CandidateOptions& options, const std::function<void(const Batch&)>& take);

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "generators/step.hpp"
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 
 #include "seeded/rng.hpp"
 
 namespace touchstone::generators {
 
-Step::Step(SceneName scene, std::uint64_t seed, std::size_t edges, double speed)
+Step::Step(SceneName scene, std::uint64_t seed, std::size_t edges, double speed, double separation)
     : moving_(make_moving_mesh(scene, seeded::seed_of_part(seed, 0), edges)),
       first_time_(seeded::Rng(seeded::seed_of_part(seed, 1)).uniform(0, 100)),
-      duration_(0.1 * speed * moving_->edge_length()) {
+      duration_(0.1 * speed * moving_->edge_length()),
+      margin_(separation == 0 ? 0 : std::max(separation / 2, std::numeric_limits<double>::min())) {
   moving_->place_corners(first_time_, end_);
   start_ = end_;
 }
@@ -32,6 +35,7 @@ std::vector<broad_phase::Box> Step::boxes(const std::vector<std::array<Index, N>
       broad_phase::extend(box, start_[corner]);
       broad_phase::extend(box, end_[corner]);
     }
+    broad_phase::grow(box, margin_);
     all.push_back(box);
   }
   return all;

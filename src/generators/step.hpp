@@ -17,8 +17,8 @@ namespace touchstone::generators {
 
 class Step {
  public:
-  /// The scene before its first step. @param speed  as in CandidateOptions
-  Step(SceneName scene, std::uint64_t seed, std::size_t edges, double speed);
+  /// The scene before its first step. @param speed, separation  as in CandidateOptions
+  Step(SceneName scene, std::uint64_t seed, std::size_t edges, double speed, double separation = 0);
 
   /// The next step; it starts where this one ends.
   void advance();
@@ -27,8 +27,8 @@ class Step {
   const std::vector<Vec3>& start() const noexcept { return start_; }
   const std::vector<Vec3>& end() const noexcept { return end_; }
 
-  /// Calls found(i, j) once for each pair whose boxes around the whole step overlap: edges i < j, or corner i and face
-  /// j. An element moves inside its box, so every contact is among them.
+  /// Calls found(i, j) once for each pair whose boxes around the whole step, grown by half the separation, overlap:
+  /// edges i < j, or corner i and face j. An element moves inside its box, so every contact is among them.
   void for_each_candidate(Kind kind, bool shared_corners, const broad_phase::PairConsumer& found) const;
 
   Query query(Kind kind, Index i, Index j) const;
@@ -41,6 +41,7 @@ class Step {
   std::unique_ptr<MovingMesh> moving_;
   double first_time_;
   double duration_;
+  double margin_;  ///< of each box; at least half the separation
   std::size_t number_ = 0;
   std::vector<Vec3> start_, end_;
 };

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "io/fail.hpp"
+#include "io/separation_text.hpp"
 #include "io/times.hpp"
 #include "numbers/written_number.hpp"
 
@@ -17,8 +18,9 @@ namespace {
 constexpr std::size_t kAbsent = std::string::npos;
 
 /// The columns of answers.csv; those that make a claim come first, in the order of AnswerReader::Column.
-constexpr std::array<std::string_view, 9> kColumnNames = {"file",   "query",     "contact",   "toi",  "toi_upper",
-                                                          "nature", "feature_a", "feature_b", "level"};
+constexpr std::array<std::string_view, 13> kColumnNames = {
+    "file",   "query",     "contact",   "toi",   "separation",    "metric", "toi_upper",
+    "nature", "feature_a", "feature_b", "level", "starts_within", "trend"};
 
 std::string count(std::size_t number, std::string_view thing) {
   return std::to_string(number) + " " + std::string(thing) + (number == 1 ? "" : "s");
@@ -55,6 +57,8 @@ bool AnswerReader::next(AnswerRow& row) {
   row.toi = std::nullopt;
   row.toi_as_written = {};
   if (index_[kToi] != kAbsent && !fields_[index_[kToi]].empty()) read_toi(fields_[index_[kToi]], row);
+  row.separation = std::nullopt;
+  if (index_[kSeparation] != kAbsent) read_separation(row);
   return true;
 }
 
@@ -77,6 +81,21 @@ void AnswerReader::read_toi(std::string_view field, AnswerRow& row) const {
   row.toi_as_written = field;
 }
 
+void AnswerReader::read_separation(AnswerRow& row) const {
+  const std::string_view distance = fields_[index_[kSeparation]];
+  const auto value = parse_finite_double(distance);
+  if (!value || *value < 0) {
+    refuse("separation is " + in_quotes(distance) +
+           "; it must be a finite number such as 0x1p-3 or 0.125, 0 or greater");
+  }
+  row.separation = Separation{*value, Metric::euclidean};
+  if (index_[kMetric] == kAbsent) return;
+  const std::string_view name = fields_[index_[kMetric]];
+  const auto metric = metric_from_name(name);
+  if (!metric) refuse("metric is " + in_quotes(name) + "; it must be euclidean or max");
+  row.separation->metric = *metric;
+}
+
 void AnswerReader::read_header() {
   if (!next_record()) fail(name(), "is empty; its first line must name the columns, for example query,contact,toi");
   column_count_ = fields_.size();
@@ -86,7 +105,7 @@ void AnswerReader::read_header() {
     const auto known = std::find(kColumnNames.begin(), kColumnNames.end(), fields_[i]);
     if (known == kColumnNames.end()) {
       refuse("unknown column " + in_quotes(fields_[i]) + "; the columns are query, contact and optionally file, toi, " +
-             "toi_upper, nature, feature_a, feature_b, level");
+             "toi_upper, nature, feature_a, feature_b, level, starts_within, trend, separation, metric");
     }
     const auto column = static_cast<std::size_t>(known - kColumnNames.begin());
     if (std::exchange(seen[column], true)) refuse("column " + in_quotes(fields_[i]) + " is there twice");
@@ -95,6 +114,7 @@ void AnswerReader::read_header() {
   for (const Column needed : {kQuery, kContact}) {
     if (index_[needed] == kAbsent) refuse("column " + in_quotes(kColumnNames[needed]) + " is missing");
   }
+  if (index_[kMetric] != kAbsent && index_[kSeparation] == kAbsent) refuse("column 'metric' needs column 'separation'");
 }
 
 /// Splits the next record that is not blank into fields_. @returns false at the end of the file

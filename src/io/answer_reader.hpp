@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include <touchstone/separation.hpp>
+
 #include "io/input_file.hpp"
 #include "io/query_chunks.hpp"
 
@@ -24,11 +26,13 @@ struct AnswerRow {
   /// The field's text, if its number may lie beside its nearest double `toi`; else empty. Its exact value has at most
   /// numbers::kMostWrittenDigits digits. Valid until the next row.
   std::string_view toi_as_written;
-  std::uint64_t row = 0;  ///< the line where it starts, counted from 1
+  std::optional<Separation> separation;  ///< what the claim is about; nothing when the file has no such column
+  std::uint64_t row = 0;                 ///< the line where it starts, counted from 1
 };
 
 /// Reads RFC 4180 CSV. The first line names the columns, in any order. `query` and `contact` are needed, and `file` and
-/// `toi` are optional. The other columns of answers.csv are skipped. Any other name is an error. Rows are bounded by
+/// `toi` are optional, and so are `separation` and `metric`, which say what a row is about; a separation without a metric
+/// is Euclidean. The other columns of answers.csv are skipped. Any other name is an error. Rows are bounded by
 /// kLongestLine, lines may end in CRLF, and blank lines are skipped.
 class AnswerReader {
  public:
@@ -44,9 +48,10 @@ class AnswerReader {
   std::uint64_t last_row() const noexcept { return last_row_; }
 
  private:
-  enum Column : std::size_t { kFile, kQuery, kContact, kToi, kOther };
+  enum Column : std::size_t { kFile, kQuery, kContact, kToi, kSeparation, kMetric, kOther };
 
   void read_toi(std::string_view field, AnswerRow& row) const;
+  void read_separation(AnswerRow& row) const;
   bool next_record();
   bool find_record_end(std::size_t& end);
   void split_record(std::string_view record);

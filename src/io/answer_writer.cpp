@@ -15,7 +15,10 @@ std::string csv_field(std::string_view text) {
   return field + '"';
 }
 
-void append_answer(std::string& out, std::string_view file_field, std::uint64_t query, const Answer& answer) {
+namespace {
+
+/// A row without its line end.
+void append_columns(std::string& out, std::string_view file_field, std::uint64_t query, const Answer& answer) {
   out.append(file_field).append(",").append(std::to_string(query));
   if (answer.contact) {
     out.append(",1,").append(hexfloat(answer.toi)).append(",").append(hexfloat(answer.toi_upper));
@@ -25,7 +28,22 @@ void append_answer(std::string& out, std::string_view file_field, std::uint64_t 
   } else {
     out.append(",0,,,,,");
   }
-  out.append(",").append(level_name(answer.level)).append("\n");
+  out.append(",").append(level_name(answer.level));
+}
+
+}  // namespace
+
+void append_answer(std::string& out, std::string_view file_field, std::uint64_t query, const Answer& answer) {
+  append_columns(out, file_field, query, answer);
+  out.append("\n");
+}
+
+void append_answer(std::string& out, std::string_view file_field, std::uint64_t query, const Answer& answer,
+                   const Separation& separation) {
+  append_columns(out, file_field, query, answer);
+  out.append(!answer.contact ? "," : answer.starts_within ? ",1" : ",0");
+  out.append(",").append(trend_name(answer.trend));
+  out.append(",").append(hexfloat(separation.distance)).append(",").append(metric_name(separation.metric)).append("\n");
 }
 
 }  // namespace touchstone::io

@@ -156,7 +156,7 @@ TEST_CASE("a claims file that is not in step with the queries is refused") {
   CHECK(files.error("query,contact\n0,1\n1,0\n2,1\n3,0\n").substr(0, 31) == "claims.csv:4: query is 2 where ");
   CHECK(files.error("query,contact,speed\n") ==
         "claims.csv:1: unknown column 'speed'; the columns are query, contact and optionally file, toi, toi_upper, "
-        "nature, feature_a, feature_b, level\n");
+        "nature, feature_a, feature_b, level, starts_within, trend, separation, metric\n");
   CHECK(files.error("query,contact,toi\n0,1,nan\n").substr(0, 26) == "claims.csv:2: toi is 'nan'");
 }
 

@@ -163,7 +163,7 @@ TEST_CASE("faults of a claims file are named with file, row and reason") {
   CHECK(error_of("") == "a.csv: is empty; its first line must name the columns, for example query,contact,toi");
   CHECK(error_of("query,contact,speed\n") ==
         "a.csv:1: unknown column 'speed'; the columns are query, contact and optionally file, toi, toi_upper, nature, "
-        "feature_a, feature_b, level");
+        "feature_a, feature_b, level, starts_within, trend, separation, metric");
   CHECK(error_of("query,contact,Toi\n").substr(0, 29) == "a.csv:1: unknown column 'Toi'");
   CHECK(error_of("query,contact,\n").substr(0, 26) == "a.csv:1: unknown column ''");
   CHECK(error_of("query,contact,query\n") == "a.csv:1: column 'query' is there twice");

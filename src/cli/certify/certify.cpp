@@ -19,17 +19,44 @@
 #include "cli/shared/query_progress.hpp"
 #include "cli/shared/summary.hpp"
 #include "cli/shared/words.hpp"
+#include "io/fail.hpp"
 #include "io/output_file.hpp"
 #include "io/query_parser.hpp"
+#include "io/separation_text.hpp"
 
 namespace touchstone::cli {
 namespace {
 
 constexpr std::size_t kShownClaims = 5;
 
+/// The separations of a run's claims: all the same one, or several.
+class Questions {
+ public:
+  void add(const Separation& separation) {
+    if (!first_) first_ = separation;
+    several_ = several_ || !io::same_question(*first_, separation);
+  }
+
+  void merge(const Questions& other) {
+    if (other.first_) add(*other.first_);
+    several_ = several_ || other.several_;
+  }
+
+  /// Nothing when there are several.
+  std::optional<Separation> only() const {
+    return several_ ? std::nullopt : std::optional(first_.value_or(Separation()));
+  }
+
+ private:
+  std::optional<Separation> first_;
+  bool several_ = false;
+};
+
 struct CertifyItem : QueryItem {
-  std::vector<Claim> claims;  ///< of an answers file; fewer than the queries when that ends too soon
+  std::vector<StatedClaim> claims;  ///< of an answers file; fewer than the queries when that ends too soon
+  Separation truth_separation;      ///< what the truth column is about
   certify::Tally tally;
+  Questions questions;
   std::vector<certify::RefutedClaim> first_refuted;  ///< at most kShownClaims
   std::string refuted_json;                          ///< all of them, each after a separator; only for a report
 };
@@ -65,9 +92,12 @@ void judge_queries(CertifyItem& item, const CertifyOptions& options, const std::
   io::QueryRecord record;
   for (std::size_t i = 0; parser.next(record); ++i) {
     if (from_file && i == item.claims.size()) break;  // item.error says why
-    const Claim claim = from_file ? item.claims[i] : Claim{record.truth, std::nullopt};
-    const Answer answer = answer_to(record.query, options.method);
-    const Verdict verdict = std::visit([&](const auto& query) { return judge(claim, query, answer); }, record.query);
+    const auto& [claim, separation] =
+        from_file ? item.claims[i] : StatedClaim{{record.truth, std::nullopt}, item.truth_separation};
+    item.questions.add(separation);
+    const Answer answer = answer_to(record.query, options.method, separation);
+    const Verdict verdict =
+        std::visit([&](const auto& query) { return judge(claim, query, answer, separation); }, record.query);
     item.tally.add(claim, answer, verdict);
     if (verdict == Verdict::holds) continue;
     certify::RefutedClaim refuted{inputs[item.input].name,
@@ -77,27 +107,54 @@ void judge_queries(CertifyItem& item, const CertifyOptions& options, const std::
                                   claim,
                                   verdict,
                                   answer,
-                                  io::query_as_given(item.chunk.kind, record.text)};
+                                  io::query_as_given(item.chunk.kind, record.text),
+                                  separation};
     if (!options.report.empty()) item.refuted_json += kClaimSeparator + refuted_claim_json(refuted);
     if (item.first_refuted.size() < kShownClaims) item.first_refuted.push_back(std::move(refuted));
   }
 }
 
-std::string what_was_judged(const CertifyOptions& options, const std::vector<Input>& inputs) {
+/// Reads what the truth columns are about: the option, or else what the file says, or else touching.
+class TruthSeparation {
+ public:
+  explicit TruthSeparation(const SeparationOption& option) : option_(option) {}
+
+  /// @param item  the items of the run in their order. @throws FileError when the file says another than the option
+  Separation of(const QueryItem& item) {
+    if (item.chunk.first_query != 0) return current_;
+    const auto said = io::separation_of_comments(item.chunk.text());
+    if (option_.given && said && !io::same_question(*said, option_.separation)) {
+      io::fail(*item.chunk.file, fmt::format("its truth column is about {}; --separation and --metric ask for {}",
+                                             separation_for_person(*said), separation_for_person(option_.separation)));
+    }
+    current_ = option_.given ? option_.separation : said.value_or(Separation());
+    return current_;
+  }
+
+ private:
+  const SeparationOption& option_;
+  Separation current_;  ///< of the file that is being read
+};
+
+std::string what_was_judged(const CertifyOptions& options, const std::vector<Input>& inputs,
+                            const Questions& questions) {
   std::string text = "claims of ";
   text += options.claims.empty() ? "the truth column" : options.claims;
   text += options.files.empty() ? ", the bundled queries" : ", " + counted(inputs.size(), "file");
-  return text;
+  const auto separation = questions.only();
+  if (!separation) return text + ", several separations";
+  return separation->distance > 0 ? text + ", " + separation_for_person(*separation) : text;
 }
 
-std::string summary(const CertifyOptions& options, const std::vector<Input>& inputs, const certify::Tally& tally,
-                    const std::vector<certify::RefutedClaim>& first_refuted, double seconds, int threads) {
+std::string summary(const CertifyOptions& options, const std::vector<Input>& inputs, const Questions& questions,
+                    const certify::Tally& tally, const std::vector<certify::RefutedClaim>& first_refuted,
+                    double seconds, int threads) {
   const certify::VerdictCounts& verdicts = tally.verdicts;
   const std::uint64_t refuted = verdicts.refuted();
   std::string text = refuted == 0
                          ? fmt::format("all {} claims hold", grouped(verdicts.claims()))
                          : fmt::format("{} of {} claims refuted", grouped(refuted), grouped(verdicts.claims()));
-  text += fmt::format(" ({})\n", what_was_judged(options, inputs));
+  text += fmt::format(" ({})\n", what_was_judged(options, inputs, questions));
   text += verdicts_for_person(verdicts);
   text += counts_for_person({verdicts.claims(), tally.levels, tally.natures});
   text += early_for_person(tally.early);
@@ -116,13 +173,18 @@ std::string summary(const CertifyOptions& options, const std::vector<Input>& inp
 
 int run_certify(const CertifyOptions& options) {
   if (options.files.empty() && options.kind) throw Error("--kind goes with files; the bundled queries know theirs");
+  if (options.files.empty() && options.claims.empty() && options.separation.given) {
+    throw Error(
+        "--separation goes with files or --claims; the truth column of each bundled file is about a separation of its "
+        "own");
+  }
   const std::vector<Input> inputs = options.files.empty() ? bundled_inputs() : find_inputs(options.files, options.kind);
   std::vector<std::string> read_files = options.files;
   if (!options.claims.empty()) read_files.push_back(options.claims);
   refuse_to_overwrite(options.report, read_files);
 
   std::optional<ClaimStream> claims;
-  if (!options.claims.empty()) claims.emplace(options.claims, inputs, options.chunk_bytes);
+  if (!options.claims.empty()) claims.emplace(options.claims, inputs, options.separation, options.chunk_bytes);
   std::optional<GrowingReport> report;
   if (!options.report.empty()) report.emplace(options.report);
 
@@ -131,6 +193,8 @@ int run_certify(const CertifyOptions& options) {
   for (const auto& input : inputs) files.push_back({input.name, input.kind, {}});
   std::vector<certify::RefutedClaim> first_refuted;
   const int threads = thread_count(options.threads);
+  TruthSeparation truth_separation(options.separation);
+  Questions questions;
   QueryStream stream(inputs, options.chunk_bytes);
   QueryProgress progress(inputs);
   run_in_order<CertifyItem>(
@@ -138,12 +202,14 @@ int run_certify(const CertifyOptions& options) {
       [&](CertifyItem& item) {
         const bool more = stream.next(item);
         if (claims && more) claims->read(item, item.claims);
+        if (!claims && more) item.truth_separation = truth_separation.of(item);
         if (claims && !more) claims->finish();
         return more;
       },
       [&](CertifyItem& item) { judge_queries(item, options, inputs); },
       [&](CertifyItem& item) {
         tally.merge(item.tally);
+        questions.merge(item.questions);
         files[item.input].verdicts.merge(item.tally.verdicts);
         const std::size_t room = kShownClaims - first_refuted.size();
         const std::size_t shown = std::min(room, item.first_refuted.size());
@@ -156,11 +222,11 @@ int run_certify(const CertifyOptions& options) {
 
   if (report) {
     const std::string source = options.claims.empty() ? "truth column" : options.claims;
-    report->finish(report_begin({std::string(method_name(options.method)), source}, tally, files));
+    report->finish(report_begin({std::string(method_name(options.method)), source, questions.only()}, tally, files));
   }
   if (options.report != "-") {
     auto console = io::OutputFile::standard_output();
-    console.write(summary(options, inputs, tally, first_refuted, seconds, threads));
+    console.write(summary(options, inputs, questions, tally, first_refuted, seconds, threads));
     console.commit();
   }
   return tally.verdicts.refuted() == 0 ? kAllHold : kRefuted;
@@ -173,6 +239,8 @@ void add_certify(CLI::App& program, Command& command) {
   subcommand->add_option("FILE", options->files, "Query files (default: the queries bundled with the program)")
       ->type_name("");
   add_query_options(*subcommand, *options);
+  add_separation_options(*subcommand, options->separation,
+                         "The separation that the claims are about, for files that do not say it");
   subcommand
       ->add_option("--claims", options->claims,
                    "The claims to judge: CSV whose header names query and contact, and optionally file and toi, one "
@@ -187,6 +255,10 @@ void add_certify(CLI::App& program, Command& command) {
       "A claim is missed (contact denied, but there is one), phantom (contact claimed, but there is none), late (its "
       "toi\n"
       "lies after the exact time: stepping there would pass through), or it holds.\n"
+      "An answers file may say what its claims are about in the columns separation and metric, as solve --separation\n"
+      "writes them, and a query file what its truth column is about in a line '# separation 0x1p-3 euclidean' before "
+      "its\n"
+      "first row. --separation must agree with them. Claims are about touching when nothing says otherwise.\n"
       "Exit status: 0 all claims hold, 1 some are refuted, 2 bad usage or bad input.\n\n"
       "The report is one JSON object: counts of verdicts (claims), of deciding levels (decided_by) and of the "
       "contacts'\n"

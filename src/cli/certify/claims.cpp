@@ -8,13 +8,15 @@
 #include "cli/shared/interrupt.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
+#include "io/separation_text.hpp"
 
 namespace touchstone::cli {
 
-ClaimStream::ClaimStream(const std::string& path, const std::vector<Input>& inputs, std::size_t chunk_bytes)
-    : inputs_(inputs), reader_(io::InputFile::open(path, throw_if_interrupted), chunk_bytes) {}
+ClaimStream::ClaimStream(const std::string& path, const std::vector<Input>& inputs, const SeparationOption& separation,
+                         std::size_t chunk_bytes)
+    : inputs_(inputs), separation_(separation), reader_(io::InputFile::open(path, throw_if_interrupted), chunk_bytes) {}
 
-void ClaimStream::read(const QueryItem& item, std::vector<Claim>& claims) {
+void ClaimStream::read(const QueryItem& item, std::vector<StatedClaim>& claims) {
   const Input& input = inputs_[item.input];
   for (std::size_t i = 0; i < item.chunk.query_count; ++i) {
     const std::uint64_t query = item.chunk.first_query + i;
@@ -36,7 +38,7 @@ void ClaimStream::read(const QueryItem& item, std::vector<Claim>& claims) {
           fmt::format("query is {} where {} of {} comes next; claims must be in the order of the queries, one each",
                       row.query, query, io::printable(input.name)));
     }
-    claims.push_back({row.contact, row.toi, std::string(row.toi_as_written)});
+    claims.push_back({{row.contact, row.toi, std::string(row.toi_as_written)}, separation_of(row)});
     ++claims_;
   }
 }
@@ -46,6 +48,16 @@ void ClaimStream::finish() {
   if (!reader_.next(row)) return;
   io::fail(reader_.name(), row.row,
            fmt::format("a claim too many; there are only {} in the query files", counted(claims_, "query")));
+}
+
+Separation ClaimStream::separation_of(const io::AnswerRow& row) const {
+  if (!separation_.given) return row.separation.value_or(Separation());
+  if (row.separation && !io::same_question(*row.separation, separation_.separation)) {
+    io::fail(reader_.name(), row.row,
+             fmt::format("the claim is about {}; --separation and --metric ask for {}",
+                         separation_for_person(*row.separation), separation_for_person(separation_.separation)));
+  }
+  return separation_.separation;
 }
 
 void ClaimStream::check_file(const io::AnswerRow& row, const Input& input) {

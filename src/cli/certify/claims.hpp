@@ -10,19 +10,30 @@
 #include <touchstone/certify.hpp>
 
 #include "cli/shared/inputs.hpp"
+#include "cli/shared/separation.hpp"
 #include "io/answer_reader.hpp"
 
 namespace touchstone::cli {
+
+/// A claim and the separation that it is about.
+struct StatedClaim {
+  Claim claim;
+  Separation separation;
+};
 
 /// The claims of an answers file must be in the order of the queries, one for each: its `query` column counts from 0
 /// within each query file, and its `file` column, if it has one, names the file as the command line does.
 class ClaimStream {
  public:
+  /// @param separation  what the claims must be about. When it is not given, a claim is about the separation of its row,
+  ///                    and about touching when the file has no such column
   /// @throws FileError when the file cannot be read or its header is not that of an answers file
-  ClaimStream(const std::string& path, const std::vector<Input>& inputs, std::size_t chunk_bytes);
+  ClaimStream(const std::string& path, const std::vector<Input>& inputs, const SeparationOption& separation,
+              std::size_t chunk_bytes);
 
-  /// Appends the claims about the queries of `item`. @throws FileError at the first that is missing or another's
-  void read(const QueryItem& item, std::vector<Claim>& claims);
+  /// Appends the claims about the queries of `item`. @throws FileError at the first that is missing, another query's, or
+  /// about another separation
+  void read(const QueryItem& item, std::vector<StatedClaim>& claims);
 
   /// To be called when there are no more queries. @throws FileError when there are more claims
   void finish();
@@ -30,7 +41,10 @@ class ClaimStream {
  private:
   void check_file(const io::AnswerRow& row, const Input& input);
 
+  Separation separation_of(const io::AnswerRow& row) const;
+
   const std::vector<Input>& inputs_;
+  const SeparationOption& separation_;
   io::AnswerReader reader_;
   std::string known_file_;  ///< the last name that was compared, and found to be that of known_input_
   std::size_t known_input_ = 0;

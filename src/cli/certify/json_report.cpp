@@ -55,7 +55,7 @@ Json json_of(const certify::EarlyTally& early) {
   return json;
 }
 
-Json json_of(const Answer& answer) {
+Json json_of(const Answer& answer, const Separation& separation) {
   Json json = {{"contact", answer.contact ? 1 : 0}};
   const auto put = [&](const char* key, const auto& value) { json[key] = answer.contact ? Json(value) : nullptr; };
   put("toi", io::hexfloat(answer.contact ? answer.toi : 0));
@@ -64,6 +64,10 @@ Json json_of(const Answer& answer) {
   put("feature_a", feature_name(answer.feature_a));
   put("feature_b", feature_name(answer.feature_b));
   json["level"] = level_name(answer.level);
+  if (separation.distance > 0) {
+    put("starts_within", answer.starts_within ? 1 : 0);
+    put("trend", trend_name(answer.trend));
+  }
   return json;
 }
 
@@ -89,6 +93,13 @@ Json toi_json(const Claim& claim) {
   return json_of(claim.toi);
 }
 
+/// Touching is not named.
+void put_separation(Json& json, const Separation& separation) {
+  if (separation.distance == 0) return;
+  json["separation"] = io::hexfloat(separation.distance);
+  json["metric"] = metric_name(separation.metric);
+}
+
 /// File names need not be valid UTF-8; JSON must be.
 std::string text_of(const Json& json, int indent) {
   return json.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -97,16 +108,17 @@ std::string text_of(const Json& json, int indent) {
 }  // namespace
 
 std::string refuted_claim_json(const certify::RefutedClaim& refuted) {
-  const Json json = {
+  Json json = {
       {"file", refuted.file},
       {"kind", kind_name(refuted.as_given.kind)},
       {"query", refuted.query},
       {"rows", {refuted.first_row, refuted.last_row}},
       {"verdict", verdict_name(refuted.verdict)},
       {"claim", {{"contact", refuted.claim.contact ? 1 : 0}, {"toi", toi_json(refuted.claim)}}},
-      {"answer", json_of(refuted.answer)},
-      {"corners", corners_json(refuted.as_given)},
+      {"answer", json_of(refuted.answer, refuted.separation)},
   };
+  put_separation(json, refuted.separation);
+  json["corners"] = corners_json(refuted.as_given);
   return text_of(json, -1);
 }
 
@@ -116,6 +128,7 @@ std::string report_begin(const ReportHeading& heading, const certify::Tally& tal
   json["touchstone"] = version();
   json["method"] = heading.method;
   json["claims_from"] = heading.claims_from;
+  if (heading.separation) put_separation(json, *heading.separation);
   json["claims"] = json_of(tally.verdicts);
   for (const Level level : {Level::filter, Level::bracket, Level::exact, Level::oracle}) {
     json["decided_by"][std::string(level_name(level))] = tally.levels[static_cast<std::size_t>(level)];
@@ -124,6 +137,9 @@ std::string report_begin(const ReportHeading& heading, const certify::Tally& tal
     const std::string name(nature == Nature::none ? "none" : nature_name(nature));
     json["natures"][name] = tally.natures[static_cast<std::size_t>(nature)];
   }
+  const std::uint64_t entering = tally.natures[static_cast<std::size_t>(Nature::entering)];
+  const bool touching = heading.separation && heading.separation->distance == 0;
+  if (!touching) json["natures"]["entering"] = entering;
   json["early"] = json_of(tally.early);
   json["files"] = Json::array();
   for (const auto& file : files) {

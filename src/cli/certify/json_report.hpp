@@ -4,9 +4,12 @@
 //     "touchstone": "0.1.0",                   version of the program
 //     "method": "fast",                        which code answered: "fast", "exact", "oracle" or "fast-cgal"
 //     "claims_from": "truth column",           or the name of the answers file
+//     "separation": "0x1p-3",                  the separation that all claims are about; left out for touching, and
+//     "metric": "euclidean",                   when the claims are about different ones
 //     "claims": {"judged", "holds", "missed", "phantom", "late"},            counts
 //     "decided_by": {"filter", "bracket", "exact", "oracle"},                counts
-//     "natures": {"none", "crossing", "grazing", "sustained", "isolated"},   counts, of the exact answers
+//     "natures": {"none", "crossing", "grazing", "sustained", "isolated"},   counts, of the exact answers; with a
+//                                              separation "entering" too
 //     "early": {                               of the claims that hold and have a toi: how early it is
 //       "claims": 3,                           how many there are; when 0 the rest is left out
 //       "ulps": {"least", "most",              the number of doubles from the claimed toi to the exact answer's
@@ -21,7 +24,9 @@
 //       "verdict": "missed",                   "missed", "phantom" or "late"
 //       "claim": {"contact": 0, "toi": null},
 //       "answer": {"contact": 1, "toi", "toi_upper", "nature", "feature_a", "feature_b", "level"},   as in answers.csv,
-//                                              null without contact
+//                                              null without contact; with a separation "starts_within" (0 or 1) and
+//                                              "trend" too
+//       "separation", "metric",                of this claim, when it is not touching
 //       "corners": {"a0": {"start": ["1/3", "0/1", "1/1"], "end": [...]}, ...}   x, y, z as the file writes them
 //     }]
 //   }
@@ -32,16 +37,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
+
+#include <touchstone/separation.hpp>
 
 #include "certify/tally.hpp"
 
 namespace touchstone::cli {
 
 struct ReportHeading {
-  std::string method;       ///< "fast", "exact", "oracle" or "fast-cgal"
-  std::string claims_from;  ///< "truth column" or the name of an answers file
+  std::string method;                    ///< "fast", "exact", "oracle" or "fast-cgal"
+  std::string claims_from;               ///< "truth column" or the name of an answers file
+  std::optional<Separation> separation;  ///< nothing: the claims are about different ones
 };
 
 /// One element of "refuted". There may be more of them than fit into memory, so that the caller strings them together:

@@ -65,8 +65,8 @@ void refuse_to_overwrite(const std::string& output, const std::vector<std::strin
   }
 }
 
-Answer answer_to(const std::variant<Query, RationalQuery>& query, Method method) {
-  return std::visit([method](const auto& q) { return solve(q, method); }, query);
+Answer answer_to(const std::variant<Query, RationalQuery>& query, Method method, const Separation& separation) {
+  return std::visit([&](const auto& q) { return solve(q, separation, method); }, query);
 }
 
 }  // namespace touchstone::cli

@@ -13,6 +13,7 @@
 #include <touchstone/solve.hpp>
 
 #include "cli/shared/command.hpp"
+#include "cli/shared/separation.hpp"
 #include "io/query_chunks.hpp"
 
 namespace touchstone::cli {
@@ -22,6 +23,7 @@ struct QueryOptions {
   std::vector<std::string> files;
   std::optional<Kind> kind;
   Method method = Method::fast;
+  SeparationOption separation;
   int threads = 0;                            ///< 0: all that the machine has
   std::size_t chunk_bytes = io::kChunkBytes;  ///< for tests: no result depends on it
 };
@@ -40,6 +42,6 @@ void refuse_to_overwrite(const std::string& output, const std::vector<std::strin
                          const std::string& advice = {});
 
 /// The exact answer to a query of a file.
-Answer answer_to(const std::variant<Query, RationalQuery>& query, Method method);
+Answer answer_to(const std::variant<Query, RationalQuery>& query, Method method, const Separation& separation);
 
 }  // namespace touchstone::cli

@@ -42,7 +42,8 @@ std::string counts_for_person(const Counts& counts) {
       append(levels, fmt::format("{} {} ({})", level_name(level), grouped(number), percentage(number, counts.queries)));
   }
   std::string natures;
-  for (const Nature nature : {Nature::crossing, Nature::grazing, Nature::sustained, Nature::isolated}) {
+  for (const Nature nature :
+       {Nature::crossing, Nature::grazing, Nature::sustained, Nature::isolated, Nature::entering}) {
     const auto number = counts.natures[static_cast<std::size_t>(nature)];
     if (number > 0) append(natures, fmt::format("{} {}", grouped(number), nature_name(nature)));
   }

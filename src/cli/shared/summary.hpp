@@ -15,7 +15,7 @@ namespace touchstone::cli {
 struct Counts {
   std::uint64_t queries = 0;
   std::array<std::uint64_t, 4> levels{};   ///< by Level
-  std::array<std::uint64_t, 5> natures{};  ///< by Nature, Nature::none first
+  std::array<std::uint64_t, 6> natures{};  ///< by Nature, Nature::none first
 
   void add(const Answer& answer) noexcept;
   void merge(const Counts& other) noexcept;

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 
+#include "cli/shared/separation.hpp"
 #include "io/kind_of_file.hpp"
 #include "io/times.hpp"
 
@@ -76,11 +77,12 @@ std::string shell_word(const std::string& word) {
   return out + "'";
 }
 
-std::string explain_command(const std::string& file, Kind kind, std::uint64_t query) {
-  std::string option;
-  if (io::kind_of_folder(file) != kind) option = fmt::format(" --kind {}", kind_name(kind));
+std::string explain_command(const std::string& file, Kind kind, std::uint64_t query, const Separation& separation) {
+  std::string options;
+  if (io::kind_of_folder(file) != kind) options = fmt::format(" --kind {}", kind_name(kind));
+  options += separation_arguments(separation);
   const std::string end_of_options = file.starts_with('-') ? " --" : "";
-  return fmt::format("touchstone explain{} --query {}{} {}", option, query, end_of_options, shell_word(file));
+  return fmt::format("touchstone explain{} --query {}{} {}", options, query, end_of_options, shell_word(file));
 }
 
 }  // namespace touchstone::cli

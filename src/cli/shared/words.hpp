@@ -10,6 +10,7 @@
 
 #include <touchstone/answer.hpp>
 #include <touchstone/query.hpp>
+#include <touchstone/separation.hpp>
 #include <touchstone/solve.hpp>
 
 namespace touchstone::cli {
@@ -44,7 +45,7 @@ std::string fault_of_number(std::string_view text);
 /// `word` as one word of a POSIX shell command.
 std::string shell_word(const std::string& word);
 
-/// The command that explains one query.
-std::string explain_command(const std::string& file, Kind kind, std::uint64_t query);
+/// The command that explains one query, for a separation.
+std::string explain_command(const std::string& file, Kind kind, std::uint64_t query, const Separation& separation = {});
 
 }  // namespace touchstone::cli

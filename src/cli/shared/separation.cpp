@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "cli/shared/separation.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/shared/words.hpp"
+#include "io/separation_text.hpp"
+#include "io/times.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+/// A CLI11 check: "" for a distance, else the reason why it is none.
+std::string check_distance(const std::string& text) {
+  const auto value = io::parse_finite_double(text);
+  if (!value) return text + fault_of_number(text);
+  return *value < 0 ? text + " is negative; a separation is a distance, 0 or greater" : std::string();
+}
+
+}  // namespace
+
+void add_separation_options(CLI::App& subcommand, SeparationOption& option, const std::string& about) {
+  CLI::Option* const separation =
+      subcommand
+          .add_option_function<std::string>(
+              "--separation",
+              [&option](const std::string& text) {
+                option.given = true;
+                option.separation.distance = io::parse_finite_double(text).value_or(0) + 0.0;  // -0 becomes 0
+              },
+              about +
+                  ", in the coordinates' unit of length: a decimal or a hexfloat. A decimal that is no double stands "
+                  "for the nearest double, and that double is compared exactly (default: 0, touching)")
+          ->type_name("D")
+          ->check(check_distance);
+  subcommand
+      .add_option_function<std::string>(
+          "--metric",
+          [&option](const std::string& name) {
+            option.separation.metric = io::metric_from_name(name).value_or(Metric::euclidean);
+          },
+          "How the separation is measured. euclidean: the length of the difference of two points (default). max: its "
+          "largest coordinate, as Tight-Inclusion's minimum separation means it")
+      ->type_name("METRIC")
+      ->check(CLI::IsMember({"euclidean", "max"}))
+      ->needs(separation);
+}
+
+std::string separation_for_person(const Separation& separation) {
+  if (separation.distance == 0) return "touching, which is separation 0";
+  return fmt::format("separation {} ({}), {}", io::hexfloat(separation.distance), separation.distance,
+                     metric_name(separation.metric));
+}
+
+std::string separation_arguments(const Separation& separation) {
+  if (separation.distance == 0) return {};
+  std::string text = " --separation " + io::hexfloat(separation.distance);
+  if (separation.metric != Metric::euclidean) text += fmt::format(" --metric {}", metric_name(separation.metric));
+  return text;
+}
+
+}  // namespace touchstone::cli
