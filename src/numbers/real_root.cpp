@@ -291,8 +291,8 @@ ValueNear value_near(const double* c, int size, double lower) noexcept {
     value = value * lower + c[i];
     sum += std::fabs(c[i]);
   }
-  return {value, sum >= kLeast ? (kConstantBound + kDegreeBound * (size - 1)) * sum
-                               : std::numeric_limits<double>::quiet_NaN()};
+  const double bound = kConstantBound + kDegreeBound * (size - 1);
+  return {value, sum >= kLeast ? bound * sum : std::numeric_limits<double>::quiet_NaN()};
 }
 
 int RealRoot::sign_at(Coefficients q) const {
