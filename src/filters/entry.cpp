@@ -366,7 +366,9 @@ class EntryQuestion {
       at_t.ee = dot(e, e);
     }
     PreciseVector c = minus(minus(r, p.s, u), p.q, w);
-    if (!correct(at_t, free, rounded(dot(c, u)), rounded(dot(c, w)))) return at_t;
+    // Along the border s + q = 1 both are large and nearly equal.
+    const DoubleDouble slope_s = dot(c, u), slope_q = dot(c, w);
+    if (!correct(at_t, free, rounded(slope_s), rounded(slope_q), rounded(slope_s - slope_q))) return at_t;
     c = minus(minus(c, at_t.ds, u), at_t.dq, w);
     at_t.c = rounded_vector(c);
     const DoubleDouble square = dot(c, c);
@@ -400,13 +402,13 @@ class EntryQuestion {
   }
 
   /// Newton's step of the free parameters towards c . u = c . w = 0. False where it is not determined.
-  static bool correct(ClosestPoints& at_t, Free free, double cu, double cw) noexcept {
+  static bool correct(ClosestPoints& at_t, Free free, double cu, double cw, double difference) noexcept {
     switch (free) {
       case Free::none: return true;
       case Free::s: at_t.ds = cu / at_t.uu; break;
       case Free::q: at_t.dq = cw / at_t.ww; break;
       case Free::sum:
-        at_t.ds = (cu - cw) / at_t.ee;
+        at_t.ds = difference / at_t.ee;
         at_t.dq = -at_t.ds;
         break;
       case Free::both: {
