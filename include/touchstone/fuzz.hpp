@@ -14,6 +14,7 @@
 #include <touchstone/answer.hpp>
 #include <touchstone/certify.hpp>
 #include <touchstone/query.hpp>
+#include <touchstone/separation.hpp>
 
 namespace touchstone {
 
@@ -50,6 +51,10 @@ struct FuzzOptions {
 
   /// The names of the query families, as `touchstone fuzz --help` lists them; empty for all.
   std::vector<std::string> families;
+
+  /// What the solver is asked about each query: the first time at which the elements are within this separation. The
+  /// solver is not told; it is your function that knows.
+  Separation separation = {};
 
   /// The greatest allowed distance of a claimed time before the exact one, as a number of doubles. Without this and
   /// early_share every distance is allowed.

@@ -8,7 +8,7 @@
  * The interface of a solver in a shared library.
  *
  * The command `touchstone fuzz --solver ./theirs.so` attacks the solver. The header is plain C99, and there is nothing
- * to link. Compile your solver with it into a shared library that exports the one function `touchstone_solver` below:
+ * to link. Compile your solver with it into a shared library that exports the function `touchstone_solver` below:
  *
  *     cc -O2 -shared -fPIC -I PREFIX/include -o theirs.so theirs.c
  *
@@ -78,9 +78,21 @@ struct touchstone_solver_plugin {
 #define TOUCHSTONE_EXPORT __attribute__((visibility("default")))
 #endif
 
-/** The one function that is looked up by name; your library defines it. It returns a null pointer when the solver
+/** The function that is looked up by name; your library defines it. It returns a null pointer when the solver
  *  cannot run here. */
 TOUCHSTONE_EXPORT const struct touchstone_solver_plugin* touchstone_solver(void);
+
+/** The metrics of a separation. */
+enum touchstone_metric {
+  TOUCHSTONE_EUCLIDEAN = 0, /**< the length of the difference of two points */
+  TOUCHSTONE_MAX = 1        /**< its largest absolute coordinate */
+};
+
+/** A second function that is looked up by name, for `touchstone fuzz --separation D`; a library without it takes no
+ *  separation. It is called once, before `init`. From then on elements are in contact while their distance is at most
+ *  `distance`, which is finite and above 0. `metric` is one of touchstone_metric. It returns 0 when the solver takes this
+ *  separation; any other number means that it does not. */
+TOUCHSTONE_EXPORT int touchstone_separation(double distance, int metric);
 
 #ifdef __cplusplus
 }

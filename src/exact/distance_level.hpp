@@ -7,6 +7,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <touchstone/answer.hpp>
@@ -49,6 +50,10 @@ class DistanceLevel {
 
   /// Whether the distance is at most the level at a root of the event, as far as the event's own condition shows it.
   virtual bool holds(const Event& event, const Moment& moment) const = 0;
+
+  /// For a person: the event's name, and the conditions under which `holds` holds, with their signs.
+  virtual std::string name_of(const Event& event) const = 0;
+  virtual std::vector<CandidateStory::Condition> conditions_of(const Event& event, const Moment& moment) const = 0;
 
   /// The closest points' features and weights. The distance at the root must be the level.
   virtual void locate(const RealRoot& root, Answer& answer) const = 0;

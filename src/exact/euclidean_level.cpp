@@ -7,7 +7,9 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "exact/distance_level.hpp"
 #include "geometry/frame.hpp"
@@ -185,6 +187,26 @@ class EuclideanLevel final : public DistanceLevel {
     return feet_inside(patches_[event.place], moment);
   }
 
+  std::string name_of(const Event& event) const override {
+    const Patch& patch = patches_[event.place];
+    return std::string(feature_name(patch.feature_a)).append(" against ").append(feature_name(patch.feature_b));
+  }
+
+  std::vector<CandidateStory::Condition> conditions_of(const Event& event, const Moment& moment) const override {
+    const Patch& patch = patches_[event.place];
+    std::vector<CandidateStory::Condition> conditions;
+    if (patch.scale.size() > 1) {
+      const bool interior = patch.scale.size() > 3;
+      conditions.push_back({interior ? "|n|^2" : "squared length of the edge", moment.sign(patch.scale)});
+    }
+    for (std::size_t i = 0; i < patch.free_count; ++i) {
+      const auto [element, corner] = patch.free[i];
+      const std::size_t index = static_cast<std::size_t>(corner) + (element == 0 ? 0 : first_element_corners());
+      conditions.push_back({"weight of " + std::string(corner_name(kind_, index)), moment.sign(patch.weight(i))});
+    }
+    return conditions;
+  }
+
   void locate(const RealRoot& root, Answer& answer) const override {
     const Moment moment = Moment::at(root);
     if (kind_ == Kind::edge_edge && locate_overlap(root, answer)) return;
@@ -219,6 +241,8 @@ class EuclideanLevel final : public DistanceLevel {
   }
 
  private:
+  std::size_t first_element_corners() const { return kind_ == Kind::edge_edge ? 2 : 1; }
+
   static bool feet_inside(const Patch& patch, const Moment& moment) {
     if (moment.sign(patch.scale) <= 0) return false;
     for (std::size_t i = 0; i < patch.free_count; ++i) {

@@ -34,7 +34,8 @@ double coplanarity_at(const Query& query, double t);
 struct CandidateStory {
   double lower = 0, upper = 0;  ///< the neighbouring doubles around the candidate time
   std::string time;             ///< its exact value for a person: "1/3", "root of ... in [...]"
-  int multiplicity = 1;         ///< as a root of V; 0 when it is a candidate for another reason
+  int multiplicity = 1;         ///< as a root of V or `polynomial`; 0 when it is a candidate for another reason
+  std::string polynomial;       ///< with a separation: the name of the polynomial that it is a root of
   struct Condition {
     std::string name;  ///< "n_z", "(r x w)_z", ...
     int sign;          ///< -1, 0 or 1 at the exact time
@@ -48,11 +49,23 @@ struct Story {
   bool has_cubic = false;  ///< edge-edge and vertex-face have one
   /// V's exact coefficients, constant first, as fractions or integers times 2^k.
   std::vector<std::string> coefficients;
-  std::string why;  ///< one sentence: which case this is
+
+  /// With a separation: a polynomial that changes its sign where a pair of features comes within the separation.
+  struct DistancePolynomial {
+    std::string name;                       ///< "a against b", "the planes x = d, y = -d and a0 = 0"
+    std::vector<std::string> coefficients;  ///< exact, as above
+  };
+  std::vector<DistancePolynomial> polynomials;  ///< those with a root in [0, t_max], as far as they were needed
+  std::vector<std::string> without_root;        ///< the names of the others
+  std::string why;                              ///< one sentence: which case this is
   std::vector<CandidateStory> candidates;
   Answer answer;
 };
 Story explain(const Query& query, double t_max);
 Story explain(const RationalQuery& query, double t_max);
+
+/// The same for contact within a separation > 0.
+Story explain(const Query& query, double t_max, const Separation& separation);
+Story explain(const RationalQuery& query, double t_max, const Separation& separation);
 
 }  // namespace touchstone::exact

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -88,7 +89,7 @@ class MaxLevel final : public DistanceLevel {
       for (std::size_t j = i + 1; j < count_; ++j) {
         for (std::size_t k = j + 1; k < count_; ++k) {
           const Form& form = determinant(i, j, k);
-          if (!form.is_zero()) events.push_back({form, 0});
+          if (!form.is_zero()) events.push_back({form, i + kMost * (j + kMost * k)});
         }
       }
     }
@@ -96,6 +97,15 @@ class MaxLevel final : public DistanceLevel {
   }
 
   bool holds(const Event&, const Moment& moment) const override { return compare(moment) <= 0; }
+
+  std::string name_of(const Event& event) const override {
+    const std::size_t i = event.place % kMost, j = event.place / kMost % kMost, k = event.place / (kMost * kMost);
+    return border_name(i) + ", " + border_name(j) + " and " + border_name(k);
+  }
+
+  std::vector<CandidateStory::Condition> conditions_of(const Event&, const Moment& moment) const override {
+    return {{"distance - d", compare(moment)}};
+  }
 
   void locate(const RealRoot& root, Answer& answer) const override {
     const Moment moment = Moment::at(root);
@@ -146,6 +156,21 @@ class MaxLevel final : public DistanceLevel {
   }
 
  private:
+  /// The border of half-plane m: a coordinate of the difference, or a weight.
+  std::string border_name(std::size_t m) const {
+    static constexpr std::array<const char*, kAxes> kAxisNames = {"x = d",  "x = -d", "y = d",
+                                                                  "y = -d", "z = d",  "z = -d"};
+    if (m < kAxes) return kAxisNames[m];
+    std::size_t corner = 0;
+    switch (kind_) {
+      case Kind::edge_edge: corner = std::array<std::size_t, 4>{1, 3, 0, 2}[m - kAxes]; break;
+      case Kind::vertex_face: corner = std::array<std::size_t, 3>{2, 3, 1}[m - kAxes]; break;
+      case Kind::point_edge: corner = m == kS ? 2 : 1; break;
+      case Kind::point_point: break;
+    }
+    return "no weight of " + std::string(corner_name(kind_, corner));
+  }
+
   void add(HalfPlane half_plane) { half_planes_[count_++] = std::move(half_plane); }
 
   /// The place of a pair i < j among all pairs: those with a smaller j come before it.

@@ -74,9 +74,41 @@ Answer contact_at(const DistanceLevel& level, const RealRoot& time) {
   return answer;
 }
 
-Answer first_contact(const DistanceLevel& level, double t_max) {
+CandidateStory* new_chapter(Story* story, const RealRoot& time, int multiplicity) {
+  if (story == nullptr) return nullptr;
+  CandidateStory& chapter = story->candidates.emplace_back();
+  chapter.lower = time.lower();
+  chapter.upper = time.upper();
+  chapter.time = time.to_string();
+  chapter.multiplicity = multiplicity;
+  return &chapter;
+}
+
+/// Tells which polynomials have roots, those of `candidates`, and which have none.
+void tell_events(const DistanceLevel& level, const std::vector<DistanceLevel::Event>& events,
+                 const std::vector<Candidate>& candidates, Story& story) {
+  for (const DistanceLevel::Event& event : events) {
+    const bool has_root = std::any_of(candidates.begin(), candidates.end(),
+                                      [&](const Candidate& candidate) { return candidate.event == &event; });
+    if (!has_root) {
+      story.without_root.push_back(level.name_of(event));
+      continue;
+    }
+    Story::DistancePolynomial& told = story.polynomials.emplace_back();
+    told.name = level.name_of(event);
+    for (int i = 0; i < event.polynomial.size(); ++i) {
+      told.coefficients.push_back(numbers::to_string(event.polynomial[i]));
+    }
+  }
+}
+
+Answer first_contact(const DistanceLevel& level, double t_max, Story* story = nullptr) {
   const RealRoot start = time_at(0);
   const int at_start = level.compare(Moment::at(start));
+  if (CandidateStory* const chapter = new_chapter(story, start, 0)) {
+    chapter->conditions.push_back({"distance - d", at_start});
+    chapter->touching = at_start <= 0;
+  }
   if (at_start <= 0) {
     Answer answer =
         at_start == 0 ? contact_at(level, start) : contact_at(*level.with_level(level.distance_at(start)), start);
@@ -85,10 +117,39 @@ Answer first_contact(const DistanceLevel& level, double t_max) {
     return answer;
   }
   const std::vector<DistanceLevel::Event> events = level.events();
-  for (const Candidate& candidate : candidates_of(events, Exact(t_max))) {
-    if (level.holds(*candidate.event, Moment::at(candidate.time))) return contact_at(level, candidate.time);
+  const std::vector<Candidate> candidates = candidates_of(events, Exact(t_max));
+  if (story != nullptr) tell_events(level, events, candidates, *story);
+  for (const Candidate& candidate : candidates) {
+    const Moment moment = Moment::at(candidate.time);
+    const bool holds = level.holds(*candidate.event, moment);
+    if (CandidateStory* const chapter = new_chapter(story, candidate.time, candidate.time.multiplicity())) {
+      chapter->polynomial = level.name_of(*candidate.event);
+      chapter->conditions = level.conditions_of(*candidate.event, moment);
+      chapter->touching = holds;
+    }
+    if (holds) return contact_at(level, candidate.time);
   }
   return Answer();
+}
+
+template <class Q>
+Story tell(const Q& query, double t_max, const Separation& separation) {
+  Story story;
+  const std::unique_ptr<DistanceLevel> level = level_for(query, separation);
+  story.answer = first_contact(*level, t_max, &story);
+  if (story.answer.starts_within) {
+    story.why = "the elements are within d of each other at t = 0 already";
+  } else if (separation.metric == Metric::euclidean) {
+    story.why =
+        "the distance may reach d only where a pair of features does: at a root of the pair's polynomial, squared "
+        "distance minus d^2 times a square, at which the nearest points have no negative weight";
+  } else {
+    story.why =
+        "the distance may reach d only where three borders meet: planes on which a coordinate of the difference is d "
+        "or "
+        "-d, and ends of the elements, where a corner has no weight";
+  }
+  return story;
 }
 
 std::vector<RootInterval> all_contacts(const DistanceLevel& level, double t_max) {
@@ -146,6 +207,11 @@ Answer decide_exactly(const Query& query, double t_max, const Separation& separa
 }
 Answer decide_exactly(const RationalQuery& query, double t_max, const Separation& separation) {
   return first_contact(*level_for(query, separation), t_max);
+}
+
+Story explain(const Query& query, double t_max, const Separation& separation) { return tell(query, t_max, separation); }
+Story explain(const RationalQuery& query, double t_max, const Separation& separation) {
+  return tell(query, t_max, separation);
 }
 
 std::vector<RootInterval> touching_times(const Query& query, double t_max, const Separation& separation) {

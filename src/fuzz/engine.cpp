@@ -93,7 +93,7 @@ Outcome run(const SolverFactory& make_solver, const Settings& settings, const Wa
       searchers.size(), state.stop,
       [&](std::size_t i) {
         const auto solver = make_solver();
-        searchers[i].search(JudgedSolver(*solver, settings.judge, settings.early));
+        searchers[i].search(JudgedSolver(*solver, settings));
       },
       [&] {
         if (watch && !watch(progress_of(state))) outcome.stopped = true;

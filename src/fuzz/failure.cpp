@@ -39,8 +39,8 @@ std::string_view failure_name(FailureClass failure) noexcept {
   return "";
 }
 
-std::optional<Failure> failure_of(const Query& query, const Reply& reply, const Answer& truth,
-                                  const EarlyLimit& early) {
+std::optional<Failure> failure_of(const Query& query, const Reply& reply, const Answer& truth, const EarlyLimit& early,
+                                  const Separation& separation) {
   switch (reply.state) {
     case Reply::State::crashed: return Failure{FailureClass::crash, reply.detail};
     case Reply::State::hung: return Failure{FailureClass::hang, reply.detail};
@@ -52,7 +52,7 @@ std::optional<Failure> failure_of(const Query& query, const Reply& reply, const 
     return std::nullopt;
   }
   if (reply.toi && std::isnan(*reply.toi)) return Failure{FailureClass::nan, ""};
-  switch (judge({true, reply.toi, reply.toi_as_written}, query, truth)) {
+  switch (judge({true, reply.toi, reply.toi_as_written}, query, truth, separation)) {
     case Verdict::holds: break;
     case Verdict::missed: return Failure{FailureClass::missed, ""};
     case Verdict::phantom: return Failure{FailureClass::phantom, ""};

@@ -11,6 +11,7 @@
 #include <touchstone/answer.hpp>
 #include <touchstone/fuzz.hpp>
 #include <touchstone/query.hpp>
+#include <touchstone/separation.hpp>
 
 #include "fuzz/solver_under_test.hpp"
 
@@ -36,8 +37,9 @@ struct Failure {
   std::string detail;
 };
 
-/// The failure of this reply to `query`, if any. `truth` is the exact answer.
-std::optional<Failure> failure_of(const Query& query, const Reply& reply, const Answer& truth, const EarlyLimit& early);
+/// The failure of this reply to `query`, if any. `truth` is the exact answer for the separation.
+std::optional<Failure> failure_of(const Query& query, const Reply& reply, const Answer& truth, const EarlyLimit& early,
+                                  const Separation& separation = {});
 
 /// The failure of a whole answer, if any. Everything except its level counts.
 std::optional<Failure> failure_of(Kind kind, const Answer& answer, const Answer& truth);

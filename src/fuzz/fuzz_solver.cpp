@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <touchstone/fuzz.hpp>
 
+#include <cmath>
 #include <utility>
 
 #include <touchstone/error.hpp>
@@ -41,7 +42,12 @@ fuzz::Settings settings_of(const FuzzOptions& options) {
     throw InvalidQuery("one of the kinds is " + std::to_string(static_cast<int>(kind)) + "; it must be one of 0 to " +
                        std::to_string(static_cast<int>(Kind::point_point)));
   }
+  if (!(options.separation.distance >= 0) || !std::isfinite(options.separation.distance)) {
+    throw InvalidQuery("the separation is " + fuzz::decimal_text(options.separation.distance) +
+                       "; it must be finite and not negative");
+  }
   fuzz::Settings settings;
+  settings.separation = options.separation;
   for (const std::string& name : options.families) settings.families.push_back(family_of(name));
   settings.kinds = options.kinds;
   settings.seed = options.seed;

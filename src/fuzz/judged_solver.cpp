@@ -3,16 +3,20 @@
 
 namespace touchstone::fuzz {
 
-JudgedSolver::JudgedSolver(SolverUnderTest& solver, Method judge, const EarlyLimit& early)
-    : solver_(solver), answering_(dynamic_cast<AnsweringSolver*>(&solver)), judge_(judge), early_(early) {}
+JudgedSolver::JudgedSolver(SolverUnderTest& solver, const Settings& settings)
+    : solver_(solver),
+      answering_(dynamic_cast<AnsweringSolver*>(&solver)),
+      judge_(settings.judge),
+      separation_(settings.separation),
+      early_(settings.early) {}
 
-Answer JudgedSolver::truth(const Query& query) const { return solve(query, judge_); }
+Answer JudgedSolver::truth(const Query& query) const { return solve(query, separation_, judge_); }
 
 JudgedReply JudgedSolver::ask(const Query& query, const Answer& truth) const {
   JudgedReply judged;
   if (answering_ == nullptr) {
     judged.reply = solver_.ask(query);
-    judged.failure = failure_of(query, judged.reply, truth, early_);
+    judged.failure = failure_of(query, judged.reply, truth, early_, separation_);
     return judged;
   }
   const Answer answer = answering_->answer(query);

@@ -10,6 +10,7 @@
 
 #include "fuzz/answering_solver.hpp"
 #include "fuzz/failure.hpp"
+#include "fuzz/settings.hpp"
 #include "fuzz/solver_under_test.hpp"
 
 namespace touchstone::fuzz {
@@ -22,8 +23,8 @@ struct JudgedReply {
 
 class JudgedSolver {
  public:
-  /// @param judge  the method whose answers count as the true ones
-  JudgedSolver(SolverUnderTest& solver, Method judge, const EarlyLimit& early);
+  /// @param settings  its judge gives the answers that count as the true ones, for its separation
+  JudgedSolver(SolverUnderTest& solver, const Settings& settings);
 
   /// The judge's answer. The solver is not asked.
   Answer truth(const Query& query) const;
@@ -35,6 +36,7 @@ class JudgedSolver {
   SolverUnderTest& solver_;
   AnsweringSolver* answering_;  ///< the same solver when it gives whole answers, else null
   Method judge_;
+  Separation separation_;
   EarlyLimit early_;
 };
 

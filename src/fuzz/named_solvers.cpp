@@ -8,6 +8,7 @@
 #include <touchstone/solve.hpp>
 
 #include "baselines/baseline.hpp"
+#include "baselines/separation_baseline.hpp"
 #include "certify/answer_check.hpp"
 #include "fuzz/answering_solver.hpp"
 #include "fuzz/callable_solver.hpp"
@@ -22,7 +23,9 @@ constexpr std::array<std::pair<std::string_view, Method>, 4> kOurs{{{"touchstone
 
 constexpr std::string_view kBatch = "batch";
 
-Reply reply_of(const Answer& answer) {
+/// Of an Answer or a baseline's Result.
+template <class AnyAnswer>
+Reply reply_of(const AnyAnswer& answer) {
   Reply reply;
   reply.contact = answer.contact;
   if (answer.contact) reply.toi = answer.toi;
@@ -31,22 +34,26 @@ Reply reply_of(const Answer& answer) {
 
 class OurSolver final : public AnsweringSolver {
  public:
-  OurSolver(std::string_view name, Method method) : name_(name), method_(method) {}
+  OurSolver(std::string_view name, Method method, const Separation& separation)
+      : name_(name), method_(method), separation_(separation) {}
 
   const std::string& name() const override { return name_; }
   bool supports(Kind) const override { return true; }
-  Answer answer(const Query& query) override { return solve(query, method_); }
+  Answer answer(const Query& query) override { return solve(query, separation_, method_); }
 
   Reply ask(const Query& query) override { return reply_of(answer(query)); }
 
  private:
   std::string name_;
   Method method_;
+  Separation separation_;
 };
 
 /// The same query many times in one batch. A batch works on several queries at once; all must get the same answer.
 class BatchSolver final : public AnsweringSolver {
  public:
+  explicit BatchSolver(const Separation& separation) { options_.separation = separation; }
+
   const std::string& name() const override { return name_; }
   bool supports(Kind) const override { return true; }
 
@@ -66,7 +73,7 @@ class BatchSolver final : public AnsweringSolver {
 
   void in_rows(const Query& query) {
     rows_.fill(query);
-    solve_batch(rows_.data(), kCopies, answers_.data());
+    solve_batch(rows_.data(), kCopies, answers_.data(), options_);
   }
 
   void in_columns(const Query& query) {
@@ -84,10 +91,11 @@ class BatchSolver final : public AnsweringSolver {
         }
       }
     }
-    solve_batch(columns, answers_.data() + kCopies);
+    solve_batch(columns, answers_.data() + kCopies, options_);
   }
 
   std::string name_{kBatch};
+  BatchOptions options_;
   std::array<Query, kCopies> rows_;
   std::array<std::array<double, kCopies>, 24> columns_{};
   std::array<Answer, 2 * kCopies> answers_;
@@ -96,30 +104,43 @@ class BatchSolver final : public AnsweringSolver {
 std::unique_ptr<SolverUnderTest> baseline_solver(const baselines::Baseline& method) {
   const auto ask = [&method](const Query& query) {
     constexpr double kWholeStep = 1;
-    const baselines::Result result = method.solve(query, kWholeStep, method.usual_tolerance);
-    Reply reply;
-    reply.contact = result.contact;
-    if (result.contact) reply.toi = result.toi;
-    return reply;
+    return reply_of(method.solve(query, kWholeStep, method.usual_tolerance));
   };
   return callable_solver(std::string(method.name), ask, method.supports);
 }
 
+std::unique_ptr<SolverUnderTest> baseline_solver(const baselines::SeparationBaseline& method, double distance) {
+  const auto ask = [&method, distance](const Query& query) {
+    constexpr double kWholeStep = 1;
+    return reply_of(method.solve(query, distance, kWholeStep, method.usual_tolerance));
+  };
+  return callable_solver(std::string(method.name), ask);
+}
+
 }  // namespace
 
-std::vector<std::string_view> solver_names() {
+std::vector<std::string_view> solver_names(const Separation& separation) {
   std::vector<std::string_view> names;
   for (const auto& [name, method] : kOurs) names.push_back(name);
   names.push_back(kBatch);
-  for (const baselines::Baseline& method : baselines::methods()) names.push_back(method.name);
+  if (separation.distance == 0) {
+    for (const baselines::Baseline& method : baselines::methods()) names.push_back(method.name);
+  } else if (separation.metric == Metric::euclidean) {
+    for (const baselines::SeparationBaseline& method : baselines::separation_methods()) names.push_back(method.name);
+  }
   return names;
 }
 
-std::unique_ptr<SolverUnderTest> named_solver(std::string_view name) {
+std::unique_ptr<SolverUnderTest> named_solver(std::string_view name, const Separation& separation) {
   for (const auto& [ours, method] : kOurs) {
-    if (ours == name) return std::make_unique<OurSolver>(name, method);
+    if (ours == name) return std::make_unique<OurSolver>(name, method, separation);
   }
-  if (name == kBatch) return std::make_unique<BatchSolver>();
+  if (name == kBatch) return std::make_unique<BatchSolver>(separation);
+  if (separation.distance > 0) {
+    const auto* const baseline =
+        separation.metric == Metric::euclidean ? baselines::find_separation_method(name) : nullptr;
+    return baseline != nullptr ? baseline_solver(*baseline, separation.distance) : nullptr;
+  }
   const baselines::Baseline* const baseline = baselines::find_method(name);
   return baseline != nullptr ? baseline_solver(*baseline) : nullptr;
 }

@@ -28,8 +28,10 @@ Query plain_query(Kind kind) {
 
 class PipeSolver : public SolverUnderTest {
  public:
-  PipeSolver(const std::string& command_line, const Limits& limits) : name_(command_line), limits_(limits) {
-    run_ = std::make_unique<PipeRun>(command_line, limits);
+  PipeSolver(const std::string& command_line, const Limits& limits, const Separation& separation)
+      : name_(command_line), limits_(limits), separation_(separation) {
+    const std::string trouble = launch();
+    if (!trouble.empty()) throw Error(io::in_quotes(name_) + ": " + trouble);
     first_answers();
   }
 
@@ -69,11 +71,26 @@ class PipeSolver : public SolverUnderTest {
     throw Error(io::in_quotes(name_) + ": the solver's command gives no answers: " + trouble);
   }
 
+  /// Starts the program and tells it the separation. @returns the reason when it does not take that, else nothing
+  /// @throws Error when it cannot be started
+  std::string launch() {
+    run_ = std::make_unique<PipeRun>(name_, limits_);
+    if (separation_.distance == 0) return {};
+    const std::string line = pipes::separation_line(separation_);
+    const PipeRun::Exchange exchange = run_->exchange(line, limits_.start);
+    const bool said = exchange.end == PipeRun::Exchange::End::line;
+    if (said && pipes::takes_separation(exchange.line)) return {};
+    return "the solver's command takes no separation: it must answer the line " +
+           io::in_quotes(line.substr(0, line.size() - 1)) + " with 'ok'" +
+           (said ? ", and it says " + io::in_quotes(exchange.line) : ", and it says nothing");
+  }
+
   /// Starts the program again if it does not run. @returns the reason when it cannot run, else nothing
   std::string start() {
     if (run_) return {};
     try {
-      run_ = std::make_unique<PipeRun>(name_, limits_);
+      const std::string trouble = launch();
+      if (!trouble.empty()) return trouble;
     } catch (const Error& error) {
       return error.what();
     }
@@ -82,7 +99,10 @@ class PipeSolver : public SolverUnderTest {
   }
 
   Reply exchange(const Query& query, std::chrono::milliseconds time, bool& supported) {
-    if (!run_) run_ = std::make_unique<PipeRun>(name_, limits_);
+    if (!run_) {
+      const std::string trouble = launch();
+      if (!trouble.empty()) return give_up(run_, Reply::State::crashed, trouble);
+    }
     const PipeRun::Exchange exchange = run_->exchange(pipes::query_line(query), time);
     using End = PipeRun::Exchange::End;
     const std::string said = exchange.line.empty() ? "" : "; it had said " + io::in_quotes(exchange.line);
@@ -112,6 +132,7 @@ class PipeSolver : public SolverUnderTest {
 
   std::string name_;
   Limits limits_;
+  Separation separation_;
   std::array<bool, 4> supported_{};
   Kind first_ = Kind::edge_edge;  ///< one that it supports
   std::unique_ptr<PipeRun> run_;
@@ -119,8 +140,9 @@ class PipeSolver : public SolverUnderTest {
 
 }  // namespace
 
-std::unique_ptr<SolverUnderTest> run_command(const std::string& command_line, const Limits& limits) {
-  return std::make_unique<PipeSolver>(command_line, limits);
+std::unique_ptr<SolverUnderTest> run_command(const std::string& command_line, const Limits& limits,
+                                             const Separation& separation) {
+  return std::make_unique<PipeSolver>(command_line, limits, separation);
 }
 
 }  // namespace touchstone::fuzz

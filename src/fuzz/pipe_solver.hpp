@@ -5,6 +5,8 @@
 #include <memory>
 #include <string>
 
+#include <touchstone/separation.hpp>
+
 #include "fuzz/limits.hpp"
 #include "fuzz/solver_under_test.hpp"
 
@@ -14,7 +16,9 @@ namespace touchstone::fuzz {
 /// with a meaning to a shell. One query of each kind finds out which kinds the program supports. A query on which
 /// the program ends, hangs or gives no readable answer costs the process, and the next query starts another. The thread
 /// that calls this, and ask(), must live as long as the solver: on Linux the process dies with it.
-/// @throws Error when the program cannot be started or answers none of these first queries
-std::unique_ptr<SolverUnderTest> run_command(const std::string& command_line, const Limits& limits = {});
+/// @param separation  what the queries ask about; the program is told each time that it starts
+/// @throws Error when the program cannot be started, answers none of these first queries, or takes no separation
+std::unique_ptr<SolverUnderTest> run_command(const std::string& command_line, const Limits& limits = {},
+                                             const Separation& separation = {});
 
 }  // namespace touchstone::fuzz

@@ -37,6 +37,14 @@ void leave_at_exit() {
 #endif
 }
 
+/// Tells the library the separation, if there is one.
+bool takes_separation(void* library, const SharedCall& call) {
+  if (call.separation == 0) return true;
+  using Tell = int (*)(double, int);
+  const auto tell = reinterpret_cast<Tell>(::dlsym(library, "touchstone_separation"));
+  return tell != nullptr && tell(call.separation, call.metric) == 0;
+}
+
 const touchstone_solver_plugin* load(const std::string& path, SharedCall& call) {
   void* const library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
@@ -61,6 +69,8 @@ const touchstone_solver_plugin* load(const std::string& path, SharedCall& call) 
            "its kinds are " + std::to_string(plugin->kinds) + ", which is no sum of TOUCHSTONE_EDGE_EDGE and so on");
   } else if (plugin->solve == nullptr) {
     refuse(call, "its solve is a null pointer");
+  } else if (!takes_separation(library, call)) {
+    refuse(call, "it takes no such separation (see touchstone_separation in touchstone/plugin.h)");
   } else {
     return plugin;
   }

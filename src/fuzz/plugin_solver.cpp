@@ -27,10 +27,12 @@ using Clock = ChildProcess::Clock;
 /// Memory that this process and a child share.
 class SharedMemory {
  public:
-  SharedMemory() {
+  explicit SharedMemory(const Separation& separation) {
     void* const memory = ::mmap(nullptr, sizeof(SharedCall), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) throw Error("no memory can be shared with a plugin: " + io::system_reason(errno));
     call_ = new (memory) SharedCall;
+    call_->separation = separation.distance;
+    call_->metric = separation.metric == Metric::euclidean ? TOUCHSTONE_EUCLIDEAN : TOUCHSTONE_MAX;
   }
   ~SharedMemory() { ::munmap(call_, sizeof(SharedCall)); }
   SharedMemory(const SharedMemory&) = delete;
@@ -44,8 +46,10 @@ class SharedMemory {
 /// One process, from its start to its end.
 class Run {
  public:
-  Run(const std::string& path, const Limits& limits)
-      : limits_(limits), child_({-1, -1, -1, limits.memory}, [&] { serve_plugin(path, memory_.call()); }) {}
+  Run(const std::string& path, const Limits& limits, const Separation& separation)
+      : limits_(limits),
+        memory_(separation),
+        child_({-1, -1, -1, limits.memory}, [&] { serve_plugin(path, memory_.call()); }) {}
 
   ~Run() {
     // A child that is ready is told to end, so that its teardown runs. A child in the middle of a query is not.
@@ -89,7 +93,8 @@ std::string in_milliseconds(std::chrono::milliseconds time) { return std::to_str
 
 class PluginSolver : public SolverUnderTest {
  public:
-  PluginSolver(const std::string& path, const Limits& limits) : name_(path), limits_(limits) {
+  PluginSolver(const std::string& path, const Limits& limits, const Separation& separation)
+      : name_(path), limits_(limits), separation_(separation) {
     std::error_code error;
     path_ = std::filesystem::absolute(path, error).string();  // dlopen looks elsewhere for a name without a slash
     if (error) path_ = path;
@@ -148,7 +153,7 @@ class PluginSolver : public SolverUnderTest {
 
   /// @returns the reason when there is no process, else nothing
   std::string start() {
-    run_ = std::make_unique<Run>(path_, limits_);
+    run_ = std::make_unique<Run>(path_, limits_, separation_);
     const auto end = run_->wait(limits_.start);
     std::string reason;
     if (end == Run::End::answered) {
@@ -169,6 +174,7 @@ class PluginSolver : public SolverUnderTest {
   std::string name_;
   std::string path_;
   Limits limits_;
+  Separation separation_;
   std::uint32_t kinds_ = 0;
   std::uint32_t since_drained_ = 0;
   std::unique_ptr<Run> run_;
@@ -176,8 +182,9 @@ class PluginSolver : public SolverUnderTest {
 
 }  // namespace
 
-std::unique_ptr<SolverUnderTest> load_plugin(const std::string& path, const Limits& limits) {
-  return std::make_unique<PluginSolver>(path, limits);
+std::unique_ptr<SolverUnderTest> load_plugin(const std::string& path, const Limits& limits,
+                                             const Separation& separation) {
+  return std::make_unique<PluginSolver>(path, limits, separation);
 }
 
 }  // namespace touchstone::fuzz

@@ -5,6 +5,8 @@
 #include <memory>
 #include <string>
 
+#include <touchstone/separation.hpp>
+
 #include "fuzz/limits.hpp"
 #include "fuzz/solver_under_test.hpp"
 
@@ -13,9 +15,11 @@ namespace touchstone::fuzz {
 /// Starts the process and loads the library there. A query on which it crashes or hangs costs the process, and the next
 /// query starts another. The thread that calls this, and ask(), must live as long as the solver: on Linux the process
 /// dies with it.
+/// @param separation  what the queries ask about; the library is told
 /// @throws Error when there is no such library, when it does not export touchstone_solver() or was made for another
 /// version,
-/// or when its init fails, crashes or hangs
-std::unique_ptr<SolverUnderTest> load_plugin(const std::string& path, const Limits& limits = {});
+/// when its init fails, crashes or hangs, or when it does not take the separation
+std::unique_ptr<SolverUnderTest> load_plugin(const std::string& path, const Limits& limits = {},
+                                             const Separation& separation = {});
 
 }  // namespace touchstone::fuzz

@@ -15,7 +15,7 @@ std::optional<Finding> run_case(SolverUnderTest& solver, const CaseName& name, c
                                 const std::function<bool()>& stop) {
   const numbers::DefaultFloatEnvironment environment;
   supported_kinds(solver, {name.start.kind});
-  const JudgedSolver judged(solver, settings.judge, settings.early);
+  const JudgedSolver judged(solver, settings);
   const Query query = query_of_case(name, settings.given);
   const Answer truth = judged.truth(query);
   const auto [reply, failure] = judged.ask(query, truth);
@@ -30,7 +30,7 @@ std::optional<Finding> run_case(SolverUnderTest& solver, const CaseName& name, c
 void shrink_finding(Finding& finding, SolverUnderTest& solver, const Settings& settings,
                     const std::function<bool()>& stop) {
   if (settings.shrink_tries == 0) return;
-  const JudgedSolver judged(solver, settings.judge, settings.early);
+  const JudgedSolver judged(solver, settings);
   Example best = finding.example;
   const auto still_fails = [&](const Query& query) {
     const Answer truth = judged.truth(query);

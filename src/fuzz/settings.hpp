@@ -24,6 +24,7 @@ struct Settings {
   std::optional<double> seconds;       ///< the longest time to search, from when the first thread has its solver
   std::uint64_t climb = 0;             ///< steps of hill climbing from each of them; each step is asked as well
   int threads = 1;                     ///< at least 1; with `cases` and no `seconds` no result depends on it
+  Separation separation = {};          ///< what every query asks about; the solvers must have been made for the same
   Method judge = Method::exact;
   EarlyLimit early;
   std::size_t most_findings = 0;         ///< 0: all

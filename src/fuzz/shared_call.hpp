@@ -20,6 +20,10 @@ struct SharedCall {
   std::atomic<std::uint32_t> asleep[2]{};  ///< not 0: the parent, or the child, may sleep and must be woken
   std::atomic<Stage> stage{Stage::loading};
 
+  // The separation, from the beginning; 0: touching.
+  double separation = 0;
+  std::int32_t metric = 0;  ///< as in plugin.h
+
   // The query.
   std::uint32_t kind = 0;  ///< as in plugin.h; 0: end
   std::array<double, 12> start{};

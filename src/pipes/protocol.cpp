@@ -91,6 +91,15 @@ std::string query_line(const Query& query) {
   return line;
 }
 
+std::string separation_line(const Separation& separation) {
+  return "separation " + io::hexfloat(separation.distance) + " " + std::string(metric_name(separation.metric)) + "\n";
+}
+
+bool takes_separation(std::string_view answer) noexcept {
+  if (answer.ends_with('\r')) answer.remove_suffix(1);
+  return without_blanks(answer) == "ok";
+}
+
 std::optional<AnswerLine> read_answer_line(std::string_view line) {
   if (line.ends_with('\r')) line.remove_suffix(1);
   const std::string_view word = take_word(line);

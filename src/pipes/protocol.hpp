@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <touchstone/query.hpp>
+#include <touchstone/separation.hpp>
 
 namespace touchstone::pipes {
 
@@ -21,11 +22,20 @@ namespace touchstone::pipes {
 //            "1"            contact; this solver reports no time
 //            "unsupported"  the solver takes no queries of this kind; only as the first answer to a kind
 //            and a line feed. A carriage return and blanks before it do no harm.
+// With a separation D > 0 one line comes before all queries: "separation D METRIC", D a hexfloat and METRIC euclidean or
+// max. Contact then is a distance of at most D. Its answer is "ok", or "unsupported" when the solver takes none; a
+// program that answers anything else does not know the line, and takes none either.
 // The program writes exactly one answer to each query, in the order of the queries, and flushes it. The next query
 // comes only after the answer. The program ends when its input ends.
 
 /// The line for a query, line feed included.
 std::string query_line(const Query& query);
+
+/// The line for a separation, line feed included.
+std::string separation_line(const Separation& separation);
+
+/// Whether a line (without its line feed) says that the program takes the separation.
+bool takes_separation(std::string_view answer) noexcept;
 
 struct AnswerLine {
   bool supported = true;

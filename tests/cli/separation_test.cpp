@@ -1,6 +1,6 @@
 // --separation and --metric: answers, claims and generated sets.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -257,4 +257,58 @@ TEST_CASE("generated sets with a separation hold, and a flipped bit is refuted")
       CHECK(report["refuted"][0]["metric"] == metric);
     }
   }
+}
+
+TEST_CASE("explain tells the distance's polynomials, the feet and the answer, and knows what a file is about") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("point-point/a.csv", passing_points());
+  const Run run = run_program({"explain", "--query", "0", "--separation", "1", file});
+  CHECK(run.status == 0);
+  CHECK(run.err == "");
+  for (const char* part :
+       {"\nseparation 0x1p+0 (1), euclidean: d below\n",
+        "\nthe polynomial of p against q, exactly\n  1     8\n  t     -24\n  t^2   16\n",
+        "       distance - d  positive\n     they are farther apart than d\n",
+        "  2. t = 0x1p-1 (0.5), a simple root of p against q\n     exactly 1/2\n     they are within d\n",
+        "\nanswer: entering contact, first at t = 0x1p-1 (0.5)\n  the distance then falls\n",
+        "the file's truth column says 1: holds\n"}) {
+    CAPTURE(part);
+    CHECK(occurrences(run.out, part) == 1);
+  }
+  const std::string near = folder.write("point-point/b.csv", "# separation 0x1p+2 max\n" + passing_points());
+  CHECK(occurrences(run_program({"explain", "--query", "1", "--separation", "4", "--metric", "max", near}).out,
+                    "  they start within d; the distance then stays as it is\n") == 1);
+  CHECK(occurrences(run_program({"explain", "--query", "1", near}).out,
+                    "the file's truth column is about separation 0x1p+2 (4), max\n") == 1);
+}
+
+TEST_CASE("fuzz with a separation breaks the baselines, finds ours right, and its files say the separation") {
+  const TemporaryFolder folder;
+  const Run ours = run_program({"fuzz", "--separation", "0.5", "--cases", "160"});
+  CAPTURE(ours.out);
+  CHECK(ours.status == 0);
+  CHECK(ours.out.rfind("touchstone judged by exact, separation 0x1p-1 (0.5), euclidean, seed 1: 160 queries in ", 0) ==
+        0);
+  for (const std::string solver : {"thick_polynomial", "thick_advancement"}) {
+    CAPTURE(solver);
+    const std::string out = folder.path(solver);
+    const Run run = run_program({"fuzz", "--solver", solver, "--separation", "0.5", "--family", "lattice1", "--family",
+                                 "near_hit", "--cases", "400", "--findings", "2", "--out", out});
+    CHECK(run.status == 1);
+    CHECK(occurrences(run.out, "   touchstone fuzz --solver " + solver + " --separation 0x1p-1 --case ") == 2);
+    CHECK(occurrences(run.out, "   touchstone explain --separation 0x1p-1 --query 0 ") > 0);
+    std::vector<std::string> certify = {"certify", "--separation", "0.5"};
+    for (const Kind kind : kKinds) {
+      for (const char* failure : {"missed", "late", "phantom"}) {
+        const std::string file = out + "/" + std::string(kind_name(kind)) + "/" + failure + ".csv";
+        if (std::filesystem::exists(file)) certify.push_back(file);
+      }
+    }
+    CHECK(certify.size() > 3);
+    CHECK(run_program(certify).status == 0);
+    CHECK(run_program({"certify", "--separation", "0.25", certify.back()}).status == 2);
+  }
+  check_refused({"fuzz", "--solver", "paper", "--separation", "1"},
+                "touchstone: 'paper' is no solver for separation 0x1p+0 (1), euclidean; they are touchstone, exact, "
+                "oracle, fast-cgal, batch, thick_advancement, thick_polynomial");
 }

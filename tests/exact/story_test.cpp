@@ -48,6 +48,42 @@ TEST_CASE("the story of a planar motion names its candidates and is the decision
   CHECK(story.candidates.back().multiplicity == 0);
 }
 
+TEST_CASE("the story of a separation names the pair of features that comes within it") {
+  const Query query(
+      EdgeEdge{{{{-1, 0, 0}, {1, 0, 0}, {0, -1, 1}, {0, 1, 1}}}, {{{-1, 0, 0}, {1, 0, 0}, {0, -1, -2}, {0, 1, -2}}}});
+  const exact::Story story = exact::explain(query, 1, Separation{0.25});
+  CHECK_FALSE(story.has_cubic);
+  REQUIRE(story.polynomials.size() == 1);
+  CHECK(story.polynomials[0].name == "a against b");
+  // (n . r)^2 - d^2 |n|^2 with n = (0, 0, 4) and r_z = 1 - 3 t: 16 (1 - 3 t)^2 - 1.
+  CHECK(story.polynomials[0].coefficients == std::vector<std::string>{"15", "-96", "144", "0", "0", "0", "0"});
+  CHECK(story.without_root.size() == 8);
+  REQUIRE(story.candidates.size() == 2);
+  CHECK(story.candidates[0].time == "0");
+  CHECK_FALSE(story.candidates[0].touching);
+  CHECK(story.candidates[1].time == "1/4");
+  CHECK(story.candidates[1].polynomial == "a against b");
+  CHECK(story.candidates[1].conditions.size() == 5);
+  CHECK(story.candidates[1].touching);
+}
+
+TEST_CASE("the story's answer with a separation is the decision in every family") {
+  for (const tests::FamilyInfo& family : tests::all_families()) {
+    for (const Kind kind : tests::kKinds) {
+      for (const Metric metric : {Metric::euclidean, Metric::max}) {
+        const tests::CaseId id{family.family, kind, 43, 0};
+        const Query query = tests::make(id);
+        const Separation separation = {0.25, metric};
+        INFO(tests::case_name(id) << ", " << metric_name(metric));
+        const exact::Story story = exact::explain(query, 1, separation);
+        REQUIRE(tests::bit_difference(story.answer, exact::decide_exactly(query, 1, separation), true).empty());
+        REQUIRE_FALSE(story.candidates.empty());
+        REQUIRE(story.candidates.back().touching == story.answer.contact);
+      }
+    }
+  }
+}
+
 TEST_CASE("the story's answer is the decision in every family") {
   for (const tests::FamilyInfo& family : tests::all_families()) {
     for (const Kind kind : tests::kKinds) {

@@ -14,10 +14,12 @@
 #include "cli/shared/inputs.hpp"
 #include "cli/shared/interrupt.hpp"
 #include "cli/shared/options.hpp"
+#include "cli/shared/separation.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
 #include "io/output_file.hpp"
 #include "io/query_parser.hpp"
+#include "io/separation_text.hpp"
 #include "io/times.hpp"
 
 namespace touchstone::cli {
@@ -28,11 +30,13 @@ struct ExplainOptions {
   std::optional<Kind> kind;
   std::uint64_t query = 0;
   double t_max = 1;
+  SeparationOption separation;
 };
 
 /// A query and the piece of the file that holds it. Only that piece is parsed.
 struct FoundQuery {
-  io::QueryChunk chunk;  ///< record.text lies in here
+  std::optional<Separation> truth_separation;  ///< what the file says that its truth column is about
+  io::QueryChunk chunk;                        ///< record.text lies in here
   io::QueryRecord record;
 };
 
@@ -42,6 +46,7 @@ std::unique_ptr<FoundQuery> find_query(const Input& input, std::uint64_t number)
   auto found = std::make_unique<FoundQuery>();
   while (auto chunk = reader.next()) {
     throw_if_interrupted();
+    if (chunk->first_query == 0) found->truth_separation = io::separation_of_comments(chunk->text());
     count += chunk->query_count;
     if (number >= count && !chunk->truncated) continue;
     found->chunk = std::move(*chunk);
@@ -63,15 +68,24 @@ int run_explain(const ExplainOptions& options) {
   const auto found = find_query(input, options.query);
   const auto& record = found->record;
   // solve comes first: it refuses the queries that exact::explain does not accept.
-  std::visit([&](const auto& query) { static_cast<void>(solve(query, Method::exact, options.t_max)); }, record.query);
-  const exact::Story story =
-      std::visit([&](const auto& query) { return exact::explain(query, options.t_max); }, record.query);
+  const Separation& separation = options.separation.separation;
+  std::visit([&](const auto& query) { static_cast<void>(solve(query, separation, Method::exact, options.t_max)); },
+             record.query);
+  const exact::Story story = std::visit(
+      [&](const auto& query) {
+        return separation.distance == 0 ? exact::explain(query, options.t_max)
+                                        : exact::explain(query, options.t_max, separation);
+      },
+      record.query);
 
   auto console = io::OutputFile::standard_output();
   console.write(heading(input, record));
   console.write(corners_for_person(record.query, io::query_as_given(input.kind, record.text)));
-  console.write(story_for_person(input.kind, story, options.t_max));
-  if (options.t_max == 1) {
+  console.write(story_for_person(input.kind, story, options.t_max, separation));
+  if (found->truth_separation && !io::same_question(*found->truth_separation, separation)) {
+    console.write(
+        fmt::format("the file's truth column is about {}\n", separation_for_person(*found->truth_separation)));
+  } else if (options.t_max == 1) {
     console.write(fmt::format("the file's truth column says {}: {}\n", record.truth ? 1 : 0,
                               verdict_name(judge({record.truth, std::nullopt}, story.answer))));
   }
@@ -102,10 +116,12 @@ void add_explain(CLI::App& program, Command& command) {
         if (value && *value >= 0 && *value <= 1) return std::string();
         return text + (value ? " must be a number in [0, 1]" : fault_of_number(text));
       });
+  add_separation_options(*subcommand, options->separation, "The distance at which two elements are in contact");
   subcommand->footer(
       "Shows the corners as given and as doubles, the coplanarity cubic's exact coefficients, each time at which "
       "contact\n"
-      "may begin with the exact signs that decide it, and the answer.");
+      "may begin with the exact signs that decide it, and the answer. With --separation D it shows the polynomials of\n"
+      "the distance instead of the cubic: each pair of features that may come within D has one.");
   subcommand->callback([options, &command] { command = [options] { return run_explain(*options); }; });
 }
 

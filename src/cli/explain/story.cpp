@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "cli/shared/separation.hpp"
 #include "cli/shared/words.hpp"
 #include "io/times.hpp"
 #include "numbers/fraction.hpp"
@@ -33,11 +34,15 @@ std::string enclosure(double lower, double upper) {
   return fmt::format("in [{}, {}] ({})", io::hexfloat(lower), io::hexfloat(upper), lower);
 }
 
-std::string candidate_for_person(std::size_t number, const exact::CandidateStory& candidate) {
+std::string candidate_for_person(std::size_t number, const exact::CandidateStory& candidate, bool apart) {
+  constexpr std::array<const char*, 4> kMultiplicities = {"", "a simple", "a double", "a triple"};
   std::string root;
-  if (candidate.multiplicity == 1) root = ", a simple root of V";
-  if (candidate.multiplicity == 2) root = ", a double root of V";
-  if (candidate.multiplicity == 3) root = ", a triple root of V";
+  if (candidate.multiplicity > 0) {
+    const auto multiplicity = static_cast<std::size_t>(candidate.multiplicity);
+    const std::string words =
+        multiplicity < kMultiplicities.size() ? kMultiplicities[multiplicity] : fmt::format("a {}-fold", multiplicity);
+    root = fmt::format(", {} root of {}", words, candidate.polynomial.empty() ? "V" : candidate.polynomial);
+  }
   std::string text = fmt::format("  {}. t {}{}\n", number, enclosure(candidate.lower, candidate.upper), root);
   text += fmt::format("     exactly {}\n", candidate.time);
   std::size_t width = 0;
@@ -45,16 +50,40 @@ std::string candidate_for_person(std::size_t number, const exact::CandidateStory
   for (const auto& condition : candidate.conditions) {
     text += fmt::format("       {:<{}}  {}\n", condition.name, width, sign_for_person(condition.sign));
   }
+  if (apart) {
+    const char* const farther = candidate.multiplicity == 0 ? "they are farther apart than d" : "this shows no contact";
+    return text + fmt::format("     {}\n", candidate.touching ? "they are within d" : farther);
+  }
   return text + (candidate.touching ? "     they touch\n" : "     they do not touch\n");
 }
 
-std::string cubic_for_person(const exact::Story& story) {
-  constexpr std::array<const char*, 4> kPowers = {"1", "t", "t^2", "t^3"};
-  std::string text = "\nthe coplanarity cubic V(t), exactly\n";
-  for (std::size_t i = 0; i < story.coefficients.size() && i < kPowers.size(); ++i) {
-    text += fmt::format("  {:<4}  {}\n", kPowers[i], story.coefficients[i]);
+std::string coefficients_for_person(const std::vector<std::string>& coefficients) {
+  std::string text;
+  for (std::size_t i = 0; i < coefficients.size(); ++i) {
+    const std::string power = i == 0 ? "1" : i == 1 ? "t" : fmt::format("t^{}", i);
+    text += fmt::format("  {:<4}  {}\n", power, coefficients[i]);
   }
   return text;
+}
+
+std::string cubic_for_person(const exact::Story& story) {
+  return "\nthe coplanarity cubic V(t), exactly\n" + coefficients_for_person(story.coefficients);
+}
+
+/// The polynomials of the distance that have roots, and a line about the others.
+std::string polynomials_for_person(const exact::Story& story, double t_max) {
+  std::string text;
+  for (const auto& polynomial : story.polynomials) {
+    text += fmt::format("\nthe polynomial of {}, exactly\n", polynomial.name);
+    text += coefficients_for_person(polynomial.coefficients);
+  }
+  constexpr std::size_t kListed = 9;  // all pairs of features
+  const std::vector<std::string>& others = story.without_root;
+  if (others.empty()) return text;
+  text += fmt::format("\nwithout a root in [0, {}]: ", t_max);
+  if (others.size() > kListed) return text + counted(others.size(), "polynomial") + "\n";
+  for (std::size_t i = 0; i < others.size(); ++i) text += (i == 0 ? "" : ", ") + others[i];
+  return text + "\n";
 }
 
 /// "a0 a1" with weights "0.25, 0.75": the corners that a feature's weights belong to.
@@ -71,9 +100,16 @@ std::string answer_for_person(Kind kind, const Answer& answer, double t_max) {
   const std::string range = t_max == 1 ? "" : fmt::format(" for t in [0, {}]", t_max);
   if (!answer.contact) return fmt::format("\nanswer: no contact{}\n", range);
   const std::size_t first_count = kind == Kind::edge_edge ? 2 : 1;
+  std::string course;
+  if (answer.trend != Trend::none) {
+    course = fmt::format("  {}the distance then {}\n", answer.starts_within ? "they start within d; " : "",
+                         answer.trend == Trend::approaching ? "falls"
+                         : answer.trend == Trend::leaving   ? "rises"
+                                                            : "stays as it is");
+  }
   return fmt::format("\nanswer: {} contact{}, first at t {}\n", nature_name(answer.nature), range,
                      enclosure(answer.toi, answer.toi_upper)) +
-         touched(kind, answer.feature_a, answer.weights_a, 0, first_count) +
+         course + touched(kind, answer.feature_a, answer.weights_a, 0, first_count) +
          touched(kind, answer.feature_b, answer.weights_b, first_count, corner_count(kind) - first_count);
 }
 
@@ -104,12 +140,16 @@ std::string corners_for_person(const std::variant<Query, RationalQuery>& query, 
   return text;
 }
 
-std::string story_for_person(Kind kind, const exact::Story& story, double t_max) {
+std::string story_for_person(Kind kind, const exact::Story& story, double t_max, const Separation& separation) {
+  const bool apart = separation.distance > 0;
   std::string text;
+  if (apart) text += fmt::format("\n{}: d below\n", separation_for_person(separation));
   if (story.has_cubic) text += cubic_for_person(story);
+  text += polynomials_for_person(story, t_max);
   text += fmt::format("\n{}\n", story.why);
   text += fmt::format("\ncandidate times in [0, {}]: {}\n", t_max, story.candidates.size());
-  for (std::size_t i = 0; i < story.candidates.size(); ++i) text += candidate_for_person(i + 1, story.candidates[i]);
+  for (std::size_t i = 0; i < story.candidates.size(); ++i)
+    text += candidate_for_person(i + 1, story.candidates[i], apart);
   return text + answer_for_person(kind, story.answer, t_max);
 }
 

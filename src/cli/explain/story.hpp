@@ -14,7 +14,8 @@ namespace touchstone::cli {
 /// Every corner at both ends, as the file gives it, and as a hexfloat if it is a double. Whole lines.
 std::string corners_for_person(const std::variant<Query, RationalQuery>& query, const RationalQuery& as_given);
 
-/// The cubic, the candidate times with the signs that decide them, and the answer. Whole lines.
-std::string story_for_person(Kind kind, const exact::Story& story, double t_max);
+/// The cubic, or the distance's polynomials with a separation, the candidate times with the signs that decide them, and
+/// the answer. Whole lines.
+std::string story_for_person(Kind kind, const exact::Story& story, double t_max, const Separation& separation);
 
 }  // namespace touchstone::cli

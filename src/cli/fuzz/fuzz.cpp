@@ -45,7 +45,7 @@ int run_one_case(const FuzzCommandOptions& options, const fuzz::Settings& settin
     throw Error(options.a_case->given ? "--case: a given query needs the files that it was given in, with --from"
                                       : "--from goes with a case that is given, not with one of a family");
   }
-  const auto solver = solver_factory(options.solver)();
+  const auto solver = solver_factory(options.solver, settings.separation)();
   const auto finding = fuzz::run_case(*solver, *options.a_case, settings, interrupted);
   auto console = io::OutputFile::standard_output();
   if (finding) {
@@ -63,6 +63,7 @@ int run_fuzz(const FuzzCommandOptions& options) {
   refuse_to_overwrite_given(options);
   check_folder(options.out);
   fuzz::Settings settings = options.settings;
+  settings.separation = options.separation.separation;
   if (!options.from.empty()) settings.given = given_queries(options);
   if (options.a_case) return run_one_case(options, settings);
   settings.threads = thread_count(settings.threads);
@@ -72,10 +73,11 @@ int run_fuzz(const FuzzCommandOptions& options) {
   fuzz::Outcome outcome;
   {
     ProgressLine line;
-    outcome = fuzz::run(solver_factory(options.solver), settings, [&](const fuzz::Progress& progress) {
-      line.draw([&] { return progress_for_person(progress); });
-      return !interrupted();
-    });
+    outcome =
+        fuzz::run(solver_factory(options.solver, settings.separation), settings, [&](const fuzz::Progress& progress) {
+          line.draw([&] { return progress_for_person(progress); });
+          return !interrupted();
+        });
   }
   if (outcome.queries == 0 && !interrupted())
     throw Error("no query was asked in this time: more --seconds, or --cases");

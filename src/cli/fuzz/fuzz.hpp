@@ -8,13 +8,15 @@
 
 #include "cli/fuzz/solvers.hpp"
 #include "cli/shared/command.hpp"
+#include "cli/shared/separation.hpp"
 #include "fuzz/engine.hpp"
 
 namespace touchstone::cli {
 
 struct FuzzCommandOptions {
   SolverChoice solver;
-  fuzz::Settings settings;               ///< threads 0: all that the machine has
+  fuzz::Settings settings;  ///< threads 0: all that the machine has; its separation is not set here
+  SeparationOption separation;
   std::vector<std::string> from;         ///< query files to start from; empty: families
   std::string out;                       ///< a folder for the shrunk failures; empty: none
   std::optional<fuzz::CaseName> a_case;  ///< this one alone

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "baselines/separation_baseline.hpp"
 #include "cli/fuzz/fuzz.hpp"
 #include "cli/shared/options.hpp"
 #include "cli/shared/words.hpp"
@@ -185,6 +186,14 @@ void add_fuzz(CLI::App& program, Command& command) {
           "name of each file's folder is their kind, or else the one --kind is")
       ->type_name("FILE")
       ->excludes(family);
+  std::string with_separation;
+  for (const auto& method : baselines::separation_methods()) {
+    with_separation.append(with_separation.empty() ? "" : ", ").append(method.name);
+  }
+  add_separation_options(*subcommand, options->separation,
+                         "The distance at which two elements are in contact. The solvers are then touchstone, exact, "
+                         "oracle, fast-cgal, batch and, in the Euclidean metric, " +
+                             with_separation + "; a plugin or program is told");
   subcommand->add_option("--out", options->out, "The folder for the shrunk failures; it is made when it is missing")
       ->type_name("FOLDER");
   subcommand

@@ -14,6 +14,7 @@
 #include "io/fail.hpp"
 #include "io/output_file.hpp"
 #include "io/query_writer.hpp"
+#include "io/separation_text.hpp"
 
 namespace touchstone::cli {
 namespace {
@@ -41,9 +42,12 @@ std::string progress_for_person(const fuzz::Progress& progress) {
 
 std::string search_for_person(const FuzzCommandOptions& options, const fuzz::Outcome& outcome, int threads) {
   const std::string solver = options.solver.command.empty() ? options.solver.solver : options.solver.command;
-  return fmt::format("{} judged by {}, seed {}: {} in {:.1f} s on {}, {} a second{}\n", io::printable(solver),
-                     method_name(options.settings.judge), options.settings.seed, counted(outcome.queries, "query"),
-                     outcome.seconds, counted(static_cast<std::uint64_t>(threads), "thread"),
+  const Separation& separation = options.separation.separation;
+  const std::string about = separation.distance > 0 ? ", " + separation_for_person(separation) : std::string();
+  return fmt::format("{} judged by {}{}, seed {}: {} in {:.1f} s on {}, {} a second{}\n", io::printable(solver),
+                     method_name(options.settings.judge), about, options.settings.seed,
+                     counted(outcome.queries, "query"), outcome.seconds,
+                     counted(static_cast<std::uint64_t>(threads), "thread"),
                      grouped(rate(outcome.queries, outcome.seconds)), outcome.stopped ? "; interrupted" : "");
 }
 
@@ -91,6 +95,7 @@ std::string table_for_person(const FailureTable& table) {
 
 std::string case_command(const FuzzCommandOptions& options, const fuzz::CaseName& name) {
   std::string command = "touchstone fuzz " + solver_options(options.solver);
+  command += separation_arguments(options.separation.separation);
   if (options.settings.judge != Method::exact)
     command += fmt::format(" --judge {}", method_name(options.settings.judge));
   if (options.settings.early.ulps) command += fmt::format(" --early {}ulps", *options.settings.early.ulps);
@@ -111,7 +116,8 @@ std::string finding_for_person(std::size_t number, const Finding& finding, const
   if (!example.detail.empty()) text += fmt::format("   {}\n", io::printable(example.detail));
   text += fmt::format("   {}\n", case_command(options, example.name));
   if (!written.file.empty()) {
-    text += fmt::format("   {}\n", explain_command(written.file, finding.degeneracy.kind, written.query));
+    text += fmt::format("   {}\n", explain_command(written.file, finding.degeneracy.kind, written.query,
+                                                   options.separation.separation));
   }
   return text;
 }
@@ -135,6 +141,8 @@ std::vector<WrittenQuery> write_findings(const std::vector<Finding>& findings, c
     if (target == targets.end()) {
       folders.make(std::filesystem::path(path).parent_path());
       target = targets.emplace(path, Target{io::OutputFile(path)}).first;
+      const Separation& separation = options.separation.separation;
+      if (separation.distance > 0) target->second.file.write(io::separation_comment(separation));
     }
     const fuzz::Example& example = finding.example;
     std::string text =

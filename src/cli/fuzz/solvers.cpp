@@ -10,6 +10,7 @@
 
 #include <touchstone/error.hpp>
 
+#include "cli/shared/separation.hpp"
 #include "cli/shared/words.hpp"
 #include "fuzz/named_solvers.hpp"
 #include "fuzz/pipe_solver.hpp"
@@ -25,17 +26,22 @@ bool is_path(const std::string& solver) {
 
 }  // namespace
 
-fuzz::SolverFactory solver_factory(const SolverChoice& choice) {
+fuzz::SolverFactory solver_factory(const SolverChoice& choice, const Separation& separation) {
   fuzz::Limits limits;
   limits.answer = std::chrono::milliseconds(static_cast<std::int64_t>(std::ceil(1000 * choice.limit)));
-  if (!choice.command.empty()) return [command = choice.command, limits] { return fuzz::run_command(command, limits); };
-  if (is_path(choice.solver)) return [path = choice.solver, limits] { return fuzz::load_plugin(path, limits); };
-  if (fuzz::named_solver(choice.solver) == nullptr) {
-    std::string names;
-    for (const auto name : fuzz::solver_names()) names.append(names.empty() ? "" : ", ").append(name);
-    throw Error(fmt::format("{} is no solver; they are {}", io::in_quotes(choice.solver), names));
+  if (!choice.command.empty()) {
+    return [command = choice.command, limits, separation] { return fuzz::run_command(command, limits, separation); };
   }
-  return [name = choice.solver] { return fuzz::named_solver(name); };
+  if (is_path(choice.solver)) {
+    return [path = choice.solver, limits, separation] { return fuzz::load_plugin(path, limits, separation); };
+  }
+  if (fuzz::named_solver(choice.solver, separation) == nullptr) {
+    std::string names;
+    for (const auto name : fuzz::solver_names(separation)) names.append(names.empty() ? "" : ", ").append(name);
+    throw Error(fmt::format("{} is no solver{}; they are {}", io::in_quotes(choice.solver),
+                            separation.distance > 0 ? " for " + separation_for_person(separation) : "", names));
+  }
+  return [name = choice.solver, separation] { return fuzz::named_solver(name, separation); };
 }
 
 std::string solver_options(const SolverChoice& choice) {

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include <touchstone/separation.hpp>
+
 #include "fuzz/engine.hpp"
 
 namespace touchstone::cli {
@@ -16,9 +18,9 @@ struct SolverChoice {
   double limit = 1;     ///< seconds that a plugin or program may take for an answer
 };
 
-/// Makes one solver for each thread. No other function knows where solvers come from.
+/// Makes one solver for each thread, for the separation. No other function knows where solvers come from.
 /// @throws Error  when there is no such solver
-fuzz::SolverFactory solver_factory(const SolverChoice& choice);
+fuzz::SolverFactory solver_factory(const SolverChoice& choice, const Separation& separation);
 
 /// The options that choose it again: "--solver paper".
 std::string solver_options(const SolverChoice& choice);

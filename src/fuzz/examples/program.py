@@ -10,6 +10,9 @@
 import sys
 
 
+separation = 0.0  # two points are in contact when they are so near
+
+
 def point_point(start, end):
     """The time of the first contact of two moving points, or None."""
     apart = [start[k] - start[3 + k] for k in range(3)]
@@ -18,14 +21,18 @@ def point_point(start, end):
     time = 0.0
     if speed > 0:
         time = min(1.0, max(0.0, -sum(a * c for a, c in zip(apart, change)) / speed))
-    distance = sum((a + time * c) ** 2 for a, c in zip(apart, change))
-    return time if distance < 1e-18 else None
+    squared = sum((a + time * c) ** 2 for a, c in zip(apart, change))
+    return time if squared < max(1e-18, separation ** 2) else None
 
 
 SOLVERS = {"point-point": point_point}
 
 for line in sys.stdin:
     kind, *numbers = line.split()
+    if kind == "separation":  # with touchstone fuzz --separation only: one line before all queries
+        separation = float.fromhex(numbers[0])
+        print("ok" if numbers[1] == "euclidean" else "unsupported", flush=True)
+        continue
     solver = SOLVERS.get(kind)
     if solver is None:
         print("unsupported", flush=True)
