@@ -109,3 +109,24 @@ TEST_CASE("bad options of bench end with status 2 and one line") {
   CHECK(run_program({"bench", "--count", "0"}).status == 2);
   CHECK(folder.names().empty());
 }
+
+TEST_CASE("bench with a separation measures the baselines that take one, in the Euclidean metric") {
+  if (!can_measure()) return;
+  const TemporaryFolder folder;
+  const std::vector<std::string> asked = {"--filter", "^simulation/edge-edge/all", "--separation", "0.01"};
+  std::vector<std::string> arguments = asked;
+  arguments.insert(arguments.end(), {"--json", folder.path("b.json")});
+  const Run run = run_program(bench(arguments));
+  CAPTURE(run.out, run.err);
+  CHECK(run.status == 0);
+  CHECK(run.out.starts_with(
+      "separation 0x1.47ae147ae147bp-7 (0.01), euclidean\n\nsimulation/edge-edge/all: 180 queries, "));
+  for (const char* method : {"  floor ", "  touchstone ", "  touchstone_columns ", "  oracle (20 of them) ",
+                             "  thick_polynomial ", "  thick_advancement "}) {
+    CHECK(occurrences(run.out, method) == 1);
+  }
+  const auto json = nlohmann::json::parse(folder.read("b.json"));
+  CHECK(json["separation"] == "0x1.47ae147ae147bp-7");
+  CHECK(json["metric"] == "euclidean");
+  CHECK(json["results"].size() == 9);
+}

@@ -36,11 +36,12 @@ struct Entry {
 };
 
 /// The measurements whose "set/method" matches the filter, and the floor of each set that has one.
-std::vector<Entry> chosen_entries(const std::vector<BenchSet>& sets, const std::string& filter) {
-  const std::regex pattern(filter);
+std::vector<Entry> chosen_entries(const std::vector<BenchSet>& sets, const BenchOptions& options) {
+  const std::regex pattern(options.filter);
   std::vector<Entry> entries;
   for (const BenchSet& set : sets) {
     const auto is_chosen = [&](BenchMethod method) {
+      if (!takes(method, options.separation.separation)) return false;
       return std::regex_search(set.name + "/" + std::string(bench_method_name(method)), pattern);
     };
     if (std::none_of(kBenchMethods.begin(), kBenchMethods.end(), is_chosen)) continue;
@@ -56,7 +57,7 @@ std::vector<Entry> chosen_entries(const std::vector<BenchSet>& sets, const std::
   return entries;
 }
 
-BenchResult result_of(Entry& entry, const std::vector<double>& seconds) {
+BenchResult result_of(Entry& entry, const std::vector<double>& seconds, const Separation& separation) {
   throw_if_interrupted();
   BenchResult result;
   result.set = entry.set->name;
@@ -65,8 +66,8 @@ BenchResult result_of(Entry& entry, const std::vector<double>& seconds) {
   result.set_size = entry.set->queries.size();
   for (const Answer& answer : entry.set->answers) result.contacts += answer.contact;
   for (const double pass : seconds) result.nanoseconds.push_back(1e9 * pass / static_cast<double>(result.queries));
-  result.slowest_microseconds = slowest_microseconds(entry.method, entry.queries);
-  if (entry.method != BenchMethod::floor) result.levels = count_levels(entry.answers);
+  result.slowest_microseconds = slowest_microseconds(entry.method, entry.queries, separation);
+  if (entry.method != BenchMethod::floor && !is_baseline(entry.method)) result.levels = count_levels(entry.answers);
   return result;
 }
 
@@ -76,18 +77,19 @@ std::vector<BenchResult> measured(std::vector<Entry>& entries, const BenchOption
     print_error(fmt::format("measuring {} for {:.0f} s or more\n", counted(entries.size(), "entry"),
                             passes * options.min_time));
   }
+  const Separation& separation = options.separation.separation;
   std::vector<std::function<void()>> actions;
   for (Entry& entry : entries) {
-    actions.push_back([&entry] {
+    actions.push_back([&entry, &separation] {
       throw_if_interrupted();
-      ask_all(entry.method, entry.queries, entry.columns.view(), entry.answers);
+      ask_all(entry.method, entry.queries, entry.columns.view(), separation, entry.answers);
     });
   }
   const auto seconds = measure(actions, options.repetitions, options.min_time);
   std::vector<BenchResult> results;
   double floor = 0;  // of the set; each set's entries begin with it
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    results.push_back(result_of(entries[i], seconds[i]));
+    results.push_back(result_of(entries[i], seconds[i], separation));
     if (entries[i].method == BenchMethod::floor) floor = results.back().median();
     results.back().ratio = results.back().median() / floor;
   }
@@ -116,7 +118,7 @@ int run_bench(const BenchOptions& options) {
     if (!name.empty()) outputs.emplace_back(name);
   }
   const std::vector<BenchSet> sets = bench_sets(options);
-  std::vector<Entry> entries = chosen_entries(sets, options.filter);
+  std::vector<Entry> entries = chosen_entries(sets, options);
   if (entries.empty()) throw InvalidQuery("no entry matches --filter " + options.filter);
   const std::vector<BenchResult> results = measured(entries, options);
 
@@ -124,6 +126,8 @@ int run_bench(const BenchOptions& options) {
   if (!options.json.empty()) outputs.back().write(bench_json(results, options));
   for (auto& output : outputs) output.commit();
   auto console = io::OutputFile::standard_output();
+  const Separation& separation = options.separation.separation;
+  if (separation.distance > 0) console.write(separation_for_person(separation) + "\n\n");
   console.write(bench_table(results));
   console.commit();
   return kAllHold;
@@ -155,6 +159,10 @@ void add_bench(CLI::App& program, Command& command) {
                    "The number of queries to generate of each kind, by scene and at random (default: 4000)")
       ->type_name("N")
       ->check(CLI::Range(1, 1'000'000));
+  add_separation_options(
+      *subcommand, options->separation,
+      "The distance at which two elements are in contact; candidates then come that near, and in the "
+      "Euclidean metric thick_polynomial and thick_advancement are measured, too");
   subcommand->add_option("--csv", options->csv, "Write every number to this file as CSV")->type_name("FILE");
   subcommand->add_option("--json", options->json, "Write every number and repetition to this file as JSON")
       ->type_name("FILE");

@@ -9,6 +9,7 @@
 #include <touchstone/query.hpp>
 
 #include "cli/shared/command.hpp"
+#include "cli/shared/separation.hpp"
 
 namespace touchstone::cli {
 
@@ -17,7 +18,8 @@ struct BenchOptions {
   std::optional<Kind> kind;  ///< of the files' queries
   std::string filter;        ///< a regular expression; empty: everything
   int repetitions = 5;
-  double min_time = 0.05;    ///< seconds a repetition
+  double min_time = 0.05;  ///< seconds a repetition
+  SeparationOption separation;
   std::size_t count = 4000;  ///< queries of each kind and source, about
   std::string csv;           ///< empty: none
   std::string json;          ///< empty: none

@@ -4,18 +4,51 @@
 #include <algorithm>
 #include <chrono>
 
+#include "baselines/separation_baseline.hpp"
 #include "filters/same_side.hpp"
 #include "report/do_not_optimize.hpp"
 
 namespace touchstone::cli {
 namespace {
 
+const baselines::SeparationBaseline* baseline_of(BenchMethod method) {
+  return is_baseline(method) ? baselines::find_separation_method(bench_method_name(method)) : nullptr;
+}
+
+/// Of the solver itself.
+Method method_of(BenchMethod method) {
+  switch (method) {
+    case BenchMethod::cgal: return Method::fast_cgal;
+    case BenchMethod::exact: return Method::exact;
+    case BenchMethod::oracle: return Method::oracle;
+    default: return Method::fast;
+  }
+}
+
 /// Kinds without a V have fewer corners, and zeros in place of the others: the cost is the same.
 void ask_floor(const Query& query) {
   report::do_not_optimize(filters::coplanarity_coefficients(filters::frame_of(query)));
 }
 
-void ask(BenchMethod method, const Query& query, Answer& answer) {
+/// Contact and time alone.
+Answer answer_of(const baselines::Result& result) {
+  Answer answer;
+  answer.contact = result.contact;
+  answer.toi = result.toi;
+  return answer;
+}
+
+constexpr double kWholeStep = 1;
+
+void ask(BenchMethod method, const Query& query, const Separation& separation, Answer& answer) {
+  if (const auto* const baseline = baseline_of(method)) {
+    answer = answer_of(baseline->solve(query, separation.distance, kWholeStep, baseline->usual_tolerance));
+    return;
+  }
+  if (separation.distance > 0 && method != BenchMethod::floor) {
+    answer = solve(query, separation, method_of(method));
+    return;
+  }
   switch (method) {
     case BenchMethod::floor: ask_floor(query); return;
     case BenchMethod::touchstone:
@@ -24,6 +57,8 @@ void ask(BenchMethod method, const Query& query, Answer& answer) {
     case BenchMethod::cgal: answer = solve(query, Method::fast_cgal); return;
     case BenchMethod::exact: answer = solve(query, Method::exact); return;
     case BenchMethod::oracle: answer = solve(query, Method::oracle); return;
+    case BenchMethod::thick_polynomial:
+    case BenchMethod::thick_advancement: return;
   }
 }
 
@@ -38,8 +73,14 @@ std::string_view bench_method_name(BenchMethod method) noexcept {
     case BenchMethod::cgal: return "touchstone_cgal";
     case BenchMethod::exact: return "exact";
     case BenchMethod::oracle: return "oracle";
+    case BenchMethod::thick_polynomial: return "thick_polynomial";
+    case BenchMethod::thick_advancement: return "thick_advancement";
   }
   return {};
+}
+
+bool takes(BenchMethod method, const Separation& separation) noexcept {
+  return !is_baseline(method) || (separation.distance > 0 && separation.metric == Metric::euclidean);
 }
 
 std::size_t most_queries(BenchMethod method) noexcept {
@@ -54,8 +95,36 @@ std::vector<Query> spread(const std::vector<Query>& queries, std::size_t most) {
   return some;
 }
 
+namespace {
+
+void ask_all_apart(BenchMethod method, const std::vector<Query>& queries, const QueryColumns& columns,
+                   const Separation& separation, std::vector<Answer>& answers) {
+  BatchOptions options;
+  options.separation = separation;
+  if (const auto* const baseline = baseline_of(method)) {
+    const auto function = baseline->solve;
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      report::do_not_optimize(function(queries[i], separation.distance, kWholeStep, baseline->usual_tolerance));
+    }
+  } else if (method == BenchMethod::batch) {
+    solve_batch(queries.data(), queries.size(), answers.data(), options);
+  } else if (method == BenchMethod::columns) {
+    solve_batch(columns, answers.data(), options);
+  } else {
+    const Method ours = method_of(method);
+    for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = solve(queries[i], separation, ours);
+  }
+}
+
+}  // namespace
+
 void ask_all(BenchMethod method, const std::vector<Query>& queries, const QueryColumns& columns,
-             std::vector<Answer>& answers) {
+             const Separation& separation, std::vector<Answer>& answers) {
+  if (separation.distance > 0 && method != BenchMethod::floor) {
+    ask_all_apart(method, queries, columns, separation, answers);
+    report::do_not_optimize(answers);
+    return;
+  }
   // Each method has a loop of its own, so that no query pays for the choice.
   switch (method) {
     case BenchMethod::floor:
@@ -71,13 +140,15 @@ void ask_all(BenchMethod method, const std::vector<Query>& queries, const QueryC
       break;
     case BenchMethod::exact:
     case BenchMethod::oracle:
-      for (std::size_t i = 0; i < queries.size(); ++i) ask(method, queries[i], answers[i]);
+      for (std::size_t i = 0; i < queries.size(); ++i) ask(method, queries[i], separation, answers[i]);
       break;
+    case BenchMethod::thick_polynomial:
+    case BenchMethod::thick_advancement: break;
   }
   report::do_not_optimize(answers);
 }
 
-double slowest_microseconds(BenchMethod method, const std::vector<Query>& queries) {
+double slowest_microseconds(BenchMethod method, const std::vector<Query>& queries, const Separation& separation) {
   using Clock = std::chrono::steady_clock;
   if (method == BenchMethod::batch || method == BenchMethod::columns) return -1;
   double slowest = 0;
@@ -86,7 +157,7 @@ double slowest_microseconds(BenchMethod method, const std::vector<Query>& querie
     double best = 0;
     for (int attempt = 0; attempt < 3; ++attempt) {
       const auto start = Clock::now();
-      ask(method, query, answer);
+      ask(method, query, separation, answer);
       report::do_not_optimize(answer);
       const double taken = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
       if (attempt == 0 || taken < best) best = taken;

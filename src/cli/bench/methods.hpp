@@ -14,17 +14,33 @@
 namespace touchstone::cli {
 
 enum class BenchMethod : std::uint8_t {
-  floor,       ///< reads the query and computes V's four Bernstein coefficients in doubles; decides nothing
-  touchstone,  ///< solve
-  batch,       ///< solve_batch on one thread
-  columns,     ///< the same with the coordinates in columns
-  cgal,        ///< solve with Method::fast_cgal
-  exact,       ///< solve with Method::exact
-  oracle       ///< solve with Method::oracle
+  floor,              ///< reads the query and computes V's four Bernstein coefficients in doubles; decides nothing
+  touchstone,         ///< solve
+  batch,              ///< solve_batch on one thread
+  columns,            ///< the same with the coordinates in columns
+  cgal,               ///< solve with Method::fast_cgal
+  exact,              ///< solve with Method::exact
+  oracle,             ///< solve with Method::oracle
+  thick_polynomial,   ///< the baseline of that name, for a Euclidean separation > 0
+  thick_advancement,  ///< the same
 };
-inline constexpr std::array<BenchMethod, 7> kBenchMethods{
-    BenchMethod::floor, BenchMethod::touchstone, BenchMethod::batch, BenchMethod::columns,
-    BenchMethod::cgal,  BenchMethod::exact,      BenchMethod::oracle};
+inline constexpr std::array<BenchMethod, 9> kBenchMethods{BenchMethod::floor,
+                                                          BenchMethod::touchstone,
+                                                          BenchMethod::batch,
+                                                          BenchMethod::columns,
+                                                          BenchMethod::cgal,
+                                                          BenchMethod::exact,
+                                                          BenchMethod::oracle,
+                                                          BenchMethod::thick_polynomial,
+                                                          BenchMethod::thick_advancement};
+
+/// Whether the method is a baseline, whose answers have neither a level nor a guarantee.
+constexpr bool is_baseline(BenchMethod method) noexcept {
+  return method == BenchMethod::thick_polynomial || method == BenchMethod::thick_advancement;
+}
+
+/// Whether the method answers queries with this separation.
+bool takes(BenchMethod method, const Separation& separation) noexcept;
 
 std::string_view bench_method_name(
     BenchMethod method) noexcept;  ///< "touchstone_batch" for batch, "touchstone_cgal" for cgal
@@ -38,10 +54,10 @@ std::vector<Query> spread(const std::vector<Query>& queries, std::size_t most);
 /// Asks every query once. `columns` holds the same queries, for the method that wants them so; `answers` has room for
 /// the answers.
 void ask_all(BenchMethod method, const std::vector<Query>& queries, const QueryColumns& columns,
-             std::vector<Answer>& answers);
+             const Separation& separation, std::vector<Answer>& answers);
 
 /// Microseconds that the slowest query takes, the clock's own time included: each gets three tries and the shortest
 /// counts, which drops interrupts. Negative for batch and columns, which have no single query.
-double slowest_microseconds(BenchMethod method, const std::vector<Query>& queries);
+double slowest_microseconds(BenchMethod method, const std::vector<Query>& queries, const Separation& separation);
 
 }  // namespace touchstone::cli

@@ -9,6 +9,7 @@
 #include <touchstone/version.hpp>
 
 #include "cli/shared/words.hpp"
+#include "io/times.hpp"
 
 namespace touchstone::cli {
 namespace {
@@ -19,7 +20,7 @@ double least(const std::vector<double>& values) { return *std::min_element(value
 double greatest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
 
 std::string levels_for_person(const BenchResult& result) {
-  if (result.method == BenchMethod::floor) return {};
+  if (result.method == BenchMethod::floor || is_baseline(result.method)) return {};
   const auto& levels = result.levels;
   if (result.method == BenchMethod::oracle)
     return fmt::format("{:>36} oracle", percentage(levels.oracle, result.queries));
@@ -113,6 +114,10 @@ std::string bench_json(const std::vector<BenchResult>& results, const BenchOptio
                {"repetitions", options.repetitions},
                {"min_time_s", options.min_time},
                {"results", Json::array()}};
+  if (const Separation& separation = options.separation.separation; separation.distance > 0) {
+    json["separation"] = io::hexfloat(separation.distance);
+    json["metric"] = metric_name(separation.metric);
+  }
   for (const BenchResult& result : results) json["results"].push_back(json_of(result));
   return json.dump(2) + "\n";
 }

@@ -21,13 +21,14 @@ using ByKind = std::array<std::vector<Query>, 4>;
 
 std::vector<Query>& of_kind(ByKind& queries, Kind kind) { return queries[static_cast<std::size_t>(kind)]; }
 
-ByKind simulation_queries(std::size_t count) {
+ByKind simulation_queries(std::size_t count, const Separation& separation) {
   ByKind queries;
   for (const auto scene : generators::kScenes) {
     generators::CandidateOptions options;
     options.scene = scene;
     options.seed = kSeed;
     options.count = count;
+    options.separation = separation.distance;
     generators::for_each_batch(options, [&](const generators::Batch& batch) {
       throw_if_interrupted();
       auto& all = of_kind(queries, batch.kind);
@@ -68,12 +69,15 @@ ByKind queries_of(const std::vector<Input>& inputs) {
   return queries;
 }
 
-void append_sets(const std::string& source, const ByKind& queries, std::vector<BenchSet>& sets) {
+void append_sets(const std::string& source, const ByKind& queries, const Separation& separation,
+                 std::vector<BenchSet>& sets) {
+  BatchOptions options;
+  options.separation = separation;
   for (const Kind kind : io::kKinds) {
     const std::string name = source + "/" + std::string(kind_name(kind)) + "/";
     BenchSet all{name + "all", queries[static_cast<std::size_t>(kind)], {}}, hits{name + "hits", {}, {}},
         misses{name + "misses", {}, {}};
-    all.answers = solve_batch(all.queries);
+    all.answers = solve_batch(all.queries, options);
     for (std::size_t i = 0; i < all.queries.size(); ++i) {
       BenchSet& part = all.answers[i].contact ? hits : misses;
       part.queries.push_back(all.queries[i]);
@@ -90,10 +94,11 @@ void append_sets(const std::string& source, const ByKind& queries, std::vector<B
 std::vector<BenchSet> bench_sets(const BenchOptions& options) {
   const std::vector<Input> given = find_inputs(options.files, options.kind);
   std::vector<BenchSet> sets;
-  append_sets("simulation", simulation_queries(options.count), sets);
-  append_sets("random", random_queries(options.count), sets);
-  append_sets("bundled", queries_of(bundled_inputs()), sets);
-  append_sets("files", queries_of(given), sets);
+  const Separation& separation = options.separation.separation;
+  append_sets("simulation", simulation_queries(options.count, separation), separation, sets);
+  append_sets("random", random_queries(options.count), separation, sets);
+  append_sets("bundled", queries_of(bundled_inputs()), separation, sets);
+  append_sets("files", queries_of(given), separation, sets);
   return sets;
 }
 
