@@ -26,6 +26,7 @@ struct ReportOptions {
   std::string out;
   std::vector<std::string> files;
   std::optional<Kind> kind;
+  SeparationOption separation;
 };
 
 /// The queries of files, one set a kind. The sets are thinned evenly, so that memory does not grow with the files.
@@ -109,7 +110,9 @@ int run_report(const ReportOptions& options) {
   append("files", counted(options.files.size(), "file") + " named on the command line",
          find_inputs(options.files, options.kind));
 
-  report::Report made = report::make_report(options.size, std::move(sets), progress);
+  report::Size size = options.size;
+  size.separation = options.separation.separation;
+  report::Report made = report::make_report(size, std::move(sets), progress);
   made.remarks = std::move(remarks);
   const std::string hint = report::write_report(made, options.out, progress);
   folders.keep();
@@ -134,6 +137,9 @@ void add_report(CLI::App& program, Command& command) {
       ->type_name("FOLDER");
   subcommand->add_flag("--quick", options->size.quick, "A few queries of each set: some seconds, and rough numbers");
   add_seed_option(*subcommand, options->size.seed);
+  add_separation_options(*subcommand, options->separation,
+                         "The distance at which two elements are in contact. The methods beside the solver's are then "
+                         "additive advancement and the degree-6 polynomial in doubles, in the Euclidean metric");
   subcommand->footer(
       "Asks every method simulation-like candidates, the bundled queries, the given files, random and nearly touching\n"
       "elements: the paper's closed form, a careful one, Newton, inclusion, conservative advancement (at several "

@@ -21,6 +21,7 @@ namespace {
 struct StressOptions {
   stress::Options stress;
   std::string out;
+  SeparationOption separation;
 };
 
 std::string dial_names() {
@@ -38,7 +39,9 @@ int run_stress(const StressOptions& options) {
 
   ProgressLine line;
   const auto progress = draw_fraction_on(line);
-  const stress::Stress made = stress::run_stress(options.stress, progress);
+  stress::Options asked = options.stress;
+  asked.separation = options.separation.separation;
+  const stress::Stress made = stress::run_stress(asked, progress);
   const std::string hint = stress::write_stress(made, options.out, progress);
   folders.keep();
   if (!hint.empty()) print_error(fmt::format("touchstone: {}\n", hint));
@@ -83,6 +86,8 @@ void add_stress(CLI::App& program, Command& command) {
       ->type_name("N")
       ->check(CLI::Range(1, 100'000));
   add_seed_option(*subcommand, options->stress.seed);
+  add_separation_options(*subcommand, options->separation,
+                         "The distance at which two elements are in contact, at every setting of a dial");
   subcommand->footer(
       "Asks every method queries that get stiffer as a dial is turned:\n"
       "  scale       of all coordinates, 2^-1070 to 2^1020\n"

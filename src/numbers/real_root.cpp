@@ -169,10 +169,10 @@ double RealRoot::estimate() const {
   constexpr int kIterations = 50;
   for (int i = 0; i < kIterations; ++i) {
     double value = c[static_cast<std::size_t>(degree_)];
-    slope = 0;
+    slope = degree_ * value;
     for (int k = degree_ - 1; k >= 0; --k) {
-      slope = slope * t + value;
       value = value * t + c[static_cast<std::size_t>(k)];
+      if (k > 0) slope = slope * t + k * c[static_cast<std::size_t>(k)];
     }
     if ((value < 0) == (bracket_.sign_low() < 0)) {
       low = t;

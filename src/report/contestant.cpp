@@ -21,6 +21,30 @@ Claim claim_of(bool contact, double toi) {
   return claim;
 }
 
+void append_ours(std::vector<Contestant>& all) {
+  all.push_back({"exact_only", "exact arithmetic alone; never wrong", nullptr, Method::exact, 0});
+  all.push_back({"touchstone_cgal", "filters, brackets, and CGAL where they are uncertain; never wrong", nullptr,
+                 Method::fast_cgal, 0});
+  all.push_back(
+      {"touchstone", "the whole cascade: filters, brackets, exact arithmetic; never wrong", nullptr, Method::fast, 0});
+}
+
+/// The baselines for a separation. They are Euclidean; their tolerance is a fraction of the gap at the start.
+void append_thick(Metric metric, std::vector<Contestant>& all) {
+  if (metric != Metric::euclidean) return;
+  for (const baselines::SeparationBaseline& method : baselines::separation_methods()) {
+    Contestant contestant{std::string(method.name), std::string(method.about), nullptr, Method::fast, 0, &method};
+    if (method.tolerance == baselines::Tolerance::none) {
+      all.push_back(contestant);
+      continue;
+    }
+    for (const double tolerance : {0.1, 1e-2, 1e-3}) {
+      contestant.tolerance = tolerance;
+      all.push_back(contestant);
+    }
+  }
+}
+
 }  // namespace
 
 std::string Contestant::tolerance_text() const {
@@ -32,8 +56,13 @@ std::string Contestant::tolerance_text() const {
 
 std::string Contestant::label() const { return tolerance == 0 ? name : name + " " + tolerance_text(); }
 
-std::vector<Contestant> contestants(const std::vector<double>& tolerances) {
+std::vector<Contestant> contestants(const std::vector<double>& tolerances, const Separation& separation) {
   std::vector<Contestant> all;
+  if (separation.distance > 0) {
+    append_thick(separation.metric, all);
+    append_ours(all);
+    return all;
+  }
   for (const baselines::Baseline& method : baselines::methods()) {
     Contestant contestant{std::string(method.name), std::string(method.about), &method, Method::fast, 0};
     if (!method.has_tolerance()) {
@@ -45,30 +74,37 @@ std::vector<Contestant> contestants(const std::vector<double>& tolerances) {
       all.push_back(contestant);
     }
   }
-  all.push_back({"exact_only", "exact arithmetic alone; never wrong", nullptr, Method::exact, 0});
-  all.push_back({"touchstone_cgal", "filters, brackets, and CGAL where they are uncertain; never wrong", nullptr,
-                 Method::fast_cgal, 0});
-  all.push_back(
-      {"touchstone", "the whole cascade: filters, brackets, exact arithmetic; never wrong", nullptr, Method::fast, 0});
+  append_ours(all);
   return all;
 }
 
-Reply ask(const Contestant& contestant, const Query& query) {
+Reply ask(const Contestant& contestant, const Query& query, const Separation& separation) {
   Reply reply;
-  if (contestant.baseline != nullptr) {
+  if (contestant.thick != nullptr) {
+    const auto result = contestant.thick->solve(query, separation.distance, kWholeStep, contestant.tolerance);
+    reply.claim = claim_of(result.contact, result.toi);
+  } else if (contestant.baseline != nullptr) {
     const auto result = contestant.baseline->solve(query, kWholeStep, contestant.tolerance);
     reply.claim = claim_of(result.contact, result.toi);
   } else {
-    const Answer answer = solve(query, contestant.method);
+    const Answer answer = solve(query, separation, contestant.method);
     reply.claim = claim_of(answer.contact, answer.toi);
     reply.level = answer.level;
   }
   return reply;
 }
 
-void ask_all(const Contestant& contestant, const std::vector<Query>& queries, std::size_t count) {
+void ask_all(const Contestant& contestant, const std::vector<Query>& queries, std::size_t count,
+             const Separation& separation) {
   // Each sort of method has a loop of its own, so that no query pays for the choice.
-  if (contestant.baseline != nullptr) {
+  if (contestant.thick != nullptr) {
+    const auto function = contestant.thick->solve;
+    for (std::size_t i = 0; i < count; ++i) {
+      do_not_optimize(function(queries[i], separation.distance, kWholeStep, contestant.tolerance));
+    }
+  } else if (contestant.baseline == nullptr && separation.distance > 0) {
+    for (std::size_t i = 0; i < count; ++i) do_not_optimize(solve(queries[i], separation, contestant.method));
+  } else if (contestant.baseline != nullptr) {
     const auto function = contestant.baseline->solve;
     for (std::size_t i = 0; i < count; ++i) do_not_optimize(function(queries[i], kWholeStep, contestant.tolerance));
   } else {

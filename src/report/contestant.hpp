@@ -12,6 +12,7 @@
 #include <touchstone/solve.hpp>
 
 #include "baselines/baseline.hpp"
+#include "baselines/separation_baseline.hpp"
 
 namespace touchstone::report {
 
@@ -19,37 +20,41 @@ namespace touchstone::report {
 struct Contestant {
   std::string name;
   std::string about;
-  const baselines::Baseline* baseline = nullptr;  ///< null: the solver, by `method`
-  Method method = Method::fast;                   ///< only without a baseline
-  double tolerance = 0;                           ///< 0: it has none
+  const baselines::Baseline* baseline = nullptr;         ///< null: the solver, by `method`, or `thick`
+  Method method = Method::fast;                          ///< only without a baseline
+  double tolerance = 0;                                  ///< 0: it has none
+  const baselines::SeparationBaseline* thick = nullptr;  ///< a baseline for queries with a separation, or null
 
   bool supports(Kind kind) const { return baseline == nullptr || baseline->supports(kind); }
-  bool is_touchstone() const noexcept { return baseline == nullptr && method == Method::fast; }
+  bool is_touchstone() const noexcept { return !may_be_wrong() && method == Method::fast; }
 
   /// Whether it may stand on the front. The pairing with CGAL may not: where the filters decide all it is the same code
   /// as `touchstone`, and noise alone would say which of the two is faster.
-  bool competes() const noexcept { return baseline != nullptr || method != Method::fast_cgal; }
-  bool may_be_wrong() const noexcept { return baseline != nullptr; }
+  bool competes() const noexcept { return may_be_wrong() || method != Method::fast_cgal; }
+  bool may_be_wrong() const noexcept { return baseline != nullptr || thick != nullptr; }
 
   /// Whether it has no tolerance, or the one that its users commonly choose.
-  bool is_usual() const noexcept { return tolerance == 0 || tolerance == baseline->usual_tolerance; }
+  bool is_usual() const noexcept {
+    return tolerance == 0 || tolerance == (thick != nullptr ? thick->usual_tolerance : baseline->usual_tolerance);
+  }
 
   std::string tolerance_text() const;  ///< "1e-6", or "" without one
   std::string label() const;           ///< "newton 1e-6"
 };
 
 /// Baselines first, in their registry's order and tolerances as given; then `exact_only`, `touchstone_cgal` and
-/// `touchstone`.
-std::vector<Contestant> contestants(const std::vector<double>& tolerances);
+/// `touchstone`. With a separation > 0 the baselines are those that take it, at tolerances of their own.
+std::vector<Contestant> contestants(const std::vector<double>& tolerances, const Separation& separation = {});
 
-/// The reply of a contestant to one query.
+/// The reply of a contestant to one query, for a separation.
 struct Reply {
   Claim claim;
   Level level = Level::exact;  ///< the level that decided; only of the solver's own methods
 };
-Reply ask(const Contestant& contestant, const Query& query);
+Reply ask(const Contestant& contestant, const Query& query, const Separation& separation);
 
 /// Asks the first `count` queries and forgets the answers: for timing.
-void ask_all(const Contestant& contestant, const std::vector<Query>& queries, std::size_t count);
+void ask_all(const Contestant& contestant, const std::vector<Query>& queries, std::size_t count,
+             const Separation& separation);
 
 }  // namespace touchstone::report

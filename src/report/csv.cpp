@@ -8,6 +8,7 @@
 #include <touchstone/version.hpp>
 
 #include "io/answer_writer.hpp"
+#include "io/times.hpp"
 #include "report/machine.hpp"
 
 namespace touchstone::report {
@@ -23,6 +24,7 @@ constexpr const char* kColumns =
 
 std::string tolerance_measures(const Contestant& contestant) {
   if (contestant.tolerance == 0) return "";
+  if (contestant.thick != nullptr) return "share";
   return contestant.baseline->tolerance == baselines::Tolerance::length ? "length" : "share";
 }
 
@@ -54,25 +56,35 @@ std::string not_asked() {
 
 }  // namespace
 
-std::string csv_header(const std::string& exponent_column) { return kOrigin + exponent_column + kColumns; }
+std::string csv_header(const std::string& exponent_column, const Separation& separation) {
+  const std::string columns = kColumns;
+  return kOrigin + exponent_column +
+         (separation.distance == 0 ? columns : columns.substr(0, columns.size() - 1) + ",separation,metric\n");
+}
 
 std::string csv_rows(const Size& size, const std::vector<SetResults>& sets) {
   const std::string origin = fmt::format("{},{},{},{},{}", io::csv_field(version()), io::csv_field(machine_name()),
                                          io::csv_field(compiler_name()), size.seed, size.quick ? 1 : 0);
   std::string text;
   for (const SetResults& set : sets) {
+    const Separation& separation = set.set.separation;
+    std::string end;
+    if (separation.distance > 0) {
+      end = fmt::format(",{},{}", io::hexfloat(separation.distance), metric_name(separation.metric));
+    }
     for (const Result& result : set.results) {
       text +=
-          fmt::format("{},{},{},{},{},{},{},{},{}\n", origin, set.set.name, kind_name(set.set.kind), set.exponent,
+          fmt::format("{},{},{},{},{},{},{},{},{}{}\n", origin, set.set.name, kind_name(set.set.kind), set.exponent,
                       result.contestant.name, result.contestant.tolerance_text(), tolerance_measures(result.contestant),
-                      set.set.queries.size(), result.asked > 0 ? numbers(result) : not_asked());
+                      set.set.queries.size(), result.asked > 0 ? numbers(result) : not_asked(), end);
     }
   }
   return text;
 }
 
 std::string csv_text(const Report& report) {
-  return csv_header("scale_exponent") + csv_rows(report.size, report.sets) + csv_rows(report.size, report.scales);
+  return csv_header("scale_exponent", report.size.separation) + csv_rows(report.size, report.sets) +
+         csv_rows(report.size, report.scales);
 }
 
 }  // namespace touchstone::report

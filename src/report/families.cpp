@@ -101,7 +101,8 @@ Query near_query(Kind kind, Rng& random) {
 
 }  // namespace
 
-std::vector<QuerySet> simulation_sets(std::uint64_t seed, std::size_t count, std::size_t edges, std::size_t steps) {
+std::vector<QuerySet> simulation_sets(std::uint64_t seed, std::size_t count, std::size_t edges, std::size_t steps,
+                                      double separation) {
   const std::string about =
       "Candidate pairs (boxes around the whole step overlap) of the scenes cloth, sheets and "
       "cables of touchstone generate";
@@ -114,6 +115,7 @@ std::vector<QuerySet> simulation_sets(std::uint64_t seed, std::size_t count, std
     options.count = count;
     options.edges = edges;
     options.steps = steps;
+    options.separation = separation;
     generators::for_each_batch(options, [&](const generators::Batch& batch) {
       auto& all = sets[batch.kind == Kind::edge_edge ? 0 : 1].queries;
       all.insert(all.end(), batch.queries.begin(), batch.queries.end());

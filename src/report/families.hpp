@@ -14,7 +14,9 @@ namespace touchstone::report {
 
 /// Candidate pairs of the three moving scenes of the generators, one set a kind; at most `count` a kind and scene.
 /// @param edges, steps  how large a scene is and for how long it moves
-std::vector<QuerySet> simulation_sets(std::uint64_t seed, std::size_t count, std::size_t edges, std::size_t steps);
+/// @param separation  candidates come that near
+std::vector<QuerySet> simulation_sets(std::uint64_t seed, std::size_t count, std::size_t edges, std::size_t steps,
+                                      double separation = 0);
 
 /// Corners anywhere in a cube of side 2 at both ends. Edge-edge and vertex-face only: a random point never meets a
 /// random edge.

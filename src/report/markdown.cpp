@@ -147,6 +147,10 @@ std::string methods_section(const Report& report) {
   return text + "\n";
 }
 
+constexpr const char* kAboutSeparation =
+    "Contact is a distance of at most the separation. The boxes of the candidates are grown by it. The scale of the "
+    "coordinates multiplies it, too.\n\n";
+
 constexpr const char* kHowToRead =
     "## How to read it\n\n"
     "Every answer is judged by exact arithmetic. *Missed*: contact denied though there is one, as a share of the "
@@ -164,8 +168,10 @@ constexpr const char* kHowToRead =
 
 std::string markdown_text(const Report& report, bool plots) {
   std::string text = fmt::format(
-      "# Touchstone: error against run time\n\nVersion {}, {}, {}. Made by `touchstone report --seed {}{}`.\n\n",
-      version(), machine_name(), compiler_name(), report.size.seed, report.size.quick ? " --quick" : "");
+      "# Touchstone: error against run time\n\nVersion {}, {}, {}. Made by `touchstone report --seed {}{}{}`.\n\n",
+      version(), machine_name(), compiler_name(), report.size.seed, report.size.quick ? " --quick" : "",
+      separation_arguments(report.size.separation));
+  if (report.size.separation.distance > 0) text += kAboutSeparation;
   text += summary(report);
   text += picture(plots, kOverviewPlot, "Error against run time on " + report.sets.front().set.name);
   for (const std::string& remark : report.remarks) text += remark + "\n\n";

@@ -65,7 +65,7 @@ std::vector<double> first_round(const QuerySet& set, double budget, Result& resu
   const auto begin = Clock::now();
   for (std::size_t i = 0; i < set.queries.size(); ++i) {
     const auto start = Clock::now();
-    const Reply reply = ask(result.contestant, set.queries[i]);
+    const Reply reply = ask(result.contestant, set.queries[i], set.separation);
     microseconds.push_back(1e6 * seconds_since(start));
     count(reply, set.truth[i], result, errors);
     if (seconds_since(begin) > budget) break;
@@ -78,7 +78,7 @@ std::vector<double> first_round(const QuerySet& set, double budget, Result& resu
 void another_round(const QuerySet& set, const Result& result, std::vector<double>& microseconds) {
   for (std::size_t i = 0; i < result.asked; ++i) {
     const auto start = Clock::now();
-    ask(result.contestant, set.queries[i]);
+    ask(result.contestant, set.queries[i], set.separation);
     microseconds[i] = std::min(microseconds[i], 1e6 * seconds_since(start));
   }
 }
@@ -89,7 +89,7 @@ double pass(const QuerySet& set, const Result& result, double least) {
   double taken = 0;
   const double start = processor_seconds();
   do {
-    ask_all(result.contestant, set.queries, result.asked);
+    ask_all(result.contestant, set.queries, result.asked, set.separation);
     ++rounds;
     taken = processor_seconds() - start;
   } while (taken < least);
@@ -102,7 +102,7 @@ SetResults measure(QuerySet set, const std::vector<Contestant>& contestants, con
   set.truth.clear();
   for (const Query& query : set.queries) {
     if (set.truth.size() % 1024 == 0) pulse();
-    set.truth.push_back(solve(query, Method::exact));
+    set.truth.push_back(solve(query, set.separation, Method::exact));
   }
   SetResults all;
   std::vector<std::vector<double>> singles;

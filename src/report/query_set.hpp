@@ -8,6 +8,7 @@
 
 #include <touchstone/answer.hpp>
 #include <touchstone/query.hpp>
+#include <touchstone/separation.hpp>
 
 namespace touchstone::report {
 
@@ -15,6 +16,7 @@ struct QuerySet {
   std::string name;   ///< "simulation/edge-edge": lower-case letters, digits, '-' and '/'; files are named after it
   std::string about;  ///< the origin of the queries: one sentence without its full stop
   Kind kind = Kind::edge_edge;
+  Separation separation;  ///< what every query asks about
   std::vector<Query> queries;
   std::vector<Answer> truth;  ///< by Method::exact, one for each query
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -69,13 +70,14 @@ Report make_report(const Size& size, std::vector<QuerySet> given, const Progress
   const Amounts amount = amounts(size.quick);
   Report report;
   report.size = size;
-  report.contestants = contestants(kTolerances);
+  report.contestants = contestants(kTolerances, size.separation);
 
   // The scenes run first, while this process is small: the processes of the runs are copies of it.
   report.scene_runs = run_scenes(size.quick, [&](double share) { progress("simulating", kSimulating * share); });
 
   progress("generating", kSimulating);
-  std::vector<QuerySet> sets = simulation_sets(size.seed, amount.simulation, amount.edges, amount.steps);
+  std::vector<QuerySet> sets =
+      simulation_sets(size.seed, amount.simulation, amount.edges, amount.steps, size.separation.distance);
   for (auto* more : {&given}) std::move(more->begin(), more->end(), std::back_inserter(sets));
   for (auto&& made : {random_sets(size.seed, amount.random), near_sets(size.seed, amount.near)}) {
     sets.insert(sets.end(), made.begin(), made.end());
@@ -88,12 +90,15 @@ Report make_report(const Size& size, std::vector<QuerySet> given, const Progress
     if (set.queries.empty()) continue;
     shuffle(set.queries, seeded::seed_of_part(size.seed, 20));
     const std::string name = set.name;
+    set.separation = size.separation;
     const auto pulse = [&] { progress(name, kSimulating + kMeasuring * done / total); };
     report.sets.push_back(measure(std::move(set), report.contestants, amount.effort, pulse));
     done += 1;
   }
   const auto usual = usual_ones(report.contestants);
   for (std::size_t i = 0; i < scales.size(); ++i) {
+    // Queries and separation are multiplied by the same power of two.
+    scales[i].separation = {std::ldexp(size.separation.distance, kExponents[i]), size.separation.metric};
     const auto pulse = [&] { progress("scales", kSimulating + kMeasuring * done / total); };
     report.scales.push_back(measure(std::move(scales[i]), usual, amount.scale_effort, pulse));
     report.scales.back().exponent = kExponents[i];

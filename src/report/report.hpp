@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include <touchstone/separation.hpp>
+
 #include "report/measure.hpp"
 #include "report/scene_runs.hpp"
 
@@ -17,6 +19,7 @@ namespace touchstone::report {
 struct Size {
   bool quick = false;
   std::uint64_t seed = 1;
+  Separation separation = {};  ///< what every query asks about
 };
 
 /// All that is in a report.

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "io/times.hpp"
+
 namespace touchstone::report {
 
 std::string percent(double share) { return share == 0 ? "0" : fmt::format("{:.3g} %", 100 * share); }
@@ -15,6 +17,13 @@ std::string ulps(std::int64_t error) {
 std::string asked_text(const Result& result, const QuerySet& set) {
   const std::string whole = fmt::format("{}", set.queries.size());
   return result.asked == set.queries.size() ? whole : fmt::format("{} of {}", result.asked, whole);
+}
+
+std::string separation_arguments(const Separation& separation) {
+  if (separation.distance == 0) return {};
+  return " --separation " + io::hexfloat(separation.distance) +
+         (separation.metric == Metric::euclidean ? std::string()
+                                                 : " --metric " + std::string(metric_name(separation.metric)));
 }
 
 }  // namespace touchstone::report

@@ -24,7 +24,8 @@ struct Point {
 
 /// The first letter of its name, but for methods whose name begins as another's does.
 char capital_of(const std::string& method) {
-  if (method == "conservative_advancement") return 'A';
+  if (method == "conservative_advancement" || method == "thick_advancement") return 'A';
+  if (method == "thick_polynomial") return 'P';
   if (method == "touchstone_cgal") return 'G';
   return static_cast<char>(std::toupper(method.front()));
 }

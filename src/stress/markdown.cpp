@@ -162,6 +162,7 @@ std::string markdown_text(const Stress& stress, bool plots) {
   std::string command =
       fmt::format("touchstone stress --seed {} --count {}", stress.options.seed, stress.options.count);
   for (const Dial* dial : stress.options.which) command += fmt::format(" --dial {}", dial->name);
+  command += report::separation_arguments(stress.options.separation);
   std::string text = fmt::format("# Touchstone: stability\n\nVersion {}, {}, {}. Made by `{}`.\n\n", version(),
                                  report::machine_name(), report::compiler_name(), command);
   text += summary(stress) + overview(stress) + kHowToRead;

@@ -22,7 +22,7 @@ const report::Effort kEffort{0.02, 3, 0.001, 1, true};
 
 /// Every method, at the tolerance that its users commonly choose. `fast_cgal` is left out: it would take most of the
 /// time, and CGAL takes part as the oracle.
-std::vector<report::Contestant> usual_contestants() {
+std::vector<report::Contestant> usual_contestants(const Separation& separation) {
   std::vector<double> tolerances;
   for (const auto& method : baselines::methods()) {
     if (method.has_tolerance()) tolerances.push_back(method.usual_tolerance);
@@ -30,7 +30,7 @@ std::vector<report::Contestant> usual_contestants() {
   std::sort(tolerances.begin(), tolerances.end());
   tolerances.erase(std::unique(tolerances.begin(), tolerances.end()), tolerances.end());
   std::vector<report::Contestant> usual;
-  for (const report::Contestant& contestant : report::contestants(tolerances)) {
+  for (const report::Contestant& contestant : report::contestants(tolerances, separation)) {
     if (contestant.is_usual() && contestant.competes()) usual.push_back(contestant);
   }
   return usual;
@@ -46,7 +46,7 @@ void ask_oracle(const report::SetResults& set, Stress& stress) {
   const auto& queries = set.set.queries;
   for (std::size_t i = 0; i < std::min(kOracleQueries, queries.size()); ++i) {
     ++stress.oracle_asked;
-    if (same_decision(set.set.truth[i], solve(queries[i], Method::oracle))) continue;
+    if (same_decision(set.set.truth[i], solve(queries[i], set.set.separation, Method::oracle))) continue;
     stress.oracle_differs.push_back(fmt::format("{}, setting {}, query {}", set.set.name, set.exponent, i));
   }
 }
@@ -56,7 +56,7 @@ void ask_oracle(const report::SetResults& set, Stress& stress) {
 Stress run_stress(const Options& options, const report::Progress& progress) {
   Stress stress;
   stress.options = options;
-  stress.contestants = usual_contestants();
+  stress.contestants = usual_contestants(options.separation);
   std::vector<const Dial*> which = options.which;
   if (which.empty()) {
     for (const Dial& dial : dials()) which.push_back(&dial);
@@ -72,6 +72,7 @@ Stress run_stress(const Options& options, const report::Progress& progress) {
                    kMeasuring * static_cast<double>(done) / static_cast<double>(sets));
         };
         auto set = make_set(*dial, kind, setting, options.seed, options.count);
+        set.separation = options.separation;
         table.settings.push_back(report::measure(std::move(set), stress.contestants, kEffort, pulse));
         table.settings.back().exponent = setting;
         ask_oracle(table.settings.back(), stress);
@@ -116,7 +117,7 @@ Growth growth(const Table& table) {
 std::string write_stress(const Stress& stress, const std::string& folder, const report::Progress& progress) {
   const std::filesystem::path root = folder;
   report::make_folder(root / "plots");
-  std::string csv = report::csv_header("dial_exponent");
+  std::string csv = report::csv_header("dial_exponent", stress.options.separation);
   for (const Table& table : stress.tables) csv += report::csv_rows({false, stress.options.seed}, table.settings);
   report::write_whole(root / "stress.csv", csv);
   const auto drawing = [&](double share) { progress("drawing", kMeasuring + (1 - kMeasuring) * share); };

@@ -17,6 +17,7 @@ struct Options {
   std::uint64_t seed = 1;
   std::size_t count = 200;         ///< queries at a setting, of each kind
   std::vector<const Dial*> which;  ///< empty: all dials
+  Separation separation = {};      ///< what every query asks about
 };
 
 /// All settings of one dial, for one kind.

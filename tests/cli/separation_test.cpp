@@ -312,3 +312,27 @@ TEST_CASE("fuzz with a separation breaks the baselines, finds ours right, and it
                 "touchstone: 'paper' is no solver for separation 0x1p+0 (1), euclidean; they are touchstone, exact, "
                 "oracle, fast-cgal, batch, thick_advancement, thick_polynomial");
 }
+
+TEST_CASE("report and stress ask about the separation, with the baselines that take one") {
+  const TemporaryFolder folder;
+  const Run report = run_program({"report", "--quick", "--separation", "0.001", "--out", folder.path("r")});
+  CAPTURE(report.err);
+  REQUIRE(report.status == 0);
+  const std::string text = folder.read("r/report.md");
+  CHECK(occurrences(text, "touchstone report --seed 1 --quick --separation 0x1.0624dd2f1a9fcp-10`") == 1);
+  CHECK(occurrences(text, "`touchstone` is wrong on 0 of ") == 1);
+  CHECK(occurrences(text, "- `thick_polynomial`: ") == 1);
+  CHECK(occurrences(text, "- `thick_advancement`: ") == 1);
+  CHECK(occurrences(text, "conservative_advancement") == 0);
+  const std::string csv = folder.read("r/report.csv");
+  CHECK(csv.find(",level_oracle,separation,metric\n") < csv.find('\n'));
+  CHECK(occurrences(csv, ",0x1.0624dd2f1a9fcp-10,euclidean\n") > 0);
+
+  const Run stress = run_program({"stress", "--dial", "sliver", "--count", "4", "--separation", "0.001", "--metric",
+                                  "euclidean", "--out", folder.path("s")});
+  CAPTURE(stress.err);
+  CHECK(stress.status == 0);
+  CHECK(occurrences(folder.read("s/stress.md"), "`touchstone` is wrong on 0 of ") == 1);
+  CHECK(occurrences(folder.read("s/stress.md"), "| thick_polynomial |") > 0);
+  CHECK(occurrences(folder.read("s/stress.csv"), ",0x1.0624dd2f1a9fcp-10,euclidean\n") > 0);
+}
