@@ -83,8 +83,7 @@ FAULTS = [
     ("kConstantBound of signs at a root", "numbers/real_root.cpp", "kConstantBound = 5 *", "kConstantBound = -8.125 *"),
     ("kDegreeBound of signs at a root", "numbers/real_root.cpp", "kDegreeBound = 3 *", "kDegreeBound = 3 / 16.0 *"),
     ("underflow guard of signs at a root", "numbers/real_root.cpp",
-     "sum >= kLeast ? (kConstantBound + kDegreeBound * (size - 1)) * sum : std::numeric_limits<double>::quiet_NaN()",
-     "(kConstantBound + kDegreeBound * (size - 1)) * sum"),
+     "sum >= kLeast ? bound * sum : std::numeric_limits<double>::quiet_NaN()", "bound * sum"),
 ]
 
 

@@ -104,6 +104,10 @@ struct Answer {
   /// (1, 0, 0) for a vertex or point. Each is in [0, 1] and within 2^-50 of its true value. A corner that does not
   /// belong to the touched feature has weight 0. An overlap has many touching points. The answer gives the one with the
   /// lexicographically smallest (a0, a1, b0, b1).
+  ///
+  /// With a separation in the largest-axis metric there may be many pairs of closest points. The answer gives the one
+  /// with the lexicographically smallest weights, of the first element and then of the second. A zero-length edge is its
+  /// first corner. Of a flat triangle the first of f0, f1, f2, f01, f12, f20 counts that holds closest points.
   std::array<double, 3> weights_a{};
 
   /// The same on the second element: (b0, b1, 0) or (e0, e1, 0) for an edge, (f0, f1, f2) for a face, (1, 0, 0) for a

@@ -114,7 +114,8 @@ std::string malformation(Kind kind, const Answer& answer, double t_max) {
   const bool has_cubic = kind == Kind::edge_edge || kind == Kind::vertex_face;
   const bool of_cubic = answer.nature == Nature::crossing || answer.nature == Nature::grazing;
   const bool of_separation = answer.trend != Trend::none;
-  if (answer.nature == Nature::none || (of_cubic && !has_cubic && !of_separation)) return "a nature that the kind does not have";
+  if (answer.nature == Nature::none || (of_cubic && !has_cubic && !of_separation))
+    return "a nature that the kind does not have";
   const bool overlap = answer.feature_a == Feature::overlap;
   if (overlap != (answer.feature_b == Feature::overlap)) return "only one element overlaps";
   if (overlap && kind != Kind::edge_edge) return "an overlap of a kind that has none";

@@ -151,6 +151,7 @@ constexpr double kNormBound = 32 * kUnit;
 constexpr double kLeastNormProduct = 0x1p-400;
 constexpr double kGreatestNormProduct = 0x1p400;
 constexpr double kLeastVolume = 0x1p-900;
+constexpr double kGreatestVolume = kGreatestProduct;
 
 inline double square_root(double x) noexcept { return std::sqrt(x); }
 
@@ -176,7 +177,7 @@ TOUCHSTONE_INLINE auto certain_clearance(const StepFrame<N>& f, const N& distanc
   const N uw = largest(f.start.u, f.end.u) * largest(f.start.w, f.end.w);
   const N uwr = uw * largest(f.start.r, f.end.r);
   const auto valid =
-      (uw >= kLeastNormProduct) & (uw <= kGreatestNormProduct) & (uwr >= kLeastVolume) & (uwr <= kGreatestProduct);
+      (uw >= kLeastNormProduct) & (uw <= kGreatestNormProduct) & (uwr >= kLeastVolume) & (uwr <= kGreatestVolume);
   const N kept = distance * (kNormFactor * greatest_norm<Euclidean>(n) + kNormBound * uw);
   const N ends = kEndsBound * uwr + kNormFactor * kept;
   const N middle = kMiddleBound * uwr + kNormFactor * (3.0 * kept);

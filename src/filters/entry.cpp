@@ -1,18 +1,18 @@
-// Two bounds enclose the distance D(t) of the elements. Let c be the difference of a point of one element and a point of
-// the other. It is r - s u - q w, with parameters (s, q) in a square, a triangle, a segment or a point, and r, u, w
+// Two bounds enclose the distance D(t) of the elements. Let c be the difference of a point of one element and a point
+// of the other. It is r - s u - q w, with parameters (s, q) in a square, a triangle, a segment or a point, and r, u, w
 // linear in time.
-//   Below: for any direction n, D(t) |n| is at least the least n . c over the elements' corners. Each n . c of a pair of
-//   corners is linear in t. So if it exceeds d |n| at two times, it does so between them.
+//   Below: for any direction n, D(t) |n| is at least the least n . c over the elements' corners. Each n . c of a pair
+//   of corners is linear in t. So if it exceeds d |n| at two times, it does so between them.
 //   Above: D(t) <= |c| for any allowed (s, q).
 // Both bounds meet when (s, q) are the closest points' and n is their c. So the time is walked to from below: at each
 // time, the closest points in doubles give a direction, and the direction proves a piece of the step free. These pieces
 // become shorter by squares. Near the end, the closest points in double-doubles prove that D > d up to some double, and
 // that D <= d at the next one.
 //
-// A direction may also turn: let it go evenly from n0 to n1 while t goes from t0 to t1. Then n . c is a quadratic, whose
-// Bernstein coefficients are n0 . c(t0), the mean of n0 . c(t1) and n1 . c(t0), and n1 . c(t1). The norm is at most what
-// goes evenly from |n0| to |n1|. So it is enough that n . c exceeds d |n| at both ends and that
-// n0 . c(t1) + n1 . c(t0) > d (|n0| + |n1|).
+// A direction may also turn: let it go evenly from n0 to n1 while t goes from t0 to t1. Then n . c is a quadratic,
+// whose Bernstein coefficients are n0 . c(t0), the mean of n0 . c(t1) and n1 . c(t0), and n1 . c(t1). The norm is at
+// most what goes evenly from |n0| to |n1|. So it is enough that n . c exceeds d |n| at both ends and that n0 . c(t1) +
+// n1 . c(t0) > d (|n0| + |n1|).
 // SPDX-License-Identifier: MIT
 #include "filters/entry.hpp"
 
@@ -32,11 +32,12 @@ using numbers::DoubleDouble;
 using numbers::rounded;
 using PreciseVector = geometry::Vector<DoubleDouble>;
 
-// Errors in doubles, e = 2^-53. Let N, R, U, W be the largest absolute coordinates of n and of the computed r, u, w over
-// both ends, S = R + U + W. A dot product n . r: coordinates of r are off by e each, products by e, two sums by 2 e:
-// 4 e times 3 N R, likewise for u and w: 12 e N S for all three. Their sums r - s u - q w at a corner, at most 3 N S: two
-// additions, 6 e N S. Between the ends, (1 - t) g0 + t g1: 3 roundings of at most 3 N S: 9 e N S. In all 27 e N S to first
-// order. The rest covers a direction whose own coordinates are off by e, another 3 e N S, and second-order terms.
+// Errors in doubles, e = 2^-53. Let N, R, U, W be the largest absolute coordinates of n and of the computed r, u, w
+// over both ends, S = R + U + W. A dot product n . r: coordinates of r are off by e each, products by e, two sums by 2
+// e: 4 e times 3 N R, likewise for u and w: 12 e N S for all three. Their sums r - s u - q w at a corner, at most 3 N
+// S: two additions, 6 e N S. Between the ends, (1 - t) g0 + t g1: 3 roundings of at most 3 N S: 9 e N S. In all 27 e N
+// S to first order. The rest covers a direction whose own coordinates are off by e, another 3 e N S, and second-order
+// terms.
 constexpr double kWalkError = 32 * kUnit;
 
 // The same for a position between the ends: its coordinates are off by 4 e S, which makes 12 e N S more, and the sum of
@@ -47,12 +48,12 @@ constexpr double kTurnError = 48 * kUnit;
 constexpr double kNormIncrease = 1 + 8 * kUnit;
 
 // Errors in double-doubles, in e^2 = 2^-106. A coordinate of u at t is from + t (to - from), where both ends are exact,
-// with low parts of at most e U. The difference, at most 2 U: low parts 2 ..., 4 ..., in all 6 e^2 U. Its product with t:
-// low parts 4 ..., 8 ...: 12 e^2 U. The sum: low parts 9 ..., 12 ...: 21 e^2 U more, the error before included: less than
-// 40 e^2 U. Products with s and q in [0, 1] and the sums c = r - s u - q w: less than 80 e^2 S for a coordinate of c. A
-// dot product of c, of coordinates at most C, with u: 3 C (40 + 24) e^2 U and sums: less than 300 e^2 C U. The same for
-// c . c with the error of c itself: 2 * 3 * 80 e^2 C S and less than 100 e^2 C C. The sum c . c + (s - i) c . u +
-// (q - j) c . w is then off by less than 1200 e^2 C S, as C is at most S.
+// with low parts of at most e U. The difference, at most 2 U: low parts 2 ..., 4 ..., in all 6 e^2 U. Its product with
+// t: low parts 4 ..., 6 ...: 10 e^2 U. The sum: low parts 7 ..., 10 ...: 17 e^2 U, in all 33 e^2 U: less than 40 e^2 U.
+// Products with s and q in [0, 1] and the sums c = r - s u - q w: less than 80 e^2 S for a coordinate of c. A dot
+// product of c, of coordinates at most C, with u: 3 C (40 + 24) e^2 U and sums: less than 300 e^2 C U. The same for c .
+// c with the error of c itself: 2 * 3 * 80 e^2 C S and less than 100 e^2 C C. The sum c . c + (s - i) c . u + (q - j) c
+// . w is then off by less than 1200 e^2 C S, as C is at most S.
 constexpr double kPreciseError = 2048 * 0x1p-106;
 
 // The gradient along a parameter is P . u, with P the true difference: c is off by 80 e^2 S in each coordinate, so the
@@ -204,7 +205,9 @@ class Direction {
       w_[end] = dot(n, step.w[end]);
     }
     error_ = kWalkError * largest_of(n) * step.size;
-    bound_ = kNormIncrease * (distance * std::sqrt(dot(n, n)) + error_);
+    // The norm of a direction that is much shorter may underflow. No such c is as long as the separation.
+    const bool is_long = largest_of(n) >= 0.5 * kLeastShare * step.size;
+    bound_ = is_long ? kNormIncrease * (distance * std::sqrt(dot(n, n)) + error_) : kNever;
   }
 
   /// The least n . c, off by at most `error`.
@@ -233,6 +236,8 @@ class Direction {
   }
 
  private:
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
+
   Domain domain_;
   double r_[2], u_[2], w_[2];
   double error_, bound_;
@@ -296,6 +301,7 @@ struct ClosestPoints {
   double error;           ///< of the excess and of `lowest`
   Vector u, w;            ///< rounded
   double uu, ww, uw;
+  double ee = 0;  ///< (u - w) . (u - w), for the border s + q = 1 only
   bool ok = false;
 };
 
@@ -354,8 +360,15 @@ class EntryQuestion {
     at_t.uu = dot(at_t.u, at_t.u);
     at_t.ww = dot(at_t.w, at_t.w);
     at_t.uw = dot(at_t.u, at_t.w);
+    const Free free = free_parameters(step_.domain, p);
+    if (free == Free::sum) {
+      const Vector e = rounded_vector(minus(u, 1, w));  // uu - 2 uw + ww would cancel
+      at_t.ee = dot(e, e);
+    }
     PreciseVector c = minus(minus(r, p.s, u), p.q, w);
-    if (!correct(at_t, free_parameters(step_.domain, p), rounded(dot(c, u)), rounded(dot(c, w)))) return at_t;
+    // Along the border s + q = 1 both are large and nearly equal.
+    const DoubleDouble slope_s = dot(c, u), slope_q = dot(c, w);
+    if (!correct(at_t, free, rounded(slope_s), rounded(slope_q), rounded(slope_s - slope_q))) return at_t;
     c = minus(minus(c, at_t.ds, u), at_t.dq, w);
     at_t.c = rounded_vector(c);
     const DoubleDouble square = dot(c, c);
@@ -364,14 +377,15 @@ class EntryQuestion {
     at_t.cu = rounded(cu);
     at_t.cw = rounded(cw);
     at_t.difference = rounded(cw - cu);
-    at_t.lowest = lowest_at_corners(at_t) * (1 + 16 * kUnit);
+    at_t.lowest = lowest_at_corners(at_t) * (1 + 0x1p-32);
     at_t.error = kPreciseError * largest_of(at_t.c) * step_.size + 8 * kUnit * std::fabs(at_t.excess);
     at_t.ok = largest_of(at_t.c) >= kLeastShare * step_.size;
     return at_t;
   }
 
-  /// The least of c . (corner - c), where corner (i, j) - c is (s - i) u + (q - j) w. It is never positive, and each term
-  /// below that can be negative is a product without cancellation.
+  /// At most the least of c . (corner - c), where corner (i, j) - c is (s - i) u + (q - j) w. It is a sum of products
+  /// that are not positive, so nothing cancels. A weight that is not 0 or 1 is at least 2^-20 (see `allowed`) and off
+  /// by at most 2 e = 2^-52, so each product is off by less than a 2^-32nd part.
   double lowest_at_corners(const ClosestPoints& at_t) const noexcept {
     const double s = at_t.p.s + at_t.ds, q = at_t.p.q + at_t.dq;
     const auto on_edge = [](double x, double slope) { return slope > 0 ? -(1 - x) * slope : x * slope; };
@@ -381,19 +395,20 @@ class EntryQuestion {
       case Domain::point: return 0;
       case Domain::triangle: break;
     }
+    const auto below_zero = [](double a, double b) { return std::min(a, 0.0) + std::min(b, 0.0); };
     const double rest = (1 - at_t.p.s - at_t.p.q) - (at_t.ds + at_t.dq);  // f0's weight
-    return std::min(
-        {s * at_t.cu + q * at_t.cw, q * at_t.difference - rest * at_t.cu, -s * at_t.difference - rest * at_t.cw, 0.0});
+    return std::min({below_zero(s * at_t.cu, q * at_t.cw), below_zero(q * at_t.difference, -rest * at_t.cu),
+                     below_zero(-s * at_t.difference, -rest * at_t.cw)});
   }
 
   /// Newton's step of the free parameters towards c . u = c . w = 0. False where it is not determined.
-  static bool correct(ClosestPoints& at_t, Free free, double cu, double cw) noexcept {
+  static bool correct(ClosestPoints& at_t, Free free, double cu, double cw, double difference) noexcept {
     switch (free) {
       case Free::none: return true;
       case Free::s: at_t.ds = cu / at_t.uu; break;
       case Free::q: at_t.dq = cw / at_t.ww; break;
       case Free::sum:
-        at_t.ds = (cu - cw) / ((at_t.uu - 2 * at_t.uw) + at_t.ww);
+        at_t.ds = difference / at_t.ee;
         at_t.dq = -at_t.ds;
         break;
       case Free::both: {
@@ -408,8 +423,9 @@ class EntryQuestion {
   }
 
   /// The corrected parameters are those of points of the elements: free ones are inside by more than the corrections.
+  /// Those are at most 2^-20 each, so a free weight stays 2^-20 or more from 0 and 1, also the one that both correct.
   bool allowed(const ClosestPoints& at_t) const noexcept {
-    constexpr double kMargin = 0x1p-19;
+    constexpr double kMargin = 0x1p-18;
     const Parameters& p = at_t.p;
     const auto inside = [](double x) { return x >= kMargin && x <= 1 - kMargin; };
     switch (free_parameters(step_.domain, p)) {
@@ -509,7 +525,8 @@ class EntryQuestion {
       }
     }
     if (upper > t_max_) return Finding::no_contact;
-    // D <= d at the next double: |c + h velocity|^2 - d^2 <= 0.
+    // D <= d at the next double: |c + h velocity|^2 - d^2 <= 0. Nothing cancels in the change, because `describe` asks
+    // for an approach far above the terms that are taken from it.
     const double h = upper - toi;
     const double approach = -dot(found.c, velocity);
     const double speed = largest_of(r_slope_) + largest_of(u_slope_) + largest_of(w_slope_);
@@ -529,7 +546,7 @@ class EntryQuestion {
       case Free::s: return {u / found.uu, 0};
       case Free::q: return {0, w / found.ww};
       case Free::sum: {
-        const double rate = (u - w) / ((found.uu - 2 * found.uw) + found.ww);
+        const double rate = (u - w) / found.ee;
         return {rate, -rate};
       }
       case Free::both: {
@@ -540,28 +557,36 @@ class EntryQuestion {
     return {0, 0};
   }
 
-  /// The answer, once the exact time is known to lie in [toi, upper], where h = upper - toi and the velocity is that of c.
+  /// The answer, once the exact time is known to lie in [toi, upper], where h = upper - toi and the velocity is that of
+  /// c.
   Finding describe(double toi, double upper, double h, const ClosestPoints& found, const Vector& velocity,
                    double approach, double slope_error, Nature nature) noexcept {
     const double speed = largest_of(r_slope_) + largest_of(u_slope_) + largest_of(w_slope_);
     const double c_size = largest_of(found.c);
     const double u_size = std::max(largest_of(step_.u[0]), largest_of(step_.u[1]));
     const double w_size = std::max(largest_of(step_.w[0]), largest_of(step_.w[1]));
-    // The exact time is toi + rest. |c|^2 falls by 2 approach a time, which is off by slope_error and, because it
-    // changes itself, by 3 h speed^2.
+    // The exact time is toi + rest. |c|^2 falls by 2 approach a time. That is off by slope_error and by what `approach`
+    // itself changes; `approach_error` below asks for less than kSmall of it in all. c is longer than the distance by
+    // their difference at the parameters' own errors; that is less than found.error, too.
+    constexpr double kSmall = 0x1p-30;
     double rest = 0, rest_error = 0;
     if (h > 0) {
-      constexpr double kSmall = 0x1p-30;
-      if (!(slope_error + 4 * h * speed * speed <= kSmall * approach)) return Finding::uncertain;
       rest = std::clamp(found.excess / (2 * approach), 0.0, h);
       rest_error = found.error / approach + 4 * kSmall * h;
     }
+    // How far the parameters move until the exact time, as far as it is known.
+    const Free free = free_parameters(step_.domain, found.p);
+    const Parameters rate = rates(found, velocity, free);
+    const double shift = (rest + rest_error) * (std::fabs(rate.s) + std::fabs(rate.q));
+    constexpr double kMostChange = 0x1p-40;  // small beside the margin of free parameters
+    if (!(shift <= kMostChange)) return Finding::uncertain;
     // How far c . u and c . w, for parameters that move at their rates, may be from 0 at the exact time. Their first
-    // derivatives are at most 3 speed (U + C), their second ones 6 speed^2. The rates' own roundings are relative to
-    // these.
+    // derivatives for fixed parameters are at most 3 speed (U + C). Their second ones are at most 6 speed^2 and,
+    // because u and w change while the parameters move, 12 (|s'| + |q'|) speed (U + W). The rates' own roundings are
+    // relative to the first derivatives. The velocity's part 2 e S, times h <= e, is far below kPreciseError S.
     constexpr double kRateError = 0x1p-40;
     const double drift = 4 * speed * (rest_error + kRateError * h);
-    const double bend = 8 * h * h * speed * speed;
+    const double bend = 8 * h * h * speed * speed + 8 * h * shift * speed * (u_size + w_size);
     const double cu_error = drift * (u_size + c_size) + bend + found.error + kPreciseError * step_.size * u_size;
     const double cw_error = drift * (w_size + c_size) + bend + found.error + kPreciseError * step_.size * w_size;
     const double cu_most = std::fabs(found.cu) + cu_error;
@@ -571,23 +596,26 @@ class EntryQuestion {
       constexpr double kLong = 0x1p80;
       return square >= kLong * (16 * h * h * speed * speed) && square * kLong >= size * size;
     };
-    const Free free = free_parameters(step_.domain, found.p);
     double ds = 0, dq = 0;  // how far the parameters may be from those of the exact time
+    double longer = 0;      // at least as much as |c|^2 may exceed the squared distance for that
     constexpr double kSolveReserve = 4;
     switch (free) {
       case Free::none: break;
       case Free::s:
         if (!is_long(found.uu, u_size)) return Finding::uncertain;
         ds = kSolveReserve * cu_most / found.uu;
+        longer = ds * cu_most;
         break;
       case Free::q:
         if (!is_long(found.ww, w_size)) return Finding::uncertain;
         dq = kSolveReserve * cw_most / found.ww;
+        longer = dq * cw_most;
         break;
       case Free::sum: {
-        const double ee = (found.uu - 2 * found.uw) + found.ww;
-        if (!is_long(ee, u_size + w_size)) return Finding::uncertain;
-        ds = dq = kSolveReserve * (std::fabs(found.difference) + cu_error + cw_error) / ee;
+        if (!is_long(found.ee, u_size + w_size)) return Finding::uncertain;
+        const double most = std::fabs(found.difference) + cu_error + cw_error;
+        ds = dq = kSolveReserve * most / found.ee;
+        longer = ds * most;
         break;
       }
       case Free::both: {
@@ -598,25 +626,26 @@ class EntryQuestion {
         if (!(determinant >= 0x1p-8 * found.uu * found.ww)) return Finding::uncertain;
         ds = kSolveReserve * (cu_most * found.ww + cw_most * std::fabs(found.uw)) / determinant;
         dq = kSolveReserve * (cw_most * found.uu + cu_most * std::fabs(found.uw)) / determinant;
+        longer = ds * cu_most + dq * cw_most;
         break;
       }
     }
     constexpr double kMostError = 0x1p-52;  // leaves room for roundings below 2^-50
     if (!(ds <= kMostError && dq <= kMostError)) return Finding::uncertain;
-    const Parameters rate = rates(found, velocity, free);
-    const double s_change = rest * rate.s, q_change = rest * rate.q;
-    constexpr double kMostChange = 0x1p-40;  // small beside the margin of free parameters
-    if (!(std::fabs(s_change) <= kMostChange && std::fabs(q_change) <= kMostChange)) return Finding::uncertain;
+    if (!(longer <= found.error)) return Finding::uncertain;
+    // `approach` changes by |velocity|^2 h, and as c and the velocity change with the parameters: by at most
+    // 3 speed (U + W + C) for each unit of these.
+    const double approach_error =
+        slope_error + 4 * h * speed * speed + 4 * (shift + ds + dq) * speed * (u_size + w_size + c_size);
+    if (h > 0 && !(approach_error <= kSmall * approach)) return Finding::uncertain;
     // Multipliers at the exact time: c . u and c . w also change with the time and the parameters themselves.
-    const double moved =
-        4 * (kMostError + std::fabs(s_change) + std::fabs(q_change)) * (u_size + w_size) + 4 * h * speed;
+    const double moved = 4 * (2 * kMostError + shift) * (u_size + w_size) + 4 * h * speed;
     const double turned = 4 * h * speed * c_size;
     if (!strictly_closest(found, free, cu_error + moved * u_size + turned, cw_error + moved * w_size + turned)) {
       return Finding::uncertain;
     }
     // The distance falls or rises at the exact time, too.
-    const double trend_error = slope_error + 4 * h * speed * speed + 16 * kMostChange * c_size * speed;
-    if (nature == Nature::entering ? !(approach > trend_error) : !(std::fabs(approach) > trend_error)) {
+    if (nature == Nature::entering ? !(approach > approach_error) : !(std::fabs(approach) > approach_error)) {
       return Finding::uncertain;
     }
     answer_.contact = true;
@@ -625,7 +654,7 @@ class EntryQuestion {
     answer_.nature = nature;
     answer_.trend = approach > 0 ? Trend::approaching : Trend::leaving;
     answer_.starts_within = nature == Nature::sustained;
-    name(found.p.s + (found.ds + s_change), found.p.q + (found.dq + q_change), free);
+    name(found.p.s + (found.ds + rest * rate.s), found.p.q + (found.dq + rest * rate.q), free);
     return Finding::contact;
   }
 

@@ -128,7 +128,11 @@ RealRoot RealRoot::rational(const Exact& numerator, const Exact& denominator, in
 RealRoot RealRoot::isolated(Coefficients p, const Exact& low, const Exact& high, int sign_low) {
   RealRoot root;
   root.degree_ = p.size - 1;
-  std::copy(p.c, p.c + p.size, root.p_.begin());
+  if (root.degree_ <= kShort) {
+    std::copy(p.c, p.c + p.size, root.p_.begin());
+  } else {
+    root.long_p_.assign(p.c, p.c + p.size);
+  }
   root.bracket_ = RootBracket(low, high, sign_low);
   root.find_neighbouring_doubles();
   root.narrow_ = root.bracket_;
@@ -291,8 +295,8 @@ ValueNear value_near(const double* c, int size, double lower) noexcept {
     value = value * lower + c[i];
     sum += std::fabs(c[i]);
   }
-  return {value, sum >= kLeast ? (kConstantBound + kDegreeBound * (size - 1)) * sum
-                               : std::numeric_limits<double>::quiet_NaN()};
+  const double bound = kConstantBound + kDegreeBound * (size - 1);
+  return {value, sum >= kLeast ? bound * sum : std::numeric_limits<double>::quiet_NaN()};
 }
 
 int RealRoot::sign_at(Coefficients q) const {
@@ -367,7 +371,7 @@ std::string RealRoot::to_string() const {
   if (is_rational_) return quotient_to_string(numerator_, denominator_);
   std::string text = "root of";
   for (int i = degree_; i >= 0; --i) {
-    const Exact& c = p_[static_cast<std::size_t>(i)];
+    const Exact& c = polynomial().c[i];
     if (is_zero(c)) continue;
     if (i < degree_) text += " +";
     text += " (" + numbers::to_string(c) + ")";
@@ -375,7 +379,5 @@ std::string RealRoot::to_string() const {
   }
   return text + " in [" + hexfloat(lower_) + ", " + hexfloat(upper_) + "]";
 }
-
-void RootList::push(RealRoot root) { roots_[static_cast<std::size_t>(size_++)] = std::move(root); }
 
 }  // namespace touchstone::numbers

@@ -5,9 +5,12 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
+#include <memory>
+#include <new>
 #include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "numbers/coefficients.hpp"
 #include "numbers/exact_number.hpp"
@@ -144,7 +147,7 @@ class RealRoot {
   void find_small_integers();
   void find_neighbouring_doubles();
   double estimate() const;
-  Coefficients polynomial() const { return {p_.data(), degree_ + 1}; }
+  Coefficients polynomial() const { return {degree_ <= kShort ? p_.data() : long_p_.data(), degree_ + 1}; }
   bool vanishes_at_isolated(Coefficients q) const;
   void become_rational(const Exact& value);
 
@@ -155,21 +158,32 @@ class RealRoot {
   // The same in integers below kSmall; 0 and 0 where they are larger.
   std::int64_t small_numerator_ = 0, small_denominator_ = 0;
   int degree_ = 0;  // of the polynomial of an isolated root
-  std::array<Exact, kMostDegree + 1> p_;
-  RootBracket bracket_;         // no wider than between the neighbouring doubles
-  mutable RootBracket narrow_;  // the narrowest so far
+  static constexpr int kShort = 3;
+  std::array<Exact, kShort + 1> p_;  // for a degree up to kShort
+  std::vector<Exact> long_p_;        // for a higher one
+  RootBracket bracket_;              // no wider than between the neighbouring doubles
+  mutable RootBracket narrow_;       // the narrowest so far
   double lower_ = 0, upper_ = 0;
 };
 
 /// Up to kMostDegree roots, ascending and distinct.
 class RootList {
  public:
+  RootList() noexcept {}  // NOLINT(modernize-use-equals-default): the roots are not made yet
+  RootList(RootList&& other) noexcept {
+    for (int i = 0; i < other.size_; ++i) push(std::move(other.begin()[i]));
+  }
+  RootList& operator=(RootList&&) = delete;
+  ~RootList() { std::destroy_n(begin(), size_); }
+
   int size() const { return size_; }
-  const RealRoot& operator[](int i) const { return *roots_[static_cast<std::size_t>(i)]; }
-  void push(RealRoot root);
+  const RealRoot& operator[](int i) const { return std::launder(reinterpret_cast<const RealRoot*>(storage_))[i]; }
+  void push(RealRoot&& root) { ::new (static_cast<void*>(begin() + size_++)) RealRoot(std::move(root)); }
 
  private:
-  std::array<std::optional<RealRoot>, kMostDegree> roots_;
+  RealRoot* begin() noexcept { return std::launder(reinterpret_cast<RealRoot*>(storage_)); }
+
+  alignas(RealRoot) unsigned char storage_[kMostDegree * sizeof(RealRoot)];
   int size_ = 0;
 };
 

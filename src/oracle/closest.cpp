@@ -135,8 +135,13 @@ ClosestPair closest_pair(const DifferencePolygon& polygon, const Sublevel& suble
                          bool names_overlap) {
   const auto candidates = reduced_candidates(polygon, sublevel, at);
   const Candidate* first = candidates.at(0);
+  const bool flat = polygon.kind == Kind::vertex_face && is_flat(polygon, at);
   for (const Candidate* candidate : candidates) {
-    if (is_lexicographically_smaller(polygon, *candidate, *first, at)) first = candidate;
+    // Of a flat triangle, the first face that holds closest points; the faces lie in memory in their order.
+    const bool other_face = flat && candidate->face != first->face;
+    if (other_face ? candidate->face < first->face : is_lexicographically_smaller(polygon, *candidate, *first, at)) {
+      first = candidate;
+    }
   }
   const PolynomialWeights weights = scaled_weights(polygon, *first);
   ClosestPair pair = {feature_point(polygon, *first, weights, false, at),

@@ -85,8 +85,9 @@ void add_bounds(Candidate& candidate, const MovingFace& face, const Integer& lev
   }
 }
 
-/// The corners of the part of a face on which no coordinate exceeds the level, other than those on lower faces. At each,
-/// as many coordinates are the level or its opposite as the face has dimensions. `face` is in the unit of the level.
+/// The corners of the part of a face on which no coordinate exceeds the level, other than those on lower faces. At
+/// each, as many coordinates are the level or its opposite as the face has dimensions. `moving` is in the unit of the
+/// level.
 std::vector<Candidate> corners_within(Kind kind, const DifferenceFace& face, const MovingFace& moving,
                                       const Integer& level) {
   const Polynomial zero = constant(0);

@@ -21,8 +21,8 @@ namespace touchstone::solver {
 class ThreadHandover {
  public:
 #ifdef TOUCHSTONE_THREAD_SANITIZER
-  void give() noexcept { __tsan_release(this); }
-  void take() noexcept { __tsan_acquire(this); }
+  void give() noexcept { __tsan_release(&place_); }
+  void take() noexcept { __tsan_acquire(&place_); }
 
  private:
   char place_ = 0;

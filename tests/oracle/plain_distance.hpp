@@ -1,5 +1,5 @@
-// Distances of two elements that stand still, for doubles and rationals. The formulas are not those of the library: feet
-// on every pair of a corner and a segment, common perpendiculars by cross products, and separating axes.
+// Distances of two elements that stand still, for doubles and rationals. The formulas are not those of the oracle:
+// feet of corners on segments, common perpendiculars by cross products, and separating axes.
 // SPDX-License-Identifier: MIT
 #pragma once
 

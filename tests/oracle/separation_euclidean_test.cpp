@@ -66,8 +66,8 @@ TEST_CASE("a sphere is touched at a time that is not a double") {
 }
 
 TEST_CASE("a separation is touched at an irrational time") {
-  // The edge is on the line through the origin along (1, t), and the point is at (t, -145/64). Their squared distance is
-  // (t^2 + 145/64)^2 / (1 + t^2), which is (9/4)^2 + (t^2 - 17/64)^2 / (1 + t^2). At t^2 = 17/64 the foot is at
+  // The edge is on the line through the origin along (1, t), and the point is at (t, -145/64). Their squared distance
+  // is (t^2 + 145/64)^2 / (1 + t^2), which is (9/4)^2 + (t^2 - 17/64)^2 / (1 + t^2). At t^2 = 17/64 the foot is at
   // -t (1, t).
   const Query query =
       PointEdge{{{{0, -2.265625, 0}, {-8, 0, 0}, {8, 0, 0}}}, {{{1, -2.265625, 0}, {-8, -8, 0}, {8, 8, 0}}}};

@@ -110,14 +110,14 @@ TEST_CASE("edges without a length are their first corners in the largest-axis me
   check_separated(shrinking, within(1), at(0.5), kEnters, {Feature::a0, Feature::b, kFirst, {0.375, 0.625, 0}});
 }
 
-TEST_CASE("a point of a flat triangle is one of the first feature that holds it") {
+TEST_CASE("of a flat triangle the first feature that holds closest points counts") {
   const auto check = [](const Query& query, Feature feature, const Weights& weights) {
     check_separated(query, within(2), at(0.5), kEnters, on_face(feature, weights));
   };
   check(over_flat_face(3, 0, 8, 4), Feature::f2, kThird);                   // 1 <= x <= 5, with f2
-  check(over_flat_face(1, 0, 8, 4), Feature::f01, {0.625, 0.375, 0});       // 0 <= x <= 3
+  check(over_flat_face(1, 0, 8, 4), Feature::f0, kFirst);                   // 0 <= x <= 3, with f0
   check(over_flat_face(7, 0, 8, 4), Feature::f1, kSecond);                  // 5 <= x <= 8, with f1
-  check(over_flat_face(3, 4, 0, 8), Feature::f12, {0, 0.375, 0.625});       // 1 <= x <= 5, both sides of f0
+  check(over_flat_face(3, 4, 0, 8), Feature::f0, kFirst);                   // 1 <= x <= 5, both sides of f0
   check(over_flat_face(1, 4, 0, 8), Feature::f1, kSecond);                  // 0 <= x <= 3, with f1
   check(over_flat_face(2.5, 8, 0, 16), Feature::f01, {0.0625, 0.9375, 0});  // 0.5 <= x <= 4.5
   check(over_flat_face(3, 0, 8, 8), Feature::f01, {0.375, 0.625, 0});       // f1 and f2 at one place
@@ -141,8 +141,8 @@ TEST_CASE("a point comes near an edge in the largest-axis metric") {
 }
 
 TEST_CASE("edges whose common normal is no axis") {
-  // The edges' directions are (1, -1, 0) and (0, 1, -1), so n = (1, 1, 1). Edge a passes through (c, c, c), c from 3 to 1,
-  // and edge b through the origin. The distance is |n . r| / (1 + 1 + 1) = c, for the middles of both edges only.
+  // The edges' directions are (1, -1, 0) and (0, 1, -1), so n = (1, 1, 1). Edge a passes through (c, c, c), c from 3
+  // to 1, and edge b through the origin. The distance is |n . r| / (1 + 1 + 1) = c, for the middles of both edges only.
   const Query query =
       EdgeEdge{{{{2, 4, 3}, {4, 2, 3}, {0, -1, 1}, {0, 1, -1}}}, {{{0, 2, 1}, {2, 0, 1}, {0, -1, 1}, {0, 1, -1}}}};
   check_separated(query, within(2), at(0.5), kEnters, {Feature::a, Feature::b, {0.5, 0.5, 0}, {0.5, 0.5, 0}});

@@ -1,0 +1,69 @@
+// The entry filter near the limits of its bounds, against the exact level.
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <string>
+
+#include <touchstone/solve.hpp>
+
+#include "seeded/rng.hpp"
+#include "separation/entry_cases.hpp"
+#include "support/answer_check.hpp"
+#include "support/catch.hpp"
+#include "support/query_text.hpp"
+#include "support/slow_build.hpp"
+
+namespace touchstone::tests {
+namespace {
+
+/// The counts of one difficulty.
+struct Judged {
+  std::size_t asked = 0, filter = 0, bracket = 0, entries = 0, wrong = 0;
+};
+
+void judge(const EntryCase& entry, const std::string& label, Judged& judged) {
+  const Separation& separation = entry.separation;
+  if (!(separation.distance > 0)) return;
+  ++judged.asked;
+  const Answer fast = solve(entry.query, separation, Method::fast, entry.t_max);
+  if (fast.level == Level::exact) return;
+  ++(fast.level == Level::filter ? judged.filter : judged.bracket);
+  judged.entries += fast.contact && fast.nature == Nature::entering;
+  const Answer exact = solve(entry.query, separation, Method::exact, entry.t_max);
+  std::string wrong = decision_difference(fast, exact);
+  if (wrong.empty()) wrong = weight_difference(fast, exact);
+  if (wrong.empty()) return;
+  constexpr std::size_t kPrinted = 3;
+  if (++judged.wrong > kPrinted) return;
+  FAIL_CHECK(label << ", separation " << hexfloat(separation.distance) << " " << metric_name(separation.metric)
+                   << ", t_max " << hexfloat(entry.t_max) << ": " << wrong << "\n  fast  " << describe(fast)
+                   << "\n  exact " << describe(exact) << "\n  " << cpp_initializer(entry.query));
+}
+
+}  // namespace
+
+TEST_CASE("entries near the limits of the filter's bounds are the exact ones") {
+  Judged all;
+  for (std::size_t d = 0; d < kDifficulties.size(); ++d) {
+    Judged judged;
+    for (const Kind kind : kKinds) {
+      const bool has_face_or_edges = kind == Kind::edge_edge || kind == Kind::vertex_face;
+      for (std::size_t i = 0; i < effort(has_face_or_edges ? 120 : 30); ++i) {
+        Rng rng(seeded::seed_of_part(12 + d, 4 * i + static_cast<std::size_t>(kind)));
+        judge(make_entry(kind, kDifficulties[d], rng),
+              std::string(kDifficultyNames[d]) + " " + std::string(kind_name(kind)) + " " + std::to_string(i), judged);
+      }
+    }
+    std::printf("%s: %zu asked, %zu by filter, %zu by bracket, of them %zu entries\n", kDifficultyNames[d],
+                judged.asked, judged.filter, judged.bracket, judged.entries);
+    CHECK(judged.wrong == 0);
+    all.asked += judged.asked;
+    all.bracket += judged.bracket;
+    all.entries += judged.entries;
+  }
+  // Otherwise the comparisons above would show nothing.
+  if (!whole_effort("the share that the filter decides")) return;
+  CHECK(2 * all.bracket > all.asked);
+  CHECK(3 * all.entries > all.asked);
+}
+
+}  // namespace touchstone::tests
