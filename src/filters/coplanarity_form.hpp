@@ -85,9 +85,19 @@ TOUCHSTONE_INLINE std::array<N, 4> coplanarity_coefficients(const StepFrame<N>& 
   const auto& r1 = f.end.r;
   return {dot(n[0], r0), dot(n[1], r0) + dot(n[0], r1), dot(n[2], r0) + dot(n[1], r1), dot(n[2], r1)};
 }
+/// The same without n, which keeps fewer numbers at a time: it is faster.
 template <class N>
 TOUCHSTONE_INLINE std::array<N, 4> coplanarity_coefficients(const StepFrame<N>& f) noexcept {
-  return coplanarity_coefficients(f, normal_coefficients(f));
+  using geometry::cross;
+  using geometry::dot;
+  const auto& [u0, w0, r0] = f.start;
+  const auto& [u1, w1, r1] = f.end;
+  const geometry::Vector<N> n0 = cross(u0, w0);
+  const geometry::Vector<N> n2 = cross(u1, w1);
+  const geometry::Vector<N> c01 = cross(u0, w1);
+  const geometry::Vector<N> c10 = cross(u1, w0);
+  const geometry::Vector<N> n1 = {{c01[0] + c10[0], c01[1] + c10[1], c01[2] + c10[2]}};
+  return {dot(n0, r0), dot(n1, r0) + dot(n0, r1), dot(n2, r0) + dot(n1, r1), dot(n2, r1)};
 }
 
 inline double magnitude(double x) noexcept { return std::fabs(x); }

@@ -17,7 +17,7 @@ namespace {
 using numbers::Pack;
 
 template <int Width, bool Edges>
-StepFrame<Pack<Width>> frame_of_columns(const Columns& columns, std::size_t first) {
+TOUCHSTONE_INLINE StepFrame<Pack<Width>> frame_of_columns(const Columns& columns, std::size_t first) {
   const auto corner = [&columns, first](int side, std::size_t i) {
     geometry::Vector<Pack<Width>> x;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -33,16 +33,18 @@ void store(const Mask& mask, std::int64_t* proved) {
   std::memcpy(proved, &mask, sizeof mask);
 }
 
+template <int Width, bool Edges>
+void same_side_pack(const Columns& columns, std::size_t first, std::int64_t* proved) {
+  const StepFrame<Pack<Width>> frame = frame_of_columns<Width, Edges>(columns, first);
+  store(certain_same_side(frame, coplanarity_coefficients(frame)), proved);
+}
+
 /// Whole packs; the rest one by one.
 template <int Width, bool Edges>
 void same_side(const Columns& columns, std::size_t first, std::size_t count, std::int64_t* proved) {
-  const auto prove = [&](auto width, std::size_t i) {
-    const auto frame = frame_of_columns<decltype(width)::value, Edges>(columns, first + i);
-    store(certain_same_side(frame, coplanarity_coefficients(frame)), proved + i);
-  };
   std::size_t i = 0;
-  for (; i + Width <= count; i += Width) prove(std::integral_constant<int, Width>(), i);
-  for (; i < count; ++i) prove(std::integral_constant<int, 1>(), i);
+  for (; i + Width <= count; i += Width) same_side_pack<Width, Edges>(columns, first + i, proved + i);
+  for (; i < count; ++i) same_side_pack<1, Edges>(columns, first + i, proved + i);
 }
 
 template <int Width, bool Edges, bool Euclidean>
