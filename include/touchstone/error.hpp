@@ -21,6 +21,12 @@ class InvalidQuery : public Error {
   using Error::Error;
 };
 
+/// A mesh that has no meaning: an index out of range, a repeated corner, an element given twice.
+class InvalidMesh : public Error {
+ public:
+  using Error::Error;
+};
+
 /// A file that cannot be read or written, or a file with malformed content. The message is "FILE:ROW: reason".
 class FileError : public Error {
  public:

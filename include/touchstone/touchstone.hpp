@@ -7,6 +7,7 @@
 #include <touchstone/contact_times.hpp>
 #include <touchstone/distance.hpp>
 #include <touchstone/error.hpp>
+#include <touchstone/mesh.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 #include <touchstone/solve.hpp>
@@ -17,6 +18,6 @@
 ///
 /// `solve` answers one query, and `solve_batch` answers many. Each of them also takes a Separation that the elements are
 /// to keep. `contact_times` gives all times of contact. `distance` measures at one instant. `judge` judges the claim of
-/// another solver. The header touchstone/touchstone.hpp brings all of these. Two more headers stand beside it:
+/// another solver. `Mesh` and `first_contact` ask about whole meshes. The header touchstone/touchstone.hpp brings all of these. Two more headers stand beside it:
 /// touchstone/eigen.hpp makes queries from Eigen vectors, and touchstone/fuzz.hpp searches for failures of another solver.
 namespace touchstone {}

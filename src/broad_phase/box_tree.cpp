@@ -5,11 +5,15 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
+
+#include "threads/for_each_range.hpp"
 
 namespace touchstone::broad_phase {
 namespace {
 
-using Number = std::uint32_t;
+using Number = BoxTree::Number;
+using Node = BoxTree::Node;
 
 /// The times at which two boxes may overlap; none if `from` exceeds `to`.
 struct TimeInterval {
@@ -38,137 +42,294 @@ bool keep_where_not_negative(double f0, double f1, TimeInterval& times) noexcept
   return true;
 }
 
-/// A binary tree over boxes. The boxes of a node are near each other at both ends of the step.
-class Tree {
- public:
-  struct Node {
-    MovingBox box;
-    Number first, last;  ///< positions of its boxes in items_
-    Number second;       ///< the second child; the first one comes next. 0: a leaf
-    bool is_leaf() const noexcept { return second == 0; }
-  };
+constexpr Number kLeaf = 8;  // boxes in a leaf, at most
 
-  explicit Tree(const std::vector<MovingBox>& boxes) : boxes_(&boxes), items_(boxes.size()) {
-    if (boxes.empty()) return;
-    for (Number i = 0; i < items_.size(); ++i) {
-      items_[i].number = i;
-      std::copy_n(boxes[i].start.low.begin(), 3, items_[i].at.begin());
-      std::copy_n(boxes[i].end.low.begin(), 3, items_[i].at.begin() + 3);
-    }
-    nodes_.reserve(boxes.size() / 2);
-    build(0, static_cast<Number>(items_.size()));
-  }
+/// A box's number, and its lower bounds at both ends.
+struct Item {
+  std::array<double, 6> at;
+  Number number;
+};
+static_assert(sizeof(Item) == BoxTree::kBytesPerItem);
 
-  bool empty() const noexcept { return nodes_.empty(); }
-  const Node& node(Number n) const noexcept { return nodes_[n]; }
-  Number number(Number place) const noexcept { return items_[place].number; }
-  const MovingBox& box(Number place) const noexcept { return (*boxes_)[number(place)]; }
+using Items = std::vector<Item>;
 
- private:
-  static constexpr Number kLeaf = 8;  // boxes in a leaf, at most
-
-  /// A box's number, and its lower bounds at both ends.
-  struct Item {
-    std::array<double, 6> at;
-    Number number;
-  };
-
-  struct Extent {
-    std::size_t axis;
-    double middle;
-  };
-
-  Extent widest_extent(Number first, Number last) const noexcept {
-    std::array<double, 6> least = items_[first].at, greatest = least;
-    for (Number i = first + 1; i < last; ++i) {
-      for (std::size_t axis = 0; axis < 6; ++axis) {
-        least[axis] = std::min(least[axis], items_[i].at[axis]);
-        greatest[axis] = std::max(greatest[axis], items_[i].at[axis]);
-      }
-    }
-    std::size_t widest = 0;
-    for (std::size_t axis = 1; axis < 6; ++axis) {
-      if (greatest[axis] - least[axis] > greatest[widest] - least[widest]) widest = axis;
-    }
-    return {widest, 0.5 * least[widest] + 0.5 * greatest[widest]};
-  }
-
-  /// Divides the items [first, last) into two parts. @returns where the second part begins. Only the boxes decide which
-  /// box is in which part.
-  Number split(Number first, Number last) {
-    const auto begin = items_.begin() + first, end = items_.begin() + last;
-    const Extent extent = widest_extent(first, last);
-    const auto beyond = std::partition(begin, end, [&](const Item& i) { return i.at[extent.axis] < extent.middle; });
-    const Number middle = first + static_cast<Number>(beyond - begin);
-    const Number fewest = 1 + (last - first) / 8;  // in each part; otherwise the depth might reach the number of boxes
-    if (middle - first >= fewest && last - middle >= fewest) return middle;
-    const Number half = first + (last - first) / 2;
-    std::nth_element(begin, items_.begin() + half, end, [&](const Item& i, const Item& j) {
-      const double x = i.at[extent.axis], y = j.at[extent.axis];
-      return x != y ? x < y : i.number < j.number;
-    });
-    return half;
-  }
-
-  void build(Number first, Number last) {
-    const std::size_t at = nodes_.size();
-    nodes_.push_back({empty_moving_box(), first, last, 0});
-    if (last - first <= kLeaf) {
-      std::sort(items_.begin() + first, items_.begin() + last,
-                [](const Item& i, const Item& j) { return i.number < j.number; });
-      for (Number i = first; i < last; ++i) join(nodes_[at].box, box(i));
-      return;
-    }
-    const Number middle = split(first, last);
-    build(first, middle);
-    nodes_[at].second = static_cast<Number>(nodes_.size());
-    build(middle, last);
-    join(nodes_[at].box, nodes_[at + 1].box);
-    join(nodes_[at].box, nodes_[nodes_[at].second].box);
-  }
-
-  const std::vector<MovingBox>* boxes_;
-  std::vector<Item> items_;
-  std::vector<Node> nodes_;
+struct Extent {
+  std::size_t axis;
+  double middle;
 };
 
-/// Calls found(position in a, position in b) for boxes that meet.
-template <class Found>
-void across(const Tree& a, Number in_a, const Tree& b, Number in_b, const Found& found) {
-  const Tree::Node &x = a.node(in_a), &y = b.node(in_b);
-  if (!meet(x.box, y.box)) return;
-  if (x.is_leaf() && y.is_leaf()) {
-    for (Number i = x.first; i < x.last; ++i) {
-      for (Number j = y.first; j < y.last; ++j) {
-        if (meet(a.box(i), b.box(j))) found(i, j);
-      }
+Extent widest_extent(const Items& items, Number first, Number last) noexcept {
+  std::array<double, 6> least = items[first].at, greatest = least;
+  for (Number i = first + 1; i < last; ++i) {
+    for (std::size_t axis = 0; axis < 6; ++axis) {
+      least[axis] = std::min(least[axis], items[i].at[axis]);
+      greatest[axis] = std::max(greatest[axis], items[i].at[axis]);
     }
-  } else if (y.is_leaf() || (!x.is_leaf() && x.last - x.first >= y.last - y.first)) {
-    across(a, in_a + 1, b, in_b, found);
-    across(a, x.second, b, in_b, found);
-  } else {
-    across(a, in_a, b, in_b + 1, found);
-    across(a, in_a, b, y.second, found);
   }
+  std::size_t widest = 0;
+  for (std::size_t axis = 1; axis < 6; ++axis) {
+    if (greatest[axis] - least[axis] > greatest[widest] - least[widest]) widest = axis;
+  }
+  return {widest, 0.5 * least[widest] + 0.5 * greatest[widest]};
 }
 
-template <class Found>
-void within(const Tree& tree, Number at, const Found& found) {
-  const Tree::Node& x = tree.node(at);
-  if (x.is_leaf()) {
-    for (Number i = x.first; i < x.last; ++i) {
-      for (Number j = i + 1; j < x.last; ++j) {
-        if (meet(tree.box(i), tree.box(j))) found(i, j);
-      }
+/// Divides the items [first, last) into two parts. @returns where the second part begins. Only the boxes decide which
+/// box is in which part.
+Number split(Items& items, Number first, Number last) {
+  const auto begin = items.begin() + first, end = items.begin() + last;
+  const Extent extent = widest_extent(items, first, last);
+  const auto beyond = std::partition(begin, end, [&](const Item& i) { return i.at[extent.axis] < extent.middle; });
+  const Number middle = first + static_cast<Number>(beyond - begin);
+  const Number fewest = 1 + (last - first) / 8;  // in each part; otherwise the depth might reach the number of boxes
+  if (middle - first >= fewest && last - middle >= fewest) return middle;
+  const Number half = first + (last - first) / 2;
+  std::nth_element(begin, items.begin() + half, end, [&](const Item& i, const Item& j) {
+    const double x = i.at[extent.axis], y = j.at[extent.axis];
+    return x != y ? x < y : i.number < j.number;
+  });
+  return half;
+}
+
+/// What the parts of a tree are built from, by several threads at the same time: each has its own places.
+struct Material {
+  Items& items;
+  std::vector<Number>& numbers;
+  std::vector<MovingBox>& boxes;
+  const std::function<MovingBox(Number)>& box_of;
+};
+
+/// Appends the tree over the places [first, last), whose children are numbered from the beginning of `nodes`.
+void build(const Material& from, Number first, Number last, std::vector<Node>& nodes) {
+  const std::size_t at = nodes.size();
+  nodes.push_back({empty_moving_box(), first, last, 0});
+  if (last - first <= kLeaf) {
+    std::sort(from.items.begin() + first, from.items.begin() + last,
+              [](const Item& i, const Item& j) { return i.number < j.number; });
+    for (Number i = first; i < last; ++i) {
+      from.numbers[i] = from.items[i].number;
+      from.boxes[i] = from.box_of(from.numbers[i]);
+      join(nodes[at].box, from.boxes[i]);
     }
     return;
   }
-  within(tree, at + 1, found);
-  within(tree, x.second, found);
-  across(tree, at + 1, tree, x.second, found);
+  const Number middle = split(from.items, first, last);
+  build(from, first, middle, nodes);
+  nodes[at].second = static_cast<Number>(nodes.size());
+  build(from, middle, last, nodes);
+  join(nodes[at].box, nodes[at + 1].box);
+  join(nodes[at].box, nodes[nodes[at].second].box);
 }
 
+/// A node near the root. Its children are both 0, or numbers of other parts; without children, it has a tree of its own.
+struct Part {
+  Number first, last;
+  std::size_t children[2] = {0, 0};
+  std::vector<Node> tree;
+};
+
+constexpr Number kPartBoxes = 2048;     // a part of so many boxes, or fewer, is not divided among threads
+constexpr std::size_t kPartLevels = 6;  // 64 parts: enough for most machines, and few enough to put together fast
+
+/// The tree's upper levels, level by level, each level's nodes on several threads; then the trees below them.
+std::vector<Part> build_parts(const Material& from, int threads) {
+  std::vector<Part> parts(1);
+  parts[0].first = 0;
+  parts[0].last = static_cast<Number>(from.items.size());
+  std::size_t level_begin = 0;
+  for (std::size_t level = 0; level < kPartLevels; ++level) {
+    const std::size_t level_end = parts.size();
+    std::vector<Number> middles(level_end - level_begin, 0);
+    threads::for_each_range(middles.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Part& part = parts[level_begin + i];
+        if (part.last - part.first > kPartBoxes) middles[i] = split(from.items, part.first, part.last);
+      }
+    });
+    for (std::size_t i = 0; i < middles.size(); ++i) {
+      if (middles[i] == 0) continue;
+      const std::size_t at = level_begin + i;
+      const Number bounds[3] = {parts[at].first, middles[i], parts[at].last};
+      for (std::size_t child = 0; child < 2; ++child) {
+        parts[at].children[child] = parts.size();
+        Part part;
+        part.first = bounds[child];
+        part.last = bounds[child + 1];
+        parts.push_back(std::move(part));
+      }
+    }
+    level_begin = level_end;
+  }
+  threads::for_each_range(parts.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (parts[i].children[0] == 0) build(from, parts[i].first, parts[i].last, parts[i].tree);
+    }
+  });
+  return parts;
+}
+
+/// Appends the part and all that is below it.
+void put_together(std::vector<Part>& parts, std::size_t part, std::vector<Node>& nodes) {
+  const auto at = static_cast<Number>(nodes.size());
+  if (parts[part].children[0] == 0) {
+    for (Node& node : parts[part].tree) {
+      if (!node.is_leaf()) node.second += at;
+    }
+    nodes.insert(nodes.end(), parts[part].tree.begin(), parts[part].tree.end());
+    std::vector<Node>().swap(parts[part].tree);
+    return;
+  }
+  nodes.push_back({empty_moving_box(), parts[part].first, parts[part].last, 0});
+  put_together(parts, parts[part].children[0], nodes);
+  nodes[at].second = static_cast<Number>(nodes.size());
+  put_together(parts, parts[part].children[1], nodes);
+  join(nodes[at].box, nodes[at + 1].box);
+  join(nodes[at].box, nodes[nodes[at].second].box);
+}
+
+/// Two nodes whose boxes are to be compared; `within`: one node, and both are it.
+struct Task {
+  Number a, b;
+  bool within;
+};
+
+/// Whether the nodes x of a and y of b are compared by the children of x.
+bool divides_first(const Node& x, const Node& y) noexcept {
+  return y.is_leaf() || (!x.is_leaf() && x.size() >= y.size());
+}
+
+/// Compares the boxes of trees. `until()` is the time after which a meeting does not count; found(place in a, place in b)
+/// is called for boxes that meet.
+template <class Until, class Found>
+class Comparison {
+ public:
+  Comparison(const BoxTree& a, const BoxTree& b, const Until& until, const Found& found)
+      : a_(a), b_(b), until_(until), found_(found) {}
+
+  void across(Number in_a, Number in_b) const {
+    const Node &x = a_.node(in_a), &y = b_.node(in_b);
+    if (!meet(x.box, y.box, until_())) return;
+    if (x.is_leaf() && y.is_leaf()) {
+      for (Number i = x.first; i < x.last; ++i) {
+        const MovingBox& box = a_.box(i);
+        if (!meet(box, y.box, until_())) continue;
+        for (Number j = y.first; j < y.last; ++j) {
+          if (meet(box, b_.box(j), until_())) found_(i, j);
+        }
+      }
+    } else if (divides_first(x, y)) {
+      across(in_a + 1, in_b);
+      across(x.second, in_b);
+    } else {
+      across(in_a, in_b + 1);
+      across(in_a, y.second);
+    }
+  }
+
+  /// `a` and `b` are one tree.
+  void within(Number at) const {
+    const Node& x = a_.node(at);
+    if (x.is_leaf()) {
+      for (Number i = x.first; i < x.last; ++i) {
+        for (Number j = i + 1; j < x.last; ++j) {
+          if (meet(a_.box(i), a_.box(j), until_())) found_(i, j);
+        }
+      }
+      return;
+    }
+    within(at + 1);
+    within(x.second);
+    across(at + 1, x.second);
+  }
+
+  void run(const Task& task) const { task.within ? within(task.a) : across(task.a, task.b); }
+
+ private:
+  const BoxTree &a_, &b_;
+  const Until& until_;
+  const Found& found_;
+};
+
+constexpr Number kTaskBoxes = 512;  // a task with so many boxes, or fewer, is not divided
+
+/// The comparison of two nodes as tasks, in the order in which Comparison makes them.
+void divide(const BoxTree& a, const BoxTree& b, const Task& task, double until, std::vector<Task>& tasks) {
+  const Node &x = a.node(task.a), &y = b.node(task.b);
+  if (task.within) {
+    if (x.is_leaf() || x.size() <= kTaskBoxes) {
+      tasks.push_back(task);
+      return;
+    }
+    divide(a, b, {task.a + 1, task.a + 1, true}, until, tasks);
+    divide(a, b, {x.second, x.second, true}, until, tasks);
+    divide(a, b, {task.a + 1, x.second, false}, until, tasks);
+    return;
+  }
+  if (!meet(x.box, y.box, until)) return;
+  if ((x.is_leaf() && y.is_leaf()) || x.size() + y.size() <= kTaskBoxes) {
+    tasks.push_back(task);
+  } else if (divides_first(x, y)) {
+    divide(a, b, {task.a + 1, task.b, false}, until, tasks);
+    divide(a, b, {x.second, task.b, false}, until, tasks);
+  } else {
+    divide(a, b, {task.a, task.b + 1, false}, until, tasks);
+    divide(a, b, {task.a, y.second, false}, until, tasks);
+  }
+}
+
+/// Runs tasks one after another, and hands out the pairs in blocks.
+void run_tasks(const BoxTree& a, const BoxTree& b, const Task* first, const Task* last, const PairSearch& search,
+               const PairBlockConsumer& take) {
+  std::array<Pair, kPairBlock> block;
+  std::size_t count = 0;
+  const bool one_tree = &a == &b;
+  const auto found = [&](Number i, Number j) {
+    const Number x = a.number(i), y = b.number(j);
+    block[count++] = one_tree && y < x ? Pair{y, x} : Pair{x, y};
+    if (count == kPairBlock) {
+      take(block.data(), count);
+      count = 0;
+    }
+  };
+  const auto until = [&] { return search.until == nullptr ? 1.0 : search.until->load(std::memory_order_relaxed); };
+  const Comparison comparison(a, b, until, found);
+  for (const Task* task = first; task != last; ++task) comparison.run(*task);
+  if (count > 0) take(block.data(), count);
+}
+
+void run_all(const BoxTree& a, const BoxTree& b, const Task& whole, const PairSearch& search,
+             const PairBlockConsumer& take) {
+  std::vector<Task> tasks;
+  divide(a, b, whole, 1, tasks);
+  constexpr std::size_t kTasksAtATime = 16;
+  threads::for_each_range(tasks.size(), kTasksAtATime, search.threads, [&](std::size_t first, std::size_t last) {
+    run_tasks(a, b, tasks.data() + first, tasks.data() + last, search, take);
+  });
+}
+
+double whole_step() noexcept { return 1; }
+
 }  // namespace
+
+BoxTree::BoxTree(std::size_t count, const std::function<MovingBox(Number)>& box_of, int threads)
+    : numbers_(count), boxes_(count) {
+  if (count == 0) return;
+  Items items(count);
+  constexpr std::size_t kItemsAtATime = 4096;
+  threads::for_each_range(count, kItemsAtATime, threads, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      items[i].number = static_cast<Number>(i);
+      const MovingBox box = box_of(items[i].number);
+      std::copy_n(box.start.low.begin(), 3, items[i].at.begin());
+      std::copy_n(box.end.low.begin(), 3, items[i].at.begin() + 3);
+    }
+  });
+  std::vector<Part> parts = build_parts({items, numbers_, boxes_, box_of}, threads);
+  Items().swap(items);
+  std::size_t node_count = parts.size();
+  for (const Part& part : parts) node_count += part.tree.size();
+  nodes_.reserve(node_count);
+  put_together(parts, 0, nodes_);
+}
 
 MovingBox empty_moving_box() noexcept { return {empty_box(), empty_box()}; }
 
@@ -183,8 +344,8 @@ void join(MovingBox& box, const MovingBox& other) noexcept {
   join_at(box.end, other.end);
 }
 
-bool meet(const MovingBox& a, const MovingBox& b) noexcept {
-  TimeInterval times;
+bool meet(const MovingBox& a, const MovingBox& b, double until) noexcept {
+  TimeInterval times{0, until};
   for (std::size_t k = 0; k < 3; ++k) {
     if (!keep_where_not_negative(b.start.high[k] - a.start.low[k], b.end.high[k] - a.end.low[k], times)) return false;
     if (!keep_where_not_negative(a.start.high[k] - b.start.low[k], a.end.high[k] - b.end.low[k], times)) return false;
@@ -192,19 +353,29 @@ bool meet(const MovingBox& a, const MovingBox& b) noexcept {
   return times.from <= times.to + kTimesError;
 }
 
+void for_each_pair_block(const BoxTree& tree, const PairSearch& search, const PairBlockConsumer& take) {
+  if (!tree.empty()) run_all(tree, tree, {0, 0, true}, search, take);
+}
+
+void for_each_pair_block(const BoxTree& a, const BoxTree& b, const PairSearch& search, const PairBlockConsumer& take) {
+  if (!a.empty() && !b.empty()) run_all(a, b, {0, 0, false}, search, take);
+}
+
 void for_each_pair(const std::vector<MovingBox>& boxes, const PairConsumer& found) {
-  const Tree tree(boxes);
+  const BoxTree tree(boxes.size(), [&](Number i) { return boxes[i]; });
   if (tree.empty()) return;
-  within(tree, 0, [&](Number i, Number j) {
+  const auto found_places = [&](Number i, Number j) {
     const Number a = tree.number(i), b = tree.number(j);
     found(std::min(a, b), std::max(a, b));
-  });
+  };
+  Comparison(tree, tree, whole_step, found_places).within(0);
 }
 
 void for_each_pair(const std::vector<MovingBox>& a, const std::vector<MovingBox>& b, const PairConsumer& found) {
-  const Tree in_a(a), in_b(b);
+  const BoxTree in_a(a.size(), [&](Number i) { return a[i]; }), in_b(b.size(), [&](Number i) { return b[i]; });
   if (in_a.empty() || in_b.empty()) return;
-  across(in_a, 0, in_b, 0, [&](Number i, Number j) { found(in_a.number(i), in_b.number(j)); });
+  const auto found_places = [&](Number i, Number j) { found(in_a.number(i), in_b.number(j)); };
+  Comparison(in_a, in_b, whole_step, found_places).across(0, 0);
 }
 
 }  // namespace touchstone::broad_phase

@@ -3,6 +3,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -22,8 +26,62 @@ MovingBox empty_moving_box() noexcept;
 /// Extends `box` so that it contains the other box at all times.
 void join(MovingBox& box, const MovingBox& other) noexcept;
 
-/// False proves that the boxes are disjoint at all times in [0, 1].
-bool meet(const MovingBox& a, const MovingBox& b) noexcept;
+/// False proves that the boxes are disjoint at all times in [0, until], 0 <= until <= 1.
+bool meet(const MovingBox& a, const MovingBox& b, double until = 1) noexcept;
+
+/// A binary tree over boxes. The boxes of a node are near each other at both ends of the step.
+class BoxTree {
+ public:
+  using Number = std::uint32_t;
+
+  /// @param count    the number of boxes, below 2^32
+  /// @param box_of   box i; it is asked twice for each box, from several threads
+  /// @param threads  the number of threads, as in threads::for_each_range; the tree does not depend on it
+  BoxTree(std::size_t count, const std::function<MovingBox(Number)>& box_of, int threads = 1);
+
+  /// While the tree is made, it holds kBytesPerItem more for each box.
+  static constexpr std::size_t kBytesPerBox = sizeof(MovingBox) + sizeof(Number);
+  static constexpr std::size_t kBytesPerItem = 6 * sizeof(double) + 8;
+
+  struct Node {
+    MovingBox box;
+    Number first, last;  ///< the places of its boxes
+    Number second;       ///< the second child; the first one comes next. 0: a leaf
+    bool is_leaf() const noexcept { return second == 0; }
+    Number size() const noexcept { return last - first; }
+  };
+
+  bool empty() const noexcept { return nodes_.empty(); }
+  const Node& node(Number n) const noexcept { return nodes_[n]; }
+  Number number(Number place) const noexcept { return numbers_[place]; }
+  const MovingBox& box(Number place) const noexcept { return boxes_[place]; }
+
+ private:
+  std::vector<Number> numbers_;   // by place
+  std::vector<MovingBox> boxes_;  // by place
+  std::vector<Node> nodes_;
+};
+
+/// The numbers of two boxes.
+using Pair = std::array<std::uint32_t, 2>;
+
+/// Takes some of the pairs, at most kPairBlock at a time. Several threads may call it at the same time.
+using PairBlockConsumer = std::function<void(const Pair* pairs, std::size_t count)>;
+inline constexpr std::size_t kPairBlock = 1024;
+
+struct PairSearch {
+  int threads = 1;
+
+  /// Boxes that meet only after this time need not be found. It is read again and again, and may fall meanwhile. Null: 1.
+  const std::atomic<double>* until = nullptr;
+};
+
+/// Hands out each pair i < j of boxes that meet, once, and no other pair. With one thread, the order depends on the boxes
+/// only.
+void for_each_pair_block(const BoxTree& tree, const PairSearch& search, const PairBlockConsumer& take);
+
+/// The same for box i of `a` and box j of `b`.
+void for_each_pair_block(const BoxTree& a, const BoxTree& b, const PairSearch& search, const PairBlockConsumer& take);
 
 /// Calls found(i, j) once for each i < j whose boxes meet, and for no other pair. The order of the calls depends on the
 /// boxes only.

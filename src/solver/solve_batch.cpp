@@ -4,33 +4,23 @@
 #include <touchstone/solve.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <string>
 
 #include "filters/same_side.hpp"
 #include "filters/same_side_columns.hpp"
 #include "numbers/float_environment.hpp"
 #include "solver/cascade.hpp"
-#include "solver/thread_handover.hpp"
 #include "solver/validate.hpp"
-
-#ifdef TOUCHSTONE_WITH_TBB
-#include <tbb/blocked_range.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-#endif
+#include "threads/for_each_range.hpp"
 
 namespace touchstone {
 namespace {
 
-constexpr int kMaxThreads = 1024;
 constexpr std::size_t kBlock = 64;  // how many queries a kernel is given at a time; a few microseconds of work
 
 void validate_options(const BatchOptions& options) {
-  if (options.threads < 0 || options.threads > kMaxThreads) {
-    throw InvalidQuery("threads is " + std::to_string(options.threads) + "; it must be in [0, " +
-                       std::to_string(kMaxThreads) + "], 0 for as many as the machine has");
-  }
+  threads::validate_threads(options.threads);
   solver::validate_method(options.method);
   solver::validate_vector_width(options.vectors);
   solver::validate_t_max(options.t_max);
@@ -66,37 +56,6 @@ bool has_separation(const BatchOptions& options) {
   return options.distances != nullptr || options.separation.distance != 0;
 }
 
-/// Covers [0, count) by calls of answer_range(first, last), in the default environment, on `threads` threads (0: as
-/// many as the machine has).
-template <class AnswerRange>
-void for_each_range(std::size_t count, int threads, const AnswerRange& answer_range) {
-  const auto in_environment = [&](std::size_t first, std::size_t last) {
-    const numbers::DefaultFloatEnvironment environment;  // each thread has its own
-    answer_range(first, last);
-  };
-#ifdef TOUCHSTONE_WITH_TBB
-  if (threads == 0) threads = tbb::info::default_concurrency();
-  if (threads > 1) {
-    tbb::task_arena arena(threads);
-    solver::ThreadHandover started, finished;
-    started.give();
-    arena.execute([&] {
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kBlock),
-                        [&](const tbb::blocked_range<std::size_t>& range) {
-                          started.take();
-                          in_environment(range.begin(), range.end());
-                          finished.give();
-                        });
-    });
-    finished.take();
-    return;
-  }
-#else
-  static_cast<void>(threads);
-#endif
-  in_environment(0, count);
-}
-
 /// Answers queries [first, last), at most kBlock of which kernel(first, count, proved) tests at a time. Where it proves
 /// nothing, answer_one(i) answers query i.
 template <class Kernel, class AnswerOne>
@@ -120,7 +79,7 @@ void answer_all(std::size_t count, const BatchOptions& options, const QueryAt& q
   validate_options(options);
   validate_distances(options, count);
   try {
-    for_each_range(count, options.threads, answer_range);
+    threads::for_each_range(count, kBlock, options.threads, std::cref(answer_range));  // allocates nothing
   } catch (const InvalidQuery&) {
     const numbers::DefaultFloatEnvironment environment;
     for (std::size_t i = 0; i < count; ++i) {

@@ -11,15 +11,17 @@ const LayerTable& layer_table() {
   static const LayerTable table = {
       {"geometry", {}},
       {"numbers", {}},
+      {"threads", {"numbers"}},
       {"filters", {"geometry", "numbers"}},
       {"exact", {"geometry", "numbers"}},
       {"oracle", {"geometry", "numbers"}},
-      {"solver", {"filters", "exact", "oracle", "geometry", "numbers"}},
+      {"solver", {"filters", "exact", "oracle", "geometry", "numbers", "threads"}},
       {"certify", {"solver", "oracle", "geometry", "numbers"}},
       {"baselines", {"geometry"}},
       {"seeded", {}},
       {"families", {"geometry", "seeded"}},
-      {"broad_phase", {"geometry"}},
+      {"broad_phase", {"geometry", "threads"}},
+      {"mesh", {"solver", "broad_phase", "threads", "geometry", "numbers"}},
       {"generators", {"broad_phase", "geometry", "io", "seeded"}},
       {"fuzz",
        {"solver", "certify", "baselines", "families", "filters", "io", "numbers", "geometry", "pipes", "seeded"}},
@@ -33,9 +35,9 @@ const LayerTable& layer_table() {
       {"sim", {"linear", "scene", "rods", "contact", "dynamics", "io"}},
       {"report", {"solver", "certify", "baselines", "generators", "io", "geometry", "seeded", "scene", "sim"}},
       {"stress", {"solver", "baselines", "report", "geometry", "seeded"}},
-      {"cli", {"geometry",  "numbers",    "filters", "exact",   "oracle",   "solver", "certify",
-               "baselines", "generators", "io",      "report",  "families", "fuzz",   "pipes",
-               "seeded",    "scene",      "rods",    "contact", "dynamics", "sim",    "stress"}},
+      {"cli", {"geometry",   "numbers", "filters",  "exact",    "oracle", "solver", "certify", "baselines",
+               "generators", "io",      "report",   "families", "fuzz",   "pipes",  "seeded",  "scene",
+               "rods",       "contact", "dynamics", "sim",      "stress", "mesh",   "threads"}},
   };
   return table;
 }
@@ -77,7 +79,7 @@ const std::map<std::string, std::string>& header_owners() {
       {"answer.hpp", ""},         {"error.hpp", ""},          {"query.hpp", ""},       {"separation.hpp", ""},
       {"vector_width.hpp", ""},   {"version.hpp", ""},        {"solve.hpp", "solver"}, {"contact_times.hpp", "solver"},
       {"distance.hpp", "solver"}, {"certify.hpp", "certify"}, {"fuzz.hpp", "fuzz"},    {"plugin.h", "fuzz"},
-      {"eigen.hpp", "*"},         {"touchstone.hpp", "*"},
+      {"mesh.hpp", "mesh"},       {"eigen.hpp", "*"},         {"touchstone.hpp", "*"},
   };
   return owners;
 }

@@ -14,7 +14,7 @@
 #endif
 
 #include "cli/shared/interrupt.hpp"
-#include "solver/thread_handover.hpp"
+#include "threads/thread_handover.hpp"
 
 namespace touchstone::cli {
 
@@ -78,7 +78,7 @@ void run_in_order(int threads, Read read, Work work, Write write) {
     tbb::task_arena arena(threads);
     // What oneTBB orders: the serial stages each by themselves, the stages of an item, and all of them between the start
     // and the end.
-    solver::ThreadHandover started, reading, items, writing, finished;
+    threads::ThreadHandover started, reading, items, writing, finished;
     started.give();
     arena.execute([&] {
       tbb::parallel_pipeline(

@@ -15,7 +15,7 @@
 #include <sanitizer/tsan_interface.h>
 #endif
 
-namespace touchstone::solver {
+namespace touchstone::threads {
 
 /// Orders two threads: everything before give() in one happens before everything after take() in the other.
 class ThreadHandover {
@@ -32,4 +32,4 @@ class ThreadHandover {
 #endif
 };
 
-}  // namespace touchstone::solver
+}  // namespace touchstone::threads

@@ -1,0 +1,316 @@
+// Touchstone: whole meshes. Where does a mesh intersect itself, when do its elements first touch, how far may it move?
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <touchstone/answer.hpp>
+#include <touchstone/query.hpp>
+#include <touchstone/separation.hpp>
+
+namespace touchstone {
+
+/// The number of a vertex, edge, face or loose point, from 0.
+using MeshIndex = std::uint32_t;
+
+/// Two elements of a mesh: edge and edge, vertex and face, vertex and edge, or vertex and vertex.
+struct MeshPair {
+  Kind kind = Kind::edge_edge;  ///< which elements
+  MeshIndex first = 0;          ///< the number of an edge, or of a vertex for the other three kinds
+  MeshIndex second = 0;         ///< the number of an edge, face, edge or vertex
+
+  /// Whether both are the same pair.
+  bool operator==(const MeshPair& other) const noexcept {
+    return kind == other.kind && first == other.first && second == other.second;
+  }
+  /// Whether they are different pairs.
+  bool operator!=(const MeshPair& other) const noexcept { return !(*this == other); }
+  /// By kind, then by first, then by second.
+  bool operator<(const MeshPair& other) const noexcept {
+    if (kind != other.kind) return kind < other.kind;
+    return first != other.first ? first < other.first : second < other.second;
+  }
+};
+
+/// Which pairs of groups of vertices collide.
+enum class GroupRule : std::uint8_t {
+  all_but_listed,  ///< every two groups, and each group with itself, but those in the list
+  only_listed      ///< the pairs of groups in the list, and no others
+};
+
+/// Which pairs of a mesh never collide, beside those that share a vertex. Two elements may collide when some vertex of
+/// one may collide with some vertex of the other. Two vertices may not collide when they are listed, or when their groups
+/// may not.
+struct CollisionRules {
+  std::vector<std::array<MeshIndex, 2>> vertex_pairs;  ///< vertices that never collide with each other, in any order
+  std::vector<MeshPair> element_pairs;                 ///< elements that never collide with each other
+
+  std::vector<MeshIndex> groups;                      ///< the group of each vertex; empty without groups
+  GroupRule group_rule = GroupRule::all_but_listed;   ///< the meaning of group_pairs
+  std::vector<std::array<MeshIndex, 2>> group_pairs;  ///< pairs of groups, in any order; {3, 3} is within group 3
+};
+
+/// What a mesh is made of.
+struct MeshElements {
+  std::size_t vertex_count = 0;  ///< the number of vertices, below 2^32
+
+  /// Triangles, by the numbers of their corners. Their orientation has no meaning.
+  std::vector<std::array<MeshIndex, 3>> faces;
+
+  /// Edges. The edges of the faces need not be given. A given edge keeps its number, and may be an edge of a face too. The
+  /// other edges of the faces come after those given, in ascending order of their corners.
+  std::vector<std::array<MeshIndex, 2>> edges;
+
+  /// The loose points: vertices that are in no edge, and collide. Without a list, it is every vertex that is in no edge.
+  std::optional<std::vector<MeshIndex>> points;
+
+  int dimension = 3;  ///< 2 or 3; a mesh in the plane has edges and loose points, and no faces
+
+  CollisionRules rules;  ///< which pairs never collide
+
+  /// The separation of every pair. With distance 0, contact is touching.
+  Separation separation = {};
+
+  /// The radius of each vertex, in place of separation.distance, which must then be 0; empty without radii. An element's
+  /// radius is the largest of its vertices' radii. The separation of a pair is the sum of its two elements' radii; a sum
+  /// that is no double is rounded up. The metric is separation.metric.
+  std::vector<double> radii;
+};
+
+/// A mesh whose elements were checked. It is immutable, and several threads may use one object. A copy is cheap.
+///
+/// It holds 12 bytes for each face, 9 for each edge, 4 for each vertex that collides and 4 for each loose point, besides
+/// the rules and the radii. While it is made, it needs 36 bytes more for each face and 16 more for each edge, at most.
+class Mesh {
+ public:
+  /// The representation, known to the library only.
+  struct Impl;
+
+  /// A mesh without elements.
+  Mesh();
+
+  /// @param elements  what it is made of
+  /// @throws InvalidMesh  for an index out of range, an element with a repeated corner, an element that is given twice, a
+  ///                      loose point in an edge, faces in the plane, rules about elements that do not exist, radii that
+  ///                      are negative or not finite; the message names the element and what would be right
+  /// @throws InvalidQuery  for a separation without meaning
+  explicit Mesh(MeshElements elements);
+
+  std::size_t vertex_count() const noexcept;                            ///< the number of vertices
+  int dimension() const noexcept;                                       ///< 2 or 3
+  const std::vector<std::array<MeshIndex, 3>>& faces() const noexcept;  ///< as they were given
+  const std::vector<std::array<MeshIndex, 2>>& edges() const noexcept;  ///< those given, then those of the faces
+  const std::vector<MeshIndex>& points() const noexcept;                ///< the loose points, in ascending order
+  Metric metric() const noexcept;                                       ///< how distances are measured
+
+  /// Whether the pair is one that first_contact and the other functions ask about. In three dimensions these are two
+  /// edges, a vertex and a face, a loose point and an edge that is in no face, and two loose points. In two dimensions
+  /// they are a vertex and an edge, and two loose points. Two elements that share a vertex, or that the rules exclude,
+  /// never collide. Vertices that are neither in an edge nor a loose point never collide.
+  /// @throws InvalidMesh  for an element that does not exist
+  bool may_collide(const MeshPair& pair) const;
+
+  /// The separation of a pair. @throws InvalidMesh  for an element that does not exist
+  Separation separation(const MeshPair& pair) const;
+
+  /// The vertices of a pair in the order of a query's corners; those past corner_count(kind) are 0.
+  /// @throws InvalidMesh  for an element that does not exist
+  std::array<MeshIndex, 4> corners(const MeshPair& pair) const;
+
+  /// The pair for a person: "edge 7 (3-4) and edge 9 (10-11)", "vertex 5 and face 2 (0-1-9)".
+  /// @throws InvalidMesh  for an element that does not exist
+  std::string describe(const MeshPair& pair) const;
+
+  /// For the library: the representation.
+  const Impl& impl() const noexcept { return *impl_; }
+
+ private:
+  std::shared_ptr<const Impl> impl_;
+};
+
+/// The positions of a mesh's vertices: a view of doubles in the caller's memory. Coordinate k of vertex v is
+/// data[v * vertex_stride + k * coordinate_stride].
+struct Positions {
+  const double* data = nullptr;          ///< the first coordinate of the first vertex
+  std::size_t count = 0;                 ///< the number of vertices
+  int dimension = 3;                     ///< 2 or 3 coordinates a vertex
+  std::ptrdiff_t vertex_stride = 3;      ///< doubles from a vertex to the next
+  std::ptrdiff_t coordinate_stride = 1;  ///< doubles from a coordinate to the next
+
+  /// No positions.
+  Positions() = default;
+
+  /// Contiguous positions: x y z x y z ..., or x y x y ...
+  Positions(const double* first, std::size_t vertices, int coordinates = 3)
+      : data(first), count(vertices), dimension(coordinates), vertex_stride(coordinates) {}
+
+  /// The same of a vector of doubles. A remainder that is no whole vertex counts as one more vertex, and no function
+  /// takes it.
+  Positions(const std::vector<double>& all, int coordinates)
+      : Positions(all.data(), coordinates > 0 ? all.size() / static_cast<std::size_t>(coordinates) : 0, coordinates) {
+    if (coordinates > 0 && all.size() % static_cast<std::size_t>(coordinates) != 0) ++count;
+  }
+
+  /// Three coordinates a vertex.
+  Positions(const std::vector<Vec3>& all) : Positions(all.empty() ? nullptr : &all[0].x, all.size()) {}
+};
+
+/// How a mesh's questions are answered. No option but t_max changes an answer.
+struct MeshOptions {
+  double t_max = 1.0;  ///< the end of the time range, 0 <= t_max <= 1; only first_contact and all_contacts use it
+  int threads = 1;     ///< the number of threads, 1 to 1024; 0 takes as many as the machine has
+};
+
+/// Two elements in contact.
+struct MeshContact {
+  MeshPair pair;          ///< the elements
+  Separation separation;  ///< the separation that the contact is about
+  Answer answer;          ///< that of `solve` for this pair and this separation
+};
+
+/// The first contact of a mesh in a step.
+struct FirstContact {
+  /// Whether two elements that are not in contact at the start come into contact in [0, t_max].
+  bool contact = false;
+  double toi = 0;        ///< the largest double <= the exact first time of such a contact; infinity without one
+  double toi_upper = 0;  ///< the smallest double >= this time; infinity without contact
+
+  /// Every pair whose contact begins at exactly that time, in ascending order. Where the time is no double, the times of
+  /// the pairs are compared as algebraic numbers.
+  std::vector<MeshContact> first;
+
+  /// Every pair in contact at t = 0, in ascending order. Their later contacts are not told.
+  std::vector<MeshContact> at_start;
+
+  /// Whether there is no contact at all in the step.
+  bool free() const noexcept { return !contact && at_start.empty(); }
+};
+
+/// The first contact while each vertex moves on a straight line from its position in x0 to that in x1, over all pairs for
+/// which Mesh::may_collide is true: the same as by `solve` of each of them. A pair of which one element passes through the
+/// other at the start, but no pair touches, is not in contact: `intersections` finds it.
+///
+/// The result is the same for every number of threads, byte for byte. The memory needed is 48 bytes for each vertex and,
+/// at most, 200 bytes for each edge, or for each face and each vertex that collides, whichever is more.
+/// @param mesh     the mesh
+/// @param x0       the positions at t = 0
+/// @param x1       the positions at t = 1
+/// @param options  how the question is answered
+/// @return the first contact
+/// @throws InvalidQuery  for positions that do not fit the mesh, a coordinate that is not finite (it names the vertex) or
+///                       options without meaning
+FirstContact first_contact(const Mesh& mesh, const Positions& x0, const Positions& x1, const MeshOptions& options = {});
+
+/// Every pair that comes into contact in [0, t_max], those in contact at the start too, by their toi and toi_upper, then
+/// by pair.
+/// @throws InvalidQuery  as first_contact
+std::vector<MeshContact> all_contacts(const Mesh& mesh, const Positions& x0, const Positions& x1,
+                                      const MeshOptions& options = {});
+
+/// The pairs that may collide and whose boxes meet during the step: every pair in contact is among them. In ascending
+/// order. The boxes move with their elements, and are wider by the pair's separation.
+/// @throws InvalidQuery  as first_contact
+std::vector<MeshPair> candidates(const Mesh& mesh, const Positions& x0, const Positions& x1,
+                                 const MeshOptions& options = {});
+
+/// The query of a pair. @throws InvalidQuery  for positions that do not fit the mesh
+/// @throws InvalidMesh  for an element that does not exist
+Query query_of(const Mesh& mesh, const MeshPair& pair, const Positions& x0, const Positions& x1);
+
+/// A sort of element.
+enum class MeshElement : std::uint8_t {
+  vertex,  ///< a vertex
+  edge,    ///< an edge
+  face     ///< a face
+};
+
+/// The element's name in a message: "vertex", "edge" or "face". Empty for a value that is none of them.
+std::string_view mesh_element_name(MeshElement element) noexcept;
+
+/// Two elements of a mesh that share a point at rest.
+struct Intersection {
+  MeshElement first_element = MeshElement::edge;   ///< an edge, or a vertex that is a loose point
+  MeshIndex first = 0;                             ///< its number
+  MeshElement second_element = MeshElement::face;  ///< a face, an edge or a vertex
+  MeshIndex second = 0;                            ///< its number
+
+  /// Whether the edge passes through: its interior and the other element's interior share a single point, with the ends
+  /// of the edge strictly on both sides. Otherwise the elements touch: in a corner or border, or lying in each other.
+  bool pierces = false;
+
+  /// A common point: barycentric coordinates on the first element, (e0, e1, 0) for an edge and (1, 0, 0) for a vertex,
+  /// and on the second one. Each is within 2^-50 of its true value. Of several common points it is one that is nearest to
+  /// the edge's first corner.
+  std::array<double, 3> weights_first{};
+  std::array<double, 3> weights_second{};  ///< the same on the second element
+};
+
+/// Where the mesh intersects itself at the positions x, exactly; separations do not count. In three dimensions these are
+/// edges and faces, two edges one of which is in no face, a loose point and a face, a loose point and an edge that is in
+/// no face, and two loose points. In two dimensions they are two edges, a loose point and an edge, and two loose points.
+/// Elements that share a vertex are left out, and those of which no two vertices may collide by the rules. The list of
+/// element pairs in the rules counts for those pairs that are its kinds.
+/// @param mesh     the mesh
+/// @param x        the positions
+/// @param options  how the question is answered
+/// @return the intersections, in ascending order of elements and numbers
+/// @throws InvalidQuery  as first_contact
+std::vector<Intersection> intersections(const Mesh& mesh, const Positions& x, const MeshOptions& options = {});
+
+/// How a step was shortened.
+enum class StepOutcome : std::uint8_t {
+  whole,            ///< the whole step is free: the length is 1, and the positions are x1, bit for bit
+  shortened,        ///< the step was shortened, and some vertex moves
+  no_room,          ///< the start is free, but every step that moves a vertex to another double ends in a contact
+  contact_at_start  ///< some pair is in contact at the start; the length is 0, and the positions are x0
+};
+
+/// The options of free_step.
+struct FreeStepOptions {
+  int threads = 1;  ///< as in MeshOptions
+
+  /// In [0, 1). Each pair keeps more than this fraction of its distance at the start: for a pair with the separation d and
+  /// the distance D0 at the start, the distance stays greater than d + fraction * (D0 - d), which is rounded up to a
+  /// double. With 0, each pair keeps a distance greater than d.
+  double kept_fraction = 0;
+};
+
+/// A step that is free of contact.
+struct FreeStep {
+  StepOutcome outcome = StepOutcome::whole;  ///< what became of the step
+
+  /// The fraction of the step, in [0, 1]. It is 1 only for a whole step, and 0 only for contact at the start or where the
+  /// first contact is before every positive double.
+  double length = 1;
+
+  /// The end: each coordinate is a double within one unit in its last place of x0 + length (x1 - x0), and between x0 and
+  /// x1. As many coordinates a vertex as the mesh has dimensions, x y z x y z ...
+  std::vector<double> positions;
+
+  /// The first contact of the whole step, about the distances that the step is to keep.
+  FirstContact contact;
+
+  /// The number of times that all pairs were asked about.
+  int proofs = 0;
+};
+
+/// The longest step that is proved free. The straight path from x0 to the positions that are returned, rounded as they
+/// are, has no contact: that very path was asked about, all pairs of it. A length that is not 1 is below the exact first
+/// time. No more than rounding needs is given away: for the pairs in the way, the next longer length that was tried is
+/// not free.
+/// @param mesh     the mesh
+/// @param x0       the positions at t = 0
+/// @param x1       the positions at t = 1
+/// @param options  how the question is answered
+/// @return the step
+/// @throws InvalidQuery  as first_contact, and for a fraction outside [0, 1)
+FreeStep free_step(const Mesh& mesh, const Positions& x0, const Positions& x1, const FreeStepOptions& options = {});
+
+}  // namespace touchstone

@@ -1,0 +1,46 @@
+// The pairs of a mesh that come near each other in a step.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "broad_phase/box_tree.hpp"
+#include "mesh/elements.hpp"
+#include "mesh/motion.hpp"
+
+namespace touchstone::mesh {
+
+/// How far the boxes of elements reach.
+struct Reach {
+  double same = 0;                  ///< beyond each element, on all sides
+  std::vector<double> of_vertices;  ///< in place of it: an element's is the greatest of its vertices'; empty without
+  bool at_rest = false;             ///< boxes around the positions at t = 0 alone, instead of moving ones
+};
+
+/// The reach that finds every pair whose distance falls to its separation or below.
+Reach reach_of_separations(const Mesh::Impl& mesh);
+
+/// The reach that finds every pair whose distance may fall from D0 at the start to d + fraction (D0 - d) or below, for the
+/// separation d. 0 <= fraction < 1.
+Reach reach_of_fraction(const Mesh::Impl& mesh, const Motion& motion, double fraction);
+
+/// Takes at most broad_phase::kPairBlock pairs of a kind. Several threads may call it at the same time.
+using CandidateConsumer = std::function<void(Kind kind, const broad_phase::Pair* pairs, std::size_t count)>;
+
+/// Hands out, once, each pair that may collide and whose boxes meet.
+void for_each_candidate_block(const Mesh::Impl& mesh, const Motion& motion, const Reach& reach,
+                              const broad_phase::PairSearch& search, const CandidateConsumer& take);
+
+/// Two sorts of elements, at rest, whose boxes touch: edges and faces, ...
+struct RestingPass {
+  MeshElement first, second;
+  bool only_wires_first = false;   ///< of edges in the first place, those in no face
+  bool only_wires_second = false;  ///< the same in the second place
+};
+
+/// Hands out, once, each pair of elements whose boxes at t = 0 touch, and that share no vertex.
+void for_each_resting_block(const Mesh::Impl& mesh, const Motion& motion, const RestingPass& pass, int threads,
+                            const broad_phase::PairBlockConsumer& take);
+
+}  // namespace touchstone::mesh

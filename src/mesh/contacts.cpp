@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/contacts.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <mutex>
+#include <optional>
+#include <tuple>
+
+#include <touchstone/contact_times.hpp>
+#include <touchstone/solve.hpp>
+
+#include "mesh/candidates.hpp"
+#include "mesh/narrow.hpp"
+#include "numbers/float_environment.hpp"
+#include "solver/cascade.hpp"
+#include "solver/validate.hpp"
+#include "threads/for_each_range.hpp"
+
+namespace touchstone::mesh {
+namespace {
+
+/// A pair in contact, and the distance that it was to keep.
+struct Found {
+  MeshPair pair;
+  double distance;
+  bool operator<(const Found& other) const { return pair < other.pair; }
+};
+
+/// The contacts that begin first, of those that were told so far, and the contacts at the start. Any thread may tell.
+class Earliest {
+ public:
+  explicit Earliest(double t_max) : until_(t_max) {}
+
+  /// Nothing after this time can change the result.
+  const std::atomic<double>& until() const noexcept { return until_; }
+
+  void tell(const MeshPair& pair, double distance, const Answer& answer) {
+    const std::lock_guard<std::mutex> guard(lock_);
+    if (answer.starts_within) {
+      at_start_.push_back({pair, distance});
+      return;
+    }
+    const auto told = std::tuple(answer.toi, answer.toi_upper), known = std::tuple(toi_, toi_upper_);
+    if (told > known) return;
+    if (told < known) {
+      first_.clear();
+      std::tie(toi_, toi_upper_) = told;
+      until_.store(toi_upper_, std::memory_order_relaxed);  // it is at most t_max
+    }
+    first_.push_back({pair, distance});
+  }
+
+  double toi() const noexcept { return toi_; }
+  double toi_upper() const noexcept { return toi_upper_; }
+  std::vector<Found>& first() noexcept { return first_; }
+  std::vector<Found>& at_start() noexcept { return at_start_; }
+
+ private:
+  std::mutex lock_;
+  std::atomic<double> until_;
+  double toi_ = std::numeric_limits<double>::infinity();
+  double toi_upper_ = std::numeric_limits<double>::infinity();
+  std::vector<Found> first_, at_start_;
+};
+
+constexpr std::size_t kContactsAtATime = 16;
+
+/// The whole answers for pairs, in ascending order. They are asked about again, over the whole range of times: an answer
+/// that was found by a shorter one may have other last bits in its weights, and the range depends on the threads.
+std::vector<MeshContact> with_answers(const Mesh::Impl& mesh, const Motion& motion, std::vector<Found>& found,
+                                      double t_max, int threads) {
+  std::sort(found.begin(), found.end());
+  std::vector<MeshContact> contacts(found.size());
+  threads::for_each_range(found.size(), kContactsAtATime, threads, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const Separation separation{found[i].distance, mesh.separation.metric};
+      const Query query = query_of(motion, found[i].pair.kind, corners_of(mesh, found[i].pair));
+      contacts[i] = {found[i].pair, separation, solve(query, separation, t_max)};
+    }
+  });
+  return contacts;
+}
+
+/// Of contacts whose times lie between two neighbouring doubles, those whose time is exactly the least.
+void keep_exactly_first(const Mesh::Impl& mesh, const Motion& motion, std::vector<MeshContact>& contacts, int threads) {
+  if (contacts.size() < 2 || contacts[0].answer.toi == contacts[0].answer.toi_upper) return;
+  std::vector<std::optional<ExactTime>> times(contacts.size());
+  threads::for_each_range(contacts.size(), kContactsAtATime, threads, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const MeshContact& contact = contacts[i];
+      const Query query = query_of(motion, contact.pair.kind, corners_of(mesh, contact.pair));
+      times[i] = contact_times(query, contact.separation, contact.answer.toi_upper).front().first;
+    }
+  });
+  std::vector<MeshContact> earliest;
+  const ExactTime* least = nullptr;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const int order = least == nullptr ? -1 : times[i]->compare(*least);
+    if (order > 0) continue;
+    if (order < 0) {
+      earliest.clear();
+      least = &*times[i];
+    }
+    earliest.push_back(contacts[i]);
+  }
+  contacts = std::move(earliest);
+}
+
+Reach reach_of(const Mesh::Impl& mesh, const Motion& motion, double kept_fraction) {
+  return kept_fraction == 0 ? reach_of_separations(mesh) : reach_of_fraction(mesh, motion, kept_fraction);
+}
+
+}  // namespace
+
+FirstContact find_first(const Mesh::Impl& mesh, const Motion& motion, const ContactSearch& search) {
+  const Reach reach = reach_of(mesh, motion, search.kept_fraction);
+  const KeptDistances distances(mesh, motion, search.kept_fraction);
+  Earliest earliest(search.t_max);
+  const ContactConsumer tell = [&](const MeshPair& pair, double distance, const Answer& answer) {
+    earliest.tell(pair, distance, answer);
+  };
+  const broad_phase::PairSearch pairs_until{search.threads, &earliest.until()};
+  for_each_candidate_block(mesh, motion, reach, pairs_until,
+                           [&](Kind kind, const broad_phase::Pair* pairs, std::size_t count) {
+                             const double t_max = earliest.until().load(std::memory_order_relaxed);
+                             for_each_contact(mesh, motion, distances, kind, pairs, count, t_max, tell);
+                           });
+  FirstContact result;
+  result.contact = !earliest.first().empty();
+  result.toi = earliest.toi();
+  result.toi_upper = earliest.toi_upper();
+  result.first = with_answers(mesh, motion, earliest.first(), search.t_max, search.threads);
+  keep_exactly_first(mesh, motion, result.first, search.threads);
+  result.at_start = with_answers(mesh, motion, earliest.at_start(), search.t_max, search.threads);
+  return result;
+}
+
+std::vector<MeshContact> find_all(const Mesh::Impl& mesh, const Motion& motion, const ContactSearch& search) {
+  const Reach reach = reach_of(mesh, motion, search.kept_fraction);
+  const KeptDistances distances(mesh, motion, search.kept_fraction);
+  std::mutex lock;
+  std::vector<MeshContact> contacts;
+  const ContactConsumer tell = [&](const MeshPair& pair, double distance, const Answer& answer) {
+    const std::lock_guard<std::mutex> guard(lock);
+    contacts.push_back({pair, {distance, mesh.separation.metric}, answer});
+  };
+  broad_phase::PairSearch all_pairs;
+  all_pairs.threads = search.threads;
+  for_each_candidate_block(mesh, motion, reach, all_pairs,
+                           [&](Kind kind, const broad_phase::Pair* pairs, std::size_t count) {
+                             for_each_contact(mesh, motion, distances, kind, pairs, count, search.t_max, tell);
+                           });
+  std::sort(contacts.begin(), contacts.end(), [](const MeshContact& a, const MeshContact& b) {
+    return std::tie(a.answer.toi, a.answer.toi_upper, a.pair) < std::tie(b.answer.toi, b.answer.toi_upper, b.pair);
+  });
+  return contacts;
+}
+
+namespace {
+
+TOUCHSTONE_BEHIND_GUARD FirstContact first_of(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1,
+                                              const MeshOptions& options) {
+  return find_first(mesh, motion_of(mesh, x0, x1, options.threads), {options.t_max, options.threads});
+}
+
+TOUCHSTONE_BEHIND_GUARD std::vector<MeshContact> all_of(const Mesh::Impl& mesh, const Positions& x0,
+                                                        const Positions& x1, const MeshOptions& options) {
+  return find_all(mesh, motion_of(mesh, x0, x1, options.threads), {options.t_max, options.threads});
+}
+
+}  // namespace
+}  // namespace touchstone::mesh
+
+namespace touchstone {
+
+FirstContact first_contact(const Mesh& mesh, const Positions& x0, const Positions& x1, const MeshOptions& options) {
+  const numbers::DefaultFloatEnvironment environment;
+  solver::validate_t_max(options.t_max);
+  return mesh::first_of(mesh.impl(), x0, x1, options);
+}
+
+std::vector<MeshContact> all_contacts(const Mesh& mesh, const Positions& x0, const Positions& x1,
+                                      const MeshOptions& options) {
+  const numbers::DefaultFloatEnvironment environment;
+  solver::validate_t_max(options.t_max);
+  return mesh::all_of(mesh.impl(), x0, x1, options);
+}
+
+}  // namespace touchstone

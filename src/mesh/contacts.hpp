@@ -1,0 +1,24 @@
+// The contacts of a mesh in a step, for any distances that its pairs are to keep.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include <touchstone/mesh.hpp>
+
+#include "mesh/motion.hpp"
+
+namespace touchstone::mesh {
+
+struct ContactSearch {
+  double t_max = 1;
+  int threads = 1;
+  double kept_fraction = 0;  ///< as in FreeStepOptions
+};
+
+FirstContact find_first(const Mesh::Impl& mesh, const Motion& motion, const ContactSearch& search);
+
+/// In the order of all_contacts.
+std::vector<MeshContact> find_all(const Mesh::Impl& mesh, const Motion& motion, const ContactSearch& search);
+
+}  // namespace touchstone::mesh

@@ -1,0 +1,221 @@
+// The longest step whose stored, rounded end is reached without contact.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <touchstone/distance.hpp>
+#include <touchstone/error.hpp>
+#include <touchstone/mesh.hpp>
+#include <touchstone/solve.hpp>
+
+#include "mesh/contacts.hpp"
+#include "mesh/pair_distance.hpp"
+#include "numbers/float_environment.hpp"
+#include "solver/cascade.hpp"
+#include "threads/for_each_range.hpp"
+
+namespace touchstone::mesh {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double next_below(double x) noexcept { return std::nextafter(x, -kInfinity); }
+
+/// x0 + length (x1 - x0), within one unit in the last place and between x0 and x1; exactly x1 for the length 1.
+double coordinate_at(double x0, double x1, double length) noexcept {
+  if (x0 == x1 || length == 1) return x1;
+  const double difference = x1 - x0;
+  double at;
+  if (std::isfinite(difference)) {
+    // The errors of the difference, of the product and of the sum are known, and are added to the sum: so it is rounded
+    // once, but for terms of second order.
+    const double x0_part = x1 - difference;
+    const double difference_error = (x0_part - x0) + (x1 - (difference + x0_part));
+    const double product = length * difference;
+    const double product_error = std::fma(length, difference, -product) + length * difference_error;
+    const double sum = x0 + product;
+    const double product_part = sum - x0;
+    const double sum_error = (x0 - (sum - product_part)) + (product - product_part);
+    at = sum + (sum_error + product_error);
+  } else {
+    at = (1 - length) * x0 + length * x1;
+  }
+  return std::clamp(at, std::min(x0, x1), std::max(x0, x1));
+}
+
+Vec3 position_at(const MovingVertex& vertex, double length) noexcept {
+  return {coordinate_at(vertex.start.x, vertex.end.x, length), coordinate_at(vertex.start.y, vertex.end.y, length),
+          coordinate_at(vertex.start.z, vertex.end.z, length)};
+}
+
+bool equal(const Vec3& a, const Vec3& b) noexcept { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
+/// The pairs that stand in the way of a step.
+class Obstacles {
+ public:
+  Obstacles(const Mesh::Impl& mesh, const Motion& step) : mesh_(mesh), step_(step) {}
+
+  void add(const std::vector<MeshContact>& contacts) {
+    for (const MeshContact& contact : contacts) {
+      Obstacle obstacle;
+      obstacle.query = query_of(step_, contact.pair.kind, corners_of(mesh_, contact.pair));
+      obstacle.separation = contact.separation;
+      obstacles_.push_back(obstacle);
+    }
+  }
+
+  /// Whether no obstacle is met on the path to the rounded positions after this length. The last obstacle that was met is
+  /// asked about first: it is often met again.
+  bool let_pass(double length) {
+    for (std::size_t i = 0; i < obstacles_.size(); ++i) {
+      if (!is_met(obstacles_[i], length)) continue;
+      std::swap(obstacles_[0], obstacles_[i]);
+      return false;
+    }
+    return true;
+  }
+
+ private:
+  struct Obstacle {
+    Query query;  ///< the whole step
+    Separation separation;
+  };
+
+  static bool is_met(const Obstacle& obstacle, double length) {
+    Query path = obstacle.query;
+    for (std::size_t c = 0; c < corner_count(path.kind); ++c) {
+      path.end[c] = position_at({path.start[c], path.end[c]}, length);
+    }
+    return solve_any(path, obstacle.separation);
+  }
+
+  const Mesh::Impl& mesh_;
+  const Motion& step_;
+  std::vector<Obstacle> obstacles_;
+};
+
+/// A length <= `longest` that the obstacles let pass, and such that the next longer length that was tried is not let pass.
+/// The greatest length of this sort is not sought: rounding lets lengths pass, and stops others, in no order.
+double length_that_passes(Obstacles& obstacles, double longest) {
+  if (obstacles.let_pass(longest)) return longest;
+  double blocked = longest, step = longest - next_below(longest), free = 0;
+  while (true) {  // it ends: at the latest where the rounded positions are those of the start
+    const double length = step < blocked / 2 ? blocked - step : blocked / 2;
+    if (length == 0) return 0;
+    if (obstacles.let_pass(length)) {
+      free = length;
+      break;
+    }
+    blocked = length;
+    step *= 2;
+  }
+  while (true) {
+    const double middle = free + (blocked - free) / 2;
+    if (middle <= free || middle >= blocked) return free;
+    (obstacles.let_pass(middle) ? free : blocked) = middle;
+  }
+}
+
+std::vector<double> packed(const Motion& motion, int dimension, bool at_end) {
+  std::vector<double> positions;
+  positions.reserve(motion.size() * static_cast<std::size_t>(dimension));
+  for (const MovingVertex& vertex : motion) {
+    const Vec3& at = at_end ? vertex.end : vertex.start;
+    positions.push_back(at.x);
+    positions.push_back(at.y);
+    if (dimension == 3) positions.push_back(at.z);
+  }
+  return positions;
+}
+
+/// The motion to the rounded positions after this length.
+Motion path_of(const Motion& step, double length, int threads) {
+  Motion path(step.size());
+  constexpr std::size_t kVerticesAtATime = 4096;
+  threads::for_each_range(step.size(), kVerticesAtATime, threads, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) path[v] = {step[v].start, position_at(step[v], length)};
+  });
+  return path;
+}
+
+/// Whether some pair at the start is within its separation, and not merely within the distance that it is to keep, which
+/// is rounded up.
+bool is_in_contact(const Mesh::Impl& mesh, const Motion& step, const std::vector<MeshContact>& at_start) {
+  return std::any_of(at_start.begin(), at_start.end(), [&](const MeshContact& contact) {
+    const auto corners = corners_of(mesh, contact.pair);
+    const Separation separation{separation_of(mesh, contact.pair.kind, corners), mesh.separation.metric};
+    return compare_distance(query_of(step, contact.pair.kind, corners), 0, separation) <= 0;
+  });
+}
+
+TOUCHSTONE_BEHIND_GUARD FreeStep find_step(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1,
+                                           const FreeStepOptions& options) {
+  const Motion step = motion_of(mesh, x0, x1, options.threads);
+  const ContactSearch search{1, options.threads, options.kept_fraction};
+  FreeStep result;
+  result.contact = find_first(mesh, step, search);
+  result.proofs = 1;
+  if (!result.contact.at_start.empty()) {
+    const bool contact = is_in_contact(mesh, step, result.contact.at_start);
+    result.outcome = contact ? StepOutcome::contact_at_start : StepOutcome::no_room;
+    result.length = 0;
+    result.positions = packed(step, mesh.dimension, false);
+    return result;
+  }
+  if (!result.contact.contact) {
+    result.positions = packed(step, mesh.dimension, true);
+    return result;
+  }
+  Obstacles obstacles(mesh, step);
+  obstacles.add(result.contact.first);
+  const FirstContact& contact = result.contact;
+  const double before = contact.toi < contact.toi_upper ? contact.toi : next_below(contact.toi);
+  double longest = before;
+  while (true) {
+    result.length = length_that_passes(obstacles, longest);
+    const Motion path = path_of(step, result.length, options.threads);
+    const bool moves =
+        std::any_of(path.begin(), path.end(), [](const MovingVertex& v) { return !equal(v.start, v.end); });
+    if (!moves || result.length == 0) {
+      result.outcome = StepOutcome::no_room;
+      result.positions = packed(step, mesh.dimension, false);
+      return result;
+    }
+    const std::vector<MeshContact> met = find_all(mesh, path, search);
+    ++result.proofs;
+    if (met.empty()) {
+      result.outcome = StepOutcome::shortened;
+      result.positions = packed(path, mesh.dimension, true);
+      return result;
+    }
+    obstacles.add(met);
+    longest = result.length;
+    constexpr int kPatience = 6;  // proofs, before more is given away at a time
+    if (result.proofs > kPatience) longest = std::max(longest / 2, before - 2 * (before - longest));
+  }
+}
+
+void check_fraction(double fraction) {
+  if (fraction >= 0 && fraction < 1) return;
+  char number[32];
+  std::snprintf(number, sizeof number, "%.17g", fraction);
+  throw InvalidQuery(std::string("the fraction of the distance to keep is ") + number + "; it must be in [0, 1)");
+}
+
+}  // namespace
+}  // namespace touchstone::mesh
+
+namespace touchstone {
+
+FreeStep free_step(const Mesh& mesh, const Positions& x0, const Positions& x1, const FreeStepOptions& options) {
+  const numbers::DefaultFloatEnvironment environment;
+  mesh::check_fraction(options.kept_fraction);
+  return mesh::find_step(mesh.impl(), x0, x1, options);
+}
+
+}  // namespace touchstone

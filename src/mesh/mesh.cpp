@@ -1,0 +1,339 @@
+// The checks of a mesh, once for all questions.
+// SPDX-License-Identifier: MIT
+#include <touchstone/mesh.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include <touchstone/error.hpp>
+
+#include "mesh/elements.hpp"
+#include "mesh/pair_distance.hpp"
+#include "numbers/float_environment.hpp"
+#include "solver/validate.hpp"
+
+namespace touchstone {
+namespace {
+
+using mesh::Index;
+
+std::string text(std::size_t number) { return std::to_string(number); }
+
+/// "8000 vertices (0 to 7999)", "no vertex".
+std::string counted(std::size_t count, const char* one, const char* many) {
+  if (count == 0) return std::string("no ") + one;
+  if (count == 1) return std::string("1 ") + one + " (number 0)";
+  return text(count) + " " + many + " (0 to " + text(count - 1) + ")";
+}
+
+void check_index(const std::string& who, std::size_t index, std::size_t count, const char* one, const char* many) {
+  if (index < count) return;
+  throw InvalidMesh(who + " names " + one + " " + text(index) + ", and the mesh has " + counted(count, one, many));
+}
+
+template <std::size_t N>
+void check_corners(const char* name, std::size_t number, const std::array<Index, N>& corners, std::size_t count) {
+  const std::string who = std::string(name) + " " + text(number);
+  for (std::size_t i = 0; i < N; ++i) {
+    check_index(who, corners[i], count, "vertex", "vertices");
+    for (std::size_t j = 0; j < i; ++j) {
+      if (corners[i] != corners[j]) continue;
+      throw InvalidMesh(who + " names vertex " + text(corners[i]) + " twice; its corners must be " + text(N) +
+                        " different vertices");
+    }
+  }
+}
+
+/// The corners in ascending order, and the element's number.
+template <std::size_t N>
+struct Sorted {
+  std::array<Index, N> corners;
+  Index number;
+  bool operator<(const Sorted& other) const {
+    return corners != other.corners ? corners < other.corners : number < other.number;
+  }
+};
+
+template <std::size_t N>
+void check_duplicates(const char* name, const std::vector<std::array<Index, N>>& elements) {
+  std::vector<Sorted<N>> sorted(elements.size());
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    sorted[i] = {elements[i], static_cast<Index>(i)};
+    std::sort(sorted[i].corners.begin(), sorted[i].corners.end());
+  }
+  std::sort(sorted.begin(), sorted.end());
+  const Sorted<N>* worst = nullptr;  // the one that comes first in the list of elements
+  Index earlier = 0;
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    if (sorted[i].corners != sorted[i - 1].corners || (worst != nullptr && worst->number < sorted[i].number)) continue;
+    worst = &sorted[i];
+    earlier = sorted[i - 1].number;
+  }
+  if (worst == nullptr) return;
+  std::string corners;
+  for (const Index corner : worst->corners) corners.append(corners.empty() ? "" : " ").append(text(corner));
+  throw InvalidMesh(std::string(name) + " " + text(worst->number) + " has the same corners as " + name + " " +
+                    text(earlier) + ": vertices " + corners + "; each " + name + " may be given once");
+}
+
+using Edge = std::array<Index, 2>;
+
+Edge in_order(Edge edge) noexcept { return edge[0] < edge[1] ? edge : Edge{edge[1], edge[0]}; }
+
+/// The edges of the faces, each once, in ascending order.
+std::vector<Edge> edges_of(const std::vector<std::array<Index, 3>>& faces) {
+  std::vector<Edge> edges;
+  edges.reserve(3 * faces.size());
+  for (const auto& face : faces) {
+    for (std::size_t i = 0; i < 3; ++i) edges.push_back(in_order({face[i], face[(i + 1) % 3]}));
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+/// Adds the edges of the faces to those given, and lists the edges that are in no face.
+void complete_edges(Mesh::Impl& mesh) {
+  const std::vector<Edge> of_faces = edges_of(mesh.faces);
+  std::vector<char> given(of_faces.size(), 0);
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+    const Edge edge = in_order(mesh.edges[e]);
+    const auto found = std::lower_bound(of_faces.begin(), of_faces.end(), edge);
+    if (found != of_faces.end() && *found == edge) {
+      given[static_cast<std::size_t>(found - of_faces.begin())] = 1;
+    } else if (mesh.dimension == 3) {
+      mesh.wires.push_back(static_cast<Index>(e));
+    }
+  }
+  const auto missing = static_cast<std::size_t>(std::count(given.begin(), given.end(), char{0}));
+  mesh.edges.reserve(mesh.edges.size() + missing);
+  for (std::size_t i = 0; i < of_faces.size(); ++i) {
+    if (given[i] == 0) mesh.edges.push_back(of_faces[i]);
+  }
+  mesh.edges.shrink_to_fit();
+}
+
+void find_points(Mesh::Impl& mesh, const std::optional<std::vector<Index>>& given) {
+  constexpr Index kNone = std::numeric_limits<Index>::max();
+  std::vector<Index> edge_of(mesh.vertex_count, kNone);
+  for (std::size_t e = mesh.edges.size(); e-- > 0;) {
+    for (const Index vertex : mesh.edges[e]) edge_of[vertex] = static_cast<Index>(e);
+  }
+  if (!given) {
+    for (std::size_t v = 0; v < mesh.vertex_count; ++v) {
+      if (edge_of[v] == kNone) mesh.points.push_back(static_cast<Index>(v));
+    }
+  } else {
+    std::vector<char> is_point(mesh.vertex_count, 0);
+    for (std::size_t p = 0; p < given->size(); ++p) {
+      const Index vertex = (*given)[p];
+      const std::string who = "loose point " + text(p);
+      check_index(who, vertex, mesh.vertex_count, "vertex", "vertices");
+      if (edge_of[vertex] != kNone) {
+        throw InvalidMesh(who + " is vertex " + text(vertex) + ", which is a corner of edge " + text(edge_of[vertex]) +
+                          "; a loose point is in no edge");
+      }
+      if (is_point[vertex] != 0) {
+        throw InvalidMesh(who + " is vertex " + text(vertex) + " again; each loose point may be given once");
+      }
+      is_point[vertex] = 1;
+    }
+    for (std::size_t v = 0; v < mesh.vertex_count; ++v) {
+      if (is_point[v] != 0) mesh.points.push_back(static_cast<Index>(v));
+    }
+  }
+  std::size_t in_edges = 0;
+  for (const Index edge : edge_of) in_edges += edge != kNone ? 1 : 0;
+  mesh.vertices.reserve(in_edges + mesh.points.size());
+  auto point = mesh.points.begin();
+  for (std::size_t v = 0; v < mesh.vertex_count; ++v) {
+    const bool is_point = point != mesh.points.end() && *point == v;
+    if (is_point) ++point;
+    if (is_point || edge_of[v] != kNone) mesh.vertices.push_back(static_cast<Index>(v));
+  }
+}
+
+void check_radii(const Mesh::Impl& mesh) {
+  solver::validate(mesh.separation);
+  if (mesh.radii.empty()) return;
+  if (mesh.radii.size() != mesh.vertex_count) {
+    throw InvalidMesh("there are " + text(mesh.radii.size()) + " radii, and the mesh has " +
+                      counted(mesh.vertex_count, "vertex", "vertices") + "; give one radius for each vertex, or none");
+  }
+  if (mesh.separation.distance != 0) {
+    throw InvalidMesh("there is both a separation for all pairs and a radius for each vertex; give one of them");
+  }
+  constexpr double kMost = std::numeric_limits<double>::max() / 4;  // so that sums and boxes stay finite
+  for (std::size_t v = 0; v < mesh.radii.size(); ++v) {
+    if (mesh.radii[v] >= 0 && mesh.radii[v] <= kMost) continue;
+    char number[32];
+    std::snprintf(number, sizeof number, "%.17g", mesh.radii[v]);
+    throw InvalidMesh("vertex " + text(v) + " has the radius " + number +
+                      "; a radius must be finite, not negative, and at most a quarter of the greatest double");
+  }
+}
+
+/// @throws InvalidMesh  for an element that does not exist
+void check_pair(const Mesh::Impl& mesh, const std::string& who, const MeshPair& pair) {
+  solver::validate_kind(pair.kind);
+  const auto check_vertex = [&](Index v) { check_index(who, v, mesh.vertex_count, "vertex", "vertices"); };
+  const auto check_edge = [&](Index e) { check_index(who, e, mesh.edges.size(), "edge", "edges"); };
+  if (pair.kind == Kind::edge_edge) {
+    check_edge(pair.first);
+    check_edge(pair.second);
+    return;
+  }
+  check_vertex(pair.first);
+  if (pair.kind == Kind::vertex_face) check_index(who, pair.second, mesh.faces.size(), "face", "faces");
+  if (pair.kind == Kind::point_edge) check_edge(pair.second);
+  if (pair.kind == Kind::point_point) check_vertex(pair.second);
+}
+
+std::vector<std::uint64_t> sorted_pairs(const std::vector<std::array<Index, 2>>& pairs) {
+  std::vector<std::uint64_t> sorted;
+  sorted.reserve(pairs.size());
+  for (const auto& [a, b] : pairs) sorted.push_back(mesh::unordered(a, b));
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+
+void take_rules(Mesh::Impl& mesh, CollisionRules rules) {
+  for (std::size_t i = 0; i < rules.vertex_pairs.size(); ++i) {
+    for (const Index v : rules.vertex_pairs[i]) {
+      check_index("vertex pair " + text(i) + " of the rules", v, mesh.vertex_count, "vertex", "vertices");
+    }
+  }
+  for (std::size_t i = 0; i < rules.element_pairs.size(); ++i) {
+    check_pair(mesh, "element pair " + text(i) + " of the rules", rules.element_pairs[i]);
+  }
+  if (!rules.groups.empty() && rules.groups.size() != mesh.vertex_count) {
+    throw InvalidMesh("there are " + text(rules.groups.size()) + " groups of vertices, and the mesh has " +
+                      counted(mesh.vertex_count, "vertex", "vertices") + "; give one group for each vertex, or none");
+  }
+  if (rules.groups.empty() && (!rules.group_pairs.empty() || rules.group_rule != GroupRule::all_but_listed)) {
+    throw InvalidMesh("there are rules about groups, and no vertex has a group; give one group for each vertex");
+  }
+  if (rules.group_rule > GroupRule::only_listed) {
+    throw InvalidMesh("the rule of groups is " + text(static_cast<std::size_t>(rules.group_rule)) +
+                      "; it must be 0 or 1: all_but_listed or only_listed");
+  }
+  mesh.vertex_pairs = sorted_pairs(rules.vertex_pairs);
+  mesh.group_pairs = sorted_pairs(rules.group_pairs);
+  mesh.groups = std::move(rules.groups);
+  mesh.group_rule = rules.group_rule;
+  for (const MeshPair& pair : rules.element_pairs) mesh.element_pairs.push_back(mesh::in_order(pair));
+  std::sort(mesh.element_pairs.begin(), mesh.element_pairs.end());
+}
+
+bool is_in(const std::vector<Index>& sorted, Index number) noexcept {
+  return std::binary_search(sorted.begin(), sorted.end(), number);
+}
+
+}  // namespace
+
+Mesh::Mesh() : impl_(std::make_shared<const Impl>()) {}
+
+Mesh::Mesh(MeshElements elements) {
+  const numbers::DefaultFloatEnvironment environment;
+  auto impl = std::make_shared<Impl>();
+  constexpr std::size_t kMost = std::numeric_limits<Index>::max();
+  if (elements.dimension != 2 && elements.dimension != 3) {
+    throw InvalidMesh("the dimension is " + std::to_string(elements.dimension) + "; it must be 2 or 3");
+  }
+  if (elements.dimension == 2 && !elements.faces.empty()) {
+    throw InvalidMesh("a mesh in two dimensions has edges and loose points only, and there are " +
+                      text(elements.faces.size()) + " faces; give their edges, or the dimension 3");
+  }
+  for (const auto& [name, count] :
+       {std::pair{"vertices", elements.vertex_count}, std::pair{"faces", elements.faces.size()},
+        std::pair{"edges", elements.edges.size() + 3 * elements.faces.size()}}) {
+    if (count < kMost) continue;
+    throw InvalidMesh("there are " + text(count) + " " + name + "; there must be fewer than " + text(kMost));
+  }
+  impl->vertex_count = elements.vertex_count;
+  impl->dimension = elements.dimension;
+  impl->faces = std::move(elements.faces);
+  impl->edges = std::move(elements.edges);
+  for (std::size_t i = 0; i < impl->faces.size(); ++i) check_corners("face", i, impl->faces[i], impl->vertex_count);
+  for (std::size_t i = 0; i < impl->edges.size(); ++i) check_corners("edge", i, impl->edges[i], impl->vertex_count);
+  check_duplicates("face", impl->faces);
+  check_duplicates("edge", impl->edges);
+  complete_edges(*impl);
+  find_points(*impl, elements.points);
+  impl->separation = elements.separation;
+  impl->radii = std::move(elements.radii);
+  check_radii(*impl);
+  take_rules(*impl, std::move(elements.rules));
+  impl_ = std::move(impl);
+}
+
+std::size_t Mesh::vertex_count() const noexcept { return impl_->vertex_count; }
+int Mesh::dimension() const noexcept { return impl_->dimension; }
+const std::vector<std::array<MeshIndex, 3>>& Mesh::faces() const noexcept { return impl_->faces; }
+const std::vector<std::array<MeshIndex, 2>>& Mesh::edges() const noexcept { return impl_->edges; }
+const std::vector<MeshIndex>& Mesh::points() const noexcept { return impl_->points; }
+Metric Mesh::metric() const noexcept { return impl_->separation.metric; }
+
+bool Mesh::may_collide(const MeshPair& pair) const {
+  check_pair(*impl_, "the pair", pair);
+  const bool in_space = impl_->dimension == 3;
+  switch (pair.kind) {
+    case Kind::edge_edge:
+      if (!in_space) return false;
+      break;
+    case Kind::vertex_face:
+      if (!is_in(impl_->vertices, pair.first)) return false;
+      break;
+    case Kind::point_edge:
+      if (in_space && !(is_in(impl_->points, pair.first) && is_in(impl_->wires, pair.second))) return false;
+      if (!is_in(impl_->vertices, pair.first)) return false;
+      break;
+    case Kind::point_point:
+      if (!is_in(impl_->points, pair.first) || !is_in(impl_->points, pair.second)) return false;
+      break;
+  }
+  return mesh::rules_allow(*impl_, pair);
+}
+
+Separation Mesh::separation(const MeshPair& pair) const {
+  const numbers::DefaultFloatEnvironment environment;
+  check_pair(*impl_, "the pair", pair);
+  return {mesh::separation_of(*impl_, pair.kind, mesh::corners_of(*impl_, pair)), impl_->separation.metric};
+}
+
+std::array<MeshIndex, 4> Mesh::corners(const MeshPair& pair) const {
+  check_pair(*impl_, "the pair", pair);
+  return mesh::corners_of(*impl_, pair);
+}
+
+std::string Mesh::describe(const MeshPair& pair) const {
+  const auto c = corners(pair);
+  const auto joined = [&](std::size_t first, std::size_t count) {
+    std::string all = " (";
+    for (std::size_t i = first; i < first + count; ++i) all.append(i == first ? "" : "-").append(text(c[i]));
+    return all.append(")");
+  };
+  switch (pair.kind) {
+    case Kind::edge_edge:
+      return "edge " + text(pair.first) + joined(0, 2) + " and edge " + text(pair.second) + joined(2, 2);
+    case Kind::vertex_face: return "vertex " + text(pair.first) + " and face " + text(pair.second) + joined(1, 3);
+    case Kind::point_edge: return "vertex " + text(pair.first) + " and edge " + text(pair.second) + joined(1, 2);
+    case Kind::point_point: return "vertex " + text(pair.first) + " and vertex " + text(pair.second);
+  }
+  return {};
+}
+
+std::string_view mesh_element_name(MeshElement element) noexcept {
+  switch (element) {
+    case MeshElement::vertex: return "vertex";
+    case MeshElement::edge: return "edge";
+    case MeshElement::face: return "face";
+  }
+  return {};
+}
+
+}  // namespace touchstone

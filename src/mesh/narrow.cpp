@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/narrow.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include <touchstone/distance.hpp>
+#include <touchstone/solve.hpp>
+
+#include "mesh/pair_distance.hpp"
+
+namespace touchstone::mesh {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Room for a block of pairs. It is too large for the stack of a thread.
+struct Workspace {
+  explicit Workspace(Kind kind) : columns(kind) {}
+  ColumnBlock columns;
+  double distances[ColumnBlock::kQueries];
+  std::array<Index, 4> corners[ColumnBlock::kQueries];
+};
+
+}  // namespace
+
+ColumnBlock::ColumnBlock(Kind kind) {
+  columns_.kind = kind;
+  for (std::size_t c = 0; c < 4; ++c) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      columns_.start[c][k] = coordinates_ + (6 * c + k) * kQueries;
+      columns_.end[c][k] = coordinates_ + (6 * c + 3 + k) * kQueries;
+    }
+  }
+}
+
+void ColumnBlock::solve(double t_max, Metric metric, const double* distances) {
+  BatchOptions options;
+  options.t_max = t_max;
+  options.separation.metric = metric;
+  if (distances != nullptr) {
+    options.distances = distances;
+    options.distance_count = columns_.count;
+  }
+  solve_batch(columns_, answers_, options);
+}
+
+// Each operation is rounded up, and d + fraction (D0 - d) rises with each of its parts.
+double KeptDistances::kept(double separation, double at_start) const noexcept {
+  const auto upwards = [](double x) { return std::nextafter(x, kInfinity); };
+  const double clearance = upwards(std::max(0.0, at_start - separation));
+  const double all = upwards(separation + upwards(fraction_ * clearance));
+  return std::min(all, std::numeric_limits<double>::max());
+}
+
+double KeptDistances::bound(Kind kind, const std::array<Index, 4>& corners) const {
+  const double separation = separation_of(mesh_, kind, corners);
+  if (fraction_ == 0) return separation;
+  // The distance of the elements is at most that of their nearest corners.
+  double nearest = kInfinity;
+  for (std::size_t i = 0; i < first_corners(kind); ++i) {
+    for (std::size_t j = first_corners(kind); j < corner_count(kind); ++j) {
+      const Vec3 &a = motion_[corners[i]].start, &b = motion_[corners[j]].start;
+      nearest = std::min(nearest, std::hypot(a.x - b.x, a.y - b.y, a.z - b.z));
+    }
+  }
+  return kept(separation, with_room(nearest));
+}
+
+double KeptDistances::exact(Kind kind, const std::array<Index, 4>& corners) const {
+  const double separation = separation_of(mesh_, kind, corners);
+  if (fraction_ == 0) return separation;
+  const double at_start = distance(query_of(motion_, kind, corners), 0, metric()).value;  // the nearest double
+  return kept(separation, at_start == 0 ? 0 : std::nextafter(at_start, kInfinity));
+}
+
+void for_each_contact(const Mesh::Impl& mesh, const Motion& motion, const KeptDistances& distances, Kind kind,
+                      const broad_phase::Pair* pairs, std::size_t count, double t_max, const ContactConsumer& contact) {
+  const auto workspace = std::make_unique<Workspace>(kind);
+  ColumnBlock& columns = workspace->columns;
+  const bool without_distances = distances.are_zero();
+  const std::size_t corners_each = corner_count(kind);
+  for (std::size_t begin = 0; begin < count; begin += ColumnBlock::kQueries) {
+    const std::size_t size = std::min(ColumnBlock::kQueries, count - begin);
+    columns.clear();
+    for (std::size_t i = 0; i < size; ++i) {
+      const auto& corners = workspace->corners[i] = corners_of(mesh, {kind, pairs[begin + i][0], pairs[begin + i][1]});
+      for (std::size_t c = 0; c < corners_each; ++c) columns.set(c, motion[corners[c]].start, motion[corners[c]].end);
+      if (!without_distances) workspace->distances[i] = distances.bound(kind, corners);
+      columns.finish_query();
+    }
+    columns.solve(t_max, distances.metric(), without_distances ? nullptr : workspace->distances);
+    for (std::size_t i = 0; i < size; ++i) {
+      const Answer& answer = columns.answers()[i];
+      if (!answer.contact) continue;
+      const MeshPair pair{kind, pairs[begin + i][0], pairs[begin + i][1]};
+      if (distances.bounds_are_exact()) {
+        contact(pair, without_distances ? 0 : workspace->distances[i], answer);
+        continue;
+      }
+      const double distance = distances.exact(kind, workspace->corners[i]);
+      const Answer own =
+          touchstone::solve(query_of(motion, kind, workspace->corners[i]), {distance, distances.metric()}, t_max);
+      if (own.contact) contact(pair, distance, own);
+    }
+  }
+}
+
+}  // namespace touchstone::mesh

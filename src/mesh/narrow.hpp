@@ -1,0 +1,86 @@
+// Exact answers for blocks of candidate pairs.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include <touchstone/answer.hpp>
+#include <touchstone/mesh.hpp>
+#include <touchstone/solve.hpp>
+
+#include "broad_phase/box_tree.hpp"
+#include "mesh/elements.hpp"
+#include "mesh/motion.hpp"
+
+namespace touchstone::mesh {
+
+/// The distance that each pair is to keep: its separation d, or d + fraction (D0 - d) rounded up, for its distance D0 at
+/// the start.
+class KeptDistances {
+ public:
+  KeptDistances(const Mesh::Impl& mesh, const Motion& motion, double fraction)
+      : mesh_(mesh), motion_(motion), fraction_(fraction) {}
+
+  /// Whether every pair is only asked to touch nothing.
+  bool are_zero() const noexcept { return fraction_ == 0 && mesh_.radii.empty() && mesh_.separation.distance == 0; }
+  Metric metric() const noexcept { return mesh_.separation.metric; }
+
+  /// A distance that is at least that of the pair, and fast to find.
+  double bound(Kind kind, const std::array<Index, 4>& corners) const;
+  bool bounds_are_exact() const noexcept { return fraction_ == 0; }
+
+  double exact(Kind kind, const std::array<Index, 4>& corners) const;
+
+ private:
+  double kept(double separation, double at_start) const noexcept;
+
+  const Mesh::Impl& mesh_;
+  const Motion& motion_;
+  double fraction_;
+};
+
+/// Called for pairs in contact: contact(pair, distance that it is to keep, answer).
+using ContactConsumer = std::function<void(const MeshPair& pair, double distance, const Answer& answer)>;
+
+/// Asks about `count` pairs of a kind, and calls contact for those that come nearer than they are to keep, or as near, in
+/// [0, t_max]. The answers are those of solve(query, separation, t_max).
+void for_each_contact(const Mesh::Impl& mesh, const Motion& motion, const KeptDistances& distances, Kind kind,
+                      const broad_phase::Pair* pairs, std::size_t count, double t_max, const ContactConsumer& contact);
+
+/// Columns of queries of one kind, filled one query after another.
+class ColumnBlock {
+ public:
+  static constexpr std::size_t kQueries = 256;  // 48 KiB of coordinates: they stay in the cache
+
+  explicit ColumnBlock(Kind kind);
+  ColumnBlock(const ColumnBlock&) = delete;
+  ColumnBlock& operator=(const ColumnBlock&) = delete;
+
+  bool is_full() const noexcept { return columns_.count == kQueries; }
+  std::size_t size() const noexcept { return columns_.count; }
+  void clear() noexcept { columns_.count = 0; }
+
+  /// The corner c of the query that is being filled.
+  void set(std::size_t c, const Vec3& start, const Vec3& end) noexcept {
+    double* const at = coordinates_ + 6 * c * kQueries + columns_.count;
+    at[0 * kQueries] = start.x;
+    at[1 * kQueries] = start.y;
+    at[2 * kQueries] = start.z;
+    at[3 * kQueries] = end.x;
+    at[4 * kQueries] = end.y;
+    at[5 * kQueries] = end.z;
+  }
+  void finish_query() noexcept { ++columns_.count; }
+
+  /// answers()[i] for the i-th query since clear(). @param distances  one for each query, or null
+  void solve(double t_max, Metric metric, const double* distances);
+  const Answer* answers() const noexcept { return answers_; }
+
+ private:
+  QueryColumns columns_;
+  double coordinates_[24 * kQueries];
+  Answer answers_[kQueries];
+};
+
+}  // namespace touchstone::mesh

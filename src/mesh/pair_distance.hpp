@@ -1,0 +1,42 @@
+// The separation of a pair of elements, and the room around an element that its pairs need.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "mesh/elements.hpp"
+
+namespace touchstone::mesh {
+
+/// The sum of two finite numbers, rounded up.
+inline double sum_upwards(double a, double b) noexcept {
+  const double sum = a + b;
+  // The error of a rounded sum is a double, and this is it (Knuth, The Art of Computer Programming 2, 4.2.2).
+  const double b_part = sum - a, a_part = sum - b_part;
+  const double error = (a - a_part) + (b - b_part);
+  return error > 0 ? std::nextafter(sum, std::numeric_limits<double>::infinity()) : sum;
+}
+
+/// The separation of the pair of this kind with these corners.
+inline double separation_of(const Mesh::Impl& mesh, Kind kind, const std::array<Index, 4>& corners) noexcept {
+  if (mesh.radii.empty()) return mesh.separation.distance;
+  double first = 0, second = 0;
+  for (std::size_t c = 0; c < corner_count(kind); ++c) {
+    double& radius = c < first_corners(kind) ? first : second;
+    radius = std::max(radius, mesh.radii[corners[c]]);
+  }
+  return sum_upwards(first, second);
+}
+
+/// More than `length` by a relative 2^-45 or the least double, unless it is 0. So the sum of two such numbers exceeds the
+/// sum of the lengths even if that is rounded up, and a few rounding errors in each are covered.
+inline double with_room(double length) noexcept {
+  if (length == 0) return 0;
+  return std::nextafter(length * (1 + 0x1p-45), std::numeric_limits<double>::infinity());
+}
+
+}  // namespace touchstone::mesh
