@@ -1,4 +1,4 @@
-// Touchstone: queries from Eigen vectors and matrices. Include it beside touchstone.hpp; it needs Eigen 3.
+// Touchstone: queries and meshes from Eigen vectors and matrices. Include it beside touchstone.hpp; it needs Eigen 3.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -6,10 +6,13 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include <touchstone/error.hpp>
+#include <touchstone/mesh.hpp>
 #include <touchstone/query.hpp>
 
 namespace touchstone {
@@ -141,6 +144,68 @@ template <typename P, typename Q, typename PEnd, typename QEnd>
 PointPoint point_point(const Eigen::DenseBase<P>& p, const Eigen::DenseBase<Q>& q, const Eigen::DenseBase<PEnd>& p_end,
                        const Eigen::DenseBase<QEnd>& q_end) {
   return {{to_vec3(p), to_vec3(q)}, {to_vec3(p_end), to_vec3(q_end)}};
+}
+
+/// A view of the rows of a matrix of doubles, one vertex a row: N x 3, or N x 2 for a mesh in the plane. The matrix may be
+/// row-major or column-major, a Map or a block. The view is valid as long as the matrix's memory.
+/// @param rows  the matrix; not an expression, whose values are not in memory
+/// @return the view
+/// @throws InvalidQuery  for a matrix that has neither two nor three columns
+template <typename Derived>
+Positions to_positions(const Eigen::DenseBase<Derived>& rows) {
+  static_assert(std::is_same_v<typename Derived::Scalar, double>, "positions are doubles: cast them to double");
+  static_assert((Derived::Flags & Eigen::DirectAccessBit) != 0, "store the expression in a matrix first");
+  constexpr int column_count = Derived::ColsAtCompileTime;
+  static_assert(column_count == Eigen::Dynamic || column_count == 2 || column_count == 3,
+                "two or three columns: the coordinates of a vertex");
+  const Derived& matrix = rows.derived();
+  if (matrix.cols() != 2 && matrix.cols() != 3) {
+    throw InvalidQuery("the positions are " + std::to_string(matrix.rows()) + " x " + std::to_string(matrix.cols()) +
+                       ", not rows of two or three coordinates");
+  }
+  Positions view(matrix.data(), static_cast<std::size_t>(matrix.rows()), static_cast<int>(matrix.cols()));
+  view.vertex_stride = static_cast<std::ptrdiff_t>(matrix.rowStride());
+  view.coordinate_stride = static_cast<std::ptrdiff_t>(matrix.colStride());
+  return view;
+}
+
+/// Faces (N = 3) or edges (N = 2) from the rows of a matrix of integers.
+/// @param rows  the matrix, one element a row
+/// @return the elements, in the order of the rows
+/// @throws InvalidMesh  for a matrix that has not N columns, or naming the first row with an index that is negative or
+///                      not below 2^32
+template <std::size_t N, typename Derived>
+std::vector<std::array<MeshIndex, N>> to_elements(const Eigen::DenseBase<Derived>& rows) {
+  static_assert(std::is_integral_v<typename Derived::Scalar>, "indices are integers");
+  const auto& values = detail::eigen_values(rows);
+  if (values.cols() != static_cast<Eigen::Index>(N)) {
+    throw InvalidMesh("the elements are " + std::to_string(values.rows()) + " x " + std::to_string(values.cols()) +
+                      ", not rows of " + std::to_string(N) + " indices");
+  }
+  std::vector<std::array<MeshIndex, N>> elements(static_cast<std::size_t>(values.rows()));
+  for (Eigen::Index i = 0; i < values.rows(); ++i) {
+    for (Eigen::Index k = 0; k < values.cols(); ++k) {
+      const auto index = values.coeff(i, k);
+      const auto narrow = static_cast<MeshIndex>(index);
+      bool negative = false;
+      if constexpr (std::is_signed_v<typename Derived::Scalar>) negative = index < 0;
+      if (negative || static_cast<typename Derived::Scalar>(narrow) != index) {
+        throw InvalidMesh("row " + std::to_string(i) + " of the elements has the index " + std::to_string(index) +
+                          "; it must be in [0, " + std::to_string(std::numeric_limits<MeshIndex>::max()) + "]");
+      }
+      elements[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] = narrow;
+    }
+  }
+  return elements;
+}
+
+/// The positions of a FreeStep as a matrix, one vertex a row.
+/// @param positions  the coordinates of the vertices
+/// @param dimension  2 or 3, that of the mesh
+inline Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> to_matrix(
+    const std::vector<double>& positions, int dimension = 3) {
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  return Eigen::Map<const Matrix>(positions.data(), static_cast<Eigen::Index>(positions.size()) / dimension, dimension);
 }
 
 }  // namespace touchstone

@@ -46,8 +46,8 @@ enum class GroupRule : std::uint8_t {
 };
 
 /// Which pairs of a mesh never collide, beside those that share a vertex. Two elements may collide when some vertex of
-/// one may collide with some vertex of the other. Two vertices may not collide when they are listed, or when their groups
-/// may not.
+/// one may collide with some vertex of the other. Two vertices may not collide when they are listed, or when their
+/// groups may not.
 struct CollisionRules {
   std::vector<std::array<MeshIndex, 2>> vertex_pairs;  ///< vertices that never collide with each other, in any order
   std::vector<MeshPair> element_pairs;                 ///< elements that never collide with each other
@@ -64,11 +64,12 @@ struct MeshElements {
   /// Triangles, by the numbers of their corners. Their orientation has no meaning.
   std::vector<std::array<MeshIndex, 3>> faces;
 
-  /// Edges. The edges of the faces need not be given. A given edge keeps its number, and may be an edge of a face too. The
-  /// other edges of the faces come after those given, in ascending order of their corners.
+  /// Edges. The edges of the faces need not be given. A given edge keeps its number, and may be an edge of a face too.
+  /// The other edges of the faces come after those given, in ascending order of their corners.
   std::vector<std::array<MeshIndex, 2>> edges;
 
-  /// The loose points: vertices that are in no edge, and collide. Without a list, it is every vertex that is in no edge.
+  /// The loose points: vertices that are in no edge, and collide. Without a list, it is every vertex that is in no
+  /// edge.
   std::optional<std::vector<MeshIndex>> points;
 
   int dimension = 3;  ///< 2 or 3; a mesh in the plane has edges and loose points, and no faces
@@ -78,16 +79,17 @@ struct MeshElements {
   /// The separation of every pair. With distance 0, contact is touching.
   Separation separation = {};
 
-  /// The radius of each vertex, in place of separation.distance, which must then be 0; empty without radii. An element's
-  /// radius is the largest of its vertices' radii. The separation of a pair is the sum of its two elements' radii; a sum
-  /// that is no double is rounded up. The metric is separation.metric.
+  /// The radius of each vertex, in place of separation.distance, which must then be 0; empty without radii. An
+  /// element's radius is the largest of its vertices' radii. The separation of a pair is the sum of its two elements'
+  /// radii; a sum that is no double is rounded up. The metric is separation.metric.
   std::vector<double> radii;
 };
 
 /// A mesh whose elements were checked. It is immutable, and several threads may use one object. A copy is cheap.
 ///
-/// It holds 12 bytes for each face, 9 for each edge, 4 for each vertex that collides and 4 for each loose point, besides
-/// the rules and the radii. While it is made, it needs 36 bytes more for each face and 16 more for each edge, at most.
+/// It holds 12 bytes for each face, 9 for each edge, 4 for each vertex that collides and 4 for each loose point,
+/// besides the rules and the radii. While it is made, it needs 36 bytes more for each face and 16 more for each edge,
+/// at most.
 class Mesh {
  public:
   /// The representation, known to the library only.
@@ -97,9 +99,9 @@ class Mesh {
   Mesh();
 
   /// @param elements  what it is made of
-  /// @throws InvalidMesh  for an index out of range, an element with a repeated corner, an element that is given twice, a
-  ///                      loose point in an edge, faces in the plane, rules about elements that do not exist, radii that
-  ///                      are negative or not finite; the message names the element and what would be right
+  /// @throws InvalidMesh  for an index out of range, an element with a repeated corner, an element that is given twice,
+  ///                      a loose point in an edge, faces in the plane, rules about elements that do not exist, radii
+  ///                      that are negative or not finite; the message names the element and what would be right
   /// @throws InvalidQuery  for a separation without meaning
   explicit Mesh(MeshElements elements);
 
@@ -182,8 +184,8 @@ struct FirstContact {
   double toi = 0;        ///< the largest double <= the exact first time of such a contact; infinity without one
   double toi_upper = 0;  ///< the smallest double >= this time; infinity without contact
 
-  /// Every pair whose contact begins at exactly that time, in ascending order. Where the time is no double, the times of
-  /// the pairs are compared as algebraic numbers.
+  /// Every pair whose contact begins at exactly that time, in ascending order. Where the time is no double, the times
+  /// of the pairs are compared as algebraic numbers.
   std::vector<MeshContact> first;
 
   /// Every pair in contact at t = 0, in ascending order. Their later contacts are not told.
@@ -193,23 +195,23 @@ struct FirstContact {
   bool free() const noexcept { return !contact && at_start.empty(); }
 };
 
-/// The first contact while each vertex moves on a straight line from its position in x0 to that in x1, over all pairs for
-/// which Mesh::may_collide is true: the same as by `solve` of each of them. A pair of which one element passes through the
-/// other at the start, but no pair touches, is not in contact: `intersections` finds it.
+/// The first contact while each vertex moves on a straight line from its position in x0 to that in x1, over all pairs
+/// for which Mesh::may_collide is true: the same as by `solve` of each of them. A pair of which one element passes
+/// through the other at the start, but no pair touches, is not in contact: `intersections` finds it.
 ///
-/// The result is the same for every number of threads, byte for byte. The memory needed is 48 bytes for each vertex and,
-/// at most, 200 bytes for each edge, or for each face and each vertex that collides, whichever is more.
+/// The result is the same for every number of threads, byte for byte. The memory needed is 48 bytes for each vertex
+/// and, at most, 200 bytes for each edge, or for each face and each vertex that collides, whichever is more.
 /// @param mesh     the mesh
 /// @param x0       the positions at t = 0
 /// @param x1       the positions at t = 1
 /// @param options  how the question is answered
 /// @return the first contact
-/// @throws InvalidQuery  for positions that do not fit the mesh, a coordinate that is not finite (it names the vertex) or
-///                       options without meaning
+/// @throws InvalidQuery  for positions that do not fit the mesh, a coordinate that is not finite (it names the vertex)
+///                       or options without meaning
 FirstContact first_contact(const Mesh& mesh, const Positions& x0, const Positions& x1, const MeshOptions& options = {});
 
-/// Every pair that comes into contact in [0, t_max], those in contact at the start too, by their toi and toi_upper, then
-/// by pair.
+/// Every pair that comes into contact in [0, t_max], those in contact at the start too, by their toi and toi_upper,
+/// then by pair.
 /// @throws InvalidQuery  as first_contact
 std::vector<MeshContact> all_contacts(const Mesh& mesh, const Positions& x0, const Positions& x1,
                                       const MeshOptions& options = {});
@@ -246,17 +248,17 @@ struct Intersection {
   bool pierces = false;
 
   /// A common point: barycentric coordinates on the first element, (e0, e1, 0) for an edge and (1, 0, 0) for a vertex,
-  /// and on the second one. Each is within 2^-50 of its true value. Of several common points it is one that is nearest to
-  /// the edge's first corner.
+  /// and on the second one. Each is within 2^-50 of its true value. Of several common points it is one that is nearest
+  /// to the edge's first corner.
   std::array<double, 3> weights_first{};
   std::array<double, 3> weights_second{};  ///< the same on the second element
 };
 
-/// Where the mesh intersects itself at the positions x, exactly; separations do not count. In three dimensions these are
-/// edges and faces, two edges one of which is in no face, a loose point and a face, a loose point and an edge that is in
-/// no face, and two loose points. In two dimensions they are two edges, a loose point and an edge, and two loose points.
-/// Elements that share a vertex are left out, and those of which no two vertices may collide by the rules. The list of
-/// element pairs in the rules counts for those pairs that are its kinds.
+/// Where the mesh intersects itself at the positions x, exactly; separations do not count. In three dimensions these
+/// are edges and faces, two edges one of which is in no face, a loose point and a face, a loose point and an edge that
+/// is in no face, and two loose points. In two dimensions they are two edges, a loose point and an edge, and two loose
+/// points. Elements that share a vertex are left out, and those of which no two vertices may collide by the rules. The
+/// list of element pairs in the rules counts for those pairs that are its kinds.
 /// @param mesh     the mesh
 /// @param x        the positions
 /// @param options  how the question is answered
@@ -276,9 +278,9 @@ enum class StepOutcome : std::uint8_t {
 struct FreeStepOptions {
   int threads = 1;  ///< as in MeshOptions
 
-  /// In [0, 1). Each pair keeps more than this fraction of its distance at the start: for a pair with the separation d and
-  /// the distance D0 at the start, the distance stays greater than d + fraction * (D0 - d), which is rounded up to a
-  /// double. With 0, each pair keeps a distance greater than d.
+  /// In [0, 1). Each pair keeps more than this fraction of its distance at the start: for a pair with the separation d
+  /// and the distance D0 at the start, the distance stays greater than d + fraction * (D0 - d), which is rounded up to
+  /// a double. With 0, each pair keeps a distance greater than d.
   double kept_fraction = 0;
 };
 
@@ -286,12 +288,13 @@ struct FreeStepOptions {
 struct FreeStep {
   StepOutcome outcome = StepOutcome::whole;  ///< what became of the step
 
-  /// The fraction of the step, in [0, 1]. It is 1 only for a whole step, and 0 only for contact at the start or where the
-  /// first contact is before every positive double.
+  /// The fraction of the step, in [0, 1]. It is 1 only for a whole step, and 0 only for contact at the start or where
+  /// the first contact is before every positive double.
   double length = 1;
 
-  /// The end: each coordinate is a double within one unit in its last place of x0 + length (x1 - x0), and between x0 and
-  /// x1. As many coordinates a vertex as the mesh has dimensions, x y z x y z ...
+  /// The end. Each coordinate is a double between x0 and x1, within one unit in its last place of x0 + length (x1 - x0);
+  /// where that is next to nothing beside x0 and x1, it is within 2^-100 of |x0| + |x1|. As many coordinates a vertex as
+  /// the mesh has dimensions: x y z x y z ...
   std::vector<double> positions;
 
   /// The first contact of the whole step, about the distances that the step is to keep.
@@ -302,9 +305,9 @@ struct FreeStep {
 };
 
 /// The longest step that is proved free. The straight path from x0 to the positions that are returned, rounded as they
-/// are, has no contact: that very path was asked about, all pairs of it. A length that is not 1 is below the exact first
-/// time. No more than rounding needs is given away: for the pairs in the way, the next longer length that was tried is
-/// not free.
+/// are, has no contact: that very path was asked about, all pairs of it. A length that is not 1 is below the exact
+/// first time. No more than rounding needs is given away: for the pairs in the way, the next longer length that was
+/// tried is not free.
 /// @param mesh     the mesh
 /// @param x0       the positions at t = 0
 /// @param x1       the positions at t = 1

@@ -120,7 +120,8 @@ void build(const Material& from, Number first, Number last, std::vector<Node>& n
   join(nodes[at].box, nodes[nodes[at].second].box);
 }
 
-/// A node near the root. Its children are both 0, or numbers of other parts; without children, it has a tree of its own.
+/// A node near the root. Its children are both 0, or numbers of other parts; without children, it has a tree of its
+/// own.
 struct Part {
   Number first, last;
   std::size_t children[2] = {0, 0};
@@ -197,8 +198,8 @@ bool divides_first(const Node& x, const Node& y) noexcept {
   return y.is_leaf() || (!x.is_leaf() && x.size() >= y.size());
 }
 
-/// Compares the boxes of trees. `until()` is the time after which a meeting does not count; found(place in a, place in b)
-/// is called for boxes that meet.
+/// Compares the boxes of trees. `until()` is the time after which a meeting does not count; found(place in a, place in
+/// b) is called for boxes that meet.
 template <class Until, class Found>
 class Comparison {
  public:

@@ -72,12 +72,13 @@ inline constexpr std::size_t kPairBlock = 1024;
 struct PairSearch {
   int threads = 1;
 
-  /// Boxes that meet only after this time need not be found. It is read again and again, and may fall meanwhile. Null: 1.
+  /// Boxes that meet only after this time need not be found. It is read again and again, and may fall meanwhile. Null:
+  /// 1.
   const std::atomic<double>* until = nullptr;
 };
 
-/// Hands out each pair i < j of boxes that meet, once, and no other pair. With one thread, the order depends on the boxes
-/// only.
+/// Hands out each pair i < j of boxes that meet, once, and no other pair. With one thread, the order depends on the
+/// boxes only.
 void for_each_pair_block(const BoxTree& tree, const PairSearch& search, const PairBlockConsumer& take);
 
 /// The same for box i of `a` and box j of `b`.

@@ -125,9 +125,9 @@ Reach reach_of_separations(const Mesh::Impl& mesh) {
   return reach;
 }
 
-// A pair's distance falls by at most the sum of the greatest displacements of its elements' corners, since a point of an
-// element is a convex combination of them. It falls by (1 - fraction) (D0 - d) at least, if it falls that far. So D0 is at
-// most d plus the displacements over 1 - fraction, and so is the distance along each axis.
+// A pair's distance falls by at most the sum of the greatest displacements of its elements' corners, since a point of
+// an element is a convex combination of them. It falls by (1 - fraction) (D0 - d) at least, if it falls that far. So D0
+// is at most d plus the displacements over 1 - fraction, and so is the distance along each axis.
 Reach reach_of_fraction(const Mesh::Impl& mesh, const Motion& motion, double fraction) {
   Reach reach = reach_of_separations(mesh);
   if (reach.of_vertices.empty()) reach.of_vertices.assign(motion.size(), reach.same);

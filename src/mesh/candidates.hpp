@@ -21,8 +21,8 @@ struct Reach {
 /// The reach that finds every pair whose distance falls to its separation or below.
 Reach reach_of_separations(const Mesh::Impl& mesh);
 
-/// The reach that finds every pair whose distance may fall from D0 at the start to d + fraction (D0 - d) or below, for the
-/// separation d. 0 <= fraction < 1.
+/// The reach that finds every pair whose distance may fall from D0 at the start to d + fraction (D0 - d) or below, for
+/// the separation d. 0 <= fraction < 1.
 Reach reach_of_fraction(const Mesh::Impl& mesh, const Motion& motion, double fraction);
 
 /// Takes at most broad_phase::kPairBlock pairs of a kind. Several threads may call it at the same time.

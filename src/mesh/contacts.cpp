@@ -67,8 +67,9 @@ class Earliest {
 
 constexpr std::size_t kContactsAtATime = 16;
 
-/// The whole answers for pairs, in ascending order. They are asked about again, over the whole range of times: an answer
-/// that was found by a shorter one may have other last bits in its weights, and the range depends on the threads.
+/// The whole answers for pairs, in ascending order. They are asked about again, over the whole range of times: an
+/// answer that was found by a shorter one may have other last bits in its weights, and the range depends on the
+/// threads.
 std::vector<MeshContact> with_answers(const Mesh::Impl& mesh, const Motion& motion, std::vector<Found>& found,
                                       double t_max, int threads) {
   std::sort(found.begin(), found.end());

@@ -26,25 +26,22 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double next_below(double x) noexcept { return std::nextafter(x, -kInfinity); }
 
-/// x0 + length (x1 - x0), within one unit in the last place and between x0 and x1; exactly x1 for the length 1.
+/// x0 + length (x1 - x0), within the error that FreeStep::positions states, and between x0 and x1; exactly x1 for the
+/// length 1.
 double coordinate_at(double x0, double x1, double length) noexcept {
   if (x0 == x1 || length == 1) return x1;
   const double difference = x1 - x0;
-  double at;
-  if (std::isfinite(difference)) {
-    // The errors of the difference, of the product and of the sum are known, and are added to the sum: so it is rounded
-    // once, but for terms of second order.
-    const double x0_part = x1 - difference;
-    const double difference_error = (x0_part - x0) + (x1 - (difference + x0_part));
-    const double product = length * difference;
-    const double product_error = std::fma(length, difference, -product) + length * difference_error;
-    const double sum = x0 + product;
-    const double product_part = sum - x0;
-    const double sum_error = (x0 - (sum - product_part)) + (product - product_part);
-    at = sum + (sum_error + product_error);
-  } else {
-    at = (1 - length) * x0 + length * x1;
-  }
+  if (!std::isfinite(difference)) return 2 * coordinate_at(x0 / 2, x1 / 2, length);
+  // The errors of the difference, of the product and of the sum are known, and are added to the sum: so it is rounded
+  // once, but for terms of second order.
+  const double x0_part = x1 - difference;
+  const double difference_error = (x0_part - x0) + (x1 - (difference + x0_part));
+  const double product = length * difference;
+  const double product_error = std::fma(length, difference, -product) + length * difference_error;
+  const double sum = x0 + product;
+  const double product_part = sum - x0;
+  const double sum_error = (x0 - (sum - product_part)) + (product - product_part);
+  const double at = sum + (sum_error + product_error);
   return std::clamp(at, std::min(x0, x1), std::max(x0, x1));
 }
 
@@ -69,8 +66,8 @@ class Obstacles {
     }
   }
 
-  /// Whether no obstacle is met on the path to the rounded positions after this length. The last obstacle that was met is
-  /// asked about first: it is often met again.
+  /// Whether no obstacle is met on the path to the rounded positions after this length. The last obstacle that was met
+  /// is asked about first: it is often met again.
   bool let_pass(double length) {
     for (std::size_t i = 0; i < obstacles_.size(); ++i) {
       if (!is_met(obstacles_[i], length)) continue;
@@ -99,8 +96,8 @@ class Obstacles {
   std::vector<Obstacle> obstacles_;
 };
 
-/// A length <= `longest` that the obstacles let pass, and such that the next longer length that was tried is not let pass.
-/// The greatest length of this sort is not sought: rounding lets lengths pass, and stops others, in no order.
+/// A length <= `longest` that the obstacles let pass, and such that the next longer length that was tried is not let
+/// pass. The greatest length of this sort is not sought: rounding lets lengths pass, and stops others, in no order.
 double length_that_passes(Obstacles& obstacles, double longest) {
   if (obstacles.let_pass(longest)) return longest;
   double blocked = longest, step = longest - next_below(longest), free = 0;
@@ -143,8 +140,8 @@ Motion path_of(const Motion& step, double length, int threads) {
   return path;
 }
 
-/// Whether some pair at the start is within its separation, and not merely within the distance that it is to keep, which
-/// is rounded up.
+/// Whether some pair at the start is within its separation, and not merely within the distance that it is to keep,
+/// which is rounded up.
 bool is_in_contact(const Mesh::Impl& mesh, const Motion& step, const std::vector<MeshContact>& at_start) {
   return std::any_of(at_start.begin(), at_start.end(), [&](const MeshContact& contact) {
     const auto corners = corners_of(mesh, contact.pair);

@@ -1,5 +1,5 @@
-// Intersections at rest, as contacts in motion: the points of an edge are the places of a vertex that moves from its first
-// corner to its second one, at the time that is the fraction of the edge. So the solver decides them, exactly.
+// Intersections at rest, as contacts in motion: the points of an edge are the places of a vertex that moves from its
+// first corner to its second one, at the time that is the fraction of the edge. So the solver decides them, exactly.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
@@ -69,8 +69,8 @@ Intersection from_answer(const RestingPass& pass, const Pair& pair, const Answer
   if (pass.first != MeshElement::edge) return found;
   found.weights_first = {1 - answer.toi, answer.toi, 0};
   const bool inside_edge = answer.toi_upper > 0 && answer.toi < 1;
-  // The plane's side is a linear function of the fraction, so a crossing has the ends on both sides. Of two edges, lines
-  // that are not parallel share a single point; on parallel ones the first common point is an end of an edge.
+  // The plane's side is a linear function of the fraction, so a crossing has the ends on both sides. Of two edges,
+  // lines that are not parallel share a single point; on parallel ones the first common point is an end of an edge.
   const bool inside_second = pass.second == MeshElement::face
                                  ? answer.feature_b == Feature::f && answer.nature == Nature::crossing
                                  : answer.feature_b == Feature::e && answer.nature == Nature::isolated;

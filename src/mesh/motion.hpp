@@ -20,8 +20,8 @@ struct MovingVertex {
 
 using Motion = std::vector<MovingVertex>;
 
-/// @throws InvalidQuery  for positions that do not fit the mesh, or naming the first vertex with a coordinate that is not
-///                       finite
+/// @throws InvalidQuery  for positions that do not fit the mesh, or naming the first vertex with a coordinate that is
+///                       not finite
 Motion motion_of(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1, int threads);
 
 /// The query of the vertices `corners`, as many as the kind has.

@@ -15,8 +15,8 @@
 
 namespace touchstone::mesh {
 
-/// The distance that each pair is to keep: its separation d, or d + fraction (D0 - d) rounded up, for its distance D0 at
-/// the start.
+/// The distance that each pair is to keep: its separation d, or d + fraction (D0 - d) rounded up, for its distance D0
+/// at the start.
 class KeptDistances {
  public:
   KeptDistances(const Mesh::Impl& mesh, const Motion& motion, double fraction)
@@ -43,8 +43,8 @@ class KeptDistances {
 /// Called for pairs in contact: contact(pair, distance that it is to keep, answer).
 using ContactConsumer = std::function<void(const MeshPair& pair, double distance, const Answer& answer)>;
 
-/// Asks about `count` pairs of a kind, and calls contact for those that come nearer than they are to keep, or as near, in
-/// [0, t_max]. The answers are those of solve(query, separation, t_max).
+/// Asks about `count` pairs of a kind, and calls contact for those that come nearer than they are to keep, or as near,
+/// in [0, t_max]. The answers are those of solve(query, separation, t_max).
 void for_each_contact(const Mesh::Impl& mesh, const Motion& motion, const KeptDistances& distances, Kind kind,
                       const broad_phase::Pair* pairs, std::size_t count, double t_max, const ContactConsumer& contact);
 

@@ -32,8 +32,8 @@ inline double separation_of(const Mesh::Impl& mesh, Kind kind, const std::array<
   return sum_upwards(first, second);
 }
 
-/// More than `length` by a relative 2^-45 or the least double, unless it is 0. So the sum of two such numbers exceeds the
-/// sum of the lengths even if that is rounded up, and a few rounding errors in each are covered.
+/// More than `length` by a relative 2^-45 or the least double, unless it is 0. So the sum of two such numbers exceeds
+/// the sum of the lengths even if that is rounded up, and a few rounding errors in each are covered.
 inline double with_room(double length) noexcept {
   if (length == 0) return 0;
   return std::nextafter(length * (1 + 0x1p-45), std::numeric_limits<double>::infinity());

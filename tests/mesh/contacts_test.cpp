@@ -1,0 +1,409 @@
+// The contacts of whole meshes are those of all pairs, asked one by one; they do not depend on threads, nor on the order
+// of vertices and faces.
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <cstring>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+#include <touchstone/contact_times.hpp>
+#include <touchstone/touchstone.hpp>
+
+#include "mesh/scenes.hpp"
+#include "support/catch.hpp"
+#include "support/slow_build.hpp"
+
+using namespace touchstone;
+using namespace touchstone::tests;
+
+namespace {
+
+bool same_bytes(const Answer& a, const Answer& b) {
+  const auto bits = [](double x) {
+    std::uint64_t b64;
+    std::memcpy(&b64, &x, sizeof x);
+    return b64;
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (bits(a.weights_a[k]) != bits(b.weights_a[k]) || bits(a.weights_b[k]) != bits(b.weights_b[k])) return false;
+  }
+  return a.contact == b.contact && a.level == b.level && a.nature == b.nature && a.feature_a == b.feature_a &&
+         a.feature_b == b.feature_b && a.starts_within == b.starts_within && a.trend == b.trend &&
+         bits(a.toi) == bits(b.toi) && bits(a.toi_upper) == bits(b.toi_upper);
+}
+
+bool same_bytes(const std::vector<MeshContact>& a, const std::vector<MeshContact>& b) {
+  return a.size() == b.size() &&
+         std::equal(a.begin(), a.end(), b.begin(), [](const MeshContact& x, const MeshContact& y) {
+           return x.pair == y.pair && x.separation.distance == y.separation.distance &&
+                  x.separation.metric == y.separation.metric && same_bytes(x.answer, y.answer);
+         });
+}
+
+bool same_bytes(const FirstContact& a, const FirstContact& b) {
+  return a.contact == b.contact && a.toi == b.toi && a.toi_upper == b.toi_upper && same_bytes(a.first, b.first) &&
+         same_bytes(a.at_start, b.at_start);
+}
+
+struct BruteForce {
+  std::vector<MeshContact> all, at_start, first;
+  double toi = INFINITY, toi_upper = INFINITY;
+};
+
+BruteForce brute_force(const Scene& scene, double t_max) {
+  BruteForce result;
+  const Parts parts = parts_of(scene.elements);
+  for (const MeshPair& pair : all_pairs(scene.elements)) {
+    const Query query = query_between(scene, parts, pair, scene.x0, scene.x1);
+    const Separation separation{separation_between(scene, parts, pair), scene.elements.separation.metric};
+    const Answer answer = solve(query, separation, t_max);
+    if (!answer.contact) continue;
+    result.all.push_back({pair, separation, answer});
+    if (answer.starts_within) result.at_start.push_back({pair, separation, answer});
+  }
+  // The first contacts by exact times.
+  std::vector<std::pair<MeshContact, ExactTime>> later;
+  for (const MeshContact& contact : result.all) {
+    if (contact.answer.starts_within) continue;
+    const Query query = query_between(scene, parts, contact.pair, scene.x0, scene.x1);
+    later.push_back({contact, contact_times(query, contact.separation, t_max).front().first});
+  }
+  const auto least =
+      std::min_element(later.begin(), later.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  if (least != later.end()) {
+    result.toi = least->second.lower();
+    result.toi_upper = least->second.upper();
+    for (const auto& [contact, time] : later) {
+      if (time == least->second) result.first.push_back(contact);
+    }
+  }
+  std::sort(result.all.begin(), result.all.end(), [](const MeshContact& a, const MeshContact& b) {
+    return std::tie(a.answer.toi, a.answer.toi_upper, a.pair) < std::tie(b.answer.toi, b.answer.toi_upper, b.pair);
+  });
+  return result;
+}
+
+bool agrees(const FirstContact& found, const BruteForce& expected) {
+  return found.contact == !expected.first.empty() && found.toi == expected.toi &&
+         found.toi_upper == expected.toi_upper && same_bytes(found.first, expected.first) &&
+         same_bytes(found.at_start, expected.at_start);
+}
+
+void add_rules(seeded::Rng& random, Scene& scene) {
+  MeshElements& elements = scene.elements;
+  const auto vertex = [&] { return static_cast<MeshIndex>(random.below(elements.vertex_count)); };
+  if (random.one_in(2)) {
+    for (std::size_t i = 0; i < 3 * elements.vertex_count; ++i) {
+      const MeshIndex a = vertex();
+      const MeshIndex b = vertex();
+      elements.rules.vertex_pairs.push_back({a, b});
+    }
+  }
+  if (random.one_in(2)) {
+    for (std::size_t v = 0; v < elements.vertex_count; ++v) {
+      elements.rules.groups.push_back(static_cast<MeshIndex>(10 * random.below(3)));
+    }
+    if (random.one_in(2)) elements.rules.group_rule = GroupRule::only_listed;
+    elements.rules.group_pairs = {{0, 0}, {20, 10}};
+  }
+  if (random.one_in(2)) {
+    for (const MeshPair& pair : all_pairs(elements)) {
+      if (random.one_in(3)) continue;
+      const bool one_sort = pair.kind == Kind::edge_edge || pair.kind == Kind::point_point;
+      const bool swapped = one_sort && random.one_in(2);
+      elements.rules.element_pairs.push_back(swapped ? MeshPair{pair.kind, pair.second, pair.first} : pair);
+    }
+  }
+}
+
+/// Which contacts a test has seen; a test that sees none proves nothing.
+struct Seen {
+  std::map<std::string, int> counts;
+  void add(const std::string& what, bool seen) { counts[what] += seen ? 1 : 0; }
+  void check() const {
+    for (const auto& [what, count] : counts) {
+      INFO(what << ": " << count);
+      CHECK((count > 0 || !whole_effort("that each sort of scene is seen")));
+    }
+  }
+};
+
+}  // namespace
+
+TEST_CASE("the contacts of a mesh are those of all pairs by brute force") {
+  seeded::Rng random(101);
+  Seen seen;
+  const std::size_t rounds = effort(60);
+  for (std::size_t round = 0; round < rounds; ++round) {
+    for (const Layout layout : kLayouts) {
+      Scene scene = random_scene(random, layout, 24);
+      const bool separated = random.one_in(2), with_rules = random.one_in(2);
+      if (separated) add_separation(random, scene);
+      if (with_rules) add_rules(random, scene);
+      const Mesh mesh(scene.elements);
+      MeshOptions options;
+      options.t_max = random.one_in(3) ? random.unit() : 1;
+      options.threads = random.one_in(3) ? 2 : 1;
+      const BruteForce expected = brute_force(scene, options.t_max);
+      const FirstContact found = first_contact(mesh, scene.start(), scene.end(), options);
+      CAPTURE(round, scene.name, separated, with_rules, options.t_max);
+      REQUIRE(agrees(found, expected));
+      REQUIRE(found.free() == expected.all.empty());
+      REQUIRE(same_bytes(all_contacts(mesh, scene.start(), scene.end(), options), expected.all));
+
+      std::vector<MeshPair> asked = all_pairs(scene.elements);
+      std::sort(asked.begin(), asked.end());
+      const std::vector<MeshPair> near = candidates(mesh, scene.start(), scene.end(), options);
+      REQUIRE(std::includes(asked.begin(), asked.end(), near.begin(), near.end()));
+      REQUIRE(std::all_of(expected.all.begin(), expected.all.end(), [&](const MeshContact& contact) {
+        return std::binary_search(near.begin(), near.end(), contact.pair);
+      }));
+      seen.add(scene.name + " with a first contact", found.contact);
+      seen.add(scene.name + " with contact at the start", !found.at_start.empty());
+      seen.add("several first contacts", found.first.size() > 1);
+      seen.add(scene.name + " with pairs that are no candidates", near.size() < asked.size());
+      seen.add("rules that exclude", with_rules && found.contact);
+    }
+  }
+  seen.check();
+}
+
+TEST_CASE("a pair may collide as the rules say, and has the separation of its radii") {
+  seeded::Rng random(102);
+  for (std::size_t round = 0; round < effort(40); ++round) {
+    for (const Layout layout : kLayouts) {
+      Scene scene = random_scene(random, layout, 20);
+      add_separation(random, scene);
+      add_rules(random, scene);
+      const Mesh mesh(scene.elements);
+      const Parts parts = parts_of(scene.elements);
+      REQUIRE(mesh.edges() == parts.edges);
+      REQUIRE(mesh.points() == parts.points);
+      const std::vector<MeshPair> pairs = all_pairs(scene.elements);
+      const std::set<MeshPair> expected(pairs.begin(), pairs.end());
+      std::size_t wrong = 0;
+      const auto check = [&](const MeshPair& pair) {
+        wrong += mesh.may_collide(pair) != (expected.count(pair) != 0) ? 1 : 0;
+        wrong += mesh.separation(pair).distance != separation_between(scene, parts, pair) ? 1 : 0;
+      };
+      const auto edges = static_cast<MeshIndex>(parts.edges.size());
+      for (MeshIndex i = 0; i < edges; ++i) {
+        for (MeshIndex j = i + 1; j < edges; ++j) check({Kind::edge_edge, i, j});
+      }
+      for (MeshIndex v = 0; v < 20; ++v) {
+        for (MeshIndex f = 0; f < scene.elements.faces.size(); ++f) check({Kind::vertex_face, v, f});
+        for (MeshIndex e = 0; e < edges; ++e) check({Kind::point_edge, v, e});
+        for (MeshIndex w = v + 1; w < 20; ++w) check({Kind::point_point, v, w});
+      }
+      CAPTURE(round, scene.name);
+      REQUIRE(wrong == 0);
+    }
+  }
+}
+
+TEST_CASE("1 to 64 threads give the same bytes") {
+  seeded::Rng random(103);
+  for (const Layout layout : kLayouts) {
+    Scene scene = random_scene(random, layout, TOUCHSTONE_SLOW_BUILD ? 40 : 100);
+    add_separation(random, scene);
+    const Mesh mesh(scene.elements);
+    MeshOptions options;
+    const FirstContact first = first_contact(mesh, scene.start(), scene.end(), options);
+    const auto all = all_contacts(mesh, scene.start(), scene.end(), options);
+    const auto near = candidates(mesh, scene.start(), scene.end(), options);
+    CHECK(all.size() > 5);
+    for (const int threads : {2, 3, 16, 64, 0}) {
+      CAPTURE(scene.name, threads);
+      options.threads = threads;
+      CHECK(same_bytes(first_contact(mesh, scene.start(), scene.end(), options), first));
+      CHECK(same_bytes(all_contacts(mesh, scene.start(), scene.end(), options), all));
+      CHECK(candidates(mesh, scene.start(), scene.end(), options) == near);
+    }
+  }
+}
+
+TEST_CASE("a vertex moved by one unit in its last place changes the verdict") {
+  Scene scene;
+  scene.elements.vertex_count = 4;
+  scene.elements.faces = {{0, 1, 2}};
+  // The vertex falls from z = 1 to the face's plane, whose least double above it is out of reach.
+  scene.x0 = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0.25, 0.25, 1};
+  scene.x1 = scene.x0;
+  scene.x1[11] = 0;
+  const Mesh mesh(scene.elements);
+  const FirstContact touching = first_contact(mesh, scene.start(), scene.end());
+  CHECK(touching.contact);
+  CHECK(touching.toi == 1);
+  REQUIRE(touching.first.size() == 1);
+  CHECK(touching.first[0].pair == MeshPair{Kind::vertex_face, 3, 0});
+  scene.x1[11] = std::numeric_limits<double>::denorm_min();
+  CHECK(first_contact(mesh, scene.start(), scene.end()).free());
+
+  // Beside the face's border x = 0, and on it.
+  scene.x1[11] = -1;
+  scene.x0[9] = scene.x1[9] = 0;
+  CHECK(first_contact(mesh, scene.start(), scene.end()).contact);
+  scene.x0[9] = scene.x1[9] = -std::numeric_limits<double>::denorm_min();
+  CHECK(first_contact(mesh, scene.start(), scene.end()).free());
+
+  // A separation of one half: the vertex stops there, or one double above.
+  scene.x0[9] = scene.x1[9] = 0.25;
+  scene.x1[11] = 0.5;
+  scene.elements.separation.distance = 0.5;
+  CHECK(first_contact(Mesh(scene.elements), scene.start(), scene.end()).contact);
+  scene.x1[11] = std::nextafter(0.5, 1);
+  CHECK(first_contact(Mesh(scene.elements), scene.start(), scene.end()).free());
+}
+
+TEST_CASE("shuffled vertices and faces give the same time and the same pairs") {
+  seeded::Rng random(104);
+  int contacts = 0;
+  for (std::size_t round = 0; round < effort(60); ++round) {
+    const Scene scene = random_scene(random, kLayouts[round % kLayouts.size()], 40);
+    const auto count = scene.elements.vertex_count;
+    std::vector<MeshIndex> renamed(count);
+    std::iota(renamed.begin(), renamed.end(), MeshIndex{0});
+    for (std::size_t i = count; i > 1; --i) std::swap(renamed[i - 1], renamed[random.below(i)]);
+    Scene shuffled = scene;
+    const auto n = static_cast<std::size_t>(scene.elements.dimension);
+    for (std::size_t v = 0; v < count; ++v) {
+      for (std::size_t k = 0; k < n; ++k) {
+        shuffled.x0[renamed[v] * n + k] = scene.x0[v * n + k];
+        shuffled.x1[renamed[v] * n + k] = scene.x1[v * n + k];
+      }
+    }
+    const auto rename = [&](auto& elements) {
+      for (auto& element : elements) {
+        for (MeshIndex& v : element) v = renamed[v];
+        std::rotate(element.begin(), element.begin() + 1, element.end());
+      }
+      for (std::size_t i = elements.size(); i > 1; --i) std::swap(elements[i - 1], elements[random.below(i)]);
+    };
+    rename(shuffled.elements.faces);
+    rename(shuffled.elements.edges);
+    const Mesh one(scene.elements), other(shuffled.elements);
+    const FirstContact a = first_contact(one, scene.start(), scene.end());
+    const FirstContact b = first_contact(other, shuffled.start(), shuffled.end());
+    CAPTURE(round, scene.name);
+    REQUIRE(a.toi == b.toi);
+    REQUIRE(a.toi_upper == b.toi_upper);
+    const auto corners = [&](const Mesh& mesh, const std::vector<MeshContact>& found, bool rename_them) {
+      std::set<std::set<MeshIndex>> sets;
+      for (const MeshContact& contact : found) {
+        std::set<MeshIndex> set;
+        const auto c = mesh.corners(contact.pair);
+        for (std::size_t i = 0; i < corner_count(contact.pair.kind); ++i)
+          set.insert(rename_them ? renamed[c[i]] : c[i]);
+        sets.insert(set);
+      }
+      return sets;
+    };
+    REQUIRE(corners(one, a.first, true) == corners(other, b.first, false));
+    REQUIRE(corners(one, a.at_start, true) == corners(other, b.at_start, false));
+    contacts += a.contact ? 1 : 0;
+  }
+  CHECK(contacts > 0);
+}
+
+TEST_CASE("a mesh in two parts meets as its parts do, each by itself and with the other") {
+  seeded::Rng random(105);
+  int between_parts = 0;
+  for (std::size_t round = 0; round < effort(60); ++round) {
+    const Layout layout = kLayouts[round % kLayouts.size()];
+    Scene a = random_scene(random, layout, 16), b = random_scene(random, layout, 16);
+    Scene merged = a;
+    const auto shift = static_cast<MeshIndex>(a.elements.vertex_count);
+    merged.elements.vertex_count += b.elements.vertex_count;
+    for (auto face : b.elements.faces) {
+      for (MeshIndex& v : face) v += shift;
+      merged.elements.faces.push_back(face);
+    }
+    for (auto edge : b.elements.edges) {
+      for (MeshIndex& v : edge) v += shift;
+      merged.elements.edges.push_back(edge);
+    }
+    merged.x0.insert(merged.x0.end(), b.x0.begin(), b.x0.end());
+    merged.x1.insert(merged.x1.end(), b.x1.begin(), b.x1.end());
+    for (std::size_t v = 0; v < merged.elements.vertex_count; ++v) merged.elements.rules.groups.push_back(v >= shift);
+    const auto first_of = [&](GroupRule rule, std::vector<std::array<MeshIndex, 2>> pairs) {
+      merged.elements.rules.group_rule = rule;
+      merged.elements.rules.group_pairs = std::move(pairs);
+      return first_contact(Mesh(merged.elements), merged.start(), merged.end());
+    };
+    const auto time = [](const FirstContact& f) { return std::tuple(f.toi, f.toi_upper); };
+    const auto all = first_of(GroupRule::all_but_listed, {});
+    const auto between = first_of(GroupRule::only_listed, {{1, 0}});
+    const auto apart = first_of(GroupRule::all_but_listed, {{0, 1}});
+    const auto of_a = first_contact(Mesh(a.elements), a.start(), a.end());
+    const auto of_b = first_contact(Mesh(b.elements), b.start(), b.end());
+    CAPTURE(round);
+    REQUIRE(time(apart) == std::min(time(of_a), time(of_b)));
+    REQUIRE(time(all) == std::min(time(apart), time(between)));
+    REQUIRE(all.at_start.size() == of_a.at_start.size() + of_b.at_start.size() + between.at_start.size());
+    between_parts += between.contact ? 1 : 0;
+  }
+  CHECK(between_parts > 0);
+}
+
+TEST_CASE("times that no double tells apart are compared exactly") {
+  // Two points fly at two faces. At first both meet them at 1/3; then the second meets its face later, by less than a
+  // double's spacing.
+  Scene scene;
+  scene.elements.vertex_count = 8;
+  scene.elements.faces = {{0, 1, 2}, {3, 4, 5}};
+  scene.x0 = {0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 0, 0, 6, 0, 0, 5, 1, 0, 0.25, 0.25, 1, 5.25, 0.25, 1};
+  scene.x1 = scene.x0;
+  scene.x1[20] = scene.x1[23] = -2;  // both at 1/3
+  FirstContact both = first_contact(Mesh(scene.elements), scene.start(), scene.end());
+  CHECK(both.first.size() == 2);
+  CHECK(both.toi < both.toi_upper);
+  CHECK(both.toi == 1.0 / 3);
+  // 2^52 / (3 2^52 - 1) is later than 1/3 by about 2^-55.2. Doubles there are 2^-54 apart, and 1/3 lies a third of that
+  // above a double.
+  scene.x0[20] = scene.x0[23] = 0x1p52;
+  scene.x1[20] = -0x1p53;
+  scene.x1[23] = -0x1p53 + 1;  // later
+  const FirstContact one = first_contact(Mesh(scene.elements), scene.start(), scene.end());
+  const auto parts = parts_of(scene.elements);
+  const MeshPair earlier{Kind::vertex_face, 6, 0}, later{Kind::vertex_face, 7, 1};
+  const Answer a = solve(query_between(scene, parts, earlier, scene.x0, scene.x1));
+  const Answer b = solve(query_between(scene, parts, later, scene.x0, scene.x1));
+  REQUIRE(a.toi == b.toi);  // or the case shows nothing
+  REQUIRE(a.toi_upper == b.toi_upper);
+  REQUIRE(one.first.size() == 1);
+  CHECK(one.first[0].pair == earlier);
+}
+
+TEST_CASE("a coordinate that is not finite is named, and positions that do not fit are refused") {
+  Scene scene;
+  scene.elements.vertex_count = 3;
+  scene.elements.faces = {{0, 1, 2}};
+  scene.x0 = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  scene.x1 = scene.x0;
+  const Mesh mesh(scene.elements);
+  const auto message = [&] {
+    try {
+      first_contact(mesh, scene.start(), scene.end());
+    } catch (const InvalidQuery& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  CHECK(message() == "no error");
+  scene.x1[7] = std::numeric_limits<double>::quiet_NaN();
+  CHECK(message() == "vertex 2 has y = nan at t = 1; coordinates must be finite");
+  scene.x0[3] = -std::numeric_limits<double>::infinity();
+  CHECK(message() == "vertex 1 has x = -inf at t = 0; coordinates must be finite");
+  scene.x0.push_back(0);
+  CHECK(message().find("those of 4 vertices, do not fit a mesh of 3 vertices") != std::string::npos);
+  CHECK_THROWS_AS(first_contact(mesh, {scene.x1, 2}, {scene.x1, 2}), InvalidQuery);
+  CHECK_THROWS_AS(first_contact(mesh, {nullptr, 3}, {nullptr, 3}), InvalidQuery);
+  scene.x1[7] = 1;
+  MeshOptions options;
+  options.threads = 1025;
+  CHECK_THROWS_AS(first_contact(mesh, scene.end(), scene.end(), options), InvalidQuery);
+  options.threads = 1;
+  options.t_max = 1.5;
+  CHECK_THROWS_AS(all_contacts(mesh, scene.end(), scene.end(), options), InvalidQuery);
+}

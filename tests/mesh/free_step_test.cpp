@@ -1,0 +1,250 @@
+// The path to the positions that free_step returns is free of contact, pair by pair, and as long as rounding lets it be.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <map>
+
+#include <touchstone/touchstone.hpp>
+
+#include "mesh/scenes.hpp"
+#include "numbers/exact_number.hpp"
+#include "support/catch.hpp"
+#include "support/slow_build.hpp"
+
+using namespace touchstone;
+using namespace touchstone::tests;
+using numbers::Exact;
+
+namespace {
+
+/// Whether no pair comes as near as its separation, on the path from x0 to `end`, by one query for each pair.
+bool path_is_free(const Scene& scene, const std::vector<double>& end) {
+  const Parts parts = parts_of(scene.elements);
+  const std::vector<MeshPair> pairs = all_pairs(scene.elements);
+  return std::none_of(pairs.begin(), pairs.end(), [&](const MeshPair& pair) {
+    const Separation separation{separation_between(scene, parts, pair), scene.elements.separation.metric};
+    return solve_any(query_between(scene, parts, pair, scene.x0, end), separation);
+  });
+}
+
+/// The distance from x to the next double of greater size.
+double unit_of(double x) { return std::nextafter(std::fabs(x), INFINITY) - std::fabs(x); }
+
+/// Whether `at` is a + length (b - a), but for a unit in its last place, or 2^-100 of |a| + |b|.
+bool is_rounded(double a, double b, double length, double at) {
+  const Exact error = Exact(a) + Exact(length) * (Exact(b) - Exact(a)) - Exact(at);
+  const Exact size = Exact(std::fabs(a)) + Exact(std::fabs(b));
+  const auto within = [&](const Exact& bound) { return !(bound < error) && !(error < -bound); };
+  return within(Exact(unit_of(at))) || within(Exact(0x1p-100) * size);
+}
+
+/// The greatest unit in the last place of the positions, and the least speed with which a pair that meets first closes
+/// in, by the distances just before and at the time of impact.
+double time_of_rounding(const Scene& scene, const FreeStep& step) {
+  double unit = 0;
+  for (const double x : scene.x0) unit = std::max(unit, unit_of(x));
+  for (const double x : scene.x1) unit = std::max(unit, unit_of(x));
+  const Parts parts = parts_of(scene.elements);
+  double speed = INFINITY;
+  for (const MeshContact& contact : step.contact.first) {
+    const Query query = query_between(scene, parts, contact.pair, scene.x0, scene.x1);
+    const double before = contact.answer.toi * (1 - 0x1p-12);
+    const double closed = distance(query, before, contact.separation.metric).value - contact.separation.distance;
+    speed = std::min(speed, closed / (contact.answer.toi - before));
+  }
+  return unit / speed;
+}
+
+}  // namespace
+
+TEST_CASE("the path of a free step is free by brute force, and ends at the rounded positions") {
+  seeded::Rng random(301);
+  std::map<StepOutcome, int> outcomes;
+  std::vector<double> lost;  // of shortened steps, in units of the time in which a coordinate's last bit passes
+  int most_proofs = 0;
+  for (std::size_t round = 0; round < effort(400); ++round) {
+    for (const Layout layout : kLayouts) {
+      Scene scene = random_scene(random, layout, 10);
+      if (random.one_in(2)) add_separation(random, scene);
+      if (random.one_in(4)) {  // far from the origin, where rounding is coarse
+        double size = 0;
+        for (const double x : scene.x0) size = std::max(size, std::fabs(x));
+        for (double& x : scene.x0) x += 1e9 * size;
+        for (double& x : scene.x1) x += 1e9 * size;
+      }
+      const Mesh mesh(scene.elements);
+      FreeStepOptions options;
+      options.threads = random.one_in(4) ? 2 : 1;
+      const FreeStep step = free_step(mesh, scene.start(), scene.end(), options);
+      ++outcomes[step.outcome];
+      most_proofs = std::max(most_proofs, step.proofs);
+      CAPTURE(round, scene.name, step.length);
+      REQUIRE(step.positions.size() == scene.x0.size());
+      switch (step.outcome) {
+        case StepOutcome::whole:
+          REQUIRE(step.length == 1);
+          REQUIRE(step.positions == scene.x1);
+          REQUIRE(path_is_free(scene, scene.x1));
+          break;
+        case StepOutcome::contact_at_start:
+          REQUIRE(step.length == 0);
+          REQUIRE(step.positions == scene.x0);
+          REQUIRE_FALSE(path_is_free(scene, scene.x0));
+          break;
+        case StepOutcome::no_room:
+          REQUIRE(step.positions == scene.x0);
+          REQUIRE(path_is_free(scene, scene.x0));
+          REQUIRE_FALSE(path_is_free(scene, scene.x1));
+          break;
+        case StepOutcome::shortened: {
+          REQUIRE(step.length > 0);
+          REQUIRE(step.positions != scene.x0);
+          REQUIRE(path_is_free(scene, step.positions));
+          REQUIRE_FALSE(path_is_free(scene, scene.x1));
+          const FirstContact whole = first_contact(mesh, scene.start(), scene.end());
+          REQUIRE(whole.toi == step.contact.toi);
+          REQUIRE((step.length < whole.toi || (step.length == whole.toi && whole.toi < whole.toi_upper)));
+          const double rounding = std::max(time_of_rounding(scene, step), 0x1p-53 * whole.toi);
+          lost.push_back((whole.toi - step.length) / rounding);
+          break;
+        }
+      }
+      for (std::size_t i = 0; i < step.positions.size(); ++i) {
+        const double a = scene.x0[i], b = scene.x1[i], at = step.positions[i];
+        if (step.length > 0) REQUIRE(is_rounded(a, b, step.length, at));
+        REQUIRE(std::clamp(at, std::min(a, b), std::max(a, b)) == at);
+      }
+    }
+  }
+  std::sort(lost.begin(), lost.end());
+  REQUIRE(lost.size() > 10);
+  const auto quantile = [&](double q) {
+    return lost[static_cast<std::size_t>(q * static_cast<double>(lost.size() - 1))];
+  };
+  std::printf("steps: %d whole, %d shortened, %d without room, %d in contact at the start; at most %d proofs\n",
+              outcomes[StepOutcome::whole], outcomes[StepOutcome::shortened], outcomes[StepOutcome::no_room],
+              outcomes[StepOutcome::contact_at_start], most_proofs);
+  std::printf("time given away, in units of the rounding: median %.3g, 90 %% %.3g, 99 %% %.3g, most %.3g\n",
+              quantile(0.5), quantile(0.9), quantile(0.99), lost.back());
+  for (const StepOutcome outcome : {StepOutcome::whole, StepOutcome::shortened, StepOutcome::contact_at_start}) {
+    CHECK((outcomes[outcome] > 0 || !whole_effort("each outcome of a step is seen")));
+  }
+  CHECK(quantile(0.5) < 1);
+  CHECK(lost.back() < 4);
+}
+
+TEST_CASE("a step towards a face stops at the last double above it") {
+  Scene scene;
+  scene.elements.vertex_count = 4;
+  scene.elements.faces = {{0, 1, 2}};
+  scene.x0 = {0, 0, 1, 1, 0, 1, 0, 1, 1, 0.25, 0.25, 2};
+  scene.x1 = scene.x0;
+  scene.x1[11] = 0;  // meets z = 1 at 1/2
+  const Mesh mesh(scene.elements);
+  const FreeStep step = free_step(mesh, scene.start(), scene.end());
+  CHECK(step.outcome == StepOutcome::shortened);
+  CHECK(step.positions[11] == std::nextafter(1.0, 2));
+  CHECK(step.length < 0.5);
+  CHECK(step.length > 0.5 - 0x1p-52);
+
+  // A vertex one double above the face has no room, though the contact is later than 0.
+  scene.x0[11] = std::nextafter(1.0, 2);
+  scene.x1[11] = 1;
+  const FreeStep none = free_step(mesh, scene.start(), scene.end());
+  CHECK(none.outcome == StepOutcome::no_room);
+  CHECK(none.positions == scene.x0);
+  CHECK(none.length > 0);
+  CHECK(none.contact.toi == 1);
+
+  // In contact at the start.
+  scene.x0[11] = 1;
+  const FreeStep stuck = free_step(mesh, scene.start(), scene.end());
+  CHECK(stuck.outcome == StepOutcome::contact_at_start);
+  REQUIRE(stuck.contact.at_start.size() == 1);
+  CHECK(stuck.contact.at_start[0].pair == MeshPair{Kind::vertex_face, 3, 0});
+}
+
+TEST_CASE("a line search that steps and asks again is always free, and comes to rest") {
+  seeded::Rng random(302);
+  int steps = 0;
+  for (std::size_t round = 0; round < effort(60); ++round) {
+    Scene scene = random_scene(random, kLayouts[round % kLayouts.size()], 10);
+    const Mesh mesh(scene.elements);
+    if (!first_contact(mesh, scene.start(), scene.start()).at_start.empty()) continue;
+    for (int i = 0; i < 20; ++i) {
+      const FreeStep step = free_step(mesh, scene.start(), scene.end());
+      REQUIRE(step.outcome != StepOutcome::contact_at_start);
+      scene.x0 = step.positions;
+      ++steps;
+      if (step.outcome != StepOutcome::shortened) break;
+    }
+    CHECK(first_contact(mesh, scene.start(), scene.start()).free());
+  }
+  CHECK(steps > 5);
+}
+
+TEST_CASE("a step keeps a fraction of every distance") {
+  seeded::Rng random(303);
+  std::map<StepOutcome, int> outcomes;
+  for (std::size_t round = 0; round < effort(60); ++round) {
+    for (const Layout layout : kLayouts) {
+      Scene scene = random_scene(random, layout, 10);
+      if (random.one_in(3)) add_separation(random, scene);
+      const Mesh mesh(scene.elements);
+      FreeStepOptions options;
+      options.kept_fraction = random.pick(std::array<double, 4>{0.1, 0.5, 0.9, 1e-3});
+      const FreeStep step = free_step(mesh, scene.start(), scene.end(), options);
+      ++outcomes[step.outcome];
+      if (step.outcome == StepOutcome::contact_at_start) continue;
+      CAPTURE(round, scene.name, options.kept_fraction, step.length);
+      const Parts parts = parts_of(scene.elements);
+      const Metric metric = scene.elements.separation.metric;
+      bool least_lost = step.outcome == StepOutcome::whole;
+      for (const MeshPair& pair : all_pairs(scene.elements)) {
+        const double d = separation_between(scene, parts, pair);
+        const Query path = query_between(scene, parts, pair, scene.x0, step.positions);
+        const double at_start = distance(path, 0, metric).value;
+        // A double or two below the distance that is to be kept.
+        const double kept = (d + options.kept_fraction * (at_start - d)) * (1 - 0x1p-50);
+        REQUIRE_FALSE(solve_any(path, {kept, metric}));
+        const Query whole = query_between(scene, parts, pair, scene.x0, scene.x1);
+        const double more = (d + options.kept_fraction * (at_start - d)) * (1 + 0x1p-45);
+        const Answer answer = solve(whole, {more, metric});
+        if (answer.contact && answer.toi <= step.length * (1 + 0x1p-20)) least_lost = true;
+      }
+      if (step.outcome == StepOutcome::shortened && step.length > 1e-6) REQUIRE(least_lost);
+    }
+  }
+  CHECK(outcomes[StepOutcome::shortened] > 0);
+  CHECK(outcomes[StepOutcome::whole] > 0);
+  Scene scene = random_scene(random, Layout::soup, 10);
+  FreeStepOptions options;
+  for (const double bad : {-0.1, 1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    options.kept_fraction = bad;
+    CHECK_THROWS_AS(free_step(Mesh(scene.elements), scene.start(), scene.end(), options), InvalidQuery);
+  }
+}
+
+TEST_CASE("one thread and several take the same step") {
+  seeded::Rng random(304);
+  for (const Layout layout : kLayouts) {
+    const Scene scene = random_scene(random, layout, 16);
+    const Mesh mesh(scene.elements);
+    FreeStepOptions options;
+    for (const double fraction : {0.0, 0.2}) {
+      options.kept_fraction = fraction;
+      options.threads = 1;
+      const FreeStep one = free_step(mesh, scene.start(), scene.end(), options);
+      for (const int threads : {2, 5, 64}) {
+        options.threads = threads;
+        const FreeStep other = free_step(mesh, scene.start(), scene.end(), options);
+        CHECK(one.outcome == other.outcome);
+        CHECK(one.length == other.length);
+        CHECK(one.positions == other.positions);
+        CHECK(one.proofs == other.proofs);
+      }
+    }
+  }
+}
