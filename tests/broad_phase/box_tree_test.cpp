@@ -3,8 +3,10 @@
 // SPDX-License-Identifier: MIT
 #include "broad_phase/box_tree.hpp"
 
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <set>
 #include <utility>
 
@@ -125,6 +127,55 @@ TEST_CASE("each pair of boxes that meet is found once, and no other") {
   broad_phase::for_each_pair({}, [](std::uint32_t, std::uint32_t) { FAIL("there is nothing"); });
   broad_phase::for_each_pair({}, {broad_phase::empty_moving_box()},
                              [](std::uint32_t, std::uint32_t) { FAIL("there is nothing"); });
+}
+
+TEST_CASE("blocks of pairs hold each pair once, whatever the threads, and those that meet by a time") {
+  seeded::Rng random(13);
+  for (const std::size_t count : {1, 8, 9, 3000, 6000}) {
+    const auto a = random_boxes(random, count, count / 1000, 1), b = random_boxes(random, count / 2 + 1, 1, 1);
+    const auto tree_of = [](const std::vector<MovingBox>& boxes, int threads) {
+      return broad_phase::BoxTree(
+          boxes.size(), [&](std::uint32_t i) { return boxes[i]; }, threads);
+    };
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> in_order;
+    broad_phase::for_each_pair(a, [&](std::uint32_t i, std::uint32_t j) { in_order.push_back({i, j}); });
+    const Pairs expected(in_order.begin(), in_order.end());
+    Pairs expected_across;
+    broad_phase::for_each_pair(a, b, [&](std::uint32_t i, std::uint32_t j) { expected_across.insert({i, j}); });
+    for (const int threads : {1, 2, 5, 64}) {
+      CAPTURE(count, threads);
+      std::mutex lock;
+      std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
+      const auto take = [&](const broad_phase::Pair* pairs, std::size_t size) {
+        const std::lock_guard<std::mutex> guard(lock);
+        for (std::size_t i = 0; i < size; ++i) found.push_back({pairs[i][0], pairs[i][1]});
+      };
+      broad_phase::PairSearch search;
+      search.threads = threads;
+      const auto tree = tree_of(a, threads), other = tree_of(b, threads);
+      broad_phase::for_each_pair_block(tree, search, take);
+      if (threads == 1) CHECK(found == in_order);
+      CHECK(found.size() == expected.size());
+      CHECK(Pairs(found.begin(), found.end()) == expected);
+
+      found.clear();
+      broad_phase::for_each_pair_block(tree, other, search, take);
+      CHECK(found.size() == expected_across.size());
+      CHECK(Pairs(found.begin(), found.end()) == expected_across);
+
+      found.clear();
+      const std::atomic<double> until{0.125};
+      search.until = &until;
+      broad_phase::for_each_pair_block(tree, search, take);
+      const Pairs early(found.begin(), found.end());
+      std::size_t lost = 0;
+      for (const auto& pair : expected) {
+        if (broad_phase::meet(a[pair.first], a[pair.second], 0.125) && early.count(pair) == 0) ++lost;
+      }
+      CHECK(lost == 0);
+      CHECK((count < 1000 || early.size() < expected.size()));
+    }
+  }
 }
 
 TEST_CASE("boxes that are all alike, or in one place at one end of the step, make no deep tree and lose no pair") {

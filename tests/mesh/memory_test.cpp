@@ -1,0 +1,145 @@
+// The bytes for each element that the header states: of a mesh, and of the questions about it. The test counts what
+// operator new hands out.
+// SPDX-License-Identifier: MIT
+#include <malloc.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+#include <touchstone/touchstone.hpp>
+
+#include "seeded/rng.hpp"
+#include "support/catch.hpp"
+#include "support/slow_build.hpp"
+
+namespace {
+
+std::atomic<std::size_t> held{0}, most_held{0};
+
+void* counted(void* memory) {
+  if (memory == nullptr) throw std::bad_alloc();
+  const std::size_t now = held += malloc_usable_size(memory);
+  std::size_t most = most_held;
+  while (most < now && !most_held.compare_exchange_weak(most, now)) {
+  }
+  return memory;
+}
+
+void release(void* memory) noexcept {
+  if (memory == nullptr) return;
+  held -= malloc_usable_size(memory);
+  std::free(memory);
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return counted(std::malloc(size == 0 ? 1 : size)); }
+void* operator new[](std::size_t size) { return counted(std::malloc(size == 0 ? 1 : size)); }
+void operator delete(void* memory) noexcept { release(memory); }
+void operator delete[](void* memory) noexcept { release(memory); }
+void operator delete(void* memory, std::size_t) noexcept { release(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { release(memory); }
+
+using namespace touchstone;
+
+namespace {
+
+/// The most bytes that are held during `work`, beyond those held before it.
+template <class Work>
+std::size_t most_bytes(const Work& work) {
+  const std::size_t before = held;
+  most_held = before;
+  work();
+  return most_held - before;
+}
+
+struct Case {
+  const char* name;
+  MeshElements elements;
+  std::vector<double> x0, x1;
+};
+
+/// A waving sheet of n x n squares.
+Case sheet(std::size_t n) {
+  Case one{"sheet", {}, {}, {}};
+  one.elements.vertex_count = (n + 1) * (n + 1);
+  const auto number = [n](std::size_t i, std::size_t j) { return static_cast<MeshIndex>(i * (n + 1) + j); };
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      one.elements.faces.push_back({number(i, j), number(i + 1, j), number(i, j + 1)});
+      one.elements.faces.push_back({number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)});
+    }
+  }
+  seeded::Rng random(1);
+  for (std::size_t i = 0; i <= n; ++i) {
+    for (std::size_t j = 0; j <= n; ++j) {
+      for (const double x : {static_cast<double>(i), static_cast<double>(j), 0.0}) {
+        one.x0.push_back(x + 0.1 * random.symmetric());
+        one.x1.push_back(one.x0.back() + 0.1 * random.symmetric());
+      }
+    }
+  }
+  return one;
+}
+
+/// Elements without order: `count` faces, or edges, or points, that are small and apart.
+Case scattered(const char* name, std::size_t corners, std::size_t count) {
+  Case one{name, {}, {}, {}};
+  one.elements.vertex_count = corners * count;
+  seeded::Rng random(2);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto first = static_cast<MeshIndex>(corners * i);
+    if (corners == 3) one.elements.faces.push_back({first, first + 1, first + 2});
+    if (corners == 2) one.elements.edges.push_back({first, first + 1});
+    const double at[3] = {100 * random.unit(), 100 * random.unit(), 100 * random.unit()};
+    for (std::size_t c = 0; c < corners; ++c) {
+      for (const double x : at) {
+        one.x0.push_back(x + 0.1 * random.symmetric());
+        one.x1.push_back(one.x0.back() + 0.1 * random.symmetric());
+      }
+    }
+  }
+  return one;
+}
+
+}  // namespace
+
+TEST_CASE("a mesh and its questions need the stated number of bytes for each element") {
+  const std::size_t size = TOUCHSTONE_SLOW_BUILD ? 40 : 150;
+  for (Case& one : std::vector<Case>{sheet(size), scattered("faces", 3, size * size),
+                                     scattered("edges", 2, size * size), scattered("points", 1, size * size)}) {
+    const std::size_t faces = one.elements.faces.size(), given_edges = one.elements.edges.size();
+    const std::size_t vertices = one.elements.vertex_count;
+    const std::size_t before = held;
+    Mesh mesh;
+    const std::size_t making = most_bytes([&] { mesh = Mesh(one.elements); });
+    const std::size_t kept = held - before;
+    const std::size_t edges = mesh.edges().size(), points = mesh.points().size();
+    const std::size_t wires = faces == 0 ? edges : 0;
+    const std::size_t slack = 4096;
+    const std::size_t of_mesh = 12 * faces + 8 * edges + 4 * wires + 4 * vertices + 4 * points;
+    std::printf("%s: %zu faces, %zu edges, %zu vertices: the mesh %zu bytes, %zu while it is made", one.name, faces,
+                edges, vertices, kept, making);
+    CAPTURE(one.name);
+    CHECK(kept <= of_mesh + of_mesh / 50 + slack + (faces == 0 ? of_mesh : 0));  // lists that grew have room to spare
+    CHECK(making <= of_mesh + 40 * faces + 28 * given_edges + 8 * vertices + slack);
+
+    const Positions x0(one.x0, 3), x1(one.x1, 3);
+    for (const int threads : {1, 2}) {
+      MeshOptions options;
+      options.threads = threads;
+      std::size_t contacts = 0;
+      const std::size_t asking = most_bytes([&] { contacts = first_contact(mesh, x0, x1, options).first.size(); });
+      const std::size_t boxes = std::max({edges, faces + vertices, points + wires});
+      const double each = static_cast<double>(asking - std::min(asking, 48 * vertices)) / static_cast<double>(boxes);
+      std::printf("; first_contact on %d threads: %zu, 48 a vertex and %.0f a box", threads, asking, each);
+      CHECK(asking > 100 * edges);  // or nothing is counted
+      if (size > 100) CHECK(each <= 240);
+    }
+    std::printf("\n");
+  }
+}
