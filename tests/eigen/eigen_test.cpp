@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include <Eigen/Dense>
 
+#include <array>
+#include <cstdint>
 #include <cstring>
 #include <limits>
+#include <vector>
 
 #include <touchstone/eigen.hpp>
 #include <touchstone/touchstone.hpp>
@@ -120,4 +123,49 @@ TEST_CASE("a query from Eigen is solved, and its weights go back to Eigen") {
   CHECK(answer.toi == 0.5);
   CHECK(touchstone::to_eigen(answer.weights_a) == Vector3d(0.5, 0.5, 0));
   CHECK(touchstone::to_eigen(Vec3{1, 2, 3}) == Vector3d(1, 2, 3));
+}
+
+TEST_CASE("positions and elements of a mesh are those of matrices, in either storage order") {
+  const MatrixXd by_columns = numbered(5, 0);
+  const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> by_rows = by_columns;
+  const auto at = [](const touchstone::Positions& x, int vertex, int k) {
+    return x.data[vertex * x.vertex_stride + k * x.coordinate_stride];
+  };
+  for (int vertex = 0; vertex < 5; ++vertex) {
+    for (int k = 0; k < 3; ++k) {
+      CHECK(at(touchstone::to_positions(by_columns), vertex, k) == by_columns(vertex, k));
+      CHECK(at(touchstone::to_positions(by_rows), vertex, k) == by_columns(vertex, k));
+      if (vertex < 3)
+        CHECK(at(touchstone::to_positions(by_rows.middleRows(2, 3)), vertex, k) == by_rows(vertex + 2, k));
+      if (k < 2) CHECK(at(touchstone::to_positions(by_columns.rightCols(2)), vertex, k) == by_columns(vertex, k + 1));
+    }
+  }
+  CHECK(touchstone::to_positions(by_columns).count == 5);
+  CHECK(touchstone::to_positions(by_columns.leftCols<2>()).dimension == 2);
+  CHECK_THROWS_AS(touchstone::to_positions(by_columns.leftCols(1)), touchstone::InvalidQuery);
+
+  Eigen::MatrixXi faces(2, 3);
+  faces << 0, 1, 2, 2, 1, 3;
+  CHECK(touchstone::to_elements<3>(faces) == std::vector<std::array<touchstone::MeshIndex, 3>>{{0, 1, 2}, {2, 1, 3}});
+  CHECK_THROWS_AS(touchstone::to_elements<2>(faces), touchstone::InvalidMesh);
+  faces(1, 2) = -1;
+  CHECK_THROWS_AS(touchstone::to_elements<3>(faces), touchstone::InvalidMesh);
+  const Eigen::Matrix<std::int64_t, 1, 2> large(0, std::int64_t{1} << 32);
+  CHECK_THROWS_AS(touchstone::to_elements<2>(large), touchstone::InvalidMesh);
+  CHECK(touchstone::to_elements<2>(Eigen::Matrix<std::uint64_t, 1, 2>(7, 9))[0][1] == 9);
+
+  // A vertex falls on a face: the same answer from columns and from rows.
+  MatrixXd start(4, 3);
+  start << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0.25, 0.25, 1;
+  MatrixXd end = start;
+  end(3, 2) = -1;
+  touchstone::MeshElements elements;
+  elements.vertex_count = 4;
+  elements.faces = {{0, 1, 2}};
+  const touchstone::Mesh mesh(elements);
+  const Eigen::Matrix<double, 4, 3, Eigen::RowMajor> end_by_rows = end;
+  const auto step = touchstone::free_step(mesh, touchstone::to_positions(start), touchstone::to_positions(end_by_rows));
+  CHECK(step.contact.toi == 0.5);
+  CHECK(touchstone::to_matrix(step.positions)(3, 2) > 0);
+  CHECK(touchstone::to_matrix(step.positions).topRows(3) == start.topRows(3));
 }
