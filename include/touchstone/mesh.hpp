@@ -57,6 +57,12 @@ struct CollisionRules {
   std::vector<std::array<MeshIndex, 2>> group_pairs;  ///< pairs of groups, in any order; {3, 3} is within group 3
 };
 
+/// The separation of one pair.
+struct PairSeparation {
+  MeshPair pair;        ///< the elements
+  double distance = 0;  ///< in place of every other separation of this pair; finite and not negative
+};
+
 /// What a mesh is made of.
 struct MeshElements {
   std::size_t vertex_count = 0;  ///< the number of vertices, below 2^32
@@ -83,6 +89,9 @@ struct MeshElements {
   /// element's radius is the largest of its vertices' radii. The separation of a pair is the sum of its two elements'
   /// radii; a sum that is no double is rounded up. The metric is separation.metric.
   std::vector<double> radii;
+
+  /// Separations of single pairs, each pair once. Their metric is separation.metric.
+  std::vector<PairSeparation> pair_separations;
 };
 
 /// A mesh whose elements were checked. It is immutable, and several threads may use one object. A copy is cheap.

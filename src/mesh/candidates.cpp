@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <mutex>
 
 #include "mesh/pair_distance.hpp"
@@ -122,6 +123,15 @@ Reach reach_of_separations(const Mesh::Impl& mesh) {
   if (mesh.separation.distance > 0) reach.same = std::max(reach.same, std::numeric_limits<double>::min());
   reach.of_vertices.reserve(mesh.radii.size());
   for (const double radius : mesh.radii) reach.of_vertices.push_back(with_room(radius));
+  if (mesh.pair_separations.empty()) return reach;
+  if (reach.of_vertices.empty()) reach.of_vertices.assign(mesh.vertex_count, reach.same);
+  for (const PairSeparation& separation : mesh.pair_separations) {
+    const double half = std::max(with_room(separation.distance / 2), std::numeric_limits<double>::min());
+    const auto corners = corners_of(mesh, separation.pair);
+    for (std::size_t c = 0; c < corner_count(separation.pair.kind); ++c) {
+      reach.of_vertices[corners[c]] = std::max(reach.of_vertices[corners[c]], half);
+    }
+  }
   return reach;
 }
 

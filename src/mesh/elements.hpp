@@ -23,6 +23,7 @@ struct Mesh::Impl {
 
   Separation separation;
   std::vector<double> radii;
+  std::vector<PairSeparation> pair_separations;  // by pair, in ascending order
 
   // The rules; pairs as one number, the lesser one in its upper half, in ascending order.
   std::vector<std::uint64_t> vertex_pairs;

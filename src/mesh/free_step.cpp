@@ -145,7 +145,7 @@ Motion path_of(const Motion& step, double length, int threads) {
 bool is_in_contact(const Mesh::Impl& mesh, const Motion& step, const std::vector<MeshContact>& at_start) {
   return std::any_of(at_start.begin(), at_start.end(), [&](const MeshContact& contact) {
     const auto corners = corners_of(mesh, contact.pair);
-    const Separation separation{separation_of(mesh, contact.pair.kind, corners), mesh.separation.metric};
+    const Separation separation{separation_of(mesh, contact.pair, corners), mesh.separation.metric};
     return compare_distance(query_of(step, contact.pair.kind, corners), 0, separation) <= 0;
   });
 }

@@ -157,6 +157,14 @@ void find_points(Mesh::Impl& mesh, const std::optional<std::vector<Index>>& give
   }
 }
 
+constexpr double kGreatestRadius = std::numeric_limits<double>::max() / 4;  // sums and boxes stay finite
+
+std::string number_text(double x) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.17g", x);
+  return digits;
+}
+
 void check_radii(const Mesh::Impl& mesh) {
   solver::validate(mesh.separation);
   if (mesh.radii.empty()) return;
@@ -167,12 +175,9 @@ void check_radii(const Mesh::Impl& mesh) {
   if (mesh.separation.distance != 0) {
     throw InvalidMesh("there is both a separation for all pairs and a radius for each vertex; give one of them");
   }
-  constexpr double kMost = std::numeric_limits<double>::max() / 4;  // so that sums and boxes stay finite
   for (std::size_t v = 0; v < mesh.radii.size(); ++v) {
-    if (mesh.radii[v] >= 0 && mesh.radii[v] <= kMost) continue;
-    char number[32];
-    std::snprintf(number, sizeof number, "%.17g", mesh.radii[v]);
-    throw InvalidMesh("vertex " + text(v) + " has the radius " + number +
+    if (mesh.radii[v] >= 0 && mesh.radii[v] <= kGreatestRadius) continue;
+    throw InvalidMesh("vertex " + text(v) + " has the radius " + number_text(mesh.radii[v]) +
                       "; a radius must be finite, not negative, and at most a quarter of the greatest double");
   }
 }
@@ -191,6 +196,25 @@ void check_pair(const Mesh::Impl& mesh, const std::string& who, const MeshPair& 
   if (pair.kind == Kind::vertex_face) check_index(who, pair.second, mesh.faces.size(), "face", "faces");
   if (pair.kind == Kind::point_edge) check_edge(pair.second);
   if (pair.kind == Kind::point_point) check_vertex(pair.second);
+}
+
+void take_pair_separations(Mesh::Impl& mesh, std::vector<PairSeparation> separations) {
+  for (std::size_t i = 0; i < separations.size(); ++i) {
+    check_pair(mesh, "pair separation " + text(i), separations[i].pair);
+    if (separations[i].distance >= 0 && separations[i].distance <= kGreatestRadius) continue;
+    throw InvalidMesh("pair separation " + text(i) + " is " + number_text(separations[i].distance) +
+                      "; it must be finite, not negative, and at most a quarter of the greatest double");
+  }
+  for (PairSeparation& separation : separations) separation.pair = mesh::in_order(separation.pair);
+  std::stable_sort(separations.begin(), separations.end(),
+                   [](const PairSeparation& a, const PairSeparation& b) { return a.pair < b.pair; });
+  for (std::size_t i = 1; i < separations.size(); ++i) {
+    const MeshPair& pair = separations[i].pair;
+    if (pair != separations[i - 1].pair) continue;
+    throw InvalidMesh("two pair separations are about one pair, " + std::string(kind_name(pair.kind)) + " " +
+                      text(pair.first) + " and " + text(pair.second) + "; each pair may be given once");
+  }
+  mesh.pair_separations = std::move(separations);
 }
 
 std::vector<std::uint64_t> sorted_pairs(const std::vector<std::array<Index, 2>>& pairs) {
@@ -268,6 +292,7 @@ Mesh::Mesh(MeshElements elements) {
   impl->radii = std::move(elements.radii);
   check_radii(*impl);
   take_rules(*impl, std::move(elements.rules));
+  take_pair_separations(*impl, std::move(elements.pair_separations));
   impl_ = std::move(impl);
 }
 
@@ -302,7 +327,7 @@ bool Mesh::may_collide(const MeshPair& pair) const {
 Separation Mesh::separation(const MeshPair& pair) const {
   const numbers::DefaultFloatEnvironment environment;
   check_pair(*impl_, "the pair", pair);
-  return {mesh::separation_of(*impl_, pair.kind, mesh::corners_of(*impl_, pair)), impl_->separation.metric};
+  return {mesh::separation_of(*impl_, pair, mesh::corners_of(*impl_, pair)), impl_->separation.metric};
 }
 
 std::array<MeshIndex, 4> Mesh::corners(const MeshPair& pair) const {

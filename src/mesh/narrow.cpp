@@ -55,13 +55,13 @@ double KeptDistances::kept(double separation, double at_start) const noexcept {
   return std::min(all, std::numeric_limits<double>::max());
 }
 
-double KeptDistances::bound(Kind kind, const std::array<Index, 4>& corners) const {
-  const double separation = separation_of(mesh_, kind, corners);
+double KeptDistances::bound(const MeshPair& pair, const std::array<Index, 4>& corners) const {
+  const double separation = separation_of(mesh_, pair, corners);
   if (fraction_ == 0) return separation;
   // The distance of the elements is at most that of their nearest corners.
   double nearest = kInfinity;
-  for (std::size_t i = 0; i < first_corners(kind); ++i) {
-    for (std::size_t j = first_corners(kind); j < corner_count(kind); ++j) {
+  for (std::size_t i = 0; i < first_corners(pair.kind); ++i) {
+    for (std::size_t j = first_corners(pair.kind); j < corner_count(pair.kind); ++j) {
       const Vec3 &a = motion_[corners[i]].start, &b = motion_[corners[j]].start;
       nearest = std::min(nearest, std::hypot(a.x - b.x, a.y - b.y, a.z - b.z));
     }
@@ -69,10 +69,10 @@ double KeptDistances::bound(Kind kind, const std::array<Index, 4>& corners) cons
   return kept(separation, with_room(nearest));
 }
 
-double KeptDistances::exact(Kind kind, const std::array<Index, 4>& corners) const {
-  const double separation = separation_of(mesh_, kind, corners);
+double KeptDistances::exact(const MeshPair& pair, const std::array<Index, 4>& corners) const {
+  const double separation = separation_of(mesh_, pair, corners);
   if (fraction_ == 0) return separation;
-  const double at_start = distance(query_of(motion_, kind, corners), 0, metric()).value;  // the nearest double
+  const double at_start = distance(query_of(motion_, pair.kind, corners), 0, metric()).value;  // the nearest double
   return kept(separation, at_start == 0 ? 0 : std::nextafter(at_start, kInfinity));
 }
 
@@ -86,9 +86,10 @@ void for_each_contact(const Mesh::Impl& mesh, const Motion& motion, const KeptDi
     const std::size_t size = std::min(ColumnBlock::kQueries, count - begin);
     columns.clear();
     for (std::size_t i = 0; i < size; ++i) {
-      const auto& corners = workspace->corners[i] = corners_of(mesh, {kind, pairs[begin + i][0], pairs[begin + i][1]});
+      const MeshPair pair{kind, pairs[begin + i][0], pairs[begin + i][1]};
+      const auto& corners = workspace->corners[i] = corners_of(mesh, pair);
       for (std::size_t c = 0; c < corners_each; ++c) columns.set(c, motion[corners[c]].start, motion[corners[c]].end);
-      if (!without_distances) workspace->distances[i] = distances.bound(kind, corners);
+      if (!without_distances) workspace->distances[i] = distances.bound(pair, corners);
       columns.finish_query();
     }
     columns.solve(t_max, distances.metric(), without_distances ? nullptr : workspace->distances);
@@ -100,7 +101,7 @@ void for_each_contact(const Mesh::Impl& mesh, const Motion& motion, const KeptDi
         contact(pair, without_distances ? 0 : workspace->distances[i], answer);
         continue;
       }
-      const double distance = distances.exact(kind, workspace->corners[i]);
+      const double distance = distances.exact(pair, workspace->corners[i]);
       const Answer own =
           touchstone::solve(query_of(motion, kind, workspace->corners[i]), {distance, distances.metric()}, t_max);
       if (own.contact) contact(pair, distance, own);

@@ -23,14 +23,16 @@ class KeptDistances {
       : mesh_(mesh), motion_(motion), fraction_(fraction) {}
 
   /// Whether every pair is only asked to touch nothing.
-  bool are_zero() const noexcept { return fraction_ == 0 && mesh_.radii.empty() && mesh_.separation.distance == 0; }
+  bool are_zero() const noexcept {
+    return fraction_ == 0 && mesh_.radii.empty() && mesh_.pair_separations.empty() && mesh_.separation.distance == 0;
+  }
   Metric metric() const noexcept { return mesh_.separation.metric; }
 
   /// A distance that is at least that of the pair, and fast to find.
-  double bound(Kind kind, const std::array<Index, 4>& corners) const;
+  double bound(const MeshPair& pair, const std::array<Index, 4>& corners) const;
   bool bounds_are_exact() const noexcept { return fraction_ == 0; }
 
-  double exact(Kind kind, const std::array<Index, 4>& corners) const;
+  double exact(const MeshPair& pair, const std::array<Index, 4>& corners) const;
 
  private:
   double kept(double separation, double at_start) const noexcept;

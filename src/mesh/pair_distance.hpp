@@ -21,12 +21,24 @@ inline double sum_upwards(double a, double b) noexcept {
   return error > 0 ? std::nextafter(sum, std::numeric_limits<double>::infinity()) : sum;
 }
 
-/// The separation of the pair of this kind with these corners.
-inline double separation_of(const Mesh::Impl& mesh, Kind kind, const std::array<Index, 4>& corners) noexcept {
+/// The separation of a pair that is listed, or null.
+inline const PairSeparation* listed_separation(const Mesh::Impl& mesh, const MeshPair& pair) noexcept {
+  const MeshPair wanted = in_order(pair);
+  const auto found = std::lower_bound(mesh.pair_separations.begin(), mesh.pair_separations.end(), wanted,
+                                      [](const PairSeparation& one, const MeshPair& two) { return one.pair < two; });
+  return found != mesh.pair_separations.end() && found->pair == wanted ? &*found : nullptr;
+}
+
+/// The separation of the pair, which has these corners.
+inline double separation_of(const Mesh::Impl& mesh, const MeshPair& pair,
+                            const std::array<Index, 4>& corners) noexcept {
+  if (!mesh.pair_separations.empty()) {
+    if (const PairSeparation* listed = listed_separation(mesh, pair)) return listed->distance;
+  }
   if (mesh.radii.empty()) return mesh.separation.distance;
   double first = 0, second = 0;
-  for (std::size_t c = 0; c < corner_count(kind); ++c) {
-    double& radius = c < first_corners(kind) ? first : second;
+  for (std::size_t c = 0; c < corner_count(pair.kind); ++c) {
+    double& radius = c < first_corners(pair.kind) ? first : second;
     radius = std::max(radius, mesh.radii[corners[c]]);
   }
   return sum_upwards(first, second);

@@ -151,6 +151,8 @@ TEST_CASE("the contacts of a mesh are those of all pairs by brute force") {
       }
       if (separated) add_separation(random, scene);
       if (with_rules) add_rules(random, scene);
+      const bool by_pair = separated && random.one_in(2);
+      if (by_pair) add_pair_separations(random, scene);
       const Mesh mesh(scene.elements);
       MeshOptions options;
       options.t_max = random.one_in(3) ? random.unit() : 1;
@@ -173,6 +175,7 @@ TEST_CASE("the contacts of a mesh are those of all pairs by brute force") {
       seen.add(scene.name + " with contact at the start", !found.at_start.empty());
       seen.add("several first contacts", found.first.size() > 1);
       seen.add(scene.name + " with pairs that are no candidates", near.size() < asked.size());
+      seen.add("separations of pairs", by_pair && found.contact);
       seen.add("extreme coordinates", extreme && found.contact);
       seen.add("rules that exclude", with_rules && found.contact);
     }
@@ -187,6 +190,7 @@ TEST_CASE("a pair may collide as the rules say, and has the separation of its ra
       Scene scene = random_scene(random, layout, 20);
       add_separation(random, scene);
       add_rules(random, scene);
+      add_pair_separations(random, scene);
       const Mesh mesh(scene.elements);
       const Parts parts = parts_of(scene.elements);
       REQUIRE(mesh.edges() == parts.edges);

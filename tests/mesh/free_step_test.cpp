@@ -69,6 +69,7 @@ TEST_CASE("the path of a free step is free by brute force, and ends at the round
     for (const Layout layout : kLayouts) {
       Scene scene = random_scene(random, layout, 10);
       if (random.one_in(2)) add_separation(random, scene);
+      if (random.one_in(6)) add_pair_separations(random, scene);
       if (random.one_in(4)) {  // far from the origin, where rounding is coarse
         double size = 0;
         for (const double x : scene.x0) size = std::max(size, std::fabs(x));

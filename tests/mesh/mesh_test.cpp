@@ -121,6 +121,14 @@ TEST_CASE("each fault of a mesh is named") {
   bad = sound();
   bad.rules.element_pairs = {{Kind::edge_edge, 0, 6}};
   CHECK(fault(bad) == "element pair 0 of the rules names edge 6, and the mesh has 6 edges (0 to 5)");
+  bad.pair_separations = {{{Kind::vertex_face, 3, 0}, 1}, {{Kind::edge_edge, 0, 9}, 1}};
+  bad.rules.element_pairs.clear();
+  CHECK(fault(bad) == "pair separation 1 names edge 9, and the mesh has 6 edges (0 to 5)");
+  bad.pair_separations = {{{Kind::edge_edge, 0, 3}, 1}, {{Kind::edge_edge, 3, 0}, 2}};
+  CHECK(fault(bad) == "two pair separations are about one pair, edge-edge 0 and 3; each pair may be given once");
+  bad.pair_separations = {{{Kind::edge_edge, 0, 3}, -1}};
+  CHECK(fault(bad).find("pair separation 0 is -1; it must be finite, not negative") == 0);
+  bad.pair_separations.clear();
   bad.rules.element_pairs = {{static_cast<Kind>(9), 0, 0}};
   CHECK(fault(bad).find("query: the kind is 9") == 0);
 }
