@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -190,8 +191,11 @@ struct MeshContact {
 struct FirstContact {
   /// Whether two elements that are not in contact at the start come into contact in [0, t_max].
   bool contact = false;
-  double toi = 0;        ///< the largest double <= the exact first time of such a contact; infinity without one
-  double toi_upper = 0;  ///< the smallest double >= this time; infinity without contact
+
+  /// The largest double <= the exact first time of such a contact; infinity without one.
+  double toi = std::numeric_limits<double>::infinity();
+  /// The smallest double >= this time; infinity without contact.
+  double toi_upper = std::numeric_limits<double>::infinity();
 
   /// Every pair whose contact begins at exactly that time, in ascending order. Where the time is no double, the times
   /// of the pairs are compared as algebraic numbers.
