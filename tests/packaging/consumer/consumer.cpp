@@ -86,6 +86,20 @@ int main() {
   const auto times = touchstone::contact_times(subnormal_contact());
   check(times.size() == 1 && times[0].first.compare(0.75) == 0 && times[0].last.to_string() == "3/4", "contact times");
 
+  touchstone::MeshElements elements;
+  elements.vertex_count = 4;
+  elements.faces = {{0, 1, 2}};
+  const touchstone::Mesh mesh(elements);
+  const std::vector<double> start = {-1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0.5, 3 * kTiny};
+  std::vector<double> end = start;
+  end[11] = -kTiny;
+  touchstone::MeshOptions two_threads;
+  two_threads.threads = 2;
+  const auto first = touchstone::first_contact(mesh, {start, 3}, {end, 3}, two_threads);
+  check(first.toi == 0.75 && first.first.size() == 1, "the first contact of a mesh, among subnormals");
+  const touchstone::FreeStep step = touchstone::free_step(mesh, {start, 3}, {end, 3});
+  check(touchstone::first_contact(mesh, {start, 3}, {step.positions, 3}).free(), "a free step");
+
   touchstone::FuzzOptions fuzzing;
   fuzzing.cases = 2000;
   const auto ours = [](const touchstone::Query& query) {
