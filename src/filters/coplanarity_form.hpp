@@ -147,15 +147,15 @@ TOUCHSTONE_INLINE auto certain_same_side(const StepFrame<N>& f, const std::array
 // most that sum times x's largest coordinate. V and n lie in the hulls of their Bernstein coefficients. So it is enough
 // that V's have one sign, each |b_i| > d max |n_j|.
 //
-// The error of the norms, e = 2^-53, to first order. A coordinate of n0 or n2, a difference of two products: 2 e U W from
-// each of u and w, 2 e U W from the products, 2 e U W from the difference, in all 8 e U W. A coordinate of 2 n1 has twice
-// that, and 4 e U W for the sum of both parts: 20 e U W, of which n1 has half. So a norm is off by at most sqrt(3) times
-// 10 e U W, and a sum of absolute coordinates by 30 e U W. Squares, their sums and the root: at most a relative 3.5 e; sums
-// of absolute values: 2 e. The halving is exact. The product with d and the sum with the error bound: 3 e. With the
-// constants below, 8 e covers both relative errors and the second-order terms, and 32 e U W the absolute one. Squares that
-// underflow are off by 3 * 2^-1075 in all, and the root by less than 2^-530: below e U W when U W is at least 2^-400. The
-// product with d is off by 2^-1075 where it underflows: below e U W R / 8 when U W R is at least 2^-900, a part of the
-// reserve of kEndsBound and kMiddleBound.
+// The error of the norms, e = 2^-53, to first order. A coordinate of n0 or n2, a difference of two products: 2 e U W
+// from each of u and w, 2 e U W from the products, 2 e U W from the difference, in all 8 e U W. A coordinate of 2 n1
+// has twice that, and 4 e U W for the sum of both parts: 20 e U W, of which n1 has half. So a norm is off by at most
+// sqrt(3) times 10 e U W, and a sum of absolute coordinates by 30 e U W. Squares, their sums and the root: at most a
+// relative 3.5 e; sums of absolute values: 2 e. The halving is exact. The product with d and the sum with the error
+// bound: 3 e. With the constants below, 8 e covers both relative errors and the second-order terms, and 32 e U W the
+// absolute one. Squares that underflow are off by 3 * 2^-1075 in all, and the root by less than 2^-530: below e U W
+// when U W is at least 2^-400. The product with d is off by 2^-1075 where it underflows: below e U W R / 8 when U W R
+// is at least 2^-900, a part of the reserve of kEndsBound and kMiddleBound.
 constexpr double kNormFactor = 1 + 8 * kUnit;
 constexpr double kNormBound = 32 * kUnit;
 constexpr double kLeastNormProduct = 0x1p-400;

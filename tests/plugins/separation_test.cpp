@@ -31,8 +31,8 @@ std::string error_of(const Make& make) {
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// A program for the shell that answers `reply` to the separation's line and, to each query, the contact time `reply` of
-/// that line.
+/// A program for the shell that answers `reply` to the separation's line and, to each query, the contact time `reply`
+/// of that line.
 std::string shell_program(const std::string& reply) {
   return "d=none; while read -r kind rest; do if [ \"$kind\" = separation ]; then d=${rest% *}; echo " + reply +
          "; else echo \"1 $d\"; fi; done";
