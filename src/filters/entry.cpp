@@ -1,10 +1,13 @@
+// The entry into a Euclidean separation, and the walk to an entry in either metric.
+//
 // Two bounds enclose the distance D(t) of the elements. Let c be the difference of a point of one element and a point
 // of the other. It is r - s u - q w, with parameters (s, q) in a square, a triangle, a segment or a point, and r, u, w
 // linear in time.
-//   Below: for any direction n, D(t) |n| is at least the least n . c over the elements' corners. Each n . c of a pair
-//   of corners is linear in t. So if it exceeds d |n| at two times, it does so between them.
+//   Below: for any direction n, D(t) |n| is at least the least n . c over the elements' corners, where |n| is the
+//   Euclidean length or, in the largest-axis metric, the sum of the absolute coordinates. Each n . c of a pair of
+//   corners is linear in t. So if it exceeds d |n| at two times, it does so between them.
 //   Above: D(t) <= |c| for any allowed (s, q).
-// Both bounds meet when (s, q) are the closest points' and n is their c. So the time is walked to from below: at each
+// In the Euclidean metric, both bounds meet when (s, q) are the closest points' and n is their c. So the time is walked to from below: at each
 // time, the closest points in doubles give a direction, and the direction proves a piece of the step free. These pieces
 // become shorter by squares. Near the end, the closest points in double-doubles prove that D > d up to some double, and
 // that D <= d at the next one.
@@ -19,21 +22,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "filters/entry_walk.hpp"
-#include "numbers/double_double.hpp"
+#include "filters/max_entry.hpp"
 
 namespace touchstone::filters {
 namespace {
 
-using numbers::DoubleDouble;
-using numbers::rounded;
-using PreciseVector = geometry::Vector<DoubleDouble>;
-
-// Errors in double-doubles, in e^2 = 2^-106. A coordinate of u at t is from + t (to - from), where both ends are exact,
-// with low parts of at most e U. The difference, at most 2 U: low parts 2 ..., 4 ..., in all 6 e^2 U. Its product with
-// t: low parts 4 ..., 6 ...: 10 e^2 U. The sum: low parts 7 ..., 10 ...: 17 e^2 U, in all 33 e^2 U: less than 40 e^2 U.
+// Errors in double-doubles, in e^2 = 2^-106. A coordinate of u at t is off by less than 40 e^2 U (see entry_step.hpp).
 // Products with s and q in [0, 1] and the sums c = r - s u - q w: less than 80 e^2 S for a coordinate of c. A dot
 // product of c, of coordinates at most C, with u: 3 C (40 + 24) e^2 U and sums: less than 300 e^2 C U. The same for c .
 // c with the error of c itself: 2 * 3 * 80 e^2 C S and less than 100 e^2 C C. The sum c . c + (s - i) c . u + (q - j) c
@@ -43,55 +39,11 @@ constexpr double kPreciseError = 2048 * 0x1p-106;
 // The gradient along a parameter is P . u, with P the true difference: c is off by 80 e^2 S in each coordinate, so the
 // gradient by another 240 e^2 S U. The bound above covers it with S in place of C.
 
-// Sizes for which no product of five factors overflows, or underflows by more than the bounds allow.
-constexpr double kLeastSize = 0x1p-150;
-constexpr double kGreatestSize = 0x1p150;
-
-constexpr int kMostPieces = 24;
-constexpr double kShortPiece = 0x1p-24;
-
-struct PreciseStep {
-  PreciseVector r[2], u[2], w[2];
-
-  explicit PreciseStep(const Query& query) noexcept {
-    const Differences d = differences_of(query.kind);
-    for (std::size_t end = 0; end < 2; ++end) {
-      const auto& x = end == 0 ? query.start : query.end;
-      r[end] = exact(x, d.r);
-      u[end] = exact(x, d.u);
-      w[end] = exact(x, d.w);
-    }
-  }
-  static PreciseVector exact(const std::array<Vec3, 4>& x, const Difference& d) noexcept {
-    const Vec3 &a = x[d.one], &b = x[d.other];
-    return {{numbers::two_difference(a.x, b.x), numbers::two_difference(a.y, b.y), numbers::two_difference(a.z, b.z)}};
-  }
-};
-
-PreciseVector at(const PreciseVector (&v)[2], double t) noexcept {
-  PreciseVector result;
-  for (std::size_t k = 0; k < 3; ++k) result[k] = numbers::normalised(v[0][k] + t * (v[1][k] - v[0][k]));
-  return result;
-}
-
-Vector rounded_vector(const PreciseVector& v) noexcept { return {{rounded(v[0]), rounded(v[1]), rounded(v[2])}}; }
-
 /// v - factor d.
 PreciseVector minus(const PreciseVector& v, double factor, const PreciseVector& d) noexcept {
   PreciseVector result;
   for (std::size_t k = 0; k < 3; ++k) result[k] = numbers::normalised(v[k] - factor * d[k]);
   return result;
-}
-
-/// The closest points' parameters that are free: neither, one, or both, or along the border s + q = 1.
-enum class Free : std::uint8_t { none, s, q, sum, both };
-
-Free free_parameters(Domain domain, const Parameters& p) noexcept {
-  if (domain == Domain::point) return Free::none;
-  if (domain == Domain::triangle && p.s > 0 && p.q > 0) return p.s + p.q >= 1 ? Free::sum : Free::both;
-  const bool s = p.s > 0 && p.s < 1;
-  const bool q = domain != Domain::segment && p.q > 0 && p.q < 1;
-  return s && q ? Free::both : s ? Free::s : q ? Free::q : Free::none;
 }
 
 /// The closest points at one time, in double-doubles.
@@ -110,46 +62,85 @@ struct ClosestPoints {
   bool ok = false;
 };
 
-class EntryQuestion {
+/// The parameters of the closest points, after Ericson, Real-Time Collision Detection (2005), 5.1.5 and 5.1.9. Only a
+/// hint; at a border they are exactly 0 or 1, or add up to 1.
+Parameters closest(Domain domain, const Vector& r, const Vector& u, const Vector& w) noexcept {
+  const double uu = dot(u, u);
+  const double ru = dot(r, u);
+  if (domain == Domain::point) return {0, 0};
+  if (domain == Domain::segment) return {uu > 0 ? unit_clamp(ru / uu) : 0, 0};
+  const double ww = dot(w, w), uw = dot(u, w), rw = dot(r, w);
+  if (domain == Domain::square) {
+    const double determinant = uu * ww - uw * uw;
+    double s = determinant > 0 ? unit_clamp((ru * ww - uw * rw) / determinant) : 0;
+    double q = ww > 0 ? (rw - uw * s) / ww : 0;
+    if (q < 0) {
+      q = 0;
+      s = uu > 0 ? unit_clamp(ru / uu) : 0;
+    } else if (q > 1) {
+      q = 1;
+      s = uu > 0 ? unit_clamp((ru - uw) / uu) : 0;
+    }
+    return {s, q};
+  }
+  if (ru <= 0 && rw <= 0) return {0, 0};
+  const double d3 = ru - uu, d4 = rw - uw;  // of the point relative to f1
+  if (d3 >= 0 && d4 <= d3) return {1, 0};
+  const double d5 = ru - uw, d6 = rw - ww;  // relative to f2
+  if (d6 >= 0 && d5 <= d6) return {0, 1};
+  const double vc = ru * d4 - d3 * rw;
+  if (vc <= 0 && ru >= 0 && d3 <= 0) return {ru / (ru - d3), 0};
+  const double vb = d5 * rw - ru * d6;
+  if (vb <= 0 && rw >= 0 && d6 <= 0) return {0, rw / (rw - d6)};
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
+    const double q = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+    const double s = 1 - q;
+    return {s, 1 - s};  // of two such numbers one is exact, so they add up to 1 exactly
+  }
+  const double denominator = va + vb + vc;
+  return {vb / denominator, vc / denominator};
+}
+
+class EuclideanEntry {
  public:
-  EntryQuestion(const Query& query, double distance, double t_max, Answer& answer) noexcept
-      : query_(query), distance_(distance), t_max_(t_max), step_(query), precise_(query), answer_(answer) {}
+  EuclideanEntry(const Query& query, const Separation& separation, double t_max, Answer& answer) noexcept
+      : kind_(query.kind),
+        separation_(separation),
+        distance_(separation.distance),
+        t_max_(t_max),
+        step_(query),
+        precise_(query),
+        answer_(answer) {}
 
   Finding decide() noexcept {
-    if (!(step_.size >= kLeastSize && step_.size <= kGreatestSize)) return Finding::uncertain;
-    if (!(distance_ >= kLeastShare * step_.size && distance_ <= kGreatestSize)) return Finding::uncertain;
-    Place here = place_at(step_, 0);  // the elements are apart up to here
-    for (int piece = 0; piece < kMostPieces; ++piece) {
-      const Direction direction(step_, here.c, distance_);
-      if (!direction.clear_at(here.t)) return piece == 0 ? starts_within(here.p) : enter(here);
-      double next = direction.last_clear_after(here.t);
-      const bool whole = next > t_max_;
-      if (whole) next = t_max_;
-      const bool clear = next > here.t && direction.clear_at(next);
-      if (whole && clear) return Finding::no_contact;
-      // Newton's step from so near is as good as doubles are.
-      const double newton = here.until_entry(distance_);
-      if (newton < kShortPiece) return enter(here);
-      if (clear && next - here.t > 0.5 * newton) {
-        here = place_at(step_, next);
-        continue;
-      }
-      // Elements that turn: so must the direction.
-      const Place there = place_at(step_, std::min(here.t + 0.75 * newton, t_max_));
-      if (there.t > here.t && Direction(step_, there.c, distance_).clear_at(there.t) &&
-          turns_clear(step_, here, there, distance_)) {
-        if (there.t == t_max_) return Finding::no_contact;
-        here = there;
-      } else if (clear) {
-        here = place_at(step_, next);
-      } else {
-        return Finding::uncertain;
-      }
+    if (!of_ordinary_size(step_, separation_.distance)) return Finding::uncertain;
+    const auto place_at = [this](double t) noexcept { return closest_place(t); };
+    const Walk walked = walk(step_, separation_, t_max_, place_at);
+    switch (walked.end) {
+      case WalkEnd::clear: return Finding::no_contact;
+      case WalkEnd::near: return enter(walked.place);
+      case WalkEnd::start: return starts_within(walked.place);
+      case WalkEnd::lost: break;
     }
     return Finding::uncertain;
   }
 
  private:
+  Parameters closest_at(const Place& place) const noexcept { return closest(step_.domain, place.r, place.u, place.w); }
+
+  /// The place whose direction is between the closest points.
+  Place closest_place(double t) const noexcept {
+    Place place = bare_place(step_, t);
+    const Parameters p = closest_at(place);
+    place.n = combined(place.r, place.u, place.w, p.s, p.q);
+    // |c|^2 falls by twice the approach a time.
+    const double approach = -dot(place.n, combined(step_.r_slope, step_.u_slope, step_.w_slope, p.s, p.q));
+    const double length = std::sqrt(dot(place.n, place.n));
+    if (approach > 0) place.until = (length - distance_) * length / approach;
+    return place;
+  }
+
   /// The closest points at t near the parameters p, made exact enough.
   ClosestPoints refine(double t, const Parameters& p) const noexcept {
     ClosestPoints at_t;
@@ -240,9 +231,9 @@ class EntryQuestion {
 
   /// The elements are apart up to a place, and come within the separation soon after it.
   Finding enter(const Place& from) noexcept {
-    const double estimate = from.t + from.until_entry(distance_);
+    const double estimate = from.t + from.until;
     if (!(estimate >= 0 && estimate <= 1)) return Finding::uncertain;
-    const Parameters p = place_at(step_, estimate).p;
+    const Parameters p = closest_at(bare_place(step_, estimate));
     // Newton's steps in double-doubles find the neighbouring doubles.
     double toi = estimate;
     constexpr int kMostSteps = 4;
@@ -278,13 +269,7 @@ class EntryQuestion {
       if (!(found.excess > found.error)) return Finding::uncertain;
       const double share = length / (length + distance_) * (1 - 8 * kUnit);
       if (!(share * (found.excess - found.error) + found.lowest > found.error)) return Finding::uncertain;
-      if (!Direction(step_, found.c, distance_).clear_at(from.t)) {
-        Place there = place_at(step_, toi);
-        there.c = found.c;
-        if (!Direction(step_, from.c, distance_).clear_at(from.t) || !turns_clear(step_, from, there, distance_)) {
-          return Finding::uncertain;
-        }
-      }
+      if (!stays_clear(step_, from, toi, found.c, separation_)) return Finding::uncertain;
     }
     if (upper > t_max_) return Finding::no_contact;
     // D <= d at the next double: |c + h velocity|^2 - d^2 <= 0. Nothing cancels in the change, because `describe` asks
@@ -416,7 +401,7 @@ class EntryQuestion {
     answer_.nature = nature;
     answer_.trend = approach > 0 ? Trend::approaching : Trend::leaving;
     answer_.starts_within = nature == Nature::sustained;
-    name(found.p.s + (found.ds + rest * rate.s), found.p.q + (found.dq + rest * rate.q), free);
+    name_closest(kind_, found.p.s + (found.ds + rest * rate.s), found.p.q + (found.dq + rest * rate.q), free, answer_);
     return Finding::contact;
   }
 
@@ -450,43 +435,9 @@ class EntryQuestion {
     return true;
   }
 
-  void name(double s, double q, Free free) noexcept {
-    const auto on_edge = [](double x, const std::array<Feature, 3>& features,
-                            Feature& feature) -> std::array<double, 3> {
-      feature = features[x == 0 ? 0 : x == 1 ? 1 : 2];
-      return {1 - x, x, 0};
-    };
-    answer_.weights_a = answer_.weights_b = {1, 0, 0};
-    switch (query_.kind) {
-      case Kind::edge_edge:
-        answer_.weights_a = on_edge(s, {Feature::a0, Feature::a1, Feature::a}, answer_.feature_a);
-        answer_.weights_b = on_edge(q, {Feature::b0, Feature::b1, Feature::b}, answer_.feature_b);
-        break;
-      case Kind::vertex_face:
-        answer_.feature_a = Feature::v;
-        answer_.weights_b = {free == Free::sum ? 0 : (1 - s) - q, s, q};
-        answer_.feature_b = free == Free::both  ? Feature::f
-                            : free == Free::sum ? Feature::f12
-                            : free == Free::s   ? Feature::f01
-                            : free == Free::q   ? Feature::f20
-                            : s == 1            ? Feature::f1
-                            : q == 1            ? Feature::f2
-                                                : Feature::f0;
-        break;
-      case Kind::point_edge:
-        answer_.feature_a = Feature::p;
-        answer_.weights_b = on_edge(s, {Feature::e0, Feature::e1, Feature::e}, answer_.feature_b);
-        break;
-      case Kind::point_point:
-        answer_.feature_a = Feature::p;
-        answer_.feature_b = Feature::q;
-        break;
-    }
-  }
-
   /// The elements are perhaps within the separation at t = 0.
-  Finding starts_within(const Parameters& p) noexcept {
-    const ClosestPoints found = refine(0, p);
+  Finding starts_within(const Place& start) noexcept {
+    const ClosestPoints found = refine(0, closest_at(start));
     if (!found.ok || !allowed(found) || !(found.excess < -found.error)) return Finding::uncertain;
     const Vector velocity = velocity_of(found);
     const double approach = -dot(found.c, velocity);
@@ -495,7 +446,8 @@ class EntryQuestion {
                     Nature::sustained);
   }
 
-  const Query& query_;
+  Kind kind_;
+  const Separation& separation_;
   double distance_, t_max_;
   Step step_;
   PreciseStep precise_;
@@ -505,8 +457,8 @@ class EntryQuestion {
 }  // namespace
 
 Finding decide_entry(const Query& query, const Separation& separation, double t_max, Answer& answer) noexcept {
-  if (separation.metric != Metric::euclidean) return Finding::uncertain;
-  return EntryQuestion(query, separation.distance, t_max, answer).decide();
+  if (separation.metric == Metric::max) return decide_max_entry(query, separation, t_max, answer);
+  return EuclideanEntry(query, separation, t_max, answer).decide();
 }
 
 }  // namespace touchstone::filters

@@ -33,7 +33,7 @@ enum class Difficulty : std::uint8_t {
   late,        ///< an entry just before t = 1 or t_max
   within,      ///< a start within the separation by a hair, or beside it
   extreme,     ///< coordinates near the limits of the filter's range, far offsets
-  hovering,    ///< a distance that hardly changes, hardly more than the separation, in both metrics
+  hovering,    ///< a distance that hardly changes, hardly more than the separation
   lattice      ///< small integers
 };
 inline constexpr std::array<Difficulty, 14> kDifficulties = {
@@ -122,8 +122,9 @@ inline double nudged(double x, int steps) {
 
 }  // namespace entry_cases
 
-/// A query whose closest points at some time are chosen first, and a separation near their distance.
-inline EntryCase make_entry(Kind kind, Difficulty difficulty, Rng& rng) {
+/// A query whose closest points at some time are chosen first, and a separation near their distance. In the largest-axis
+/// metric other points may be closest.
+inline EntryCase make_entry(Kind kind, Difficulty difficulty, Metric metric, Rng& rng) {
   namespace ec = entry_cases;
   EntryCase result;
   result.t_max = rng.one_in(4) ? rng.unit() : 1;
@@ -186,8 +187,8 @@ inline EntryCase make_entry(Kind kind, Difficulty difficulty, Rng& rng) {
   }
   if (difficulty == Difficulty::within) t = 0;
   Separation& separation = result.separation;
+  separation.metric = metric;
   if (hovers) {
-    if (rng.one_in(3)) separation.metric = Metric::max;
     const double least =
         std::min(distance(query, 0, separation.metric).value, distance(query, 1, separation.metric).value);
     separation.distance =
@@ -196,11 +197,11 @@ inline EntryCase make_entry(Kind kind, Difficulty difficulty, Rng& rng) {
   }
   switch (rng.between(0, 7)) {
     case 0: separation.distance = std::ldexp(gap, exponent); break;
-    case 1: separation.distance = distance(query, rng.unit()).value; break;
+    case 1: separation.distance = distance(query, rng.unit(), metric).value; break;
     case 2:
-      separation.distance = distance(query, t).value * (1 + std::ldexp(rng.symmetric(), -rng.between(1, 50)));
+      separation.distance = distance(query, t, metric).value * (1 + std::ldexp(rng.symmetric(), -rng.between(1, 50)));
       break;
-    default: separation.distance = ec::nudged(distance(query, t).value, rng.between(-2, 2));
+    default: separation.distance = ec::nudged(distance(query, t, metric).value, rng.between(-2, 2));
   }
   if (difficulty == Difficulty::lattice && rng.one_in(2)) separation.distance = std::ldexp(rng.between(1, 20), -3);
   return result;
