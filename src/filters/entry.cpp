@@ -116,6 +116,8 @@ class EuclideanEntry {
   Finding decide() noexcept {
     if (!of_ordinary_size(step_, separation_.distance)) return Finding::uncertain;
     const auto place_at = [this](double t) noexcept { return closest_place(t); };
+    const Finding jumped = enter(jump(t_max_, place_at));
+    if (jumped != Finding::uncertain) return jumped;
     const Walk walked = walk(step_, separation_, t_max_, place_at);
     switch (walked.end) {
       case WalkEnd::clear: return Finding::no_contact;

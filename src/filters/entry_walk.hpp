@@ -118,6 +118,26 @@ inline bool stays_clear(const Step& step, const Place& from, double t, const Vec
   return Direction(step, from.n, separation).clear_at(from.t) && turns_clear(step, from, there, separation);
 }
 
+/// The start, with the time that Newton's method finds for the entry as `until`; infinite when it finds none in [0,
+/// t_max]. Nothing is proved. Where one direction keeps the elements apart from the start to the entry, no walk is needed.
+template <class PlaceAt>
+Place jump(double t_max, const PlaceAt& place_at) noexcept {
+  constexpr int kMostSteps = 5;
+  constexpr double kNear = 0x1p-24;  // another step of Newton's method is as good as doubles are
+  Place start = place_at(0);
+  double t = start.until;
+  start.until = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kMostSteps && t >= 0 && t <= t_max; ++i) {
+    const double rest = place_at(t).until;
+    t += rest;
+    if (std::fabs(rest) < kNear) {
+      start.until = t;
+      break;
+    }
+  }
+  return start;
+}
+
 /// How a walk ends.
 enum class WalkEnd : std::uint8_t {
   clear,  ///< the elements are apart in all of [0, t_max]

@@ -173,6 +173,8 @@ class MaxEntry {
   Finding decide() noexcept {
     if (!of_ordinary_size(step_, distance_)) return Finding::uncertain;
     const auto place_at = [this](double t) noexcept { return facet_place(t); };
+    const Finding jumped = enter(jump(t_max_, place_at));
+    if (jumped != Finding::uncertain) return jumped;
     const Walk walked = walk(step_, separation_, t_max_, place_at);
     switch (walked.end) {
       case WalkEnd::clear: return Finding::no_contact;
