@@ -336,10 +336,10 @@ class EuclideanEntry {
     constexpr double kRateError = 0x1p-40;
     const double drift = 4 * speed * (rest_error + kRateError * h);
     const double bend = 8 * h * h * speed * speed + 8 * h * shift * speed * (u_size + w_size);
-    const double cu_error = drift * (u_size + c_size) + bend + found.error + kPreciseError * step_.size * u_size;
-    const double cw_error = drift * (w_size + c_size) + bend + found.error + kPreciseError * step_.size * w_size;
-    const double cu_most = std::fabs(found.cu) + cu_error;
-    const double cw_most = std::fabs(found.cw) + cw_error;
+    const double cu_error = drift * (u_size + c_size) + bend + kPreciseError * step_.size * (c_size + u_size);
+    const double cw_error = drift * (w_size + c_size) + bend + kPreciseError * step_.size * (c_size + w_size);
+    double cu_most = std::fabs(found.cu) + cu_error;
+    double cw_most = std::fabs(found.cw) + cw_error;
     // Whether a squared length is that of an edge which neither the time h nor roundings change by more than 2^-38.
     const auto is_long = [h, speed](double square, double size) {
       constexpr double kLong = 0x1p80;
@@ -368,11 +368,20 @@ class EuclideanEntry {
         break;
       }
       case Free::both: {
-        // Changes by 2^-38 of the lengths, and roundings, change a determinant of this size by less than a tenth. The
-        // rates are off by less than 2^-40 of theirs.
+        // Changes by 2^-38 of the lengths, and roundings, change a determinant of this size by less than a tenth.
         const double determinant = found.uu * found.ww - found.uw * found.uw;
         if (!is_long(found.uu, u_size) || !is_long(found.ww, w_size)) return Finding::uncertain;
-        if (!(determinant >= 0x1p-8 * found.uu * found.ww)) return Finding::uncertain;
+        if (!(determinant >= 0x1p-24 * found.uu * found.ww)) return Finding::uncertain;
+        // The rates solve a system of two equations by Cramer's rule. Let A be u^2 w^2 / determinant, F and G the first
+        // derivatives of c . u and c . w: F <= 3 speed (U + C), off by 16 e F, and G likewise. The products and the
+        // difference are off by 5 e, the determinant by 4 e A of its size. Put into the first equation, the rates leave
+        // less than (2 (16 e + 5 e) A + 8 e A^2) (F + G |u| / |w|), and into the second the same with u for w.
+        const double amplified = found.uu * found.ww / determinant;
+        const double left = 64 * kUnit * amplified * amplified * 3 * speed * h;
+        const double ratio = std::sqrt(found.uu / found.ww);
+        const double first = left * (u_size + c_size), second = left * (w_size + c_size);
+        cu_most += first + second * ratio;
+        cw_most += second + first / ratio;
         ds = kSolveReserve * (cu_most * found.ww + cw_most * std::fabs(found.uw)) / determinant;
         dq = kSolveReserve * (cw_most * found.uu + cu_most * std::fabs(found.uw)) / determinant;
         longer = ds * cu_most + dq * cw_most;
