@@ -22,7 +22,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 #include "filters/entry_walk.hpp"
 
@@ -80,76 +79,96 @@ geometry::Vector<N> normal_of(const Facet& facet, const geometry::Vector<N>& u, 
   return n;
 }
 
-/// The facet whose direction keeps the elements farthest apart, and about its n . c / |n|_1; nothing when no direction
-/// keeps them apart.
+/// The facet whose direction keeps the elements farthest apart, and its n . c / |n|_1.
 struct BestFacet {
   Facet facet;
-  Vector n;  ///< its largest coordinate is 1 or -1
-  double distance;
+  double distance = 0;  ///< 0 when no direction keeps them apart
 };
 
-/// Searches the facets at one time, in doubles. Only a hint.
+/// Searches the facets at one time, in doubles. Only a hint. With n = axis x e along an axis k, n . r is (e x r)_k, and so
+/// on: a few cross products give the values of all edges.
 class FacetSearch {
  public:
-  FacetSearch(Domain domain, const Place& place) noexcept : domain_(domain), place_(place) {}
+  FacetSearch(Domain domain, const Place& place) noexcept : domain_(domain) {
+    const auto& [t, r, u, w, n, until] = place;
+    for (std::size_t k = 0; k < 3; ++k) consider({Sort::face, k, Free::none, 0, 0, 1}, r[k], u[k], w[k], 1);
+    if (domain_ == Domain::point) return;
+    const Vector u_r = cross(u, r);
+    if (domain_ == Domain::segment) {
+      for (std::size_t k = 0; k < 3; ++k) consider({Sort::edge, k, Free::s, 0, 0, 1}, u_r[k], 0, 0, norm(u, k));
+      return;
+    }
+    const Vector w_r = cross(w, r), u_w = cross(u, w);
+    for (std::size_t k = 0; k < 3; ++k) {
+      consider({Sort::edge, k, Free::s, 0, 0, 1}, u_r[k], 0, u_w[k], norm(u, k));
+      consider({Sort::edge, k, Free::q, 0, 0, 1}, w_r[k], -u_w[k], 0, norm(w, k));
+    }
+    if (domain_ == Domain::triangle) {
+      const Vector e = w - u;
+      for (std::size_t k = 0; k < 3; ++k) {
+        consider({Sort::edge, k, Free::sum, 0, 0, 1}, w_r[k] - u_r[k], -u_w[k], -u_w[k], norm(e, k));
+      }
+    }
+    consider({Sort::plane, 0, Free::both, 0, 0, 1}, dot(u_w, r), 0, 0, dual_norm(u_w, Metric::max));
+  }
 
-  std::optional<BestFacet> best() noexcept {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      Vector n = {{0, 0, 0}};
-      n[axis] = 1;
-      consider({Sort::face, axis, Free::none, 0, 0, 1}, n);
-    }
-    if (domain_ != Domain::point) edges(Free::s);
-    if (domain_ == Domain::square || domain_ == Domain::triangle) {
-      edges(Free::q);
-      if (domain_ == Domain::triangle) edges(Free::sum);
-      consider({Sort::plane, 0, Free::both, 0, 0, 1}, cross(place_.u, place_.w));
-    }
-    return best_;
+  BestFacet best() const noexcept {
+    if (!(value_ > 0)) return {};
+    return {facet_, value_ / norm_};
   }
 
  private:
-  void edges(Free free) noexcept {
-    const Vector e = edge_of(free, place_.u, place_.w);
-    for (std::size_t axis = 0; axis < 3; ++axis) consider({Sort::edge, axis, free, 0, 0, 1}, axis_cross(axis, e, 0.0));
+  /// |axis x e|_1.
+  static double norm(const Vector& e, std::size_t axis) noexcept {
+    return std::fabs(e[(axis + 1) % 3]) + std::fabs(e[(axis + 2) % 3]);
   }
 
-  void consider(Facet facet, Vector n) noexcept {
-    const double largest = largest_of(n);
-    if (!(largest > 0)) return;
-    for (double& x : n.c) x /= largest;
-    const double r = dot(n, place_.r), u = dot(n, place_.u), w = dot(n, place_.w);
+  /// @param r, u, w  the products of the facet's normal with these
+  void consider(const Facet& facet, double r, double u, double w, double norm) noexcept {
     const double low = r - greatest_at_corners(domain_, u, w);
     const double high = r + greatest_at_corners(domain_, -u, -w);
-    const double apart = std::max(low, -high) / dual_norm(n, Metric::max);
-    if (!(apart > (best_ ? best_->distance : 0))) return;
-    facet.sign = low > -high ? 1 : -1;
-    for (double& x : n.c) x *= facet.sign;
-    stand(facet, facet.sign * u, facet.sign * w);
-    best_ = BestFacet{facet, n, apart};
+    const double value = std::max(low, -high);
+    if (!(value * norm_ > value_ * norm)) return;
+    value_ = value;
+    norm_ = norm;
+    facet_ = facet;
+    facet_.sign = low > -high ? 1 : -1;
+    stand(facet_.sign * u, facet_.sign * w);
   }
 
   /// The corner at which n . c is least, from n . u and n . w. On an edge, its first end.
-  void stand(Facet& facet, double u, double w) const noexcept {
-    if (facet.free == Free::both) return;
-    if (facet.free == Free::sum) {
-      facet.s = 1;
-      return;
-    }
-    if (domain_ == Domain::triangle && facet.free == Free::none) {
-      facet.s = u > 0 && u >= w ? 1 : 0;
-      facet.q = w > 0 && w > u ? 1 : 0;
-      return;
+  void stand(double u, double w) noexcept {
+    Facet& facet = facet_;
+    switch (facet.free) {
+      case Free::both: return;
+      case Free::sum: facet.s = 1; return;
+      case Free::none:
+        if (domain_ == Domain::point) return;
+        if (domain_ == Domain::triangle) {
+          facet.s = u > 0 && u >= w ? 1 : 0;
+          facet.q = w > 0 && w > u ? 1 : 0;
+          return;
+        }
+        break;
+      case Free::s:
+      case Free::q: break;
     }
     if (domain_ == Domain::triangle) return;  // the other parameter is 0 on its edges u and w
-    if (facet.free != Free::s && domain_ != Domain::point) facet.s = u > 0 ? 1 : 0;
+    if (facet.free != Free::s) facet.s = u > 0 ? 1 : 0;
     if (facet.free != Free::q && domain_ == Domain::square) facet.q = w > 0 ? 1 : 0;
   }
 
   Domain domain_;
-  const Place& place_;
-  std::optional<BestFacet> best_;
+  Facet facet_;
+  double value_ = 0, norm_ = 1;  // of the best facet so far
 };
+
+/// A direction times a power of two, so that its largest coordinate is between 1 and 2: directions that turn into each
+/// other must be of similar length.
+Vector scaled_direction(const Vector& n) noexcept {
+  const double factor = std::ldexp(1.0, -std::ilogb(largest_of(n)));
+  return {{factor * n[0], factor * n[1], factor * n[2]}};
+}
 
 /// A facet at one time, in double-doubles.
 struct PreciseFacet {
@@ -189,19 +208,18 @@ class MaxEntry {
   /// The place whose direction is the best facet's normal. Without one, the direction is 0, which shows nothing.
   Place facet_place(double t) const noexcept {
     Place place = bare_place(step_, t);
-    const auto best = FacetSearch(step_.domain, place).best();
-    if (!best) return place;
-    place.n = best->n;
-    const Facet& facet = best->facet;
-    // D |n|_1 = n . p, where both n and p move.
+    const auto [facet, distance] = FacetSearch(step_.domain, place).best();
+    if (!(distance > 0)) return place;
     const Vector n = normal_of(facet, place.u, place.w, 0.0, 1.0);
+    place.n = scaled_direction(n);
+    // D |n|_1 = n . p, where both n and p move.
     const Vector rate = normal_rate(facet, place.u, place.w);
     const Vector p = combined(place.r, place.u, place.w, facet.s, facet.q);
     double norm_rate = 0;
     for (std::size_t k = 0; k < 3; ++k) norm_rate += n[k] > 0 ? rate[k] : n[k] < 0 ? -rate[k] : 0;
-    const double slope = (dot(rate, p) + dot(n, corner_velocity(facet)) - best->distance * norm_rate);
+    const double slope = dot(rate, p) + dot(n, corner_velocity(facet)) - distance * norm_rate;
     const double norm = dual_norm(n, Metric::max);
-    if (slope < 0) place.until = (best->distance - distance_) * norm / -slope;
+    if (slope < 0) place.until = (distance - distance_) * norm / -slope;
     return place;
   }
 
@@ -279,9 +297,8 @@ class MaxEntry {
   Finding enter(const Place& from) noexcept {
     const double estimate = from.t + from.until;
     if (!(estimate >= 0 && estimate <= 1)) return Finding::uncertain;
-    const auto best = FacetSearch(step_.domain, bare_place(step_, estimate)).best();
-    if (!best) return Finding::uncertain;
-    const Facet& facet = best->facet;
+    const auto [facet, distance] = FacetSearch(step_.domain, bare_place(step_, estimate)).best();
+    if (!(distance > 0)) return Finding::uncertain;
     // Newton's steps in double-doubles find the neighbouring doubles.
     double toi = estimate;
     constexpr int kMostSteps = 4;
@@ -309,10 +326,9 @@ class MaxEntry {
     if (!(rounded(found.h) > error)) return Finding::uncertain;
     if (!stands_alone(facet, found) || !solve(facet, found).ok) return Finding::uncertain;
     if (toi > from.t) {
-      Vector n = rounded_vector(found.n);
-      const int exponent = -std::ilogb(largest_of(n));  // as large as the walk's directions
-      for (double& x : n.c) x = std::ldexp(x, exponent);
-      if (!stays_clear(step_, from, toi, n, separation_)) return Finding::uncertain;
+      if (!stays_clear(step_, from, toi, scaled_direction(rounded_vector(found.n)), separation_)) {
+        return Finding::uncertain;
+      }
     }
     if (upper > t_max_) return Finding::no_contact;
     const PreciseFacet next = precise_at(facet, upper, {distance_, 0});
@@ -457,9 +473,8 @@ class MaxEntry {
 
   /// The elements are perhaps within the separation at t = 0.
   Finding starts_within(const Place& start) noexcept {
-    const auto best = FacetSearch(step_.domain, start).best();
-    if (!best) return Finding::uncertain;
-    const Facet& facet = best->facet;
+    const auto [facet, distance] = FacetSearch(step_.domain, start).best();
+    if (!(distance > 0)) return Finding::uncertain;
     // The level at which h = 0: D, if the closest points are found.
     const PreciseFacet zero = precise_at(facet, 0, {0, 0});
     const Vector n = rounded_vector(zero.n);
