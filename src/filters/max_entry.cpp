@@ -268,8 +268,9 @@ class MaxEntry {
     return at_t;
   }
 
-  /// How fast h falls, and how far the rate may be off over a time h after `at_t`. Derivatives: h' = n' . a + n . p',
-  /// with |n'_k| at most 0, speed, or 4 speed S, and h'' = n'' . a + 2 n' . p'.
+  /// How fast h falls, and how far the rate may be off over a time after `at_t`. Derivatives: h' = n' . a + n . p', with
+  /// |n'_k| at most 0, speed, or 4 speed S, and h'' = n'' . a + 2 n' . p'. A slope is a difference of two roundings, so
+  /// it is off by e (speed + 2 S).
   struct Fall {
     double rate, error;
   };
@@ -282,12 +283,12 @@ class MaxEntry {
       if (at_t.sign[k] != 0) rate -= n_rate[k] * a[k] + n[k] * velocity[k];
     }
     const double speed = step_.speed, reach = step_.size + distance_;
-    double first = speed, second = 0;  // at least a part of |h'|'s terms, and of |h''|'s
+    double first = speed + step_.size, second = 0;  // at least a part of the terms of h', and of those of h''
     if (facet.sort == Sort::edge) {
-      first = speed * reach;
+      first *= reach;
       second = speed * speed;
     } else if (facet.sort == Sort::plane) {
-      first = speed * step_.size * reach;
+      first *= step_.size * reach;
       second = speed * speed * reach;
     }
     return {rate, 256 * kUnit * first + 64 * time * second};
