@@ -114,8 +114,8 @@ struct Separated {
   std::optional<double> within_at;  ///< by construction the elements are at most that far apart at this time
 };
 
-/// The next query of a family with a distance of its own. For the families of Group::separation it is the one that makes
-/// the query special. For others it is drawn after the query: of the query's own size, most often.
+/// The next query of a family with a distance of its own. For the families of Group::separation it is the one that
+/// makes the query special. For others it is drawn after the query: of the query's own size, most often.
 /// @param metric  that of the separation
 Separated make_separated(Family family, Kind kind, Metric metric, Rng& rng);
 

@@ -134,9 +134,8 @@ Query at_rest(const Query& query, double t) noexcept {
   return rest;
 }
 
-/// The distance at both ends of the step; and where the elements enter, how the elements' distance a short time before
-/// and after compares with the separation, which is a small multiple of the rounding where they graze.
-double ends_margin(const Query& query, const Separation& separation) noexcept {
+/// At the step's start alone, at its end, and at a time of least distance, where elements that graze are.
+double instants_margin(const Query& query, const Separation& separation) noexcept {
   const GapBeyond start = gap_beyond(at_rest(query, 0), separation), end = gap_beyond(at_rest(query, 1), separation);
   const double margin = least({start.margin, end.margin});
   // The time of the least distance, by ternary search: right where the distance has one minimum, else a guess.
@@ -151,7 +150,7 @@ double ends_margin(const Query& query, const Separation& separation) noexcept {
 }
 
 double separation_margin(const Query& query, const Separation& separation) noexcept {
-  const double margin = least({gap_beyond(query, separation).margin, ends_margin(query, separation)});
+  const double margin = least({gap_beyond(query, separation).margin, instants_margin(query, separation)});
   return filters::has_cubic(query.kind) ? least({margin, clearance_margin(query, separation)}) : margin;
 }
 

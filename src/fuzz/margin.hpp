@@ -13,10 +13,10 @@ namespace touchstone::fuzz {
 /// filter is uncertain, and near 1 and -1 the error bounds are tested. The sign is that of the value. +infinity when
 /// nothing can be compared; never NaN. It is computed in doubles and is only a guide.
 ///
-/// With a separation above 0 the values are what the filters for separations look at, each less what the separation asks
-/// for: V's Bernstein coefficients less the distance times the greatest norm of n; the gap along the direction between
-/// the closest points at mid-step less the distance times the direction's norm; and the same at the step's start and
-/// end alone, and at the time about which the elements come within the distance.
+/// With a separation above 0 the values are what the filters for separations look at, each less what the separation
+/// asks for: V's Bernstein coefficients less the distance times the greatest norm of n; the gap along the direction
+/// between the closest points at mid-step less the distance times the direction's norm; and the same gap at the step's
+/// start alone, at its end, and at a time of least distance.
 double filter_margin(const Query& query, const Separation& separation = {}) noexcept;
 
 }  // namespace touchstone::fuzz

@@ -29,8 +29,8 @@ bool bisect(Coefficients p, const Exact& low, const Exact& high, int depth, int 
     Exact low, high;
     int depth;
   };
-  // The parts in which there may be roots, the first one last. Simple roots may be nearer to each other than 2^-3000: the
-  // depth has no limit that the machine's stack would hold.
+  // The parts in which there may be roots, the first one last. Simple roots may be nearer to each other than 2^-3000:
+  // the depth has no limit that the machine's stack would hold.
   std::vector<Part> parts;
   parts.push_back({BernsteinForm(p, low, high), low, high, depth});
   while (!parts.empty()) {
