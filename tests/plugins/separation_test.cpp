@@ -49,6 +49,34 @@ TEST_CASE("a plugin is told the separation and its metric") {
   CHECK(touching->ask(meeting_points()).toi == 0);
 }
 
+TEST_CASE("a plugin is told another separation before the query that it is for") {
+  const auto solver = fuzz::load_plugin(TOUCHSTONE_SEPARATION_PLUGIN, quick_limits(), kQuarter);
+  for (const double distance : {0.5, 0.125, 0.125, 1.0}) {
+    solver->change_separation({distance, Metric::euclidean});
+    CHECK(solver->ask(meeting_points()).toi == distance);
+  }
+  solver->change_separation({2, Metric::euclidean});
+  const Reply refusal = solver->ask(meeting_points());
+  CHECK(refusal.state == Reply::State::malformed);
+  CHECK(has(refusal.detail, "refuses the separation"));
+  solver->change_separation(kQuarter);
+  CHECK(solver->ask(meeting_points()).toi == 0.25);
+}
+
+TEST_CASE("a program is told another separation before the query that it is for") {
+  const auto solver = fuzz::run_command(shell_program("ok"), quick_limits(), kQuarter);
+  for (const double distance : {0.5, 0.125, 0.125, 1.0}) {
+    solver->change_separation({distance, Metric::euclidean});
+    CHECK(solver->ask(meeting_points()).toi == distance);
+  }
+  const auto once =
+      fuzz::run_command("read -r line; echo ok; while read -r line; do echo 0; done", quick_limits(), kQuarter);
+  once->change_separation({0.5, Metric::euclidean});
+  const Reply refusal = once->ask(meeting_points());  // it answers the second separation's line with '0'
+  CHECK(refusal.state == Reply::State::malformed);
+  CHECK(has(refusal.detail, "takes no separation"));
+}
+
 TEST_CASE("a plugin that takes no separation is an error that says so") {
   for (const auto& [path, distance] :
        {std::pair<std::string, double>{TOUCHSTONE_SEPARATION_PLUGIN, 2}, {TOUCHSTONE_EXAMPLE_PLUGIN, 0.25}}) {
