@@ -163,6 +163,12 @@ constexpr double kGreatestNormProduct = 0x1p400;
 constexpr double kLeastVolume = 0x1p-900;
 constexpr double kGreatestVolume = kGreatestProduct;
 
+/// Whether no product of the norms underflows or overflows by more than their bounds allow.
+template <class N>
+TOUCHSTONE_INLINE auto norms_in_range(const N& uw, const N& uwr) noexcept {
+  return (uw >= kLeastNormProduct) & (uw <= kGreatestNormProduct) & (uwr >= kLeastVolume) & (uwr <= kGreatestVolume);
+}
+
 inline double square_root(double x) noexcept { return std::sqrt(x); }
 
 /// An upper bound on |n|, in the norm that belongs to the metric, over [0, 1], before kNormFactor and kNormBound.
@@ -186,12 +192,10 @@ TOUCHSTONE_INLINE auto certain_clearance(const StepFrame<N>& f, const N& distanc
   const std::array<N, 4> b = coplanarity_coefficients(f, n);
   const N uw = largest(f.start.u, f.end.u) * largest(f.start.w, f.end.w);
   const N uwr = uw * largest(f.start.r, f.end.r);
-  const auto valid =
-      (uw >= kLeastNormProduct) & (uw <= kGreatestNormProduct) & (uwr >= kLeastVolume) & (uwr <= kGreatestVolume);
   const N kept = distance * (kNormFactor * greatest_norm<Euclidean>(n) + kNormBound * uw);
   const N ends = kEndsBound * uwr + kNormFactor * kept;
   const N middle = kMiddleBound * uwr + kNormFactor * (3.0 * kept);
-  return decltype(uw > uwr)(valid) & (magnitude(b[0]) > ends) & (flipped(b[1], b[0]) > middle) &
+  return norms_in_range(uw, uwr) & (magnitude(b[0]) > ends) & (flipped(b[1], b[0]) > middle) &
          (flipped(b[2], b[0]) > middle) & (flipped(b[3], b[0]) > ends);
 }
 
