@@ -50,6 +50,10 @@ void check_methods(const ExpectedQuery& expected, const Query* doubles) {
     const Answer answer =
         doubles ? solve(*doubles, expected.separation, method) : solve(expected.query, expected.separation, method);
     check_answer(expected, answer, name);
+    if (expected.separation.distance == 0) {  // the question without a separation is the same one
+      const Answer touching = doubles ? solve(*doubles, method) : solve(expected.query, method);
+      CHECK(bit_difference(answer, touching, true) == "");
+    }
     if (method == Method::exact) CHECK(answer.level == Level::exact);
     if (method == Method::oracle) CHECK(answer.level == Level::oracle);
     if (method == Method::fast) CHECK(answer.level != Level::oracle);
