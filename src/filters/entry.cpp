@@ -62,46 +62,6 @@ struct ClosestPoints {
   bool ok = false;
 };
 
-/// The parameters of the closest points, after Ericson, Real-Time Collision Detection (2005), 5.1.5 and 5.1.9. Only a
-/// hint; at a border they are exactly 0 or 1, or add up to 1.
-Parameters closest(Domain domain, const Vector& r, const Vector& u, const Vector& w) noexcept {
-  const double uu = dot(u, u);
-  const double ru = dot(r, u);
-  if (domain == Domain::point) return {0, 0};
-  if (domain == Domain::segment) return {uu > 0 ? unit_clamp(ru / uu) : 0, 0};
-  const double ww = dot(w, w), uw = dot(u, w), rw = dot(r, w);
-  if (domain == Domain::square) {
-    const double determinant = uu * ww - uw * uw;
-    double s = determinant > 0 ? unit_clamp((ru * ww - uw * rw) / determinant) : 0;
-    double q = ww > 0 ? (rw - uw * s) / ww : 0;
-    if (q < 0) {
-      q = 0;
-      s = uu > 0 ? unit_clamp(ru / uu) : 0;
-    } else if (q > 1) {
-      q = 1;
-      s = uu > 0 ? unit_clamp((ru - uw) / uu) : 0;
-    }
-    return {s, q};
-  }
-  if (ru <= 0 && rw <= 0) return {0, 0};
-  const double d3 = ru - uu, d4 = rw - uw;  // of the point relative to f1
-  if (d3 >= 0 && d4 <= d3) return {1, 0};
-  const double d5 = ru - uw, d6 = rw - ww;  // relative to f2
-  if (d6 >= 0 && d5 <= d6) return {0, 1};
-  const double vc = ru * d4 - d3 * rw;
-  if (vc <= 0 && ru >= 0 && d3 <= 0) return {ru / (ru - d3), 0};
-  const double vb = d5 * rw - ru * d6;
-  if (vb <= 0 && rw >= 0 && d6 <= 0) return {0, rw / (rw - d6)};
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    const double q = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    const double s = 1 - q;
-    return {s, 1 - s};  // of two such numbers one is exact, so they add up to 1 exactly
-  }
-  const double denominator = va + vb + vc;
-  return {vb / denominator, vc / denominator};
-}
-
 class EuclideanEntry {
  public:
   EuclideanEntry(const Query& query, const Separation& separation, double t_max, Answer& answer) noexcept

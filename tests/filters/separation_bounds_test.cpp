@@ -184,7 +184,7 @@ TEST_CASE("the least product with a direction, at a time, is within its bound", 
            const filters::Vector n = {{x[24], x[25], x[26]}};
            const double t = share(x[27]);
            const filters::Step step(s.query);
-           const filters::Direction direction(step, n, 1);
+           const filters::Direction direction(step, n, {1, Metric::euclidean});
            const ExactPlace place(s.query, t);
            const Exact truth =
                ExactPlace::least_at_corners([&](int i, int j) { return place.along(exactly(n), i, j); });
@@ -193,43 +193,50 @@ TEST_CASE("the least product with a direction, at a time, is within its bound", 
 }
 
 TEST_CASE("a direction keeps the largest distance that it is clear of", "[separation]") {
-  report(
-      "walk with a distance", searched(95, 4, 4000, in_range, [](const FrameCase& s, const std::vector<double>& x) {
-        const filters::Vector n = {{x[24], x[25], x[26]}};
-        const double t = share(x[27]);
-        const filters::Step step(s.query);
-        const double distance = largest_distance([&](double d) { return filters::Direction(step, n, d).clear_at(t); });
-        if (distance == 0) return std::nan("");
-        const ExactPlace place(s.query, t);
-        const Exact truth = ExactPlace::least_at_corners([&](int i, int j) { return place.along(exactly(n), i, j); });
-        const Exact kept = Exact(distance) * norm_of(exactly(n), Metric::euclidean);
-        const double margin = filters::kWalkError * filters::largest_of(n) * step.size + 8 * kUnit * value_of(kept);
-        return 1 - value_of(truth - kept) / margin;
-      }));
+  for (const Metric metric : {Metric::euclidean, Metric::max}) {
+    const auto search = searched(95, 4, 4000, in_range, [metric](const FrameCase& s, const std::vector<double>& x) {
+      const filters::Vector n = {{x[24], x[25], x[26]}};
+      const double t = share(x[27]);
+      const filters::Step step(s.query);
+      const double distance = largest_distance([&](double d) {
+        return filters::Direction(step, n, {d, metric}).clear_at(t);
+      });
+      if (distance == 0) return std::nan("");
+      const ExactPlace place(s.query, t);
+      const Exact truth = ExactPlace::least_at_corners([&](int i, int j) { return place.along(exactly(n), i, j); });
+      const Exact kept = Exact(distance) * norm_of(exactly(n), metric);
+      const double margin = filters::kWalkError * filters::largest_of(n) * step.size + 8 * kUnit * value_of(kept);
+      return 1 - value_of(truth - kept) / margin;
+    });
+    report("walk with a distance", search);
+  }
 }
 
 TEST_CASE("the middle coefficient of a direction that turns is within its bound", "[separation]") {
-  report("turn",
-         searched(96, 2, 30000, in_range,
-                  [](const FrameCase& s, const std::vector<double>& x) {
-                    const double times[2] = {share(x[24]), share(x[25])};
-                    const filters::Step step(s.query);
-                    const filters::Place a = filters::place_at(step, times[0]), b = filters::place_at(step, times[1]);
-                    const ExactPlace at_a(s.query, times[0]), at_b(s.query, times[1]);
-                    const ExactVector na = exactly(a.c), nb = exactly(b.c);
-                    const Exact truth = ExactPlace::least_at_corners(
-                        [&](int i, int j) { return at_b.along(na, i, j) + at_a.along(nb, i, j); });
-                    const double distance =
-                        largest_distance([&](double d) { return filters::turns_clear(step, a, b, d); });
-                    if (distance == 0) return std::nan("");
-                    const Exact norms = norm_of(na, Metric::euclidean) + norm_of(nb, Metric::euclidean);
-                    const Exact kept = Exact(distance) * norms;
-                    const double margin =
-                        filters::kTurnError * (filters::largest_of(a.c) + filters::largest_of(b.c)) * step.size +
-                        8 * kUnit * value_of(kept);
-                    return 1 - value_of(truth - kept) / margin;
-                  }),
-         0.09);
+  const auto closest_place = [](const filters::Step& step, double t) {
+    filters::Place place = filters::bare_place(step, t);
+    const auto [p, q] = filters::closest(step.domain, place.r, place.u, place.w);
+    place.n = filters::combined(place.r, place.u, place.w, p, q);
+    return place;
+  };
+  for (const Metric metric : {Metric::euclidean, Metric::max}) {
+    const auto search = searched(96, 2, 30000, in_range, [&](const FrameCase& s, const std::vector<double>& x) {
+      const double times[2] = {share(x[24]), share(x[25])};
+      const filters::Step step(s.query);
+      const filters::Place a = closest_place(step, times[0]), b = closest_place(step, times[1]);
+      const ExactPlace at_a(s.query, times[0]), at_b(s.query, times[1]);
+      const ExactVector na = exactly(a.n), nb = exactly(b.n);
+      const Exact truth =
+          ExactPlace::least_at_corners([&](int i, int j) { return at_b.along(na, i, j) + at_a.along(nb, i, j); });
+      const double distance = largest_distance([&](double d) { return filters::turns_clear(step, a, b, {d, metric}); });
+      if (distance == 0) return std::nan("");
+      const Exact kept = Exact(distance) * (norm_of(na, metric) + norm_of(nb, metric));
+      const double margin = filters::kTurnError * (filters::largest_of(a.n) + filters::largest_of(b.n)) * step.size +
+                            8 * kUnit * value_of(kept);
+      return 1 - value_of(truth - kept) / margin;
+    });
+    report("turn", search, 0.09);
+  }
 }
 
 TEST_CASE("clearance keeps its hands off products that underflow", "[separation]") {
