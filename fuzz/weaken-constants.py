@@ -102,6 +102,17 @@ SEPARATION_FAULTS = [
     ("kWalkError", "filters/entry_walk.hpp", "kWalkError = 32 *", "kWalkError = 2 *"),
     ("kTurnError", "filters/entry_walk.hpp", "kTurnError = 48 *", "kTurnError = 3 *"),
     ("kNormIncrease", "filters/entry_walk.hpp", "kNormIncrease = 1 + 8 *", "kNormIncrease = 1 - 120 *"),
+    ("slopes of a facet's level", "filters/max_entry.cpp", "double first = speed + step_.size", "double first = speed"),
+    ("margin of a facet's other corners", "filters/max_entry.cpp", "const double margin = kError * size *",
+     "const double margin = 0 * kError * size *"),
+    ("margin of a facet's other axes", "filters/max_entry.cpp", "level - kError * (step_.size + step_.speed + level)",
+     "level + kError * (step_.size + step_.speed + level)"),
+    ("error of a facet's level", "filters/max_entry.cpp", "kPreciseError = 2048 *", "kPreciseError = 0 *"),
+    ("bend of a facet's parameters", "filters/max_entry.cpp", "at_root.s += part * ds;", "at_root.s += ds;"),
+    ("share of a separation's walk", "filters/entry.cpp", "share * (found.excess - found.error) + found.lowest > found.error",
+     "share * (found.excess - found.error) > found.error"),
+    ("parameters' distance from a border", "filters/entry.cpp", "if (!strictly_closest(", "if (false && !strictly_closest("),
+    ("rates of nearly parallel edges", "filters/entry.cpp", "64 * kUnit * amplified", "0 * kUnit * amplified"),
 ]
 
 
@@ -192,7 +203,7 @@ def attacks(build, layer, seconds, jobs, quick):
     if layer == "separation":
         fuzz += ["--separation", "each"]
         # The long tests of that folder compare what the fuzzer compares.
-        searches = [tests("filters", 0.3, "[separation]"), tests("separation", 0.2, "entries near*,patches*")]
+        searches = [tests("filters", 0.3, "[separation]"), tests("separation", 0.2, "*entries near*,patches*")]
     else:
         searches = [tests(layer, 0.5)]
     spent, excuses = 0.0, []
