@@ -24,7 +24,8 @@ struct ExpectedQuery {
   RationalQuery query;
   Separation separation;  ///< of the line "# separation D METRIC" before the file's first query; else touching
   bool truth = false;
-  std::map<std::string, std::string> expect;  ///< "contact", and maybe "toi", "toi_upper", "nature", "feature_a", "trend", ...
+  std::map<std::string, std::string>
+      expect;  ///< "contact", and maybe "toi", "toi_upper", "nature", "feature_a", "trend", ...
 
   /// File and number, and the command that shows how the program answers.
   std::string name() const;

@@ -247,13 +247,10 @@ TEST_CASE("clearance keeps its hands off products that underflow", "[separation]
   query.end = query.start;
   CHECK_FALSE(filters::clear_all_along(query, {2, Metric::euclidean}));
 
-  // n = (1, 1, 1) 2^-398 and r = (3, 3, 3) 2^-677: each product is 3/4 of the least double and becomes that.
-  const double u = 0x1p-200, w = 0x1p-199, r = 3 * 0x1p-677;
-  query.start = {Vec3{-u, u, 0}, {u, -u, 0}, {r - w, r - w, r + 2 * w}, {r + w, r + w, r - 2 * w}};
-  const auto shortened = [](double x) { return Vec3{x, x, x}; };
-  query.start = {Vec3{0, 0, 0}, {u, -u, 0}, shortened(r), {}};
+  // n = (1, 1, 1) 2^-398 and r = (3, 3, 3) 2^-678: each product is 3/4 of the least double and becomes that, and 2.43
+  // of it, which is d |n|, become 2.
+  const double u = 0x1p-200, w = 0x1p-199, r = 3 * 0x1p-678;
+  query.start = {Vec3{0, 0, 0}, {u, -u, 0}, {r, r, r}, {w, w, -2 * w}};
   query.end = query.start;
-  query.start[3] = query.end[3] = {w + r, w + r, r - 2 * w};
-  const double distance = 1.08 * std::sqrt(3.0) * r;
-  CHECK_FALSE(filters::clear_all_along(query, {distance, Metric::euclidean}));
+  CHECK_FALSE(filters::clear_all_along(query, {1.08 * std::sqrt(3.0) * r, Metric::euclidean}));
 }

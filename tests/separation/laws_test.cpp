@@ -67,8 +67,8 @@ std::string difference(const Answer& expected, const Answer& found) {
   return wrong.empty() ? "" : wrong + ": " + difference_in_time(expected, found);
 }
 
-/// The answer to the mapped query. Maps that exchange the axes may choose another one of equally near pairs of points in
-/// the largest-axis metric.
+/// The answer to the mapped query. Maps that exchange the axes may choose another one of equally near pairs of points
+/// in the largest-axis metric.
 Finding same_answer(const Query& query, const Query& mapped, const Separation& separation,
                     const Separation& mapped_separation, Method method) {
   const Answer expected = solve(query, separation, method), found = solve(mapped, mapped_separation, method);
