@@ -20,7 +20,7 @@ struct Hoop {
   std::vector<Index> net;  // its particles, the rim's left out
 
   Hoop() {
-    for (const Edge& wire : scene.wires) rim.push_back(wire[0]);
+    for (const Wire& wire : scene.wires) rim.push_back(wire.particles[0]);
     cord = scene.cables.back().particles;
     for (Index p = 0; p < scene.particles.size(); ++p) {
       if (!scene.particles[p].collides) middle = p;

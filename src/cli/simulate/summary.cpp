@@ -14,6 +14,7 @@ void StepTotals::add(const std::vector<sim::SubstepRecord>& records) {
     ++substeps;
     gained += static_cast<std::uint64_t>(record.gained_energy);
     first_order += static_cast<std::uint64_t>(record.first_order);
+    separated += record.proof.separated;
   }
 }
 
@@ -49,6 +50,12 @@ std::string simulation_for_person(const sim::Simulation& simulation, const StepT
         percentage(times.proof));
   }
   text += fmt::format("{:.1f} steps a second\n", rate);
+  if (simulation.ignores_radii()) {
+    text += "the radii of the scene were left aside: the narrow phase of the paper knows no separation\n";
+  } else if (simulation.colliders().has_separations()) {
+    text += fmt::format("every pair stayed farther apart than its separation, at most {} m ({} asked about)\n",
+                        simulation.colliders().largest_separation(), counted(totals.separated, "pair"));
+  }
   return text + fmt::format("{} steps, {} crossings\n", totals.steps, crossings.size());
 }
 
