@@ -144,25 +144,6 @@ Colliders::Colliders(const Scene& scene, const System& system, Keep keep) {
   radii_ = Radii(scene, edges_);
   if (!radii_.any()) return;
   neighbours_ = Neighbours(scene, edges_, radii_.particle, system.initial_position);
-  double edge = 0, second_edge = 0, point = 0, second_point = 0;
-  const auto rank = [](double radius, double& largest, double& second) {
-    second = std::max(second, std::min(radius, largest));
-    largest = std::max(largest, radius);
-  };
-  for (const double radius : radii_.edge) rank(radius, edge, second_edge);
-  for (const Index p : points_) rank(radii_.particle[p], point, second_point);
-  const auto largest_of = [](const std::vector<double>& all) {
-    return all.empty() ? 0 : *std::max_element(all.begin(), all.end());
-  };
-  if (edges_.size() > 1) largest_separation_ = sum_rounded_up(edge, second_edge);
-  if (!faces_.empty()) {
-    largest_separation_ =
-        std::max(largest_separation_, sum_rounded_up(largest_of(radii_.particle), largest_of(radii_.face)));
-  }
-  if (!points_.empty()) {
-    largest_separation_ = std::max(
-        {largest_separation_, sum_rounded_up(point, second_point), edges_.empty() ? 0 : sum_rounded_up(point, edge)});
-  }
 }
 
 std::size_t Colliders::with_radius() const noexcept {
@@ -172,6 +153,10 @@ std::size_t Colliders::with_radius() const noexcept {
   };
   const auto points = std::count_if(points_.begin(), points_.end(), [&](Index p) { return radii_.particle[p] > 0; });
   return counted(radii_.edge) + counted(radii_.face) + static_cast<std::size_t>(points);
+}
+
+double Colliders::largest_radius() const noexcept {
+  return has_separations() ? *std::max_element(radii_.particle.begin(), radii_.particle.end()) : 0;
 }
 
 double Colliders::separation_of(const Pair& pair) const noexcept {

@@ -59,11 +59,9 @@ class Colliders {
   /// for neighbours and folds, which only do not touch.
   double separation(const Pair& pair) const noexcept { return has_separations() ? separation_of(pair) : 0; }
 
-  /// The largest sum of the radii of two elements that may meet, m.
-  double largest_separation() const noexcept { return largest_separation_; }
-
   /// How many elements have a radius: edges, faces, and particles that are in no edge.
   std::size_t with_radius() const noexcept;
+  double largest_radius() const noexcept;  ///< m
 
   const Neighbours& neighbours() const noexcept { return neighbours_; }
 
@@ -97,7 +95,6 @@ class Colliders {
   Radii radii_;
   Neighbours neighbours_;
   std::vector<char> in_edge_;  // by particle
-  double largest_separation_ = 0;
 };
 
 inline Vec3 corner_of(const VectorX& q, Index particle) noexcept {

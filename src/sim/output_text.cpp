@@ -119,9 +119,9 @@ std::string why_separations(const Simulation& simulation) {
   const Colliders& colliders = simulation.colliders();
   if (simulation.ignores_radii()) return "the narrow phase of the paper knows none: radii are left aside";
   if (!colliders.has_separations()) return "no element has a radius";
-  const auto elements = colliders.with_radius();
-  return fmt::format("{} with a radius; at most {} m; {} of particles are neighbours", counted(elements, "element"),
-                     colliders.largest_separation(), counted(colliders.neighbours().count(), "pair"));
+  return fmt::format("{} with radii of up to {} m; {} of particles are neighbours",
+                     counted(colliders.with_radius(), "element"), colliders.largest_radius(),
+                     counted(colliders.neighbours().count(), "pair"));
 }
 
 std::string why_points(const Colliders& colliders) {

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/shared/words.hpp"
 #include "sim/output_text.hpp"
 
@@ -15,6 +17,7 @@ void StepTotals::add(const std::vector<sim::SubstepRecord>& records) {
     gained += static_cast<std::uint64_t>(record.gained_energy);
     first_order += static_cast<std::uint64_t>(record.first_order);
     separated += record.proof.separated;
+    largest_separation = std::max(largest_separation, record.proof.largest);
   }
 }
 
@@ -53,8 +56,12 @@ std::string simulation_for_person(const sim::Simulation& simulation, const StepT
   if (simulation.ignores_radii()) {
     text += "the radii of the scene were left aside: the narrow phase of the paper knows no separation\n";
   } else if (simulation.colliders().has_separations()) {
-    text += fmt::format("every pair stayed farther apart than its separation, at most {} m ({} asked about)\n",
-                        simulation.colliders().largest_separation(), counted(totals.separated, "pair"));
+    text += "every pair stayed farther apart than its separation";
+    if (totals.separated > 0) {
+      text += fmt::format(" ({} asked about, with separations of up to {} m)", counted(totals.separated, "pair"),
+                          totals.largest_separation);
+    }
+    text += "\n";
   }
   return text + fmt::format("{} steps, {} crossings\n", totals.steps, crossings.size());
 }
