@@ -21,8 +21,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // The arc between two points of a circle over their distance, where they lie opposite each other.
 constexpr double kArc = std::numbers::pi / 2;
 
-// 16 bytes each. Radii that are very many times as long as the edges have more, and are hardly meant.
-constexpr std::size_t kMostNeighbours = 20'000'000;
+// For each particle and in all, of 16 bytes each. Radii that are very many times as long as the edges have more, and are
+// hardly meant.
+constexpr std::size_t kMostNeighbours = 256, kMostNeighboursInAll = 50'000'000;
 
 /// The ways that lead from each particle.
 class Graph {
@@ -84,17 +85,18 @@ Neighbours::Neighbours(const Scene& scene, const std::vector<Edge>& edges, const
   const auto reach = [](double a, double b) { return kArc * sum_rounded_up(a, b); };
   Graph graph(scene, edges, placed);
   std::vector<std::vector<Way>> ways(radius.size());
+  const std::size_t most = std::min(kMostNeighbours * radius.size(), kMostNeighboursInAll);
   std::size_t all = 0;
   for (Index p = 0; p < radius.size(); ++p) {
     if (radius[p] == 0) continue;
     graph.for_each_near(p, reach(radius[p], largest), [&](Index q, double length) {
       // Where both have a radius, the other one is found from q, too.
       if (!(length < reach(radius[p], radius[q])) || (radius[q] > 0 && q < p)) return;
-      if (++all > kMostNeighbours) {
+      if (++all > most) {
         throw Error(
             fmt::format("particles[{}]: radii of up to {} m are too long for elements so small: more than {} "
                         "pairs of particles are neighbours",
-                        p, largest, kMostNeighbours));
+                        p, largest, most));
       }
       ways[std::min(p, q)].push_back({std::max(p, q), length});
     });
