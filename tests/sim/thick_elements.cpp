@@ -17,6 +17,23 @@ Vector3 placed(const Scene& scene, Index p) {
   return particle.path.empty() ? particle.position : particle.path.front().position;
 }
 
+/// Whether the boxes around the elements' paths are farther apart than this along an axis, as most are.
+bool far_apart(const Query& query, double distance) {
+  const std::size_t first = query.kind == Kind::edge_edge ? 2 : 1;
+  for (const auto coordinate : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+    double low[2] = {1e300, 1e300}, high[2] = {-1e300, -1e300};
+    for (std::size_t c = 0; c < corner_count(query.kind); ++c) {
+      const int element = c < first ? 0 : 1;
+      for (const Vec3& corner : {query.start[c], query.end[c]}) {
+        low[element] = std::min(low[element], corner.*coordinate);
+        high[element] = std::max(high[element], corner.*coordinate);
+      }
+    }
+    if (low[0] - high[1] > distance || low[1] - high[0] > distance) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 ThickElements::ThickElements(const Scene& scene) : count_(scene.particles.size()), ways_(count_ * count_, 1e300) {
@@ -109,23 +126,12 @@ void ThickElements::measure(const VectorX& x0, const VectorX& x1, const std::vec
       query.end[c] = corner_of(x1, pair.particles[c]);
     }
     const double sum = pair.first_radius + pair.second_radius;
+    if (far_apart(query, 2 * sum)) continue;
     for (const double t : times) {
       const auto elements = tests::elements_at<double>(query, t);
-      // Spheres around the elements are too far apart in most cases.
-      const auto reach = [](const auto& element) {
-        double longest = 0;
-        for (const auto& corner : element) {
-          const auto arm = tests::plain::minus(corner, element[0]);
-          longest = std::max(longest, std::sqrt(tests::plain::dot(arm, arm)));
-        }
-        return longest;
-      };
-      const auto between = tests::plain::minus(elements.a[0], elements.b[0]);
-      const double apart = std::sqrt(tests::plain::dot(between, between));
-      if (apart > 1.2 * (sum + reach(elements.a) + reach(elements.b))) continue;
       const double distance = std::sqrt(tests::measure(elements, Metric::euclidean));
+      if (distance > 2 * sum) continue;
       nearness.least_gap = std::min(nearness.least_gap, distance - sum);
-      if (distance > 1.2 * sum) continue;
       ++nearness.exact;
       const auto exactly = tests::elements_at<Rational>(query, Rational(t));
       const Rational asked = Rational(pair.first_radius) + Rational(pair.second_radius);
