@@ -17,6 +17,9 @@ Vector3 placed(const Scene& scene, Index p) {
   return particle.path.empty() ? particle.position : particle.path.front().position;
 }
 
+// Pairs whose distance is more than so many sums of their radii, in doubles, need no exact measurement.
+constexpr double kLook = 1.4;
+
 /// Whether the boxes around the elements' paths are farther apart than this along an axis, as most are.
 bool far_apart(const Query& query, double distance) {
   const std::size_t first = query.kind == Kind::edge_edge ? 2 : 1;
@@ -126,11 +129,11 @@ void ThickElements::measure(const VectorX& x0, const VectorX& x1, const std::vec
       query.end[c] = corner_of(x1, pair.particles[c]);
     }
     const double sum = pair.first_radius + pair.second_radius;
-    if (far_apart(query, 2 * sum)) continue;
+    if (far_apart(query, kLook * sum)) continue;
     for (const double t : times) {
       const auto elements = tests::elements_at<double>(query, t);
       const double distance = std::sqrt(tests::measure(elements, Metric::euclidean));
-      if (distance > 2 * sum) continue;
+      if (distance > kLook * sum) continue;
       nearness.least_gap = std::min(nearness.least_gap, distance - sum);
       ++nearness.exact;
       const auto exactly = tests::elements_at<Rational>(query, Rational(t));
