@@ -9,6 +9,8 @@
 #include <set>
 #include <utility>
 
+#include <touchstone/distance.hpp>
+
 #include "broad_phase/box_tree.hpp"
 #include "scene/features.hpp"
 
@@ -274,6 +276,10 @@ Vector3 Colliders::contact_point(const Pair& pair, const VectorX& x0, const Vect
   };
   if (pair.kind != Kind::edge_edge) return at(c[0]);  // the first element is a particle
   return answer.weights_a[0] * at(c[0]) + answer.weights_a[1] * at(c[1]);
+}
+
+double Colliders::distance(const Pair& pair, const VectorX& x) const {
+  return touchstone::distance(query(pair, x, x)).value;
 }
 
 std::string Colliders::describe(const Pair& pair) const {

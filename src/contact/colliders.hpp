@@ -59,6 +59,9 @@ class Colliders {
   /// for neighbours and folds, which only do not touch.
   double separation(const Pair& pair) const noexcept { return has_separations() ? separation_of(pair) : 0; }
 
+  /// The distance of the pair's elements at these positions, correctly rounded, m.
+  double distance(const Pair& pair, const VectorX& x) const;
+
   /// How many elements have a radius: edges, faces, and particles that are in no edge.
   std::size_t with_radius() const noexcept;
   double largest_radius() const noexcept;  ///< m

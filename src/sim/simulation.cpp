@@ -8,7 +8,6 @@
 #include <optional>
 #include <utility>
 
-#include <touchstone/distance.hpp>
 #include <touchstone/error.hpp>
 
 #include "sim/state_check.hpp"
@@ -72,7 +71,7 @@ void Simulation::check_start(const State& state, std::string_view what) {
     throw Error(fmt::format(
         "{} begins with elements that are too near: {} are {:.9g} m apart, and their radii ask for more than {:.9g} m; "
         "smaller radii, or elements farther apart, would be right",
-        what, colliders_.describe(pair), distance(colliders_.query(pair, state.q, state.q)).value, separation));
+        what, colliders_.describe(pair), colliders_.distance(pair, state.q), separation));
   });
 }
 

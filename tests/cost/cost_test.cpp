@@ -48,8 +48,9 @@ double ratio(const Counted& a, const Counted& b) {
 
 }  // namespace
 
-TEST_CASE_WITH("valgrind",
-               "a scene without faces, shared particles, friction, cables or radii pays under 1 % for their existence") {
+TEST_CASE_WITH(
+    "valgrind",
+    "a scene without faces, shared particles, friction, cables or radii pays under 1 % for their existence") {
   for (const std::string feature : {"faces", "folds", "friction", "rods", "separations"}) {
     const Counted whole = count("whole", feature), without = count("without_" + feature, feature);
     CAPTURE(feature, whole.instructions, without.instructions);

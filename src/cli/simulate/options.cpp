@@ -57,9 +57,9 @@ void add_simulate(CLI::App& program, Command& command) {
             options->narrow_phase = name == "paper" ? sim::NarrowPhase::paper : sim::NarrowPhase::exact;
           },
           "The method that finds the contacts to respond to: exact, or paper, the closed form in doubles, for edges "
-          "only. The proof is always exact. With paper it reports crossings instead of refusing the step, and radii "
-          "are left "
-          "aside")
+          "only. The proof is always exact. With paper it reports crossings instead of refusing the step, and the "
+          "radii "
+          "of the scene are left aside")
       ->type_name("NAME")
       ->check(CLI::IsMember({"exact", "paper"}));
   subcommand
