@@ -144,6 +144,38 @@ TEST_CASE("a heap of spheres, thick edges and a thick sheet") {
   CHECK(course.entering > 100);
 }
 
+TEST_CASE("the legs of one bent cable keep two radii, and its bend is no obstacle to itself") {
+  constexpr double kRadius = 0.01, kBend = 0.03, kSegment = 0.006;
+  Scene scene;
+  scene.settings.gravity.setZero();
+  scene.settings.contact.restitution = 0;
+  scene.settings.contact.thickness = 1e-4;
+  scene.settings.drag = 1;
+  scene.settings.time_step = 1.0 / 240;
+  Cable cable;
+  const auto add = [&](const Vector3& at, double speed) {
+    cable.particles.push_back(add_particle(scene, at, 0));
+    scene.particles.back().velocity = {0, speed, 1e-3};
+  };
+  constexpr int kLeg = 30, kArc = 15;
+  for (int i = kLeg; i > 0; --i) add({kSegment * i, -kBend, 0}, 3.0 * i / kLeg);
+  for (int i = 0; i <= kArc; ++i) {
+    const double angle = 3.141592653589793 * i / kArc;
+    add({-kBend * std::sin(angle), -kBend * std::cos(angle), 0}, 0);
+  }
+  for (int i = 1; i <= kLeg; ++i) add({kSegment * i, kBend, 0}, -3.0 * i / kLeg);
+  set_material(cable, 2e4, 0.4, kRadius, 1000);
+  cable.twist = 0;
+  cable.damping = 1e-2;
+  cable.solid = true;
+  scene.cables.push_back(cable);
+  const Course course = run(scene, 30);
+  CHECK(course.nearness.violations == 0);
+  CHECK(course.nearness.exact > 500);
+  CHECK(course.nearness.least_gap < 2e-3);
+  CHECK(course.contacts > 20);
+}
+
 TEST_CASE("two parallel cables that are thrown against one another stop two radii apart") {
   constexpr double kRadius = 0.01, kThickness = 2e-4, kStep = 1e-3;
   Scene scene;
