@@ -229,7 +229,18 @@ TEST_CASE("whatever comes within its separation is a candidate, and the finder f
       const Query query = model.colliders.query(contact.pair, x0, x1);
       CHECK(contact.time == solve(query, separation).toi);
       CHECK(contact.normal.norm() == Approx(1));
-      CHECK(contact.gap >= 0);
+      if (separation.distance == 0) continue;
+      // The normal is along the closest points, which are the separation apart at the contact, and nearer within it.
+      Vector3 before = Vector3::Zero(), then = Vector3::Zero();
+      for (std::size_t c = 0; c < contact.corners; ++c) {
+        const Vector3 start = position(x0, contact.particles[c]), end = position(x1, contact.particles[c]);
+        before += contact.omega[c] * start;
+        then += contact.omega[c] * (start + contact.time * (end - start));
+      }
+      CHECK(contact.gap == Approx(std::max(contact.normal.dot(before) - separation.distance, 0.0)).margin(1e-12));
+      CHECK((then - then.norm() * contact.normal).norm() < 1e-9);
+      CHECK(then.norm() < separation.distance + 1e-9);
+      if (contact.time > 0) CHECK(then.norm() > separation.distance - 1e-9);
     }
     CHECK(keys == expected);
     contacts += found.size();
