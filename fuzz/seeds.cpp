@@ -71,7 +71,14 @@ std::vector<std::string> scene_file_seeds() {
           "radius": 0.01, "density": 1000, "young": 1e6, "poisson": 0.5, "start": {"hold": "clamped", "twist_rate": 1}}]})",
       R"({"touchstone_scene": 1, "particles": [{"position": [0, 0, 0], "path": [{"time": 0, "position": [0, 0, 0]}]},
           {"position": [1, 0, 0], "mass": 1}, {"position": [0, 1, 0], "mass": 1}], "surfaces": [{"faces": [[0, 1, 2]],
-          "stiffness": 10}], "wires": [[0, 1]], "springs": [{"particles": [1, 2], "stiffness": 5, "collides": false}]})"};
+          "stiffness": 10}], "wires": [[0, 1]], "springs": [{"particles": [1, 2], "stiffness": 5, "collides": false}]})",
+      R"({"touchstone_scene": 1, "particles": [{"position": [0, 0, 0], "pinned": true}, {"position": [1, 0, 0], "mass": 1},
+          {"position": [0, 1, 0], "mass": 1}, {"position": [0, 0, 9], "mass": 1, "radius": 0.25}],
+          "faces": [{"particles": [0, 1, 2], "radius": 0.001}, [0, 2, 1]], "wires": [{"particles": [0, 1], "radius": 0.5}],
+          "springs": [{"particles": [1, 2], "stiffness": 5, "radius": 1e-12}],
+          "surfaces": [{"faces": [[1, 0, 2]], "stiffness": 1, "radius": 0.01}],
+          "cables": [{"from": [0, 0, 3], "to": [1, 0, 3], "segments": 2, "radius": 0.01, "solid": true, "density": 1000,
+          "stretch": 1}]})"};
   for (const sim::ShippedScene& shipped : sim::shipped_scenes()) {
     const sim::Scene scene = shipped.make(shipped.least);
     const std::string text = sim::scene_to_json(scene);

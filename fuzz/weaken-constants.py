@@ -87,13 +87,47 @@ FAULTS = [
 ]
 
 
+# The same for questions with a separation. Where a bound is a sum, one of its parts can be hidden behind the others: then
+# the part becomes negative here, or is taken off by more than it adds.
+#
+# No attack finds these yet: kPreciseError, kMostError and kSolveReserve of entry.cpp, 16 times too small; its limits of sizes
+# and kLeastShare; the underflow guards of a direction with a norm. They have no line below.
+SEPARATION_FAULTS = [
+    ("greatest norm of n's middle coefficient", "filters/coplanarity_form.hpp", "(Euclidean ? 0.25 : 0.5) * norm(n[1])",
+     "(Euclidean ? 0.25 / 16 : 0.5 / 16) * norm(n[1])"),
+    ("kNormBound", "filters/coplanarity_form.hpp", "kNormBound = 32 *", "kNormBound = 32 / 16.0 *"),
+    ("kNormFactor", "filters/coplanarity_form.hpp", "kNormFactor = 1 + 8 *", "kNormFactor = 1 - 120 *"),
+    ("underflow guard of n's norm", "filters/coplanarity_form.hpp", "(uw >= kLeastNormProduct) & ", ""),
+    ("underflow guard of V with a separation", "filters/coplanarity_form.hpp", "(uwr >= kLeastVolume) & ", ""),
+    ("error of a gap with a separation", "filters/separating_direction.cpp", "(gap.error + separation.distance * norm)",
+     "(gap.error / 16 + separation.distance * norm)"),
+    ("kDirectionFactor", "filters/separating_direction.cpp", "kDirectionFactor = 1 + 8 *", "kDirectionFactor = 1 - 120 *"),
+    ("kWalkError", "filters/entry_walk.hpp", "kWalkError = 32 *", "kWalkError = 2 *"),
+    ("kTurnError", "filters/entry_walk.hpp", "kTurnError = 48 *", "kTurnError = 3 *"),
+    ("change of the approach", "filters/entry.cpp", "const double approach_error =\n        slope_error +",
+     "const double approach_error = 0 *\n        slope_error +"),
+    ("kNormIncrease", "filters/entry_walk.hpp", "kNormIncrease = 1 + 8 *", "kNormIncrease = 1 - 120 *"),
+    ("slopes of a facet's level", "filters/max_entry.cpp", "double first = speed + step_.size", "double first = speed"),
+    ("margin of a facet's other corners", "filters/max_entry.cpp", "const double margin = kError * size *",
+     "const double margin = 0 * kError * size *"),
+    ("margin of a facet's other axes", "filters/max_entry.cpp", "level - kError * (step_.size + step_.speed + level)",
+     "level + kError * (step_.size + step_.speed + level)"),
+    ("error of a facet's level", "filters/max_entry.cpp", "kPreciseError = 2048 *", "kPreciseError = 0 *"),
+    ("bend of a facet's parameters", "filters/max_entry.cpp", "at_root.s += part * ds;", "at_root.s += ds;"),
+    ("share of a separation's walk", "filters/entry.cpp", "share * (found.excess - found.error) + found.lowest > found.error",
+     "share * (found.excess - found.error) > found.error"),
+    ("parameters' distance from a border", "filters/entry.cpp", "if (!strictly_closest(", "if (false && !strictly_closest("),
+    ("rates of nearly parallel edges", "filters/entry.cpp", "64 * kUnit * amplified", "0 * kUnit * amplified"),
+]
+
+
 def stop(reason):
     print(f"weaken-constants: {reason}", file=sys.stderr)
     sys.exit(2)
 
 
 def layer_of(fault):
-    return fault[1].split("/")[0]
+    return "separation" if fault in SEPARATION_FAULTS else fault[1].split("/")[0]
 
 
 def faulty(text, fault):
@@ -167,14 +201,22 @@ def attacks(build, layer, seconds, jobs, quick):
 
     Each has its own share of the seconds: a fault that makes one hang leaves the others theirs. Building takes no time."""
     fuzz = [build / "touchstone", "fuzz", "--solver", "touchstone"]
-    tests = build / f"tests/{layer}/test_{layer}"
+
+    def tests(folder, share, *names):
+        return (f"tests/{folder}", f"test_{folder}", [build / f"tests/{folder}/test_{folder}", *names, "--abort"], share)
+
+    if layer == "separation":
+        fuzz += ["--separation", "each"]
+        # The long tests of that folder compare what the fuzzer compares.
+        searches = [tests("filters", 0.3, "[separation]"), tests("separation", 0.2, "*entries near*,patches*")]
+    else:
+        searches = [tests(layer, 0.5)]
     spent, excuses = 0.0, []
-    for name, target, command, share in [
-        (f"tests/{layer}", f"test_{layer}", [tests, "--abort"], 0.5),
+    for name, target, command, share in searches + [
         ("touchstone fuzz", "touchstone_program", fuzz + ["--seconds", str(max(1, round(seconds / 5)))], 0.25),
         ("touchstone fuzz --climb", "touchstone_program",
          fuzz + ["--climb", "100", "--seconds", str(max(1, round(seconds / 5)))], 0.25),
-    ][: 1 if quick else 3]:
+    ][: 0 if quick else 2]:
         build_target(build, target, jobs)
         found, took, words = finds(name, [str(word) for word in command], seconds if quick else share * seconds)
         spent += took
@@ -192,10 +234,10 @@ def main():
     parser.add_argument("--quick", action="store_true", help="the searches of the tests only")
     parser.add_argument("--list", action="store_true", help="the faults, and no more")
     options = parser.parse_args()
-    chosen = [fault for fault in FAULTS if options.only in fault[0]]
+    chosen = [fault for fault in FAULTS + SEPARATION_FAULTS if options.only in fault[0]]
     if not chosen:
         stop(f"no fault is called '{options.only}'")
-    for fault in FAULTS:  # before minutes are spent
+    for fault in FAULTS + SEPARATION_FAULTS:  # before minutes are spent
         faulty((ROOT / "src" / fault[1]).read_text(), fault)
     if options.list:
         print("\n".join(fault[0] for fault in chosen))

@@ -82,7 +82,8 @@ std::string_view level_name(Level level) noexcept;
 std::string_view trend_name(Trend trend) noexcept;
 
 /// The answer to one query. With a separation d > 0, `touch` below means to be within d, the touched features are those
-/// that hold the closest points, and the weights are those of the closest points. Without contact only `contact` and `level` have a meaning; both times are then +infinity.
+/// that hold the closest points, and the weights are those of the closest points. Without contact only `contact` and
+/// `level` have a meaning; both times are then +infinity.
 struct Answer {
   bool contact = false;               ///< Whether the elements touch at any time in [0, t_max].
   Level level = Level::exact;         ///< Which level decided.
@@ -106,8 +107,8 @@ struct Answer {
   /// lexicographically smallest (a0, a1, b0, b1).
   ///
   /// With a separation in the largest-axis metric there may be many pairs of closest points. The answer gives the one
-  /// with the lexicographically smallest weights, of the first element and then of the second. A zero-length edge is its
-  /// first corner. Of a flat triangle the first of f0, f1, f2, f01, f12, f20 counts that holds closest points.
+  /// with the lexicographically smallest weights, of the first element and then of the second. A zero-length edge is
+  /// its first corner. Of a flat triangle the first of f0, f1, f2, f01, f12, f20 counts that holds closest points.
   std::array<double, 3> weights_a{};
 
   /// The same on the second element: (b0, b1, 0) or (e0, e1, 0) for an edge, (f0, f1, f2) for a face, (1, 0, 0) for a

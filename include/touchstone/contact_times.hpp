@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <vector>
@@ -90,9 +91,17 @@ std::vector<ContactInterval> contact_times(const Query& query, const Separation&
 /// @param separation  the distance and its metric
 /// @param t_max       the end of the time range, 0 <= t_max <= 1
 /// @return the intervals
-/// @throws InvalidQuery  for a coordinate that is not a fraction, a t_max outside [0, 1], a distance that is negative or
-///                       not finite, or an unknown metric
+/// @throws InvalidQuery  for a coordinate that is not a fraction, a t_max outside [0, 1], a distance that is negative
+///                       or not finite, or an unknown metric
 std::vector<ContactInterval> contact_times(const RationalQuery& query, const Separation& separation,
                                            double t_max = 1.0);
+
+/// A bare number in braces, contact_times(query, {0.001}), would be t_max. For a separation write Separation{0.001}.
+/// @param query  the two elements and their motion
+/// @param bare   a number without a name
+/// @param t_max  the end of the time range
+template <class AnyQuery>
+std::vector<ContactInterval> contact_times(const AnyQuery& query, std::initializer_list<double> bare,
+                                           double t_max = 1.0) = delete;
 
 }  // namespace touchstone

@@ -89,9 +89,10 @@ enum touchstone_metric {
 };
 
 /** A second function that is looked up by name, for `touchstone fuzz --separation D`; a library without it takes no
- *  separation. It is called once, before `init`. From then on elements are in contact while their distance is at most
- *  `distance`, which is finite and above 0. `metric` is one of touchstone_metric. It returns 0 when the solver takes this
- *  separation; any other number means that it does not. */
+ *  separation. It is called before `init`, and with `--separation each` again before a query with another distance.
+ *  From then on elements are in contact while their distance is at most `distance`, which is finite and above 0.
+ *  `metric` is one of touchstone_metric. It returns 0 when the solver takes this separation; any other number means
+ *  that it does not. */
 TOUCHSTONE_EXPORT int touchstone_separation(double distance, int metric);
 
 #ifdef __cplusplus

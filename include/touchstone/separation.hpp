@@ -1,4 +1,4 @@
-// Touchstone: the minimum separation of a question, and distances. Two elements with a thickness meet before they touch.
+// Touchstone: the separation that two elements are to keep, and distances.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <vector>
 
 #include <touchstone/answer.hpp>
@@ -99,6 +100,20 @@ bool solve_any(const Query& query, double t_max = 1.0);
 /// @return whether they come so near
 /// @throws InvalidQuery  as solve(query, separation, t_max)
 bool solve_any(const Query& query, const Separation& separation, double t_max = 1.0);
+
+/// A bare number in braces, solve(query, {0.001}), would be t_max. For a separation write Separation{0.001}.
+/// @param query  the two elements and their motion
+/// @param bare   a number without a name
+/// @param t_max  the end of the time range
+template <class AnyQuery>
+Answer solve(const AnyQuery& query, std::initializer_list<double> bare, double t_max = 1.0) = delete;
+
+/// The same for solve_any(query, {0.001}).
+/// @param query  the two elements and their motion
+/// @param bare   a number without a name
+/// @param t_max  the end of the time range
+template <class AnyQuery>
+bool solve_any(const AnyQuery& query, std::initializer_list<double> bare, double t_max = 1.0) = delete;
 
 /// The options of a batch. `threads` and `vectors` change no answer.
 struct BatchOptions {

@@ -4,6 +4,7 @@
 
 #include <touchstone/answer.hpp>
 #include <touchstone/certify.hpp>
+#include <touchstone/contact_normal.hpp>
 #include <touchstone/contact_times.hpp>
 #include <touchstone/distance.hpp>
 #include <touchstone/error.hpp>
@@ -17,8 +18,9 @@
 /// Robust, exact continuous collision detection: do two moving elements touch, and when first?
 ///
 /// `solve` answers one query, and `solve_batch` answers many. Each of them also takes a Separation that the elements
-/// are to keep. `contact_times` gives all times of contact. `distance` measures at one instant. `judge` judges the
-/// claim of another solver. `Mesh` and `first_contact` ask about whole meshes. The header touchstone/touchstone.hpp
-/// brings all of these. Two more headers stand beside it: touchstone/eigen.hpp makes queries from Eigen vectors, and
+/// are to keep. `contact_times` gives all times of contact, and `contact_normal` the normal at the first. `distance`
+/// measures at one instant. `judge` judges the claim of another solver. `Mesh` and `first_contact` ask about whole
+/// meshes. The header touchstone/touchstone.hpp brings all of these. Two more headers stand beside it:
+/// touchstone/eigen.hpp makes queries from Eigen vectors, and
 /// touchstone/fuzz.hpp searches for failures of another solver.
 namespace touchstone {}

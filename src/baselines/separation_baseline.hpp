@@ -1,5 +1,5 @@
-// Other people's ways to find the first time at which two elements are within a distance of each other, written afresh to
-// compare with. The solver calls none of them.
+// Other people's ways to find the first time at which two elements are within a distance of each other, written afresh
+// to compare with. The solver calls none of them.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -19,8 +19,8 @@ struct SeparationBaseline {
   Tolerance tolerance = Tolerance::none;
   double usual_tolerance = 0;  ///< what its users commonly choose; 0 where it has none
 
-  /// The first time in [0, t_max] at which the distance is at most `separation`. Bounded work and no crash for any finite
-  /// query of any kind, 0 <= t_max <= 1, a finite separation >= 0 and any tolerance; the caller's floating-point
+  /// The first time in [0, t_max] at which the distance is at most `separation`. Bounded work and no crash for any
+  /// finite query of any kind, 0 <= t_max <= 1, a finite separation >= 0 and any tolerance; the caller's floating-point
   /// environment must be the default one.
   Result (*solve)(const Query& query, double separation, double t_max, double tolerance) = nullptr;
 };
@@ -38,11 +38,12 @@ const SeparationBaseline* find_separation_method(std::string_view name);
 /// kAdvancementSteps steps it claims a contact at the time that it has reached.
 Result solve_thick_advancement(const Query& query, double separation, double t_max, double tolerance);
 
-/// Roots of (n . r)^2 - d^2 |n|^2, of degree 6, and of the polynomials of edges and corners, of degree 4 and 2, in plain
-/// doubles, each with the test that the closest points lie in the elements: as for the thickened elements of D. Harmon,
-/// E. Vouga, B. Smith, R. Tamstorf, E. Grinspun, "Asynchronous contact mechanics", ACM TOG 28 (2009). It has fixed slacks
-/// in place of a tolerance. A square of a determinant has twice its rounding error, so that a small separation drowns in
-/// it. A double root, where the elements graze the separation, is found when rounding does not lift it from zero.
+/// Roots of (n . r)^2 - d^2 |n|^2, of degree 6, and of the polynomials of edges and corners, of degree 4 and 2, in
+/// plain doubles, each with the test that the closest points lie in the elements: as for the thickened elements of D.
+/// Harmon, E. Vouga, B. Smith, R. Tamstorf, E. Grinspun, "Asynchronous contact mechanics", ACM TOG 28 (2009). It has
+/// fixed slacks in place of a tolerance. A square of a determinant has twice its rounding error, so that a small
+/// separation drowns in it. A double root, where the elements graze the separation, is found when rounding does not
+/// lift it from zero.
 Result solve_thick_polynomial(const Query& query, double separation, double t_max, double tolerance);
 
 }  // namespace touchstone::baselines

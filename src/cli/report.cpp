@@ -106,7 +106,8 @@ int run_report(const ReportOptions& options) {
                     "do not hold, which only `touchstone` takes.",
                     source, given.not_doubles == 1 ? "1 is" : grouped(given.not_doubles) + " are"));
   };
-  append("bundled", "The hand-made, mostly degenerate queries that are bundled with the program", bundled_inputs());
+  append("bundled", "The hand-made, mostly degenerate queries that are bundled with the program",
+         bundled_touching_inputs());
   append("files", counted(options.files.size(), "file") + " named on the command line",
          find_inputs(options.files, options.kind));
 

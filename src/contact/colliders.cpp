@@ -9,6 +9,8 @@
 #include <set>
 #include <utility>
 
+#include <touchstone/distance.hpp>
+
 #include "broad_phase/box_tree.hpp"
 #include "scene/features.hpp"
 
@@ -37,6 +39,13 @@ broad_phase::Box box_around(const std::array<Index, N>& particles, const VectorX
   return box;
 }
 
+/// The margin of a box around an element with this radius. A separation exceeds the sum of two radii by the rounding of
+/// that sum, less than two units in the last place of the larger one: 2^-51 of it is as much.
+double with_radius_added(double margin, double radius) {
+  constexpr double kRoundedSum = 0x1p-51;
+  return radius > 0 ? sum_rounded_up(margin, radius + kRoundedSum * radius) : margin;
+}
+
 /// The motion of particles in a substep, give or take a margin along each axis.
 struct Sweep {
   const VectorX& x0;
@@ -44,16 +53,18 @@ struct Sweep {
   double margin;
 
   template <std::size_t N>
-  broad_phase::MovingBox box(const std::array<Index, N>& particles) const {
-    return {box_around(particles, x0, margin), box_around(particles, x1, margin)};
+  broad_phase::MovingBox box(const std::array<Index, N>& particles, double radius) const {
+    const double wider = with_radius_added(margin, radius);
+    return {box_around(particles, x0, wider), box_around(particles, x1, wider)};
   }
-  broad_phase::MovingBox box(Index particle) const { return box(std::array{particle}); }
+  broad_phase::MovingBox box(Index particle, double radius) const { return box(std::array{particle}, radius); }
 
-  template <class Element>
-  std::vector<broad_phase::MovingBox> boxes(const std::vector<Element>& elements) const {
+  /// @param radius_of  the radius of elements[i], by i
+  template <class Element, class RadiusOf>
+  std::vector<broad_phase::MovingBox> boxes(const std::vector<Element>& elements, RadiusOf radius_of) const {
     std::vector<broad_phase::MovingBox> boxes;
     boxes.reserve(elements.size());
-    for (const Element& element : elements) boxes.push_back(box(element));
+    for (std::size_t i = 0; i < elements.size(); ++i) boxes.push_back(box(elements[i], radius_of(i)));
     return boxes;
   }
 };
@@ -78,7 +89,9 @@ double shortest_of(const std::vector<Edge>& edges, const std::vector<char>& move
 
 }  // namespace
 
-Colliders::Colliders(const Scene& scene, const System& system) : faces_(scene.faces) {
+Colliders::Colliders(const Scene& scene, const System& system, Keep keep) {
+  faces_.reserve(scene.faces.size());
+  for (const Facet& face : scene.faces) faces_.push_back(face.particles);
   for (const Spring& spring : scene.springs) {
     if (spring.collides) edges_.push_back({spring.a, spring.b});
   }
@@ -87,7 +100,7 @@ Colliders::Colliders(const Scene& scene, const System& system) : faces_(scene.fa
       edges_.push_back({cable.particles[j], cable.particles[(j + 1) % cable.particles.size()]});
     }
   }
-  edges_.insert(edges_.end(), scene.wires.begin(), scene.wires.end());
+  for (const Wire& wire : scene.wires) edges_.push_back(wire.particles);
   for (const Face& face : faces_) {
     for (std::size_t k = 0; k < 3; ++k) edges_.push_back({face[k], face[(k + 1) % 3]});
   }
@@ -99,11 +112,11 @@ Colliders::Colliders(const Scene& scene, const System& system) : faces_(scene.fa
   moves_.assign(system.particle_count(), 0);
   for (std::size_t p = 0; p < count; ++p) moves_[p] = !scene.particles[p].path.empty() || !scene.particles[p].pinned();
 
-  std::vector<char> in_edge(count, 0);
+  in_edge_.assign(count, 0);
   std::vector<std::vector<Index>> edges_at(count);
   for (Index e = 0; e < edges_.size(); ++e) {
     for (const Index p : edges_[e]) {
-      in_edge[p] = 1;
+      in_edge_[p] = 1;
       edges_at[p].push_back(e);
     }
   }
@@ -112,7 +125,7 @@ Colliders::Colliders(const Scene& scene, const System& system) : faces_(scene.fa
   for (Index p = 0; p < count; ++p) {
     if (!scene.particles[p].collides) continue;  // check_scene: then nothing that could be hit has it as a corner
     vertices_.push_back(p);
-    if (!in_edge[p]) points_.push_back(p);
+    if (!in_edge_[p]) points_.push_back(p);
     for (const Index e : edges_at[p]) {
       for (const Index other : edges_at[p]) {
         const Index end = edges_[other][0] == p ? edges_[other][1] : edges_[other][0];
@@ -129,6 +142,56 @@ Colliders::Colliders(const Scene& scene, const System& system) : faces_(scene.fa
   passes_.anything_moves = anything_moves;
   passes_.free_points = points_.size();
   passes_.not_colliding = count - vertices_.size();
+  if (!kSeparations || keep == Keep::contact) return;
+  radii_ = Radii(scene, edges_);
+  if (!radii_.any()) return;
+  neighbours_ = Neighbours(scene, edges_, radii_.particle, system.initial_position);
+}
+
+std::size_t Colliders::with_radius() const noexcept {
+  if (!has_separations()) return 0;
+  const auto counted = [](const std::vector<double>& radii) {
+    return static_cast<std::size_t>(std::count_if(radii.begin(), radii.end(), [](double r) { return r > 0; }));
+  };
+  const auto points = std::count_if(points_.begin(), points_.end(), [&](Index p) { return radii_.particle[p] > 0; });
+  return counted(radii_.edge) + counted(radii_.face) + static_cast<std::size_t>(points);
+}
+
+double Colliders::largest_radius() const noexcept {
+  return has_separations() ? *std::max_element(radii_.particle.begin(), radii_.particle.end()) : 0;
+}
+
+double Colliders::separation_of(const Pair& pair) const noexcept {
+  double first = 0, second = 0;
+  switch (pair.kind) {
+    case Kind::edge_edge:
+      first = radii_.edge[pair.i];
+      second = radii_.edge[pair.j];
+      break;
+    case Kind::vertex_face:
+      first = radii_.particle[pair.i];
+      second = radii_.face[pair.j];
+      break;
+    case Kind::point_edge:
+      if (in_edge_[pair.i]) return 0;  // a fold
+      first = radii_.particle[pair.i];
+      second = radii_.edge[pair.j];
+      break;
+    case Kind::point_point:
+      first = radii_.particle[pair.i];
+      second = radii_.particle[pair.j];
+      break;
+  }
+  const double d = sum_rounded_up(first, second);
+  if (d == 0 || neighbours_.count() == 0) return d;
+  const auto particles = corners(pair);
+  const std::size_t of_first = pair.kind == Kind::edge_edge ? 2 : 1;
+  for (std::size_t a = 0; a < of_first; ++a) {
+    for (std::size_t b = of_first; b < corner_count(pair.kind); ++b) {
+      if (neighbours_.near(particles[a], particles[b], d)) return 0;
+    }
+  }
+  return d;
 }
 
 std::array<Index, 4> Colliders::corners(const Pair& pair) const noexcept {
@@ -163,29 +226,38 @@ bool Colliders::can_move(const Pair& pair) const noexcept {
 std::vector<Pair> Colliders::candidates(const VectorX& x0, const VectorX& x1, double margin) const {
   std::vector<Pair> pairs;
   const Sweep motion{x0, x1, margin};
+  const bool thick = has_separations();
+  const auto by_number = [thick](const std::vector<double>& radii) {
+    return [thick, &radii](std::size_t i) { return thick ? radii[i] : 0; };
+  };
+  const auto by_particle = [&](const std::vector<Index>& particles) {
+    return [&](std::size_t i) { return thick ? radii_.particle[particles[i]] : 0; };
+  };
   const auto add = [&](const Pair& pair) {
     if (can_move(pair)) pairs.push_back(pair);
   };
   std::vector<broad_phase::MovingBox> edge_boxes;
-  if (passes_.edge_edge || passes_.joints || passes_.points) edge_boxes = motion.boxes(edges_);
+  if (passes_.edge_edge || passes_.joints || passes_.points) edge_boxes = motion.boxes(edges_, by_number(radii_.edge));
   if (passes_.edge_edge) {
     broad_phase::for_each_pair(edge_boxes, [&](Index i, Index j) {
       if (!contains(edges_[j], edges_[i][0]) && !contains(edges_[j], edges_[i][1])) add({Kind::edge_edge, i, j});
     });
   }
   if (kFaces && passes_.vertex_face) {
-    broad_phase::for_each_pair(motion.boxes(vertices_), motion.boxes(faces_), [&](Index i, Index j) {
+    const auto vertex_boxes = motion.boxes(vertices_, by_particle(vertices_));
+    const auto face_boxes = motion.boxes(faces_, by_number(radii_.face));
+    broad_phase::for_each_pair(vertex_boxes, face_boxes, [&](Index i, Index j) {
       if (!contains(faces_[j], vertices_[i])) add({Kind::vertex_face, vertices_[i], j});
     });
   }
   if (kFolds && passes_.joints) {
     for (const Fold& fold : folds_) {
-      if (broad_phase::meet(motion.box(fold.particle), edge_boxes[fold.edge]))
+      if (broad_phase::meet(motion.box(fold.particle, 0), edge_boxes[fold.edge]))
         pairs.push_back({Kind::point_edge, fold.particle, fold.edge});
     }
   }
   if (passes_.points) {
-    const auto point_boxes = motion.boxes(points_);
+    const auto point_boxes = motion.boxes(points_, by_particle(points_));
     broad_phase::for_each_pair(point_boxes, edge_boxes, [&](Index i, Index j) {
       add({Kind::point_edge, points_[i], j});
     });
@@ -204,6 +276,10 @@ Vector3 Colliders::contact_point(const Pair& pair, const VectorX& x0, const Vect
   };
   if (pair.kind != Kind::edge_edge) return at(c[0]);  // the first element is a particle
   return answer.weights_a[0] * at(c[0]) + answer.weights_a[1] * at(c[1]);
+}
+
+double Colliders::distance(const Pair& pair, const VectorX& x) const {
+  return touchstone::distance(query(pair, x, x)).value;
 }
 
 std::string Colliders::describe(const Pair& pair) const {

@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include <touchstone/answer.hpp>
 #include <touchstone/query.hpp>
 
+#include "contact/separations.hpp"
 #include "rods/system.hpp"
+#include "scene/features.hpp"
 
 namespace touchstone::sim {
 
@@ -33,9 +36,12 @@ struct Fold {
   Index particle = 0, edge = 0;
 };
 
+/// Whether elements keep the distances that their radii ask for, or only from touching.
+enum class Keep : std::uint8_t { separations, contact };
+
 class Colliders {
  public:
-  Colliders(const Scene& scene, const System& system);
+  Colliders(const Scene& scene, const System& system, Keep keep = Keep::separations);
 
   const std::vector<Edge>& edges() const noexcept { return edges_; }
   const std::vector<Face>& faces() const noexcept { return faces_; }
@@ -46,10 +52,26 @@ class Colliders {
 
   Query query(const Pair& pair, const VectorX& x0, const VectorX& x1) const noexcept;
 
+  /// Whether any element has a radius.
+  bool has_separations() const noexcept { return kSeparations && radii_.any(); }
+
+  /// The distance that the pair is to stay farther apart than, m: the sum of the radii of its elements, rounded up; 0
+  /// for neighbours and folds, which only do not touch.
+  double separation(const Pair& pair) const noexcept { return has_separations() ? separation_of(pair) : 0; }
+
+  /// The distance of the pair's elements at these positions, correctly rounded, m.
+  double distance(const Pair& pair, const VectorX& x) const;
+
+  /// How many elements have a radius: edges, faces, and particles that are in no edge.
+  std::size_t with_radius() const noexcept;
+  double largest_radius() const noexcept;  ///< m
+
+  const Neighbours& neighbours() const noexcept { return neighbours_; }
+
   /// Every pair whose boxes overlap at some time, when the boxes move from x0 to x1 with their elements and are wider
-  /// by `margin` on all sides. So every pair that may touch while each particle ends within `margin` of x1 along each
-  /// axis. Pairs in which nothing can move are left out and, but for folds, pairs that share a particle. The order
-  /// depends on the arguments only.
+  /// by their radii and by `margin` on all sides. So every pair that may come within its separation while each particle
+  /// ends within `margin` of x1 along each axis. Pairs in which nothing can move are left out and, but for folds, pairs
+  /// that share a particle. The order depends on the arguments only.
   std::vector<Pair> candidates(const VectorX& x0, const VectorX& x1, double margin) const;
 
   /// Where the pair's elements touch in the motion from x0 to x1, by the exact solver's answer. m
@@ -63,6 +85,7 @@ class Colliders {
 
  private:
   bool can_move(const Pair& pair) const noexcept;
+  double separation_of(const Pair& pair) const noexcept;
 
   std::vector<Edge> edges_;
   std::vector<Face> faces_;
@@ -72,6 +95,9 @@ class Colliders {
   std::vector<char> moves_;  // by particle
   Passes passes_;
   double shortest_ = 1;
+  Radii radii_;
+  Neighbours neighbours_;
+  std::vector<char> in_edge_;  // by particle
 };
 
 inline Vec3 corner_of(const VectorX& q, Index particle) noexcept {

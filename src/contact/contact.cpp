@@ -138,6 +138,14 @@ Contact contact_of(const Colliders& colliders, const Pair& pair, const VectorX& 
   contact.omega =
       exact_weights ? signed_weights(pair.kind, answer.weights_a, answer.weights_b) : closest_weights(pair.kind, at);
   const Vector3 before = weighted(contact, x0), moved = weighted(contact, x1) - before;
+  if (const double separation = colliders.separation(pair); kSeparations && separation > 0) {
+    // The elements are that far apart at the contact, and their closest points say where the other one is.
+    const Vector3 between = before + contact.time * moved;
+    const Vector3& along = between.squaredNorm() > 0 ? between : before;
+    contact.normal = along.squaredNorm() > 0 ? Vector3(along.normalized()) : Vector3::UnitZ();
+    contact.gap = std::max(contact.normal.dot(before) - separation, 0.0);
+    return contact;
+  }
   Vector3 n = common_normal(pair.kind, at);
   if (n.isZero()) {
     // Parallel edges, or a point: the normal is across the edge, towards the side that the elements came from.
@@ -162,6 +170,7 @@ bool proximity(const Colliders& colliders, const Pair& pair, const VectorX& x0, 
   contact = empty_contact(colliders, pair);
   Corners at{};
   for (std::size_t c = 0; c < contact.corners; ++c) at[c] = position(x0, contact.particles[c]);
+  const double separation = colliders.separation(pair), reach = separation + thickness;
   // Most candidate pairs of a substep are far apart along an axis.
   const std::size_t first = pair.kind == Kind::edge_edge ? 2 : 1;
   for (Eigen::Index k = 0; k < 3; ++k) {
@@ -172,13 +181,14 @@ bool proximity(const Colliders& colliders, const Pair& pair, const VectorX& x0, 
       low = std::min(low, at[c][k]);
       high = std::max(high, at[c][k]);
     }
-    if (low_a - high_b >= thickness || low_b - high_a >= thickness) return false;
+    if (low_a - high_b >= reach || low_b - high_a >= reach) return false;
   }
   contact.omega = closest_weights(pair.kind, at);
   const Vector3 between = weighted(contact, x0);
-  contact.gap = between.norm();
-  if (!(contact.gap < thickness) || contact.gap == 0) return false;
-  contact.normal = between / contact.gap;
+  const double distance = between.norm();
+  if (!(distance < reach) || distance == 0) return false;
+  contact.gap = std::max(distance - separation, 0.0);
+  contact.normal = between / distance;
   return true;
 }
 

@@ -17,7 +17,7 @@ struct Contact {
   std::array<double, 4> omega{};
   Vector3 normal = Vector3::Zero();  ///< of length 1, towards the side that sum omega_i x_i was on before
   double time = 0;                   ///< in [0, 1], the substep; 0 for elements that were only close at its start
-  double gap = 0;                    ///< m, along the normal, at the start of the substep
+  double gap = 0;                    ///< m, along the normal, at the start of the substep, beyond the pair's separation
 };
 
 /// The contact that `answer` reports for this pair.
@@ -25,8 +25,8 @@ struct Contact {
 Contact contact_of(const Colliders& colliders, const Pair& pair, const VectorX& x0, const VectorX& x1,
                    const Answer& answer, bool exact_weights);
 
-/// The same for two elements that are close at x0; the normal is along their shortest connection. False when they are
-/// `thickness` apart or more, or touch.
+/// The same for two elements that are close at x0; the normal is along their shortest connection. False when their
+/// distance exceeds their separation by `thickness` or more, or they touch.
 bool proximity(const Colliders& colliders, const Pair& pair, const VectorX& x0, double thickness, Contact& contact);
 
 /// How impulses answer a contact in one substep.

@@ -10,9 +10,9 @@
 namespace touchstone::sim {
 
 struct ResponseCounts {
-  std::uint64_t close = 0;                 ///< pairs that were nearer than the thickness at the start
+  std::uint64_t close = 0;                 ///< pairs whose gap was less than the thickness at the start
   std::uint64_t contacts = 0;              ///< found by the narrow phase, over all passes
-  std::array<std::uint64_t, 5> natures{};  ///< of these, by Nature
+  std::array<std::uint64_t, 6> natures{};  ///< of these, by Nature
   LevelCounts levels;                      ///< how many queries of the response each level decided
   std::uint64_t queries = 0;
   int passes = 0;             ///< of impulses that had contacts to answer
@@ -32,7 +32,7 @@ class ContactFinder {
   /// call.
   void begin(const VectorX& x0, const VectorX& x1, double margin);
 
-  /// Pairs that are nearer than `thickness` at x0, which is at most the margin.
+  /// Pairs whose distance at x0 is less than their separation and `thickness`, which is at most the margin.
   std::vector<Contact> close(double thickness) const;
 
   /// The contacts between x0 and x1, in the order of their time. A pair that had none last time is asked again only

@@ -37,7 +37,7 @@ std::vector<std::vector<Index>> ImpactZones::zones() {
 }
 
 bool move_rigidly(const std::vector<Index>& zone, const System& system, const VectorX& inverse_mass, const VectorX& x0,
-                  VectorX& x1) {
+                  VectorX& x1, Turning turning) {
   const auto at = [](Index p) { return 3 * static_cast<Eigen::Index>(p); };
   // A particle that is held in one coordinate only counts as held: it does not move at all then.
   const Index* held = nullptr;
@@ -67,6 +67,10 @@ bool move_rigidly(const std::vector<Index>& zone, const System& system, const Ve
   }
   centre = position(x0, zone[0]) + centre / mass;
   const Vector3 shift = momentum / mass;
+  if (turning == Turning::none) {
+    for (const Index p : zone) x1.segment<3>(at(p)) = position(x0, p) + shift;
+    return true;
+  }
   Vector3 angular = Vector3::Zero();
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
   for (const Index p : zone) {

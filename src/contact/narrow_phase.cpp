@@ -12,6 +12,7 @@ PairSolver::PairSolver(const Colliders& colliders, NarrowPhase narrow_phase, int
       narrow_phase_(narrow_phase),
       threads_(threads),
       queries_(kBlock),
+      separations_(colliders.has_separations() ? kBlock : 0),
       answers_(kBlock) {}
 
 void PairSolver::ask(const Pair* pairs, std::size_t count, const VectorX& x0, const VectorX& x1) {
@@ -19,6 +20,11 @@ void PairSolver::ask(const Pair* pairs, std::size_t count, const VectorX& x0, co
   for (std::size_t i = 0; i < count; ++i) queries_[i] = colliders_->query(pairs[i], x0, x1);
   BatchOptions options;
   options.threads = threads_;
+  if (kSeparations && !separations_.empty()) {
+    for (std::size_t i = 0; i < count; ++i) separations_[i] = colliders_->separation(pairs[i]);
+    options.distances = separations_.data();
+    options.distance_count = count;
+  }
   if (narrow_phase_ == NarrowPhase::exact) {
     solve_batch(queries_.data(), count, answers_.data(), options);
     return;

@@ -16,12 +16,14 @@ namespace touchstone::sim {
 /// The solver that finds contacts for the response. The proof always asks the exact one.
 enum class NarrowPhase : std::uint8_t {
   exact,  ///< touchstone::solve
-  paper   ///< as in the paper: the closed form in doubles for edges, which loses contacts, and nothing for faces
+  paper   ///< as in the paper: the closed form in doubles for edges, which loses contacts, and nothing for faces; it
+          ///< knows no separation
 };
 
-using QuerySink = std::function<void(const Query&, const Answer&)>;
+/// Sees a query, its separation and the answer.
+using QuerySink = std::function<void(const Query&, double, const Answer&)>;
 
-/// Answers to pairs[i], in order; the same for any number of threads.
+/// Answers to pairs[i], in order; the same for any number of threads. Elements are in contact within their separation.
 class PairSolver {
  public:
   /// @param cancel  is checked before each block of pairs, and lives as long as this
@@ -38,7 +40,7 @@ class PairSolver {
       for (std::size_t i = 0; i < count; ++i) {
         count_level(answers_[i].level, counts);
         if (answers_[i].contact) found(first + i, answers_[i]);
-        if (sink_) sink_(queries_[i], answers_[i]);
+        if (sink_) sink_(queries_[i], separation_of(i), answers_[i]);
       }
     }
     return counts;
@@ -53,6 +55,7 @@ class PairSolver {
  private:
   static constexpr std::size_t kBlock = 1024;  // queries that stay in the cache
   void ask(const Pair* pairs, std::size_t count, const VectorX& x0, const VectorX& x1);
+  double separation_of(std::size_t i) const noexcept { return separations_.empty() ? 0 : separations_[i]; }
   static void count_level(Level level, LevelCounts& counts) noexcept;
 
   const Colliders* colliders_;
@@ -61,6 +64,7 @@ class PairSolver {
   int threads_;
   QuerySink sink_;
   std::vector<Query> queries_;
+  std::vector<double> separations_;  // of queries_; empty when no element has a radius
   std::vector<Answer> answers_;
 };
 

@@ -54,16 +54,6 @@ auto nonzero_cubic(const Elements& elements) -> const typename Elements::Cubic* 
   return nullptr;
 }
 
-CandidateStory* new_chapter(Story* story, const RealRoot& root, int multiplicity) {
-  if (story == nullptr) return nullptr;
-  CandidateStory& chapter = story->candidates.emplace_back();
-  chapter.lower = root.lower();
-  chapter.upper = root.upper();
-  chapter.time = root.to_string();
-  chapter.multiplicity = multiplicity;
-  return &chapter;
-}
-
 template <class Elements>
 bool touching_at(const Elements& elements, const RealRoot& root, CandidateStory* chapter, SideSigns& found) {
   found = SideSigns();

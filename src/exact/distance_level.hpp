@@ -1,8 +1,8 @@
 // The distance of two moving elements against one level d > 0, in exact arithmetic.
 //
-// The elements are within d of each other where one of finitely many conditions holds, each made of signs of polynomials
-// in t. So the times at which the distance falls to d are among the roots of finitely many polynomials: the events.
-// docs/design.md proves both for both metrics.
+// The elements are within d of each other where one of finitely many conditions holds, each made of signs of
+// polynomials in t. So the times at which the distance falls to d are among the roots of finitely many polynomials: the
+// events. docs/design.md proves both for both metrics.
 // SPDX-License-Identifier: MIT
 #pragma once
 

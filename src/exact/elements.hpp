@@ -88,8 +88,6 @@ class Moment {
     return sign != 0 || side_ == 0 ? sign : side_ > 0 ? root_.sign_after(q) : root_.sign_before(q);
   }
 
-  const RealRoot& root() const { return root_; }
-
  private:
   Moment(const RealRoot& root, int side, std::vector<CandidateStory::Condition>* record)
       : root_(root), side_(side), record_(record) {}
@@ -100,6 +98,18 @@ class Moment {
   int side_;  // 1: just after the root, -1: just before it
   std::vector<CandidateStory::Condition>* record_;
 };
+
+/// A new chapter of the story about a candidate time; null without a story. The multiplicity is that of
+/// CandidateStory::multiplicity.
+inline CandidateStory* new_chapter(Story* story, const RealRoot& time, int multiplicity) {
+  if (story == nullptr) return nullptr;
+  CandidateStory& chapter = story->candidates.emplace_back();
+  chapter.lower = time.lower();
+  chapter.upper = time.upper();
+  chapter.time = time.to_string();
+  chapter.multiplicity = multiplicity;
+  return &chapter;
+}
 
 /// Signs that `touching` computes and `locate` needs again: the axis along which n is not zero (-1: none), and the
 /// signs of the side conditions along it, in their order, each 0 or 1 where the elements touch.

@@ -67,8 +67,8 @@ Patch corner_and_corner(const Corner& a, const Corner& b) {
   return patch;
 }
 
-/// With e = end - start and r = corner - start the foot on the edge's line has the weight (r . e) / |e|^2 at its end, and
-/// the squared distance is |e x r|^2 / |e|^2. `corner_first`: the corner belongs to the first element.
+/// With e = end - start and r = corner - start the foot on the edge's line has the weight (r . e) / |e|^2 at its end,
+/// and the squared distance is |e x r|^2 / |e|^2. `corner_first`: the corner belongs to the first element.
 Patch corner_and_edge(const Corner& corner, const Edge& edge, bool corner_first) {
   Patch patch;
   (corner_first ? patch.feature_a : patch.feature_b) = corner.feature;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,11 @@ int compare_distance(const Query& query, double t, const Separation& separation)
 
 /// The distance at t, its features and weights, for 0 <= t <= 1.
 Distance distance_at(const Query& query, double t, Metric metric);
+
+/// The unit normal at the first contact, as touchstone/contact_normal.hpp defines it, for a Euclidean separation >= 0.
+std::optional<std::array<double, 3>> contact_normal(const Query& query, double t_max, const Separation& separation);
+std::optional<std::array<double, 3>> contact_normal(const RationalQuery& query, double t_max,
+                                                    const Separation& separation);
 
 /// V(t) within a relative error of 2^-50 and with its exact sign, for edge-edge and vertex-face queries and
 /// 0 <= t <= 1. A value that underflows is the least double of its sign; one that overflows is infinite.

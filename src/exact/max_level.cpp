@@ -1,7 +1,7 @@
 // The largest-axis distance. The difference of two points, one on each element, is an affine function of two parameters
-// s and t. The elements are within d of each other when some (s, t) satisfies a system of half-planes: six that keep the
-// difference in [-d, d] along the axes, and the borders of the elements. The polygon that they leave is bounded. It is
-// not empty exactly when one of its vertices exists, which is a point where two border lines meet.
+// s and t. The elements are within d of each other when some (s, t) satisfies a system of half-planes: six that keep
+// the difference in [-d, d] along the axes, and the borders of the elements. The polygon that they leave is bounded. It
+// is not empty exactly when one of its vertices exists, which is a point where two border lines meet.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
@@ -42,8 +42,8 @@ class MaxLevel final : public DistanceLevel {
   MaxLevel(Kind kind, const std::array<Point, 4>& corners, const Ratio& level) : kind_(kind), corners_(corners) {
     const Form zero, one(Exact(1)), minus_one(Exact(-1));
     const bool edges = kind == Kind::edge_edge;
-    // The difference is r - s u - t w. For edges it is b0 + t (b1 - b0) - a0 - s u, for a face v - f0 - s u - t w, for a
-    // point and an edge p - e0 - s u, and for two points r.
+    // The difference is r - s u - t w. For edges it is b0 + t (b1 - b0) - a0 - s u, for a face v - f0 - s u - t w, for
+    // a point and an edge p - e0 - s u, and for two points r.
     Point u, w, r;
     if (kind == Kind::edge_edge || kind == Kind::vertex_face) {
       const auto frame =

@@ -74,16 +74,6 @@ Answer contact_at(const DistanceLevel& level, const RealRoot& time) {
   return answer;
 }
 
-CandidateStory* new_chapter(Story* story, const RealRoot& time, int multiplicity) {
-  if (story == nullptr) return nullptr;
-  CandidateStory& chapter = story->candidates.emplace_back();
-  chapter.lower = time.lower();
-  chapter.upper = time.upper();
-  chapter.time = time.to_string();
-  chapter.multiplicity = multiplicity;
-  return &chapter;
-}
-
 /// Tells which polynomials have roots, those of `candidates`, and which have none.
 void tell_events(const DistanceLevel& level, const std::vector<DistanceLevel::Event>& events,
                  const std::vector<Candidate>& candidates, Story& story) {
@@ -146,8 +136,7 @@ Story tell(const Q& query, double t_max, const Separation& separation) {
   } else {
     story.why =
         "the distance may reach d only where three borders meet: planes on which a coordinate of the difference is d "
-        "or "
-        "-d, and ends of the elements, where a corner has no weight";
+        "or -d, and ends of the elements, where a corner has no weight";
   }
   return story;
 }

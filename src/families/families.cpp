@@ -57,6 +57,21 @@ const std::vector<FamilyInfo>& all_families() {
 
       {Family::beside_ends, Group::contact, "beside_ends", "V's root is 0, 1 or the double just beside one of them",
        false},
+
+      {Family::gap_crossing, Group::separation, "gap_crossing", "as far apart as the distance at a dyadic time", true},
+      {Family::gap_tangent, Group::separation, "gap_tangent", "the same, and tangent there", true},
+      {Family::gap_constant, Group::separation, "gap_constant", "exactly as far apart for a while", true},
+      {Family::gap_border, Group::separation, "gap_border", "the closest point enters exactly at a border", true},
+      {Family::gap_parallel, Group::separation, "gap_parallel", "parallel edges, or flat faces, slide or approach",
+       true},
+      {Family::gap_turning, Group::separation, "gap_turning", "parallel or flat at the instant only", true},
+      {Family::gap_irrational, Group::separation, "gap_irrational", "the double nearest to an irrational distance",
+       true},
+      {Family::gap_start, Group::separation, "gap_start", "within the distance at t = 0", true},
+      {Family::gap_ulp, Group::separation, "gap_ulp", "distance or coordinate off by an ulp or two", false},
+      {Family::gap_lattice, Group::separation, "gap_lattice", "small integers, and the root of an integer", true},
+      {Family::gap_scale, Group::separation, "gap_scale", "query and distance times a power of two", false},
+      {Family::gap_extreme, Group::separation, "gap_extreme", "a huge, tiny or subnormal distance", false},
   };
   return all;
 }
@@ -106,8 +121,29 @@ Sample make_sample(Family family, Kind kind, Rng& rng) {
     case Family::corner_scale: return {corner_scale(kind, rng), {}};
     case Family::mixed_scale: return {mixed_scale(kind, rng), {}};
     case Family::beside_ends: return {beside_ends(kind, rng), {}};
+    default: return {make_separated(family, kind, Metric::euclidean, rng).query, {}};
   }
-  return {};
+}
+
+Separated make_separated(Family family, Kind kind, Metric metric, Rng& rng) {
+  using namespace makers;
+  switch (family) {
+    case Family::gap_crossing: return gap_crossing(kind, metric, rng);
+    case Family::gap_tangent: return gap_tangent(kind, metric, rng);
+    case Family::gap_constant: return gap_constant(kind, metric, rng);
+    case Family::gap_border: return gap_border(kind, metric, rng);
+    case Family::gap_parallel: return gap_parallel(kind, metric, rng);
+    case Family::gap_turning: return gap_turning(kind, metric, rng);
+    case Family::gap_irrational: return gap_irrational(kind, metric, rng);
+    case Family::gap_start: return gap_start(kind, metric, rng);
+    case Family::gap_ulp: return gap_ulp(kind, metric, rng);
+    case Family::gap_lattice: return gap_lattice(kind, metric, rng);
+    case Family::gap_scale: return gap_scale(kind, metric, rng);
+    case Family::gap_extreme: return gap_extreme(kind, metric, rng);
+    default: break;
+  }
+  const Query query = make(family, kind, rng);
+  return {query, drawn_distance(query, metric, rng), {}};
 }
 
 Query make(Family family, Kind kind, Rng& rng) { return make_sample(family, kind, rng).query; }
@@ -126,6 +162,11 @@ Sample make_sample(const CaseId& id) {
 }
 
 Query make(const CaseId& id) { return make_sample(id).query; }
+
+Separated make_separated(const CaseId& id, Metric metric) {
+  Rng rng = rng_of(id);
+  return make_separated(id.family, id.kind, metric, rng);
+}
 
 std::string case_name(const CaseId& id) {
   return std::string(info(id.family).name) + " " + std::string(kind_name(id.kind)) + " " + std::to_string(id.seed) +

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <touchstone/query.hpp>
+#include <touchstone/separation.hpp>
 
 #include "seeded/rng.hpp"
 
@@ -63,11 +64,24 @@ enum class Family : std::uint8_t {
   corner_scale,
   mixed_scale,
   // A new family goes to the end, so that the seeded queries of the others do not change.
-  beside_ends
+  beside_ends,
+  // With distances of their own.
+  gap_crossing,
+  gap_tangent,
+  gap_constant,
+  gap_border,
+  gap_parallel,
+  gap_turning,
+  gap_irrational,
+  gap_start,
+  gap_ulp,
+  gap_lattice,
+  gap_scale,
+  gap_extreme
 };
 
 /// The properties of a family.
-enum class Group : std::uint8_t { lattice, coplanar, contact, perturbed, scale };
+enum class Group : std::uint8_t { lattice, coplanar, contact, perturbed, scale, separation };
 
 struct FamilyInfo {
   Family family;
@@ -93,6 +107,18 @@ struct Sample {
 Sample make_sample(Family family, Kind kind, Rng& rng);
 Query make(Family family, Kind kind, Rng& rng);
 
+/// A query and a separation's distance to ask it with.
+struct Separated {
+  Query query;
+  double distance = 0;              ///< finite and above 0
+  std::optional<double> within_at;  ///< by construction the elements are at most that far apart at this time
+};
+
+/// The next query of a family with a distance of its own. For the families of Group::separation it is the one that
+/// makes the query special. For others it is drawn after the query: of the query's own size, most often.
+/// @param metric  that of the separation
+Separated make_separated(Family family, Kind kind, Metric metric, Rng& rng);
+
 /// One seeded query that can be made again without the ones before it.
 struct CaseId {
   Family family;
@@ -102,6 +128,7 @@ struct CaseId {
 };
 Sample make_sample(const CaseId& id);
 Query make(const CaseId& id);
+Separated make_separated(const CaseId& id, Metric metric);
 
 /// The generator of a case, for a caller that needs more random numbers than the query has used.
 Rng rng_of(const CaseId& id);

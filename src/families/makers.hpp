@@ -59,4 +59,19 @@ Query huge(Kind kind, Rng& rng);
 Query corner_scale(Kind kind, Rng& rng);
 Query mixed_scale(Kind kind, Rng& rng);
 
+// separations.cpp
+Separated gap_crossing(Kind kind, Metric metric, Rng& rng);
+Separated gap_tangent(Kind kind, Metric metric, Rng& rng);
+Separated gap_constant(Kind kind, Metric metric, Rng& rng);
+Separated gap_border(Kind kind, Metric metric, Rng& rng);
+Separated gap_parallel(Kind kind, Metric metric, Rng& rng);
+Separated gap_turning(Kind kind, Metric metric, Rng& rng);
+Separated gap_irrational(Kind kind, Metric metric, Rng& rng);
+Separated gap_start(Kind kind, Metric metric, Rng& rng);
+Separated gap_ulp(Kind kind, Metric metric, Rng& rng);
+Separated gap_lattice(Kind kind, Metric metric, Rng& rng);
+Separated gap_scale(Kind kind, Metric metric, Rng& rng);
+Separated gap_extreme(Kind kind, Metric metric, Rng& rng);
+double drawn_distance(const Query& query, Metric metric, Rng& rng);  ///< for a query that has none of its own
+
 }  // namespace touchstone::families::makers

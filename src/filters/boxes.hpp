@@ -14,8 +14,8 @@ constexpr std::size_t corners_of_first(Kind kind) noexcept { return kind == Kind
 /// is rounded.
 bool boxes_disjoint(const Query& query) noexcept;
 
-/// True proves that the boxes are farther apart than the distance along some axis: every two points of the elements are,
-/// in both metrics.
+/// True proves that the boxes are farther apart than the distance along some axis: every two points of the elements
+/// are, in both metrics.
 bool boxes_apart(const Query& query, double distance) noexcept;
 
 }  // namespace touchstone::filters

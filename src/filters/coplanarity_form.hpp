@@ -147,21 +147,27 @@ TOUCHSTONE_INLINE auto certain_same_side(const StepFrame<N>& f, const std::array
 // most that sum times x's largest coordinate. V and n lie in the hulls of their Bernstein coefficients. So it is enough
 // that V's have one sign, each |b_i| > d max |n_j|.
 //
-// The error of the norms, e = 2^-53, to first order. A coordinate of n0 or n2, a difference of two products: 2 e U W from
-// each of u and w, 2 e U W from the products, 2 e U W from the difference, in all 8 e U W. A coordinate of 2 n1 has twice
-// that, and 4 e U W for the sum of both parts: 20 e U W, of which n1 has half. So a norm is off by at most sqrt(3) times
-// 10 e U W, and a sum of absolute coordinates by 30 e U W. Squares, their sums and the root: at most a relative 3.5 e; sums
-// of absolute values: 2 e. The halving is exact. The product with d and the sum with the error bound: 3 e. With the
-// constants below, 8 e covers both relative errors and the second-order terms, and 32 e U W the absolute one. Squares that
-// underflow are off by 3 * 2^-1075 in all, and the root by less than 2^-530: below e U W when U W is at least 2^-400. The
-// product with d is off by 2^-1075 where it underflows: below e U W R / 8 when U W R is at least 2^-900, a part of the
-// reserve of kEndsBound and kMiddleBound.
+// The error of the norms, e = 2^-53, to first order. A coordinate of n0 or n2, a difference of two products: 2 e U W
+// from each of u and w, 2 e U W from the products, 2 e U W from the difference, in all 8 e U W. A coordinate of 2 n1
+// has twice that, and 4 e U W for the sum of both parts: 20 e U W, of which n1 has half. So a norm is off by at most
+// sqrt(3) times 10 e U W, and a sum of absolute coordinates by 30 e U W. Squares, their sums and the root: at most a
+// relative 3.5 e; sums of absolute values: 2 e. The halving is exact. The product with d and the sum with the error
+// bound: 3 e. With the constants below, 8 e covers both relative errors and the second-order terms, and 32 e U W the
+// absolute one. Squares that underflow are off by 3 * 2^-1075 in all, and the root by less than 2^-530: below e U W
+// when U W is at least 2^-400. The product with d is off by 2^-1075 where it underflows: below e U W R / 8 when U W R
+// is at least 2^-900, a part of the reserve of kEndsBound and kMiddleBound.
 constexpr double kNormFactor = 1 + 8 * kUnit;
 constexpr double kNormBound = 32 * kUnit;
 constexpr double kLeastNormProduct = 0x1p-400;
 constexpr double kGreatestNormProduct = 0x1p400;
 constexpr double kLeastVolume = 0x1p-900;
 constexpr double kGreatestVolume = kGreatestProduct;
+
+/// Whether no product of the norms underflows or overflows by more than their bounds allow.
+template <class N>
+TOUCHSTONE_INLINE auto norms_in_range(const N& uw, const N& uwr) noexcept {
+  return (uw >= kLeastNormProduct) & (uw <= kGreatestNormProduct) & (uwr >= kLeastVolume) & (uwr <= kGreatestVolume);
+}
 
 inline double square_root(double x) noexcept { return std::sqrt(x); }
 
@@ -186,12 +192,10 @@ TOUCHSTONE_INLINE auto certain_clearance(const StepFrame<N>& f, const N& distanc
   const std::array<N, 4> b = coplanarity_coefficients(f, n);
   const N uw = largest(f.start.u, f.end.u) * largest(f.start.w, f.end.w);
   const N uwr = uw * largest(f.start.r, f.end.r);
-  const auto valid =
-      (uw >= kLeastNormProduct) & (uw <= kGreatestNormProduct) & (uwr >= kLeastVolume) & (uwr <= kGreatestVolume);
   const N kept = distance * (kNormFactor * greatest_norm<Euclidean>(n) + kNormBound * uw);
   const N ends = kEndsBound * uwr + kNormFactor * kept;
   const N middle = kMiddleBound * uwr + kNormFactor * (3.0 * kept);
-  return decltype(uw > uwr)(valid) & (magnitude(b[0]) > ends) & (flipped(b[1], b[0]) > middle) &
+  return norms_in_range(uw, uwr) & (magnitude(b[0]) > ends) & (flipped(b[1], b[0]) > middle) &
          (flipped(b[2], b[0]) > middle) & (flipped(b[3], b[0]) > ends);
 }
 

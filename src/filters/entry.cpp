@@ -1,10 +1,13 @@
+// The entry into a Euclidean separation, and the walk to an entry in either metric.
+//
 // Two bounds enclose the distance D(t) of the elements. Let c be the difference of a point of one element and a point
 // of the other. It is r - s u - q w, with parameters (s, q) in a square, a triangle, a segment or a point, and r, u, w
 // linear in time.
-//   Below: for any direction n, D(t) |n| is at least the least n . c over the elements' corners. Each n . c of a pair
-//   of corners is linear in t. So if it exceeds d |n| at two times, it does so between them.
+//   Below: for any direction n, D(t) |n| is at least the least n . c over the elements' corners, where |n| is the
+//   Euclidean length or, in the largest-axis metric, the sum of the absolute coordinates. Each n . c of a pair of
+//   corners is linear in t. So if it exceeds d |n| at two times, it does so between them.
 //   Above: D(t) <= |c| for any allowed (s, q).
-// Both bounds meet when (s, q) are the closest points' and n is their c. So the time is walked to from below: at each
+// In the Euclidean metric, both bounds meet when (s, q) are the closest points' and n is their c. So the time is walked to from below: at each
 // time, the closest points in doubles give a direction, and the direction proves a piece of the step free. These pieces
 // become shorter by squares. Near the end, the closest points in double-doubles prove that D > d up to some double, and
 // that D <= d at the next one.
@@ -19,37 +22,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
-#include "filters/step_frame.hpp"
-#include "numbers/double_double.hpp"
+#include "filters/entry_walk.hpp"
+#include "filters/max_entry.hpp"
 
 namespace touchstone::filters {
 namespace {
 
-using geometry::dot;
-using numbers::DoubleDouble;
-using numbers::rounded;
-using PreciseVector = geometry::Vector<DoubleDouble>;
-
-// Errors in doubles, e = 2^-53. Let N, R, U, W be the largest absolute coordinates of n and of the computed r, u, w
-// over both ends, S = R + U + W. A dot product n . r: coordinates of r are off by e each, products by e, two sums by 2
-// e: 4 e times 3 N R, likewise for u and w: 12 e N S for all three. Their sums r - s u - q w at a corner, at most 3 N
-// S: two additions, 6 e N S. Between the ends, (1 - t) g0 + t g1: 3 roundings of at most 3 N S: 9 e N S. In all 27 e N
-// S to first order. The rest covers a direction whose own coordinates are off by e, another 3 e N S, and second-order
-// terms.
-constexpr double kWalkError = 32 * kUnit;
-
-// The same for a position between the ends: its coordinates are off by 4 e S, which makes 12 e N S more, and the sum of
-// two such products by 3 e (3 N S) of each. Less than 48 e N S for each product.
-constexpr double kTurnError = 48 * kUnit;
-
-// The product d |n|: 3.5 e for the norm, 1 e for the product, and the sum with the error.
-constexpr double kNormIncrease = 1 + 8 * kUnit;
-
-// Errors in double-doubles, in e^2 = 2^-106. A coordinate of u at t is from + t (to - from), where both ends are exact,
-// with low parts of at most e U. The difference, at most 2 U: low parts 2 ..., 4 ..., in all 6 e^2 U. Its product with
-// t: low parts 4 ..., 6 ...: 10 e^2 U. The sum: low parts 7 ..., 10 ...: 17 e^2 U, in all 33 e^2 U: less than 40 e^2 U.
+// Errors in double-doubles, in e^2 = 2^-106. A coordinate of u at t is off by less than 40 e^2 U (see entry_step.hpp).
 // Products with s and q in [0, 1] and the sums c = r - s u - q w: less than 80 e^2 S for a coordinate of c. A dot
 // product of c, of coordinates at most C, with u: 3 C (40 + 24) e^2 U and sums: less than 300 e^2 C U. The same for c .
 // c with the error of c itself: 2 * 3 * 80 e^2 C S and less than 100 e^2 C C. The sum c . c + (s - i) c . u + (q - j) c
@@ -59,234 +39,11 @@ constexpr double kPreciseError = 2048 * 0x1p-106;
 // The gradient along a parameter is P . u, with P the true difference: c is off by 80 e^2 S in each coordinate, so the
 // gradient by another 240 e^2 S U. The bound above covers it with S in place of C.
 
-// The separation, and |c|, are at least this part of S. Then the squares of c's errors do not count.
-constexpr double kLeastShare = 0x1p-40;
-
-// Sizes for which no product of five factors overflows, or underflows by more than the bounds allow.
-constexpr double kLeastSize = 0x1p-150;
-constexpr double kGreatestSize = 0x1p150;
-
-constexpr int kMostPieces = 24;
-constexpr double kShortPiece = 0x1p-24;
-
-/// The pairs of corners that bound the parameters.
-enum class Domain : std::uint8_t { square, triangle, segment, point };
-
-Domain domain_of(Kind kind) noexcept {
-  switch (kind) {
-    case Kind::edge_edge: return Domain::square;
-    case Kind::vertex_face: return Domain::triangle;
-    case Kind::point_edge: return Domain::segment;
-    case Kind::point_point: break;
-  }
-  return Domain::point;
-}
-
-/// The largest of 0, x and so on over the corners: of s x + q y.
-double greatest_at_corners(Domain domain, double x, double y) noexcept {
-  switch (domain) {
-    case Domain::square: return std::max(x, 0.0) + std::max(y, 0.0);
-    case Domain::triangle: return std::max({x, y, 0.0});
-    case Domain::segment: return std::max(x, 0.0);
-    case Domain::point: break;
-  }
-  return 0;
-}
-
-/// A difference of two corners: one minus other.
-struct Difference {
-  std::size_t one, other;
-};
-
-/// r, u and w as differences of corners; w is none for a segment, and u and w for a point.
-struct Differences {
-  Difference r, u, w;
-};
-
-Differences differences_of(Kind kind) noexcept {
-  switch (kind) {
-    case Kind::edge_edge: return {{2, 0}, {1, 0}, {2, 3}};    // b0 - a0, a1 - a0, b0 - b1
-    case Kind::vertex_face: return {{0, 1}, {2, 1}, {3, 1}};  // v - f0, f1 - f0, f2 - f0
-    case Kind::point_edge: return {{0, 1}, {2, 1}, {0, 0}};   // p - e0, e1 - e0
-    case Kind::point_point: break;
-  }
-  return {{0, 1}, {0, 0}, {0, 0}};
-}
-
-double largest_of(const Vector& v) noexcept { return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])}); }
-
-Vector difference(const std::array<Vec3, 4>& x, const Difference& d) noexcept {
-  const Vec3 &a = x[d.one], &b = x[d.other];
-  return {{a.x - b.x, a.y - b.y, a.z - b.z}};
-}
-
-Vector between(const Vector& a, const Vector& b, double t) noexcept {
-  const double s = 1 - t;
-  return {{s * a[0] + t * b[0], s * a[1] + t * b[1], s * a[2] + t * b[2]}};
-}
-
-/// r - s u - q w.
-Vector combined(const Vector& r, const Vector& u, const Vector& w, double s, double q) noexcept {
-  return {{(r[0] - s * u[0]) - q * w[0], (r[1] - s * u[1]) - q * w[1], (r[2] - s * u[2]) - q * w[2]}};
-}
-
-struct Parameters {
-  double s, q;
-};
-
-double unit_clamp(double s) noexcept { return std::min(std::max(s, 0.0), 1.0); }
-
-/// The parameters of the closest points, after Ericson, Real-Time Collision Detection (2005), 5.1.5 and 5.1.9. Only a
-/// hint; at a border they are exactly 0 or 1, or add up to 1.
-Parameters closest(Domain domain, const Vector& r, const Vector& u, const Vector& w) noexcept {
-  const double uu = dot(u, u);
-  const double ru = dot(r, u);
-  if (domain == Domain::point) return {0, 0};
-  if (domain == Domain::segment) return {uu > 0 ? unit_clamp(ru / uu) : 0, 0};
-  const double ww = dot(w, w), uw = dot(u, w), rw = dot(r, w);
-  if (domain == Domain::square) {
-    const double determinant = uu * ww - uw * uw;
-    double s = determinant > 0 ? unit_clamp((ru * ww - uw * rw) / determinant) : 0;
-    double q = ww > 0 ? (rw - uw * s) / ww : 0;
-    if (q < 0) {
-      q = 0;
-      s = uu > 0 ? unit_clamp(ru / uu) : 0;
-    } else if (q > 1) {
-      q = 1;
-      s = uu > 0 ? unit_clamp((ru - uw) / uu) : 0;
-    }
-    return {s, q};
-  }
-  if (ru <= 0 && rw <= 0) return {0, 0};
-  const double d3 = ru - uu, d4 = rw - uw;  // of the point relative to f1
-  if (d3 >= 0 && d4 <= d3) return {1, 0};
-  const double d5 = ru - uw, d6 = rw - ww;  // relative to f2
-  if (d6 >= 0 && d5 <= d6) return {0, 1};
-  const double vc = ru * d4 - d3 * rw;
-  if (vc <= 0 && ru >= 0 && d3 <= 0) return {ru / (ru - d3), 0};
-  const double vb = d5 * rw - ru * d6;
-  if (vb <= 0 && rw >= 0 && d6 <= 0) return {0, rw / (rw - d6)};
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    const double q = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    const double s = 1 - q;
-    return {s, 1 - s};  // of two such numbers one is exact, so they add up to 1 exactly
-  }
-  const double denominator = va + vb + vc;
-  return {vb / denominator, vc / denominator};
-}
-
-/// The step in doubles.
-struct Step {
-  Domain domain;
-  Vector r[2], u[2], w[2];  ///< at both ends
-  double size;              ///< S
-
-  explicit Step(const Query& query) noexcept : domain(domain_of(query.kind)) {
-    const Differences d = differences_of(query.kind);
-    for (std::size_t end = 0; end < 2; ++end) {
-      const auto& x = end == 0 ? query.start : query.end;
-      r[end] = difference(x, d.r);
-      u[end] = difference(x, d.u);
-      w[end] = difference(x, d.w);
-    }
-    size = std::max(largest_of(r[0]), largest_of(r[1])) + std::max(largest_of(u[0]), largest_of(u[1])) +
-           std::max(largest_of(w[0]), largest_of(w[1]));
-  }
-};
-
-/// A direction, and the least n . c over the corners as a function of time.
-class Direction {
- public:
-  Direction(const Step& step, const Vector& n, double distance) noexcept : domain_(step.domain) {
-    for (int end = 0; end < 2; ++end) {
-      r_[end] = dot(n, step.r[end]);
-      u_[end] = dot(n, step.u[end]);
-      w_[end] = dot(n, step.w[end]);
-    }
-    error_ = kWalkError * largest_of(n) * step.size;
-    // The norm of a direction that is much shorter may underflow. No such c is as long as the separation.
-    const bool is_long = largest_of(n) >= 0.5 * kLeastShare * step.size;
-    bound_ = is_long ? kNormIncrease * (distance * std::sqrt(dot(n, n)) + error_) : kNever;
-  }
-
-  /// The least n . c, off by at most `error`.
-  double least_at(double t) const noexcept {
-    const double s = 1 - t;
-    return (s * r_[0] + t * r_[1]) - greatest_at_corners(domain_, s * u_[0] + t * u_[1], s * w_[0] + t * w_[1]);
-  }
-  /// Whether every n . c is certainly greater than d |n| at t.
-  bool clear_at(double t) const noexcept { return least_at(t) > bound_; }
-
-  /// About the last time after t up to which the direction keeps the elements apart; greater than 1 when it is none.
-  double last_clear_after(double t) const noexcept {
-    const double wanted = bound_ + 4 * error_;
-    double last = 2;
-    const auto corner = [&](double s, double q) {
-      const double start = (r_[0] - s * u_[0]) - q * w_[0];
-      const double slope = (r_[1] - s * u_[1]) - q * w_[1] - start;
-      const double value = start + t * slope;
-      if (slope < 0) last = std::min(last, t + (value - wanted) / -slope);
-    };
-    corner(0, 0);
-    if (domain_ != Domain::point) corner(1, 0);
-    if (domain_ == Domain::square || domain_ == Domain::triangle) corner(0, 1);
-    if (domain_ == Domain::square) corner(1, 1);
-    return last;
-  }
-
- private:
-  static constexpr double kNever = std::numeric_limits<double>::infinity();
-
-  Domain domain_;
-  double r_[2], u_[2], w_[2];
-  double error_, bound_;
-};
-
-// ---- in double-doubles
-
-struct PreciseStep {
-  PreciseVector r[2], u[2], w[2];
-
-  explicit PreciseStep(const Query& query) noexcept {
-    const Differences d = differences_of(query.kind);
-    for (std::size_t end = 0; end < 2; ++end) {
-      const auto& x = end == 0 ? query.start : query.end;
-      r[end] = exact(x, d.r);
-      u[end] = exact(x, d.u);
-      w[end] = exact(x, d.w);
-    }
-  }
-  static PreciseVector exact(const std::array<Vec3, 4>& x, const Difference& d) noexcept {
-    const Vec3 &a = x[d.one], &b = x[d.other];
-    return {{numbers::two_difference(a.x, b.x), numbers::two_difference(a.y, b.y), numbers::two_difference(a.z, b.z)}};
-  }
-};
-
-PreciseVector at(const PreciseVector (&v)[2], double t) noexcept {
-  PreciseVector result;
-  for (std::size_t k = 0; k < 3; ++k) result[k] = numbers::normalised(v[0][k] + t * (v[1][k] - v[0][k]));
-  return result;
-}
-
-Vector rounded_vector(const PreciseVector& v) noexcept { return {{rounded(v[0]), rounded(v[1]), rounded(v[2])}}; }
-
 /// v - factor d.
 PreciseVector minus(const PreciseVector& v, double factor, const PreciseVector& d) noexcept {
   PreciseVector result;
   for (std::size_t k = 0; k < 3; ++k) result[k] = numbers::normalised(v[k] - factor * d[k]);
   return result;
-}
-
-/// The closest points' parameters that are free: neither, one, or both, or along the border s + q = 1.
-enum class Free : std::uint8_t { none, s, q, sum, both };
-
-Free free_parameters(Domain domain, const Parameters& p) noexcept {
-  if (domain == Domain::point) return Free::none;
-  if (domain == Domain::triangle && p.s > 0 && p.q > 0) return p.s + p.q >= 1 ? Free::sum : Free::both;
-  const bool s = p.s > 0 && p.s < 1;
-  const bool q = domain != Domain::segment && p.q > 0 && p.q < 1;
-  return s && q ? Free::both : s ? Free::s : q ? Free::q : Free::none;
 }
 
 /// The closest points at one time, in double-doubles.
@@ -305,51 +62,47 @@ struct ClosestPoints {
   bool ok = false;
 };
 
-class EntryQuestion {
+class EuclideanEntry {
  public:
-  EntryQuestion(const Query& query, double distance, double t_max, Answer& answer) noexcept
-      : query_(query), distance_(distance), t_max_(t_max), step_(query), precise_(query), answer_(answer) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      r_slope_[k] = step_.r[1][k] - step_.r[0][k];
-      u_slope_[k] = step_.u[1][k] - step_.u[0][k];
-      w_slope_[k] = step_.w[1][k] - step_.w[0][k];
-    }
-  }
+  EuclideanEntry(const Query& query, const Separation& separation, double t_max, Answer& answer) noexcept
+      : kind_(query.kind),
+        separation_(separation),
+        distance_(separation.distance),
+        t_max_(t_max),
+        step_(query),
+        precise_(query),
+        answer_(answer) {}
 
   Finding decide() noexcept {
-    if (!(step_.size >= kLeastSize && step_.size <= kGreatestSize)) return Finding::uncertain;
-    if (!(distance_ >= kLeastShare * step_.size && distance_ <= kGreatestSize)) return Finding::uncertain;
-    Place here = place_at(0);  // the elements are apart up to here
-    for (int piece = 0; piece < kMostPieces; ++piece) {
-      const Direction direction(step_, here.c, distance_);
-      if (!direction.clear_at(here.t)) return piece == 0 ? starts_within(here.p) : enter(here);
-      double next = direction.last_clear_after(here.t);
-      const bool whole = next > t_max_;
-      if (whole) next = t_max_;
-      const bool clear = next > here.t && direction.clear_at(next);
-      if (whole && clear) return Finding::no_contact;
-      // Newton's step from so near is as good as doubles are.
-      const double newton = here.until_entry(distance_);
-      if (newton < kShortPiece) return enter(here);
-      if (clear && next - here.t > 0.5 * newton) {
-        here = place_at(next);
-        continue;
-      }
-      // Elements that turn: so must the direction.
-      const Place there = place_at(std::min(here.t + 0.75 * newton, t_max_));
-      if (there.t > here.t && Direction(step_, there.c, distance_).clear_at(there.t) && turns_clear(here, there)) {
-        if (there.t == t_max_) return Finding::no_contact;
-        here = there;
-      } else if (clear) {
-        here = place_at(next);
-      } else {
-        return Finding::uncertain;
-      }
+    if (!of_ordinary_size(step_, separation_.distance)) return Finding::uncertain;
+    const auto place_at = [this](double t) noexcept { return closest_place(t); };
+    const Finding jumped = enter(jump(t_max_, place_at));
+    if (jumped != Finding::uncertain) return jumped;
+    const Walk walked = walk(step_, separation_, t_max_, place_at);
+    switch (walked.end) {
+      case WalkEnd::clear: return Finding::no_contact;
+      case WalkEnd::near: return enter(walked.place);
+      case WalkEnd::start: return starts_within(walked.place);
+      case WalkEnd::lost: break;
     }
     return Finding::uncertain;
   }
 
  private:
+  Parameters closest_at(const Place& place) const noexcept { return closest(step_.domain, place.r, place.u, place.w); }
+
+  /// The place whose direction is between the closest points.
+  Place closest_place(double t) const noexcept {
+    Place place = bare_place(step_, t);
+    const Parameters p = closest_at(place);
+    place.n = combined(place.r, place.u, place.w, p.s, p.q);
+    // |c|^2 falls by twice the approach a time.
+    const double approach = -dot(place.n, combined(step_.r_slope, step_.u_slope, step_.w_slope, p.s, p.q));
+    const double length = std::sqrt(dot(place.n, place.n));
+    if (approach > 0) place.until = (length - distance_) * length / approach;
+    return place;
+  }
+
   /// The closest points at t near the parameters p, made exact enough.
   ClosestPoints refine(double t, const Parameters& p) const noexcept {
     ClosestPoints at_t;
@@ -438,49 +191,11 @@ class EntryQuestion {
     return false;
   }
 
-  /// The closest points at a time, in doubles.
-  struct Place {
-    double t;
-    Parameters p;
-    Vector r, u, w, c;
-    double approach;  ///< half of how fast |c|^2 falls
-
-    /// About the time until |c| is the distance; infinite when c does not become shorter.
-    double until_entry(double distance) const noexcept {
-      const double length = std::sqrt(dot(c, c));
-      return approach > 0 ? (length - distance) * length / approach : std::numeric_limits<double>::infinity();
-    }
-  };
-  Place place_at(double t) const noexcept {
-    Place place = {t,
-                   {},
-                   between(step_.r[0], step_.r[1], t),
-                   between(step_.u[0], step_.u[1], t),
-                   between(step_.w[0], step_.w[1], t),
-                   {},
-                   0};
-    place.p = closest(step_.domain, place.r, place.u, place.w);
-    place.c = combined(place.r, place.u, place.w, place.p.s, place.p.q);
-    place.approach = -dot(place.c, combined(r_slope_, u_slope_, w_slope_, place.p.s, place.p.q));
-    return place;
-  }
-
-  /// Whether a direction that turns from one place's c to the other's keeps the elements apart between them, if each
-  /// does so at its own time.
-  bool turns_clear(const Place& a, const Place& b) const noexcept {
-    const double least =
-        (dot(a.c, b.r) + dot(b.c, a.r)) -
-        greatest_at_corners(step_.domain, dot(a.c, b.u) + dot(b.c, a.u), dot(a.c, b.w) + dot(b.c, a.w));
-    const double norms = std::sqrt(dot(a.c, a.c)) + std::sqrt(dot(b.c, b.c));
-    const double error = kTurnError * (largest_of(a.c) + largest_of(b.c)) * step_.size;
-    return least > kNormIncrease * (distance_ * norms + error);
-  }
-
   /// The elements are apart up to a place, and come within the separation soon after it.
   Finding enter(const Place& from) noexcept {
-    const double estimate = from.t + from.until_entry(distance_);
+    const double estimate = from.t + from.until;
     if (!(estimate >= 0 && estimate <= 1)) return Finding::uncertain;
-    const Parameters p = place_at(estimate).p;
+    const Parameters p = closest_at(bare_place(step_, estimate));
     // Newton's steps in double-doubles find the neighbouring doubles.
     double toi = estimate;
     constexpr int kMostSteps = 4;
@@ -505,7 +220,7 @@ class EntryQuestion {
   }
 
   Vector velocity_of(const ClosestPoints& found) const noexcept {
-    return combined(r_slope_, u_slope_, w_slope_, found.p.s + found.ds, found.p.q + found.dq);
+    return combined(step_.r_slope, step_.u_slope, step_.w_slope, found.p.s + found.ds, found.p.q + found.dq);
   }
 
   Finding conclude(const Place& from, double toi, double upper, const ClosestPoints& found,
@@ -516,20 +231,14 @@ class EntryQuestion {
       if (!(found.excess > found.error)) return Finding::uncertain;
       const double share = length / (length + distance_) * (1 - 8 * kUnit);
       if (!(share * (found.excess - found.error) + found.lowest > found.error)) return Finding::uncertain;
-      if (!Direction(step_, found.c, distance_).clear_at(from.t)) {
-        Place there = place_at(toi);
-        there.c = found.c;
-        if (!Direction(step_, from.c, distance_).clear_at(from.t) || !turns_clear(from, there)) {
-          return Finding::uncertain;
-        }
-      }
+      if (!stays_clear(step_, from, toi, found.c, separation_)) return Finding::uncertain;
     }
     if (upper > t_max_) return Finding::no_contact;
     // D <= d at the next double: |c + h velocity|^2 - d^2 <= 0. Nothing cancels in the change, because `describe` asks
     // for an approach far above the terms that are taken from it.
     const double h = upper - toi;
     const double approach = -dot(found.c, velocity);
-    const double speed = largest_of(r_slope_) + largest_of(u_slope_) + largest_of(w_slope_);
+    const double speed = step_.speed;
     const double slope_error = kWalkError * largest_of(found.c) * (speed + step_.size);
     const double change = 2 * h * (approach - slope_error) - 5 * h * h * speed * speed;
     if (!(found.excess + found.error < change * (1 - 8 * kUnit))) return Finding::uncertain;
@@ -539,8 +248,8 @@ class EntryQuestion {
   /// How fast the free parameters move, from c . u = 0 and c . w = 0 at all times: the derivative of c for fixed
   /// parameters is the velocity.
   Parameters rates(const ClosestPoints& found, const Vector& velocity, Free free) const noexcept {
-    const double u = dot(velocity, found.u) + dot(found.c, u_slope_);
-    const double w = dot(velocity, found.w) + dot(found.c, w_slope_);
+    const double u = dot(velocity, found.u) + dot(found.c, step_.u_slope);
+    const double w = dot(velocity, found.w) + dot(found.c, step_.w_slope);
     switch (free) {
       case Free::none: break;
       case Free::s: return {u / found.uu, 0};
@@ -561,7 +270,7 @@ class EntryQuestion {
   /// c.
   Finding describe(double toi, double upper, double h, const ClosestPoints& found, const Vector& velocity,
                    double approach, double slope_error, Nature nature) noexcept {
-    const double speed = largest_of(r_slope_) + largest_of(u_slope_) + largest_of(w_slope_);
+    const double speed = step_.speed;
     const double c_size = largest_of(found.c);
     const double u_size = std::max(largest_of(step_.u[0]), largest_of(step_.u[1]));
     const double w_size = std::max(largest_of(step_.w[0]), largest_of(step_.w[1]));
@@ -587,10 +296,10 @@ class EntryQuestion {
     constexpr double kRateError = 0x1p-40;
     const double drift = 4 * speed * (rest_error + kRateError * h);
     const double bend = 8 * h * h * speed * speed + 8 * h * shift * speed * (u_size + w_size);
-    const double cu_error = drift * (u_size + c_size) + bend + found.error + kPreciseError * step_.size * u_size;
-    const double cw_error = drift * (w_size + c_size) + bend + found.error + kPreciseError * step_.size * w_size;
-    const double cu_most = std::fabs(found.cu) + cu_error;
-    const double cw_most = std::fabs(found.cw) + cw_error;
+    const double cu_error = drift * (u_size + c_size) + bend + kPreciseError * step_.size * (c_size + u_size);
+    const double cw_error = drift * (w_size + c_size) + bend + kPreciseError * step_.size * (c_size + w_size);
+    double cu_most = std::fabs(found.cu) + cu_error;
+    double cw_most = std::fabs(found.cw) + cw_error;
     // Whether a squared length is that of an edge which neither the time h nor roundings change by more than 2^-38.
     const auto is_long = [h, speed](double square, double size) {
       constexpr double kLong = 0x1p80;
@@ -619,11 +328,20 @@ class EntryQuestion {
         break;
       }
       case Free::both: {
-        // Changes by 2^-38 of the lengths, and roundings, change a determinant of this size by less than a tenth. The
-        // rates are off by less than 2^-40 of theirs.
+        // Changes by 2^-38 of the lengths, and roundings, change a determinant of this size by less than a tenth.
         const double determinant = found.uu * found.ww - found.uw * found.uw;
         if (!is_long(found.uu, u_size) || !is_long(found.ww, w_size)) return Finding::uncertain;
-        if (!(determinant >= 0x1p-8 * found.uu * found.ww)) return Finding::uncertain;
+        if (!(determinant >= 0x1p-24 * found.uu * found.ww)) return Finding::uncertain;
+        // The rates solve a system of two equations by Cramer's rule. Let A be u^2 w^2 / determinant, F and G the first
+        // derivatives of c . u and c . w: F <= 3 speed (U + C), off by 16 e F, and G likewise. The products and the
+        // difference are off by 5 e, the determinant by 4 e A of its size. Put into the first equation, the rates leave
+        // less than (2 (16 e + 5 e) A + 8 e A^2) (F + G |u| / |w|), and into the second the same with u for w.
+        const double amplified = found.uu * found.ww / determinant;
+        const double left = 64 * kUnit * amplified * amplified * 3 * speed * h;
+        const double ratio = std::sqrt(found.uu / found.ww);
+        const double first = left * (u_size + c_size), second = left * (w_size + c_size);
+        cu_most += first + second * ratio;
+        cw_most += second + first / ratio;
         ds = kSolveReserve * (cu_most * found.ww + cw_most * std::fabs(found.uw)) / determinant;
         dq = kSolveReserve * (cw_most * found.uu + cu_most * std::fabs(found.uw)) / determinant;
         longer = ds * cu_most + dq * cw_most;
@@ -654,7 +372,7 @@ class EntryQuestion {
     answer_.nature = nature;
     answer_.trend = approach > 0 ? Trend::approaching : Trend::leaving;
     answer_.starts_within = nature == Nature::sustained;
-    name(found.p.s + (found.ds + rest * rate.s), found.p.q + (found.dq + rest * rate.q), free);
+    name_closest(kind_, found.p.s + (found.ds + rest * rate.s), found.p.q + (found.dq + rest * rate.q), free, answer_);
     return Finding::contact;
   }
 
@@ -688,64 +406,30 @@ class EntryQuestion {
     return true;
   }
 
-  void name(double s, double q, Free free) noexcept {
-    const auto on_edge = [](double x, const std::array<Feature, 3>& features,
-                            Feature& feature) -> std::array<double, 3> {
-      feature = features[x == 0 ? 0 : x == 1 ? 1 : 2];
-      return {1 - x, x, 0};
-    };
-    answer_.weights_a = answer_.weights_b = {1, 0, 0};
-    switch (query_.kind) {
-      case Kind::edge_edge:
-        answer_.weights_a = on_edge(s, {Feature::a0, Feature::a1, Feature::a}, answer_.feature_a);
-        answer_.weights_b = on_edge(q, {Feature::b0, Feature::b1, Feature::b}, answer_.feature_b);
-        break;
-      case Kind::vertex_face:
-        answer_.feature_a = Feature::v;
-        answer_.weights_b = {free == Free::sum ? 0 : (1 - s) - q, s, q};
-        answer_.feature_b = free == Free::both  ? Feature::f
-                            : free == Free::sum ? Feature::f12
-                            : free == Free::s   ? Feature::f01
-                            : free == Free::q   ? Feature::f20
-                            : s == 1            ? Feature::f1
-                            : q == 1            ? Feature::f2
-                                                : Feature::f0;
-        break;
-      case Kind::point_edge:
-        answer_.feature_a = Feature::p;
-        answer_.weights_b = on_edge(s, {Feature::e0, Feature::e1, Feature::e}, answer_.feature_b);
-        break;
-      case Kind::point_point:
-        answer_.feature_a = Feature::p;
-        answer_.feature_b = Feature::q;
-        break;
-    }
-  }
-
   /// The elements are perhaps within the separation at t = 0.
-  Finding starts_within(const Parameters& p) noexcept {
-    const ClosestPoints found = refine(0, p);
+  Finding starts_within(const Place& start) noexcept {
+    const ClosestPoints found = refine(0, closest_at(start));
     if (!found.ok || !allowed(found) || !(found.excess < -found.error)) return Finding::uncertain;
     const Vector velocity = velocity_of(found);
     const double approach = -dot(found.c, velocity);
-    const double speed = largest_of(r_slope_) + largest_of(u_slope_) + largest_of(w_slope_);
+    const double speed = step_.speed;
     return describe(0, 0, 0, found, velocity, approach, kWalkError * largest_of(found.c) * (speed + step_.size),
                     Nature::sustained);
   }
 
-  const Query& query_;
+  Kind kind_;
+  const Separation& separation_;
   double distance_, t_max_;
   Step step_;
   PreciseStep precise_;
-  Vector r_slope_, u_slope_, w_slope_;
   Answer& answer_;
 };
 
 }  // namespace
 
 Finding decide_entry(const Query& query, const Separation& separation, double t_max, Answer& answer) noexcept {
-  if (separation.metric != Metric::euclidean) return Finding::uncertain;
-  return EntryQuestion(query, separation.distance, t_max, answer).decide();
+  if (separation.metric == Metric::max) return decide_max_entry(query, separation, t_max, answer);
+  return EuclideanEntry(query, separation, t_max, answer).decide();
 }
 
 }  // namespace touchstone::filters

@@ -1,4 +1,4 @@
-// The first time within a Euclidean separation, in error-bounded arithmetic. SPDX-License-Identifier: MIT
+// The first time within a separation, in error-bounded arithmetic. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <touchstone/answer.hpp>
@@ -9,10 +9,10 @@
 
 namespace touchstone::filters {
 
-/// Whether and when the elements of a valid query come within a valid Euclidean separation > 0 in [0, t_max]. `answer`
+/// Whether and when the elements of a valid query come within a valid separation > 0 in [0, t_max]. `answer`
 /// comes in as Answer() and is complete when the finding is `contact`; its level is not set. Uncertain where the
-/// elements graze the separation, where the exact time is a double, where a foot is at a feature's border or the closest
-/// points are not certainly unique, and where coordinates are far from ordinary size.
+/// elements graze the separation, where the exact time is a double, where a foot is at a feature's border or the
+/// closest points are not certainly unique, and where coordinates are far from ordinary size.
 Finding decide_entry(const Query& query, const Separation& separation, double t_max, Answer& answer) noexcept;
 
 }  // namespace touchstone::filters

@@ -1,5 +1,5 @@
-// certain_same_side for one query, with the step's two ends side by side in a pack of two: half the operations, the
-// same steps in each lane. SPDX-License-Identifier: MIT
+// certain_same_side and certain_clearance for one query, with the step's two ends side by side in a pack of two: half
+// the operations, the same steps in each lane. SPDX-License-Identifier: MIT
 #include "filters/same_side.hpp"
 
 #include "numbers/pack.hpp"
@@ -20,10 +20,14 @@ double largest(const EndsVector& a) {
   return larger(both.v[0], both.v[1]);
 }
 
-}  // namespace
+/// V and n over the step: their Bernstein coefficients, and the products that bound their errors.
+struct PackedForm {
+  Ends outer, inner;  ///< b0 and b3; 3 b1 and 3 b2
+  EndsVector n, n1;   ///< n0 and n2; 2 n1, in both lanes
+  double uw, uwr;
+};
 
-bool same_side(const Query& query) noexcept {
-  if (!has_cubic(query.kind)) return false;
+TOUCHSTONE_INLINE PackedForm form_of(const Query& query) {
   const auto corner = [&query](std::size_t i) {
     const Vec3& a = query.start[i];
     const Vec3& b = query.end[i];
@@ -35,25 +39,47 @@ bool same_side(const Query& query) noexcept {
   const EndsVector c = geometry::cross(u, swapped(w));  // u0 x w1 and u1 x w0
   const EndsVector d = swapped(c);
   const EndsVector n1 = {{c[0] + d[0], c[1] + d[1], c[2] + d[2]}};
-  const Ends outer = geometry::dot(n, r);                                  // b0 and b3
-  const Ends inner = geometry::dot(n1, r) + geometry::dot(n, swapped(r));  // 3 b1 and 3 b2
-
   const double uw = largest(u) * largest(w);
-  const double uwr = uw * largest(r);
-  const bool valid = products_in_range(uw, uwr);
-  const double ends = kEndsBound * uwr;
-  const double middle = kMiddleBound * uwr;
-  const Ends sign = numbers::pack(outer.v[0], outer.v[0]);
-  const auto same =
-      (flipped(outer, sign) > numbers::pack(ends, ends)) & (flipped(inner, sign) > numbers::pack(middle, middle));
-  return valid & (same[0] != 0) & (same[1] != 0);
+  return {geometry::dot(n, r), geometry::dot(n1, r) + geometry::dot(n, swapped(r)), n, n1, uw, uw * largest(r)};
+}
+
+/// Whether the coefficients have one sign and exceed the bounds.
+TOUCHSTONE_INLINE bool exceed(const PackedForm& form, double ends, double middle) {
+  const Ends sign = numbers::pack(form.outer.v[0], form.outer.v[0]);
+  const auto same = (flipped(form.outer, sign) > numbers::pack(ends, ends)) &
+                    (flipped(form.inner, sign) > numbers::pack(middle, middle));
+  return (same[0] != 0) & (same[1] != 0);
+}
+
+/// certain_clearance, in the same steps.
+template <bool Euclidean>
+bool clear_all_along(const Query& query, double distance) noexcept {
+  const PackedForm form = form_of(query);
+  const auto norm = [](const EndsVector& v) {
+    if constexpr (Euclidean) return geometry::dot(v, v);
+    return magnitude(v[0]) + magnitude(v[1]) + magnitude(v[2]);
+  };
+  const Ends outer = norm(form.n);
+  const double middle_norm = (Euclidean ? 0.25 : 0.5) * norm(form.n1).v[0];
+  const double greatest = larger(larger(outer.v[0], outer.v[1]), middle_norm);
+  const double kept = distance * (kNormFactor * (Euclidean ? square_root(greatest) : greatest) + kNormBound * form.uw);
+  const double ends = kEndsBound * form.uwr + kNormFactor * kept;
+  const double middle = kMiddleBound * form.uwr + kNormFactor * (3.0 * kept);
+  return norms_in_range(form.uw, form.uwr) & exceed(form, ends, middle);
+}
+
+}  // namespace
+
+bool same_side(const Query& query) noexcept {
+  if (!has_cubic(query.kind)) return false;
+  const PackedForm form = form_of(query);
+  return products_in_range(form.uw, form.uwr) & exceed(form, kEndsBound * form.uwr, kMiddleBound * form.uwr);
 }
 
 bool clear_all_along(const Query& query, const Separation& separation) noexcept {
   if (!has_cubic(query.kind)) return false;
-  const StepFrame<double> frame = frame_of(query);
-  return separation.metric == Metric::euclidean ? certain_clearance<true>(frame, separation.distance)
-                                                : certain_clearance<false>(frame, separation.distance);
+  return separation.metric == Metric::euclidean ? clear_all_along<true>(query, separation.distance)
+                                                : clear_all_along<false>(query, separation.distance);
 }
 
 }  // namespace touchstone::filters

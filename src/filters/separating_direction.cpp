@@ -19,10 +19,10 @@ namespace {
 // bound.
 constexpr double kProjectionBound = 13 * kUnit;
 
-// The norm of a direction, its product with the distance, the sum with the gap's error, and this product itself: at most
-// 2.5 e from the square, 1 e from the root, and 3 e more, or 2 e in place of 3.5 e for the sum of absolute values. So 8 e
-// cover all of it. A product that underflows is off by less than the least normal number. Squares from kLeastSquare up
-// have no underflow that counts.
+// The norm of a direction, its product with the distance, the sum with the gap's error, and this product itself: at
+// most 2.5 e from the square, 1 e from the root, and 3 e more, or 2 e in place of 3.5 e for the sum of absolute values.
+// So 8 e cover all of it. A product that underflows is off by less than the least normal number. Squares from
+// kLeastSquare up have no underflow that counts.
 constexpr double kDirectionFactor = 1 + 8 * kUnit;
 constexpr double kLeastNormal = std::numeric_limits<double>::min();
 constexpr double kLeastSquare = 0x1p-900;

@@ -8,8 +8,6 @@
 
 #include <touchstone/error.hpp>
 
-#include "fuzz/climb.hpp"
-
 namespace touchstone::fuzz {
 namespace {
 
@@ -73,20 +71,52 @@ std::optional<CaseName> parse_case_text(std::string_view text) {
   return name;
 }
 
-Query start_of_case(const CaseName& name, const std::vector<Query>& given) {
-  if (!name.given) return families::make(name.start);
-  if (name.start.index >= given.size() || given[name.start.index].kind != name.start.kind) {
-    throw InvalidQuery(case_text(name) + ": no such query was given");
+namespace {
+
+/// The start of a case, and the generator of its climb.
+struct Start {
+  Asked asked;
+  families::Rng rng;
+};
+
+Start made_start(const CaseName& name, const CaseSource& source) {
+  Start start{{{}, source.separation}, families::rng_of(name.start)};
+  if (name.given) {
+    if (name.start.index >= source.given.size() || source.given[name.start.index].kind != name.start.kind) {
+      throw InvalidQuery(case_text(name) + ": no such query was given");
+    }
+    start.asked.query = source.given[name.start.index];
+  } else if (source.own) {
+    const families::Separated made =
+        families::make_separated(name.start.family, name.start.kind, source.separation.metric, start.rng);
+    start.asked.query = made.query;
+    start.asked.separation.distance = made.distance;
+  } else {
+    start.asked.query = families::make(name.start.family, name.start.kind, start.rng);
   }
-  return given[name.start.index];
+  return start;
+}
+
+}  // namespace
+
+Asked start_of_case(const CaseName& name, const CaseSource& source) { return made_start(name, source).asked; }
+
+Climb climb_from(const CaseName& name, const CaseSource& source) {
+  const Start start = made_start(name, source);
+  return Climb(start.asked.query, start.rng, start.asked.separation);
+}
+
+Asked asked_in_case(const CaseName& name, const CaseSource& source) {
+  Asked asked = start_of_case(name, source);
+  if (name.step == 0) return asked;
+  Climb climb = climb_from(name, source);
+  for (std::uint64_t i = 1; i < name.step; ++i) climb.next();
+  asked.query = climb.next();
+  return asked;
 }
 
 Query query_of_case(const CaseName& name, const std::vector<Query>& given) {
-  const Query start = start_of_case(name, given);
-  if (name.step == 0) return start;
-  Climb climb = name.given ? Climb(start, families::rng_of(name.start)) : Climb(name.start);
-  for (std::uint64_t i = 1; i < name.step; ++i) climb.next();
-  return climb.next();
+  return asked_in_case(name, {given}).query;
 }
 
 }  // namespace touchstone::fuzz

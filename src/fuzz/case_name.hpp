@@ -9,8 +9,10 @@
 #include <vector>
 
 #include <touchstone/query.hpp>
+#include <touchstone/separation.hpp>
 
 #include "families/families.hpp"
+#include "fuzz/climb.hpp"
 
 namespace touchstone::fuzz {
 
@@ -28,11 +30,30 @@ std::string case_text(const CaseName& name);
 /// The inverse of case_text; nothing when the text is no case.
 std::optional<CaseName> parse_case_text(std::string_view text);
 
-/// The query itself. A case of step n takes n steps of climbing again.
-/// @param given  the given queries  @throws InvalidQuery when the case is a given query that is not among them
-Query query_of_case(const CaseName& name, const std::vector<Query>& given = {});
+/// What the names of one run refer to, besides the families.
+struct CaseSource {
+  const std::vector<Query>& given;
+  Separation separation = {};  ///< of every query
+  bool own = false;            ///< each query has a distance of its own instead, see families::make_separated
+};
 
-/// The query at step 0 of the case.
-Query start_of_case(const CaseName& name, const std::vector<Query>& given);
+/// A query, and the separation that it is asked with.
+struct Asked {
+  Query query;
+  Separation separation;
+};
+
+/// A case of step n takes n steps of climbing again.
+/// @throws InvalidQuery when the case is a given query that is not among the given ones
+Asked asked_in_case(const CaseName& name, const CaseSource& source);
+
+/// The same for the case's step 0.
+Asked start_of_case(const CaseName& name, const CaseSource& source);
+
+/// The walk from there.
+Climb climb_from(const CaseName& name, const CaseSource& source);
+
+/// The query alone, for contact.
+Query query_of_case(const CaseName& name, const std::vector<Query>& given = {});
 
 }  // namespace touchstone::fuzz

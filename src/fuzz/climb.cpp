@@ -13,8 +13,6 @@ namespace {
 
 using families::Rng;
 
-double height_of(const Query& query) { return std::fabs(std::log2(std::fabs(filter_margin(query)))); }
-
 // Below, one call of rng a statement: compilers evaluate the arguments of a call in different orders, and a case's name
 // means the same query on every machine.
 
@@ -44,31 +42,35 @@ double changed(double x, Query& query, Rng& rng) {
   }
 }
 
-/// Moves one coordinate to the value at which the margin would be zero if it were linear in the coordinate. V's
-/// coefficients are linear in it, so that there only rounding remains of them.
-void step_to_zero(Query& query, Rng& rng) {
-  double& x = random_coordinate(query, rng);
-  const double before = x;
-  const double margin = filter_margin(query);
-  const int exponent = -rng.between(0, 30);
-  x = before + std::ldexp(rng.symmetric() * (std::fabs(before) + 0x1p-1000), exponent);
-  const double moved = before - margin * (x - before) / (filter_margin(query) - margin);
-  x = std::isfinite(moved) ? moved : before;
+}  // namespace
+
+double Climb::height_of(const Query& query) const {
+  return std::fabs(std::log2(std::fabs(filter_margin(query, separation_))));
 }
 
-}  // namespace
+/// Moves one coordinate to the value at which the margin would be zero if it were linear in the coordinate. V's
+/// coefficients are linear in it, so that there only rounding remains of them.
+void Climb::step_to_zero(Query& query) {
+  double& x = random_coordinate(query, rng_);
+  const double before = x;
+  const double margin = filter_margin(query, separation_);
+  const int exponent = -rng_.between(0, 30);
+  x = before + std::ldexp(rng_.symmetric() * (std::fabs(before) + 0x1p-1000), exponent);
+  const double moved = before - margin * (x - before) / (filter_margin(query, separation_) - margin);
+  x = std::isfinite(moved) ? moved : before;
+}
 
 Climb::Climb(const families::CaseId& start)
     : rng_(families::rng_of(start)),
       current_(families::make(start.family, start.kind, rng_)),
       height_(height_of(current_)) {}
 
-Climb::Climb(const Query& start, const families::Rng& random)
-    : rng_(random), current_(start), height_(height_of(current_)) {}
+Climb::Climb(const Query& start, const families::Rng& random, const Separation& separation)
+    : rng_(random), separation_(separation), current_(start), height_(height_of(current_)) {}
 
 Query Climb::next() {
   Query query = current_;
-  if (rng_.one_in(3)) step_to_zero(query, rng_);
+  if (rng_.one_in(3)) step_to_zero(query);
   for (int changes = rng_.between(0, 2); changes > 0; --changes) {
     double& x = random_coordinate(query, rng_);
     const double value = changed(x, query, rng_);

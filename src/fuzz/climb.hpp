@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include <touchstone/query.hpp>
+#include <touchstone/separation.hpp>
 
 #include "families/families.hpp"
 
@@ -20,14 +21,18 @@ class Climb {
  public:
   explicit Climb(const families::CaseId& start);
 
-  /// From any query.
-  Climb(const Query& start, const families::Rng& random);
+  /// From any query. @param separation  what is asked about: filters for separations have margins of their own
+  Climb(const Query& start, const families::Rng& random, const Separation& separation = {});
 
   /// The next query, kept or not: each of them is worth asking.
   Query next();
 
  private:
+  double height_of(const Query& query) const;
+  void step_to_zero(Query& query);
+
   families::Rng rng_;
+  Separation separation_;
   Query current_;
   double height_;  ///< |log2 of |margin||
 };

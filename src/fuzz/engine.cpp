@@ -36,7 +36,10 @@ GivenPlan given_to_ask(const SolverUnderTest& solver, const std::vector<Kind>& k
 std::vector<families::Family> wanted_families(const Settings& settings) {
   if (!settings.families.empty()) return settings.families;
   std::vector<families::Family> all;
-  for (const families::FamilyInfo& family : families::all_families()) all.push_back(family.family);
+  for (const families::FamilyInfo& family : families::all_families()) {
+    // Those are special for their own distances only.
+    if (family.group != families::Group::separation || settings.own_separations) all.push_back(family.family);
+  }
   return all;
 }
 

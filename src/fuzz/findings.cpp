@@ -19,10 +19,10 @@ auto order(const Example& e) {
 
 }  // namespace
 
-void Findings::add(const Failure& failure, const CaseName& name, const Query& query, const Reply& reply,
+void Findings::add(const Failure& failure, const CaseName& name, const Asked& asked, const Reply& reply,
                    const Answer& truth) {
-  Bucket& bucket = buckets_[{failure.failure, degeneracy_of(query, truth)}];
-  Example example{name, query, {}, truth, {}, difficulty(query)};
+  Bucket& bucket = buckets_[{failure.failure, degeneracy_of(asked.query, truth)}];
+  Example example{name, asked.query, asked.separation, {}, truth, {}, difficulty(asked.query)};
   if (++bucket.count > 1 && order(bucket.example) <= order(example)) return;
   example.reply = reply;
   example.detail = failure.detail;

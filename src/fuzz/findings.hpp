@@ -22,6 +22,7 @@ namespace touchstone::fuzz {
 struct Example {
   CaseName name;  ///< of this query, or of the query that it was shrunk from
   Query query;
+  Separation separation;  ///< that the query is asked with
   Reply reply;
   Answer truth;
   std::string detail;           ///< see Failure
@@ -37,7 +38,7 @@ struct Finding {
 
 class Findings {
  public:
-  void add(const Failure& failure, const CaseName& name, const Query& query, const Reply& reply, const Answer& truth);
+  void add(const Failure& failure, const CaseName& name, const Asked& asked, const Reply& reply, const Answer& truth);
 
   /// The result does not depend on the order in which findings are merged.
   void merge(Findings&& other);

@@ -7,16 +7,18 @@ JudgedSolver::JudgedSolver(SolverUnderTest& solver, const Settings& settings)
     : solver_(solver),
       answering_(dynamic_cast<AnsweringSolver*>(&solver)),
       judge_(settings.judge),
-      separation_(settings.separation),
+      own_separations_(settings.own_separations),
       early_(settings.early) {}
 
-Answer JudgedSolver::truth(const Query& query) const { return solve(query, separation_, judge_); }
+Answer JudgedSolver::truth(const Asked& asked) const { return solve(asked.query, asked.separation, judge_); }
 
-JudgedReply JudgedSolver::ask(const Query& query, const Answer& truth) const {
+JudgedReply JudgedSolver::ask(const Asked& asked, const Answer& truth) const {
+  const auto& [query, separation] = asked;
   JudgedReply judged;
+  if (own_separations_) solver_.change_separation(separation);
   if (answering_ == nullptr) {
     judged.reply = solver_.ask(query);
-    judged.failure = failure_of(query, judged.reply, truth, early_, separation_);
+    judged.failure = failure_of(query, judged.reply, truth, early_, separation);
     return judged;
   }
   const Answer answer = answering_->answer(query);

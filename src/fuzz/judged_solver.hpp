@@ -9,6 +9,7 @@
 #include <touchstone/solve.hpp>
 
 #include "fuzz/answering_solver.hpp"
+#include "fuzz/case_name.hpp"
 #include "fuzz/failure.hpp"
 #include "fuzz/settings.hpp"
 #include "fuzz/solver_under_test.hpp"
@@ -23,20 +24,20 @@ struct JudgedReply {
 
 class JudgedSolver {
  public:
-  /// @param settings  its judge gives the answers that count as the true ones, for its separation
+  /// @param settings  its judge gives the answers that count as the true ones
   JudgedSolver(SolverUnderTest& solver, const Settings& settings);
 
   /// The judge's answer. The solver is not asked.
-  Answer truth(const Query& query) const;
+  Answer truth(const Asked& asked) const;
 
   /// Asks the solver and judges its reply: everything in a whole answer, or the claim of a solver that gives no more.
-  JudgedReply ask(const Query& query, const Answer& truth) const;
+  JudgedReply ask(const Asked& asked, const Answer& truth) const;
 
  private:
   SolverUnderTest& solver_;
   AnsweringSolver* answering_;  ///< the same solver when it gives whole answers, else null
   Method judge_;
-  Separation separation_;
+  bool own_separations_;
   EarlyLimit early_;
 };
 

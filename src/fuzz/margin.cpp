@@ -74,16 +74,91 @@ double cubic_margin(const Query& query) noexcept {
   return crosses ? least({margin, side_margin(query, frame, sign_change(c))}) : margin;
 }
 
-double separation_margin(const Query& query) noexcept {
+double direction_margin(const Query& query) noexcept {
   const auto corners = filters::relative_corners(query);
   const filters::Gap gap = filters::gap_along(corners, filters::between_closest_points(corners, query.kind));
   return quotient(gap.value, gap.error);
 }
 
+// With a separation. Below, e = 2^-53, and 8 e is the rounding that the filters allow for d |n|.
+
+constexpr double kNormRounding = 8 * filters::kUnit;
+
+double norm_of(const Vector& v, Metric metric) noexcept {
+  return metric == Metric::euclidean ? std::sqrt(geometry::dot(v, v))
+                                     : std::fabs(v[0]) + std::fabs(v[1]) + std::fabs(v[2]);
+}
+
+/// V's coefficients against d max |n|, as in filters::certain_clearance.
+double clearance_margin(const Query& query, const Separation& separation) noexcept {
+  const filters::StepFrame<double> f = filters::frame_of(query);
+  const auto bounds = filters::coplanarity_bounds(f);
+  if (!bounds.valid) return kInfinity;
+  const auto n = filters::normal_coefficients(f);
+  const auto c = filters::coplanarity_coefficients(f, n);
+  const double norm =
+      separation.metric == Metric::euclidean ? filters::greatest_norm<true>(n) : filters::greatest_norm<false>(n);
+  const double kept = separation.distance * norm;
+  const double uw = filters::largest(f.start.u, f.end.u) * filters::largest(f.start.w, f.end.w);
+  const double rounding = separation.distance * filters::kNormBound * uw + kNormRounding * kept;
+  const auto margin = [&](double value, double factor, double bound) {
+    return quotient(std::copysign(std::fabs(value) - factor * kept, value), bound + factor * rounding);
+  };
+  return least({margin(c[0], 1, bounds.ends), margin(c[1], 3, bounds.middle), margin(c[2], 3, bounds.middle),
+                margin(c[3], 1, bounds.ends)});
+}
+
+/// The gap along the direction between the closest points at mid-step, less the distance: over the rounding, and in the
+/// unit of length.
+struct GapBeyond {
+  double margin;
+  double length;
+};
+GapBeyond gap_beyond(const Query& query, const Separation& separation) noexcept {
+  const auto corners = filters::relative_corners(query);
+  const Vector direction = filters::between_closest_points(corners, query.kind);
+  const filters::Gap gap = filters::gap_along(corners, direction);
+  const double norm = norm_of(direction, separation.metric);
+  const double kept = separation.distance * norm;
+  return {quotient(gap.value - kept, gap.error + kNormRounding * kept), gap.value / norm - separation.distance};
+}
+
+/// The query at rest at one time.
+Query at_rest(const Query& query, double t) noexcept {
+  Query rest = query;
+  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+    const auto position = [t](double a, double b) { return (1 - t) * a + t * b; };
+    const Vec3 &a = query.start[i], &b = query.end[i];
+    rest.start[i] = rest.end[i] = {position(a.x, b.x), position(a.y, b.y), position(a.z, b.z)};
+  }
+  return rest;
+}
+
+/// At the step's start alone, at its end, and at a time of least distance, where elements that graze are.
+double instants_margin(const Query& query, const Separation& separation) noexcept {
+  const GapBeyond start = gap_beyond(at_rest(query, 0), separation), end = gap_beyond(at_rest(query, 1), separation);
+  const double margin = least({start.margin, end.margin});
+  // The time of the least distance, by ternary search: right where the distance has one minimum, else a guess.
+  double low = 0, high = 1;
+  for (int i = 0; i < 30; ++i) {
+    const double third = (high - low) / 3;
+    const double a = gap_beyond(at_rest(query, low + third), separation).length;
+    const double b = gap_beyond(at_rest(query, high - third), separation).length;
+    (a < b ? high : low) = a < b ? high - third : low + third;
+  }
+  return least({margin, gap_beyond(at_rest(query, low), separation).margin});
+}
+
+double separation_margin(const Query& query, const Separation& separation) noexcept {
+  const double margin = least({gap_beyond(query, separation).margin, instants_margin(query, separation)});
+  return filters::has_cubic(query.kind) ? least({margin, clearance_margin(query, separation)}) : margin;
+}
+
 }  // namespace
 
-double filter_margin(const Query& query) noexcept {
-  const double margin = separation_margin(query);
+double filter_margin(const Query& query, const Separation& separation) noexcept {
+  if (separation.distance > 0) return separation_margin(query, separation);
+  const double margin = direction_margin(query);
   return filters::has_cubic(query.kind) ? least({margin, cubic_margin(query)}) : margin;
 }
 

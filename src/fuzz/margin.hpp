@@ -3,6 +3,7 @@
 #pragma once
 
 #include <touchstone/query.hpp>
+#include <touchstone/separation.hpp>
 
 namespace touchstone::fuzz {
 
@@ -11,6 +12,11 @@ namespace touchstone::fuzz {
 /// elements; the gap between the elements along the direction that the separation test tries. Within [-1, 1] that
 /// filter is uncertain, and near 1 and -1 the error bounds are tested. The sign is that of the value. +infinity when
 /// nothing can be compared; never NaN. It is computed in doubles and is only a guide.
-double filter_margin(const Query& query) noexcept;
+///
+/// With a separation above 0 the values are what the filters for separations look at, each less what the separation
+/// asks for: V's Bernstein coefficients less the distance times the greatest norm of n; the gap along the direction
+/// between the closest points at mid-step less the distance times the direction's norm; and the same gap at the step's
+/// start alone, at its end, and at a time of least distance.
+double filter_margin(const Query& query, const Separation& separation = {}) noexcept;
 
 }  // namespace touchstone::fuzz

@@ -39,6 +39,7 @@ class OurSolver final : public AnsweringSolver {
 
   const std::string& name() const override { return name_; }
   bool supports(Kind) const override { return true; }
+  void change_separation(const Separation& separation) override { separation_ = separation; }
   Answer answer(const Query& query) override { return solve(query, separation_, method_); }
 
   Reply ask(const Query& query) override { return reply_of(answer(query)); }
@@ -53,6 +54,7 @@ class OurSolver final : public AnsweringSolver {
 class BatchSolver final : public AnsweringSolver {
  public:
   explicit BatchSolver(const Separation& separation) { options_.separation = separation; }
+  void change_separation(const Separation& separation) override { options_.separation = separation; }
 
   const std::string& name() const override { return name_; }
   bool supports(Kind) const override { return true; }
@@ -109,13 +111,26 @@ std::unique_ptr<SolverUnderTest> baseline_solver(const baselines::Baseline& meth
   return callable_solver(std::string(method.name), ask, method.supports);
 }
 
-std::unique_ptr<SolverUnderTest> baseline_solver(const baselines::SeparationBaseline& method, double distance) {
-  const auto ask = [&method, distance](const Query& query) {
+/// A method that takes a separation.
+class SeparationSolver final : public SolverUnderTest {
+ public:
+  SeparationSolver(const baselines::SeparationBaseline& method, double distance)
+      : name_(method.name), method_(method), distance_(distance) {}
+
+  const std::string& name() const override { return name_; }
+  bool supports(Kind) const override { return true; }
+  void change_separation(const Separation& separation) override { distance_ = separation.distance; }
+
+  Reply ask(const Query& query) override {
     constexpr double kWholeStep = 1;
-    return reply_of(method.solve(query, distance, kWholeStep, method.usual_tolerance));
-  };
-  return callable_solver(std::string(method.name), ask);
-}
+    return reply_of(method_.solve(query, distance_, kWholeStep, method_.usual_tolerance));
+  }
+
+ private:
+  std::string name_;
+  const baselines::SeparationBaseline& method_;
+  double distance_;
+};
 
 }  // namespace
 
@@ -139,7 +154,8 @@ std::unique_ptr<SolverUnderTest> named_solver(std::string_view name, const Separ
   if (separation.distance > 0) {
     const auto* const baseline =
         separation.metric == Metric::euclidean ? baselines::find_separation_method(name) : nullptr;
-    return baseline != nullptr ? baseline_solver(*baseline, separation.distance) : nullptr;
+    if (baseline == nullptr) return nullptr;
+    return std::make_unique<SeparationSolver>(*baseline, separation.distance);
   }
   const baselines::Baseline* const baseline = baselines::find_method(name);
   return baseline != nullptr ? baseline_solver(*baseline) : nullptr;

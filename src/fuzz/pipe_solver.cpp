@@ -38,9 +38,13 @@ class PipeSolver : public SolverUnderTest {
   const std::string& name() const override { return name_; }
   bool supports(Kind kind) const override { return supported_[static_cast<std::size_t>(kind)]; }
 
+  void change_separation(const Separation& separation) override { separation_ = separation; }
+
   Reply ask(const Query& query) override {
-    const std::string trouble = start();
+    std::string trouble = start();
     if (!trouble.empty()) return give_up(run_, Reply::State::crashed, "it cannot be started again: " + trouble);
+    if (told_ != separation_.distance) trouble = tell_separation(limits_.answer);
+    if (!trouble.empty()) return give_up(run_, Reply::State::malformed, trouble);
     bool supported = true;
     Reply reply = exchange(query, limits_.answer, supported);
     if (supported) return reply;
@@ -75,9 +79,15 @@ class PipeSolver : public SolverUnderTest {
   /// @throws Error when it cannot be started
   std::string launch() {
     run_ = std::make_unique<PipeRun>(name_, limits_);
-    if (separation_.distance == 0) return {};
+    told_ = 0;
+    return separation_.distance == 0 ? std::string() : tell_separation(limits_.start);
+  }
+
+  /// @returns the reason when the program does not take it, else nothing
+  std::string tell_separation(std::chrono::milliseconds time) {
     const std::string line = pipes::separation_line(separation_);
-    const PipeRun::Exchange exchange = run_->exchange(line, limits_.start);
+    const PipeRun::Exchange exchange = run_->exchange(line, time);
+    told_ = separation_.distance;
     const bool said = exchange.end == PipeRun::Exchange::End::line;
     if (said && pipes::takes_separation(exchange.line)) return {};
     return "the solver's command takes no separation: it must answer the line " +
@@ -133,6 +143,7 @@ class PipeSolver : public SolverUnderTest {
   std::string name_;
   Limits limits_;
   Separation separation_;
+  double told_ = 0;  ///< the distance that the program knows
   std::array<bool, 4> supported_{};
   Kind first_ = Kind::edge_edge;  ///< one that it supports
   std::unique_ptr<PipeRun> run_;

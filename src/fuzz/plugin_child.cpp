@@ -37,15 +37,15 @@ void leave_at_exit() {
 #endif
 }
 
+/// The library's function that is told a separation; null when it has none.
+using Tell = int (*)(double, int);
+
 /// Tells the library the separation, if there is one.
-bool takes_separation(void* library, const SharedCall& call) {
-  if (call.separation == 0) return true;
-  using Tell = int (*)(double, int);
-  const auto tell = reinterpret_cast<Tell>(::dlsym(library, "touchstone_separation"));
-  return tell != nullptr && tell(call.separation, call.metric) == 0;
+bool takes_separation(Tell tell, double separation, int metric) {
+  return separation == 0 || (tell != nullptr && tell(separation, metric) == 0);
 }
 
-const touchstone_solver_plugin* load(const std::string& path, SharedCall& call) {
+const touchstone_solver_plugin* load(const std::string& path, SharedCall& call, Tell& tell) {
   void* const library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
     const char* const reason = ::dlerror();
@@ -69,7 +69,8 @@ const touchstone_solver_plugin* load(const std::string& path, SharedCall& call) 
            "its kinds are " + std::to_string(plugin->kinds) + ", which is no sum of TOUCHSTONE_EDGE_EDGE and so on");
   } else if (plugin->solve == nullptr) {
     refuse(call, "its solve is a null pointer");
-  } else if (!takes_separation(library, call)) {
+  } else if (tell = reinterpret_cast<Tell>(::dlsym(library, "touchstone_separation"));
+             !takes_separation(tell, call.separation, call.metric)) {
     refuse(call, "it takes no such separation (see touchstone_separation in touchstone/plugin.h)");
   } else {
     return plugin;
@@ -82,7 +83,9 @@ const touchstone_solver_plugin* load(const std::string& path, SharedCall& call) 
 void serve_plugin(const std::string& path, SharedCall& call) {
   leave_at_exit();
   const pid_t parent = ::getppid();
-  const touchstone_solver_plugin* const plugin = load(path, call);
+  Tell tell = nullptr;
+  const touchstone_solver_plugin* const plugin = load(path, call, tell);
+  double told = call.separation;
   void* state = nullptr;
   if (plugin != nullptr && plugin->init != nullptr) {
     call.stage = Stage::initialising;
@@ -102,7 +105,12 @@ void serve_plugin(const std::string& path, SharedCall& call) {
     const std::array<double, 12> start = call.start, end = call.end;  // so that the plugin has no business in `call`
     double toi = std::numeric_limits<double>::quiet_NaN();
     call.stage = Stage::solving;
-    call.status = plugin->solve(state, static_cast<int>(call.kind), start.data(), end.data(), &toi);
+    if (const double separation = call.separation; separation != told) {
+      call.refused = takes_separation(tell, separation, call.metric) ? 0 : 1;
+      told = separation;
+    }
+    call.status =
+        call.refused != 0 ? 0 : plugin->solve(state, static_cast<int>(call.kind), start.data(), end.data(), &toi);
     call.toi = toi;
     call.stage = Stage::ready;
     raise(call, Side::child, call.answered);

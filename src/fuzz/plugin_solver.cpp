@@ -108,6 +108,8 @@ class PluginSolver : public SolverUnderTest {
   const std::string& name() const override { return name_; }
   bool supports(Kind kind) const override { return (kinds_ & kind_bit(static_cast<unsigned>(kind))) != 0; }
 
+  void change_separation(const Separation& separation) override { separation_ = separation; }
+
   Reply ask(const Query& query) override {
     if (!run_) {
       // A fork may catch another thread of this program in the middle of something that the child then waits for. A
@@ -122,10 +124,14 @@ class PluginSolver : public SolverUnderTest {
       put(query.end[i], &call.end[3 * i]);
     }
     call.kind = kind_bit(static_cast<unsigned>(query.kind));
+    call.separation = separation_.distance;
     if (++since_drained_ % 256 == 0) run_->child().drain();
     raise(call, Side::parent, call.asked);
     switch (run_->wait(limits_.answer)) {
-      case Run::End::answered: return reply(call.status, call.toi);
+      case Run::End::answered:
+        if (call.refused != 0)
+          return no_answer(Reply::State::malformed, "touchstone_separation refuses the separation");
+        return reply(call.status, call.toi);
       case Run::End::died: return give_up(run_, Reply::State::crashed, run_->child().story());
       case Run::End::late: break;
     }

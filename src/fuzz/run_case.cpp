@@ -16,12 +16,12 @@ std::optional<Finding> run_case(SolverUnderTest& solver, const CaseName& name, c
   const numbers::DefaultFloatEnvironment environment;
   supported_kinds(solver, {name.start.kind});
   const JudgedSolver judged(solver, settings);
-  const Query query = query_of_case(name, settings.given);
-  const Answer truth = judged.truth(query);
-  const auto [reply, failure] = judged.ask(query, truth);
+  const Asked asked = asked_in_case(name, case_source(settings));
+  const Answer truth = judged.truth(asked);
+  const auto [reply, failure] = judged.ask(asked, truth);
   if (!failure) return std::nullopt;
   Findings findings;
-  findings.add(*failure, name, query, reply, truth);
+  findings.add(*failure, name, asked, reply, truth);
   Finding finding = std::move(findings.take(1).front());
   shrink_finding(finding, solver, settings, stop);
   return finding;
@@ -32,16 +32,18 @@ void shrink_finding(Finding& finding, SolverUnderTest& solver, const Settings& s
   if (settings.shrink_tries == 0) return;
   const JudgedSolver judged(solver, settings);
   Example best = finding.example;
+  const Separation separation = finding.example.separation;
   const auto still_fails = [&](const Query& query) {
-    const Answer truth = judged.truth(query);
+    const Asked asked{query, separation};
+    const Answer truth = judged.truth(asked);
     // The conditions on the true answer come first, because asking the solver may be dear.
     if (truth.nature != finding.degeneracy.nature || truth.feature_a != finding.degeneracy.feature_a ||
         truth.feature_b != finding.degeneracy.feature_b || degeneracy_of(query, truth) != finding.degeneracy) {
       return false;
     }
-    auto [reply, failure] = judged.ask(query, truth);
+    auto [reply, failure] = judged.ask(asked, truth);
     if (!failure || failure->failure != finding.failure) return false;
-    best = {finding.example.name, query, std::move(reply), truth, failure->detail, difficulty(query)};
+    best = {finding.example.name, query, separation, std::move(reply), truth, failure->detail, difficulty(query)};
     return true;
   };
   ShrinkLimits limits;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/search.hpp"
 
-#include "fuzz/climb.hpp"
-
 namespace touchstone::fuzz {
 
 void SearchState::start_clock() {
@@ -50,22 +48,26 @@ void Searcher::ask_given(const JudgedSolver& solver) {
 }
 
 void Searcher::start_from(CaseName name, const JudgedSolver& solver) {
-  const Query query = start_of_case(name, settings_.given);
-  ask(name, query, solver);
+  const CaseSource source = case_source(settings_);
+  Asked asked = start_of_case(name, source);
+  ask(name, asked, solver);
   if (settings_.climb == 0) return;
-  Climb climb = name.given ? Climb(query, families::rng_of(name.start)) : Climb(name.start);
-  for (name.step = 1; name.step <= settings_.climb && !over(); ++name.step) ask(name, climb.next(), solver);
+  Climb climb = climb_from(name, source);
+  for (name.step = 1; name.step <= settings_.climb && !over(); ++name.step) {
+    asked.query = climb.next();
+    ask(name, asked, solver);
+  }
 }
 
-void Searcher::ask(const CaseName& name, const Query& query, const JudgedSolver& solver) {
-  const Answer truth = solver.truth(query);
-  const auto [reply, failure] = solver.ask(query, truth);
+void Searcher::ask(const CaseName& name, const Asked& asked, const JudgedSolver& solver) {
+  const Answer truth = solver.truth(asked);
+  const auto [reply, failure] = solver.ask(asked, truth);
   state_.queries.fetch_add(1, std::memory_order_relaxed);
   table.add_case(name);
   if (!failure) return;
   state_.failures[FailureTable::index(failure->failure)].fetch_add(1, std::memory_order_relaxed);
   table.add_failure(name, failure->failure);
-  findings.add(*failure, name, query, reply, truth);
+  findings.add(*failure, name, asked, reply, truth);
 }
 
 }  // namespace touchstone::fuzz

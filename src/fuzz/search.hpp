@@ -57,7 +57,7 @@ class Searcher {
   void ask_families(const JudgedSolver& solver);
   void ask_given(const JudgedSolver& solver);
   void start_from(CaseName name, const JudgedSolver& solver);
-  void ask(const CaseName& name, const Query& query, const JudgedSolver& solver);
+  void ask(const CaseName& name, const Asked& asked, const JudgedSolver& solver);
 
   const Settings& settings_;
   const Plan& plan_;

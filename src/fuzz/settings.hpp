@@ -11,6 +11,7 @@
 #include <touchstone/solve.hpp>
 
 #include "families/families.hpp"
+#include "fuzz/case_name.hpp"
 #include "fuzz/failure.hpp"
 
 namespace touchstone::fuzz {
@@ -25,11 +26,17 @@ struct Settings {
   std::uint64_t climb = 0;             ///< steps of hill climbing from each of them; each step is asked as well
   int threads = 1;                     ///< at least 1; with `cases` and no `seconds` no result depends on it
   Separation separation = {};          ///< what every query asks about; the solvers must have been made for the same
+  bool own_separations = false;        ///< each query has a distance of its own instead; only the metric is for all
   Method judge = Method::exact;
   EarlyLimit early;
   std::size_t most_findings = 0;         ///< 0: all
   std::uint64_t shrink_tries = 20'000;   ///< for each finding; 0: examples stay as they were found
   std::optional<double> shrink_seconds;  ///< for all findings together; nothing: no limit
 };
+
+/// What the names of this run's cases refer to. The settings must outlive it.
+inline CaseSource case_source(const Settings& settings) {
+  return {settings.given, settings.separation, settings.own_separations};
+}
 
 }  // namespace touchstone::fuzz

@@ -20,7 +20,7 @@ struct SharedCall {
   std::atomic<std::uint32_t> asleep[2]{};  ///< not 0: the parent, or the child, may sleep and must be woken
   std::atomic<Stage> stage{Stage::loading};
 
-  // The separation, from the beginning; 0: touching.
+  // The separation, from the beginning; 0: touching. The parent may set another one together with a query.
   double separation = 0;
   std::int32_t metric = 0;  ///< as in plugin.h
 
@@ -30,6 +30,7 @@ struct SharedCall {
   std::array<double, 12> end{};
 
   // The answer.
+  std::uint32_t refused = 0;  ///< not 0: the plugin does not take the separation
   std::int32_t status = 0;
   double toi = 0;
 

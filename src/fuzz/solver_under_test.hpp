@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <touchstone/query.hpp>
+#include <touchstone/separation.hpp>
 
 namespace touchstone::fuzz {
 
@@ -43,6 +44,10 @@ class SolverUnderTest {
 
   /// Whether it takes queries of this kind. Other kinds are not asked.
   virtual bool supports(Kind kind) const = 0;
+
+  /// From the next query on contact means this separation. Only called for distances above 0, and on a solver that was
+  /// made for a separation with the same metric. A solver that does not take it says so in its replies.
+  virtual void change_separation(const Separation&) {}
 
   /// Asks for the first contact in [0, 1]. No behaviour of the solver makes it throw. One call at a time.
   virtual Reply ask(const Query& query) = 0;

@@ -1,5 +1,5 @@
-// The names of kinds, corners, natures, trends, metrics, features and levels, as files and people write them. A value that is none of
-// the enumerators has the empty name.
+// The names of kinds, corners, natures, trends, metrics, features and levels, as files and people write them. A value
+// that is none of the enumerators has the empty name.
 // SPDX-License-Identifier: MIT
 #include <cstddef>
 #include <iterator>

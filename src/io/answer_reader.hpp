@@ -31,8 +31,8 @@ struct AnswerRow {
 };
 
 /// Reads RFC 4180 CSV. The first line names the columns, in any order. `query` and `contact` are needed, and `file` and
-/// `toi` are optional, and so are `separation` and `metric`, which say what a row is about; a separation without a metric
-/// is Euclidean. The other columns of answers.csv are skipped. Any other name is an error. Rows are bounded by
+/// `toi` are optional, and so are `separation` and `metric`, which say what a row is about; a separation without a
+/// metric is Euclidean. The other columns of answers.csv are skipped. Any other name is an error. Rows are bounded by
 /// kLongestLine, lines may end in CRLF, and blank lines are skipped.
 class AnswerReader {
  public:

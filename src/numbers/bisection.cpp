@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <gmpxx.h>
@@ -21,27 +22,41 @@ constexpr int kAnyDepth = -1;
 
 /// Appends the roots of p in the open interval (low, high), at whose ends p is not zero. Returns false, with some roots
 /// appended, when `depth` bisections do not isolate them.
-bool bisect(Coefficients p, const BernsteinForm& form, const Exact& low, const Exact& high, int depth, int multiplicity,
+bool bisect(Coefficients p, const Exact& low, const Exact& high, int depth, int multiplicity,
             std::vector<RealRoot>& roots) {
-  const int variations = form.variations();
-  if (variations == 0) return true;
-  if (variations == 1) {
-    roots.push_back(RealRoot::isolated(p, low, high, sign_of(form[0])));
-    roots.back().set_multiplicity(multiplicity);
-    return true;
+  struct Part {
+    BernsteinForm form;
+    Exact low, high;
+    int depth;
+  };
+  // The parts in which there may be roots, the first one last. Simple roots may be nearer to each other than 2^-3000:
+  // the depth has no limit that the machine's stack would hold.
+  std::vector<Part> parts;
+  parts.push_back({BernsteinForm(p, low, high), low, high, depth});
+  while (!parts.empty()) {
+    const Part part = std::move(parts.back());
+    parts.pop_back();
+    const int variations = part.form.variations();
+    if (variations == 0) continue;
+    if (variations == 1) {
+      roots.push_back(RealRoot::isolated(p, part.low, part.high, sign_of(part.form[0])));
+      roots.back().set_multiplicity(multiplicity);
+      continue;
+    }
+    if (part.depth == 0) return false;
+    // A cut must not be at a root. One of seven places is not, because p has at most six.
+    static constexpr int kPlaces[] = {4, 5, 3, 6, 2, 7, 1};
+    static_assert(sizeof kPlaces / sizeof *kPlaces > kMostDegree);
+    for (const int eighths : kPlaces) {
+      auto [left, right] = part.form.split(eighths);
+      if (is_zero(right[0])) continue;
+      const Exact cut = part.low + (part.high - part.low) * Exact(eighths * 0.125);
+      if (right.variations() > 0) parts.push_back({std::move(right), cut, part.high, part.depth - 1});
+      parts.push_back({std::move(left), part.low, cut, part.depth - 1});
+      break;
+    }
   }
-  if (depth == 0) return false;
-  // A cut must not be at a root. One of seven places is not, because p has at most six.
-  static constexpr int kPlaces[] = {4, 5, 3, 6, 2, 7, 1};
-  static_assert(sizeof kPlaces / sizeof *kPlaces > kMostDegree);
-  for (const int eighths : kPlaces) {
-    const auto [left, right] = form.split(eighths);
-    if (is_zero(right[0])) continue;
-    const Exact cut = low + (high - low) * Exact(eighths * 0.125);
-    return bisect(p, left, low, cut, depth - 1, multiplicity, roots) &&
-           bisect(p, right, cut, high, depth - 1, multiplicity, roots);
-  }
-  return false;  // not reached
+  return true;
 }
 
 /// A polynomial with integer coefficients, constant first; the leading one is not zero. Empty for the zero polynomial.
@@ -123,7 +138,7 @@ std::vector<Integers> factors_by_multiplicity(const Integers& p) {
 
 void isolate_by_bisection(Coefficients p, const Exact& limit, RootList& roots) {
   std::vector<RealRoot> found;
-  if (!bisect(p, BernsteinForm(p, Exact(0), limit), Exact(0), limit, kQuickDepth, 1, found)) {
+  if (!bisect(p, Exact(0), limit, kQuickDepth, 1, found)) {
     found.clear();
     int multiplicity = 0;
     for (const Integers& factor : factors_by_multiplicity(primitive_integers(p))) {
@@ -138,7 +153,7 @@ void isolate_by_bisection(Coefficients p, const Exact& limit, RootList& roots) {
       std::vector<Exact> c;
       for (const mpz_class& integer : factor) c.push_back(exact_from_integer(integer));
       const Coefficients simple(c.data(), static_cast<int>(c.size()));
-      bisect(simple, BernsteinForm(simple, Exact(0), limit), Exact(0), limit, kAnyDepth, multiplicity, found);
+      bisect(simple, Exact(0), limit, kAnyDepth, multiplicity, found);
     }
     std::sort(found.begin(), found.end(), [](const RealRoot& a, const RealRoot& b) { return a.compare(b) < 0; });
   }

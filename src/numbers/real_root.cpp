@@ -321,8 +321,8 @@ int RealRoot::sign_after(Coefficients q) const { return sign_beside(q, 1); }
 int RealRoot::sign_before(Coefficients q) const { return sign_beside(q, -1); }
 
 int RealRoot::sign_beside(Coefficients q, int side) const {
-  // Just after the root, q has the sign of its first derivative that does not vanish there. Just before it, a derivative
-  // of odd order counts with the opposite sign.
+  // Just after the root, q has the sign of its first derivative that does not vanish there. Just before it, a
+  // derivative of odd order counts with the opposite sign.
   std::array<Exact, kMaxSize> derivative;
   std::copy(q.c, q.c + q.size, derivative.begin());
   int factor = 1;

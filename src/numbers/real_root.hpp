@@ -28,9 +28,9 @@ struct ScaledDoubles {
 };
 ScaledDoubles scaled_to_doubles(Coefficients p);
 
-/// The value of a polynomial of degree at most kMostDegree, from coefficients within a relative error of 2^-51, at any time
-/// between `lower`, in [0, 1], and the next double: off by at most `error`, which is NaN or infinite where nothing is
-/// known.
+/// The value of a polynomial of degree at most kMostDegree, from coefficients within a relative error of 2^-51, at any
+/// time between `lower`, in [0, 1], and the next double: off by at most `error`, which is NaN or infinite where nothing
+/// is known.
 struct ValueNear {
   double value;
   double error;
@@ -54,7 +54,6 @@ class RealRoot {
 
   /// Numerator and denominator, which is positive, of a root that is held as a rational. A rational root may be held
   /// otherwise.
-  bool is_rational() const { return is_rational_; }
   const Exact& numerator() const { return numerator_; }
   const Exact& denominator() const { return denominator_; }
 
@@ -136,8 +135,8 @@ class RealRoot {
     }
   }
 
-  /// The sign at the root of a polynomial of degree at most kMostDegree, from coefficients within a relative error of 2^-51; 0
-  /// when uncertain.
+  /// The sign at the root of a polynomial of degree at most kMostDegree, from coefficients within a relative error of
+  /// 2^-51; 0 when uncertain.
   int certain_sign(const double* c, int size) const {
     const ValueNear value = value_near(c, size, lower_);
     return value.value > value.error ? 1 : value.value < -value.error ? -1 : 0;

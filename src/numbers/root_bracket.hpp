@@ -22,7 +22,6 @@ class BernsteinForm {
 
   const Exact* begin() const { return c_.data(); }
   const Exact* end() const { return c_.data() + size_; }
-  int size() const { return size_; }
   const Exact& operator[](int i) const { return c_[static_cast<std::size_t>(i)]; }
 
   /// The number of changes of sign in their order, zeros left out. It is at least the number of roots inside, with
@@ -39,8 +38,8 @@ class BernsteinForm {
   std::array<Exact, kMostDegree + 1> c_;
 };
 
-/// An open dyadic interval in which a polynomial p of degree 2 or more has exactly one root, a simple one, and changes its
-/// sign. Where the root is found to be dyadic, low() == high() is the root itself. The argument p of the functions
+/// An open dyadic interval in which a polynomial p of degree 2 or more has exactly one root, a simple one, and changes
+/// its sign. Where the root is found to be dyadic, low() == high() is the root itself. The argument p of the functions
 /// below must be the polynomial that the bracket was made for.
 class RootBracket {
  public:

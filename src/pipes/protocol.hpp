@@ -22,9 +22,10 @@ namespace touchstone::pipes {
 //            "1"            contact; this solver reports no time
 //            "unsupported"  the solver takes no queries of this kind; only as the first answer to a kind
 //            and a line feed. A carriage return and blanks before it do no harm.
-// With a separation D > 0 one line comes before all queries: "separation D METRIC", D a hexfloat and METRIC euclidean or
-// max. Contact then is a distance of at most D. Its answer is "ok", or "unsupported" when the solver takes none; a
-// program that answers anything else does not know the line, and takes none either.
+// With a separation D > 0 one line comes before all queries: "separation D METRIC", D a hexfloat and METRIC euclidean
+// or max. Contact then is a distance of at most D. Its answer is "ok", or "unsupported" when the solver takes none; a
+// program that answers anything else does not know the line, and takes none either. With `--separation each` such a
+// line also comes before each query whose separation is not that of the query before it.
 // The program writes exactly one answer to each query, in the order of the queries, and flushes it. The next query
 // comes only after the answer. The program ends when its input ends.
 

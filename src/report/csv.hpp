@@ -9,8 +9,8 @@
 
 namespace touchstone::report {
 
-/// The header. `exponent_column` names the quantity whose exponent SetResults::exponent is. With a separation > 0 it has
-/// two more columns, and so do the rows of such sets.
+/// The header. `exponent_column` names the quantity whose exponent SetResults::exponent is. With a separation > 0 it
+/// has two more columns, and so do the rows of such sets.
 std::string csv_header(const std::string& exponent_column, const Separation& separation = {});
 
 /// A row for each set and contestant.

@@ -15,7 +15,7 @@ Scene make_cable_drop(Index segments) {
   scene.settings.duration = 2;
   scene.settings.contact.restitution = 0.1;
   scene.settings.contact.friction = 0.4;
-  scene.settings.contact.thickness = 2e-3;
+  scene.settings.contact.thickness = 1e-3;
   scene.settings.drag = 0.2;
   scene.settings.newton_tolerance = 1e-4;
   const Index cables = std::max(Index{2}, segments / kPerCable);
@@ -35,6 +35,7 @@ Scene make_cable_drop(Index segments) {
     const Vector3 from = corner + across * (kBetween * (place + 0.25) + shift) + along * tilt;
     Cable cable = straight_cable(scene, from, from + along * length + Vector3(0, 0, 0.2 * tilt), kPerCable);
     set_material(cable, 1e7, 0.4, 0.003, 1200);
+    cable.solid = true;
     cable.twist = 0;
     cable.damping = 2e-3;
     scene.cables.push_back(std::move(cable));

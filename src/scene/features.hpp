@@ -31,4 +31,11 @@ constexpr bool kRods = false;
 constexpr bool kRods = true;
 #endif
 
+/// Elements with a radius, which keep a distance from each other.
+#ifdef TOUCHSTONE_SIM_WITHOUT_SEPARATIONS
+constexpr bool kSeparations = false;
+#else
+constexpr bool kSeparations = true;
+#endif
+
 }  // namespace touchstone::sim

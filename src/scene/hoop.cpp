@@ -14,6 +14,10 @@ namespace touchstone::sim {
 namespace {
 
 constexpr double kBallRadius = 0.12, kBallMass = 0.6, kRimRadius = 0.225, kRimHeight = 1.6;
+// Half the thickness of the ball's skin, the radius of the rim's rod, and that of a string unless the net is fine.
+constexpr double kSkinRadius = 2e-3, kRodRadius = 9e-3, kStringRadius = 2.5e-3;
+// The radius of a string is at most this part of the distance of knots, or they would fill the net.
+constexpr double kStringsPerKnot = 0.1;
 // rad/s. The spin is too slow to be seen. But with it the ends of an edge do not move exactly alike, and the leading
 // coefficient of a cubic is tiny instead of zero. The paper's closed form divides by that coefficient, and loses edges.
 constexpr double kSpin = 1e-12;
@@ -23,22 +27,26 @@ void add_ball(Scene& scene, Index n, const Vector3& centre, const Vector3& spin)
   const generators::Sphere sphere = generators::sphere_mesh(n);
   const auto first = static_cast<Index>(scene.particles.size());
   const double mass = kBallMass / (1.1 * static_cast<double>(sphere.directions.size()));
-  for (const Vec3& d : sphere.directions) add_particle(scene, centre + kBallRadius * Vector3(d.x, d.y, d.z), mass);
+  const double middle_radius = kBallRadius - kSkinRadius;  // of the middle of its skin
+  for (const Vec3& d : sphere.directions) add_particle(scene, centre + middle_radius * Vector3(d.x, d.y, d.z), mass);
   // Springs from the middle stand for the air inside; the middle is nothing that could be hit.
   const Index middle = add_particle(scene, centre, 0.1 * kBallMass / 1.1);
   scene.particles[middle].collides = false;
   const auto corners = static_cast<double>(sphere.directions.size());
   for (const auto& edge : sphere.mesh.edges) add_spring(scene, first + edge[0], first + edge[1], 4000, 0.5, true);
   for (Index i = first; i < middle; ++i) add_spring(scene, i, middle, 6e4 / corners, 20 / corners, false);
-  for (const auto& face : sphere.mesh.faces) scene.faces.push_back({first + face[0], first + face[1], first + face[2]});
+  for (const auto& face : sphere.mesh.faces) {
+    scene.faces.push_back({{first + face[0], first + face[1], first + face[2]}, kSkinRadius});
+  }
   for (Index i = first; i <= middle; ++i) {
     scene.particles[i].velocity = spin.cross(scene.particles[i].position - centre);
   }
 }
 
 /// Strings resist neither bending nor twist.
-void make_string(Cable& cord) {
-  set_material(cord, 5e7, 0.3, 0.0025, 1100);
+void make_string(Cable& cord, double radius) {
+  set_material(cord, 5e7, 0.3, radius, 1100);
+  cord.solid = true;
   cord.bend = cord.twist = 0;
   cord.damping = 5e-3;
 }
@@ -55,7 +63,9 @@ void add_net(Scene& scene, Index around, Index rows, Index parts) {
       knots[r].push_back(r == 0 ? add_pinned(scene, at) : add_particle(scene, at, 0));
     }
   }
-  for (Index i = 0; i < around; ++i) scene.wires.push_back({knots[0][i], knots[0][(i + 1) % around]});
+  for (Index i = 0; i < around; ++i) scene.wires.push_back({{knots[0][i], knots[0][(i + 1) % around]}, kRodRadius});
+  const double between_knots = 2 * std::numbers::pi * kNetEnd / around;
+  const double string_radius = std::min(kStringRadius, kStringsPerKnot * between_knots);
   for (Index r = 0; r < rows; ++r) {
     for (Index i = 0; i < around; ++i) {
       for (Index side = 0; side < 2; ++side) {
@@ -68,7 +78,7 @@ void add_net(Scene& scene, Index around, Index rows, Index parts) {
           cord.particles.push_back(add_particle(scene, a + (b - a) * (static_cast<double>(s) / parts), 0));
         }
         cord.particles.push_back(to);
-        make_string(cord);
+        make_string(cord, string_radius);
         scene.cables.push_back(std::move(cord));
       }
     }
@@ -77,7 +87,7 @@ void add_net(Scene& scene, Index around, Index rows, Index parts) {
   Cable last;
   last.particles = knots[rows];
   last.closed = true;
-  make_string(last);
+  make_string(last, string_radius);
   scene.cables.push_back(std::move(last));
 }
 

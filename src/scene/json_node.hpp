@@ -47,6 +47,7 @@ class JsonNode {
   /// An object with no other keys than these.
   void check_keys(std::initializer_list<std::string_view> keys) const;
 
+  bool is_object() const noexcept { return value_->is_object(); }
   bool has(std::string_view key) const;
   JsonNode at(std::string_view key) const;  ///< @throws Error when it is missing
   std::optional<JsonNode> find(std::string_view key) const;

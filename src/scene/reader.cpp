@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -46,13 +47,14 @@ Settings settings_from(const JsonNode& node) {
 }
 
 Particle particle_from(const JsonNode& node) {
-  node.check_keys({"position", "velocity", "force", "mass", "pinned", "path", "collides"});
+  node.check_keys({"position", "velocity", "force", "mass", "pinned", "path", "collides", "radius"});
   Particle p;
   p.position = node.at("position").vector();
   p.velocity = node.vector_or("velocity", p.velocity);
   p.force = node.vector_or("force", p.force);
   p.mass = node.number_or("mass", 0);
   p.collides = node.boolean_or("collides", true);
+  p.radius = node.number_or("radius", 0);
   if (const auto pinned = node.find("pinned")) {
     if (node.has("path")) pinned->fail("a particle is pinned or has a path, not both");
     bool axes = false;
@@ -90,7 +92,7 @@ double distance(const Scene& scene, const JsonNode& node, Index a, Index b) {
 }
 
 Spring spring_from(const Scene& scene, const JsonNode& node) {
-  node.check_keys({"particles", "stiffness", "damping", "rest_length", "collides"});
+  node.check_keys({"particles", "stiffness", "damping", "rest_length", "collides", "radius"});
   const auto ends = node.at("particles").indices<2>();
   Spring s;
   s.a = ends[0];
@@ -99,17 +101,29 @@ Spring spring_from(const Scene& scene, const JsonNode& node) {
   s.damping = node.number_or("damping", 0);
   s.rest_length = node.has("rest_length") ? node.at("rest_length").number() : distance(scene, node, s.a, s.b);
   s.collides = node.boolean_or("collides", true);
+  s.radius = node.number_or("radius", 0);
   return s;
+}
+
+/// A wire or face: its particles alone, or an object of them and a radius.
+template <class Element>
+Element with_radius(const JsonNode& node) {
+  constexpr std::size_t kCorners = std::tuple_size_v<decltype(Element::particles)>;
+  if (!node.is_object()) return {node.indices<kCorners>()};
+  node.check_keys({"particles", "radius"});
+  return {node.at("particles").indices<kCorners>(), node.number_or("radius", 0)};
 }
 
 /// Triangles whose edges are springs at rest.
 void add_surface(Scene& scene, const JsonNode& node) {
-  node.check_keys({"faces", "stiffness", "damping"});
+  node.check_keys({"faces", "stiffness", "damping", "radius"});
+  const double radius = node.number_or("radius", 0);
+  if (const std::string reason = wrong_radius(radius); !reason.empty()) node.at("radius").fail(reason);
   const double stiffness = node.at("stiffness").number(), damping = node.number_or("damping", 0);
   std::vector<Edge> edges;
   for (const JsonNode& item : node.at("faces").items()) {
     const Face face = item.indices<3>();
-    scene.faces.push_back(face);
+    scene.faces.push_back({face, radius});
     for (std::size_t k = 0; k < 3; ++k)
       edges.push_back({std::min(face[k], face[(k + 1) % 3]), std::max(face[k], face[(k + 1) % 3])});
   }
@@ -163,6 +177,7 @@ void add_cable(Scene& scene, const JsonNode& node) {
                    "segments",
                    "closed",
                    "radius",
+                   "solid",
                    "density",
                    "young",
                    "poisson",
@@ -199,6 +214,7 @@ void add_cable(Scene& scene, const JsonNode& node) {
   }
   cable.closed = node.boolean_or("closed", false);
   cable.radius = node.at("radius").number();
+  cable.solid = node.boolean_or("solid", false);
   cable.density = node.at("density").number();
   set_stiffness(node, cable);
   cable.damping = node.number_or("damping", 0);
@@ -238,10 +254,10 @@ Scene scene_from_json(std::string_view text) {
     for (const JsonNode& node : cables->items()) add_cable(scene, node);
   }
   if (const auto wires = root.find("wires")) {
-    for (const JsonNode& node : wires->items()) scene.wires.push_back(node.indices<2>());
+    for (const JsonNode& node : wires->items()) scene.wires.push_back(with_radius<Wire>(node));
   }
   if (const auto faces = root.find("faces")) {
-    for (const JsonNode& node : faces->items()) scene.faces.push_back(node.indices<3>());
+    for (const JsonNode& node : faces->items()) scene.faces.push_back(with_radius<Facet>(node));
   }
   if (const auto surfaces = root.find("surfaces")) {
     for (const JsonNode& node : surfaces->items()) add_surface(scene, node);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <touchstone/error.hpp>
@@ -41,6 +42,11 @@ class ScenePath {
     }
   }
 
+  /// A radius in contacts.
+  void radius(double value) const {
+    if (const std::string reason = wrong_radius(value); !reason.empty()) fail("radius", reason);
+  }
+
   static constexpr double kMostLength = 1e9;
 
  private:
@@ -50,10 +56,7 @@ class ScenePath {
 // In SI units: mass, stiffness and damping, of which sums and products with coordinates stay far from overflow.
 constexpr double kMost = 1e15;
 
-// m, as small as the least distance of neighbours: the stiffness of a section goes with its radius to the fourth power,
-// and underflows to 0 for much smaller ones.
-constexpr double kLeastRadius = 1e-12;
-constexpr double kLeastDistance = 1e-12;
+constexpr double kLeastDistance = 1e-12;  // m
 
 void check_settings(const Settings& s) {
   const ScenePath path("settings");
@@ -74,6 +77,8 @@ void check_particle(const ScenePath& path, const Particle& p) {
   path.finite("velocity", p.velocity);
   path.finite("force", p.force);
   path.in_range("mass", p.mass, 0, kMost);
+  path.radius(p.radius);
+  if (p.radius > 0 && !p.collides) path.fail("radius", "goes with a particle that collides");
   for (std::size_t i = 0; i < p.path.size(); ++i) {
     path.finite(fmt::format("path[{}].position", i), p.path[i].position);
     path.in_range(fmt::format("path[{}].time", i), p.path[i].time, i == 0 ? 0 : p.path[i - 1].time, kMost);
@@ -86,7 +91,7 @@ void check_particle(const ScenePath& path, const Particle& p) {
 void check_cable(const ScenePath& path, const Cable& cable) {
   const std::size_t least = cable.closed ? 3 : 2;
   if (cable.particles.size() < least) path.fail("particles", fmt::format("must be at least {}", least));
-  path.in_range("radius", cable.radius, kLeastRadius, 1e3);
+  path.in_range("radius", cable.radius, kLeastRadius, kMostRadius);
   path.in_range("density", cable.density, 0, 1e6);
   path.positive("stretch", cable.stretch, kMost);
   path.in_range("bend", cable.bend, 0, kMost);
@@ -148,7 +153,45 @@ void check_distance(const Scene& scene, const ScenePath& path, Index a, Index b)
     path.fail("", fmt::format("particles {} and {} are in one place", a, b));
 }
 
+/// The radius of a particle in an edge or face is that of its elements.
+void check_lone_radii(const Scene& scene) {
+  if (std::none_of(scene.particles.begin(), scene.particles.end(), [](const Particle& p) { return p.radius > 0; })) {
+    return;
+  }
+  const auto check = [&](Index p, std::string_view element, std::size_t number) {
+    if (scene.particles[p].radius == 0) return;
+    ScenePath(fmt::format("particles[{}]", p))
+        .fail("radius", fmt::format("it is a corner of {}[{}], whose radius counts", element, number));
+  };
+  for (std::size_t i = 0; i < scene.springs.size(); ++i) {
+    if (!scene.springs[i].collides) continue;
+    for (const Index p : {scene.springs[i].a, scene.springs[i].b}) check(p, "springs", i);
+  }
+  for (std::size_t i = 0; i < scene.cables.size(); ++i) {
+    for (const Index p : scene.cables[i].particles) check(p, "cables", i);
+  }
+  for (std::size_t i = 0; i < scene.wires.size(); ++i) {
+    for (const Index p : scene.wires[i].particles) check(p, "wires", i);
+  }
+  for (std::size_t i = 0; i < scene.faces.size(); ++i) {
+    for (const Index p : scene.faces[i].particles) check(p, "faces", i);
+  }
+}
+
 }  // namespace
+
+std::string wrong_radius(double radius) {
+  if (radius == 0 || (radius >= kLeastRadius && radius <= kMostRadius)) return "";
+  return fmt::format("{} is neither 0 nor in [{}, {}]", radius, kLeastRadius, kMostRadius);
+}
+
+bool has_radii(const Scene& scene) {
+  const auto any = [](const auto& elements) {
+    return std::any_of(elements.begin(), elements.end(), [](const auto& element) { return element.radius > 0; });
+  };
+  return any(scene.particles) || any(scene.springs) || any(scene.wires) || any(scene.faces) ||
+         std::any_of(scene.cables.begin(), scene.cables.end(), [](const Cable& cable) { return cable.solid; });
+}
 
 void check_scene(const Scene& scene) {
   check_settings(scene.settings);
@@ -166,6 +209,8 @@ void check_scene(const Scene& scene) {
     path.in_range("damping", s.damping, 0, kMost);
     path.in_range("rest_length", s.rest_length, 0, ScenePath::kMostLength);
     check_distance(scene, path, s.a, s.b);
+    path.radius(s.radius);
+    if (s.radius > 0 && !s.collides) path.fail("radius", "goes with a spring that collides");
     if (s.collides) check_collide(scene, path, Edge{s.a, s.b});
   }
   for (std::size_t i = 0; i < scene.cables.size(); ++i) {
@@ -187,15 +232,19 @@ void check_scene(const Scene& scene) {
   }
   for (std::size_t i = 0; i < scene.wires.size(); ++i) {
     const ScenePath path(fmt::format("wires[{}]", i));
-    check_indices(scene, path, "particles", scene.wires[i]);
-    check_distance(scene, path, scene.wires[i][0], scene.wires[i][1]);
-    check_collide(scene, path, scene.wires[i]);
+    const Edge& wire = scene.wires[i].particles;
+    check_indices(scene, path, "particles", wire);
+    check_distance(scene, path, wire[0], wire[1]);
+    path.radius(scene.wires[i].radius);
+    check_collide(scene, path, wire);
   }
   for (std::size_t i = 0; i < scene.faces.size(); ++i) {
     const ScenePath path(fmt::format("faces[{}]", i));
-    check_indices(scene, path, "particles", scene.faces[i]);
-    check_collide(scene, path, scene.faces[i]);
+    check_indices(scene, path, "particles", scene.faces[i].particles);
+    path.radius(scene.faces[i].radius);
+    check_collide(scene, path, scene.faces[i].particles);
   }
+  check_lone_radii(scene);
   for (std::size_t i = 0; i < scene.particles.size(); ++i) {
     const Particle& p = scene.particles[i];
     if (!p.pinned() && p.mass == 0 && !has_mass[i]) {

@@ -30,6 +30,7 @@ struct Particle {
   std::array<bool, 3> fixed{};         ///< coordinates that never change
   std::vector<Waypoint> path;          ///< not empty: driven, and all three coordinates follow it
   bool collides = true;                ///< false: nothing can hit it, and it is no corner of an element that collides
+  double radius = 0;                   ///< m, of a particle that is in no edge or face that collides
 
   bool pinned() const noexcept { return !path.empty() || (fixed[0] && fixed[1] && fixed[2]); }
 };
@@ -40,6 +41,7 @@ struct Spring {
   double damping = 0;      ///< N s/m
   double rest_length = 0;  ///< m
   bool collides = true;    ///< whether it is an edge for collisions, or only a force
+  double radius = 0;       ///< m, in contacts
 };
 
 /// An end of a cable. Clamped: its direction and, when it twists, its material frame are held as well.
@@ -54,6 +56,7 @@ struct Cable {
   std::vector<Index> particles;
   bool closed = false;                        ///< a ring: the last particle is joined to the first one
   double radius = 0;                          ///< m
+  bool solid = false;                         ///< whether contacts keep its radius, or only its centreline apart
   double density = 0;                         ///< kg/m^3
   double stretch = 0;                         ///< E A, N
   double bend = 0;                            ///< E I, N m^2; 0: it does not resist bending
@@ -72,6 +75,22 @@ struct Cable {
 using Edge = std::array<Index, 2>;
 using Face = std::array<Index, 3>;
 
+/// An edge that only collides.
+struct Wire {
+  Edge particles{};
+  double radius = 0;  ///< m, in contacts
+
+  bool operator==(const Wire&) const = default;
+};
+
+/// A face, which only collides.
+struct Facet {
+  Face particles{};
+  double radius = 0;  ///< m, in contacts: half the thickness of what it stands for
+
+  bool operator==(const Facet&) const = default;
+};
+
 enum class Integrator : std::uint8_t {
   implicit_euler,     ///< first order, damps motion that is too fast for the step: the default
   tr_bdf2,            ///< second order, and still damps motion that is too fast
@@ -83,8 +102,10 @@ std::string_view integrator_name(Integrator integrator) noexcept;
 struct ContactSettings {
   double restitution = 0.5;  ///< in [0, 1]
   double friction = 0;       ///< Coulomb's coefficient, >= 0
-  double thickness = 0;  ///< m: closer elements are pushed apart gently; 0: a fiftieth of the shortest edge that moves
-  int passes = 8;        ///< of impulses, before the fail-safe
+  /// m: elements with a smaller gap between their surfaces are pushed apart gently; 0: a fiftieth of the shortest edge
+  /// that moves
+  double thickness = 0;
+  int passes = 8;  ///< of impulses, before the fail-safe
 };
 
 struct Settings {
@@ -103,11 +124,21 @@ struct Scene {
   std::vector<Particle> particles;
   std::vector<Spring> springs;
   std::vector<Cable> cables;
-  std::vector<Edge> wires;  ///< edges that only collide
-  std::vector<Face> faces;
+  std::vector<Wire> wires;
+  std::vector<Facet> faces;
 };
 
 constexpr std::size_t kMostParticles = 10'000'000;
+
+// m. The least radius is as small as the least distance of neighbours: the stiffness of a section goes with its radius
+// to the fourth power, and underflows to 0 for much smaller ones.
+constexpr double kLeastRadius = 1e-12, kMostRadius = 1e3;
+
+/// Why an element cannot have this radius in contacts; empty when it can.
+std::string wrong_radius(double radius);
+
+/// Whether any element has a radius in contacts.
+bool has_radii(const Scene& scene);
 
 /// @throws Error naming the element whose numbers make no sense (indices, ranges, not finite)
 void check_scene(const Scene& scene);

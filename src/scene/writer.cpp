@@ -40,7 +40,15 @@ Json json_of(const Particle& p) {
     json["pinned"] = p.fixed;
   }
   if (!p.collides) json["collides"] = false;
+  if (p.radius != 0) json["radius"] = p.radius;
   return json;
+}
+
+/// The particles of a wire or face, as an object where there is a radius.
+template <class Element>
+Json with_radius(const Element& element) {
+  if (element.radius == 0) return element.particles;
+  return {{"particles", element.particles}, {"radius", element.radius}};
 }
 
 Json json_of(const CableEnd& end) {
@@ -58,6 +66,7 @@ Json json_of(const Cable& cable) {
   json["particles"] = cable.particles;
   if (cable.closed) json["closed"] = true;
   json["radius"] = cable.radius;
+  if (cable.solid) json["solid"] = true;
   json["density"] = cable.density;
   json["stretch"] = cable.stretch;
   json["bend"] = cable.bend;
@@ -98,11 +107,12 @@ std::string scene_to_json(const Scene& scene) {
     Json json = {
         {"particles", {s.a, s.b}}, {"stiffness", s.stiffness}, {"damping", s.damping}, {"rest_length", s.rest_length}};
     if (!s.collides) json["collides"] = false;
+    if (s.radius != 0) json["radius"] = s.radius;
     return json;
   });
   append(text, "cables", scene.cables, [](const Cable& cable) { return json_of(cable); });
-  append(text, "wires", scene.wires, [](const Edge& wire) { return Json(wire); });
-  append(text, "faces", scene.faces, [](const Face& face) { return Json(face); });
+  append(text, "wires", scene.wires, [](const Wire& wire) { return with_radius(wire); });
+  append(text, "faces", scene.faces, [](const Facet& face) { return with_radius(face); });
   return text + "}\n";
 }
 

@@ -43,21 +43,32 @@ std::string vtk_series(const std::vector<SeriesFrame>& frames) {
   return text + "\n  ]\n}\n";
 }
 
-std::string proof_header() {
-  return "step,time,length,newton_iterations,first_order,close,contacts,crossing,grazing,sustained,isolated,response_"
-         "queries,"
-         "response_filter,response_bracket,response_exact,impulse_passes,contact_solves,impact_zones,pairs,proof_"
-         "filter,"
-         "proof_bracket,proof_exact,gained_energy,crossings,certified\n";
+std::string proof_header(const Simulation& simulation) {
+  const char* const separations =
+      simulation.colliders().has_separations() ? "entering,separated,least_separation,largest_separation," : "";
+  return std::string(
+             "step,time,length,newton_iterations,first_order,close,contacts,crossing,grazing,sustained,isolated,"
+             "response_"
+             "queries,"
+             "response_filter,response_bracket,response_exact,impulse_passes,contact_solves,impact_zones,pairs,proof_"
+             "filter,"
+             "proof_bracket,proof_exact,") +
+         separations + "gained_energy,crossings,certified\n";
 }
 
-std::string proof_row(const SubstepRecord& r) {
+std::string proof_row(const Simulation& simulation, const SubstepRecord& r) {
   const auto& c = r.response;
-  return fmt::format("{},{:a},{:a},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", r.step, r.time,
-                     r.length, r.newton_iterations, r.first_order, c.close, c.contacts, c.natures[1], c.natures[2],
-                     c.natures[3], c.natures[4], c.queries, c.levels.filter, c.levels.bracket, c.levels.exact, c.passes,
-                     c.solves, c.zones, r.proof.pairs, r.proof.levels.filter, r.proof.levels.bracket,
-                     r.proof.levels.exact, r.gained_energy, r.proof.crossings, r.proof.crossings == 0 ? 1 : 0);
+  const auto entering = c.natures[static_cast<std::size_t>(Nature::entering)];
+  const std::string separations =
+      simulation.colliders().has_separations()
+          ? fmt::format("{},{},{:a},{:a},", entering, r.proof.separated, r.proof.least, r.proof.largest)
+          : "";
+  return fmt::format("{},{:a},{:a},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}{},{},{}\n", r.step,
+                     r.time, r.length, r.newton_iterations, r.first_order, c.close, c.contacts, c.natures[1],
+                     c.natures[2], c.natures[3], c.natures[4], c.queries, c.levels.filter, c.levels.bracket,
+                     c.levels.exact, c.passes, c.solves, c.zones, r.proof.pairs, r.proof.levels.filter,
+                     r.proof.levels.bracket, r.proof.levels.exact, separations, r.gained_energy, r.proof.crossings,
+                     r.proof.crossings == 0 ? 1 : 0);
 }
 
 std::string energy_header() { return "step,time,kinetic,stretch,bend,twist,load,total,parts,close,contacts,pairs\n"; }
@@ -83,6 +94,10 @@ std::string crossing_for_person(const Simulation& simulation, const Crossing& cr
 
 namespace {
 
+std::string counted(std::size_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 constexpr const char* kNothingMoves = "nothing that collides can move";
 
 std::string why_edges(const Colliders& colliders) {
@@ -98,6 +113,15 @@ std::string why_faces(const Colliders& colliders) {
     return passes.anything_moves ? "no particle collides but the corners of one face" : kNothingMoves;
   }
   return faces == 1 ? "1 face" : fmt::format("{} faces", faces);
+}
+
+std::string why_separations(const Simulation& simulation) {
+  const Colliders& colliders = simulation.colliders();
+  if (simulation.ignores_radii()) return "the narrow phase of the paper knows none: radii are left aside";
+  if (!colliders.has_separations()) return "no element has a radius";
+  return fmt::format("{} with radii of up to {} m; {} of particles are neighbours",
+                     counted(colliders.with_radius(), "element"), colliders.largest_radius(),
+                     counted(colliders.neighbours().count(), "pair"));
 }
 
 std::string why_points(const Colliders& colliders) {
@@ -140,6 +164,7 @@ std::string explain(const Simulation& simulation) {
   text += line(passes.joints, "fold pass (planar)",
                passes.joints ? "edges share particles that can move" : "no edges share a particle and can move");
   text += line(passes.points, "single-particle pass", why_points(colliders));
+  text += line(colliders.has_separations(), "separations", why_separations(simulation));
   text += line(contact.friction > 0, "friction", fmt::format("coefficient {}", contact.friction));
   text += fmt::format("     integrator             {}, steps of {} s\n", integrator_name(scene.settings.integrator),
                       scene.settings.time_step);

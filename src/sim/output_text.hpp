@@ -21,8 +21,9 @@ struct SeriesFrame {
 /// The index by which ParaView opens frames as a series with their times: NAME.vtk.series.
 std::string vtk_series(const std::vector<SeriesFrame>& frames);
 
-std::string proof_header();
-std::string proof_row(const SubstepRecord& record);
+/// The columns of the proof of a substep. Those about separations are there only when an element has a radius.
+std::string proof_header(const Simulation& simulation);
+std::string proof_row(const Simulation& simulation, const SubstepRecord& record);
 
 std::string energy_header();
 /// @param records  of the step that led to the state of the simulation; none at the start

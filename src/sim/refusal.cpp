@@ -25,6 +25,11 @@ bool can_give_way(const Pair& pair, const System& system, const Colliders& colli
   return false;
 }
 
+/// "touch", or "come within 0.01 m".
+std::string meeting(const char* without_radii, double separation) {
+  return separation > 0 ? fmt::format("come within {:.6g} m", separation) : without_radii;
+}
+
 std::string not_converged(const Refusal& refusal, const Scene& scene, const System& system, const VectorX& q) {
   if (scene.settings.integrator == Integrator::symplectic_euler) {
     return "its numbers grow out of range; settings.time_step below the stiffest period / pi, or another "
@@ -82,20 +87,21 @@ Vector3 contact_point(const Contact& contact, const VectorX& q) {
 std::string refusal_for_person(const Refusal& refusal, const Scene& scene, const System& system,
                                const Colliders& colliders, const VectorX& q) {
   const std::string pair = refusal.pair ? colliders.describe(*refusal.pair) : "";
+  const double separation = refusal.pair ? colliders.separation(*refusal.pair) : 0;
   switch (refusal.cause) {
     case Cause::not_converged: return not_converged(refusal, scene, system, q);
     case Cause::not_resolved:
       if (!refusal.pair) return "contacts are left";
-      return fmt::format("{} would touch at {}, and {}", pair, at(refusal.point),
+      return fmt::format("{} would {} at {}, and {}", pair, meeting("touch", separation), at(refusal.point),
                          can_give_way(*refusal.pair, system, colliders)
                              ? "have no room between what is held or driven; paths that leave them room would be right"
                              : "nothing of them is free to give way; other paths or pins would be right");
     case Cause::gained_energy: return "energy would be gained";
     case Cause::not_certified:
       return fmt::format(
-          "{} would cross at {}; a smaller settings.time_step or a larger settings.contact.thickness "
+          "{} would {} at {}; a smaller settings.time_step or a larger settings.contact.thickness "
           "would be right",
-          pair, at(refusal.point));
+          pair, meeting("cross", separation), at(refusal.point));
   }
   return "";
 }

@@ -187,20 +187,35 @@ bool Response::Attempt::solve_with_contacts(std::vector<Contact> contacts) {
 
 /// Lets particles in contact move as rigid bodies. False when contacts are left all the same.
 bool Response::Attempt::resolve_by_zones(std::vector<Contact> contacts) {
-  // Each round joins particles that were apart, or ends: there are at most as many rounds as particles.
+  // Each round joins particles that were apart, keeps a particle's zone from turning for the first time, or ends: there
+  // are at most twice as many rounds as particles.
   const System& system = model_->system();
   ImpactZones zones(system.particle_count());
+  const bool thick = model_->colliders().has_separations();
+  std::vector<std::size_t> stopped(thick ? system.particle_count() : 0, 0);  // the round that stopped its zone turning
+  const auto may_turn = [&](const std::vector<Index>& zone) {
+    return !thick || std::none_of(zone.begin(), zone.end(), [&](Index p) { return stopped[p] > 0; });
+  };
   VectorX& x1 = result_.end.q;
-  while (!contacts.empty()) {
+  for (std::size_t round = 1; !contacts.empty(); ++round) {
     for (const Contact& contact : contacts) {
       result_.left = contact;
-      if (!zones.join(contact)) return false;  // a zone moves as one: only rounding can make particles of it meet
+      if (zones.join(contact)) continue;
+      // A zone moves as one. Only a turn can bring elements of it within their separation, and only rounding can make
+      // them meet.
+      if (model_->colliders().separation(contact.pair) == 0) return false;
+      if (std::size_t& since = stopped[contact.particles[0]]; since == 0) {
+        since = round;
+      } else if (since < round) {
+        return false;
+      }
     }
     const auto groups = zones.zones();
     result_.counts.zones = static_cast<int>(groups.size());
     for (const auto& zone : groups) {
       const Vector3 before = free_momentum(zone);
-      if (!move_rigidly(zone, system, model_->inverse_mass(), start_->q, x1)) {
+      const Turning turning = may_turn(zone) ? Turning::free : Turning::none;
+      if (!move_rigidly(zone, system, model_->inverse_mass(), start_->q, x1, turning)) {
         const auto of_zone = [&](const Contact& c) { return zones.zone(c.particles[0]) == zone.front(); };
         result_.left = *std::find_if(contacts.begin(), contacts.end() - 1, of_zone);
         return false;

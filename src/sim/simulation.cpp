@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -47,11 +48,12 @@ Simulation::Simulation(Scene scene, const SimulationOptions& options)
     : cancel_(options.check_cancelled),
       scene_(checked(std::move(scene))),
       system_(scene_),
-      colliders_(scene_, system_),
+      colliders_(scene_, system_, options.narrow_phase == NarrowPhase::exact ? Keep::separations : Keep::contact),
       stepper_(system_, scene_.settings, cancel_),
       response_(colliders_, system_, scene_.settings, options.narrow_phase, options.threads, stepper_, cancel_),
       prover_(colliders_, NarrowPhase::exact, options.threads, cancel_),
       narrow_phase_(options.narrow_phase),
+      ignores_radii_(options.narrow_phase == NarrowPhase::paper && has_radii(scene_)),
       state_(stepper_.initial()) {
   check_start(state_, "the scene");
 }
@@ -61,7 +63,15 @@ Simulation::~Simulation() = default;
 void Simulation::check_start(const State& state, std::string_view what) {
   const std::vector<Pair> pairs = colliders_.candidates(state.q, state.q, 0);
   prover_.contacts(pairs, state.q, state.q, [&](std::size_t i, const Answer&) {
-    throw Error(fmt::format("{} begins with elements that touch: {}", what, colliders_.describe(pairs[i])));
+    const Pair& pair = pairs[i];
+    const double separation = colliders_.separation(pair);
+    if (separation == 0) {
+      throw Error(fmt::format("{} begins with elements that touch: {}", what, colliders_.describe(pair)));
+    }
+    throw Error(fmt::format(
+        "{} begins with elements that are too near: {} are {:.9g} m apart, and their radii ask for more than {:.9g} m; "
+        "smaller radii, or elements farther apart, would be right",
+        what, colliders_.describe(pair), colliders_.distance(pair, state.q), separation));
   });
 }
 
@@ -190,12 +200,23 @@ Refusal Simulation::refusal_of(const ResponseResult& response) const {
   return refused_for(Cause::gained_energy);
 }
 
+void Simulation::measure_separations(const std::vector<Pair>& pairs, Proof& proof) const {
+  for (const Pair& pair : pairs) {
+    const double d = colliders_.separation(pair);
+    if (d == 0) continue;
+    proof.least = proof.separated == 0 ? d : std::min(proof.least, d);
+    proof.largest = std::max(proof.largest, d);
+    ++proof.separated;
+  }
+}
+
 /// Looks at the positions as they are stored, and finds its own candidates.
 Proof Simulation::prove(const State& end, double h, std::vector<Crossing>& crossings) {
   const PhaseClock clock(times_.proof);
   const std::vector<Pair> pairs = colliders_.candidates(state_.q, end.q, 0);
   Proof proof;
   proof.pairs = pairs.size();
+  if (colliders_.has_separations()) measure_separations(pairs, proof);
   proof.levels = prover_.contacts(pairs, state_.q, end.q, [&](std::size_t i, const Answer& answer) {
     crossings.push_back({steps_, state_.time + answer.toi * h,
                          colliders_.contact_point(pairs[i], state_.q, end.q, answer), pairs[i], answer});

@@ -18,7 +18,8 @@
 
 namespace touchstone::sim {
 
-/// Two elements that were apart and touched within a step that was taken all the same.
+/// Two elements that were apart and touched within a step that was taken all the same. Only the narrow phase of the paper
+/// allows it, for which radii are left aside.
 struct Crossing {
   std::uint64_t step = 0;
   double time = 0;                  ///< s, when they touch first
@@ -27,11 +28,14 @@ struct Crossing {
   Answer answer;
 };
 
-/// The exact answers to every candidate pair of a step as it is stored.
+/// The exact answers to every candidate pair of a step as it is stored: without a crossing, each pair stays farther
+/// apart than its separation at all times of the step.
 struct Proof {
   std::uint64_t pairs = 0;
   LevelCounts levels;
   std::uint64_t crossings = 0;
+  std::uint64_t separated = 0;    ///< pairs that keep a distance, and do not only not touch
+  double least = 0, largest = 0;  ///< of these distances, m; 0 without any
 };
 
 /// The course of one substep: of a whole step, or of a part of one that had to be shortened.
@@ -56,7 +60,8 @@ struct SimulationOptions {
 
 class Simulation {
  public:
-  /// @throws Error for a scene that makes no sense, or in which elements touch at the start
+  /// @throws Error for a scene that makes no sense, or in which elements touch at the start or are nearer than their
+  /// separation
   Simulation(Scene scene, const SimulationOptions& options);
   ~Simulation();
   Simulation(const Simulation&) = delete;
@@ -75,6 +80,8 @@ class Simulation {
   const State& state() const noexcept { return state_; }
   std::uint64_t steps() const noexcept { return steps_; }
   const std::vector<Crossing>& crossings() const noexcept { return crossings_; }
+  /// Whether radii of the scene are left aside, as the narrow phase knows no separation.
+  bool ignores_radii() const noexcept { return ignores_radii_; }
   /// Over the whole run.
   const RefusedCounts& refused() const noexcept { return refused_; }
   double thickness() const noexcept { return response_.thickness(); }
@@ -83,7 +90,8 @@ class Simulation {
   Energies energies() const { return sim::energies(system_, state_); }
 
   /// Goes on from a state of the same scene.
-  /// @throws Error as check_state does, or when elements touch. The simulation stays at its own state then
+  /// @throws Error as check_state does, or when elements touch or are nearer than their separation. The simulation
+  /// stays at its own state then
   void resume(State state, std::uint64_t steps);
 
   /// Sees every query of the proofs, with its answer.
@@ -97,6 +105,7 @@ class Simulation {
   /// Moves the state on by h seconds, unless the substep is refused.
   std::variant<SubstepRecord, Refusal> try_substep(double h, double end_time);
   Refusal refusal_of(const ResponseResult& response) const;
+  void measure_separations(const std::vector<Pair>& pairs, Proof& proof) const;
   Proof prove(const State& end, double h, std::vector<Crossing>& crossings);
 
   linear::Cancellation cancel_;
@@ -107,6 +116,7 @@ class Simulation {
   Response response_;
   PairSolver prover_;
   NarrowPhase narrow_phase_;
+  bool ignores_radii_;
   State state_;
   std::uint64_t steps_ = 0;
   std::vector<Crossing> crossings_;

@@ -54,20 +54,27 @@ TEST_CASE("generators: a case is made again from its name") {
 }
 
 TEST_CASE("generators: the numbers are the same on every machine") {
-  // The first outputs of the published splitmix64 for seed 1234567, and a fingerprint of all families.
+  // The first outputs of the published splitmix64 for seed 1234567, and fingerprints of all families.
   std::uint64_t state = 1234567;
   CHECK(splitmix64(state) == 6457827717110365317u);
   CHECK(splitmix64(state) == 3203168211198807973u);
-  std::uint64_t fingerprint = 0;
+  std::uint64_t fingerprint = 0, with_distances = 0;
+  const auto add = [](std::uint64_t& to, const std::string& text) {
+    for (const char c : text) to = (to ^ static_cast<unsigned char>(c)) * 0x100000001B3u;  // FNV-1a
+  };
   for (const FamilyInfo& family : all_families()) {
     for (const Kind kind : kKinds) {
       for (std::uint64_t index = 0; index < 20; ++index) {
-        for (const char c : cpp_initializer(make({family.family, kind, kSeed, index}))) {
-          fingerprint = (fingerprint ^ static_cast<unsigned char>(c)) * 0x100000001B3u;  // FNV-1a
+        const CaseId id{family.family, kind, kSeed, index};
+        if (family.group != Group::separation) add(fingerprint, cpp_initializer(make(id)));
+        for (const Metric metric : {Metric::euclidean, Metric::max}) {
+          const Separated made = make_separated(id, metric);
+          add(with_distances, cpp_initializer(made.query) + hexfloat(made.distance));
         }
       }
     }
   }
+  CHECK(with_distances == 0x7DD0E96AA8E92D6Cu);
   CHECK(fingerprint == 0x64B79E91682EDBDCu);
 }
 

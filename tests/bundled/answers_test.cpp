@@ -29,6 +29,8 @@ std::string field_of(const Answer& answer, const std::string& field) {
   if (field == "toi") return hexfloat(answer.toi);
   if (field == "toi_upper") return hexfloat(answer.toi_upper);
   if (field == "nature") return std::string(nature_name(answer.nature));
+  if (field == "trend") return std::string(trend_name(answer.trend));
+  if (field == "starts_within") return answer.starts_within ? "1" : "0";
   if (field == "feature_a") return std::string(feature_name(answer.feature_a));
   return std::string(feature_name(answer.feature_b));
 }
@@ -45,8 +47,13 @@ void check_answer(const ExpectedQuery& expected, const Answer& answer, const cha
 void check_methods(const ExpectedQuery& expected, const Query* doubles) {
   INFO(expected.name());
   for (const auto& [method, name] : kMethods) {
-    const Answer answer = doubles ? solve(*doubles, method) : solve(expected.query, method);
+    const Answer answer =
+        doubles ? solve(*doubles, expected.separation, method) : solve(expected.query, expected.separation, method);
     check_answer(expected, answer, name);
+    if (expected.separation.distance == 0) {  // the question without a separation is the same one
+      const Answer touching = doubles ? solve(*doubles, method) : solve(expected.query, method);
+      CHECK(bit_difference(answer, touching, true) == "");
+    }
     if (method == Method::exact) CHECK(answer.level == Level::exact);
     if (method == Method::oracle) CHECK(answer.level == Level::oracle);
     if (method == Method::fast) CHECK(answer.level != Level::oracle);

@@ -75,11 +75,12 @@ TEST_CASE("there are hundreds of bundled queries, of every kind, nature and feat
     CHECK(contacts[kind]["0"] > 0);
     CHECK(contacts[kind]["1"] > 0);
   }
-  for (const Nature nature : {Nature::crossing, Nature::grazing, Nature::sustained, Nature::isolated}) {
+  for (const Nature nature :
+       {Nature::crossing, Nature::entering, Nature::grazing, Nature::sustained, Nature::isolated}) {
     INFO(nature_name(nature));
     CHECK(natures[std::string(nature_name(nature))] > 0);
   }
-  CHECK(natures.size() == 4);
+  CHECK(natures.size() == 5);
   std::size_t names = 0;
   for (int i = 1; i <= static_cast<int>(Feature::overlap); ++i) {
     const auto feature = static_cast<Feature>(i);

@@ -2,6 +2,7 @@
 #include "bundled/expected_query.hpp"
 
 #include <array>
+#include <cstdlib>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -12,7 +13,9 @@ namespace touchstone::tests {
 namespace {
 
 constexpr std::string_view kExpect = "# expect ";
-const std::set<std::string> kFields = {"contact", "toi", "toi_upper", "nature", "feature_a", "feature_b"};
+constexpr std::string_view kSeparation = "# separation ";
+const std::set<std::string> kFields = {"contact",   "toi",       "toi_upper", "nature",
+                                       "feature_a", "feature_b", "trend",     "starts_within"};
 
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts;
@@ -42,6 +45,8 @@ class Parser {
       ++line_;
       if (line.substr(0, kExpect.size()) == kExpect) {
         read_expectation(line.substr(kExpect.size()));
+      } else if (line.substr(0, kSeparation.size()) == kSeparation) {
+        read_separation(line.substr(kSeparation.size()));
       } else if (line.empty() || line.front() != '#') {
         read_row(line);
       }
@@ -67,6 +72,16 @@ class Parser {
     if (expect_.count("contact") == 0) fail("an expectation without contact");
   }
 
+  void read_separation(const std::string& text) {
+    if (!queries_.empty() || separation_.distance > 0) fail("a separation that is not the file's");
+    const auto words = split(text, ' ');
+    char* end = nullptr;
+    if (words.size() == 2) separation_.distance = std::strtod(words[0].c_str(), &end);
+    if (end == nullptr || *end != '\0' || !(separation_.distance > 0)) fail("not a separation above 0: " + text);
+    if (words[1] != "euclidean" && words[1] != "max") fail("not a metric: " + words[1]);
+    separation_.metric = words[1] == "max" ? Metric::max : Metric::euclidean;
+  }
+
   void read_row(const std::string& line) {
     const auto columns = split(line, ',');
     if (columns.size() != 7) fail("not a row of 7 columns");
@@ -79,6 +94,7 @@ class Parser {
       query.file = name_;
       query.number = queries_.size() - 1;
       query.query.kind = kind_;
+      query.separation = separation_;
       query.truth = columns[6] == "1";
       query.expect = std::move(expect_);
       expect_.clear();
@@ -95,6 +111,7 @@ class Parser {
   std::string text_;
   std::size_t line_ = 0;
   std::size_t row_ = 0;  ///< within the query
+  Separation separation_;
   std::map<std::string, std::string> expect_;
   std::vector<ExpectedQuery> queries_;
 };

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <touchstone/query.hpp>
+#include <touchstone/separation.hpp>
 
 #include "cli/queries/bundled.hpp"
 
@@ -21,8 +22,10 @@ struct ExpectedQuery {
   std::string file;        ///< "bundled/KIND/FAMILY.csv"
   std::size_t number = 0;  ///< counted from 0 within the file
   RationalQuery query;
+  Separation separation;  ///< of the line "# separation D METRIC" before the file's first query; else touching
   bool truth = false;
-  std::map<std::string, std::string> expect;  ///< "contact", and maybe "toi", "toi_upper", "nature", "feature_a", ...
+  std::map<std::string, std::string>
+      expect;  ///< "contact", and maybe "toi", "toi_upper", "nature", "feature_a", "trend", ...
 
   /// File and number, and the command that shows how the program answers.
   std::string name() const;

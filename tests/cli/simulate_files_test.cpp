@@ -70,6 +70,8 @@ TEST_CASE("files that would take each other's place are refused before anything 
     const std::string of_kind = queries + "/" + kind;
     check_refused({"two-edges", "--queries", queries, "--checkpoint", of_kind + "/candidates.csv"},
                   "--checkpoint and --queries name the same file, ");
+    check_refused({"two-edges", "--queries", queries, "--checkpoint", of_kind + "/candidates-0x1p-3.csv"},
+                  "/candidates-0x1p-3.csv, which may be one of the files of --queries");
     check_refused({"two-edges", "--queries", queries, "--checkpoint", of_kind}, ", which --queries needs as a folder");
   }
   check_refused({"two-edges", "--queries", out + "/energies.csv", "--out", out},

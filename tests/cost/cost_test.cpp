@@ -48,9 +48,10 @@ double ratio(const Counted& a, const Counted& b) {
 
 }  // namespace
 
-TEST_CASE_WITH("valgrind",
-               "a scene without faces, shared particles, friction or cables pays under 1 % for their existence") {
-  for (const std::string feature : {"faces", "folds", "friction", "rods"}) {
+TEST_CASE_WITH(
+    "valgrind",
+    "a scene without faces, shared particles, friction, cables or radii pays under 1 % for their existence") {
+  for (const std::string feature : {"faces", "folds", "friction", "rods", "separations"}) {
     const Counted whole = count("whole", feature), without = count("without_" + feature, feature);
     CAPTURE(feature, whole.instructions, without.instructions);
     CHECK(ratio(whole, without) < 1.01);

@@ -55,6 +55,11 @@ Scene scene_of(const std::string& lacking, bool with) {
     if (!with) scene.settings.contact.friction = 0;
     return scene;
   }
+  if (lacking == "separations") {
+    Scene scene = strings_on_wires(true);
+    for (Cable& cable : scene.cables) cable.solid = with;
+    return scene;
+  }
   Scene scene = loose_edges(true);
   if (with) {
     Cable cable = straight_cable(scene, {-0.4, 0.3, 0.1}, {0.4, 0.3, 0.1}, 12);

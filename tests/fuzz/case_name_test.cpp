@@ -36,6 +36,24 @@ TEST_CASE("a name makes the query that it names") {
   }
 }
 
+TEST_CASE("with separations of their own a name makes the query and its distance") {
+  const families::CaseId id{families::Family::gap_irrational, Kind::vertex_face, 3, 14};
+  for (const Metric metric : {Metric::euclidean, Metric::max}) {
+    const families::Separated made = families::make_separated(id, metric);
+    const fuzz::CaseSource source{{}, {1, metric}, true};
+    const fuzz::Asked asked = fuzz::asked_in_case({id, 0}, source);
+    CHECK(cpp_initializer(asked.query) == cpp_initializer(made.query));
+    CHECK(asked.separation.distance == made.distance);
+    CHECK(asked.separation.metric == metric);
+    fuzz::Climb climb = fuzz::climb_from({id, 0}, source);
+    for (std::uint64_t step = 1; step < 20; ++step) {
+      const fuzz::Asked later = fuzz::asked_in_case({id, step}, source);
+      CHECK(cpp_initializer(climb.next()) == cpp_initializer(later.query));
+      CHECK(later.separation.distance == made.distance);
+    }
+  }
+}
+
 TEST_CASE("the name of a query that was given makes that query, and its climb") {
   const std::vector<Query> given{families::make({families::Family::near_hit, Kind::point_edge, 5, 1}),
                                  families::make({families::Family::near_hit, Kind::edge_edge, 5, 2})};

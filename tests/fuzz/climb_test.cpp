@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "fuzz/case_name.hpp"
 #include "fuzz/margin.hpp"
 #include "support/catch.hpp"
 
@@ -13,7 +14,9 @@ using namespace touchstone;
 
 namespace {
 
-double height(const Query& query) { return std::fabs(std::log2(std::fabs(fuzz::filter_margin(query)))); }
+double height(const Query& query, const Separation& separation = {}) {
+  return std::fabs(std::log2(std::fabs(fuzz::filter_margin(query, separation))));
+}
 
 }  // namespace
 
@@ -31,6 +34,36 @@ TEST_CASE("from most queries of most families, climbing comes within a factor of
         ++all;
         before += least <= 1;
         for (int i = 0; i < kSteps && !(least <= 1); ++i) least = std::min(least, height(climb.next()));
+        after += least <= 1;
+      }
+    }
+  }
+  CAPTURE(all, before, after);
+  CHECK(before < all / 10);
+  CHECK(10 * after > 9 * all);
+}
+
+TEST_CASE("with separations, too, climbing comes within a factor of two of a filter's bound") {
+  constexpr std::uint64_t kCases = 10;
+  constexpr int kSteps = 400;
+  std::size_t all = 0, before = 0, after = 0;
+  for (const families::FamilyInfo& family : families::all_families()) {
+    if (family.group == families::Group::scale || family.family == families::Family::gap_scale ||
+        family.family == families::Family::gap_extreme) {
+      continue;
+    }
+    for (const Kind kind : families::kKinds) {
+      for (std::uint64_t index = 0; index < kCases; ++index) {
+        const fuzz::CaseName name{{family.family, kind, 5, index}};
+        const fuzz::CaseSource source{{}, {1, Metric::euclidean}, true};
+        const fuzz::Asked start = fuzz::start_of_case(name, source);
+        fuzz::Climb climb = fuzz::climb_from(name, source);
+        double least = height(start.query, start.separation);
+        ++all;
+        before += least <= 1;
+        for (int i = 0; i < kSteps && !(least <= 1); ++i) {
+          least = std::min(least, height(climb.next(), start.separation));
+        }
         after += least <= 1;
       }
     }

@@ -171,7 +171,61 @@ TEST_CASE("ours hold against each other in every family, with hill climbing and 
   CHECK(outcome.queries >= (slow ? 1500u : 30'000u));
   CHECK(text_of(outcome).find("differs") == std::string::npos);
   CHECK(outcome.table.total().failed() == 0);
-  for (const families::FamilyInfo& family : families::all_families()) CHECK(outcome.table.of(family.family).cases > 0);
+  for (const families::FamilyInfo& family : families::all_families()) {
+    CHECK((outcome.table.of(family.family).cases > 0) == (family.group != families::Group::separation));
+  }
+}
+
+TEST_CASE("ours hold against each other with separations of their own, with hill climbing and without") {
+  const auto name = GENERATE("touchstone", "oracle", "batch");
+  const Metric metric = GENERATE(Metric::euclidean, Metric::max);
+  CAPTURE(name, metric_name(metric));
+  fuzz::Settings settings;
+  settings.own_separations = true;
+  settings.separation = {1, metric};
+  settings.climb = GENERATE(0u, 10u);
+  const bool slow = std::string(name) == "oracle";
+  settings.cases = (slow ? 208 : metric == Metric::max ? 416 : 2080);
+  if (settings.climb > 0) settings.cases = *settings.cases / settings.climb;
+  const fuzz::Outcome outcome = fuzz::run([&] { return fuzz::named_solver(name, settings.separation); }, settings);
+  CAPTURE(text_of(outcome));
+  CHECK(outcome.queries >= 200);
+  CHECK(outcome.table.total().failed() == 0);
+  for (const families::FamilyInfo& family : families::all_families()) {
+    if (settings.climb == 0) CHECK(outcome.table.of(family.family).cases > 0);
+  }
+}
+
+TEST_CASE("a solver that keeps the first separation is found out") {
+  class Forgetful final : public fuzz::SolverUnderTest {
+   public:
+    const std::string& name() const override { return name_; }
+    bool supports(Kind) const override { return true; }
+    Reply ask(const Query& query) override {
+      const Answer answer = solve(query, Separation{1, Metric::euclidean});
+      Reply reply;
+      reply.contact = answer.contact;
+      if (answer.contact) reply.toi = answer.toi;
+      return reply;
+    }
+
+   private:
+    std::string name_ = "forgetful";
+  };
+  fuzz::Settings settings;
+  settings.own_separations = true;
+  settings.separation.distance = 1;
+  settings.families = {families::Family::gap_crossing};
+  settings.cases = 400;
+  settings.shrink_tries = 200;
+  const fuzz::Outcome outcome = fuzz::run([] { return std::make_unique<Forgetful>(); }, settings);
+  CHECK(failures(outcome, FailureClass::missed) > 10);
+  CHECK(failures(outcome, FailureClass::phantom) + failures(outcome, FailureClass::late) > 10);
+  for (const fuzz::Finding& finding : outcome.findings) {
+    const fuzz::Asked asked = fuzz::asked_in_case(finding.example.name, fuzz::case_source(settings));
+    CHECK(asked.separation.distance == finding.example.separation.distance);
+    CHECK(finding.example.separation.distance != 1);
+  }
 }
 
 TEST_CASE("every judge judges alike") {

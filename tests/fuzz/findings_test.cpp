@@ -20,7 +20,7 @@ struct Failing {
 
 void add(fuzz::Findings& findings, const Failing& failing) {
   const Query query = fuzz::query_of_case(failing.name);
-  findings.add({failing.failure, ""}, failing.name, query, {}, solve(query));
+  findings.add({failing.failure, ""}, failing.name, {query, {}}, {}, solve(query));
 }
 
 std::vector<Failing> some_failures() {

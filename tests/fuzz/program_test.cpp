@@ -175,8 +175,10 @@ TEST_CASE("bad usage ends with status 2 and one line, and writes nothing") {
 
 TEST_CASE("queries of files are asked, with what lies around them, and a finding repeats itself") {
   const TemporaryFolder folder;
-  REQUIRE(run_program({"simulate", "hoop", "--size", "200", "--steps", "60", "--queries", folder.path("q")}).status ==
-          0);
+  // Its pairs keep distances, but for the narrow phase of the paper, which lets some cross.
+  REQUIRE(run_program({"simulate", "hoop", "--size", "200", "--steps", "60", "--narrow-phase", "paper", "--queries",
+                       folder.path("q")})
+              .status < 2);
   const std::string edges = folder.path("q/edge-edge/candidates.csv"),
                     faces = folder.path("q/vertex-face/candidates.csv");
   const auto asked = [](const Run& run, const std::string& before) {

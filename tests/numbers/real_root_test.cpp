@@ -170,6 +170,24 @@ TEST_CASE("roots that are close, or merge, or are just gone") {
   CHECK(one[0].compare(Exact(0.5)) == 0);
 }
 
+TEST_CASE("bisection separates simple roots however near they are") {
+  // Each bisection is a step deeper: thousands of them must not need as much of the machine's stack.
+  for (const long apart : {30L, 1000L, 20000L}) {
+    INFO("2^-" << apart << " apart");
+    const Exact first(0.3125);
+    const Exact second = first + numbers::power_of_two(-apart);
+    for (const Exact& shift : {Exact(0), first - numbers::power_of_two(-apart)}) {  // about 0.3, and near 0
+      const Coefs others{Exact(1), Exact(0), Exact(1)};
+      const Coefs p = Coefs{shift - first, Exact(1)} * Coefs{shift - second, Exact(1)} * others;
+      const RootList roots = roots_of(p);
+      REQUIRE(roots.size() == 2);
+      CHECK(roots[0].multiplicity() == 1);
+      CHECK(roots[0].compare(first - shift) == 0);
+      CHECK(roots[1].compare(second - shift) == 0);
+    }
+  }
+}
+
 TEST_CASE("roots at the ends of the range count, and only up to the limit") {
   const Coefs ends = linear(0, 1) * linear(1, 1) * linear(1, 2);
   CHECK(roots_of(ends).size() == 3);

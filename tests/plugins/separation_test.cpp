@@ -31,8 +31,8 @@ std::string error_of(const Make& make) {
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// A program for the shell that answers `reply` to the separation's line and, to each query, the contact time `reply` of
-/// that line.
+/// A program for the shell that answers `reply` to the separation's line and, to each query, the contact time `reply`
+/// of that line.
 std::string shell_program(const std::string& reply) {
   return "d=none; while read -r kind rest; do if [ \"$kind\" = separation ]; then d=${rest% *}; echo " + reply +
          "; else echo \"1 $d\"; fi; done";
@@ -47,6 +47,34 @@ TEST_CASE("a plugin is told the separation and its metric") {
   CHECK(max->ask(meeting_points()).toi == 0.75);
   const auto touching = fuzz::load_plugin(TOUCHSTONE_SEPARATION_PLUGIN, quick_limits());
   CHECK(touching->ask(meeting_points()).toi == 0);
+}
+
+TEST_CASE("a plugin is told another separation before the query that it is for") {
+  const auto solver = fuzz::load_plugin(TOUCHSTONE_SEPARATION_PLUGIN, quick_limits(), kQuarter);
+  for (const double distance : {0.5, 0.125, 0.125, 1.0}) {
+    solver->change_separation({distance, Metric::euclidean});
+    CHECK(solver->ask(meeting_points()).toi == distance);
+  }
+  solver->change_separation({2, Metric::euclidean});
+  const Reply refusal = solver->ask(meeting_points());
+  CHECK(refusal.state == Reply::State::malformed);
+  CHECK(has(refusal.detail, "refuses the separation"));
+  solver->change_separation(kQuarter);
+  CHECK(solver->ask(meeting_points()).toi == 0.25);
+}
+
+TEST_CASE("a program is told another separation before the query that it is for") {
+  const auto solver = fuzz::run_command(shell_program("ok"), quick_limits(), kQuarter);
+  for (const double distance : {0.5, 0.125, 0.125, 1.0}) {
+    solver->change_separation({distance, Metric::euclidean});
+    CHECK(solver->ask(meeting_points()).toi == distance);
+  }
+  const auto once =
+      fuzz::run_command("read -r line; echo ok; while read -r line; do echo 0; done", quick_limits(), kQuarter);
+  once->change_separation({0.5, Metric::euclidean});
+  const Reply refusal = once->ask(meeting_points());  // it answers the second separation's line with '0'
+  CHECK(refusal.state == Reply::State::malformed);
+  CHECK(has(refusal.detail, "takes no separation"));
 }
 
 TEST_CASE("a plugin that takes no separation is an error that says so") {

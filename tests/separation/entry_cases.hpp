@@ -33,16 +33,17 @@ enum class Difficulty : std::uint8_t {
   late,        ///< an entry just before t = 1 or t_max
   within,      ///< a start within the separation by a hair, or beside it
   extreme,     ///< coordinates near the limits of the filter's range, far offsets
-  hovering,    ///< a distance that hardly changes, hardly more than the separation, in both metrics
+  rigid,       ///< a motion of both that roundings alone make one of the elements to each other
+  hovering,    ///< a distance that hardly changes, hardly more than the separation
   lattice      ///< small integers
 };
-inline constexpr std::array<Difficulty, 14> kDifficulties = {
+inline constexpr std::array<Difficulty, 15> kDifficulties = {
     Difficulty::plain,  Difficulty::border,  Difficulty::multiplier, Difficulty::small_gap, Difficulty::large_gap,
     Difficulty::needle, Difficulty::slow,    Difficulty::violent,    Difficulty::early,     Difficulty::late,
-    Difficulty::within, Difficulty::extreme, Difficulty::hovering,   Difficulty::lattice};
-inline constexpr std::array<const char*, 14> kDifficultyNames = {
-    "plain",   "border", "multiplier", "small gap", "large gap", "needle",   "slow",
-    "violent", "early",  "late",       "within",    "extreme",   "hovering", "lattice"};
+    Difficulty::within, Difficulty::extreme, Difficulty::rigid,      Difficulty::hovering,  Difficulty::lattice};
+inline constexpr std::array<const char*, 15> kDifficultyNames = {
+    "plain", "border", "multiplier", "small gap", "large gap", "needle",   "slow",   "violent",
+    "early", "late",   "within",     "extreme",   "rigid",     "hovering", "lattice"};
 
 namespace entry_cases {
 
@@ -122,8 +123,9 @@ inline double nudged(double x, int steps) {
 
 }  // namespace entry_cases
 
-/// A query whose closest points at some time are chosen first, and a separation near their distance.
-inline EntryCase make_entry(Kind kind, Difficulty difficulty, Rng& rng) {
+/// A query whose closest points at some time are chosen first, and a separation near their distance. In the largest-axis
+/// metric other points may be closest.
+inline EntryCase make_entry(Kind kind, Difficulty difficulty, Metric metric, Rng& rng) {
   namespace ec = entry_cases;
   EntryCase result;
   result.t_max = rng.one_in(4) ? rng.unit() : 1;
@@ -145,7 +147,8 @@ inline EntryCase make_entry(Kind kind, Difficulty difficulty, Rng& rng) {
   if (difficulty == Difficulty::violent) speed = ec::power(rng, 0, 14);
   if (difficulty == Difficulty::small_gap && rng.one_in(2)) speed = ec::power(rng, -45, -10);
   const bool hovers = difficulty == Difficulty::hovering;
-  const double turn = hovers ? 0 : rng.one_in(2) ? 1 : rng.one_in(2) ? 0 : ec::power(rng, -20, 0);
+  const bool rigid = difficulty == Difficulty::rigid;
+  const double turn = hovers || rigid ? 0 : rng.one_in(2) ? 1 : rng.one_in(2) ? 0 : ec::power(rng, -20, 0);
   const Vec3 common = ec::random_vector(rng);
   double normal_speed = 0;
   for (std::size_t i = 0; i < corners; ++i) {
@@ -154,12 +157,13 @@ inline EntryCase make_entry(Kind kind, Difficulty difficulty, Rng& rng) {
     at[i] = i < first ? ec::sum(e.corner[k], normal, gap) : e.corner[k];
     at[i] = ec::sum(at[i], away, 1);
     velocity[i] = ec::sum({0, 0, 0}, ec::random_vector(rng), turn * speed);
-    if (i < first) velocity[i] = ec::sum(velocity[i], common, speed);
+    if (i < first || rigid) velocity[i] = ec::sum(velocity[i], common, speed);
     normal_speed += (i < first ? 1 : -1) * e.weight[k] * ec::dot(velocity[i], normal);
   }
   double approach = speed * (rng.one_in(2) ? 1 : ec::power(rng, -6, 0));
   if (difficulty == Difficulty::slow) approach = speed * ec::power(rng, -26, -4);
   if (rng.one_in(16) || (difficulty == Difficulty::within && rng.one_in(2))) approach = -approach;
+  if (rigid) approach = normal_speed = 0;
   if (hovers) approach = rng.one_in(2) ? 0 : speed * ec::power(rng, -56, -20);
   for (std::size_t i = 0; i < first; ++i) velocity[i] = ec::sum(velocity[i], normal, -approach - normal_speed);
   double t = ec::time_of(difficulty, rng);
@@ -186,21 +190,25 @@ inline EntryCase make_entry(Kind kind, Difficulty difficulty, Rng& rng) {
   }
   if (difficulty == Difficulty::within) t = 0;
   Separation& separation = result.separation;
+  separation.metric = metric;
   if (hovers) {
-    if (rng.one_in(3)) separation.metric = Metric::max;
     const double least =
         std::min(distance(query, 0, separation.metric).value, distance(query, 1, separation.metric).value);
     separation.distance =
         rng.one_in(3) ? ec::nudged(least, -rng.between(0, 40)) : least * (1 - ec::power(rng, -54, -40));
     return result;
   }
+  if (rigid && rng.one_in(2)) {
+    separation.distance = distance(query, 0, metric).value * (1 + rng.unit());
+    return result;
+  }
   switch (rng.between(0, 7)) {
     case 0: separation.distance = std::ldexp(gap, exponent); break;
-    case 1: separation.distance = distance(query, rng.unit()).value; break;
+    case 1: separation.distance = distance(query, rng.unit(), metric).value; break;
     case 2:
-      separation.distance = distance(query, t).value * (1 + std::ldexp(rng.symmetric(), -rng.between(1, 50)));
+      separation.distance = distance(query, t, metric).value * (1 + std::ldexp(rng.symmetric(), -rng.between(1, 50)));
       break;
-    default: separation.distance = ec::nudged(distance(query, t).value, rng.between(-2, 2));
+    default: separation.distance = ec::nudged(distance(query, t, metric).value, rng.between(-2, 2));
   }
   if (difficulty == Difficulty::lattice && rng.one_in(2)) separation.distance = std::ldexp(rng.between(1, 20), -3);
   return result;

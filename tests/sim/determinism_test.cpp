@@ -22,7 +22,7 @@ struct Course {
 void go_on(Simulation& simulation, int steps, Course& course) {
   for (int i = 0; i < steps; ++i) {
     for (const SubstepRecord& record : simulation.step()) {
-      course.bytes += proof_row(record);
+      course.bytes += proof_row(simulation, record);
       course.contacts += record.response.contacts + record.response.close;
       course.most_pairs = std::max(course.most_pairs, record.proof.pairs);
     }

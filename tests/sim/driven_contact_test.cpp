@@ -20,7 +20,7 @@ void add_plate(Scene& scene, double height, double speed, double until) {
     corners[n] = add_pinned(scene, corner);
     scene.particles[corners[n++]].path = {{0, corner}, {until, corner + Vector3(0, 0, speed * until)}};
   }
-  scene.faces.push_back(corners);
+  scene.faces.push_back({corners});
 }
 
 /// An octahedron of springs, which are stiff for the step or not.

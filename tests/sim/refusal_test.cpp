@@ -110,7 +110,7 @@ TEST_CASE("what ends a run between the parts of a step takes back the parts that
     // A sink of queries that can take no more, in the middle of a proof.
     last = kNever;
     int queries = 0;
-    simulation.watch([&](const touchstone::Query&, const touchstone::Answer&) {
+    simulation.watch([&](const touchstone::Query&, double, const touchstone::Answer&) {
       if (++queries == 5) throw std::runtime_error("full");
     });
     CHECK_THROWS_WITH(simulation.step(), "full");

@@ -67,6 +67,7 @@ TEST_CASE("nothing that a scene says is lost on the way through JSON") {
   scene.particles[4].fixed = scene.particles[6].fixed = {true, true, true};  // clamped ends are held
   scene.particles[1].path = {{odd(), {odd(), 30 + odd(), odd()}}, {2 + odd(), {odd(), 30, odd()}}};
   scene.particles[2].collides = false;
+  scene.particles[1].radius = odd();
   scene.springs = {{0, 2, odd(), odd(), odd(), false}, {3, 4, odd(), odd(), odd(), true}};
   Cable cable;
   cable.particles = {4, 5, 6};
@@ -88,8 +89,10 @@ TEST_CASE("nothing that a scene says is lost on the way through JSON") {
   cable.closing_twist_rate = odd();
   cable.closing_twist_until = odd();
   scene.cables.push_back(cable);
-  scene.wires = {{0, 3}};
-  scene.faces = {{11, 12, 13}, {3, 11, 13}};
+  scene.springs[1].radius = odd();
+  scene.cables.back().solid = true;
+  scene.wires = {{{0, 3}, 0}, {{0, 4}, odd()}};
+  scene.faces = {{{11, 12, 13}, odd()}, {{3, 11, 13}, 0}};
   scene.name = "odd \"name\"";
   const Scene again = scene_from_json(scene_to_json(scene));
 
@@ -107,7 +110,7 @@ TEST_CASE("nothing that a scene says is lost on the way through JSON") {
     CHECK(q.position == p.position);
     CHECK(q.velocity == p.velocity);
     CHECK(q.force == p.force);
-    CHECK(std::tie(q.mass, q.fixed, q.collides) == std::tie(p.mass, p.fixed, p.collides));
+    CHECK(std::tie(q.mass, q.fixed, q.collides, q.radius) == std::tie(p.mass, p.fixed, p.collides, p.radius));
     REQUIRE(q.path.size() == p.path.size());
     for (std::size_t k = 0; k < p.path.size(); ++k) {
       CHECK(q.path[k].time == p.path[k].time);
@@ -117,16 +120,16 @@ TEST_CASE("nothing that a scene says is lost on the way through JSON") {
   REQUIRE(again.springs.size() == scene.springs.size());
   for (std::size_t i = 0; i < scene.springs.size(); ++i) {
     const Spring &a = scene.springs[i], &b = again.springs[i];
-    CHECK(std::tie(b.a, b.b, b.stiffness, b.damping, b.rest_length, b.collides) ==
-          std::tie(a.a, a.b, a.stiffness, a.damping, a.rest_length, a.collides));
+    CHECK(std::tie(b.a, b.b, b.stiffness, b.damping, b.rest_length, b.collides, b.radius) ==
+          std::tie(a.a, a.b, a.stiffness, a.damping, a.rest_length, a.collides, a.radius));
   }
   REQUIRE(again.cables.size() == scene.cables.size());
   for (std::size_t i = 0; i < scene.cables.size(); ++i) {
     CAPTURE(i);
     const Cable &a = scene.cables[i], &b = again.cables[i];
     CHECK(b.particles == a.particles);
-    CHECK(std::tie(b.closed, b.radius, b.density, b.stretch, b.bend, b.twist, b.damping) ==
-          std::tie(a.closed, a.radius, a.density, a.stretch, a.bend, a.twist, a.damping));
+    CHECK(std::tie(b.closed, b.radius, b.solid, b.density, b.stretch, b.bend, b.twist, b.damping) ==
+          std::tie(a.closed, a.radius, a.solid, a.density, a.stretch, a.bend, a.twist, a.damping));
     CHECK(std::tie(b.natural_curvature, b.rest_is_bent, b.length_scale) ==
           std::tie(a.natural_curvature, a.rest_is_bent, a.length_scale));
     CHECK(std::tie(b.closing_twist_rate, b.closing_twist_until) ==
@@ -138,6 +141,78 @@ TEST_CASE("nothing that a scene says is lost on the way through JSON") {
   }
   CHECK(again.wires == scene.wires);
   CHECK(again.faces == scene.faces);
+}
+
+TEST_CASE("a scene without radii is written as before there were any, and the lists of elements take both forms") {
+  const std::string particles =
+      R"("particles": [
+{"position":[0.0,0.0,0.0],"mass":1.0},
+{"position":[1.0,0.0,0.0],"mass":1.0},
+{"position":[0.0,1.0,0.0],"mass":1.0}])";
+  const std::string springs = R"("springs": [
+{"particles":[0,1],"stiffness":2.0,"damping":0.0,"rest_length":1.0}])";
+  const auto written = [](const std::string& text) {
+    const std::string all = scene_to_json(scene_from_json(text));
+    return all.substr(all.find("\"particles\""));
+  };
+  const std::string begin = "{\"touchstone_scene\": 1,\n";
+  const std::string thin =
+      particles + ",\n" + springs + ",\n\"cables\": [],\n\"wires\": [\n[0,2]],\n\"faces\": [\n[0,1,2]]}\n";
+  CHECK(written(begin + thin) == thin);
+  const std::string objects = particles + ",\n" + springs +
+                              ",\n\"cables\": [],\n\"wires\": [\n{\"particles\":[0,2],\"radius\":0.5}],\n\"faces\": "
+                              "[\n{\"particles\":[0,1,2],\"radius\":0.25}]}\n";
+  CHECK(written(begin + objects) == objects);
+  const Scene scene = scene_from_json(begin + objects);
+  CHECK(scene.wires == std::vector<Wire>{{{0, 2}, 0.5}});
+  CHECK(scene.faces == std::vector<Facet>{{{0, 1, 2}, 0.25}});
+  CHECK(has_radii(scene));
+  CHECK_FALSE(has_radii(scene_from_json(begin + thin)));
+  // An object without a radius is as a list.
+  CHECK(scene_from_json(scene_with(R"(, "wires": [{"particles": [0, 1]}])")).wires == std::vector<Wire>{{{0, 1}, 0}});
+}
+
+TEST_CASE("radii that make no sense are refused with their path") {
+  check_refused(scene_with(R"(, "wires": [{"particles": [0, 1], "radius": -1}])"),
+                "wires[0].radius: -1 is neither 0 nor in [1e-12, 1000]");
+  check_refused(scene_with(R"(, "wires": [{"particles": [0, 1], "radius": 1e-13}])"), "wires[0].radius: 1e-13 is");
+  check_refused(scene_with(R"(, "wires": [{"particles": [0, 1], "radius": 1001}])"), "wires[0].radius: 1001 is");
+  check_refused(scene_with(R"(, "wires": [{"particles": [0, 1], "radius": "1"}])"),
+                "wires[0].radius: must be a number");
+  check_refused(scene_with(R"(, "wires": [{"particles": [0, 1], "thickness": 1}])"),
+                "wires[0]: has no key 'thickness'");
+  check_refused(scene_with(R"(, "wires": [{"radius": 1}])"), "wires[0]: lacks the key 'particles'");
+  check_refused(scene_with(R"(, "springs": [{"particles": [0, 1], "stiffness": 1, "radius": -0.5}])"),
+                "springs[0].radius: -0.5 is");
+  check_refused(scene_with(R"(, "springs": [{"particles": [0, 1], "stiffness": 1, "collides": false, "radius": 0.5}])"),
+                "springs[0].radius: goes with a spring that collides");
+  check_refused(
+      scene_with(R"(, "cables": [{"particles": [0, 1], "radius": 1, "density": 1, "stretch": 1, "solid": 1}])"),
+      "cables[0].solid: must be true or false");
+  const std::string three =
+      R"({"touchstone_scene": 1, "particles": [{"position": [0, 0, 0], "mass": 1},
+          {"position": [1, 0, 0], "mass": 1}, {"position": [0, 1, 0], "mass": 1, "radius": )";
+  check_refused(three + R"(-2}]})", "particles[2].radius: -2 is neither");
+  check_refused(three + R"(2, "collides": false}]})", "particles[2].radius: goes with a particle that collides");
+  check_refused(three + R"(2}], "wires": [[0, 1], [1, 2]]})", "particles[2].radius: it is a corner of wires[1]");
+  check_refused(three + R"(2}], "faces": [[0, 1, 2]]})", "particles[2].radius: it is a corner of faces[0]");
+  check_refused(three + R"(2}], "springs": [{"particles": [0, 2], "stiffness": 1}]})",
+                "particles[2].radius: it is a corner of springs[0]");
+  check_refused(three + R"(2}], "cables": [{"particles": [0, 2], "radius": 1, "density": 1, "stretch": 1}]})",
+                "particles[2].radius: it is a corner of cables[0]");
+  CHECK_NOTHROW(
+      scene_from_json(three + R"(2}], "springs": [{"particles": [0, 2], "stiffness": 1, "collides": false}]})"));
+  check_refused(three + R"(0}], "faces": [{"particles": [0, 1, 2], "radius": -3}]})", "faces[0].radius: -3 is");
+  check_refused(three + R"(0}], "surfaces": [{"faces": [[0, 1, 2]], "stiffness": 1, "radius": -3}]})",
+                "surfaces[0].radius: -3 is");
+  const Scene cloth =
+      scene_from_json(three + R"(0}], "surfaces": [{"faces": [[0, 1, 2]], "stiffness": 1, "radius": 0.125}]})");
+  CHECK(cloth.faces == std::vector<Facet>{{{0, 1, 2}, 0.125}});
+  Scene infinite = cloth;
+  infinite.faces[0].radius = std::nan("");
+  CHECK_THROWS_WITH(check_scene(infinite), Catch::Contains("faces[0].radius: nan is neither"));
+  infinite.faces[0].radius = INFINITY;
+  CHECK_THROWS_WITH(check_scene(infinite), Catch::Contains("faces[0].radius: inf is neither"));
 }
 
 TEST_CASE("a checkpoint is the whole state, to the last bit") {

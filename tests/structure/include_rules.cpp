@@ -76,10 +76,14 @@ std::string at(const std::string& file, const Include& include, const std::strin
 /// with the owner "" declares types that every layer shares. A header with the owner "*" is for users alone.
 const std::map<std::string, std::string>& header_owners() {
   static const std::map<std::string, std::string> owners = {
-      {"answer.hpp", ""},         {"error.hpp", ""},          {"query.hpp", ""},       {"separation.hpp", ""},
-      {"vector_width.hpp", ""},   {"version.hpp", ""},        {"solve.hpp", "solver"}, {"contact_times.hpp", "solver"},
-      {"distance.hpp", "solver"}, {"certify.hpp", "certify"}, {"fuzz.hpp", "fuzz"},    {"plugin.h", "fuzz"},
-      {"mesh.hpp", "mesh"},       {"eigen.hpp", "*"},         {"touchstone.hpp", "*"},
+      {"answer.hpp", ""},         {"error.hpp", ""},
+      {"query.hpp", ""},          {"separation.hpp", ""},
+      {"vector_width.hpp", ""},   {"version.hpp", ""},
+      {"solve.hpp", "solver"},    {"contact_times.hpp", "solver"},
+      {"distance.hpp", "solver"}, {"contact_normal.hpp", "solver"},
+      {"mesh.hpp", "mesh"},       {"certify.hpp", "certify"},
+      {"fuzz.hpp", "fuzz"},       {"plugin.h", "fuzz"},
+      {"eigen.hpp", "*"},         {"touchstone.hpp", "*"},
   };
   return owners;
 }

@@ -73,3 +73,23 @@ TEST_CASE("public headers bring no header of CGAL, GMP, MPFR or Boost along") {
   }
   CHECK(reads_number_library("gmp.h"));
 }
+
+TEST_CASE("a bare number in braces is no separation, and does not compile as one") {
+  const auto compiles = [](const std::string& expression) {
+    const std::string text =
+        "#include <touchstone/touchstone.hpp>\nvoid f(const touchstone::Query& query, const touchstone::RationalQuery& "
+        "rational) { using namespace touchstone; (void)query; (void)rational; (void)" +
+        expression + "; }";
+    return compile(text, kModes[0] + kStrict).status == 0;
+  };
+  for (const std::string function : {"solve", "solve_any", "contact_times"}) {
+    CAPTURE(function);
+    CHECK(compiles(function + "(query, Separation{0.001})"));
+    CHECK(compiles(function + "(query, Separation{0.001}, 0.5)"));
+    CHECK(compiles(function + "(query, {0.001, Metric::max})"));
+    CHECK(compiles(function + "(query, 0.5)"));
+    CHECK_FALSE(compiles(function + "(query, {0.001})"));
+    CHECK_FALSE(compiles(function + "(query, {0.001}, 0.5)"));
+    if (function != "solve_any") CHECK_FALSE(compiles(function + "(rational, {0.001})"));
+  }
+}

@@ -97,7 +97,7 @@ std::vector<BenchSet> bench_sets(const BenchOptions& options) {
   const Separation& separation = options.separation.separation;
   append_sets("simulation", simulation_queries(options.count, separation), separation, sets);
   append_sets("random", random_queries(options.count), separation, sets);
-  append_sets("bundled", queries_of(bundled_inputs()), separation, sets);
+  append_sets("bundled", queries_of(bundled_touching_inputs()), separation, sets);
   append_sets("files", queries_of(given), separation, sets);
   return sets;
 }

@@ -25,14 +25,14 @@ struct StatedClaim {
 /// within each query file, and its `file` column, if it has one, names the file as the command line does.
 class ClaimStream {
  public:
-  /// @param separation  what the claims must be about. When it is not given, a claim is about the separation of its row,
-  ///                    and about touching when the file has no such column
+  /// @param separation  what the claims must be about. When it is not given, a claim is about the separation of its
+  ///                    row, and about touching when the file has no such column
   /// @throws FileError when the file cannot be read or its header is not that of an answers file
   ClaimStream(const std::string& path, const std::vector<Input>& inputs, const SeparationOption& separation,
               std::size_t chunk_bytes);
 
-  /// Appends the claims about the queries of `item`. @throws FileError at the first that is missing, another query's, or
-  /// about another separation
+  /// Appends the claims about the queries of `item`. @throws FileError at the first that is missing, another query's,
+  /// or about another separation
   void read(const QueryItem& item, std::vector<StatedClaim>& claims);
 
   /// To be called when there are no more queries. @throws FileError when there are more claims

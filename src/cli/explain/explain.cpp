@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include <touchstone/certify.hpp>
+#include <touchstone/contact_normal.hpp>
 
 #include "cli/explain/story.hpp"
 #include "cli/shared/inputs.hpp"
@@ -78,10 +80,16 @@ int run_explain(const ExplainOptions& options) {
       },
       record.query);
 
+  std::optional<std::array<double, 3>> normal;
+  if (separation.distance == 0 || separation.metric == Metric::euclidean) {
+    normal =
+        std::visit([&](const auto& query) { return contact_normal(query, separation, options.t_max); }, record.query);
+  }
+
   auto console = io::OutputFile::standard_output();
   console.write(heading(input, record));
   console.write(corners_for_person(record.query, io::query_as_given(input.kind, record.text)));
-  console.write(story_for_person(input.kind, story, options.t_max, separation));
+  console.write(story_for_person(input.kind, story, options.t_max, separation, normal));
   if (found->truth_separation && !io::same_question(*found->truth_separation, separation)) {
     console.write(
         fmt::format("the file's truth column is about {}\n", separation_for_person(*found->truth_separation)));

@@ -140,7 +140,8 @@ std::string corners_for_person(const std::variant<Query, RationalQuery>& query, 
   return text;
 }
 
-std::string story_for_person(Kind kind, const exact::Story& story, double t_max, const Separation& separation) {
+std::string story_for_person(Kind kind, const exact::Story& story, double t_max, const Separation& separation,
+                             const std::optional<std::array<double, 3>>& normal) {
   const bool apart = separation.distance > 0;
   std::string text;
   if (apart) text += fmt::format("\n{}: d below\n", separation_for_person(separation));
@@ -150,7 +151,9 @@ std::string story_for_person(Kind kind, const exact::Story& story, double t_max,
   text += fmt::format("\ncandidate times in [0, {}]: {}\n", t_max, story.candidates.size());
   for (std::size_t i = 0; i < story.candidates.size(); ++i)
     text += candidate_for_person(i + 1, story.candidates[i], apart);
-  return text + answer_for_person(kind, story.answer, t_max);
+  text += answer_for_person(kind, story.answer, t_max);
+  if (normal) text += fmt::format("  normal      {}, {}, {}\n", (*normal)[0], (*normal)[1], (*normal)[2]);
+  return text;
 }
 
 }  // namespace touchstone::cli

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -15,7 +17,8 @@ namespace touchstone::cli {
 std::string corners_for_person(const std::variant<Query, RationalQuery>& query, const RationalQuery& as_given);
 
 /// The cubic, or the distance's polynomials with a separation, the candidate times with the signs that decide them, and
-/// the answer. Whole lines.
-std::string story_for_person(Kind kind, const exact::Story& story, double t_max, const Separation& separation);
+/// the answer, with the normal if there is one. Whole lines.
+std::string story_for_person(Kind kind, const exact::Story& story, double t_max, const Separation& separation,
+                             const std::optional<std::array<double, 3>>& normal);
 
 }  // namespace touchstone::cli

@@ -64,6 +64,11 @@ int run_fuzz(const FuzzCommandOptions& options) {
   check_folder(options.out);
   fuzz::Settings settings = options.settings;
   settings.separation = options.separation.separation;
+  settings.own_separations = options.separation.each;
+  if (options.separation.each && !options.from.empty()) {
+    throw Error(
+        "--separation each goes with families, not with --from: the queries of files have no distance of their own");
+  }
   if (!options.from.empty()) settings.given = given_queries(options);
   if (options.a_case) return run_one_case(options, settings);
   settings.threads = thread_count(settings.threads);

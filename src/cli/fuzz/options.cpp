@@ -193,7 +193,8 @@ void add_fuzz(CLI::App& program, Command& command) {
   add_separation_options(*subcommand, options->separation,
                          "The distance at which two elements are in contact. The solvers are then touchstone, exact, "
                          "oracle, fast-cgal, batch and, in the Euclidean metric, " +
-                             with_separation + "; a plugin or program is told");
+                             with_separation + "; a plugin or program is told",
+                         EachQuery::allowed);
   subcommand->add_option("--out", options->out, "The folder for the shrunk failures; it is made when it is missing")
       ->type_name("FOLDER");
   subcommand

@@ -43,7 +43,9 @@ std::string progress_for_person(const fuzz::Progress& progress) {
 std::string search_for_person(const FuzzCommandOptions& options, const fuzz::Outcome& outcome, int threads) {
   const std::string solver = options.solver.command.empty() ? options.solver.solver : options.solver.command;
   const Separation& separation = options.separation.separation;
-  const std::string about = separation.distance > 0 ? ", " + separation_for_person(separation) : std::string();
+  std::string about = separation.distance > 0 ? ", " + separation_for_person(separation) : std::string();
+  if (options.separation.each)
+    about = fmt::format(", each with a separation of its own, {}", metric_name(separation.metric));
   return fmt::format("{} judged by {}{}, seed {}: {} in {:.1f} s on {}, {} a second{}\n", io::printable(solver),
                      method_name(options.settings.judge), about, options.settings.seed,
                      counted(outcome.queries, "query"), outcome.seconds,
@@ -95,7 +97,8 @@ std::string table_for_person(const FailureTable& table) {
 
 std::string case_command(const FuzzCommandOptions& options, const fuzz::CaseName& name) {
   std::string command = "touchstone fuzz " + solver_options(options.solver);
-  command += separation_arguments(options.separation.separation);
+  command += options.separation.each ? each_separation_arguments(options.separation.separation.metric)
+                                     : separation_arguments(options.separation.separation);
   if (options.settings.judge != Method::exact)
     command += fmt::format(" --judge {}", method_name(options.settings.judge));
   if (options.settings.early.ulps) command += fmt::format(" --early {}ulps", *options.settings.early.ulps);
@@ -111,13 +114,14 @@ std::string finding_for_person(std::size_t number, const Finding& finding, const
                                  finding.count > 1 ? fmt::format(" {} times", grouped(finding.count)) : "",
                                  kind_name(finding.degeneracy.kind), fuzz::degeneracy_text(finding.degeneracy));
   text += fuzz::corners_text(example.query, "     ");
+  if (options.separation.each) text += fmt::format("   {}\n", separation_for_person(example.separation));
   text += fmt::format("   claim: {}\n", fuzz::claim_text(example.reply));
   text += fmt::format("   exact: {}\n", fuzz::truth_text(example.truth));
   if (!example.detail.empty()) text += fmt::format("   {}\n", io::printable(example.detail));
   text += fmt::format("   {}\n", case_command(options, example.name));
   if (!written.file.empty()) {
-    text += fmt::format("   {}\n", explain_command(written.file, finding.degeneracy.kind, written.query,
-                                                   options.separation.separation));
+    text += fmt::format("   {}\n",
+                        explain_command(written.file, finding.degeneracy.kind, written.query, example.separation));
   }
   return text;
 }
@@ -136,12 +140,14 @@ std::vector<WrittenQuery> write_findings(const std::vector<Finding>& findings, c
   std::map<std::string, Target> targets;
   std::vector<WrittenQuery> written;
   for (const Finding& finding : findings) {
-    const std::string path = findings_file(options.out, finding.degeneracy.kind, finding.failure);
+    std::string path = findings_file(options.out, finding.degeneracy.kind, finding.failure);
+    // A file is about one separation.
+    if (options.separation.each) path.insert(path.size() - 4, fmt::format("-{}", written.size() + 1));
     auto target = targets.find(path);
     if (target == targets.end()) {
       folders.make(std::filesystem::path(path).parent_path());
       target = targets.emplace(path, Target{io::OutputFile(path)}).first;
-      const Separation& separation = options.separation.separation;
+      const Separation& separation = finding.example.separation;
       if (separation.distance > 0) target->second.file.write(io::separation_comment(separation));
     }
     const fuzz::Example& example = finding.example;

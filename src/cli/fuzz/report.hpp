@@ -35,7 +35,7 @@ struct WrittenQuery {
 std::string finding_for_person(std::size_t number, const fuzz::Finding& finding, const FuzzCommandOptions& options,
                                const WrittenQuery& written);
 
-/// FOLDER/KIND/CLASS.csv.
+/// FOLDER/KIND/CLASS.csv. With separations of their own, each finding has a file to itself, FOLDER/KIND/CLASS-N.csv.
 std::string findings_file(const std::string& out, Kind kind, fuzz::FailureClass failure);
 
 /// Writes the findings' queries, with their true answers, to FOLDER/KIND/CLASS.csv. The folders are made where they are

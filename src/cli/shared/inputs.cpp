@@ -9,6 +9,7 @@
 #include "cli/shared/interrupt.hpp"
 #include "io/fail.hpp"
 #include "io/kind_of_file.hpp"
+#include "io/separation_text.hpp"
 
 namespace touchstone::cli {
 namespace {
@@ -57,6 +58,15 @@ std::vector<Input> bundled_inputs() {
   std::vector<Input> inputs;
   for (const auto& file : bundled_files()) inputs.push_back(bundled_input(file));
   if (inputs.empty()) io::fail("bundled queries", "this program was built without them; name a query file");
+  return inputs;
+}
+
+std::vector<Input> bundled_touching_inputs() {
+  std::vector<Input> inputs = bundled_inputs();
+  const auto about_separation = [](const Input& input) {
+    return io::separation_of_comments(input.content).has_value();
+  };
+  inputs.erase(std::remove_if(inputs.begin(), inputs.end(), about_separation), inputs.end());
   return inputs;
 }
 

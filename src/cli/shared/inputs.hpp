@@ -37,6 +37,9 @@ std::vector<Input> find_inputs(const std::vector<std::string>& names, std::optio
 /// Every bundled file. @throws FileError when the program was built without them
 std::vector<Input> bundled_inputs();
 
+/// Those of them whose truth column is about touching.
+std::vector<Input> bundled_touching_inputs();
+
 /// One item of the pipeline: some queries of one input.
 struct QueryItem {
   std::size_t input = 0;  ///< index into the inputs

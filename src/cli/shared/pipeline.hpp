@@ -76,8 +76,8 @@ void run_in_order(int threads, Read read, Work work, Write write) {
     constexpr std::size_t kItemsPerThread = 4;  // bridges a slow item, and keeps memory small
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, count);
     tbb::task_arena arena(threads);
-    // What oneTBB orders: the serial stages each by themselves, the stages of an item, and all of them between the start
-    // and the end.
+    // What oneTBB orders: the serial stages each by themselves, the stages of an item, and all of them between the
+    // start and the end.
     threads::ThreadHandover started, reading, items, writing, finished;
     started.give();
     arena.execute([&] {

@@ -12,6 +12,8 @@
 namespace touchstone::cli {
 namespace {
 
+constexpr std::string_view kEach = "each";
+
 /// A CLI11 check: "" for a distance, else the reason why it is none.
 std::string check_distance(const std::string& text) {
   const auto value = io::parse_finite_double(text);
@@ -21,20 +23,29 @@ std::string check_distance(const std::string& text) {
 
 }  // namespace
 
-void add_separation_options(CLI::App& subcommand, SeparationOption& option, const std::string& about) {
+void add_separation_options(CLI::App& subcommand, SeparationOption& option, const std::string& about, EachQuery each) {
+  const bool each_allowed = each == EachQuery::allowed;
   CLI::Option* const separation =
       subcommand
           .add_option_function<std::string>(
               "--separation",
               [&option](const std::string& text) {
                 option.given = true;
+                option.each = text == kEach;  // which the check below lets through where it is allowed
+                if (option.each) {
+                  option.separation.distance = 1;
+                  return;
+                }
                 option.separation.distance = io::parse_finite_double(text).value_or(0) + 0.0;  // -0 becomes 0
               },
               about +
                   ", in the coordinates' unit of length: a decimal or a hexfloat. A decimal that is no double stands "
-                  "for the nearest double, and that double is compared exactly (default: 0, touching)")
+                  "for the nearest double, and that double is compared exactly (default: 0, touching)" +
+                  (each_allowed ? "; or each, which asks each query with a distance of its own" : ""))
           ->type_name("D")
-          ->check(check_distance);
+          ->check([each_allowed](const std::string& text) {
+            return each_allowed && text == kEach ? std::string() : check_distance(text);
+          });
   subcommand
       .add_option_function<std::string>(
           "--metric",
@@ -52,6 +63,12 @@ std::string separation_for_person(const Separation& separation) {
   if (separation.distance == 0) return "touching, which is separation 0";
   return fmt::format("separation {} ({}), {}", io::hexfloat(separation.distance), separation.distance,
                      metric_name(separation.metric));
+}
+
+std::string each_separation_arguments(Metric metric) {
+  std::string text = fmt::format(" --separation {}", kEach);
+  if (metric != Metric::euclidean) text += fmt::format(" --metric {}", metric_name(metric));
+  return text;
 }
 
 std::string separation_arguments(const Separation& separation) {

@@ -39,7 +39,8 @@ void add_simulate(CLI::App& program, Command& command) {
   subcommand
       ->add_option(
           "--queries", options->queries,
-          "Write every candidate pair of the proofs as FOLDER/KIND/candidates.csv, query files with true answers")
+          "Write every candidate pair of the proofs as FOLDER/KIND/candidates.csv, query files with true answers. "
+          "Pairs with a separation D are in candidates-D.csv")
       ->type_name("FOLDER");
   subcommand->add_option("--checkpoint", options->checkpoint, "Write the state at the end to this file")
       ->type_name("FILE");
@@ -56,7 +57,9 @@ void add_simulate(CLI::App& program, Command& command) {
             options->narrow_phase = name == "paper" ? sim::NarrowPhase::paper : sim::NarrowPhase::exact;
           },
           "The method that finds the contacts to respond to: exact, or paper, the closed form in doubles, for edges "
-          "only. The proof is always exact. With paper it reports crossings instead of refusing the step")
+          "only. The proof is always exact. With paper it reports crossings instead of refusing the step, and the "
+          "radii "
+          "of the scene are left aside")
       ->type_name("NAME")
       ->check(CLI::IsMember({"exact", "paper"}));
   subcommand
@@ -75,16 +78,17 @@ void add_simulate(CLI::App& program, Command& command) {
     scene_out->excludes(subcommand->get_option(of_run));
     explain->excludes(subcommand->get_option(of_run));
   }
-  subcommand->footer("Scenes\n" + scenes +
-                     "\nUnits are SI. A step that would let two elements touch is not taken: it is tried again in "
-                     "shorter\nsubsteps. The last line is `N steps, 0 crossings`.\n\n"
-                     "Examples\n"
-                     "  touchstone simulate hoop --out hoop\n"
-                     "  touchstone simulate cable-drop --size 5000 --proof proof.csv\n"
-                     "  touchstone simulate hoop --scene-out hoop.json && touchstone simulate hoop.json\n"
-                     "  touchstone simulate hoop --narrow-phase paper\n\n"
-                     "Exit status: 0 done without a crossing, 1 crossings, 2 bad usage, a bad scene or a step that "
-                     "cannot be taken.");
+  subcommand->footer(
+      "Scenes\n" + scenes +
+      "\nUnits are SI. A step that would let two elements touch, or come within the sum of their radii, "
+      "is not\ntaken: it is tried again in shorter substeps. The last line is `N steps, 0 crossings`.\n\n"
+      "Examples\n"
+      "  touchstone simulate hoop --out hoop\n"
+      "  touchstone simulate cable-drop --size 5000 --proof proof.csv\n"
+      "  touchstone simulate hoop --scene-out hoop.json && touchstone simulate hoop.json\n"
+      "  touchstone simulate hoop --narrow-phase paper\n\n"
+      "Exit status: 0 done without a crossing, 1 crossings, 2 bad usage, a bad scene or a step that "
+      "cannot be taken.");
   subcommand->callback([options, &command] { command = [options] { return run_simulate(*options); }; });
 }
 

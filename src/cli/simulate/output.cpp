@@ -10,6 +10,7 @@
 #include "cli/shared/interrupt.hpp"
 #include "cli/simulate/paths.hpp"
 #include "io/query_writer.hpp"
+#include "io/separation_text.hpp"
 #include "report/drawing.hpp"
 #include "sim/checkpoint.hpp"
 
@@ -17,6 +18,9 @@ namespace touchstone::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+// They are all open at once, and a process may have a thousand files or so.
+constexpr std::size_t kMostQueryFiles = 256;
 
 /// Energies and contacts over time, from the table beside it.
 constexpr const char* kPlotScript =
@@ -93,12 +97,14 @@ SimulateOutput::SimulateOutput(const SimulateOptions& options, sim::Simulation& 
     energies_.emplace_back(path);
     energies_.back()->write(sim::energy_header() + sim::energy_row(simulation, {}));
   };
-  if (!options.proof.empty()) proof_.emplace(options.proof).write(sim::proof_header());
+  if (!options.proof.empty()) proof_.emplace(options.proof).write(sim::proof_header(simulation));
   if (!options.energies.empty()) open_energies(options.energies);
   if (!options.checkpoint.empty()) checkpoint_.emplace(options.checkpoint);
   if (!options.queries.empty()) {
     folders_.make(options.queries);
-    simulation.watch([this](const Query& query, const Answer& answer) { write_query(query, answer); });
+    simulation.watch([this](const Query& query, double separation, const Answer& answer) {
+      write_query(query, separation, answer);
+    });
   }
   if (options.out.empty()) return;
   frames_ = fs::path(options.out) / kFrameFolder;
@@ -108,14 +114,21 @@ SimulateOutput::SimulateOutput(const SimulateOptions& options, sim::Simulation& 
   write_frame();
 }
 
-void SimulateOutput::write_query(const Query& query, const Answer& answer) {
-  auto& file = queries_[static_cast<std::size_t>(query.kind)];
+void SimulateOutput::write_query(const Query& query, double separation, const Answer& answer) {
+  std::string text;
+  auto& file = queries_[{query.kind, separation}];
   if (!file) {
+    if (queries_.size() > kMostQueryFiles) {
+      throw Error(
+          fmt::format("--queries: the scene's pairs of elements have more than {} different separations, and "
+                      "each needs a file; fewer different radii would be right",
+                      kMostQueryFiles));
+    }
     const fs::path folder = fs::path(options_->queries) / kind_name(query.kind);
     folders_.make(folder);
-    file.emplace((folder / kCandidates).string());
+    file.emplace((folder / candidates_name(separation)).string());
+    if (separation > 0) text += io::separation_comment({separation, Metric::euclidean});
   }
-  std::string text;
   io::append_query(text, query, answer.contact);
   Attempts attempts;
   attempts.with(file, [&](io::OutputFile& open) { open.write(text); });
@@ -133,7 +146,7 @@ void SimulateOutput::step(const std::vector<sim::SubstepRecord>& records) {
   ++steps_;
   Attempts attempts;
   attempts.with(proof_, [&](io::OutputFile& file) {
-    for (const auto& record : records) file.write(sim::proof_row(record));
+    for (const auto& record : records) file.write(sim::proof_row(*simulation_, record));
   });
   for (auto& energies : energies_) {
     attempts.with(energies, [&](io::OutputFile& file) { file.write(sim::energy_row(*simulation_, records)); });
@@ -153,7 +166,7 @@ void SimulateOutput::finish() {
   });
   attempts.with(proof_, commit);
   for (auto& file : energies_) attempts.with(file, commit);
-  for (auto& file : queries_) attempts.with(file, commit);
+  for (auto& [question, file] : queries_) attempts.with(file, commit);
   attempts.with(frame_index_, [&](io::OutputFile& file) {
     file.write(sim::vtk_series(written_));
     file.commit();

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/shared/new_folders.hpp"
@@ -36,7 +37,7 @@ class SimulateOutput {
 
  private:
   void write_frame();
-  void write_query(const Query& query, const Answer& answer);
+  void write_query(const Query& query, double separation, const Answer& answer);
 
   const SimulateOptions* options_;
   sim::Simulation* simulation_;
@@ -45,7 +46,7 @@ class SimulateOutput {
   std::vector<sim::SeriesFrame> written_;
   std::optional<io::OutputFile> proof_, frame_index_, checkpoint_;
   std::vector<std::optional<io::OutputFile>> energies_;
-  std::array<std::optional<io::OutputFile>, 4> queries_;  // by Kind
+  std::map<std::pair<Kind, double>, std::optional<io::OutputFile>> queries_;  // by kind and separation
   std::uint64_t steps_ = 0, since_frame_ = 0;
 };
 

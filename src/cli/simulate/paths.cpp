@@ -45,6 +45,7 @@ class Files {
     files_.emplace_back(option, folder / name, false);
   }
   void frames_in(const fs::path& folder) { frames_ = place_of(folder); }
+  void candidates_in(const fs::path& folder) { candidates_.push_back(place_of(folder)); }
 
   void check() const {
     for (const NamedFile& file : files_) {
@@ -54,6 +55,9 @@ class Files {
       }
       if (is_frame(file)) {
         throw Error(fmt::format("{} names {}, which may be one of the frames of --out", file.option, shown(file)));
+      }
+      if (is_candidates(file)) {
+        throw Error(fmt::format("{} names {}, which may be one of the files of --queries", file.option, shown(file)));
       }
     }
   }
@@ -89,13 +93,24 @@ class Files {
            name.ends_with(".vtk");
   }
 
+  bool is_candidates(const NamedFile& file) const {
+    const std::string name = file.place.filename().string();
+    return std::count(candidates_.begin(), candidates_.end(), file.place.parent_path()) > 0 &&
+           name.starts_with("candidates-") && name.ends_with(".csv");
+  }
+
   std::vector<NamedFile> files_;
-  fs::path frames_;  // empty: the run writes no frames
+  std::vector<fs::path> candidates_;  // folders
+  fs::path frames_;                   // empty: the run writes no frames
 };
 
 }  // namespace
 
 std::string frame_name(std::uint64_t step) { return fmt::format("frame-{:06}.vtk", step); }
+
+std::string candidates_name(double separation) {
+  return separation > 0 ? fmt::format("candidates-{:a}.csv", separation) : "candidates.csv";
+}
 
 void check_paths(const SimulateOptions& options) {
   Files files;
@@ -114,7 +129,9 @@ void check_paths(const SimulateOptions& options) {
   }
   if (!options.queries.empty()) {
     for (const Kind kind : io::kKinds) {
-      files.add_in("--queries", fs::path(options.queries) / kind_name(kind), kCandidates);
+      const fs::path folder = fs::path(options.queries) / kind_name(kind);
+      files.add_in("--queries", folder, candidates_name(0));
+      files.candidates_in(folder);
     }
   }
   files.check();

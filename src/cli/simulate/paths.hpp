@@ -13,7 +13,8 @@ namespace touchstone::cli {
 inline const std::filesystem::path kFrameFolder = "frames";
 inline constexpr const char* kFrameIndex = "frames.vtk.series";
 inline constexpr const char* kEnergies = "energies";  ///< .csv, .gp, .svg and .png
-inline constexpr const char* kCandidates = "candidates.csv";
+/// "candidates.csv", and "candidates-0x1p-7.csv" for pairs that keep a distance.
+std::string candidates_name(double separation);
 std::string frame_name(std::uint64_t step);
 
 /// @throws Error when two outputs are the same file, an output would replace an input, or an output is a file where

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/shared/words.hpp"
 #include "sim/output_text.hpp"
 
@@ -14,6 +16,8 @@ void StepTotals::add(const std::vector<sim::SubstepRecord>& records) {
     ++substeps;
     gained += static_cast<std::uint64_t>(record.gained_energy);
     first_order += static_cast<std::uint64_t>(record.first_order);
+    separated += record.proof.separated;
+    largest_separation = std::max(largest_separation, record.proof.largest);
   }
 }
 
@@ -49,6 +53,16 @@ std::string simulation_for_person(const sim::Simulation& simulation, const StepT
         percentage(times.proof));
   }
   text += fmt::format("{:.1f} steps a second\n", rate);
+  if (simulation.ignores_radii()) {
+    text += "the radii of the scene were left aside: the narrow phase of the paper knows no separation\n";
+  } else if (simulation.colliders().has_separations()) {
+    text += "every pair stayed farther apart than its separation";
+    if (totals.separated > 0) {
+      text += fmt::format(" ({} asked about, with separations of up to {} m)", counted(totals.separated, "pair"),
+                          totals.largest_separation);
+    }
+    text += "\n";
+  }
   return text + fmt::format("{} steps, {} crossings\n", totals.steps, crossings.size());
 }
 

@@ -1,0 +1,149 @@
+// The unit normal at the first contact, from polynomials in t that are parallel to it.
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include "exact/corners.hpp"
+#include "exact/distance_level.hpp"
+#include "exact/exact.hpp"
+#include "exact/exact_times.hpp"
+#include "geometry/frame.hpp"
+#include "numbers/limb_scratch.hpp"
+
+namespace touchstone::exact {
+namespace {
+
+using Direction = geometry::Vector<Form>;
+using Corners = std::array<Direction, 4>;
+
+Direction operator*(const Form& factor, const Direction& v) { return {{factor * v[0], factor * v[1], factor * v[2]}}; }
+Direction negative(const Direction& v) { return {{-v[0], -v[1], -v[2]}}; }
+
+template <class Q>
+Corners corners_of(const Q& query) {
+  const ScaledCorners scaled = scaled_corners(query);
+  Corners corners;
+  for (std::size_t i = 0; i < corner_count(query.kind); ++i) corners[i] = form_of(scaled.corners[i]);
+  return corners;
+}
+
+/// A feature's corners: one, two or, for a face, three. An overlap counts as the whole edge.
+struct Place {
+  std::array<std::size_t, 3> corners;
+  std::size_t count;
+};
+
+Place place_of(Feature feature, bool first) {
+  switch (feature) {
+    case Feature::a0:
+    case Feature::v:
+    case Feature::p: return {{0}, 1};
+    case Feature::a1:
+    case Feature::f0:
+    case Feature::e0:
+    case Feature::q: return {{1}, 1};
+    case Feature::b0:
+    case Feature::f1:
+    case Feature::e1: return {{2}, 1};
+    case Feature::b1:
+    case Feature::f2: return {{3}, 1};
+    case Feature::a: return {{0, 1}, 2};
+    case Feature::b: return {{2, 3}, 2};
+    case Feature::f01:
+    case Feature::e: return {{1, 2}, 2};
+    case Feature::f12: return {{2, 3}, 2};
+    case Feature::f20: return {{3, 1}, 2};
+    case Feature::f: return {{1, 2, 3}, 3};
+    case Feature::overlap: return place_of(first ? Feature::a : Feature::b, first);
+    case Feature::none: break;
+  }
+  return {{}, 0};
+}
+
+/// The normal of two edges, or of a face, and its product with what leads from the first element to the second.
+struct Plane {
+  Direction n;
+  Form coplanarity;
+};
+
+Plane plane_of(Kind kind, const Corners& x) {
+  const bool edges = kind == Kind::edge_edge;
+  const auto frame = geometry::frame_of(edges, [&x](std::size_t i, std::size_t j) { return x[i] - x[j]; });
+  const Direction n = geometry::normal(frame);
+  const Form v = geometry::dot(n, frame.r);  // r leads from the face to the vertex
+  return {n, edges ? v : -v};
+}
+
+/// r less its part along e, times |e|^2.
+Direction across(const Direction& e, const Direction& r) { return geometry::dot(e, e) * r - geometry::dot(r, e) * e; }
+
+/// What leads from the closest point of the first element to that of the second, times a positive number or zero. `at`
+/// is the time of a contact with these features.
+Direction between_closest_points(const Corners& x, const Answer& answer, Kind kind, const Moment& at) {
+  const Place a = place_of(answer.feature_a, true);
+  const Place b = place_of(answer.feature_b, false);
+  const Direction r = x[b.corners[0]] - x[a.corners[0]];
+  const bool parallel = answer.feature_a == Feature::overlap;
+  if (a.count == 1 && b.count == 1) return r;
+  if (a.count == 1 && b.count == 2) return across(x[b.corners[1]] - x[b.corners[0]], r);
+  if (parallel || (a.count == 2 && b.count == 1)) return across(x[a.corners[1]] - x[a.corners[0]], r);
+  const Plane plane = plane_of(kind, x);
+  const int side = at.sign(plane.coplanarity);
+  return side > 0 ? plane.n : side < 0 ? negative(plane.n) : Direction();
+}
+
+/// The unit vector along v at the root; nothing where v = 0. The largest coordinate m and the quotients v_k / v_m, each
+/// off by at most 2^-50.5, make a vector that is at least 1 long and off by at most 2^-50. Division by its length adds
+/// less than 2^-51: 4 roundings in each coordinate.
+std::optional<std::array<double, 3>> unit_vector(const Direction& v, const RealRoot& root) {
+  const Moment at = Moment::at(root);
+  Direction size = v;
+  std::array<int, 3> sign{};
+  std::size_t largest = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    sign[k] = v[k].is_zero() ? 0 : at.sign(v[k]);
+    if (sign[k] < 0) size[k] = -v[k];
+    if (sign[k] != 0 && (sign[largest] == 0 || at.sign(size[k] - size[largest]) > 0)) largest = k;
+  }
+  if (sign[largest] == 0) return std::nullopt;
+  std::array<double, 3> unit{};
+  double square = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (sign[k] != 0) unit[k] = k == largest ? sign[k] : sign[k] * root.quotient(size[k], size[largest]);
+    square += unit[k] * unit[k];
+  }
+  const double length = std::sqrt(square);
+  for (double& coordinate : unit) coordinate /= length;
+  return unit;
+}
+
+template <class Q>
+std::optional<std::array<double, 3>> normal_of(const Q& query, double t_max, const Separation& separation) {
+  const bool touching = separation.distance == 0;
+  const auto times = touching ? touching_times(query, t_max) : touching_times(query, t_max, separation);
+  if (times.empty()) return std::nullopt;
+  const RealRoot& time = times.front().first;
+  const Corners x = corners_of(query);
+  if (!touching) {
+    const Answer answer = decide_exactly(query, t_max, separation);
+    return unit_vector(between_closest_points(x, answer, query.kind, Moment::at(time)), time);
+  }
+  if (query.kind != Kind::edge_edge && query.kind != Kind::vertex_face) return std::nullopt;
+  const Plane plane = plane_of(query.kind, x);
+  const bool turned = !plane.coplanarity.is_zero() && Moment::just_before(time).sign(plane.coplanarity) < 0;
+  return unit_vector(turned ? negative(plane.n) : plane.n, time);
+}
+
+}  // namespace
+
+std::optional<std::array<double, 3>> contact_normal(const Query& query, double t_max, const Separation& separation) {
+  return normal_of(query, t_max, separation);
+}
+std::optional<std::array<double, 3>> contact_normal(const RationalQuery& query, double t_max,
+                                                    const Separation& separation) {
+  return normal_of(query, t_max, separation);
+}
+
+}  // namespace touchstone::exact

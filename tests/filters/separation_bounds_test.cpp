@@ -1,0 +1,256 @@
+// The bounds of the filters for separations under search, one by one. Most answers are far from them, so a wrong one
+// would seldom show in an answer.
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "filters/entry_walk.hpp"
+#include "filters/frame_case.hpp"
+#include "filters/same_side.hpp"
+#include "filters/separating_direction.hpp"
+#include "support/catch.hpp"
+
+using namespace touchstone;
+using namespace touchstone::tests;
+
+namespace {
+
+using filters::kUnit;
+using ExactVector = std::array<Exact, 3>;
+
+Exact dot(const ExactVector& a, const ExactVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+ExactVector exactly(const filters::Vector& v) { return {Exact(v[0]), Exact(v[1]), Exact(v[2])}; }
+Exact absolute(const Exact& x) { return x.sign() < 0 ? -x : x; }
+Exact least(const Exact& a, const Exact& b) { return b < a ? b : a; }
+
+double value_of(const Exact& x) { return numbers::approximate_quotient(x, Exact(1)); }
+
+/// The square root of a number that is not negative, within a relative error of about 2^-100.
+Exact root_of(const Exact& square) {
+  if (square.sign() == 0) return Exact(0);
+  const double estimate = std::sqrt(value_of(square));
+  const double correction = value_of(square - Exact(estimate) * Exact(estimate)) / (2 * estimate);
+  return Exact(estimate) + Exact(correction);
+}
+
+/// The Euclidean norm, or the sum of the absolute coordinates.
+Exact norm_of(const ExactVector& v, Metric metric) {
+  return metric == Metric::euclidean ? root_of(dot(v, v)) : absolute(v[0]) + absolute(v[1]) + absolute(v[2]);
+}
+
+/// The largest distance of which `holds` says true; about 0 when there is none.
+template <class Holds>
+double largest_distance(const Holds& holds) {
+  std::uint64_t low = 0, high = 0x7FE0000000000000u;  // the bits of doubles that are not negative are in their order
+  const auto at = [](std::uint64_t bits) {
+    double x = 0;
+    std::memcpy(&x, &bits, sizeof x);
+    return x;
+  };
+  while (high - low > 1) {
+    const std::uint64_t middle = low + (high - low) / 2;
+    (holds(at(middle)) ? low : high) = middle;
+  }
+  return at(low);
+}
+
+bool in_range(const FrameCase& s) {
+  const double uw = s.size.u * s.size.w;
+  return uw >= filters::kLeastNormProduct && uw <= filters::kGreatestNormProduct &&
+         uw * s.size.r >= filters::kLeastVolume && uw * s.size.r <= filters::kGreatestVolume;
+}
+
+/// Elements that keep their shape: V and n stay as they are, and every test on them is as sharp as it can be.
+FrameCase still(std::vector<double> x) {
+  std::copy_n(x.begin(), 12, x.begin() + 12);
+  return FrameCase(x);
+}
+
+/// r, u and w of the entry filter at a time.
+struct ExactPlace {
+  ExactVector r, u, w;
+
+  ExactPlace(const Query& query, double t) {
+    const filters::Differences d = filters::differences_of(query.kind);
+    const auto vector = [&](const filters::Difference& difference) {
+      ExactVector v;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto coordinate_at = [&](std::size_t corner) {
+          const Exact from(coordinate(query.start[corner], k)), to(coordinate(query.end[corner], k));
+          return from + Exact(t) * (to - from);
+        };
+        v[k] = coordinate_at(difference.one) - coordinate_at(difference.other);
+      }
+      return v;
+    };
+    r = vector(d.r);
+    u = vector(d.u);
+    w = vector(d.w);
+  }
+
+  /// The least value of a function that is linear in r - s u - q w, over the pairs of corners of two edges.
+  template <class Linear>
+  static Exact least_at_corners(const Linear& of) {
+    const Exact none = of(0, 0);
+    return least(least(none, of(1, 0)), least(of(0, 1), of(1, 1)));
+  }
+  Exact along(const ExactVector& n, int s, int q) const {
+    return dot(n, r) - Exact(s) * dot(n, u) - Exact(q) * dot(n, w);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("the greatest norm of n is within its bound", "[separation]") {
+  const auto ratio = [](const FrameCase& s, Metric metric) {
+    const auto n = filters::normal_coefficients(s.frame);
+    const double greatest =
+        metric == Metric::euclidean ? filters::greatest_norm<true>(n) : filters::greatest_norm<false>(n);
+    const double bound = (filters::kNormFactor - 1) * greatest + filters::kNormBound * s.size.u * s.size.w;
+    double worst = 0;
+    for (int j = 0; j < 3; ++j) {
+      ExactVector exact;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto cross = [k](const ExactVector& a, const ExactVector& b) {
+          const std::size_t i = (k + 1) % 3, l = (k + 2) % 3;
+          return a[i] * b[l] - a[l] * b[i];
+        };
+        exact[k] = j == 0   ? cross(s.start[0], s.start[1])
+                   : j == 2 ? cross(s.end[0], s.end[1])
+                            : Exact(0.5) * (cross(s.start[0], s.end[1]) + cross(s.end[0], s.start[1]));
+      }
+      const Exact beyond = norm_of(exact, metric) - Exact(greatest);
+      if (beyond.sign() > 0) worst = std::max(worst, over(beyond, bound));
+    }
+    return worst;
+  };
+  for (const Metric metric : {Metric::euclidean, Metric::max}) {
+    report("norm", searched(91, 0, 20000, in_range,
+                            [&](const FrameCase& s, const std::vector<double>&) { return ratio(s, metric); }));
+  }
+}
+
+TEST_CASE("clearance of the largest distance that it proves is true", "[separation]") {
+  for (const Metric metric : {Metric::euclidean, Metric::max}) {
+    const auto search = searched(92, 0, 6000, in_range, [&](const FrameCase&, const std::vector<double>& x) {
+      const FrameCase s = still(x);
+      const double distance = largest_distance([&](double d) {
+        return filters::clear_all_along(s.query, {d, metric});
+      });
+      if (distance == 0) return std::nan("");
+      ExactVector n;
+      for (std::size_t k = 0; k < 3; ++k) n[k] = s.cross(0, 1, k, Exact(0));
+      const Exact kept = Exact(distance) * norm_of(n, metric);
+      const double uwr = s.size.u * s.size.w * s.size.r;
+      const double margin = filters::kEndsBound * uwr + 16 * kUnit * value_of(kept) +
+                            distance * filters::kNormBound * s.size.u * s.size.w;
+      // 0 where no rounding was lost, 1 where V is as small as d |n|.
+      return 1 - value_of(absolute(s.exact[0]) - kept) / margin;
+    });
+    // The margin has two parts, which the searches for V's coefficients and for the norm bring near theirs one by one.
+    report("clearance", search, 0x1p-6);
+  }
+}
+
+TEST_CASE("a direction separates by the largest distance that it proves", "[separation]") {
+  for (const Metric metric : {Metric::euclidean, Metric::max}) {
+    const auto search = searched(93, 3, 6000, in_range, [&](const FrameCase&, const std::vector<double>& x) {
+      const FrameCase s = still(x);
+      const filters::Vector n = {{x[24], x[25], x[26]}};
+      const filters::RelativeCorners corners = filters::relative_corners(s.query);
+      const double distance = largest_distance([&](double d) {
+        return filters::separates_by(corners, n, {d, metric});
+      });
+      if (distance == 0) return std::nan("");
+      const ExactPlace place(s.query, 0);
+      const ExactVector direction = exactly(n);
+      const auto along = [&](int sign) {
+        return ExactPlace::least_at_corners([&](int i, int j) { return Exact(sign) * place.along(direction, i, j); });
+      };
+      const Exact up = along(1), down = along(-1);
+      const Exact gap = up < down ? down : up;
+      const Exact kept = Exact(distance) * norm_of(direction, metric);
+      const filters::Gap found = filters::gap_along(corners, n);
+      const double margin = found.error + 8 * kUnit * (found.error + value_of(kept));
+      return 1 - value_of(gap - kept) / margin;
+    });
+    report("separating direction", search);
+  }
+}
+
+TEST_CASE("the least product with a direction, at a time, is within its bound", "[separation]") {
+  report("walk", searched(94, 4, 20000, in_range, [](const FrameCase& s, const std::vector<double>& x) {
+           const filters::Vector n = {{x[24], x[25], x[26]}};
+           const double t = share(x[27]);
+           const filters::Step step(s.query);
+           const filters::Direction direction(step, n, {1, Metric::euclidean});
+           const ExactPlace place(s.query, t);
+           const Exact truth =
+               ExactPlace::least_at_corners([&](int i, int j) { return place.along(exactly(n), i, j); });
+           return over(Exact(direction.least_at(t)) - truth, filters::kWalkError * filters::largest_of(n) * step.size);
+         }));
+}
+
+TEST_CASE("a direction keeps the largest distance that it is clear of", "[separation]") {
+  for (const Metric metric : {Metric::euclidean, Metric::max}) {
+    const auto search = searched(95, 4, 4000, in_range, [metric](const FrameCase& s, const std::vector<double>& x) {
+      const filters::Vector n = {{x[24], x[25], x[26]}};
+      const double t = share(x[27]);
+      const filters::Step step(s.query);
+      const double distance = largest_distance([&](double d) {
+        return filters::Direction(step, n, {d, metric}).clear_at(t);
+      });
+      if (distance == 0) return std::nan("");
+      const ExactPlace place(s.query, t);
+      const Exact truth = ExactPlace::least_at_corners([&](int i, int j) { return place.along(exactly(n), i, j); });
+      const Exact kept = Exact(distance) * norm_of(exactly(n), metric);
+      const double margin = filters::kWalkError * filters::largest_of(n) * step.size + 8 * kUnit * value_of(kept);
+      return 1 - value_of(truth - kept) / margin;
+    });
+    report("walk with a distance", search);
+  }
+}
+
+TEST_CASE("the middle coefficient of a direction that turns is within its bound", "[separation]") {
+  const auto closest_place = [](const filters::Step& step, double t) {
+    filters::Place place = filters::bare_place(step, t);
+    const auto [p, q] = filters::closest(step.domain, place.r, place.u, place.w);
+    place.n = filters::combined(place.r, place.u, place.w, p, q);
+    return place;
+  };
+  for (const Metric metric : {Metric::euclidean, Metric::max}) {
+    const auto search = searched(96, 2, 30000, in_range, [&](const FrameCase& s, const std::vector<double>& x) {
+      const double times[2] = {share(x[24]), share(x[25])};
+      const filters::Step step(s.query);
+      const filters::Place a = closest_place(step, times[0]), b = closest_place(step, times[1]);
+      const ExactPlace at_a(s.query, times[0]), at_b(s.query, times[1]);
+      const ExactVector na = exactly(a.n), nb = exactly(b.n);
+      const Exact truth =
+          ExactPlace::least_at_corners([&](int i, int j) { return at_b.along(na, i, j) + at_a.along(nb, i, j); });
+      const double distance = largest_distance([&](double d) { return filters::turns_clear(step, a, b, {d, metric}); });
+      if (distance == 0) return std::nan("");
+      const Exact kept = Exact(distance) * (norm_of(na, metric) + norm_of(nb, metric));
+      const double margin = filters::kTurnError * (filters::largest_of(a.n) + filters::largest_of(b.n)) * step.size +
+                            8 * kUnit * value_of(kept);
+      return 1 - value_of(truth - kept) / margin;
+    });
+    report("turn", search, 0.09);
+  }
+}
+
+TEST_CASE("clearance keeps its hands off products that underflow", "[separation]") {
+  // Edges of length 2^-280 cross at a distance of 1. The square of n's coordinate, 2^-560, is no double.
+  const double tiny = 0x1p-280;
+  Query query;
+  query.start = {Vec3{0, 0, 0}, {tiny, 0, 0}, {0, 0, 1}, {0, tiny, 1}};
+  query.end = query.start;
+  CHECK_FALSE(filters::clear_all_along(query, {2, Metric::euclidean}));
+
+  // n = (1, 1, 1) 2^-398 and r = (3, 3, 3) 2^-678: each product is 3/4 of the least double and becomes that, and 2.43
+  // of it, which is d |n|, become 2.
+  const double u = 0x1p-200, w = 0x1p-199, r = 3 * 0x1p-678;
+  query.start = {Vec3{0, 0, 0}, {u, -u, 0}, {r, r, r}, {w, w, -2 * w}};
+  query.end = query.start;
+  CHECK_FALSE(filters::clear_all_along(query, {1.08 * std::sqrt(3.0) * r, Metric::euclidean}));
+}
