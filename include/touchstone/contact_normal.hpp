@@ -10,8 +10,8 @@
 
 namespace touchstone {
 
-/// The unit normal at the first contact for t in [0, t_max], at its exact time. Its distance from the true unit vector is
-/// less than 2^-49. Exact arithmetic computes it, in tens of microseconds.
+/// The unit normal at the first contact for t in [0, t_max], at its exact time. Its distance from the true unit vector
+/// is less than 2^-49. Exact arithmetic computes it, in tens of microseconds.
 ///
 /// With a separation d > 0 the normal points from the closest point of the first element to that of the second.
 ///

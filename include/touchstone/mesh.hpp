@@ -97,9 +97,9 @@ struct MeshElements {
 
 /// A mesh whose elements were checked. It is immutable, and several threads may use one object. A copy is cheap.
 ///
-/// It holds 12 bytes for each face, 8 for each edge, 4 for each edge that is in no face, 4 for each vertex that collides
-/// and 4 for each loose point, besides the rules and the radii. While it is made, it needs at most 40 bytes more for each
-/// face, 28 for each edge that is given, and 8 for each vertex.
+/// It holds 12 bytes for each face, 8 for each edge, 4 for each edge that is in no face, 4 for each vertex that
+/// collides and 4 for each loose point, besides the rules and the radii. While it is made, it needs at most 40 bytes
+/// more for each face, 28 for each edge that is given, and 8 for each vertex.
 class Mesh {
  public:
   /// The representation, known to the library only.
@@ -302,14 +302,14 @@ struct FreeStepOptions {
 struct FreeStep {
   StepOutcome outcome = StepOutcome::whole;  ///< what became of the step
 
-  /// The fraction of the step, in [0, 1]. It is 1 only for a whole step. It is 0 only for contact at the start, where the
-  /// first contact is before every positive double, and where a kept distance is rounded up to that at the start. A step
-  /// without room may have a positive length, after which the rounded positions are still x0.
+  /// The fraction of the step, in [0, 1]. It is 1 only for a whole step. It is 0 only for contact at the start, where
+  /// the first contact is before every positive double, and where a kept distance is rounded up to that at the start. A
+  /// step without room may have a positive length, after which the rounded positions are still x0.
   double length = 1;
 
-  /// The end. Each coordinate is a double between x0 and x1, within one unit in its last place of x0 + length (x1 - x0);
-  /// where that is next to nothing beside x0 and x1, it is within 2^-100 of |x0| + |x1|. As many coordinates a vertex as
-  /// the mesh has dimensions: x y z x y z ...
+  /// The end. Each coordinate is a double between x0 and x1, within one unit in its last place of x0 + length (x1 -
+  /// x0); where that is next to nothing beside x0 and x1, it is within 2^-100 of |x0| + |x1|. As many coordinates a
+  /// vertex as the mesh has dimensions: x y z x y z ...
   std::vector<double> positions;
 
   /// The first contact of the whole step, about the distances that the step is to keep.

@@ -21,6 +21,6 @@
 /// are to keep. `contact_times` gives all times of contact, and `contact_normal` the normal at the first. `distance`
 /// measures at one instant. `judge` judges the claim of another solver. `Mesh` and `first_contact` ask about whole
 /// meshes. The header touchstone/touchstone.hpp brings all of these. Two more headers stand beside it:
-/// touchstone/eigen.hpp makes queries and positions from Eigen's types, and touchstone/fuzz.hpp searches for failures of
-/// another solver.
+/// touchstone/eigen.hpp makes queries and positions from Eigen's types, and touchstone/fuzz.hpp searches for failures
+/// of another solver.
 namespace touchstone {}

@@ -32,9 +32,9 @@ class ImpactZones {
 /// a turn may bring elements within their separation. A shift keeps all distances.
 enum class Turning : std::uint8_t { free, none };
 
-/// Gives the zone's particles the rigid motion with their momentum and, unless it may not turn, angular momentum, or the
-/// motion of the held or driven ones among them. All positions in between are images of x0 under one affine map that is
-/// never singular, so no two of them meet. False when held particles among them move in different ways.
+/// Gives the zone's particles the rigid motion with their momentum and, unless it may not turn, angular momentum, or
+/// the motion of the held or driven ones among them. All positions in between are images of x0 under one affine map
+/// that is never singular, so no two of them meet. False when held particles among them move in different ways.
 bool move_rigidly(const std::vector<Index>& zone, const System& system, const VectorX& inverse_mass, const VectorX& x0,
                   VectorX& x1, Turning turning = Turning::free);
 

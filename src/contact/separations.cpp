@@ -21,8 +21,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // The arc between two points of a circle over their distance, where they lie opposite each other.
 constexpr double kArc = std::numbers::pi / 2;
 
-// For each particle and in all, of 16 bytes each. Radii that are very many times as long as the edges have more, and are
-// hardly meant.
+// For each particle and in all, of 16 bytes each. Radii that are very many times as long as the edges have more, and
+// are hardly meant.
 constexpr std::size_t kMostNeighbours = 256, kMostNeighboursInAll = 50'000'000;
 
 /// The ways that lead from each particle.

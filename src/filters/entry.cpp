@@ -7,10 +7,10 @@
 //   Euclidean length or, in the largest-axis metric, the sum of the absolute coordinates. Each n . c of a pair of
 //   corners is linear in t. So if it exceeds d |n| at two times, it does so between them.
 //   Above: D(t) <= |c| for any allowed (s, q).
-// In the Euclidean metric, both bounds meet when (s, q) are the closest points' and n is their c. So the time is walked to from below: at each
-// time, the closest points in doubles give a direction, and the direction proves a piece of the step free. These pieces
-// become shorter by squares. Near the end, the closest points in double-doubles prove that D > d up to some double, and
-// that D <= d at the next one.
+// In the Euclidean metric, both bounds meet when (s, q) are the closest points' and n is their c. So the time is walked
+// to from below: at each time, the closest points in doubles give a direction, and the direction proves a piece of the
+// step free. These pieces become shorter by squares. Near the end, the closest points in double-doubles prove that D >
+// d up to some double, and that D <= d at the next one.
 //
 // A direction may also turn: let it go evenly from n0 to n1 while t goes from t0 to t1. Then n . c is a quadratic,
 // whose Bernstein coefficients are n0 . c(t0), the mean of n0 . c(t1) and n1 . c(t0), and n1 . c(t1). The norm is at

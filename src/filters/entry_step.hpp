@@ -180,10 +180,10 @@ struct PreciseStep {
   }
 };
 
-/// A difference at the time t. Its coordinates are off by less than 40 e^2 U, where U is the largest one of both ends and
-/// e^2 = 2^-106. They are from + t (to - from). Both ends are exact, with low parts of at most e U. The difference, at
-/// most 2 U: low parts 2 ..., 4 ..., in all 6 e^2 U. Its product with t: low parts 4 ..., 6 ...: 10 e^2 U. The sum: low
-/// parts 7 ..., 10 ...: 17 e^2 U, in all 33 e^2 U.
+/// A difference at the time t. Its coordinates are off by less than 40 e^2 U, where U is the largest one of both ends
+/// and e^2 = 2^-106. They are from + t (to - from). Both ends are exact, with low parts of at most e U. The difference,
+/// at most 2 U: low parts 2 ..., 4 ..., in all 6 e^2 U. Its product with t: low parts 4 ..., 6 ...: 10 e^2 U. The sum:
+/// low parts 7 ..., 10 ...: 17 e^2 U, in all 33 e^2 U.
 inline PreciseVector at(const PreciseVector (&v)[2], double t) noexcept {
   PreciseVector result;
   for (std::size_t k = 0; k < 3; ++k) result[k] = numbers::normalised(v[0][k] + t * (v[1][k] - v[0][k]));

@@ -98,8 +98,8 @@ inline Place bare_place(const Step& step, double t) noexcept {
       {}, std::numeric_limits<double>::infinity()};
 }
 
-/// Whether a direction that turns from one place's to the other's keeps the elements apart between them, if each does so
-/// at its own time.
+/// Whether a direction that turns from one place's to the other's keeps the elements apart between them, if each does
+/// so at its own time.
 inline bool turns_clear(const Step& step, const Place& a, const Place& b, const Separation& separation) noexcept {
   const double least = (dot(a.n, b.r) + dot(b.n, a.r)) -
                        greatest_at_corners(step.domain, dot(a.n, b.u) + dot(b.n, a.u), dot(a.n, b.w) + dot(b.n, a.w));
@@ -119,7 +119,8 @@ inline bool stays_clear(const Step& step, const Place& from, double t, const Vec
 }
 
 /// The start, with the time that Newton's method finds for the entry as `until`; infinite when it finds none in [0,
-/// t_max]. Nothing is proved. Where one direction keeps the elements apart from the start to the entry, no walk is needed.
+/// t_max]. Nothing is proved. Where one direction keeps the elements apart from the start to the entry, no walk is
+/// needed.
 template <class PlaceAt>
 Place jump(double t_max, const PlaceAt& place_at) noexcept {
   constexpr int kMostSteps = 5;

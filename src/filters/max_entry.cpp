@@ -1,19 +1,19 @@
 // In the largest-axis metric, the elements are within d of each other when the polygon of all differences c = r - s u -
-// q w meets the cube [-d, d]^3. The sum of the polygon and the cube has facets of three sorts, and so these directions n
+// q w meets the cube [-d, d]^3. The sum of the polygon and the cube has facets of three sorts. So these directions n
 // are enough to tell (separating axes of two convex bodies):
 //   face:  n is an axis: a face of the cube and a corner of the polygon;
 //   edge:  n = axis x e: an edge of the cube and an edge e of the polygon;
 //   plane: n = u x w: a corner of the cube and the polygon itself.
 // D(t) is the largest value of n . c / |n|_1 over these n, each at the corner c at which n . c is least.
 //
-// Near the entry one facet decides. Let p be a corner of the polygon on it, sigma_k the sign of n_k, and a = p - d sigma.
-// Then h(t) = n . a = n . p - d |n|_1 is a polynomial of degree 1, 2 or 3. It is evaluated in double-doubles at two
-// neighbouring doubles.
+// Near the entry one facet decides. Let p be a corner of the polygon on it, sigma_k the sign of n_k, and
+// a = p - d sigma. Then h(t) = n . a = n . p - d |n|_1 is a polynomial of degree 1, 2 or 3. It is evaluated in
+// double-doubles at two neighbouring doubles.
 //   D > d at toi: h > 0 there, and the other corners have greater n . c. Before toi: see the walk.
 //   D = d at a root of h between the two doubles: c = d sigma along the axes with n_k != 0 is a linear system for the
 //   point on the facet. Its solution must lie inside the polygon's edge or plane, and within d along the other axes.
 //   After the root D < d: as h falls, so does the level at which the system's solution lies, and with it D.
-// Because the other corners have greater n . c, and every n_k of an edge or plane is not zero, no other point is as near.
+// The other corners have greater n . c, and every n_k of an edge or plane is not zero. So no other point is as near.
 // SPDX-License-Identifier: MIT
 #include "filters/max_entry.hpp"
 
@@ -28,21 +28,21 @@
 namespace touchstone::filters {
 namespace {
 
-// Errors in double-doubles, in units of e^2 = 2^-106. A coordinate of u(t) is off by 40 U (see entry_step.hpp), one of p
-// by 80 S, one of a by 80 S + 4 (S + d). A coordinate of n is exact for a face; off by 80 S for an edge; for a plane, a
-// difference of two products of 2 W U at most, by 2 (40 + 40 + 10) U W + 20 U W: less than 256 U W. h is a sum of three
-// products, n_k a_k. With N the largest that |n_k| may be, 1, S or 2 U W: the products are off by (256 + 84 + 10) N (S +
-// d) each at most, and the sums by 12 N (S + d): less than 1100 N (S + d) in all.
+// Errors in double-doubles, in units of e^2 = 2^-106. A coordinate of u(t) is off by 40 U (see entry_step.hpp), one of
+// p by 80 S, one of a by 80 S + 4 (S + d). A coordinate of n is exact for a face; off by 80 S for an edge; for a plane,
+// a difference of two products of 2 W U at most, by 2 (40 + 40 + 10) U W + 20 U W: less than 256 U W. h is a sum of
+// three products, n_k a_k. With N the largest that |n_k| may be, 1, S or 2 U W: the products are off by (256 + 84 + 10)
+// N (S + d) each at most, and the sums by 12 N (S + d): less than 1100 N (S + d) in all.
 constexpr double kPreciseError = 2048 * 0x1p-106;
 
-// Errors in doubles, in units of e = 2^-53: a coordinate of n is off by at most 16 N, of a position by 8 S. A product of
-// two such vectors is off by less than 3 (16 + 8 + 4) N S = 84 N S.
+// Errors in doubles, in units of e = 2^-53: a coordinate of n is off by at most 16 N, of a position by 8 S. A product
+// of two such vectors is off by less than 3 (16 + 8 + 4) N S = 84 N S.
 constexpr double kError = 128 * kUnit;
 
 enum class Sort : std::uint8_t { face, edge, plane };
 
-/// A facet by its normal, and the corner of the polygon on which it stands. An edge e runs from that corner: c = p - x e
-/// for x in [0, 1].
+/// A facet by its normal, and the corner of the polygon on which it stands. An edge e runs from that corner: c = p - x
+/// e for x in [0, 1].
 struct Facet {
   Sort sort = Sort::face;
   std::size_t axis = 0;    ///< of a face or an edge of the cube
@@ -85,8 +85,8 @@ struct BestFacet {
   double distance = 0;  ///< 0 when no direction keeps them apart
 };
 
-/// Searches the facets at one time, in doubles. Only a hint. With n = axis x e along an axis k, n . r is (e x r)_k, and so
-/// on: a few cross products give the values of all edges.
+/// Searches the facets at one time, in doubles. Only a hint. With n = axis x e along an axis k, n . r is (e x r)_k, and
+/// so on: a few cross products give the values of all edges.
 class FacetSearch {
  public:
   FacetSearch(Domain domain, const Place& place) noexcept : domain_(domain) {
@@ -268,9 +268,9 @@ class MaxEntry {
     return at_t;
   }
 
-  /// How fast h falls, and how far the rate may be off over a time after `at_t`. Derivatives: h' = n' . a + n . p', with
-  /// |n'_k| at most 0, speed, or 4 speed S, and h'' = n'' . a + 2 n' . p'. A slope is a difference of two roundings, so
-  /// it is off by e (speed + 2 S).
+  /// How fast h falls, and how far the rate may be off over a time after `at_t`. Derivatives: h' = n' . a + n . p',
+  /// with |n'_k| at most 0, speed, or 4 speed S, and h'' = n'' . a + 2 n' . p'. A slope is a difference of two
+  /// roundings, so it is off by e (speed + 2 S).
   struct Fall {
     double rate, error;
   };
@@ -345,8 +345,8 @@ class MaxEntry {
   }
 
   /// Whether every n_k that counts is certainly not zero, and all corners of the polygon that are not on the facet have
-  /// certainly greater n . c. Both from the time of `found` to the next double, over which n . u changes by less than 16
-  /// e N speed.
+  /// certainly greater n . c. Both from the time of `found` to the next double, over which n . u changes by less than
+  /// 16 e N speed.
   bool stands_alone(const Facet& facet, const PreciseFacet& found) const noexcept {
     const Vector n = rounded_vector(found.n);
     const double size = normal_size(facet);

@@ -18,8 +18,8 @@
 
 namespace touchstone::sim {
 
-/// Two elements that were apart and touched within a step that was taken all the same. Only the narrow phase of the paper
-/// allows it, for which radii are left aside.
+/// Two elements that were apart and touched within a step that was taken all the same. Only the narrow phase of the
+/// paper allows it, for which radii are left aside.
 struct Crossing {
   std::uint64_t step = 0;
   double time = 0;                  ///< s, when they touch first

@@ -1,5 +1,5 @@
-// The contacts of whole meshes are those of all pairs, asked one by one; they do not depend on threads, nor on the order
-// of vertices and faces.
+// The contacts of whole meshes are those of all pairs, asked one by one; they do not depend on threads, nor on the
+// order of vertices and faces.
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <cstring>

@@ -1,4 +1,5 @@
-// The path to the positions that free_step returns is free of contact, pair by pair, and as long as rounding lets it be.
+// The path to the positions that free_step returns is free of contact, pair by pair, and as long as rounding lets it
+// be.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>

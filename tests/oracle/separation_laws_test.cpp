@@ -40,7 +40,7 @@ double separation_for(const Query& query, Metric metric, Rng& rng) {
   const auto elements = elements_at(query, rng.between(0, 4) / 4.0);
   const double measured = measure(elements, metric);
   const double distance = (metric == Metric::euclidean ? std::sqrt(measured) : measured) * (rng.one_in(2) ? 1 : 0.75);
-  return distance > 0x1p-500 ? distance : 0.5;
+  return distance > 0x1p-500 && distance < 0x1p500 ? distance : 0.5;  // it is measured in doubles, which may overflow
 }
 
 /// @param law  what is wrong about a query, its separation and its answer; empty when nothing is

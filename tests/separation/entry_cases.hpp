@@ -123,8 +123,8 @@ inline double nudged(double x, int steps) {
 
 }  // namespace entry_cases
 
-/// A query whose closest points at some time are chosen first, and a separation near their distance. In the largest-axis
-/// metric other points may be closest.
+/// A query whose closest points at some time are chosen first, and a separation near their distance. In the
+/// largest-axis metric other points may be closest.
 inline EntryCase make_entry(Kind kind, Difficulty difficulty, Metric metric, Rng& rng) {
   namespace ec = entry_cases;
   EntryCase result;

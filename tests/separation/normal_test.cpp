@@ -53,8 +53,8 @@ LongVector difference_at(const Query& query, const Answer& answer) {
   return c;
 }
 
-/// The normal is a unit vector. With a separation, it is along the closest points' difference, which the answer's weights
-/// give. Without one, it is perpendicular to both edges, or to the face.
+/// The normal is a unit vector. With a separation, it is along the closest points' difference, which the answer's
+/// weights give. Without one, it is perpendicular to both edges, or to the face.
 std::string fault_of(const Query& query, const Separation& separation, const Answer& answer, const Normal& normal) {
   const auto along = [&normal](const LongVector& v) { return normal[0] * v[0] + normal[1] * v[1] + normal[2] * v[2]; };
   if (std::fabs(along({normal[0], normal[1], normal[2]}) - 1) > 2 * kBound) return "not of length 1";
