@@ -68,8 +68,8 @@ enum class Level : std::uint8_t {
   oracle    ///< CGAL's number types and algebraic kernel
 };
 
-/// The nature's name in files and on the command line: "crossing", "grazing", "sustained" or "isolated". Empty for
-/// none.
+/// The nature's name in files and on the command line: "crossing", "grazing", "sustained", "isolated" or "entering".
+/// Empty for none.
 std::string_view nature_name(Nature nature) noexcept;
 
 /// The feature's name in files and on the command line: "a0", ..., "overlap". Empty for none.

@@ -11,7 +11,7 @@
 namespace touchstone {
 
 /// The unit normal at the first contact for t in [0, t_max], at its exact time. Its distance from the true unit vector
-/// is less than 2^-49. Exact arithmetic computes it, in tens of microseconds.
+/// is less than 2^-49. Exact arithmetic computes it, in tens of microseconds for coordinates of ordinary size.
 ///
 /// With a separation d > 0 the normal points from the closest point of the first element to that of the second.
 ///

@@ -362,15 +362,15 @@ class EuclideanEntry {
     if (!strictly_closest(found, free, cu_error + moved * u_size + turned, cw_error + moved * w_size + turned)) {
       return Finding::uncertain;
     }
-    // The distance falls or rises at the exact time, too.
-    if (nature == Nature::entering ? !(approach > approach_error) : !(std::fabs(approach) > approach_error)) {
-      return Finding::uncertain;
-    }
+    // The distance falls or rises at the exact time, too, but for elements that do not move against each other.
+    const bool still = nature == Nature::sustained && precise_.is_still();
+    const bool certain = nature == Nature::entering ? approach > approach_error : std::fabs(approach) > approach_error;
+    if (!certain && !still) return Finding::uncertain;
     answer_.contact = true;
     answer_.toi = toi;
     answer_.toi_upper = upper;
     answer_.nature = nature;
-    answer_.trend = approach > 0 ? Trend::approaching : Trend::leaving;
+    answer_.trend = still ? Trend::constant : approach > 0 ? Trend::approaching : Trend::leaving;
     answer_.starts_within = nature == Nature::sustained;
     name_closest(kind_, found.p.s + (found.ds + rest * rate.s), found.p.q + (found.dq + rest * rate.q), free, answer_);
     return Finding::contact;

@@ -174,6 +174,14 @@ struct PreciseStep {
       w[end] = exact(x, d.w);
     }
   }
+  /// Whether all differences are the same at both ends: the elements do not move against each other.
+  bool is_still() const noexcept { return same(r) && same(u) && same(w); }
+
+  static bool same(const PreciseVector (&v)[2]) noexcept {
+    bool same = true;
+    for (std::size_t k = 0; k < 3; ++k) same &= v[0][k].high == v[1][k].high && v[0][k].low == v[1][k].low;
+    return same;
+  }
   static PreciseVector exact(const std::array<Vec3, 4>& x, const Difference& d) noexcept {
     const Vec3 &a = x[d.one], &b = x[d.other];
     return {{numbers::two_difference(a.x, b.x), numbers::two_difference(a.y, b.y), numbers::two_difference(a.z, b.z)}};

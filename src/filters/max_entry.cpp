@@ -490,10 +490,11 @@ class MaxEntry {
     const PreciseFacet found = precise_at(facet, 0, numbers::two_sum(first, rest));
     if (!stands_alone(facet, found)) return Finding::uncertain;
     const Fall fall = fall_of(facet, found, 0);
-    if (!(std::fabs(fall.rate) > fall.error)) return Finding::uncertain;
+    const bool still = precise_.is_still();
+    if (!still && !(std::fabs(fall.rate) > fall.error)) return Finding::uncertain;
     if (!locate(facet, found, nullptr, 0, 0, level)) return Finding::uncertain;
     answer_.nature = Nature::sustained;
-    answer_.trend = fall.rate > 0 ? Trend::approaching : Trend::leaving;
+    answer_.trend = still ? Trend::constant : fall.rate > 0 ? Trend::approaching : Trend::leaving;
     answer_.starts_within = true;
     return finish(0, 0);
   }

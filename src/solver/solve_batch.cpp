@@ -30,7 +30,11 @@ void validate_options(const BatchOptions& options) {
 /// @throws InvalidQuery  for a column of distances without meaning
 void validate_distances(const BatchOptions& options, std::size_t count) {
   if (options.distances == nullptr && options.distance_count == 0) return;
-  if (options.distance_count != count || options.distances == nullptr) {
+  if (options.distances == nullptr) {
+    throw InvalidQuery("distance_count is " + std::to_string(options.distance_count) +
+                       ", but distances is null; it must point to the first distance");
+  }
+  if (options.distance_count != count) {
     throw InvalidQuery("there are " + std::to_string(options.distance_count) + " distances for " +
                        std::to_string(count) + " queries; a column of distances must have one for each query");
   }

@@ -170,7 +170,7 @@ TEST_CASE("cable-drop proves that no two cables of radius r come nearer than 2 r
   const auto lines = lines_of(run.out);
   REQUIRE(lines.size() >= 2);
   CHECK(lines.back() == "120 steps, 0 crossings");
-  CHECK(lines[lines.size() - 2].rfind("every pair stayed farther apart than its separation (", 0) == 0);
+  CHECK(lines[lines.size() - 2].rfind("every pair asked about stayed farther apart than its separation (", 0) == 0);
   CHECK(occurrences(run.out, "with separations of up to 0.006 m)") == 1);
 
   const auto rows = lines_of(folder.read("proof.csv"));

@@ -56,6 +56,26 @@ TEST_CASE("two spheres meet, brush past or miss each other") {
   }
 }
 
+TEST_CASE("elements at rest within the separation need no exact arithmetic") {
+  // The face's plane z = x / 8 + y / 4 is along no axis, so that the closest points are unique in both metrics.
+  Query face = VertexFace{{{{0.25, 0.25, 0.75}, {-4, -4, -1.5}, {4, -4, -0.5}, {0, 4, 1}}}, {}};
+  face.end = face.start;
+  for (const bool moves_along : {false, true}) {
+    Query query = face;
+    for (Vec3& x : query.end) x.x += moves_along ? 0.125 : 0;
+    for (const Separation& separation : {kOne, kOneMax}) {
+      const Answer answer = solve(query, separation);
+      CHECK(answer.level == Level::bracket);
+      CHECK(answer.starts_within);
+      CHECK(answer.nature == Nature::sustained);
+      CHECK(answer.trend == Trend::constant);
+      const Answer exact = solve(query, separation, Method::exact);
+      CHECK(exact.trend == Trend::constant);
+      CHECK(exact.feature_b == answer.feature_b);
+    }
+  }
+}
+
 TEST_CASE("elements that start within the separation") {
   for (const Method method : kMethods) {
     for (const bool approaching : {true, false}) {

@@ -198,6 +198,7 @@ inline EntryCase make_entry(Kind kind, Difficulty difficulty, Metric metric, Rng
         rng.one_in(3) ? ec::nudged(least, -rng.between(0, 40)) : least * (1 - ec::power(rng, -54, -40));
     return result;
   }
+  if (rigid && rng.one_in(4)) query.end = query.start;
   if (rigid && rng.one_in(2)) {
     separation.distance = distance(query, 0, metric).value * (1 + rng.unit());
     return result;

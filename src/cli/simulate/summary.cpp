@@ -56,12 +56,12 @@ std::string simulation_for_person(const sim::Simulation& simulation, const StepT
   if (simulation.ignores_radii()) {
     text += "the radii of the scene were left aside: the narrow phase of the paper knows no separation\n";
   } else if (simulation.colliders().has_separations()) {
-    text += "every pair stayed farther apart than its separation";
-    if (totals.separated > 0) {
-      text += fmt::format(" ({} asked about, with separations of up to {} m)", counted(totals.separated, "pair"),
-                          totals.largest_separation);
-    }
-    text += "\n";
+    text += totals.separated > 0
+                ? fmt::format(
+                      "every pair asked about stayed farther apart than its separation ({}, with separations "
+                      "of up to {} m)\n",
+                      counted(totals.separated, "pair"), totals.largest_separation)
+                : "no pair with a separation came near enough to be asked about\n";
   }
   return text + fmt::format("{} steps, {} crossings\n", totals.steps, crossings.size());
 }
