@@ -46,8 +46,8 @@ void add_floor(Scene& scene, double half_width) {
   const double w = half_width;
   const Index a = add_pinned(scene, {-w, -w, 0}), b = add_pinned(scene, {w, -w, 0});
   const Index c = add_pinned(scene, {w, w, 0}), d = add_pinned(scene, {-w, w, 0});
-  scene.faces.push_back({a, b, c});
-  scene.faces.push_back({a, c, d});
+  scene.faces.push_back({{a, b, c}});
+  scene.faces.push_back({{a, c, d}});
 }
 
 }  // namespace touchstone::sim

@@ -71,7 +71,7 @@ Scene make_whip(Index segments) {
   scene.settings.contact.restitution = 0.2;
   scene.settings.contact.friction = 0.2;
   const Index a = add_pinned(scene, {0.35, -0.5, 0.003}), b = add_pinned(scene, {0.35, 0.5, -0.002});
-  scene.wires.push_back({a, b});
+  scene.wires.push_back({{a, b}});
   Cable cable = straight_cable(scene, {0, 0.01, 0.5}, {1.5, -0.02, 0.52}, segments);
   set_material(cable, 1e8, 0.4, 0.004, 1200);
   cable.twist = 0;
@@ -110,7 +110,7 @@ Scene make_chain(Index segments) {
   scene.settings.contact.restitution = 0.2;
   scene.settings.contact.friction = 0.3;
   const Index a = add_pinned(scene, {0.1, -0.5, -0.4}), b = add_pinned(scene, {0.1, 0.5, -0.41});
-  scene.wires.push_back({a, b});
+  scene.wires.push_back({{a, b}});
   Cable cable = straight_cable(scene, {0, 0, 0}, {-0.8, 0.02, -0.6}, segments);
   set_material(cable, 2e9, 0.3, 0.001, 1000);
   cable.bend = cable.twist = 0;
