@@ -12,6 +12,7 @@
 #include <touchstone/distance.hpp>
 
 #include "broad_phase/box_tree.hpp"
+#include "numbers/rounded_sum.hpp"
 #include "scene/features.hpp"
 
 namespace touchstone::sim {
@@ -43,7 +44,7 @@ broad_phase::Box box_around(const std::array<Index, N>& particles, const VectorX
 /// that sum, less than two units in the last place of the larger one: 2^-51 of it is as much.
 double with_radius_added(double margin, double radius) {
   constexpr double kRoundedSum = 0x1p-51;
-  return radius > 0 ? sum_rounded_up(margin, radius + kRoundedSum * radius) : margin;
+  return radius > 0 ? numbers::sum_rounded_up(margin, radius + kRoundedSum * radius) : margin;
 }
 
 /// The motion of particles in a substep, give or take a margin along each axis.
@@ -182,7 +183,7 @@ double Colliders::separation_of(const Pair& pair) const noexcept {
       second = radii_.particle[pair.j];
       break;
   }
-  const double d = sum_rounded_up(first, second);
+  const double d = numbers::sum_rounded_up(first, second);
   if (d == 0 || neighbours_.count() == 0) return d;
   const auto particles = corners(pair);
   const std::size_t of_first = pair.kind == Kind::edge_edge ? 2 : 1;

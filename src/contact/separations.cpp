@@ -13,6 +13,8 @@
 
 #include <touchstone/error.hpp>
 
+#include "numbers/rounded_sum.hpp"
+
 namespace touchstone::sim {
 namespace {
 
@@ -73,16 +75,10 @@ class Graph {
 
 }  // namespace
 
-double sum_rounded_up(double a, double b) noexcept {
-  // The error of a rounded sum is a double itself, and these operations give it exactly (Knuth's two-sum).
-  const double sum = a + b, of_b = sum - a, error = (a - (sum - of_b)) + (b - of_b);
-  return error > 0 ? std::nextafter(sum, kInfinity) : sum;
-}
-
 Neighbours::Neighbours(const Scene& scene, const std::vector<Edge>& edges, const std::vector<double>& radius,
                        const VectorX& placed) {
   const double largest = *std::max_element(radius.begin(), radius.end());
-  const auto reach = [](double a, double b) { return kArc * sum_rounded_up(a, b); };
+  const auto reach = [](double a, double b) { return kArc * numbers::sum_rounded_up(a, b); };
   Graph graph(scene, edges, placed);
   std::vector<std::vector<Way>> ways(radius.size());
   const std::size_t most = std::min(kMostNeighbours * radius.size(), kMostNeighboursInAll);

@@ -8,9 +8,6 @@
 
 namespace touchstone::sim {
 
-/// The least double that is not below a + b. a and b are finite and not negative, and their sum does not overflow.
-double sum_rounded_up(double a, double b) noexcept;
-
 /// The pairs of particles that are so near along the elements that these cannot be asked to keep their distance. A
 /// round cable that bends as sharply as its radius r allows has an arc of pi r between points 2 r apart. So elements
 /// that keep a distance d are neighbours when a way along edges and springs, as they are placed, leads from a corner of

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "exact/corners.hpp"
 #include "exact/distance_level.hpp"
@@ -121,16 +122,16 @@ std::optional<std::array<double, 3>> unit_vector(const Direction& v, const RealR
 
 template <class Q>
 std::optional<std::array<double, 3>> normal_of(const Q& query, double t_max, const Separation& separation) {
-  const bool touching = separation.distance == 0;
-  const auto times = touching ? touching_times(query, t_max) : touching_times(query, t_max, separation);
-  if (times.empty()) return std::nullopt;
-  const RealRoot& time = times.front().first;
   const Corners x = corners_of(query);
-  if (!touching) {
-    const Answer answer = decide_exactly(query, t_max, separation);
-    return unit_vector(between_closest_points(x, answer, query.kind, Moment::at(time)), time);
+  if (separation.distance > 0) {
+    const auto [answer, time] = decide_with_time(query, t_max, separation);
+    if (!time) return std::nullopt;
+    return unit_vector(between_closest_points(x, answer, query.kind, Moment::at(*time)), *time);
   }
   if (query.kind != Kind::edge_edge && query.kind != Kind::vertex_face) return std::nullopt;
+  const std::vector<RootInterval> times = touching_times(query, t_max);
+  if (times.empty()) return std::nullopt;
+  const RealRoot& time = times.front().first;
   const Plane plane = plane_of(query.kind, x);
   const bool turned = !plane.coplanarity.is_zero() && Moment::just_before(time).sign(plane.coplanarity) < 0;
   return unit_vector(turned ? negative(plane.n) : plane.n, time);

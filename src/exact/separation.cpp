@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -92,7 +93,9 @@ void tell_events(const DistanceLevel& level, const std::vector<DistanceLevel::Ev
   }
 }
 
-Answer first_contact(const DistanceLevel& level, double t_max, Story* story = nullptr) {
+/// @param when  becomes the exact time of a contact, if it is not null
+Answer first_contact(const DistanceLevel& level, double t_max, Story* story = nullptr,
+                     std::optional<RealRoot>* when = nullptr) {
   const RealRoot start = time_at(0);
   const int at_start = level.compare(Moment::at(start));
   if (CandidateStory* const chapter = new_chapter(story, start, 0)) {
@@ -100,6 +103,7 @@ Answer first_contact(const DistanceLevel& level, double t_max, Story* story = nu
     chapter->touching = at_start <= 0;
   }
   if (at_start <= 0) {
+    if (when != nullptr) *when = start;
     Answer answer =
         at_start == 0 ? contact_at(level, start) : contact_at(*level.with_level(level.distance_at(start)), start);
     answer.starts_within = true;
@@ -117,7 +121,9 @@ Answer first_contact(const DistanceLevel& level, double t_max, Story* story = nu
       chapter->conditions = level.conditions_of(*candidate.event, moment);
       chapter->touching = holds;
     }
-    if (holds) return contact_at(level, candidate.time);
+    if (!holds) continue;
+    if (when != nullptr) *when = candidate.time;
+    return contact_at(level, candidate.time);
   }
   return Answer();
 }
@@ -201,6 +207,17 @@ Answer decide_exactly(const RationalQuery& query, double t_max, const Separation
 Story explain(const Query& query, double t_max, const Separation& separation) { return tell(query, t_max, separation); }
 Story explain(const RationalQuery& query, double t_max, const Separation& separation) {
   return tell(query, t_max, separation);
+}
+
+TimedAnswer decide_with_time(const Query& query, double t_max, const Separation& separation) {
+  TimedAnswer timed;
+  timed.answer = first_contact(*level_for(query, separation), t_max, nullptr, &timed.time);
+  return timed;
+}
+TimedAnswer decide_with_time(const RationalQuery& query, double t_max, const Separation& separation) {
+  TimedAnswer timed;
+  timed.answer = first_contact(*level_for(query, separation), t_max, nullptr, &timed.time);
+  return timed;
 }
 
 std::vector<RootInterval> touching_times(const Query& query, double t_max, const Separation& separation) {

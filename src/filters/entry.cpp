@@ -74,18 +74,9 @@ class EuclideanEntry {
         answer_(answer) {}
 
   Finding decide() noexcept {
-    if (!of_ordinary_size(step_, separation_.distance)) return Finding::uncertain;
-    const auto place_at = [this](double t) noexcept { return closest_place(t); };
-    const Finding jumped = enter(jump(t_max_, place_at));
-    if (jumped != Finding::uncertain) return jumped;
-    const Walk walked = walk(step_, separation_, t_max_, place_at);
-    switch (walked.end) {
-      case WalkEnd::clear: return Finding::no_contact;
-      case WalkEnd::near: return enter(walked.place);
-      case WalkEnd::start: return starts_within(walked.place);
-      case WalkEnd::lost: break;
-    }
-    return Finding::uncertain;
+    return decide_by_walk(
+        step_, separation_, t_max_, [this](double t) { return closest_place(t); },
+        [this](const Place& from) { return enter(from); }, [this](const Place& start) { return starts_within(start); });
   }
 
  private:

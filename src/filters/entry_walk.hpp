@@ -11,6 +11,7 @@
 #include <touchstone/separation.hpp>
 
 #include "filters/entry_step.hpp"
+#include "filters/question.hpp"
 
 namespace touchstone::filters {
 
@@ -185,6 +186,26 @@ Walk walk(const Step& step, const Separation& separation, double t_max, const Pl
     }
   }
   return {WalkEnd::lost, here};
+}
+
+/// Decides by Newton's jump or, where that is not enough, by the walk.
+/// @param place_at       as above
+/// @param enter          the finding about an entry soon after a place up to which the elements may be taken to be apart
+/// @param starts_within  the finding about elements that are perhaps within the separation at t = 0, this place's time
+template <class PlaceAt, class Enter, class StartsWithin>
+Finding decide_by_walk(const Step& step, const Separation& separation, double t_max, const PlaceAt& place_at,
+                       const Enter& enter, const StartsWithin& starts_within) noexcept {
+  if (!of_ordinary_size(step, separation.distance)) return Finding::uncertain;
+  const Finding jumped = enter(jump(t_max, place_at));
+  if (jumped != Finding::uncertain) return jumped;
+  const Walk walked = walk(step, separation, t_max, place_at);
+  switch (walked.end) {
+    case WalkEnd::clear: return Finding::no_contact;
+    case WalkEnd::near: return enter(walked.place);
+    case WalkEnd::start: return starts_within(walked.place);
+    case WalkEnd::lost: break;
+  }
+  return Finding::uncertain;
 }
 
 }  // namespace touchstone::filters

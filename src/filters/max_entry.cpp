@@ -173,7 +173,7 @@ Vector scaled_direction(const Vector& n) noexcept {
 /// A facet at one time, in double-doubles.
 struct PreciseFacet {
   PreciseVector n, p, a, e;  ///< e of an edge; for a plane n without its sign
-  PreciseVector u, w;
+  PreciseVector r, u, w;
   Vector sign;  ///< sigma: 1, -1 or, along axes that do not count, 0
   DoubleDouble h;
 };
@@ -190,18 +190,9 @@ class MaxEntry {
         answer_(answer) {}
 
   Finding decide() noexcept {
-    if (!of_ordinary_size(step_, distance_)) return Finding::uncertain;
-    const auto place_at = [this](double t) noexcept { return facet_place(t); };
-    const Finding jumped = enter(jump(t_max_, place_at));
-    if (jumped != Finding::uncertain) return jumped;
-    const Walk walked = walk(step_, separation_, t_max_, place_at);
-    switch (walked.end) {
-      case WalkEnd::clear: return Finding::no_contact;
-      case WalkEnd::near: return enter(walked.place);
-      case WalkEnd::start: return starts_within(walked.place);
-      case WalkEnd::lost: break;
-    }
-    return Finding::uncertain;
+    return decide_by_walk(
+        step_, separation_, t_max_, [this](double t) { return facet_place(t); },
+        [this](const Place& from) { return enter(from); }, [this](const Place& start) { return starts_within(start); });
   }
 
  private:
@@ -247,10 +238,10 @@ class MaxEntry {
   /// The facet at t, against a level. The signs of n are those of the doubles nearest to it.
   PreciseFacet precise_at(const Facet& facet, double t, const DoubleDouble& level) const noexcept {
     PreciseFacet at_t;
-    const PreciseVector r = at(precise_.r, t);
+    at_t.r = at(precise_.r, t);
     at_t.u = at(precise_.u, t);
     at_t.w = at(precise_.w, t);
-    at_t.p = r;
+    at_t.p = at_t.r;
     for (std::size_t k = 0; k < 3; ++k) {
       if (facet.s == 1) at_t.p[k] = numbers::normalised(at_t.p[k] - at_t.u[k]);
       if (facet.q == 1) at_t.p[k] = numbers::normalised(at_t.p[k] - at_t.w[k]);
@@ -431,24 +422,14 @@ class MaxEntry {
     }
     if (!inside(facet, at_root)) return false;
     // Along the other axes c is certainly shorter than the level, also while the time goes on to the next double.
-    const Vector c = combined(rounded_vector(at_place_r(facet, found)), rounded_vector(found.u),
-                              rounded_vector(found.w), at_root.s, at_root.q);
+    const Vector c =
+        combined(rounded_vector(found.r), rounded_vector(found.u), rounded_vector(found.w), at_root.s, at_root.q);
     const double most = level - kError * (step_.size + step_.speed + level);
     for (std::size_t k = 0; k < 3; ++k) {
       if (found.sign[k] == 0 && !(std::fabs(c[k]) < most)) return false;
     }
     name_closest(kind_, at_root.s, at_root.q, facet.free, answer_);
     return true;
-  }
-
-  /// r, from the corner p.
-  static PreciseVector at_place_r(const Facet& facet, const PreciseFacet& found) noexcept {
-    PreciseVector r = found.p;
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (facet.s == 1) r[k] = r[k] + found.u[k];
-      if (facet.q == 1) r[k] = r[k] + found.w[k];
-    }
-    return r;
   }
 
   /// Whether free parameters are certainly those of an interior.

@@ -9,17 +9,9 @@
 #include <limits>
 
 #include "mesh/elements.hpp"
+#include "numbers/rounded_sum.hpp"
 
 namespace touchstone::mesh {
-
-/// The sum of two finite numbers, rounded up.
-inline double sum_upwards(double a, double b) noexcept {
-  const double sum = a + b;
-  // The error of a rounded sum is a double, and this is it (Knuth, The Art of Computer Programming 2, 4.2.2).
-  const double b_part = sum - a, a_part = sum - b_part;
-  const double error = (a - a_part) + (b - b_part);
-  return error > 0 ? std::nextafter(sum, std::numeric_limits<double>::infinity()) : sum;
-}
 
 /// The separation of a pair that is listed, or null.
 inline const PairSeparation* listed_separation(const Mesh::Impl& mesh, const MeshPair& pair) noexcept {
@@ -41,7 +33,7 @@ inline double separation_of(const Mesh::Impl& mesh, const MeshPair& pair,
     double& radius = c < first_corners(pair.kind) ? first : second;
     radius = std::max(radius, mesh.radii[corners[c]]);
   }
-  return sum_upwards(first, second);
+  return numbers::sum_rounded_up(first, second);
 }
 
 /// More than `length` by a relative 2^-45 or the least double, unless it is 0. So the sum of two such numbers exceeds

@@ -13,6 +13,7 @@
 
 #include "contact/contact_finder.hpp"
 #include "contact/impact_zones.hpp"
+#include "numbers/rounded_sum.hpp"
 #include "scene/parts.hpp"
 #include "sim/all_pairs.hpp"
 #include "sim/thick_elements.hpp"
@@ -72,15 +73,15 @@ TEST_CASE("a sum is rounded up: not below the exact one, and no double lies betw
     // Sums of two such doubles take at most 64 bits.
     const long double truth = static_cast<long double>(a) + b;
     static_assert(std::numeric_limits<long double>::digits >= 64);
-    const double up = sum_rounded_up(a, b);
+    const double up = touchstone::numbers::sum_rounded_up(a, b);
     CHECK(static_cast<long double>(up) >= truth);
     CHECK(static_cast<long double>(std::nextafter(up, -1)) < truth);
-    CHECK(sum_rounded_up(b, a) == up);
+    CHECK(touchstone::numbers::sum_rounded_up(b, a) == up);
     ++(static_cast<long double>(up) == truth ? exact : rounded);
   }
   CHECK(exact > 1000);
   CHECK(rounded > 1000);
-  CHECK(sum_rounded_up(0, 0) == 0);
+  CHECK(touchstone::numbers::sum_rounded_up(0, 0) == 0);
 }
 
 TEST_CASE("on a straight cable, segments with less than pi r between them are neighbours") {
@@ -180,7 +181,8 @@ TEST_CASE("separations of random scenes are those of a plain search over all way
     const ThickElements elements(scene);
     std::map<std::pair<Kind, std::array<Index, 4>>, double> expected;
     for (const ThickPair& pair : elements.pairs()) {
-      expected[{pair.kind, pair.particles}] = sum_rounded_up(pair.first_radius, pair.second_radius);
+      expected[{pair.kind, pair.particles}] =
+          touchstone::numbers::sum_rounded_up(pair.first_radius, pair.second_radius);
     }
     std::size_t found = 0;
     for (const Pair& pair : all_pairs(scene, model.colliders)) {
@@ -266,7 +268,7 @@ TEST_CASE("a separation that the rounded sum of the radii decides is not lost by
   int rounded = 0;
   for (int i = 0; i < 2000; ++i) {
     Scene scene;
-    const double a = 0.01 + random.unit(), b = 0.01 + random.unit(), d = sum_rounded_up(a, b);
+    const double a = 0.01 + random.unit(), b = 0.01 + random.unit(), d = touchstone::numbers::sum_rounded_up(a, b);
     add_particle(scene, {-1, 0, 0}, 1), add_particle(scene, {1, 0, 0}, 1);
     add_particle(scene, {0, -1, d}, 1), add_particle(scene, {0, 1, d}, 1);
     scene.wires = {{{0, 1}, a}, {{2, 3}, b}};

@@ -30,7 +30,7 @@ const LayerTable& layer_table() {
       {"linear", {}},
       {"scene", {"generators", "io"}},
       {"rods", {"scene"}},
-      {"contact", {"broad_phase", "linear", "scene", "rods", "solver", "baselines", "geometry"}},
+      {"contact", {"broad_phase", "linear", "scene", "rods", "solver", "baselines", "geometry", "numbers"}},
       {"dynamics", {"linear", "scene", "rods", "contact"}},
       {"sim", {"linear", "scene", "rods", "contact", "dynamics", "io"}},
       {"report", {"solver", "certify", "baselines", "generators", "io", "geometry", "seeded", "scene", "sim"}},
