@@ -1,5 +1,5 @@
-// Runs of scenes whose elements have radii: every pair of every step, measured exactly and without the simulator's code,
-// stays farther apart than the sum of its radii. And motions whose outcome is known.
+// Runs of scenes whose elements have radii: every pair of every step, measured exactly and without the simulator's
+// code, stays farther apart than the sum of its radii. And motions whose outcome is known.
 // SPDX-License-Identifier: MIT
 #include <Eigen/Geometry>
 
