@@ -29,7 +29,16 @@ class DocumentMaker final : public nlohmann::json_sax<nlohmann::json> {
   bool boolean(bool value) override { return add(value); }
   bool number_integer(number_integer_t value) override { return add(value); }
   bool number_unsigned(number_unsigned_t value) override { return add(value); }
-  bool number_float(number_float_t value, const string_t&) override { return add(value); }
+  bool number_float(number_float_t value, const string_t& text) override {
+    add(value);
+    // The library's parser takes a number below the least double for 0, and one beyond the greatest for an error.
+    const std::string_view digits = std::string_view(text).substr(0, text.find_first_of("eE"));
+    if (value == 0 && digits.find_first_of("123456789") != std::string_view::npos) {
+      throw Error(path() + ": " + io::shortened(text) +
+                  " is too small for a double; write 0, or a number of 1e-323 or more");
+    }
+    return true;
+  }
   bool string(string_t& value) override { return add(std::move(value)); }
   bool binary(binary_t&) override { return false; }  // no JSON text has any
   bool start_object(std::size_t) override { return begin(nlohmann::json::object()); }

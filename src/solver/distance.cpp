@@ -10,6 +10,7 @@ namespace touchstone {
 Distance distance(const Query& query, double t, Metric metric) {
   const numbers::DefaultFloatEnvironment environment;
   solver::validate(Separation{0, metric});
+  solver::validate_time(t);
   solver::validate(query, t);
   return exact::distance_at(query, t, metric);
 }
@@ -17,6 +18,7 @@ Distance distance(const Query& query, double t, Metric metric) {
 int compare_distance(const Query& query, double t, const Separation& separation) {
   const numbers::DefaultFloatEnvironment environment;
   solver::validate(separation);
+  solver::validate_time(t);
   solver::validate(query, t);
   return exact::compare_distance(query, t, separation);
 }

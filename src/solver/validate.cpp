@@ -78,6 +78,11 @@ void validate_t_max(double t_max) {
   throw InvalidQuery("t_max is " + number(t_max) + "; it must be in [0, 1]");
 }
 
+void validate_time(double time) {
+  if (is_time(time)) return;
+  throw InvalidQuery("the time is " + number(time) + "; it must be in [0, 1]");
+}
+
 void validate_finite_time(double time) {
   if (!std::isfinite(time)) throw InvalidQuery("the time is " + number(time) + "; it must be finite");
 }

@@ -24,6 +24,9 @@ inline bool is_time(double t_max) noexcept {
 /// @throws InvalidQuery  naming t_max, unless is_time(t_max)
 void validate_t_max(double t_max);
 
+/// @throws InvalidQuery  unless is_time(time)
+void validate_time(double time);
+
 /// @throws InvalidQuery  unless the time is finite
 void validate_finite_time(double time);
 

@@ -311,6 +311,9 @@ TEST_CASE("fuzz with a separation breaks the baselines, finds ours right, and it
   check_refused({"fuzz", "--solver", "paper", "--separation", "1"},
                 "touchstone: 'paper' is no solver for separation 0x1p+0 (1), euclidean; they are touchstone, exact, "
                 "oracle, fast-cgal, batch, thick_advancement, thick_polynomial");
+  check_refused({"fuzz", "--solver", "paper", "--separation", "each"},
+                "touchstone: 'paper' is no solver for separations of each query's own, euclidean; they are touchstone, "
+                "exact, oracle, fast-cgal, batch, thick_advancement, thick_polynomial");
 }
 
 TEST_CASE("report and stress ask about the separation, with the baselines that take one") {

@@ -48,7 +48,8 @@ TEST_CASE("a distance that is negative or not finite, and an unknown metric, are
   const Separation odd = {1, static_cast<Metric>(7)};
   CHECK(contains(message_of([&] { solve(query, odd); }), "the metric is 7; it must be 0 or 1: euclidean or max"));
   CHECK(contains(message_of([&] { distance(query, 0, static_cast<Metric>(7)); }), "the metric is 7"));
-  CHECK(contains(message_of([&] { distance(query, 1.5); }), "it must be in [0, 1]"));
+  CHECK(contains(message_of([&] { distance(query, 1.5); }), "the time is 1.5; it must be in [0, 1]"));
+  CHECK(contains(message_of([&] { compare_distance(query, -1, {}); }), "the time is -1; it must be in [0, 1]"));
 }
 
 TEST_CASE("a column of distances has one for each query, each with a meaning") {

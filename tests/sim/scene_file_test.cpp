@@ -292,6 +292,8 @@ TEST_CASE("what makes no sense is refused with its path") {
   check_refused(R"({"touchstone_scene": 1, "particles": [{"position": [0, 0, 0], "mass": 1}, [[], {}, [[{"a": 1}],
                     {"mass": 1, "b": {"mass": 2}, "mass": 1}]]]})",
                 "particles[1][2][1].mass: the key is there twice in one object");
+  check_refused(scene_with(R"(, "springs": [{"radius": [1, -10.5e-400]}])"),
+                "springs[0].radius[1]: -10.5e-400 is too small for a double; write 0");
   check_refused(R"({"a\nb": {"k": 0, "k": 0}})", "a\\nb.k: the key is there twice");
   check_refused(scene_with(R"(, "cables": [{"particles": [0, 1], "radius": 1, "density": 1}])"),
                 "cables[0]: lacks the key 'young', or 'stretch' instead");

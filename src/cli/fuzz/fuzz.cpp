@@ -45,7 +45,7 @@ int run_one_case(const FuzzCommandOptions& options, const fuzz::Settings& settin
     throw Error(options.a_case->given ? "--case: a given query needs the files that it was given in, with --from"
                                       : "--from goes with a case that is given, not with one of a family");
   }
-  const auto solver = solver_factory(options.solver, settings.separation)();
+  const auto solver = solver_factory(options.solver, options.separation)();
   const auto finding = fuzz::run_case(*solver, *options.a_case, settings, interrupted);
   auto console = io::OutputFile::standard_output();
   if (finding) {
@@ -79,7 +79,7 @@ int run_fuzz(const FuzzCommandOptions& options) {
   {
     ProgressLine line;
     outcome =
-        fuzz::run(solver_factory(options.solver, settings.separation), settings, [&](const fuzz::Progress& progress) {
+        fuzz::run(solver_factory(options.solver, options.separation), settings, [&](const fuzz::Progress& progress) {
           line.draw([&] { return progress_for_person(progress); });
           return !interrupted();
         });

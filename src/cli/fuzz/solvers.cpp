@@ -10,7 +10,6 @@
 
 #include <touchstone/error.hpp>
 
-#include "cli/shared/separation.hpp"
 #include "cli/shared/words.hpp"
 #include "fuzz/named_solvers.hpp"
 #include "fuzz/pipe_solver.hpp"
@@ -26,7 +25,8 @@ bool is_path(const std::string& solver) {
 
 }  // namespace
 
-fuzz::SolverFactory solver_factory(const SolverChoice& choice, const Separation& separation) {
+fuzz::SolverFactory solver_factory(const SolverChoice& choice, const SeparationOption& option) {
+  const Separation& separation = option.separation;
   fuzz::Limits limits;
   limits.answer = std::chrono::milliseconds(static_cast<std::int64_t>(std::ceil(1000 * choice.limit)));
   if (!choice.command.empty()) {
@@ -38,8 +38,10 @@ fuzz::SolverFactory solver_factory(const SolverChoice& choice, const Separation&
   if (fuzz::named_solver(choice.solver, separation) == nullptr) {
     std::string names;
     for (const auto name : fuzz::solver_names(separation)) names.append(names.empty() ? "" : ", ").append(name);
-    throw Error(fmt::format("{} is no solver{}; they are {}", io::in_quotes(choice.solver),
-                            separation.distance > 0 ? " for " + separation_for_person(separation) : "", names));
+    std::string about;
+    if (separation.distance > 0) about = " for " + separation_for_person(separation);
+    if (option.each) about = fmt::format(" for separations of each query's own, {}", metric_name(separation.metric));
+    throw Error(fmt::format("{} is no solver{}; they are {}", io::in_quotes(choice.solver), about, names));
   }
   return [name = choice.solver, separation] { return fuzz::named_solver(name, separation); };
 }

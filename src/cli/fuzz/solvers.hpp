@@ -4,8 +4,7 @@
 
 #include <string>
 
-#include <touchstone/separation.hpp>
-
+#include "cli/shared/separation.hpp"
 #include "fuzz/engine.hpp"
 
 namespace touchstone::cli {
@@ -20,7 +19,7 @@ struct SolverChoice {
 
 /// Makes one solver for each thread, for the separation. No other function knows where solvers come from.
 /// @throws Error  when there is no such solver
-fuzz::SolverFactory solver_factory(const SolverChoice& choice, const Separation& separation);
+fuzz::SolverFactory solver_factory(const SolverChoice& choice, const SeparationOption& separation);
 
 /// The options that choose it again: "--solver paper".
 std::string solver_options(const SolverChoice& choice);
