@@ -12,14 +12,14 @@ namespace {
 
 constexpr double kRadius = 0.5;   // of the sphere at rest
 constexpr double kBreath = 0.04;  // the greatest change of the whole sphere's radius
-constexpr double kBulge = 0.03;   // the greatest height of a bulge
+constexpr double kBulge = 0.02;   // the greatest height of a bulge
 constexpr double kGreatestRadius = kRadius + kBreath + kBulge;
-constexpr double kLeastWave = 1.5;     // the least length of a bulge's waves
-constexpr double kBulgeSlope = 0.126;  // >= kBulge 2 pi / kLeastWave: the sphere's radius changes so much in a radian
+constexpr double kLeastWave = 2;       // the least length of a bulge's waves
+constexpr double kBulgeSlope = 0.063;  // >= kBulge 2 pi / kLeastWave: the sphere's radius changes so much in a radian
 constexpr double kHalfSide = 1;        // of the cloth, in the plane z = 1
 constexpr double kJitter = 0.1;        // of an edge: the grid is not perfect
 constexpr double kLiesUpTo = 0.6;      // the distance from the middle, in that plane, where the cloth leaves the sphere
-constexpr double kDepth = 0.1;         // of an edge: a planted vertex is that far inside the sphere
+constexpr double kDepth = 0.01;        // of an edge: a planted vertex is so far inside the sphere
 
 /// The least distance of a vertex of the cloth from the sphere, along its ray from the centre, with which the two do
 /// not meet.
@@ -54,13 +54,13 @@ class Drape final : public MovingMesh {
   Drape(seeded::Rng random, std::size_t edges)
       : rotation_(random_rotation(random)),
         breath_({2, 1, 2}, random),
-        bulges_({4, kLeastWave, 3}, random),
+        bulges_({4, kLeastWave, 4}, random),
         gaps_({4, 0.2, 0.6}, random),
         folds_({5, 0.3, 0.8}, random),
         sway_{Waves({2, 1, 2}, random), Waves({2, 1, 2}, random), Waves({2, 1, 2}, random)} {
-    // A quarter of the edges are the sphere's.
-    const auto n = static_cast<std::size_t>(std::sqrt(static_cast<double>(edges) / 4));
-    const auto cuts = std::max<std::size_t>(1, static_cast<std::size_t>(std::sqrt(static_cast<double>(edges) / 48)));
+    // Half of the edges are the sphere's.
+    const auto n = static_cast<std::size_t>(std::sqrt(static_cast<double>(edges) / 6));
+    const auto cuts = std::max<std::size_t>(1, static_cast<std::size_t>(std::sqrt(static_cast<double>(edges) / 24)));
     const double spacing = 2 * kHalfSide / static_cast<double>(n);
     for (std::size_t i = 0; i <= n; ++i) {
       for (std::size_t j = 0; j <= n; ++j) {
@@ -92,7 +92,7 @@ class Drape final : public MovingMesh {
     for (const Ray& ray : rays_) {
       const double far = std::sqrt(ray.in_plane.x * ray.in_plane.x + ray.in_plane.y * ray.in_plane.y);
       const double hangs = std::max(0.0, far - kLiesUpTo);
-      const double gap = gap_ + edge_length_ * (0.35 + 0.25 * gaps_(ray.direction, 2 * time)) +
+      const double gap = gap_ + edge_length_ * (0.2 + 0.15 * gaps_(ray.direction, 2 * time)) +
                          0.3 * hangs * (1 + 0.5 * folds_(ray.in_plane, time));
       corners.push_back(centre + rotation_((radius(ray.direction, time) + gap) * ray.direction));
     }
@@ -100,8 +100,8 @@ class Drape final : public MovingMesh {
   }
 
   std::optional<Index> plant_crossing(double time, std::vector<Vec3>& corners) const override {
-    // The vertex's ray passes a face of the sphere well inside, so that the vertex is the first to get there, and the
-    // part of the cloth that it pulls through the face meets no edge of it.
+    // The vertex's ray passes a face of the sphere well inside, so that the vertex is the first to get there. In all but
+    // the coarsest scenes, the part of the cloth that it pulls through the face meets no edge of the face.
     constexpr double kWellInside = 0.2;
     Crossing best;
     for (std::size_t i = 0; i < inner_.size() && best.least_weight < kWellInside; ++i) {
@@ -135,11 +135,11 @@ class Drape final : public MovingMesh {
   Crossing crossing_of(Index vertex, const std::array<Index, 3>& face) const {
     const Vec3 &a = sphere_[face[0]], &b = sphere_[face[1]], &c = sphere_[face[2]], &d = rays_[vertex].direction;
     Crossing crossing{vertex, face, {}, -1};
-    if (dot(a, d) < 0.1) return crossing;  // on the other side; no two directions of a face are more than pi / 2 apart
     const double whole = dot(a, cross(b, c));
     crossing.multiples = {dot(d, cross(b, c)) / whole, dot(a, cross(d, c)) / whole, dot(a, cross(b, d)) / whole};
     const auto& [x, y, z] = crossing.multiples;
-    crossing.least_weight = std::min({x, y, z}) / (x + y + z);
+    const double least = std::min({x, y, z});
+    if (least > 0) crossing.least_weight = least / (x + y + z);
     return crossing;
   }
 
