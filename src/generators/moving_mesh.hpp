@@ -57,7 +57,7 @@ class MovingMesh {
 };
 
 inline constexpr std::size_t kFewestEdges = 100;
-inline constexpr std::size_t kMostEdges = 1'000'000;
+inline constexpr std::size_t kMostEdges = 2'000'000;
 
 /// @param edges  the approximate number of edges, in [kFewestEdges, kMostEdges]
 std::unique_ptr<MovingMesh> make_moving_mesh(SceneName scene, std::uint64_t seed, std::size_t edges);
