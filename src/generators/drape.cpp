@@ -100,8 +100,8 @@ class Drape final : public MovingMesh {
   }
 
   std::optional<Index> plant_crossing(double time, std::vector<Vec3>& corners) const override {
-    // The vertex's ray passes a face of the sphere well inside, so that the vertex is the first to get there. In all but
-    // the coarsest scenes, the part of the cloth that it pulls through the face meets no edge of the face.
+    // The vertex's ray passes a face of the sphere well inside, so that the vertex is the first to get there. In all
+    // but the coarsest scenes, the part of the cloth that it pulls through the face meets no edge of the face.
     constexpr double kWellInside = 0.2;
     Crossing best;
     for (std::size_t i = 0; i < inner_.size() && best.least_weight < kWellInside; ++i) {
