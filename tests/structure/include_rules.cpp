@@ -22,6 +22,7 @@ const LayerTable& layer_table() {
       {"families", {"geometry", "seeded"}},
       {"broad_phase", {"geometry", "threads"}},
       {"mesh", {"solver", "broad_phase", "threads", "geometry", "numbers"}},
+      {"frames", {"geometry", "io", "mesh"}},
       {"generators", {"broad_phase", "geometry", "io", "seeded"}},
       {"fuzz",
        {"solver", "certify", "baselines", "families", "filters", "io", "numbers", "geometry", "pipes", "seeded"}},
@@ -37,7 +38,7 @@ const LayerTable& layer_table() {
       {"stress", {"solver", "baselines", "report", "geometry", "seeded"}},
       {"cli", {"geometry",   "numbers", "filters",  "exact",    "oracle", "solver", "certify", "baselines",
                "generators", "io",      "report",   "families", "fuzz",   "pipes",  "seeded",  "scene",
-               "rods",       "contact", "dynamics", "sim",      "stress", "mesh",   "threads"}},
+               "rods",       "contact", "dynamics", "sim",      "stress", "mesh",   "threads", "frames"}},
   };
   return table;
 }
