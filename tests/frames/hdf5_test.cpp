@@ -3,6 +3,7 @@
 #include <hdf5.h>
 
 #include <cstring>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,7 @@ using Catch::Contains;
 /// Adds a data set of doubles. The type in the file may be another.
 void add(const std::string& file, const std::string& name, const std::vector<hsize_t>& extents,
          const std::vector<double>& values, hid_t type = H5T_IEEE_F64LE, const std::vector<hsize_t>& chunk = {}) {
-  const bool is_new = H5Fis_hdf5(file.c_str()) <= 0;
+  const bool is_new = !std::filesystem::exists(file);
   const hid_t id = is_new ? H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)
                           : H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
   const hid_t links = H5Pcreate(H5P_LINK_CREATE);

@@ -30,6 +30,7 @@ void* noted(std::size_t size) {
 
 void* operator new(std::size_t size) { return noted(size); }
 void* operator new[](std::size_t size) { return noted(size); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return std::malloc(size == 0 ? 1 : size); }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
