@@ -13,7 +13,7 @@ seconds=${1:-60}
 [[ $seconds =~ ^[1-9][0-9]{0,5}$ ]] || die "usage: fuzz/run.sh [SECONDS [TARGET...]], not '$seconds' seconds"
 shift || true
 targets=("$@")
-((${#targets[@]})) || targets=(query query_file answers_file pipe_lines scene_file)
+((${#targets[@]})) || targets=(query query_file answers_file pipe_lines scene_file mesh_file)
 
 install_missing fuzz
 clang=$(fuzzing_clang) || die "no clang with libFuzzer"

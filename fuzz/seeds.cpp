@@ -89,6 +89,35 @@ std::vector<std::string> scene_file_seeds() {
   return seeds;
 }
 
+/// A byte for the format, and a mesh of four vertices.
+std::vector<std::string> mesh_file_seeds() {
+  const std::string ply =
+      "_endian 1.0\nelement vertex 4\nproperty char x\nproperty char y\nproperty char z\nelement face 2\n"
+      "property list uchar char vertex_indices\nend_header\n";
+  const std::string corners("abcdefghijkl\3\0\1\2\4\3\2\1\0", 21);
+  const std::string vtk = "\nBINARY\nDATASET POLYDATA\nPOINTS 2 float\n" + std::string(24, '\1') + "\nLINES ";
+  std::string stl = std::string(80, ' ') + std::string("\1\0\0\0", 4);
+  for (int i = 0; i < 50; ++i) stl += static_cast<char>(i);
+  return {
+      "\1v 0 0 0\nv 1 0 .5\nv 0x1p-3 1 0 1\nv 1 1 1 1 0 0\ng a b\nf 1/1/1 2//2 3/3\no c\nf -4 -3 -2 -1\nl 1 2 4\np 4\n",
+      "\2ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face "
+      "1\n"
+      "property list uchar int vertex_index\nelement edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n"
+      "0 0 0\n1 0 0\n0 1e-1 0\n3 0 1 2\n0 2\n",
+      "\3ply\nformat binary_little" + ply + corners,
+      "\3ply\nformat binary_big" + ply + corners,
+      "\4solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+      "-0\nendloop\nendfacet\nendsolid\n",
+      "\4" + stl,
+      "\7# vtk DataFile Version 3.0\n\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n0 0 0 1 0 0 0 1 0 1 1 0\n"
+      "METADATA\n\nCELLS 3 10\n4 0 1 3 2\n2 0 1\n1 3\nCELL_TYPES 3\n9 3 1\n",
+      "\6# vtk DataFile Version 4.2\n" + vtk + "1 3\n" + std::string("\0\0\0\2\0\0\0\0\0\0\0\1", 12),
+      "\6# vtk DataFile Version 5.1\n" + vtk + "2 2\nOFFSETS vtktypeint32\n" + std::string("\0\0\0\0\0\0\0\2", 8) +
+          "\nCONNECTIVITY vtktypeint32\n" + std::string("\0\0\0\0\0\0\0\1", 8),
+      std::string("\10\x93NUMPY\1\0\73\0", 11) + "{'descr': '|u1', 'fortran_order': False, 'shape': (1, 3), }" +
+          std::string("\0\1\5", 3)};
+}
+
 }  // namespace
 
 std::vector<std::string> seeds_for(std::string_view target) {
@@ -97,6 +126,7 @@ std::vector<std::string> seeds_for(std::string_view target) {
   if (target == "answers_file") return answers_file_seeds();
   if (target == "pipe_lines") return pipe_line_seeds();
   if (target == "scene_file") return scene_file_seeds();
+  if (target == "mesh_file") return mesh_file_seeds();
   return {};
 }
 

@@ -30,8 +30,9 @@ void fuzz_query_file(Bytes input);    // query_file_target.cpp
 void fuzz_answers_file(Bytes input);  // answers_file_target.cpp
 void fuzz_pipe_lines(Bytes input);    // pipe_lines_target.cpp
 void fuzz_scene_file(Bytes input);    // scene_file_target.cpp
+void fuzz_mesh_file(Bytes input);     // mesh_file_target.cpp
 
-inline constexpr std::array<Target, 5> kTargets{{
+inline constexpr std::array<Target, 6> kTargets{{
     {"query", "the cascade against the exact level and, now and then, the oracle: every field of the answer",
      fuzz_query},
     {"query_file", "the reader of query files: the same however it is read, and what is written reads back",
@@ -39,6 +40,7 @@ inline constexpr std::array<Target, 5> kTargets{{
     {"answers_file", "the reader of answers files: the same however it is read", fuzz_answers_file},
     {"pipe_lines", "the readers of the lines that other people's programs read and write", fuzz_pipe_lines},
     {"scene_file", "the readers of scenes and checkpoints: what is written reads back", fuzz_scene_file},
+    {"mesh_file", "the readers of mesh files: a mesh that is written reads back", fuzz_mesh_file},
 }};
 
 /// The target of this name, or null.

@@ -28,12 +28,13 @@ readonly -a touchstone_needs=(
   'catch.h|catch2/catch.hpp catch2/catch_all.hpp|catch2|catch-devel|catch2'
 )
 
-# Optional tools: the set-up installs them where it can, and goes on where it cannot. Without them the program draws no
-# plots, and the tests that need them are skipped.
+# Optional tools and libraries: the set-up installs them where it can, and goes on where it cannot. Without them the
+# program draws no plots and reads no HDF5 files, and the tests that need them are skipped.
 readonly -a touchstone_tools=(
   'gnuplot|gnuplot|gnuplot-nox|gnuplot|gnuplot'
   'valgrind|valgrind|valgrind|valgrind|valgrind'
   'python3|python3|python3|python3|python'
+  'hdf5.h|hdf5.h hdf5/serial/hdf5.h|libhdf5-dev|hdf5-devel|hdf5'
 )
 
 compiler() {
