@@ -223,6 +223,9 @@ Query query_of(const PairContact& pair, const Frame& before, const Frame& after)
   const Topology& topology = *before.topology;
   const auto at = [&](const Frame& frame, std::uint64_t number) {
     const auto dimension = static_cast<std::size_t>(topology.dimension);
+    if (number < topology.first_number || number - topology.first_number >= topology.vertex_count) {
+      throw Error(fmt::format("a pair of an earlier run names vertex {}, which the mesh does not have", number));
+    }
     const double* const x = &frame.positions[(number - topology.first_number) * dimension];
     return Vec3{x[0], x[1], dimension == 3 ? x[2] : 0.0};
   };

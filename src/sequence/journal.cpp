@@ -42,7 +42,7 @@ std::optional<std::string> take_line(std::string_view& text) {
 
 /// One line: the heading's own lines are joined.
 std::string heading_line(const Heading& heading) {
-  std::string json = "{" + heading_json(heading) + "}";
+  std::string json = fmt::format("{{{}}}", heading_json(heading));
   std::replace(json.begin(), json.end(), '\n', ' ');
   return json;
 }

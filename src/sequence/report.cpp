@@ -58,7 +58,7 @@ std::string heading_json(const Heading& heading) {
 }
 
 std::string report_text(const Report& report) {
-  std::string text = "{" + heading_json(report.heading) + ",\n \"frames\": [";
+  std::string text = fmt::format("{{{},\n \"frames\": [", heading_json(report.heading));
   const std::size_t first = range_of(report.heading).first;
   for (std::size_t i = 0; i < report.frames.size(); ++i) {
     const auto& [label, digest] = report.frames[i];

@@ -130,7 +130,7 @@ std::string result_json(const Result& result) {
   if (result.free()) return text + "}";
   if (result.step) {
     const auto time = [&](double value) {
-      return result.first.empty() ? std::string("null") : "\"" + io::hexfloat(value) + "\"";
+      return result.first.empty() ? std::string("null") : fmt::format("\"{}\"", io::hexfloat(value));
     };
     text += fmt::format(",\"toi\":{},\"toi_upper\":{},\"first\":{},\"at_start\":{}", time(result.toi),
                         time(result.toi_upper), list_json(result.first), list_json(result.at_start));
