@@ -6,7 +6,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <limits>
 #include <utility>
 
 #include "io/fail.hpp"
@@ -61,6 +63,22 @@ std::size_t InputFile::read(char* to, std::size_t capacity) {
     const ssize_t count = ::read(descriptor_, to, capacity);
     if (count >= 0) return static_cast<std::size_t>(count);
     if (errno != EINTR) fail(name_, "cannot be read: " + system_reason(errno));
+  }
+}
+
+void InputFile::skip(std::uint64_t count) {
+  if (descriptor_ < 0) {
+    content_.remove_prefix(static_cast<std::size_t>(std::min<std::uint64_t>(count, content_.size())));
+    return;
+  }
+  constexpr std::uint64_t kMost = std::numeric_limits<off_t>::max();
+  if (count <= kMost && ::lseek(descriptor_, static_cast<off_t>(count), SEEK_CUR) >= 0) return;
+  std::array<char, 4096> unused;
+  while (count > 0) {
+    const std::size_t got =
+        read(unused.data(), static_cast<std::size_t>(std::min<std::uint64_t>(count, unused.size())));
+    if (got == 0) return;
+    count -= got;
   }
 }
 

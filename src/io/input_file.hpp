@@ -29,6 +29,10 @@ class InputFile {
   /// @throws FileError when the operating system cannot read
   std::size_t read(char* to, std::size_t capacity);
 
+  /// Goes on `count` bytes further in the file, or at its end if it is shorter. A pipe is read that far.
+  /// @throws FileError when the operating system cannot read
+  void skip(std::uint64_t count);
+
   const std::string& name() const noexcept { return name_; }
 
   InputFile(InputFile&& other) noexcept;
