@@ -6,10 +6,12 @@
 
 #include <chrono>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "cli/run_program.hpp"
+#include "io/sha256.hpp"
 #include "seeded/rng.hpp"
 #include "sequence/needle.hpp"
 #include "support/catch.hpp"
@@ -116,10 +118,24 @@ TEST_CASE("a run goes on where the earlier one stopped, wherever the journal is 
 TEST_CASE("finished steps are not checked again: their results are those of the journal") {
   const Sample sample(5, 8);
   sample.leave_journal(6);
-  // Steps that the journal calls free stay free although the journal is forged: step 2 -> 3 is not.
-  std::string journal = sample.folder.read("r.json.progress");
-  CHECK(occurrences(journal, "\"from\":2,\"to\":3,\"free\":false") == 1);
+  const std::string journal = sample.folder.read("r.json.progress");
   CHECK(lines_of(journal) == 7);  // the heading, frame 0 and the steps up to 4 -> 5
+  // A journal with a digest that is right, and a result that is not: it says that step 2 -> 3 is free.
+  std::string forged;
+  std::istringstream lines(journal);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t at = line.find("\"result\":{\"from\":2,\"to\":3,\"free\":false");
+    if (at != std::string::npos) {
+      const std::string json = line.substr(17, at - 17) + "\"result\":{\"from\":2,\"to\":3,\"free\":true}}";
+      line = io::sha256(json).substr(0, 16) + " " + json;
+    }
+    forged += line + "\n";
+  }
+  CHECK(forged.size() < journal.size());
+  sample.folder.write("r.json.progress", forged);
+  const Run run = sample.report({"--resume"});
+  CHECK(run.status == 0);
+  CHECK(run.out.ends_with("7 steps, all free\n"));
 }
 
 TEST_CASE("a frame that has changed since the earlier run is named") {

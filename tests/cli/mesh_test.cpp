@@ -1,5 +1,6 @@
 // touchstone mesh: what it says and writes about a needle that falls through a cloth, and input that it refuses.
 // SPDX-License-Identifier: MIT
+#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -180,14 +181,16 @@ TEST_CASE("long lists are cut on the console, and not in the report") {
   std::vector<std::string> files;
   for (int frame = 0; frame < 2; ++frame) {
     std::string text = "v -99 -99 0\nv 99 -99 0\nv 0 99 0\n", faces = "f 1 2 3\n";
+    const int z = 1 - 2 * frame, top = 91 - 2 * frame;
     for (int i = 0; i < 9; ++i) {
-      const std::string z = std::to_string(1 - 2 * frame), top = std::to_string(91 - 2 * frame);
-      text += "v " + std::to_string(3 * i) + " 0 " + z + "\nv " + std::to_string(3 * i) + " 1 " + top + "\nv " +
-              std::to_string(3 * i + 1) + " 0 " + top + "\n";
-      faces +=
-          "f " + std::to_string(3 * i + 4) + " " + std::to_string(3 * i + 5) + " " + std::to_string(3 * i + 6) + "\n";
+      char lines[200];
+      const int x = 3 * i, corner = 3 * i + 4;
+      std::snprintf(lines, sizeof lines, "v %d 0 %d\nv %d 1 %d\nv %d 0 %d\n", x, z, x, top, x + 1, top);
+      text += lines;
+      std::snprintf(lines, sizeof lines, "f %d %d %d\n", corner, corner + 1, corner + 2);
+      faces += lines;
     }
-    files.push_back(folder.write("s" + std::to_string(frame) + ".obj", text + faces));
+    files.push_back(folder.write(frame == 0 ? "s0.obj" : "s1.obj", text + faces));
   }
   const Run run = mesh(with({"--report", folder.path("r.json")}, files));
   CHECK(run.status == 1);
@@ -218,16 +221,31 @@ TEST_CASE("frames that do not make a sequence are refused, and nothing is writte
   for (const char* shard : {"0/2", "3/2", "1", "1/", "/2", "1/0", "-1/2", "a/b", "1/2/3"}) {
     refused({files[0], files[1], "--shard", shard}, "must be two whole numbers, such as 2/4");
   }
-  refused({files[0], folder.write("other.obj", needle_frame(5, 1))},
-          "other.obj: other.obj differs from f-0.obj: 28 vertices, not 19; all frames");
-  std::string turned = needle_frame(4, 1);
-  turned.replace(turned.find("f 2 6 5\n"), 8, "f 2 5 6\n");
-  refused({files[0], folder.write("turned.obj", turned)},
-          "turned.obj differs from f-0.obj: face 2 has the vertices 2 5 6, not 2 6 5");
   std::string flat = needle_frame(4, 1);
   flat.replace(flat.find("f 2 6 5\n"), 8, "f 2 6 2\n");
   refused({folder.write("flat.obj", flat), files[0]}, "flat.obj");
   refused({folder.write("x.obj", "v 1 2\n"), files[0]}, "x.obj:1: ");
+}
+
+TEST_CASE("a frame with other elements ends the run, and both frames are named") {
+  const TemporaryFolder folder;
+  const auto files = write_needles(folder, "f", 4, 2, rising_tip);
+  std::string turned = needle_frame(4, 1);
+  turned.replace(turned.find("f 2 6 5\n"), 8, "f 2 5 6\n");
+  std::string named = needle_frame(4, rising_tip(1));
+  named.replace(named.find("o needle"), 8, "o other");
+  const auto check = [&](const std::string& text, const std::string& part) {
+    const Run run = mesh({"--threads", "1", files[0], folder.write("other.obj", text)});
+    CAPTURE(run.err);
+    CHECK(run.status == 2);
+    CHECK(run.out == "f-0.obj: no intersection\n");
+    CHECK(occurrences(run.err, "\n") == 1);
+    CHECK(occurrences(run.err, "/other.obj: other.obj differs from f-0.obj: " + part) == 1);
+  };
+  check(needle_frame(5, 1), "28 vertices, not 19; all frames of a sequence must have the same vertices and elements\n");
+  check(turned, "face 2 has the vertices 2 5 6, not 2 6 5; ");
+  check(needle_frame(4, 1) + "l 1 2\n", "1 edges, not 0; ");
+  CHECK(mesh({files[0], folder.write("other.obj", named)}).status == 0);  // only a name is another one
 }
 
 TEST_CASE("files that would take each other's place are refused") {
