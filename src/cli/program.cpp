@@ -16,7 +16,7 @@
 #include "cli/certify/certify.hpp"
 #include "cli/explain/explain.hpp"
 #include "cli/fuzz/fuzz.hpp"
-#include "cli/generate.hpp"
+#include "cli/generate/generate.hpp"
 #include "cli/merge.hpp"
 #include "cli/mesh/mesh.hpp"
 #include "cli/report.hpp"

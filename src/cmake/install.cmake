@@ -16,6 +16,11 @@ install(TARGETS ${touchstone_libraries} EXPORT touchstone-targets
 add_custom_target(touchstone_installed)
 add_dependencies(touchstone_installed ${touchstone_libraries})
 if(TARGET touchstone_program)
+  if(BUILD_SHARED_LIBS)  # the program finds them wherever both are installed
+    file(RELATIVE_PATH to_libraries ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+    set_target_properties(touchstone_program PROPERTIES
+      INSTALL_RPATH "$<IF:$<PLATFORM_ID:Darwin>,@loader_path,$ORIGIN>/${to_libraries}")
+  endif()
   install(TARGETS touchstone_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   add_dependencies(touchstone_installed touchstone_program)
 endif()

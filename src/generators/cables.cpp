@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <string>
 
 #include "generators/moving_mesh.hpp"
 #include "generators/waves.hpp"
@@ -27,7 +28,7 @@ class Cables final : public MovingMesh {
       const bool across = i % 2 == 1;
       cables_.push_back({across ? Vec3{place, -0.5, 0} : Vec3{-0.5, place, 0}, across ? Vec3{0, 1, 0} : Vec3{1, 0, 0},
                          Waves({3, 0.3, 0.9}, random), Waves({3, 0.2, 0.6}, random)});
-      mesh_.append(chain_mesh(per_cable_));
+      mesh_.append(chain_mesh(per_cable_), "cable-" + std::to_string(i + 1));
     }
   }
 

@@ -36,8 +36,8 @@ class Cloth final : public MovingMesh {
     }
     Sphere sphere = sphere_mesh(cuts);
     sphere_ = std::move(sphere.directions);
-    mesh_ = sheet_mesh(n);
-    mesh_.append(sphere.mesh);
+    mesh_.append(sheet_mesh(n), "cloth");
+    mesh_.append(sphere.mesh, "sphere");
   }
 
   void place_corners(double time, std::vector<Vec3>& corners) const override {

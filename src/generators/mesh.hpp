@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include <touchstone/query.hpp>
@@ -19,8 +20,15 @@ struct Mesh {
   std::vector<std::array<Index, 2>> edges;
   std::vector<std::array<Index, 3>> faces;
 
-  /// Adds another mesh, whose corners come after those that are there.
-  void append(const Mesh& other);
+  /// An object of the scene. Its corners, edges and faces come before those of the next one.
+  struct Part {
+    std::string name;
+    std::size_t first_face = 0;
+  };
+  std::vector<Part> parts;
+
+  /// Adds another mesh as a part of this name. Its corners come after those that are there.
+  void append(const Mesh& other, const std::string& name);
 };
 
 /// A square sheet of n x n squares, each cut along one diagonal, alternately. Corner (i, j), 0 <= i, j <= n, has

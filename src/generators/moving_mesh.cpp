@@ -8,12 +8,13 @@ std::string_view scene_name(SceneName scene) noexcept {
     case SceneName::cloth: return "cloth";
     case SceneName::sheets: return "sheets";
     case SceneName::cables: return "cables";
+    case SceneName::drape: return "drape";
   }
   return {};
 }
 
 std::optional<SceneName> scene_from_name(std::string_view name) noexcept {
-  for (const SceneName scene : kScenes) {
+  for (const SceneName scene : kAllScenes) {
     if (name == scene_name(scene)) return scene;
   }
   return std::nullopt;
@@ -26,6 +27,7 @@ std::unique_ptr<MovingMesh> make_moving_mesh(SceneName scene, std::uint64_t seed
     case SceneName::cloth: return make_cloth(seed, edges);
     case SceneName::sheets: return make_sheets(seed, edges);
     case SceneName::cables: return make_cables(seed, edges);
+    case SceneName::drape: return make_drape(seed, edges);
   }
   return nullptr;
 }

@@ -27,7 +27,7 @@ class Sheets final : public MovingMesh {
           rest_.push_back(within({edge_length_ * x - 0.5, edge_length_ * y - 0.5, 0}));
         }
       }
-      mesh_.append(sheet_mesh(n));
+      mesh_.append(sheet_mesh(n), sheet == 0 ? "lower" : "upper");
     }
   }
 

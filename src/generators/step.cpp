@@ -22,8 +22,10 @@ Step::Step(SceneName scene, std::uint64_t seed, std::size_t edges, double speed,
 void Step::advance() {
   ++number_;
   std::swap(start_, end_);
-  moving_->place_corners(first_time_ + duration_ * static_cast<double>(number_), end_);
+  moving_->place_corners(time(), end_);
 }
+
+std::optional<Index> Step::plant_crossing() { return moving_->plant_crossing(time(), end_); }
 
 template <std::size_t N>
 std::vector<broad_phase::Box> Step::boxes(const std::vector<std::array<Index, N>>& elements) const {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <touchstone/query.hpp>
@@ -23,6 +24,10 @@ class Step {
   /// The next step; it starts where this one ends.
   void advance();
 
+  /// Moves one corner through a face of another part at the end of this step, as MovingMesh::plant_crossing does: this
+  /// step and the next one are not free of contact. @returns the corner's number; nothing for a scene that has contacts
+  std::optional<Index> plant_crossing();
+
   const Mesh& mesh() const noexcept { return moving_->mesh(); }
   const std::vector<Vec3>& start() const noexcept { return start_; }
   const std::vector<Vec3>& end() const noexcept { return end_; }
@@ -39,6 +44,8 @@ class Step {
   std::vector<broad_phase::Box> corner_boxes() const;
 
   std::unique_ptr<MovingMesh> moving_;
+  double time() const noexcept { return first_time_ + duration_ * static_cast<double>(number_); }  ///< at the end
+
   double first_time_;
   double duration_;
   double margin_;  ///< of each box; at least half the separation

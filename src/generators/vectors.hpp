@@ -14,6 +14,9 @@ inline Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b
 inline Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 inline Vec3 operator*(double s, const Vec3& a) { return {s * a.x, s * a.y, s * a.z}; }
 inline double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 inline double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
 
 /// A vector whose direction is uniform on the sphere, of length 1 up to rounding.
@@ -44,8 +47,7 @@ inline Rotation random_rotation(seeded::Rng& random) {
     y = other - dot(other, rotation.x) * rotation.x;
   } while (length(y) < 0.1);
   rotation.y = (1 / length(y)) * y;
-  const Vec3 &a = rotation.x, &b = rotation.y;
-  rotation.z = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  rotation.z = cross(rotation.x, rotation.y);
   return rotation;
 }
 

@@ -89,7 +89,8 @@ TEST_CASE("bad options end with status 2, one line, and nothing written") {
   };
   const std::string out = folder.path("a/b");
   check_refused({"generate"}, "--out");
-  check_refused({"generate", "--out", out, "--scene", "kitchen"}, "kitchen is no scene; it must be cloth, sheets or");
+  check_refused({"generate", "--out", out, "--scene", "kitchen"},
+                "kitchen is no scene; it must be cloth, sheets, cables or drape");
   check_refused({"generate", "--out", out, "--kind", "point-edge"}, "--kind");
   check_refused({"generate", "--out", out, "--scene", "cables", "--kind", "vertex-face"}, "scene cables has no faces");
   check_refused({"generate", "--out", out, "--size", "99"}, "99 must be a whole number from 100");
@@ -99,6 +100,17 @@ TEST_CASE("bad options end with status 2, one line, and nothing written") {
   check_refused({"generate", "--out", out, "--seed", "99999999999999999999"}, "--seed");
   check_refused({"generate", "--out", out, "--speed", "-1"}, "--speed");
   check_refused({"generate", "--out", out, "--speed", "fast"}, "--speed");
+  check_refused({"generate", "--out", out, "--meshes", "--kind", "edge-edge"}, "--kind excludes --meshes");
+  check_refused({"generate", "--out", out, "--meshes", "--count", "10"}, "--count excludes --meshes");
+  check_refused({"generate", "--out", out, "--meshes", "--shared-corners"}, "--shared-corners");
+  check_refused({"generate", "--out", out, "--meshes", "--separation", "0.1"}, "--separation excludes --meshes");
+  check_refused({"generate", "--out", out, "--crossing", "3"}, "--crossing requires --meshes");
+  check_refused({"generate", "--out", out, "--meshes", "--crossing", "0"}, "--crossing");
+  check_refused({"generate", "--out", out, "--meshes", "--crossing", "20"}, "a number from 1 to 19 would be right");
+  check_refused({"generate", "--out", out, "--meshes", "--steps", "1", "--crossing", "1"}, "more steps would be right");
+  check_refused({"generate", "--out", out, "--meshes", "--scene", "cloth", "--crossing", "3"}, "for the scene drape");
+  check_refused({"generate", "--out", out, "--meshes", "--scene", "drape", "--scene", "cloth", "--crossing", "3"},
+                "for the scene drape");
 }
 
 TEST_CASE("a place where nothing can be written ends with status 2, and what was there stays") {
@@ -120,8 +132,11 @@ TEST_CASE("an interrupt leaves nothing behind") {
   const TemporaryFolder folder;
   RunOptions options;
   options.interrupt_after = 0.5;
-  const Run run = run_program(
-      {"generate", "--size", "20000", "--steps", "100000", "--count", "0", "--out", folder.path("q")}, options);
+  std::vector<std::string> arguments = {"generate", "--size", "20000", "--steps", "100000", "--out", folder.path("q")};
+  const std::vector<std::string> more =
+      GENERATE(std::vector<std::string>{"--count", "0"}, std::vector<std::string>{"--meshes"});
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Run run = run_program(arguments, options);
   CHECK(run.status == 128 + 2);
   CHECK(folder.names().empty());
 }

@@ -68,7 +68,7 @@ TEST_CASE("meshes have the corners, edges and faces that they say") {
 }
 
 TEST_CASE("scenes are of the size that was asked for and stay near the origin") {
-  const SceneName name = GENERATE(SceneName::cloth, SceneName::sheets, SceneName::cables);
+  const SceneName name = GENERATE(SceneName::cloth, SceneName::sheets, SceneName::cables, SceneName::drape);
   const std::size_t edges = GENERATE(100, 1000, 10000);
   CAPTURE(scene_name(name), edges);
   CHECK(scene_from_name(scene_name(name)) == name);
@@ -88,7 +88,7 @@ TEST_CASE("scenes are of the size that was asked for and stay near the origin") 
 }
 
 TEST_CASE("steps follow each other, and a corner moves about a tenth of an edge in each") {
-  const SceneName name = GENERATE(SceneName::cloth, SceneName::sheets, SceneName::cables);
+  const SceneName name = GENERATE(SceneName::cloth, SceneName::sheets, SceneName::cables, SceneName::drape);
   CAPTURE(scene_name(name));
   Step step(name, 1, 4000, 1);
   const double edge = make_moving_mesh(name, 1, 4000)->edge_length();

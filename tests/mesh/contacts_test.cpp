@@ -20,12 +20,13 @@ using namespace touchstone::tests;
 
 namespace {
 
+std::uint64_t bits(double x) {
+  std::uint64_t result;
+  std::memcpy(&result, &x, sizeof x);
+  return result;
+}
+
 bool same_bytes(const Answer& a, const Answer& b) {
-  const auto bits = [](double x) {
-    std::uint64_t b64;
-    std::memcpy(&b64, &x, sizeof x);
-    return b64;
-  };
   for (std::size_t k = 0; k < 3; ++k) {
     if (bits(a.weights_a[k]) != bits(b.weights_a[k]) || bits(a.weights_b[k]) != bits(b.weights_b[k])) return false;
   }
@@ -39,6 +40,17 @@ bool same_bytes(const std::vector<MeshContact>& a, const std::vector<MeshContact
          std::equal(a.begin(), a.end(), b.begin(), [](const MeshContact& x, const MeshContact& y) {
            return x.pair == y.pair && x.separation.distance == y.separation.distance &&
                   x.separation.metric == y.separation.metric && same_bytes(x.answer, y.answer);
+         });
+}
+
+bool same_bytes(const std::vector<Intersection>& a, const std::vector<Intersection>& b) {
+  const auto same = [](const std::array<double, 3>& x, const std::array<double, 3>& y) {
+    return bits(x[0]) == bits(y[0]) && bits(x[1]) == bits(y[1]) && bits(x[2]) == bits(y[2]);
+  };
+  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [&](const auto& x, const auto& y) {
+           return x.first_element == y.first_element && x.first == y.first && x.second_element == y.second_element &&
+                  x.second == y.second && x.pierces == y.pierces && same(x.weights_first, y.weights_first) &&
+                  same(x.weights_second, y.weights_second);
          });
 }
 
@@ -183,6 +195,28 @@ TEST_CASE("the contacts of a mesh are those of all pairs by brute force") {
   seen.check();
 }
 
+TEST_CASE("the contacts of larger meshes are those of all pairs by brute force") {
+  seeded::Rng random(107);
+  std::size_t contacts = 0, left_out = 0;
+  for (std::size_t round = 0; round < effort(2); ++round) {
+    for (const Layout layout : kLayouts) {
+      Scene scene = random_scene(random, layout, TOUCHSTONE_SLOW_BUILD ? 60 : 250);
+      if (round % 2 == 1) add_separation(random, scene);
+      const Mesh mesh(scene.elements);
+      const BruteForce expected = brute_force(scene, 1);
+      MeshOptions options;
+      options.threads = 2;
+      CAPTURE(round, scene.name);
+      REQUIRE(agrees(first_contact(mesh, scene.start(), scene.end(), options), expected));
+      REQUIRE(same_bytes(all_contacts(mesh, scene.start(), scene.end(), options), expected.all));
+      contacts += expected.all.size();
+      left_out += all_pairs(scene.elements).size() - candidates(mesh, scene.start(), scene.end(), options).size();
+    }
+  }
+  CHECK(contacts > 1000 / (TOUCHSTONE_SLOW_BUILD ? 20 : 1));
+  CHECK(left_out > 0);
+}
+
 TEST_CASE("a pair may collide as the rules say, and has the separation of its radii") {
   seeded::Rng random(102);
   for (std::size_t round = 0; round < effort(40); ++round) {
@@ -219,7 +253,7 @@ TEST_CASE("a pair may collide as the rules say, and has the separation of its ra
 
 TEST_CASE("1 to 64 threads give the same bytes") {
   seeded::Rng random(103);
-  std::size_t contacts = 0;
+  std::size_t contacts = 0, crossings = 0;
   for (const Layout layout : kLayouts) {
     Scene scene = random_scene(random, layout, TOUCHSTONE_SLOW_BUILD ? 40 : 100);
     add_separation(random, scene);
@@ -228,16 +262,20 @@ TEST_CASE("1 to 64 threads give the same bytes") {
     const FirstContact first = first_contact(mesh, scene.start(), scene.end(), options);
     const auto all = all_contacts(mesh, scene.start(), scene.end(), options);
     const auto near = candidates(mesh, scene.start(), scene.end(), options);
+    const auto at_rest = intersections(mesh, scene.start(), options);
     contacts += all.size();
+    crossings += at_rest.size();
     for (const int threads : {2, 3, 16, 64, 0}) {
       CAPTURE(scene.name, threads);
       options.threads = threads;
       CHECK(same_bytes(first_contact(mesh, scene.start(), scene.end(), options), first));
       CHECK(same_bytes(all_contacts(mesh, scene.start(), scene.end(), options), all));
       CHECK(candidates(mesh, scene.start(), scene.end(), options) == near);
+      CHECK(same_bytes(intersections(mesh, scene.start(), options), at_rest));
     }
   }
   CHECK(contacts > 50);
+  CHECK(crossings > 50);
 }
 
 TEST_CASE("a vertex moved by one unit in its last place changes the verdict") {
@@ -307,9 +345,10 @@ TEST_CASE("two points exactly as far apart as their separation are in contact, h
 
 TEST_CASE("shuffled vertices and faces give the same time and the same pairs") {
   seeded::Rng random(104);
-  int contacts = 0;
+  int contacts = 0, shortened = 0;
   for (std::size_t round = 0; round < effort(60); ++round) {
-    const Scene scene = random_scene(random, kLayouts[round % kLayouts.size()], 40);
+    Scene scene = random_scene(random, kLayouts[round % kLayouts.size()], 40);
+    if (random.one_in(2)) add_separation(random, scene);
     const auto count = scene.elements.vertex_count;
     std::vector<MeshIndex> renamed(count);
     std::iota(renamed.begin(), renamed.end(), MeshIndex{0});
@@ -331,6 +370,9 @@ TEST_CASE("shuffled vertices and faces give the same time and the same pairs") {
     };
     rename(shuffled.elements.faces);
     rename(shuffled.elements.edges);
+    for (std::size_t v = 0; v < scene.elements.radii.size(); ++v) {
+      shuffled.elements.radii[renamed[v]] = scene.elements.radii[v];
+    }
     const Mesh one(scene.elements), other(shuffled.elements);
     const FirstContact a = first_contact(one, scene.start(), scene.end());
     const FirstContact b = first_contact(other, shuffled.start(), shuffled.end());
@@ -350,9 +392,37 @@ TEST_CASE("shuffled vertices and faces give the same time and the same pairs") {
     };
     REQUIRE(corners(one, a.first, true) == corners(other, b.first, false));
     REQUIRE(corners(one, a.at_start, true) == corners(other, b.at_start, false));
+
+    // The same crossings at rest, and the same free step.
+    const auto crossings = [&](const Mesh& mesh, const Scene& of, bool rename_them) {
+      std::multiset<std::tuple<std::set<MeshIndex>, bool>> sets;
+      for (const Intersection& found : intersections(mesh, of.start())) {
+        std::set<MeshIndex> set;
+        const auto add = [&](MeshElement element, MeshIndex number) {
+          const auto put = [&](MeshIndex v) { set.insert(rename_them ? renamed[v] : v); };
+          if (element == MeshElement::vertex) put(number);
+          if (element == MeshElement::edge) std::for_each_n(mesh.edges()[number].begin(), 2, put);
+          if (element == MeshElement::face) std::for_each_n(mesh.faces()[number].begin(), 3, put);
+        };
+        add(found.first_element, found.first);
+        add(found.second_element, found.second);
+        sets.insert({set, found.pierces});
+      }
+      return sets;
+    };
+    REQUIRE(crossings(one, scene, true) == crossings(other, shuffled, false));
+    const FreeStep step = free_step(one, scene.start(), scene.end());
+    const FreeStep same = free_step(other, shuffled.start(), shuffled.end());
+    REQUIRE(step.outcome == same.outcome);
+    REQUIRE(step.length == same.length);
+    for (std::size_t v = 0; v < count; ++v) {
+      for (std::size_t k = 0; k < n; ++k) REQUIRE(same.positions[renamed[v] * n + k] == step.positions[v * n + k]);
+    }
+    shortened += step.outcome == StepOutcome::shortened ? 1 : 0;
     contacts += a.contact ? 1 : 0;
   }
   CHECK((contacts > 0 || !whole_effort("a contact is seen")));
+  CHECK((shortened > 0 || !whole_effort("a step is shortened")));
 }
 
 TEST_CASE("a mesh in two parts meets as its parts do, each by itself and with the other") {

@@ -226,10 +226,13 @@ TEST_CASE("a line search that steps and asks again is always free, and comes to 
   int steps = 0;
   for (std::size_t round = 0; round < effort(60); ++round) {
     Scene scene = random_scene(random, kLayouts[round % kLayouts.size()], 10);
+    if (random.one_in(2)) add_separation(random, scene);
     const Mesh mesh(scene.elements);
     if (!first_contact(mesh, scene.start(), scene.start()).at_start.empty()) continue;
+    FreeStepOptions options;
+    if (random.one_in(3)) options.kept_fraction = 0.1;
     for (int i = 0; i < 20; ++i) {
-      const FreeStep step = free_step(mesh, scene.start(), scene.end());
+      const FreeStep step = free_step(mesh, scene.start(), scene.end(), options);
       REQUIRE(step.outcome != StepOutcome::contact_at_start);
       scene.x0 = step.positions;
       ++steps;

@@ -1,7 +1,8 @@
-// `touchstone generate`: query files of simulation-like candidate pairs.
+// `touchstone generate`: query files of simulation-like candidate pairs, and sequences of meshes.
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,11 +16,13 @@
 namespace touchstone::cli {
 
 struct GenerateOptions {
-  std::vector<generators::SceneName> scenes;  ///< empty: all of them
+  std::vector<generators::SceneName> scenes;  ///< empty: kScenes, or the drape with `meshes`
   std::optional<Kind> kind;                   ///< nothing: edge-edge and vertex-face
   generators::CandidateOptions candidates;    ///< but for its scene and kinds
   SeparationOption separation;                ///< of a contact
   std::string out;                            ///< a folder, made when it is not there
+  bool meshes = false;                        ///< frames in place of queries
+  std::optional<std::uint64_t> crossing;  ///< with meshes: the step, from 1, in which a vertex goes through a surface
 };
 
 int run_generate(const GenerateOptions& options);

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/generate/generate.hpp"
+#include "cli/shared/options.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+constexpr std::uint64_t kMostSteps = 1'000'000;
+
+template <class Number>
+void add_number(CLI::App& subcommand, const std::string& name, Number& value, std::uint64_t least,
+                std::uint64_t greatest, const std::string& about) {
+  subcommand.add_option(name, value, fmt::format("{} (default: {})", about, value))
+      ->type_name("N")
+      ->check([least, greatest](const std::string& text) { return check_whole_number(text, least, greatest); });
+}
+
+void add_scene_option(CLI::App& subcommand, GenerateOptions& options) {
+  subcommand
+      .add_option_function<std::vector<std::string>>(
+          "--scene",
+          [&options](const std::vector<std::string>& names) {
+            for (const auto& name : names) options.scenes.push_back(*generators::scene_from_name(name));
+          },
+          "The moving scene: cloth, draped over a deforming sphere; sheets, two crumpled ones that slide along each "
+          "other; cables, two bundles that whip across each other; drape, a cloth that waves above a deforming sphere "
+          "and meets nothing (default: cloth, sheets and cables; with --meshes: drape; may be given more than once)")
+      ->type_name("NAME")
+      ->check([](const std::string& name) {
+        return generators::scene_from_name(name) ? std::string()
+                                                 : name + " is no scene; it must be cloth, sheets, cables or drape";
+      });
+}
+
+/// --meshes and --crossing. Options that are about queries are refused beside them.
+void add_mesh_options(CLI::App& subcommand, GenerateOptions& options) {
+  CLI::Option* const meshes = subcommand.add_flag(
+      "--meshes", options.meshes,
+      "Write the scene as a sequence of OBJ files in place of queries: FOLDER/SCENE/frame-0000.obj, frame-0001.obj and "
+      "so on, one more than there are steps");
+  for (const char* of_queries : {"--kind", "--count", "--separation", "--metric", "--shared-corners"}) {
+    meshes->excludes(subcommand.get_option(of_queries));
+  }
+  subcommand
+      .add_option("--crossing", options.crossing,
+                  "With --meshes and the scene drape: one vertex of the cloth goes through the sphere in step N, which "
+                  "ends at frame N, and comes back in the step after. No other step has a contact")
+      ->type_name("N")
+      ->check([](const std::string& text) { return check_whole_number(text, 1, kMostSteps); })
+      ->needs(meshes);
+}
+
+void add_kind(CLI::App& subcommand, GenerateOptions& options) {
+  subcommand
+      .add_option_function<std::string>(
+          "--kind",
+          [&options](const std::string& name) {
+            options.kind = name == kind_name(Kind::edge_edge) ? Kind::edge_edge : Kind::vertex_face;
+          },
+          "Only these queries: edge-edge or vertex-face (default: both)")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"edge-edge", "vertex-face"}));
+}
+
+}  // namespace
+
+void add_generate(CLI::App& program, Command& command) {
+  constexpr std::uint64_t kAnyNumber = 1'000'000'000'000;
+  const auto options = std::make_shared<GenerateOptions>();
+  auto& candidates = options->candidates;
+  candidates.count = 10'000;
+  CLI::App* const subcommand = program.add_subcommand(
+      "generate", "Make query files like a simulation's, with true answers; or frames of meshes");
+  add_scene_option(*subcommand, *options);
+  add_kind(*subcommand, *options);
+  add_number(*subcommand, "--count", candidates.count, 0, kAnyNumber,
+             "The most queries of a file, drawn evenly from all steps; 0: every candidate");
+  add_number(*subcommand, "--seed", candidates.seed, 0, kAnyNumber, "The seed of the scene's form and motion");
+  add_number(*subcommand, "--size", candidates.edges, generators::kFewestEdges, generators::kMostEdges,
+             "The approximate number of edges of a scene; surfaces have two faces for three edges");
+  add_number(*subcommand, "--steps", candidates.steps, 1, kMostSteps, "The number of steps");
+  subcommand
+      ->add_option("--speed", candidates.speed,
+                   "The speed: at 1 most corners move by a tenth of an edge's length in a step (default: 1)")
+      ->type_name("X")
+      ->check(CLI::Range(0.0, generators::kGreatestSpeed));
+  add_separation_options(*subcommand, options->separation, "The distance at which two elements are in contact");
+  subcommand->add_flag("--shared-corners", candidates.shared_corners,
+                       "Include pairs that share a corner, where they touch all the time");
+  subcommand->add_option("--out", options->out, "The folder for the files; it is made when it is missing")
+      ->required()
+      ->type_name("FOLDER");
+  add_mesh_options(*subcommand, *options);
+  subcommand->footer(
+      "Writes FOLDER/SCENE/KIND/seed-S.csv. Smooth formulas, rounded to doubles, give a scene's corners at the ends "
+      "of\n"
+      "its steps; between them the corners move on straight lines. Candidates are the pairs whose boxes around the "
+      "whole\n"
+      "step overlap, as a simulator's broad phase finds them; about one in a hundred has contact. The truth column is "
+      "the\n"
+      "exact answer. The same options write the same bytes on every machine. The files appear when all of them are\n"
+      "complete. After an error there are none. With --separation D the boxes are grown so that every pair that comes\n"
+      "within D is a candidate, the truth column is about D, and a file's first line says so.\n\n"
+      "With --meshes, FOLDER/SCENE is a new folder of frames. It appears when the frames are complete. In cloth, "
+      "sheets\n"
+      "and cables, elements pass through each other. A drape is free of contact between all frames, at every speed.\n\n"
+      "Examples\n"
+      "  touchstone generate --out queries && touchstone certify queries/*/*/*.csv\n"
+      "  touchstone generate --separation 1e-3 --out near && touchstone certify near/*/*/*.csv\n"
+      "  touchstone generate --scene cables --size 20000 --steps 1000 --count 1000000 --out big\n"
+      "  touchstone generate --meshes --steps 100 --out frames\n"
+      "  touchstone generate --meshes --steps 100 --crossing 42 --out crossed\n\n"
+      "Exit status: 0 done, 2 bad usage or a file that cannot be written.");
+  subcommand->callback([options, &command] { command = [options] { return run_generate(*options); }; });
+}
+
+}  // namespace touchstone::cli
