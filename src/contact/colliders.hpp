@@ -45,6 +45,7 @@ class Colliders {
 
   const std::vector<Edge>& edges() const noexcept { return edges_; }
   const std::vector<Face>& faces() const noexcept { return faces_; }
+  const std::vector<Index>& points() const noexcept { return points_; }  ///< particles that collide, in no edge
   const Passes& passes() const noexcept { return passes_; }
 
   /// The particles of a pair in the order of the query's corners; entries past corner_count(kind) mean nothing.

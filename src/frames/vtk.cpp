@@ -149,7 +149,7 @@ class VtkReader {
     const bool is_double = is(type, "double");
     if (!is_double && !is(type, "float"))
       scanner_.fail("points of type " + io::in_quotes(type) + "; right are float and double");
-    scanner_.end_line("the type of the points");
+    end_keyword("the type of the points");
     std::vector<double>& positions = builder_.positions();
     const std::size_t size = is_double ? 8 : 4;
     if (is_binary_) check_size(count, 3 * size);
@@ -173,7 +173,7 @@ class VtkReader {
   Cells read_cells() {
     const std::uint64_t first = read_count("a number of cells");
     const std::uint64_t second = read_count("a number of integers");
-    scanner_.end_line("the size of the cells");
+    end_keyword("the size of the cells");
     Cells cells;
     if (has_offsets_) {
       if (first > 0) read_offsets(cells, first, second);
@@ -232,13 +232,13 @@ class VtkReader {
     if (is(type, "vtktypeint64")) size = 8;
     if (is(type, "vtktypeint32") || is(type, "int")) size = 4;
     if (size == 0) scanner_.fail("type " + io::in_quotes(type) + "; right are vtktypeint64, vtktypeint32 and int");
-    scanner_.end_line("the type");
+    end_keyword("the type");
     return size;
   }
 
   void read_cell_types() {
     const std::uint64_t count = read_count("a number of cells");
-    scanner_.end_line("the number of cells");
+    end_keyword("the number of cells");
     check_size(count, is_binary_ ? 4 : 1);
     cell_types_.reserve(count);
     for (std::uint64_t i = 0; i < count; ++i) cell_types_.push_back(read_index(4));
@@ -278,7 +278,7 @@ class VtkReader {
   void skip_field() {
     scanner_.word();
     const std::uint64_t arrays = read_count("a number of arrays");
-    scanner_.end_line("the number of arrays");
+    end_keyword("the number of arrays");
     for (std::uint64_t i = 0; i < arrays; ++i) {
       std::string_view name = scanner_.next_word();
       if (is(name, "METADATA")) {
@@ -292,7 +292,7 @@ class VtkReader {
       const auto found = std::find_if(kTypes.begin(), kTypes.end(), [&](const Type& t) { return is(type, t.name); });
       if (found == kTypes.end())
         scanner_.fail("an array of FIELD has the type " + io::in_quotes(type) + ", which is not read");
-      scanner_.end_line("the type of an array");
+      end_keyword("the type of an array");
       check_size(components, 1);
       check_size(tuples, std::max<std::uint64_t>(components, 1) * (is_binary_ ? found->size : 1));
       if (is_binary_) {
@@ -303,6 +303,11 @@ class VtkReader {
         }
       }
     }
+  }
+
+  /// In a binary file the values start after the end of the line. In a text file they may start on the same line.
+  void end_keyword(std::string_view what) {
+    if (is_binary_) scanner_.end_line(what);
   }
 
   std::uint64_t read_count(std::string_view what) {

@@ -17,6 +17,10 @@ std::string vtk_frame(const Simulation& simulation) {
     const Vector3 x = position(simulation.state().q, p);
     text += fmt::format("{} {} {}\n", x.x(), x.y(), x.z());
   }
+  if (!colliders.points().empty()) {
+    text += fmt::format("VERTICES {} {}\n", colliders.points().size(), 2 * colliders.points().size());
+    for (const Index point : colliders.points()) text += fmt::format("1 {}\n", point);
+  }
   if (!colliders.edges().empty()) {
     text += fmt::format("LINES {} {}\n", colliders.edges().size(), 3 * colliders.edges().size());
     for (const Edge& edge : colliders.edges()) text += fmt::format("2 {} {}\n", edge[0], edge[1]);

@@ -9,7 +9,8 @@
 
 namespace touchstone::sim {
 
-/// A frame as a legacy VTK file: points with their velocities, edges as lines and faces as polygons.
+/// A frame as a legacy VTK file: points with their velocities, edges as lines, faces as polygons, and particles that
+/// collide and are in no edge as vertices.
 std::string vtk_frame(const Simulation& simulation);
 
 /// A frame file of a series, and its time in s.

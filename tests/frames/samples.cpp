@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "frames/samples.hpp"
+
+#include <cstdio>
+
+namespace touchstone::tests {
+namespace {
+
+using Coordinates = std::array<double, 3 * kVertices>;
+
+/// One line for each vertex, or each row with a prefix.
+std::string rows(const Coordinates& x, const std::string& prefix, const std::string& line_end = "\n") {
+  std::string text;
+  for (std::size_t i = 0; i < x.size(); i += 3) {
+    text += prefix + decimal(x[i]) + ' ' + decimal(x[i + 1]) + ' ' + decimal(x[i + 2]) + line_end;
+  }
+  return text;
+}
+
+template <class Number>
+std::string all_bytes(const Coordinates& x, std::endian order) {
+  std::string text;
+  for (const double value : x) text += bytes_of(static_cast<Number>(value), order);
+  return text;
+}
+
+Sample obj() {
+  return {"mesh.obj",
+          "# a comment\nmtllib a.mtl\no thing\n" + rows(kDoubles, "v ") +
+              "vt 0 0\nvn 0 0 1\ng left\ns off\nf 1/1/1 2//1 3/1\nusemtl x\nf -6 -4 -3\nl 4 5\np 6\n",
+          false, true, true};
+}
+
+Sample obj_of_windows() {
+  return {"windows.obj",
+          "\xEF\xBB\xBF" + rows(kDoubles, "v\t", " \r\n") + "\r\nf 1 2 \\\r\n 3\r\nf 1 3 4\r\nl 4 5\r\np 6", false,
+          true, true};
+}
+
+Sample ply_text() {
+  return {"text.ply",
+          "ply\nformat ascii 1.0\ncomment x y\nelement vertex 6\nproperty uchar red\nproperty double x\n"
+          "property double y\nproperty double z\nproperty list uchar float more\nelement face 2\n"
+          "property list uchar int vertex_indices\nproperty int flags\nelement edge 1\nproperty int vertex1\n"
+          "property int vertex2\nelement other 1\nproperty list int int a\nend_header\n" +
+              rows(kDoubles, "7 ", " 2 0.5 nan\n") + "3 0 1 2 5\n\n3 0 2 3 5\n3 4\n3 1 2 3\n",
+          false, true, false};
+}
+
+Sample ply_binary(std::endian order, bool floats) {
+  const std::string type = floats ? "float32" : "double";
+  std::string text = "ply\nformat binary_" + std::string(order == std::endian::big ? "big" : "little") +
+                     "_endian 1.0\nelement vertex 6\nproperty " + type + " x\nproperty " + type + " y\nproperty " +
+                     type + " z\nproperty uchar red\nelement face 2\nproperty list uint8 double w\n" +
+                     "property list int32 ushort vertex_index\nelement edge 1\nproperty uint vertex1\n" +
+                     "property int8 vertex2\nend_header\n";
+  for (std::size_t i = 0; i < 3 * kVertices; i += 3) {
+    for (std::size_t k = i; k < i + 3; ++k) {
+      text += floats ? bytes_of(static_cast<float>(kFloats[k]), order) : bytes_of(kDoubles[k], order);
+    }
+    text += '\n';
+  }
+  for (const auto& face : kFaces) {
+    text += '\1' + bytes_of(0.5, order) + bytes_of(std::int32_t{3}, order);
+    for (const std::uint32_t corner : face) text += bytes_of(static_cast<std::uint16_t>(corner), order);
+  }
+  text += bytes_of(std::uint32_t{3}, order) + '\4';
+  return {(order == std::endian::big ? "big" : "little") + std::string(floats ? "_floats" : "") + ".ply", text, floats,
+          true, false};
+}
+
+std::string vtk_start(bool binary, const std::string& version, const std::string& set) {
+  return "# vtk DataFile Version " + version + "\nany title: POINTS\n" + (binary ? "BINARY" : "ASCII") + "\nDATASET " +
+         set + "\n";
+}
+
+const std::string kField = "FIELD FieldData 2\nTIME 1 1 double\n0.5\nNAMES 2 2 int\n1 2 3\n4\n";
+const std::string kMetadata = "METADATA\nINFORMATION 1\nNAME a LOCATION b\nDATA 1\n\n";
+
+Sample vtk_text() {
+  return {"text.vtk",
+          vtk_start(false, "3.0", "POLYDATA") + kField + "POINTS 6 double\n" + rows(kDoubles, "") + kMetadata +
+              "VERTICES 1 2\n1 5\nLINES 1 3 2 3\n4 POLYGONS 2 8\n3 0 1 2 3 0\n2 3\nPOINT_DATA 6\nVECTORS a junk\n",
+          false, true, true};
+}
+
+Sample vtk_grid() {
+  return {"grid.vtk",
+          vtk_start(false, "2.0", "UNSTRUCTURED_GRID") + "POINTS 6 double\n" + rows(kDoubles, "") +
+              "CELLS 4 13\n3 0 1 2\n3 0 2 3\n2 3 4\n1 5\nCELL_TYPES 4\n5 7\n3\n1\nCELL_DATA 4\n",
+          false, true, true};
+}
+
+std::string big(std::initializer_list<std::int32_t> values) {
+  std::string text;
+  for (const std::int32_t value : values) text += bytes_of(value, std::endian::big);
+  return text;
+}
+
+std::string big64(std::initializer_list<std::int64_t> values) {
+  std::string text;
+  for (const std::int64_t value : values) text += bytes_of(value, std::endian::big);
+  return text;
+}
+
+Sample vtk_binary() {
+  return {"binary.vtk",
+          vtk_start(true, "4.2", "POLYDATA") + "FIELD F 1\nTIME 1 1 double\n" + bytes_of(0.5, std::endian::big) +
+              "\nPOINTS 6 float\n" + all_bytes<float>(kFloats, std::endian::big) + "\n" + kMetadata + "VERTICES 1 2\n" +
+              big({1, 5}) + "\nLINES 1 3\n" + big({2, 3, 4}) + "\nPOLYGONS 2 8\n" + big({3, 0, 1, 2, 3, 0, 2, 3}) +
+              "\n",
+          true, true, true};
+}
+
+Sample vtk_offsets() {
+  return {"offsets.vtk",
+          vtk_start(true, "5.1", "UNSTRUCTURED_GRID") + "POINTS 6 double\n" +
+              all_bytes<double>(kDoubles, std::endian::big) + "\nCELLS 5 9\nOFFSETS vtktypeint64\n" +
+              big64({0, 3, 6, 8, 9}) + "\nCONNECTIVITY vtktypeint64\n" + big64({0, 1, 2, 0, 2, 3, 3, 4, 5}) +
+              "\nCELL_TYPES 4\n" + big({5, 5, 3, 1}) + "\nCELL_DATA 4\nwhatever",
+          false, true, true};
+}
+
+Sample vtk_offsets_text() {
+  return {"offsets_text.vtk",
+          vtk_start(false, "5.1", "POLYDATA") + "POINTS 6 double\n" + rows(kDoubles, "") +
+              "LINES 2 2\nOFFSETS vtktypeint64\n0 2\nCONNECTIVITY vtktypeint64\n3 4\nVERTICES 0 0\n"
+              "POLYGONS 3 6\nOFFSETS vtktypeint32\n0 3 6\nCONNECTIVITY int\n0 1 2 0 2 3\n",
+          false, true, false};
+}
+
+}  // namespace
+
+std::string decimal(double value) {
+  std::array<char, 40> text;
+  const int size = std::snprintf(text.data(), text.size(), "%.17g", value);
+  return {text.data(), static_cast<std::size_t>(size)};
+}
+
+std::vector<Sample> mesh_samples() {
+  return {obj(),
+          obj_of_windows(),
+          ply_text(),
+          ply_binary(std::endian::little, false),
+          ply_binary(std::endian::big, false),
+          ply_binary(std::endian::little, true),
+          ply_binary(std::endian::big, true),
+          vtk_text(),
+          vtk_grid(),
+          vtk_binary(),
+          vtk_offsets(),
+          vtk_offsets_text()};
+}
+
+std::string npy(std::string_view descr, bool fortran, std::string_view shape, const std::string& values, int version) {
+  std::string header = "{'descr': '" + std::string(descr) + "', 'fortran_order': " + (fortran ? "True" : "False") +
+                       ", 'shape': " + std::string(shape) + ", }";
+  header.resize((header.size() + 64) / 64 * 64, ' ');
+  header.back() = '\n';
+  const std::string length = version == 1 ? bytes_of(static_cast<std::uint16_t>(header.size()), std::endian::little)
+                                          : bytes_of(static_cast<std::uint32_t>(header.size()), std::endian::little);
+  return "\x93NUMPY" + std::string{static_cast<char>(version), '\0'} + length + header + values;
+}
+
+Sample npy_sample() {
+  return {"array.npy", npy("<f8", false, "(6, 3)", all_bytes<double>(kDoubles, std::endian::little)), false, false,
+          true};
+}
+
+}  // namespace touchstone::tests

@@ -1,0 +1,30 @@
+// The digest against those that FIPS 180-4 and its examples give, with and without the processor's instructions.
+// SPDX-License-Identifier: MIT
+#include "io/sha256.hpp"
+
+#include <string>
+
+#include "support/catch.hpp"
+
+using namespace touchstone;
+
+TEST_CASE("the digests of the standard's examples") {
+  const auto check = [](const std::string& text, const std::string& digest) {
+    CHECK(io::sha256(text) == digest);
+    CHECK(io::sha256_in_portable_code(text) == digest);
+  };
+  check("", "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  check("abc", "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  check("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq",
+        "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+  check(std::string(1'000'000, 'a'), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+TEST_CASE("the processor's instructions give the same digest at every length") {
+  std::string text;
+  for (int i = 0; i < 300; ++i) {
+    CAPTURE(i);
+    CHECK(io::sha256(text) == io::sha256_in_portable_code(text));
+    text += static_cast<char>(31 * i + i / 7);
+  }
+}
