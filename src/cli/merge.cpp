@@ -35,7 +35,7 @@ int run_merge(const MergeOptions& options) {
   out.write(sequence::report_text(report));
   if (pairs) pairs->commit();
   out.commit();
-  const sequence::Counts counts = sequence::counts_of(report);
+  const sequence::ResultCounts counts = sequence::counts_of(report);
   if (!to_standard_output) {
     auto console = io::OutputFile::standard_output();
     console.write(counts_for_person(report.heading, counts));

@@ -33,8 +33,8 @@ Range range_of(const Heading& heading) {
   return frames_of_shard(heading.question, heading.frame_count, heading.shard.value_or(Shard()));
 }
 
-Counts counts_of(const Report& report) {
-  Counts counts;
+ResultCounts counts_of(const Report& report) {
+  ResultCounts counts;
   for (const Result& result : report.results) counts.add(report.heading.question, result);
   return counts;
 }
@@ -69,7 +69,7 @@ std::string report_text(const Report& report) {
   for (std::size_t i = 0; i < report.results.size(); ++i) {
     text.append(i == 0 ? "\n  " : ",\n  ").append(result_json(report.results[i]));
   }
-  const Counts counts = counts_of(report);
+  const ResultCounts counts = counts_of(report);
   const bool steps = report.heading.question == Question::steps;
   text += fmt::format("\n ],\n \"counts\": {{\"{}\": {}, \"free\": {}, \"not_free\": {}", steps ? "steps" : "frames",
                       counts.results, counts.free, counts.results - counts.free);

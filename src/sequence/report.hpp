@@ -15,7 +15,7 @@ namespace touchstone::sequence {
 Range range_of(const Heading& heading);
 
 /// The counts of a report's results.
-Counts counts_of(const Report& report);
+ResultCounts counts_of(const Report& report);
 
 /// The report. The text depends on nothing but its argument.
 std::string report_text(const Report& report);

@@ -100,7 +100,7 @@ Report report_from(std::string_view text) {
   for (std::size_t i = 0; i < frames.size(); ++i) {
     frames[i].check_keys({"frame", "name", "sha256"});
     frames[i].at("frame").whole_number(range.first + i, range.first + i);
-    report.frames.push_back({frames[i].at("name").text(), digest_from(frames[i].at("sha256"))});
+    report.frames.push_back({clean_text_from(frames[i].at("name")), digest_from(frames[i].at("sha256"))});
   }
   const auto results = root.at("results").items();
   check_count(root.at("results"), results.size(), result_count(question, range));

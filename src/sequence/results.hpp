@@ -142,7 +142,7 @@ struct Report {
 };
 
 /// The counts at the end of a report.
-struct Counts {
+struct ResultCounts {
   std::size_t results = 0;        ///< steps, or frames at rest
   std::size_t free = 0;           ///< of those, the free ones
   std::size_t intersections = 0;  ///< of the first frame, when steps are asked about

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/times.hpp"
+#include "sequence/frame_list.hpp"
 
 namespace touchstone::sequence {
 namespace {
@@ -72,7 +73,7 @@ NamedElement element_from(const JsonNode& node) {
   const auto vertices = node.at("vertices").items();
   if (vertices.size() != element.corner_count()) node.at("vertices").fail("must have a number for each corner");
   for (std::size_t i = 0; i < vertices.size(); ++i) element.vertices[i] = vertices[i].whole_number(0, kMostNumber);
-  if (const auto part = node.find("part")) element.part = part->text();
+  if (const auto part = node.find("part")) element.part = clean_text_from(*part);
   return element;
 }
 
@@ -165,6 +166,12 @@ Result result_from(const JsonNode& node) {
   result.intersections = list_from<RestContact>(node.at("intersections"), rest_from);
   if (result.free()) node.fail("is not free, without an intersection");
   return result;
+}
+
+std::string clean_text_from(const JsonNode& node) {
+  std::string text = node.text();
+  if (text.empty() || clean_text(text) != text) node.fail("must be one line of text without control characters");
+  return text;
 }
 
 std::string digest_from(const JsonNode& node) {

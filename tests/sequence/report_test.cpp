@@ -199,6 +199,9 @@ TEST_CASE("a report with a right digest and wrong content is refused by its key"
   check("\"vertices\":[4,5,6]", "\"vertices\":[4,5,99999999999]", "must be a whole number");
   check("\"not_free\": 2", "\"not_free\": 0", "not as touchstone mesh writes it");
   check("\"name\": \"c-0.obj\"", "\"name\": null", "frames[0].name: must be a string");
+  check("\"name\": \"c-0.obj\"", "\"name\": \"c-0\\u001b[2J\"", "frames[0].name: must be one line of text");
+  check("\"part\":\"c,d\"", "\"part\":\"c\\nd\"", "part: must be one line of text");
+  check("\"part\":\"c,d\"", "\"part\":\"\"", "part: must be one line of text");
   check("\"frame\": 3", "\"frame\": 4", "frames[3].frame");
   check("\"counts\"", "\"count\"", "has no key 'count'");
   check("\"results\": [", "\"results\": {}, \"results\": [", "twice");

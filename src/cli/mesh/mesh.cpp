@@ -41,7 +41,7 @@ struct FrameItem {
 /// A pipeline holds so many frames for each thread, which may be large.
 constexpr std::size_t kFramesPerThread = 2;
 
-std::vector<FrameName> frames_to_check(const MeshOptions& options, const frames::ReadOptions& reading) {
+std::vector<FrameName> frames_to_check(const MeshRunOptions& options, const frames::ReadOptions& reading) {
   const auto gaps = options.check ? sequence::Gaps::allowed : sequence::Gaps::refused;
   auto names = sequence::frames_of(sequence::in_order(sequence::expand_patterns(options.files), gaps), reading);
   if (options.check && names.empty()) throw Error("there is no frame in these files");
@@ -59,7 +59,7 @@ std::filesystem::path place_of(const std::string& name) {
   return error || place.empty() ? std::filesystem::path(name) : place;
 }
 
-void check_files(const MeshOptions& options, const std::vector<FrameName>& names) {
+void check_files(const MeshRunOptions& options, const std::vector<FrameName>& names) {
   std::vector<std::string> inputs;
   for (const auto& name : names) {
     if (name.index == 0) inputs.push_back(name.file);
@@ -88,7 +88,7 @@ void check_files(const MeshOptions& options, const std::vector<FrameName>& names
   }
 }
 
-sequence::Heading heading_for(const MeshOptions& options, const std::vector<FrameName>& names) {
+sequence::Heading heading_for(const MeshRunOptions& options, const std::vector<FrameName>& names) {
   sequence::Heading heading;
   heading.program = version();
   heading.question = options.check ? Question::rest : Question::steps;
@@ -191,7 +191,7 @@ std::shared_ptr<const Frame> read(const FrameName& name, const frames::ReadOptio
 
 }  // namespace
 
-int run_mesh(const MeshOptions& options) {
+int run_mesh(const MeshRunOptions& options) {
   const frames::ReadOptions reading{options.topology, options.dataset, options.triangulate, throw_if_interrupted};
   const std::vector<FrameName> names = frames_to_check(options, reading);
   check_files(options, names);

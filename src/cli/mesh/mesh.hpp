@@ -12,7 +12,7 @@
 
 namespace touchstone::cli {
 
-struct MeshOptions {
+struct MeshRunOptions {
   std::vector<std::string> files;  ///< as given; patterns are not expanded yet
   bool check = false;              ///< asks about each frame at rest
   SeparationOption separation;
@@ -24,7 +24,7 @@ struct MeshOptions {
   bool triangulate = false;
 };
 
-int run_mesh(const MeshOptions& options);
+int run_mesh(const MeshRunOptions& options);
 void add_mesh(CLI::App& program, Command& command);
 
 }  // namespace touchstone::cli

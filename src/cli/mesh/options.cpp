@@ -25,7 +25,7 @@ std::string not_empty(const std::string& name) { return name.empty() ? "the name
 }  // namespace
 
 void add_mesh(CLI::App& program, Command& command) {
-  const auto options = std::make_shared<MeshOptions>();
+  const auto options = std::make_shared<MeshRunOptions>();
   CLI::App* const subcommand =
       program.add_subcommand("mesh", "Check an animation: is each step between its frames free of contact?");
   subcommand

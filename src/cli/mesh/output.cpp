@@ -72,7 +72,7 @@ std::string pairs_are(std::size_t count) {
 
 std::string journal_path(const std::string& report) { return report + ".progress"; }
 
-MeshOutput::MeshOutput(const MeshOptions& options, sequence::Heading heading)
+MeshOutput::MeshOutput(const MeshRunOptions& options, sequence::Heading heading)
     : options_(options), console_(io::OutputFile::standard_output()) {
   report_.heading = std::move(heading);
   first_frame_ = sequence::range_of(report_.heading).first;
@@ -197,7 +197,7 @@ bool MeshOutput::finish() {
   }
   folders_.keep();
   const bool has_report = !options_.report.empty();
-  const sequence::Counts counts = has_report ? sequence::counts_of(report_) : counts_;
+  const sequence::ResultCounts counts = has_report ? sequence::counts_of(report_) : counts_;
   if (report_file_) {
     report_file_->write(sequence::report_text(report_));
     report_file_->commit();

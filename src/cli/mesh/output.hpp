@@ -24,7 +24,7 @@ std::string journal_path(const std::string& report);
 class MeshOutput {
  public:
   /// Opens the files, so that one that cannot be written is found before the run. @throws FileError
-  MeshOutput(const MeshOptions& options, sequence::Heading heading);
+  MeshOutput(const MeshRunOptions& options, sequence::Heading heading);
 
   /// The results of an earlier run, in their order.
   const std::vector<sequence::Finished>& finished() const noexcept;
@@ -58,9 +58,9 @@ class MeshOutput {
   std::string lines_of(const sequence::Result& result, const frames::Frame& before, const frames::Frame& after);
   const std::string& label(std::size_t frame) const;
 
-  const MeshOptions& options_;
+  const MeshRunOptions& options_;
   sequence::Report report_;  ///< without --report, its results are only counted
-  sequence::Counts counts_;
+  sequence::ResultCounts counts_;
   std::size_t first_frame_;
   std::optional<sequence::Journal> journal_;
   std::vector<sequence::Finished> from_report_;  ///< of a report that is there already

@@ -20,7 +20,7 @@ std::string element_for_person(const sequence::NamedElement& element) {
   return text;
 }
 
-std::string counts_for_person(const sequence::Heading& heading, const sequence::Counts& counts) {
+std::string counts_for_person(const sequence::Heading& heading, const sequence::ResultCounts& counts) {
   const bool steps = heading.question == sequence::Question::steps;
   const std::size_t rest = counts.results - counts.free;
   std::string text = heading.shard ? fmt::format("shard {}/{}: ", heading.shard->number, heading.shard->count) : "";

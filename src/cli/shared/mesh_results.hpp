@@ -12,6 +12,6 @@ namespace touchstone::cli {
 std::string element_for_person(const sequence::NamedElement& element);
 
 /// The last line of a run, with its end: "12 steps: 11 free, 1 not free".
-std::string counts_for_person(const sequence::Heading& heading, const sequence::Counts& counts);
+std::string counts_for_person(const sequence::Heading& heading, const sequence::ResultCounts& counts);
 
 }  // namespace touchstone::cli
