@@ -17,6 +17,8 @@
 #include "cli/explain/explain.hpp"
 #include "cli/fuzz/fuzz.hpp"
 #include "cli/generate/generate.hpp"
+#include "cli/merge.hpp"
+#include "cli/mesh/mesh.hpp"
 #include "cli/report.hpp"
 #include "cli/shared/interrupt.hpp"
 #include "cli/shared/words.hpp"
@@ -62,7 +64,8 @@ int parse_and_run(int argc, const char* const* argv) {
       "  touchstone report --out report                    error against run time of every method\n"
       "  touchstone fuzz --solver paper                    the simplest queries on which a solver is wrong\n"
       "  touchstone stress --out stress                    where each method breaks as queries get stiff\n"
-      "  touchstone simulate hoop --out hoop               a basketball through a net, each step proved\n\n"
+      "  touchstone simulate hoop --out hoop               a basketball through a net, each step proved\n"
+      "  touchstone mesh --report report.json cloth-*.obj  is each step of an animation free of contact?\n\n"
       "A query file has a row for each corner at t = 0 and then for each at t = 1, in the order\n"
       "  edge-edge    a0 a1 b0 b1      vertex-face  v f0 f1 f2      point-edge  p e0 e1      point-point  p q\n"
       "and seven integers a row: x_num,x_den,y_num,y_den,z_num,z_den,truth. --kind, or else the name of its folder, "
@@ -80,6 +83,8 @@ int parse_and_run(int argc, const char* const* argv) {
   add_fuzz(program, command);
   add_stress(program, command);
   add_simulate(program, command);
+  add_mesh(program, command);
+  add_merge(program, command);
   try {
     program.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -91,9 +96,9 @@ int parse_and_run(int argc, const char* const* argv) {
   } catch (const CLI::RequiredError& error) {
     const auto unknown = program.remaining();
     if (program.get_subcommands().empty() && !unknown.empty()) {
-      return complain(
-          "touchstone: " + io::with_short_words(unknown.front()) +
-          " is no subcommand; they are solve, certify, explain, generate, bench, report, fuzz, stress and simulate");
+      return complain("touchstone: " + io::with_short_words(unknown.front()) +
+                      " is no subcommand; they are solve, certify, explain, generate, bench, report, fuzz, stress, "
+                      "simulate, mesh and merge");
     }
     return complain("touchstone: " + first_line(error.what()) + " (see touchstone --help)");
   } catch (const CLI::ParseError& error) {

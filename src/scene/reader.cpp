@@ -1,20 +1,42 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include <touchstone/error.hpp>
 
-#include "scene/json_node.hpp"
+#include "json/json_node.hpp"
 #include "scene/parts.hpp"
 #include "scene/scene_file.hpp"
 
 namespace touchstone::sim {
 namespace {
 
+using json::JsonNode;
+
 constexpr Index kVersion = 1;
+
+Vector3 vector_from(const JsonNode& node) {
+  const auto numbers = node.three_numbers();
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+Vector3 vector_or(const JsonNode& node, std::string_view key, const Vector3& otherwise) {
+  return node.has(key) ? vector_from(node.at(key)) : otherwise;
+}
+
+template <std::size_t N>
+std::array<Index, N> indices_from(const JsonNode& node) {
+  const auto all = node.items();
+  if (all.size() != N) node.fail("must be a list of " + std::to_string(N) + " particle numbers");
+  std::array<Index, N> indices{};
+  for (std::size_t i = 0; i < N; ++i) indices[i] = all[i].index();
+  return indices;
+}
 
 Integrator integrator_from(const JsonNode& node) {
   const std::string name = node.text();
@@ -31,7 +53,7 @@ Settings settings_from(const JsonNode& node) {
   s.time_step = node.number_or("time_step", s.time_step);
   s.duration = node.number_or("duration", s.duration);
   if (const auto name = node.find("integrator")) s.integrator = integrator_from(*name);
-  s.gravity = node.vector_or("gravity", s.gravity);
+  s.gravity = vector_or(node, "gravity", s.gravity);
   s.drag = node.number_or("drag", s.drag);
   s.newton_tolerance = node.number_or("newton_tolerance", s.newton_tolerance);
   if (const auto contact = node.find("contact")) {
@@ -49,9 +71,9 @@ Settings settings_from(const JsonNode& node) {
 Particle particle_from(const JsonNode& node) {
   node.check_keys({"position", "velocity", "force", "mass", "pinned", "path", "collides", "radius"});
   Particle p;
-  p.position = node.at("position").vector();
-  p.velocity = node.vector_or("velocity", p.velocity);
-  p.force = node.vector_or("force", p.force);
+  p.position = vector_from(node.at("position"));
+  p.velocity = vector_or(node, "velocity", p.velocity);
+  p.force = vector_or(node, "force", p.force);
   p.mass = node.number_or("mass", 0);
   p.collides = node.boolean_or("collides", true);
   p.radius = node.number_or("radius", 0);
@@ -72,7 +94,7 @@ Particle particle_from(const JsonNode& node) {
   if (const auto path = node.find("path")) {
     for (const JsonNode& point : path->items()) {
       point.check_keys({"time", "position"});
-      p.path.push_back({point.at("time").number(), point.at("position").vector()});
+      p.path.push_back({point.at("time").number(), vector_from(point.at("position"))});
     }
     if (p.path.empty()) path->fail("must have a waypoint");
   }
@@ -93,7 +115,7 @@ double distance(const Scene& scene, const JsonNode& node, Index a, Index b) {
 
 Spring spring_from(const Scene& scene, const JsonNode& node) {
   node.check_keys({"particles", "stiffness", "damping", "rest_length", "collides", "radius"});
-  const auto ends = node.at("particles").indices<2>();
+  const auto ends = indices_from<2>(node.at("particles"));
   Spring s;
   s.a = ends[0];
   s.b = ends[1];
@@ -109,9 +131,9 @@ Spring spring_from(const Scene& scene, const JsonNode& node) {
 template <class Element>
 Element with_radius(const JsonNode& node) {
   constexpr std::size_t kCorners = std::tuple_size_v<decltype(Element::particles)>;
-  if (!node.is_object()) return {node.indices<kCorners>()};
+  if (!node.is_object()) return {indices_from<kCorners>(node)};
   node.check_keys({"particles", "radius"});
-  return {node.at("particles").indices<kCorners>(), node.number_or("radius", 0)};
+  return {indices_from<kCorners>(node.at("particles")), node.number_or("radius", 0)};
 }
 
 /// Triangles whose edges are springs at rest.
@@ -122,7 +144,7 @@ void add_surface(Scene& scene, const JsonNode& node) {
   const double stiffness = node.at("stiffness").number(), damping = node.number_or("damping", 0);
   std::vector<Edge> edges;
   for (const JsonNode& item : node.at("faces").items()) {
-    const Face face = item.indices<3>();
+    const Face face = indices_from<3>(item);
     scene.faces.push_back({face, radius});
     for (std::size_t k = 0; k < 3; ++k)
       edges.push_back({std::min(face[k], face[(k + 1) % 3]), std::max(face[k], face[(k + 1) % 3])});
@@ -209,7 +231,7 @@ void add_cable(Scene& scene, const JsonNode& node) {
     const JsonNode segments = node.at("segments");
     const auto count = static_cast<Index>(segments.whole_number(1, kMostSegments));
     if (scene.particles.size() + count >= kMostParticles) segments.fail("more than 10,000,000 particles in all");
-    const Vector3 from = node.at("from").vector(), to = node.at("to").vector();
+    const Vector3 from = vector_from(node.at("from")), to = vector_from(node.at("to"));
     cable.particles = straight_cable(scene, from, to, count).particles;
   }
   cable.closed = node.boolean_or("closed", false);
@@ -236,8 +258,8 @@ void add_cable(Scene& scene, const JsonNode& node) {
 }  // namespace
 
 Scene scene_from_json(std::string_view text) {
-  const JsonDocument document = parse_json(text);
-  const JsonNode root(document.value());
+  const json::JsonDocument document = json::parse_json(text);
+  const JsonNode root(document.value(), "the scene");
   root.check_keys(
       {"touchstone_scene", "name", "settings", "particles", "springs", "surfaces", "cables", "wires", "faces"});
   root.at("touchstone_scene").version(kVersion);

@@ -5,12 +5,15 @@
 
 #include "io/sealed_json.hpp"
 #include "io/times.hpp"
-#include "scene/json_node.hpp"
+#include "json/json_node.hpp"
 #include "scene/scene_file.hpp"
 #include "sim/state_check.hpp"
 
 namespace touchstone::sim {
 namespace {
+
+using json::JsonDocument;
+using json::JsonNode;
 
 constexpr std::uint32_t kVersion = 2;
 
@@ -63,7 +66,7 @@ std::string checkpoint_to_json(const Simulation& simulation) {
 
 Checkpoint checkpoint_from_json(std::string_view text) {
   check_seal(text);
-  const JsonDocument document = parse_json(text);
+  const JsonDocument document = json::parse_json(text);
   const JsonNode root(document.value(), "the checkpoint");
   root.check_keys(
       {"sha256", "touchstone_checkpoint", "steps", "time", "q", "v", "directors", "reference_twists", "scene"});

@@ -62,6 +62,10 @@ Run run_program(const std::vector<std::string>& arguments, const RunOptions& opt
     std::this_thread::sleep_for(std::chrono::duration<double>(options.interrupt_after));
     ::kill(options.own_group ? -child : child, SIGINT);
   }
+  if (options.kill_after > 0) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(options.kill_after));
+    ::kill(child, SIGKILL);
+  }
   int status = 0;
   struct rusage usage {};
   if (::wait4(child, &status, 0, &usage) != child) throw std::runtime_error("cannot wait");

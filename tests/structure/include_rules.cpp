@@ -28,17 +28,20 @@ const LayerTable& layer_table() {
        {"solver", "certify", "baselines", "families", "filters", "io", "numbers", "geometry", "pipes", "seeded"}},
       {"pipes", {"geometry", "io", "numbers"}},
       {"io", {"geometry", "numbers"}},
+      {"json", {"io"}},
       {"linear", {}},
-      {"scene", {"generators", "io"}},
+      {"scene", {"generators", "io", "json"}},
       {"rods", {"scene"}},
       {"contact", {"broad_phase", "linear", "scene", "rods", "solver", "baselines", "geometry", "numbers"}},
       {"dynamics", {"linear", "scene", "rods", "contact"}},
-      {"sim", {"linear", "scene", "rods", "contact", "dynamics", "io"}},
+      {"sim", {"linear", "scene", "rods", "contact", "dynamics", "io", "json"}},
+      {"sequence", {"frames", "mesh", "geometry", "io", "json"}},
       {"report", {"solver", "certify", "baselines", "generators", "io", "geometry", "seeded", "scene", "sim"}},
       {"stress", {"solver", "baselines", "report", "geometry", "seeded"}},
       {"cli", {"geometry",   "numbers", "filters",  "exact",    "oracle", "solver", "certify", "baselines",
                "generators", "io",      "report",   "families", "fuzz",   "pipes",  "seeded",  "scene",
-               "rods",       "contact", "dynamics", "sim",      "stress", "mesh",   "threads", "frames"}},
+               "rods",       "contact", "dynamics", "sim",      "stress", "mesh",   "threads",
+               "frames", "sequence"}},
   };
   return table;
 }

@@ -3,28 +3,17 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <filesystem>
 
-#include "cli/shared/interrupt.hpp"
-#include "io/input_file.hpp"
+#include <touchstone/error.hpp>
+
+#include "cli/shared/whole_file.hpp"
+#include "io/fail.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/shipped_scenes.hpp"
 
 namespace touchstone::cli {
 namespace {
-
-std::string whole_file(const std::string& path) {
-  constexpr std::size_t kMostBytes = std::size_t{1} << 30;
-  auto file = io::InputFile::open(path, throw_if_interrupted);
-  std::string text;
-  std::array<char, 1 << 16> block;
-  for (std::size_t count; (count = file.read(block.data(), block.size())) > 0;) {
-    text.append(block.data(), count);
-    if (text.size() > kMostBytes) io::fail(path, "is larger than 1 GiB");
-  }
-  return text;
-}
 
 /// The result of make(text of the file).
 template <class Make>

@@ -14,6 +14,7 @@
 
 #include "cli/shared/interrupt.hpp"
 #include "cli/shared/progress_line.hpp"
+#include "cli/shared/whole_file.hpp"
 #include "cli/shared/words.hpp"
 #include "cli/simulate/output.hpp"
 #include "cli/simulate/paths.hpp"

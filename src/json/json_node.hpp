@@ -2,19 +2,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include <array>
 #include <cstdint>
 #include <initializer_list>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "scene/scene.hpp"
-
-namespace touchstone::sim {
+namespace touchstone::json {
 
 /// A document that can be destroyed when there is no memory left. The library's destructor allocates a list of all
 /// elements, and a failure there ends the program, as no exception may leave a destructor.
@@ -38,8 +35,7 @@ JsonDocument parse_json(std::string_view text);
 class JsonNode {
  public:
   /// @param whole  the name of the document in messages, as its path is empty
-  explicit JsonNode(const nlohmann::json& document, std::string_view whole = "the scene")
-      : JsonNode(document, "", whole) {}
+  JsonNode(const nlohmann::json& document, std::string_view whole) : JsonNode(document, "", whole) {}
 
   /// @throws Error "PATH: REASON"
   [[noreturn]] void fail(std::string_view reason) const;
@@ -59,19 +55,10 @@ class JsonNode {
   void version(std::uint32_t must) const;  ///< this number, and no other
   bool boolean() const;
   std::string text() const;
-  Vector3 vector() const;
-  template <std::size_t N>
-  std::array<std::uint32_t, N> indices() const {
-    const auto all = items();
-    if (all.size() != N) fail("must be a list of " + std::to_string(N) + " particle numbers");
-    std::array<std::uint32_t, N> result{};
-    for (std::size_t i = 0; i < N; ++i) result[i] = all[i].index();
-    return result;
-  }
+  std::array<double, 3> three_numbers() const;
 
   double number_or(std::string_view key, double otherwise) const;
   bool boolean_or(std::string_view key, bool otherwise) const;
-  Vector3 vector_or(std::string_view key, const Vector3& otherwise) const;
 
  private:
   JsonNode(const nlohmann::json& value, std::string path, std::string_view whole)
@@ -82,4 +69,4 @@ class JsonNode {
   std::string_view whole_;
 };
 
-}  // namespace touchstone::sim
+}  // namespace touchstone::json

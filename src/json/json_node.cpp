@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/json_node.hpp"
+#include "json/json_node.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -10,7 +10,7 @@
 
 #include "io/fail.hpp"
 
-namespace touchstone::sim {
+namespace touchstone::json {
 namespace {
 
 std::string item_path(const std::string& list, std::size_t number) { return list + "[" + std::to_string(number) + "]"; }
@@ -197,7 +197,7 @@ std::string JsonNode::text() const {
   return value_->get<std::string>();
 }
 
-Vector3 JsonNode::vector() const {
+std::array<double, 3> JsonNode::three_numbers() const {
   const auto all = items();
   if (all.size() != 3) fail("must be a list of three numbers");
   return {all[0].number(), all[1].number(), all[2].number()};
@@ -211,8 +211,4 @@ bool JsonNode::boolean_or(std::string_view key, bool otherwise) const {
   return has(key) ? at(key).boolean() : otherwise;
 }
 
-Vector3 JsonNode::vector_or(std::string_view key, const Vector3& otherwise) const {
-  return has(key) ? at(key).vector() : otherwise;
-}
-
-}  // namespace touchstone::sim
+}  // namespace touchstone::json

@@ -1,0 +1,20 @@
+// `touchstone merge`: the reports of the shards of an animation, put together.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/shared/command.hpp"
+
+namespace touchstone::cli {
+
+struct MergeOptions {
+  std::vector<std::string> reports;
+  std::string out, pairs;
+};
+
+int run_merge(const MergeOptions& options);
+void add_merge(CLI::App& program, Command& command);
+
+}  // namespace touchstone::cli

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include "cli/mesh/mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include <touchstone/error.hpp>
+#include <touchstone/version.hpp>
+
+#include "cli/mesh/output.hpp"
+#include "cli/shared/interrupt.hpp"
+#include "cli/shared/options.hpp"
+#include "cli/shared/pipeline.hpp"
+#include "cli/shared/words.hpp"
+#include "io/fail.hpp"
+#include "sequence/checks.hpp"
+#include "sequence/element_names.hpp"
+#include "sequence/frame_list.hpp"
+#include "sequence/report.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+using frames::Frame;
+using sequence::FrameName;
+using sequence::Question;
+
+/// One item of the pipeline: a frame.
+struct FrameItem {
+  std::size_t index = 0;  ///< its place in the sequence
+  std::shared_ptr<const Frame> frame;
+  std::exception_ptr error;
+};
+
+/// A pipeline holds so many frames for each thread, which may be large.
+constexpr std::size_t kFramesPerThread = 2;
+
+std::vector<FrameName> frames_to_check(const MeshRunOptions& options, const frames::ReadOptions& reading) {
+  const auto gaps = options.check ? sequence::Gaps::allowed : sequence::Gaps::refused;
+  auto names = sequence::frames_of(sequence::in_order(sequence::expand_patterns(options.files), gaps), reading);
+  if (options.check && names.empty()) throw Error("there is no frame in these files");
+  if (!options.check && names.size() < 2) {
+    throw Error(fmt::format("a step needs two frames, and there {} only {}; --check asks about frames at rest",
+                            names.size() == 1 ? "is" : "are", names.size()));
+  }
+  return names;
+}
+
+/// The file that a name leads to, whether it is there or not.
+std::filesystem::path place_of(const std::string& name) {
+  std::error_code error;
+  const auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(name, error), error);
+  return error || place.empty() ? std::filesystem::path(name) : place;
+}
+
+void check_files(const MeshRunOptions& options, const std::vector<FrameName>& names) {
+  std::vector<std::string> inputs;
+  for (const auto& name : names) {
+    if (name.index == 0) inputs.push_back(name.file);
+  }
+  if (!options.topology.empty()) inputs.push_back(options.topology);
+  if (options.pairs == "-") throw Error("--pairs: name a file to write");
+  if (options.resume && options.report == "-")
+    throw Error("--resume: name the report's file, standard output has none");
+  std::vector<std::pair<std::string, std::string>> outputs;
+  if (!options.report.empty() && options.report != "-") {
+    outputs.emplace_back("--report", options.report);
+    outputs.emplace_back("--report", journal_path(options.report));
+  }
+  if (!options.pairs.empty()) outputs.emplace_back("--pairs", options.pairs);
+  for (const Kind kind : {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point}) {
+    if (options.queries.empty()) break;
+    const auto folder = std::filesystem::path(options.queries) / kind_name(kind);
+    outputs.emplace_back("--queries", (folder / "contacts.csv").string());
+  }
+  std::set<std::filesystem::path> places;
+  for (const auto& [option, output] : outputs) {
+    refuse_to_overwrite(output, inputs);
+    std::error_code ignored;
+    if (places.insert(place_of(output)).second || std::filesystem::is_character_file(output, ignored)) continue;
+    throw Error(fmt::format("{} names {}, which another option names too", option, io::printable(output)));
+  }
+}
+
+sequence::Heading heading_for(const MeshRunOptions& options, const std::vector<FrameName>& names) {
+  sequence::Heading heading;
+  heading.program = version();
+  heading.question = options.check ? Question::rest : Question::steps;
+  heading.separation = options.separation.separation;
+  if (heading.separation.distance == 0) heading.separation.metric = Metric::euclidean;  // the metric has no meaning
+  heading.frame_count = names.size();
+  std::vector<std::string> labels;
+  for (const auto& name : names) labels.push_back(name.label());
+  heading.list_digest = sequence::digest_of(labels);
+  heading.shard = options.shard;
+  const std::size_t items = sequence::item_count(heading.question, names.size());
+  if (options.shard && options.shard->count > items) {
+    throw Error(fmt::format("--shard {}/{}: there {} only {}, which at most {} can divide", options.shard->number,
+                            options.shard->count, items == 1 ? "is" : "are",
+                            counted(items, options.check ? "frame" : "step"), counted(items, "shard")));
+  }
+  return heading;
+}
+
+/// Checks frames one after the other.
+class Checker {
+ public:
+  Checker(const std::vector<FrameName>& names, MeshOutput& output, Question question, const Separation& separation,
+          sequence::Range range, int threads)
+      : names_(names),
+        output_(output),
+        question_(question),
+        separation_(separation),
+        range_(range),
+        threads_(threads) {}
+
+  /// The mesh of the first frame, which was made already.
+  void start_with(std::shared_ptr<const frames::Topology> topology, Mesh mesh) {
+    topology_ = std::move(topology);
+    mesh_ = std::move(mesh);
+  }
+
+  /// @param index  the frame's place in the sequence; they come in order
+  void take(std::size_t index, std::shared_ptr<const Frame> frame) {
+    const FrameName& name = names_[index];
+    if (question_ == Question::steps && before_ != nullptr) {
+      sequence::check_same_elements(*before_->topology, names_[index - 1], *frame->topology, name);
+    }
+    if (question_ == Question::rest && frame->topology != topology_) {
+      mesh_ = sequence::mesh_of(*frame->topology, separation_, name.file);
+      topology_ = frame->topology;
+    }
+    output_.add_frame({name.label(), frame->digest});
+    const std::shared_ptr<const Frame> before = std::exchange(before_, frame);
+    const bool rest = question_ == Question::rest || index == 0;
+    if (rest) check(*frame, *frame);
+    if (question_ == Question::steps && before != nullptr) check(*before, *frame);
+  }
+
+ private:
+  /// Finds the next result, which is about these frames, or takes it from an earlier run.
+  void check(const Frame& before, const Frame& after) {
+    sequence::Finished next{sequence::result_at(question_, range_, results_), {before.digest}};
+    if (next.result.step) next.digests.push_back(after.digest);
+    const bool known = results_ < output_.finished().size();
+    if (known) {
+      const sequence::Finished& earlier = output_.finished()[results_];
+      for (std::size_t i = 0; i < next.digests.size(); ++i) {
+        if (earlier.digests[i] != next.digests[i]) refuse_changed(names_[next.result.frame + i]);
+      }
+      next.result = earlier.result;
+    } else if (next.result.step) {
+      next.result = sequence::check_step(mesh_, before, after, next.result.frame, threads_);
+    } else {
+      next.result.intersections = sequence::intersections_of(mesh_, before, threads_);
+    }
+    ++results_;
+    output_.add(std::move(next), before, after, known);
+  }
+
+  [[noreturn]] void refuse_changed(const FrameName& name) const {
+    io::fail(name.file, fmt::format("{} has changed since {} was written; remove that to begin again",
+                                    name.several ? fmt::format("frame {}", name.index) : "it",
+                                    io::printable(output_.finished_file())));
+  }
+
+  const std::vector<FrameName>& names_;
+  MeshOutput& output_;
+  Question question_;
+  Separation separation_;
+  sequence::Range range_;
+  int threads_;
+  std::shared_ptr<const frames::Topology> topology_;  ///< of mesh_
+  Mesh mesh_;
+  std::shared_ptr<const Frame> before_;
+  std::size_t results_ = 0;
+};
+
+std::shared_ptr<const Frame> read(const FrameName& name, const frames::ReadOptions& reading,
+                                  const std::shared_ptr<const frames::Topology>& earlier) {
+  auto frame = std::make_shared<Frame>(frames::read_frame(name.file, name.index, reading, earlier));
+  sequence::check_positions(*frame, name);
+  return frame;
+}
+
+}  // namespace
+
+int run_mesh(const MeshRunOptions& options) {
+  const frames::ReadOptions reading{options.topology, options.dataset, options.triangulate, throw_if_interrupted};
+  const std::vector<FrameName> names = frames_to_check(options, reading);
+  check_files(options, names);
+  sequence::Heading heading = heading_for(options, names);
+  const Question question = heading.question;
+  const Separation separation = heading.separation;
+  const sequence::Range range = sequence::range_of(heading);
+  const int threads = thread_count(options.threads);
+
+  // The first frame is read alone: the other ones share its elements.
+  const auto first = read(names[range.first], reading, nullptr);
+  Mesh mesh = sequence::mesh_of(*first->topology, separation, names[range.first].file);
+  if (question == Question::steps) heading.facts = sequence::facts_of(mesh, *first->topology);
+  MeshOutput output(options, std::move(heading));
+  if (!output.finished().empty()) {
+    print_error(fmt::format("touchstone: {} of {} results are those of {}\n", grouped(output.finished().size()),
+                            grouped(sequence::result_count(question, range)), io::printable(output.finished_file())));
+  }
+  Checker checker(names, output, question, separation, range, threads);
+  checker.start_with(first->topology, std::move(mesh));
+
+  std::size_t next = range.first;
+  run_in_order<FrameItem>(
+      threads,
+      [&](FrameItem& item) {
+        if (next == range.last) return false;
+        item.index = next++;
+        return true;
+      },
+      [&](FrameItem& item) {
+        item.frame = item.index == range.first ? first : read(names[item.index], reading, first->topology);
+      },
+      [&](FrameItem& item) {
+        if (item.frame != nullptr) checker.take(item.index, std::move(item.frame));
+      },
+      kFramesPerThread);
+  return output.finish() ? kAllHold : kRefuted;
+}
+
+}  // namespace touchstone::cli

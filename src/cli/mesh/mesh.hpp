@@ -1,0 +1,30 @@
+// `touchstone mesh`: is each step of an animation free of contact?
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/shared/command.hpp"
+#include "cli/shared/separation.hpp"
+#include "sequence/results.hpp"
+
+namespace touchstone::cli {
+
+struct MeshRunOptions {
+  std::vector<std::string> files;  ///< as given; patterns are not expanded yet
+  bool check = false;              ///< asks about each frame at rest
+  SeparationOption separation;
+  int threads = 0;  ///< 0: all that the machine has
+  std::optional<sequence::Shard> shard;
+  std::string report, pairs, queries;
+  bool resume = false;
+  std::string topology, dataset;
+  bool triangulate = false;
+};
+
+int run_mesh(const MeshRunOptions& options);
+void add_mesh(CLI::App& program, Command& command);
+
+}  // namespace touchstone::cli

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "cli/mesh/output.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include <touchstone/error.hpp>
+
+#include "cli/shared/mesh_results.hpp"
+#include "cli/shared/whole_file.hpp"
+#include "cli/shared/words.hpp"
+#include "io/fail.hpp"
+#include "io/query_writer.hpp"
+#include "io/separation_text.hpp"
+#include "io/times.hpp"
+#include "sequence/checks.hpp"
+#include "sequence/pairs_table.hpp"
+#include "sequence/report.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kShownPairs = 5;  // of a list on the console; the report has all
+
+bool is_there(const std::string& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored);
+}
+
+std::string time_range(double toi, double toi_upper) {
+  if (toi == toi_upper) return "t = " + time_for_person(toi);
+  return fmt::format("t in [{}, {}] ({})", io::hexfloat(toi), io::hexfloat(toi_upper), toi);
+}
+
+std::string more_line(std::size_t count, const std::string& indent) {
+  return count > kShownPairs ? fmt::format("{}and {} more\n", indent, grouped(count - kShownPairs)) : std::string();
+}
+
+std::string contact_of(const sequence::PairContact& pair) {
+  Answer answer;
+  answer.contact = true;
+  answer.nature = pair.nature;
+  answer.feature_a = pair.feature_a;
+  answer.feature_b = pair.feature_b;
+  return contact_for_person(answer);
+}
+
+std::string pair_for_person(const sequence::PairContact& pair) {
+  return element_for_person(pair.first) + " and " + element_for_person(pair.second);
+}
+
+std::string intersection_lines(const std::vector<sequence::RestContact>& contacts, const std::string& indent) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kShownPairs, contacts.size()); ++i) {
+    text += fmt::format("{}{} {} {}\n", indent, element_for_person(contacts[i].first),
+                        contacts[i].pierces ? "pierces" : "touches", element_for_person(contacts[i].second));
+  }
+  return text + more_line(contacts.size(), indent);
+}
+
+std::string pairs_are(std::size_t count) {
+  return count == 1 ? "1 pair is in contact at the start" : counted(count, "pair") + " are in contact at the start";
+}
+
+}  // namespace
+
+std::string journal_path(const std::string& report) { return report + ".progress"; }
+
+MeshOutput::MeshOutput(const MeshRunOptions& options, sequence::Heading heading)
+    : options_(options), console_(io::OutputFile::standard_output()) {
+  report_.heading = std::move(heading);
+  first_frame_ = sequence::range_of(report_.heading).first;
+  const std::string& report = options.report;
+  if (!report.empty() && report != "-") {
+    const std::string journal = journal_path(report);
+    if (options.resume && !is_there(journal) && is_there(report)) {
+      take_finished_report();
+    } else {
+      finished_file_ = journal;
+      const auto earlier = options.resume ? sequence::Earlier::continued : sequence::Earlier::refused;
+      journal_.emplace(journal, report_.heading, earlier);
+      report_file_.emplace(report);
+    }
+  }
+  if (!options.pairs.empty()) pairs_file_.emplace(options.pairs).write(sequence::kPairsHeader);
+  if (!options.queries.empty()) folders_.make(options.queries);
+}
+
+void MeshOutput::take_finished_report() {
+  finished_file_ = options_.report;
+  const std::string text = whole_file(options_.report);
+  sequence::Report report = naming_file(options_.report, [&] {
+    sequence::Report read = sequence::report_from(text);
+    const std::string difference = sequence::difference_of(read.heading, report_.heading, "this run");
+    if (!difference.empty()) throw Error(difference + "; without --resume it is replaced");
+    return read;
+  });
+  for (sequence::Result& result : report.results) {
+    const std::size_t frame = result.frame - first_frame_;
+    std::vector<std::string> digests = {report.frames[frame].digest};
+    if (result.step) digests.push_back(report.frames[frame + 1].digest);
+    from_report_.push_back({std::move(result), std::move(digests)});
+  }
+}
+
+const std::vector<sequence::Finished>& MeshOutput::finished() const noexcept {
+  return journal_ ? journal_->finished() : from_report_;
+}
+
+const std::string& MeshOutput::label(std::size_t frame) const { return report_.frames[frame - first_frame_].label; }
+
+void MeshOutput::add(sequence::Finished finished, const frames::Frame& before, const frames::Frame& after, bool known) {
+  if (journal_ && !known) journal_->add(finished);
+  const sequence::Result& result = finished.result;
+  if (pairs_file_) {
+    pairs_file_->write(
+        sequence::pair_rows(result, label(result.frame), result.step ? label(result.frame + 1) : std::string()));
+  }
+  const std::string lines = lines_of(result, before, after);
+  if (options_.report != "-") {
+    console_.write(lines);
+    console_.commit();  // a step may take minutes
+  }
+  if (!options_.report.empty()) {
+    report_.results.push_back(std::move(finished.result));
+  } else {
+    counts_.add(report_.heading.question, finished.result);
+  }
+}
+
+std::string MeshOutput::lines_of(const sequence::Result& result, const frames::Frame& before,
+                                 const frames::Frame& after) {
+  if (!result.step) {
+    if (result.free()) return label(result.frame) + ": no intersection\n";
+    return fmt::format("{}: {}\n", label(result.frame), counted(result.intersections.size(), "intersection")) +
+           intersection_lines(result.intersections, "  ");
+  }
+  std::string text = label(result.frame) + " -> " + label(result.frame + 1) + ": ";
+  if (result.free()) return text + "free\n";
+  if (!result.first.empty()) {
+    text += fmt::format("first contact at {}, {}\n", time_range(result.toi, result.toi_upper),
+                        counted(result.first.size(), "pair"));
+    text += pair_lines(result.first, result, before, after, "  ");
+    if (!result.at_start.empty()) text += "  " + pairs_are(result.at_start.size()) + "\n";
+  } else {
+    text += pairs_are(result.at_start.size()) + "\n";
+  }
+  text += pair_lines(result.at_start, result, before, after, result.first.empty() ? "  " : "    ");
+  if (!result.intersections.empty()) {
+    text += fmt::format("  {} then has {}\n", label(result.frame + 1),
+                        counted(result.intersections.size(), "intersection"));
+    text += intersection_lines(result.intersections, "    ");
+  }
+  return text;
+}
+
+std::string MeshOutput::pair_lines(const std::vector<sequence::PairContact>& pairs, const sequence::Result& result,
+                                   const frames::Frame& before, const frames::Frame& after, const std::string& indent) {
+  std::string text;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const std::string command = options_.queries.empty() ? std::string() : write_query(pairs[i], result, before, after);
+    if (i >= kShownPairs) continue;
+    text += fmt::format("{}{}: {}\n", indent, pair_for_person(pairs[i]), contact_of(pairs[i]));
+    if (!command.empty()) text += fmt::format("{}  {}\n", indent, command);
+  }
+  return text + more_line(pairs.size(), indent);
+}
+
+std::string MeshOutput::write_query(const sequence::PairContact& pair, const sequence::Result& result,
+                                    const frames::Frame& before, const frames::Frame& after) {
+  const Separation& separation = report_.heading.separation;
+  auto& target = queries_[static_cast<std::size_t>(pair.kind)];
+  if (!target) {
+    const fs::path folder = fs::path(options_.queries) / kind_name(pair.kind);
+    folders_.make(folder);
+    const std::string path = (folder / "contacts.csv").string();
+    target.emplace(QueryFile{io::OutputFile(path), path});
+    if (separation.distance > 0) target->file.write(io::separation_comment(separation));
+  }
+  std::string text =
+      fmt::format("# step {} -> {}: {}\n", label(result.frame), label(result.frame + 1), pair_for_person(pair));
+  io::append_query(text, sequence::query_of(pair, before, after), true);
+  target->file.write(text);
+  return explain_command(target->path, pair.kind, target->queries++, separation);
+}
+
+bool MeshOutput::finish() {
+  if (pairs_file_) pairs_file_->commit();
+  for (auto& queries : queries_) {
+    if (queries) queries->file.commit();
+  }
+  folders_.keep();
+  const bool has_report = !options_.report.empty();
+  const sequence::ResultCounts counts = has_report ? sequence::counts_of(report_) : counts_;
+  if (report_file_) {
+    report_file_->write(sequence::report_text(report_));
+    report_file_->commit();
+  }
+  if (journal_) journal_->remove();
+  if (options_.report == "-") {
+    console_.write(sequence::report_text(report_));
+  } else {
+    console_.write(counts_for_person(report_.heading, counts));
+  }
+  console_.commit();
+  return counts.all_free();
+}
+
+}  // namespace touchstone::cli

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "cli/shared/mesh_results.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/shared/separation.hpp"
+#include "cli/shared/words.hpp"
+
+namespace touchstone::cli {
+
+std::string element_for_person(const sequence::NamedElement& element) {
+  std::string corners;
+  for (std::size_t i = 0; i < element.corner_count(); ++i) {
+    corners += fmt::format("{}{}", i == 0 ? "" : "-", element.vertices[i]);
+  }
+  std::string text = element.element == MeshElement::face
+                         ? fmt::format("face {} ({})", element.face, corners)
+                         : fmt::format("{} {}", mesh_element_name(element.element), corners);
+  if (!element.part.empty()) text += " of " + element.part;
+  return text;
+}
+
+std::string counts_for_person(const sequence::Heading& heading, const sequence::ResultCounts& counts) {
+  const bool steps = heading.question == sequence::Question::steps;
+  const std::size_t rest = counts.results - counts.free;
+  std::string text = heading.shard ? fmt::format("shard {}/{}: ", heading.shard->number, heading.shard->count) : "";
+  text += counted(counts.results, steps ? "step" : "frame");
+  if (steps) {
+    text += rest == 0 ? ", all free" : fmt::format(": {} free, {} not free", grouped(counts.free), grouped(rest));
+  } else {
+    text += rest == 0 ? ", no intersection"
+                      : fmt::format(": {} without intersections, {} with", grouped(counts.free), grouped(rest));
+  }
+  if (counts.intersections > 0) {
+    text += fmt::format("; the first frame has {}", counted(counts.intersections, "intersection"));
+  }
+  if (heading.separation.distance > 0) text += " (" + separation_for_person(heading.separation) + ")";
+  return text + "\n";
+}
+
+}  // namespace touchstone::cli

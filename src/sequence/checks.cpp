@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+#include "sequence/checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <touchstone/error.hpp>
+
+#include "io/fail.hpp"
+#include "sequence/element_names.hpp"
+
+namespace touchstone::sequence {
+namespace {
+
+using frames::Frame;
+using frames::Topology;
+
+Positions positions_of(const Frame& frame) { return {frame.positions, frame.topology->dimension}; }
+
+std::uint64_t number_in_file(const Topology& topology, std::uint64_t vertex) { return vertex + topology.first_number; }
+
+std::uint64_t face_number(const Topology& topology, std::size_t face) {
+  return topology.face_numbers.empty() ? number_in_file(topology, face) : topology.face_numbers[face];
+}
+
+template <std::size_t N>
+std::string corners_text(const Topology& topology, const std::array<MeshIndex, N>& corners) {
+  std::string text;
+  for (const MeshIndex corner : corners) {
+    text += fmt::format("{}{}", text.empty() ? "" : " ", number_in_file(topology, corner));
+  }
+  return text;
+}
+
+/// The name of element i in messages.
+std::string element_name(const Topology& topology, const std::array<MeshIndex, 3>&, std::size_t i) {
+  return fmt::format("face {}", face_number(topology, i));
+}
+std::string element_name(const Topology& topology, const std::array<MeshIndex, 2>& corners, std::size_t) {
+  return fmt::format("edge {}", corners_text(topology, corners));
+}
+
+/// @throws FileError  for the first fault of the elements that Mesh would find, by the numbers in the file
+template <std::size_t N>
+void refuse_faults(const Topology& topology, const std::vector<std::array<MeshIndex, N>>& elements,
+                   const std::string& file) {
+  constexpr const char* kSort = N == 3 ? "face" : "edge";
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const auto& corners = elements[i];
+    for (std::size_t k = 0; k < N; ++k) {
+      if (corners[k] >= topology.vertex_count) {
+        io::fail(file, fmt::format("{} names vertex {}, and there are only {}", element_name(topology, corners, i),
+                                   number_in_file(topology, corners[k]), topology.vertex_count));
+      }
+      if (std::find(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(k), corners[k]) ==
+          corners.begin() + static_cast<std::ptrdiff_t>(k)) {
+        continue;
+      }
+      io::fail(file, fmt::format("{} names vertex {} twice; its corners must be {} different vertices",
+                                 element_name(topology, corners, i), number_in_file(topology, corners[k]), N));
+    }
+  }
+  std::vector<std::pair<std::array<MeshIndex, N>, std::size_t>> sorted;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    sorted.emplace_back(elements[i], i);
+    std::sort(sorted.back().first.begin(), sorted.back().first.end());
+  }
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    if (sorted[i].first != sorted[i - 1].first) continue;
+    const std::size_t one = sorted[i - 1].second, two = sorted[i].second;
+    io::fail(file, fmt::format("{} has the same corners as {}, vertices {}; each {} may be given once",
+                               element_name(topology, elements[two], two), element_name(topology, elements[one], one),
+                               corners_text(topology, sorted[i].first), kSort));
+  }
+}
+
+/// The points of a file that are in no element. The others collide as corners.
+std::vector<MeshIndex> loose_points(const Topology& topology) {
+  if (topology.faces.empty() && topology.edges.empty() && topology.points.empty()) {
+    std::vector<MeshIndex> all(topology.vertex_count);
+    for (std::size_t v = 0; v < all.size(); ++v) all[v] = static_cast<MeshIndex>(v);
+    return all;
+  }
+  if (topology.points.empty()) return {};
+  std::vector<char> taken(topology.vertex_count, 0);
+  const auto take = [&](const auto& elements) {
+    for (const auto& corners : elements) {
+      for (const MeshIndex corner : corners) {
+        if (corner < taken.size()) taken[corner] = 1;
+      }
+    }
+  };
+  take(topology.faces);
+  take(topology.edges);
+  std::vector<MeshIndex> points;
+  for (const MeshIndex point : topology.points) {
+    if (point < taken.size() && std::exchange(taken[point], char{1}) != 0) continue;
+    points.push_back(point);
+  }
+  return points;
+}
+
+[[noreturn]] void refuse_change(const FrameName& before, const FrameName& after, const std::string& what) {
+  io::fail(after.file, fmt::format("{} differs from {}: {}; all frames of a sequence must have the same vertices and "
+                                   "elements",
+                                   after.label(), before.label(), what));
+}
+
+void check_same_count(std::size_t before, std::size_t after, const char* things, const FrameName& name_before,
+                      const FrameName& name_after) {
+  if (before == after) return;
+  refuse_change(name_before, name_after, fmt::format("{} {}, not {}", after, things, before));
+}
+
+template <std::size_t N>
+void check_same(const Topology& before, const std::vector<std::array<MeshIndex, N>>& old_elements,
+                const Topology& after, const std::vector<std::array<MeshIndex, N>>& new_elements, const char* sort,
+                const FrameName& name_before, const FrameName& name_after) {
+  for (std::size_t i = 0; i < old_elements.size(); ++i) {
+    if (old_elements[i] == new_elements[i]) continue;
+    const std::uint64_t number = N == 3 ? face_number(after, i) : number_in_file(after, i);
+    refuse_change(name_before, name_after,
+                  fmt::format("{} {} has the vertices {}, not {}", sort, number, corners_text(after, new_elements[i]),
+                              corners_text(before, old_elements[i])));
+  }
+}
+
+PairContact named(const MeshContact& contact, ElementNames& names) {
+  const Answer& answer = contact.answer;
+  return {contact.pair.kind,
+          names.first_of(contact.pair),
+          names.second_of(contact.pair),
+          answer.nature,
+          answer.feature_a,
+          answer.feature_b,
+          answer.trend};
+}
+
+std::vector<RestContact> named(const std::vector<Intersection>& found, ElementNames& names) {
+  std::vector<RestContact> contacts;
+  contacts.reserve(found.size());
+  for (const Intersection& one : found) {
+    contacts.push_back(
+        {names.element(one.first_element, one.first), names.element(one.second_element, one.second), one.pierces});
+  }
+  return contacts;
+}
+
+}  // namespace
+
+Mesh mesh_of(const Topology& topology, const Separation& separation, const std::string& file) {
+  MeshElements elements;
+  elements.vertex_count = topology.vertex_count;
+  elements.dimension = topology.dimension;
+  elements.faces = topology.faces;
+  elements.edges = topology.edges;
+  elements.points = loose_points(topology);
+  elements.separation = separation;
+  try {
+    return Mesh(std::move(elements));
+  } catch (const InvalidMesh& error) {
+    refuse_faults(topology, topology.faces, file);
+    refuse_faults(topology, topology.edges, file);
+    io::fail(file, error.what());
+  }
+}
+
+void check_positions(const Frame& frame, const FrameName& name) {
+  const auto dimension = static_cast<std::size_t>(frame.topology->dimension);
+  const auto found =
+      std::find_if_not(frame.positions.begin(), frame.positions.end(), [](double x) { return std::isfinite(x); });
+  if (found == frame.positions.end()) return;
+  const auto at = static_cast<std::size_t>(found - frame.positions.begin());
+  io::fail(name.file, fmt::format("{}vertex {} has {} = {}; coordinates must be finite",
+                                  name.several ? fmt::format("in frame {}, ", name.index) : std::string(),
+                                  number_in_file(*frame.topology, at / dimension), "xyz"[at % dimension], *found));
+}
+
+void check_same_elements(const Topology& before, const FrameName& name_before, const Topology& after,
+                         const FrameName& name_after) {
+  if (&before == &after) return;
+  check_same_count(static_cast<std::size_t>(before.dimension), static_cast<std::size_t>(after.dimension),
+                   "coordinates a vertex", name_before, name_after);
+  check_same_count(before.vertex_count, after.vertex_count, "vertices", name_before, name_after);
+  check_same_count(before.faces.size(), after.faces.size(), "faces", name_before, name_after);
+  check_same_count(before.edges.size(), after.edges.size(), "edges", name_before, name_after);
+  check_same(before, before.faces, after, after.faces, "face", name_before, name_after);
+  check_same(before, before.edges, after, after.edges, "edge", name_before, name_after);
+  if (before.points != after.points) {
+    check_same_count(before.points.size(), after.points.size(), "points", name_before, name_after);
+    refuse_change(name_before, name_after, "other vertices are points");
+  }
+}
+
+std::vector<RestContact> intersections_of(const Mesh& mesh, const Frame& frame, int threads) {
+  const auto found = intersections(mesh, positions_of(frame), {1.0, threads});
+  ElementNames names(mesh, *frame.topology);
+  return named(found, names);
+}
+
+Result check_step(const Mesh& mesh, const Frame& before, const Frame& after, std::size_t index, int threads) {
+  const MeshOptions options{1.0, threads};
+  const FirstContact contact = first_contact(mesh, positions_of(before), positions_of(after), options);
+  Result result;
+  result.step = true;
+  result.frame = index;
+  result.toi = contact.toi;
+  result.toi_upper = contact.toi_upper;
+  if (contact.free()) return result;
+  ElementNames names(mesh, *before.topology);
+  for (const MeshContact& one : contact.first) result.first.push_back(named(one, names));
+  for (const MeshContact& one : contact.at_start) result.at_start.push_back(named(one, names));
+  result.intersections = named(intersections(mesh, positions_of(after), options), names);
+  return result;
+}
+
+Query query_of(const PairContact& pair, const Frame& before, const Frame& after) {
+  const Topology& topology = *before.topology;
+  const auto at = [&](const Frame& frame, std::uint64_t number) {
+    const auto dimension = static_cast<std::size_t>(topology.dimension);
+    if (number < topology.first_number || number - topology.first_number >= topology.vertex_count) {
+      throw Error(fmt::format("a pair of an earlier run names vertex {}, which the mesh does not have", number));
+    }
+    const double* const x = &frame.positions[(number - topology.first_number) * dimension];
+    return Vec3{x[0], x[1], dimension == 3 ? x[2] : 0.0};
+  };
+  Query query;
+  query.kind = pair.kind;
+  std::size_t corner = 0;
+  for (const NamedElement* element : {&pair.first, &pair.second}) {
+    for (std::size_t i = 0; i < element->corner_count(); ++i, ++corner) {
+      query.start[corner] = at(before, element->vertices[i]);
+      query.end[corner] = at(after, element->vertices[i]);
+    }
+  }
+  return query;
+}
+
+}  // namespace touchstone::sequence

@@ -1,0 +1,39 @@
+// The checks of frames and steps, with errors that name files and count as the files do.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include <touchstone/mesh.hpp>
+
+#include "frames/frame.hpp"
+#include "sequence/frame_list.hpp"
+#include "sequence/results.hpp"
+
+namespace touchstone::sequence {
+
+/// The mesh of a topology. Vertices that are in no element do not collide.
+/// @param file  the name for messages
+/// @throws FileError  for elements that Mesh refuses, by their numbers in the file
+Mesh mesh_of(const frames::Topology& topology, const Separation& separation, const std::string& file);
+
+/// @throws FileError  for a coordinate that is not finite, by the vertex's number in the file
+void check_positions(const frames::Frame& frame, const FrameName& name);
+
+/// @throws FileError  naming both frames and the first difference, unless both have the same vertices and elements
+void check_same_elements(const frames::Topology& before, const FrameName& name_before, const frames::Topology& after,
+                         const FrameName& name_after);
+
+/// Where a frame intersects itself.
+std::vector<RestContact> intersections_of(const Mesh& mesh, const frames::Frame& frame, int threads);
+
+/// The contacts of a step. Numbers and names are those of the first frame. A step that is not free gets the
+/// intersections of its last frame too.
+/// @param index  the place of the first frame in the sequence
+Result check_step(const Mesh& mesh, const frames::Frame& before, const frames::Frame& after, std::size_t index,
+                  int threads);
+
+/// The query of a pair in a step.
+Query query_of(const PairContact& pair, const frames::Frame& before, const frames::Frame& after);
+
+}  // namespace touchstone::sequence

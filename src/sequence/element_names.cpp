@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "sequence/element_names.hpp"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "io/sha256.hpp"
+#include "sequence/frame_list.hpp"
+
+namespace touchstone::sequence {
+namespace {
+
+/// A report with many pairs repeats names many times.
+constexpr std::size_t kLongestPart = 100;
+
+std::string shown_part(const std::string& name) {
+  return clean_text(name.size() > kLongestPart ? name.substr(0, kLongestPart) + "..." : name);
+}
+
+void append_number(std::string& bytes, std::uint64_t number) {
+  for (int shift = 0; shift < 64; shift += 8) bytes += static_cast<char>(number >> shift & 0xFF);
+}
+
+template <class Elements>
+void append_elements(std::string& bytes, const Elements& elements) {
+  append_number(bytes, elements.size());
+  for (const auto& corners : elements) {
+    for (const MeshIndex corner : corners) {
+      for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(corner >> shift & 0xFF);
+    }
+  }
+}
+
+}  // namespace
+
+NamedElement ElementNames::vertex(MeshIndex v) {
+  NamedElement named;
+  named.element = MeshElement::vertex;
+  named.vertices[0] = std::uint64_t{v} + topology_.first_number;
+  named.part = part_with(&v, 1);
+  return named;
+}
+
+NamedElement ElementNames::edge(MeshIndex e) {
+  NamedElement named;
+  named.element = MeshElement::edge;
+  const auto& corners = mesh_.edges()[e];
+  for (std::size_t i = 0; i < 2; ++i) named.vertices[i] = std::uint64_t{corners[i]} + topology_.first_number;
+  named.part = part_with(corners.data(), corners.size());
+  return named;
+}
+
+NamedElement ElementNames::face(MeshIndex f) {
+  NamedElement named;
+  named.element = MeshElement::face;
+  const auto& corners = mesh_.faces()[f];
+  for (std::size_t i = 0; i < 3; ++i) named.vertices[i] = std::uint64_t{corners[i]} + topology_.first_number;
+  named.face = topology_.face_numbers.empty() ? std::uint64_t{f} + topology_.first_number : topology_.face_numbers[f];
+  named.part = part_of_face(f);
+  return named;
+}
+
+NamedElement ElementNames::element(MeshElement sort, MeshIndex number) {
+  switch (sort) {
+    case MeshElement::vertex: return vertex(number);
+    case MeshElement::edge: return edge(number);
+    case MeshElement::face: return face(number);
+  }
+  return {};
+}
+
+NamedElement ElementNames::first_of(const MeshPair& pair) {
+  return pair.kind == Kind::edge_edge ? edge(pair.first) : vertex(pair.first);
+}
+
+NamedElement ElementNames::second_of(const MeshPair& pair) {
+  switch (pair.kind) {
+    case Kind::edge_edge:
+    case Kind::point_edge: return edge(pair.second);
+    case Kind::vertex_face: return face(pair.second);
+    case Kind::point_point: return vertex(pair.second);
+  }
+  return {};
+}
+
+std::string ElementNames::part_of_face(MeshIndex f) const {
+  return topology_.face_parts.empty() ? std::string() : shown_part(topology_.parts[topology_.face_parts[f]]);
+}
+
+std::string ElementNames::part_with(const MeshIndex* corners, std::size_t count) {
+  if (topology_.face_parts.empty()) return {};
+  find_faces_of_vertices();
+  for (std::size_t i = first_face_[corners[0]]; i < first_face_[corners[0] + std::size_t{1}]; ++i) {
+    const auto& face = mesh_.faces()[face_[i]];
+    const bool has_all = std::all_of(corners, corners + count, [&](MeshIndex corner) {
+      return std::find(face.begin(), face.end(), corner) != face.end();
+    });
+    if (has_all) return part_of_face(face_[i]);
+  }
+  return {};
+}
+
+void ElementNames::find_faces_of_vertices() {
+  if (!first_face_.empty()) return;
+  first_face_.assign(mesh_.vertex_count() + 1, 0);
+  for (const auto& face : mesh_.faces()) {
+    for (const MeshIndex corner : face) ++first_face_[corner + std::size_t{1}];
+  }
+  for (std::size_t v = 1; v < first_face_.size(); ++v) first_face_[v] += first_face_[v - 1];
+  face_.resize(first_face_.back());
+  std::vector<std::size_t> next = first_face_;
+  for (std::size_t f = 0; f < mesh_.faces().size(); ++f) {
+    for (const MeshIndex corner : mesh_.faces()[f]) face_[next[corner]++] = static_cast<MeshIndex>(f);
+  }
+}
+
+MeshFacts facts_of(const Mesh& mesh, const frames::Topology& topology) {
+  std::string bytes;
+  bytes.reserve(12 * topology.faces.size() + 8 * topology.edges.size() + 64);
+  append_number(bytes, static_cast<std::uint64_t>(topology.dimension));
+  append_number(bytes, topology.vertex_count);
+  append_elements(bytes, topology.faces);
+  append_elements(bytes, topology.edges);
+  append_number(bytes, mesh.points().size());
+  for (const MeshIndex point : mesh.points()) append_number(bytes, point);
+  return {io::sha256(bytes),   mesh.dimension(),    mesh.vertex_count(),
+          mesh.faces().size(), mesh.edges().size(), mesh.points().size()};
+}
+
+}  // namespace touchstone::sequence

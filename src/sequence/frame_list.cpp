@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "sequence/frame_list.hpp"
+
+#include <fmt/format.h>
+#include <glob.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include "io/fail.hpp"
+#include "io/sha256.hpp"
+
+namespace touchstone::sequence {
+namespace {
+
+constexpr std::size_t kMostDigits = 18;  // of a number; more digits are text
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// A name cut into texts and the numbers between them: text[0] number[0] text[1] ...
+struct NameParts {
+  std::vector<std::string> texts{1};
+  std::vector<std::uint64_t> numbers;
+};
+
+NameParts parts_of(std::string_view name) {
+  NameParts parts;
+  while (!name.empty()) {
+    const auto digits = static_cast<std::size_t>(std::find_if_not(name.begin(), name.end(), is_digit) - name.begin());
+    if (digits == 0 || digits > kMostDigits) {
+      const std::size_t length = std::max<std::size_t>(digits, 1);
+      parts.texts.back() += name.substr(0, length);
+      name.remove_prefix(length);
+      continue;
+    }
+    parts.numbers.push_back(std::stoull(std::string(name.substr(0, digits))));
+    parts.texts.emplace_back();
+    name.remove_prefix(digits);
+  }
+  return parts;
+}
+
+struct Numbered {
+  std::uint64_t number;
+  std::string file;
+};
+
+/// The files with the number in which their names differ; nothing when the names differ in anything else.
+std::optional<std::vector<Numbered>> numbered(const std::vector<std::string>& files) {
+  std::vector<NameParts> all;
+  all.reserve(files.size());
+  for (const auto& file : files) all.push_back(parts_of(file));
+  const NameParts& first = all.front();
+  std::optional<std::size_t> place;
+  for (const NameParts& parts : all) {
+    if (parts.texts != first.texts) return std::nullopt;
+    for (std::size_t i = 0; i < parts.numbers.size(); ++i) {
+      if (parts.numbers[i] == first.numbers[i] || place == i) continue;
+      if (place) return std::nullopt;
+      place = i;
+    }
+  }
+  if (first.numbers.empty()) return std::nullopt;
+  std::vector<Numbered> result;
+  // Names without a difference are those of one number: its digits differ, as in 1 and 01, or nothing does.
+  const std::size_t at = place.value_or(first.numbers.size() - 1);
+  for (std::size_t i = 0; i < files.size(); ++i) result.push_back({all[i].numbers[at], files[i]});
+  return result;
+}
+
+std::string base_name(const std::string& file) {
+  return io::printable(std::filesystem::path(file).filename().string());
+}
+
+void check_numbers(const std::vector<Numbered>& files) {
+  for (std::size_t i = 1; i < files.size(); ++i) {
+    if (files[i].number != files[i - 1].number) continue;
+    if (files[i].file == files[i - 1].file) io::fail(files[i].file, "is given twice");
+    io::fail(files[i].file, fmt::format("has the same number as {}, and a sequence has each number once",
+                                        base_name(files[i - 1].file)));
+  }
+}
+
+void check_stride(const std::vector<Numbered>& files) {
+  if (files.size() < 3) return;
+  std::uint64_t stride = files[1].number - files[0].number;
+  for (std::size_t i = 2; i < files.size(); ++i) stride = std::min(stride, files[i].number - files[i - 1].number);
+  for (std::size_t i = 1; i < files.size(); ++i) {
+    const auto &before = files[i - 1], &after = files[i];
+    if (after.number - before.number == stride) continue;
+    io::fail(after.file, fmt::format("frame {} is missing between {} and {}; other frames of the sequence are {} apart",
+                                     before.number + stride, base_name(before.file), base_name(after.file), stride));
+  }
+}
+
+/// The files that a pattern matches.
+std::vector<std::string> matches_of(const std::string& pattern) {
+  glob_t found{};
+  const int status = ::glob(pattern.c_str(), 0, nullptr, &found);
+  std::vector<std::string> files;
+  if (status == 0) files.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
+  ::globfree(&found);
+  if (status == GLOB_NOSPACE) throw std::bad_alloc();
+  return files;
+}
+
+}  // namespace
+
+std::string clean_text(std::string_view text) {
+  const nlohmann::json json(io::printable(text));
+  return nlohmann::json::parse(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)).get<std::string>();
+}
+
+std::string FrameName::label() const {
+  std::string text = clean_text(std::filesystem::path(file).filename().string());
+  if (several) text += fmt::format("[{}]", index);
+  return text;
+}
+
+std::vector<std::string> expand_patterns(const std::vector<std::string>& arguments) {
+  std::vector<std::string> files;
+  for (const auto& argument : arguments) {
+    std::error_code ignored;
+    const bool pattern = argument.find_first_of("*?[") != std::string::npos;
+    if (!pattern || std::filesystem::exists(argument, ignored)) {
+      files.push_back(argument);
+      continue;
+    }
+    const auto found = matches_of(argument);
+    if (found.empty()) io::fail(argument, "is no file, and no file matches this pattern");
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  return files;
+}
+
+std::vector<std::string> in_order(std::vector<std::string> files, Gaps gaps) {
+  if (files.size() < 2) return files;
+  auto with_numbers = numbered(files);
+  if (!with_numbers) return files;
+  std::stable_sort(with_numbers->begin(), with_numbers->end(),
+                   [](const Numbered& a, const Numbered& b) { return a.number < b.number; });
+  if (gaps == Gaps::refused) {
+    check_numbers(*with_numbers);
+    check_stride(*with_numbers);
+  }
+  for (std::size_t i = 0; i < files.size(); ++i) files[i] = std::move((*with_numbers)[i].file);
+  return files;
+}
+
+std::vector<FrameName> frames_of(const std::vector<std::string>& files, const frames::ReadOptions& options) {
+  std::vector<FrameName> all;
+  for (const auto& file : files) {
+    const std::size_t count = frames::frame_count(file, options);
+    for (std::size_t i = 0; i < count; ++i) all.push_back({file, i, count > 1});
+  }
+  return all;
+}
+
+std::string digest_of(const std::vector<std::string>& labels) {
+  std::string lines;
+  for (const auto& label : labels) lines.append(label).append("\n");
+  return io::sha256(lines);
+}
+
+}  // namespace touchstone::sequence

@@ -1,0 +1,49 @@
+// The frames of an animation, from the names that a user gives: patterns, order, gaps.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "frames/frame.hpp"
+
+namespace touchstone::sequence {
+
+/// Where one frame is.
+struct FrameName {
+  std::string file;       ///< as it was given
+  std::size_t index = 0;  ///< which frame of the file
+  bool several = false;   ///< whether the file holds several frames
+
+  /// The frame in a report and in messages: the file's name without its folder, and "[7]" when the file holds several
+  /// frames. It is one line of valid UTF-8, whatever the file is called.
+  std::string label() const;
+};
+
+/// The files of the arguments. An argument that is no file, and has one of the characters * ? [, is replaced by the
+/// files that it matches.
+/// @throws FileError  for a pattern that matches nothing
+std::vector<std::string> expand_patterns(const std::vector<std::string>& arguments);
+
+/// What a missing number means.
+enum class Gaps : std::uint8_t { refused, allowed };
+
+/// The files in the order of their numbers, if their names differ in a single number: cloth-2.obj comes before
+/// cloth-10.obj. Other names keep their order.
+/// @throws FileError  for two files with the same number; with Gaps::refused also for a number that is missing from a
+///                    sequence with a constant stride
+std::vector<std::string> in_order(std::vector<std::string> files, Gaps gaps);
+
+/// Every frame of the files, one file after the other. @throws FileError
+std::vector<FrameName> frames_of(const std::vector<std::string>& files, const frames::ReadOptions& options);
+
+/// The digest of the labels of all frames, in their order.
+std::string digest_of(const std::vector<std::string>& labels);
+
+/// `text` as one line of valid UTF-8: control characters are escaped, and bytes that are no UTF-8 become U+FFFD.
+std::string clean_text(std::string_view text);
+
+}  // namespace touchstone::sequence

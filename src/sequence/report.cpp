@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "sequence/report.hpp"
+
+#include <fmt/format.h>
+
+#include "io/fail.hpp"
+#include "io/sealed_json.hpp"
+#include "io/times.hpp"
+#include "sequence/results_json.hpp"
+
+namespace touchstone::sequence {
+namespace {
+
+std::string question_name(Question question) { return question == Question::steps ? "steps" : "rest"; }
+
+std::string shown_shard(const std::optional<Shard>& shard) {
+  return shard ? fmt::format("shard {}/{}", shard->number, shard->count) : "a whole sequence";
+}
+
+std::string shown_separation(const Separation& separation) {
+  if (separation.distance == 0) return "touching";
+  return fmt::format("separation {}, {}", io::hexfloat(separation.distance), metric_name(separation.metric));
+}
+
+std::string shown_facts(const MeshFacts& facts) {
+  return fmt::format("a mesh of {} vertices and {} faces with the digest {}", facts.vertices, facts.faces,
+                     facts.digest.substr(0, 16));
+}
+
+}  // namespace
+
+Range range_of(const Heading& heading) {
+  return frames_of_shard(heading.question, heading.frame_count, heading.shard.value_or(Shard()));
+}
+
+ResultCounts counts_of(const Report& report) {
+  ResultCounts counts;
+  for (const Result& result : report.results) counts.add(report.heading.question, result);
+  return counts;
+}
+
+std::string heading_json(const Heading& heading) {
+  std::string text = fmt::format(
+      " \"touchstone_mesh\": 1,\n \"touchstone\": {},\n \"question\": \"{}\",\n \"separation\": \"{}\",\n"
+      " \"metric\": \"{}\",\n \"frame_count\": {},\n \"names_sha256\": \"{}\"",
+      json_string(heading.program), question_name(heading.question), io::hexfloat(heading.separation.distance),
+      metric_name(heading.separation.metric), heading.frame_count, heading.list_digest);
+  if (const auto& shard = heading.shard) {
+    text += fmt::format(",\n \"shard\": {{\"number\": {}, \"count\": {}}}", shard->number, shard->count);
+  }
+  if (const auto& facts = heading.facts) {
+    text += fmt::format(
+        ",\n \"mesh\": {{\"sha256\": \"{}\", \"dimension\": {}, \"vertices\": {}, \"faces\": {}, \"edges\": {}, "
+        "\"points\": {}}}",
+        facts->digest, facts->dimension, facts->vertices, facts->faces, facts->edges, facts->points);
+  }
+  return text;
+}
+
+std::string report_text(const Report& report) {
+  std::string text = fmt::format("{{{},\n \"frames\": [", heading_json(report.heading));
+  const std::size_t first = range_of(report.heading).first;
+  for (std::size_t i = 0; i < report.frames.size(); ++i) {
+    const auto& [label, digest] = report.frames[i];
+    text += fmt::format("{}\n  {{\"frame\": {}, \"name\": {}, \"sha256\": \"{}\"}}", i == 0 ? "" : ",", first + i,
+                        json_string(label), digest);
+  }
+  text += "\n ],\n \"results\": [";
+  for (std::size_t i = 0; i < report.results.size(); ++i) {
+    text.append(i == 0 ? "\n  " : ",\n  ").append(result_json(report.results[i]));
+  }
+  const ResultCounts counts = counts_of(report);
+  const bool steps = report.heading.question == Question::steps;
+  text += fmt::format("\n ],\n \"counts\": {{\"{}\": {}, \"free\": {}, \"not_free\": {}", steps ? "steps" : "frames",
+                      counts.results, counts.free, counts.results - counts.free);
+  if (steps) text += fmt::format(", \"intersections_of_first_frame\": {}", counts.intersections);
+  return io::sealed_json(text + "}\n}\n");
+}
+
+std::string difference_of(const Heading& a, const Heading& b, std::string_view other) {
+  const auto differ = [&](const std::string& one, const std::string& two) {
+    return fmt::format("is about {}, and {} about {}", one, other, two);
+  };
+  if (a.program != b.program) {
+    return fmt::format("was made by touchstone {}, and {} by touchstone {}", io::shortened(a.program), other,
+                       io::shortened(b.program));
+  }
+  if (a.question != b.question) return differ(question_name(a.question), question_name(b.question));
+  if (a.separation.distance != b.separation.distance || a.separation.metric != b.separation.metric) {
+    return differ(shown_separation(a.separation), shown_separation(b.separation));
+  }
+  if (a.frame_count != b.frame_count) {
+    return differ(fmt::format("{} frames", a.frame_count), fmt::format("{} frames", b.frame_count));
+  }
+  if (a.list_digest != b.list_digest) return differ("frames of other names", "the names given");
+  if (a.shard.has_value() != b.shard.has_value() ||
+      (a.shard && (a.shard->number != b.shard->number || a.shard->count != b.shard->count))) {
+    return differ(shown_shard(a.shard), shown_shard(b.shard));
+  }
+  if (a.facts != b.facts && a.facts && b.facts) return differ(shown_facts(*a.facts), shown_facts(*b.facts));
+  return {};
+}
+
+}  // namespace touchstone::sequence

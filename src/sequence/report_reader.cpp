@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <string>
+
+#include <touchstone/error.hpp>
+
+#include "io/fail.hpp"
+#include "io/sealed_json.hpp"
+#include "io/separation_text.hpp"
+#include "io/times.hpp"
+#include "json/json_node.hpp"
+#include "sequence/frame_list.hpp"
+#include "sequence/report.hpp"
+#include "sequence/results_json.hpp"
+
+namespace touchstone::sequence {
+namespace {
+
+using json::JsonNode;
+
+constexpr std::uint64_t kMostFrames = 1'000'000'000'000;
+constexpr std::uint64_t kMostElements = std::uint64_t{1} << 40;
+
+MeshFacts facts_from(const JsonNode& node) {
+  node.check_keys({"sha256", "dimension", "vertices", "faces", "edges", "points"});
+  const auto count = [&](const char* key) {
+    return static_cast<std::size_t>(node.at(key).whole_number(0, kMostElements));
+  };
+  MeshFacts facts;
+  facts.digest = digest_from(node.at("sha256"));
+  facts.dimension = static_cast<int>(node.at("dimension").whole_number(2, 3));
+  facts.vertices = count("vertices");
+  facts.faces = count("faces");
+  facts.edges = count("edges");
+  facts.points = count("points");
+  return facts;
+}
+
+Separation separation_from(const JsonNode& root) {
+  const auto distance = io::parse_finite_double(root.at("separation").text());
+  if (!distance || *distance < 0) root.at("separation").fail("must be a hexfloat, 0 or greater");
+  const auto metric = io::metric_from_name(root.at("metric").text());
+  if (!metric) root.at("metric").fail("must be euclidean or max");
+  return {*distance, *metric};
+}
+
+Shard shard_from(const JsonNode& node, std::uint64_t items) {
+  node.check_keys({"number", "count"});
+  Shard shard;
+  shard.count = node.at("count").whole_number(1, items);
+  shard.number = node.at("number").whole_number(1, shard.count);
+  return shard;
+}
+
+Heading heading_of(const JsonNode& root) {
+  root.at("touchstone_mesh").version(1);
+  Heading heading;
+  heading.program = root.at("touchstone").text();
+  const std::string question = root.at("question").text();
+  if (question != "steps" && question != "rest") root.at("question").fail("must be steps or rest");
+  heading.question = question == "steps" ? Question::steps : Question::rest;
+  heading.separation = separation_from(root);
+  const bool steps = heading.question == Question::steps;
+  heading.frame_count = root.at("frame_count").whole_number(steps ? 2 : 1, kMostFrames);
+  heading.list_digest = digest_from(root.at("names_sha256"));
+  if (const auto shard = root.find("shard")) {
+    heading.shard = shard_from(*shard, item_count(heading.question, heading.frame_count));
+  }
+  if (steps) heading.facts = facts_from(root.at("mesh"));
+  return heading;
+}
+
+void check_count(const JsonNode& node, std::size_t found, std::size_t right) {
+  if (found != right) node.fail(fmt::format("must have {} items, and has {}", right, found));
+}
+
+}  // namespace
+
+Heading heading_from(std::string_view text) {
+  const json::JsonDocument document = json::parse_json(text);
+  return heading_of(JsonNode(document.value(), "the heading"));
+}
+
+Report report_from(std::string_view text) {
+  if (!io::seal_holds(text)) {
+    throw Error("the report's digest does not match its content: the file is damaged, or no report of touchstone mesh");
+  }
+  const json::JsonDocument document = json::parse_json(text);
+  const JsonNode root(document.value(), "the report");
+  root.check_keys({"sha256", "touchstone_mesh", "touchstone", "question", "separation", "metric", "frame_count",
+                   "names_sha256", "shard", "mesh", "frames", "results", "counts"});
+  Report report;
+  report.heading = heading_of(root);
+  const Question question = report.heading.question;
+  const Range range = range_of(report.heading);
+
+  const auto frames = root.at("frames").items();
+  check_count(root.at("frames"), frames.size(), range.last - range.first);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    frames[i].check_keys({"frame", "name", "sha256"});
+    frames[i].at("frame").whole_number(range.first + i, range.first + i);
+    report.frames.push_back({clean_text_from(frames[i].at("name")), digest_from(frames[i].at("sha256"))});
+  }
+  const auto results = root.at("results").items();
+  check_count(root.at("results"), results.size(), result_count(question, range));
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    Result result = result_from(results[i]);
+    const Result right = result_at(question, range, i);
+    if (result.step != right.step || result.frame != right.frame) {
+      results[i].fail("is about another frame or step than its place in the list");
+    }
+    report.results.push_back(std::move(result));
+  }
+  // The counts, the order of keys and the spelling of numbers are then right too.
+  if (report_text(report) != text) throw Error("the report is not as touchstone mesh writes it");
+  return report;
+}
+
+}  // namespace touchstone::sequence

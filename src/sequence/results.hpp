@@ -1,0 +1,161 @@
+// What a check of an animation finds, in the numbers and names of its files.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <touchstone/answer.hpp>
+#include <touchstone/mesh.hpp>
+#include <touchstone/query.hpp>
+
+namespace touchstone::sequence {
+
+/// An element of a mesh as its file counts and names it.
+struct NamedElement {
+  MeshElement element = MeshElement::vertex;  ///< which sort
+  std::array<std::uint64_t, 3> vertices{};    ///< its corners; those past the element's corners are 0
+  std::uint64_t face = 0;                     ///< of a face: its number, which triangles of one polygon share
+  std::string part;                           ///< its object or group; empty without one
+
+  std::size_t corner_count() const noexcept { return static_cast<std::size_t>(element) + 1; }
+};
+
+/// Two elements in contact.
+struct PairContact {
+  Kind kind = Kind::edge_edge;
+  NamedElement first, second;
+  Nature nature = Nature::none;
+  Feature feature_a = Feature::none, feature_b = Feature::none;
+  Trend trend = Trend::none;  ///< with a separation only
+};
+
+/// Two elements that share a point at rest.
+struct RestContact {
+  NamedElement first, second;
+  bool pierces = false;
+};
+
+/// What was found about a frame at rest, or about the step from a frame to the next.
+struct Result {
+  bool step = false;      ///< a step
+  std::size_t frame = 0;  ///< the frame, or the first one of the step, by its place in the sequence
+
+  double toi = std::numeric_limits<double>::infinity();  ///< of `first`; infinity without them
+  double toi_upper = std::numeric_limits<double>::infinity();
+  std::vector<PairContact> first;     ///< the pairs whose contact begins first
+  std::vector<PairContact> at_start;  ///< the pairs in contact at the start of the step
+
+  /// Where the frame intersects itself; for a step that is not free, where its last frame does.
+  std::vector<RestContact> intersections;
+
+  bool free() const noexcept { return first.empty() && at_start.empty() && intersections.empty(); }
+};
+
+/// Which question is asked.
+enum class Question : std::uint8_t {
+  steps,  ///< is each step between neighbouring frames free, and the first frame free of intersections?
+  rest    ///< is each frame free of intersections?
+};
+
+/// A part of a sequence.
+struct Shard {
+  std::size_t number = 1;  ///< from 1
+  std::size_t count = 1;
+};
+
+/// Frames [first, last) of a shard's report, and the results that belong to it.
+struct Range {
+  std::size_t first = 0, last = 0;
+};
+
+/// The number of items that shards divide: steps, or frames at rest.
+inline std::size_t item_count(Question question, std::size_t frames) noexcept {
+  return question == Question::steps ? frames - 1 : frames;
+}
+
+/// The frames that a shard reads. A step reads two frames, so neighbouring shards share one.
+inline Range frames_of_shard(Question question, std::size_t frames, const Shard& shard) noexcept {
+  const std::size_t items = item_count(question, frames);
+  const std::size_t quotient = items / shard.count, rest = items % shard.count;
+  const auto first_item = [&](std::size_t number) { return quotient * number + (number < rest ? number : rest); };
+  const std::size_t shared = question == Question::steps ? 1 : 0;
+  return {first_item(shard.number - 1), first_item(shard.number) + shared};
+}
+
+/// The number of results about these frames: a step for two neighbours, and each frame at rest, or the first one of the
+/// sequence.
+inline std::size_t result_count(Question question, const Range& frames) noexcept {
+  const std::size_t count = frames.last - frames.first;
+  return question == Question::rest ? count : count - 1 + (frames.first == 0 ? 1 : 0);
+}
+
+/// The frame or step that result number `i` of these frames is about.
+inline Result result_at(Question question, const Range& frames, std::size_t i) noexcept {
+  Result result;
+  if (question == Question::rest) {
+    result.frame = frames.first + i;
+    return result;
+  }
+  const bool starts = frames.first == 0;
+  result.step = !starts || i > 0;
+  result.frame = frames.first + i - (starts && i > 0 ? 1 : 0);
+  return result;
+}
+
+/// One frame of a report.
+struct FrameEntry {
+  std::string label;   ///< FrameName::label
+  std::string digest;  ///< frames::Frame::digest
+};
+
+/// What a mesh has.
+struct MeshFacts {
+  std::string digest;  ///< of its elements: 64 hexadecimal digits
+  int dimension = 3;
+  std::size_t vertices = 0, faces = 0, edges = 0, points = 0;
+
+  bool operator==(const MeshFacts& other) const = default;
+};
+
+/// What a report is about. Two runs with the same heading differ in the content of their frames only.
+struct Heading {
+  std::string program;  ///< the version
+  Question question = Question::steps;
+  Separation separation;
+  std::size_t frame_count = 0;     ///< of the whole sequence
+  std::string list_digest;         ///< digest_of the labels of all frames
+  std::optional<Shard> shard;      ///< nothing for a whole run
+  std::optional<MeshFacts> facts;  ///< for steps: the mesh that all frames have
+};
+
+/// A report.
+struct Report {
+  Heading heading;
+  std::vector<FrameEntry> frames;  ///< those that were read
+  std::vector<Result> results;     ///< in the order of frames
+};
+
+/// The counts at the end of a report.
+struct ResultCounts {
+  std::size_t results = 0;        ///< steps, or frames at rest
+  std::size_t free = 0;           ///< of those, the free ones
+  std::size_t intersections = 0;  ///< of the first frame, when steps are asked about
+
+  bool all_free() const noexcept { return free == results && intersections == 0; }
+  void add(Question question, const Result& result) noexcept {
+    if (question == Question::steps && !result.step) {
+      intersections = result.intersections.size();
+      return;
+    }
+    ++results;
+    free += result.free() ? 1 : 0;
+  }
+};
+
+}  // namespace touchstone::sequence

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "sequence/results_json.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "io/times.hpp"
+#include "sequence/frame_list.hpp"
+
+namespace touchstone::sequence {
+namespace {
+
+using json::JsonNode;
+
+constexpr std::uint64_t kMostFrames = 1'000'000'000'000;
+constexpr std::uint64_t kMostNumber = std::uint64_t{1} << 33;  // 2^32 - 1, and files that count from 1
+
+std::string json_of(const NamedElement& element) {
+  std::string text = fmt::format("{{\"element\":\"{}\"", mesh_element_name(element.element));
+  if (element.element == MeshElement::face) text += fmt::format(",\"number\":{}", element.face);
+  text += ",\"vertices\":[";
+  for (std::size_t i = 0; i < element.corner_count(); ++i) {
+    text += fmt::format("{}{}", i == 0 ? "" : ",", element.vertices[i]);
+  }
+  text += "]";
+  if (!element.part.empty()) text += ",\"part\":" + json_string(element.part);
+  return text + "}";
+}
+
+std::string json_of(const PairContact& pair) {
+  std::string text = fmt::format(
+      "{{\"kind\":\"{}\",\"first\":{},\"second\":{},\"nature\":\"{}\",\"feature_a\":\"{}\",\"feature_b\":\"{}\"",
+      kind_name(pair.kind), json_of(pair.first), json_of(pair.second), nature_name(pair.nature),
+      feature_name(pair.feature_a), feature_name(pair.feature_b));
+  if (pair.trend != Trend::none) text += fmt::format(",\"trend\":\"{}\"", trend_name(pair.trend));
+  return text + "}";
+}
+
+std::string json_of(const RestContact& contact) {
+  return fmt::format("{{\"first\":{},\"second\":{},\"pierces\":{}}}", json_of(contact.first), json_of(contact.second),
+                     contact.pierces);
+}
+
+template <class Item>
+std::string list_json(const std::vector<Item>& items) {
+  std::string text = "[";
+  for (const Item& item : items) {
+    if (text.size() > 1) text += ',';
+    text += json_of(item);
+  }
+  return text + "]";
+}
+
+/// The value of an enumeration from 0 to `last` whose name this is.
+template <class Enum, class Name>
+Enum named_value(const JsonNode& node, Enum last, Name name) {
+  const std::string text = node.text();
+  for (int i = 0; i <= static_cast<int>(last); ++i) {
+    if (!text.empty() && text == name(static_cast<Enum>(i))) return static_cast<Enum>(i);
+  }
+  node.fail("is no name that belongs here");
+}
+
+NamedElement element_from(const JsonNode& node) {
+  node.check_keys({"element", "number", "vertices", "part"});
+  NamedElement element;
+  element.element = named_value(node.at("element"), MeshElement::face, mesh_element_name);
+  if (element.element == MeshElement::face) element.face = node.at("number").whole_number(0, kMostNumber);
+  const auto vertices = node.at("vertices").items();
+  if (vertices.size() != element.corner_count()) node.at("vertices").fail("must have a number for each corner");
+  for (std::size_t i = 0; i < vertices.size(); ++i) element.vertices[i] = vertices[i].whole_number(0, kMostNumber);
+  if (const auto part = node.find("part")) element.part = clean_text_from(*part);
+  return element;
+}
+
+bool fits(Kind kind, const NamedElement& first, const NamedElement& second) {
+  const auto sorts = std::array{first.element, second.element};
+  switch (kind) {
+    case Kind::edge_edge: return sorts == std::array{MeshElement::edge, MeshElement::edge};
+    case Kind::vertex_face: return sorts == std::array{MeshElement::vertex, MeshElement::face};
+    case Kind::point_edge: return sorts == std::array{MeshElement::vertex, MeshElement::edge};
+    case Kind::point_point: return sorts == std::array{MeshElement::vertex, MeshElement::vertex};
+  }
+  return false;
+}
+
+PairContact pair_from(const JsonNode& node) {
+  node.check_keys({"kind", "first", "second", "nature", "feature_a", "feature_b", "trend"});
+  PairContact pair;
+  pair.kind = named_value(node.at("kind"), Kind::point_point, kind_name);
+  pair.first = element_from(node.at("first"));
+  pair.second = element_from(node.at("second"));
+  if (!fits(pair.kind, pair.first, pair.second)) node.fail("has elements of other sorts than its kind");
+  pair.nature = named_value(node.at("nature"), Nature::entering, nature_name);
+  pair.feature_a = named_value(node.at("feature_a"), Feature::overlap, feature_name);
+  pair.feature_b = named_value(node.at("feature_b"), Feature::overlap, feature_name);
+  if (const auto trend = node.find("trend")) pair.trend = named_value(*trend, Trend::leaving, trend_name);
+  return pair;
+}
+
+RestContact rest_from(const JsonNode& node) {
+  node.check_keys({"first", "second", "pierces"});
+  return {element_from(node.at("first")), element_from(node.at("second")), node.at("pierces").boolean()};
+}
+
+template <class Item, class From>
+std::vector<Item> list_from(const JsonNode& node, From from) {
+  std::vector<Item> list;
+  for (const JsonNode& item : node.items()) list.push_back(from(item));
+  return list;
+}
+
+double time_from(const JsonNode& node) {
+  const auto time = io::parse_finite_double(node.text());
+  if (!time || *time < 0 || *time > 1) node.fail("must be a hexfloat in [0, 1]");
+  return *time;
+}
+
+}  // namespace
+
+std::string json_string(std::string_view text) { return nlohmann::json(text).dump(); }
+
+std::string result_json(const Result& result) {
+  std::string text = result.step ? fmt::format("{{\"from\":{},\"to\":{}", result.frame, result.frame + 1)
+                                 : fmt::format("{{\"frame\":{}", result.frame);
+  text += fmt::format(",\"free\":{}", result.free());
+  if (result.free()) return text + "}";
+  if (result.step) {
+    const auto time = [&](double value) {
+      return result.first.empty() ? std::string("null") : fmt::format("\"{}\"", io::hexfloat(value));
+    };
+    text += fmt::format(",\"toi\":{},\"toi_upper\":{},\"first\":{},\"at_start\":{}", time(result.toi),
+                        time(result.toi_upper), list_json(result.first), list_json(result.at_start));
+  }
+  return text + ",\"intersections\":" + list_json(result.intersections) + "}";
+}
+
+Result result_from(const JsonNode& node) {
+  Result result;
+  result.step = node.has("from");
+  if (result.step) {
+    node.check_keys({"from", "to", "free", "toi", "toi_upper", "first", "at_start", "intersections"});
+  } else {
+    node.check_keys({"frame", "free", "intersections"});
+  }
+  result.frame = node.at(result.step ? "from" : "frame").whole_number(0, kMostFrames);
+  if (result.step) node.at("to").whole_number(result.frame + 1, result.frame + 1);
+  if (node.at("free").boolean()) return result;
+  if (result.step) {
+    result.first = list_from<PairContact>(node.at("first"), pair_from);
+    result.at_start = list_from<PairContact>(node.at("at_start"), pair_from);
+    if (!result.first.empty()) {
+      result.toi = time_from(node.at("toi"));
+      result.toi_upper = time_from(node.at("toi_upper"));
+      const double next = std::nextafter(result.toi, std::numeric_limits<double>::infinity());
+      if (result.toi_upper != result.toi && result.toi_upper != next) {
+        node.at("toi_upper").fail("must be toi, or the double after it");
+      }
+    }
+    if (result.first.empty() && result.at_start.empty()) node.fail("is a step that is not free, without a contact");
+  }
+  result.intersections = list_from<RestContact>(node.at("intersections"), rest_from);
+  if (result.free()) node.fail("is not free, without an intersection");
+  return result;
+}
+
+std::string clean_text_from(const JsonNode& node) {
+  std::string text = node.text();
+  if (text.empty() || clean_text(text) != text) node.fail("must be one line of text without control characters");
+  return text;
+}
+
+std::string digest_from(const JsonNode& node) {
+  std::string digest = node.text();
+  if (digest.size() != 64 || digest.find_first_not_of("0123456789abcdef") != std::string::npos) {
+    node.fail("must be 64 lower-case hexadecimal digits");
+  }
+  return digest;
+}
+
+}  // namespace touchstone::sequence

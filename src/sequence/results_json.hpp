@@ -1,0 +1,28 @@
+// Results as JSON, each in one line, and back.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "json/json_node.hpp"
+#include "sequence/results.hpp"
+
+namespace touchstone::sequence {
+
+/// `text`, which is valid UTF-8, as a JSON string with its quotes.
+std::string json_string(std::string_view text);
+
+/// One line, without its end.
+std::string result_json(const Result& result);
+
+/// @throws Error  for anything that result_json does not write: it names the key
+Result result_from(const json::JsonNode& node);
+
+/// Text that clean_text leaves as it is, and that is not empty: it may be printed. @throws Error
+std::string clean_text_from(const json::JsonNode& node);
+
+/// 64 lower-case hexadecimal digits. @throws Error
+std::string digest_from(const json::JsonNode& node);
+
+}  // namespace touchstone::sequence

@@ -1,0 +1,282 @@
+// touchstone mesh: what it says and writes about a needle that falls through a cloth, and input that it refuses.
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/run_program.hpp"
+#include "io/sealed_json.hpp"
+#include "io/times.hpp"
+#include "sequence/needle.hpp"
+#include "support/catch.hpp"
+
+using namespace touchstone;
+using namespace touchstone::tests;
+
+namespace {
+
+Run mesh(std::vector<std::string> arguments, const RunOptions& options = {}) {
+  arguments.insert(arguments.begin(), "mesh");
+  return run_program(arguments, options);
+}
+
+std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+void check_refused(const Run& run, const std::string& part) {
+  CAPTURE(run.err, part);
+  CHECK(run.status == 2);
+  CHECK(run.out == "");
+  CHECK(occurrences(run.err, "\n") == 1);
+  CHECK(occurrences(run.err, part) == 1);
+}
+
+constexpr const char* kPlanted =
+    "f-2.obj -> f-3.obj: first contact at t = 0x1p-1 (0.5), 1 pair\n"
+    "  vertex 26 of needle and face 11 (7-8-12) of cloth: crossing, v against f\n"
+    "  f-3.obj then has 2 intersections\n"
+    "    edge 26-27 of needle pierces face 11 (7-8-12) of cloth\n"
+    "    edge 26-28 of needle pierces face 11 (7-8-12) of cloth\n";
+
+}  // namespace
+
+TEST_CASE("a sequence that is free: a line for each step, and status 0") {
+  const TemporaryFolder folder;
+  write_needles(folder, "r", 4, 3, rising_tip);
+  const Run run = mesh({folder.path("r-*.obj")});
+  CAPTURE(run.err);
+  CHECK(run.status == 0);
+  CHECK(run.err == "");
+  CHECK(run.out == "r-0.obj: no intersection\nr-0.obj -> r-1.obj: free\nr-1.obj -> r-2.obj: free\n2 steps, all free\n");
+}
+
+TEST_CASE("a planted crossing is named by frame, pair and exact time, in every file") {
+  const TemporaryFolder folder;
+  const auto files = write_needles(folder, "f", 5, 6, falling_tip);
+  const Run run = mesh(with({"--report", folder.path("r.json"), "--pairs", folder.path("p.csv")}, files));
+  CAPTURE(run.err);
+  CHECK(run.status == 1);
+  CHECK(run.err == "");
+  CHECK(occurrences(run.out, kPlanted) == 1);
+  CHECK(run.out.ends_with("f-4.obj -> f-5.obj: free\n5 steps: 4 free, 1 not free\n"));
+
+  const std::string report = folder.read("r.json");
+  CHECK(io::seal_holds(report));
+  const auto json = nlohmann::json::parse(report);
+  CHECK(json["counts"]["not_free"] == 1);
+  CHECK(json["frames"][3]["name"] == "f-3.obj");
+  const auto& step = json["results"][3];
+  CHECK(step["from"] == 2);
+  CHECK(step["toi"] == "0x1p-1");
+  CHECK(step["toi_upper"] == "0x1p-1");
+  CHECK(step["first"].size() == 1);
+  CHECK(step["first"][0]["first"]["vertices"] == nlohmann::json({26}));
+  CHECK(step["first"][0]["second"]["vertices"] == nlohmann::json({7, 8, 12}));
+  CHECK(step["first"][0]["second"]["number"] == 11);
+  CHECK(step["first"][0]["second"]["part"] == "cloth");
+  CHECK(step["intersections"].size() == 2);
+  CHECK(occurrences(folder.read("p.csv"),
+                    "\nf-2.obj,f-3.obj,first,vertex-face,vertex,26,,needle,face,7 8 12,11,cloth,0x1p-1,0x1p-1,"
+                    "crossing,v,f,\n") == 1);
+  CHECK(folder.names().count("r.json.progress") == 0);
+}
+
+TEST_CASE("--report - writes the report in place of the summary") {
+  const TemporaryFolder folder;
+  const auto files = write_needles(folder, "f", 4, 4, falling_tip);
+  const Run to_file = mesh(with({"--report", folder.path("r.json")}, files));
+  const Run run = mesh(with({"--report", "-"}, files));
+  CHECK(run.status == 1);
+  CHECK(run.out == folder.read("r.json"));
+}
+
+TEST_CASE("the number of threads changes nothing, and neither does the order of the arguments") {
+  const TemporaryFolder folder;
+  auto files = write_needles(folder, "f", 12, 12, falling_tip);
+  std::string report, out;
+  for (const char* threads : {"1", "2", "4"}) {
+    std::vector<std::string> order(files.rbegin(), files.rend());
+    std::swap(order[2], order[7]);
+    const Run run = mesh(with({"--threads", threads, "--report", folder.path("r.json")}, order));
+    CHECK(run.status == 1);
+    if (report.empty()) {
+      report = folder.read("r.json");
+      out = run.out;
+    }
+    CHECK(folder.read("r.json") == report);
+    CHECK(run.out == out);
+  }
+  CHECK(occurrences(out, "f-9.obj -> f-10.obj: ") == 1);
+  CHECK(out.starts_with("f-0.obj: "));
+}
+
+TEST_CASE("--queries writes the pairs for certify and explain") {
+  const TemporaryFolder folder;
+  const auto files = write_needles(folder, "f", 5, 5, falling_tip);
+  const Run run = mesh(with({"--queries", folder.path("q")}, files));
+  CHECK(run.status == 1);
+  const std::string queries = folder.path("q/vertex-face/contacts.csv");
+  CHECK(occurrences(run.out, "    touchstone explain --query 0 " + queries + "\n") == 1);
+  CHECK(run_program({"certify", queries}).status == 0);
+  const Run explained = run_program({"explain", "--query", "0", queries});
+  CHECK(explained.status == 0);
+  CHECK(occurrences(explained.out, "answer: crossing contact, first at t = 0x1p-1 (0.5)") == 1);
+}
+
+TEST_CASE("with a separation the contact is earlier, and pairs that start within it are told apart") {
+  const TemporaryFolder folder;
+  const auto files = write_needles(folder, "f", 5, 4, falling_tip);
+  const std::vector<std::string> separation = {"--separation", "0.25", "--queries", folder.path("q")};
+  const Run run = mesh(with(separation, files));
+  CAPTURE(run.out);
+  CHECK(run.status == 1);
+  // The tip is at 0.25 at t = 0.5 of the step 1 -> 2; step 2 -> 3 starts within the separation.
+  CHECK(occurrences(run.out,
+                    "f-1.obj -> f-2.obj: first contact at t = 0x1p-1 (0.5), 1 pair\n"
+                    "  vertex 26 of needle and face 11 (7-8-12) of cloth: entering, v against f\n") == 1);
+  CHECK(occurrences(run.out, "f-2.obj -> f-3.obj: ") == 1);
+  CHECK(occurrences(run.out, "1 pair is in contact at the start") == 1);
+  CHECK(run.out.ends_with("3 steps: 1 free, 2 not free (separation 0x1p-2 (0.25), euclidean)\n"));
+  const std::string queries = folder.path("q/vertex-face/contacts.csv");
+  CHECK(folder.read("q/vertex-face/contacts.csv").starts_with("# separation 0x1p-2 euclidean\n"));
+  CHECK(run_program({"certify", queries}).status == 0);
+}
+
+TEST_CASE("--check asks about frames at rest, whatever their elements and numbers are") {
+  const TemporaryFolder folder;
+  const auto files = write_needles(folder, "f", 5, 5, falling_tip);
+  const std::string other = folder.write("g-9.obj", needle_frame(4, 1));
+  const Run run = mesh({"--check", files[4], other, files[0], "--report", folder.path("r.json")});
+  CAPTURE(run.err);
+  CHECK(run.status == 1);
+  CHECK(run.out ==
+        "f-4.obj: 2 intersections\n"
+        "  edge 26-27 of needle pierces face 11 (7-8-12) of cloth\n"
+        "  edge 26-28 of needle pierces face 11 (7-8-12) of cloth\n"
+        "g-9.obj: no intersection\nf-0.obj: no intersection\n3 frames: 2 without intersections, 1 with\n");
+  CHECK(nlohmann::json::parse(folder.read("r.json"))["results"][0]["intersections"].size() == 2);
+  const Run free = mesh({"--check", files[1]});
+  CHECK(free.status == 0);
+  CHECK(free.out == "f-1.obj: no intersection\n1 frame, no intersection\n");
+  check_refused(mesh({"--check", "--separation", "1", files[0]}), "excludes");
+}
+
+TEST_CASE("a first frame that intersects itself is not free") {
+  const TemporaryFolder folder;
+  const std::string one = folder.write("x-1.obj", needle_frame(5, -1)),
+                    two = folder.write("x-2.obj", needle_frame(5, -2));
+  const Run run = mesh({one, two});
+  CHECK(run.status == 1);
+  CHECK(run.out.starts_with("x-1.obj: 2 intersections\n"));
+  CHECK(run.out.ends_with("x-1.obj -> x-2.obj: free\n1 step, all free; the first frame has 2 intersections\n"));
+}
+
+TEST_CASE("long lists are cut on the console, and not in the report") {
+  const TemporaryFolder folder;
+  // Nine spikes of one height fall on a large triangle: nine pairs come first.
+  std::vector<std::string> files;
+  for (int frame = 0; frame < 2; ++frame) {
+    std::string text = "v -99 -99 0\nv 99 -99 0\nv 0 99 0\n", faces = "f 1 2 3\n";
+    const int z = 1 - 2 * frame, top = 91 - 2 * frame;
+    for (int i = 0; i < 9; ++i) {
+      char lines[200];
+      const int x = 3 * i, corner = 3 * i + 4;
+      std::snprintf(lines, sizeof lines, "v %d 0 %d\nv %d 1 %d\nv %d 0 %d\n", x, z, x, top, x + 1, top);
+      text += lines;
+      std::snprintf(lines, sizeof lines, "f %d %d %d\n", corner, corner + 1, corner + 2);
+      faces += lines;
+    }
+    files.push_back(folder.write(frame == 0 ? "s0.obj" : "s1.obj", text + faces));
+  }
+  const Run run = mesh(with({"--report", folder.path("r.json")}, files));
+  CHECK(run.status == 1);
+  CHECK(occurrences(run.out, "first contact at t = 0x1p-1 (0.5), 9 pairs\n") == 1);
+  CHECK(occurrences(run.out, "crossing, v against f") == 5);
+  CHECK(occurrences(run.out, "  and 4 more\n") == 1);
+  const auto json = nlohmann::json::parse(folder.read("r.json"));
+  CHECK(json["results"][1]["first"].size() == 9);
+  CHECK(json["results"][1]["intersections"].size() == 18);
+}
+
+TEST_CASE("frames that do not make a sequence are refused, and nothing is written") {
+  const TemporaryFolder folder;
+  const auto files = write_needles(folder, "f", 4, 5, rising_tip);
+  const std::string report = folder.path("r.json");
+  const auto refused = [&](std::vector<std::string> arguments, const std::string& part) {
+    check_refused(mesh(with({"--report", report}, arguments)), part);
+    CHECK_FALSE(std::filesystem::exists(report));
+    CHECK_FALSE(std::filesystem::exists(report + ".progress"));
+  };
+  refused({files[0], files[1], files[3]}, "f-3.obj: frame 2 is missing between f-1.obj and f-3.obj");
+  refused({files[0], files[1], folder.write("f-01.obj", "")}, "has the same number as f-1.obj");
+  refused({files[0]}, "a step needs two frames, and there is only 1; --check asks about frames at rest");
+  refused({folder.path("none-*.obj")}, "none-*.obj: is no file, and no file matches this pattern");
+  refused({files[0], folder.path("none.obj")}, "none.obj: cannot be opened: No such file or directory");
+  refused({files[0], files[1], "--shard", "2/2"},
+          "--shard 2/2: there is only 1 step, which at most 1 shard can divide");
+  for (const char* shard : {"0/2", "3/2", "1", "1/", "/2", "1/0", "-1/2", "a/b", "1/2/3"}) {
+    refused({files[0], files[1], "--shard", shard}, "must be two whole numbers, such as 2/4");
+  }
+  std::string flat = needle_frame(4, 1);
+  flat.replace(flat.find("f 2 6 5\n"), 8, "f 2 6 2\n");
+  refused({folder.write("flat.obj", flat), files[0]}, "flat.obj");
+  refused({folder.write("x.obj", "v 1 2\n"), files[0]}, "x.obj:1: ");
+}
+
+TEST_CASE("a frame with other elements ends the run, and both frames are named") {
+  const TemporaryFolder folder;
+  const auto files = write_needles(folder, "f", 4, 2, rising_tip);
+  std::string turned = needle_frame(4, 1);
+  turned.replace(turned.find("f 2 6 5\n"), 8, "f 2 5 6\n");
+  std::string named = needle_frame(4, rising_tip(1));
+  named.replace(named.find("o needle"), 8, "o other");
+  const auto check = [&](const std::string& text, const std::string& part) {
+    const Run run = mesh({"--threads", "1", files[0], folder.write("other.obj", text)});
+    CAPTURE(run.err);
+    CHECK(run.status == 2);
+    CHECK(run.out == "f-0.obj: no intersection\n");
+    CHECK(occurrences(run.err, "\n") == 1);
+    CHECK(occurrences(run.err, "/other.obj: other.obj differs from f-0.obj: " + part) == 1);
+  };
+  check(needle_frame(5, 1), "28 vertices, not 19; all frames of a sequence must have the same vertices and elements\n");
+  check(turned, "face 2 has the vertices 2 5 6, not 2 6 5; ");
+  check(needle_frame(4, 1) + "l 1 2\n", "1 edges, not 0; ");
+  CHECK(mesh({files[0], folder.write("other.obj", named)}).status == 0);  // only a name is another one
+}
+
+TEST_CASE("files that would take each other's place are refused") {
+  const TemporaryFolder folder;
+  const auto files = write_needles(folder, "f", 4, 2, rising_tip);
+  const std::string before = folder.read("f-0.obj");
+  check_refused(mesh(with({"--report", files[0]}, files)), "is also an input");
+  check_refused(mesh(with({"--pairs", files[1]}, files)), "is also an input");
+  const std::string out = folder.path("out");
+  check_refused(mesh(with({"--report", out, "--pairs", out}, files)), "which another option names too");
+  check_refused(mesh(with({"--report", out, "--pairs", out + ".progress"}, files)), "which another option names too");
+  check_refused(mesh(with({"--pairs", "-"}, files)), "--pairs: name a file to write");
+  check_refused(mesh(with({"--resume", "--report", "-"}, files)), "--resume: name the report's file");
+  check_refused(mesh(with({"--resume"}, files)), "--report");
+  CHECK(folder.read("f-0.obj") == before);
+  CHECK(folder.names() == std::set<std::string>{"f-0.obj", "f-1.obj"});
+}
+
+TEST_CASE("names from files cannot write control characters to the console or break the report") {
+  const TemporaryFolder folder;
+  std::vector<std::string> files;
+  for (const double tip : {0.125, -0.125}) {
+    std::string text = needle_frame(4, tip);
+    text.replace(text.find("o needle"), 8, "o \x1b[31mred\xff\"'");
+    files.push_back(folder.write(tip > 0 ? "a.obj" : "b\xff\n.obj", text));
+  }
+  const Run run = mesh(with({"--report", folder.path("r.json"), "--pairs", folder.path("p.csv")}, files));
+  CAPTURE(run.err);
+  CHECK(run.status == 1);
+  CHECK(run.out.find('\x1b') == std::string::npos);
+  CHECK(occurrences(run.out, "of \\x1b[31mred\xef\xbf\xbd\"'") >= 1);
+  CHECK(occurrences(run.out, "a.obj -> b\xef\xbf\xbd\\n.obj: first contact") == 1);
+  CHECK(nlohmann::json::parse(folder.read("r.json"))["frames"][1]["name"] == "b\xef\xbf\xbd\\n.obj");
+}

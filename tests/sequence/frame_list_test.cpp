@@ -1,0 +1,86 @@
+// Which files are the frames of a sequence, and in which order.
+// SPDX-License-Identifier: MIT
+#include "sequence/frame_list.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <touchstone/error.hpp>
+
+#include "io/temporary_folder.hpp"
+#include "support/catch.hpp"
+
+using namespace touchstone;
+using namespace touchstone::sequence;
+using touchstone::tests::TemporaryFolder;
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+std::string refusal_of(const Names& files, Gaps gaps = Gaps::refused) {
+  try {
+    static_cast<void>(in_order(files, gaps));
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("files are in the order of the number in which their names differ") {
+  CHECK(in_order({"a/c-10.obj", "a/c-8.obj", "a/c-9.obj"}, Gaps::refused) ==
+        Names{"a/c-8.obj", "a/c-9.obj", "a/c-10.obj"});
+  CHECK(in_order({"run2/c-03.obj", "run2/c-01.obj", "run2/c-02.obj"}, Gaps::refused) ==
+        Names{"run2/c-01.obj", "run2/c-02.obj", "run2/c-03.obj"});
+  CHECK(in_order({"30", "10", "20"}, Gaps::refused) == Names{"10", "20", "30"});
+  CHECK(in_order({"x009.5.ply", "x010.5.ply", "x008.5.ply"}, Gaps::refused) ==
+        Names{"x008.5.ply", "x009.5.ply", "x010.5.ply"});
+  // Any two numbers have a stride.
+  CHECK(in_order({"f7", "f3"}, Gaps::refused) == Names{"f3", "f7"});
+}
+
+TEST_CASE("other names keep the order in which they are given") {
+  for (const Names& names : {Names{"b.obj", "a.obj"}, Names{"b2.obj", "a1.obj"}, Names{"b2-1", "b1-2", "b3-3"},
+                             Names{"x1.obj", "x1.ply"}, Names{"one.obj", "one.obj"}, Names{"c2", "c1", "c"}}) {
+    CHECK(in_order(names, Gaps::refused) == names);
+  }
+  // More digits than a number has are text.
+  const Names long_names = {"f12345678901234567892", "f12345678901234567891"};
+  CHECK(in_order(long_names, Gaps::refused) == long_names);
+}
+
+TEST_CASE("a number that is missing or there twice is named") {
+  CHECK(refusal_of({"d/cloth-8.obj", "d/cloth-5.obj", "d/cloth-6.obj"}) ==
+        "d/cloth-8.obj: frame 7 is missing between cloth-6.obj and cloth-8.obj; other frames of the sequence are 1 "
+        "apart");
+  CHECK(refusal_of({"c-0", "c-10", "c-20", "c-40", "c-50"}).find("frame 30 is missing between c-20 and c-40") !=
+        std::string::npos);
+  CHECK(refusal_of({"c-0", "c-3", "c-5"}).find("frame 2 is missing between c-0 and c-3") != std::string::npos);
+  CHECK(refusal_of({"c-1.obj", "c-01.obj"}) ==
+        "c-01.obj: has the same number as c-1.obj, and a sequence has each number once");
+  CHECK(refusal_of({"c-1.obj", "c-2.obj", "c-1.obj"}) == "c-1.obj: is given twice");
+  CHECK(refusal_of({"c-1", "c-2", "c-4"}, Gaps::allowed).empty());
+  CHECK(refusal_of({"c-1\n2", "c-1\n4", "c-1\n5"}).find('\n') == std::string::npos);
+}
+
+TEST_CASE("a pattern is expanded, unless it is the name of a file") {
+  const TemporaryFolder folder;
+  for (const char* name : {"f-1.obj", "f-2.obj", "f-10.obj", "[x].obj"}) folder.write(name, "");
+  auto files = expand_patterns({folder.path("f-*.obj")});
+  std::sort(files.begin(), files.end());
+  CHECK(files == Names{folder.path("f-1.obj"), folder.path("f-10.obj"), folder.path("f-2.obj")});
+  CHECK(expand_patterns({folder.path("f-?.obj")}).size() == 2);
+  CHECK(expand_patterns({folder.path("[x].obj")}) == Names{folder.path("[x].obj")});
+  CHECK(expand_patterns({"no such file", "-"}) == Names{"no such file", "-"});
+  CHECK_THROWS_AS(expand_patterns({folder.path("g-*.obj")}), FileError);
+}
+
+TEST_CASE("the label of a frame is one line of valid UTF-8") {
+  CHECK(FrameName{"a/b/c-1.obj", 0, false}.label() == "c-1.obj");
+  CHECK(FrameName{"a/run.npy", 7, true}.label() == "run.npy[7]");
+  CHECK(FrameName{"a/x\ny\x1b[1m.obj", 0, false}.label() == "x\\ny\\x1b[1m.obj");
+  CHECK(FrameName{"a/\xff\x41.obj", 0, false}.label() == "\xef\xbf\xbd\x41.obj");
+}

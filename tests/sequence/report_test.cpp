@@ -1,0 +1,237 @@
+// Reports: the text and back, shards, and text that no run has written.
+// SPDX-License-Identifier: MIT
+#include "sequence/report.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include <touchstone/error.hpp>
+
+#include "io/sealed_json.hpp"
+#include "seeded/rng.hpp"
+#include "sequence/merge.hpp"
+#include "sequence/pairs_table.hpp"
+#include "sequence/sample_report.hpp"
+#include "support/catch.hpp"
+#include "support/slow_build.hpp"
+
+using namespace touchstone;
+using namespace touchstone::sequence;
+using seeded::Rng;
+using touchstone::tests::sample_report;
+using touchstone::tests::sample_shard;
+
+namespace {
+
+std::string refusal_of(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+std::string refusal_of(const std::string& text) {
+  return refusal_of([&] { static_cast<void>(report_from(text)); });
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// The sample with `from` replaced by `to`, and a seal that holds.
+std::string forged(const std::string& from, const std::string& to) {
+  std::string text = report_text(sample_report());
+  text = "{" + text.substr(text.find('\n') + 1);
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return io::sealed_json(text.replace(at, from.size(), to));
+}
+
+std::vector<ShardReport> all_shards(std::size_t count) {
+  std::vector<ShardReport> shards;
+  for (std::size_t i = 1; i <= count; ++i) shards.push_back({"s" + std::to_string(i), sample_shard(i, count)});
+  return shards;
+}
+
+}  // namespace
+
+TEST_CASE("a report is JSON that says everything, and is read back") {
+  const std::string text = report_text(sample_report());
+  CHECK(io::seal_holds(text));
+  CHECK(report_text(report_from(text)) == text);
+  const auto json = nlohmann::json::parse(text);
+  CHECK(json["counts"] ==
+        nlohmann::json({{"steps", 6}, {"free", 4}, {"not_free", 2}, {"intersections_of_first_frame", 2}}));
+  CHECK(json["separation"] == "0x1p-3");
+  CHECK(json["frames"].size() == 7);
+  CHECK(json["results"].size() == 7);
+  CHECK(json["results"][2]["toi"] == "0x1.5555555555555p-2");
+  CHECK(json["results"][2]["first"][0]["second"] ==
+        nlohmann::json({{"element", "face"}, {"number", 17}, {"vertices", {4, 5, 6}}, {"part", "c,d"}}));
+  CHECK(json["results"][5]["toi"].is_null());
+  CHECK(json["results"][1] == nlohmann::json({{"from", 0}, {"to", 1}, {"free", true}}));
+}
+
+TEST_CASE("the table of pairs has a row for each pair, and every row has all columns") {
+  const std::string table = pairs_table(sample_report());
+  CHECK(std::count(table.begin(), table.end(), '\n') == 1 + 2 + 2 + 2);
+  CHECK(has(table,
+            "\nc-1.obj,c-2.obj,first,vertex-face,vertex,1,,\"a \"\"b\"\"\xc3\xa9\",face,4 5 6,17,\"c,d\","
+            "0x1.5555555555555p-2,0x1.5555555555556p-2,entering,v,f01,approaching\n"));
+  CHECK(has(table, "\nc-2.obj,,pierces,,edge,4 5,,,face,4 5 6,17,\"c,d\",,,,,,\n"));
+  CHECK(has(table,
+            "\nc-4.obj,c-5.obj,at_start,edge-edge,edge,4 5,,,edge,4 5,,,0x0p+0,0x0p+0,sustained,overlap,overlap,"
+            "constant\n"));
+}
+
+TEST_CASE("shards divide the steps evenly, each step once, and neighbours share a frame") {
+  for (const Question question : {Question::steps, Question::rest}) {
+    for (std::size_t frames = 2; frames < 20; ++frames) {
+      const std::size_t items = item_count(question, frames);
+      for (std::size_t count = 1; count <= items; ++count) {
+        std::size_t next = 0, results = 0;
+        for (std::size_t number = 1; number <= count; ++number) {
+          const Range range = frames_of_shard(question, frames, {number, count});
+          const std::size_t own = range.last - range.first - (question == Question::steps ? 1 : 0);
+          CHECK(range.first == next);
+          CHECK(own >= items / count);
+          CHECK(own <= items / count + 1);
+          next = range.first + own;
+          results += result_count(question, range);
+        }
+        CHECK(next == items);
+        CHECK(results == result_count(question, {0, frames}));
+      }
+    }
+  }
+}
+
+TEST_CASE("all shards together are the whole report, in any order") {
+  const std::string whole = report_text(sample_report());
+  for (std::size_t count = 1; count <= 6; ++count) {
+    auto shards = all_shards(count);
+    for (auto& shard : shards) shard.report = report_from(report_text(shard.report));
+    CHECK(report_text(merged(shards)) == whole);
+    std::reverse(shards.begin(), shards.end());
+    CHECK(report_text(merged(shards)) == whole);
+  }
+}
+
+TEST_CASE("shards that do not fit together are refused, and the message says which") {
+  const auto refused = [](std::vector<ShardReport> shards) {
+    return refusal_of([&] { static_cast<void>(merged(std::move(shards))); });
+  };
+  auto shards = all_shards(4);
+  shards.erase(shards.begin() + 2);
+  CHECK(has(refused(shards), "s1: is one of 4 shards, and only 3 are given; missing: 3"));
+  shards = {all_shards(6)[4]};
+  CHECK(has(refused(shards), "only this one is given; missing: 1, 2, 3, 4, 6"));
+  shards = all_shards(4);
+  shards.push_back(shards[1]);
+  shards.back().file = "copy";
+  CHECK(has(refused(shards), "copy: is shard 2/4, and so is s2"));
+  shards = all_shards(4);
+  shards[3].report.heading.separation.distance = 0.25;
+  CHECK(has(refused(shards), "s4: is about separation 0x1p-2, max, and s1 about separation 0x1p-3, max"));
+  shards = all_shards(4);
+  shards[2] = {"other", sample_shard(3, 5)};
+  CHECK(has(refused(shards), "other: is about shard 3/5, and s1 about shard 1/4"));
+  shards = all_shards(4);
+  shards[2].report.heading.facts->digest[5] = 'c';
+  CHECK(has(refused(shards), "s3: is about a mesh of 12 vertices"));
+  shards = all_shards(4);
+  shards[1].report.heading.list_digest[0] ^= 1;
+  CHECK(has(refused(shards), "s2: is about frames of other names"));
+  shards = all_shards(4);
+  shards[2].report.frames.front().digest[0] = 'c';
+  CHECK(has(refused(shards), "s3: read another c-4.obj than s2 did"));
+  shards = all_shards(4);
+  shards[2].report.frames[1].label = "stranger.obj";  // a name that only the digest of all names covers
+  shards[3].report.frames[0].label = "stranger.obj";
+  CHECK(has(refused(shards), "do not have the names"));
+  shards = all_shards(1);
+  shards[0].report.heading.shard.reset();
+  CHECK(has(refused(shards), "is the report of a whole run"));
+}
+
+TEST_CASE("a report with a wrong digest is refused") {
+  std::string text = report_text(sample_report());
+  for (std::size_t at = 0; at < text.size(); at += 7) {
+    std::string bad = text;
+    bad[at] = static_cast<char>(bad[at] ^ 1);
+    CHECK_FALSE(refusal_of(bad).empty());
+  }
+  CHECK(has(refusal_of(text.substr(0, text.size() / 2)), "digest"));
+  CHECK(has(refusal_of(std::string()), "digest"));
+  CHECK(has(refusal_of(std::string("{}")), "digest"));
+}
+
+TEST_CASE("a report with a right digest and wrong content is refused by its key") {
+  const auto check = [](const std::string& from, const std::string& to, const std::string& message) {
+    const std::string refusal = refusal_of(forged(from, to));
+    CAPTURE(from, to, refusal);
+    CHECK(has(refusal, message));
+  };
+  check("\"touchstone_mesh\": 1", "\"touchstone_mesh\": 2", "touchstone_mesh: must be 1");
+  check("\"frame_count\": 7", "\"frame_count\": 8", "frames: must have 8 items");
+  check("\"frame_count\": 7", "\"frame_count\": 1", "frame_count: must be a whole number from 2");
+  check("\"frame_count\": 7", "\"frame_count\": -7", "frame_count");
+  check("\"frame_count\": 7", "\"frame_count\": 7.0", "frame_count");
+  check("\"frame_count\": 7", "\"frame_count\": 1e99", "frame_count");
+  check("\"question\": \"steps\"", "\"question\": \"why\"", "question: must be steps or rest");
+  check("\"separation\": \"0x1p-3\"", "\"separation\": \"-0x1p-3\"", "separation");
+  check("\"separation\": \"0x1p-3\"", "\"separation\": \"0.125\"", "not as touchstone mesh writes it");
+  check("\"metric\": \"max\"", "\"metric\": \"sup\"", "metric");
+  check("\"free\":true", "\"free\":1", "results[1].free: must be true or false");
+  check("\"free\":true", "\"free\":false", "results[1]");
+  check("\"from\":1,\"to\":2", "\"from\":1,\"to\":3", "results[2].to");
+  check("\"from\":0,\"to\":1", "\"from\":1,\"to\":2", "results[1]");
+  check("0x1.5555555555556p-2", "0x1.5555555555557p-2", "toi_upper: must be toi, or the double after it");
+  check("0x1.5555555555555p-2", "0x1p+1", "toi: must be a hexfloat in [0, 1]");
+  check("\"kind\":\"vertex-face\"", "\"kind\":\"edge-edge\"", "has elements of other sorts");
+  check("\"kind\":\"vertex-face\"", "\"kind\":\"\"", "kind: is no name");
+  check("\"nature\":\"entering\"", "\"nature\":\"hit\"", "nature: is no name");
+  check("\"feature_b\":\"f01\"", "\"feature_b\":5", "feature_b: must be a string");
+  check("\"vertices\":[4,5,6]", "\"vertices\":[4,5]", "vertices: must have a number for each corner");
+  check("\"vertices\":[4,5,6]", "\"vertices\":[4,5,99999999999]", "must be a whole number");
+  check("\"not_free\": 2", "\"not_free\": 0", "not as touchstone mesh writes it");
+  check("\"name\": \"c-0.obj\"", "\"name\": null", "frames[0].name: must be a string");
+  check("\"name\": \"c-0.obj\"", "\"name\": \"c-0\\u001b[2J\"", "frames[0].name: must be one line of text");
+  check("\"part\":\"c,d\"", "\"part\":\"c\\nd\"", "part: must be one line of text");
+  check("\"part\":\"c,d\"", "\"part\":\"\"", "part: must be one line of text");
+  check("\"frame\": 3", "\"frame\": 4", "frames[3].frame");
+  check("\"counts\"", "\"count\"", "has no key 'count'");
+  check("\"results\": [", "\"results\": {}, \"results\": [", "twice");
+  check("\"dimension\": 3", "\"dimension\": 4", "mesh.dimension");
+}
+
+TEST_CASE("no sealed text crashes the reader, and what it takes is what it writes") {
+  std::string text = report_text(sample_report());
+  text = text.substr(text.find('\n') + 1);
+  Rng rng(20260114);
+  const auto rounds = static_cast<int>(tests::effort(3000));
+  int taken = 0;
+  for (int round = 0; round < rounds; ++round) {
+    std::string bad = text;
+    const int changes = 1 + static_cast<int>(rng.below(3));
+    for (int change = 0; change < changes; ++change) {
+      const std::size_t at = rng.below(bad.size());
+      const std::size_t from = rng.below(bad.size());
+      const std::size_t length = rng.below(40);
+      const std::uint64_t sort = rng.below(4);
+      if (sort == 0) bad[at] = static_cast<char>(rng.below(256));
+      if (sort == 1) bad.erase(at, length);
+      if (sort == 2) bad.insert(at, bad.substr(from, length));
+      if (sort == 3) bad[at] = "0123456789[]{},:\"-"[rng.below(18)];
+      if (bad.empty()) bad = " ";
+    }
+    const std::string sealed = io::sealed_json("{" + bad);
+    if (!refusal_of(sealed).empty()) continue;
+    CHECK(report_text(report_from(sealed)) == sealed);
+    ++taken;
+  }
+  CHECK(taken < rounds / 4);
+}
