@@ -22,6 +22,7 @@ const LayerTable& layer_table() {
       {"families", {"geometry", "seeded"}},
       {"broad_phase", {"geometry", "threads"}},
       {"mesh", {"solver", "broad_phase", "threads", "geometry", "numbers"}},
+      {"dropin", {"solver", "geometry"}},
       {"generators", {"broad_phase", "geometry", "io", "seeded"}},
       {"fuzz",
        {"solver", "certify", "baselines", "families", "filters", "io", "numbers", "geometry", "pipes", "seeded"}},
