@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include <touchstone/error.hpp>
 
@@ -16,12 +17,6 @@ namespace {
 constexpr int kFinestPower = 62;
 
 constexpr std::uint64_t kOne = 1;
-
-/// The sum, without a carry lost.
-std::uint64_t sum(std::uint64_t a, std::uint64_t b) {
-  if (a + b < a) throw touchstone::InvalidQuery("the numerator of the sum is 2^64 or more");
-  return a + b;
-}
 
 /// The same number with the least denominator.
 NumCCD reduced(NumCCD number) {
@@ -66,9 +61,14 @@ Scalar NumCCD::value() const { return std::ldexp(static_cast<Scalar>(numerator),
 NumCCD NumCCD::operator+(const NumCCD& other) const {
   const NumCCD a = reduced(*this), b = reduced(other);
   const std::uint8_t finer = std::max(a.denom_power, b.denom_power);
-  return reduced({sum(power(a.numerator, static_cast<std::uint8_t>(finer - a.denom_power)),
-                      power(b.numerator, static_cast<std::uint8_t>(finer - b.denom_power))),
-                  finer});
+  const std::uint64_t k = power(a.numerator, static_cast<std::uint8_t>(finer - a.denom_power));
+  const std::uint64_t l = power(b.numerator, static_cast<std::uint8_t>(finer - b.denom_power));
+  if (k + l >= k) return reduced({k + l, finer});
+  // The sum has 65 bits. It fits when its last bit is a zero that the denominator can give up.
+  if (((k + l) & kOne) != 0 || finer == 0) {
+    throw touchstone::InvalidQuery("the numerator of the sum is 2^64 or more");
+  }
+  return reduced({(k >> 1) + (l >> 1) + (k & l & kOne), static_cast<std::uint8_t>(finer - 1)});
 }
 
 bool NumCCD::operator<(const NumCCD& other) const {
@@ -87,9 +87,10 @@ bool NumCCD::operator<(const NumCCD& other) const {
 bool NumCCD::is_sum_leq_1(const NumCCD& num1, const NumCCD& num2) {
   const NumCCD one(1, 0);
   if (one < num1 || one < num2) return false;
-  const NumCCD a = reduced(num1), b = reduced(num2);
-  // Both are in [0, 1]. a <= 1 - b, over the denominator of b.
-  return a <= NumCCD(power(1, b.denom_power) - b.numerator, b.denom_power);
+  NumCCD coarse = reduced(num1), fine = reduced(num2);
+  if (fine.denom_power < coarse.denom_power) std::swap(coarse, fine);
+  // Both are in [0, 1], and fine <= 1 - coarse is asked, over the denominator of `coarse`.
+  return fine <= NumCCD(coarse.denominator() - coarse.numerator, coarse.denom_power);
 }
 
 std::pair<Interval, Interval> Interval::bisect() const {

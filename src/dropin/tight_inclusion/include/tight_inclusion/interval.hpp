@@ -69,6 +69,7 @@ struct NumCCD {
   bool operator==(const Scalar other) const { return value() == other; }  ///< value() is equal
 
   /// Whether num1 + num2 <= 1.
+  /// @throws touchstone::InvalidQuery  when the denominators of both, in lowest terms, are 2^64 or more
   static bool is_sum_leq_1(const NumCCD& num1, const NumCCD& num2);
 };
 
