@@ -1,4 +1,4 @@
-# What `cmake --install` puts where: library, program, public headers, licence and the package config.
+# What `cmake --install` puts where: libraries, program, public headers, licence and the package config.
 # SPDX-License-Identifier: MIT
 include(CMakePackageConfigHelpers)
 
@@ -12,6 +12,17 @@ install(TARGETS ${touchstone_libraries} EXPORT touchstone-targets
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+if(TARGET touchstone_tight_inclusion)
+  # An export of its own: the target keeps the name that Tight-Inclusion's users know, and it needs Eigen.
+  install(TARGETS touchstone_tight_inclusion EXPORT touchstone-tight-inclusion-targets
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/dropin/tight_inclusion/include/
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/touchstone-tight-inclusion FILES_MATCHING PATTERN "*.hpp")
+  install(EXPORT touchstone-tight-inclusion-targets NAMESPACE tight_inclusion:: DESTINATION ${touchstone_package_dir})
+  list(APPEND touchstone_libraries touchstone_tight_inclusion)
+endif()
 # Building this target builds everything that `cmake --install` copies, and no test.
 add_custom_target(touchstone_installed)
 add_dependencies(touchstone_installed ${touchstone_libraries})

@@ -1,5 +1,6 @@
 # Configures, builds and runs the consumer project. The caller's -D: SOURCE_DIR (the project's), SCRATCH (a folder of
-# this test's own), GENERATOR, COMPILER, FLAGS (the consumer's, for both languages' sake also the linker's), VERSION, and
+# this test's own), GENERATOR, COMPILER, FLAGS (the consumer's, for both languages' sake also the linker's), VERSION,
+# TIGHT_INCLUSION (whether the drop-in is there), and
 #   WAY=installed  BUILD_DIR and CONFIG: install that build into a fresh prefix and find it there
 #   WAY=fetched    build the sources as a part of the consumer, with every flag of the consumer's own hostile to exact
 #                  arithmetic; as a static library, then shared, then install the shared one and find it
@@ -7,6 +8,10 @@
 cmake_minimum_required(VERSION 3.18)
 
 set(consumer ${SOURCE_DIR}/tests/packaging/consumer)
+set(programs consumer)
+if(TIGHT_INCLUSION)
+  list(APPEND programs line_search)
+endif()
 
 function(run)
   list(JOIN ARGN " " line)
@@ -18,14 +23,17 @@ function(run)
   set(output "${output}" PARENT_SCOPE)
 endfunction()
 
-# Configure and build the consumer in `build` with further -D options, and run both programs.
+# Configure and build the consumer in `build` with further -D options, and run its programs.
 function(consume build)
   run(${CMAKE_COMMAND} -S ${consumer} -B ${build} -G ${GENERATOR}
-    -DCMAKE_CXX_COMPILER=${COMPILER} -DCONSUMER_EXPECTS_VERSION=${VERSION} ${ARGN})
+    -DCMAKE_CXX_COMPILER=${COMPILER} -DCONSUMER_EXPECTS_VERSION=${VERSION}
+    -DCONSUMER_TIGHT_INCLUSION=${TIGHT_INCLUSION} ${ARGN})
   run(${CMAKE_COMMAND} --build ${build} --parallel 2)
-  foreach(mode plain fast_math)
-    run(${build}/consumer_${mode})
-    message(STATUS "${output}")
+  foreach(program ${programs})
+    foreach(mode plain fast_math)
+      run(${build}/${program}_${mode})
+      message(STATUS "${output}")
+    endforeach()
   endforeach()
 endfunction()
 
@@ -56,7 +64,8 @@ if(WAY STREQUAL "installed")
   endif()
 elseif(WAY STREQUAL "fetched")
   set(fetched -DCONSUMER_FETCHES=ON -DFETCHCONTENT_SOURCE_DIR_TOUCHSTONE=${SOURCE_DIR} -DCMAKE_BUILD_TYPE=
-    "-DCMAKE_CXX_FLAGS=-O1 -ffast-math" -DTOUCHSTONE_INSTALL=ON -DTOUCHSTONE_BUILD_FUZZ=ON)
+    "-DCMAKE_CXX_FLAGS=-O1 -ffast-math" -DTOUCHSTONE_INSTALL=ON -DTOUCHSTONE_BUILD_FUZZ=ON
+    -DTOUCHSTONE_BUILD_TIGHT_INCLUSION=${TIGHT_INCLUSION})
   foreach(shared OFF ON)  # the same object files: only the library is linked anew
     consume(${SCRATCH}/fetched ${fetched} -DBUILD_SHARED_LIBS=${shared})
   endforeach()

@@ -71,6 +71,8 @@ TEST_CASE("a planted violation of the layer table is found") {
                Planted{"solver/x.cpp", "#include <touchstone/certify.hpp>\n", "`solver` may not use `certify`"},
                Planted{"certify/x.cpp", "#include <touchstone/fuzz.hpp>\n", "`certify` may not use `fuzz`"},
                Planted{"io/x.cpp", "#include <touchstone/plugin.h>\n", "`io` may not use `fuzz`"},
+               Planted{"dropin/x.cpp", "#include \"exact/exact.hpp\"\n", "`dropin` may not use `exact`"},
+               Planted{"dropin/x.cpp", "#include <touchstone/mesh.hpp>\n", "`dropin` may not use `mesh`"},
                Planted{"version.cpp", "#include <touchstone/solve.hpp>\n", "may not use `solver`"},
                Planted{"cli/x.cpp", "#include <touchstone/touchstone.hpp>\n", "one by one"},
                Planted{"cli/x.cpp", "#include <touchstone/none.hpp>\n", "has no `none.hpp`"},

@@ -23,6 +23,7 @@ const LayerTable& layer_table() {
       {"broad_phase", {"geometry", "threads"}},
       {"mesh", {"solver", "broad_phase", "threads", "geometry", "numbers"}},
       {"frames", {"geometry", "io", "mesh"}},
+      {"dropin", {"solver", "geometry"}},
       {"generators", {"broad_phase", "geometry", "io", "seeded"}},
       {"fuzz",
        {"solver", "certify", "baselines", "families", "filters", "io", "numbers", "geometry", "pipes", "seeded"}},

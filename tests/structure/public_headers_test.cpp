@@ -41,6 +41,22 @@ TEST_CASE("each public header compiles by itself") {
   }
 }
 
+TEST_CASE("each header of the drop-ins compiles by itself") {
+  if (std::string(TOUCHSTONE_EIGEN_INCLUDE).empty()) return;
+  const std::string folder = "src/dropin/tight_inclusion/include";
+  const auto headers = cpp_files(folder);
+  CHECK(headers.size() >= 5);
+  for (const auto& header : headers) {
+    for (const char* mode : kModes) {
+      const ShellResult result =
+          compile("#include <" + header.generic_string() + ">",
+                  mode + kStrict + " -I " + shell_quoted(std::string(TOUCHSTONE_SOURCE_DIR) + "/" + folder));
+      INFO(header << " " << mode << "\n" << result.output);
+      CHECK(result.status == 0);
+    }
+  }
+}
+
 TEST_CASE("a header that does not compile by itself, or warns, is found") {
   for (const char* mode : kModes) {
     CHECK(compile("namespace touchstone { struct Ok {}; }", mode + kStrict).status == 0);
