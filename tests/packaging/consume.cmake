@@ -18,12 +18,12 @@ function(run)
   set(output "${output}" PARENT_SCOPE)
 endfunction()
 
-# Configure and build the consumer in `build` with further -D options, and run both programs.
+# Configure and build the consumer in `build` with further -D options, and run its programs.
 function(consume build)
   run(${CMAKE_COMMAND} -S ${consumer} -B ${build} -G ${GENERATOR}
     -DCMAKE_CXX_COMPILER=${COMPILER} -DCONSUMER_EXPECTS_VERSION=${VERSION} ${ARGN})
   run(${CMAKE_COMMAND} --build ${build} --parallel 2)
-  foreach(mode plain fast_math)
+  foreach(mode plain fast_math c)
     run(${build}/consumer_${mode})
     message(STATUS "${output}")
   endforeach()
@@ -37,7 +37,7 @@ file(REMOVE_RECURSE ${SCRATCH}/prefix ${SCRATCH}/found)
 if(WAY STREQUAL "installed")
   run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${SCRATCH}/prefix --config ${CONFIG})
   consume(${SCRATCH}/found ${found_in} -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix
-    -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_EXE_LINKER_FLAGS=${FLAGS})
+    -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_C_FLAGS=${FLAGS} -DCMAKE_EXE_LINKER_FLAGS=${FLAGS})
   if(EXISTS ${SCRATCH}/prefix/bin/touchstone)
     run(${SCRATCH}/prefix/bin/touchstone --version)
     if(NOT output STREQUAL "touchstone ${VERSION}\n")
