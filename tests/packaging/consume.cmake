@@ -35,6 +35,8 @@ function(consume build)
       message(STATUS "${output}")
     endforeach()
   endforeach()
+  run(${build}/consumer_c)
+  message(STATUS "${output}")
 endfunction()
 
 # Nothing of CGAL may be needed by who uses an installed touchstone.
@@ -45,7 +47,7 @@ file(REMOVE_RECURSE ${SCRATCH}/prefix ${SCRATCH}/found)
 if(WAY STREQUAL "installed")
   run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${SCRATCH}/prefix --config ${CONFIG})
   consume(${SCRATCH}/found ${found_in} -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix
-    -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_EXE_LINKER_FLAGS=${FLAGS})
+    -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_C_FLAGS=${FLAGS} -DCMAKE_EXE_LINKER_FLAGS=${FLAGS})
   if(EXISTS ${SCRATCH}/prefix/bin/touchstone)
     run(${SCRATCH}/prefix/bin/touchstone --version)
     if(NOT output STREQUAL "touchstone ${VERSION}\n")

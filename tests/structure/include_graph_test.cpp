@@ -121,6 +121,10 @@ TEST_CASE("a planted violation in a public header is found") {
   REQUIRE(violations.size() == 1);
   CHECK(violations[0].find("include/touchstone/solve.hpp:2:") == 0);
   CHECK(public_header_violations("eigen.hpp", "#include <Eigen/Core>\n").empty());
+  CHECK(public_header_violations("eigen.hpp", "#include <ipc/ipc.hpp>\n").size() == 1);
+  CHECK(
+      public_header_violations("ipc_toolkit.hpp", "#include <ipc/ipc.hpp>\n#include <touchstone/eigen.hpp>\n").empty());
+  CHECK(public_header_violations("c.h", "#include <stddef.h>\n").empty());
   CHECK(public_header_violations("certify.hpp", "#include <touchstone/solve.hpp>\n").empty());
   CHECK(public_header_violations("touchstone.hpp", "#include <touchstone/certify.hpp>\n").empty());
   CHECK(public_header_violations("query.hpp", "#include <touchstone/solve.hpp>\n").size() == 1);

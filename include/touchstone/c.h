@@ -1,0 +1,352 @@
+/* Touchstone: the library for C, and for every language that calls C.
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef TOUCHSTONE_C_H
+#define TOUCHSTONE_C_H
+
+/** @file
+ * The library for C, and for every language that calls C.
+ *
+ * Plain C11, and C++. Link the library `touchstone`. The answers are those of the C++ functions.
+ *
+ * Every function that can fail returns one of touchstone_status_code. No C++ exception leaves a function. After a
+ * failure touchstone_last_error() says what is wrong, and nothing that the function wrote is valid; a handle that it
+ * was to make is null. Any number of threads may call any function, and may use one handle at a time, but for destroying
+ * it.
+ *
+ * A structure with the member `size` can grow. Initialise it by its macro, which sets `size`. A later version of the
+ * library adds members at the end, and takes the smaller structure of a program that was compiled before. A larger one
+ * than it knows is refused. The other structures stay as they are.
+ *
+ * Coordinates are x y z of the first corner, then x y z of the second corner, and so on: 12 doubles for edge-edge (a0
+ * a1 b0 b1) and vertex-face (v f0 f1 f2), 9 for point-edge (p e0 e1), 6 for point-point (p q). `start` holds the corners
+ * at t = 0 and `end` those at t = 1. For a query in two dimensions each z is 0.
+ */
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The version of this interface. A number is added for each addition; nothing is taken away under one number. */
+#define TOUCHSTONE_C_VERSION 1
+
+/** The values that functions return. */
+enum touchstone_status_code {
+  TOUCHSTONE_OK = 0,               /**< the function did its work */
+  TOUCHSTONE_INVALID_ARGUMENT = 1, /**< a null pointer, an unknown enumerator, a size or count that cannot be */
+  TOUCHSTONE_INVALID_QUERY = 2,    /**< a coordinate or an option without meaning; InvalidQuery in C++ */
+  TOUCHSTONE_INVALID_MESH = 3,     /**< a mesh without meaning; InvalidMesh in C++ */
+  TOUCHSTONE_OUT_OF_MEMORY = 4,    /**< memory ran out */
+  TOUCHSTONE_INTERNAL_ERROR = 5    /**< any other error */
+};
+
+/** The kinds of query. */
+enum touchstone_query_kind {
+  TOUCHSTONE_KIND_EDGE_EDGE = 0,   /**< a segment against a segment */
+  TOUCHSTONE_KIND_VERTEX_FACE = 1, /**< a point against a triangle */
+  TOUCHSTONE_KIND_POINT_EDGE = 2,  /**< a point against a segment */
+  TOUCHSTONE_KIND_POINT_POINT = 3  /**< a point against a point */
+};
+
+/** The metrics of a separation. */
+enum touchstone_distance_metric {
+  TOUCHSTONE_METRIC_EUCLIDEAN = 0, /**< the length of the difference of two points */
+  TOUCHSTONE_METRIC_MAX = 1        /**< its largest absolute coordinate */
+};
+
+/** The options of queries. A null pointer in place of options means TOUCHSTONE_OPTIONS_INIT. */
+struct touchstone_options {
+  size_t size;     /**< sizeof(struct touchstone_options) */
+  double t_max;    /**< the end of the time range, 0 <= t_max <= 1 */
+  int32_t threads; /**< of a batch or mesh: 1 to 1024; 0 takes as many as the machine has; it changes no answer */
+  int32_t metric;  /**< one of touchstone_distance_metric; a mesh has its own */
+
+  /** Elements are in contact while their distance is at most this; finite and not negative. With 0, contact is touching.
+   *  A mesh has its own separations, and takes 0 only. */
+  double separation;
+  const double* separations; /**< null; or of a batch, in place of separation: one distance for each query */
+  size_t separation_count;   /**< the number of separations: that of the queries, or 0 */
+
+  /** Of touchstone_free_step: the fraction of its distance that each pair keeps, in [0, 1). */
+  double kept_fraction;
+};
+
+/** The options by default: the whole step, touching, one thread. */
+#define TOUCHSTONE_OPTIONS_INIT \
+  { sizeof(struct touchstone_options), 1.0, 1, 0, 0.0, NULL, 0, 0.0 }
+
+/** The answer to one query. Without contact both times are infinity, and only `contact` and `level` have a meaning.
+ *  Names for the numbers: touchstone_nature_name and the other functions that end in _name. */
+struct touchstone_answer {
+  uint8_t contact;       /**< 1 when the elements touch at any time in [0, t_max], otherwise 0 */
+  uint8_t level;         /**< the level that decided */
+  uint8_t nature;        /**< how the elements meet at the first contact */
+  uint8_t feature_a;     /**< the touched part of the first element */
+  uint8_t feature_b;     /**< the touched part of the second element */
+  uint8_t starts_within; /**< 1 when the contact exists at t = 0 already, otherwise 0 */
+  uint8_t trend;         /**< what the distance does after the first contact, with a separation above 0 */
+  uint8_t reserved;      /**< of no meaning */
+  double toi;            /**< the largest double <= the exact first time of contact */
+  double toi_upper;      /**< the smallest double >= the exact first time of contact */
+  double weights_a[3];   /**< barycentric coordinates on the first element, each within 2^-50 of its true value */
+  double weights_b[3];   /**< the same on the second element */
+};
+
+/** The version of this interface that the linked library has: the TOUCHSTONE_C_VERSION that it was compiled with. */
+uint32_t touchstone_c_version(void);
+
+/** The version of the linked library, "MAJOR.MINOR.PATCH". */
+const char* touchstone_version(void);
+
+/** What was wrong in this thread's latest call that failed; empty before one. The text is valid until this thread's next
+ *  call. It is cut after 1000 bytes. */
+const char* touchstone_last_error(void);
+
+/** The name of a touchstone_answer's nature: "crossing", "grazing", "sustained", "isolated", "entering"; otherwise
+ *  empty. */
+const char* touchstone_nature_name(int nature);
+
+/** The name of a touchstone_answer's feature: "a0", "a", "f01", "overlap", ...; otherwise empty. */
+const char* touchstone_feature_name(int feature);
+
+/** The name of a touchstone_answer's level: "filter", "bracket", "exact", "oracle"; otherwise empty. */
+const char* touchstone_level_name(int level);
+
+/** The name of a touchstone_answer's trend: "approaching", "constant", "leaving"; otherwise empty. */
+const char* touchstone_trend_name(int trend);
+
+/** The first contact of one query.
+ *  @param kind     one of touchstone_query_kind
+ *  @param start    the corners at t = 0
+ *  @param end      the corners at t = 1
+ *  @param options  the options, or null
+ *  @param answer   becomes the answer
+ *  @return one of touchstone_status_code */
+int touchstone_solve(int kind, const double* start, const double* end, const struct touchstone_options* options,
+                     struct touchstone_answer* answer);
+
+/** Whether there is contact at all. It is cheaper than touchstone_solve.
+ *  @param kind     one of touchstone_query_kind
+ *  @param start    the corners at t = 0
+ *  @param end      the corners at t = 1
+ *  @param options  the options, or null
+ *  @param contact  becomes 1 for contact, otherwise 0
+ *  @return one of touchstone_status_code */
+int touchstone_contact(int kind, const double* start, const double* end, const struct touchstone_options* options,
+                       int* contact);
+
+/** The answers to many queries of one kind, in columns: the fastest way to ask.
+ *  @param kind     one of touchstone_query_kind
+ *  @param count    the number of queries, and the length of each column
+ *  @param start    a pointer for each coordinate of each corner: 12, 9 or 6 columns, x y z of the first corner first
+ *  @param end      the same at t = 1
+ *  @param options  the options, or null
+ *  @param answers  room for `count` answers
+ *  @return one of touchstone_status_code */
+int touchstone_solve_columns(int kind, size_t count, const double* const* start, const double* const* end,
+                             const struct touchstone_options* options, struct touchstone_answer* answers);
+
+/** The answers to many queries of one kind, in rows. The call needs 16 bytes of memory for each coordinate of a query.
+ *  @param kind     one of touchstone_query_kind
+ *  @param count    the number of queries
+ *  @param start    12, 9 or 6 doubles for each query, one query after another
+ *  @param end      the same at t = 1
+ *  @param options  the options, or null
+ *  @param answers  room for `count` answers
+ *  @return one of touchstone_status_code */
+int touchstone_solve_rows(int kind, size_t count, const double* start, const double* end,
+                          const struct touchstone_options* options, struct touchstone_answer* answers);
+
+/** A mesh whose elements were checked. */
+typedef struct touchstone_mesh touchstone_mesh;
+
+/** A list of contacts, which the library owns. */
+typedef struct touchstone_contacts touchstone_contacts;
+
+/** A list of intersections at rest, which the library owns. */
+typedef struct touchstone_intersections touchstone_intersections;
+
+/** Two elements of a mesh, of one of touchstone_query_kind: edge and edge, vertex and face, vertex and edge, or vertex
+ *  and vertex. */
+struct touchstone_mesh_pair {
+  int32_t kind;    /**< one of touchstone_query_kind */
+  uint32_t first;  /**< the number of an edge, or of a vertex for the other three kinds */
+  uint32_t second; /**< the number of an edge, face, edge or vertex */
+};
+
+/** What a mesh is made of. The arrays are copied. An array that is null has no members; its count must then be 0. */
+struct touchstone_mesh_elements {
+  size_t size;           /**< sizeof(struct touchstone_mesh_elements) */
+  size_t vertex_count;   /**< the number of vertices, below 2^32 */
+  int32_t dimension;     /**< 2 or 3 */
+  int32_t metric;        /**< one of touchstone_distance_metric */
+  double separation;     /**< the separation of every pair */
+  const double* radii;   /**< a radius for each vertex, in place of the separation, which must then be 0 */
+  size_t radius_count;   /**< the number of radii: that of the vertices, or 0 */
+  const uint32_t* faces; /**< three vertices for each face */
+  size_t face_count;     /**< the number of faces */
+  const uint32_t* edges; /**< two vertices for each edge; those of the faces need not be given */
+  size_t edge_count;     /**< the number of edges */
+
+  /** The vertices that collide without an edge. If it is null, these are all vertices that are in no edge. */
+  const uint32_t* points;
+  size_t point_count;                                /**< the number of points */
+  const uint32_t* excluded_vertices;                 /**< two vertices each, which never collide with each other */
+  size_t excluded_vertex_count;                      /**< the number of pairs of vertices */
+  const struct touchstone_mesh_pair* excluded_pairs; /**< pairs of elements that never collide */
+  size_t excluded_pair_count;                        /**< the number of pairs of elements */
+  const struct touchstone_mesh_pair* separate_pairs; /**< pairs of elements with a separation of their own */
+  const double* pair_separations;                    /**< their separations */
+  size_t separate_pair_count;                        /**< the number of pairs, and of their separations */
+  const uint32_t* groups;                            /**< the group of each vertex */
+  size_t group_count;                                /**< the number of vertices, or 0 without groups */
+  const uint32_t* group_pairs;                       /**< two groups each, which the rule is about */
+  size_t group_pair_count;                           /**< the number of pairs of groups */
+  int32_t only_listed_groups; /**< 0: the pairs of groups never collide; 1: these and no others collide */
+};
+
+/** A mesh without vertices in three dimensions. */
+#define TOUCHSTONE_MESH_ELEMENTS_INIT                                                                                  \
+  {                                                                                                                    \
+    sizeof(struct touchstone_mesh_elements), 0, 3, 0, 0.0, NULL, 0, NULL, 0, NULL, 0, NULL, 0, NULL, 0, NULL, 0, NULL, \
+        NULL, 0, NULL, 0, NULL, 0, 0                                                                                   \
+  }
+
+/** Makes a mesh.
+ *  @param elements  what it is made of
+ *  @param mesh      becomes the mesh; touchstone_mesh_destroy ends it
+ *  @return one of touchstone_status_code */
+int touchstone_mesh_create(const struct touchstone_mesh_elements* elements, touchstone_mesh** mesh);
+
+/** Ends a mesh. Lists that were made with it stay valid. A null pointer is allowed. */
+void touchstone_mesh_destroy(touchstone_mesh* mesh);
+
+/** The corners of edge `edge` of a mesh: the edges that were given, and then the other edges of the faces.
+ *  @param mesh     the mesh
+ *  @param edge     the number of an edge
+ *  @param corners  becomes the numbers of two vertices
+ *  @return one of touchstone_status_code */
+int touchstone_mesh_edge(const touchstone_mesh* mesh, size_t edge, uint32_t corners[2]);
+
+/** When the elements of a mesh first come into contact. */
+struct touchstone_first_contact {
+  int32_t contact;  /**< 1 when two elements that are apart at the start come into contact in [0, t_max], otherwise 0 */
+  int32_t free;     /**< 1 when there is no contact at all, at the start neither, otherwise 0 */
+  double toi;       /**< the largest double <= the exact first time of such a contact; infinity without one */
+  double toi_upper; /**< the smallest double >= this time; infinity without contact */
+};
+
+/** The first contact while each vertex moves from its position in x0 to that in x1.
+ *  @param mesh         the mesh
+ *  @param x0           the positions at t = 0, 2 or 3 doubles for each vertex, as the mesh has dimensions
+ *  @param x1           the positions at t = 1
+ *  @param value_count  the number of doubles in x0, and in x1
+ *  @param options      the options, or null
+ *  @param result       becomes the first contact
+ *  @param first        null; or becomes the list of all pairs whose contact begins at that time
+ *  @param at_start     null; or becomes the list of all pairs that are in contact at the start
+ *  @return one of touchstone_status_code */
+int touchstone_mesh_first_contact(const touchstone_mesh* mesh, const double* x0, const double* x1, size_t value_count,
+                                  const struct touchstone_options* options, struct touchstone_first_contact* result,
+                                  touchstone_contacts** first, touchstone_contacts** at_start);
+
+/** Every pair that comes into contact in [0, t_max], in the order of time.
+ *  @param mesh         the mesh
+ *  @param x0           the positions at t = 0, 2 or 3 doubles for each vertex, as the mesh has dimensions
+ *  @param x1           the positions at t = 1
+ *  @param value_count  the number of doubles in x0, and in x1
+ *  @param options      the options, or null
+ *  @param contacts     becomes the list; touchstone_contacts_destroy ends it
+ *  @return one of touchstone_status_code */
+int touchstone_mesh_all_contacts(const touchstone_mesh* mesh, const double* x0, const double* x1, size_t value_count,
+                                 const struct touchstone_options* options, touchstone_contacts** contacts);
+
+/** The number of contacts in a list; 0 for a null pointer. */
+size_t touchstone_contacts_count(const touchstone_contacts* contacts);
+
+/** One contact of a list.
+ *  @param contacts  the list
+ *  @param index     0 <= index < touchstone_contacts_count(contacts)
+ *  @param pair      null; or becomes the elements
+ *  @param answer    null; or becomes the answer for them
+ *  @return one of touchstone_status_code */
+int touchstone_contacts_get(const touchstone_contacts* contacts, size_t index, struct touchstone_mesh_pair* pair,
+                            struct touchstone_answer* answer);
+
+/** Ends a list of contacts. A null pointer is allowed. */
+void touchstone_contacts_destroy(touchstone_contacts* contacts);
+
+/** The sorts of element that intersect. */
+enum touchstone_element {
+  TOUCHSTONE_ELEMENT_VERTEX = 0, /**< a vertex */
+  TOUCHSTONE_ELEMENT_EDGE = 1,   /**< an edge */
+  TOUCHSTONE_ELEMENT_FACE = 2    /**< a face */
+};
+
+/** Two elements of a mesh that share a point at rest. */
+struct touchstone_intersection {
+  int32_t first_element;    /**< one of touchstone_element */
+  uint32_t first;           /**< its number */
+  int32_t second_element;   /**< one of touchstone_element */
+  uint32_t second;          /**< its number */
+  int32_t pierces;          /**< 1 when an edge passes through, 0 when the elements touch */
+  int32_t reserved;         /**< of no meaning */
+  double weights_first[3];  /**< a common point: barycentric coordinates on the first element */
+  double weights_second[3]; /**< the same on the second element */
+};
+
+/** Where a mesh intersects itself, exactly.
+ *  @param mesh           the mesh
+ *  @param x              the positions, 2 or 3 doubles for each vertex, as the mesh has dimensions
+ *  @param value_count    the number of doubles in x
+ *  @param options        the options, or null
+ *  @param intersections  becomes the list; touchstone_intersections_destroy ends it
+ *  @return one of touchstone_status_code */
+int touchstone_mesh_intersections(const touchstone_mesh* mesh, const double* x, size_t value_count,
+                                  const struct touchstone_options* options, touchstone_intersections** intersections);
+
+/** The number of intersections in a list; 0 for a null pointer. */
+size_t touchstone_intersections_count(const touchstone_intersections* intersections);
+
+/** One intersection of a list.
+ *  @param intersections  the list
+ *  @param index          0 <= index < touchstone_intersections_count(intersections)
+ *  @param intersection   becomes the intersection
+ *  @return one of touchstone_status_code */
+int touchstone_intersections_get(const touchstone_intersections* intersections, size_t index,
+                                 struct touchstone_intersection* intersection);
+
+/** Ends a list of intersections. A null pointer is allowed. */
+void touchstone_intersections_destroy(touchstone_intersections* intersections);
+
+/** How a step was shortened. */
+enum touchstone_step_outcome {
+  TOUCHSTONE_STEP_WHOLE = 0,           /**< the whole step is free: the positions are x1, bit for bit */
+  TOUCHSTONE_STEP_SHORTENED = 1,       /**< the step was shortened, and some vertex moves */
+  TOUCHSTONE_STEP_NO_ROOM = 2,         /**< every step that moves a vertex to another double ends in a contact */
+  TOUCHSTONE_STEP_CONTACT_AT_START = 3 /**< some pair is in contact at the start; the positions are x0 */
+};
+
+/** The longest step that is proved free of contact, and the rounded positions after it: the path from x0 to these was
+ *  asked about. The step is over [0, 1]: t_max must be 1.
+ *  @param mesh         the mesh
+ *  @param x0           the positions at t = 0, 2 or 3 doubles for each vertex, as the mesh has dimensions
+ *  @param x1           the positions at t = 1
+ *  @param value_count  the number of doubles in x0, in x1 and in positions
+ *  @param options      the options, or null; kept_fraction is one of them
+ *  @param positions    becomes the positions after the step; it may be x0 or x1
+ *  @param length       null; or becomes the fraction of the step, in [0, 1]
+ *  @param outcome      null; or becomes one of touchstone_step_outcome
+ *  @return one of touchstone_status_code */
+int touchstone_mesh_free_step(const touchstone_mesh* mesh, const double* x0, const double* x1, size_t value_count,
+                              const struct touchstone_options* options, double* positions, double* length,
+                              int* outcome);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* TOUCHSTONE_C_H */

@@ -1,0 +1,85 @@
+// Status codes and messages of the C interface, and the names of numbers.
+// SPDX-License-Identifier: MIT
+#include "c_api/guard.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdio>
+
+#include <touchstone/answer.hpp>
+#include <touchstone/version.hpp>
+
+namespace touchstone::c_api {
+
+namespace {
+
+// An array, because a string would need memory just when there may be none.
+thread_local std::array<char, 1001> last_error{};
+
+/// What version 1 of the structure had.
+constexpr std::size_t kFirstOptionsSize = offsetof(touchstone_options, kept_fraction) + sizeof(double);
+
+/// The names are string literals, so they end in a zero. An empty view may have no text at all.
+const char* text_of(std::string_view name) noexcept { return name.empty() ? "" : name.data(); }
+
+/// The enumerator with this number; one that has no name for a number that is no byte.
+template <typename Enum>
+Enum enumerator(int number) noexcept {
+  return static_cast<Enum>(number >= 0 && number < 255 ? number : 255);
+}
+
+}  // namespace
+
+int failed(touchstone_status_code status, const char* message) noexcept {
+  std::snprintf(last_error.data(), last_error.size(), "%s", message);
+  return status;
+}
+
+touchstone_options options_of(const touchstone_options* options) {
+  const touchstone_options defaults = TOUCHSTONE_OPTIONS_INIT;
+  return options == nullptr ? defaults : grown(*options, defaults, kFirstOptionsSize, "options");
+}
+
+Kind kind_of(int kind) {
+  switch (kind) {
+    case TOUCHSTONE_KIND_EDGE_EDGE: return Kind::edge_edge;
+    case TOUCHSTONE_KIND_VERTEX_FACE: return Kind::vertex_face;
+    case TOUCHSTONE_KIND_POINT_EDGE: return Kind::point_edge;
+    case TOUCHSTONE_KIND_POINT_POINT: return Kind::point_point;
+    default: throw InvalidArgument("the kind is " + std::to_string(kind) + "; it must be in [0, 3]");
+  }
+}
+
+Metric metric_of(int metric) {
+  switch (metric) {
+    case TOUCHSTONE_METRIC_EUCLIDEAN: return Metric::euclidean;
+    case TOUCHSTONE_METRIC_MAX: return Metric::max;
+    default: throw InvalidArgument("the metric is " + std::to_string(metric) + "; it must be 0 or 1");
+  }
+}
+
+}  // namespace touchstone::c_api
+
+using namespace touchstone;
+
+extern "C" {
+
+uint32_t touchstone_c_version(void) { return TOUCHSTONE_C_VERSION; }
+
+const char* touchstone_version(void) { return version(); }
+
+const char* touchstone_last_error(void) { return c_api::last_error.data(); }
+
+const char* touchstone_nature_name(int nature) {
+  return c_api::text_of(nature_name(c_api::enumerator<Nature>(nature)));
+}
+
+const char* touchstone_feature_name(int feature) {
+  return c_api::text_of(feature_name(c_api::enumerator<Feature>(feature)));
+}
+
+const char* touchstone_level_name(int level) { return c_api::text_of(level_name(c_api::enumerator<Level>(level))); }
+
+const char* touchstone_trend_name(int trend) { return c_api::text_of(trend_name(c_api::enumerator<Trend>(trend))); }
+
+}  // extern "C"

@@ -1,0 +1,266 @@
+// Meshes by the C interface. Meshes and lists are objects behind handles.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <touchstone/c.h>
+#include <touchstone/mesh.hpp>
+
+#include "c_api/answers.hpp"
+#include "c_api/guard.hpp"
+
+struct touchstone_mesh {
+  touchstone::Mesh mesh;
+};
+
+struct touchstone_contacts {
+  std::vector<touchstone::MeshContact> all;
+};
+
+struct touchstone_intersections {
+  std::vector<touchstone::Intersection> all;
+};
+
+namespace touchstone::c_api {
+
+namespace {
+
+static_assert(TOUCHSTONE_ELEMENT_VERTEX == static_cast<int>(MeshElement::vertex));
+static_assert(TOUCHSTONE_ELEMENT_EDGE == static_cast<int>(MeshElement::edge));
+static_assert(TOUCHSTONE_ELEMENT_FACE == static_cast<int>(MeshElement::face));
+static_assert(TOUCHSTONE_STEP_WHOLE == static_cast<int>(StepOutcome::whole));
+static_assert(TOUCHSTONE_STEP_SHORTENED == static_cast<int>(StepOutcome::shortened));
+static_assert(TOUCHSTONE_STEP_NO_ROOM == static_cast<int>(StepOutcome::no_room));
+static_assert(TOUCHSTONE_STEP_CONTACT_AT_START == static_cast<int>(StepOutcome::contact_at_start));
+
+/// What version 1 of the structure had.
+constexpr std::size_t kFirstElementsSize =
+    offsetof(touchstone_mesh_elements, only_listed_groups) + sizeof(touchstone_mesh_elements::only_listed_groups);
+
+/// `count` elements of N numbers each.
+template <std::size_t N>
+std::vector<std::array<MeshIndex, N>> indices(const std::uint32_t* first, std::size_t count, const char* name) {
+  array(first, count, N, name);
+  std::vector<std::array<MeshIndex, N>> elements(count);
+  for (std::size_t i = 0; i < count; ++i) std::copy_n(first + N * i, N, elements[i].begin());
+  return elements;
+}
+
+template <typename T>
+std::vector<T> values(const T* first, std::size_t count, const char* name) {
+  array(first, count, 1, name);
+  return first == nullptr ? std::vector<T>() : std::vector<T>(first, first + count);
+}
+
+MeshPair pair_of(const touchstone_mesh_pair& pair) { return {kind_of(pair.kind), pair.first, pair.second}; }
+
+MeshElements elements_of(const touchstone_mesh_elements& given) {
+  MeshElements elements;
+  elements.vertex_count = given.vertex_count;
+  elements.dimension = given.dimension;
+  elements.separation = {given.separation, metric_of(given.metric)};
+  elements.radii = values(given.radii, given.radius_count, "radii");
+  elements.faces = indices<3>(given.faces, given.face_count, "faces");
+  elements.edges = indices<2>(given.edges, given.edge_count, "edges");
+  if (given.points != nullptr || given.point_count > 0) {
+    elements.points = values(given.points, given.point_count, "points");
+  }
+  CollisionRules& rules = elements.rules;
+  rules.vertex_pairs = indices<2>(given.excluded_vertices, given.excluded_vertex_count, "excluded_vertices");
+  array(given.excluded_pairs, given.excluded_pair_count, 1, "excluded_pairs");
+  for (std::size_t i = 0; i < given.excluded_pair_count; ++i) {
+    rules.element_pairs.push_back(pair_of(given.excluded_pairs[i]));
+  }
+  array(given.separate_pairs, given.separate_pair_count, 1, "separate_pairs");
+  array(given.pair_separations, given.separate_pair_count, 1, "pair_separations");
+  for (std::size_t i = 0; i < given.separate_pair_count; ++i) {
+    elements.pair_separations.push_back({pair_of(given.separate_pairs[i]), given.pair_separations[i]});
+  }
+  rules.groups = values(given.groups, given.group_count, "groups");
+  rules.group_pairs = indices<2>(given.group_pairs, given.group_pair_count, "group_pairs");
+  if (given.only_listed_groups != 0 && given.only_listed_groups != 1) {
+    throw InvalidArgument("only_listed_groups is " + std::to_string(given.only_listed_groups) + "; it must be 0 or 1");
+  }
+  rules.group_rule = given.only_listed_groups == 1 ? GroupRule::only_listed : GroupRule::all_but_listed;
+  return elements;
+}
+
+/// Positions of as many vertices as there are doubles for; the functions of a mesh check the number of vertices.
+Positions positions_of(const Mesh& mesh, const double* first, std::size_t value_count, const char* name) {
+  array(first, value_count, 1, name);
+  const auto dimension = static_cast<std::size_t>(mesh.dimension());
+  if (value_count % dimension != 0 || value_count / dimension != mesh.vertex_count()) {
+    throw InvalidArgument(std::string(name) + " has " + std::to_string(value_count) + " values, and the mesh has " +
+                          std::to_string(mesh.vertex_count()) + " vertices with " + std::to_string(dimension) +
+                          " coordinates each");
+  }
+  return {first, mesh.vertex_count(), mesh.dimension()};
+}
+
+/// The options of a mesh, which has its own separations.
+touchstone_options mesh_options(const touchstone_options* given) {
+  const touchstone_options options = options_of(given);
+  if (options.separations != nullptr || options.separation_count != 0 || options.separation != 0) {
+    throw InvalidArgument("a mesh has its own separations; those of the options must be 0 and null");
+  }
+  metric_of(options.metric);
+  return options;
+}
+
+touchstone_contacts* contact_list(std::vector<MeshContact> contacts) {
+  return new touchstone_contacts{std::move(contacts)};
+}
+
+/// Refuses an index that is not below the count of a list.
+void check_index(std::size_t index, std::size_t count) {
+  if (index >= count) {
+    throw InvalidArgument("the index is " + std::to_string(index) + "; it must be less than " + std::to_string(count));
+  }
+}
+
+/// Makes the caller's handle null, for the case of an error.
+template <typename Handle>
+void clear(Handle** handle) {
+  if (handle != nullptr) *handle = nullptr;
+}
+
+}  // namespace
+
+}  // namespace touchstone::c_api
+
+using namespace touchstone;
+using namespace touchstone::c_api;
+
+extern "C" {
+
+int touchstone_mesh_create(const touchstone_mesh_elements* elements, touchstone_mesh** mesh) {
+  clear(mesh);
+  return guarded([&] {
+    required(mesh, "mesh");
+    const touchstone_mesh_elements defaults = TOUCHSTONE_MESH_ELEMENTS_INIT;
+    const auto given = grown(required(elements, "elements"), defaults, kFirstElementsSize, "elements");
+    *mesh = new touchstone_mesh{Mesh(elements_of(given))};
+  });
+}
+
+void touchstone_mesh_destroy(touchstone_mesh* mesh) { delete mesh; }
+
+int touchstone_mesh_edge(const touchstone_mesh* mesh, std::size_t edge, std::uint32_t corners[2]) {
+  return guarded([&] {
+    const auto& edges = required(mesh, "mesh").mesh.edges();
+    required(corners, "corners");
+    check_index(edge, edges.size());
+    std::copy_n(edges[edge].begin(), 2, corners);
+  });
+}
+
+int touchstone_mesh_first_contact(const touchstone_mesh* mesh, const double* x0, const double* x1,
+                                  std::size_t value_count, const touchstone_options* given,
+                                  touchstone_first_contact* result, touchstone_contacts** first,
+                                  touchstone_contacts** at_start) {
+  clear(first);
+  clear(at_start);
+  return guarded([&] {
+    const Mesh& of = required(mesh, "mesh").mesh;
+    const touchstone_options options = mesh_options(given);
+    required(result, "result");
+    FirstContact contact = first_contact(of, positions_of(of, x0, value_count, "x0"),
+                                         positions_of(of, x1, value_count, "x1"), {options.t_max, options.threads});
+    const touchstone_first_contact told{contact.contact ? 1 : 0, contact.free() ? 1 : 0, contact.toi,
+                                        contact.toi_upper};
+    std::unique_ptr<touchstone_contacts> first_list, start_list;
+    if (first != nullptr) first_list.reset(contact_list(std::move(contact.first)));
+    if (at_start != nullptr) start_list.reset(contact_list(std::move(contact.at_start)));
+    if (first != nullptr) *first = first_list.release();
+    if (at_start != nullptr) *at_start = start_list.release();
+    *result = told;
+  });
+}
+
+int touchstone_mesh_all_contacts(const touchstone_mesh* mesh, const double* x0, const double* x1,
+                                 std::size_t value_count, const touchstone_options* given,
+                                 touchstone_contacts** contacts) {
+  clear(contacts);
+  return guarded([&] {
+    const Mesh& of = required(mesh, "mesh").mesh;
+    const touchstone_options options = mesh_options(given);
+    required(contacts, "contacts");
+    *contacts = contact_list(all_contacts(of, positions_of(of, x0, value_count, "x0"),
+                                          positions_of(of, x1, value_count, "x1"), {options.t_max, options.threads}));
+  });
+}
+
+std::size_t touchstone_contacts_count(const touchstone_contacts* contacts) {
+  return contacts == nullptr ? 0 : contacts->all.size();
+}
+
+int touchstone_contacts_get(const touchstone_contacts* contacts, std::size_t index, touchstone_mesh_pair* pair,
+                            touchstone_answer* answer) {
+  return guarded([&] {
+    const auto& all = required(contacts, "contacts").all;
+    check_index(index, all.size());
+    const MeshContact& contact = all[index];
+    if (pair != nullptr) *pair = {static_cast<int>(contact.pair.kind), contact.pair.first, contact.pair.second};
+    if (answer != nullptr) *answer = c_answer(contact.answer);
+  });
+}
+
+void touchstone_contacts_destroy(touchstone_contacts* contacts) { delete contacts; }
+
+int touchstone_mesh_intersections(const touchstone_mesh* mesh, const double* x, std::size_t value_count,
+                                  const touchstone_options* given, touchstone_intersections** found) {
+  clear(found);
+  return guarded([&] {
+    const Mesh& of = required(mesh, "mesh").mesh;
+    const touchstone_options options = mesh_options(given);
+    required(found, "intersections");
+    *found = new touchstone_intersections{
+        intersections(of, positions_of(of, x, value_count, "x"), {options.t_max, options.threads})};
+  });
+}
+
+std::size_t touchstone_intersections_count(const touchstone_intersections* found) {
+  return found == nullptr ? 0 : found->all.size();
+}
+
+int touchstone_intersections_get(const touchstone_intersections* found, std::size_t index,
+                                 touchstone_intersection* intersection) {
+  return guarded([&] {
+    const auto& all = required(found, "intersections").all;
+    check_index(index, all.size());
+    const Intersection& one = all[index];
+    touchstone_intersection told{};
+    told.first_element = static_cast<int>(one.first_element);
+    told.first = one.first;
+    told.second_element = static_cast<int>(one.second_element);
+    told.second = one.second;
+    told.pierces = one.pierces ? 1 : 0;
+    std::copy(one.weights_first.begin(), one.weights_first.end(), told.weights_first);
+    std::copy(one.weights_second.begin(), one.weights_second.end(), told.weights_second);
+    required(intersection, "intersection") = told;
+  });
+}
+
+void touchstone_intersections_destroy(touchstone_intersections* found) { delete found; }
+
+int touchstone_mesh_free_step(const touchstone_mesh* mesh, const double* x0, const double* x1, std::size_t value_count,
+                              const touchstone_options* given, double* positions, double* length, int* outcome) {
+  return guarded([&] {
+    const Mesh& of = required(mesh, "mesh").mesh;
+    const touchstone_options options = mesh_options(given);
+    if (!(options.t_max == 1)) throw InvalidArgument("a free step is over [0, 1]: t_max must be 1");
+    array(positions, value_count, 1, "positions");
+    const FreeStep step = free_step(of, positions_of(of, x0, value_count, "x0"),
+                                    positions_of(of, x1, value_count, "x1"), {options.threads, options.kept_fraction});
+    std::copy(step.positions.begin(), step.positions.end(), positions);
+    if (length != nullptr) *length = step.length;
+    if (outcome != nullptr) *outcome = static_cast<int>(step.outcome);
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,105 @@
+/* A program in C11 that uses the library: a query, a batch, a mesh, and an error. Exit status 0 when all is right.
+ * SPDX-License-Identifier: MIT */
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <touchstone/c.h>
+#include <touchstone/plugin.h> /* both headers in one program */
+
+static int failures = 0;
+
+static void check(int truth, const char* what) {
+  if (!truth) {
+    printf("wrong: %s (%s)\n", what, touchstone_last_error());
+    ++failures;
+  }
+}
+
+/* A vertex that falls through the triangle z = 0 at t = 1/2. */
+static const double fall_start[12] = {0.25, 0.25, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+static const double fall_end[12] = {0.25, 0.25, -1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+
+static void one_query(void) {
+  struct touchstone_answer answer;
+  struct touchstone_options options = TOUCHSTONE_OPTIONS_INIT;
+  int contact = -1;
+
+  check(touchstone_solve(TOUCHSTONE_KIND_VERTEX_FACE, fall_start, fall_end, NULL, &answer) == TOUCHSTONE_OK, "solve");
+  check(answer.contact == 1 && answer.toi == 0.5 && answer.toi_upper == 0.5, "the time is 1/2");
+  check(strcmp(touchstone_nature_name(answer.nature), "crossing") == 0, "the vertex crosses the face");
+  check(strcmp(touchstone_feature_name(answer.feature_b), "f") == 0, "it meets the face's interior");
+  check(answer.weights_b[0] == 0.5 && answer.weights_b[1] == 0.25, "the weights");
+
+  options.separation = 0.5;
+  check(touchstone_solve(TOUCHSTONE_KIND_VERTEX_FACE, fall_start, fall_end, &options, &answer) == TOUCHSTONE_OK,
+        "solve with a separation");
+  check(answer.toi == 0.25, "half a unit above at t = 1/4");
+
+  options.t_max = 0.125;
+  check(touchstone_contact(TOUCHSTONE_KIND_VERTEX_FACE, fall_start, fall_end, &options, &contact) == TOUCHSTONE_OK,
+        "contact");
+  check(contact == 0, "no contact until t = 1/8");
+}
+
+static void batch(void) {
+  struct touchstone_answer answers[2];
+  double start[24], end[24];
+  memcpy(start, fall_start, sizeof fall_start);
+  memcpy(end, fall_end, sizeof fall_end);
+  memcpy(start + 12, fall_start, sizeof fall_start);
+  memcpy(end + 12, fall_start, sizeof fall_start); /* at rest */
+  check(touchstone_solve_rows(TOUCHSTONE_KIND_VERTEX_FACE, 2, start, end, NULL, answers) == TOUCHSTONE_OK, "rows");
+  check(answers[0].contact == 1 && answers[1].contact == 0 && isinf(answers[1].toi),
+        "the first falls, the other rests");
+}
+
+static void mesh(void) {
+  const uint32_t faces[6] = {0, 1, 2, 3, 4, 5};
+  const double x0[18] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0.25, 0.25, 1, 0.25, 0.5, 2, 0.5, 0.25, 2};
+  double x1[18], y[18], length = -1;
+  struct touchstone_mesh_elements elements = TOUCHSTONE_MESH_ELEMENTS_INIT;
+  touchstone_mesh* handle = NULL;
+  touchstone_contacts* first = NULL;
+  struct touchstone_first_contact result;
+  struct touchstone_mesh_pair pair;
+  int outcome = -1, i;
+
+  for (i = 0; i < 18; ++i) x1[i] = x0[i] - (i >= 9 && i % 3 == 2 ? 2 : 0);
+  elements.vertex_count = 6;
+  elements.faces = faces;
+  elements.face_count = 2;
+  check(touchstone_mesh_create(&elements, &handle) == TOUCHSTONE_OK, "a mesh");
+  check(touchstone_mesh_first_contact(handle, x0, x1, 18, NULL, &result, &first, NULL) == TOUCHSTONE_OK, "first");
+  check(result.contact == 1 && result.free == 0 && result.toi == 0.5, "the tip meets the lower face at t = 1/2");
+  check(touchstone_contacts_count(first) == 1, "one pair");
+  check(touchstone_contacts_get(first, 0, &pair, NULL) == TOUCHSTONE_OK && pair.kind == TOUCHSTONE_KIND_VERTEX_FACE &&
+            pair.first == 3 && pair.second == 0,
+        "vertex 3 and face 0");
+  check(touchstone_contacts_get(first, 1, &pair, NULL) == TOUCHSTONE_INVALID_ARGUMENT, "no second pair");
+  check(touchstone_mesh_free_step(handle, x0, x1, 18, NULL, y, &length, &outcome) == TOUCHSTONE_OK, "free_step");
+  check(outcome == TOUCHSTONE_STEP_SHORTENED && length < 0.5 && length > 0.49 && y[11] > 0, "a step that is free");
+  touchstone_contacts_destroy(first);
+  touchstone_mesh_destroy(handle);
+}
+
+static void error(void) {
+  struct touchstone_answer answer;
+  double start[12];
+  memcpy(start, fall_start, sizeof start);
+  start[4] = NAN;
+  check(touchstone_solve(TOUCHSTONE_KIND_VERTEX_FACE, start, fall_end, NULL, &answer) == TOUCHSTONE_INVALID_QUERY,
+        "a NaN is refused");
+  check(strstr(touchstone_last_error(), "f0") != NULL, "the message names the corner");
+}
+
+int main(void) {
+  check(touchstone_c_version() == TOUCHSTONE_C_VERSION, "header and library are of one version");
+  check(strlen(touchstone_last_error()) == 0, "no error yet");
+  one_query();
+  batch();
+  mesh();
+  error();
+  return failures == 0 ? 0 : 1;
+}
