@@ -34,6 +34,7 @@ readonly -a touchstone_tools=(
   'gnuplot|gnuplot|gnuplot-nox|gnuplot|gnuplot'
   'valgrind|valgrind|valgrind|valgrind|valgrind'
   'python3|python3|python3|python3|python'
+  'gappa|gappa|gappa|gappa| '  # Arch Linux has no package of it
 )
 
 compiler() {

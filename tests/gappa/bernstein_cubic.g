@@ -1,5 +1,6 @@
 # kValueBound and kPartBound of bernstein_cubic.cpp: the value of the cubic, and its coefficients over a part. The
 # coefficients c are off by what ends_bound.g and middle_bound.g prove without their reserve.
+# SPDX-License-Identifier: MIT
 # constant kUnit src/filters/coplanarity_form.hpp
 # constant kValueBound src/filters/bernstein_cubic.cpp
 # constant kPartBound src/filters/bernstein_cubic.cpp
@@ -64,4 +65,5 @@ E_3 = E_2 * span + 8.01;
 }
 rounds -> e * (round_4 + d_5 + e * (round_4 * d_5));
 value - V -> e * weighted + f * (4.001 * mix_k * (span * span * span)) + tiny * (64 * h_value);
-g - true_g - e * (80 * mix_o * span) -> e * (4.001 * mix_d * span) + e * (4.001 * (mix_ab + e * mix_d) * span * d_g) + tiny_g;
+g - true_g - e * (80 * mix_o * span) -> e * (4.001 * mix_d * span) + e * (4.001 * (mix_ab
+  + e * mix_d) * span * d_g) + tiny_g;

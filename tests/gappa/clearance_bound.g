@@ -1,5 +1,6 @@
 # kNormFactor and kNormBound of coplanarity_form.hpp: a test for clearance compares V with more than the distance times
 # the norm of n. In units of U W and U W R.
+# SPDX-License-Identifier: MIT
 # constant kUnit src/filters/coplanarity_form.hpp
 # constant kLeastNormProduct src/filters/coplanarity_form.hpp
 # constant kGreatestNormProduct src/filters/coplanarity_form.hpp
@@ -36,17 +37,20 @@ m_rest = tiny * (h_3 - h_4) - e * e * (o_v1 * o_x2 - o_v2 * o_x1);
 m_raw = (v1 * x2 * (1 + e * d_3) + tiny * h_3) - (v2 * x1 * (1 + e * d_4) + tiny * h_4);
 
 # So the sum of the true absolute coordinates exceeds that of the computed ones by 30.03 e at most, and the Euclidean
-# norm by 3^(1/2) 10.01 e. All that follows are sums of products of numbers that are not negative. Such a sum is at least
-# the exact one with the factor 1 - e for each rounding that a term passes through, less the underflows.
-#   Largest axis: a coordinate passes through 2 additions; then the product with kNormFactor and the sum with kNormBound.
-#   Euclidean: a square passes through its product and 2 additions, and the root halves these in the exponent; the root
+# norm by 3^(1/2) 10.01 e. All that follows are sums of products of numbers that are not negative. Such a sum is at
+# least the exact one with the factor 1 - e for each rounding that a term passes through, less the underflows.
+#   Largest axis: a coordinate passes through 2 additions; then the product with kNormFactor and the sum with
+#   kNormBound.
+#   Euclidean: a square passes through its product and 2 additions, and the root halves these in the exponent; the
+#   root
 #   itself; then as above. The root of the sum of 4 underflows of 2^-1075 is lost at most.
 #   kNormBound: the product U W, the product with it, the sum.
 sum_factor = @kNormFactor@ * (1 - e) * (1 - e) * (1 - e) * (1 - e);
 root_factor = @kNormFactor@ * sqrt((1 - e) * (1 - e) * (1 - e)) * (1 - e) * (1 - e) * (1 - e);
 norm_reserve = @kNormBound@ * (1 - e) * (1 - e) * (1 - e);
 root_lost = sqrt(0x1p-1073) * 2 / @kLeastNormProduct@;
-#   The product with the distance, that with 3 (or none), that with kNormFactor, and the sum with the bound on V's error:
+#   The product with the distance, that with 3 (or none), that with kNormFactor, and the sum with the bound on V's
+#   error:
 #   sum_factor again.
 #   That bound: U W and U W R, the product with the constant, the sum; and all that underflows meanwhile.
 ends = @kEndsBound@ * (1 - e) * (1 - e) * (1 - e) * (1 - e) - 8 * tiny_v;

@@ -1,4 +1,5 @@
 # kComponentError of contact_values.hpp: components of n, f1 and f2 at a time, and their differences, in double-doubles.
+# SPDX-License-Identifier: MIT
 # constant kUnit src/filters/coplanarity_form.hpp
 # constant kUnitSquared src/filters/contact_values.hpp
 # constant kComponentError src/filters/contact_values.hpp
@@ -17,8 +18,8 @@ e = @kUnit@;
 tiny = 0x1p-1072 / (@kLeast@ * @kLeast@ * e * e);
 span = 1 + 2 * @kMargin@;
 
-# s times a pair: the product's low part s a_high y_a; s times the low part; the sum of these. The mixes are sums weighted
-# by s and t, s + t = 1, of numbers of at most 1, divided by span.
+# s times a pair: the product's low part s a_high y_a; s times the low part; the sum of these. The mixes are sums
+# weighted by s and t, s + t = 1, of numbers of at most 1, divided by span.
 low_s = s * (a * y_a + a_low * (1 + e * d_s)) * (1 + e * d_sum_s);
 low_t = t * (b * y_b + b_low * (1 + e * d_t)) * (1 + e * d_sum_t);
 # The sum of both products: that of the high parts, of at most span, is exact, with a low part of at most 1.00001.
@@ -34,13 +35,16 @@ lows = 2 * (mix_lows * span) + e * (3.000001 * (mix_part * span));
 low_off = 3.000001 * (mix_part * span) + lows * d_lows + (y_high + lows * (1 + e * d_lows)) * d_low;
 
 # A product of two such coordinates, normalised: (p + e p_low) (q + e q_low), each off by 8.0001 e e.
-product_low = (p * q * y_product + (p * q_low * (1 + e * d_pq) + p_low * q * (1 + e * d_qp)) * (1 + e * d_cross)) * (1 + e * d_product) + tiny * h_product;
+product_low = (p * q * y_product + (p * q_low * (1 + e * d_pq) + p_low * q * (1 + e * d_qp)) * (1
+  + e * d_cross)) * (1 + e * d_product) + tiny * h_product;
 true_product = (p + e * p_low + e * e * (8.0001 * o_p)) * (q + e * q_low + e * e * (8.0001 * o_q));
 # The high parts' product is exact, a high part and the low part e p q y_product.
 product = p * q + e * (product_low - p * q * y_product);
 cross = p * q_low * (1 + e * d_pq) + p_low * q * (1 + e * d_qp);
-product_off = (p * q_low * d_pq + p_low * q * d_qp) + cross * d_cross + (p * q * y_product + cross * (1 + e * d_cross)) * d_product
-            - p_low * q_low - 8.0001 * (p * o_q + q * o_p) - e * (8.0001 * (p_low * o_q + q_low * o_p)) - e * e * (8.0001 * o_p * (8.0001 * o_q));
+product_off = (p * q_low * d_pq + p_low * q * d_qp) + cross * d_cross + (p * q * y_product + cross * (1
+  + e * d_cross)) * d_product
+            - p_low * q_low - 8.0001 * (p * o_q + q * o_p) - e * (8.0001 * (p_low * o_q + q_low * o_p))
+              - e * e * (8.0001 * o_p * (8.0001 * o_q));
 
 # The difference of two products: high parts of at most 1.00001, low parts of at most 3.0001, each off by 24.001.
 difference_low = (2.0001 * y_d + (l_1 - l_2) * (1 + e * d_d1)) * (1 + e * d_d2);

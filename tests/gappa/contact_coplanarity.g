@@ -1,4 +1,5 @@
 # kCoplanarityError of contact_values.hpp: V at a time in double-doubles. In units of P, coordinates being at most span.
+# SPDX-License-Identifier: MIT
 # constant kUnit src/filters/coplanarity_form.hpp
 # constant kUnitSquared src/filters/contact_values.hpp
 # constant kCoplanarityError src/filters/contact_values.hpp
@@ -7,6 +8,8 @@
 # not with kCoplanarityError: 280 * kUnitSquared
 # not with kMargin: 0x1p-10
 # not with kLeast: 0x1p-350
+
+# The lemma is that of ends_bound.g.
 
 # As in contact_components.g, a double-double is high + e low, and the high parts' sums and products are exact pairs.
 e = @kUnit@;
@@ -17,19 +20,21 @@ span = 1 + 2 * @kMargin@;
 coordinates = 3 * 4 * 8.0001;
 
 # A component of n. A product of coordinates, without the operands' own errors:
-product_low = (p * q * y_product + (p * q_low * (1 + e * d_pq) + p_low * q * (1 + e * d_qp)) * (1 + e * d_cross)) * (1 + e * d_product) + tiny * h_product;
+product_low = (p * q * y_product + (p * q_low * (1 + e * d_pq) + p_low * q * (1 + e * d_qp)) * (1
+  + e * d_cross)) * (1 + e * d_product) + tiny * h_product;
 product = p * q + e * (product_low - p * q * y_product);
 true_product = (p + e * p_low) * (q + e * q_low);
 cross = p * q_low * (1 + e * d_pq) + p_low * q * (1 + e * d_qp);
-product_off = (p * q_low * d_pq + p_low * q * d_qp) + cross * d_cross + (p * q * y_product + cross * (1 + e * d_cross)) * d_product - p_low * q_low;
-# The difference of two: its high part H is at most 2.0001 and the low part of that H y. The lemma bounds the sum over the
-# components of H y d r by 4.0001, since H is a component of n up to 16 e. The rest of the error:
+product_off = (p * q_low * d_pq + p_low * q * d_qp) + cross * d_cross + (p * q * y_product + cross * (1
+  + e * d_cross)) * d_product - p_low * q_low;
+# The difference of two: its high part H is at most 2.0001 and the low part of that H y. The lemma bounds the sum over
+# the components of H y d r by 4.0001, since H is a component of n up to 16 e. The rest of the error:
 difference_low = (H * y_H + (l_1 - l_2) * (1 + e * d_1)) * (1 + e * d_2);
 rest = difference_low - (H * y_H + l_1 - l_2) - e * (H * y_H * d_2);
 components = 3 * (2 * 8.0001 + 12.001) + 4.0001;
 
-# The product of a component, normalised to n (1 + e y_n), and of r + e r_low: relative to n. The lemma bounds the sum of
-# the |n| by 4.0001.
+# The product of a component, normalised to n (1 + e y_n), and of r + e r_low: relative to n. The lemma bounds the sum
+# of the |n| by 4.0001.
 low = (r * y_r + (r_low * (1 + e * d_3) + y_n * r * (1 + e * d_4)) * (1 + e * d_5)) * (1 + e * d_6) + tiny * h_low;
 relative = r + e * (low - r * y_r);
 true_relative = (1 + e * y_n) * (r + e * r_low);
@@ -47,7 +52,8 @@ sums = 28.004 + 36.006;
 
 all = (coordinates + components + products + sums) * (e * e) * (span * span * span);
 {
-  every d_ <= 1 /\ every h_ <= 1 /\ every y_ <= 1 /\ every s_ <= 1 /\ |p| <= 1 /\ |q| <= 1 /\ |p_low| <= 1 /\ |q_low| <= 1 /\
+  every d_ <= 1 /\ every h_ <= 1 /\ every y_ <= 1 /\ every s_ <= 1 /\ |p| <= 1 /\ |q| <= 1 /\ |p_low| <= 1
+    /\ |q_low| <= 1 /\
   |r| <= 1 /\ |r_low| <= 1 /\ |H| <= 2.0001 /\ |l_1| <= 3.0001 /\ |l_2| <= 3.0001
   -> |product_low| <= 3.0001 /\
      |product - true_product| - 8.0001 * (e * e) <= 0 /\

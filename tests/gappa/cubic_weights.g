@@ -1,5 +1,6 @@
-# A sum of the coefficients' errors weighted by s^3, s^2 t, s t^2, t^3, for t in [-kMargin, 1 + kMargin]: bernstein_cubic.g
-# takes its bound as a hypothesis.
+# A sum of the coefficients' errors weighted by s^3, s^2 t, s t^2, t^3, for t in [-kMargin, 1 + kMargin]:
+# bernstein_cubic.g takes its bound as a hypothesis.
+# SPDX-License-Identifier: MIT
 # constant kMargin src/filters/bernstein_cubic.hpp
 # not with kMargin: 0x1p-4
 

@@ -1,5 +1,6 @@
 # kMiddleBound: the error of 3 b1 = (u0 x w1 + u1 x w0) . r0 + (u0 x w0) . r1, and of 3 b2 likewise, as
 # coplanarity_form.hpp computes them. Names: ends 0 and 1 of the step are written a and b, so ua = u0.
+# SPDX-License-Identifier: MIT
 # constant kUnit src/filters/coplanarity_form.hpp
 # constant kLeastProduct src/filters/coplanarity_form.hpp
 # constant kGreatestProduct src/filters/coplanarity_form.hpp
@@ -8,12 +9,17 @@
 # not with kLeastProduct: 0x1p-1024
 # not with kGreatestProduct: 0x1p1022
 
+# Each det_ is a hypothesis by the lemma that ends_bound.g states and proves on paper.
+
 e = @kUnit@;
 tiny = 0x1p-1075 * (1 + 0x1p-50) / @kLeastProduct@;
 # As computed, in units of U W and U W R: the cross products A = ua x wb, B = ub x wa, C = ua x wa.
-xyz: A_i = ((ua_j * wb_k * (1 + e * d_pA_i) + tiny * h_pA_i) - (ua_k * wb_j * (1 + e * d_qA_i) + tiny * h_qA_i)) * (1 + e * d_A_i);
-xyz: B_i = ((ub_j * wa_k * (1 + e * d_pB_i) + tiny * h_pB_i) - (ub_k * wa_j * (1 + e * d_qB_i) + tiny * h_qB_i)) * (1 + e * d_B_i);
-xyz: C_i = ((ua_j * wa_k * (1 + e * d_pC_i) + tiny * h_pC_i) - (ua_k * wa_j * (1 + e * d_qC_i) + tiny * h_qC_i)) * (1 + e * d_C_i);
+xyz: A_i = ((ua_j * wb_k * (1 + e * d_pA_i) + tiny * h_pA_i) - (ua_k * wb_j * (1 + e * d_qA_i)
+  + tiny * h_qA_i)) * (1 + e * d_A_i);
+xyz: B_i = ((ub_j * wa_k * (1 + e * d_pB_i) + tiny * h_pB_i) - (ub_k * wa_j * (1 + e * d_qB_i)
+  + tiny * h_qB_i)) * (1 + e * d_B_i);
+xyz: C_i = ((ua_j * wa_k * (1 + e * d_pC_i) + tiny * h_pC_i) - (ua_k * wa_j * (1 + e * d_qC_i)
+  + tiny * h_qC_i)) * (1 + e * d_C_i);
 xyz: n_i = (A_i + B_i) * (1 + e * d_n_i);
 xyz: m_i = n_i * ra_i * (1 + e * d_m_i) + tiny * h_m_i;
 xyz: l_i = C_i * rb_i * (1 + e * d_l_i) + tiny * h_l_i;
@@ -64,8 +70,10 @@ det_l = cC_x * (d_l_x * rb_x) + cC_y * (d_l_y * rb_y) + cC_z * (d_l_z * rb_z);
 xyz: gA_i = e * (ua_j * wb_k * d_pA_i - ua_k * wb_j * d_qA_i) + tiny * (h_pA_i - h_qA_i);
 xyz: gB_i = e * (ub_j * wa_k * d_pB_i - ub_k * wa_j * d_qB_i) + tiny * (h_pB_i - h_qB_i);
 xyz: gC_i = e * (ua_j * wa_k * d_pC_i - ua_k * wa_j * d_qC_i) + tiny * (h_pC_i - h_qC_i);
-xyz: more_i = cA_i * (d_A_i * d_n_i + d_A_i * d_m_i + d_n_i * d_m_i + e * (d_A_i * d_n_i * d_m_i)) + cB_i * (d_B_i * d_n_i + d_B_i * d_m_i + d_n_i * d_m_i + e * (d_B_i * d_n_i * d_m_i));
-xyz: zm_i = (gA_i * (1 + e * d_A_i) + gB_i * (1 + e * d_B_i)) * (1 + e * d_n_i) * (1 + e * d_m_i) * ra_i + e * e * (more_i * ra_i) + tiny * h_m_i;
+xyz: more_i = cA_i * (d_A_i * d_n_i + d_A_i * d_m_i + d_n_i * d_m_i + e * (d_A_i * d_n_i * d_m_i))
+  + cB_i * (d_B_i * d_n_i + d_B_i * d_m_i + d_n_i * d_m_i + e * (d_B_i * d_n_i * d_m_i));
+xyz: zm_i = (gA_i * (1 + e * d_A_i) + gB_i * (1 + e * d_B_i)) * (1 + e * d_n_i) * (1 + e * d_m_i) * ra_i
+  + e * e * (more_i * ra_i) + tiny * h_m_i;
 xyz: zl_i = gC_i * (1 + e * d_C_i) * (1 + e * d_l_i) * rb_i + e * e * (cC_i * rb_i * d_C_i * d_l_i) + tiny * h_l_i;
 xyz: yA_i = e * e * ((o_ua_j * o_wb_k - o_ua_k * o_wb_j) * (ra_i + e * o_ra_i) + (tA_i + vA_i) * o_ra_i);
 xyz: yB_i = e * e * ((o_ub_j * o_wa_k - o_ub_k * o_wa_j) * (ra_i + e * o_ra_i) + (tB_i + vB_i) * o_ra_i);
@@ -81,7 +89,7 @@ first_off = m_off + e * (m_sum * d_first) + e * ((m_x + m_y) * d_sm * (1 + e * d
 second_off = l_off + e * (l_sum * d_second) + e * ((l_x + l_y) * d_sl * (1 + e * d_second));
 {
   xyz: |ua_i| <= 1 /\ |wa_i| <= 1 /\ |ra_i| <= 1 /\ |ub_i| <= 1 /\ |wb_i| <= 1 /\ |rb_i| <= 1 /\
-  every d_ <= 1 /\ every h_ <= 1 /\ every o_ <= 1 /\ every det_ <= 4
+  every d_ <= 1 /\ every h_ <= 1 /\ every o_ <= 1.0000000001 /\ every det_ <= 4.000000001
   -> |b - (VA + VB + VC)| - bound <= 0 /\ |b - (VA + VB + VC)| - 122.001 * e <= 0 /\
      # No partial result overflows.
      xyz: @kGreatestProduct@ * (|A_i| + |B_i| + |C_i| + |n_i| + |m_i| + |l_i|) <= 0x1p1023 /\

@@ -1,5 +1,6 @@
 # kProjectionBound: the error of a projection d . (x - origin) as separating_direction.cpp computes it, and three times
 # the bound for the difference of two projections.
+# SPDX-License-Identifier: MIT
 # constant kUnit src/filters/coplanarity_form.hpp
 # constant kLeastProduct src/filters/coplanarity_form.hpp
 # constant kProjectionBound src/filters/separating_direction.cpp

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # prove_bound.sh SOURCE SCRIPT: lets Gappa prove what the script claims of the constants that the C++ sources use, and
 # checks that it proves nothing once a constant is too small. 77, "skipped", where gappa is not installed.
-# With TOUCHSTONE_GAPPA_SHOW set it prints the expanded script instead. README.md beside it explains the scripts.
+# With TOUCHSTONE_GAPPA_SHOW set it prints the expanded script instead.
+# docs/contributing.md lists the scripts.
 # SPDX-License-Identifier: MIT
 set -euo pipefail
 export LC_ALL=C
@@ -52,7 +53,8 @@ evaluate() {
 while IFS= read -r line; do
   if [[ $line =~ ^'# constant '([A-Za-z]+)' '([a-z0-9_/.]+)$ ]]; then
     name=${BASH_REMATCH[1]} file=${BASH_REMATCH[2]}
-    text=$(text_between "$source/$file" "constexpr double $name = " ";") || fail "not once in $file: constexpr double $name"
+    text=$(text_between "$source/$file" "constexpr double $name = " ";") ||
+      fail "not once in $file: constexpr double $name"
   elif [[ $line =~ ^'# between '([A-Za-z]+)' '([a-z0-9_/.]+)' |'([^|]+)'|'([^|]+)'|'$ ]]; then
     name=${BASH_REMATCH[1]} file=${BASH_REMATCH[2]}
     text=$(text_between "$source/$file" "${BASH_REMATCH[3]}" "${BASH_REMATCH[4]}") ||
@@ -70,8 +72,9 @@ while IFS= read -r line; do
 done <"$script"
 [[ ${#names[@]} -gt 0 ]] || fail 'it takes no constant from the sources'
 
-# Gappa's text of the script. A line that begins with "xyz:" stands for three, in which _i, _j, _k are x, y, z; y, z, x;
-# and z, x, y. "every PREFIX <= NUMBER" bounds the absolute value of each variable whose name begins so. @NAME@ is a value.
+# Gappa's text of the script. A line that begins with "xyz:" goes on up to a ";" or "\" at a line's end and stands for
+# three, in which _i, _j, _k are _x, _y, _z; _y, _z, _x; and _z, _x, _y. "every PREFIX <= NUMBER" bounds the absolute
+# value of each variable whose name begins so. @NAME@ is a value.
 expand() {
   local text name
   text=$(awk '
@@ -81,7 +84,12 @@ expand() {
       print line
     }
     /^ *#/ || /^ *$/ { next }
-    /^ *xyz: / { along($0, "x", "y", "z"); along($0, "y", "z", "x"); along($0, "z", "x", "y"); next }
+    /^ *xyz: / {
+      line = $0
+      while (line !~ /[;\\]$/ && (getline more) > 0) { sub(/^ */, " ", more); line = line more }
+      along(line, "x", "y", "z"); along(line, "y", "z", "x"); along(line, "z", "x", "y")
+      next
+    }
     { print }' "$script")
   for name in "${names[@]}"; do
     text=${text//"@$name@"/"(${values[$name]})"}
@@ -145,7 +153,10 @@ for entry in "${weaker[@]}"; do
   values[$name]=$(evaluate "${entry#*=}")
   expand >"$folder/script.g"
   ! proves || fail "proved as well with $name = ${values[$name]}"
-  ! strange || { cat "$folder/said"; fail "no proof was tried with $name = ${values[$name]}"; }
+  if strange; then
+    cat "$folder/said"
+    fail "no proof was tried with $name = ${values[$name]}"
+  fi
   printf 'not proved with %s = %s\n' "$name" "${values[$name]}"
   values[$name]=$kept
 done

@@ -1,8 +1,10 @@
 # The model of rounding that the other scripts use, for doubles with subnormal numbers, below overflow:
-#   a product, a quotient or a root z is rounded to z (1 + e d) + 2^-1075 h, with |d|, |h| <= 1 and e = 2^-53, and one of
+#   a product, a quotient or a root z is rounded to z (1 + e d) + 2^-1075 h, with |d|, |h| <= 1 and e = 2^-53, and one
+#   of
 #   d and h is 0;
-#   a sum or a difference of doubles is rounded to z (1 + e d): where it is subnormal it is exact.
-# The last claim is that a rounded difference D and the true one differ by at most e (1 + 2 e) |D|.
+#   a sum or a difference of doubles is rounded to z (1 + e d): where it is subnormal it is exact. The last claim is
+#   that a rounded difference D and the true one differ by at most e (1 + 2 e) |D|.
+# SPDX-License-Identifier: MIT
 # constant kUnit src/filters/coplanarity_form.hpp
 # not with kUnit: 0x1p-54
 

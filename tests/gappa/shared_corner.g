@@ -1,4 +1,6 @@
-# kBound of shared_corner.cpp: the error of a component of the cross product of two computed differences. In units of U W.
+# kBound of shared_corner.cpp: the error of a component of the cross product of two computed differences. In units of
+# U W.
+# SPDX-License-Identifier: MIT
 # constant kBound src/filters/shared_corner.cpp
 # between kLeast src/filters/shared_corner.cpp |return uw >= | && largest|
 # not with kBound: 8 * 0x1p-53

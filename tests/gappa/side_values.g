@@ -1,5 +1,6 @@
 # The bound on side conditions in bracket.cpp: components of n, f1, f2 at a time t, and their change over a time h. In
 # units of the vectors' bounds.
+# SPDX-License-Identifier: MIT
 # constant kUnit src/filters/coplanarity_form.hpp
 # constant kMargin src/filters/bernstein_cubic.hpp
 # constant kLeast src/filters/bracket.cpp

@@ -1,4 +1,5 @@
 # kSlopeBound of bernstein_cubic.cpp: the slope of the cubic, with the share of the curvature's error.
+# SPDX-License-Identifier: MIT
 # constant kUnit src/filters/coplanarity_form.hpp
 # constant kSlopeBound src/filters/bernstein_cubic.cpp
 # constant kMargin src/filters/bernstein_cubic.hpp
@@ -34,7 +35,8 @@ true_slope = (g_0 - 268.01 * e * o_0) * (s * s) + 2 * (g_1 - 268.01 * e * o_1) *
            + (g_2 - 268.01 * e * o_2) * (t * t);
 # Sums weighted by s^2, 2 s t, t^2 of numbers of at most 1, divided by span^2: at most 1.
 mix_o = (o_0 * (s * s) + 2 * o_1 * (s * t) + o_2 * (t * t)) / (span * span);
-mix_k = ((g_0 / 24.01) * k_0 * (s * s) + 2 * (g_1 / 24.01) * k_1 * (s * t) + (g_2 / 24.01) * k_2 * (t * t)) / (span * span);
+mix_k = ((g_0 / 24.01) * k_0 * (s * s) + 2 * (g_1 / 24.01) * k_1 * (s * t)
+  + (g_2 / 24.01) * k_2 * (t * t)) / (span * span);
 
 # The curvature: the difference of two coefficients, and twice that.
 bend = (g_1 - g_0) * (1 + e * d_bend);
@@ -54,5 +56,6 @@ true_bend = (g_1 - 268.01 * e * o_1) - (g_0 - 268.01 * e * o_0);
 rounds -> e * (round_0 + round_2 + e * (round_0 * round_2));
 D_0 - true_D_0 -> e * (122.001 * o_1 - 3 * (34.001 * o_0) - 3 * (c_0 * d_0) + (c_1 - 3 * c_0 * (1 + e * d_0)) * d_1);
 D_1 - true_D_1 -> e * (122.001 * o_2 - 122.001 * o_1 + (c_2 - c_1) * d_2);
-slope - true_slope -> 268.01 * e * (mix_o * (span * span)) + f * (24.01 * (mix_k * (span * span))) + tiny * (64 * h_slope);
+slope - true_slope -> 268.01 * e * (mix_o * (span * span)) + f * (24.01 * (mix_k * (span * span)))
+  + tiny * (64 * h_slope);
 bend - true_bend -> e * (268.01 * o_1 - 268.01 * o_0 + (g_1 - g_0) * d_bend);

@@ -1,5 +1,6 @@
 # kWalkError and kTurnError of entry_walk.hpp: products of a direction and the differences r, u, w at a time in [0, 1].
 # Claims about one vector are in units of N and of the vector's bound; claims about c = r - s u - q w in units of N S.
+# SPDX-License-Identifier: MIT
 # constant kUnit src/filters/coplanarity_form.hpp
 # constant kLeastShare src/filters/entry_step.hpp
 # constant kLeastSize src/filters/entry_step.hpp
@@ -12,23 +13,26 @@
 # not with kLeastSize: 0x1p-480
 
 e = @kUnit@;
-# The direction's largest coordinate is at least kLeastShare S / 2 in the Euclidean metric; in the other, directions that
-# are shorter than a difference of a query are scaled to 1, and nothing smaller than a difference counts.
+# The direction's largest coordinate is at least kLeastShare S / 2 in the Euclidean metric; in the other, directions
+# that are shorter than a difference of a query are scaled to 1, and nothing smaller than a difference counts.
 tiny = 0x1p-1073 / (@kLeastShare@ * @kLeastSize@ * @kLeastSize@ / 2);
-# A product of the direction n, whose own coordinates may be off by e, with a computed difference x; and, for a turn, with
-# a position at a time, which is off by f.
+# A product of the direction n, whose own coordinates may be off by e, with a computed difference x; and, for a turn,
+# with a position at a time, which is off by f.
 f = 4.002 * e;
 xyz: m_i = n_i * x_i * (1 + e * d_m_i) + tiny * h_m_i;
 p = ((m_x + m_y) * (1 + e * d_s) + m_z) * (1 + e * d_p);
-true_p = (n_x + e * o_n_x) * (x_x + e * o_x_x) + (n_y + e * o_n_y) * (x_y + e * o_x_y) + (n_z + e * o_n_z) * (x_z + e * o_x_z);
-turn_p = (n_x + e * o_n_x) * (x_x + f * o_x_x) + (n_y + e * o_n_y) * (x_y + f * o_x_y) + (n_z + e * o_n_z) * (x_z + f * o_x_z);
+true_p = (n_x + e * o_n_x) * (x_x + e * o_x_x) + (n_y + e * o_n_y) * (x_y + e * o_x_y) + (n_z + e * o_n_z) * (x_z
+  + e * o_x_z);
+turn_p = (n_x + e * o_n_x) * (x_x + f * o_x_x) + (n_y + e * o_n_y) * (x_y + f * o_x_y) + (n_z + e * o_n_z) * (x_z
+  + f * o_x_z);
 xyz: z_i = e * (n_i * x_i * d_m_i) - e * (n_i * o_x_i) - e * (o_n_i * x_i) - e * e * (o_n_i * o_x_i) + tiny * h_m_i;
 xyz: y_i = e * (n_i * x_i * d_m_i) - f * (n_i * o_x_i) - e * (o_n_i * x_i) - e * f * (o_n_i * o_x_i) + tiny * h_m_i;
 p_off = e * ((m_x + m_y + m_z) * d_p) + e * ((m_x + m_y) * d_s * (1 + e * d_p));
 
 # Between the ends: s a + t b of numbers of at most 1, with s = 1 - t rounded. The mixes are sums weighted by s and t in
 # [0, 1], s + t = 1, of numbers of at most 1.
-between = ((s * (1 + e * d_one) * a * (1 + e * d_a) + tiny * h_a) + (t * b * (1 + e * d_b) + tiny * h_b)) * (1 + e * d_between);
+between = ((s * (1 + e * d_one) * a * (1 + e * d_a) + tiny * h_a) + (t * b * (1 + e * d_b) + tiny * h_b)) * (1
+  + e * d_between);
 true_moved = s * (a + e * o_a) + t * (b + e * o_b);
 two = d_one + d_a + e * (d_one * d_a);
 mix_rounds = s * (a * two / 2.0001) + t * (b * d_b / 2.0001);

@@ -1,11 +1,12 @@
-# component_spread and kWeightError of refined_root.cpp: a component of n, f1 or f2 at the root, from its value and slope
-# at t and the root's offset; and a weight, which is promised to 2^-50.
+# component_spread and kWeightError of refined_root.cpp: a component of n, f1 or f2 at the root, from its value and
+# slope at t and the root's offset; and a weight, which is promised to 2^-50.
+# SPDX-License-Identifier: MIT
 # constant kUnit src/filters/coplanarity_form.hpp
 # constant kUnitSquared src/filters/contact_values.hpp
 # constant kComponentError src/filters/contact_values.hpp
 # constant kMargin src/filters/bernstein_cubic.hpp
 # constant kWeightError src/filters/refined_root.cpp
-# between kFactor src/filters/refined_root.cpp |  return (| ) * (kComponentError * (1 + away / kUnit)|
+# between kFactor src/filters/refined_root.cpp |return (|) * (kComponentError * (1|
 # between kWeight src/filters/refined_root.cpp |(1 + away / kUnit) + | * (reach * reach|
 # not with kComponentError: 79 * kUnitSquared
 # not with kWeightError: 3.1 * kUnit
@@ -24,7 +25,7 @@ cross = (P_1 - P_2) * (1 + e * d_cross);
 both = (C_1 + C_2) * (1 + e * d_both);
 # A difference of slopes over M, at most 8.001; there are two at most.
 first = (8.001 * s_1) * (1 + e * d_first);
-slope_error = 4 * 8.001 + 2 * 4.001 + 8.001 + 8.001 + 8.001;
+slope_error = 4 * 8.001 + 2 * 4.001 + 8.001 + 8.002 + 8.002;
 # Then the product of slope and offset, and the rounding of the value, which the result's own rounding does not cover.
 per_offset = slope_error + 8.001 + 8.001;
 # Beside the value's error, kComponentError, the code adds kComponentError / e times the offset.
@@ -39,7 +40,7 @@ weight = @kWeightError@ * (1 + 8 * e) + 4.0001 * e + e / 2 + e / 2;
   -> |product| <= 2.0002 /\ |product - true_product| - 8.001 * e <= 0 /\
      |cross - (P_1 - P_2)| - 4.001 * e <= 0 /\
      |both - (C_1 + C_2)| - 8.001 * e <= 0 /\
-     |first - 8.001 * s_1| - 8.001 * e <= 0 /\
+     |first - 8.001 * s_1| - 8.002 * e <= 0 /\
      rounding <= 0 /\ weigh <= 0 /\ weight - 0x1p-50 <= 0
 }
 product - true_product -> e * product_off;
