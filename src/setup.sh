@@ -35,6 +35,7 @@ readonly -a touchstone_tools=(
   'valgrind|valgrind|valgrind|valgrind|valgrind'
   'python3|python3|python3|python3|python'
   'hdf5.h|hdf5.h hdf5/serial/hdf5.h|libhdf5-dev|hdf5-devel|hdf5'
+  'gappa|gappa|gappa|gappa| '  # Arch Linux has no package of it
 )
 
 compiler() {
