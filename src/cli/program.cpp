@@ -17,6 +17,7 @@
 #include "cli/explain/explain.hpp"
 #include "cli/fuzz/fuzz.hpp"
 #include "cli/generate.hpp"
+#include "cli/prove.hpp"
 #include "cli/report.hpp"
 #include "cli/shared/interrupt.hpp"
 #include "cli/shared/words.hpp"
@@ -74,6 +75,7 @@ int parse_and_run(int argc, const char* const* argv) {
   add_solve(program, command);
   add_certify(program, command);
   add_explain(program, command);
+  add_prove(program, command);
   add_generate(program, command);
   add_bench(program, command);
   add_report(program, command);
