@@ -58,6 +58,7 @@ int parse_and_run(int argc, const char* const* argv) {
       "  touchstone certify --claims mine.csv edge-edge/a.csv --report report.json\n"
       "  touchstone solve --out answers.csv edge-edge/a.csv vertex-face/b.csv\n"
       "  touchstone explain --query 12 edge-edge/a.csv\n"
+      "  touchstone prove --out proofs.txt edge-edge/a.csv a proof of each answer, for touchstone-check\n"
       "  touchstone generate --out queries                 query files like a simulation's\n"
       "  touchstone bench --filter simulation              the time of an answer\n"
       "  touchstone report --out report                    error against run time of every method\n"
@@ -95,7 +96,7 @@ int parse_and_run(int argc, const char* const* argv) {
     if (program.get_subcommands().empty() && !unknown.empty()) {
       return complain(
           "touchstone: " + io::with_short_words(unknown.front()) +
-          " is no subcommand; they are solve, certify, explain, generate, bench, report, fuzz, stress and simulate");
+          " is no subcommand; they are solve, certify, explain, prove, generate, bench, report, fuzz, stress and simulate");
     }
     return complain("touchstone: " + first_line(error.what()) + " (see touchstone --help)");
   } catch (const CLI::ParseError& error) {

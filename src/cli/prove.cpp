@@ -85,6 +85,19 @@ void add_prove(CLI::App& program, Command& command) {
   add_kind_option(*subcommand, options->kind);
   subcommand->add_option("--out", options->out, "The file for the proofs (default: standard output)")
       ->type_name("FILE");
+  subcommand->add_option("--threads", options->threads, "The number of threads (default: all that the machine has)")
+      ->type_name("N")
+      ->check([](const std::string& text) { return check_whole_number(text, 1, 1024); });
+  subcommand->footer(
+      "A proof has a line for each piece of time in which a plane keeps the elements apart, and for a contact the time "
+      "as\n"
+      "the root of a polynomial and the weights of the points that meet. The page docs/proofs.md defines the format. "
+      "The\n"
+      "proofs are in input order; the number of threads changes nothing. The file appears when it is complete. The "
+      "program\n"
+      "touchstone-check reads the proofs and the query files and checks them:\n\n"
+      "  touchstone prove --out proofs.txt edge-edge/a.csv && touchstone-check proofs.txt edge-edge/a.csv\n\n"
+      "Exit status: 0 done, 2 bad usage or bad input.");
   subcommand->callback([options, &command] { command = [options] { return run_prove(*options); }; });
 }
 

@@ -22,6 +22,8 @@ const LayerTable& layer_table() {
       {"families", {"geometry", "seeded"}},
       {"broad_phase", {"geometry", "threads"}},
       {"mesh", {"solver", "broad_phase", "threads", "geometry", "numbers"}},
+      {"proofs", {"exact", "filters", "geometry", "io", "numbers"}},
+      {"checker", {}},
       {"generators", {"broad_phase", "geometry", "io", "seeded"}},
       {"fuzz",
        {"solver", "certify", "baselines", "families", "filters", "io", "numbers", "geometry", "pipes", "seeded"}},
@@ -37,14 +39,15 @@ const LayerTable& layer_table() {
       {"stress", {"solver", "baselines", "report", "geometry", "seeded"}},
       {"cli", {"geometry",   "numbers", "filters",  "exact",    "oracle", "solver", "certify", "baselines",
                "generators", "io",      "report",   "families", "fuzz",   "pipes",  "seeded",  "scene",
-               "rods",       "contact", "dynamics", "sim",      "stress", "mesh",   "threads"}},
+               "rods",       "contact", "dynamics", "sim",      "stress", "mesh",   "threads",
+               "proofs"}},
   };
   return table;
 }
 
 namespace {
 
-const Layers kNumberLibraryLayers = {"numbers", "oracle"};
+const Layers kNumberLibraryLayers = {"numbers", "oracle", "checker"};
 
 bool starts_with(std::string_view text, std::string_view prefix) { return text.substr(0, prefix.size()) == prefix; }
 
@@ -159,7 +162,7 @@ std::vector<std::string> source_violations(const std::string& path, std::string_
     const std::string used = first_part(include.target);
     if (is_number_library(include.target)) {
       if (kNumberLibraryLayers.count(layer) == 0) {
-        violations.push_back(at(file, include, "only numbers and oracle may include it"));
+        violations.push_back(at(file, include, "only numbers, oracle and checker may include it"));
       }
     } else if (include.quoted) {
       if (layer_table().count(used) == 0) {
