@@ -19,6 +19,7 @@
 #include "cli/generate/generate.hpp"
 #include "cli/merge.hpp"
 #include "cli/mesh/mesh.hpp"
+#include "cli/prove.hpp"
 #include "cli/report.hpp"
 #include "cli/shared/interrupt.hpp"
 #include "cli/shared/words.hpp"
@@ -59,6 +60,7 @@ int parse_and_run(int argc, const char* const* argv) {
       "  touchstone certify --claims mine.csv edge-edge/a.csv --report report.json\n"
       "  touchstone solve --out answers.csv edge-edge/a.csv vertex-face/b.csv\n"
       "  touchstone explain --query 12 edge-edge/a.csv\n"
+      "  touchstone prove --out proofs.txt edge-edge/a.csv a proof of each answer, for touchstone-check\n"
       "  touchstone generate --out queries                 query files like a simulation's\n"
       "  touchstone bench --filter simulation              the time of an answer\n"
       "  touchstone report --out report                    error against run time of every method\n"
@@ -77,6 +79,7 @@ int parse_and_run(int argc, const char* const* argv) {
   add_solve(program, command);
   add_certify(program, command);
   add_explain(program, command);
+  add_prove(program, command);
   add_generate(program, command);
   add_bench(program, command);
   add_report(program, command);
@@ -96,9 +99,10 @@ int parse_and_run(int argc, const char* const* argv) {
   } catch (const CLI::RequiredError& error) {
     const auto unknown = program.remaining();
     if (program.get_subcommands().empty() && !unknown.empty()) {
-      return complain("touchstone: " + io::with_short_words(unknown.front()) +
-                      " is no subcommand; they are solve, certify, explain, generate, bench, report, fuzz, stress, "
-                      "simulate, mesh and merge");
+      return complain(
+          "touchstone: " + io::with_short_words(unknown.front()) +
+          " is no subcommand; they are solve, certify, explain, prove, generate, bench, report, fuzz, stress, "
+          "simulate, mesh and merge");
     }
     return complain("touchstone: " + first_line(error.what()) + " (see touchstone --help)");
   } catch (const CLI::ParseError& error) {

@@ -1,5 +1,6 @@
 // The sources include only what the table of layers allows, and the public headers include no other library.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,25 @@ TEST_CASE("every source file includes only what its layer may use") {
     INFO(lines_of(violations));
     CHECK(violations.empty());
   }
+}
+
+TEST_CASE("the checker of proofs includes nothing of the project, and is short enough to read") {
+  constexpr std::size_t kMostLines = 500;
+  std::size_t lines = 0;
+  std::size_t files = 0;
+  for (const auto& file : cpp_files("src/checker")) {
+    const std::string text = text_of(std::filesystem::path(TOUCHSTONE_SOURCE_DIR) / "src/checker" / file);
+    for (const Include& include : includes_of(text)) {
+      INFO(file << ": " << include.target);
+      CHECK_FALSE(include.quoted);
+      CHECK(include.target.rfind("touchstone/", 0) != 0);
+    }
+    lines += static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+    ++files;
+  }
+  CHECK(files == 1);
+  CHECK(lines > 100);
+  CHECK(lines <= kMostLines);
 }
 
 TEST_CASE("public headers include the standard library and each other only") {
@@ -46,10 +66,10 @@ TEST_CASE("a planted violation of the layer table is found") {
                Planted{"solver/x.cpp", "#include \"io/query_file.hpp\"\n", "`solver` may not use `io`"},
                Planted{"certify/x.cpp", "#include \"cli/main.hpp\"\n", "`certify` may not use `cli`"},
                Planted{"version.cpp", "#include \"geometry/x.hpp\"\n", "may not use `geometry`"},
-               Planted{"exact/x.cpp", "#include <CGAL/Mpzf.h>\n", "only numbers and oracle"},
-               Planted{"filters/x.hpp", "  #  include <gmp.h>\n", "only numbers and oracle"},
-               Planted{"cli/x.cpp", "#include <mpfr.h>\n", "only numbers and oracle"},
-               Planted{"solver/x.cpp", "#include \"boost/multiprecision/gmp.hpp\"\n", "only numbers and oracle"},
+               Planted{"exact/x.cpp", "#include <CGAL/Mpzf.h>\n", "only numbers, oracle and checker"},
+               Planted{"filters/x.hpp", "  #  include <gmp.h>\n", "only numbers, oracle and checker"},
+               Planted{"cli/x.cpp", "#include <mpfr.h>\n", "only numbers, oracle and checker"},
+               Planted{"solver/x.cpp", "#include \"boost/multiprecision/gmp.hpp\"\n", "only numbers, oracle and checker"},
                Planted{"exact/x.cpp", "#include \"exact.hpp\"\n", "names the layer"},
                Planted{"exact/x.cpp", "#include \"../solver/cascade.hpp\"\n", "names the layer"},
                Planted{"exact/x.cpp", "#include <solver/cascade.hpp>\n", "with quotes"},

@@ -25,6 +25,8 @@ const LayerTable& layer_table() {
       {"frames", {"geometry", "io", "mesh"}},
       {"dropin", {"solver", "geometry"}},
       {"c_api", {"solver", "mesh"}},
+      {"proofs", {"exact", "filters", "geometry", "io", "numbers"}},
+      {"checker", {}},
       {"generators", {"broad_phase", "geometry", "io", "seeded"}},
       {"fuzz",
        {"solver", "certify", "baselines", "families", "filters", "io", "numbers", "geometry", "pipes", "seeded"}},
@@ -40,17 +42,16 @@ const LayerTable& layer_table() {
       {"sequence", {"frames", "mesh", "geometry", "io", "json"}},
       {"report", {"solver", "certify", "baselines", "generators", "io", "geometry", "seeded", "scene", "sim"}},
       {"stress", {"solver", "baselines", "report", "geometry", "seeded"}},
-      {"cli", {"geometry",   "numbers", "filters",  "exact",    "oracle", "solver", "certify", "baselines",
-               "generators", "io",      "report",   "families", "fuzz",   "pipes",  "seeded",  "scene",
-               "rods",       "contact", "dynamics", "sim",      "stress", "mesh",   "threads",
-               "frames", "sequence"}},
+      {"cli", {"geometry", "numbers", "filters",  "exact", "oracle",  "solver", "certify",  "baselines", "generators",
+               "io",       "report",  "families", "fuzz",  "pipes",   "seeded", "scene",    "rods",      "contact",
+               "dynamics", "sim",     "stress",   "mesh",  "threads", "frames", "sequence", "proofs"}},
   };
   return table;
 }
 
 namespace {
 
-const Layers kNumberLibraryLayers = {"numbers", "oracle"};
+const Layers kNumberLibraryLayers = {"numbers", "oracle", "checker"};
 
 bool starts_with(std::string_view text, std::string_view prefix) { return text.substr(0, prefix.size()) == prefix; }
 
@@ -166,7 +167,7 @@ std::vector<std::string> source_violations(const std::string& path, std::string_
     const std::string used = first_part(include.target);
     if (is_number_library(include.target)) {
       if (kNumberLibraryLayers.count(layer) == 0) {
-        violations.push_back(at(file, include, "only numbers and oracle may include it"));
+        violations.push_back(at(file, include, "only numbers, oracle and checker may include it"));
       }
     } else if (include.quoted) {
       if (layer_table().count(used) == 0) {

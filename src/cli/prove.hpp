@@ -1,0 +1,22 @@
+// `touchstone prove`: a proof of each answer, which another program can check.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "cli/shared/command.hpp"
+#include "cli/shared/options.hpp"
+
+namespace touchstone::cli {
+
+struct ProveOptions {
+  std::vector<std::string> files;
+  std::optional<Kind> kind;
+  int threads = 0;
+  std::string out = "-";
+};
+
+int run_prove(const ProveOptions& options);
+void add_prove(CLI::App& program, Command& command);
+
+}  // namespace touchstone::cli

@@ -1,0 +1,191 @@
+// Proofs of every family's answers, judged by the checker, which is a program of its own.
+// SPDX-License-Identifier: MIT
+#include <sys/wait.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <touchstone/error.hpp>
+#include <touchstone/solve.hpp>
+
+#include "io/query_writer.hpp"
+#include "proofs/proof_text.hpp"
+#include "support/catch.hpp"
+#include "support/query_families.hpp"
+#include "support/query_text.hpp"
+
+using namespace touchstone;
+using namespace touchstone::tests;
+
+namespace {
+
+/// The exit status of the checker, and what it prints.
+struct Checked {
+  int status = -1;
+  std::string text;
+};
+
+/// A folder of this test's own.
+class Folder {
+ public:
+  Folder() {
+    std::string name = (std::filesystem::temp_directory_path() / "touchstone-proofs-XXXXXX").string();
+    REQUIRE(mkdtemp(name.data()) != nullptr);
+    path_ = name;
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  std::string write(const std::string& name, const std::string& text) const {
+    const std::string path = path_ + "/" + name;
+    std::ofstream(path, std::ios::binary) << text;
+    return path;
+  }
+
+ private:
+  std::string path_;
+};
+
+Checked check(const std::string& proofs, const std::string& queries) {
+  const Folder folder;
+  const std::string command = std::string(TOUCHSTONE_CHECKER) + " " + folder.write("proofs.txt", proofs) + " " +
+                              folder.write("queries.csv", queries) + " 2>&1";
+  FILE* const pipe = popen(command.c_str(), "r");
+  REQUIRE(pipe != nullptr);
+  Checked result;
+  std::array<char, 4096> buffer;
+  while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) result.text += buffer.data();
+  const int status = pclose(pipe);
+  result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return result;
+}
+
+/// A file of queries, and the proofs of their answers.
+struct Proved {
+  std::string queries;
+  std::vector<std::string> proofs;
+  std::size_t contacts = 0;
+
+  void add(const Query& query, const Answer& answer) {
+    io::append_query(queries, query, answer.contact);
+    std::string text;
+    proofs::append_proof(text, proofs.size(), answer, proofs::prove(query, answer));
+    proofs.push_back(text);
+    contacts += answer.contact ? 1 : 0;
+  }
+  void add(const Query& query) { add(query, solve(query)); }
+
+  std::string text(Kind kind) const {
+    std::string all = proofs::kFirstLine;
+    all += "file " + std::string(kind_name(kind)) + " - queries.csv\n";
+    for (const std::string& proof : proofs) all += proof;
+    return all + "end " + std::to_string(proofs.size()) + " " + std::to_string(contacts) + "\n";
+  }
+};
+
+}  // namespace
+
+TEST_CASE("the answers to queries of every family are proved, and the checker accepts the proofs") {
+  constexpr std::uint64_t kSeed = 14;
+  constexpr std::uint64_t kCount = 25;
+  for (const Kind kind : kKinds) {
+    for (const FamilyInfo& family : all_families()) {
+      Proved proved;
+      for (std::uint64_t i = 0; i < kCount; ++i) proved.add(make(CaseId{family.family, kind, kSeed, i}));
+      const Checked result = check(proved.text(kind), proved.queries);
+      INFO(family.name << ' ' << kind_name(kind) << ": " << result.text);
+      CHECK(result.status == 0);
+      CHECK(result.text.rfind(std::to_string(kCount) + " queries checked: " + std::to_string(proved.contacts) + " ",
+                              0) == 0);
+    }
+  }
+}
+
+TEST_CASE("a proof of one query proves nothing about another one with another answer") {
+  std::size_t rejected = 0;
+  for (const Kind kind : kKinds) {
+    Rng rng(7);
+    std::vector<Query> queries;
+    for (const FamilyInfo& family : all_families()) queries.push_back(make(family.family, kind, rng));
+    for (std::size_t i = 0; i + 1 < queries.size(); ++i) {
+      const Answer answer = solve(queries[i]);
+      const Answer other = solve(queries[i + 1]);
+      if (answer.contact == other.contact && answer.toi == other.toi) continue;
+      Proved proved;
+      proved.add(queries[i]);
+      std::string text;
+      io::append_query(text, queries[i + 1], other.contact);
+      const Checked result = check(proved.text(kind), text);
+      INFO(kind_name(kind) << ' ' << i << ": " << result.text << cpp_initializer(queries[i + 1]));
+      CHECK(result.status == 1);
+      CHECK(result.text.find("query 0: ") != std::string::npos);
+      ++rejected;
+    }
+  }
+  CHECK(rejected > 80);
+}
+
+TEST_CASE("a time one double off is rejected, with the proof that belongs to it") {
+  std::size_t rejected = 0;
+  for (const Kind kind : kKinds) {
+    Rng rng(8);
+    for (const FamilyInfo& family : all_families()) {
+      const Query query = make(family.family, kind, rng);
+      const Answer answer = solve(query);
+      if (!answer.contact) continue;
+      const proofs::Proof proof = proofs::prove(query, answer);
+      for (const double direction : {0.0, 1.0}) {
+        Answer off = answer;
+        off.toi = std::nextafter(answer.toi, direction);
+        off.toi_upper = std::nextafter(answer.toi_upper, direction);
+        if (off.toi == answer.toi || off.toi_upper == answer.toi_upper) continue;
+        Proved proved;
+        io::append_query(proved.queries, query, true);
+        proofs::append_proof(proved.proofs.emplace_back(), 0, off, proof);
+        proved.contacts = 1;
+        const Checked result = check(proved.text(kind), proved.queries);
+        INFO(family.name << ' ' << kind_name(kind) << ": " << result.text << cpp_initializer(query));
+        CHECK(result.status == 1);
+        ++rejected;
+      }
+    }
+  }
+  CHECK(rejected > 80);
+}
+
+TEST_CASE("an answer that is false has no proof") {
+  const Query meets(PointPoint{{Vec3{0, 0, 0}, Vec3{2, 0, 0}}, {Vec3{1, 0, 0}, Vec3{1, 0, 0}}});
+  Answer answer = solve(meets);
+  REQUIRE(answer.contact);
+  REQUIRE(answer.toi == 1);
+  answer.toi = answer.toi_upper = 0.5;
+  CHECK_THROWS_AS(proofs::prove(meets, answer), Error);
+  const Query misses(PointPoint{{Vec3{0, 0, 0}, Vec3{2, 0, 0}}, {Vec3{1, 0, 0}, Vec3{1.5, 0, 0}}});
+  CHECK_THROWS_AS(proofs::prove(misses, answer), Error);
+}
+
+TEST_CASE("a file of proofs that was cut or that has more is rejected") {
+  Proved proved;
+  Rng rng(9);
+  for (int i = 0; i < 5; ++i) proved.add(make(all_families()[0].family, Kind::edge_edge, rng));
+  const std::string text = proved.text(Kind::edge_edge);
+  REQUIRE(check(text, proved.queries).status == 0);
+  std::size_t cuts = 0;
+  for (std::size_t size = 0; size + 1 < text.size(); size += 7) {
+    const Checked result = check(text.substr(0, size), proved.queries);
+    INFO("cut after " << size << ": " << result.text);
+    CHECK((result.status == 1 || result.status == 2));
+    ++cuts;
+  }
+  CHECK(cuts > 20);
+  CHECK(check(text + "0 none\n", proved.queries).status == 1);
+  CHECK(check(text, proved.queries + proved.queries).status == 1);
+  CHECK(check("", proved.queries).status == 2);
+}
