@@ -6,9 +6,9 @@
 
 The exit status is 0 when every proof holds, 1 when some proof does not hold, and 2 for a file that cannot be read.
 
-All arithmetic is on integers. A polynomial is the list of its coefficients, the constant one first. Most checks ask for
-signs and divisibility only, so coefficients may have a common positive factor: the coordinates of a query are
-multiplied by their common denominator, and the numbers of a proof by a power of two.
+All arithmetic is on integers. A polynomial is the list of its coefficients, the constant one first. The checks ask for
+signs and divisibility only. So the coordinates of a query are multiplied by their common denominator, and the numbers
+of a proof by a power of two.
 """
 
 import functools
@@ -54,20 +54,16 @@ class Lines:
         self.advance()
 
     def advance(self):
-        while True:
-            line = self.stream.readline(MAX_LINE_BYTES + 3)
+        for line in iter(lambda: self.stream.readline(MAX_LINE_BYTES + 3), b""):
             self.number += 1
-            if not line:
-                self.line = None
-                return
-            line = line[:-1] if line.endswith(b"\n") else line
-            line = line[:-1] if line.endswith(b"\r") else line
+            line = re.sub(rb"\r?\n?\Z", b"", line, count=1)
             if len(line) > MAX_LINE_BYTES:
                 raise BadInput(f"{self.place()}: the line has more than {MAX_LINE_BYTES} bytes")
             text = line.lstrip(b" \t")
             if text and not text.startswith(b"#"):
                 self.line = line
                 return
+        self.line = None
 
     def words(self):
         """The words of the current line; no words at the end of the file."""
@@ -77,10 +73,8 @@ class Lines:
         return f"{self.name}:{self.number}"
 
 
-# Numbers. A number of a proof is a pair (m, e) with the value m 2^e.
-
-
 def read_number(word, lines):
+    """A number of a proof: a pair (m, e) with the value m 2^e. m is odd, or m = e = 0."""
     match = NUMBER.fullmatch(word) if len(word) <= MAX_DIGITS + 20 else None
     if not match:
         raise BadInput(f"{lines.place()}: not a number, or too long: {ascii(word[:40].decode('latin-1'))}")
@@ -102,12 +96,12 @@ def to_integers(numbers):
 
 
 def less(x, y):
-    (first, second), _ = to_integers([x, y])
-    return first < second
+    (x, y), _ = to_integers([x, y])
+    return x < y
 
 
 def is_double(x):
-    m, e = x  # m is odd or zero
+    m, e = x
     return m == 0 or (0 < m < 1 << 53 and e >= -1074)
 
 
@@ -119,9 +113,6 @@ def next_double(x):
     m = (m << (e - unit)) + 1
     zeros = (m & -m).bit_length() - 1
     return m >> zeros, unit + zeros
-
-
-# Polynomials.
 
 
 def plus(p, q):
@@ -137,22 +128,19 @@ def minus(p, q):
 def times(p, q):
     product = [0] * (len(p) + len(q) - 1)
     for i, c in enumerate(p):
-        if c:
-            for j, d in enumerate(q):
-                product[i + j] += c * d
+        for j, d in enumerate(q):
+            product[i + j] += c * d
     return product
 
 
 def is_multiple(p, g):
-    """Whether g divides p, with rational coefficients. g has a degree of at least 1, and its last one is not zero."""
+    """Whether g divides p, with rational coefficients. The degree of g is at least 1, and g[-1] is not zero."""
     rest = list(p)
     while len(rest) >= len(g):
         top = rest.pop()
         if top:
-            offset = len(rest) + 1 - len(g)
-            rest = [g[-1] * c for c in rest]
-            for i in range(len(g) - 1):
-                rest[offset + i] -= top * g[i]
+            shifted = [0] * (len(rest) + 1 - len(g)) + g[:-1]
+            rest = [g[-1] * c - top * d for c, d in zip(rest, shifted)]
     return not any(rest)
 
 
@@ -165,20 +153,15 @@ def conversion(d):
 
 
 def bernstein(p, low, high):
-    """The Bernstein coefficients of p over [low, high], all times one positive number; p(low) if low = high."""
+    """The Bernstein coefficients of p over [low, high], all times one positive number."""
     (a, b), e = to_integers([low, high])
     # With low = a / 2^k and high = b / 2^k, the steps compute 2^(k d) p((a + s (b - a)) / 2^k) by powers of s.
     k = -e
     width = b - a
     powers = [p[-1]]
     for count, c in enumerate(reversed(p[:-1]), 1):
-        if width == 0:
-            powers = [powers[0] * a + (c << (k * count))]
-        else:
-            powers = [a * x + width * y for x, y in zip(powers + [0], [0] + powers)]
-            powers[0] += c << (k * count)
-    if width == 0:
-        return powers
+        powers = [a * x + width * y for x, y in zip(powers + [0], [0] + powers)]
+        powers[0] += c << (k * count)
     return [sum(m * c for m, c in zip(row, powers)) for row in conversion(len(p) - 1)]
 
 
@@ -186,15 +169,12 @@ def is_positive(p, low, high):
     return min(bernstein(p, low, high)) > 0
 
 
-# Queries.
-
-
 class Query:
     """A query: corner i is at starts[i] + t steps[i], all times one positive integer."""
 
     def __init__(self, rows, split):
         self.split = split  # the number of corners of the first element
-        count = len(rows) // 2
+        self.size = count = len(rows) // 2
         factor = 1
         for row in rows:
             for denominator in (row[1], row[3], row[5]):
@@ -203,9 +183,6 @@ class Query:
         points = [[row[c] * (factor // row[c + 1]) for c in (0, 2, 4)] for row in rows]
         self.starts = points[:count]
         self.steps = [[e - s for s, e in zip(start, end)] for start, end in zip(points, points[count:])]
-
-    def size(self):
-        return len(self.starts)
 
     def corner(self, i):
         """The three coordinates of a corner, as polynomials."""
@@ -242,9 +219,6 @@ def read_query(lines, kind):
     return Query(rows, split)
 
 
-# The proof of one query.
-
-
 def require(holds, reason):
     if not holds:
         raise Rejected(reason)
@@ -268,19 +242,19 @@ def read_piece(query, lines):
     if words[:1] == [b"d"]:
         coefficients, _ = to_integers(read_numbers(words[1:], lines, 3))
         return [coefficients[c::3] for c in range(3)], end
-    require(words == [b"n"] and query.size() == 4, "expected a piece; only queries with 4 corners have n")
+    require(words == [b"n"] and query.size == 4, "expected a piece; only queries with 4 corners have n")
     return query.normal(), end
 
 
 def separates(query, direction, low, high, may_touch_at_end):
     """Whether the Bernstein coefficients of all p_ij have one sign."""
     heights = []
-    for i in range(query.size()):
+    for i in range(query.size):
         x, y, z = (times(n, p) for n, p in zip(direction, query.corner(i)))
         heights.append(plus(plus(x, y), z))
     signs = {1, -1}
     for i in range(query.split):
-        for j in range(query.split, query.size()):
+        for j in range(query.split, query.size):
             b = bernstein(minus(heights[j], heights[i]), low, high)
             strict, rest = (b[:1], b[1:]) if may_touch_at_end else (b, [])
             signs = {s for s in signs if all(s * c > 0 for c in strict) and all(s * c >= 0 for c in rest)}
@@ -295,18 +269,17 @@ def check_pieces(query, lines, end, touches_at_end):
         direction, stop = read_piece(query, lines)
         last = stop is None
         require(last or (less(low, stop) and less(stop, end)), "the piece does not end in the rest of the interval")
-        holds = separates(query, direction, low, end if last else stop, last and touches_at_end)
-        require(holds, "the direction does not separate the elements during the piece")
+        if not separates(query, direction, low, end if last else stop, last and touches_at_end):
+            raise Rejected("the direction does not separate the elements during the piece")
         low = stop
         lines.advance()
 
 
 def check_meeting(query, lines, early, late):
     low, high = early, late
-    if early == late:
-        (time, one), _ = to_integers([early, (1, 0)])
-        g = [-time, one]
-    else:
+    (time, one), _ = to_integers([early, (1, 0)])
+    g = [-time, one]
+    if early != late:
         words = lines.words()
         if words[-3:-2] == [b"between"]:
             low, high = (read_number(word, lines) for word in words[-2:])
@@ -329,8 +302,8 @@ def check_meeting(query, lines, early, late):
         sums[element] = plus(sums[element], weight)
         points[element] = [plus(p, times(weight, x)) for p, x in zip(points[element], query.corner(corner))]
     require(all(is_positive(total, low, high) for total in sums), "the weights of an element may all be zero")
-    differences = (minus(times(sums[1], p), times(sums[0], q)) for p, q in zip(*points))
-    require(all(is_multiple(p, g) for p in differences), "the weighted points are not proved to be equal")
+    equal = all(is_multiple(minus(times(sums[1], p), times(sums[0], q)), g) for p, q in zip(*points))
+    require(equal, "the weighted points are not proved to be equal")
 
 
 def read_weights(query, lines):
@@ -338,7 +311,7 @@ def read_weights(query, lines):
     numbers = {}
     while lines.words()[:1] == [b"w"]:
         words = lines.words()
-        require(words[1:2] and words[1] in [b"0", b"1", b"2", b"3"][: query.size()], "there is no such corner")
+        require(words[1:2] and words[1] in [b"0", b"1", b"2", b"3"][: query.size], "there is no such corner")
         corner = int(words[1])
         require(corner not in numbers, f"corner {corner} has two weights")
         numbers[corner] = read_numbers(words[2:], lines)
