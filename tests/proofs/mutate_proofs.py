@@ -4,10 +4,11 @@
 
     mutate_proofs.py [--checker PROGRAM] [--rounds N] [--accepted FILE] PROOFS QUERY_FILE...
 
-Each query becomes a file of its own, with its proof. Each mutation below changes that proof N times. The checker is
-check_proofs.py, or the PROGRAM. The answer in the original proof counts as the truth, because the checker accepts it. A
-changed proof that is accepted is harmless if its answer is the same, and a false acceptance otherwise. The same
-arguments give the same mutants. The exit status is 0 without a false acceptance.
+The checker is check_proofs.py, or the PROGRAM. Some forged proofs of false answers come first. Then each query
+becomes a file of its own, with its proof, and each mutation below changes that proof N times. The answer in the
+original proof counts as the truth, because the checker accepts it. A changed proof that is accepted is harmless if
+its answer is the same, and a false acceptance otherwise. The same arguments give the same mutants. The exit status is
+0 without a false acceptance.
 """
 
 import argparse
@@ -299,6 +300,56 @@ MUTATIONS = [flip_bit, scale_number, change_last_bit, drop_line, repeat_line, sw
              change_between]
 
 
+def rows_of(starts, ends):
+    return "".join(f"{x},1,{y},1,{z},1,0\n" for x, y, z in starts + ends)
+
+
+def forgeries():
+    """Proofs of false answers: name, kind, rows, lines. Each breaks one check of the page, and holds otherwise."""
+    line = [(2, 0, 0), (0, 0, 0), (1, 0, 0)]  # a point beside an edge, on its line
+    above = [(0, 0, 1), (0, 0, 0), (1, 0, 0)]  # a point above an edge
+    around = [(0, 0, 0), (-1, 0, 0), (1, 0, 0)]
+    crossing = ([(-1, 0, 0), (1, 0, 0), (0, -1, 1), (0, 1, 1)], [(-1, 0, 0), (1, 0, 0), (0, -1, -2), (0, 1, -2)])
+    third = "0 contact 0x1.5555555555555p-2 0x1.5555555555556p-2"
+    half = "0 contact 0x1p-1 0x1.0000000000001p-1"
+    west, east, weights = "d -1 0 0", "d 1 0 0", ["w 0 1", "w 1 1"]
+
+    def two_points(start, end):
+        """The first point rests at 0, the second one moves on the x axis."""
+        return "point-point", rows_of([(0, 0, 0), (start, 0, 0)], [(0, 0, 0), (end, 0, 0)])
+
+    passing = two_points(-2, 1)  # they meet at 2/3
+    meeting = two_points(-1, 1)  # they meet at 1/2
+    resting = two_points(0, 0)
+    odd = 2**53 + 1
+    return [
+        ("negative weight", "point-edge", rows_of(line, line), ["0 contact 0 0", "w 0 1", "w 1 -1", "w 2 2"]),
+        ("zero weights", "point-edge", rows_of(above, above), ["0 contact 0 0", "w 0 0", "w 1 0", "w 2 0"]),
+        ("no weights", "point-edge", rows_of(above, above), ["0 contact 0 0"]),
+        ("weights that vanish at T", *passing, ["0 contact 0x1p-1 0x1p-1", west, "w 0 -1 2", "w 1 -1 2"]),
+        ("weights that vanish at the root", *passing, [third, west, "root -1 3", "w 0 -1 3", "w 1 -1 3"]),
+        ("root elsewhere", *passing, [third, west, "root -2 3 between 0x1p-1 0x1p0", *weights]),
+        ("no root between", *passing, [third, west, "root -2 3", *weights]),
+        ("constant g", *passing, [third, west, "root -1 0", *weights]),
+        ("T is the contact", *meeting, [half, west, "root -1 2", *weights]),
+        ("U is the contact", *meeting, ["0 contact 0x1.fffffffffffffp-2 0x1p-1", west, "root -1 2", *weights]),
+        ("wide bracket", *passing, ["0 contact 0x1p-1 0x1p0", west, "root -2 3", *weights]),
+        ("T of 54 bits", *two_points(-odd, 2**54 - odd), [f"0 contact 0x{odd:x}p-54 0x{odd:x}p-54", west, *weights]),
+        ("T after 1", *two_points(-2, -1), ["0 contact 0x1p1 0x1p1", west, *weights]),
+        ("T before 0", *two_points(1, 2), ["0 contact -1 -1", east, *weights]),
+        ("piece after the end", *passing, ["0 none", f"{west} to 0x1p-1", f"{east} to 2", east]),
+        ("piece without length", *passing, ["0 none", f"{west} to 0x1p-1", f"{west} to 0x1p-1", east]),
+        ("last piece has an end", *passing, ["0 none", f"{west} to 0x1p-1"]),
+        ("zero at the end", *two_points(-1, 0), ["0 none", west]),
+        ("two signs", "point-edge", rows_of(around, around), ["0 none", east]),
+        ("direction that turns", "edge-edge", rows_of(*crossing), ["0 none", "d 0 0 1 0 0 -3"]),
+        ("zero direction", "edge-edge", rows_of(*crossing), ["0 none", "d 0 0 0"]),
+        ("late", *resting, ["0 contact 1 1", east, *weights]),
+        ("no piece", *resting, ["0 contact 1 1", *weights]),
+        ("different points", *two_points(1, 1), ["0 contact 0 0", *weights]),
+    ]
+
+
 def read_cases(proofs, query_files):
     """For each query its kind, its rows and the lines of its proof."""
     cases = []
@@ -348,6 +399,10 @@ def main():
     counts = collections.Counter()
     failures, accepted = [], []
     with tempfile.TemporaryDirectory() as folder:
+        for name, kind, rows, lines in forgeries():
+            status = status_of(arguments.checker, folder, text_of(kind, [line.split() for line in lines]), rows)
+            if status not in (1, 2):
+                failures.append(f"forged proof, {name}: status {status}")
         for index, (kind, rows, lines) in enumerate(cases):
             if status_of(arguments.checker, folder, text_of(kind, lines), rows) != 0:
                 failures.append(f"query {index}: the original proof is not accepted")
@@ -374,6 +429,7 @@ def main():
                     else:
                         failures.append(f"{name}: the checker ended with status {status}")
     columns = ("tried", "rejected", "harmless", "false")
+    print(f"{len(forgeries())} forged proofs, {len(cases)} proofs changed")
     print(f"{'mutation':24}" + "".join(f"{column:>10}" for column in columns))
     for name in [mutation.__name__ for mutation in MUTATIONS]:
         print(f"{name:24}" + "".join(f"{counts[name, column]:10}" for column in columns))
