@@ -94,9 +94,9 @@ int parse_and_run(int argc, const char* const* argv) {
   } catch (const CLI::RequiredError& error) {
     const auto unknown = program.remaining();
     if (program.get_subcommands().empty() && !unknown.empty()) {
-      return complain(
-          "touchstone: " + io::with_short_words(unknown.front()) +
-          " is no subcommand; they are solve, certify, explain, prove, generate, bench, report, fuzz, stress and simulate");
+      return complain("touchstone: " + io::with_short_words(unknown.front()) +
+                      " is no subcommand; they are solve, certify, explain, prove, generate, bench, report, fuzz, "
+                      "stress and simulate");
     }
     return complain("touchstone: " + first_line(error.what()) + " (see touchstone --help)");
   } catch (const CLI::ParseError& error) {
