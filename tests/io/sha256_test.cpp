@@ -3,6 +3,7 @@
 #include "io/sha256.hpp"
 
 #include <string>
+#include <string_view>
 
 #include "support/catch.hpp"
 
@@ -26,5 +27,19 @@ TEST_CASE("the processor's instructions give the same digest at every length") {
     CAPTURE(i);
     CHECK(io::sha256(text) == io::sha256_in_portable_code(text));
     text += static_cast<char>(31 * i + i / 7);
+  }
+}
+
+TEST_CASE("bytes that come in pieces of any length have the digest of the whole") {
+  std::string text;
+  for (int i = 0; i < 700; ++i) text += static_cast<char>(17 * i + i / 5);
+  for (std::size_t piece = 1; piece < 200; piece += 7) {
+    io::Sha256 sum;
+    for (std::size_t at = 0; at < text.size(); at += piece) {
+      sum.add(std::string_view(text).substr(at, piece));
+      sum.add("");
+    }
+    CAPTURE(piece);
+    CHECK(sum.digest() == io::sha256(text));
   }
 }

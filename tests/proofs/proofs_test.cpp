@@ -73,14 +73,18 @@ struct Proved {
   std::vector<std::string> proofs;
   std::size_t contacts = 0;
 
-  void add(const Query& query, const Answer& answer) {
+  template <class Q>
+  void add(const Q& query, const Answer& answer) {
     io::append_query(queries, query, answer.contact);
     std::string text;
     proofs::append_proof(text, proofs.size(), answer, proofs::prove(query, answer));
     proofs.push_back(text);
     contacts += answer.contact ? 1 : 0;
   }
-  void add(const Query& query) { add(query, solve(query)); }
+  template <class Q>
+  void add(const Q& query) {
+    add(query, solve(query));
+  }
 
   std::string text(Kind kind) const {
     std::string all = proofs::kFirstLine;
@@ -105,6 +109,31 @@ TEST_CASE("the answers to queries of every family are proved, and the checker ac
       CHECK(result.text.rfind(std::to_string(kCount) + " queries checked: " + std::to_string(proved.contacts) + " ",
                               0) == 0);
     }
+  }
+}
+
+TEST_CASE("answers to queries with rational coordinates are proved") {
+  for (const Kind kind : kKinds) {
+    Rng rng(31);
+    Proved proved;
+    for (int i = 0; i < 300; ++i) {
+      RationalQuery query;
+      query.kind = kind;
+      for (auto* corners : {&query.start, &query.end}) {
+        for (auto& corner : *corners) {
+          for (Fraction& coordinate : corner) {
+            coordinate.numerator = std::to_string(static_cast<int>(rng.below(9)) - 4);
+            coordinate.denominator = std::to_string(rng.below(3) + 1);
+          }
+        }
+      }
+      proved.add(query);
+    }
+    const Checked result = check(proved.text(kind), proved.queries);
+    INFO(kind_name(kind) << ": " << result.text);
+    CHECK(result.status == 0);
+    CHECK(proved.contacts > 0);
+    CHECK(proved.contacts < 300);
   }
 }
 
