@@ -14,10 +14,23 @@
 #include "io/fail.hpp"
 #include "io/output_file.hpp"
 #include "io/query_parser.hpp"
+#include "io/sha256.hpp"
 #include "proofs/proof_text.hpp"
 
 namespace touchstone::cli {
 namespace {
+
+/// The digest of a file's bytes; "-" for a pipe, which can be read only once.
+std::string digest_of(const Input& input) {
+  if (!input.bytes) return "-";
+  io::InputFile file = input.open();
+  io::Sha256 sum;
+  std::string buffer(io::kChunkBytes, '\0');
+  for (std::size_t size; (size = file.read(buffer.data(), buffer.size())) > 0;) {
+    sum.add(std::string_view(buffer).substr(0, size));
+  }
+  return sum.digest();
+}
 
 struct ProveItem : QueryItem {
   std::string text;
@@ -53,7 +66,8 @@ int run_prove(const ProveOptions& options) {
   std::size_t files = 0;  // whose proofs have begun
   const auto begin_files = [&](std::size_t count) {
     for (; files < count; ++files) {
-      out.write(fmt::format("file {} - {}\n", kind_name(inputs[files].kind), io::printable(inputs[files].name)));
+      const Input& input = inputs[files];
+      out.write(fmt::format("file {} {} {}\n", kind_name(input.kind), digest_of(input), io::printable(input.name)));
     }
   };
   run_in_order<ProveItem>(

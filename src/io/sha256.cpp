@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/sha256.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -28,7 +29,7 @@ constexpr std::array<std::uint32_t, 64> kRoundConstants = {
 
 constexpr std::size_t kBlock = 64;
 
-using State = std::array<std::uint32_t, 8>;
+using State = Sha256::State;
 
 void add_blocks(State& state, const char* block, std::size_t count) {
   for (; count > 0; --count, block += kBlock) {
@@ -111,9 +112,7 @@ bool has_instructions() noexcept {
 }
 #endif
 
-using AddBlocks = void (*)(State&, const char*, std::size_t);
-
-AddBlocks fastest() noexcept {
+Sha256::AddBlocks fastest() noexcept {
 #ifdef TOUCHSTONE_SHA_INSTRUCTIONS
   static const bool instructions = has_instructions();
   if (instructions) return add_blocks_by_instructions;
@@ -121,18 +120,36 @@ AddBlocks fastest() noexcept {
   return add_blocks;
 }
 
-std::string digest_of(std::string_view bytes, AddBlocks add) {
-  // The first 32 bits of the fractions of the square roots of the first 8 primes.
-  State state = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
-  const std::uint64_t bits = std::uint64_t{8} * bytes.size();
+}  // namespace
+
+// The first 32 bits of the fractions of the square roots of the first 8 primes.
+Sha256::Sha256()
+    : state_{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19},
+      add_blocks_(fastest()) {}
+
+void Sha256::add(std::string_view bytes) {
+  size_ += bytes.size();
+  if (!rest_.empty()) {
+    const std::size_t missing = std::min(kBlock - rest_.size(), bytes.size());
+    rest_.append(bytes.substr(0, missing));
+    bytes.remove_prefix(missing);
+    if (rest_.size() < kBlock) return;
+    add_blocks_(state_, rest_.data(), 1);
+    rest_.clear();
+  }
   const std::size_t blocks = bytes.size() / kBlock;
-  add(state, bytes.data(), blocks);
+  add_blocks_(state_, bytes.data(), blocks);
+  rest_ = bytes.substr(blocks * kBlock);
+}
+
+std::string Sha256::digest() const {
   // The remaining bytes, a bit 1, bits 0, and the number of bits as 64 bits: one block, or two.
-  std::string rest(bytes.substr(blocks * kBlock));
+  State state = state_;
+  std::string rest = rest_;
   rest += '\x80';
   while (rest.size() % kBlock != kBlock - 8) rest += '\0';
-  for (int shift = 56; shift >= 0; shift -= 8) rest += static_cast<char>(bits >> shift & 0xFF);
-  add(state, rest.data(), rest.size() / kBlock);
+  for (int shift = 56; shift >= 0; shift -= 8) rest += static_cast<char>(8 * size_ >> shift & 0xFF);
+  add_blocks_(state, rest.data(), rest.size() / kBlock);
 
   std::string digest;
   for (const std::uint32_t word : state) {
@@ -141,10 +158,17 @@ std::string digest_of(std::string_view bytes, AddBlocks add) {
   return digest;
 }
 
-}  // namespace
+std::string sha256(std::string_view bytes) {
+  Sha256 sum;
+  sum.add(bytes);
+  return sum.digest();
+}
 
-std::string sha256(std::string_view bytes) { return digest_of(bytes, fastest()); }
-
-std::string sha256_in_portable_code(std::string_view bytes) { return digest_of(bytes, add_blocks); }
+std::string sha256_in_portable_code(std::string_view bytes) {
+  Sha256 sum;
+  sum.add_blocks_ = add_blocks;
+  sum.add(bytes);
+  return sum.digest();
+}
 
 }  // namespace touchstone::io
