@@ -41,8 +41,8 @@ struct Topology {
 struct Frame {
   std::shared_ptr<const Topology> topology;  ///< never null
   std::vector<double> positions;             ///< topology->dimension coordinates a vertex: x y z x y z ...
-  /// 64 hexadecimal digits: the SHA-256 digest of the bytes that the frame was read from. In a file of several frames
-  /// it is that of the frame's own coordinates and of the topology file's digest.
+  /// 64 hexadecimal digits: the SHA-256 digest of the bytes that the frame was read from. For a frame of an array it is
+  /// that of its dimension, its coordinates as doubles and the topology file's digest: the same in .npy and HDF5.
   std::string digest;
 };
 
@@ -59,7 +59,7 @@ struct ReadOptions {
 /// @throws FileError  "FILE: reason" or "FILE:LINE: reason"
 std::size_t frame_count(const std::string& file, const ReadOptions& options);
 
-/// Reads a frame. The name's ending says the format: .obj, .ply, .stl, .vtk, .npy, .h5 and .hdf5.
+/// Reads a frame. Several threads may read at the same time. The name's ending says the format: .obj, .ply, .stl, .vtk, .npy, .h5 and .hdf5.
 /// @param file     the file
 /// @param index    which frame of it, below frame_count
 /// @param options  how it is read
