@@ -149,7 +149,7 @@ int touchstone_contact(int kind, const double* start, const double* end, const s
 int touchstone_solve_columns(int kind, size_t count, const double* const* start, const double* const* end,
                              const struct touchstone_options* options, struct touchstone_answer* answers);
 
-/** The answers to many queries of one kind, in rows. The call needs 16 bytes of memory for each coordinate of a query.
+/** The answers to many queries of one kind, in rows. Blocks of rows are copied into columns.
  *  @param kind     one of touchstone_query_kind
  *  @param count    the number of queries
  *  @param start    12, 9 or 6 doubles for each query, one query after another

@@ -1,5 +1,6 @@
 // Queries by the C interface: one at a time, in rows and in columns.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -53,14 +54,47 @@ Answer* room_for(touchstone_answer* answers, std::size_t count) {
   return reinterpret_cast<Answer*>(answers);
 }
 
-/// The rows of one end of the step as columns: coordinate by coordinate.
-std::vector<double> columns_of(const double* rows, std::size_t count, std::size_t coordinates) {
-  std::vector<double> columns(count * coordinates);
+/// Writes the rows of one end of the step into columns: coordinate by coordinate.
+void transpose(const double* rows, std::size_t count, std::size_t coordinates, double* columns) {
   for (std::size_t q = 0; q < count; ++q) {
     for (std::size_t k = 0; k < coordinates; ++k) columns[k * count + q] = rows[q * coordinates + k];
   }
-  return columns;
 }
+
+/// Queries in rows, answered by way of columns, a block of queries after another.
+struct Rows {
+  Kind kind;
+  std::size_t count;
+  const double* start;
+  const double* end;
+
+  void solve(Answer* answers, const BatchOptions& options, std::size_t block) const {
+    const std::size_t coordinates = 3 * corner_count(kind);
+    std::vector<double> values(2 * std::min(block, count) * coordinates);
+    for (std::size_t first = 0; first < count; first += block) {
+      QueryColumns columns;
+      columns.kind = kind;
+      columns.count = std::min(block, count - first);
+      double* const starts = values.data();
+      double* const ends = starts + columns.count * coordinates;
+      transpose(start + first * coordinates, columns.count, coordinates, starts);
+      transpose(end + first * coordinates, columns.count, coordinates, ends);
+      for (std::size_t i = 0; i < coordinates; ++i) {
+        columns.start[i / 3][i % 3] = starts + i * columns.count;
+        columns.end[i / 3][i % 3] = ends + i * columns.count;
+      }
+      BatchOptions of_block = options;
+      if (options.distances != nullptr) {
+        of_block.distances = options.distances + first;
+        of_block.distance_count = columns.count;
+      }
+      solve_batch(columns, answers + first, of_block);
+    }
+  }
+};
+
+/// The queries of a block of each thread: their columns stay in a core's cache.
+constexpr std::size_t kBlock = 1024;
 
 }  // namespace
 
@@ -109,21 +143,20 @@ int touchstone_solve_columns(int kind, std::size_t count, const double* const* s
 int touchstone_solve_rows(int kind, std::size_t count, const double* start, const double* end,
                           const touchstone_options* options, touchstone_answer* answers) {
   return guarded([&] {
-    QueryColumns columns;
-    columns.kind = kind_of(kind);
-    columns.count = count;
-    const std::size_t coordinates = 3 * corner_count(columns.kind);
+    const Rows rows{kind_of(kind), count, start, end};
+    const std::size_t coordinates = 3 * corner_count(rows.kind);
     array(start, count, coordinates, "start");
     array(end, count, coordinates, "end");
     Answer* room = room_for(answers, count);
     const BatchOptions batch = batch_options(options);
-    const std::vector<double> starts = columns_of(start, count, coordinates);
-    const std::vector<double> ends = columns_of(end, count, coordinates);
-    for (std::size_t i = 0; i < coordinates; ++i) {
-      columns.start[i / 3][i % 3] = starts.data() + i * count;
-      columns.end[i / 3][i % 3] = ends.data() + i * count;
+    const bool distances_fit = batch.distances == nullptr || batch.distance_count == count;
+    try {
+      if (count > 0 && distances_fit) return rows.solve(room, batch, batch.threads == 1 ? kBlock : 64 * kBlock);
+    } catch (const InvalidQuery&) {
+      // The message would count from the first query of the block: ask again in one block, for its message.
     }
-    solve_batch(columns, room, batch);
+    if (count > 0 && distances_fit) return rows.solve(room, batch, count);
+    solve_batch(nullptr, count, room, batch);  // options without meaning
   });
 }
 

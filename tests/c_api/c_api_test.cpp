@@ -150,6 +150,29 @@ TEST_CASE("one query, rows and columns give the answers of C++") {
   }
 }
 
+TEST_CASE("many rows, on any number of threads, are the columns' answers, and an error counts from the first row") {
+  const Rows rows(Kind::point_point, 5000, 8);
+  std::vector<Query> queries;
+  for (std::size_t q = 0; q < rows.count(); ++q) queries.push_back(rows[q]);
+  const std::vector<Answer> expected = touchstone::solve_batch(queries);
+  for (const int threads : {1, 2, 0}) {
+    touchstone_options options = default_options();
+    options.threads = threads;
+    std::vector<touchstone_answer> answers(rows.count());
+    REQUIRE(touchstone_solve_rows(TOUCHSTONE_KIND_POINT_POINT, rows.count(), rows.start.data(), rows.end.data(),
+                                  &options, answers.data()) == TOUCHSTONE_OK);
+    std::size_t differences = 0;
+    for (std::size_t q = 0; q < rows.count(); ++q) differences += !same(expected[q], answers[q]);
+    CHECK(differences == 0);
+
+    std::vector<double> with_nan = rows.end;
+    with_nan[rows.width * 4321 + 4] = std::nan("");
+    CHECK(touchstone_solve_rows(TOUCHSTONE_KIND_POINT_POINT, rows.count(), rows.start.data(), with_nan.data(), &options,
+                                answers.data()) == TOUCHSTONE_INVALID_QUERY);
+    CHECK(message_has("query 4321"));
+  }
+}
+
 TEST_CASE("numbers have the names of C++, and others have none") {
   CHECK(touchstone_version() == std::string(touchstone::version()));
   for (int i = 0; i < 30; ++i) {
