@@ -325,7 +325,9 @@ class Checker {
     if (words_.size() < 4 || words_[0] != "file" || kKinds.count(words_[1]) == 0) {
       throw Rejected(lines_.where() + "here the proofs of " + name + " must begin");
     }
-    const KindOf kind = kKinds.at(words_[1]);
+    const std::string kind_name = words_[1];
+    const KindOf kind = kKinds.at(kind_name);
+    const unsigned long long before = queries_;
     next();
     Lines queries(name);
     Corners corners;
@@ -337,6 +339,8 @@ class Checker {
         throw Rejected(name + ": query " + std::to_string(i) + ": " + reason.what());
       }
     }
+    // The proofs say which kind the queries are, so a person must see it.
+    std::printf("%s: %llu %s queries\n", name.c_str(), queries_ - before, kind_name.c_str());
   }
 
   void check_query(const Corners& x, const KindOf& kind, std::uint64_t query) {
@@ -421,11 +425,11 @@ class Checker {
     while (!words_.empty() && words_[0] == "w") {
       const std::string where = lines_.where();
       if (words_.size() < 3) throw Rejected(where + "here a corner and the polynomial of its weight must be");
-      const mpz_class corner = integer(words_[1], 10, where);
-      if (corner < 0 || corner >= kind.corners || !weights[corner.get_ui()].empty()) {
+      const std::size_t corner = words_[1].size() == 1 ? static_cast<std::size_t>(words_[1][0] - '0') : kind.corners;
+      if (corner >= kind.corners || !weights[corner].empty()) {
         throw Rejected(where + "no corner, or one that had a weight before");
       }
-      weights[corner.get_ui()] = polynomial(words_, 2, where);
+      weights[corner] = polynomial(words_, 2, where);
       next();
     }
     std::array<Polynomial, 2> sums;
