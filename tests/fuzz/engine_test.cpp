@@ -14,6 +14,7 @@
 #include "fuzz/toys.hpp"
 #include "support/catch.hpp"
 #include "support/query_text.hpp"
+#include "support/slow_build.hpp"
 
 using namespace touchstone;
 using namespace touchstone::tests;
@@ -185,7 +186,7 @@ TEST_CASE("ours hold against each other with separations of their own, with hill
   settings.separation = {1, metric};
   settings.climb = GENERATE(0u, 10u);
   const bool slow = std::string(name) == "oracle";
-  settings.cases = (slow ? 208 : metric == Metric::max ? 416 : 2080);
+  settings.cases = (slow || TOUCHSTONE_SLOW_BUILD ? 208 : metric == Metric::max ? 416 : 2080);
   if (settings.climb > 0) settings.cases = *settings.cases / settings.climb;
   const fuzz::Outcome outcome = fuzz::run([&] { return fuzz::named_solver(name, settings.separation); }, settings);
   CAPTURE(text_of(outcome));
