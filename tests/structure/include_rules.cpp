@@ -38,10 +38,9 @@ const LayerTable& layer_table() {
       {"sequence", {"frames", "mesh", "geometry", "io", "json"}},
       {"report", {"solver", "certify", "baselines", "generators", "io", "geometry", "seeded", "scene", "sim"}},
       {"stress", {"solver", "baselines", "report", "geometry", "seeded"}},
-      {"cli", {"geometry",   "numbers", "filters",  "exact",    "oracle", "solver", "certify", "baselines",
-               "generators", "io",      "report",   "families", "fuzz",   "pipes",  "seeded",  "scene",
-               "rods",       "contact", "dynamics", "sim",      "stress", "mesh",   "threads",
-               "frames", "sequence"}},
+      {"cli", {"geometry", "numbers", "filters",  "exact", "oracle",  "solver", "certify", "baselines", "generators",
+               "io",       "report",  "families", "fuzz",  "pipes",   "seeded", "scene",   "rods",      "contact",
+               "dynamics", "sim",     "stress",   "mesh",  "threads", "frames", "sequence"}},
   };
   return table;
 }
