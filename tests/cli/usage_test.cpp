@@ -47,9 +47,9 @@ TEST_CASE("the program says what it is and how it is used") {
 
 TEST_CASE("bad usage ends with status 2 and one line") {
   check_refused({}, "subcommand");
-  check_refused(
-      {"juggle"},
-      "juggle is no subcommand; they are solve, certify, explain, generate, bench, report, fuzz, stress and simulate");
+  check_refused({"juggle"},
+                "juggle is no subcommand; they are solve, certify, explain, generate, bench, report, fuzz, stress, "
+                "simulate, mesh and merge");
   check_refused({"certify", "a.csv", "--level", "fast", "--level", "exact"}, "--level");
   check_refused({"explain", "--query", "99999999999999999999", "a.csv"}, "--query");
   check_refused({"solve"}, "FILE");
