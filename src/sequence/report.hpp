@@ -29,7 +29,8 @@ Report report_from(std::string_view text);
 /// The inverse of heading_json with braces around it. @throws Error
 Heading heading_from(std::string_view text);
 
-/// What two headings differ in, as the end of a sentence about the first: "is about ..., and ...". Empty for equal ones.
+/// What two headings differ in, as the end of a sentence about the first: "is about ..., and ...". Empty if they are
+/// equal.
 /// @param other  what the second is, for the message: "this run"
 std::string difference_of(const Heading& a, const Heading& b, std::string_view other);
 

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,24 @@ void check_refused(const Run& run, const std::string& part) {
   CHECK(run.out == "");
   CHECK(occurrences(run.err, "\n") == 1);
   CHECK(occurrences(run.err, part) == 1);
+}
+
+/// An array of doubles of the shape (frames, vertices, 3) as an .npy file of version 1: the positions of OBJ texts.
+std::string npy_of(const std::vector<std::string>& frames, std::size_t vertices) {
+  std::string header = "{'descr': '<f8', 'fortran_order': False, 'shape': (" + std::to_string(frames.size()) + ", " +
+                       std::to_string(vertices) + ", 3), }";
+  header.append(118 - header.size() - 1, ' ').append("\n");
+  std::string bytes = "\x93NUMPY";
+  bytes.append({'\1', '\0', '\x76', '\0'}).append(header);
+  for (const std::string& frame : frames) {
+    std::istringstream lines(frame);
+    for (std::string line; std::getline(lines, line);) {
+      if (!line.starts_with("v ")) continue;
+      std::istringstream numbers(line.substr(2));
+      for (double x; numbers >> x;) bytes.append(reinterpret_cast<const char*>(&x), sizeof x);
+    }
+  }
+  return bytes;
 }
 
 constexpr const char* kPlanted =
@@ -144,6 +163,27 @@ TEST_CASE("with a separation the contact is earlier, and pairs that start within
   const std::string queries = folder.path("q/vertex-face/contacts.csv");
   CHECK(folder.read("q/vertex-face/contacts.csv").starts_with("# separation 0x1p-2 euclidean\n"));
   CHECK(run_program({"certify", queries}).status == 0);
+}
+
+TEST_CASE("a file may hold several frames, whose elements are in another file") {
+  const TemporaryFolder folder;
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < 5; ++i) texts.push_back(needle_frame(5, falling_tip(i)));
+  const std::string topology = folder.write("topology.obj", texts[0]), run = folder.write("run.npy", npy_of(texts, 28));
+  const Run whole = mesh({"--topology", topology, "--report", folder.path("whole.json"), run});
+  CAPTURE(whole.err, whole.out);
+  CHECK(whole.status == 1);
+  CHECK(occurrences(whole.out, "run.npy[2] -> run.npy[3]: first contact at t = 0x1p-1 (0.5), 1 pair\n") == 1);
+  CHECK(whole.out.ends_with("4 steps: 3 free, 1 not free\n"));
+  for (const char* number : {"1", "2", "3"}) {
+    CHECK(mesh({"--topology", topology, "--shard", std::string(number) + "/3", "--report",
+                folder.path(std::string("part-") + number + ".json"), run})
+              .status < 2);
+  }
+  CHECK(run_program({"merge", folder.path("part-1.json"), folder.path("part-2.json"), folder.path("part-3.json"),
+                     "--out", folder.path("merged.json")})
+            .status == 1);
+  CHECK(folder.read("merged.json") == folder.read("whole.json"));
 }
 
 TEST_CASE("--check asks about frames at rest, whatever their elements and numbers are") {
