@@ -168,7 +168,7 @@ TEST_CASE("without --resume the journal of an earlier run is refused, and nothin
   CHECK(sample.folder.read("r.json.progress") == journal);
 }
 
-TEST_CASE("--resume starts without a journal, and with the finished report it is done") {
+TEST_CASE("the option --resume starts without a journal, and with the finished report it is done") {
   const Sample sample(5, 6);
   const Run first = sample.report({"--resume"});
   CHECK(first.status == 1);

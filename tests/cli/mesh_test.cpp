@@ -104,7 +104,7 @@ TEST_CASE("a planted crossing is named by frame, pair and exact time, in every f
   CHECK(folder.names().count("r.json.progress") == 0);
 }
 
-TEST_CASE("--report - writes the report in place of the summary") {
+TEST_CASE("the option --report - writes the report in place of the summary") {
   const TemporaryFolder folder;
   const auto files = write_needles(folder, "f", 4, 4, falling_tip);
   const Run to_file = mesh(with({"--report", folder.path("r.json")}, files));
@@ -133,7 +133,7 @@ TEST_CASE("the number of threads changes nothing, and neither does the order of 
   CHECK(out.starts_with("f-0.obj: "));
 }
 
-TEST_CASE("--queries writes the pairs for certify and explain") {
+TEST_CASE("the option --queries writes the pairs for certify and explain") {
   const TemporaryFolder folder;
   const auto files = write_needles(folder, "f", 5, 5, falling_tip);
   const Run run = mesh(with({"--queries", folder.path("q")}, files));
@@ -186,7 +186,7 @@ TEST_CASE("a file may hold several frames, whose elements are in another file") 
   CHECK(folder.read("merged.json") == folder.read("whole.json"));
 }
 
-TEST_CASE("--check asks about frames at rest, whatever their elements and numbers are") {
+TEST_CASE("the option --check asks about frames at rest, whatever their elements and numbers are") {
   const TemporaryFolder folder;
   const auto files = write_needles(folder, "f", 5, 5, falling_tip);
   const std::string other = folder.write("g-9.obj", needle_frame(4, 1));
