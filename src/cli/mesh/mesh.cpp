@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <exception>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <set>
 #include <system_error>
@@ -30,16 +30,6 @@ namespace {
 using frames::Frame;
 using sequence::FrameName;
 using sequence::Question;
-
-/// One item of the pipeline: a frame.
-struct FrameItem {
-  std::size_t index = 0;  ///< its place in the sequence
-  std::shared_ptr<const Frame> frame;
-  std::exception_ptr error;
-};
-
-/// A pipeline holds so many frames for each thread, which may be large.
-constexpr std::size_t kFramesPerThread = 2;
 
 std::vector<FrameName> frames_to_check(const MeshRunOptions& options, const frames::ReadOptions& reading) {
   const auto gaps = options.check ? sequence::Gaps::allowed : sequence::Gaps::refused;
@@ -213,21 +203,19 @@ int run_mesh(const MeshRunOptions& options) {
   Checker checker(names, output, question, separation, range, threads);
   checker.start_with(first->topology, std::move(mesh));
 
-  std::size_t next = range.first;
-  run_in_order<FrameItem>(
-      threads,
-      [&](FrameItem& item) {
-        if (next == range.last) return false;
-        item.index = next++;
-        return true;
-      },
-      [&](FrameItem& item) {
-        item.frame = item.index == range.first ? first : read(names[item.index], reading, first->topology);
-      },
-      [&](FrameItem& item) {
-        if (item.frame != nullptr) checker.take(item.index, std::move(item.frame));
-      },
-      kFramesPerThread);
+  // The next frame is read while the steps before it are checked. A oneTBB pipeline around both would keep its threads
+  // from the check, which has most of the work.
+  const auto policy = threads > 1 ? std::launch::async : std::launch::deferred;
+  std::shared_ptr<const Frame> frame = first;
+  for (std::size_t index = range.first; index < range.last; ++index) {
+    throw_if_interrupted();
+    std::future<std::shared_ptr<const Frame>> next;
+    if (index + 1 < range.last) {
+      next = std::async(policy, [&, index] { return read(names[index + 1], reading, first->topology); });
+    }
+    checker.take(index, std::move(frame));
+    if (next.valid()) frame = next.get();
+  }
   return output.finish() ? kAllHold : kRefuted;
 }
 

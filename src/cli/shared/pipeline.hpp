@@ -30,9 +30,8 @@ int thread_count(int threads) noexcept;
 /// That holds for errors too: an exception of read or work is kept in item.error, the item is written as far as it
 /// got, and then the exception is thrown here. Reading ends with its first error. An error of work replaces that one,
 /// because it concerns an earlier query.
-/// @param items_per_thread  the most items under way, for each thread; more bridge slow items, and need more memory
 template <class Item, class Read, class Work, class Write>
-void run_in_order(int threads, Read read, Work work, Write write, std::size_t items_per_thread = 4) {
+void run_in_order(int threads, Read read, Work work, Write write) {
   bool more = true;
   // No exception passes through the pipeline: oneTBB would drop the items that are under way. They drain instead.
   std::exception_ptr failure;
@@ -74,6 +73,7 @@ void run_in_order(int threads, Read read, Work work, Write write, std::size_t it
   if (threads > 1) {
     using ItemPointer = std::shared_ptr<Item>;
     const auto count = static_cast<std::size_t>(threads);
+    constexpr std::size_t kItemsPerThread = 4;  // bridges a slow item, and keeps memory small
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, count);
     tbb::task_arena arena(threads);
     // What oneTBB orders: the serial stages each by themselves, the stages of an item, and all of them between the
@@ -82,7 +82,7 @@ void run_in_order(int threads, Read read, Work work, Write write, std::size_t it
     started.give();
     arena.execute([&] {
       tbb::parallel_pipeline(
-          items_per_thread * count,
+          kItemsPerThread * count,
           tbb::make_filter<void, ItemPointer>(tbb::filter_mode::serial_in_order, [&](tbb::flow_control& control) {
             started.take();
             reading.take();
@@ -112,7 +112,6 @@ void run_in_order(int threads, Read read, Work work, Write write, std::size_t it
   }
 #endif
   static_cast<void>(threads);
-  static_cast<void>(items_per_thread);
   while (const auto item = read_item()) {
     work_on(*item);
     write_item(*item);
