@@ -19,7 +19,7 @@ echo "$by_us"
 [[ $by_us == "$by_page" ]] || { echo "the second checker says: $by_page"; exit 1; }
 python3 -B "$here/mutate_proofs.py" "$folder/proofs.txt" "${files[@]}"
 # A changed proof costs the first checker a process of its own.
-some=("$queries"/edge-edge/{crossing,not_doubles}.csv "$queries"/point-edge/{misses,rational_times}.csv)
+some=("$queries"/edge-edge/{irrational_times,not_doubles}.csv "$queries"/point-edge/{misses,rational_times}.csv)
 for file in "${some[@]}"; do [[ -e $file ]] || { echo "no $file"; exit 1; }; done
 "$program" prove --out "$folder/some.txt" "${some[@]}"
 python3 -B "$here/mutate_proofs.py" --checker "$checker" "$folder/some.txt" "${some[@]}"
