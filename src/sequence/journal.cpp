@@ -121,7 +121,8 @@ void Journal::read(const Heading& heading) {
   const std::string all = whole_text(descriptor_, path_);
   std::string_view text = all;
   const auto first = take_line(text);
-  if (!first && all.find('\n') != std::string::npos) {
+  // A heading that was written in part is the start of this run's. Any other text is somebody's.
+  if (!first && !line_of(heading_line(heading)).starts_with(all)) {
     io::fail(path_, "is no journal of touchstone mesh, or it is damaged; remove it to begin again");
   }
   try {

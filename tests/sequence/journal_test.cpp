@@ -133,7 +133,7 @@ TEST_CASE("the journal of another run is refused, and the message says what diff
 TEST_CASE("a file that is no journal is left alone") {
   const TemporaryFolder folder;
   const Report report = sample_report();
-  for (const char* text : {"my notes\n", "\n", "0123456789abcdef {}\n"}) {
+  for (const char* text : {"my notes\n", "\n", "0123456789abcdef {}\n", "my notes", "0123456789abcdef {", "{"}) {
     folder.write("j", text);
     CHECK(has(refusal_of([&] { Journal(folder.path("j"), report.heading, Earlier::continued); }), "is no journal"));
     CHECK(folder.read("j") == text);
