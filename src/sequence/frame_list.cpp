@@ -5,11 +5,14 @@
 #include <glob.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <system_error>
 
@@ -51,26 +54,71 @@ struct Numbered {
   std::string file;
 };
 
-/// The files with the number in which their names differ; nothing when the names differ in anything else.
+/// The places of the numbers in which names differ; nothing when they differ in anything else.
+std::optional<std::vector<std::size_t>> differing_places(const std::vector<NameParts>& all) {
+  const NameParts& first = all.front();
+  std::set<std::size_t> places;
+  for (const NameParts& parts : all) {
+    if (parts.texts != first.texts) return std::nullopt;
+    for (std::size_t i = 0; i < parts.numbers.size(); ++i) {
+      if (parts.numbers[i] != first.numbers[i]) places.insert(i);
+    }
+  }
+  return std::vector(places.begin(), places.end());
+}
+
+/// The names in the order of the numbers at a place.
+std::vector<std::size_t> order_by(const std::vector<NameParts>& all, std::size_t place) {
+  std::vector<std::size_t> order(all.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return all[a].numbers[place] < all[b].numbers[place]; });
+  return order;
+}
+
+/// Of several numbers in which names differ, as in f-2-t0.2 and f-10-t0.10, one that is a frame's own: no two names have
+/// it. Those with a constant stride count first. Nothing when there is none, or when two of them give different orders.
+std::optional<std::size_t> frame_number_of(const std::vector<NameParts>& all, const std::vector<std::size_t>& places) {
+  struct Found {
+    std::vector<std::size_t> order;
+    std::size_t place = 0;
+    bool agreed = true;
+  };
+  std::array<std::optional<Found>, 2> found;  // without and with a constant stride
+  for (const std::size_t place : places) {
+    auto order = order_by(all, place);
+    const auto number = [&](std::size_t i) { return all[order[i]].numbers[place]; };
+    bool is_own = true, is_constant = true;
+    for (std::size_t i = 1; i < order.size(); ++i) {
+      is_own = is_own && number(i) != number(i - 1);
+      is_constant = is_constant && number(i) - number(i - 1) == number(1) - number(0);
+    }
+    if (!is_own) continue;
+    auto& same_sort = found[is_constant ? 1 : 0];
+    if (!same_sort) {
+      same_sort = Found{std::move(order), place};
+    } else if (same_sort->order != order) {
+      same_sort->agreed = false;
+    }
+  }
+  const auto& best = found[1] ? found[1] : found[0];
+  if (!best || !best->agreed) return std::nullopt;
+  return best->place;
+}
+
+/// The files with the number that orders them; nothing when there is no such number.
 std::optional<std::vector<Numbered>> numbered(const std::vector<std::string>& files) {
   std::vector<NameParts> all;
   all.reserve(files.size());
   for (const auto& file : files) all.push_back(parts_of(file));
-  const NameParts& first = all.front();
-  std::optional<std::size_t> place;
-  for (const NameParts& parts : all) {
-    if (parts.texts != first.texts) return std::nullopt;
-    for (std::size_t i = 0; i < parts.numbers.size(); ++i) {
-      if (parts.numbers[i] == first.numbers[i] || place == i) continue;
-      if (place) return std::nullopt;
-      place = i;
-    }
-  }
-  if (first.numbers.empty()) return std::nullopt;
-  std::vector<Numbered> result;
+  const auto places = differing_places(all);
+  if (!places || all.front().numbers.empty()) return std::nullopt;
   // Names without a difference are those of one number: its digits differ, as in 1 and 01, or nothing does.
-  const std::size_t at = place.value_or(first.numbers.size() - 1);
-  for (std::size_t i = 0; i < files.size(); ++i) result.push_back({all[i].numbers[at], files[i]});
+  std::optional<std::size_t> at = places->empty() ? all.front().numbers.size() - 1 : places->front();
+  if (places->size() > 1) at = frame_number_of(all, *places);
+  if (!at) return std::nullopt;
+  std::vector<Numbered> result;
+  for (std::size_t i = 0; i < files.size(); ++i) result.push_back({all[i].numbers[*at], files[i]});
   return result;
 }
 

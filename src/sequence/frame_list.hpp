@@ -31,8 +31,10 @@ std::vector<std::string> expand_patterns(const std::vector<std::string>& argumen
 /// What a missing number means.
 enum class Gaps : std::uint8_t { refused, allowed };
 
-/// The files in the order of their numbers, if their names differ in a single number: cloth-2.obj comes before
-/// cloth-10.obj. Other names keep their order.
+/// The files in the order of their numbers, if their names differ in numbers only: cloth-2.obj comes before
+/// cloth-10.obj. Of several numbers, one counts that no two files have, and one with a constant stride before others:
+/// f-2-t0.2.obj comes before f-10-t0.10.obj. Other names keep their order, and so do names of which two such numbers
+/// give different orders.
 /// @throws FileError  for two files with the same number; with Gaps::refused also for a number that is missing from a
 ///                    sequence with a constant stride
 std::vector<std::string> in_order(std::vector<std::string> files, Gaps gaps);

@@ -42,6 +42,21 @@ TEST_CASE("files are in the order of the number in which their names differ") {
   CHECK(in_order({"f7", "f3"}, Gaps::refused) == Names{"f3", "f7"});
 }
 
+TEST_CASE("names that differ in several numbers are in the order of the one that is a frame's own") {
+  CHECK(in_order({"f-10-t0.10", "f-1-t0.1", "f-2-t0.2"}, Gaps::allowed) == Names{"f-1-t0.1", "f-2-t0.2", "f-10-t0.10"});
+  const Names times = {"t0.9-f9", "t1.0-f10", "t1.1-f11", "t1.2-f12"};
+  for (const Names& names : {Names{times[1], times[2], times[3], times[0]}, Names{times.rbegin(), times.rend()}}) {
+    CHECK(in_order(names, Gaps::refused) == times);
+  }
+  // The stride of one of the numbers is enough.
+  CHECK(in_order({"t013-f3", "t007-f2", "t004-f1"}, Gaps::refused) == Names{"t004-f1", "t007-f2", "t013-f3"});
+  CHECK(refusal_of({"f-1-t0.1", "f-2-t0.2", "f-4-t0.4"}).find("frame 3 is missing between f-2-t0.2") !=
+        std::string::npos);
+  // No number is a frame's own.
+  const Names takes = {"take2-f1", "take1-f2", "take1-f1"};
+  CHECK(in_order(takes, Gaps::refused) == takes);
+}
+
 TEST_CASE("other names keep the order in which they are given") {
   for (const Names& names : {Names{"b.obj", "a.obj"}, Names{"b2.obj", "a1.obj"}, Names{"b2-1", "b1-2", "b3-3"},
                              Names{"x1.obj", "x1.ply"}, Names{"one.obj", "one.obj"}, Names{"c2", "c1", "c"}}) {
