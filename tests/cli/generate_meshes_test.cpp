@@ -180,6 +180,11 @@ TEST_CASE("a folder of frames is never mixed with files that were there") {
             .status == 2);
   CHECK(names_in(folder.path("a")) == std::set<std::string>{"drape"});
 
+  const Run twice = run_program(generate_meshes(folder.path("b"), {"--scene", "cables", "--scene", "cables"}));
+  CHECK(twice.status == 2);
+  CHECK(occurrences(twice.err, "--scene cables is given twice") == 1);
+  CHECK_FALSE(std::filesystem::exists(folder.path("b")));
+
   std::filesystem::remove(mine);  // an empty folder will do
   CHECK(run_program(generate_meshes(folder.path("a"), {"--steps", "2"})).status == 0);
   CHECK(names_in(folder.path("a/drape")).size() == 3);

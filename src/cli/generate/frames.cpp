@@ -91,6 +91,11 @@ std::string write_scene(SceneName scene, const GenerateOptions& options, WholeFo
 int write_frames(const GenerateOptions& options) {
   std::vector<SceneName> scenes = options.scenes;
   if (scenes.empty()) scenes = {SceneName::drape};
+  for (auto scene = scenes.begin(); scene != scenes.end(); ++scene) {
+    if (std::find(scenes.begin(), scene, *scene) == scene) continue;
+    throw InvalidQuery(fmt::format("--scene {} is given twice, and a folder holds the frames of one run",
+                                   generators::scene_name(*scene)));
+  }
   check_crossing(scenes, options);
   NewFolders folders;
   folders.make(options.out);
