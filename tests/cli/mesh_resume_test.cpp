@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <sstream>
@@ -188,6 +190,24 @@ TEST_CASE("the option --resume starts without a journal, and with the finished r
   // Without --resume the report is made again.
   CHECK(sample.report({"--separation", "0.25"}).status == 1);
   CHECK(sample.folder.read("r.json") != sample.whole);
+}
+
+TEST_CASE("a report that goes to a pipe has no journal beside it") {
+  const Sample sample(5, 6);
+  const std::string pipe = sample.folder.path("pipe");
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  const int reader = ::open(pipe.c_str(), O_RDWR | O_CLOEXEC);
+  REQUIRE(reader >= 0);
+  sample.folder.write("pipe.progress", "mine");
+  const Run resumed = sample.mesh({"--report", pipe, "--resume"});
+  CHECK(resumed.status == 2);
+  CHECK(occurrences(resumed.err, "pipe is a pipe or device, and keeps nothing of an earlier run; name a file") == 1);
+  CHECK(sample.mesh({"--report", pipe}).status == 1);
+  CHECK(sample.folder.read("pipe.progress") == "mine");
+  std::string text(sample.whole.size() + 1, '\0');
+  text.resize(static_cast<std::size_t>(std::max<ssize_t>(0, ::read(reader, text.data(), text.size()))));
+  ::close(reader);
+  CHECK(text == sample.whole);
 }
 
 TEST_CASE("query files and tables are whole after a run that went on") {

@@ -184,6 +184,9 @@ TEST_CASE("a file may hold several frames, whose elements are in another file") 
                      "--out", folder.path("merged.json")})
             .status == 1);
   CHECK(folder.read("merged.json") == folder.read("whole.json"));
+
+  const std::string twice = folder.write("twice.obj", texts[0] + "f 7 8 12\n");
+  check_refused(mesh({"--topology", twice, run}), "twice.obj: face ");
 }
 
 TEST_CASE("the option --check asks about frames at rest, whatever their elements and numbers are") {

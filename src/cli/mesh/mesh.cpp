@@ -56,12 +56,17 @@ void check_files(const MeshRunOptions& options, const std::vector<FrameName>& na
   }
   if (!options.topology.empty()) inputs.push_back(options.topology);
   if (options.pairs == "-") throw Error("--pairs: name a file to write");
+  const std::optional<std::string> journal = journal_path(options.report);
   if (options.resume && options.report == "-")
     throw Error("--resume: name the report's file, standard output has none");
+  if (options.resume && !journal) {
+    throw Error(fmt::format("--resume: {} is a pipe or device, and keeps nothing of an earlier run; name a file",
+                            io::printable(options.report)));
+  }
   std::vector<std::pair<std::string, std::string>> outputs;
   if (!options.report.empty() && options.report != "-") {
     outputs.emplace_back("--report", options.report);
-    outputs.emplace_back("--report", journal_path(options.report));
+    if (journal) outputs.emplace_back("--report", *journal);
   }
   if (!options.pairs.empty()) outputs.emplace_back("--pairs", options.pairs);
   for (const Kind kind : {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point}) {
@@ -98,12 +103,18 @@ sequence::Heading heading_for(const MeshRunOptions& options, const std::vector<F
   return heading;
 }
 
+/// The file that the elements of a frame come from.
+const std::string& elements_file(const MeshRunOptions& options, const FrameName& name) {
+  return options.topology.empty() ? name.file : options.topology;
+}
+
 /// Checks frames one after the other.
 class Checker {
  public:
-  Checker(const std::vector<FrameName>& names, MeshOutput& output, Question question, const Separation& separation,
-          sequence::Range range, int threads)
-      : names_(names),
+  Checker(const MeshRunOptions& options, const std::vector<FrameName>& names, MeshOutput& output, Question question,
+          const Separation& separation, sequence::Range range, int threads)
+      : options_(options),
+        names_(names),
         output_(output),
         question_(question),
         separation_(separation),
@@ -123,7 +134,7 @@ class Checker {
       sequence::check_same_elements(*before_->topology, names_[index - 1], *frame->topology, name);
     }
     if (question_ == Question::rest && frame->topology != topology_) {
-      mesh_ = sequence::mesh_of(*frame->topology, separation_, name.file);
+      mesh_ = sequence::mesh_of(*frame->topology, separation_, elements_file(options_, name));
       topology_ = frame->topology;
     }
     output_.add_frame({name.label(), frame->digest});
@@ -160,6 +171,7 @@ class Checker {
                                     io::printable(output_.finished_file())));
   }
 
+  const MeshRunOptions& options_;
   const std::vector<FrameName>& names_;
   MeshOutput& output_;
   Question question_;
@@ -193,14 +205,14 @@ int run_mesh(const MeshRunOptions& options) {
 
   // The first frame is read alone: the other ones share its elements.
   const auto first = read(names[range.first], reading, nullptr);
-  Mesh mesh = sequence::mesh_of(*first->topology, separation, names[range.first].file);
+  Mesh mesh = sequence::mesh_of(*first->topology, separation, elements_file(options, names[range.first]));
   if (question == Question::steps) heading.facts = sequence::facts_of(mesh, *first->topology);
   MeshOutput output(options, std::move(heading));
   if (!output.finished().empty()) {
     print_error(fmt::format("touchstone: {} of {} results are those of {}\n", grouped(output.finished().size()),
                             grouped(sequence::result_count(question, range)), io::printable(output.finished_file())));
   }
-  Checker checker(names, output, question, separation, range, threads);
+  Checker checker(options, names, output, question, separation, range, threads);
   checker.start_with(first->topology, std::move(mesh));
 
   // The next frame is read while the steps before it are checked. A oneTBB pipeline around both would keep its threads

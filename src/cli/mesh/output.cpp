@@ -70,23 +70,27 @@ std::string pairs_are(std::size_t count) {
 
 }  // namespace
 
-std::string journal_path(const std::string& report) { return report + ".progress"; }
+std::optional<std::string> journal_path(const std::string& report) {
+  std::error_code ignored;
+  if (report.empty() || report == "-" || fs::is_other(fs::status(report, ignored))) return std::nullopt;
+  return report + ".progress";
+}
 
 MeshOutput::MeshOutput(const MeshRunOptions& options, sequence::Heading heading)
     : options_(options), console_(io::OutputFile::standard_output()) {
   report_.heading = std::move(heading);
   first_frame_ = sequence::range_of(report_.heading).first;
   const std::string& report = options.report;
-  if (!report.empty() && report != "-") {
-    const std::string journal = journal_path(report);
-    if (options.resume && !is_there(journal) && is_there(report)) {
-      take_finished_report();
-    } else {
-      finished_file_ = journal;
+  const std::optional<std::string> journal = journal_path(report);
+  if (journal && options.resume && !is_there(*journal) && is_there(report)) {
+    take_finished_report();
+  } else if (!report.empty() && report != "-") {
+    if (journal) {
+      finished_file_ = *journal;
       const auto earlier = options.resume ? sequence::Earlier::continued : sequence::Earlier::refused;
-      journal_.emplace(journal, report_.heading, earlier);
-      report_file_.emplace(report);
+      journal_.emplace(*journal, report_.heading, earlier);
     }
+    report_file_.emplace(report);
   }
   if (!options.pairs.empty()) pairs_file_.emplace(options.pairs).write(sequence::kPairsHeader);
   if (!options.queries.empty()) folders_.make(options.queries);

@@ -18,8 +18,9 @@
 
 namespace touchstone::cli {
 
-/// Where the finished results of an unfinished report are.
-std::string journal_path(const std::string& report);
+/// Where the finished results of an unfinished report are; nothing for a report that is a pipe or device, beside which
+/// no file belongs, and for none.
+std::optional<std::string> journal_path(const std::string& report);
 
 class MeshOutput {
  public:
