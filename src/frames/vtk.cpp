@@ -69,8 +69,11 @@ class VtkReader {
     for (;;) {
       scanner_.at_file_end();
       const std::string_view keyword = scanner_.word();
-      // Data of points and cells come after all elements.
-      if (keyword.empty() || is(keyword, "POINT_DATA") || is(keyword, "CELL_DATA")) break;
+      if (keyword.empty()) break;
+      if (is(keyword, "POINT_DATA") || is(keyword, "CELL_DATA")) {
+        skip_data();
+        break;
+      }
       read_section(keyword);
     }
     if (!has_points_) io::fail(file_, "has no POINTS");
@@ -271,6 +274,23 @@ class VtkReader {
       default:
         io::fail(file_, "cell " + std::to_string(cell) + " has the type " + std::to_string(type) +
                             "; 1 to 5 but for strips, 7 and 9 are read: points, lines, triangles and polygons");
+    }
+  }
+
+  /// Data of points and cells come after all elements. A section of elements among them is a line of a keyword and two
+  /// numbers; the line of an array, which may have such a name, has a type too. No element is left out in silence.
+  void skip_data() {
+    constexpr std::array<std::string_view, 5> kSections = {"VERTICES", "LINES", "POLYGONS", "TRIANGLE_STRIPS", "CELLS"};
+    const auto is_number = [](std::string_view word) {
+      return !word.empty() && std::all_of(word.begin(), word.end(), is_digit);
+    };
+    while (!scanner_.at_end()) {
+      scanner_.skip_line();
+      const std::string_view keyword = scanner_.word();
+      if (std::none_of(kSections.begin(), kSections.end(), [&](auto section) { return is(keyword, section); }))
+        continue;
+      if (!is_number(scanner_.word()) || !is_number(scanner_.word()) || !scanner_.at_line_end()) continue;
+      place().fail(io::in_quotes(keyword) + " after the data of points or cells; all elements come before them");
     }
   }
 

@@ -146,6 +146,8 @@ std::vector<Fault> vtk_faults() {
       {"a.vtk", replaced(text, "POINTS 6 double", "POINTS 5 double"), "where VERTICES, LINES, POLYGONS"},
       {"a.vtk", replaced(text, "POLYGONS", "TRIANGLE_STRIPS"), "TRIANGLE_STRIPS are not read"},
       {"a.vtk", replaced(text, "POLYGONS", "LINES"), "'LINES' where VERTICES"},
+      {"a.vtk", text + "LINES 1 3\n2 0 1\n", "'LINES' after the data of points or cells"},
+      {"a.vtk", grid + "\ncells 1 4\n3 0 1 2", "'cells' after the data of points or cells"},
       {"a.vtk", replaced(text, "3 0\n2 3\n", "3 0\n2 6\n"), "vertex 6 does not exist"},
       {"a.vtk", replaced(text, "3 0\n2 3\n", "3 0\n2 -1\n"), "vertex -1 does not exist"},
       {"a.vtk", replaced(text, "POLYGONS 2 8", "POLYGONS 2 9"), "integers fewer"},

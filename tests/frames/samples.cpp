@@ -80,7 +80,8 @@ const std::string kMetadata = "METADATA\nINFORMATION 1\nNAME a LOCATION b\nDATA 
 Sample vtk_text() {
   return {"text.vtk",
           vtk_start(false, "3.0", "POLYDATA") + kField + "POINTS 6 double\n" + rows(kDoubles, "") + kMetadata +
-              "VERTICES 1 2\n1 5\nLINES 1 3 2 3\n4 POLYGONS 2 8\n3 0 1 2 3 0\n2 3\nPOINT_DATA 6\nVECTORS a junk\n",
+              "VERTICES 1 2\n1 5\nLINES 1 3 2 3\n4 POLYGONS 2 8\n3 0 1 2 3 0\n2 3\nPOINT_DATA 6\nVECTORS a junk\nFIELD "
+              "d 1\nlines 1 6 float\n",
           false, true, true};
 }
 
