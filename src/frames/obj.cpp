@@ -64,7 +64,7 @@ class ObjReader {
       group_ = name();
       set_part();
     } else if (contains(kIgnoredNumbers, keyword)) {
-      while (!scanner_.at_line_end()) scanner_.word();
+      skip_numbers(keyword);
     } else if (contains(kIgnoredNames, keyword)) {
       name();
     } else if (contains(kFreeForm, keyword)) {
@@ -72,6 +72,15 @@ class ObjReader {
                     "faces 'f', lines 'l' and points 'p' are read");
     } else {
       scanner_.fail(io::in_quotes(keyword) + " is no keyword of OBJ files, such as v, f, l, p, o, g, vt or vn");
+    }
+  }
+
+  /// Skips numbers, or words such as "on" and "nan". A letter alone is the keyword of a line that was joined to this one.
+  void skip_numbers(std::string_view keyword) {
+    while (!scanner_.at_line_end()) {
+      const std::string_view word = scanner_.word();
+      if (word.size() != 1 || is_digit(word.front())) continue;
+      scanner_.fail(io::in_quotes(word) + " after " + io::in_quotes(keyword) + ", where a number should be");
     }
   }
 

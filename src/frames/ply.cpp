@@ -242,8 +242,20 @@ class PlyReader {
         require(element, "vertex2", Meaning::vertex2, true);
       } else if (element.name == "tristrips" && element.count > 0) {
         io::fail(file_, "holds strips of triangles, which are not read; write faces");
+      } else if (element.count > 0) {
+        refuse_numbers_of_vertices(element);
       }
       check_count(element);
+    }
+  }
+
+  /// Elements of other names may hold anything. Those that name vertices, such as "faces", are not left out in silence.
+  void refuse_numbers_of_vertices(const Element& element) {
+    constexpr std::array<std::string_view, 4> kOfVertices = {"vertex_indices", "vertex_index", "vertex1", "vertex2"};
+    for (const Property& property : element.properties) {
+      if (std::find(kOfVertices.begin(), kOfVertices.end(), property.name) == kOfVertices.end()) continue;
+      io::fail(file_, "element " + io::in_quotes(element.name) + " has the property " + io::in_quotes(property.name) +
+                          "; the elements that have vertices are called face and edge");
     }
   }
 
