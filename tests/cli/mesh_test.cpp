@@ -73,6 +73,16 @@ TEST_CASE("a sequence that is free: a line for each step, and status 0") {
   CHECK(run.out == "r-0.obj: no intersection\nr-0.obj -> r-1.obj: free\nr-1.obj -> r-2.obj: free\n2 steps, all free\n");
 }
 
+TEST_CASE("vertices that collide with nothing are counted") {
+  const TemporaryFolder folder;
+  const std::string one = folder.write("i-1.obj", needle_frame(4, 3) + "v 0 0 99\n"),
+                    two = folder.write("i-2.obj", needle_frame(4, 2) + "v 0 0 -99\n");
+  const Run run = mesh({one, two});
+  CHECK(run.status == 0);
+  CHECK(run.err == "touchstone: " + one + ": 1 vertex is in no face, edge or point, and collides with nothing\n");
+  CHECK(mesh({folder.write("c-1.obj", "v 0 0 0\n"), folder.write("c-2.obj", "v 0 0 1\n")}).err == "");
+}
+
 TEST_CASE("a planted crossing is named by frame, pair and exact time, in every file") {
   const TemporaryFolder folder;
   const auto files = write_needles(folder, "f", 5, 6, falling_tip);

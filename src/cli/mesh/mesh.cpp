@@ -108,6 +108,18 @@ const std::string& elements_file(const MeshRunOptions& options, const FrameName&
   return options.topology.empty() ? name.file : options.topology;
 }
 
+/// Says how many vertices collide with nothing, because a verdict "free" is not about them.
+void tell_idle_vertices(const Mesh& mesh, const std::string& file) {
+  std::vector<char> collides(mesh.vertex_count(), 0);
+  for (const auto& edge : mesh.edges()) collides[edge[0]] = collides[edge[1]] = 1;
+  for (const MeshIndex point : mesh.points()) collides[point] = 1;
+  const auto idle = static_cast<std::size_t>(std::count(collides.begin(), collides.end(), 0));
+  if (idle == 0) return;
+  print_error(fmt::format("touchstone: {}: {} {} no face, edge or point, and collide{} with nothing\n",
+                          io::printable(file), grouped(idle), idle == 1 ? "vertex is in" : "vertices are in",
+                          idle == 1 ? "s" : ""));
+}
+
 /// Checks frames one after the other.
 class Checker {
  public:
@@ -206,6 +218,7 @@ int run_mesh(const MeshRunOptions& options) {
   // The first frame is read alone: the other ones share its elements.
   const auto first = read(names[range.first], reading, nullptr);
   Mesh mesh = sequence::mesh_of(*first->topology, separation, elements_file(options, names[range.first]));
+  tell_idle_vertices(mesh, elements_file(options, names[range.first]));
   if (question == Question::steps) heading.facts = sequence::facts_of(mesh, *first->topology);
   MeshOutput output(options, std::move(heading));
   if (!output.finished().empty()) {
