@@ -75,7 +75,7 @@ class ObjReader {
     }
   }
 
-  /// Skips numbers, or words such as "on" and "nan". A letter alone is the keyword of a line that was joined to this one.
+  /// Skips numbers, or words such as "on" and "nan". A letter alone is the keyword of a line that was joined to this.
   void skip_numbers(std::string_view keyword) {
     while (!scanner_.at_line_end()) {
       const std::string_view word = scanner_.word();
