@@ -180,7 +180,7 @@ struct touchstone_mesh_pair {
 /** What a mesh is made of. The arrays are copied. An array that is null has no members; its count must then be 0. */
 struct touchstone_mesh_elements {
   size_t size;           /**< sizeof(struct touchstone_mesh_elements) */
-  size_t vertex_count;   /**< the number of vertices, below 2^32 */
+  size_t vertex_count;   /**< the number of vertices, below 2^32 - 1 */
   int32_t dimension;     /**< 2 or 3 */
   int32_t metric;        /**< one of touchstone_distance_metric */
   double separation;     /**< the separation of every pair */

@@ -66,7 +66,7 @@ struct PairSeparation {
 
 /// What a mesh is made of.
 struct MeshElements {
-  std::size_t vertex_count = 0;  ///< the number of vertices, below 2^32
+  std::size_t vertex_count = 0;  ///< the number of vertices, below 2^32 - 1
 
   /// Triangles, by the numbers of their corners. Their orientation has no meaning.
   std::vector<std::array<MeshIndex, 3>> faces;

@@ -154,6 +154,12 @@ TEST_CASE("the option --queries writes the pairs for certify and explain") {
   const Run explained = run_program({"explain", "--query", "0", queries});
   CHECK(explained.status == 0);
   CHECK(occurrences(explained.out, "answer: crossing contact, first at t = 0x1p-1 (0.5)") == 1);
+
+  // A later run without contact leaves no file that would pass for its own.
+  const auto other = folder.write("q/vertex-face/mine.csv", "");
+  CHECK(mesh({"--queries", folder.path("q"), files[0], files[1]}).status == 0);
+  CHECK_FALSE(std::filesystem::exists(queries));
+  CHECK(std::filesystem::exists(other));
 }
 
 TEST_CASE("with a separation the contact is earlier, and pairs that start within it are told apart") {

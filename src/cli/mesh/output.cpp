@@ -14,6 +14,7 @@
 #include "cli/shared/whole_file.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
+#include "io/kind_of_file.hpp"
 #include "io/query_writer.hpp"
 #include "io/separation_text.hpp"
 #include "io/times.hpp"
@@ -63,6 +64,8 @@ std::string intersection_lines(const std::vector<sequence::RestContact>& contact
   }
   return text + more_line(contacts.size(), indent);
 }
+
+constexpr char kQueriesFile[] = "contacts.csv";  // in the folder of each kind
 
 std::string pairs_are(std::size_t count) {
   return count == 1 ? "1 pair is in contact at the start" : counted(count, "pair") + " are in contact at the start";
@@ -183,7 +186,7 @@ std::string MeshOutput::write_query(const sequence::PairContact& pair, const seq
   if (!target) {
     const fs::path folder = fs::path(options_.queries) / kind_name(pair.kind);
     folders_.make(folder);
-    const std::string path = (folder / "contacts.csv").string();
+    const std::string path = (folder / kQueriesFile).string();
     target.emplace(QueryFile{io::OutputFile(path), path});
     if (separation.distance > 0) target->file.write(io::separation_comment(separation));
   }
@@ -196,8 +199,16 @@ std::string MeshOutput::write_query(const sequence::PairContact& pair, const seq
 
 bool MeshOutput::finish() {
   if (pairs_file_) pairs_file_->commit();
-  for (auto& queries : queries_) {
-    if (queries) queries->file.commit();
+  for (const Kind kind : io::kKinds) {
+    auto& queries = queries_[static_cast<std::size_t>(kind)];
+    if (queries) {
+      queries->file.commit();
+    } else if (!options_.queries.empty()) {
+      // A file of an earlier run would pass for one of this run.
+      const fs::path file = fs::path(options_.queries) / kind_name(kind) / kQueriesFile;
+      std::error_code ignored;
+      if (fs::is_regular_file(file, ignored)) fs::remove(file, ignored);
+    }
   }
   folders_.keep();
   const bool has_report = !options_.report.empty();
