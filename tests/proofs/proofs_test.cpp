@@ -6,8 +6,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -15,6 +13,7 @@
 #include <touchstone/solve.hpp>
 
 #include "io/query_writer.hpp"
+#include "io/temporary_folder.hpp"
 #include "proofs/proof_text.hpp"
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
@@ -31,30 +30,8 @@ struct Checked {
   std::string text;
 };
 
-/// A folder of this test's own.
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "touchstone-proofs-XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string write(const std::string& name, const std::string& text) const {
-    const std::string path = path_ + "/" + name;
-    std::ofstream(path, std::ios::binary) << text;
-    return path;
-  }
-
- private:
-  std::string path_;
-};
-
 Checked check(const std::string& proofs, const std::string& queries) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const std::string command = std::string(TOUCHSTONE_CHECKER) + " " + folder.write("proofs.txt", proofs) + " " +
                               folder.write("queries.csv", queries) + " 2>&1";
   FILE* const pipe = popen(command.c_str(), "r");

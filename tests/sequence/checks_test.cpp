@@ -15,6 +15,7 @@
 
 #include "seeded/rng.hpp"
 #include "sequence/element_names.hpp"
+#include "sequence/refusal.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone;
@@ -22,19 +23,10 @@ using namespace touchstone::sequence;
 using frames::Frame;
 using frames::Topology;
 using seeded::Rng;
+using touchstone::tests::has;
+using touchstone::tests::refusal_of;
 
 namespace {
-
-std::string refusal_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return {};
-}
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// Separate triangles with three vertices each, in two parts, whose numbers in the file begin at 1 and skip the odd
 /// ones.

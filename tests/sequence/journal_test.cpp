@@ -9,27 +9,19 @@
 #include <touchstone/error.hpp>
 
 #include "io/temporary_folder.hpp"
+#include "sequence/refusal.hpp"
 #include "sequence/results_json.hpp"
 #include "sequence/sample_report.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone;
 using namespace touchstone::sequence;
+using touchstone::tests::has;
+using touchstone::tests::refusal_of;
 using touchstone::tests::sample_report;
 using touchstone::tests::TemporaryFolder;
 
 namespace {
-
-std::string refusal_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return {};
-}
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 Finished finished_of(const Report& report, std::size_t i) {
   const Result& result = report.results[i];
