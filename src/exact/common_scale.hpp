@@ -1,8 +1,10 @@
-// How many bits the coordinates of a query have as integers over a common power of two. SPDX-License-Identifier: MIT
+// Powers of two for the coordinates of a query: how many bits they have as integers, and what makes them of ordinary
+// size. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -42,5 +44,25 @@ inline BitSpan coordinate_span(const Query& query) noexcept {
   if (span.bits() == 0) span.low = span.high = 0;
   return span;
 }
+
+/// The power of two that makes the largest of some doubles of ordinary size; 0 where it is of ordinary size already.
+/// Products of ordinary size keep the double estimates of roots useful. They are exact either way.
+class OrdinarySize {
+ public:
+  void add(double x) noexcept { largest_ = std::max(largest_, std::fabs(x)); }
+  void add(const Vec3& x) noexcept {
+    for (const double c : {x.x, x.y, x.z}) add(c);
+  }
+
+  int power() const noexcept {
+    constexpr int kOrdinary = 200;
+    int exponent = 0;
+    if (largest_ > 0) std::frexp(largest_, &exponent);
+    return exponent > kOrdinary || exponent < -kOrdinary ? -exponent : 0;
+  }
+
+ private:
+  double largest_ = 0;
+};
 
 }  // namespace touchstone::exact

@@ -52,26 +52,21 @@ Forms<Long>::Corners moving_corners<Long>(const Query& query) {
 
 ScaledCorners scaled_corners(const Query& query) {
   const std::size_t count = corner_count(query.kind);
-  double largest = 0;
+  OrdinarySize size;
   for (std::size_t i = 0; i < count; ++i) {
-    for (const Vec3& x : {query.start[i], query.end[i]}) {
-      largest = std::max({largest, std::fabs(x.x), std::fabs(x.y), std::fabs(x.z)});
-    }
+    size.add(query.start[i]);
+    size.add(query.end[i]);
   }
-  // Products of ordinary size keep the double estimates of roots useful; they are exact either way.
-  constexpr int kOrdinary = 200;
-  int exponent = 0;
-  if (largest > 0) std::frexp(largest, &exponent);
-  const bool scale = exponent > kOrdinary || exponent < -kOrdinary;
-  const Exact factor = numbers::power_of_two(-exponent);
+  const int power = size.power();
+  const Exact factor = numbers::power_of_two(power);
   const auto exact = [&](const Vec3& x) {
     std::array<Exact, 3> c = {Exact(x.x), Exact(x.y), Exact(x.z)};
-    if (scale) {
+    if (power != 0) {
       for (Exact& coordinate : c) coordinate = coordinate * factor;
     }
     return c;
   };
-  ScaledCorners result = {{}, scale ? factor : Exact(1)};
+  ScaledCorners result = {{}, factor};
   for (std::size_t i = 0; i < count; ++i) result.corners[i] = moving<Exact>(exact(query.start[i]), exact(query.end[i]));
   return result;
 }

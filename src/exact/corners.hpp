@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include <touchstone/curved_query.hpp>
 #include <touchstone/query.hpp>
 
 #include "exact/elements.hpp"
@@ -16,6 +17,10 @@ template <class N>
 typename Forms<N>::Corners moving_corners(const Query& query);
 template <class N>
 typename Forms<N>::Corners moving_corners(const RationalQuery& query);  ///< for Exact only
+
+/// The same for AnyDegree only: multiplied by a positive number at each time, a polynomial in t.
+template <class N>
+typename Forms<N>::Corners moving_corners(const CurvedQuery& query);
 
 /// The same for Exact, with the positive number that the corners are multiplied by. For rational coordinates and their
 /// common denominator it is a multiple of that.

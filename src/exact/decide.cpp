@@ -1,7 +1,6 @@
 // The first contact, all contacts, and the record of how they are found.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
 
@@ -18,11 +17,12 @@ namespace {
 
 /// Ascending, distinct times in [0, limit], 0 and limit included, that contain all ends of touching intervals. For
 /// elements that are coplanar at all times or have no coplanarity cubic.
+template <class N>
 class CandidateTimes {
  public:
   template <class Elements>
   CandidateTimes(const Elements& elements, const Exact& limit) {
-    Events<typename Elements::Number> events;
+    Events<N> events;
     elements.append_events(events);
     times_.add(RealRoot::rational(Exact(0), Exact(1), 1));
     for (const auto& event : events) {
@@ -30,26 +30,27 @@ class CandidateTimes {
       for (int i = 0; i < roots.size(); ++i) times_.add(roots[i]);
     }
     times_.add(RealRoot::rational(limit, Exact(1), 1));
-    for (std::size_t i = 0; i < times_.size(); ++i) order_[i] = &times_[i];
-    const auto end = order_.begin() + static_cast<std::ptrdiff_t>(times_.size());
-    std::sort(order_.begin(), end, [](const RealRoot* a, const RealRoot* b) { return a->compare(*b) < 0; });
-    end_ = std::unique(order_.begin(), end, [](const RealRoot* a, const RealRoot* b) { return a->compare(*b) == 0; });
+    for (const RealRoot& time : times_) order_.add(&time);
+    std::sort(order_.begin(), order_.end(), [](const RealRoot* a, const RealRoot* b) { return a->compare(*b) < 0; });
+    const auto same = [](const RealRoot* a, const RealRoot* b) { return a->compare(*b) == 0; };
+    distinct_ = std::unique(order_.begin(), order_.end(), same) - order_.begin();
   }
 
-  auto begin() const { return order_.cbegin(); }
-  auto end() const { return end_; }
+  auto begin() const { return order_.begin(); }
+  auto end() const { return order_.begin() + distinct_; }
 
  private:
-  static constexpr std::size_t kMost = 2 + 2 * kMostEvents;  // the ends, and two roots of each event
-  BoundedList<RealRoot, kMost> times_;
-  std::array<const RealRoot*, kMost> order_;
-  std::array<const RealRoot*, kMost>::const_iterator end_;
+  EventTimes<N, RealRoot> times_;
+  EventTimes<N, const RealRoot*> order_;
+  std::ptrdiff_t distinct_ = 0;
 };
+template <class Elements>
+CandidateTimes(const Elements&, const Exact&) -> CandidateTimes<typename Elements::Number>;
 
 template <class Elements>
 auto nonzero_cubic(const Elements& elements) -> const typename Elements::Cubic* {
   if constexpr (Elements::kHasCubic) {
-    if (!numbers::is_zero(elements.coplanarity())) return &elements.coplanarity();
+    if (!is_zero(elements.coplanarity())) return &elements.coplanarity();
   }
   return nullptr;
 }
@@ -138,9 +139,10 @@ template <class Elements>
 void describe(const Elements& elements, Story& story) {
   if constexpr (Elements::kHasCubic) {
     story.has_cubic = true;
-    for (const Exact& c : elements.coplanarity().c) story.coefficients.push_back(numbers::to_string(c));
+    const numbers::Coefficients v = elements.coplanarity();
+    for (int i = 0; i < v.size; ++i) story.coefficients.push_back(numbers::to_string(v.c[i]));
     story.why =
-        numbers::is_zero(elements.coplanarity())
+        is_zero(elements.coplanarity())
             ? "V is identically zero: the corners are coplanar at all times, and touching may begin only where a "
               "corner of one element meets the border of the other"
             : "contact is possible only at the roots of V";
@@ -166,9 +168,9 @@ Answer first_contact_in(const Q& query, double t_max) {
   return with_elements<N>(query, [&](const auto& elements) { return first_contact(elements, Exact(t_max), nullptr); });
 }
 
-template <class Q>
+template <class N, class Q>
 std::vector<RootInterval> touching_times_of_any(const Q& query, double t_max) {
-  return with_elements<Exact>(query, [&](const auto& elements) { return all_contacts(elements, Exact(t_max)); });
+  return with_elements<N>(query, [&](const auto& elements) { return all_contacts(elements, Exact(t_max)); });
 }
 
 }  // namespace
@@ -182,15 +184,22 @@ Answer decide_exactly(const Query& query, double t_max) {
   return first_contact_in<Exact>(query, t_max);
 }
 Answer decide_exactly(const RationalQuery& query, double t_max) { return first_contact_in<Exact>(query, t_max); }
+Answer decide_exactly(const CurvedQuery& query, double t_max) {
+  const numbers::LimbScratch scratch;
+  return first_contact_in<AnyDegree>(query, t_max);
+}
 
 Story explain(const Query& query, double t_max) { return tell(query, t_max); }
 Story explain(const RationalQuery& query, double t_max) { return tell(query, t_max); }
 
 std::vector<RootInterval> touching_times(const Query& query, double t_max) {
-  return touching_times_of_any(query, t_max);
+  return touching_times_of_any<Exact>(query, t_max);
 }
 std::vector<RootInterval> touching_times(const RationalQuery& query, double t_max) {
-  return touching_times_of_any(query, t_max);
+  return touching_times_of_any<Exact>(query, t_max);
+}
+std::vector<RootInterval> touching_times(const CurvedQuery& query, double t_max) {
+  return touching_times_of_any<AnyDegree>(query, t_max);
 }
 
 }  // namespace touchstone::exact

@@ -104,7 +104,7 @@ void EdgeEdgeElements<N>::locate_parallel(const RealRoot& root, Answer& answer) 
     if (b_position == 2) break;
     // Directions away from the shared corner: +-u and +-w.
     const int direction =
-        root.sign_at(dot(frame_.u, frame_.w)) * (a_corner == a0_on_b ? 1 : -1) * (b_position == 0 ? 1 : -1);
+        sign_at(root, dot(frame_.u, frame_.w)) * (a_corner == a0_on_b ? 1 : -1) * (b_position == 0 ? 1 : -1);
     if (direction > 0) break;
     answer.feature_a = a_features[a_corner];
     answer.feature_b = b_features[b_position];
@@ -125,7 +125,7 @@ void EdgeEdgeElements<N>::locate_overlap(const RealRoot& root, Answer& answer) c
     return;
   }
   // The shared part ends at the corner of b that lies farther along a; the other one may be beyond a0.
-  const bool same_direction = root.sign_at(dot(frame_.u, frame_.w)) > 0;
+  const bool same_direction = sign_at(root, dot(frame_.u, frame_.w)) > 0;
   answer.weights_a = pair(same_direction ? b1_on_a : b0_on_a).weights(root);
   answer.weights_b = same_direction ? std::array<double, 3>{0, 1, 0} : std::array<double, 3>{1, 0, 0};
 }

@@ -1,16 +1,20 @@
 // The four kinds of query in exact arithmetic: moving corners, when two elements touch, and where. Everything is a sign
-// of a polynomial in t of degree at most 3, at an exact time or just after it.
+// of a polynomial in t, of degree at most 3 for straight motion, at an exact time or just after it.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <touchstone/answer.hpp>
 
 #include "exact/bounded_list.hpp"
 #include "exact/exact.hpp"
+#include "exact/form.hpp"
 #include "exact/lazy.hpp"
 #include "geometry/frame.hpp"
 #include "geometry/vector.hpp"
@@ -33,6 +37,17 @@ struct Forms {
   using Corners = std::array<Point, 4>;
 };
 
+/// In place of a number type: corners whose coordinates are polynomials of any degree.
+struct AnyDegree {};
+template <>
+struct Forms<AnyDegree> {
+  using Linear = Form;
+  using Quadratic = Form;
+  using Cubic = Form;
+  using Point = geometry::Vector<Form>;
+  using Corners = std::array<Point, 4>;
+};
+
 /// The number types of coordinates at this level: integers of one, two or three limbs, and Exact, numbers of any size.
 using Short = numbers::FixedInt<1>;
 using Medium = numbers::FixedInt<2>;
@@ -44,7 +59,8 @@ using Long = numbers::FixedInt<3>;
   template class Template<Short>;                 \
   template class Template<Medium>;                \
   template class Template<Long>;                  \
-  template class Template<Exact>
+  template class Template<Exact>;                 \
+  template class Template<AnyDegree>
 // NOLINTEND(bugprone-macro-parentheses)
 
 /// How many bits B integer coordinates may have, |x| < 2^B, so that nothing overflows. In bits:
@@ -65,6 +81,16 @@ constexpr std::size_t kMostEvents = 8;
 template <class N>
 using Events = BoundedList<typename Forms<N>::Quadratic, kMostEvents>;
 
+/// A list with an element for each root of the events and for two times more. Each event of straight motion has at most
+/// two roots.
+template <class N, class T>
+class EventTimes : public BoundedList<T, 2 + 2 * kMostEvents> {};
+template <class T>
+class EventTimes<AnyDegree, T> : public std::vector<T> {
+ public:
+  void add(T time) { this->push_back(std::move(time)); }
+};
+
 /// Signs at a root, or just before or after it. It keeps a record of them when `explain` wants one.
 class Moment {
  public:
@@ -82,7 +108,13 @@ class Moment {
     return sign;
   }
 
-  /// The same for a polynomial of any formal degree.
+  int sign(const Form& q, const char* name, int axis = -1) const {
+    const int sign = this->sign(numbers::Coefficients(q));
+    if (record_ != nullptr) keep(sign, name, axis);
+    return sign;
+  }
+
+  /// The same for a polynomial of any formal degree, without a record.
   int sign(numbers::Coefficients q) const {
     const int sign = root_.quick_sign_at(q);
     return sign != 0 || side_ == 0 ? sign : side_ > 0 ? root_.sign_after(q) : root_.sign_before(q);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <touchstone/answer.hpp>
+#include <touchstone/curved_query.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
@@ -17,6 +18,7 @@ namespace touchstone::exact {
 /// well-formed fractions) and the floating-point environment the default one: callers in `solver` see to both.
 Answer decide_exactly(const Query& query, double t_max);
 Answer decide_exactly(const RationalQuery& query, double t_max);
+Answer decide_exactly(const CurvedQuery& query, double t_max);
 
 /// The same for contact within a separation > 0.
 Answer decide_exactly(const Query& query, double t_max, const Separation& separation);

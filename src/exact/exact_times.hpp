@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <touchstone/answer.hpp>
+#include <touchstone/curved_query.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
@@ -20,6 +21,7 @@ struct RootInterval {
 /// The set of touching times in [0, t_max], ascending and disjoint. Preconditions as for decide_exactly.
 std::vector<RootInterval> touching_times(const Query& query, double t_max);
 std::vector<RootInterval> touching_times(const RationalQuery& query, double t_max);
+std::vector<RootInterval> touching_times(const CurvedQuery& query, double t_max);
 
 /// The same for contact within a separation > 0.
 std::vector<RootInterval> touching_times(const Query& query, double t_max, const Separation& separation);

@@ -40,7 +40,7 @@ void PointPointElements<N>::locate(const RealRoot&, const SideSigns&, Answer& an
 
 template <class N>
 void PointPointElements<N>::append_events(Events<N>& events) const {
-  append_coincidence(difference_, events);
+  append_coincidence<N>(difference_, events);
 }
 
 TOUCHSTONE_FOR_EACH_NUMBER_TYPE(PointEdgeElements);

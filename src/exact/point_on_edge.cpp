@@ -40,14 +40,14 @@ template <class N>
 void PointOnEdge<N>::append_events(Events<N>& events) const {
   // Touching needs all three components to vanish: the roots of one that is not identically zero contain those times.
   for (const auto& component : cross_.c) {
-    if (!numbers::is_zero(component)) {
+    if (!is_zero(component)) {
       events.add(component);
       return;
     }
   }
   // Always collinear: touching begins and ends where the point passes an end of the edge.
-  append_coincidence(from_x_, events);
-  append_coincidence(from_y_, events);
+  append_coincidence<N>(from_x_, events);
+  append_coincidence<N>(from_y_, events);
 }
 
 TOUCHSTONE_FOR_EACH_NUMBER_TYPE(PointOnEdge);

@@ -43,13 +43,14 @@ bool bisect(Coefficients p, const Exact& low, const Exact& high, int depth, int 
       continue;
     }
     if (part.depth == 0) return false;
-    // A cut must not be at a root. One of seven places is not, because p has at most six.
-    static constexpr int kPlaces[] = {4, 5, 3, 6, 2, 7, 1};
+    // A cut must not be at a root. One of these places is not, because there are more of them than roots.
+    static constexpr int kPlaces[] = {32, 40, 24, 48, 16, 56, 8,  33, 31, 34, 30, 35, 29, 36,
+                                      28, 37, 27, 38, 26, 39, 25, 41, 23, 42, 22, 43, 21, 44};
     static_assert(sizeof kPlaces / sizeof *kPlaces > kMostDegree);
-    for (const int eighths : kPlaces) {
-      auto [left, right] = part.form.split(eighths);
+    for (const int place : kPlaces) {
+      auto [left, right] = part.form.split(place);
       if (is_zero(right[0])) continue;
-      const Exact cut = part.low + (part.high - part.low) * Exact(eighths * 0.125);
+      const Exact cut = part.low + (part.high - part.low) * Exact(place / 64.0);
       if (right.variations() > 0) parts.push_back({std::move(right), cut, part.high, part.depth - 1});
       parts.push_back({std::move(left), part.low, cut, part.depth - 1});
       break;

@@ -6,8 +6,9 @@
 
 namespace touchstone::numbers {
 
-/// The largest degree of a polynomial whose roots and signs are decided: the distance to a plane takes 6.
-inline constexpr int kMostDegree = 6;
+/// The largest degree of a polynomial whose roots and signs are decided. Straight motion takes 3, and 6 for the
+/// distance to a plane. Four corners on four bodies that turn take 27, two bodies 13.
+inline constexpr int kMostDegree = 27;
 
 /// Coefficients of a polynomial, constant first; the formal degree is size - 1.
 struct Coefficients {

@@ -8,6 +8,9 @@
 #include <cstdio>
 #include <limits>
 
+#include "numbers/gmp_conversions.hpp"
+#include "numbers/integer_polynomial.hpp"
+
 namespace touchstone::numbers {
 namespace {
 
@@ -27,34 +30,32 @@ int sign_at_rational(Coefficients q, const Exact& numerator, const Exact& denomi
 
 /// A polynomial whose leading coefficient is not zero; empty for the zero polynomial.
 struct Dense {
-  std::array<Exact, kMaxSize> c;
-  int size = 0;
+  ExactList c;
 
-  Dense() = default;
-  explicit Dense(Coefficients q) : size(q.size) {
-    for (int i = 0; i < size; ++i) c[static_cast<std::size_t>(i)] = q.c[i];
-    trim();
-  }
+  explicit Dense(Coefficients q) : c(q.c, q.size) { trim(); }
+  int size() const { return c.size(); }
   void trim() {
+    int size = c.size();
     while (size > 0 && is_zero(c[static_cast<std::size_t>(size - 1)])) --size;
+    c.shorten(size);
   }
-  const Exact& leading() const { return c[static_cast<std::size_t>(size - 1)]; }
-  int sign_at(const Exact& t) const { return size == 0 ? 0 : sign_of(evaluate({c.data(), size}, t)); }
+  const Exact& leading() const { return c[static_cast<std::size_t>(size() - 1)]; }
+  int sign_at(const Exact& t) const { return size() == 0 ? 0 : sign_of(evaluate({c.begin(), size()}, t)); }
 };
 
 /// A positive multiple of the remainder of a by b, b not zero.
 Dense positive_remainder(Dense a, const Dense& b) {
   const bool negative = sign_of(b.leading()) < 0;
   const Exact scale = negative ? -b.leading() : b.leading();
-  while (a.size >= b.size) {
+  while (a.size() >= b.size()) {
     const Exact factor = negative ? -a.leading() : a.leading();
-    const int shift = a.size - b.size;
-    for (int i = 0; i < a.size - 1; ++i) {
+    const int shift = a.size() - b.size();
+    for (int i = 0; i < a.size() - 1; ++i) {
       Exact& target = a.c[static_cast<std::size_t>(i)];
       target = target * scale;
       if (i >= shift) target = target - factor * b.c[static_cast<std::size_t>(i - shift)];
     }
-    --a.size;
+    a.c.shorten(a.size() - 1);
     a.trim();
   }
   return a;
@@ -271,14 +272,23 @@ void RealRoot::find_small_integers() {
 /// Whether q has the isolated root: then it is one of their greatest common divisor, which has no other between low and
 /// high and changes its sign there, as p does.
 bool RealRoot::vanishes_at_isolated(Coefficients q) const {
+  constexpr int kLow = 6;
+  if (degree_ > kLow || q.size > kLow + 1) {
+    // Without the division of common factors, the coefficients' lengths grow exponentially with the degree.
+    const Integers divisor = greatest_common_divisor(primitive_integers(polynomial()), primitive_integers(q));
+    std::vector<Exact> c;
+    for (const mpz_class& integer : divisor) c.push_back(exact_from_integer(integer));
+    const Dense common(Coefficients(c.data(), static_cast<int>(c.size())));
+    return common.size() > 1 && common.sign_at(bracket_.low()) * common.sign_at(bracket_.high()) < 0;
+  }
   Dense divisor(polynomial());
   Dense rest(q);
-  while (rest.size > 0) {
+  while (rest.size() > 0) {
     Dense next = positive_remainder(divisor, rest);
     divisor = std::move(rest);
     rest = std::move(next);
   }
-  return divisor.size > 1 && divisor.sign_at(bracket_.low()) * divisor.sign_at(bracket_.high()) < 0;
+  return divisor.size() > 1 && divisor.sign_at(bracket_.low()) * divisor.sign_at(bracket_.high()) < 0;
 }
 
 ValueNear value_near(const double* c, int size, double lower) noexcept {
@@ -323,11 +333,10 @@ int RealRoot::sign_before(Coefficients q) const { return sign_beside(q, -1); }
 int RealRoot::sign_beside(Coefficients q, int side) const {
   // Just after the root, q has the sign of its first derivative that does not vanish there. Just before it, a
   // derivative of odd order counts with the opposite sign.
-  std::array<Exact, kMaxSize> derivative;
-  std::copy(q.c, q.c + q.size, derivative.begin());
+  ExactList derivative(q.c, q.size);
   int factor = 1;
   for (int size = q.size; size > 0; --size) {
-    const int sign = sign_at({derivative.data(), size});
+    const int sign = sign_at({derivative.begin(), size});
     if (sign != 0) return factor * sign;
     factor *= side;
     for (int i = 1; i < size; ++i)
@@ -338,9 +347,9 @@ int RealRoot::sign_beside(Coefficients q, int side) const {
 
 RealRoot RealRoot::reversed() const {
   if (is_rational_) return rational(denominator_ - numerator_, denominator_, multiplicity_);
-  std::array<Exact, kMaxSize> mirrored = taylor_coefficients(polynomial(), Exact(1));  // of p(1 - t), but for signs
-  for (std::size_t i = 1; i < mirrored.size(); i += 2) mirrored[i] = -mirrored[i];
-  RealRoot root = isolated({mirrored.data(), degree_ + 1}, Exact(1) - bracket_.high(), Exact(1) - bracket_.low(),
+  ExactList mirrored = taylor_coefficients(polynomial(), Exact(1));  // of p(1 - t), but for signs
+  for (std::size_t i = 1; i <= static_cast<std::size_t>(degree_); i += 2) mirrored[i] = -mirrored[i];
+  RealRoot root = isolated({mirrored.begin(), mirrored.size()}, Exact(1) - bracket_.high(), Exact(1) - bracket_.low(),
                            -bracket_.sign_low());
   root.multiplicity_ = multiplicity_;
   return root;
@@ -360,6 +369,16 @@ double RealRoot::quotient(Coefficients numerator, Coefficients denominator) cons
       return value;
     };
     return std::clamp(approximate_quotient(homogeneous(numerator), homogeneous(denominator)), 0.0, 1.0);
+  }
+  if (numerator.size != denominator.size) {  // the bounds below are for equal formal degrees
+    const auto lengthened = [size = std::max(numerator.size, denominator.size)](Coefficients q) {
+      ExactList c(size);
+      std::copy(q.c, q.c + q.size, c.begin());
+      return c;
+    };
+    const ExactList n = lengthened(numerator);
+    const ExactList d = lengthened(denominator);
+    return quotient({n.begin(), n.size()}, {d.begin(), d.size()});
   }
   double result;
   if (quotient_over(bracket_, numerator, denominator, result)) return result;

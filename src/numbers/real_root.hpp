@@ -1,4 +1,4 @@
-// Real roots of polynomials of degree at most 6 with exact coefficients, and the signs of other polynomials there.
+// Real roots of polynomials with exact coefficients, and the signs of other polynomials there.
 // Signs are exact, zero included: no approximation of the root decides them.
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -165,25 +165,35 @@ class RealRoot {
   double lower_ = 0, upper_ = 0;
 };
 
-/// Up to kMostDegree roots, ascending and distinct.
+/// Roots, ascending and distinct. The first few, all roots of the polynomials of straight motion, need no allocation.
 class RootList {
  public:
   RootList() noexcept {}  // NOLINT(modernize-use-equals-default): the roots are not made yet
   RootList(RootList&& other) noexcept {
-    for (int i = 0; i < other.size_; ++i) push(std::move(other.begin()[i]));
+    for (int i = 0; i < other.stored_; ++i) push(std::move(other.begin()[i]));
+    more_ = std::move(other.more_);
   }
   RootList& operator=(RootList&&) = delete;
-  ~RootList() { std::destroy_n(begin(), size_); }
+  ~RootList() { std::destroy_n(begin(), stored_); }
 
-  int size() const { return size_; }
-  const RealRoot& operator[](int i) const { return std::launder(reinterpret_cast<const RealRoot*>(storage_))[i]; }
-  void push(RealRoot&& root) { ::new (static_cast<void*>(begin() + size_++)) RealRoot(std::move(root)); }
+  int size() const { return stored_ + static_cast<int>(more_.size()); }
+  const RealRoot& operator[](int i) const {
+    if (i >= kStored) return more_[static_cast<std::size_t>(i - kStored)];
+    return std::launder(reinterpret_cast<const RealRoot*>(storage_))[i];
+  }
+  void push(RealRoot&& root) {
+    if (stored_ == kStored) return more_.push_back(std::move(root));
+    ::new (static_cast<void*>(begin() + stored_++)) RealRoot(std::move(root));
+  }
 
  private:
   RealRoot* begin() noexcept { return std::launder(reinterpret_cast<RealRoot*>(storage_)); }
 
-  alignas(RealRoot) unsigned char storage_[kMostDegree * sizeof(RealRoot)];
-  int size_ = 0;
+  static constexpr int kStored = 6;
+
+  alignas(RealRoot) unsigned char storage_[kStored * sizeof(RealRoot)];
+  int stored_ = 0;
+  std::vector<RealRoot> more_;  // after the stored ones
 };
 
 /// The distinct roots of p in the closed interval [0, limit], 0 <= limit <= 1, ascending, each with its multiplicity

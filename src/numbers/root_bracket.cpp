@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
+#include <numeric>
 
 namespace touchstone::numbers {
 namespace {
@@ -73,13 +75,45 @@ Exact quotient(Exact numerator, const Exact& denominator, long exponent) {
   }
 }
 
+/// The coefficients of q(point + x) of degrees below `count`; those of higher degrees are of no use.
+ExactList first_taylor_coefficients(Coefficients q, const Exact& point, std::size_t count) {
+  ExactList c(q.c, q.size);
+  if (is_zero(point)) return c;
+  const std::size_t size = static_cast<std::size_t>(q.size);
+  for (std::size_t first = 0; first + 1 < size && first < count; ++first) {  // synthetic divisions
+    for (std::size_t i = size - 1; i-- > first;) c[i] = c[i] + c[i + 1] * point;
+  }
+  return c;
+}
+
+/// Factors that bring the coefficients of a degree to its Bernstein basis without fractions: element i is u / b(n, i)
+/// with b(n, i) the binomial coefficients and u their least common multiple.
+struct BernsteinUnits {
+  double factor[kMostDegree + 1][kMostDegree + 1] = {};
+
+  constexpr BernsteinUnits() {
+    for (int n = 0; n <= kMostDegree; ++n) {
+      std::int64_t binomial[kMostDegree + 1] = {1};
+      std::int64_t unit = 1;
+      for (int i = 1; i <= n; ++i) {
+        binomial[i] = binomial[i - 1] * (n - i + 1) / i;
+        unit = std::lcm(unit, binomial[i]);
+      }
+      for (int i = 0; i <= n; ++i) factor[n][i] = static_cast<double>(unit / binomial[i]);
+    }
+  }
+};
+constexpr BernsteinUnits kBernstein;
+static_assert(kBernstein.factor[6][0] == 60 && kBernstein.factor[6][3] == 3);
+static_assert(kBernstein.factor[kMostDegree][0] < 0x1p53, "integers that doubles hold");
+
 /// The first four coefficients of p(point + x).
 struct TaylorCubic {
   Exact value, slope, half_curvature, third;
 };
 TaylorCubic taylor_cubic(Coefficients p, const Exact& point) {
   if (p.size > 4) {
-    const auto c = taylor_coefficients(p, point);
+    const ExactList c = first_taylor_coefficients(p, point, 4);
     return {c[0], c[1], c[2], c[3]};
   }
   const Exact leading = p.size == 4 ? p.c[3] : Exact();
@@ -163,33 +197,23 @@ Exact evaluate(Coefficients p, const Exact& t) {
   return value;
 }
 
-std::array<Exact, kMostDegree + 1> taylor_coefficients(Coefficients q, const Exact& point) {
-  std::array<Exact, kMostDegree + 1> c;
-  std::copy(q.c, q.c + q.size, c.begin());
-  if (is_zero(point)) return c;
-  for (std::size_t first = 0; first + 1 < static_cast<std::size_t>(q.size); ++first) {  // synthetic divisions
-    for (std::size_t i = static_cast<std::size_t>(q.size) - 1; i-- > first;) c[i] = c[i] + c[i + 1] * point;
-  }
-  return c;
+ExactList taylor_coefficients(Coefficients q, const Exact& point) {
+  return first_taylor_coefficients(q, point, static_cast<std::size_t>(q.size));
 }
 
-BernsteinForm::BernsteinForm(Coefficients q, const Exact& low, const Exact& high) : size_(q.size) {
+BernsteinForm::BernsteinForm(Coefficients q, const Exact& low, const Exact& high) : c_(taylor_coefficients(q, low)) {
   // With c_i the coefficients of q(low + (high - low) x), n the formal degree and b(n, i) the binomial coefficients,
-  // coefficient k is the sum of b(k, i) / b(n, i) c_i. The unit of a degree is a multiple of all b(n, i).
-  static constexpr int kBinomials[kMostDegree + 1][kMostDegree + 1] = {
-      {1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}, {1, 5, 10, 10, 5, 1}, {1, 6, 15, 20, 15, 6, 1}};
-  static constexpr int kUnits[kMostDegree + 1] = {1, 1, 2, 3, 12, 10, 60};
-  const std::size_t degree = static_cast<std::size_t>(size_) - 1;
-  std::array<Exact, kMostDegree + 1> c = taylor_coefficients(q, low);
+  // coefficient k is the sum of b(k, i) / b(n, i) c_i. All are times the least common multiple of the b(n, i).
+  const std::size_t degree = static_cast<std::size_t>(q.size) - 1;
   const Exact width = high - low;
   Exact power(1);
   for (std::size_t i = 0; i <= degree; ++i) {
-    c[i] = c[i] * power * Exact(kUnits[degree] / kBinomials[degree][i]);
-    power = power * width;
+    c_[i] = c_[i] * power * Exact(kBernstein.factor[degree][i]);
+    if (i < degree) power = power * width;
   }
-  for (std::size_t k = 0; k <= degree; ++k) {
-    c_[k] = c[0];
-    for (std::size_t i = 1; i <= k; ++i) c_[k] = c_[k] + c[i] * Exact(kBinomials[k][i]);
+  // The sums of b(k, i) c_i have the differences c_i at their start: add them up as in Pascal's triangle.
+  for (std::size_t first = degree; first-- > 0;) {
+    for (std::size_t k = first; k < degree; ++k) c_[k + 1] = c_[k + 1] + c_[k];
   }
 }
 
@@ -205,13 +229,14 @@ int BernsteinForm::variations() const {
   return count;
 }
 
-std::pair<BernsteinForm, BernsteinForm> BernsteinForm::split(int eighths) const {
-  const Exact later(eighths * 0.125);
+std::pair<BernsteinForm, BernsteinForm> BernsteinForm::split(int place) const {
+  const Exact later(place / 64.0);
   const Exact earlier = Exact(1) - later;
-  BernsteinForm left(size_), right = *this;
-  for (std::size_t round = 0; round < static_cast<std::size_t>(size_); ++round) {  // de Casteljau's algorithm
+  const std::size_t size = static_cast<std::size_t>(c_.size());
+  BernsteinForm left(c_.size()), right = *this;
+  for (std::size_t round = 0; round < size; ++round) {  // de Casteljau's algorithm
     left.c_[round] = right.c_[0];
-    for (std::size_t i = 0; i + round + 1 < static_cast<std::size_t>(size_); ++i) {
+    for (std::size_t i = 0; i + round + 1 < size; ++i) {
       right.c_[i] = earlier * right.c_[i] + later * right.c_[i + 1];
     }
   }

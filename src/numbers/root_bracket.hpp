@@ -1,18 +1,18 @@
 // An interval around one root of a polynomial that narrows as far as a caller needs. SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <utility>
 
 #include "numbers/coefficients.hpp"
+#include "numbers/exact_list.hpp"
 #include "numbers/exact_number.hpp"
 
 namespace touchstone::numbers {
 
-/// The coefficients of q(point + x) as a polynomial in x. Zero beyond q's size.
-std::array<Exact, kMostDegree + 1> taylor_coefficients(Coefficients q, const Exact& point);
+/// The coefficients of q(point + x) as a polynomial in x.
+ExactList taylor_coefficients(Coefficients q, const Exact& point);
 
 /// The Bernstein coefficients of a polynomial over an interval, all times one positive integer that depends on the
 /// formal degree only. The polynomial's values there, times that integer, lie between the least and the greatest.
@@ -20,22 +20,21 @@ class BernsteinForm {
  public:
   BernsteinForm(Coefficients q, const Exact& low, const Exact& high);
 
-  const Exact* begin() const { return c_.data(); }
-  const Exact* end() const { return c_.data() + size_; }
+  const Exact* begin() const { return c_.begin(); }
+  const Exact* end() const { return c_.end(); }
   const Exact& operator[](int i) const { return c_[static_cast<std::size_t>(i)]; }
 
   /// The number of changes of sign in their order, zeros left out. It is at least the number of roots inside, with
   /// multiplicity, and differs from it by an even number (Descartes' rule).
   int variations() const;
 
-  /// The forms over both parts of the interval, cut at low + eighths / 8 (high - low).
-  std::pair<BernsteinForm, BernsteinForm> split(int eighths) const;
+  /// The forms over both parts of the interval, cut at low + place / 64 (high - low).
+  std::pair<BernsteinForm, BernsteinForm> split(int place) const;
 
  private:
-  explicit BernsteinForm(int size) : size_(size) {}
+  explicit BernsteinForm(int size) : c_(size) {}
 
-  int size_;
-  std::array<Exact, kMostDegree + 1> c_;
+  ExactList c_;
 };
 
 /// An open dyadic interval in which a polynomial p of degree 2 or more has exactly one root, a simple one, and changes

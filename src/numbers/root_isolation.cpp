@@ -231,7 +231,6 @@ class OpenInterval {
 }  // namespace
 
 RootList isolate_roots(Coefficients p, const Exact& limit) {
-  std::array<Exact, kMostDegree + 1> c;
   int size = p.size;
   while (size > 0 && is_zero(p.c[size - 1])) --size;
   RootList roots;
@@ -242,9 +241,9 @@ RootList isolate_roots(Coefficients p, const Exact& limit) {
   if (first > 0) roots.push(RealRoot::rational(Exact(0), Exact(1), first));
   if (is_zero(limit)) return roots;
   size -= first;
-  for (int i = 0; i < size; ++i) c[static_cast<std::size_t>(i)] = p.c[first + i];
+  ExactList c(p.c + first, size);
   int at_limit = 0;
-  while (size > 1 && sign_at_point({c.data(), size}, limit) == 0) {
+  while (size > 1 && sign_at_point({c.begin(), size}, limit) == 0) {
     for (int i = size - 2; i > 0; --i) {  // synthetic division by (t - limit)
       c[static_cast<std::size_t>(i)] = c[static_cast<std::size_t>(i)] + limit * c[static_cast<std::size_t>(i + 1)];
     }
@@ -252,7 +251,7 @@ RootList isolate_roots(Coefficients p, const Exact& limit) {
     --size;
     ++at_limit;
   }
-  OpenInterval({c.data(), size}, limit, roots).isolate();
+  OpenInterval({c.begin(), size}, limit, roots).isolate();
   if (at_limit > 0) roots.push(RealRoot::rational(limit, Exact(1), at_limit));
   return roots;
 }

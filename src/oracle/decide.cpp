@@ -85,4 +85,8 @@ Answer decide_by_oracle(const RationalQuery& query, double t_max) {
   return decide_motion(query.kind, read_motion(query), t_max);
 }
 
+Answer decide_by_oracle(const CurvedQuery& query, double t_max) {
+  return decide_motion(query.kind, read_motion(query), t_max);
+}
+
 }  // namespace touchstone::oracle

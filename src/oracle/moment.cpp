@@ -61,9 +61,9 @@ bool has_one_sign_over(const Polynomial& p, const Rational& low, const Rational&
   for (std::size_t j = 1; j <= degree; ++j) {
     Integer coefficient(0);
     for (std::size_t i = 0; i <= j; ++i) {
-      long factor = 1;  // (n - i)! / (j - i)!
-      for (std::size_t k = j - i + 1; k <= degree - i; ++k) factor *= static_cast<long>(k);
-      coefficient += Integer(factor) * c[i];
+      Integer factor(1);  // (n - i)! / (j - i)!
+      for (std::size_t k = j - i + 1; k <= degree - i; ++k) factor *= Integer(static_cast<long>(k));
+      coefficient += factor * c[i];
     }
     if (CGAL::sign(coefficient) != first) return false;
   }

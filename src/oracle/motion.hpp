@@ -1,9 +1,11 @@
-// A query's corners as exact motions: each coordinate an integer polynomial of degree at most one in t.
+// A query's corners as exact motions: each coordinate an integer polynomial in t, of degree at most one
+// for straight motion.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
 
+#include <touchstone/curved_query.hpp>
 #include <touchstone/query.hpp>
 
 #include "oracle/algebra.hpp"
@@ -21,6 +23,10 @@ using Corners = std::array<Corner, 4>;
 /// so touching, its times and barycentric coordinates are those of the query. Distances are not.
 Corners read_motion(const Query& query);
 Corners read_motion(const RationalQuery& query);
+
+/// The corners of a curved query, all multiplied by one positive polynomial in t and by one number that makes their
+/// coefficients integers. Touching, its times and barycentric coordinates are those of the query.
+Corners read_motion(const CurvedQuery& query);
 
 /// A motion and a distance in the same unit.
 struct MeasuredMotion {

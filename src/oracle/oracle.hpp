@@ -4,6 +4,7 @@
 #pragma once
 
 #include <touchstone/answer.hpp>
+#include <touchstone/curved_query.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
@@ -13,6 +14,7 @@ namespace touchstone::oracle {
 /// well-formed fractions) and the floating-point environment the default one: callers in `solver` see to both.
 Answer decide_by_oracle(const Query& query, double t_max);
 Answer decide_by_oracle(const RationalQuery& query, double t_max);
+Answer decide_by_oracle(const CurvedQuery& query, double t_max);
 
 /// The same for contact within a separation > 0.
 Answer decide_by_oracle(const Query& query, double t_max, const Separation& separation);

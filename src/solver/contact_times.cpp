@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include <touchstone/curved.hpp>
 #include <touchstone/error.hpp>
 
 #include "exact/exact_times.hpp"
@@ -94,6 +95,12 @@ std::vector<ContactInterval> contact_times(const Query& query, const Separation&
 
 std::vector<ContactInterval> contact_times(const RationalQuery& query, const Separation& separation, double t_max) {
   return times_of_any(query, separation, t_max);
+}
+
+std::vector<ContactInterval> contact_times(const CurvedQuery& query, double t_max) {
+  const numbers::DefaultFloatEnvironment environment;
+  solver::validate(query, t_max);
+  return with_exact_times(exact::touching_times(query, t_max));
 }
 
 }  // namespace touchstone

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include <touchstone/curved_query.hpp>
 #include <touchstone/error.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
@@ -57,5 +58,8 @@ void validate(const Query& query, double t_max);
 
 /// @throws InvalidQuery  naming the kind, t_max or the first coordinate that is not a fraction
 void validate(const RationalQuery& query, double t_max);
+
+/// @throws InvalidQuery  naming the kind, t_max, the first corner or the first motion without meaning
+void validate(const CurvedQuery& query, double t_max);
 
 }  // namespace touchstone::solver

@@ -1,0 +1,34 @@
+// Touchstone: do two elements that turn or move on curves ever touch, and when first? No tolerance, no false answer.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include <touchstone/answer.hpp>
+#include <touchstone/contact_times.hpp>
+#include <touchstone/curved_query.hpp>
+#include <touchstone/solve.hpp>
+
+namespace touchstone {
+
+/// The first contact of the two elements for t in [0, t_max], decided exactly: no tolerance, no false answer. The same
+/// guarantees hold as for straight motion: `toi` and `toi_upper` are the neighbouring doubles of the exact time, and
+/// nature, features and weights are those at the exact time. V(t) is then the coplanarity of the corners times a
+/// positive function of t that makes it a polynomial; its degree is up to 13 for two bodies.
+/// @param query  the two elements and their motion
+/// @param t_max  the end of the time range, 0 <= t_max <= 1
+/// @return the answer
+/// @throws InvalidQuery  naming what and where: a NaN or infinite number, a quaternion that is zero at an end or
+///                       between (then with the change that helps), a motion or number of control points out of range,
+///                       an unknown kind, or a t_max outside [0, 1]
+Answer solve(const CurvedQuery& query, double t_max = 1.0);
+
+/// The same by the method of your choice. Method::oracle is an independent decider over CGAL's algebraic kernel.
+/// @throws InvalidQuery  also for a value that is none of Method's
+Answer solve(const CurvedQuery& query, Method method, double t_max = 1.0);
+
+/// All times in [0, t_max] at which the two elements touch: ascending and disjoint closed intervals, exactly.
+/// @throws InvalidQuery  as solve(query, t_max)
+std::vector<ContactInterval> contact_times(const CurvedQuery& query, double t_max = 1.0);
+
+}  // namespace touchstone

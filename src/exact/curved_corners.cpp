@@ -1,0 +1,140 @@
+// From a curved query to corners whose coordinates are polynomials.
+//
+// A corner of a rigid body is at P(t) / W(t) with W = |q|^2, which is positive all over the step. Touching does not
+// change when all corners are multiplied by one positive number, which may depend on t: nor do the barycentric weights,
+// and V is multiplied by its cube, which changes no sign and no root's multiplicity. So the corners are multiplied by
+// all different W. docs/design.md has the whole argument.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "exact/common_scale.hpp"
+#include "exact/corners.hpp"
+
+namespace touchstone::exact {
+namespace {
+
+/// Doubles times one power of two.
+class Scaled {
+ public:
+  explicit Scaled(const OrdinarySize& size) : power_(size.power()), factor_(numbers::power_of_two(power_)) {}
+  Exact operator()(double x) const { return power_ != 0 ? Exact(x) * factor_ : Exact(x); }
+
+ private:
+  int power_;
+  Exact factor_;
+};
+
+Form linear(const Exact& start, const Exact& end) { return Form(start, end - start); }
+
+/// A rigid motion in polynomials: a body point X is at (rotation X + origin) / weight.
+struct Pose {
+  std::array<std::array<Form, 3>, 3> rotation;
+  geometry::Vector<Form> origin;
+  Form weight;
+};
+
+Pose pose_of(const RigidMotion& motion, const Scaled& lengths) {
+  OrdinarySize size;  // of the quaternion, whose length does not matter
+  for (const auto& end : {motion.q0, motion.q1}) {
+    for (const double c : end) size.add(c);
+  }
+  const Scaled scale(size);
+  const auto component = [&](std::size_t i) { return linear(scale(motion.q0[i]), scale(motion.q1[i])).trimmed(1); };
+  const Form w = component(0), x = component(1), y = component(2), z = component(3);
+  const Form ww = w * w, xx = x * x, yy = y * y, zz = z * z;
+  const Exact two(2);
+  const auto twice = [&](const Form& p) { return p * two; };
+  const Form weight = (ww + xx + yy + zz).trimmed(1);
+  const auto along = [&](double Vec3::*axis) {
+    return weight * linear(lengths(motion.p0.*axis), lengths(motion.p1.*axis));
+  };
+  return {{{{ww + xx - yy - zz, twice(x * y - w * z), twice(x * z + w * y)},
+            {twice(x * y + w * z), ww - xx + yy - zz, twice(y * z - w * x)},
+            {twice(x * z - w * y), twice(y * z + w * x), ww - xx - yy + zz}}},
+          {{along(&Vec3::x), along(&Vec3::y), along(&Vec3::z)}},
+          weight};
+}
+
+geometry::Vector<Form> on_body(const Pose& pose, const Vec3& point, const Scaled& lengths) {
+  const Exact coordinates[3] = {lengths(point.x), lengths(point.y), lengths(point.z)};
+  geometry::Vector<Form> result = pose.origin;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t j = 0; j < 3; ++j) result[k] = result[k] + pose.rotation[k][j] * coordinates[j];
+  }
+  return result;
+}
+
+/// A Bezier curve in powers of t: coefficient k is binomial(n, k) times the k-th difference of the control points.
+geometry::Vector<Form> on_curve(const CurvedCorner& corner, const Scaled& lengths) {
+  constexpr double Vec3::*kAxes[] = {&Vec3::x, &Vec3::y, &Vec3::z};
+  geometry::Vector<Form> result;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    numbers::ExactList c(corner.control_points);
+    const std::size_t size = static_cast<std::size_t>(corner.control_points);
+    for (std::size_t i = 0; i < size; ++i) c[i] = lengths(corner.points[i].*kAxes[axis]);
+    for (std::size_t order = 1; order < size; ++order) {
+      for (std::size_t i = size; i-- > order;) c[i] = c[i] - c[i - 1];
+    }
+    int binomial = 1;
+    for (std::size_t k = 1; k < size; ++k) {
+      binomial = binomial * static_cast<int>(size - k) / static_cast<int>(k);
+      c[k] = c[k] * Exact(binomial);
+    }
+    result[axis] = Form(std::move(c));
+  }
+  return result;
+}
+
+}  // namespace
+
+template <>
+Forms<AnyDegree>::Corners moving_corners<AnyDegree>(const CurvedQuery& query) {
+  const std::size_t count = corner_count(query.kind);
+  const auto motion_of = [&](const CurvedCorner& corner) { return static_cast<std::size_t>(corner.motion); };
+  std::array<bool, 4> used{};
+  OrdinarySize size;
+  for (std::size_t i = 0; i < count; ++i) {
+    const CurvedCorner& corner = query.corners[i];
+    const bool on_a_body = corner.motion != CurvedCorner::kOnCurve;
+    const std::size_t points = on_a_body ? 1 : static_cast<std::size_t>(corner.control_points);
+    for (std::size_t k = 0; k < points; ++k) size.add(corner.points[k]);
+    if (on_a_body) used[motion_of(corner)] = true;
+  }
+  for (std::size_t m = 0; m < used.size(); ++m) {
+    if (!used[m]) continue;
+    size.add(query.motions[m].p0);
+    size.add(query.motions[m].p1);
+  }
+
+  const Scaled lengths(size);
+  std::array<Pose, 4> poses;
+  std::vector<Form> weights;               // the different ones
+  std::array<std::size_t, 4> weight_of{};  // of a motion
+  for (std::size_t m = 0; m < used.size(); ++m) {
+    if (!used[m]) continue;
+    poses[m] = pose_of(query.motions[m], lengths);
+    const auto same = std::find(weights.begin(), weights.end(), poses[m].weight);
+    weight_of[m] = static_cast<std::size_t>(same - weights.begin());
+    if (same == weights.end()) weights.push_back(poses[m].weight);
+  }
+
+  Forms<AnyDegree>::Corners corners;
+  for (std::size_t i = 0; i < count; ++i) {
+    const CurvedCorner& corner = query.corners[i];
+    const bool on_a_body = corner.motion != CurvedCorner::kOnCurve;
+    corners[i] = on_a_body ? on_body(poses[motion_of(corner)], corner.points[0], lengths) : on_curve(corner, lengths);
+    constexpr int kLeastSize = 2;  // as of straight motion, so that equal motions have equal formal degrees
+    for (Form& coordinate : corners[i].c) {
+      for (std::size_t w = 0; w < weights.size(); ++w) {
+        if (!on_a_body || w != weight_of[motion_of(corner)]) coordinate = coordinate * weights[w];
+      }
+      coordinate = std::move(coordinate).trimmed(kLeastSize);
+    }
+  }
+  return corners;
+}
+
+}  // namespace touchstone::exact

@@ -1,0 +1,197 @@
+// A corner of a body that turns is at P(t) / W(t), both of degree 3 in the Bernstein basis, with coefficients P_i and
+// W_i. Where all W_i > 0, this is a convex combination of the points P_i / W_i with the weights B_i(t) W_i / W(t): the
+// corner stays in their convex hull (Farin, "Curves and surfaces for CAGD", chapter on rational curves).
+// SPDX-License-Identifier: MIT
+#include "filters/curved_paths.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace touchstone::filters {
+namespace {
+
+using Point = geometry::Vector<double>;
+using Quaternion = std::array<double, 4>;
+
+// Bounds, with e = 2^-53; q is scaled by a power of two so that its largest component m at both ends is in [1/2, 1).
+// Let L be the largest coordinate of body points plus the largest of positions.
+// - An entry of the bilinear rotation matrix sums 4 products, below 4 m^2 in all. A coordinate of M(a, b) X sums 3
+//   entries times coordinates, below 12 m^2 L, with at most 7 roundings of each product.
+// - A weight a . b sums 4 products, below 4 m^2, with at most 4 roundings of each.
+// - A numerator sums at most M + 2 M' + 2 w p + w' p', below 48 m^2 L, with at most 7 + 3 roundings of each product: it
+//   is off by at most 490 e m^2 L. A denominator w + 2 w' is below 12 m^2, and off by at most 5.1 * 12 e m^2, below
+//   62 e m^2.
+// - The denominator is required to be at least m^2 / 8. So with C the quotient as computed, it is off by at most
+//   8.1 (490 e L + 62 e |C|) + e |C| < 3970 e L + 510 e |C|.
+// 2^12 e = 4096 e times (L + |C|) leaves room for second-order terms and the rounding of the bound. What underflows is
+// off by less than 100 * 2^-1074, times at most 8.1, and does not count for an L of at least kLeastLength. Nothing
+// overflows for one of at most kMostLength.
+constexpr double kPathBound = 0x1p12 * 0x1p-53;
+constexpr double kLeastLength = 0x1p-900;
+constexpr double kMostLength = 0x1p900;
+constexpr double kLeastWeight = 0.125;
+
+// Let D be the largest coordinate of a direction and C that of the points. A projection sums 3 products with at most 3
+// roundings each: it is off by at most 9.1 e D C, and by 3 D times the points' error. The difference of two of them is
+// off by twice this and e 6.1 D C: less than 6 D error + 25 e D C. The rest is for the rounding of the bound.
+constexpr double kErrorFactor = 7;
+constexpr double kProjectionBound = 32 * 0x1p-53;
+
+double largest_of(const Point& x) noexcept { return std::max({std::fabs(x[0]), std::fabs(x[1]), std::fabs(x[2])}); }
+
+Point point_of(const Vec3& x) noexcept { return {{x.x, x.y, x.z}}; }
+
+double dot(const Quaternion& a, const Quaternion& b) noexcept {
+  return (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]);
+}
+
+/// M(a, b) X, the bilinear form of which M(q) X = M(q, q) X is the quadratic one.
+Point turned(const Quaternion& a, const Quaternion& b, const Point& x) noexcept {
+  const double ww = a[0] * b[0], xx = a[1] * b[1], yy = a[2] * b[2], zz = a[3] * b[3];
+  const auto mixed = [&](std::size_t i, std::size_t j) { return a[i] * b[j] + a[j] * b[i]; };
+  const double xy = mixed(1, 2), xz = mixed(1, 3), yz = mixed(2, 3);
+  const double wx = mixed(0, 1), wy = mixed(0, 2), wz = mixed(0, 3);
+  return {{((ww + xx) - (yy + zz)) * x[0] + (xy - wz) * x[1] + (xz + wy) * x[2],
+           (xy + wz) * x[0] + ((ww + yy) - (xx + zz)) * x[1] + (yz - wx) * x[2],
+           (xz - wy) * x[0] + (yz + wx) * x[1] + ((ww + zz) - (xx + yy)) * x[2]}};
+}
+
+/// Scales both quaternions by one power of two, so that the largest component is in [1/2, 1).
+void scale(Quaternion& q0, Quaternion& q1) noexcept {
+  double largest = 0;
+  for (const double c : q0) largest = std::max(largest, std::fabs(c));
+  for (const double c : q1) largest = std::max(largest, std::fabs(c));
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  for (double& c : q0) c = std::ldexp(c, -exponent);
+  for (double& c : q1) c = std::ldexp(c, -exponent);
+}
+
+/// The path of a body point; false where the weights are not certainly positive and far from 0.
+bool follow(const RigidMotion& motion, const Vec3& body_point, CurvedPaths::Path& path) noexcept {
+  Quaternion q0 = motion.q0, q1 = motion.q1;
+  scale(q0, q1);
+  const double w0 = dot(q0, q0), w1 = dot(q0, q1), w2 = dot(q1, q1);
+  const double weights[4] = {w0, w0 + 2 * w1, 2 * w1 + w2, w2};
+  for (const double weight : weights) {
+    if (!(weight >= kLeastWeight)) return false;
+  }
+  const Point x = point_of(body_point), p0 = point_of(motion.p0), p1 = point_of(motion.p1);
+  const Point n0 = turned(q0, q0, x), n1 = turned(q0, q1, x), n2 = turned(q1, q1, x);
+  for (std::size_t k = 0; k < 3; ++k) {
+    path.points[0][k] = (n0[k] + w0 * p0[k]) / weights[0];
+    path.points[1][k] = ((n0[k] + 2 * n1[k]) + (2 * w1 * p0[k] + w0 * p1[k])) / weights[1];
+    path.points[2][k] = ((2 * n1[k] + n2[k]) + (w2 * p0[k] + 2 * w1 * p1[k])) / weights[2];
+    path.points[3][k] = (n2[k] + w2 * p1[k]) / weights[3];
+  }
+  path.count = 4;
+  return true;
+}
+
+/// The points of both elements.
+struct Hulls {
+  std::array<Point, 16> points;
+  std::size_t first = 0;  // so many of the first element, and the others after them
+  std::size_t count = 0;
+};
+
+/// The points of each element that are nearest to the other one along a direction from the first to the second.
+struct Nearest {
+  std::size_t a = 0, b = 0;
+  double gap = 0;  // NaN for a direction that is not finite
+};
+
+Nearest nearest_along(const Hulls& hulls, const Point& direction) noexcept {
+  Nearest nearest;
+  double most = -std::numeric_limits<double>::infinity(), least = -most;
+  for (std::size_t i = 0; i < hulls.count; ++i) {
+    const double projection = geometry::dot(direction, hulls.points[i]);
+    if (i < hulls.first && projection > most) {
+      most = projection;
+      nearest.a = i;
+    }
+    if (i >= hulls.first && projection < least) {
+      least = projection;
+      nearest.b = i;
+    }
+  }
+  nearest.gap = least - most;
+  return nearest;
+}
+
+}  // namespace
+
+CurvedPaths curved_paths(const CurvedQuery& query) noexcept {
+  CurvedPaths paths;
+  double points = 0, positions = 0;
+  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+    const CurvedCorner& corner = query.corners[i];
+    CurvedPaths::Path& path = paths.corners[i];
+    if (corner.motion == CurvedCorner::kOnCurve) {
+      path.count = static_cast<std::size_t>(corner.control_points);
+      for (std::size_t k = 0; k < path.count; ++k) path.points[k] = point_of(corner.points[k]);
+    } else {
+      const RigidMotion& motion = query.motions[static_cast<std::size_t>(corner.motion)];
+      points = std::max(points, largest_of(point_of(corner.points[0])));
+      positions = std::max({positions, largest_of(point_of(motion.p0)), largest_of(point_of(motion.p1))});
+      if (!(points + positions <= kMostLength) || !follow(motion, corner.points[0], path)) return paths;
+    }
+    for (std::size_t k = 0; k < path.count; ++k) paths.size = std::max(paths.size, largest_of(path.points[k]));
+  }
+  const double length = points + positions;
+  paths.size = std::max(paths.size, length);
+  paths.known = paths.size >= kLeastLength && paths.size <= kMostLength;
+  paths.error = kPathBound * (2 * paths.size);
+  return paths;
+}
+
+bool certainly_apart(const CurvedQuery& query) noexcept {
+  const CurvedPaths paths = curved_paths(query);
+  if (!paths.known) return false;
+  Hulls hulls;
+  const std::size_t first = query.kind == Kind::edge_edge ? 2 : 1;
+  Point middle[2] = {};
+  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+    const CurvedPaths::Path& path = paths.corners[i];
+    for (std::size_t k = 0; k < path.count; ++k) {
+      hulls.points[hulls.count++] = path.points[k];
+      for (std::size_t axis = 0; axis < 3; ++axis) middle[i < first ? 0 : 1][axis] += path.points[k][axis];
+    }
+    if (i + 1 == first) hulls.first = hulls.count;
+  }
+  const auto separates = [&](const Point& direction, double gap) {
+    const double largest = largest_of(direction);
+    const double product = largest * paths.size;
+    if (!(product >= kLeastLength && product <= kMostLength)) return false;
+    return gap > kErrorFactor * (largest * paths.error) + kProjectionBound * product;
+  };
+  for (const Point& axis : {Point{{1, 0, 0}}, Point{{0, 1, 0}}, Point{{0, 0, 1}}}) {
+    const Point opposite = {{-axis[0], -axis[1], -axis[2]}};
+    if (separates(axis, nearest_along(hulls, axis).gap)) return true;
+    if (separates(opposite, nearest_along(hulls, opposite).gap)) return true;
+  }
+  // From the line between the middles, the direction is mirrored until it separates (Chung and Wang, "Quick collision
+  // detection of polytopes in virtual environments", 1996). It is a hint: each one is tested.
+  Point direction;
+  const double second_count = static_cast<double>(hulls.count - hulls.first),
+               first_count = static_cast<double>(hulls.first);
+  for (std::size_t k = 0; k < 3; ++k) direction[k] = middle[1][k] / second_count - middle[0][k] / first_count;
+  constexpr int kMirrorings = 12;
+  for (int i = 0; i < kMirrorings; ++i) {
+    const double largest = largest_of(direction);
+    if (!(largest > 0)) return false;
+    for (std::size_t k = 0; k < 3; ++k) direction[k] /= largest;
+    const Nearest nearest = nearest_along(hulls, direction);
+    if (separates(direction, nearest.gap)) return true;
+    const Point between = hulls.points[nearest.b] - hulls.points[nearest.a];
+    const double length = largest_of(between);
+    if (!(length > 0)) return false;
+    const Point unit = {{between[0] / length, between[1] / length, between[2] / length}};
+    const double factor = 2 * geometry::dot(unit, direction) / geometry::dot(unit, unit);
+    for (std::size_t k = 0; k < 3; ++k) direction[k] -= factor * unit[k];
+  }
+  return false;
+}
+
+}  // namespace touchstone::filters

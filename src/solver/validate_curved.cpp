@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <string>
+
+#include "numbers/exact_number.hpp"
+#include "solver/validate.hpp"
+
+namespace touchstone::solver {
+namespace {
+
+using numbers::Exact;
+
+std::string text_of(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", x);
+  return text;
+}
+
+void validate_finite(const Vec3& x, const std::string& what) {
+  const double coordinates[3] = {x.x, x.y, x.z};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (std::isfinite(coordinates[axis])) continue;
+    throw InvalidQuery(what + " has " + "xyz"[axis] + " = " + text_of(coordinates[axis]) +
+                       "; coordinates must be finite");
+  }
+}
+
+void validate_orientation(const std::array<double, 4>& q, const std::string& what) {
+  bool zero = true;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!std::isfinite(q[i])) {
+      throw InvalidQuery(what + " has " + "wxyz"[i] + " = " + text_of(q[i]) + "; its components must be finite");
+    }
+    zero = zero && q[i] == 0;
+  }
+  if (zero) throw InvalidQuery(what + " is zero; an orientation needs a component that is not 0");
+}
+
+/// Whether q1 = -c q0 for some c > 0, both not zero: exactly then (1 - t) q0 + t q1 is zero for some t in [0, 1].
+bool opposite(const std::array<double, 4>& q0, const std::array<double, 4>& q1) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (q0[i] < 0 ? !(q1[i] > 0) : q0[i] > 0 ? !(q1[i] < 0) : q1[i] != 0) return false;
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = i + 1; j < 4; ++j) {
+      if (Exact(q0[i]) * Exact(q1[j]) != Exact(q0[j]) * Exact(q1[i])) return false;
+    }
+  }
+  return true;
+}
+
+void validate(const RigidMotion& motion, std::size_t index) {
+  const std::string name = "motion " + std::to_string(index);
+  validate_orientation(motion.q0, name + ": the quaternion q0");
+  validate_orientation(motion.q1, name + ": the quaternion q1");
+  validate_finite(motion.p0, name + ": the position p0");
+  validate_finite(motion.p1, name + ": the position p1");
+  if (!opposite(motion.q0, motion.q1)) return;
+  std::size_t i = 0;
+  while (motion.q0[i] == 0) ++i;
+  const double a = std::fabs(motion.q0[i]) / 4, b = std::fabs(motion.q1[i]) / 4;  // their sum does not overflow
+  throw InvalidQuery(name + ": q1 is q0 times a negative number, so that (1 - t) q0 + t q1 is zero near t = " +
+                     text_of(a + b > 0 ? a / (a + b) : 0.5) +
+                     "; change the sign of all components of q1: the orientation at t = 1 stays the same");
+}
+
+void validate(const CurvedCorner& corner, const std::string& name) {
+  const int last_motion = static_cast<int>(CurvedQuery().motions.size()) - 1;
+  const int most_points = static_cast<int>(corner.points.size());
+  if (corner.motion != CurvedCorner::kOnCurve) {
+    if (corner.motion < 0 || corner.motion > last_motion) {
+      throw InvalidQuery(name + " has motion = " + std::to_string(corner.motion) + "; it must be 0 to " +
+                         std::to_string(last_motion) + ", or -1 for a corner on a curve");
+    }
+    return validate_finite(corner.points[0], name + ": the body point");
+  }
+  if (corner.control_points < 1 || corner.control_points > most_points) {
+    throw InvalidQuery(name + " has " + std::to_string(corner.control_points) + " control points; a curve has 1 to " +
+                       std::to_string(most_points) + " of them");
+  }
+  for (int i = 0; i < corner.control_points; ++i) {
+    validate_finite(corner.points[static_cast<std::size_t>(i)], name + ": control point " + std::to_string(i));
+  }
+}
+
+}  // namespace
+
+void validate(const CurvedQuery& query, double t_max) {
+  validate_kind(query.kind);
+  validate_t_max(t_max);
+  std::array<bool, 4> used{};
+  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+    const CurvedCorner& corner = query.corners[i];
+    std::string name(kind_name(query.kind));
+    validate(corner, name.append(" query: corner ").append(corner_name(query.kind, i)));
+    if (corner.motion != CurvedCorner::kOnCurve) used[static_cast<std::size_t>(corner.motion)] = true;
+  }
+  for (std::size_t m = 0; m < used.size(); ++m) {
+    if (used[m]) validate(query.motions[m], m);
+  }
+}
+
+}  // namespace touchstone::solver

@@ -1,0 +1,186 @@
+// The filter of curved queries: the points that it finds in doubles against the true ones, and how often it decides.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include <gmpxx.h>
+
+#include "curved/expected.hpp"
+#include "filters/curved_paths.hpp"
+#include "seeded/rng.hpp"
+#include "support/slow_build.hpp"
+
+namespace touchstone::tests {
+namespace {
+
+using seeded::Rng;
+using Point = std::array<mpq_class, 3>;
+using Quaternion = std::array<mpq_class, 4>;
+
+constexpr std::uint64_t kSeed = 47;
+
+Point exact(const Vec3& x) { return {mpq_class(x.x), mpq_class(x.y), mpq_class(x.z)}; }
+
+Quaternion product(const Quaternion& a, const Quaternion& b) {
+  return {a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3], a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+          a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1], a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0]};
+}
+
+mpq_class square(const Quaternion& q) { return q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]; }
+
+/// The vector part of q x q*.
+Point turned(const Quaternion& q, const Point& x) {
+  const Quaternion result =
+      product(product(q, {0, x[0], x[1], x[2]}), {q[0], mpq_class(-q[1]), mpq_class(-q[2]), mpq_class(-q[3])});
+  return {result[1], result[2], result[3]};
+}
+
+/// A rigid motion in rationals. The numerator and the weight of a corner at t, both homogeneous.
+struct Motion {
+  Quaternion q0, q1;
+  Point p0, p1, x;
+
+  Quaternion q(const mpq_class& t) const {
+    Quaternion result;
+    for (std::size_t i = 0; i < 4; ++i) result[i] = (1 - t) * q0[i] + t * q1[i];
+    return result;
+  }
+  mpq_class weight(const mpq_class& t) const { return square(q(t)); }
+  Point numerator(const mpq_class& t) const {
+    Point result = turned(q(t), x);
+    for (std::size_t k = 0; k < 3; ++k) result[k] += weight(t) * ((1 - t) * p0[k] + t * p1[k]);
+    return result;
+  }
+};
+
+/// The Bernstein coefficients of a cubic from its values at 0, 1/3, 2/3 and 1.
+std::array<mpq_class, 4> bernstein(const std::array<mpq_class, 4>& f) {
+  return {f[0], (-5 * f[0] + 18 * f[1] - 9 * f[2] + 2 * f[3]) / 6, (2 * f[0] - 9 * f[1] + 18 * f[2] - 5 * f[3]) / 6,
+          f[3]};
+}
+
+TEST_CASE("the control points of turning corners are within their bound of the true ones") {
+  double worst = 0;
+  std::size_t known = 0;
+  for (std::uint64_t index = 0; index < effort(4000); ++index) {
+    Rng rng(seeded::seed_of_part(kSeed, index));
+    const int magnitude = rng.one_in(2) ? 0 : rng.between(-890, 890);
+    const auto length = [&] {
+      return std::ldexp(rng.symmetric(), magnitude - (rng.one_in(3) ? rng.between(0, 60) : 0));
+    };
+    const auto place = [&] {
+      const double x = length(), y = length(), z = length();
+      return Vec3{x, y, z};
+    };
+    CurvedQuery query;
+    query.kind = Kind::point_point;
+    query.corners[0] = CurvedCorner::on_body(0, place());
+    RigidMotion& motion = query.motions[0];
+    const int size = rng.between(-1060, 1000);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double c = rng.one_in(4) ? 0 : rng.symmetric();
+      motion.q0[i] = std::ldexp(c, size);
+      motion.q1[i] = std::ldexp(rng.one_in(2) ? c + 0.5 * rng.symmetric() : rng.symmetric(), size);
+    }
+    motion.p0 = place();
+    motion.p1 = place();
+    const filters::CurvedPaths paths = filters::curved_paths(query);
+    if (!paths.known) continue;
+    ++known;
+    Motion truth = {{}, {}, exact(motion.p0), exact(motion.p1), exact(query.corners[0].points[0])};
+    for (std::size_t i = 0; i < 4; ++i) {
+      truth.q0[i] = mpq_class(motion.q0[i]);
+      truth.q1[i] = mpq_class(motion.q1[i]);
+    }
+    std::array<mpq_class, 4> weights;
+    std::array<Point, 4> numerators;
+    for (int i = 0; i < 4; ++i) {
+      const mpq_class t(i, 3);
+      weights[static_cast<std::size_t>(i)] = truth.weight(t);
+      numerators[static_cast<std::size_t>(i)] = truth.numerator(t);
+    }
+    weights = bernstein(weights);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto numerator = bernstein({numerators[0][k], numerators[1][k], numerators[2][k], numerators[3][k]});
+      for (std::size_t i = 0; i < 4; ++i) {
+        INFO("seed " << kSeed << ", index " << index);
+        REQUIRE(weights[i] > 0);
+        const mpq_class off = abs(mpq_class(mpq_class(paths.corners[0].points[i][k]) - numerator[i] / weights[i]));
+        REQUIRE(off <= mpq_class(paths.error));
+        REQUIRE(std::fabs(paths.corners[0].points[i][k]) <= paths.size);
+        worst = std::max(worst, mpq_class(off / mpq_class(paths.error)).get_d());
+      }
+    }
+  }
+  std::printf("seed %llu: %zu turning corners, the largest error is %.2g of the bound\n",
+              static_cast<unsigned long long>(kSeed), known, worst);
+  CHECK(known > effort(4000) / 4);
+  CHECK(worst > 1e-5);
+}
+
+TEST_CASE("the filter decides most of what is apart, and never what touches") {
+  std::size_t decided = 0, apart = 0, touching = 0;
+  const std::size_t count = effort(3000);
+  for (std::uint64_t index = 0; index < count; ++index) {
+    Rng rng(seeded::seed_of_part(kSeed + 1, index));
+    const auto vector = [&](double size) {
+      const double x = size * rng.symmetric(), y = size * rng.symmetric(), z = size * rng.symmetric();
+      return Vec3{x, y, z};
+    };
+    CurvedQuery query;
+    query.kind = static_cast<Kind>(rng.between(0, 3));
+    for (RigidMotion& motion : query.motions) {
+      for (std::size_t i = 0; i < 4; ++i) {
+        motion.q0[i] = rng.symmetric();
+        motion.q1[i] = motion.q0[i] + 0.25 * rng.symmetric();
+      }
+      motion.p0 = vector(1);
+      motion.p1 = {motion.p0.x + rng.symmetric(), motion.p0.y, motion.p0.z};
+    }
+    // Every fourth time the first corners of both elements are one point of one body.
+    const bool together = rng.one_in(4);
+    if (together) query.motions[1] = query.motions[0];
+    for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+      const bool second = query.kind == Kind::edge_edge ? i >= 2 : i >= 1;
+      query.corners[i] = CurvedCorner::on_body(second ? 1 : 0, vector(1));
+    }
+    const std::size_t first_of_second = query.kind == Kind::edge_edge ? 2 : 1;
+    if (together) query.corners[first_of_second].points = query.corners[0].points;
+    const bool filtered = filters::certainly_apart(query);
+    const Answer exact_answer = solve(query, Method::exact);
+    const Answer fast = solve(query);
+    INFO("seed " << kSeed + 1 << ", index " << index);
+    REQUIRE(fast.contact == exact_answer.contact);
+    REQUIRE((fast.level == Level::filter) == filtered);
+    REQUIRE(!(together && filtered));
+    decided += filtered;
+    apart += !exact_answer.contact;
+    touching += exact_answer.contact;
+  }
+  std::printf("seed %llu: %zu apart, %zu of them by the filter; %zu touch\n",
+              static_cast<unsigned long long>(kSeed + 1), apart, decided, touching);
+  CHECK(2 * decided > apart);
+  CHECK(touching > count / 8);
+}
+
+TEST_CASE("the filter on corners that are apart by little") {
+  // Two points at rest, one of them on a body: the bound is 2^-37 or so of the coordinates.
+  const auto filtered = [](double gap) {
+    RigidMotion still;
+    still.q0 = still.q1 = {0.3, 0.4, 0.5, 0.6};
+    return filters::certainly_apart(curved(Kind::point_point, {body(0, {0, 0, 0}), rest({gap, 0, 0})}, {still}));
+  };
+  CHECK(filtered(1e-3));
+  CHECK(filtered(1e-300) == false);  // below kLeastLength: nothing is known
+  const auto beside = [](double gap) {
+    return filters::certainly_apart(curved(Kind::point_point, {rest({1, 1, 1}), rest({1 + gap, 1, 1})}));
+  };
+  CHECK(beside(1e-8));
+  CHECK_FALSE(beside(1e-14));
+  CHECK_FALSE(beside(0));
+}
+
+}  // namespace
+}  // namespace touchstone::tests
