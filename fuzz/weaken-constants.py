@@ -4,7 +4,12 @@
 # searches of the layer's tests and then `touchstone fuzz` against the cascade, for a minute at most. Prints who found what.
 # Exit status 0 when every fault was found, 1 when one survived, 2 when this script no longer fits the sources.
 #
-#   fuzz/weaken-constants.py [--only PART_OF_A_NAME] [--seconds 60] [--jobs N] [--quick] [--list]
+# With --proofs no test is run: the faulty program proves its answers to hard queries, and touchstone-check, which knows
+# nothing of filters, must reject some proof. A fault for whose answers the prover has no proof is found, too, and is
+# told apart. Only a fault that changes an answer or a proof can be found so, and nobody steers these queries towards a
+# bound: so the bounds are 4,096 times too small instead.
+#
+#   fuzz/weaken-constants.py [--only PART_OF_A_NAME] [--seconds 60] [--jobs N] [--quick] [--proofs] [--list]
 # SPDX-License-Identifier: MIT
 import argparse
 import os
@@ -221,15 +226,71 @@ def attacks(build, layer, seconds, jobs, quick):
     return None, spent, "; ".join(excuses)
 
 
+def proofs_checked(build, layer, seconds, jobs):
+    """What `attacks` returns, for the proofs of the program's own answers to hard queries: seed by seed, until one is
+    rejected or the time is over. Nobody tells the checker which answers are wrong."""
+    program, checker, maker = build / "touchstone", build / "touchstone-check", build / "fuzz/make_hard_queries"
+    for target in ("touchstone_program", "touchstone_check", "make_hard_queries"):
+        build_target(build, target, jobs)
+    queries, proofs = build / "hard-queries", build / "hard-proofs.txt"
+    begin_used, begin, seed = processor_time(), time.monotonic(), 0
+
+    def spent():
+        return min(time.monotonic() - begin, processor_time() - begin_used)
+
+    def run(*command):
+        return subprocess.run([str(word) for word in command], capture_output=True, text=True, errors="replace",
+                              timeout=10 * max(seconds, 1))
+
+    while spent() < seconds:
+        seed += 1
+        shutil.rmtree(queries, ignore_errors=True)
+        metric = [("max", "euclidean")[seed % 2]] if layer == "separation" else []
+        made = run(maker, queries, seed, 1, 200, *metric)
+        if made.returncode:
+            stop(f"make_hard_queries: {made.stderr}")
+        files = sorted(queries.glob("*/*.csv"))
+        try:
+            proved = run(program, "certify", "--threads", jobs, "--proofs", proofs, *files)
+        except subprocess.TimeoutExpired:
+            # The search for a proof of "no contact" does not end soon where there is one. The exact level tells.
+            judged = run(program, "certify", *files)
+            if judged.returncode == 1:
+                wrong = judged.stdout.partition("refuted:\n")[2].partition(" (rows")[0].strip()
+                return "the prover", spent(), f"it found no proof in time; seed {seed}: a false answer to {wrong}"
+            return None, spent(), f"seed {seed}: the prover timed out"
+        if proved.returncode == 2 and "there is no proof" in proved.stderr:
+            return "the prover", spent(), proved.stderr.strip()
+        if proved.returncode not in (0, 1):
+            stop(f"certify ended with status {proved.returncode}:\n{proved.stderr[-3000:]}")
+        checked = run(checker, proofs, *files)
+        answers = proved.stdout.splitlines()[0]  # judged by the exact level, which has no filters
+        if checked.returncode == 1:
+            return "touchstone-check", spent(), f"{checked.stderr.strip()}; seed {seed}: {answers}"
+        if checked.returncode:
+            stop(f"touchstone-check ended with status {checked.returncode}:\n{checked.stderr[-3000:]}")
+        if proved.returncode:
+            stop(f"touchstone-check accepts the proof of a false answer; seed {seed}:\n{proved.stdout[-3000:]}")
+    return None, spent(), ""
+
+
+def coarser(fault):
+    """The fault for --proofs."""
+    return (*fault[:3], fault[3].replace("/ 16", "/ 4096"))
+
+
 def main():
     parser = argparse.ArgumentParser(description="Weakens the filters' bounds one by one and sees who notices.")
     parser.add_argument("--only", default="", help="only faults whose name holds this")
     parser.add_argument("--seconds", type=float, default=60, help="for the searches, of each fault (default: 60)")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--quick", action="store_true", help="the searches of the tests only")
+    parser.add_argument("--proofs", action="store_true", help="no tests: the checker of proofs judges")
     parser.add_argument("--list", action="store_true", help="the faults, and no more")
     options = parser.parse_args()
     chosen = [fault for fault in FAULTS + SEPARATION_FAULTS if options.only in fault[0]]
+    if options.proofs:
+        chosen = [coarser(fault) for fault in chosen]
     if not chosen:
         stop(f"no fault is called '{options.only}'")
     for fault in FAULTS + SEPARATION_FAULTS:  # before minutes are spent
@@ -238,12 +299,17 @@ def main():
         print("\n".join(fault[0] for fault in chosen))
         return 0
 
+    def attack(layer):
+        if options.proofs:
+            return proofs_checked(build, layer, options.seconds, options.jobs)
+        return attacks(build, layer, options.seconds, options.jobs, options.quick)
+
     with tempfile.TemporaryDirectory(prefix="touchstone-weaken-") as folder:
         source, build = pathlib.Path(folder) / "source", pathlib.Path(folder) / "build"
         copy_sources(source)
         configure(source, build)
         for layer in sorted({layer_of(fault) for fault in chosen}):
-            unharmed = attacks(build, layer, options.seconds, options.jobs, options.quick)
+            unharmed = attack(layer)
             if unharmed[0] or unharmed[2]:
                 stop(f"the sources as they are fail: {unharmed[0] or 'too slow'}: {unharmed[2]}")
         survivors = []
@@ -251,7 +317,7 @@ def main():
             file = source / "src" / fault[1]
             text = file.read_text()
             file.write_text(faulty(text, fault))
-            result = attacks(build, layer_of(fault), options.seconds, options.jobs, options.quick)
+            result = attack(layer_of(fault))
             file.write_text(text)
             if result[0]:
                 print(f"found     {fault[0]}: by {result[0]} in {result[1]:.1f} s  {result[2]}", flush=True)

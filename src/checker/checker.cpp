@@ -1,468 +1,485 @@
 // touchstone-check: checks proofs of collision answers. It believes nobody: it reads the queries and the proofs itself,
 // and computes with integers only. docs/proofs.md defines the format, and says why a checked proof implies its answer.
 //
-//   g++ -O2 -std=c++17 checker.cpp -lgmpxx -lgmp -o touchstone-check
+//   g++ -O2 -std=c++17 -I. checker/checker.cpp -lgmpxx -lgmp -o touchstone-check      (in the folder src)
 //   touchstone-check PROOFS QUERY_FILE...
 //
 // Exit status: 0 every proof holds, 1 some proof does not, 2 bad usage or a file that cannot be read.
-// Limits: lines of 2^20 bytes, integers of 20,000 digits, exponents of two up to 100,000, polynomials of degree 16.
+// The checks are signs and divisibility. So the coordinates of a query, the coefficients of a direction, and those of a
+// polynomial are integers here: each group is multiplied by a positive number, which changes no sign.
 // SPDX-License-Identifier: MIT
-#include <gmpxx.h>
+#include "checker/input.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cctype>
-#include <cstdint>
-#include <cstdio>
-#include <fstream>
-#include <iostream>
-#include <map>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
+namespace checker {
 namespace {
 
-struct Rejected : std::runtime_error {  // exit status 1
-  using std::runtime_error::runtime_error;
-};
-struct BadInput : std::runtime_error {  // exit status 2
-  using std::runtime_error::runtime_error;
-};
+// ---- Polynomials ----------------------------------------------------------------------------------------------------
 
-constexpr std::size_t kLongestLine = 1U << 20, kMostDigits = 20000, kMostDegree = 16;
-constexpr long kMostExponent = 100000;
-
-// ---- Exact numbers: m 2^e -------------------------------------------------------------------------------------------
-
-struct Number {
-  mpz_class m;
-  long e = 0;
-  Number(long value = 0) : m(value) {}
-  Number(mpz_class mantissa, long exponent) : m(std::move(mantissa)), e(exponent) {}
-};
-int sign(const Number& x) { return sgn(x.m); }
-Number operator*(const Number& a, const Number& b) { return {mpz_class(a.m * b.m), a.e + b.e}; }
-Number operator-(const Number& a) { return {mpz_class(-a.m), a.e}; }
-Number operator+(const Number& a, const Number& b) {
-  if (a.e == b.e) return {mpz_class(a.m + b.m), a.e};
-  if (sign(a) == 0) return b;
-  if (sign(b) == 0) return a;
-  const Number& high = a.e > b.e ? a : b;
-  const Number& low = a.e > b.e ? b : a;
-  return {mpz_class((high.m << static_cast<unsigned long>(high.e - low.e)) + low.m), low.e};
+/// sum += factor p
+void add(Polynomial& sum, const Polynomial& p, const mpz_class& factor) {
+  sum.extend(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i) mpz_addmul(sum[i].get_mpz_t(), p[i].get_mpz_t(), factor.get_mpz_t());
 }
-Number operator-(const Number& a, const Number& b) { return a + (-b); }
-bool operator<(const Number& a, const Number& b) { return sign(b - a) > 0; }
-bool operator==(const Number& a, const Number& b) { return sign(b - a) == 0; }
-
-// ---- Polynomials: coefficient i belongs to t^i ----------------------------------------------------------------------
-
-using Polynomial = std::vector<Number>;
-Polynomial operator+(const Polynomial& p, const Polynomial& q) {
-  Polynomial sum = p.size() < q.size() ? q : p;
-  const Polynomial& shorter = p.size() < q.size() ? p : q;
-  for (std::size_t i = 0; i < shorter.size(); ++i) sum[i] = sum[i] + shorter[i];
-  return sum;
-}
-Polynomial operator-(const Polynomial& p) {
-  Polynomial negative;
-  for (const Number& c : p) negative.push_back(-c);
-  return negative;
-}
-Polynomial operator-(const Polynomial& p, const Polynomial& q) { return p + (-q); }
-Polynomial operator*(const Polynomial& p, const Polynomial& q) {
-  if (p.empty() || q.empty()) return {};
-  Polynomial product(p.size() + q.size() - 1);
+/// sum += p q
+void add_product(Polynomial& sum, const Polynomial& p, const Polynomial& q) {
+  if (p.size() == 0 || q.size() == 0) return;
+  sum.extend(p.size() + q.size() - 1);
   for (std::size_t i = 0; i < p.size(); ++i) {
-    for (std::size_t j = 0; j < q.size(); ++j) product[i + j] = product[i + j] + p[i] * q[j];
-  }
-  return product;
-}
-Number value(const Polynomial& p, const Number& t) {
-  Number sum;
-  for (std::size_t i = p.size(); i-- > 0;) sum = sum * t + p[i];
-  return sum;
-}
-/// q(x) = p(from + x (to - from)), by Horner's rule.
-Polynomial on_piece(const Polynomial& p, const Number& from, const Number& to) {
-  if (sign(from) == 0 && to == Number(1)) return p;
-  const Polynomial line = {from, to - from};
-  Polynomial q;
-  for (std::size_t i = p.size(); i-- > 0;) q = q * line + Polynomial{p[i]};
-  return q;
-}
-/// The Bernstein coefficients of p over [0, 1], all multiplied by the factorial of the degree, which is positive:
-/// b_i = sum over j <= i of C(i, j) / C(d, j) c_j, and d! C(i, j) / C(d, j) = i! (d - j)! / (i - j)!.
-Polynomial bernstein(const Polynomial& p) {
-  static const auto factorial = [] {
-    std::array<long, kMostDegree + 4> f{};  // 19! is below 2^63
-    f[0] = 1;
-    for (std::size_t i = 1; i < f.size(); ++i) f[i] = f[i - 1] * static_cast<long>(i);
-    return f;
-  }();
-  const std::size_t d = p.empty() ? 0 : p.size() - 1;
-  Polynomial b(p.size());
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      b[i] = b[i] + Number(mpz_class(p[j].m * (factorial[i] / factorial[i - j]) * factorial[d - j]), p[j].e);
+    for (std::size_t j = 0; j < q.size(); ++j) {
+      mpz_addmul(sum[i + j].get_mpz_t(), p[i].get_mpz_t(), q[j].get_mpz_t());
     }
   }
-  return b;
 }
+void set_product(Polynomial& product, const Polynomial& p, const Polynomial& q) {
+  product.clear();
+  add_product(product, p, q);
+}
+void set_dot(Polynomial& dot, const Vector& a, const Vector& b) {
+  dot.clear();
+  for (std::size_t k = 0; k < 3; ++k) add_product(dot, a[k], b[k]);
+}
+void set_difference(Polynomial& difference, const Polynomial& p, const Polynomial& q) {
+  difference.clear();
+  difference.extend(std::max(p.size(), q.size()));
+  for (std::size_t i = 0; i < p.size(); ++i) difference[i] = p[i];
+  for (std::size_t i = 0; i < q.size(); ++i) difference[i] -= q[i];
+}
+
+/// The times from low / 2^shift on that are (width / 2^shift) s later, for s in [0, 1].
+struct Interval {
+  mpz_class low, width;
+  unsigned long shift = 0;
+  void set(const Number& from, const Number& to) {
+    const long e = std::min({from.e, to.e, 0L});
+    low = from.m << static_cast<unsigned long>(from.e - e);
+    width = (to.m << static_cast<unsigned long>(to.e - e)) - low;
+    shift = static_cast<unsigned long>(-e);
+  }
+};
+
+/// The Bernstein coefficients b_i of p over the interval, times C(d, i) 2^(shift d), for p with d + 1 coefficients.
+/// These factors are positive, so the signs are right. With p(low + s width) = sum c_j s^j and 1 = (1 - s) + s, p is
+/// the sum of the c_j s^j ((1 - s) + s)^(d - j). This is a polynomial of s and 1 - s: s^i (1 - s)^(d - i) has the
+/// coefficient sum over j <= i of C(d - j, i - j) c_j, which is C(d, i) b_i.
+void set_bernstein(Polynomial& b, const Polynomial& p, const Interval& on) {
+  static mpz_class power;
+  const std::size_t size = p.size();
+  b.clear();
+  b.extend(size);
+  for (std::size_t i = 0; i < size; ++i) {  // p as a polynomial of 2^shift t
+    mpz_mul_2exp(b[i].get_mpz_t(), p[i].get_mpz_t(), on.shift * (size - 1 - i));
+  }
+  for (std::size_t k = 1; k < size; ++k) {  // by Horner's scheme, as a polynomial of 2^shift t - low
+    for (std::size_t i = size - 1; i >= k; --i) {
+      mpz_addmul(b[i - 1].get_mpz_t(), b[i].get_mpz_t(), on.low.get_mpz_t());
+    }
+  }
+  power = 1;
+  for (std::size_t i = 1; i < size; ++i) {  // as a polynomial of s
+    power *= on.width;
+    b[i] *= power;
+  }
+  // Also by Horner's scheme: the first k coefficients are those of a polynomial of 1 - s and s, times (1 - s) + s.
+  for (std::size_t k = 1; k < size; ++k) {
+    for (std::size_t i = k; i > 0; --i) b[i] += b[i - 1];
+  }
+}
+
+/// Whether all of the Bernstein coefficients have this sign. From the index `zeros_from` on they may also be zero.
+bool have_sign(const Polynomial& bernstein, int sign, std::size_t zeros_from) {
+  for (std::size_t i = 0; i < bernstein.size(); ++i) {
+    const int s = sgn(bernstein[i]);
+    if (s != sign && (s != 0 || i < zeros_from)) return false;
+  }
+  return bernstein.size() > 0;
+}
+constexpr std::size_t kNoZeros = std::numeric_limits<std::size_t>::max();
+
 /// Whether g divides p, over the rational numbers. g's leading coefficient is not zero.
-bool divides(const Polynomial& g, Polynomial p) {
-  while (p.size() >= g.size()) {
-    const Number lead = p.back();
-    const std::size_t shift = p.size() - g.size();
-    for (Number& c : p) c = c * g.back();
-    for (std::size_t i = 0; i < g.size(); ++i) p[shift + i] = p[shift + i] - lead * g[i];
-    p.pop_back();  // it is zero now
+bool divides(const Polynomial& g, const Polynomial& p) {
+  static Polynomial rest;
+  rest.clear();
+  add(rest, p, 1);
+  const mpz_class& lead = g[g.size() - 1];
+  for (std::size_t size = rest.size(); size >= g.size(); --size) {
+    // lead rest - top g t^(size - g.size()), whose last coefficient is zero and not looked at any more
+    const mpz_class& top = rest[size - 1];
+    for (std::size_t i = 0; i + 1 < size; ++i) rest[i] *= lead;
+    for (std::size_t i = 0; i + 1 < g.size(); ++i) rest[size - g.size() + i] -= top * g[i];
   }
-  return std::all_of(p.begin(), p.end(), [](const Number& c) { return sign(c) == 0; });
-}
-using Vector = std::array<Polynomial, 3>;
-Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Polynomial dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-// ---- Text -----------------------------------------------------------------------------------------------------------
-
-/// The lines of a file, and its SHA-256 digest.
-class Lines {
- public:
-  explicit Lines(const std::string& name) : name_(name), file_(name, std::ios::binary) {
-    if (!file_) throw BadInput(name + ": cannot be opened");
-  }
-  /// The next line that is neither blank nor a comment. @returns false at the end
-  bool next(std::string& line) {
-    for (;;) {
-      line.clear();
-      int c = file_.get();
-      if (c == EOF) {
-        if (file_.bad()) throw BadInput(name_ + ": cannot be read");
-        return false;
-      }
-      ++number_;
-      for (; c != EOF && c != '\n'; c = file_.get()) {
-        if (line.size() >= kLongestLine) throw BadInput(where() + "the line is longer than 2^20 bytes");
-        line += static_cast<char>(c);
-      }
-      if (!line.empty() && line.back() == '\r') line.pop_back();
-      const std::size_t first = line.find_first_not_of(" \t");
-      if (first != std::string::npos && line[first] != '#') return true;
-    }
-  }
-  std::string where() const { return name_ + ":" + std::to_string(number_) + ": "; }
-
- private:
-  std::string name_;
-  std::ifstream file_;
-  std::uint64_t number_ = 0;
-};
-
-std::vector<std::string> words_of(const std::string& line, char separator) {
-  std::vector<std::string> words;
-  std::string word;
-  for (const char c : line + separator) {
-    if (c != separator && !(separator == ',' && (c == ' ' || c == '\t'))) {
-      word += c;
-    } else if (c == separator && (separator == ',' || !word.empty())) {
-      words.push_back(std::move(word));
-      word.clear();
-    }
-  }
-  return words;
-}
-mpz_class integer(const std::string& text, int base, const std::string& where) {
-  const std::size_t first = !text.empty() && text[0] == '-' ? 1 : 0;
-  const bool plain = text.size() > first && text.size() <= kMostDigits &&
-                     std::all_of(text.begin() + static_cast<long>(first), text.end(), [base](unsigned char c) {
-                       return base == 10 ? std::isdigit(c) != 0 : std::isxdigit(c) != 0;
-                     });
-  if (!plain) throw BadInput(where + "no integer of at most 20,000 digits: " + text.substr(0, 40));
-  return mpz_class(text, base);
-}
-/// "-12", or a C hexfloat with any number of digits: "0x1.8p-3".
-Number number(std::string text, const std::string& where) {
-  const bool negative = !text.empty() && text[0] == '-';
-  const std::size_t start = negative ? 1 : 0;
-  if (text.compare(start, 2, "0x") != 0) return {integer(text, 10, where), 0};
-  const std::size_t p = text.find('p');
-  if (p == std::string::npos) throw BadInput(where + "a hexadecimal number without an exponent: " + text.substr(0, 40));
-  const bool plus = p + 1 < text.size() && text[p + 1] == '+';
-  const mpz_class exponent = integer(text.substr(p + (plus ? 2 : 1)), 10, where);
-  if (abs(exponent) > kMostExponent) throw BadInput(where + "the exponent is beyond 100,000");
-  std::string digits = text.substr(start + 2, p - start - 2);
-  const std::size_t point = digits.find('.');
-  long e = exponent.get_si();
-  if (point != std::string::npos) {
-    e -= 4 * static_cast<long>(digits.size() - point - 1);
-    digits.erase(point, 1);
-  }
-  if (!digits.empty() && digits[0] == '-') throw BadInput(where + "a sign within a number");
-  const mpz_class m = integer(digits, 16, where);
-  return {negative ? mpz_class(-m) : m, e};
-}
-Polynomial polynomial(const std::vector<std::string>& words, std::size_t first, const std::string& where) {
-  if (first >= words.size() || words.size() - first > kMostDegree + 1) {
-    throw BadInput(where + "a polynomial has 1 to 17 coefficients");
-  }
-  Polynomial p;
-  for (std::size_t i = first; i < words.size(); ++i) p.push_back(number(words[i], where));
-  return p;
-}
-
-// ---- Queries --------------------------------------------------------------------------------------------------------
-
-struct KindOf {
-  std::size_t corners, first;  ///< of both elements, of the first one
-};
-const std::map<std::string, KindOf> kKinds = {
-    {"edge-edge", {4, 2}}, {"vertex-face", {4, 1}}, {"point-edge", {3, 1}}, {"point-point", {2, 1}}};
-
-/// The corners as polynomials of t of degree 1, all multiplied by one positive integer, so that they are integers.
-using Corners = std::vector<Vector>;
-bool read_query(Lines& lines, const KindOf& kind, Corners& corners) {
-  std::vector<std::array<mpz_class, 6>> rows;  // three fractions each
-  mpz_class common = 1;
-  for (std::size_t i = 0; i < 2 * kind.corners; ++i) {
-    std::string line;
-    if (!lines.next(line)) {
-      if (i == 0) return false;
-      throw BadInput(lines.where() + "the file ends within a query");
-    }
-    const std::vector<std::string> words = words_of(line, ',');
-    if (words.size() != 7) throw BadInput(lines.where() + "a row has 7 columns");
-    auto& row = rows.emplace_back();
-    for (std::size_t k = 0; k < 6; ++k) row[k] = integer(words[k], 10, lines.where());
-    for (std::size_t k = 1; k < 6; k += 2) {
-      if (row[k] <= 0) throw BadInput(lines.where() + "a denominator is not positive");
-      common = lcm(common, row[k]);
-    }
-  }
-  corners.assign(kind.corners, Vector());
-  for (std::size_t i = 0; i < kind.corners; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto scaled = [&](std::size_t row) {
-        return mpz_class(rows[row][2 * k] * (common / rows[row][2 * k + 1]));
-      };
-      const mpz_class start = scaled(i), end = scaled(kind.corners + i);
-      corners[i][k] = {Number(start, 0), Number(mpz_class(end - start), 0)};
-    }
+  for (std::size_t i = 0; i < std::min(rest.size(), g.size() - 1); ++i) {
+    if (rest[i] != 0) return false;
   }
   return true;
 }
 
-// ---- Proofs ---------------------------------------------------------------------------------------------------------
+// ---- The checker ----------------------------------------------------------------------------------------------------
 
-/// The direction u x w, on which every corner of one element is the same distance from every corner of the other.
-Vector normal(const Corners& x, const KindOf& kind, const std::string& where) {
-  if (kind.corners != 4) throw Rejected(where + "two elements of fewer than four corners have no normal");
-  return kind.first == 2 ? cross(x[1] - x[0], x[3] - x[2]) : cross(x[2] - x[1], x[3] - x[1]);
-}
-/// One piece: the elements are on different sides of a plane at all times of [from, to], or of [from, to) if `open`.
-void check_piece(const Corners& x, const KindOf& kind, const Vector& direction, const Number& from, const Number& to,
-                 bool open, const std::string& where) {
-  int side = 0;
-  for (std::size_t i = 0; i < kind.first; ++i) {
-    for (std::size_t j = kind.first; j < kind.corners; ++j) {
-      const Polynomial b = bernstein(on_piece(dot(direction, x[j] - x[i]), from, to));
-      for (std::size_t k = 0; k < b.size(); ++k) {
-        const int s = sign(b[k]);
-        if (side == 0) side = s;  // of the very first coefficient, which must not be zero
-        const bool may_be_zero = open && k > 0;
-        if (side == 0 || s == -side || (s == 0 && !may_be_zero)) {
-          throw Rejected(where + "corner " + std::to_string(i) + " and corner " + std::to_string(j) +
-                         " are not proved to be on different sides of the plane");
-        }
-      }
-    }
-  }
-}
-/// Whether x is a double: m 2^e with |m| < 2^53 and e >= -1074. The next double is then x + 2^e with the least such e
-/// for which |m| >= 2^52, or e = -1074.
-bool next_double(Number x, Number& next) {
-  if (sign(x) < 0) return false;
-  while (sign(x) != 0 && (mpz_even_p(x.m.get_mpz_t()) != 0)) x.m /= 2, ++x.e;
-  if (sign(x) == 0) x.e = -1074;
-  if (mpz_sizeinbase(x.m.get_mpz_t(), 2) > 53 || x.e < -1074) return false;
-  while (x.e > -1074 && mpz_sizeinbase(x.m.get_mpz_t(), 2) < 53) x.m *= 2, --x.e;
-  next = Number(mpz_class(x.m + 1), x.e);
-  return true;
-}
+enum class Metric { none, euclidean, max };
+struct Separation {
+  Metric metric = Metric::none;
+  Number distance;
+  std::string text;
+};
 
 class Checker {
  public:
-  Checker(const std::string& proofs, const std::vector<std::string>& files) : lines_(proofs), files_(files) {}
+  explicit Checker(const std::string& proofs) : lines_(proofs) {}
 
-  void run() {
-    if (!next() || words_ != std::vector<std::string>{"touchstone-proofs", "1"}) {
-      throw BadInput(lines_.where() + "the first line must be \"touchstone-proofs 1\"");
-    }
+  void run(const std::vector<std::string>& files) {
     next();
-    for (const std::string& file : files_) check_file(file);
-    if (words_.empty() || words_[0] != "end") throw Rejected(lines_.where() + "\"end\" is missing: the file was cut");
-    const std::vector<std::string> end = {"end", std::to_string(queries_), std::to_string(contacts_)};
-    if (words_ != end) throw Rejected(lines_.where() + "the numbers of queries and contacts are not those of the file");
-    if (next()) throw Rejected(lines_.where() + "there is more after \"end\"");
+    if (words_ != Words{"touchstone-proofs", "1"}) throw lines_.bad("the first line must be \"touchstone-proofs 1\"");
+    next();
+    for (const std::string& file : files) check_file(file);
+    if (words_ != Words{"end", std::to_string(queries_), std::to_string(contacts_)}) {
+      throw expected("\"end\" and the numbers of queries and contacts, " + std::to_string(queries_) + " and " +
+                     std::to_string(contacts_) + ", after the proofs of the last query file");
+    }
+    if (next()) throw expected("the end of the file, after the line \"end\"");
     std::printf("%llu queries checked: %llu contacts, %llu without contact\n", queries_, contacts_,
                 queries_ - contacts_);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw BadInput("standard output cannot be written");
   }
 
  private:
-  bool next() {
-    std::string line;
-    words_.clear();
-    if (!lines_.next(line)) return false;
-    words_ = words_of(line, ' ');
-    return true;
+  bool next() { return lines_.next(words_); }
+  Rejected rejected(const std::string& reason) const { return Rejected(lines_.where() + reason); }
+  Rejected expected(const std::string& what) const { return rejected("here must be " + what); }
+  void require(bool holds, const char* reason) const {
+    if (!holds) throw rejected(reason);
   }
 
   void check_file(const std::string& name) {
-    if (words_.size() < 4 || words_[0] != "file" || kKinds.count(words_[1]) == 0) {
-      throw Rejected(lines_.where() + "here the proofs of " + name + " must begin");
+    read_separation();
+    const std::string_view digest = words_.size() < 4 ? "" : words_[2];
+    const bool is_sha256 = digest.size() == 64 && digest.find_first_not_of("0123456789abcdef") == digest.npos;
+    if ((!is_sha256 && digest != "-") || words_[0] != "file") {
+      throw expected("\"file KIND DIGEST NAME\": the proofs for " + name);
     }
-    const std::string kind_name = words_[1];
-    const KindOf kind = kKinds.at(kind_name);
+    const std::string kind_name(words_[1]);
+    const auto kind = std::find_if(kKinds.begin(), kKinds.end(), [&](const Kind& k) { return k.name == kind_name; });
+    require(kind != kKinds.end() || kind_name == "mesh",
+            "the second word is no kind: edge-edge, vertex-face, point-edge, point-point or mesh was expected");
     const unsigned long long before = queries_;
     next();
-    Lines queries(name);
-    Corners corners;
-    for (std::uint64_t i = 0; read_query(queries, kind, corners); ++i) {
-      ++queries_;
-      try {
-        check_query(corners, kind, i);
-      } catch (const Rejected& reason) {
-        throw Rejected(name + ": query " + std::to_string(i) + ": " + reason.what());
-      }
-    }
-    // The proofs say which kind the queries are, so a person must see it.
-    std::printf("%s: %llu %s queries\n", name.c_str(), queries_ - before, kind_name.c_str());
-  }
-
-  void check_query(const Corners& x, const KindOf& kind, std::uint64_t query) {
-    if (words_.size() < 2 || words_[0] != std::to_string(query)) {
-      throw Rejected(lines_.where() + "here its proof must begin");
-    }
-    const bool contact = words_[1] == "contact" && words_.size() == 4;
-    if (!contact && (words_[1] != "none" || words_.size() != 2)) {
-      throw Rejected(lines_.where() + "the answer is neither none nor contact");
-    }
-    if (!contact) {
-      next();
-      return check_pieces(x, kind, Number(1), false);
-    }
-    ++contacts_;
-    const Number toi = number(words_[2], lines_.where()), upper = number(words_[3], lines_.where());
-    Number neighbour;
-    if (sign(toi) < 0 || Number(1) < upper || !next_double(toi, neighbour) || !(upper == toi || upper == neighbour)) {
-      throw Rejected(lines_.where() + "the times are neither one double nor two neighbouring ones in [0, 1]");
-    }
-    const bool is_double = upper == toi;
-    next();
-    if (!is_double || sign(toi) > 0) check_pieces(x, kind, toi, is_double);
-    check_contact(x, kind, toi, upper);
-  }
-
-  /// A list of pieces that cover [0, end], or [0, end) if `open`.
-  void check_pieces(const Corners& x, const KindOf& kind, const Number& end, bool open) {
-    Number from;
-    for (;;) {
-      const std::string where = lines_.where();
-      if (words_.empty()) throw Rejected("the proof ends too early");
-      Number to = end;
-      bool last = true;
-      const std::size_t size = words_.size();
-      if (size > 2 && words_[size - 2] == "to") {
-        to = number(words_[size - 1], where);
-        last = false;
-        words_.resize(size - 2);
-        if (!(from < to) || !(to < end)) throw Rejected(where + "the piece ends outside the rest of the time");
-      }
-      check_piece(x, kind, direction(x, kind), from, to, open && last, where);
-      from = to;
-      next();
-      if (last) return;
-    }
-  }
-
-  Vector direction(const Corners& x, const KindOf& kind) const {
-    if (words_ == std::vector<std::string>{"n"}) return normal(x, kind, lines_.where());
-    const std::size_t coefficients = (words_.size() - 1) / 3;
-    if (words_[0] != "d" || coefficients < 1 || coefficients > kMostDegree + 1 ||
-        words_.size() != 1 + 3 * coefficients) {
-      throw Rejected(lines_.where() + "here a piece must be: n, or d and three numbers for each coefficient");
-    }
-    Vector n;
-    for (std::size_t i = 0; i < 3 * coefficients; ++i) n[i % 3].push_back(number(words_[1 + i], lines_.where()));
-    return n;
-  }
-
-  /// At a time in [toi, upper], a weighted point of one element is one of the other.
-  void check_contact(const Corners& x, const KindOf& kind, const Number& toi, const Number& upper) {
-    const std::string start = lines_.where();
-    Polynomial g;
-    Number low = toi, high = upper;
-    if (toi == upper) {
-      g = {-toi, Number(1)};
+    std::string steps;
+    if (kind == kKinds.end()) {
+      steps = " in " + std::to_string(check_motion(name)) + " steps";
     } else {
-      if (words_.empty() || words_[0] != "root") throw Rejected(start + "here the polynomial of the time must be");
-      const std::size_t size = words_.size();
-      if (size > 4 && words_[size - 3] == "between") {
-        low = number(words_[size - 2], start), high = number(words_[size - 1], start);
-        words_.resize(size - 3);
+      Lines queries(name);
+      query_.kind = *kind;
+      for (std::uint64_t i = 0; read_query(queries, query_); ++i) {
+        check_query(i, [&] { return name + ": query " + std::to_string(i); });
       }
-      if (low < toi || upper < high || !(low < high)) throw Rejected(start + "the bracket is outside the times");
-      g = polynomial(words_, 1, start);
-      if (g.size() < 2 || sign(g.back()) == 0) throw Rejected(start + "the leading coefficient must not be 0");
-      if (sign(value(g, low)) * sign(value(g, high)) >= 0) throw Rejected(start + "no change of sign in the bracket");
-      next();
     }
-    std::vector<Polynomial> weights(kind.corners);
-    while (!words_.empty() && words_[0] == "w") {
-      const std::string where = lines_.where();
-      if (words_.size() < 3) throw Rejected(where + "here a corner and the polynomial of its weight must be");
-      const std::size_t corner = words_[1].size() == 1 ? static_cast<std::size_t>(words_[1][0] - '0') : kind.corners;
-      if (corner >= kind.corners || !weights[corner].empty()) {
-        throw Rejected(where + "no corner, or one that had a weight before");
+    // The proofs say which kind the queries are, and which separation they have, so a person must see both.
+    std::printf("%s: %llu %s queries%s%s\n", name.c_str(), queries_ - before, kind_name.c_str(), steps.c_str(),
+                separation_.text.c_str());
+  }
+
+  /// The separation of the next file, which is zero without a line of its own.
+  void read_separation() {
+    separation_ = Separation();
+    if (words_.empty() || words_[0] != "separation") return;
+    require(words_.size() == 3 && (words_[1] == "euclidean" || words_[1] == "max"),
+            "here must be \"separation euclidean D\" or \"separation max D\"");
+    separation_.metric = words_[1] == "max" ? Metric::max : Metric::euclidean;
+    read_number(words_[2], separation_.distance, lines_);
+    require(sign(separation_.distance) > 0, "the separation must be above zero");
+    separation_.text = " with separation " + std::string(words_[1]) + " " + std::string(words_[2]);
+    next();
+  }
+
+  /// @returns the number of steps
+  std::size_t check_motion(const std::string& name) {
+    MotionFile motion(name);
+    std::size_t step = 0;
+    do {
+      const std::string step_name = "step " + std::to_string(step);
+      if (words_ != Words{"step", std::to_string(step)}) throw expected("\"" + step_name + "\" of " + name);
+      next();
+      std::uint64_t number = 0;
+      motion.for_each_pair(separation_.distance, [&](const Kind& kind, const Element& a, const Element& b) {
+        motion.set(query_, kind, a, b);
+        check_query(number, [&] {
+          return name + ": " + step_name + ": pair " + std::to_string(number) + " (" + MotionFile::name(a) + " and " +
+                 MotionFile::name(b) + ")";
+        });
+        ++number;
+      });
+      require(words_.empty() || !is_digit(words_[0][0]),
+              "a proof too many: the step has no more pairs whose boxes are at most the separation apart");
+      ++step;
+    } while (motion.next_step());
+    return step;
+  }
+
+  template <class Name>
+  void check_query(std::uint64_t number, const Name& name) {
+    ++queries_;
+    try {
+      check_proof(number);
+    } catch (const Rejected& reason) {
+      throw Rejected(name() + ": " + reason.what());
+    }
+  }
+
+  void check_proof(std::uint64_t number) {
+    if (words_.size() < 2 || words_[0] != std::to_string(number)) {
+      throw expected("\"" + std::to_string(number) + " none\" or \"" + std::to_string(number) + " contact T U\"");
+    }
+    set_corners();
+    if (words_.size() == 2 && words_[1] == "none") {
+      next();
+      toi_ = {1, 0};
+      return check_pieces(false);
+    }
+    if (words_.size() != 4 || words_[1] != "contact") throw expected("the answer \"none\" or \"contact T U\"");
+    ++contacts_;
+    read_number(words_[2], toi_, lines_);
+    read_number(words_[3], upper_, lines_);
+    const bool is_double = compare(toi_, upper_) == 0;
+    Number neighbour;
+    const bool are_neighbours = next_double(toi_, neighbour) && (is_double || compare(upper_, neighbour) == 0);
+    require(are_neighbours && compare(upper_, {1, 0}) <= 0,
+            "the times must be one double, or two neighbouring ones, in [0, 1]");
+    next();
+    if (!is_double || sign(toi_) > 0) check_pieces(is_double);
+    check_meeting(is_double);
+  }
+
+  /// The corners as polynomials of degree 1, and the separation, all multiplied by the least number that makes their
+  /// coordinates and the separation integers.
+  void set_corners() {
+    const Fraction distance = fraction_of(separation_.distance);
+    scale_ = distance.denominator;
+    const std::size_t corners = query_.kind.corners;
+    for (std::size_t row = 0; row < 2 * corners; ++row) {
+      for (const Fraction& c : query_.rows[row]) {
+        if (!mpz_divisible_p(scale_.get_mpz_t(), c.denominator.get_mpz_t())) scale_ = lcm(scale_, c.denominator);
       }
-      weights[corner] = polynomial(words_, 2, where);
-      next();
     }
-    std::array<Polynomial, 2> sums;
-    std::array<Vector, 2> points;
-    for (std::size_t i = 0; i < kind.corners; ++i) {
-      const std::size_t element = i < kind.first ? 0 : 1;
-      if (sign_at_root(g, weights[i], low, high) < 0) throw Rejected(start + "a weight may be negative");
-      sums[element] = sums[element] + weights[i];
-      for (std::size_t k = 0; k < 3; ++k) points[element][k] = points[element][k] + weights[i] * x[i][k];
+    set_scaled(distance_, distance);
+    for (std::size_t i = 0; i < corners; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        x_[i][k].extend(2);
+        set_scaled(x_[i][k][0], query_.rows[i][k]);
+        set_scaled(x_[i][k][1], query_.rows[corners + i][k]);
+        x_[i][k][1] -= x_[i][k][0];
+      }
     }
-    for (const Polynomial& sum : sums) {
-      if (sign_at_root(g, sum, low, high) <= 0) throw Rejected(start + "the weights of an element may all be 0");
+  }
+  void set_scaled(mpz_class& x, const Fraction& c) {
+    mpz_divexact(x.get_mpz_t(), scale_.get_mpz_t(), c.denominator.get_mpz_t());
+    x *= c.numerator;
+  }
+
+  // ---- Pieces ----
+
+  /// A list of pieces that cover [0, toi_]; if `open`, the elements may meet at the end.
+  void check_pieces(bool open) {
+    from_ = {0, 0};
+    for (bool last = false; !last; next()) {
+      last = words_.size() < 3 || words_[words_.size() - 2] != "to";
+      to_ = toi_;
+      if (!last) {
+        read_number(words_.back(), to_, lines_);
+        words_.resize(words_.size() - 2);
+        require(compare(from_, to_) < 0 && compare(to_, toi_) < 0,
+                "the number after \"to\" must be between the start of its piece and the end of the last one");
+      }
+      check_piece(open && last);
+      std::swap(from_, to_);
+    }
+  }
+
+  /// One piece: the elements are on different sides of a plane from from_ to to_, or before to_ if `open`.
+  void check_piece(bool open) {
+    const bool is_normal = words_.size() == 1 && words_[0] == "n" && query_.kind.corners == 4;
+    is_normal ? set_normal() : read_direction();
+    interval_.set(from_, to_);
+    int side = 0;
+    for (std::size_t i = 0; i < query_.kind.first; ++i) {
+      for (std::size_t j = query_.kind.first; j < query_.kind.corners; ++j) {
+        for (std::size_t k = 0; k < 3; ++k) set_difference(r_[k], x_[j][k], x_[i][k]);
+        set_dot(product_, n_, r_);
+        if (!is_separated(open, side)) {
+          throw rejected("corner " + std::to_string(i) + " and corner " + std::to_string(j) +
+                         " are not proved to be on different sides of the plane, with the separation between them");
+        }
+        // n is perpendicular to the edges of both elements: its products with all x_j - x_i are one polynomial.
+        if (is_normal) return;
+      }
+    }
+  }
+
+  /// n = u x w
+  void set_normal() {
+    const bool is_edge = query_.kind.first == 2;
+    for (std::size_t k = 0; k < 3; ++k) {
+      set_difference(u_[k], x_[is_edge ? 1 : 2][k], x_[is_edge ? 0 : 1][k]);
+      set_difference(w_[k], x_[3][k], x_[is_edge ? 2 : 1][k]);
     }
     for (std::size_t k = 0; k < 3; ++k) {
-      if (!divides(g, sums[1] * points[0][k] - sums[0] * points[1][k])) {
-        throw Rejected(start + "the weighted points are not proved to be equal");
-      }
+      set_product(product_, u_[(k + 1) % 3], w_[(k + 2) % 3]);
+      set_product(square_, u_[(k + 2) % 3], w_[(k + 1) % 3]);
+      set_difference(n_[k], product_, square_);
     }
   }
+  void read_direction() {
+    const std::size_t size = words_.empty() ? 0 : (words_.size() - 1) / 3;
+    require(size >= 1 && words_[0] == "d" && words_.size() == 1 + 3 * size,
+            "here must be a piece: \"n\" for four corners, or \"d\" and three numbers for each coefficient");
+    for (std::size_t k = 0; k < 3; ++k) read_coefficients(words_, 1 + k, 3, numbers_[k], lines_);
+    set_polynomials(n_, numbers_);
+  }
 
-  /// The sign of p at every root of g in [low, high]: 0 for a multiple of g, -1 also where it is not known.
-  static int sign_at_root(const Polynomial& g, const Polynomial& p, const Number& low, const Number& high) {
-    if (divides(g, p)) return 0;
-    const Polynomial b = bernstein(on_piece(p, low, high));
-    return std::all_of(b.begin(), b.end(), [](const Number& c) { return sign(c) > 0; }) ? 1 : -1;
+  /// Whether product_, of two corners, has the sign `side` during the piece, which is set if it is 0. With a separation
+  /// the polynomials of docs/proofs.md that take its place are checked, and its sign at the start.
+  bool is_separated(bool open, int& side) {
+    const std::size_t zeros_from = open ? 1 : kNoZeros;
+    set_bernstein(bernstein_, product_, interval_);
+    if (side == 0) side = sgn(bernstein_[0]);
+    if (side == 0 || sgn(bernstein_[0]) != side) return false;
+    if (separation_.metric == Metric::none) return have_sign(bernstein_, side, zeros_from);
+    if (separation_.metric == Metric::euclidean) {
+      set_product(square_, product_, product_);
+      set_dot(product_, n_, n_);
+      add(square_, product_, -(distance_ * distance_));
+      return has_sign(square_, 1, zeros_from);
+    }
+    for (unsigned signs = 0; signs < 8; ++signs) {
+      sum_.clear();
+      add(sum_, product_, 1);
+      for (unsigned k = 0; k < 3; ++k) add(sum_, n_[k], (signs >> k) % 2 == 0 ? distance_ : -distance_);
+      if (!has_sign(sum_, side, zeros_from)) return false;
+    }
+    return true;
+  }
+  bool has_sign(const Polynomial& p, int sign, std::size_t zeros_from) {
+    set_bernstein(bernstein_, p, interval_);
+    return have_sign(bernstein_, sign, zeros_from);
+  }
+
+  // ---- Meetings ----
+
+  /// At a time between toi_ and upper_, a weighted point of one element is within the separation of one of the other.
+  void check_meeting(bool is_double) {
+    if (is_double) {
+      interval_.set(toi_, toi_);
+      numbers_[0] = {Number{-toi_.m, toi_.e}, Number{1, 0}};
+      set_polynomials(root_, numbers_);
+    } else {
+      read_root();
+    }
+    read_weights();
+    for (std::size_t e = 0; e < 2; ++e) {
+      sums_[e].clear();
+      for (Polynomial& p : points_[e]) p.clear();
+    }
+    for (std::size_t i = 0; i < query_.kind.corners; ++i) {
+      const Polynomial& weight = weights_[i];
+      if (weight.size() == 0) continue;
+      if (!has_sign(weight, 1, kNoZeros) && !divides(root_[0], weight)) {
+        throw rejected("before this line: the weight of corner " + std::to_string(i) + " may be negative");
+      }
+      const std::size_t e = i < query_.kind.first ? 0 : 1;
+      add(sums_[e], weight, 1);
+      for (std::size_t k = 0; k < 3; ++k) add_product(points_[e][k], weight, x_[i][k]);
+    }
+    for (const Polynomial& sum : sums_) {
+      require(has_sign(sum, 1, kNoZeros), "before this line: the weights of an element may all be zero");
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      set_product(product_, sums_[1], points_[0][k]);
+      set_product(square_, sums_[0], points_[1][k]);
+      set_difference(r_[k], product_, square_);
+    }
+    require(is_near(), separation_.metric == Metric::none
+                           ? "before this line: the weighted points are not proved to be equal"
+                           : "before this line: the weighted points are not proved to be within the separation");
+  }
+
+  void read_root() {
+    require(words_.size() >= 2 && words_[0] == "root", "here must be \"root\" and the coefficients of a polynomial");
+    Number low = toi_, high = upper_;
+    const std::size_t size = words_.size();
+    if (size > 4 && words_[size - 3] == "between") {
+      read_number(words_[size - 2], low, lines_);
+      read_number(words_[size - 1], high, lines_);
+      words_.resize(size - 3);
+    }
+    require(compare(low, toi_) >= 0 && compare(low, high) < 0 && compare(high, upper_) <= 0,
+            "the numbers after \"between\" must be T <= LOW < HIGH <= U");
+    read_coefficients(words_, 1, 1, numbers_[0], lines_);
+    set_polynomials(root_, numbers_);
+    const Polynomial& g = root_[0];
+    require(g.size() >= 2 && g[g.size() - 1] != 0,
+            "the polynomial must have a degree of at least 1 and a leading coefficient that is not zero");
+    interval_.set(low, high);
+    set_bernstein(bernstein_, g, interval_);  // the first and the last one have the signs of the values at LOW and HIGH
+    require(sgn(bernstein_[0]) * sgn(bernstein_[g.size() - 1]) < 0,
+            "the polynomial must change its sign between LOW and HIGH");
+    next();
+  }
+
+  void read_weights() {
+    for (std::vector<Number>& numbers : numbers_) numbers.clear();
+    for (; !words_.empty() && words_[0] == "w"; next()) {
+      std::uint32_t i = 0;
+      const auto last = static_cast<std::uint32_t>(query_.kind.corners - 1);
+      require(words_.size() >= 3 && read_count(words_[1], last, i) && numbers_[i].empty(),
+              "here must be \"w\", a corner that has no weight yet, and the coefficients of a polynomial");
+      read_coefficients(words_, 2, 1, numbers_[i], lines_);
+    }
+    set_polynomials(weights_, numbers_);
+  }
+
+  /// Whether r_, the difference of the weighted points times A B, is at most D A B long at the root.
+  bool is_near() {
+    if (separation_.metric == Metric::none) {
+      return divides(root_[0], r_[0]) && divides(root_[0], r_[1]) && divides(root_[0], r_[2]);
+    }
+    set_product(product_, sums_[0], sums_[1]);
+    if (separation_.metric == Metric::euclidean) {
+      set_product(square_, product_, product_);
+      set_dot(sum_, r_, r_);
+      add(sum_, square_, -(distance_ * distance_));
+      return has_sign(sum_, -1, 0) || divides(root_[0], sum_);
+    }
+    for (const Polynomial& c : r_) {
+      for (const int s : {1, -1}) {
+        sum_.clear();
+        add(sum_, product_, distance_);
+        add(sum_, c, s);
+        if (!has_sign(sum_, 1, 0) && !divides(root_[0], sum_)) return false;
+      }
+    }
+    return true;
   }
 
   Lines lines_;
-  std::vector<std::string> files_, words_;
+  Words words_;
   unsigned long long queries_ = 0, contacts_ = 0;
+  Separation separation_;
+
+  // Of the query. The numbers keep their memory from one query to the next.
+  Query query_;
+  Number toi_, upper_, from_, to_;
+  mpz_class scale_, distance_;
+  Interval interval_;
+  std::array<std::vector<Number>, 4> numbers_;
+  std::array<Vector, 4> x_;
+  std::array<Polynomial, 4> weights_;
+  Vector u_, w_, r_, n_;
+  Polynomial product_, square_, sum_, bernstein_;
+  std::array<Polynomial, 1> root_;
+  std::array<Polynomial, 2> sums_;
+  std::array<Vector, 2> points_;
 };
 
 }  // namespace
+}  // namespace checker
 
 int main(int argc, char** argv) {
   if (argc < 3) {
@@ -470,9 +487,9 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    Checker(argv[1], std::vector<std::string>(argv + 2, argv + argc)).run();
+    checker::Checker(argv[1]).run(std::vector<std::string>(argv + 2, argv + argc));
     return 0;
-  } catch (const Rejected& reason) {
+  } catch (const checker::Rejected& reason) {
     std::fprintf(stderr, "rejected: %s\n", reason.what());
     return 1;
   } catch (const std::exception& error) {

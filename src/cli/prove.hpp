@@ -9,10 +9,7 @@
 
 namespace touchstone::cli {
 
-struct ProveOptions {
-  std::vector<std::string> files;
-  std::optional<Kind> kind;
-  int threads = 0;
+struct ProveOptions : QueryOptions {
   std::string out = "-";
 };
 

@@ -46,6 +46,7 @@ class Colliders {
   const std::vector<Edge>& edges() const noexcept { return edges_; }
   const std::vector<Face>& faces() const noexcept { return faces_; }
   const std::vector<Index>& points() const noexcept { return points_; }  ///< particles that collide, in no edge
+  bool can_move(Index particle) const noexcept { return moves_[particle] != 0; }  ///< it is not held
   const Passes& passes() const noexcept { return passes_; }
 
   /// The particles of a pair in the order of the query's corners; entries past corner_count(kind) mean nothing.

@@ -246,6 +246,16 @@ void SpoolFile::copy_to(OutputFile& out) {
   }
 }
 
+void SpoolFile::cut(std::uint64_t size) {
+  write_all(descriptor_, buffer_, name_);
+  buffer_.clear();
+  const auto end = static_cast<off_t>(size);
+  if (::ftruncate(descriptor_, end) != 0 || ::lseek(descriptor_, end, SEEK_SET) != end) {
+    fail(name_, "cannot be written: " + system_reason(errno));
+  }
+  written_ = size;
+}
+
 SpoolFile::~SpoolFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }

@@ -52,6 +52,10 @@ class SpoolFile {
   void write(std::string_view bytes);  ///< @throws FileError
   void copy_to(OutputFile& out);       ///< everything written so far @throws FileError
   bool empty() const noexcept { return written_ == 0; }
+  std::uint64_t size() const noexcept { return written_; }
+
+  /// Takes back all that was written after the first `size` bytes. @throws FileError
+  void cut(std::uint64_t size);
 
   SpoolFile(const SpoolFile&) = delete;
   SpoolFile& operator=(const SpoolFile&) = delete;

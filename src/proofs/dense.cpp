@@ -2,6 +2,8 @@
 #include "proofs/dense.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <optional>
 
 namespace touchstone::proofs {
 namespace {
@@ -11,6 +13,39 @@ double binomial(std::size_t n, std::size_t k) {
   double c = 1;
   for (std::size_t i = 0; i < k; ++i) c = c * static_cast<double>(n - i) / static_cast<double>(i + 1);
   return c;
+}
+
+/// n!, exact for n <= 18.
+double factorial(std::size_t n) {
+  double product = 1;
+  for (std::size_t i = 2; i <= n; ++i) product *= static_cast<double>(i);
+  return product;
+}
+
+/// The Bernstein coefficients of p over [from, to], all multiplied by d!. b_i is the sum over j <= i of
+/// C(i, j) / C(d, j) q_j, where q is p over [from, to]; and d! / C(d, j) = j! (d - j)!, which divides d!. The
+/// polynomials of proofs have d <= 8.
+Dense bernstein(const Dense& p, const Exact& from, const Exact& to) {
+  if (p.empty()) return p;
+  const std::size_t degree = p.size() - 1;
+  // q(x) = p(from + x (to - from)): Taylor's shift by Horner's scheme, and powers of the width.
+  Dense q = p;
+  if (!numbers::is_zero(from)) {
+    for (std::size_t i = 0; i < degree; ++i) {
+      for (std::size_t j = degree; j-- > i;) q[j] = q[j] + q[j + 1] * from;
+    }
+  }
+  const Exact width = to - from;
+  Exact power(1);
+  for (std::size_t j = 0; j <= degree; ++j) {
+    q[j] = q[j] * power * Exact(factorial(j) * factorial(degree - j));
+    power = power * width;
+  }
+  Dense b = q;
+  for (std::size_t i = 1; i <= degree; ++i) {
+    for (std::size_t j = 0; j < i; ++j) b[i] = b[i] + q[j] * Exact(binomial(i, j));
+  }
+  return b;
 }
 
 }  // namespace
@@ -27,6 +62,14 @@ Dense operator-(const Dense& p, const Dense& q) {
   difference.resize(std::max(p.size(), q.size()));
   for (std::size_t i = 0; i < q.size(); ++i) difference[i] = difference[i] - q[i];
   return difference;
+}
+
+Dense operator-(const Dense& p) { return Exact(-1) * p; }
+
+Dense operator*(const Exact& factor, const Dense& p) {
+  Dense product = p;
+  for (Exact& c : product) c = c * factor;
+  return product;
 }
 
 Dense operator*(const Dense& p, const Dense& q) {
@@ -48,46 +91,50 @@ Exact value(const Dense& p, const Exact& t) {
   return sum;
 }
 
-int sign_over(const Dense& p, const Exact& from, const Exact& to, bool open) {
-  if (p.empty()) return 0;
-  const std::size_t degree = p.size() - 1;
-  const int first = numbers::sign_of(value(p, from));
-  if (first == 0) return 0;
-  // q(x) = p(from + x (to - from)): Taylor's shift by Horner's scheme, and powers of the width.
-  Dense q = p;
-  for (std::size_t i = 0; i < degree; ++i) {
-    for (std::size_t j = degree; j-- > i;) q[j] = q[j] + q[j + 1] * from;
+bool divides(const Dense& g, Dense p) {
+  while (p.size() >= g.size()) {
+    const Exact lead = p.back();
+    const std::size_t shift = p.size() - g.size();
+    if (!numbers::is_zero(lead)) {
+      for (Exact& c : p) c = c * g.back();
+      for (std::size_t i = 0; i < g.size(); ++i) p[shift + i] = p[shift + i] - lead * g[i];
+    }
+    p.pop_back();  // it is zero now
   }
-  const Exact width = to - from;
-  Exact power = width;
-  for (std::size_t i = 1; i <= degree; ++i) {
-    q[i] = q[i] * power;
-    if (i < degree) power = power * width;
-  }
-  // The coefficient b_i is the sum over j <= i of C(i, j) / C(d, j) q_j. The factor d!, which is positive, makes
-  // d! / C(d, j) = j! (d - j)! whole; all of these are doubles for d <= 18.
-  Dense weighted = q;
-  for (std::size_t j = 0; j <= degree; ++j) {
-    double factor = 1;
-    for (std::size_t k = 2; k <= j; ++k) factor *= static_cast<double>(k);
-    for (std::size_t k = 2; k + j <= degree; ++k) factor *= static_cast<double>(k);
-    weighted[j] = weighted[j] * Exact(factor);
-  }
-  for (std::size_t i = 1; i <= degree; ++i) {
-    Exact b = weighted[0];
-    for (std::size_t j = 1; j <= i; ++j) b = b + weighted[j] * Exact(binomial(i, j));
-    const int sign = numbers::sign_of(b);
-    if (sign != first && !(open && sign == 0)) return 0;
-  }
-  return first;
+  return is_zero(p);
 }
 
-DenseVector operator-(const DenseVector& a, const DenseVector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+void make_short_integers(std::initializer_list<Dense*> polynomials) {
+  std::optional<long> least;  // power of two that divides a coefficient
+  for (const Dense* p : polynomials) {
+    for (const Exact& c : *p) {
+      if (c.is_zero()) continue;
+      int limb = 0;
+      while (c.limb(limb) == 0) ++limb;
+      const long power = 64L * (c.limb_exponent() + limb) + std::countr_zero(c.limb(limb));
+      if (!least || power < *least) least = power;
+    }
+  }
+  if (!least || *least == 0) return;
+  const Exact factor = numbers::power_of_two(-*least);
+  for (Dense* p : polynomials) *p = factor * *p;
+}
 
-Dense dot(const DenseVector& a, const DenseVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+int sign_over(const Dense& p, const Exact& from, const Exact& to, Inner inner) {
+  if (p.empty()) return 0;
+  // The first and the last coefficient are the values at the ends, which most directions that do not separate fail.
+  const int first = numbers::sign_of(value(p, from));
+  const auto agrees = [&](int sign) { return sign == first || (sign == 0 && inner == Inner::any_zero); };
+  if (first == 0 || (p.size() > 1 && !agrees(numbers::sign_of(value(p, to))))) return 0;
+  if (p.size() <= 2) return first;
+  const Dense b = bernstein(p, from, to);
+  return std::all_of(b.begin() + 1, b.end() - 1, [&](const Exact& c) { return agrees(numbers::sign_of(c)); }) ? first
+                                                                                                              : 0;
+}
 
-DenseVector cross(const DenseVector& a, const DenseVector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+bool nowhere_negative(const Dense& p, const Exact& from, const Exact& to) {
+  const Dense b = bernstein(p, from, to);
+  return std::all_of(b.begin(), b.end(), [](const Exact& c) { return numbers::sign_of(c) >= 0; });
 }
 
 }  // namespace touchstone::proofs

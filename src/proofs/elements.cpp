@@ -7,26 +7,36 @@ namespace touchstone::proofs {
 namespace {
 
 template <class Q>
-Elements elements_of_any(const Q& query) {
+Elements elements_of_any(const Q& query, const Separation& separation) {
   Elements elements;
   elements.kind = query.kind;
   elements.count = corner_count(query.kind);
   elements.first = query.kind == Kind::edge_edge ? 2 : 1;
-  const auto corners = exact::moving_corners<Exact>(query);
+  const exact::ScaledCorners scaled = exact::scaled_corners(query);
   for (std::size_t i = 0; i < elements.count; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) elements.corners[i][k] = {corners[i][k][0], corners[i][k][1]};
+    for (std::size_t k = 0; k < 3; ++k) {
+      elements.corners[i][k] = {scaled.corners[i][k][0], scaled.corners[i][k][1]};
+    }
   }
+  elements.separation = Exact(separation.distance) * scaled.factor;
+  elements.metric = separation.metric;
   return elements;
 }
 
 }  // namespace
 
-DenseVector Elements::u() const { return is_edge_edge() ? corners[1] - corners[0] : corners[2] - corners[1]; }
-DenseVector Elements::w() const { return is_edge_edge() ? corners[3] - corners[2] : corners[3] - corners[1]; }
-DenseVector Elements::r() const { return is_edge_edge() ? corners[2] - corners[0] : corners[0] - corners[1]; }
+Elements Elements::at(const Exact& time) const {
+  Elements still = *this;
+  for (DenseVector& corner : still.corners) {
+    for (Dense& coordinate : corner.c) coordinate = {value(coordinate, time)};
+  }
+  return still;
+}
 
-Elements elements_of(const Query& query) { return elements_of_any(query); }
-Elements elements_of(const RationalQuery& query) { return elements_of_any(query); }
+Elements elements_of(const Query& query, const Separation& separation) { return elements_of_any(query, separation); }
+Elements elements_of(const RationalQuery& query, const Separation& separation) {
+  return elements_of_any(query, separation);
+}
 
 CornersAndEdges corners_and_edges(Kind kind) {
   switch (kind) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "proofs/meeting.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -8,72 +9,15 @@
 
 #include "numbers/common_divisor.hpp"
 #include "numbers/real_root.hpp"
+#include "proofs/constructions.hpp"
 
 namespace touchstone::proofs {
 namespace {
 
 using numbers::RealRoot;
 
-/// Weighted points that are equal where all of `zero` vanish, and belong to the elements where no weight is negative, or
-/// none is positive.
-struct Construction {
-  std::array<Dense, 4> weights;
-  std::vector<Dense> zero;
-};
-
-/// The lines of two edges meet, or a vertex is in the plane of a face, where V vanishes; the weights along axis k are
-/// those of geometry/frame.hpp.
-Construction along_axis(const Elements& elements, std::size_t k) {
-  const std::size_t i = (k + 1) % 3;
-  const std::size_t j = (k + 2) % 3;
-  const DenseVector u = elements.u();
-  const DenseVector w = elements.w();
-  const DenseVector r = elements.r();
-  const Dense n = u[i] * w[j] - u[j] * w[i];
-  const Dense first = r[i] * w[j] - r[j] * w[i];
-  const Dense second = elements.is_edge_edge() ? r[i] * u[j] - r[j] * u[i] : u[i] * r[j] - u[j] * r[i];
-  Construction c;
-  c.zero = {dot(cross(u, w), r)};
-  if (elements.is_edge_edge()) {
-    c.weights = {n - first, first, n - second, second};
-  } else {
-    c.weights = {n, n - first - second, first, second};
-  }
-  return c;
-}
-
-Construction on_edge(const Elements& elements, const CornerAndEdge& pair) {
-  const DenseVector r = elements.corners[pair.corner] - elements.corners[pair.start];
-  const DenseVector e = elements.corners[pair.end] - elements.corners[pair.start];
-  const DenseVector c = cross(r, e);
-  Construction result;
-  result.zero = {c[0], c[1], c[2]};
-  result.weights[pair.corner] = {Exact(1)};
-  result.weights[pair.end] = dot(r, e);
-  result.weights[pair.start] = dot(e, e) - result.weights[pair.end];
-  return result;
-}
-
-Construction at_corners(const Elements& elements, std::size_t i, std::size_t j) {
-  const DenseVector r = elements.corners[j] - elements.corners[i];
-  Construction result;
-  result.zero = {r[0], r[1], r[2]};
-  result.weights[i] = result.weights[j] = {Exact(1)};
-  return result;
-}
-
-std::vector<Construction> constructions(const Elements& elements) {
-  std::vector<Construction> all;
-  for (std::size_t k = 0; k < 3 && elements.has_normal(); ++k) all.push_back(along_axis(elements, k));
-  for (const CornerAndEdge& pair : corners_and_edges(elements.kind)) all.push_back(on_edge(elements, pair));
-  for (std::size_t i = 0; i < elements.first; ++i) {
-    for (std::size_t j = elements.first; j < elements.count; ++j) all.push_back(at_corners(elements, i, j));
-  }
-  return all;
-}
-
-/// Makes the weights positive or absent, given their signs; false when some are of one sign and some of the other, or
-/// an element has none.
+/// Makes the weights positive or absent, given their signs; false when some of an element are of one sign and some of
+/// the other, or an element has none.
 bool keep_positive(const Elements& elements, const std::array<int, 4>& signs, std::array<Dense, 4>& weights) {
   // The sign is that of the sum over an element, and may differ between the elements.
   for (const auto& [begin, end] :
@@ -89,39 +33,82 @@ bool keep_positive(const Elements& elements, const std::array<int, 4>& signs, st
       }
     }
     if (side == 0) return false;
-    for (std::size_t i = begin; i < end && side < 0; ++i) weights[i] = Dense() - weights[i];
+    for (std::size_t i = begin; i < end && side < 0; ++i) weights[i] = -weights[i];
   }
   return true;
 }
 
-/// The meeting at a time that is a double.
-std::optional<Meeting> meeting_at(const Elements& elements, const Exact& time, const Construction& construction) {
-  for (const Dense& p : construction.zero) {
-    if (!numbers::is_zero(value(p, time))) return std::nullopt;
+/// The signs of the weights by `sign_of`, which takes a polynomial that is not identically zero.
+template <class SignOf>
+std::array<int, 4> signs_of(const std::array<Dense, 4>& weights, SignOf&& sign_of) {
+  std::array<int, 4> signs{};
+  for (std::size_t i = 0; i < signs.size(); ++i) signs[i] = is_zero(weights[i]) ? 0 : sign_of(weights[i]);
+  return signs;
+}
+
+/// The meeting at a time that is a double. `still` are the elements at that time, so all polynomials are constant.
+std::optional<Meeting> meeting_at(const Elements& still, const Exact& time, const Construction& construction) {
+  const auto sign = [](const Dense& p) { return numbers::sign_of(value(p, Exact(0))); };
+  if (!still.has_max_separation()) {
+    for (const Dense& p : construction.events.front()) {
+      const int s = sign(p);
+      if (s > 0 || (s < 0 && !still.has_separation())) return std::nullopt;
+    }
   }
   Meeting result;
   result.weights = construction.weights;
-  std::array<int, 4> signs{};
-  for (std::size_t i = 0; i < elements.count; ++i) signs[i] = numbers::sign_of(value(result.weights[i], time));
   result.low = result.high = time;
-  if (!keep_positive(elements, signs, result.weights)) return std::nullopt;
+  if (!keep_positive(still, signs_of(result.weights, sign), result.weights)) return std::nullopt;
+  for (const Dense& p : conditions(still, result.weights)) {
+    if (sign(p) < 0) return std::nullopt;
+  }
   return result;
 }
 
+bool changes_sign(const Meeting& meeting) {
+  return numbers::sign_of(value(meeting.root, meeting.low)) * numbers::sign_of(value(meeting.root, meeting.high)) < 0;
+}
+
+/// Whether the meeting passes the check of docs/proofs.md. That the points are in contact at a root is known except in
+/// the metric `max`, where the conditions say it.
+bool proves(const Elements& elements, const Meeting& meeting) {
+  if (!changes_sign(meeting)) return false;
+  for (const Dense& weight : meeting.weights) {
+    if (!weight.empty() && sign_over(weight, meeting.low, meeting.high, Inner::not_zero) != 1) return false;
+  }
+  const auto all = conditions(elements, meeting.weights);
+  return std::all_of(all.begin(), all.end(), [&](const Dense& p) {
+    return nowhere_negative(p, meeting.low, meeting.high) || divides(meeting.root, p);
+  });
+}
+
+/// The usual case without isolation of roots: the event's polynomial changes its sign between the two times, and all
+/// weights are positive there.
+std::optional<Meeting> direct_meeting(const Elements& elements, const Answer& answer,
+                                      const Construction& construction) {
+  Meeting result;
+  result.low = Exact(answer.toi);
+  result.high = Exact(answer.toi_upper);
+  result.weights = construction.weights;
+  const auto sign_at_low = [&](const Dense& p) { return numbers::sign_of(value(p, result.low)); };
+  for (const Dense& p : construction.weights) {
+    if (!is_zero(p) && sign_at_low(p) == 0) return std::nullopt;
+  }
+  if (!keep_positive(elements, signs_of(result.weights, sign_at_low), result.weights)) return std::nullopt;
+  for (const std::vector<Dense>& event : construction.events) {
+    if (event.size() != 1) continue;
+    result.root = event.front();
+    while (!result.root.empty() && numbers::is_zero(result.root.back())) result.root.pop_back();
+    if (proves(elements, result)) return result;
+  }
+  return std::nullopt;
+}
+
 /// Narrows the bracket around the root until the root is alone in it, in the sense that a proof needs.
-bool narrow(const RealRoot& root, Meeting& meeting) {
-  const auto proves = [&] {
-    if (numbers::sign_of(value(meeting.root, meeting.low)) * numbers::sign_of(value(meeting.root, meeting.high)) >= 0) {
-      return false;
-    }
-    for (const Dense& weight : meeting.weights) {
-      if (!weight.empty() && sign_over(weight, meeting.low, meeting.high, false) != 1) return false;
-    }
-    return true;
-  };
+bool narrow(const Elements& elements, const RealRoot& root, Meeting& meeting) {
   constexpr int kMostHalvings = 100'000;
   for (int i = 0; i < kMostHalvings; ++i) {
-    if (proves()) return true;
+    if (proves(elements, meeting)) return true;
     const Exact middle = (meeting.low + meeting.high) * Exact(0.5);
     const int side = root.compare(middle);
     if (side >= 0) meeting.low = side > 0 ? middle : (meeting.low + middle) * Exact(0.5);
@@ -130,32 +117,43 @@ bool narrow(const RealRoot& root, Meeting& meeting) {
   return false;
 }
 
+/// The meeting at one root of an event.
+std::optional<Meeting> meeting_at_root(const Elements& elements, const Answer& answer, const Construction& construction,
+                                       const Dense& event, const RealRoot& root) {
+  Meeting result;
+  result.weights = construction.weights;
+  result.root = event;
+  // A polynomial that vanishes at the root, but not everywhere, becomes a multiple of `root`.
+  const auto sign_at_root = [&](const Dense& p) {
+    const int sign = root.sign_at(coefficients(p));
+    if (sign == 0) result.root = numbers::simple_common_divisor(coefficients(result.root), coefficients(p));
+    return sign;
+  };
+  if (!keep_positive(elements, signs_of(result.weights, sign_at_root), result.weights)) return std::nullopt;
+  for (const Dense& p : conditions(elements, result.weights)) {
+    if (!is_zero(p) && sign_at_root(p) < 0) return std::nullopt;
+  }
+  result.low = Exact(answer.toi);
+  result.high = Exact(answer.toi_upper);
+  if (!narrow(elements, root, result)) return std::nullopt;
+  return result;
+}
+
 /// The meeting at a root between two neighbouring doubles.
 std::optional<Meeting> meeting_between(const Elements& elements, const Answer& answer,
                                        const Construction& construction) {
-  Dense common;
-  for (const Dense& p : construction.zero) {
-    if (!is_zero(p)) common = numbers::simple_common_divisor(coefficients(common), coefficients(p));
-  }
-  if (common.size() < 2) return std::nullopt;
-  const numbers::RootList roots = numbers::isolate_roots(coefficients(common), Exact(1));
-  for (int i = 0; i < roots.size(); ++i) {
-    const RealRoot& root = roots[i];
-    if (root.lower() != answer.toi || root.upper() != answer.toi_upper) continue;
-    Meeting result;
-    result.weights = construction.weights;
-    result.root = common;
-    std::array<int, 4> signs{};
-    for (std::size_t c = 0; c < elements.count; ++c) {
-      const Dense& weight = result.weights[c];
-      signs[c] = weight.empty() ? 0 : root.sign_at(coefficients(weight));
-      if (signs[c] == 0 && !is_zero(weight)) {
-        result.root = numbers::simple_common_divisor(coefficients(result.root), coefficients(weight));
-      }
+  for (const std::vector<Dense>& event : construction.events) {
+    Dense common;
+    for (const Dense& p : event) {
+      if (!is_zero(p)) common = numbers::simple_common_divisor(coefficients(common), coefficients(p));
     }
-    result.low = Exact(answer.toi);
-    result.high = Exact(answer.toi_upper);
-    if (keep_positive(elements, signs, result.weights) && narrow(root, result)) return result;
+    if (common.size() < 2) continue;
+    const numbers::RootList roots = numbers::isolate_roots(coefficients(common), Exact(1));
+    for (int i = 0; i < roots.size(); ++i) {
+      const RealRoot& root = roots[i];
+      if (root.lower() != answer.toi || root.upper() != answer.toi_upper) continue;
+      if (auto found = meeting_at_root(elements, answer, construction, common, root)) return found;
+    }
   }
   return std::nullopt;
 }
@@ -163,12 +161,22 @@ std::optional<Meeting> meeting_between(const Elements& elements, const Answer& a
 }  // namespace
 
 Meeting meeting(const Elements& elements, const Answer& answer) {
-  for (const Construction& construction : constructions(elements)) {
-    auto found = answer.toi == answer.toi_upper ? meeting_at(elements, Exact(answer.toi), construction)
-                                                : meeting_between(elements, answer, construction);
-    if (found) return std::move(*found);
+  std::optional<Meeting> found;
+  const Exact upper(answer.toi_upper);
+  const auto first_of = [&](const Elements& of, Events events, auto&& try_one) {
+    try_constructions(of, upper, events, [&](const Construction& c) { return (found = try_one(c)).has_value(); });
+  };
+  if (answer.toi == answer.toi_upper) {
+    const Elements still = elements.at(upper);
+    first_of(still, Events::unwanted, [&](const Construction& c) { return meeting_at(still, upper, c); });
+  } else {
+    first_of(elements, Events::wanted, [&](const Construction& c) { return direct_meeting(elements, answer, c); });
+    if (!found) {
+      first_of(elements, Events::wanted, [&](const Construction& c) { return meeting_between(elements, answer, c); });
+    }
   }
-  throw Error("the elements do not touch: there is no proof that they do");
+  if (!found) throw Error("the elements are not in contact: there is no proof that they are");
+  return std::move(*found);
 }
 
 }  // namespace touchstone::proofs

@@ -1,4 +1,4 @@
-// Why two elements touch. SPDX-License-Identifier: MIT
+// Why two elements are in contact. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <touchstone/answer.hpp>
@@ -8,7 +8,7 @@
 
 namespace touchstone::proofs {
 
-/// Points of both elements that meet between the answer's times. @throws Error  when none do
+/// Points of both elements that are in contact between the answer's times. @throws Error  when none are
 Meeting meeting(const Elements& elements, const Answer& answer);
 
 }  // namespace touchstone::proofs

@@ -2,7 +2,11 @@
 #include "proofs/pieces.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -20,69 +24,118 @@ using DoubleVector = filters::Vector;
 /// Bits of the coordinates of a direction: few first, because they make short proofs.
 constexpr int kDirectionBits[] = {7, 20, 52};
 
-/// The direction with integer coordinates below 2^bits in place of its own; nothing for one that is zero or not finite.
+/// The direction with integer coordinates of at most `bits` bits in place of its own, not all of them even; nothing for
+/// one that is zero or not finite.
 std::optional<DoubleVector> rounded(const DoubleVector& direction, int bits) {
   const double largest = std::max({std::fabs(direction[0]), std::fabs(direction[1]), std::fabs(direction[2])});
   if (!(largest > 0) || !(largest < HUGE_VAL)) return std::nullopt;
   int exponent;
   std::frexp(largest, &exponent);
   DoubleVector result;
-  for (std::size_t k = 0; k < 3; ++k) result[k] = std::nearbyint(std::ldexp(direction[k], bits - exponent));
+  std::uint64_t ones = 0;  // the bits of all three
+  for (std::size_t k = 0; k < 3; ++k) {
+    result[k] = std::nearbyint(std::ldexp(direction[k], bits - exponent));
+    ones |= static_cast<std::uint64_t>(std::fabs(result[k]));
+  }
+  const double unit = static_cast<double>(std::uint64_t{1} << std::countr_zero(ones));
+  for (std::size_t k = 0; k < 3; ++k) result[k] /= unit;
   return result;
 }
 
 DenseVector constant(const DoubleVector& direction) {
-  return {Dense{Exact(direction[0])}, Dense{Exact(direction[1])}, Dense{Exact(direction[2])}};
+  return {{Dense{Exact(direction[0])}, Dense{Exact(direction[1])}, Dense{Exact(direction[2])}}};
 }
 
-/// A moving direction that may separate the elements, with its product with each difference of two corners.
+constexpr DoubleVector kAxes[] = {{{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}};
+
+/// A moving direction n that may keep the elements farther apart than their separation D.
 struct Candidate {
   bool normal = false;
   DenseVector direction;
-  std::vector<Dense> products;
+  std::vector<Dense> products;  ///< n . (x_j - x_i) for each pair of corners; one polynomial that all are, for u x w
 
-  bool separates(const Exact& from, const Exact& to, bool open) const {
-    int side = 0;
+  /// D^2 (n . n) in the Euclidean metric. In the other one D (s_0 n_0 + s_1 n_1 + s_2 n_2) for all choices of the signs
+  /// s, or for one of them that is the largest. Empty without a separation.
+  std::vector<Dense> bounds;
+
+  bool separates(const Elements& elements, const Exact& from, const Exact& to, bool open) const {
+    const Inner inner = open ? Inner::any_zero : Inner::not_zero;
+    const int side = numbers::sign_of(value(products.front(), from));
+    if (side == 0) return false;
+    if (bounds.empty()) {
+      return std::all_of(products.begin(), products.end(),
+                         [&](const Dense& p) { return sign_over(p, from, to, inner) == side; });
+    }
+    const bool euclidean = elements.metric == Metric::euclidean;
     for (const Dense& product : products) {
-      const int sign = sign_over(product, from, to, open);
-      if (sign == 0 || sign == -side) return false;
-      side = sign;
+      if (numbers::sign_of(value(product, from)) != side) return false;
+      const Dense left = euclidean ? product * product : side > 0 ? product : -product;
+      for (const Dense& bound : bounds) {
+        if (sign_over(left - bound, from, to, inner) != 1) return false;
+      }
     }
     return true;
   }
 };
 
-std::vector<Dense> products_with(const Elements& elements, const DenseVector& direction) {
-  std::vector<Dense> products;
-  for (std::size_t i = 0; i < elements.first; ++i) {
-    for (std::size_t j = elements.first; j < elements.count; ++j) {
-      products.push_back(dot(direction, elements.corners[j] - elements.corners[i]));
-    }
-  }
-  return products;
+Candidate candidate_along(const Elements& elements, const DenseVector& direction) {
+  Candidate candidate;
+  candidate.direction = direction;
+  elements.for_each_pair([&](std::size_t i, std::size_t j) {
+    candidate.products.push_back(geometry::dot(direction, elements.difference(j, i)));
+  });
+  return candidate;
 }
 
-/// While two features are the closest ones, the difference of their closest points, times a positive polynomial,
-/// separates the elements: n for two edges, or a vertex and a face; (e x r) x e for a corner and an edge; r for two
-/// corners. So, as the pieces get shorter, one of these separates over each of them, and in the end over the last one
-/// before a contact (see docs/proofs.md).
-std::vector<Candidate> moving_candidates(const Elements& elements) {
-  std::vector<Candidate> candidates;
-  const auto add = [&](const DenseVector& direction) {
-    Candidate candidate;
-    candidate.direction = direction;
-    candidate.products = products_with(elements, direction);
-    candidates.push_back(std::move(candidate));
-  };
+void add_bounds(const Elements& elements, Candidate& candidate) {
+  const DenseVector& n = candidate.direction;
+  const Exact& d = elements.separation;
+  if (!elements.has_separation()) return;
+  if (elements.metric == Metric::euclidean) {
+    candidate.bounds = {d * d * geometry::dot(n, n)};
+    return;
+  }
+  const bool is_constant = n[0].size() == 1 && n[1].size() == 1 && n[2].size() == 1;
+  if (is_constant) {
+    Exact sum;
+    for (const Dense& p : n.c) sum = sum + (numbers::sign_of(p[0]) < 0 ? -p[0] : p[0]);
+    candidate.bounds = {Dense{d * sum}};
+    return;
+  }
+  for (const double s0 : {1.0, -1.0}) {
+    for (const double s1 : {1.0, -1.0}) {
+      for (const double s2 : {1.0, -1.0}) {
+        candidate.bounds.push_back(d * (Exact(s0) * n[0] + Exact(s1) * n[1] + Exact(s2) * n[2]));
+      }
+    }
+  }
+}
+
+/// Directions one of which separates over each piece that is short enough, and in the end over the last one before a
+/// contact; docs/proofs.md says why. While two features are the closest ones, the difference of their closest points,
+/// times a positive polynomial, separates: n for two edges, or a vertex and a face; (e x r) x e for a corner and an
+/// edge; r for two corners. In the metric `max`: n, the axes, and the products of an edge and an axis.
+std::vector<DenseVector> moving_directions(const Elements& elements) {
+  std::vector<DenseVector> directions;
   for (const CornerAndEdge& pair : corners_and_edges(elements.kind)) {
-    const DenseVector r = elements.corners[pair.corner] - elements.corners[pair.start];
-    const DenseVector e = elements.corners[pair.end] - elements.corners[pair.start];
-    add(cross(cross(e, r), e));
+    const DenseVector r = elements.difference(pair.corner, pair.start);
+    const DenseVector e = elements.difference(pair.end, pair.start);
+    directions.push_back(geometry::cross(geometry::cross(e, r), e));
   }
-  for (std::size_t i = 0; i < elements.first; ++i) {
-    for (std::size_t j = elements.first; j < elements.count; ++j) add(elements.corners[j] - elements.corners[i]);
+  elements.for_each_pair([&](std::size_t i, std::size_t j) { directions.push_back(elements.difference(j, i)); });
+  if (elements.has_max_separation()) {
+    const auto add = [&](const DenseVector& edge) {
+      for (const DoubleVector& axis : kAxes) directions.push_back(geometry::cross(edge, constant(axis)));
+    };
+    const std::size_t second = elements.count - elements.first;  // the number of its corners
+    if (elements.first == 2) add(elements.difference(1, 0));
+    if (second >= 2) add(elements.difference(elements.first + 1, elements.first));
+    if (second == 3) {
+      add(elements.difference(elements.first + 2, elements.first));
+      add(elements.difference(elements.first + 2, elements.first + 1));
+    }
   }
-  return candidates;
+  return directions;
 }
 
 /// The search on one query.
@@ -90,28 +143,46 @@ class Search {
  public:
   explicit Search(const Elements& elements) : elements_(elements) {
     if (!elements.has_normal()) return;
-    normal_.normal = true;
-    normal_.products = {dot(cross(elements.u(), elements.w()), elements.r())};
+    const auto frame = elements.frame();
+    Candidate normal;
+    normal.normal = true;
+    normal.direction = geometry::normal(frame);
+    normal.products = {geometry::dot(normal.direction, frame.r)};
+    add_bounds(elements, normal);
+    normal_ = std::make_shared<Candidate>(std::move(normal));
   }
 
-  /// A piece that ends at `to`, if one is found.
-  std::optional<Piece> piece(const Exact& from, const Exact& to, bool open) {
-    if (elements_.has_normal() && normal_.separates(from, to, open)) {
-      Piece piece;
-      piece.normal = true;
-      piece.until = to;
-      return piece;
+  using Found = std::shared_ptr<const Candidate>;
+
+  bool separates(const Found& candidate, const Exact& from, const Exact& to, bool open) const {
+    return candidate->separates(elements_, from, to, open);
+  }
+
+  /// A direction that separates over the piece; null when none is found.
+  Found direction(const Exact& from, const Exact& to, bool open) {
+    if (normal_ && separates(normal_, from, to, open)) return normal_;
+    if (Found found = constant_direction(from, to, open)) return found;
+    if (moving_.empty()) {
+      for (const DenseVector& direction : moving_directions(elements_)) {
+        Candidate candidate = candidate_along(elements_, direction);
+        add_bounds(elements_, candidate);
+        moving_.push_back(std::make_shared<Candidate>(std::move(candidate)));
+      }
     }
-    if (auto piece = constant_piece(from, to, open)) return piece;
-    if (moving_.empty()) moving_ = moving_candidates(elements_);
-    for (const Candidate& candidate : moving_) {
-      if (candidate.separates(from, to, open)) return Piece{false, candidate.direction, to};
+    for (const Found& candidate : moving_) {
+      if (separates(candidate, from, to, open)) return candidate;
     }
-    return std::nullopt;
+    return nullptr;
   }
 
  private:
-  std::optional<Piece> constant_piece(const Exact& from, const Exact& to, bool open) const {
+  Found constant_direction(const Exact& from, const Exact& to, bool open) const {
+    const auto tried = [&](const DoubleVector& direction) -> Found {
+      Candidate candidate = candidate_along(elements_, constant(direction));
+      add_bounds(elements_, candidate);
+      if (!candidate.separates(elements_, from, to, open)) return nullptr;
+      return std::make_shared<Candidate>(std::move(candidate));
+    };
     const RelativeCorners corners = relative_corners(from, to);
     for (const DoubleVector& direction :
          {filters::between_closest_points(corners, elements_.kind), filters::between_centres(corners)}) {
@@ -120,13 +191,15 @@ class Search {
       for (const int bits : kDirectionBits) {
         const auto integers = rounded(direction, bits);
         if (!integers) break;
-        Candidate candidate;
-        candidate.direction = constant(*integers);
-        candidate.products = products_with(elements_, candidate.direction);
-        if (candidate.separates(from, to, open)) return Piece{false, candidate.direction, to};
+        if (Found found = tried(*integers)) return found;
       }
     }
-    return std::nullopt;
+    if (elements_.has_max_separation()) {
+      for (const DoubleVector& axis : kAxes) {
+        if (Found found = tried(axis)) return found;
+      }
+    }
+    return nullptr;
   }
 
   /// The corners at the ends of the piece, in doubles, which are a hint only.
@@ -138,9 +211,9 @@ class Search {
     const DenseVector& origin = elements_.corners[0];
     for (std::size_t i = 0; i < elements_.count; ++i) {
       for (std::size_t k = 0; k < 3; ++k) {
-        const Exact zero = value(origin[k], from);
-        corners.start[i][k] = numbers::to_double(value(elements_.corners[i][k], from) - zero);
-        corners.end[i][k] = numbers::to_double(value(elements_.corners[i][k], to) - zero);
+        const Dense relative = elements_.corners[i][k] - origin[k];
+        corners.start[i][k] = numbers::to_double(value(relative, from));
+        corners.end[i][k] = numbers::to_double(value(relative, to));
         corners.largest = std::max({corners.largest, std::fabs(corners.start[i][k]), std::fabs(corners.end[i][k])});
       }
     }
@@ -148,53 +221,100 @@ class Search {
   }
 
   const Elements& elements_;
-  Candidate normal_;
-  std::vector<Candidate> moving_;
+  Found normal_;
+  std::vector<Found> moving_;
 };
+
+/// A piece of the search: its direction separates over [from, to].
+struct Part {
+  Search::Found direction;
+  Exact from, to;
+};
+
+/// Adds a part after the last one. Where one direction serves for both, they become one part. So the cuts towards an
+/// event leave few parts.
+void append(const Search& search, std::vector<Part>& parts, Part part, bool open) {
+  while (!parts.empty()) {
+    Part& before = parts.back();
+    if (search.separates(before.direction, before.from, part.to, open)) {
+      part.direction = before.direction;
+    } else if (!search.separates(part.direction, before.from, part.to, open)) {
+      break;
+    }
+    part.from = before.from;
+    parts.pop_back();
+  }
+  parts.push_back(std::move(part));
+}
+
+/// Where a piece is cut: in the middle; between times of very different size, in the middle of their exponents. So an
+/// event at 2^-1000 is reached in few steps.
+Exact cut(const Exact& from, const Exact& to) {
+  const long high = numbers::approximate(to).exponent;
+  const long low = from.is_zero() ? 2 * high : numbers::approximate(from).exponent;
+  constexpr long kOrdinary = 8;
+  return high - low > kOrdinary ? numbers::power_of_two(low + (high - low) / 2) : (from + to) * Exact(0.5);
+}
 
 }  // namespace
 
-std::vector<Piece> separating_pieces(const Elements& elements, const Exact& end, bool open) {
-  // A gap of 2^-k of the coordinates needs about k bisections; no query of doubles has gaps near this bound.
-  constexpr int kMostBisections = 100'000;
+std::vector<Piece> separating_pieces(const Elements& elements, const Exact& end, bool open,
+                                     const std::function<bool()>& is_true) {
+  // Two events that are 2^-k apart need about k bisections. Without a contact the search ends; with one it would not.
+  constexpr int kLongSearch = 500;
   Search search(elements);
-  std::vector<Piece> pieces;
+  std::vector<Part> parts;
   Exact from(0);
-  std::vector<Exact> ends = {end};  // of the pieces to come, the next one last
+  std::vector<Exact> ends = {end};  // of the parts to come, the next one last
   int bisections = 0;
   while (!ends.empty()) {
     const Exact to = ends.back();
     const bool last = ends.size() == 1;
-    if (auto piece = search.piece(from, to, open && last)) {
-      pieces.push_back(std::move(*piece));
+    if (Search::Found direction = search.direction(from, to, open && last)) {
+      append(search, parts, {std::move(direction), from, to}, open && last);
       from = to;
       ends.pop_back();
     } else {
-      if (from == to || ++bisections > kMostBisections)
-        throw Error("the elements touch: there is no proof that they do not");
-      ends.push_back((from + to) * Exact(0.5));
+      if (from == to || (++bisections == kLongSearch && !is_true())) {
+        throw Error("the elements are in contact: there is no proof that they are not");
+      }
+      ends.push_back(cut(from, to));
     }
+  }
+  std::vector<Piece> pieces;
+  for (const Part& part : parts) {
+    Piece& piece = pieces.emplace_back();
+    piece.normal = part.direction->normal;
+    if (!piece.normal) piece.direction = part.direction->direction;
+    piece.until = part.to;
   }
   return pieces;
 }
 
-std::vector<Piece> quick_piece(const Query& query) {
-  Piece piece;
-  piece.until = Exact(1);
-  if (filters::same_side(query)) {
-    piece.normal = true;
-    return {piece};
-  }
+std::optional<QuickDirection> quick_direction(const Query& query, const Separation& separation) {
+  const bool touching = separation.distance == 0;
+  if (touching && filters::same_side(query)) return QuickDirection{true, {}};
   const RelativeCorners corners = filters::relative_corners(query);
-  const DoubleVector direction = filters::between_closest_points(corners, query.kind);
-  if (!filters::separates(corners, direction)) return {};
-  for (const int bits : kDirectionBits) {
-    const auto integers = rounded(direction, bits);
-    if (!integers || !filters::separates(corners, *integers)) continue;
-    piece.direction = constant(*integers);
-    return {piece};
+  const auto separates = [&](const DoubleVector& direction) {
+    return touching ? filters::separates(corners, direction) : filters::separates_by(corners, direction, separation);
+  };
+  const auto rounded_if_it_separates = [&](const DoubleVector& direction) -> std::optional<QuickDirection> {
+    if (!separates(direction)) return std::nullopt;
+    for (const int bits : kDirectionBits) {
+      const auto integers = rounded(direction, bits);
+      if (integers && separates(*integers)) return QuickDirection{false, integers->c};
+    }
+    return std::nullopt;
+  };
+  if (auto found = rounded_if_it_separates(filters::between_closest_points(corners, query.kind))) return found;
+  if (touching) return std::nullopt;
+  if (separation.metric == Metric::max) {
+    for (const DoubleVector& axis : kAxes) {
+      if (auto found = rounded_if_it_separates(axis)) return found;
+    }
   }
-  return {};
+  if (!filters::has_cubic(query.kind)) return std::nullopt;
+  return rounded_if_it_separates(filters::normal_at_mid_step(corners, query.kind));
 }
 
 }  // namespace touchstone::proofs

@@ -9,6 +9,7 @@
 
 #include <touchstone/answer.hpp>
 #include <touchstone/query.hpp>
+#include <touchstone/separation.hpp>
 
 #include "proofs/dense.hpp"
 
@@ -35,9 +36,9 @@ struct Proof {
   std::optional<Meeting> meeting;  ///< with contact
 };
 
-/// A proof of the answer of `solve` to a valid query over [0, 1]. Every answer has one; a false answer has none.
-/// @throws Error  for an answer that has none, after a long search
-Proof prove(const Query& query, const Answer& answer);
-Proof prove(const RationalQuery& query, const Answer& answer);
+/// A proof of the answer of `solve` to a valid query over [0, 1] with this separation. Every answer has one; a false
+/// answer has none. @throws Error  for an answer that has none, after a long search
+Proof prove(const Query& query, const Answer& answer, const Separation& separation = {});
+Proof prove(const RationalQuery& query, const Answer& answer, const Separation& separation = {});
 
 }  // namespace touchstone::proofs

@@ -1,12 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "proofs/proof_text.hpp"
 
+#include <charconv>
+#include <cmath>
 #include <cstdio>
 
 #include "io/times.hpp"
+#include "numbers/float_environment.hpp"
+#include "proofs/pieces.hpp"
 
 namespace touchstone::proofs {
 namespace {
+
+/// Integers below it are shorter in decimal than in hexadecimal digits.
+constexpr int kShortDigits = 12;
+constexpr double kShortInteger = 0x1p48;  // 16^kShortDigits
+
+template <class I>
+void append_integer(std::string& to, I value) {
+  char digits[24];
+  to.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+}
 
 void append_polynomial(std::string& to, const Dense& p) {
   for (const Exact& c : p) {
@@ -36,16 +50,21 @@ void append_number(std::string& to, const Exact& x) {
     exponent += 4;
   }
   digits.erase(0, digits.find_first_not_of('0'));
-  constexpr std::size_t kShort = 12;  // digits of an integer that is shorter in decimal
-  if (exponent >= 0 && digits.size() + static_cast<std::size_t>(exponent) / 4 <= kShort) {
+  if (exponent >= 0 && digits.size() + static_cast<std::size_t>(exponent) / 4 <= kShortDigits) {
     to += std::to_string(std::stoull(digits + std::string(static_cast<std::size_t>(exponent) / 4, '0'), nullptr, 16));
     return;
   }
   to += "0x" + digits + "p" + std::to_string(exponent);
 }
 
-void append_proof(std::string& to, std::uint64_t query, const Answer& answer, const Proof& proof) {
-  to += std::to_string(query);
+void append_separation(std::string& to, const Separation& separation) {
+  if (!(separation.distance > 0)) return;
+  to += separation.metric == Metric::euclidean ? "separation euclidean " : "separation max ";
+  to += io::hexfloat(separation.distance) + '\n';
+}
+
+void append_proof(std::string& to, std::uint64_t number, const Answer& answer, const Proof& proof) {
+  append_integer(to, number);
   if (answer.contact) {
     to += " contact " + io::hexfloat(answer.toi) + ' ' + io::hexfloat(answer.toi_upper) + '\n';
   } else {
@@ -57,9 +76,9 @@ void append_proof(std::string& to, std::uint64_t query, const Answer& answer, co
     } else {
       to += 'd';
       std::size_t size = 0;
-      for (const Dense& p : piece.direction) size = p.size() > size ? p.size() : size;
+      for (const Dense& p : piece.direction.c) size = p.size() > size ? p.size() : size;
       for (std::size_t i = 0; i < size; ++i) {
-        for (const Dense& p : piece.direction) {
+        for (const Dense& p : piece.direction.c) {
           to += ' ';
           append_number(to, i < p.size() ? p[i] : Exact(0));
         }
@@ -90,6 +109,34 @@ void append_proof(std::string& to, std::uint64_t query, const Answer& answer, co
     append_polynomial(to, meeting.weights[i]);
     to += '\n';
   }
+}
+
+void append_proof_of(std::string& to, std::uint64_t number, const Query& query, const Answer& answer,
+                     const Separation& separation) {
+  if (!answer.contact) {
+    const numbers::DefaultFloatEnvironment environment;
+    if (const auto quick = quick_direction(query, separation)) {
+      append_integer(to, number);
+      to += quick->normal ? " none\nn\n" : " none\nd";
+      if (quick->normal) return;
+      for (const double x : quick->integers) {
+        to += ' ';
+        if (std::fabs(x) < kShortInteger) {
+          append_integer(to, static_cast<std::int64_t>(x));
+        } else {
+          append_number(to, Exact(x));
+        }
+      }
+      to += '\n';
+      return;
+    }
+  }
+  append_proof(to, number, answer, prove(query, answer, separation));
+}
+
+void append_proof_of(std::string& to, std::uint64_t number, const RationalQuery& query, const Answer& answer,
+                     const Separation& separation) {
+  append_proof(to, number, answer, prove(query, answer, separation));
 }
 
 }  // namespace touchstone::proofs

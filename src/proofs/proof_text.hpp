@@ -15,7 +15,16 @@ inline constexpr char kFirstLine[] = "touchstone-proofs 1\n";
 /// An exact number that is a multiple of a power of two: a decimal integer, or a hexfloat of any length.
 void append_number(std::string& to, const Exact& x);
 
+/// The line of a file's separation; none without one.
+void append_separation(std::string& to, const Separation& separation);
+
 /// The lines of one query's proof.
-void append_proof(std::string& to, std::uint64_t query, const Answer& answer, const Proof& proof);
+void append_proof(std::string& to, std::uint64_t number, const Answer& answer, const Proof& proof);
+
+/// The same for the proof that `prove` finds, without a Proof in between where a direction is found in doubles.
+void append_proof_of(std::string& to, std::uint64_t number, const Query& query, const Answer& answer,
+                     const Separation& separation = {});
+void append_proof_of(std::string& to, std::uint64_t number, const RationalQuery& query, const Answer& answer,
+                     const Separation& separation = {});
 
 }  // namespace touchstone::proofs

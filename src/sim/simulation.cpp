@@ -53,6 +53,7 @@ Simulation::Simulation(Scene scene, const SimulationOptions& options)
       response_(colliders_, system_, scene_.settings, options.narrow_phase, options.threads, stepper_, cancel_),
       prover_(colliders_, NarrowPhase::exact, options.threads, cancel_),
       narrow_phase_(options.narrow_phase),
+      keep_ends_(options.keep_ends),
       ignores_radii_(options.narrow_phase == NarrowPhase::paper && has_radii(scene_)),
       state_(stepper_.initial()) {
   check_start(state_, "the scene");
@@ -180,6 +181,7 @@ std::variant<SubstepRecord, Refusal> Simulation::try_substep(double h, double en
   record.gained_energy = advance.gained_energy || contacts_gained ? 1 : 0;
   record.response = response.counts;
   record.proof = proof;
+  if (keep_ends_) record.end = state_.q;
   return record;
 }
 

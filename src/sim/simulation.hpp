@@ -48,6 +48,7 @@ struct SubstepRecord {
   int gained_energy = 0;  ///< 1 when the substep gained energy, and was too short to be halved again
   ResponseCounts response;
   Proof proof;
+  VectorX end;  ///< the coordinates at its end, the doubles that were proved; empty without keep_ends
 };
 
 struct SimulationOptions {
@@ -56,6 +57,7 @@ struct SimulationOptions {
   /// Called while the simulation is made, and between substeps, iterations of Newton's method and passes over contacts.
   /// It may throw to end the run: the step under way has not been made then.
   std::function<void()> check_cancelled = {};
+  bool keep_ends = false;  ///< whether each record has the coordinates at the end of its substep
 };
 
 class Simulation {
@@ -116,6 +118,7 @@ class Simulation {
   Response response_;
   PairSolver prover_;
   NarrowPhase narrow_phase_;
+  bool keep_ends_;
   bool ignores_radii_;
   State state_;
   std::uint64_t steps_ = 0;

@@ -1,9 +1,16 @@
 // touchstone prove: the text of proofs, whatever the number of threads.
 // SPDX-License-Identifier: MIT
+#include <filesystem>
 #include <string>
+#include <vector>
 
+#include <touchstone/error.hpp>
+
+#include "cli/run_checker.hpp"
 #include "cli/run_program.hpp"
 #include "cli/sample_files.hpp"
+#include "cli/shared/options.hpp"
+#include "cli/shared/proof_file.hpp"
 #include "io/sha256.hpp"
 #include "support/catch.hpp"
 
@@ -46,4 +53,67 @@ TEST_CASE("prove refuses what it cannot read, and leaves no file") {
   CHECK_FALSE(std::filesystem::exists(folder.path("p.txt")));
   CHECK(run_program({"prove", folder.path("none.csv")}).status == 2);
   CHECK(run_program({"prove", "--out", bad, bad}).status == 2);
+}
+
+TEST_CASE("an answer that has no proof is an error that names its query") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("point-point/a.csv", two_point_queries());
+  const auto inputs = cli::find_inputs({file}, std::nullopt);
+  cli::ProvedQueries proved;
+  const auto error = [&](std::size_t query) {
+    std::string message;
+    cli::for_each_query(inputs, [&](std::size_t, const io::QueryRecord& record) {
+      if (record.number != query) return;
+      Answer answer = cli::answer_to(record.query, Method::fast, {});
+      answer.contact = true;  // a claim of no contact would be refuted as well, after a long search
+      answer.toi = answer.toi_upper = 0;
+      try {
+        proved.add(inputs[0], record, answer, {});
+      } catch (const FileError& thrown) {
+        message = thrown.what();
+      }
+    });
+    return message;
+  };
+  CHECK(error(0) == file + ":1: query 0: the elements are not in contact: there is no proof that they are");
+  CHECK(error(1) == file + ":5: query 1: the elements are not in contact: there is no proof that they are");
+}
+
+TEST_CASE("proofs with a separation name it before each file, and the number of threads changes no byte") {
+  const TemporaryFolder folder;
+  for (const Kind kind : kKinds) {
+    const SampleFile sample = sample_file(kind, 6, 5);
+    const std::string first = folder.write(std::string(kind_name(kind)) + "/a.csv", sample.text);
+    const std::string second = folder.write("point-point/b.csv", two_point_queries());
+    for (const std::string metric : {"euclidean", "max"}) {
+      std::string proofs;
+      for (const char* threads : {"1", "2", "7"}) {
+        const Run run = run_program({"prove", "--separation", "0.125", "--metric", metric, "--threads", threads,
+                                     "--out", folder.path("proofs.txt"), first, second});
+        CAPTURE(kind_name(kind), metric, threads, run.out, run.err);
+        REQUIRE(run.status == 0);
+        CHECK(occurrences(run.out, " (separation 0x1p-3 (0.125), " + metric + ")\n") == 1);
+        const std::string text = folder.read("proofs.txt");
+        if (proofs.empty()) proofs = text;
+        CHECK((text == proofs));
+      }
+      CHECK(occurrences(proofs, "\nseparation " + metric + " 0x1p-3\nfile ") == 2);
+      const Run checked = run_checker(folder.path("proofs.txt"), {first, second});
+      CAPTURE(checked.out, checked.err);
+      CHECK(checked.status == 0);
+    }
+  }
+}
+
+TEST_CASE("separation 0 is touching: the proofs are those without the option") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("point-point/a.csv", two_point_queries());
+  const std::string plain = run_program({"prove", file}).out;
+  CHECK(run_program({"prove", "--separation", "0", "--metric", "max", file}).out == plain);
+  CHECK(run_checker(folder.write("proofs.txt", plain), {file}).status == 0);
+  const Run negative = run_program({"prove", "--separation", "-1", file});
+  CHECK(negative.status == 2);
+  CHECK(negative.out == "");
+  CHECK(occurrences(negative.err, "-1 is negative; a separation is a distance, 0 or greater") == 1);
+  CHECK(run_program({"prove", "--separation", "each", file}).status == 2);
 }

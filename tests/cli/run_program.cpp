@@ -35,7 +35,7 @@ Run run_program(const std::vector<std::string>& arguments, const RunOptions& opt
   const int out_descriptor = options.closed_pipe ? closed_pipe() : open_for_writing(out);
   const int err_descriptor = open_for_writing(folder.path("err"));
 
-  std::vector<std::string> words = {TOUCHSTONE_PROGRAM};
+  std::vector<std::string> words = {options.program.empty() ? TOUCHSTONE_PROGRAM : options.program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (auto& word : words) argv.push_back(word.data());

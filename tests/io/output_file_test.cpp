@@ -299,3 +299,24 @@ TEST_CASE("a spool file gives back what went in and is never seen") {
   CHECK(folder.names() == Names{"out"});
   CHECK(folder.read("out") == all);
 }
+
+TEST_CASE("a spool file forgets what is cut off, whether it was in memory or on the disk") {
+  const TemporaryFolder folder;
+  io::SpoolFile spool(folder.path("report.json"));
+  std::string kept;
+  for (const std::size_t size : {std::size_t{10}, std::size_t{200'000}, std::size_t{0}, std::size_t{70'000}}) {
+    const std::string piece(size, static_cast<char>('a' + kept.size() % 26));
+    spool.write(piece);
+    kept += piece;
+    CHECK(spool.size() == kept.size());
+    spool.write(std::string(3, '-'));
+    spool.cut(kept.size());
+    spool.write(std::string(300'000, '-'));
+    spool.cut(kept.size());
+    CHECK(spool.size() == kept.size());
+  }
+  io::OutputFile out(folder.path("out"));
+  spool.copy_to(out);
+  out.commit();
+  CHECK((folder.read("out") == kept));
+}

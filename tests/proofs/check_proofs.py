@@ -2,15 +2,17 @@
 # SPDX-License-Identifier: MIT
 """Checks the proofs of `touchstone prove`. It is written from docs/proofs.md alone and uses no code of the library.
 
-    check_proofs.py PROOFS QUERY_FILE...
+    check_proofs.py PROOFS FILE...
 
-The exit status is 0 when every proof holds, 1 when some proof does not hold, and 2 for a file that cannot be read.
+The files are query files and motion files. The exit status is 0 when every proof holds, 1 when some proof does not
+hold, and 2 for a file that cannot be read.
 
 All arithmetic is on integers. A polynomial is the list of its coefficients, the constant one first. The checks ask for
-signs and divisibility only. So the coordinates of a query are multiplied by their common denominator, and the numbers
-of a proof by a power of two.
+signs and divisibility only. So the coordinates and the separation of a query are multiplied by their common
+denominator, and the numbers of a proof by a power of two.
 """
 
+import collections
 import functools
 import itertools
 import math
@@ -18,15 +20,20 @@ import re
 import sys
 
 MAX_LINE_BYTES = 1 << 20
-MAX_DIGITS = 20000
-MAX_EXPONENT = 100000
+MAX_DIGITS = 4096
+MAX_EXPONENT = 20000
 MAX_DEGREE = 16
 MAX_QUERY_DIGITS = 4096
+MAX_VERTICES = (1 << 30) - 1
 
 # For each kind the number of corners of the first element, and of both.
 KINDS = {b"edge-edge": (2, 4), b"vertex-face": (1, 4), b"point-edge": (1, 3), b"point-point": (1, 2)}
 
 NUMBER = re.compile(rb"(-?)(?:([0-9]+)|0x(?=\.?[0-9A-Fa-f])([0-9A-Fa-f]*)(?:\.([0-9A-Fa-f]*))?p([+-]?[0-9]+))")
+# The signs s_k of the polynomials for the metric `max`.
+SIGNS = list(itertools.product((1, -1), repeat=3))
+
+INTEGER = re.compile(rb"0|[1-9][0-9]*")
 DIGEST = re.compile(rb"-|[0-9a-f]{64}")
 QUERY_NUMBER = re.compile(rb"-?[0-9]{1,%d}" % MAX_QUERY_DIGITS)
 
@@ -57,6 +64,8 @@ class Lines:
         for line in iter(lambda: self.stream.readline(MAX_LINE_BYTES + 3), b""):
             self.number += 1
             line = re.sub(rb"\r?\n?\Z", b"", line, count=1)
+            if self.number == 1 and line.startswith(b"\xef\xbb\xbf"):
+                line = line[3:]
             if len(line) > MAX_LINE_BYTES:
                 raise BadInput(f"{self.place()}: the line has more than {MAX_LINE_BYTES} bytes")
             text = line.lstrip(b" \t")
@@ -170,23 +179,26 @@ def is_positive(p, low, high):
 
 
 class Query:
-    """A query: corner i is at starts[i] + t steps[i], all times one positive integer."""
+    """Corner i is at starts[i] + t steps[i]. All coordinates and the separation are times one positive number.
 
-    def __init__(self, rows, split):
-        self.split = split  # the number of corners of the first element
-        self.size = count = len(rows) // 2
-        factor = 1
-        for row in rows:
-            for denominator in (row[1], row[3], row[5]):
-                if factor % denominator:
-                    factor = math.lcm(factor, denominator)
-        points = [[row[c] * (factor // row[c + 1]) for c in (0, 2, 4)] for row in rows]
-        self.starts = points[:count]
-        self.steps = [[e - s for s, e in zip(start, end)] for start, end in zip(points, points[count:])]
+    `split` is the number of corners of the first element. `metric` is None for the separation 0.
+    """
+
+    def __init__(self, starts, ends, split, metric, separation):
+        self.split = split
+        self.size = len(starts)
+        self.starts = starts
+        self.steps = [[e - s for s, e in zip(start, end)] for start, end in zip(starts, ends)]
+        self.metric = metric
+        self.separation = separation
 
     def corner(self, i):
         """The three coordinates of a corner, as polynomials."""
         return [[s, d] for s, d in zip(self.starts[i], self.steps[i])]
+
+    def pairs(self):
+        """The corners of the first element, each with each one of the second element."""
+        return itertools.product(range(self.split), range(self.split, self.size))
 
     def normal(self):
         """u x w, for the kinds with 4 corners."""
@@ -197,7 +209,21 @@ class Query:
         return [minus(times(u[b], w[c]), times(u[c], w[b])) for b, c in ((1, 2), (2, 0), (0, 1))]
 
 
-def read_query(lines, kind):
+def query_of_rows(rows, split, metric, separation):
+    """The query of the rows of a query file. The separation is a number of the proofs."""
+    m, e = separation
+    factor = 1 << max(-e, 0)
+    for row in rows:
+        for denominator in (row[1], row[3], row[5]):
+            if factor % denominator:
+                factor = math.lcm(factor, denominator)
+    points = [[row[c] * (factor // row[c + 1]) for c in (0, 2, 4)] for row in rows]
+    count = len(rows) // 2
+    scaled = m * factor << e if e >= 0 else m * (factor >> -e)
+    return Query(points[:count], points[count:], split, metric, scaled)
+
+
+def read_query(lines, kind, metric, separation):
     """The next query of a query file, or None at its end."""
     split, count = KINDS[kind]
     rows = []
@@ -216,7 +242,129 @@ def read_query(lines, kind):
         return None
     if len(rows) < 2 * count:
         raise BadInput(f"{lines.place()}: the last query has too few rows")
-    return Query(rows, split)
+    return query_of_rows(rows, split, metric, separation)
+
+
+Box = collections.namedtuple("Box", "low high element")
+
+
+class Motion:
+    """A motion file. Its frames are read one after another, so that two of them are in memory."""
+
+    SIZES = {b"point": 1, b"edge": 2, b"face": 3, b"fixed": 1}
+
+    def __init__(self, lines):
+        self.lines = lines
+        if lines.words() != [b"touchstone-motion", b"1"]:
+            raise BadInput(f"{lines.place()}: the first line is not \"touchstone-motion 1\"")
+        lines.advance()
+        words = lines.words()
+        if words[:1] != [b"vertices"] or len(words) != 2:
+            raise BadInput(f"{lines.place()}: expected \"vertices N\"")
+        self.count = self.read_integer(words[1])
+        if self.count > MAX_VERTICES:
+            raise BadInput(f"{lines.place()}: a motion has at most {MAX_VERTICES} vertices")
+        lines.advance()
+        self.elements = {sort: [] for sort in self.SIZES}
+        self.read_elements()
+        self.fixed = {vertex for vertex, in self.elements.pop(b"fixed")}
+        edge_vertices = {vertex for edge in self.elements[b"edge"] for vertex in edge}
+        self.lone = [vertex not in edge_vertices for vertex, in self.elements[b"point"]]
+
+    def read_integer(self, word):
+        if len(word) > MAX_DIGITS or not INTEGER.fullmatch(word):
+            raise BadInput(f"{self.lines.place()}: not an integer without a sign and leading zeros, or too long")
+        return int(word)
+
+    def read_elements(self):
+        seen = set()
+        while True:
+            sort, *words = self.lines.words() or [b""]
+            if sort not in self.SIZES:
+                return
+            vertices = tuple(self.read_integer(word) for word in words)
+            if len(vertices) != self.SIZES[sort] or len(set(vertices)) != len(vertices):
+                raise BadInput(f"{self.lines.place()}: {sort.decode()} needs {self.SIZES[sort]} different vertices")
+            if max(vertices) >= self.count:
+                raise BadInput(f"{self.lines.place()}: there is no such vertex")
+            if len(vertices) == 1:
+                if (sort, vertices) in seen:
+                    raise BadInput(f"{self.lines.place()}: this vertex has such a line already")
+                seen.add((sort, vertices))
+            self.elements[sort].append(vertices)
+            self.lines.advance()
+
+    def read_frame(self):
+        """The coordinates of all vertices as numbers, or None at the end of the file."""
+        if self.lines.line is None:
+            return None
+        if self.lines.words() != [b"frame"]:
+            raise BadInput(f"{self.lines.place()}: expected an element, \"frame\" or the end of the file")
+        self.lines.advance()
+        frame = []
+        while len(frame) < self.count:
+            words = self.lines.words()
+            if len(words) != 3:
+                raise BadInput(f"{self.lines.place()}: expected three coordinates of vertex {len(frame)}")
+            frame.append([read_number(word, self.lines) for word in words])
+            self.lines.advance()
+        return frame
+
+    def steps(self):
+        """Both frames of each step."""
+        start, end = self.read_frame(), self.read_frame()
+        if end is None:
+            raise BadInput(f"{self.lines.place()}: a motion has at least two frames")
+        while end is not None:
+            for vertex in self.fixed:
+                if start[vertex] != end[vertex]:
+                    raise BadInput(f"{self.lines.place()}: vertex {vertex} is fixed, but moves")
+            yield start, end
+            start, end = end, self.read_frame()
+
+    def queries(self, frames, metric, separation):
+        """The queries of the pairs of a step, in the order of the page."""
+        integers, _ = to_integers([x for frame in frames for vertex in frame for x in vertex] + [separation])
+        reach = integers.pop()
+        points = [integers[i:i + 3] for i in range(0, len(integers), 3)]
+        start, end = points[:self.count], points[self.count:]
+        for kind, first, second in sorted(self.pairs(start, end, reach)):
+            corners = first[1] + second[1]
+            yield Query([start[v] for v in corners], [end[v] for v in corners], len(first[1]), metric, reach)
+
+    def pairs(self, start, end, reach):
+        """A sweep along the x axis: at each box, the boxes before it whose end is not yet left behind."""
+        boxes = []
+        for sort, elements in self.elements.items():
+            for number, vertices in enumerate(elements):
+                axes = list(zip(*(frame[v] for frame in (start, end) for v in vertices)))
+                boxes.append(Box([min(axis) for axis in axes], [max(axis) for axis in axes], (sort, number, vertices)))
+        boxes.sort(key=lambda box: box.low[0])
+        before = {sort: [] for sort in self.elements}
+        partners = {b"point": (b"point", b"edge", b"face"), b"edge": (b"edge", b"point"), b"face": (b"point",)}
+        for box in boxes:
+            sort = box.element[0]
+            for other_sort in partners[sort]:
+                near = before[other_sort] = [b for b in before[other_sort] if b.high[0] + reach >= box.low[0]]
+                for other in near:
+                    if all(box.low[c] - other.high[c] <= reach >= other.low[c] - box.high[c] for c in (1, 2)):
+                        pair = self.pair(box.element, other.element)
+                        if pair:
+                            yield pair
+            before[sort].append(box)
+
+    def pair(self, first, second):
+        """The order of its kind, and number and vertices of both elements; None if the two are no pair."""
+        order = {b"point": 0, b"edge": 1, b"face": 2}
+        first, second = sorted((first, second), key=lambda element: (order[element[0]], element[1]))
+        vertices = first[2] + second[2]
+        if set(first[2]) & set(second[2]) or self.fixed.issuperset(vertices):
+            return None
+        sorts = first[0], second[0]
+        kind = [(b"edge", b"edge"), (b"point", b"face"), (b"point", b"edge"), (b"point", b"point")].index(sorts)
+        if kind >= 2 and not all(self.lone[number] for sort, number, _ in (first, second) if sort == b"point"):
+            return None
+        return kind, first[1:], second[1:]
 
 
 def require(holds, reason):
@@ -246,20 +394,32 @@ def read_piece(query, lines):
     return query.normal(), end
 
 
+def dot(p, q):
+    x, y, z = (times(a, b) for a, b in zip(p, q))
+    return plus(plus(x, y), z)
+
+
 def separates(query, direction, low, high, may_touch_at_end):
-    """Whether the Bernstein coefficients of all p_ij have one sign."""
-    heights = []
-    for i in range(query.size):
-        x, y, z = (times(n, p) for n, p in zip(direction, query.corner(i)))
-        heights.append(plus(plus(x, y), z))
+    """Whether the direction separates the elements from low to high, by the signs of Bernstein coefficients."""
+    heights = [dot(direction, query.corner(i)) for i in range(query.size)]
+    products = [minus(heights[j], heights[i]) for i, j in query.pairs()]
     signs = {1, -1}
-    for i in range(query.split):
-        for j in range(query.split, query.size):
-            b = bernstein(minus(heights[j], heights[i]), low, high)
-            strict, rest = (b[:1], b[1:]) if may_touch_at_end else (b, [])
-            signs = {s for s in signs if all(s * c > 0 for c in strict) and all(s * c >= 0 for c in rest)}
-            if not signs:
-                return False
+    if query.metric == b"euclidean":
+        at_low = [bernstein(p, low, low)[0] for p in products]
+        if not (min(at_low) > 0 or max(at_low) < 0):
+            return False
+        signs = {1}
+        bound = times([query.separation ** 2], dot(direction, direction))
+        products = [minus(times(p, p), bound) for p in products]
+    elif query.metric == b"max":
+        bounds = [times([query.separation], dot(direction, [[s] for s in triple])) for triple in SIGNS]
+        products = [minus(p, bound) for p in products for bound in bounds]
+    for p in products:
+        b = bernstein(p, low, high)
+        strict, rest = (b[:1], b[1:]) if may_touch_at_end else (b, [])
+        signs = {s for s in signs if all(s * c > 0 for c in strict) and all(s * c >= 0 for c in rest)}
+        if not signs:
+            return False
     return True
 
 
@@ -302,8 +462,17 @@ def check_meeting(query, lines, early, late):
         sums[element] = plus(sums[element], weight)
         points[element] = [plus(p, times(weight, x)) for p, x in zip(points[element], query.corner(corner))]
     require(all(is_positive(total, low, high) for total in sums), "the weights of an element may all be zero")
-    equal = all(is_multiple(minus(times(sums[1], p), times(sums[0], q)), g) for p, q in zip(*points))
-    require(equal, "the weighted points are not proved to be equal")
+    difference = [minus(times(sums[1], p), times(sums[0], q)) for p, q in zip(*points)]
+    if query.metric is None:
+        require(all(is_multiple(c, g) for c in difference), "the weighted points are not proved to be equal")
+        return
+    bound = times([query.separation], times(*sums))
+    if query.metric == b"euclidean":
+        room = [minus(times(bound, bound), dot(difference, difference))]
+    else:
+        room = [sign(bound, c) for c in difference for sign in (plus, minus)]
+    near = all(is_multiple(p, g) or min(bernstein(p, low, high)) >= 0 for p in room)
+    require(near, "the distance of the weighted points is not proved to be at most the separation")
 
 
 def read_weights(query, lines):
@@ -339,8 +508,38 @@ def check_query(query, number, lines):
     return True
 
 
-def check(proofs, proofs_name, query_files):
-    """Checks the proofs of a binary stream. query_files yields pairs of stream and name.
+def read_header(lines, name):
+    """The metric or None, the separation as a word and as a number, and the kind of the queries of the next file."""
+    metric, word, separation = None, b"0", (0, 0)
+    words = lines.words()
+    if words[:1] == [b"separation"]:
+        require(len(words) == 3 and words[1] in (b"euclidean", b"max"),
+                f"{lines.place()}: expected separation METRIC D; METRIC is euclidean or max")
+        _, metric, word = words
+        separation = read_number(word, lines)
+        require(separation[0] > 0, f"{lines.place()}: the separation is not above zero")
+        lines.advance()
+        words = lines.words()
+    kinds = list(KINDS) + [b"mesh"]
+    holds = words[:1] == [b"file"] and len(words) > 3 and words[1] in kinds and DIGEST.fullmatch(words[2])
+    require(holds, f"{lines.place()}: expected the proofs of {name}: file KIND DIGEST NAME")
+    lines.advance()
+    return metric, word, separation, words[1]
+
+
+def check_queries(queries, lines, name):
+    """Checks the proofs of all queries. Returns the numbers of queries and of contacts."""
+    number, contacts = -1, 0
+    for number, query in enumerate(queries):
+        try:
+            contacts += check_query(query, number, lines)
+        except Rejected as reason:
+            raise Rejected(f"{name}: query {number}: {lines.place()}: {reason}") from None
+    return number + 1, contacts
+
+
+def check(proofs, proofs_name, files, report=lambda *header: None):
+    """Checks the proofs of a binary stream. `files` yields pairs of stream and name.
 
     Returns the numbers of queries and of contacts. Raises Rejected or BadInput.
     """
@@ -349,21 +548,24 @@ def check(proofs, proofs_name, query_files):
         raise BadInput(f"{lines.place()}: the first line is not \"touchstone-proofs 1\"")
     lines.advance()
     queries = contacts = 0
-    for stream, name in query_files:
-        words = lines.words()
-        holds = words[:1] == [b"file"] and len(words) > 3 and words[1] in KINDS and DIGEST.fullmatch(words[2])
-        require(holds, f"{lines.place()}: expected the proofs of {name}: file KIND DIGEST NAME")
-        lines.advance()
+    for stream, name in files:
+        metric, separation_word, separation, kind = read_header(lines, name)
         rows = Lines(stream, name)
-        for number in itertools.count():
-            query = read_query(rows, words[1])
-            if query is None:
-                break
-            try:
-                contacts += check_query(query, number, lines)
-            except Rejected as reason:
-                raise Rejected(f"{name}: query {number}: {lines.place()}: {reason}") from None
-            queries += 1
+        counts = []
+        if kind == b"mesh":
+            motion = Motion(rows)
+            for step, frames in enumerate(motion.steps()):
+                require(lines.words() == [b"step", str(step).encode()],
+                        f"{lines.place()}: expected \"step {step}\" of {name}")
+                lines.advance()
+                pairs = motion.queries(frames, metric, separation)
+                counts.append(check_queries(pairs, lines, f"{name}: step {step}"))
+        else:
+            rest = iter(functools.partial(read_query, rows, kind, metric, separation), None)
+            counts.append(check_queries(rest, lines, name))
+        report(name, kind, counts, metric, separation_word)
+        queries += sum(count for count, _ in counts)
+        contacts += sum(count for _, count in counts)
     holds = lines.words() == [b"end", str(queries).encode(), str(contacts).encode()]
     require(holds, f"{lines.place()}: expected \"end {queries} {contacts}\"")
     lines.advance()
@@ -377,13 +579,19 @@ def opened(names):
             yield stream, name
 
 
+def print_header(name, kind, counts, metric, separation):
+    steps = f" in {len(counts)} steps" if kind == b"mesh" else ""
+    text = f" with separation {metric.decode()} {separation.decode()}" if metric else ""
+    print(f"{name}: {sum(queries for queries, _ in counts)} {kind.decode()} queries{steps}{text}")
+
+
 def main(arguments):
     if len(arguments) < 2:
-        print("usage: check_proofs.py PROOFS QUERY_FILE...", file=sys.stderr)
+        print("usage: check_proofs.py PROOFS FILE...", file=sys.stderr)
         return 2
     try:
         with open(arguments[0], "rb") as proofs:
-            queries, contacts = check(proofs, arguments[0], opened(arguments[1:]))
+            queries, contacts = check(proofs, arguments[0], opened(arguments[1:]), print_header)
     except Rejected as reason:
         print(f"rejected: {reason}", file=sys.stderr)
         return 1

@@ -1,42 +1,34 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Changes proofs, and checks that no checker accepts a changed proof of a false answer.
+"""Changes proofs, separations and motions, and checks that no checker accepts a proof of a false answer.
 
-    mutate_proofs.py [--checker PROGRAM] [--rounds N] [--accepted FILE] PROOFS QUERY_FILE...
+    mutate_proofs.py [--checker PROGRAM] [--mutants N] [--jobs N] [--seconds N] [PROOFS FILE...]
 
-The checker is check_proofs.py, or the PROGRAM. Some forged proofs of false answers come first. Then each query
-becomes a file of its own, with its proof, and each mutation below changes that proof N times. The answer in the
-original proof counts as the truth, because the checker accepts it. A changed proof that is accepted is harmless if
-its answer is the same, and a false acceptance otherwise. The same arguments give the same mutants. The exit status is
-0 without a false acceptance.
+The checker is check_proofs.py, or the PROGRAM. Some forged proofs of false answers come first. Then the given proofs,
+and those of small_cases.py, become *cases*: a query with its proof, or a small part of a motion with its proofs. Each
+mutation below changes each case some times, N in total. An accepted mutant must be true: exact_truth.py says what it
+claims, and what is true of its files and separations, which may have changed too. The same arguments give the same
+mutants. The exit status is 0 without a false acceptance.
 """
 
 import argparse
 import collections
 import io
+import multiprocessing
 import os
 import random
 import re
 import struct
-import subprocess
 import sys
 import tempfile
+import time
 from fractions import Fraction
 
 import check_proofs
+import small_cases
+from exact_truth import CORNERS, claims, lines_of, truths, value
 
-CORNERS = {"edge-edge": 4, "vertex-face": 4, "point-edge": 3, "point-point": 2}
-NUMBER = re.compile(r"-?([0-9]+|0x[0-9a-f.]+p[+-]?[0-9]+)")
-
-
-def value(word):
-    sign = -1 if word.startswith("-") else 1
-    word = word.lstrip("-")
-    if not word.startswith("0x"):
-        return sign * Fraction(int(word))
-    digits, exponent = word[2:].split("p")
-    whole, _, fraction = digits.partition(".")
-    return sign * int(whole + fraction, 16) * Fraction(2) ** (int(exponent) - 4 * len(fraction))
+NUMBER = re.compile(r"-?([0-9]+|0x[0-9A-Fa-f.]+p[+-]?[0-9]+)")
 
 
 def word_of(number):
@@ -71,12 +63,9 @@ class Proof:
     def lines(self):
         return [list(line) for line in [self.verdict] + self.pieces + self.root + self.weights]
 
-    def answer(self):
-        return self.verdict[1:2] + [value(word) for word in self.verdict[2:]]
 
-
-# A mutation gets the random source, the proof, which it may change, and a proof of another query. It returns the lines,
-# or None if it does not apply.
+# A mutation of a proof gets the random source, the proof, which it may change, and a proof of another query. It returns
+# the lines, or None if it does not apply.
 
 
 def change_number(rng, proof, other, change):
@@ -294,10 +283,369 @@ def change_between(rng, proof, other):
     return proof.lines()
 
 
-MUTATIONS = [flip_bit, scale_number, change_last_bit, drop_line, repeat_line, swap_lines, shuffle_lines, truncate,
-             swap_directions, widen_piece, move_end_of_piece, change_direction, deny, claim_contact, move_times,
-             use_other_proof, use_other_meeting, change_signs_of_weights, swap_weights, multiply_weights, change_root,
-             change_between]
+PROOF_MUTATIONS = [flip_bit, scale_number, change_last_bit, drop_line, repeat_line, swap_lines, shuffle_lines, truncate,
+                   swap_directions, widen_piece, move_end_of_piece, change_direction, deny, claim_contact, move_times,
+                   use_other_proof, use_other_meeting, change_signs_of_weights, swap_weights, multiply_weights,
+                   change_root, change_between]
+
+
+
+class File:
+    """A query file or a motion file, and its part of the proofs.
+
+    `separation` is the words of its line, or empty. `groups` has the proofs of a query file, or those of each step of
+    a motion, each proof as a list of lines. `labels` has the words `step K` for each group of a motion.
+    """
+
+    def __init__(self, separation, kind, content, groups):
+        self.separation, self.kind, self.content, self.groups = separation, kind, content, groups
+        self.labels = [["step", str(k)] for k in range(len(groups))] if kind == "mesh" else []
+
+    def copy(self):
+        groups = [[[list(line) for line in proof] for proof in group] for group in self.groups]
+        result = File(list(self.separation), self.kind, self.content, groups)
+        result.labels = [list(label) for label in self.labels]
+        return result
+
+    def lines(self):
+        lines = [self.separation] if self.separation else []
+        lines.append(["file", self.kind, "-", "f"])
+        for k, group in enumerate(self.groups):
+            lines += self.labels[k:k + 1] + [line for proof in group for line in proof]
+        return lines
+
+    def proofs(self):
+        return [proof for group in self.groups for proof in group]
+
+    def renumber(self):
+        for group in self.groups:
+            for number, proof in enumerate(group):
+                proof[0][0] = str(number)
+
+    def motion(self):
+        """The lines of a motion file before its frames, and its frames, which have a line for each vertex."""
+        lines = lines_of(self.content)
+        starts = [i for i, words in enumerate(lines) if words == ["frame"]] + [len(lines)]
+        return lines[:starts[0]], [lines[i + 1:j] for i, j in zip(starts, starts[1:])]
+
+    def set_motion(self, head, frames):
+        lines = head + [words for frame in frames for words in [["frame"]] + frame]
+        self.content = "".join(" ".join(words) + "\n" for words in lines)
+
+
+def text_of(files):
+    """The file of proofs. Its last line always fits."""
+    lines = [line for file in files for line in file.lines()]
+    answers = [line[1] for line in lines if line[1:2] and line[1] in ("none", "contact")]
+    lines = [["touchstone-proofs", "1"]] + lines + [["end", str(len(answers)), str(answers.count("contact"))]]
+    return "".join(" ".join(line) + "\n" for line in lines)
+
+
+# A mutation of a file gets the random source, the file, which it may change, and a file of another case. It returns the
+# files of the mutant, or None if it does not apply.
+
+
+def change_separation_by_ulps(rng, file, other):
+    if not file.separation:
+        return None
+    d = value(file.separation[2])
+    unit = max(abs(d), Fraction(1, 1 << 1000)) / (1 << 52)
+    file.separation[2] = word_of(d + rng.choice([-1, 1]) * rng.choice([1, 2, 3, 1 << 10, 1 << 30]) * unit)
+    return [file]
+
+
+def scale_separation(rng, file, other):
+    if not file.separation:
+        return None
+    factor = rng.choice([0, -1, 2, 3, 1024, Fraction(1, 2), Fraction(3, 4), Fraction(9, 8), Fraction(1, 1024)])
+    file.separation[2] = word_of(value(file.separation[2]) * factor)
+    return [file]
+
+
+def change_metric(rng, file, other):
+    if not file.separation:
+        return None
+    file.separation[1] = "max" if file.separation[1] == "euclidean" else "euclidean"
+    return [file]
+
+
+def drop_separation(rng, file, other):
+    if not file.separation:
+        return None
+    file.separation = []
+    return [file]
+
+
+def add_separation(rng, file, other):
+    if file.separation:
+        return None
+    d = other.separation[2] if other.separation and rng.random() < 0.5 else word_of(Fraction(1, 1 << rng.randrange(60)))
+    file.separation = ["separation", rng.choice(["euclidean", "max"]), d]
+    return [file]
+
+
+def move_separation(rng, file, other):
+    """To the file before, to the next one, or both files change theirs."""
+    if file.separation == other.separation:
+        return None
+    files = [file, other] if rng.random() < 0.5 else [other, file]
+    swapped = [files[1].separation, files[0].separation]
+    if rng.random() < 0.5:  # both have the same one, or none
+        swapped = [rng.choice(swapped)] * 2
+    for changed, separation in zip(files, swapped):
+        changed.separation = separation
+    return files
+
+
+def move_separation_line(rng, file, other):
+    """After its file line, to the end, or twice."""
+    if not file.separation:
+        return None
+    line, file.separation = file.separation, []
+    place = rng.randrange(3)
+    if place == 0 and not file.labels and file.groups[0]:
+        file.groups[0][0].insert(0, line)
+    elif place == 1 and file.proofs():
+        file.proofs()[-1].append(line)
+    else:
+        file.separation = line + ["\nseparation"] + line[1:]
+    return [file]
+
+
+def use_other_file(rng, file, other):
+    if file.kind != other.kind or file.content == other.content:
+        return None
+    file.content = other.content
+    return [file]
+
+
+def change_kind(rng, file, other):
+    file.kind = rng.choice([kind for kind in list(CORNERS) + ["mesh"] if kind != file.kind])
+    return [file]
+
+
+def another_number(rng, x):
+    step = Fraction(max(abs(x.numerator), 1), x.denominator << rng.choice([0, 1, 10, 52, 52, 60]))
+    return rng.choice([x + step, x - step, -x, Fraction(0), x * 2])
+
+
+def change_coordinate(rng, file, other):
+    if file.kind == "mesh":
+        head, frames = file.motion()
+        places = [vertex for frame in frames for vertex in frame]
+        if not places:
+            return None
+        vertex, c = rng.choice(places), rng.randrange(3)
+        vertex[c] = word_of(another_number(rng, value(vertex[c])))
+        file.set_motion(head, frames)
+        return [file]
+    rows = [row.split(",") for row in file.content.split()]
+    row, c = rng.choice(rows), rng.choice([0, 2, 4])
+    x = another_number(rng, Fraction(int(row[c]), int(row[c + 1])))
+    row[c:c + 2] = str(x.numerator), str(x.denominator)
+    file.content = "".join(",".join(row) + "\n" for row in rows)
+    return [file]
+
+
+def renumbered(rng, file):
+    """Most mutants have the numbers that the checker expects."""
+    if rng.random() < 0.8:
+        file.renumber()
+        file.labels = [["step", str(k)] for k in range(len(file.labels))]
+    return [file]
+
+
+def drop_step(rng, file, other):
+    if not file.labels:
+        return None
+    k = rng.randrange(len(file.labels))
+    del file.labels[k], file.groups[k]
+    return renumbered(rng, file)
+
+
+def drop_step_line(rng, file, other):
+    """The pairs of the step stay, after those of the step before."""
+    if len(file.labels) < 2:
+        return None
+    k = rng.randrange(1, len(file.labels))
+    file.groups[k - 1] += file.groups.pop(k)
+    del file.labels[k]
+    return renumbered(rng, file)
+
+
+def double_step(rng, file, other):
+    if not file.labels:
+        return None
+    k = rng.randrange(len(file.labels))
+    file.labels.insert(k, list(file.labels[k]))
+    file.groups.insert(k, [[list(line) for line in proof] for proof in file.groups[k]])
+    return renumbered(rng, file)
+
+
+def swap_steps(rng, file, other):
+    if len(file.labels) < 2:
+        return None
+    i, j = rng.sample(range(len(file.labels)), 2)
+    file.groups[i], file.groups[j] = file.groups[j], file.groups[i]
+    file.labels[i], file.labels[j] = file.labels[j], file.labels[i]
+    return renumbered(rng, file)
+
+
+def drop_pair(rng, file, other):
+    groups = [group for group in file.groups if group]
+    if not groups:
+        return None
+    group = rng.choice(groups)
+    del group[rng.randrange(len(group))]
+    return renumbered(rng, file)
+
+
+def double_pair(rng, file, other):
+    groups = [group for group in file.groups if group]
+    if not groups:
+        return None
+    group = rng.choice(groups)
+    k = rng.randrange(len(group))
+    group.insert(k, [list(line) for line in group[k]])
+    return renumbered(rng, file)
+
+
+def swap_pairs(rng, file, other):
+    """Of one step or of two steps."""
+    places = [(group, k) for group in file.groups for k in range(len(group))]
+    if len(places) < 2:
+        return None
+    (first, i), (second, j) = rng.sample(places, 2)
+    first[i], second[j] = second[j], first[i]
+    return renumbered(rng, file)
+
+
+def move_pair(rng, file, other):
+    groups = [group for group in file.groups if group]
+    if not groups or len(file.groups) < 2:
+        return None
+    source = rng.choice(groups)
+    target = rng.choice([group for group in file.groups if group is not source])
+    target.insert(rng.randrange(len(target) + 1), source.pop(rng.randrange(len(source))))
+    return renumbered(rng, file)
+
+
+def empty_step(rng, file, other):
+    if not file.labels or not file.proofs():
+        return None
+    rng.choice([group for group in file.groups if group]).clear()
+    return [file]
+
+
+def add_fixed(rng, file, other):
+    """One line `fixed`, or one for each vertex that rests."""
+    if file.kind != "mesh":
+        return None
+    head, frames = file.motion()
+    fixed = {words[1] for words in head if words[0] == "fixed"}
+    vertices = [str(v) for v in range(len(frames[0])) if str(v) not in fixed]
+    resting = [v for v in vertices if all(frame[int(v)] == frames[0][int(v)] for frame in frames)]
+    chosen = resting if resting and rng.random() < 0.7 else vertices[:]
+    if not chosen:
+        return None
+    if rng.random() < 0.5:
+        chosen = [rng.choice(chosen)]
+    file.set_motion(head + [["fixed", v] for v in chosen], frames)
+    return [file]
+
+
+def drop_fixed(rng, file, other):
+    if file.kind != "mesh":
+        return None
+    head, frames = file.motion()
+    lines = [words for words in head if words[0] == "fixed"]
+    if not lines:
+        return None
+    dropped = lines if rng.random() < 0.3 else [rng.choice(lines)]
+    file.set_motion([words for words in head if words not in dropped], frames)
+    return [file]
+
+
+def change_elements(rng, file, other):
+    """A line drops, doubles or changes its place, or has another vertex."""
+    if file.kind != "mesh":
+        return None
+    head, frames = file.motion()
+    if len(head) < 4:
+        return None
+    i, j = rng.sample(range(2, len(head)), 2)
+    change = rng.randrange(4)
+    if change == 0:
+        del head[i]
+    elif change == 1:
+        head.insert(j, list(head[i]))
+    elif change == 2:
+        head[i], head[j] = head[j], head[i]
+    else:
+        head[i][rng.randrange(1, len(head[i]))] = str(rng.randrange(len(frames[0])))
+    file.set_motion(head, frames)
+    return [file]
+
+
+def change_frames(rng, file, other):
+    """A frame drops, doubles or changes its place."""
+    if file.kind != "mesh":
+        return None
+    head, frames = file.motion()
+    i, j = rng.sample(range(len(frames)), 2)
+    change = rng.randrange(3)
+    if change == 0:
+        del frames[i]
+    elif change == 1:
+        frames.insert(i, frames[j])
+    else:
+        frames[i], frames[j] = frames[j], frames[i]
+    file.set_motion(head, frames)
+    return [file]
+
+
+def truncate_proofs(rng, file, other):
+    """The rest of the proofs is missing."""
+    lines = file.lines()
+    kept = lines[:rng.randrange(2, len(lines))] if len(lines) > 2 else None
+    if kept is None:
+        return None
+    result = File([], file.kind, file.content, [])
+    result.lines = lambda: kept
+    return [result]
+
+
+def reorder_proofs(rng, file, other):
+    lines = file.lines()
+    if len(lines) < 4:
+        return None
+    i, j = rng.sample(range(1, len(lines)), 2)
+    lines.insert(i, lines.pop(j))
+    result = File([], file.kind, file.content, [])
+    result.lines = lambda: lines
+    return [result]
+
+
+FILE_MUTATIONS = [change_separation_by_ulps, scale_separation, change_metric, drop_separation, add_separation,
+                  move_separation, move_separation_line, use_other_file, change_kind, change_coordinate, drop_step,
+                  drop_step_line, double_step, swap_steps, drop_pair, double_pair, swap_pairs, move_pair, empty_step,
+                  add_fixed, drop_fixed, change_elements, change_frames, truncate_proofs, reorder_proofs]
+MUTATIONS = PROOF_MUTATIONS + FILE_MUTATIONS
+
+
+def mutant_of(mutation, rng, file, other):
+    """The files of a mutant, or None."""
+    file, other = file.copy(), other.copy()
+    if mutation in FILE_MUTATIONS:
+        return mutation(rng, file, other)
+    if not file.proofs() or not other.proofs():
+        return None
+    group = rng.choice([group for group in file.groups if group])
+    k = rng.randrange(len(group))
+    # In a motion, the other proof is often one of the same part: it may be of the same kind.
+    source = file.copy() if len(file.proofs()) > 1 and rng.random() < 0.5 else other
+    group[k] = mutation(rng, Proof(group[k]), Proof(rng.choice(source.proofs())))
+    return None if group[k] is None else [file]
 
 
 def rows_of(starts, ends):
@@ -350,96 +698,263 @@ def forgeries():
     ]
 
 
-def read_cases(proofs, query_files):
-    """For each query its kind, its rows and the lines of its proof."""
-    cases = []
-    with open(proofs) as stream:
-        lines = [line.split() for line in stream]
-    files = iter(query_files)
-    for words in lines[1:-1]:
-        if words[0] == "file":
-            kind, rows = words[1], iter([r for r in open(next(files)) if r.strip() and not r.strip().startswith("#")])
+def read_files(proofs, contents):
+    """The files of a file of proofs that holds."""
+    files = []
+    separation = []
+    contents = iter(contents)
+    for words in lines_of(proofs)[1:-1]:
+        if words[0] == "separation":
+            separation = words
+        elif words[0] == "file":
+            files.append(File(separation, words[1], next(contents), [[]] if words[1] != "mesh" else []))
+            separation = []
+        elif words[0] == "step":
+            files[-1].groups.append([])
+            files[-1].labels.append(words)
         elif words[0].isdigit():
-            cases.append((kind, "".join(next(rows) for _ in range(2 * CORNERS[kind])), [["0"] + words[1:]]))
+            files[-1].groups[-1].append([words])
         else:
-            cases[-1][2].append(words)
+            files[-1].groups[-1][-1].append(words)
+    return files
+
+
+def cases_of(file, parts):
+    """A case for each query of a query file; some small parts of a motion."""
+    if file.kind == "mesh":
+        return motion_cases_of(file, parts)
+    count = 2 * CORNERS[file.kind][1]
+    rows = [row for row in file.content.split("\n") if row.strip() and not row.strip().startswith("#")]
+    cases = []
+    for k, proof in enumerate(file.groups[0]):
+        content = "".join(row.replace(" ", "").strip() + "\n" for row in rows[count * k:count * (k + 1)])
+        cases.append(File(file.separation, file.kind, content, [[[["0"] + proof[0][1:]] + proof[1:]]]))
     return cases
 
 
-def text_of(kind, lines):
-    contacts = int(lines[0][1:2] == ["contact"])
-    body = "".join(" ".join(line) + "\n" for line in lines)
-    return f"touchstone-proofs 1\nfile {kind} - query\n{body}end 1 {contacts}\n".encode()
+def motion_cases_of(file, parts):
+    """The motion itself if it is small, and parts of it: up to two steps, the elements of up to three of their pairs,
+    and all pairs of these elements."""
+    motion = check_proofs.Motion(check_proofs.Lines(io.BytesIO(file.content.encode()), "motion"))
+    metric, d = (file.separation[1], file.separation[2].encode()) if file.separation else (None, b"0")
+    lines = check_proofs.Lines(io.BytesIO(b""), "separation")
+    reach = check_proofs.read_number(d, lines)
+    steps = []
+    for frames in motion.steps():
+        integers, _ = check_proofs.to_integers([x for frame in frames for vertex in frame for x in vertex] + [reach])
+        points = [integers[i:i + 3] for i in range(0, len(integers) - 1, 3)]
+        steps.append(sorted(motion.pairs(points[:motion.count], points[motion.count:], integers[-1])))
+    small = len(file.proofs()) <= 12 and motion.count <= 30 and len(steps) <= 4
+    cases = [file] if small else []
+    head, frames = file.motion()
+    rng = random.Random(f"{len(file.content)} {len(file.proofs())}")
+    for _ in range(parts if steps and any(steps) else 0):
+        first = rng.randrange(len(steps))
+        last = min(first + rng.randrange(1, 3), len(steps))
+        near = [(k, pair) for k in range(first, last) for pair in steps[k]]
+        if not near:
+            continue
+        chosen = set()
+        for _, (kind, one, two) in rng.sample(near, min(len(near), rng.randrange(1, 4))):
+            chosen |= {(SORTS[kind][0],) + one, (SORTS[kind][1],) + two}
+        # A point that is a corner of an edge must stay one.
+        for sort, _, vertices in list(chosen):
+            edges = [(b"edge", k, edge) for k, edge in enumerate(motion.elements[b"edge"]) if vertices[0] in edge]
+            if sort == b"point" and edges:
+                chosen.add(edges[0])
+        used = sorted({v for _, _, vertices in chosen for v in vertices})
+        names = {v: str(k) for k, v in enumerate(used)}
+        new_head = [["touchstone-motion", "1"], ["vertices", str(len(used))]]
+        for sort, _, vertices in sorted(chosen):
+            new_head.append([sort.decode()] + [names[v] for v in vertices])
+        new_head += [["fixed", names[v]] for v in used if v in motion.fixed]
+        groups = []
+        for k in range(first, last):
+            kept = [proof for proof, (kind, one, two) in zip(file.groups[k], steps[k])
+                    if {(SORTS[kind][0],) + one, (SORTS[kind][1],) + two} <= chosen]
+            groups.append([[list(line) for line in proof] for proof in kept])
+        part = File(file.separation, "mesh", "", groups)
+        part.set_motion(new_head, [[frame[v] for v in used] for frame in frames[first:last + 1]])
+        part.renumber()
+        cases.append(part)
+    return cases
 
 
-def status_of(program, folder, proof, rows):
-    """0 accepted, 1 or 2 not; anything else is a crash."""
-    if not program:
-        try:
-            check_proofs.check(io.BytesIO(proof), "proof", [(io.BytesIO(rows.encode()), "query")])
-            return 0
-        except (check_proofs.Rejected, check_proofs.BadInput):
-            return 1
-    paths = [os.path.join(folder, "proof"), os.path.join(folder, "query")]
-    for path, content in zip(paths, (proof, rows.encode())):
-        with open(path, "wb") as stream:
-            stream.write(content)
-    return subprocess.run([program] + paths, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode
+# The sorts of both elements, for the kinds of pairs in their order.
+SORTS = [(b"edge", b"edge"), (b"point", b"face"), (b"point", b"edge"), (b"point", b"point")]
+
+
+class Checker:
+    """check_proofs.py or a program."""
+
+    def __init__(self, program, folder):
+        self.program, self.folder = program, folder
+        self.process, self.written = None, {}
+        self.environment = dict(os.environ)
+
+    def status(self, proof, contents):
+        """0 accepted, 1 or 2 not; anything else is a crash."""
+        if not self.program:
+            try:
+                named = [(io.BytesIO(content.encode()), "file") for content in contents]
+                check_proofs.check(io.BytesIO(proof.encode()), "proof", named)
+                return 0
+            except check_proofs.Rejected:
+                return 1
+            except check_proofs.BadInput:
+                return 2
+        if self.process != os.getpid():  # each process has its own files
+            self.process, self.written = os.getpid(), {}
+        paths = [os.path.join(self.folder, f"{self.process}-{i}") for i in range(len(contents) + 1)]
+        for path, text in zip(paths, [proof] + contents):
+            if self.written.get(path) != text:
+                with open(path, "w", newline="") as stream:
+                    stream.write(text)
+                self.written[path] = text
+        # A process for each mutant: a program may stop at the first proof that does not hold.
+        silent = [(os.POSIX_SPAWN_OPEN, stream, os.devnull, os.O_WRONLY, 0) for stream in (1, 2)]
+        process = os.posix_spawn(self.program, [self.program] + paths, self.environment, file_actions=silent)
+        status = os.waitpid(process, 0)[1]
+        return os.WEXITSTATUS(status) if os.WIFEXITED(status) else -os.WTERMSIG(status)
+
+
+class Run:
+    """What the processes share."""
+
+    cases = []
+    rounds = 1
+    checker = None
+    deadline = None  # of time.monotonic()
+
+
+def same_kind(rng, file):
+    """Another case, of the same kind if there is one."""
+    choices = rng.choices(Run.cases, k=20)
+    return rng.choice([case for case in choices if case.kind == file.kind] or choices)
+
+
+def is_true(proofs, contents):
+    """Whether all claims are true. Accepted proofs that cannot be read here are false."""
+    try:
+        return claims(proofs) == truths(proofs, contents)
+    except (ValueError, IndexError, StopIteration):
+        return False
+
+
+def try_case(index):
+    """The counts, the failures and the accepted mutants of one case."""
+    file = Run.cases[index]
+    counts = collections.Counter()
+    failures, accepted = [], []
+    if Run.deadline is not None and time.monotonic() > Run.deadline:
+        return counts, failures, accepted
+    counts["cases"] = 1
+    text = text_of([file])
+    if Run.checker.status(text, [file.content]) != 0:
+        failures.append(f"case {index}: the original proof is not accepted\n{text}{file.content}")
+    if not is_true(text, [file.content]):
+        failures.append(f"case {index}: the original proof is accepted, but false\n{text}{file.content}")
+    for mutation in MUTATIONS:
+        for turn in range(Run.rounds):
+            name = f"{index} {mutation.__name__} {turn}"
+            rng = random.Random(name)
+            files = mutant_of(mutation, rng, file, same_kind(rng, file))
+            if files is None:
+                continue
+            mutant, contents = text_of(files), [changed.content for changed in files]
+            if mutant == text and contents == [file.content]:
+                continue
+            status = Run.checker.status(mutant, contents)
+            counts[mutation.__name__, "tried"] += 1
+            if status == 0:
+                true = is_true(mutant, contents)
+                counts[mutation.__name__, "still true" if true else "false"] += 1
+                accepted.append(name)
+                if not true:
+                    failures.append(f"{name}: FALSE ACCEPTANCE\n{mutant}" + "".join(contents))
+            elif status in (1, 2):
+                counts[mutation.__name__, "rejected"] += 1
+            else:
+                failures.append(f"{name}: the checker ended with status {status}\n{mutant}" + "".join(contents))
+    return counts, failures, accepted
+
+
+def read_text(path):
+    with open(path, newline="") as stream:
+        return stream.read()
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--checker", help="the program that checks (default: check_proofs.py)")
-    parser.add_argument("--rounds", type=int, default=1, help="mutants for each query and mutation")
+    parser.add_argument("--mutants", type=int, default=0, help="about how many (default: one a case and mutation)")
+    parser.add_argument("--cases", type=int, default=0, help="at most so many of the given cases (default: all)")
+    parser.add_argument("--parts", type=int, default=20, help="parts of each motion (default: 20)")
+    parser.add_argument("--jobs", type=int, default=1, help="processes (default: 1)")
+    parser.add_argument("--seconds", type=float, default=0, help="begin no case after this time (default: no limit)")
     parser.add_argument("--accepted", help="a file for the names of the accepted mutants")
-    parser.add_argument("proofs")
-    parser.add_argument("queries", nargs="+")
+    parser.add_argument("proofs", nargs="?")
+    parser.add_argument("files", nargs="*")
     arguments = parser.parse_args()
-    cases = read_cases(arguments.proofs, arguments.queries)
+    memory = "/dev/shm"
+    with tempfile.TemporaryDirectory(dir=memory if os.access(memory, os.W_OK) else None) as folder:
+        Run.checker = Checker(arguments.checker and os.path.abspath(arguments.checker), folder)
+        return run(arguments)
+
+
+def run(arguments):
+    cases = []
+    if arguments.proofs:
+        contents = [read_text(path) for path in arguments.files]
+        for file in read_files(read_text(arguments.proofs), contents):
+            cases += cases_of(file, arguments.parts)
+        if 0 < arguments.cases < len(cases):
+            cases = random.Random(arguments.cases).sample(cases, arguments.cases)
+    for _, status, proof, contents in small_cases.all_cases():
+        if status == 0:
+            cases += [case for file in read_files(proof, contents) for case in cases_of(file, 0)]
+    random.Random(len(cases)).shuffle(cases)  # a run that ends early has seen all sorts
+    Run.cases = cases
+    # About 3 of 5 mutations apply to a case.
+    Run.rounds = max(1, round(arguments.mutants / (len(cases) * len(MUTATIONS) * 0.6)))
+
+    if arguments.seconds > 0:
+        Run.deadline = time.monotonic() + arguments.seconds
     counts = collections.Counter()
     failures, accepted = [], []
-    with tempfile.TemporaryDirectory() as folder:
-        for name, kind, rows, lines in forgeries():
-            status = status_of(arguments.checker, folder, text_of(kind, [line.split() for line in lines]), rows)
-            if status not in (1, 2):
-                failures.append(f"forged proof, {name}: status {status}")
-        for index, (kind, rows, lines) in enumerate(cases):
-            if status_of(arguments.checker, folder, text_of(kind, lines), rows) != 0:
-                failures.append(f"query {index}: the original proof is not accepted")
-            truth = Proof(lines).answer()
-            for mutation in MUTATIONS:
-                for turn in range(arguments.rounds):
-                    name = f"{index} {mutation.__name__} {turn}"
-                    rng = random.Random(name)
-                    another = rng.choice([case for case in rng.choices(cases, k=20) if case[0] == kind] or cases)
-                    copies = [Proof([list(line) for line in original]) for original in (lines, another[2])]
-                    mutant = mutation(rng, *copies)
-                    if mutant is None or mutant == lines:
-                        continue
-                    status = status_of(arguments.checker, folder, text_of(kind, mutant), rows)
-                    counts[mutation.__name__, "tried"] += 1
-                    if status == 0:
-                        same = Proof(mutant).answer() == truth
-                        counts[mutation.__name__, "harmless" if same else "false"] += 1
-                        accepted.append(name)
-                        if not same:
-                            failures.append(f"{name}: FALSE ACCEPTANCE\n{rows}{text_of(kind, mutant).decode()}")
-                    elif status in (1, 2):
-                        counts[mutation.__name__, "rejected"] += 1
-                    else:
-                        failures.append(f"{name}: the checker ended with status {status}")
-    columns = ("tried", "rejected", "harmless", "false")
-    print(f"{len(forgeries())} forged proofs, {len(cases)} proofs changed")
-    print(f"{'mutation':24}" + "".join(f"{column:>10}" for column in columns))
+    for name, kind, rows, lines in forgeries():
+        file = File([], kind, rows, [[[line.split() for line in lines]]])
+        status = Run.checker.status(text_of([file]), [rows])
+        if status not in (1, 2):
+            failures.append(f"forged proof, {name}: status {status}")
+    if arguments.jobs > 1:
+        with multiprocessing.get_context("fork").Pool(arguments.jobs) as pool:
+            results = pool.map(try_case, range(len(cases)), chunksize=1)
+    else:
+        results = map(try_case, range(len(cases)))
+    for some_counts, some_failures, some_accepted in results:
+        counts += some_counts
+        failures += some_failures
+        accepted += some_accepted
+
+    done = counts.pop("cases")
+    columns = ("tried", "rejected", "still true", "false")
+    print(f"{len(forgeries())} forged proofs, {done} of {len(cases)} cases changed")
+    print(f"{'mutation':26}" + "".join(f"{column:>12}" for column in columns))
     for name in [mutation.__name__ for mutation in MUTATIONS]:
-        print(f"{name:24}" + "".join(f"{counts[name, column]:10}" for column in columns))
-    print(f"{'all':24}" + "".join(f"{sum(n for (_, c), n in counts.items() if c == column):10}" for column in columns))
+        print(f"{name:26}" + "".join(f"{counts[name, column]:12}" for column in columns))
+    print(f"{'all':26}" + "".join(f"{sum(n for (_, c), n in counts.items() if c == column):12}" for column in columns))
     if arguments.accepted:
         with open(arguments.accepted, "w") as stream:
             stream.writelines(name + "\n" for name in accepted)
-    failures += [f"{m.__name__}: no mutant was rejected" for m in MUTATIONS if not counts[m.__name__, "rejected"]]
-    for failure in failures:
+    # A mutation that applies to few cases may meet only those that it cannot falsify.
+    failures += [f"{m.__name__}: no mutant was rejected" for m in MUTATIONS
+                 if done == len(cases) and not counts[m.__name__, "rejected"]
+                 and not 0 < counts[m.__name__, "tried"] < 20]
+    for failure in failures[:20]:
         print(failure, file=sys.stderr)
+    if failures:
+        print(f"{len(failures)} failures", file=sys.stderr)
     return 1 if failures else 0
 
 

@@ -1,20 +1,17 @@
 // Proofs of every family's answers, judged by the checker, which is a program of its own.
 // SPDX-License-Identifier: MIT
-#include <sys/wait.h>
-
-#include <array>
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
+#include <touchstone/distance.hpp>
 #include <touchstone/error.hpp>
 #include <touchstone/solve.hpp>
 
 #include "io/query_writer.hpp"
-#include "io/temporary_folder.hpp"
 #include "proofs/proof_text.hpp"
+#include "proofs/run_checker.hpp"
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
 #include "support/query_text.hpp"
@@ -24,28 +21,9 @@ using namespace touchstone::tests;
 
 namespace {
 
-/// The exit status of the checker, and what it prints.
-struct Checked {
-  int status = -1;
-  std::string text;
-};
-
-Checked check(const std::string& proofs, const std::string& queries) {
-  const TemporaryFolder folder;
-  const std::string command = std::string(TOUCHSTONE_CHECKER) + " " + folder.write("proofs.txt", proofs) + " " +
-                              folder.write("queries.csv", queries) + " 2>&1";
-  FILE* const pipe = popen(command.c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  Checked result;
-  std::array<char, 4096> buffer;
-  while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) result.text += buffer.data();
-  const int status = pclose(pipe);
-  result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return result;
-}
-
 /// A file of queries, and the proofs of their answers.
 struct Proved {
+  Separation separation;
   std::string queries;
   std::vector<std::string> proofs;
   std::size_t contacts = 0;
@@ -54,17 +32,18 @@ struct Proved {
   void add(const Q& query, const Answer& answer) {
     io::append_query(queries, query, answer.contact);
     std::string text;
-    proofs::append_proof(text, proofs.size(), answer, proofs::prove(query, answer));
+    proofs::append_proof(text, proofs.size(), answer, proofs::prove(query, answer, separation));
     proofs.push_back(text);
     contacts += answer.contact ? 1 : 0;
   }
   template <class Q>
   void add(const Q& query) {
-    add(query, solve(query));
+    add(query, solve(query, separation));
   }
 
   std::string text(Kind kind) const {
     std::string all = proofs::kFirstLine;
+    proofs::append_separation(all, separation);
     all += "file " + std::string(kind_name(kind)) + " - queries.csv\n";
     for (const std::string& proof : proofs) all += proof;
     return all + "end " + std::to_string(proofs.size()) + " " + std::to_string(contacts) + "\n";
@@ -80,7 +59,7 @@ TEST_CASE("the answers to queries of every family are proved, and the checker ac
     for (const FamilyInfo& family : all_families()) {
       Proved proved;
       for (std::uint64_t i = 0; i < kCount; ++i) proved.add(make(CaseId{family.family, kind, kSeed, i}));
-      const Checked result = check(proved.text(kind), proved.queries);
+      const CheckerRun result = check_texts(proved.text(kind), {proved.queries});
       INFO(family.name << ' ' << kind_name(kind) << ": " << result.text);
       CHECK(result.status == 0);
       const std::string total = std::to_string(kCount) + " queries checked: " + std::to_string(proved.contacts) + " ";
@@ -90,10 +69,96 @@ TEST_CASE("the answers to queries of every family are proved, and the checker ac
   }
 }
 
+namespace {
+
+/// Separations of every size for queries like this one: some that hold at the start, some that the motion reaches, one
+/// that is exactly the distance at the start, as far as a double can be.
+std::vector<Separation> separations_for(const Query& query) {
+  double largest = 0;
+  for (const auto* corners : {&query.start, &query.end}) {
+    for (const Vec3& x : *corners) {
+      largest = std::max({largest, std::fabs(x.x), std::fabs(x.y), std::fabs(x.z)});
+    }
+  }
+  std::vector<Separation> all;
+  for (const Metric metric : {Metric::euclidean, Metric::max}) {
+    const double start = distance(query, 0, metric).value;
+    for (const double d : {start, 0.5 * start, 1e-3 * largest, 0.25 * largest}) {
+      if (d > 0 && std::isfinite(d)) all.push_back({d, metric});
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("answers with a separation are proved in both metrics, and the checker accepts the proofs") {
+  constexpr std::uint64_t kSeed = 15;
+  constexpr std::uint64_t kCount = 6;
+  std::size_t contacts = 0;
+  std::size_t later = 0;  // contacts that begin after the start
+  std::size_t queries = 0;
+  for (const Kind kind : kKinds) {
+    for (const FamilyInfo& family : all_families()) {
+      for (const Separation& separation : separations_for(make(CaseId{family.family, kind, kSeed, 0}))) {
+        Proved proved;
+        proved.separation = separation;
+        for (std::uint64_t i = 0; i < kCount; ++i) {
+          const Query query = make(CaseId{family.family, kind, kSeed, i});
+          const Answer answer = solve(query, separation);
+          later += answer.contact && answer.toi > 0 ? 1 : 0;
+          proved.add(query, answer);
+        }
+        const CheckerRun result = check_texts(proved.text(kind), {proved.queries});
+        INFO(family.name << ' ' << kind_name(kind) << ' ' << metric_name(separation.metric) << ' '
+                         << separation.distance << ": " << result.text);
+        CHECK(result.status == 0);
+        contacts += proved.contacts;
+        queries += kCount;
+      }
+    }
+  }
+  CHECK(queries > 5000);
+  CHECK(contacts > queries / 4);
+  CHECK(contacts < queries);
+  CHECK(later > 300);
+}
+
+TEST_CASE("a proof of an answer with one separation proves nothing about another separation with another answer") {
+  std::size_t rejected = 0;
+  for (const Kind kind : kKinds) {
+    Rng rng(17);
+    for (const FamilyInfo& family : all_families()) {
+      const Query query = make(family.family, kind, rng);
+      for (const Separation& separation : separations_for(query)) {
+        Proved proved;
+        proved.separation = separation;
+        const Answer answer = solve(query, separation);
+        proved.add(query, answer);
+        for (const double factor : {0.5, 0.999, 1.001, 2.0}) {
+          proved.separation.distance = factor * separation.distance;
+          if (!std::isfinite(proved.separation.distance)) continue;
+          const Answer other = solve(query, proved.separation);
+          if (other.contact == answer.contact && other.toi == answer.toi) continue;
+          const CheckerRun result = check_texts(proved.text(kind), {proved.queries});
+          INFO(family.name << ' ' << kind_name(kind) << ": " << result.text << cpp_initializer(query));
+          CHECK(result.status == 1);
+          CHECK(result.text.find("query 0: ") != std::string::npos);
+          ++rejected;
+        }
+      }
+    }
+  }
+  CHECK(rejected > 500);
+}
+
 TEST_CASE("answers to queries with rational coordinates are proved") {
+  const auto d = GENERATE(0.0, 0.25);
+  const auto metric = GENERATE(Metric::euclidean, Metric::max);
   for (const Kind kind : kKinds) {
     Rng rng(31);
     Proved proved;
+    proved.separation = {d, metric};
     for (int i = 0; i < 300; ++i) {
       RationalQuery query;
       query.kind = kind;
@@ -107,7 +172,7 @@ TEST_CASE("answers to queries with rational coordinates are proved") {
       }
       proved.add(query);
     }
-    const Checked result = check(proved.text(kind), proved.queries);
+    const CheckerRun result = check_texts(proved.text(kind), {proved.queries});
     INFO(kind_name(kind) << ": " << result.text);
     CHECK(result.status == 0);
     CHECK(proved.contacts > 0);
@@ -129,7 +194,7 @@ TEST_CASE("a proof of one query proves nothing about another one with another an
       proved.add(queries[i]);
       std::string text;
       io::append_query(text, queries[i + 1], other.contact);
-      const Checked result = check(proved.text(kind), text);
+      const CheckerRun result = check_texts(proved.text(kind), {text});
       INFO(kind_name(kind) << ' ' << i << ": " << result.text << cpp_initializer(queries[i + 1]));
       CHECK(result.status == 1);
       CHECK(result.text.find("query 0: ") != std::string::npos);
@@ -157,7 +222,7 @@ TEST_CASE("a time one double off is rejected, with the proof that belongs to it"
         io::append_query(proved.queries, query, true);
         proofs::append_proof(proved.proofs.emplace_back(), 0, off, proof);
         proved.contacts = 1;
-        const Checked result = check(proved.text(kind), proved.queries);
+        const CheckerRun result = check_texts(proved.text(kind), {proved.queries});
         INFO(family.name << ' ' << kind_name(kind) << ": " << result.text << cpp_initializer(query));
         CHECK(result.status == 1);
         ++rejected;
@@ -183,16 +248,16 @@ TEST_CASE("a file of proofs that was cut or that has more is rejected") {
   Rng rng(9);
   for (int i = 0; i < 5; ++i) proved.add(make(all_families()[0].family, Kind::edge_edge, rng));
   const std::string text = proved.text(Kind::edge_edge);
-  REQUIRE(check(text, proved.queries).status == 0);
+  REQUIRE(check_texts(text, {proved.queries}).status == 0);
   std::size_t cuts = 0;
   for (std::size_t size = 0; size + 1 < text.size(); size += 7) {
-    const Checked result = check(text.substr(0, size), proved.queries);
+    const CheckerRun result = check_texts(text.substr(0, size), {proved.queries});
     INFO("cut after " << size << ": " << result.text);
     CHECK((result.status == 1 || result.status == 2));
     ++cuts;
   }
   CHECK(cuts > 20);
-  CHECK(check(text + "0 none\n", proved.queries).status == 1);
-  CHECK(check(text, proved.queries + proved.queries).status == 1);
-  CHECK(check("", proved.queries).status == 2);
+  CHECK(check_texts(text + "0 none\n", {proved.queries}).status == 1);
+  CHECK(check_texts(text, {proved.queries + proved.queries}).status == 1);
+  CHECK(check_texts("", {proved.queries}).status == 2);
 }

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Both checkers accept the proofs of the bundled queries, and neither accepts a changed proof of another answer.
+# Both checkers accept the proofs of the bundled queries and of some motions, with and without a separation, and neither
+# accepts a changed proof of another answer.
 #
 #   second_checker.sh PROGRAM CHECKER QUERIES      QUERIES is the folder of the bundled queries
 # SPDX-License-Identifier: MIT
@@ -10,16 +11,34 @@ here=$(dirname -- "${BASH_SOURCE[0]}")
 folder=$(mktemp -d)
 trap 'rm -rf -- "$folder"' EXIT
 
+# Both checkers print the same, and no changed proof is accepted whose answer is false. A changed proof costs the first
+# checker a process of its own, so it gets fewer of them.
+both_check() { # PROOFS FILE...
+  local by_us by_page
+  by_us=$("$checker" "$@")
+  by_page=$(python3 -B "$here/check_proofs.py" "$@")
+  [[ $by_us == "$by_page" ]] || { diff <(echo "$by_us") <(echo "$by_page"); exit 1; }
+  tail -n 1 <<<"$by_us"
+  python3 -B "$here/mutate_proofs.py" --cases 300 "$@"
+  python3 -B "$here/mutate_proofs.py" --cases 20 --checker "$checker" "$@"
+}
+
 files=("$queries"/{edge-edge,vertex-face,point-edge,point-point}/*.csv)
-"$program" prove --out "$folder/proofs.txt" "${files[@]}"
-by_us=$("$checker" "$folder/proofs.txt" "${files[@]}")
-by_page=$(python3 -B "$here/check_proofs.py" "$folder/proofs.txt" "${files[@]}")
-by_us=$(tail -n 1 <<<"$by_us")
-echo "$by_us"
-[[ $by_us == "$by_page" ]] || { echo "the second checker says: $by_page"; exit 1; }
-python3 -B "$here/mutate_proofs.py" "$folder/proofs.txt" "${files[@]}"
-# A changed proof costs the first checker a process of its own.
-some=("$queries"/edge-edge/{irrational_times,not_doubles}.csv "$queries"/point-edge/{misses,rational_times}.csv)
-for file in "${some[@]}"; do [[ -e $file ]] || { echo "no $file"; exit 1; }; done
-"$program" prove --out "$folder/some.txt" "${some[@]}"
-python3 -B "$here/mutate_proofs.py" --checker "$checker" "$folder/some.txt" "${some[@]}"
+"$program" prove --out "$folder/touching.txt" "${files[@]}"
+both_check "$folder/touching.txt" "${files[@]}"
+for separation in "euclidean 0.125" "max 1"; do
+  read -r metric distance <<<"$separation"
+  "$program" prove --separation "$distance" --metric "$metric" --out "$folder/$metric.txt" "${files[@]}"
+  both_check "$folder/$metric.txt" "${files[@]}"
+done
+
+"$program" generate --meshes --scene cables --scene sheets --size 150 --out "$folder/meshes"
+prove_motion() { # NAME ARGUMENT...: the exit status is 1 where the motion has contacts
+  "$program" mesh --prove "$folder/$1" "${@:2}" || [[ $? == 1 ]]
+  both_check "$folder/$1/proofs.txt" "$folder/$1/motion.txt"
+}
+prove_motion cables "$folder"/meshes/cables/frame-000[0-4].obj
+prove_motion sheets --separation 0.02 "$folder"/meshes/sheets/frame-000[0-2].obj
+prove_motion max --separation 0.02 --metric max "$folder"/meshes/cables/frame-000[0-2].obj
+"$program" simulate hoop --steps 5 --prove "$folder/hoop"
+both_check "$folder/hoop/proofs.txt" "$folder/hoop/motion.txt"

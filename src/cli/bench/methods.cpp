@@ -6,6 +6,7 @@
 
 #include "baselines/separation_baseline.hpp"
 #include "filters/same_side.hpp"
+#include "proofs/proof_text.hpp"
 #include "report/do_not_optimize.hpp"
 
 namespace touchstone::cli {
@@ -38,11 +39,23 @@ Answer answer_of(const baselines::Result& result) {
   return answer;
 }
 
+Answer answer_and_proof(const Query& query, const Separation& separation) {
+  const Answer answer = solve(query, separation);
+  std::string text;
+  proofs::append_proof_of(text, 0, query, answer, separation);
+  report::do_not_optimize(text);
+  return answer;
+}
+
 constexpr double kWholeStep = 1;
 
 void ask(BenchMethod method, const Query& query, const Separation& separation, Answer& answer) {
   if (const auto* const baseline = baseline_of(method)) {
     answer = answer_of(baseline->solve(query, separation.distance, kWholeStep, baseline->usual_tolerance));
+    return;
+  }
+  if (method == BenchMethod::prove) {
+    answer = answer_and_proof(query, separation);
     return;
   }
   if (separation.distance > 0 && method != BenchMethod::floor) {
@@ -57,6 +70,7 @@ void ask(BenchMethod method, const Query& query, const Separation& separation, A
     case BenchMethod::cgal: answer = solve(query, Method::fast_cgal); return;
     case BenchMethod::exact: answer = solve(query, Method::exact); return;
     case BenchMethod::oracle: answer = solve(query, Method::oracle); return;
+    case BenchMethod::prove:
     case BenchMethod::thick_polynomial:
     case BenchMethod::thick_advancement: return;
   }
@@ -73,6 +87,7 @@ std::string_view bench_method_name(BenchMethod method) noexcept {
     case BenchMethod::cgal: return "touchstone_cgal";
     case BenchMethod::exact: return "exact";
     case BenchMethod::oracle: return "oracle";
+    case BenchMethod::prove: return "prove";
     case BenchMethod::thick_polynomial: return "thick_polynomial";
     case BenchMethod::thick_advancement: return "thick_advancement";
   }
@@ -85,7 +100,8 @@ bool takes(BenchMethod method, const Separation& separation) noexcept {
 
 std::size_t most_queries(BenchMethod method) noexcept {
   constexpr std::size_t kAll = 100'000;
-  return method == BenchMethod::oracle ? 20 : method == BenchMethod::exact ? 1000 : kAll;
+  if (method == BenchMethod::oracle) return 20;
+  return method == BenchMethod::exact || method == BenchMethod::prove ? 1000 : kAll;
 }
 
 std::vector<Query> spread(const std::vector<Query>& queries, std::size_t most) {
@@ -110,6 +126,8 @@ void ask_all_apart(BenchMethod method, const std::vector<Query>& queries, const 
     solve_batch(queries.data(), queries.size(), answers.data(), options);
   } else if (method == BenchMethod::columns) {
     solve_batch(columns, answers.data(), options);
+  } else if (method == BenchMethod::prove) {
+    for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = answer_and_proof(queries[i], separation);
   } else {
     const Method ours = method_of(method);
     for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = solve(queries[i], separation, ours);
@@ -140,6 +158,7 @@ void ask_all(BenchMethod method, const std::vector<Query>& queries, const QueryC
       break;
     case BenchMethod::exact:
     case BenchMethod::oracle:
+    case BenchMethod::prove:
       for (std::size_t i = 0; i < queries.size(); ++i) ask(method, queries[i], separation, answers[i]);
       break;
     case BenchMethod::thick_polynomial:

@@ -21,18 +21,20 @@ enum class BenchMethod : std::uint8_t {
   cgal,               ///< solve with Method::fast_cgal
   exact,              ///< solve with Method::exact
   oracle,             ///< solve with Method::oracle
+  prove,              ///< solve, and the text of the proof of its answer
   thick_polynomial,   ///< the baseline of that name, for a Euclidean separation > 0
   thick_advancement,  ///< the same
 };
-inline constexpr std::array<BenchMethod, 9> kBenchMethods{BenchMethod::floor,
-                                                          BenchMethod::touchstone,
-                                                          BenchMethod::batch,
-                                                          BenchMethod::columns,
-                                                          BenchMethod::cgal,
-                                                          BenchMethod::exact,
-                                                          BenchMethod::oracle,
-                                                          BenchMethod::thick_polynomial,
-                                                          BenchMethod::thick_advancement};
+inline constexpr std::array<BenchMethod, 10> kBenchMethods{BenchMethod::floor,
+                                                           BenchMethod::touchstone,
+                                                           BenchMethod::batch,
+                                                           BenchMethod::columns,
+                                                           BenchMethod::cgal,
+                                                           BenchMethod::exact,
+                                                           BenchMethod::oracle,
+                                                           BenchMethod::prove,
+                                                           BenchMethod::thick_polynomial,
+                                                           BenchMethod::thick_advancement};
 
 /// Whether the method is a baseline, whose answers have neither a level nor a guarantee.
 constexpr bool is_baseline(BenchMethod method) noexcept {

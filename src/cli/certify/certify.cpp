@@ -16,6 +16,7 @@
 #include "cli/certify/summary.hpp"
 #include "cli/shared/inputs.hpp"
 #include "cli/shared/pipeline.hpp"
+#include "cli/shared/proof_file.hpp"
 #include "cli/shared/query_progress.hpp"
 #include "cli/shared/summary.hpp"
 #include "cli/shared/words.hpp"
@@ -59,6 +60,7 @@ struct CertifyItem : QueryItem {
   Questions questions;
   std::vector<certify::RefutedClaim> first_refuted;  ///< at most kShownClaims
   std::string refuted_json;                          ///< all of them, each after a separator; only for a report
+  ProvedQueries proved;                              ///< only for --proofs
 };
 
 /// The report while it grows. Its beginning can be written only when all claims are judged, and memory may not hold
@@ -99,6 +101,7 @@ void judge_queries(CertifyItem& item, const CertifyOptions& options, const std::
     const Verdict verdict =
         std::visit([&](const auto& query) { return judge(claim, query, answer, separation); }, record.query);
     item.tally.add(claim, answer, verdict);
+    if (!options.proofs.empty()) item.proved.add(inputs[item.input], record, answer, separation);
     if (verdict == Verdict::holds) continue;
     certify::RefutedClaim refuted{inputs[item.input].name,
                                   record.number,
@@ -158,6 +161,9 @@ std::string summary(const CertifyOptions& options, const std::vector<Input>& inp
   text += verdicts_for_person(verdicts);
   text += counts_for_person({verdicts.claims(), tally.levels, tally.natures});
   text += early_for_person(tally.early);
+  if (!options.proofs.empty()) {
+    text += summary_line("proofs", fmt::format("{} in {}", grouped(verdicts.claims()), options.proofs));
+  }
   text += speed_for_person(verdicts.claims(), seconds, threads);
   if (refuted == 0) return text;
   text += "\nrefuted:\n";
@@ -182,11 +188,18 @@ int run_certify(const CertifyOptions& options) {
   std::vector<std::string> read_files = options.files;
   if (!options.claims.empty()) read_files.push_back(options.claims);
   refuse_to_overwrite(options.report, read_files);
+  refuse_to_overwrite(options.proofs, read_files);
+  refuse_one_file_twice({{"--report", options.report}, {"--proofs", options.proofs}});
 
+  const auto separations_of_file = options.proofs.empty() ? SeparationsOfFile::several : SeparationsOfFile::one;
   std::optional<ClaimStream> claims;
-  if (!options.claims.empty()) claims.emplace(options.claims, inputs, options.separation, options.chunk_bytes);
+  if (!options.claims.empty()) {
+    claims.emplace(options.claims, inputs, options.separation, separations_of_file, options.chunk_bytes);
+  }
   std::optional<GrowingReport> report;
   if (!options.report.empty()) report.emplace(options.report);
+  std::optional<ProofFile> proofs;
+  if (!options.proofs.empty()) proofs.emplace(options.proofs, inputs);
 
   certify::Tally tally;
   std::vector<certify::FileTally> files;
@@ -216,6 +229,10 @@ int run_certify(const CertifyOptions& options) {
         std::move(item.first_refuted.begin(), item.first_refuted.begin() + static_cast<std::ptrdiff_t>(shown),
                   std::back_inserter(first_refuted));
         if (report) report->add(item.refuted_json);
+        if (proofs) {  // then all claims about a file have one separation
+          const bool stated = !item.claims.empty();
+          proofs->add(item.input, stated ? item.claims.front().separation : item.truth_separation, item.proved);
+        }
         progress.add(item.chunk.text().size(), item.tally.verdicts.claims());
       });
   const double seconds = progress.seconds();
@@ -224,7 +241,8 @@ int run_certify(const CertifyOptions& options) {
     const std::string source = options.claims.empty() ? "truth column" : options.claims;
     report->finish(report_begin({std::string(method_name(options.method)), source, questions.only()}, tally, files));
   }
-  if (options.report != "-") {
+  if (proofs) proofs->finish();
+  if (options.report != "-" && options.proofs != "-") {
     auto console = io::OutputFile::standard_output();
     console.write(summary(options, inputs, questions, tally, first_refuted, seconds, threads));
     console.commit();
@@ -250,7 +268,16 @@ void add_certify(CLI::App& program, Command& command) {
       ->add_option(
           "--report", options->report,
           "Write a JSON report that lists every refuted claim; - writes it to standard output instead of the summary")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(not_empty);
+  subcommand
+      ->add_option(
+          "--proofs", options->proofs,
+          "Write a proof of the exact answer to each judged query, as prove does, so that touchstone-check can "
+          "check what the verdicts rest on; - writes them to standard output instead of the summary. The "
+          "claims about a query file must then be about one separation")
+      ->type_name("FILE")
+      ->check(not_empty);
   subcommand->footer(
       "A claim is missed (contact denied, but there is one), phantom (contact claimed, but there is none), late (its "
       "toi\n"

@@ -12,6 +12,7 @@ namespace touchstone::cli {
 struct CertifyOptions : QueryOptions {
   std::string claims;  ///< an answers file; empty: the truth column
   std::string report;  ///< empty: none
+  std::string proofs;  ///< the file for the proofs of the exact answers; empty: none
 };
 
 int run_certify(const CertifyOptions& options);

@@ -13,8 +13,11 @@
 namespace touchstone::cli {
 
 ClaimStream::ClaimStream(const std::string& path, const std::vector<Input>& inputs, const SeparationOption& separation,
-                         std::size_t chunk_bytes)
-    : inputs_(inputs), separation_(separation), reader_(io::InputFile::open(path, throw_if_interrupted), chunk_bytes) {}
+                         SeparationsOfFile separations_of_file, std::size_t chunk_bytes)
+    : inputs_(inputs),
+      separation_(separation),
+      separations_of_file_(separations_of_file),
+      reader_(io::InputFile::open(path, throw_if_interrupted), chunk_bytes) {}
 
 void ClaimStream::read(const QueryItem& item, std::vector<StatedClaim>& claims) {
   const Input& input = inputs_[item.input];
@@ -38,7 +41,9 @@ void ClaimStream::read(const QueryItem& item, std::vector<StatedClaim>& claims) 
           fmt::format("query is {} where {} of {} comes next; claims must be in the order of the queries, one each",
                       row.query, query, io::printable(input.name)));
     }
-    claims.push_back({{row.contact, row.toi, std::string(row.toi_as_written)}, separation_of(row)});
+    const Separation separation = separation_of(row);
+    if (separations_of_file_ == SeparationsOfFile::one) check_one_separation(separation, row.row, query, input);
+    claims.push_back({{row.contact, row.toi, std::string(row.toi_as_written)}, separation});
     ++claims_;
   }
 }
@@ -58,6 +63,17 @@ Separation ClaimStream::separation_of(const io::AnswerRow& row) const {
                          separation_for_person(*row.separation), separation_for_person(separation_.separation)));
   }
   return separation_.separation;
+}
+
+void ClaimStream::check_one_separation(const Separation& separation, std::uint64_t row, std::uint64_t query,
+                                       const Input& input) {
+  if (query == 0) file_separation_ = separation;
+  if (io::same_question(separation, file_separation_)) return;
+  io::fail(reader_.name(), row,
+           fmt::format(
+               "the claim is about {}, and the first one about {} is about {}; in a file of proofs, as --proofs "
+               "writes it, the queries of a file have one separation",
+               separation_for_person(separation), io::printable(input.name), separation_for_person(file_separation_)));
 }
 
 void ClaimStream::check_file(const io::AnswerRow& row, const Input& input) {

@@ -21,6 +21,9 @@ struct StatedClaim {
   Separation separation;
 };
 
+/// Whether the claims about one query file may be about several separations.
+enum class SeparationsOfFile : bool { one, several };
+
 /// The claims of an answers file must be in the order of the queries, one for each: its `query` column counts from 0
 /// within each query file, and its `file` column, if it has one, names the file as the command line does.
 class ClaimStream {
@@ -29,7 +32,7 @@ class ClaimStream {
   ///                    row, and about touching when the file has no such column
   /// @throws FileError when the file cannot be read or its header is not that of an answers file
   ClaimStream(const std::string& path, const std::vector<Input>& inputs, const SeparationOption& separation,
-              std::size_t chunk_bytes);
+              SeparationsOfFile separations_of_file, std::size_t chunk_bytes);
 
   /// Appends the claims about the queries of `item`. @throws FileError at the first that is missing, another query's,
   /// or about another separation
@@ -42,9 +45,12 @@ class ClaimStream {
   void check_file(const io::AnswerRow& row, const Input& input);
 
   Separation separation_of(const io::AnswerRow& row) const;
+  void check_one_separation(const Separation& separation, std::uint64_t row, std::uint64_t query, const Input& input);
 
   const std::vector<Input>& inputs_;
   const SeparationOption& separation_;
+  SeparationsOfFile separations_of_file_;
+  Separation file_separation_;  ///< of the first claim about the present query file
   io::AnswerReader reader_;
   std::string known_file_;  ///< the last name that was compared, and found to be that of known_input_
   std::size_t known_input_ = 0;

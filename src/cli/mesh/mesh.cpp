@@ -6,8 +6,7 @@
 #include <filesystem>
 #include <future>
 #include <memory>
-#include <set>
-#include <system_error>
+#include <optional>
 #include <utility>
 
 #include <touchstone/error.hpp>
@@ -15,6 +14,7 @@
 
 #include "cli/mesh/output.hpp"
 #include "cli/shared/interrupt.hpp"
+#include "cli/shared/motion_proofs.hpp"
 #include "cli/shared/options.hpp"
 #include "cli/shared/pipeline.hpp"
 #include "cli/shared/words.hpp"
@@ -42,13 +42,6 @@ std::vector<FrameName> frames_to_check(const MeshRunOptions& options, const fram
   return names;
 }
 
-/// The file that a name leads to, whether it is there or not.
-std::filesystem::path place_of(const std::string& name) {
-  std::error_code error;
-  const auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(name, error), error);
-  return error || place.empty() ? std::filesystem::path(name) : place;
-}
-
 void check_files(const MeshRunOptions& options, const std::vector<FrameName>& names) {
   std::vector<std::string> inputs;
   for (const auto& name : names) {
@@ -74,13 +67,13 @@ void check_files(const MeshRunOptions& options, const std::vector<FrameName>& na
     const auto folder = std::filesystem::path(options.queries) / kind_name(kind);
     outputs.emplace_back("--queries", (folder / "contacts.csv").string());
   }
-  std::set<std::filesystem::path> places;
-  for (const auto& [option, output] : outputs) {
-    refuse_to_overwrite(output, inputs);
-    std::error_code ignored;
-    if (places.insert(place_of(output)).second || std::filesystem::is_character_file(output, ignored)) continue;
-    throw Error(fmt::format("{} names {}, which another option names too", option, io::printable(output)));
+  if (!options.prove.empty()) {
+    for (const char* name : {MotionProofs::kMotionFile, MotionProofs::kProofsFile}) {
+      outputs.emplace_back("--prove", (std::filesystem::path(options.prove) / name).string());
+    }
   }
+  for (const auto& [option, output] : outputs) refuse_to_overwrite(output, inputs);
+  refuse_one_file_twice(outputs);
 }
 
 sequence::Heading heading_for(const MeshRunOptions& options, const std::vector<FrameName>& names) {
@@ -120,18 +113,35 @@ void tell_idle_vertices(const Mesh& mesh, const std::string& file) {
                           idle == 1 ? "s" : ""));
 }
 
+/// The elements of a motion. All of the mesh may move.
+proofs::MotionElements motion_elements(const Mesh& mesh) {
+  return {mesh.vertex_count(), proofs::colliding_vertices(mesh.edges(), mesh.points()), mesh.edges(), mesh.faces(), {}};
+}
+
+/// The positions of a frame; one in the plane has z = 0.
+proofs::MotionFrame motion_frame(const Frame& frame) {
+  const auto dimension = static_cast<std::size_t>(frame.topology->dimension);
+  proofs::MotionFrame positions(frame.topology->vertex_count);
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    const double* const x = &frame.positions[dimension * v];
+    positions[v] = {x[0], x[1], dimension == 3 ? x[2] : 0};
+  }
+  return positions;
+}
+
 /// Checks frames one after the other.
 class Checker {
  public:
   Checker(const MeshRunOptions& options, const std::vector<FrameName>& names, MeshOutput& output, Question question,
-          const Separation& separation, sequence::Range range, int threads)
+          const Separation& separation, sequence::Range range, int threads, MotionProofs* proofs)
       : options_(options),
         names_(names),
         output_(output),
         question_(question),
         separation_(separation),
         range_(range),
-        threads_(threads) {}
+        threads_(threads),
+        proofs_(proofs) {}
 
   /// The mesh of the first frame, which was made already.
   void start_with(std::shared_ptr<const frames::Topology> topology, Mesh mesh) {
@@ -154,6 +164,7 @@ class Checker {
     const bool rest = question_ == Question::rest || index == 0;
     if (rest) check(*frame, *frame);
     if (question_ == Question::steps && before != nullptr) check(*before, *frame);
+    if (proofs_ != nullptr) proofs_->add(motion_frame(*frame));
   }
 
  private:
@@ -190,6 +201,7 @@ class Checker {
   Separation separation_;
   sequence::Range range_;
   int threads_;
+  MotionProofs* proofs_;                              ///< null: no proofs are asked for
   std::shared_ptr<const frames::Topology> topology_;  ///< of mesh_
   Mesh mesh_;
   std::shared_ptr<const Frame> before_;
@@ -220,12 +232,14 @@ int run_mesh(const MeshRunOptions& options) {
   Mesh mesh = sequence::mesh_of(*first->topology, separation, elements_file(options, names[range.first]));
   tell_idle_vertices(mesh, elements_file(options, names[range.first]));
   if (question == Question::steps) heading.facts = sequence::facts_of(mesh, *first->topology);
+  std::optional<MotionProofs> proofs;  // a folder that is refused is found before a journal is made
+  if (!options.prove.empty()) proofs.emplace(options.prove, motion_elements(mesh), separation, threads);
   MeshOutput output(options, std::move(heading));
   if (!output.finished().empty()) {
     print_error(fmt::format("touchstone: {} of {} results are those of {}\n", grouped(output.finished().size()),
                             grouped(sequence::result_count(question, range)), io::printable(output.finished_file())));
   }
-  Checker checker(options, names, output, question, separation, range, threads);
+  Checker checker(options, names, output, question, separation, range, threads, proofs ? &*proofs : nullptr);
   checker.start_with(first->topology, std::move(mesh));
 
   // The next frame is read while the steps before it are checked. A oneTBB pipeline around both would keep its threads
@@ -241,7 +255,14 @@ int run_mesh(const MeshRunOptions& options) {
     checker.take(index, std::move(frame));
     if (next.valid()) frame = next.get();
   }
-  return output.finish() ? kAllHold : kRefuted;
+  if (proofs) proofs->commit();
+  const bool all_free = output.finish();
+  if (proofs && options.report != "-") {
+    auto console = io::OutputFile::standard_output();
+    console.write(proofs->summary());
+    console.commit();
+  }
+  return all_free ? kAllHold : kRefuted;
 }
 
 }  // namespace touchstone::cli

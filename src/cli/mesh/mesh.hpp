@@ -18,7 +18,7 @@ struct MeshRunOptions {
   SeparationOption separation;
   int threads = 0;  ///< 0: all that the machine has
   std::optional<sequence::Shard> shard;
-  std::string report, pairs, queries;
+  std::string report, pairs, queries, prove;
   bool resume = false;
   std::string topology, dataset;
   bool triangulate = false;

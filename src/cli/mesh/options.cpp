@@ -20,8 +20,6 @@ std::optional<sequence::Shard> shard_from(const std::string& text) {
   return sequence::Shard{std::stoull(number), std::stoull(count)};
 }
 
-std::string not_empty(const std::string& name) { return name.empty() ? "the name is empty" : std::string(); }
-
 }  // namespace
 
 void add_mesh(CLI::App& program, Command& command) {
@@ -69,13 +67,19 @@ void add_mesh(CLI::App& program, Command& command) {
                    "Write the pairs in contact as FOLDER/KIND/contacts.csv, query files for explain and certify")
       ->type_name("FOLDER");
   subcommand
+      ->add_option("--prove", options->prove,
+                   "Write the frames' positions as FOLDER/motion.txt and a proof for each pair of each step as "
+                   "FOLDER/proofs.txt, for touchstone-check. The folder must be new or empty")
+      ->type_name("FOLDER")
+      ->excludes(check);
+  subcommand
       ->add_option("--topology", options->topology,
                    "The file with the elements of the mesh, for frames that hold positions only")
       ->type_name("FILE");
   subcommand->add_option("--dataset", options->dataset, "The name of the data set in HDF5 files")->type_name("NAME");
   subcommand->add_flag("--triangulate", options->triangulate,
                        "Cut polygons of more than three corners into triangles that share the first corner");
-  for (const char* name : {"--report", "--pairs", "--queries", "--topology"}) {
+  for (const char* name : {"--report", "--pairs", "--queries", "--prove", "--topology"}) {
     subcommand->get_option(name)->check(not_empty);
   }
   subcommand->footer(
@@ -87,7 +91,8 @@ void add_mesh(CLI::App& program, Command& command) {
       "  touchstone mesh cloth-*.obj\n"
       "  touchstone mesh --separation 1e-3 --report report.json --resume 'cloth-*.obj'\n"
       "  touchstone mesh --shard 2/4 --report part-2.json cloth-*.obj\n"
-      "  touchstone mesh --check body.ply\n\n"
+      "  touchstone mesh --check body.ply\n"
+      "  touchstone mesh --prove proved cloth-*.obj && touchstone-check proved/proofs.txt proved/motion.txt\n\n"
       "Exit status: 0 every step is free and the first frame does not intersect itself (--check: no frame does), 1\n"
       "otherwise, 2 bad usage or bad input.");
   subcommand->callback([options, &command] { command = [options] { return run_mesh(*options); }; });

@@ -6,13 +6,28 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <system_error>
+
+#include <touchstone/error.hpp>
 
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
 #include "io/kind_of_file.hpp"
 
 namespace touchstone::cli {
+
+namespace {
+
+/// The file that a name leads to, whether it is there or not.
+std::filesystem::path place_of(const std::string& name) {
+  if (name == "-") return name;
+  std::error_code error;
+  const auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(name, error), error);
+  return error || place.empty() ? std::filesystem::path(name) : place;
+}
+
+}  // namespace
 
 void add_kind_option(CLI::App& subcommand, std::optional<Kind>& kind) {
   subcommand
@@ -30,6 +45,8 @@ void add_seed_option(CLI::App& subcommand, std::uint64_t& seed) {
       ->type_name("N")
       ->check([](const std::string& text) { return check_whole_number(text); });
 }
+
+std::string not_empty(const std::string& name) { return name.empty() ? "the name is empty" : std::string(); }
 
 std::string check_whole_number(const std::string& text, std::uint64_t least, std::uint64_t most) {
   const bool number = !text.empty() && text.size() < 19 && text.find_first_not_of("0123456789") == std::string::npos;
@@ -62,6 +79,17 @@ void refuse_to_overwrite(const std::string& output, const std::vector<std::strin
       const std::string reason = "is also an input; writing there would destroy it";
       io::fail(output, advice.empty() ? reason : reason + "; " + advice);
     }
+  }
+}
+
+void refuse_one_file_twice(const std::vector<std::pair<std::string, std::string>>& outputs) {
+  std::set<std::filesystem::path> places;
+  for (const auto& [option, output] : outputs) {
+    std::error_code ignored;
+    if (output.empty() || places.insert(place_of(output)).second) continue;
+    if (std::filesystem::is_character_file(output, ignored)) continue;
+    throw Error(fmt::format("{} names {}, which another option names too", option,
+                            output == "-" ? "standard output" : io::printable(output)));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -36,10 +37,17 @@ void add_seed_option(CLI::App& subcommand, std::uint64_t& seed);
 inline constexpr std::uint64_t kMostNumber = 999'999'999'999'999'999;
 std::string check_whole_number(const std::string& text, std::uint64_t least = 0, std::uint64_t most = kMostNumber);
 
+/// The same for a file's name, which must not be empty.
+std::string not_empty(const std::string& name);
+
 /// @throws FileError when writing to `output` (an empty name or "-": none) would destroy one of `inputs`; its message
 /// ends with `advice`
 void refuse_to_overwrite(const std::string& output, const std::vector<std::string>& inputs,
                          const std::string& advice = {});
+
+/// @param outputs  the options that name a file to write, and these names; an empty name: none; "-": standard output
+/// @throws Error when two of them lead to one file, whether it is there or not. A device may be named twice
+void refuse_one_file_twice(const std::vector<std::pair<std::string, std::string>>& outputs);
 
 /// The exact answer to a query of a file.
 Answer answer_to(const std::variant<Query, RationalQuery>& query, Method method, const Separation& separation);

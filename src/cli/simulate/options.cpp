@@ -34,6 +34,11 @@ void add_simulate(CLI::App& program, Command& command) {
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
   subcommand->add_option("--proof", options->proof, "Write a table with the proof of each step")->type_name("FILE");
+  subcommand
+      ->add_option("--prove", options->prove,
+                   "Write the positions of all steps as FOLDER/motion.txt and a proof for each pair of elements as "
+                   "FOLDER/proofs.txt, for touchstone-check. The folder must be new or empty")
+      ->type_name("FOLDER");
   subcommand->add_option("--energies", options->energies, "Write a table with the energies and contacts of each step")
       ->type_name("FILE");
   subcommand
@@ -68,13 +73,14 @@ void add_simulate(CLI::App& program, Command& command) {
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   subcommand->get_option("--frame-every")->needs(subcommand->get_option("--out"));
-  for (const char* path : {"--out", "--proof", "--energies", "--queries", "--checkpoint", "--resume", "--scene-out"}) {
+  for (const char* path :
+       {"--out", "--proof", "--prove", "--energies", "--queries", "--checkpoint", "--resume", "--scene-out"}) {
     subcommand->get_option(path)->check(
         [](const std::string& name) { return name.empty() ? std::string("the name is empty") : std::string(); });
   }
   // These two make no step, so that options of a run are refused beside them.
   scene_out->excludes(explain);
-  for (const char* of_run : {"--steps", "--out", "--proof", "--energies", "--queries", "--checkpoint"}) {
+  for (const char* of_run : {"--steps", "--out", "--proof", "--prove", "--energies", "--queries", "--checkpoint"}) {
     scene_out->excludes(subcommand->get_option(of_run));
     explain->excludes(subcommand->get_option(of_run));
   }
@@ -85,6 +91,7 @@ void add_simulate(CLI::App& program, Command& command) {
       "Examples\n"
       "  touchstone simulate hoop --out hoop\n"
       "  touchstone simulate cable-drop --size 5000 --proof proof.csv\n"
+      "  touchstone simulate hoop --prove proved && touchstone-check proved/proofs.txt proved/motion.txt\n"
       "  touchstone simulate hoop --scene-out hoop.json && touchstone simulate hoop.json\n"
       "  touchstone simulate hoop --narrow-phase paper\n\n"
       "Exit status: 0 done without a crossing, 1 crossings, 2 bad usage, a bad scene or a step that "

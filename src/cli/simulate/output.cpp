@@ -49,6 +49,25 @@ constexpr const char* kPlotScript =
     "  set output\n"
     "}\n";
 
+/// The elements that collide, by the numbers of their particles.
+proofs::MotionElements motion_elements(const sim::Simulation& simulation) {
+  const sim::Colliders& colliders = simulation.colliders();
+  proofs::MotionElements elements;
+  elements.vertex_count = simulation.scene().particles.size();
+  elements.points = proofs::colliding_vertices(colliders.edges(), colliders.points());
+  elements.edges = colliders.edges();
+  elements.faces = colliders.faces();
+  for (sim::Index p = 0; p < elements.vertex_count; ++p) elements.fixed.push_back(colliders.can_move(p) ? 0 : 1);
+  return elements;
+}
+
+/// The positions of the scene's particles in these coordinates.
+proofs::MotionFrame motion_frame(const sim::Simulation& simulation, const sim::VectorX& q) {
+  proofs::MotionFrame frame(simulation.scene().particles.size());
+  for (sim::Index p = 0; p < frame.size(); ++p) frame[p] = sim::corner_of(q, p);
+  return frame;
+}
+
 /// A file that cannot be written does not keep the others from being written.
 class Attempts {
  public:
@@ -61,12 +80,14 @@ class Attempts {
     }
   }
   /// A file that could be written only in part is removed.
-  template <class Do>
-  void with(std::optional<io::OutputFile>& file, Do&& act) {
+  template <class File, class Do>
+  void with(std::optional<File>& file, Do&& act) {
     attempt([&] {
       if (!file) return;
       try {
         act(*file);
+      } catch (const Interrupted&) {  // no fault of the file
+        throw;
       } catch (...) {
         file.reset();
         throw;
@@ -105,6 +126,10 @@ SimulateOutput::SimulateOutput(const SimulateOptions& options, sim::Simulation& 
     simulation.watch([this](const Query& query, double separation, const Answer& answer) {
       write_query(query, separation, answer);
     });
+  }
+  if (!options.prove.empty()) {
+    motion_.emplace(options.prove, motion_elements(simulation), Separation{}, options.threads);
+    motion_->add(motion_frame(simulation, simulation.state().q));
   }
   if (options.out.empty()) return;
   frames_ = fs::path(options.out) / kFrameFolder;
@@ -154,6 +179,9 @@ void SimulateOutput::step(const std::vector<sim::SubstepRecord>& records) {
   attempts.attempt([&] {
     if (!options_->out.empty() && ++since_frame_ >= options_->frame_every) write_frame();
   });
+  attempts.with(motion_, [&](MotionProofs& motion) {
+    for (const auto& record : records) motion.add(motion_frame(*simulation_, record.end));
+  });
   attempts.end();
 }
 
@@ -167,6 +195,10 @@ void SimulateOutput::finish() {
   attempts.with(proof_, commit);
   for (auto& file : energies_) attempts.with(file, commit);
   for (auto& [question, file] : queries_) attempts.with(file, commit);
+  attempts.with(motion_, [&](MotionProofs& motion) {
+    if (!motion.has_steps()) throw Error("--prove: no step was made, so there is nothing to prove");
+    motion.commit();
+  });
   attempts.with(frame_index_, [&](io::OutputFile& file) {
     file.write(sim::vtk_series(written_));
     file.commit();

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/shared/motion_proofs.hpp"
 #include "cli/shared/new_folders.hpp"
 #include "cli/simulate/simulate.hpp"
 #include "io/output_file.hpp"
@@ -29,6 +30,12 @@ class SimulateOutput {
   /// The same for a run that ends early, up to the last step that was taken.
   void finish_early();
 
+  /// A line about the proofs of --prove, after finish(); empty without them.
+  std::string proofs_summary() const { return motion_ ? motion_->summary() : std::string(); }
+
+  /// Whether these have no contact; true without them.
+  bool proved_free() const { return !motion_ || motion_->contacts() == 0; }
+
   /// Draws the plots. @returns a hint when there is nothing to draw, or no gnuplot to draw it
   std::string draw();
 
@@ -44,6 +51,7 @@ class SimulateOutput {
   NewFolders folders_;
   std::filesystem::path frames_;
   std::vector<sim::SeriesFrame> written_;
+  std::optional<MotionProofs> motion_;
   std::optional<io::OutputFile> proof_, frame_index_, checkpoint_;
   std::vector<std::optional<io::OutputFile>> energies_;
   std::map<std::pair<Kind, double>, std::optional<io::OutputFile>> queries_;  // by kind and separation

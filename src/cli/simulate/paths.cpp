@@ -10,6 +10,7 @@
 #include <touchstone/error.hpp>
 #include <touchstone/query.hpp>
 
+#include "cli/shared/motion_proofs.hpp"
 #include "io/fail.hpp"
 #include "io/kind_of_file.hpp"
 #include "scene/shipped_scenes.hpp"
@@ -126,6 +127,11 @@ void check_paths(const SimulateOptions& options) {
       files.add_in("--out", out, std::string(kEnergies) + ending);
     files.add_in("--out", out / kFrameFolder, kFrameIndex);
     files.frames_in(out / kFrameFolder);
+  }
+  if (!options.prove.empty()) {
+    for (const char* name : {MotionProofs::kMotionFile, MotionProofs::kProofsFile}) {
+      files.add_in("--prove", options.prove, name);
+    }
   }
   if (!options.queries.empty()) {
     for (const Kind kind : io::kKinds) {

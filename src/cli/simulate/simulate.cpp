@@ -32,7 +32,8 @@ std::unique_ptr<sim::Simulation> make_simulation(sim::Scene scene, std::optional
   // Reading a large scene and setting it up take seconds each.
   throw_if_interrupted();
   auto simulation = naming_file(options.resume.empty() ? options.scene : options.resume, [&] {
-    const sim::SimulationOptions settings{options.narrow_phase, options.threads, throw_if_interrupted};
+    const sim::SimulationOptions settings{options.narrow_phase, options.threads, throw_if_interrupted,
+                                          !options.prove.empty()};
     auto made = std::make_unique<sim::Simulation>(std::move(scene), settings);
     if (checkpoint) made->resume(std::move(checkpoint->state), checkpoint->steps);
     return made;
@@ -90,11 +91,12 @@ int simulate(sim::Simulation& simulation, const SimulateOptions& options, io::Ou
   } catch (const Error&) {
     unwritten = std::current_exception();
   }
+  console.write(output.proofs_summary());
   console.write(simulation_for_person(simulation, run.totals, run.rate));
   console.commit();
   if (unwritten) std::rethrow_exception(unwritten);
   if (const std::string hint = output.draw(); !hint.empty()) print_error(fmt::format("touchstone: {}\n", hint));
-  return simulation.crossings().empty() ? kAllHold : kRefuted;
+  return simulation.crossings().empty() && output.proved_free() ? kAllHold : kRefuted;
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ struct SimulateOptions {
   std::optional<std::uint64_t> steps;  ///< how many to make; nothing: to the scene's duration
   std::string out;                     ///< a folder for frames, tables and plots
   std::uint64_t frame_every = 2;       ///< steps
-  std::string proof, energies, queries, checkpoint, resume, scene_out;
+  std::string proof, prove, energies, queries, checkpoint, resume, scene_out;
   bool explain = false;
   sim::NarrowPhase narrow_phase = sim::NarrowPhase::exact;
   int threads = 1;

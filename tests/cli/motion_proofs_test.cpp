@@ -1,0 +1,286 @@
+// `touchstone mesh --prove` and `touchstone simulate --prove`: the checker accepts what they write, no byte depends on
+// the number of threads, and a run that fails leaves nothing.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/run_checker.hpp"
+#include "io/sha256.hpp"
+#include "sequence/needle.hpp"
+#include "support/catch.hpp"
+
+using namespace touchstone;
+using namespace touchstone::tests;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What touchstone-check says about a folder of --prove.
+Run check(const TemporaryFolder& folder, const std::string& name) {
+  return run_checker(folder.path(name + "/proofs.txt"), {folder.path(name + "/motion.txt")});
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+std::size_t count_of(const std::vector<std::string>& lines, const std::string& line) {
+  return static_cast<std::size_t>(std::count(lines.begin(), lines.end(), line));
+}
+
+/// Frame `frame` of a motion: the lines of its vertices.
+std::vector<std::string> frame_of(const std::vector<std::string>& motion, std::size_t frame) {
+  auto line = motion.begin();
+  for (std::size_t i = 0; i <= frame; ++i) line = std::find(line, motion.end(), "frame") + 1;
+  return {line, std::find(line, motion.end(), "frame")};
+}
+
+Run run(std::vector<std::string> arguments, const std::vector<std::string>& more, const RunOptions& options = {}) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return run_program(arguments, options);
+}
+
+/// An .npy file of version 1.
+template <class Number>
+std::string npy(const std::string& type, const std::string& shape, const std::vector<Number>& numbers) {
+  std::string header = "{'descr': '" + type + "', 'fortran_order': False, 'shape': " + shape + ", }";
+  header.append(118 - header.size() - 1, ' ').append("\n");
+  std::string bytes = "\x93NUMPY";
+  bytes.append({'\1', '\0', '\x76', '\0'}).append(header);
+  return bytes.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number));
+}
+
+/// A folder's proofs are accepted, are about its motion, and have as many steps.
+void check_folder(const TemporaryFolder& folder, const std::string& name, std::size_t steps) {
+  const std::string motion_text = folder.read(name + "/motion.txt"), proofs_text = folder.read(name + "/proofs.txt");
+  const auto motion = lines_of(motion_text), proofs = lines_of(proofs_text);
+  CHECK(count_of(motion, "frame") == steps + 1);
+  CHECK(occurrences(proofs_text, "file mesh " + io::sha256(motion_text) + " motion.txt\n") == 1);
+  CHECK(occurrences(proofs_text, "\nstep ") == steps);
+  const Run checked = check(folder, name);
+  CAPTURE(checked.out, checked.err);
+  CHECK(checked.status == 0);
+}
+
+constexpr std::size_t kSide = 5;  // of the cloth under the needle
+
+}  // namespace
+
+TEST_CASE("mesh: proofs of a motion with a contact are accepted, and are the same for any number of threads") {
+  const TemporaryFolder folder;
+  const auto frames = write_needles(folder, "f", kSide, 5, falling_tip);
+  for (const std::string metric : {"", "euclidean", "max"}) {
+    std::string proofs, motion;
+    for (const std::string threads : {"1", "2", "7"}) {
+      const std::string name = "proved" + metric + threads;
+      std::vector<std::string> arguments = {"mesh", "--threads", threads, "--prove", folder.path(name)};
+      if (!metric.empty()) arguments.insert(arguments.end(), {"--separation", "0.1", "--metric", metric});
+      const Run made = run(arguments, frames);
+      CAPTURE(name, made.out, made.err);
+      REQUIRE(made.status == 1);
+      CHECK(made.err.empty());
+      check_folder(folder, name, 4);
+      if (proofs.empty()) {
+        proofs = folder.read(name + "/proofs.txt");
+        motion = folder.read(name + "/motion.txt");
+        const auto lines = lines_of(proofs);
+        std::istringstream end(lines.back());
+        std::string word;
+        std::size_t pairs = 0, contacts = 0;
+        end >> word >> pairs >> contacts;
+        CHECK(word == "end");
+        CHECK(contacts > 0);
+        CHECK(contacts < pairs);
+        CHECK(made.out.find(std::to_string(pairs) + " pairs in 4 steps proved in " + folder.path(name) + ": " +
+                            std::to_string(contacts) + " contact") != std::string::npos);
+        CHECK(lines[1] == (metric.empty() ? lines[1] : "separation " + metric + " 0x1.999999999999ap-4"));
+        CHECK(occurrences(proofs, "separation") == (metric.empty() ? 0 : 1));
+        if (metric.empty()) CHECK(occurrences(proofs, " contact 0x1p-1 0x1p-1\n") == 1);
+      }
+      CHECK((folder.read(name + "/proofs.txt") == proofs));
+      CHECK((folder.read(name + "/motion.txt") == motion));
+    }
+  }
+  const auto motion = lines_of(folder.read("proved1/motion.txt"));
+  CHECK(motion[1] == "vertices " + std::to_string(kSide * kSide + 3));
+  CHECK(count_of(motion, "face 25 26 27") == 1);
+  CHECK(count_of(motion, "edge 25 26") == 1);
+  CHECK(count_of(motion, "point 25") == 1);
+  CHECK(frame_of(motion, 1)[25] == "0x1.4p+0 0x1.4p+0 0x1.8p-2");  // 1.25 1.25 0.375
+
+  // The checker does look: with another coordinate the meeting is none.
+  std::string changed = folder.read("proved1/motion.txt");
+  changed.replace(changed.rfind("0x1.4p+0 0x1.4p+0 -0x1p-3"), 8, "0x1.5p+0");
+  folder.write("proved1/motion.txt", changed);
+  CHECK(check(folder, "proved1").status != 0);
+}
+
+TEST_CASE("mesh: frames without contact; the plane; loose points; a part of the steps; a report beside the proofs") {
+  const TemporaryFolder folder;
+  const Run rising =
+      run({"mesh", "--prove", folder.path("a/b/rising")}, write_needles(folder, "r", kSide, 3, rising_tip));
+  CHECK(rising.status == 0);
+  CHECK(occurrences(rising.out, " proved in " + folder.path("a/b/rising") + ": no contact\n") == 1);
+  check_folder(folder, "a/b/rising", 2);
+
+  // Two loose points, a segment and a bystander; the first point passes through the segment.
+  const auto points = [&](const std::string& name, const char* y) {
+    return folder.write(name, std::string("v 0.5 ") + y + " 0\nv 0 0 0\nv 1 0 0\nv 0.5 9 0\nl 2 3\np 1\np 4\n");
+  };
+  const std::string before = points("p-0.obj", "-1"), between = points("p-1.obj", "-0.5"),
+                    after = points("p-2.obj", "1");
+  const std::string report = folder.path("report.json");
+  const Run loose = run({"mesh", "--prove", folder.path("loose"), "--report", report}, {before, between, after});
+  CAPTURE(loose.out, loose.err);
+  CHECK(loose.status == 1);
+  check_folder(folder, "loose", 2);
+  CHECK(occurrences(folder.read("loose/proofs.txt"), "\nstep 0\nstep 1\n0 contact 0x1.5555555555555p-2 ") == 1);
+  CHECK(lines_of(folder.read("loose/proofs.txt")).back() == "end 1 1");
+
+  // In the plane: two segments, and the end of one passes through the other.
+  const std::string plane =
+      folder.write("plane.npy", npy<double>("<f8", "(2, 4, 2)", {0, 0, 2, 0, 1, 1, 1, 3, 0, 0, 2, 0, 1, -1, 1, 3}));
+  const std::string segments = folder.write("segments.npy", npy<std::int32_t>("<i4", "(2, 2)", {0, 1, 2, 3}));
+  const Run planar = run_program({"mesh", "--prove", folder.path("planar"), "--topology", segments, plane});
+  CAPTURE(planar.out, planar.err);
+  CHECK(planar.status == 1);
+  check_folder(folder, "planar", 1);
+  CHECK((frame_of(lines_of(folder.read("planar/motion.txt")), 1)[2] == "0x1p+0 -0x1p+0 0"));
+  CHECK(occurrences(folder.read("planar/proofs.txt"), "\nstep 0\n0 contact 0x1p-1 0x1p-1\n") == 1);
+
+  // A part of the steps has frames of its own, and --resume makes all proofs of its steps.
+  const Run part = run({"mesh", "--prove", folder.path("part"), "--shard", "2/2"}, {before, between, after});
+  CHECK(part.status == 1);
+  check_folder(folder, "part", 1);
+  CHECK(occurrences(folder.read("part/proofs.txt"), "\nstep 0\n0 contact ") == 1);
+  const Run again =
+      run({"mesh", "--prove", folder.path("again"), "--report", report, "--resume"}, {before, between, after});
+  CHECK(again.status == 1);
+  CHECK((folder.read("again/proofs.txt") == folder.read("loose/proofs.txt")));
+
+  const Run to_output = run({"mesh", "--prove", folder.path("output"), "--report", "-"}, {before, between});
+  CHECK(to_output.status == 0);
+  CHECK(occurrences(to_output.out, "proved in") == 0);  // nothing but the report
+  check_folder(folder, "output", 1);
+}
+
+TEST_CASE("mesh --prove: folders and options that are refused, and runs that leave nothing") {
+  const TemporaryFolder folder;
+  const auto frames = write_needles(folder, "f", kSide, 3, rising_tip);
+  folder.write("full/file", "mine");
+  folder.write("leftover/motion.txt.touchstone-1.partial", "of a process that was killed");
+  fs::create_directory(folder.path("empty"));
+  const auto names = folder.names();
+  const auto check_refused = [&](const std::vector<std::string>& arguments, const std::string& part) {
+    const Run refused = run_program(arguments);
+    CAPTURE(arguments, refused.err);
+    CHECK(refused.status == 2);
+    CHECK(occurrences(refused.err, "\n") == 1);
+    CHECK(occurrences(refused.err, part) == 1);
+    CHECK(folder.names() == names);
+  };
+  const std::string full = folder.path("full"), there = folder.path("f-0.obj"), fresh = folder.path("fresh");
+  check_refused({"mesh", "--prove", full, frames[0], frames[1]}, "full: holds file; the motion and its proofs go into");
+  check_refused({"mesh", "--prove", full, "--report", folder.path("report.json"), frames[0], frames[1]}, "full: holds");
+  check_refused({"mesh", "--prove", there, frames[0], frames[1]}, "f-0.obj");
+  CHECK(folder.read("full/file") == "mine");
+  CHECK((folder.read("f-0.obj") == needle_frame(kSide, rising_tip(0))));
+  check_refused({"mesh", "--prove", fresh, "--check", frames[0]}, "--check");
+  check_refused({"mesh", "--prove", "", frames[0], frames[1]}, "the name is empty");
+  check_refused({"mesh", "--prove", fresh, "--report", fresh + "/proofs.txt", frames[0], frames[1]},
+                "proofs.txt, which another option names too");
+  check_refused({"mesh", "--prove", fresh, frames[0]}, "a step needs two frames");
+  folder.write("f-1.obj", "v 0 0 0\n");  // another mesh: found after the first frame
+  check_refused({"mesh", "--prove", fresh, frames[0], frames[1]}, "f-1.obj differs from");
+  folder.write("f-1.obj", needle_frame(kSide, rising_tip(1)));
+
+  for (const char* name : {"empty", "leftover"}) {
+    CHECK(run({"mesh", "--prove", folder.path(name)}, frames).status == 0);
+    check_folder(folder, name, 2);
+    CHECK(std::distance(fs::directory_iterator(folder.path(name)), fs::directory_iterator{}) == 2);
+  }
+  check_refused({"mesh", "--prove", folder.path("empty"), frames[0], frames[1]}, "empty: holds ");
+}
+
+TEST_CASE("simulate: every substep is a step of the motion, no pair has a contact, and held particles stay") {
+  const TemporaryFolder folder;
+  std::string proofs;
+  for (const std::string threads : {"1", "3"}) {
+    const std::string name = "hoop" + threads;
+    const Run made = run_program({"simulate", "hoop", "--steps", "60", "--threads", threads, "--prove",
+                                  folder.path(name), "--proof", folder.path(name + ".csv")});
+    CAPTURE(made.out, made.err);
+    REQUIRE(made.status == 0);
+    const std::size_t substeps = lines_of(folder.read(name + ".csv")).size() - 1;
+    check_folder(folder, name, substeps);
+    CHECK(occurrences(made.out, " proved in " + folder.path(name) + ": no contact\n") == 1);
+    CHECK(occurrences(folder.read(name + "/proofs.txt"), "contact") == 0);
+    const std::string end = lines_of(folder.read(name + "/proofs.txt")).back();
+    CHECK(end.size() > std::string("end 100 0").size());  // a thousand pairs or more
+    CHECK(end.substr(end.size() - 2) == " 0");
+    if (proofs.empty()) proofs = folder.read(name + "/proofs.txt");
+    CHECK((folder.read(name + "/proofs.txt") == proofs));
+  }
+  const auto motion = lines_of(folder.read("hoop1/motion.txt"));
+  CHECK(
+      std::any_of(motion.begin(), motion.end(), [](const std::string& line) { return line.rfind("fixed ", 0) == 0; }));
+}
+
+TEST_CASE("simulate: the motion goes on after a checkpoint; contacts that the paper's method lets pass are proved") {
+  const TemporaryFolder folder;
+  const std::string state = folder.path("state.json");
+  REQUIRE(run_program({"simulate", "two-edges", "--steps", "20", "--checkpoint", state, "--prove", folder.path("one")})
+              .status == 0);
+  REQUIRE(run_program({"simulate", "--resume", state, "--steps", "20", "--prove", folder.path("two")}).status == 0);
+  REQUIRE(run_program({"simulate", "two-edges", "--steps", "40", "--prove", folder.path("all")}).status == 0);
+  const auto one = lines_of(folder.read("one/motion.txt")), two = lines_of(folder.read("two/motion.txt")),
+             all = lines_of(folder.read("all/motion.txt"));
+  const auto last = count_of(one, "frame") - 1;
+  check_folder(folder, "two", count_of(two, "frame") - 1);
+  CHECK((frame_of(two, 0) == frame_of(one, last)));
+  CHECK(last + count_of(two, "frame") == count_of(all, "frame"));
+  CHECK((frame_of(two, count_of(two, "frame") - 1) == frame_of(all, count_of(all, "frame") - 1)));
+
+  const Run paper =
+      run_program({"simulate", "hoop", "--steps", "30", "--narrow-phase", "paper", "--prove", folder.path("paper")});
+  CAPTURE(paper.out);
+  CHECK(paper.status == 1);
+  check_folder(folder, "paper", 30);
+  CHECK(occurrences(folder.read("paper/proofs.txt"), " contact ") > 0);
+}
+
+TEST_CASE("simulate --prove: what is refused, and runs that end early") {
+  const TemporaryFolder folder;
+  const std::string fresh = folder.path("fresh");
+  folder.write("full/file", "mine");
+  const auto names = folder.names();
+  const auto check_refused = [&](std::vector<std::string> arguments, const std::string& part) {
+    arguments.insert(arguments.begin(), {"simulate", "two-edges"});
+    const Run refused = run_program(arguments);
+    CAPTURE(arguments, refused.err);
+    CHECK(refused.status == 2);
+    CHECK(occurrences(refused.err, part) == 1);
+    CHECK(folder.names() == names);
+  };
+  check_refused({"--prove", folder.path("full")}, "full: holds file; ");
+  check_refused({"--prove", fresh, "--explain"}, "--explain");
+  check_refused({"--prove", fresh, "--energies", fresh + "/motion.txt"}, "name the same file");
+  check_refused({"--prove", fresh, "--steps", "0"}, "no step was made, so there is nothing to prove");
+
+  // Ctrl-C: the steps that were made are proved.
+  RunOptions options;
+  options.interrupt_after = 2;
+  const Run ended = run_program({"simulate", "whip", "--size", "400", "--steps", "1000000", "--prove", fresh}, options);
+  CHECK(ended.status == 128 + 2);
+  const auto frames = count_of(lines_of(folder.read("fresh/motion.txt")), "frame");
+  CHECK(frames > 1);
+  check_folder(folder, "fresh", frames - 1);
+}

@@ -1,0 +1,514 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Small proofs, written by hand: the verdicts of the checkers are those that docs/proofs.md asks for.
+
+    small_cases.py [--checker PROGRAM]
+
+Each case is a file of proofs, its query files and motion files, and the exit status that the page asks for. The cases
+are about separations and motions. Without --checker only check_proofs.py is asked. An accepted proof is judged by
+exact_judge.py too: its answers must be true. The exit status is 0 if all verdicts are right.
+"""
+
+import argparse
+import io
+import math
+import os
+import subprocess
+import sys
+import tempfile
+from fractions import Fraction
+
+import check_proofs
+from exact_judge import double_after, double_below
+from exact_truth import claims, truths
+
+
+def word(number):
+    number = Fraction(number)
+    return f"{'-' if number < 0 else ''}0x{abs(number.numerator):x}p-{number.denominator.bit_length() - 1}"
+
+
+def contact(time):
+    """The words of a contact at a rational time."""
+    below = double_below(Fraction(time))
+    return f"contact {word(below)} {word(below if below == time else double_after(below))}"
+
+
+def rows(starts, ends):
+    """The rows of a query."""
+    points = [[Fraction(x) for x in point] for point in starts + ends]
+    return "".join(",".join(f"{x.numerator},{x.denominator}" for x in point) + ",0\n" for point in points)
+
+
+def still(*corners):
+    return rows(list(corners), list(corners))
+
+
+def proof_of(*blocks, end):
+    """Each block is the separation's words or "", the kind, and the lines of the proofs."""
+    text = "touchstone-proofs 1\n"
+    for separation, kind, lines in blocks:
+        text += f"separation {separation}\n" if separation else ""
+        text += f"file {kind} - f\n" + "".join(line + "\n" for line in lines)
+    return text + f"end {end}\n"
+
+
+def one(name, status, separation, kind, text, *lines):
+    """A case of one query."""
+    contacts = int(" contact " in lines[0])
+    return name, status, proof_of((separation, kind, lines), end=f"1 {contacts}"), [text]
+
+
+ORIGIN = (0, 0, 0)
+HALF = Fraction(1, 2)
+TINY = Fraction(1, 1 << 60)
+WEST = "d -1 0 0"
+BOTH = ("w 0 1", "w 1 1")
+
+
+def along_x(start, end, y=0, z=0):
+    """The first point rests at the origin, the second one moves along x."""
+    return rows([ORIGIN, (start, y, z)], [ORIGIN, (end, y, z)])
+
+
+def point_point_cases():
+    passing = along_x(-2, 1)
+    third, two_thirds = contact(Fraction(1, 3)), contact(Fraction(2, 3))
+    beside = along_x(-2, 1, z=1)
+    slanted = along_x(-2, 1, y=HALF)  # |y - x|^2 - 1 is (36 t^2 - 48 t + 13) / 4
+    early = double_below(Fraction((48 - math.sqrt(432)) / 72) - Fraction(1, 1 << 50))
+    while 36 * double_after(early) ** 2 - 48 * double_after(early) + 13 > 0:
+        early = double_after(early)
+    irrational = f"contact {word(early)} {word(double_after(early))}"
+    difference = "d -2 0x1p-1 0 3 0 0"
+    diagonal = still(ORIGIN, (1, 1, 1))
+    apart = still(ORIGIN, (-1, 0, 0))
+    # The distance is 1 at t = 2^-1080.
+    soon = rows([ORIGIN, (-1 - Fraction(1, 1 << 1070), 0, 0)], [ORIGIN, (1 << 10, 0, 0)])
+    speed = (1 << 10) + 1 + Fraction(1, 1 << 1070)
+    at_once = "contact 0 0x1p-1074"
+    root = f"root {word(-Fraction(1, 1 << 1070))} {word(speed)}"
+
+    over = along_x(-2, 2, y=1)
+    pieces = "d -1 0 0 to 0x5p-4", "d 0 1 0 to 0xbp-4", "d 1 0 0"
+
+    # x = -2^54 - 1 + 2^55 t is -1 at T = 1/2 and 3 at U. The contact for D = 1/8 begins and ends in between.
+    far = (1 << 54) + 1
+    fast, soon_after_half = along_x(-far, far - 2), "contact 0x1p-1 0x10000000000001p-53"
+
+    def fast_case(name, status, metric, root, low, high):
+        low, high = (word(Fraction(far + x) / (1 << 55)) for x in (low, high))
+        g = f"root {word(-far - root)} 0x1p55 between {low} {high}"
+        return case(name, status, f"{metric} 0x1p-3", fast, f"0 {soon_after_half}", WEST, g, *BOTH)
+
+    def case(name, status, separation, text, *lines):
+        return one("point-point: " + name, status, separation, "point-point", text, *lines)
+
+    return [
+        case("T = U", 0, "euclidean 0x1p-1", passing, "0 contact 0x1p-1 0x1p-1", WEST, *BOTH),
+        case("T = U, max", 0, "max 0x1p-1", passing, "0 contact 0x1p-1 0x1p-1", WEST, *BOTH),
+        case("T = U, D without exponent", 0, "max 001", along_x(-2, 2), "0 contact 0x1p-2 0x1p-2", WEST, *BOTH),
+        case("the times for D = 0", 1, "max 0x1p-1", passing, "0 " + two_thirds, WEST, "root -2 3", *BOTH),
+        case("the times for D > 0 at D = 0", 1, "", passing, "0 contact 0x1p-1 0x1p-1", WEST, *BOTH),
+        case("T < U", 0, "euclidean 1", passing, "0 " + third, WEST, "root -1 3", *BOTH),
+        case("T < U, max", 0, "max 1", passing, "0 " + third, WEST, "root -1 3", *BOTH),
+        case("T < U, another g", 1, "max 1", passing, "0 " + third, WEST, "root -2 3", *BOTH),
+        case("T < U, no piece", 1, "max 1", passing, "0 " + third, "root -1 3", *BOTH),
+        case("T < U, no weights", 1, "max 1", passing, "0 " + third, WEST, "root -1 3"),
+        case("T < U, a weight that is a multiple of g", 1, "max 1", passing, "0 " + third, WEST, "root -1 3",
+             "w 0 -1 3", "w 1 1"),
+        case("grazing", 0, "euclidean 1", beside, "0 " + two_thirds, "d -2 0 1 3 0 0", "root -2 3", *BOTH),
+        case("grazing, the metric max meets earlier", 0, "max 1", beside, "0 " + third, WEST, "root -1 3", *BOTH),
+        case("grazing, the times of max for euclidean", 1, "euclidean 1", beside, "0 " + third, WEST, "root -1 3",
+             *BOTH),
+        case("grazing, missed by little", 0, f"euclidean {word(1 - TINY)}", beside, "0 none", "d 0 0 1"),
+        case("grazing, denied", 1, "euclidean 1", beside, "0 none", "d 0 0 1"),
+        case("grazing, denied with the difference", 1, "euclidean 1", beside, "0 none", "d -2 0 1 3 0 0"),
+        case("irrational time", 0, "euclidean 1", slanted, "0 " + irrational, f"{difference} to 0x1p-2", difference,
+             "root 13 -48 36", *BOTH),
+        case("irrational time, linear g", 1, "euclidean 1", slanted, "0 " + irrational, f"{difference} to 0x1p-2",
+             difference, f"root {word(-early - double_after(early))} 2", *BOTH),
+        case("the metrics differ, none", 0, "euclidean 0x3p-1", diagonal, "0 none", "d 1 1 1"),
+        case("the metrics differ, no direction of max", 1, "max 0x3p-1", diagonal, "0 none", "d 1 1 1"),
+        case("the metrics differ, contact at 0", 0, "max 0x3p-1", diagonal, "0 contact 0 0", *BOTH),
+        case("the metrics differ, no contact at 0", 1, "euclidean 0x3p-1", diagonal, "0 contact 0 0", *BOTH),
+        case("contact at 0, exactly D", 0, "euclidean 1", apart, "0 contact 0 0", *BOTH),
+        case("contact at 0, exactly D, max", 0, "max 1", apart, "0 contact 0 0", *BOTH),
+        case("contact at 0, D too small", 1, f"euclidean {word(1 - TINY)}", apart, "0 contact 0 0", *BOTH),
+        case("contact at 0, D too small, max", 1, f"max {word(1 - TINY)}", apart, "0 contact 0 0", *BOTH),
+        case("contact at 0, D too small, max, the other side", 1, f"max {word(1 - TINY)}",
+             still(ORIGIN, (1, 0, 0)), "0 contact 0 0", *BOTH),
+        case("contact at 0, claimed at 1", 1, "max 1", apart, "0 contact 1 1", WEST, *BOTH),
+        case("contact at 0, with a piece", 1, "max 1", apart, "0 contact 0 0", WEST, *BOTH),
+        case("contact before the least double", 0, "euclidean 1", soon, f"0 {at_once}", WEST, root, *BOTH),
+        case("contact before the least double, max", 0, "max 1", soon, f"0 {at_once}", WEST, root, *BOTH),
+        case("contact before the least double, no piece", 1, "max 1", soon, f"0 {at_once}", root, *BOTH),
+        case("none", 0, f"euclidean {word(1 - TINY)}", apart, "0 none", WEST),
+        case("none, the other sign", 0, f"euclidean {word(1 - TINY)}", apart, "0 none", "d 1 0 0"),
+        case("none, max", 0, f"max {word(1 - TINY)}", apart, "0 none", WEST),
+        case("none, max, the other sign", 0, f"max {word(1 - TINY)}", apart, "0 none", "d 1 0 0"),
+        case("contact at 0, D too small, max, along z", 1, f"max {word(1 - TINY)}", still(ORIGIN, (0, 0, 1)),
+             "0 contact 0 0", *BOTH),
+        case("contact at 0, D too small, max, along -y", 1, f"max {word(1 - TINY)}", still(ORIGIN, (0, -1, 0)),
+             "0 contact 0 0", *BOTH),
+        *(fast_case(f"{name}, {metric}", status, metric, *numbers) for metric in ("euclidean", "max")
+          for name, status, *numbers in [
+              ("within D from LOW to HIGH", 0, Fraction(1, 16), Fraction(-1, 16), Fraction(1, 8)),
+              ("within D at LOW, not at the root", 1, HALF, 0, 1),
+              ("within D at HIGH, not at the root", 1, -HALF, -1, 0),
+              ("within D at the root, not proved", 1, 0, Fraction(-1, 16), 1),
+              ("LOW before T", 1, Fraction(1, 16), -2, Fraction(1, 8)),
+              ("HIGH after U", 1, Fraction(1, 16), Fraction(-1, 16), 4)]),
+        case("T is the contact", 1, "euclidean 0x1p-1", passing, f"0 {soon_after_half}", WEST,
+             f"root {word(-1 - Fraction(1, 1 << 53))} 2", *BOTH),
+        case("none within D", 1, "euclidean 1", still(ORIGIN, (-HALF, 0, 0)), "0 none", WEST),
+        case("none within D, max", 1, "max 1", still(ORIGIN, (-HALF, 0, 0)), "0 none", WEST),
+        case("zero at the end of a piece that is not the last one", 1, "max 0x1p-1", passing,
+             "0 contact 0x3p-2 0x3p-2", f"{WEST} to 0x1p-1", WEST, *BOTH),
+        case("zero at the end of a piece before another direction", 1, "max 1", along_x(-2, 0, y=2),
+             "0 none", f"{WEST} to 0x1p-1", "d 0 1 0"),
+        case("another NUMBER", 1, "max 0x1p-1", apart, "1 none", WEST),
+        case("NUMBER with a leading zero", 1, "max 0x1p-1", apart, "00 none", WEST),
+        case("none, three pieces", 0, "euclidean 0x1p-1", over, "0 none", *pieces),
+        case("none, three pieces, max", 0, "max 0x1p-1", over, "0 none", *pieces),
+        case("none, three pieces, D too large", 1, "max 0x3p-2", over, "0 none", *pieces),
+        case("none, pieces swapped", 1, "max 0x1p-1", over, "0 none", "d 0 1 0 to 0x5p-4",
+             "d -1 0 0 to 0xbp-4", pieces[2]),
+        case("none, a piece widened", 1, "max 0x1p-1", over, "0 none", "d -1 0 0 to 0xbp-4", pieces[2]),
+        case("none at the distance D", 1, "euclidean 1", apart, "0 none", WEST),
+        case("none at the distance D, max", 1, "max 1", apart, "0 none", WEST),
+        case("none, a direction of mixed signs", 1, "max 0x1p-1", still(ORIGIN, (1, 0, 0)), "0 none", "d 1 -1 0"),
+        case("none, a zero direction", 1, "euclidean 0x1p-1", apart, "0 none", "d 0 0 0"),
+        case("none, a zero direction, max", 1, "max 0x1p-1", apart, "0 none", "d 0 0 0"),
+        case("none, exception only at a contact", 1, "max 1", along_x(-2, -1), "0 none", WEST),
+    ]
+
+
+def corner_cases():
+    """Edges and faces."""
+    crossing = rows([(-1, 0, 0), (1, 0, 0), (0, -1, 1), (0, 1, 1)], [(-1, 0, 0), (1, 0, 0), (0, -1, -2), (0, 1, -2)])
+    four = ("w 0 1", "w 1 1", "w 2 1", "w 3 1")
+    triangle = [ORIGIN, (4, 0, 0), (0, 4, 0)]
+    falling = rows([(1, 1, 2)] + triangle, [(1, 1, -1)] + triangle)
+    inside = ("w 0 1", "w 1 2", "w 2 1", "w 3 1")
+    slope = [(1, 0, 0), (0, 1, 0), (0, 0, 1)]
+    sliding = rows([(2, 2, 2)] + slope, [ORIGIN] + slope)
+    centre = ("w 0 1", "w 1 1", "w 2 1", "w 3 1")
+    edge = [ORIGIN, (2, 0, 0)]
+    landing = rows([(1, 2, 0)] + edge, [ORIGIN[:1] + (0, 0)] + edge)
+    between = still(ORIGIN, (-1, 0, 0), (1, 0, 0))
+    after = contact(Fraction(7, 24))
+    slide = contact(Fraction(7, 12))
+    return [
+        one("edge-edge", 0, "euclidean 0x1p-2", "edge-edge", crossing, "0 contact 0x1p-2 0x1p-2", "n", *four),
+        one("edge-edge, max", 0, "max 0x1p-2", "edge-edge", crossing, "0 contact 0x1p-2 0x1p-2", "n", *four),
+        one("edge-edge, T < U", 0, "euclidean 0x1p-3", "edge-edge", crossing, "0 " + after, "n", "root -7 24", *four),
+        one("edge-edge, T < U, max", 0, "max 0x1p-3", "edge-edge", crossing, "0 " + after, "d 0 0 1", "root -7 24",
+            *four),
+        one("edge-edge, a point of the element too far", 1, "max 0x1p-3", "edge-edge", crossing, "0 " + after, "n",
+            "root -7 24", "w 0 1", "w 2 1", "w 3 1"),
+        one("edge-edge, D = 0", 1, "", "edge-edge", crossing, "0 " + after, "n", "root -7 24", *four),
+        one("edge-edge, none", 1, "euclidean 0x1p-3", "edge-edge", crossing, "0 none", "n"),
+        one("vertex-face", 0, "euclidean 0x1p-1", "vertex-face", falling, "0 contact 0x1p-1 0x1p-1", "n", *inside),
+        one("vertex-face, max", 0, "max 0x1p-1", "vertex-face", falling, "0 contact 0x1p-1 0x1p-1", "n", *inside),
+        one("vertex-face, a negative weight", 1, "max 0x1p-1", "vertex-face", falling, "0 contact 0x1p-1 0x1p-1", "n",
+            "w 0 1", "w 1 6", "w 2 -1", "w 3 -1"),
+        one("vertex-face, none", 0, f"euclidean {word(1 - TINY)}", "vertex-face",
+            rows([(1, 1, 2)] + triangle, [(1, 1, 1)] + triangle), "0 none", "n"),
+        one("vertex-face, none at the distance D", 1, "euclidean 1", "vertex-face",
+            rows([(1, 1, 2)] + triangle, [(1, 1, 1)] + triangle), "0 none", "n"),
+        one("slope, max", 0, "max 0x1p-1", "vertex-face", sliding, "0 " + slide, "n", "root -7 12", *centre),
+        one("slope, the times of max for euclidean", 1, "euclidean 0x1p-1", "vertex-face", sliding, "0 " + slide, "n",
+            "root -7 12", *centre),
+        one("point-edge", 0, "euclidean 1", "point-edge", landing.replace("0,1,0,1,0,1,0\n0,1,0,1,0,1,0\n2,",
+            "1,1,0,1,0,1,0\n0,1,0,1,0,1,0\n2,"), "0 contact 0x1p-1 0x1p-1", "d 0 -1 0", "w 0 1", "w 1 1", "w 2 1"),
+        one("point-edge, n", 1, "euclidean 1", "point-edge", landing, "0 none", "n"),
+        one("point-edge, corners on both sides", 1, "euclidean 0x1p-1", "point-edge", between, "0 none", "d 1 0 0"),
+        one("point-edge, corners on both sides, max", 1, "max 0x1p-1", "point-edge", between, "0 none", "d 1 0 0"),
+        one("point-edge, contact at 0 by a weight alone", 0, "euclidean 1", "point-edge", between, "0 contact 0 0",
+            "w 0 1", "w 2 1"),
+        one("point-edge, no weight of an element", 1, "euclidean 1", "point-edge", between, "0 contact 0 0", "w 0 1"),
+    ]
+
+
+def line_cases():
+    """The line `separation` itself."""
+    apart = still(ORIGIN, (-1, 0, 0))
+    none = ["0 none", WEST]
+    good = proof_of(("max 0x1p-1", "point-point", none), end="1 0")
+    cases = [(name, status, good.replace("separation max 0x1p-1", line), [apart]) for name, status, line in [
+        ("spaces", 0, "  separation  max   0x8p-4  "),
+        ("a comment after the line", 0, "separation max 0x1p-1\n \t# comment\n"),
+        ("carriage return", 0, "separation max 0x1p-1\r"),
+        ("zero", 1, "separation max 0"),
+        ("zero with an exponent", 1, "separation euclidean 0x0p5"),
+        ("negative", 1, "separation max -1"),
+        ("no D", 1, "separation max"),
+        ("no metric", 1, "separation 0x1p-1"),
+        ("another metric", 1, "separation sum 0x1p-1"),
+        ("upper case", 1, "separation Max 0x1p-1"),
+        ("a word too many", 1, "separation max 0x1p-1 0x1p-1"),
+        ("twice", 1, "separation max 0x1p-1\nseparation max 0x1p-1"),
+        ("no number", 2, "separation max half"),
+        ("a decimal point", 2, "separation max 0.5"),
+        ("the least exponent", 0, "separation max 0x1p-20000"),
+        ("an exponent beyond the limits", 2, "separation max 0x1p-20001"),
+        ("as many digits as there may be", 0, f"separation max 0x{4095 * '0'}8p-4"),
+        ("more digits than there may be", 2, f"separation max 0x{4096 * '0'}8p-4"),
+    ]]
+    touching = still(ORIGIN, (-HALF, 0, 0))
+    blocks = ("max 0x1p-1", "point-point", none), ("", "point-point", none)
+    cases += [
+        ("one file of two", 0, proof_of(*blocks, end="2 0"), [apart, touching]),
+        ("not the file before", 1, proof_of(*blocks[::-1], end="2 0"), [apart, touching]),
+        ("the second file", 0, proof_of(*blocks[::-1], end="2 0"), [touching, apart]),
+        ("after the file line", 1, good.replace("separation max 0x1p-1\n", "").replace(
+            "- f\n", "- f\nseparation max 0x1p-1\n"), [apart]),
+        ("before the end", 1, good.replace("end", "separation max 1\nend"), [apart]),
+        ("before the first line", 2, "separation max 1\n" + good, [apart]),
+    ]
+    return [("separation: " + name, *rest) for name, *rest in cases]
+
+
+# A point falls on a triangle that is fixed, and an edge comes near to both. Vertex 6 is a point far off.
+FALL = """touchstone-motion 1
+vertices 7
+face 0 1 2
+point 3
+edge 4 5
+point 6
+fixed 0
+fixed 1
+fixed 2
+frame
+0 0 0
+4 0 0
+0 4 0
+1 1 2
+-1 1 5
+2 1 5
+90 0 0
+frame
+0 0 0
+4 0 0
+0 4 0
+1 1 1
+-1 1 4
+2 1 4
+90 0 0
+frame
+0 0 0
+4 0 0
+0 4 0
+1 1 -1
+-1 1 0x14p-4
+2 1 0x14p-4
+90 0 0
+"""
+
+FALL_PROOF = """touchstone-proofs 1
+separation euclidean 0x1p-1
+file mesh - fall
+step 0
+step 1
+0 contact 0x1p-2 0x1p-2
+n
+w 0 1
+w 1 2
+w 2 1
+w 3 1
+1 none
+d 0 0 1
+end 2 1
+"""
+
+PAIR = "1 none\nd 0 0 1\n"
+
+
+def crowd(lines=""):
+    """Two edges, four points and a face. They rest; all pairs that are near have boxes 1 apart along some axis.
+
+    Point 0 is a corner of an edge, point 3 one of the face.
+    """
+    points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0), (0, 0, 1), (1, 0, 1), (0, 0, 2), (1, 0, 2), (0, 1, 2)]
+    frame = "frame\n" + "".join(" ".join(map(str, point)) + "\n" for point in points)
+    elements = "edge 3 2\npoint 2\npoint 5\nedge 0 1\npoint 4\nface 6 7 8\npoint 6\n"
+    return "touchstone-motion 1\nvertices 9\n" + elements + lines + 2 * frame
+
+
+# The proofs for D = 1 and the metric euclidean: elements at the distance 1 by their closest corners.
+CROWD_PAIRS = [
+    ["contact 0 0", "w 0 1", "w 3 1"],  # edges 0 and 1
+    ["contact 0 0", "w 0 1", "w 2 1"],  # point 1 and the face
+    ["contact 0 0", "w 0 1", "w 1 1"],  # point 2 and the face
+    ["none", "d 0 1 -1"],  # point 1 and edge 0
+    ["contact 0 0", "w 0 1", "w 2 1"],  # point 1 and edge 1
+    ["none", "d 0 1 -1"],  # point 2 and edge 0
+    ["contact 0 0", "w 0 1", "w 1 1"],  # point 2 and edge 1
+    ["contact 0 0", *BOTH],  # points 1 and 2
+    ["none", "d -1 0 1"],  # points 1 and 3
+    ["contact 0 0", *BOTH],  # points 2 and 3
+]
+
+
+def crowd_proof(pairs, separation="euclidean 1"):
+    lines = ["step 0"]
+    for number, (answer, *rest) in enumerate(pairs):
+        lines += [f"{number} {answer}"] + rest
+    contacts = sum(pair[0] != "none" for pair in pairs)
+    return proof_of((separation, "mesh", lines), end=f"{len(pairs)} {contacts}")
+
+
+def motion_cases():
+    def motion(name, text, proof=FALL_PROOF, status=2):
+        return name, status, proof, [text]
+
+    def edited(name, old, new, status=1):
+        assert old in FALL_PROOF, old
+        return name, status, FALL_PROOF.replace(old, new), [FALL]
+
+    def broken(name, old, new, status=2):
+        assert old in FALL, old
+        return name, status, FALL_PROOF, [FALL.replace(old, new, 1)]
+
+    first, _, second = FALL_PROOF.partition("step 1\n")[2].partition("1 none")
+    other = "1" + first[1:]
+    swapped = FALL_PROOF.replace(first + PAIR, "0" + PAIR[1:] + other)
+    last_frame = FALL[FALL.rindex("frame"):]
+    empty = "touchstone-motion 1\nvertices 0\nframe\nframe\n"
+    nothing = proof_of(("", "mesh", ["step 0"]), end="0 0")
+    less = "euclidean " + word(1 - TINY)
+    faces_last = CROWD_PAIRS[:1] + CROWD_PAIRS[3:] + CROWD_PAIRS[1:3]
+    by_edge = CROWD_PAIRS[:3] + [CROWD_PAIRS[i] for i in (3, 5, 4, 6)] + CROWD_PAIRS[7:]
+    query = rows([ORIGIN, (-2, 0, 0)], [ORIGIN, (1, 0, 0)])
+    both = proof_of(("max 1", "point-point", ["0 none", WEST]), ("", "mesh", ["step 0"]), end="1 0")
+    return [("motion: " + name, *rest) for name, *rest in [
+        motion("accepted", FALL, status=0),
+        motion("lines with carriage returns", FALL.replace("\n", "\r\n"), status=0),
+        motion("comments and blank lines", FALL.replace("frame\n", " \t# a frame\n\n  frame  \n"), status=0),
+        motion("no line feed at the end", FALL[:-1], status=0),
+        edited("max", "euclidean", "max", 0),
+        edited("no separation", "separation euclidean 0x1p-1\n", ""),
+        edited("more separation, more pairs", "0x1p-1", "1"),
+        edited("a piece of a pair dropped", "n\n", ""),
+        edited("a pair dropped", PAIR, ""),
+        edited("a pair dropped, and counted", PAIR + "end 2", "end 1"),
+        edited("a pair in another step", "step 1\n", "0 none\nd 0 0 1\nstep 1\n"),
+        edited("a pair doubled", "end 2", "2 none\nd 0 0 1\nend 3"),
+        edited("pairs counted through", "step 0\n", "step 0\n0 none\nd 0 0 1\n"),
+        ("pairs swapped", 1, swapped, [FALL]),
+        edited("step 0 dropped", "step 0\n", ""),
+        edited("step 1 dropped", "step 1\n", ""),
+        edited("a step more", "end", "step 2\nend"),
+        edited("step 0 doubled", "step 0\n", "step 0\nstep 0\n"),
+        edited("steps swapped", "step 0\nstep 1\n", "step 1\nstep 0\n"),
+        edited("steps from 1 on", "step 0\nstep 1\n", "step 1\nstep 2\n"),
+        edited("a leading zero", "step 1", "step 01"),
+        edited("a word too many", "step 1", "step 1 1"),
+        edited("wrong count of queries", "end 2 1", "end 1 1"),
+        edited("wrong count of contacts", "end 2 1", "end 2 0"),
+        edited("a contact denied", first, "0 none\nn\n"),
+        edited("another time", "0x1p-2 0x1p-2", "0x1p-1 0x1p-1"),
+        edited("another kind", "file mesh", "file vertex-face", 2),
+        broken("one frame", FALL[FALL.index("frame"):FALL.rindex("frame")], ""),
+        motion("no frame", FALL[:FALL.index("frame")]),
+        motion("a query file", query),
+        motion("nothing", ""),
+        broken("another version", "touchstone-motion 1", "touchstone-motion 2"),
+        broken("no number of vertices", "vertices 7", "vertices"),
+        broken("vertices with a leading zero", "vertices 7", "vertices 07"),
+        broken("vertices with a sign", "vertices 7", "vertices +7"),
+        broken("more vertices than lines", "vertices 7", "vertices 8"),
+        broken("fewer vertices than lines", "vertices 7", "vertices 6"),
+        broken("very many vertices", "vertices 7", "vertices 1" + 30 * "0"),
+        broken("2^30 vertices", "vertices 7", f"vertices {1 << 30}"),
+        broken("an edge without an end", "edge 4 5", "edge 4"),
+        broken("an edge of three vertices", "edge 4 5", "edge 4 5 6"),
+        broken("an edge of one vertex", "edge 4 5", "edge 4 4"),
+        broken("a face of two vertices", "face 0 1 2", "face 0 1 0"),
+        broken("no such vertex", "edge 4 5", "edge 4 7"),
+        broken("two lines for a point", "point 3\n", "point 3\npoint 3\n"),
+        broken("two lines for a fixed vertex", "fixed 1\n", "fixed 1\nfixed 1\n"),
+        broken("a fixed vertex that moves", "fixed 2\n", "fixed 2\nfixed 3\n"),
+        broken("another sort of element", "edge 4 5", "volume 4 5"),
+        broken("an element after the frames", last_frame, last_frame + "point 0\n"),
+        broken("a coordinate too few", "-1 1 4", "-1 1"),
+        broken("a coordinate too many", "-1 1 4", "-1 1 4 0"),
+        broken("a coordinate that is no number", "-1 1 4", "-1 1 four"),
+        broken("a decimal point", "-1 1 4", "-1 1 4.0"),
+        broken("a vertex too few", "-1 1 4\n", ""),
+        broken("a frame too short at the end", "90 0 0\n" + FALL[-1:] * 0, ""),
+        broken("a fixed vertex written in another way", "4 0 0", "0x1p2 0 0", 0),
+        broken("a point of the face, which shares its vertex", "point 6", "point 6\npoint 0", 0),
+        broken("two edges alike", "edge 4 5", "edge 4 5\nedge 5 4", 1),  # two pairs with the point
+        broken("a fixed vertex that rests", "fixed 2\n", "fixed 2\nfixed 6\n", 0),
+        motion("nothing moves, nothing is there", empty, nothing, 0),
+        motion("all kinds, boxes D apart", crowd(), crowd_proof(CROWD_PAIRS), 0),
+        motion("all kinds, boxes more than D apart", crowd(), crowd_proof([], less), 0),
+        motion("all kinds, pairs that are too far", crowd(), crowd_proof(CROWD_PAIRS, less), 1),
+        motion("all kinds, no pairs", crowd(), crowd_proof([]), 1),
+        motion("faces after edges", crowd(), crowd_proof(faces_last), 1),
+        motion("sorted by the second element", crowd(), crowd_proof(by_edge), 1),
+        motion("both edges are fixed", crowd("fixed 0\nfixed 1\nfixed 2\nfixed 3\n"), crowd_proof(CROWD_PAIRS[1:]), 0),
+        motion("both edges are fixed, with their pair", crowd("fixed 0\nfixed 1\nfixed 2\nfixed 3\n"),
+               crowd_proof(CROWD_PAIRS), 1),
+        motion("one corner is not fixed", crowd("fixed 0\nfixed 1\nfixed 2\n"), crowd_proof(CROWD_PAIRS), 0),
+        motion("a point that becomes a corner of an edge", crowd("edge 6 8\n"), crowd_proof(CROWD_PAIRS), 1),
+        ("after a query file", 0, both, [still(ORIGIN, (-2, 0, 0)), empty]),
+        ("files in another order", 2, both, [empty, still(ORIGIN, (-2, 0, 0))]),
+    ]]
+
+
+def all_cases():
+    return point_point_cases() + corner_cases() + line_cases() + motion_cases()
+
+
+def by_page(proof, files):
+    """The exit status of check_proofs.py and its last line or its complaint."""
+    named = [(io.BytesIO(text.encode()), f"file {i}") for i, text in enumerate(files)]
+    try:
+        queries, contacts = check_proofs.check(io.BytesIO(proof.encode()), "proof", named)
+    except check_proofs.Rejected as reason:
+        return 1, str(reason)
+    except check_proofs.BadInput as reason:
+        return 2, str(reason)
+    return 0, f"{queries} queries checked: {contacts} contacts, {queries - contacts} without contact"
+
+
+def by_program(program, proof, files, folder):
+    paths = [os.path.join(folder, name) for name in ["proof"] + [f"file{i}" for i in range(len(files))]]
+    for path, text in zip(paths, [proof] + files):
+        with open(path, "w", newline="") as stream:
+            stream.write(text)
+    done = subprocess.run([program] + paths, capture_output=True, text=True, timeout=60, check=False)
+    return done.returncode, (done.stdout if done.returncode == 0 else done.stderr).strip().split("\n")[-1]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--checker", help="the other checker")
+    arguments = parser.parse_args()
+    failures = []
+    cases = all_cases()
+    with tempfile.TemporaryDirectory() as folder:
+        for name, status, proof, files in cases:
+            found, text = by_page(proof, files)
+            if found != status:
+                failures.append(f"{name}: check_proofs.py ends with {found}, and not with {status}: {text}\n{proof}")
+            elif found == 0 and claims(proof) != truths(proof, files):
+                failures.append(f"{name}: an answer is not true\n{proof}")
+            if arguments.checker:
+                other, other_text = by_program(arguments.checker, proof, files, folder)
+                if other != status or other == 0 and other_text != text:
+                    failures.append(f"{name}: {arguments.checker} ends with {other}, and not with {status}: "
+                                    f"{other_text}\n{proof}")
+    for failure in failures:
+        print(failure, file=sys.stderr)
+    counts = [sum(status == s for _, status, _, _ in cases) for s in (0, 1, 2)]
+    print(f"{len(cases)} small cases: {counts[0]} proofs hold, {counts[1]} do not, {counts[2]} errors; "
+          f"{len(failures)} wrong verdicts")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
