@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <touchstone/answer.hpp>
@@ -26,6 +29,33 @@ Answer solve(const CurvedQuery& query, double t_max = 1.0);
 /// The same by the method of your choice. Method::oracle is an independent decider over CGAL's algebraic kernel.
 /// @throws InvalidQuery  also for a value that is none of Method's
 Answer solve(const CurvedQuery& query, Method method, double t_max = 1.0);
+
+/// Whether the two elements touch at any t in [0, t_max]: the `contact` of solve(query, t_max).
+/// @throws InvalidQuery  as solve(query, t_max)
+bool solve_any(const CurvedQuery& query, double t_max = 1.0);
+
+/// The answers to many curved queries, in input order. They are the same for any number of threads.
+/// @param queries  the queries, of one kind or of several
+/// @param options  how they are answered; the vectors' width has no effect
+/// @return answers[i] for queries[i]
+/// @throws InvalidQuery  for options without meaning or with a separation, or naming the index of the first query
+///                       without meaning
+std::vector<Answer> solve_batch(const std::vector<CurvedQuery>& queries, const BatchOptions& options = {});
+
+/// The same into the caller's memory. When it throws, no answer is valid.
+/// @param queries  the first of `count` queries
+/// @param count    the number of queries
+/// @param answers  room for `count` answers; answers[i] becomes the answer to queries[i]
+/// @param options  how they are answered; the vectors' width has no effect
+/// @throws InvalidQuery  for options without meaning or with a separation, or naming the index of the first query
+///                       without meaning
+void solve_batch(const CurvedQuery* queries, std::size_t count, Answer* answers, const BatchOptions& options = {});
+
+/// The unit normal at the first contact, as contact_normal(Query) defines it for d = 0. Its distance from the true unit
+/// vector is less than 2^-49.
+/// @return the normal; nothing without a contact, where n = 0, or where the kind has no n
+/// @throws InvalidQuery  as solve(query, t_max)
+std::optional<std::array<double, 3>> contact_normal(const CurvedQuery& query, double t_max = 1.0);
 
 /// All times in [0, t_max] at which the two elements touch: ascending and disjoint closed intervals, exactly.
 /// @throws InvalidQuery  as solve(query, t_max)

@@ -121,13 +121,7 @@ std::optional<std::array<double, 3>> unit_vector(const Direction& v, const RealR
 }
 
 template <class Q>
-std::optional<std::array<double, 3>> normal_of(const Q& query, double t_max, const Separation& separation) {
-  const Corners x = corners_of(query);
-  if (separation.distance > 0) {
-    const auto [answer, time] = decide_with_time(query, t_max, separation);
-    if (!time) return std::nullopt;
-    return unit_vector(between_closest_points(x, answer, query.kind, Moment::at(*time)), *time);
-  }
+std::optional<std::array<double, 3>> touching_normal(const Q& query, const Corners& x, double t_max) {
   if (query.kind != Kind::edge_edge && query.kind != Kind::vertex_face) return std::nullopt;
   const std::vector<RootInterval> times = touching_times(query, t_max);
   if (times.empty()) return std::nullopt;
@@ -135,6 +129,17 @@ std::optional<std::array<double, 3>> normal_of(const Q& query, double t_max, con
   const Plane plane = plane_of(query.kind, x);
   const bool turned = !plane.coplanarity.is_zero() && Moment::just_before(time).sign(plane.coplanarity) < 0;
   return unit_vector(turned ? negative(plane.n) : plane.n, time);
+}
+
+template <class Q>
+std::optional<std::array<double, 3>> normal_of(const Q& query, double t_max, const Separation& separation) {
+  const Corners x = corners_of(query);
+  if (separation.distance > 0) {
+    const auto [answer, time] = decide_with_time(query, t_max, separation);
+    if (!time) return std::nullopt;
+    return unit_vector(between_closest_points(x, answer, query.kind, Moment::at(*time)), *time);
+  }
+  return touching_normal(query, x, t_max);
 }
 
 }  // namespace
@@ -145,6 +150,11 @@ std::optional<std::array<double, 3>> contact_normal(const Query& query, double t
 std::optional<std::array<double, 3>> contact_normal(const RationalQuery& query, double t_max,
                                                     const Separation& separation) {
   return normal_of(query, t_max, separation);
+}
+
+// At each time the corners are multiplied by one positive number, which turns no normal.
+std::optional<std::array<double, 3>> contact_normal(const CurvedQuery& query, double t_max) {
+  return touching_normal(query, moving_corners<AnyDegree>(query), t_max);
 }
 
 }  // namespace touchstone::exact

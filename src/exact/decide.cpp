@@ -153,9 +153,9 @@ void describe(const Elements& elements, Story& story) {
   }
 }
 
-template <class Q>
+template <class N, class Q>
 Story tell(const Q& query, double t_max) {
-  return with_elements<Exact>(query, [&](const auto& elements) {
+  return with_elements<N>(query, [&](const auto& elements) {
     Story story;
     describe(elements, story);
     story.answer = first_contact(elements, Exact(t_max), &story);
@@ -189,8 +189,9 @@ Answer decide_exactly(const CurvedQuery& query, double t_max) {
   return first_contact_in<AnyDegree>(query, t_max);
 }
 
-Story explain(const Query& query, double t_max) { return tell(query, t_max); }
-Story explain(const RationalQuery& query, double t_max) { return tell(query, t_max); }
+Story explain(const Query& query, double t_max) { return tell<Exact>(query, t_max); }
+Story explain(const RationalQuery& query, double t_max) { return tell<Exact>(query, t_max); }
+Story explain(const CurvedQuery& query, double t_max) { return tell<AnyDegree>(query, t_max); }
 
 std::vector<RootInterval> touching_times(const Query& query, double t_max) {
   return touching_times_of_any<Exact>(query, t_max);

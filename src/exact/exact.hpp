@@ -35,6 +35,9 @@ std::optional<std::array<double, 3>> contact_normal(const Query& query, double t
 std::optional<std::array<double, 3>> contact_normal(const RationalQuery& query, double t_max,
                                                     const Separation& separation);
 
+/// The same for touching.
+std::optional<std::array<double, 3>> contact_normal(const CurvedQuery& query, double t_max);
+
 /// V(t) within a relative error of 2^-50 and with its exact sign, for edge-edge and vertex-face queries and
 /// 0 <= t <= 1. A value that underflows is the least double of its sign; one that overflows is infinite.
 double coplanarity_at(const Query& query, double t);
@@ -72,6 +75,7 @@ struct Story {
 };
 Story explain(const Query& query, double t_max);
 Story explain(const RationalQuery& query, double t_max);
+Story explain(const CurvedQuery& query, double t_max);
 
 /// The same for contact within a separation > 0.
 Story explain(const Query& query, double t_max, const Separation& separation);

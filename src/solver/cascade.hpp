@@ -2,6 +2,7 @@
 #pragma once
 
 #include <touchstone/answer.hpp>
+#include <touchstone/curved_query.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/solve.hpp>
 
@@ -25,5 +26,9 @@ TOUCHSTONE_BEHIND_GUARD bool any_contact(const Query& query, double t_max);
 /// The same for contact within a separation, which is valid. @throws InvalidQuery the same
 TOUCHSTONE_BEHIND_GUARD Answer answer(const Query& query, const Separation& separation, Method method, double t_max);
 TOUCHSTONE_BEHIND_GUARD bool any_contact(const Query& query, const Separation& separation, double t_max);
+
+/// The same for curved queries. @throws InvalidQuery  also naming the first corner or motion without meaning
+TOUCHSTONE_BEHIND_GUARD Answer answer(const CurvedQuery& query, Method method, double t_max);
+TOUCHSTONE_BEHIND_GUARD bool any_contact(const CurvedQuery& query, double t_max);
 
 }  // namespace touchstone::solver

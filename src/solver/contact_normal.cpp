@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <touchstone/contact_normal.hpp>
 
+#include <touchstone/curved.hpp>
 #include <touchstone/error.hpp>
 
 #include "exact/exact.hpp"
@@ -30,6 +31,12 @@ std::optional<std::array<double, 3>> contact_normal(const Query& query, const Se
 std::optional<std::array<double, 3>> contact_normal(const RationalQuery& query, const Separation& separation,
                                                     double t_max) {
   return normal_of(query, separation, t_max);
+}
+
+std::optional<std::array<double, 3>> contact_normal(const CurvedQuery& query, double t_max) {
+  const numbers::DefaultFloatEnvironment environment;
+  solver::validate(query, t_max);
+  return exact::contact_normal(query, t_max);
 }
 
 }  // namespace touchstone

@@ -1,5 +1,6 @@
 // Many queries, on one thread or several: the same answers in the same order.
 // SPDX-License-Identifier: MIT
+#include <touchstone/curved.hpp>
 #include <touchstone/error.hpp>
 #include <touchstone/solve.hpp>
 
@@ -157,6 +158,23 @@ void solve_batch(const QueryColumns& queries, Answer* answers, const BatchOption
       answer_columns(prove, first, last, answers, answer_one);
     }
   });
+}
+
+void solve_batch(const CurvedQuery* queries, std::size_t count, Answer* answers, const BatchOptions& options) {
+  validate_options(options);
+  if (has_separation(options)) {
+    throw InvalidQuery("there is a separation; curved queries have none, so the distance must be 0");
+  }
+  const auto query_at = [queries](std::size_t i) -> const CurvedQuery& { return queries[i]; };
+  answer_all(count, options, query_at, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) answers[i] = solver::answer(queries[i], options.method, options.t_max);
+  });
+}
+
+std::vector<Answer> solve_batch(const std::vector<CurvedQuery>& queries, const BatchOptions& options) {
+  std::vector<Answer> answers(queries.size());
+  solve_batch(queries.data(), queries.size(), answers.data(), options);
+  return answers;
 }
 
 std::vector<Answer> solve_batch(const std::vector<Query>& queries, const BatchOptions& options) {

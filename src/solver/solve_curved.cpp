@@ -5,14 +5,15 @@
 #include "filters/curved_paths.hpp"
 #include "numbers/float_environment.hpp"
 #include "oracle/oracle.hpp"
+#include "solver/cascade.hpp"
 #include "solver/validate.hpp"
 
 namespace touchstone {
+namespace solver {
 
-Answer solve(const CurvedQuery& query, Method method, double t_max) {
-  const numbers::DefaultFloatEnvironment environment;
-  solver::validate_method(method);
-  solver::validate(query, t_max);
+Answer answer(const CurvedQuery& query, Method method, double t_max) {
+  validate_method(method);
+  validate(query, t_max);
   const bool by_cgal = method == Method::oracle || method == Method::fast_cgal;
   if ((method == Method::fast || method == Method::fast_cgal) && filters::certainly_apart(query)) {
     Answer apart;
@@ -24,6 +25,23 @@ Answer solve(const CurvedQuery& query, Method method, double t_max) {
   return answer;
 }
 
+bool any_contact(const CurvedQuery& query, double t_max) {
+  validate(query, t_max);
+  return !filters::certainly_apart(query) && exact::decide_exactly(query, t_max).contact;
+}
+
+}  // namespace solver
+
+Answer solve(const CurvedQuery& query, Method method, double t_max) {
+  const numbers::DefaultFloatEnvironment environment;
+  return solver::answer(query, method, t_max);
+}
+
 Answer solve(const CurvedQuery& query, double t_max) { return solve(query, Method::fast, t_max); }
+
+bool solve_any(const CurvedQuery& query, double t_max) {
+  const numbers::DefaultFloatEnvironment environment;
+  return solver::any_contact(query, t_max);
+}
 
 }  // namespace touchstone
