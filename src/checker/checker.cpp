@@ -2,9 +2,7 @@
 // and computes with integers only. docs/proofs.md defines the format, and says why a checked proof implies its answer.
 //
 //   g++ -O2 -std=c++17 -I. checker/checker.cpp -lgmpxx -lgmp -o touchstone-check      (in the folder src)
-//   touchstone-check PROOFS QUERY_FILE...
 //
-// Exit status: 0 every proof holds, 1 some proof does not, 2 bad usage or a file that cannot be read.
 // The checks are signs and divisibility. So the coordinates of a query, the coefficients of a direction, and those of a
 // polynomial are integers here: each group is multiplied by a positive number, which changes no sign.
 // SPDX-License-Identifier: MIT
@@ -136,8 +134,8 @@ class Checker {
                      std::to_string(contacts_) + ", after the proofs of the last query file");
     }
     if (next()) throw expected("the end of the file, after the line \"end\"");
-    std::printf("%llu queries checked: %llu contacts, %llu without contact\n", queries_, contacts_,
-                queries_ - contacts_);
+    std::printf("%s checked: %s, %llu without contact\n", counted(queries_, "query", "queries").c_str(),
+                counted(contacts_, "contact", "contacts").c_str(), queries_ - contacts_);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw BadInput("standard output cannot be written");
   }
 
@@ -164,7 +162,7 @@ class Checker {
     next();
     std::string steps;
     if (kind == kKinds.end()) {
-      steps = " in " + std::to_string(check_motion(name)) + " steps";
+      steps = " in " + counted(check_motion(name), "step", "steps");
     } else {
       Lines queries(name);
       query_.kind = *kind;
@@ -173,8 +171,8 @@ class Checker {
       }
     }
     // The proofs say which kind the queries are, and which separation they have, so a person must see both.
-    std::printf("%s: %llu %s queries%s%s\n", name.c_str(), queries_ - before, kind_name.c_str(), steps.c_str(),
-                separation_.text.c_str());
+    const std::string count = counted(queries_ - before, kind_name + " query", kind_name + " queries");
+    std::printf("%s: %s%s%s\n", name.c_str(), count.c_str(), steps.c_str(), separation_.text.c_str());
   }
 
   /// The separation of the next file, which is zero without a line of its own.
@@ -274,8 +272,6 @@ class Checker {
     x *= c.numerator;
   }
 
-  // ---- Pieces ----
-
   /// A list of pieces that cover [0, toi_]; if `open`, the elements may meet at the end.
   void check_pieces(bool open) {
     from_ = {0, 0};
@@ -360,8 +356,6 @@ class Checker {
     set_bernstein(bernstein_, p, interval_);
     return have_sign(bernstein_, sign, zeros_from);
   }
-
-  // ---- Meetings ----
 
   /// At a time between toi_ and upper_, a weighted point of one element is within the separation of one of the other.
   void check_meeting(bool is_double) {
@@ -482,9 +476,14 @@ class Checker {
 }  // namespace checker
 
 int main(int argc, char** argv) {
-  if (argc < 3) {
-    std::fprintf(stderr, "usage: touchstone-check PROOFS QUERY_FILE...\n");
-    return 2;
+  const bool help = argc > 1 && (std::string_view(argv[1]) == "--help" || std::string_view(argv[1]) == "-h");
+  if (help || argc < 3) {
+    std::fputs("usage: touchstone-check PROOFS FILE...\n", help ? stdout : stderr);
+    std::fputs(
+        "Checks the proofs of `touchstone prove` against their query files or motion files, in their order.\n"
+        "Exit status: 0 every proof holds, 1 some proof does not, 2 bad usage or a file that cannot be read.\n",
+        help ? stdout : stderr);
+    return help ? 0 : 2;
   }
   try {
     checker::Checker(argv[1]).run(std::vector<std::string>(argv + 2, argv + argc));

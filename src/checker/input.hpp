@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <limits>
 #include <numeric>
@@ -38,6 +40,11 @@ inline std::string quoted(std::string_view word) {
   return text + (word.size() > 40 ? "...\"" : "\"");
 }
 
+/// "1 step", "2 steps"
+inline std::string counted(std::uint64_t number, const std::string& one, const std::string& several) {
+  return std::to_string(number) + " " + (number == 1 ? one : several);
+}
+
 // ---- Lines and words ------------------------------------------------------------------------------------------------
 
 using Words = std::vector<std::string_view>;
@@ -46,7 +53,7 @@ using Words = std::vector<std::string_view>;
 class Lines {
  public:
   explicit Lines(std::string name) : name_(std::move(name)), file_(name_, std::ios::binary), buffer_(kLongestLine + 2) {
-    if (!file_) throw BadInput(name_ + ": cannot be opened for reading");
+    if (!file_) throw BadInput(name_ + ": cannot be opened for reading: " + std::strerror(errno));
   }
   /// Splits the next line into the words between spaces, or the columns between commas. They stay in place until the
   /// next call. @returns false at the end of the file, without words
@@ -76,7 +83,7 @@ class Lines {
   bool next_of_all(std::string_view& line) {
     // The buffer holds the longest line, a carriage return, and the zero that getline puts at the end.
     file_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
-    if (file_.bad()) throw BadInput(name_ + ": cannot be read to its end");
+    if (file_.bad()) throw BadInput(name_ + ": cannot be read to its end: " + std::strerror(errno));
     auto length = static_cast<std::size_t>(file_.gcount());
     if (file_.eof() && length == 0) return false;
     ++number_;
@@ -451,7 +458,6 @@ class MotionFile {
     std::sort(row.begin(), row.end(), [&](const Element& a, const Element& b) { return a.low[axis] < b.low[axis]; });
     std::vector<std::uint32_t> farthest;  // the greatest reach of a box and those before it
     for (const Element& b : row) farthest.push_back(std::max(b.reach[axis], farthest.empty() ? 0 : farthest.back()));
-
     std::vector<const Element*> partners;
     for (const Element& a : first) {
       partners.clear();

@@ -178,6 +178,7 @@ TEST_CASE("mesh --prove: folders and options that are refused, and runs that lea
   folder.write("full/file", "mine");
   folder.write("leftover/motion.txt.touchstone-1.partial", "of a process that was killed");
   fs::create_directory(folder.path("empty"));
+  fs::create_symlink("nowhere", folder.path("link"));
   const auto names = folder.names();
   const auto check_refused = [&](const std::vector<std::string>& arguments, const std::string& part) {
     const Run refused = run_program(arguments);
@@ -191,6 +192,8 @@ TEST_CASE("mesh --prove: folders and options that are refused, and runs that lea
   check_refused({"mesh", "--prove", full, frames[0], frames[1]}, "full: holds file; the motion and its proofs go into");
   check_refused({"mesh", "--prove", full, "--report", folder.path("report.json"), frames[0], frames[1]}, "full: holds");
   check_refused({"mesh", "--prove", there, frames[0], frames[1]}, "f-0.obj");
+  check_refused({"mesh", "--prove", folder.path("link"), frames[0], frames[1]},
+                "link: is a link to nowhere, which does not exist; make that folder, or remove the link");
   CHECK(folder.read("full/file") == "mine");
   CHECK((folder.read("f-0.obj") == needle_frame(kSide, rising_tip(0))));
   check_refused({"mesh", "--prove", fresh, "--check", frames[0]}, "--check");

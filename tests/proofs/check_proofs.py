@@ -228,14 +228,14 @@ def read_query(lines, kind, metric, separation):
     split, count = KINDS[kind]
     rows = []
     while lines.line is not None and len(rows) < 2 * count:
-        fields = [field.strip(b" ") for field in lines.line.split(b",")]
+        fields = [field.strip(b" \t") for field in lines.line.split(b",")]
         if len(fields) != 7 or not all(QUERY_NUMBER.fullmatch(field) for field in fields):
             raise BadInput(f"{lines.place()}: a row has seven integers of at most {MAX_QUERY_DIGITS} digits")
         row = [int(field) for field in fields]
         if min(row[1], row[3], row[5]) <= 0:
             raise BadInput(f"{lines.place()}: a denominator is not positive")
         rows.append(row)
-        if row[6] not in (0, 1) or row[6] != rows[0][6]:
+        if fields[6] not in (b"0", b"1") or row[6] != rows[0][6]:
             raise BadInput(f"{lines.place()}: the truth is 0 or 1, the same in all rows of a query")
         lines.advance()
     if not rows:
@@ -579,10 +579,15 @@ def opened(names):
             yield stream, name
 
 
+def counted(number, one, several):
+    return f"{number} {one if number == 1 else several}"
+
+
 def print_header(name, kind, counts, metric, separation):
-    steps = f" in {len(counts)} steps" if kind == b"mesh" else ""
+    steps = " in " + counted(len(counts), "step", "steps") if kind == b"mesh" else ""
     text = f" with separation {metric.decode()} {separation.decode()}" if metric else ""
-    print(f"{name}: {sum(queries for queries, _ in counts)} {kind.decode()} queries{steps}{text}")
+    count = counted(sum(queries for queries, _ in counts), f"{kind.decode()} query", f"{kind.decode()} queries")
+    print(f"{name}: {count}{steps}{text}")
 
 
 def main(arguments):
@@ -598,7 +603,8 @@ def main(arguments):
     except (BadInput, OSError) as reason:
         print(f"check_proofs.py: {reason}", file=sys.stderr)
         return 2
-    print(f"{queries} queries checked: {contacts} contacts, {queries - contacts} without contact")
+    print(f"{counted(queries, 'query', 'queries')} checked: {counted(contacts, 'contact', 'contacts')}, "
+          f"{queries - contacts} without contact")
     return 0
 
 

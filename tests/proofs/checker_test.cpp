@@ -51,7 +51,7 @@ void accept(const std::string& kind, const std::string& query, const Lines& line
   const CheckerRun run = check_texts(proofs, {query});
   INFO(proofs << query << run.text);
   CHECK(run.status == 0);
-  CHECK(run.text.find("1 queries checked: ") != std::string::npos);
+  CHECK(run.text.find("1 query checked: ") != std::string::npos);
 }
 void refuse_with(int status, const std::string& message, const std::string& proofs,
                  const std::vector<std::string>& files) {
@@ -61,7 +61,7 @@ void refuse_with(int status, const std::string& message, const std::string& proo
   INFO(proofs.substr(0, 2000) << all << run.text);
   CHECK(run.status == status);
   CHECK(run.text.find(message) != std::string::npos);
-  CHECK(run.text.find(" queries checked: ") == std::string::npos);
+  CHECK(run.text.find(" checked: ") == std::string::npos);
 }
 void reject(const std::string& message, const std::string& kind, const std::string& query, const Lines& lines,
             const std::string& separation = "") {
@@ -354,7 +354,7 @@ TEST_CASE("a separation: its line") {
   const CheckerRun run = check_texts(proofs_of(kPoints, proof, "max 0x1p-3"), {kApart});
   INFO(run.text);
   CHECK(run.status == 0);
-  CHECK(run.text.find("1 point-point queries with separation max 0x1p-3\n") != std::string::npos);
+  CHECK(run.text.find("1 point-point query with separation max 0x1p-3\n") != std::string::npos);
 }
 
 TEST_CASE("a separation belongs to one file") {
@@ -472,4 +472,21 @@ TEST_CASE("files that cannot be read, and a wrong call") {
     CHECK(run.status == (words.back() == 'x' ? 1 : 2));
     CHECK_FALSE(run.text.empty());
   }
+  const auto text_of = [](const std::string& words) { return run_checker(words).text; };
+  CHECK(text_of(folder.path("no.txt") + " x") ==
+        "touchstone-check: " + folder.path("no.txt") + ": cannot be opened for reading: No such file or directory\n");
+  CHECK(text_of(folder.path("") + " x") ==
+        "touchstone-check: " + folder.path("") + ": cannot be read to its end: Is a directory\n");
+}
+
+TEST_CASE("a person who asks for help gets it on standard output") {
+  for (const char* option : {"--help", "-h"}) {
+    const CheckerRun run = run_checker(std::string(option) + " 2>/dev/null #");
+    CHECK(run.status == 0);
+    CHECK(run.text.rfind("usage: touchstone-check PROOFS FILE...\n", 0) == 0);
+    CHECK(run.text.find("Exit status: 0 ") != std::string::npos);
+  }
+  const CheckerRun silent = run_checker("2>/dev/null #");  // a wrong call writes it to standard error
+  CHECK(silent.status == 2);
+  CHECK(silent.text.empty());
 }

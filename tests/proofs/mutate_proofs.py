@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: MIT
 """Changes proofs, separations and motions, and checks that no checker accepts a proof of a false answer.
 
-    mutate_proofs.py [--checker PROGRAM] [--mutants N] [--jobs N] [--seconds N] [PROOFS FILE...]
+    mutate_proofs.py [--checker PROGRAM [--many PROGRAM]] [--mutants N] [--jobs N] [--seconds N] [PROOFS FILE...]
 
-The checker is check_proofs.py, or the PROGRAM. Some forged proofs of false answers come first. Then the given proofs,
+The checker is check_proofs.py, or the PROGRAM. A process for each mutant costs more than the checks, so --many names
+the program of checks.cpp, which does them in one process. One mutant of a hundred goes to the first program too, whose
+exit status must be the same. Some forged proofs of false answers come first. Then the given proofs,
 and those of small_cases.py, become *cases*: a query with its proof, or a small part of a motion with its proofs. Each
 mutation below changes each case some times, N in total. An accepted mutant must be true: exact_truth.py says what it
 claims, and what is true of its files and separations, which may have changed too. The same arguments give the same
@@ -19,6 +21,7 @@ import os
 import random
 import re
 import struct
+import subprocess
 import sys
 import tempfile
 import time
@@ -787,9 +790,11 @@ SORTS = [(b"edge", b"edge"), (b"point", b"face"), (b"point", b"edge"), (b"point"
 class Checker:
     """check_proofs.py or a program."""
 
-    def __init__(self, program, folder):
-        self.program, self.folder = program, folder
-        self.process, self.written = None, {}
+    SAMPLE = 100  # one of so many mutants has a process of its own too
+
+    def __init__(self, program, many, folder):
+        self.program, self.many, self.folder = program, many, folder
+        self.process, self.written, self.server, self.count = None, {}, None, 0
         self.environment = dict(os.environ)
 
     def status(self, proof, contents):
@@ -804,18 +809,40 @@ class Checker:
             except check_proofs.BadInput:
                 return 2
         if self.process != os.getpid():  # each process has its own files
-            self.process, self.written = os.getpid(), {}
+            self.process, self.written, self.server = os.getpid(), {}, None
         paths = [os.path.join(self.folder, f"{self.process}-{i}") for i in range(len(contents) + 1)]
         for path, text in zip(paths, [proof] + contents):
             if self.written.get(path) != text:
                 with open(path, "w", newline="") as stream:
                     stream.write(text)
                 self.written[path] = text
-        # A process for each mutant: a program may stop at the first proof that does not hold.
+        if not self.many:
+            return self.status_of_process(paths)
+        status = self.status_of_many(paths)
+        self.count += 1
+        if self.count % self.SAMPLE == 0:
+            alone = self.status_of_process(paths)
+            if alone != status:
+                return f"{status}, but {alone} in a process of its own"
+        return status
+
+    def status_of_process(self, paths):
+        """Of a process for one mutant: a program may stop at the first proof that does not hold."""
         silent = [(os.POSIX_SPAWN_OPEN, stream, os.devnull, os.O_WRONLY, 0) for stream in (1, 2)]
         process = os.posix_spawn(self.program, [self.program] + paths, self.environment, file_actions=silent)
         status = os.waitpid(process, 0)[1]
         return os.WEXITSTATUS(status) if os.WIFEXITED(status) else -os.WTERMSIG(status)
+
+    def status_of_many(self, paths):
+        if not self.server:
+            self.server = subprocess.Popen([self.many], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        self.server.stdin.write("\t".join(paths).encode() + b"\n")
+        self.server.stdin.flush()
+        answer = self.server.stdout.readline()
+        if answer:
+            return int(answer)
+        server, self.server = self.server, None
+        return -abs(server.wait()) or "none"
 
 
 class Run:
@@ -887,6 +914,7 @@ def read_text(path):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--checker", help="the program that checks (default: check_proofs.py)")
+    parser.add_argument("--many", help="the program of checks.cpp, which checks many mutants (needs --checker)")
     parser.add_argument("--mutants", type=int, default=0, help="about how many (default: one a case and mutation)")
     parser.add_argument("--cases", type=int, default=0, help="at most so many of the given cases (default: all)")
     parser.add_argument("--parts", type=int, default=20, help="parts of each motion (default: 20)")
@@ -898,7 +926,10 @@ def main():
     arguments = parser.parse_args()
     memory = "/dev/shm"
     with tempfile.TemporaryDirectory(dir=memory if os.access(memory, os.W_OK) else None) as folder:
-        Run.checker = Checker(arguments.checker and os.path.abspath(arguments.checker), folder)
+        programs = [program and os.path.abspath(program) for program in (arguments.checker, arguments.many)]
+        if arguments.many and not arguments.checker:
+            parser.error("--many goes with --checker")
+        Run.checker = Checker(*programs, folder)
         return run(arguments)
 
 

@@ -2,17 +2,18 @@
 # Both checkers accept the proofs of the bundled queries and of some motions, with and without a separation, and neither
 # accepts a changed proof of another answer.
 #
-#   second_checker.sh PROGRAM CHECKER QUERIES      QUERIES is the folder of the bundled queries
+#   second_checker.sh PROGRAM CHECKER CHECKS QUERIES
+#
+# CHECKS is the program of checks.cpp, and QUERIES the folder of the bundled queries.
 # SPDX-License-Identifier: MIT
 set -euo pipefail
-program=$1 checker=$2 queries=$3
+program=$1 checker=$2 checks=$3 queries=$4
 command -v python3 >/dev/null || { echo "skipped: no python3"; exit 77; }
 here=$(dirname -- "${BASH_SOURCE[0]}")
 folder=$(mktemp -d)
 trap 'rm -rf -- "$folder"' EXIT
 
-# Both checkers print the same, and no changed proof is accepted whose answer is false. A changed proof costs the first
-# checker a process of its own, so it gets fewer of them.
+# Both checkers print the same, and no changed proof is accepted whose answer is false.
 both_check() { # PROOFS FILE...
   local by_us by_page
   by_us=$("$checker" "$@")
@@ -20,7 +21,7 @@ both_check() { # PROOFS FILE...
   [[ $by_us == "$by_page" ]] || { diff <(echo "$by_us") <(echo "$by_page"); exit 1; }
   tail -n 1 <<<"$by_us"
   python3 -B "$here/mutate_proofs.py" --cases 300 "$@"
-  python3 -B "$here/mutate_proofs.py" --cases 20 --checker "$checker" "$@"
+  python3 -B "$here/mutate_proofs.py" --cases 60 --checker "$checker" --many "$checks" "$@"
 }
 
 files=("$queries"/{edge-edge,vertex-face,point-edge,point-point}/*.csv)

@@ -5,8 +5,8 @@
     small_cases.py [--checker PROGRAM]
 
 Each case is a file of proofs, its query files and motion files, and the exit status that the page asks for. The cases
-are about separations and motions. Without --checker only check_proofs.py is asked. An accepted proof is judged by
-exact_judge.py too: its answers must be true. The exit status is 0 if all verdicts are right.
+are about separations, query rows and motions. Without --checker only check_proofs.py is asked. An accepted proof is
+judged by exact_judge.py too: its answers must be true. The exit status is 0 if all verdicts are right.
 """
 
 import argparse
@@ -459,8 +459,45 @@ def motion_cases():
     ]]
 
 
+def row_cases():
+    """The words of a row: what may stand around and in them."""
+    row = "0,1,0,1,0,1,0\n"
+    apart = "-7,3,0,1,0,1,0\n"
+    text = row + apart + row + apart
+
+    def case(name, status, old, new):
+        assert old in text
+        return one("row: " + name, status, "", "point-point", text.replace(old, new, 1), "0 none", WEST)
+
+    return [
+        case("as it is", 0, row, row),
+        case("spaces and tabs around the numbers", 0, "-7,3,", " \t-7\t ,\t3 ,"),
+        case("a tab before the truth", 0, "1,0\n", "1,\t0\n"),
+        case("a tab after the truth", 0, "1,0\n", "1,0\t \n"),
+        case("a tab and a carriage return after the truth", 0, "1,0\n", "1,0\t\r\n"),
+        case("a carriage return and a tab after the truth", 2, "1,0\n", "1,0\r\t\n"),
+        case("two carriage returns", 2, "1,0\n", "1,0\r\r\n"),
+        case("a tab in a number", 2, "-7", "-\t7"),
+        case("another blank", 2, "-7", "\v-7"),
+        case("leading zeros of a coordinate", 0, "-7,3", "-007,03"),
+        case("a comment after a tab", 0, apart, "\t# a\n" + apart),
+        case("a line of a space and a tab", 0, apart, " \t\n" + apart),
+        case("truth 00", 2, "1,0\n", "1,00\n"),
+        case("truth 01 in all rows", 2, text, text.replace(",0\n", ",01\n")),
+        case("truth 1 in all rows, which no proof is about", 0, text, text.replace(",0\n", ",1\n")),
+        case("truth -0", 2, "1,0\n", "1,-0\n"),
+        case("truth 2 in all rows", 2, text, text.replace(",0\n", ",2\n")),
+        case("no truth", 2, "1,0\n", "1,\n"),
+        case("another truth", 2, "1,0\n", "1,1\n"),
+        case("a plus", 2, "-7", "+7"),
+        case("denominator -3", 2, "3", "-3"),
+        case("denominator 00", 2, "3", "00"),
+        case("a column more", 2, "1,0\n", "1,0,\n"),
+    ]
+
+
 def all_cases():
-    return point_point_cases() + corner_cases() + line_cases() + motion_cases()
+    return point_point_cases() + corner_cases() + line_cases() + row_cases() + motion_cases()
 
 
 def by_page(proof, files):
@@ -472,7 +509,8 @@ def by_page(proof, files):
         return 1, str(reason)
     except check_proofs.BadInput as reason:
         return 2, str(reason)
-    return 0, f"{queries} queries checked: {contacts} contacts, {queries - contacts} without contact"
+    counts = [check_proofs.counted(queries, "query", "queries"), check_proofs.counted(contacts, "contact", "contacts")]
+    return 0, f"{counts[0]} checked: {counts[1]}, {queries - contacts} without contact"
 
 
 def by_program(program, proof, files, folder):

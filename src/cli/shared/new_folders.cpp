@@ -13,7 +13,13 @@ void NewFolders::make(const std::filesystem::path& folder) {
     path /= part;
     std::error_code error;
     if (std::filesystem::create_directory(path, error)) made_.push_back(path);
-    if (error) io::fail(path.string(), "no folder can be made here: " + io::system_reason(error.value()));
+    if (!error) continue;
+    std::error_code ignored;
+    if (std::filesystem::is_symlink(path, ignored) && !std::filesystem::exists(path, ignored)) {
+      io::fail(path.string(), "is a link to " + io::printable(std::filesystem::read_symlink(path, ignored).string()) +
+                                  ", which does not exist; make that folder, or remove the link");
+    }
+    io::fail(path.string(), "no folder can be made here: " + io::system_reason(error.value()));
   }
 }
 

@@ -50,6 +50,12 @@ void ProvedQueries::add(const Input& input, const io::QueryRecord& record, const
 
 ProofFile::ProofFile(const std::string& path, const std::vector<Input>& inputs)
     : out_(path == "-" ? io::OutputFile::standard_output() : io::OutputFile(path)), inputs_(inputs) {
+  for (const Input& input : inputs) {
+    if (!input.bundled) continue;
+    io::fail(input.name,
+             "is inside the program, where touchstone-check cannot read it: proofs go with files. The bundled queries "
+             "are files in the source, in src/cli/queries");
+  }
   out_.write(proofs::kFirstLine);
 }
 

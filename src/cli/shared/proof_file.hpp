@@ -35,7 +35,7 @@ class ProvedQueries {
 class ProofFile {
  public:
   /// @param path  "-": standard output
-  /// @param inputs  the query files; they must outlive this object
+  /// @param inputs  the query files; they must outlive this object. @throws FileError  for a bundled one
   ProofFile(const std::string& path, const std::vector<Input>& inputs);
 
   /// Appends the next proofs. Each file's first ones begin its section.
