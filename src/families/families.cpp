@@ -4,6 +4,8 @@
 
 #include <sstream>
 
+#include <touchstone/error.hpp>
+
 #include "families/makers.hpp"
 
 namespace touchstone::families {
@@ -76,10 +78,53 @@ const std::vector<FamilyInfo>& all_families() {
   return all;
 }
 
-const FamilyInfo& info(Family family) { return all_families()[static_cast<std::size_t>(family)]; }
+const std::vector<FamilyInfo>& curved_families() {
+  constexpr Group kGroup = Group::curved;
+  static const std::vector<FamilyInfo> all{
+      {Family::curved_lattice, kGroup, "curved_lattice", "small integers: points, poses and control points", true},
+      {Family::gears, kGroup, "gears", "two bodies turn in a plane, or as prisms", true},
+      {Family::rod_tip, kGroup, "rod_tip", "the tip of a rod that turns grazes a wall, or just does not", false},
+      {Family::screw, kGroup, "screw", "bodies that turn about one axis and move along it", true},
+      {Family::coin, kGroup, "coin", "a coin that rolls on its rim", false},
+      {Family::turn_meets_start, kGroup, "turn_meets_start", "bodies that turn touch at t = 0", true},
+      {Family::turn_meets_half, kGroup, "turn_meets_half", "bodies that turn touch at t = 1/2", true},
+      {Family::turn_meets_end, kGroup, "turn_meets_end", "bodies that turn touch at t = 1", true},
+      {Family::pythagorean, kGroup, "pythagorean", "rational rotations at a dyadic time: corner on corner", true},
+      {Family::near_meeting, kGroup, "near_meeting", "contact at a dyadic time, a number off by an ulp", false},
+      {Family::tangent_turn, kGroup, "tangent_turn", "two tips that turn touch where their paths do", false},
+      {Family::turn_in_plane, kGroup, "turn_in_plane", "turns in a plane: a face's own, or one parallel", false},
+      {Family::turn_alike, kGroup, "turn_alike", "both elements on the same motion, or nearly", false},
+      {Family::straight_curves, kGroup, "straight_curves", "any straight query, written as curves", false},
+      {Family::ballistic, kGroup, "ballistic", "parabolas: a flight, and its apex against something", true},
+      {Family::spline, kGroup, "spline", "cubic curves that meet at a dyadic time", true},
+      {Family::large_turn, kGroup, "large_turn", "turns by nearly 180 or 360 degrees", false},
+      {Family::tiny_turn, kGroup, "tiny_turn", "turns by 1e-6 to 1e-24 radians", false},
+      {Family::long_quaternion, kGroup, "long_quaternion", "quaternions of extreme or unequal lengths", false},
+      {Family::curved_scale, kGroup, "curved_scale", "extreme lengths, uniform or mixed", false},
+      {Family::curved_random, kGroup, "curved_random", "full significands", false},
+      {Family::turning_bodies, kGroup, "turning_bodies", "bodies turn a few degrees near each other", false},
+  };
+  return all;
+}
+
+const FamilyInfo& info(Family family) {
+  const auto index = static_cast<std::size_t>(family);
+  const auto& straight = all_families();
+  return index < straight.size() ? straight[index] : curved_families()[index - straight.size()];
+}
+
+const FamilyInfo* find_family(std::string_view name) {
+  for (const auto* families : {&all_families(), &curved_families()}) {
+    for (const FamilyInfo& family : *families) {
+      if (family.name == name) return &family;
+    }
+  }
+  return nullptr;
+}
 
 Sample make_sample(Family family, Kind kind, Rng& rng) {
   using namespace makers;
+  if (is_curved(family)) throw InvalidQuery(std::string(info(family).name) + " has curved queries only");
   switch (family) {
     case Family::lattice1: return {lattice(kind, rng, 1), {}};
     case Family::lattice2: return {lattice(kind, rng, 2), {}};
@@ -161,6 +206,11 @@ Sample make_sample(const CaseId& id) {
   return make_sample(id.family, id.kind, rng);
 }
 
+CurvedSample make_curved(const CaseId& id) {
+  Rng rng = rng_of(id);
+  return make_curved(id.family, id.kind, rng);
+}
+
 Query make(const CaseId& id) { return make_sample(id).query; }
 
 Separated make_separated(const CaseId& id, Metric metric) {
@@ -178,11 +228,10 @@ std::optional<CaseId> parse_case(std::string_view text) {
   std::string family, kind;
   std::uint64_t seed = 0, index = 0;
   if (!(in >> family >> kind >> seed >> index)) return std::nullopt;
-  for (const FamilyInfo& candidate : all_families()) {
-    if (candidate.name != family) continue;
-    for (const Kind k : kKinds) {
-      if (kind_name(k) == kind) return CaseId{candidate.family, k, seed, index};
-    }
+  const FamilyInfo* const found = find_family(family);
+  if (found == nullptr) return std::nullopt;
+  for (const Kind k : kKinds) {
+    if (kind_name(k) == kind) return CaseId{found->family, k, seed, index};
   }
   return std::nullopt;
 }

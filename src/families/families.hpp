@@ -1,4 +1,4 @@
-// Seeded queries that are hard for solvers. Each family is degenerate, nearly degenerate or extreme in one way.
+// Seeded queries, straight and curved, that are hard for solvers. Each family is degenerate, nearly degenerate or extreme in one way.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include <touchstone/curved_query.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
@@ -77,11 +78,34 @@ enum class Family : std::uint8_t {
   gap_ulp,
   gap_lattice,
   gap_scale,
-  gap_extreme
+  gap_extreme,
+  // Of curved queries.
+  curved_lattice,
+  gears,
+  rod_tip,
+  screw,
+  coin,
+  turn_meets_start,
+  turn_meets_half,
+  turn_meets_end,
+  pythagorean,
+  near_meeting,
+  tangent_turn,
+  turn_in_plane,
+  turn_alike,
+  straight_curves,
+  ballistic,
+  spline,
+  large_turn,
+  tiny_turn,
+  long_quaternion,
+  curved_scale,
+  curved_random,
+  turning_bodies
 };
 
 /// The properties of a family.
-enum class Group : std::uint8_t { lattice, coplanar, contact, perturbed, scale, separation };
+enum class Group : std::uint8_t { lattice, coplanar, contact, perturbed, scale, separation, curved };
 
 struct FamilyInfo {
   Family family;
@@ -91,9 +115,17 @@ struct FamilyInfo {
   bool dyadic;             ///< coordinates are multiples of 2^-30 below 2^10: much arithmetic on them is exact
 };
 
-/// Every family, in the order of the enumeration.
+/// Every family of straight queries, in the order of the enumeration.
 const std::vector<FamilyInfo>& all_families();
+
+/// Those of curved queries, in the order of the enumeration, which has them after all others.
+const std::vector<FamilyInfo>& curved_families();
+
 const FamilyInfo& info(Family family);
+inline bool is_curved(Family family) { return info(family).group == Group::curved; }
+
+/// The family of that name, straight or curved; null when there is none.
+const FamilyInfo* find_family(std::string_view name);
 
 /// The kinds of query, in the order of the enumeration.
 constexpr std::array<Kind, 4> kKinds{Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point};
@@ -103,7 +135,7 @@ struct Sample {
   std::optional<double> touches_at;  ///< by construction the elements touch at this time, perhaps earlier too
 };
 
-/// The next query of a family. The caller's floating-point environment must be the default one.
+/// The next query of a family of straight queries. The caller's floating-point environment must be the default one.
 Sample make_sample(Family family, Kind kind, Rng& rng);
 Query make(Family family, Kind kind, Rng& rng);
 
@@ -119,6 +151,16 @@ struct Separated {
 /// @param metric  that of the separation
 Separated make_separated(Family family, Kind kind, Metric metric, Rng& rng);
 
+/// A curved query, and how much of the step it is asked about.
+struct CurvedSample {
+  CurvedQuery query;                 ///< valid
+  double t_max = 1;                  ///< in [0, 1]; most often 1
+  std::optional<double> touches_at;  ///< by construction the elements touch at this time <= t_max, perhaps earlier too
+};
+
+/// The next query of a family of curved queries. The caller's floating-point environment must be the default one.
+CurvedSample make_curved(Family family, Kind kind, Rng& rng);
+
 /// One seeded query that can be made again without the ones before it.
 struct CaseId {
   Family family;
@@ -129,6 +171,7 @@ struct CaseId {
 Sample make_sample(const CaseId& id);
 Query make(const CaseId& id);
 Separated make_separated(const CaseId& id, Metric metric);
+CurvedSample make_curved(const CaseId& id);
 
 /// The generator of a case, for a caller that needs more random numbers than the query has used.
 Rng rng_of(const CaseId& id);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "families/curved_parts.hpp"
 #include "families/families.hpp"
 #include "families/motion.hpp"
 #include "seeded/rng.hpp"
@@ -73,5 +74,33 @@ Separated gap_lattice(Kind kind, Metric metric, Rng& rng);
 Separated gap_scale(Kind kind, Metric metric, Rng& rng);
 Separated gap_extreme(Kind kind, Metric metric, Rng& rng);
 double drawn_distance(const Query& query, Metric metric, Rng& rng);  ///< for a query that has none of its own
+
+// curved_meetings.cpp
+CornerWeights dyadic_weights(std::size_t corners, Rng& rng, Where where);
+void meet_at_random(CurvedQuery& query, Rng& rng, double time, Where where);  ///< with random weights
+CurvedSample turn_meets(Kind kind, Rng& rng, double time, Where where);  ///< time: 0, 1 or a multiple of 1/8 between
+CurvedSample pythagorean(Kind kind, Rng& rng);
+CurvedSample near_meeting(Kind kind, Rng& rng);
+CurvedSample ballistic(Kind kind, Rng& rng);
+CurvedSample spline(Kind kind, Rng& rng);
+
+// curved_machines.cpp
+CurvedSample gears(Kind kind, Rng& rng);
+CurvedSample rod_tip(Kind kind, Rng& rng);
+CurvedSample screw(Kind kind, Rng& rng);
+CurvedSample coin(Kind kind, Rng& rng);
+CurvedSample tangent_turn(Kind kind, Rng& rng);
+CurvedSample turn_in_plane(Kind kind, Rng& rng);
+CurvedSample turning_bodies(Kind kind, Rng& rng);
+
+// curved_motions.cpp
+CurvedSample curved_lattice(Kind kind, Rng& rng);
+CurvedSample turn_alike(Kind kind, Rng& rng);
+CurvedSample straight_curves(Kind kind, Rng& rng);
+CurvedSample large_turn(Kind kind, Rng& rng);
+CurvedSample tiny_turn(Kind kind, Rng& rng);
+CurvedSample long_quaternion(Kind kind, Rng& rng);
+CurvedSample curved_scale(Kind kind, Rng& rng);
+CurvedSample curved_random(Kind kind, Rng& rng);
 
 }  // namespace touchstone::families::makers

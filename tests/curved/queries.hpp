@@ -4,8 +4,6 @@
 
 #include <array>
 #include <cmath>
-#include <initializer_list>
-#include <sstream>
 #include <string>
 
 #include <touchstone/curved_query.hpp>
@@ -193,30 +191,7 @@ inline CurvedQuery random_query(Kind kind, Rng& rng) {
   return query;
 }
 
-inline std::string text_of(const CurvedQuery& query) {
-  std::ostringstream text;
-  const auto write = [&](std::initializer_list<double> numbers) {
-    text << " {";
-    for (const double& x : numbers) text << (&x == numbers.begin() ? "" : ", ") << hexfloat(x);
-    text << "}";
-  };
-  text << kind_name(query.kind);
-  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
-    const CurvedCorner& corner = query.corners[i];
-    text << "\n  corner, motion " << corner.motion;
-    const int points = corner.motion == CurvedCorner::kOnCurve ? corner.control_points : 1;
-    for (int k = 0; k < points; ++k) {
-      const Vec3& x = corner.points[static_cast<std::size_t>(k)];
-      write({x.x, x.y, x.z});
-    }
-  }
-  for (const RigidMotion& motion : query.motions) {
-    text << "\n  motion";
-    for (const auto& q : {motion.q0, motion.q1}) write({q[0], q[1], q[2], q[3]});
-    for (const Vec3& p : {motion.p0, motion.p1}) write({p.x, p.y, p.z});
-  }
-  return text.str();
-}
+inline std::string text_of(const CurvedQuery& query) { return curved_text(query); }
 
 /// Makes a query of a kind.
 using Maker = CurvedQuery (*)(Kind kind, Rng& rng);

@@ -47,6 +47,36 @@ std::string cpp_initializer(const Query& query) {
          rows(query.end, count) + "}";
 }
 
+std::string curved_text(const CurvedQuery& query) {
+  const auto point = [](const Vec3& x) { return std::string(" ").append(listed('{', {x.x, x.y, x.z}, '}')); };
+  const auto quaternion = [](const std::array<double, 4>& q) {
+    std::string text(" {");
+    for (std::size_t i = 0; i < 4; ++i) text.append(i > 0 ? ", " : "").append(hexfloat(q[i]));
+    return text.append("}");
+  };
+  std::string text(kind_name(query.kind));
+  std::array<bool, 4> used{};
+  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+    const CurvedCorner& corner = query.corners[i];
+    text.append("\n  ").append(corner_name(query.kind, i));
+    if (corner.motion != CurvedCorner::kOnCurve) {
+      used[static_cast<std::size_t>(corner.motion)] = true;
+      text.append("  body ").append(std::to_string(corner.motion)).append(point(corner.points[0]));
+      continue;
+    }
+    text.append("  curve");
+    for (int k = 0; k < corner.control_points; ++k) text += point(corner.points[static_cast<std::size_t>(k)]);
+  }
+  for (std::size_t m = 0; m < used.size(); ++m) {
+    if (!used[m]) continue;
+    const RigidMotion& motion = query.motions[m];
+    text.append("\n  motion ").append(std::to_string(m)).append("  q0").append(quaternion(motion.q0));
+    text.append(" q1").append(quaternion(motion.q1));
+    text.append(" p0").append(point(motion.p0)).append(" p1").append(point(motion.p1));
+  }
+  return text;
+}
+
 std::string describe(const Answer& answer) {
   const std::string by = " by " + std::string(level_name(answer.level));
   if (!answer.contact) return "no contact" + by;
