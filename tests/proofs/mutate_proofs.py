@@ -730,7 +730,7 @@ def cases_of(file, parts):
     rows = [row for row in file.content.split("\n") if row.strip() and not row.strip().startswith("#")]
     cases = []
     for k, proof in enumerate(file.groups[0]):
-        content = "".join(row.replace(" ", "").strip() + "\n" for row in rows[count * k:count * (k + 1)])
+        content = "".join(re.sub(r"[ \t]", "", row).strip() + "\n" for row in rows[count * k:count * (k + 1)])
         cases.append(File(file.separation, file.kind, content, [[[["0"] + proof[0][1:]] + proof[1:]]]))
     return cases
 
