@@ -93,6 +93,7 @@ double shortest_of(const std::vector<Edge>& edges, const std::vector<char>& move
 Colliders::Colliders(const Scene& scene, const System& system, Keep keep) {
   faces_.reserve(scene.faces.size());
   for (const Facet& face : scene.faces) faces_.push_back(face.particles);
+  for (const Surface& surface : scene.surfaces) faces_.insert(faces_.end(), surface.faces.begin(), surface.faces.end());
   for (const Spring& spring : scene.springs) {
     if (spring.collides) edges_.push_back({spring.a, spring.b});
   }

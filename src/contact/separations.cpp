@@ -139,10 +139,13 @@ Radii::Radii(const Scene& scene, const std::vector<Edge>& edges) {
     }
   }
   for (const Wire& wire : scene.wires) add_edge(wire.particles[0], wire.particles[1], wire.radius);
-  for (const Facet& of_scene : scene.faces) {
-    face.push_back(of_scene.radius);
-    for (std::size_t k = 0; k < 3; ++k)
-      add_edge(of_scene.particles[k], of_scene.particles[(k + 1) % 3], of_scene.radius);
+  const auto add_face = [&](const Face& particles, double radius) {
+    face.push_back(radius);
+    for (std::size_t k = 0; k < 3; ++k) add_edge(particles[k], particles[(k + 1) % 3], radius);
+  };
+  for (const Facet& of_scene : scene.faces) add_face(of_scene.particles, of_scene.radius);
+  for (const Surface& surface : scene.surfaces) {
+    for (const Face& particles : surface.faces) add_face(particles, surface.radius);
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dynamics/components.hpp"
 
+#include <algorithm>
 #include <initializer_list>
 #include <numeric>
 
@@ -54,6 +55,8 @@ Components::Components(const System& system) {
   };
   for (const StretchElement& length : system.stretch_elements) join_all({length.a, length.b});
   for (const RodEdge& edge : system.edges) join_all({edge.a, edge.b});
+  for (const Membrane& membrane : system.cloth.membranes) join_all({membrane.p[0], membrane.p[1], membrane.p[2]});
+  for (const Hinge& hinge : system.cloth.hinges) join_all({hinge.p[0], hinge.p[1], hinge.p[2], hinge.p[3]});
   for (const Joint& joint : system.joints)
     join_all({joint.p[0], joint.p[1], joint.p[2], node_of_edge(joint.e), node_of_edge(joint.f)});
 
@@ -88,6 +91,16 @@ Components::Components(const System& system) {
     return first_known({of_particle[joint.p[0]], of_particle[joint.p[1]], of_particle[joint.p[2]], of_edge[joint.e],
                         of_edge[joint.f]});
   });
+  const auto sort_cloth = [&](const auto& elements, Members& members) {
+    members.sort(components, elements.size(), [&](Index i) {
+      const auto& p = elements[i].p;
+      const auto free =
+          std::find_if(p.begin(), p.end(), [&](Index particle) { return of_particle[particle] != kNone; });
+      return free == p.end() ? kNone : of_particle[*free];
+    });
+  };
+  sort_cloth(system.cloth.membranes, membranes);
+  sort_cloth(system.cloth.hinges, hinges);
   unknowns.assign(components, 0);
   for (std::size_t c = 0; c < components; ++c) {
     unknowns[c] = 3 * (particles.first[c + 1] - particles.first[c]);

@@ -27,7 +27,7 @@ struct Components {
   explicit Components(const System& system);
 
   std::vector<Index> of_particle;
-  Members particles, stretch_elements, edges, joints;
+  Members particles, stretch_elements, edges, joints, membranes, hinges;
   std::vector<Index> unknowns;     ///< of each component
   std::vector<Index> loose_edges;  ///< held ones, which have frames all the same
 };

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rods/cloth_energy.hpp"
 #include "rods/energy.hpp"
+#include "scene/features.hpp"
 
 namespace touchstone::sim {
 namespace {
@@ -31,9 +33,16 @@ Energies energies(const System& system, const State& state) {
   e.kinetic = 0.5 * (system.mass.array() * state.v.array().square()).sum();
   const auto lengths = static_cast<Eigen::Index>(system.stretch_elements.size());
   e.stretch = stored.head(lengths).sum();
-  for (Eigen::Index i = lengths; i < stored.size(); i += 3) {
+  const auto cloth = static_cast<Eigen::Index>(system.membrane_row(0));
+  for (Eigen::Index i = lengths; i < cloth; i += 3) {
     e.bend += stored[i] + stored[i + 1];
     e.twist += stored[i + 2];
+  }
+  if (kCloth && stored.size() > cloth) {
+    const auto hinges = static_cast<Eigen::Index>(system.hinge_row(0));
+    e.stretch += stored.segment(cloth, hinges - cloth).sum() +
+                 stretch_limit_energy(system, energy.strains(state.q, state.frames, state.time));
+    e.bend += stored.tail(stored.size() - hinges).sum();
   }
   e.load = -system.force.dot(state.q);
   return e;

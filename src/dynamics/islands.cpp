@@ -24,13 +24,19 @@ VectorX gathered(const VectorX& v, const SystemSubset& subset, const System& sys
 }
 
 VectorX gathered_strains(const VectorX& v, const SystemSubset& subset, const System& system) {
-  VectorX own(static_cast<Eigen::Index>(subset.stretch_elements.size() + 3 * subset.joints.size()));
+  VectorX own(static_cast<Eigen::Index>(subset.stretch_elements.size() + 3 * subset.joints.size() +
+                                        3 * subset.membranes.size() + subset.hinges.size()));
   Eigen::Index at = 0;
   for (const Index l : subset.stretch_elements) own[at++] = v[static_cast<Eigen::Index>(l)];
   for (const Index j : subset.joints) {
-    own.segment<3>(at) = v.segment<3>(static_cast<Eigen::Index>(system.stretch_elements.size() + 3 * std::size_t{j}));
+    own.segment<3>(at) = v.segment<3>(static_cast<Eigen::Index>(system.joint_row(j)));
     at += 3;
   }
+  for (const Index m : subset.membranes) {
+    own.segment<3>(at) = v.segment<3>(static_cast<Eigen::Index>(system.membrane_row(m)));
+    at += 3;
+  }
+  for (const Index h : subset.hinges) own[at++] = v[static_cast<Eigen::Index>(system.hinge_row(h))];
   return own;
 }
 
@@ -97,6 +103,8 @@ SystemSubset Islands::members_of(const Island& island, bool with_loose, const st
     components_.edges.append(c, own.edges);
     components_.stretch_elements.append(c, own.stretch_elements);
     components_.joints.append(c, own.joints);
+    components_.membranes.append(c, own.membranes);
+    components_.hinges.append(c, own.hinges);
   }
   if (with_loose) own.edges.insert(own.edges.end(), components_.loose_edges.begin(), components_.loose_edges.end());
   // Held particles and edges come along with the elements that lean on them.
@@ -125,6 +133,12 @@ SystemSubset Islands::members_of(const Island& island, bool with_loose, const st
     need(system_->stretch_elements[l].a);
     need(system_->stretch_elements[l].b);
   }
+  for (const Index m : own.membranes) {
+    for (const Index p : system_->cloth.membranes[m].p) need(p);
+  }
+  for (const Index h : own.hinges) {
+    for (const Index p : system_->cloth.hinges[h].p) need(p);
+  }
   for (const Index i : contacts) {
     for (std::size_t c = 0; c < stage.contacts[i].corners; ++c) need(stage.contacts[i].particles[c]);
   }
@@ -143,6 +157,7 @@ NewtonResult Islands::minimise_island(const Island& island, bool with_loose, con
   own_stage.time = stage.time;
   own_stage.tolerance = stage.tolerance;
   own_stage.strains.stiffness = gathered_strains(stage.strains.stiffness, own, *system_);
+  own_stage.strains.with_limits = stage.strains.with_limits;
   own_stage.strains.rest = gathered_strains(stage.strains.rest, own, *system_);
   std::vector<ContactTerm> terms;
   terms.reserve(contacts.size());

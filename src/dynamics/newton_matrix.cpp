@@ -28,6 +28,19 @@ NewtonMatrix::NewtonMatrix(const System& system, linear::PatternCache& cache, co
     }
     cliques.push_back(std::move(all));
   }
+  const auto add_cliques = [&](const auto& elements) {
+    for (const auto& element : elements) {
+      std::vector<int> all;
+      for (const Index p : element.p) {
+        for (Index c = 0; c < 3; ++c) all.push_back(free_[3 * p + c]);
+      }
+      cliques.push_back(std::move(all));
+    }
+  };
+  membrane_offset_ = cliques.size();
+  add_cliques(system.cloth.membranes);
+  hinge_offset_ = cliques.size();
+  add_cliques(system.cloth.hinges);
   solver_ = std::make_unique<linear::SparseSolver>(count, std::move(cliques), cache, cancel);
 }
 
@@ -59,6 +72,14 @@ void NewtonMatrix::stretch(std::size_t element, const Eigen::Matrix3d& block) {
 
 void NewtonMatrix::joint(std::size_t element, const JointMatrix& block) {
   solver_->add(joint_offset_ + element, block.data());
+}
+
+void NewtonMatrix::membrane(std::size_t element, const MembraneMatrix& block) {
+  solver_->add(membrane_offset_ + element, block.data());
+}
+
+void NewtonMatrix::hinge(std::size_t element, const HingeMatrix& block) {
+  solver_->add(hinge_offset_ + element, block.data());
 }
 
 VectorX NewtonMatrix::direction(const VectorX& gradient) const {

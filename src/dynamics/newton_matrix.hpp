@@ -26,6 +26,8 @@ class NewtonMatrix final : public BlockSink {
   void start(const VectorX& diagonal);
   void stretch(std::size_t element, const Eigen::Matrix3d& block) override;
   void joint(std::size_t element, const JointMatrix& block) override;
+  void membrane(std::size_t element, const MembraneMatrix& block) override;
+  void hinge(std::size_t element, const HingeMatrix& block) override;
   void contact(std::size_t number, const ContactTerm& term, const Eigen::Matrix3d& block) {
     solver_->add_contact(number, term.omega, block);
   }
@@ -38,7 +40,7 @@ class NewtonMatrix final : public BlockSink {
 
  private:
   std::vector<int> free_;  // the unknown of each coordinate, -1 for a fixed one
-  std::size_t joint_offset_ = 0;
+  std::size_t joint_offset_ = 0, membrane_offset_ = 0, hinge_offset_ = 0;
   std::size_t contact_count_ = 0;
   std::unique_ptr<linear::SparseSolver> solver_;
 };

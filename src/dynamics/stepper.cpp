@@ -86,6 +86,7 @@ VectorX Stepper::acceleration(const State& state) const {
   const VectorX strains = energy_.strains(state.q, state.frames, state.time);
   Strains damping{energy_.damped(strains, 1).stiffness - energy_.elastic().stiffness, strains};
   if (damping.stiffness.any()) {
+    damping.with_limits = false;  // their force is in the gradient already
     damping.rest -= energy_.strain_rates(state.q, state.v, state.frames, state.time);
     energy_.derivatives(state.q, state.frames, state.time, damping, Hessian::projected, gradient, nullptr);
   }

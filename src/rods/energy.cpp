@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rods/cloth_energy.hpp"
 #include "scene/features.hpp"
 
 namespace touchstone::sim {
@@ -40,6 +41,9 @@ VectorX Energy::elastic_stiffness() const {
     const Joint& joint = system_->joints[j];
     stiffness.segment<3>(joint_row(*system_, j)) << joint.bend, joint.bend, joint.twist;
   }
+  if (kCloth) {
+    for_each_cloth_strain(*system_, [&](Eigen::Index row, double k, double, double) { stiffness[row] = k; });
+  }
   return stiffness;
 }
 
@@ -51,6 +55,9 @@ Strains Energy::elastic() const {
   for (std::size_t j = 0; kRods && j < system_->joints.size(); ++j) {
     const auto& rest = system_->joints[j].rest;
     s.rest.segment<3>(joint_row(*system_, j)) << rest[0], rest[1], 0;
+  }
+  if (kCloth) {
+    for_each_cloth_strain(*system_, [&](Eigen::Index row, double, double rest, double) { s.rest[row] = rest; });
   }
   return s;
 }
@@ -73,6 +80,9 @@ Strains Energy::damped(const VectorX& base, double span) const {
     damp(row + 1, joint.damping * joint.bend);
     damp(row + 2, joint.damping * joint.twist);
   }
+  if (kCloth) {
+    for_each_cloth_strain(*system_, [&](Eigen::Index row, double k, double, double time) { damp(row, time * k); });
+  }
   return s;
 }
 
@@ -86,6 +96,7 @@ VectorX Energy::strains(const VectorX& q, const Frames& frames, double time) con
     const JointStrain strain = system_->joint_strain(system_->joints[j], q, frames, time);
     s.segment<3>(joint_row(*system_, j)) << strain.kappa1(), strain.kappa2(), strain.twist();
   }
+  if (kCloth) measure_cloth(*system_, q, s);
   return s;
 }
 
@@ -103,6 +114,7 @@ VectorX Energy::strain_rates(const VectorX& q, const VectorX& v, const Frames& f
     const JointVector local = gather(*system_, joint, v);
     rates.segment<3>(joint_row(*system_, j)) << k1.dot(local), k2.dot(local), m.dot(local);
   }
+  if (kCloth) measure_cloth_rates(*system_, q, v, rates);
   return rates;
 }
 
@@ -120,7 +132,8 @@ VectorX Energy::tensions_after(const VectorX& q, const Strains& strains, const V
 
 double Energy::value(const VectorX& q, const Frames& frames, double time, const Strains& strains) const {
   const VectorX s = this->strains(q, frames, time);
-  return 0.5 * (strains.stiffness.array() * (s - strains.rest).array().square()).sum();
+  const double parabolas = 0.5 * (strains.stiffness.array() * (s - strains.rest).array().square()).sum();
+  return kCloth && strains.with_limits ? parabolas + stretch_limit_energy(*system_, s) : parabolas;
 }
 
 void Energy::derivatives(const VectorX& q, const Frames& frames, double time, const Strains& strains, Hessian hessian,
@@ -156,6 +169,7 @@ void Energy::derivatives(const VectorX& q, const Frames& frames, double time, co
     if (hessian == Hessian::exact) strain.add_hessians(stress[0], stress[1], stress[2], block);
     sink->joint(j, block);
   }
+  if (kCloth) cloth_derivatives(*system_, q, strains, hessian, gradient, sink);
 }
 
 }  // namespace touchstone::sim

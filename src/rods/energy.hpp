@@ -13,6 +13,8 @@ class BlockSink {
  public:
   virtual void stretch(std::size_t element, const Eigen::Matrix3d& block) = 0;  ///< [block -block; -block block]
   virtual void joint(std::size_t element, const JointMatrix& block) = 0;
+  virtual void membrane(std::size_t element, const MembraneMatrix& block) = 0;
+  virtual void hinge(std::size_t element, const HingeMatrix& block) = 0;
 
  protected:
   ~BlockSink() = default;
@@ -23,6 +25,7 @@ class BlockSink {
 /// parabola again.
 struct Strains {
   VectorX stiffness, rest;
+  bool with_limits = true;  ///< of stretch, which have an energy beside these parabolas
 };
 
 /// The second derivatives as they are, or projected: without their terms that may be negative.
@@ -36,13 +39,15 @@ class Energy {
   /// @param base  strains at the beginning of the span  @param span  s
   Strains damped(const VectorX& base, double span) const;
 
-  /// All strains: the lengths of stretch elements, then kappa1, kappa2 and twist of each joint.
+  /// All strains: the lengths of stretch elements, then kappa1, kappa2 and twist of each joint, then
+  /// three of each membrane, and the bend of each hinge.
   VectorX strains(const VectorX& q, const Frames& frames, double time) const;
 
   /// The rates of the strains for velocities v, with frames that are carried along.
   VectorX strain_rates(const VectorX& q, const VectorX& v, const Frames& frames, double time) const;
 
-  /// The sum of 1/2 stiffness (strain - rest)^2. Not finite where an edge folds onto its neighbour.
+  /// The sum of 1/2 stiffness (strain - rest)^2 and of the limits of stretch. Not finite where an edge or triangle folds
+  /// onto its neighbour, or a limit is reached.
   double value(const VectorX& q, const Frames& frames, double time, const Strains& strains) const;
 
   /// Adds to `gradient`, and gives the second derivatives to `sink` unless it is null.

@@ -38,6 +38,7 @@ System::System(const Scene& scene) : particle_count_(scene.particles.size()) {
   for (const Spring& s : scene.springs)
     stretch_elements.push_back({s.a, s.b, s.stiffness, s.damping, s.rest_length, false});
   for (const Cable& cable : scene.cables) add_cable(cable);
+  for (const Surface& surface : scene.surfaces) append_elements(surface, placed_, particle_mass_, cloth);
   std::erase_if(followers_, [&](const Follower& f) { return scene.particles[f.leader].path.empty(); });
 
   particle_count_ = placed_.size();
@@ -78,6 +79,8 @@ System::System(const Scene& scene) : particle_count_(scene.particles.size()) {
   stretch_elements.shrink_to_fit();
   edges.shrink_to_fit();
   joints.shrink_to_fit();
+  cloth.membranes.shrink_to_fit();
+  cloth.hinges.shrink_to_fit();
 }
 
 System System::subset(const SystemSubset& members, const std::vector<Index>& local_particle,
@@ -101,6 +104,14 @@ System System::subset(const SystemSubset& members, const std::vector<Index>& loc
     for (Index& p : joint.p) p = local_particle[p];
     joint.e = local_edge[joint.e];
     joint.f = local_edge[joint.f];
+  }
+  for (const Index m : members.membranes) {
+    own.cloth.membranes.push_back(cloth.membranes[m]);
+    for (Index& p : own.cloth.membranes.back().p) p = local_particle[p];
+  }
+  for (const Index h : members.hinges) {
+    own.cloth.hinges.push_back(cloth.hinges[h]);
+    for (Index& p : own.cloth.hinges.back().p) p = local_particle[p];
   }
   own.mass.resize(own.size());
   own.force.resize(own.size());

@@ -7,6 +7,7 @@
 #include "rods/frames.hpp"
 #include "rods/joint.hpp"
 #include "scene/scene.hpp"
+#include "shells/surface_elements.hpp"
 
 namespace touchstone::sim {
 
@@ -43,7 +44,7 @@ struct DrivenAngle {
 
 /// Numbers of some of a system's elements, and of all particles and edges that these refer to.
 struct SystemSubset {
-  std::vector<Index> particles, edges, stretch_elements, joints;
+  std::vector<Index> particles, edges, stretch_elements, joints, membranes, hinges;
 };
 
 /// Coordinates q: three for each particle, then an angle for each rod edge.
@@ -60,7 +61,11 @@ class System {
   std::size_t particle_count() const noexcept { return particle_count_; }
   Eigen::Index size() const noexcept { return static_cast<Eigen::Index>(3 * particle_count_ + edges.size()); }
   Eigen::Index angle(Index edge) const noexcept { return static_cast<Eigen::Index>(3 * particle_count_ + edge); }
-  std::size_t strain_count() const noexcept { return stretch_elements.size() + 3 * joints.size(); }
+  std::size_t strain_count() const noexcept { return hinge_row(cloth.hinges.size()); }
+  // Of strains: the first of an element, in the order of Energy::strains.
+  std::size_t joint_row(std::size_t joint) const noexcept { return stretch_elements.size() + 3 * joint; }
+  std::size_t membrane_row(std::size_t membrane) const noexcept { return joint_row(joints.size()) + 3 * membrane; }
+  std::size_t hinge_row(std::size_t hinge) const noexcept { return membrane_row(cloth.membranes.size()) + hinge; }
 
   /// Sets the coordinates that are prescribed at this time: driven particles and driven angles.
   void prescribe(double time, VectorX& q) const;
@@ -77,6 +82,7 @@ class System {
   std::vector<StretchElement> stretch_elements;
   std::vector<RodEdge> edges;
   std::vector<Joint> joints;
+  SurfaceElements cloth;
   std::vector<DrivenAngle> driven_angles;
   VectorX mass;             ///< of each coordinate: kg, and kg m^2 for angles
   VectorX force;            ///< constant: gravity and the particles' own, N

@@ -31,6 +31,13 @@ constexpr bool kRods = false;
 constexpr bool kRods = true;
 #endif
 
+/// Cloth.
+#ifdef TOUCHSTONE_SIM_WITHOUT_CLOTH
+constexpr bool kCloth = false;
+#else
+constexpr bool kCloth = true;
+#endif
+
 /// Elements with a radius, which keep a distance from each other.
 #ifdef TOUCHSTONE_SIM_WITHOUT_SEPARATIONS
 constexpr bool kSeparations = false;

@@ -34,6 +34,13 @@ void set_material(Cable& cable, double young, double poisson, double radius, dou
   cable.twist = young / (2 * (1 + poisson)) * 2 * moment;
 }
 
+void set_material(Surface& surface, double young, double poisson, double thickness, double density) {
+  surface.stretch = young * thickness;
+  surface.poisson = poisson;
+  surface.bend = young * thickness * thickness * thickness / (12 * (1 - poisson * poisson));
+  surface.areal_density = density * thickness;
+}
+
 Cable straight_cable(Scene& scene, const Vector3& from, const Vector3& to, Index segments) {
   Cable cable;
   for (Index i = 0; i <= segments; ++i) {

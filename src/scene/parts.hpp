@@ -15,6 +15,9 @@ void add_spring(Scene& scene, Index a, Index b, double stiffness, double damping
 /// E A, E I and G J of a round section of an isotropic material, and its mass.
 void set_material(Cable& cable, double young, double poisson, double radius, double density);
 
+/// E h, D = E h^3 / (12 (1 - poisson^2)) and the mass of a sheet of an isotropic material with the thickness h.
+void set_material(Surface& surface, double young, double poisson, double thickness, double density);
+
 /// Free particles at equal distances, without velocity, as a cable still to be added to the scene.
 Cable straight_cable(Scene& scene, const Vector3& from, const Vector3& to, Index segments);
 

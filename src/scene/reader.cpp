@@ -12,6 +12,7 @@
 #include "json/json_node.hpp"
 #include "scene/parts.hpp"
 #include "scene/scene_file.hpp"
+#include "scene/surface_file.hpp"
 
 namespace touchstone::sim {
 namespace {
@@ -136,8 +137,12 @@ Element with_radius(const JsonNode& node) {
   return {indices_from<kCorners>(node.at("particles")), node.number_or("radius", 0)};
 }
 
-/// Triangles whose edges are springs at rest.
+/// Cloth, or triangles whose edges are springs at rest.
 void add_surface(Scene& scene, const JsonNode& node) {
+  if (is_cloth(node)) {
+    scene.surfaces.push_back(cloth_from(node));
+    return;
+  }
   node.check_keys({"faces", "stiffness", "damping", "radius"});
   const double radius = node.number_or("radius", 0);
   if (const std::string reason = wrong_radius(radius); !reason.empty()) node.at("radius").fail(reason);

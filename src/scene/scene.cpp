@@ -8,6 +8,8 @@
 
 #include <touchstone/error.hpp>
 
+#include "scene/surface_check.hpp"
+
 namespace touchstone::sim {
 
 std::string_view integrator_name(Integrator integrator) noexcept {
@@ -176,6 +178,11 @@ void check_lone_radii(const Scene& scene) {
   for (std::size_t i = 0; i < scene.faces.size(); ++i) {
     for (const Index p : scene.faces[i].particles) check(p, "faces", i);
   }
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    for (const Face& face : scene.surfaces[i].faces) {
+      for (const Index p : face) check(p, "surfaces", i);
+    }
+  }
 }
 
 }  // namespace
@@ -189,7 +196,7 @@ bool has_radii(const Scene& scene) {
   const auto any = [](const auto& elements) {
     return std::any_of(elements.begin(), elements.end(), [](const auto& element) { return element.radius > 0; });
   };
-  return any(scene.particles) || any(scene.springs) || any(scene.wires) || any(scene.faces) ||
+  return any(scene.particles) || any(scene.springs) || any(scene.wires) || any(scene.faces) || any(scene.surfaces) ||
          std::any_of(scene.cables.begin(), scene.cables.end(), [](const Cable& cable) { return cable.solid; });
 }
 
@@ -243,6 +250,13 @@ void check_scene(const Scene& scene) {
     check_indices(scene, path, "particles", scene.faces[i].particles);
     path.radius(scene.faces[i].radius);
     check_collide(scene, path, scene.faces[i].particles);
+  }
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    const Surface& surface = scene.surfaces[i];
+    check_surface(scene, i);
+    for (const Face& face : surface.faces) {
+      for (const Index p : face) has_mass[p] |= surface.areal_density > 0;
+    }
   }
   check_lone_radii(scene);
   for (std::size_t i = 0; i < scene.particles.size(); ++i) {

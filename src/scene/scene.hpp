@@ -83,6 +83,19 @@ struct Wire {
   bool operator==(const Wire&) const = default;
 };
 
+/// Cloth: triangles that stretch, shear, bend and collide. Its rest lengths are those of the initial positions.
+struct Surface {
+  std::vector<Face> faces;
+  double stretch = 0;         ///< N/m: Young's modulus times the thickness of the sheet
+  double poisson = 0.3;       ///< of stretching
+  double bend = 0;            ///< N m: E h^3 / (12 (1 - poisson^2)) of a sheet of thickness h; 0: it does not bend back
+  double areal_density = 0;   ///< kg/m^2
+  double damping = 0;         ///< s: internal stress is stiffness * (strain + damping * strain rate)
+  double strain_limit = 0;    ///< no principal stretch reaches 1 + this; 0: there is no limit
+  bool rest_is_bent = false;  ///< the bends at rest are those of the initial positions, and not zero
+  double radius = 0;          ///< m, in contacts: half the thickness that they keep
+};
+
 /// A face, which only collides.
 struct Facet {
   Face particles{};
@@ -126,6 +139,7 @@ struct Scene {
   std::vector<Cable> cables;
   std::vector<Wire> wires;
   std::vector<Facet> faces;
+  std::vector<Surface> surfaces;  ///< cloth; a surface of springs is springs and faces
 };
 
 constexpr std::size_t kMostParticles = 10'000'000;

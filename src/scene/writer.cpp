@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/scene_file.hpp"
+#include "scene/surface_file.hpp"
 
 namespace touchstone::sim {
 namespace {
@@ -113,6 +114,7 @@ std::string scene_to_json(const Scene& scene) {
   append(text, "cables", scene.cables, [](const Cable& cable) { return json_of(cable); });
   append(text, "wires", scene.wires, [](const Wire& wire) { return with_radius(wire); });
   append(text, "faces", scene.faces, [](const Facet& face) { return with_radius(face); });
+  if (!scene.surfaces.empty()) append(text, "surfaces", scene.surfaces, [](const Surface& s) { return json_of(s); });
   return text + "}\n";
 }
 

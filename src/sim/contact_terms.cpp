@@ -22,6 +22,28 @@ constexpr double kSettledFriction = 0.2;
 // m^2: keeps a division finite where a joint's neighbours coincide, and is lost beside any other square.
 constexpr double kTiny = 1e-300;
 
+/// Adds the blocks of the cloth's particles: those of its second derivatives without stress.
+void hold_cloth(const System& system, const VectorX& q, std::vector<Eigen::Matrix3f>& hold) {
+  const auto add = [&hold](const auto& particles, const auto& gradient, double stiffness) {
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      const Vector3 own = gradient.template segment<3>(3 * static_cast<Eigen::Index>(i));
+      hold[particles[i]] += (stiffness * own * own.transpose()).template cast<float>();
+    }
+  };
+  for (const Membrane& membrane : system.cloth.membranes) {
+    const MembraneStrain strain(membrane, position(q, membrane.p[0]), position(q, membrane.p[1]),
+                                position(q, membrane.p[2]));
+    const auto gradients = strain.gradients();
+    for (Eigen::Index k = 0; k < 3; ++k)
+      add(membrane.p, gradients.col(k), membrane.stiffness[static_cast<std::size_t>(k)]);
+  }
+  for (const Hinge& hinge : system.cloth.hinges) {
+    const HingeStrain strain(position(q, hinge.p[0]), position(q, hinge.p[1]), position(q, hinge.p[2]),
+                             position(q, hinge.p[3]));
+    add(hinge.p, strain.gradient(), hinge.stiffness);
+  }
+}
+
 }  // namespace
 
 ContactTerms::ContactTerms(const ResponseModel& model, const State& start, double h, double tolerance,
@@ -43,6 +65,7 @@ void ContactTerms::measure_hold() {
     hold_[element.a] += stiffness;
     hold_[element.b] += stiffness;
   }
+  hold_cloth(system, q, hold_);
   for (const Joint& joint : system.joints) {
     // A bend of one segment's length: the middle moves against both of its neighbours.
     const double length = 0.5 * (position(q, joint.p[2]) - position(q, joint.p[0])).norm();

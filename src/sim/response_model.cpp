@@ -42,6 +42,12 @@ ResponseModel::ResponseModel(const Colliders& colliders, const System& system, c
     stiffness_[element.a] += element.stiffness;
     stiffness_[element.b] += element.stiffness;
   }
+  for (const Membrane& membrane : system.cloth.membranes) {
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      stiffness_[membrane.p[static_cast<std::size_t>(i)]] +=
+          (membrane.stiffness[0] + membrane.stiffness[1]) * membrane.weights.row(i).squaredNorm();
+    }
+  }
 }
 
 double ResponseModel::inverse_mass(Index particle) const {

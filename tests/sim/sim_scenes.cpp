@@ -32,6 +32,29 @@ void DenseSink::joint(std::size_t element, const JointMatrix& block) {
   }
 }
 
+namespace {
+
+template <std::size_t N, class Block>
+void add_block(const std::array<Index, N>& particles, const Block& block, Eigen::MatrixXd& matrix) {
+  for (std::size_t a = 0; a < N; ++a) {
+    for (std::size_t b = 0; b < N; ++b) {
+      const auto row = static_cast<Eigen::Index>(3 * a), column = static_cast<Eigen::Index>(3 * b);
+      matrix.block<3, 3>(3 * static_cast<Eigen::Index>(particles[a]), 3 * static_cast<Eigen::Index>(particles[b])) +=
+          block.template block<3, 3>(row, column);
+    }
+  }
+}
+
+}  // namespace
+
+void DenseSink::membrane(std::size_t element, const MembraneMatrix& block) {
+  add_block(system_->cloth.membranes[element].p, block, matrix);
+}
+
+void DenseSink::hinge(std::size_t element, const HingeMatrix& block) {
+  add_block(system_->cloth.hinges[element].p, block, matrix);
+}
+
 double smallest_eigenvalue(const Eigen::MatrixXd& symmetric) {
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues().minCoeff();
 }

@@ -16,6 +16,8 @@ class DenseSink final : public BlockSink {
   explicit DenseSink(const System& system);
   void stretch(std::size_t element, const Eigen::Matrix3d& block) override;
   void joint(std::size_t element, const JointMatrix& block) override;
+  void membrane(std::size_t element, const MembraneMatrix& block) override;
+  void hinge(std::size_t element, const HingeMatrix& block) override;
 
   Eigen::MatrixXd matrix;
 
