@@ -38,7 +38,8 @@ System::System(const Scene& scene) : particle_count_(scene.particles.size()) {
   for (const Spring& s : scene.springs)
     stretch_elements.push_back({s.a, s.b, s.stiffness, s.damping, s.rest_length, false});
   for (const Cable& cable : scene.cables) add_cable(cable);
-  for (const Surface& surface : scene.surfaces) append_elements(surface, placed_, particle_mass_, cloth);
+  for (std::size_t i = 0; kCloth && i < scene.surfaces.size(); ++i)
+    append_elements(scene.surfaces[i], placed_, particle_mass_, cloth);
   std::erase_if(followers_, [&](const Follower& f) { return scene.particles[f.leader].path.empty(); });
 
   particle_count_ = placed_.size();

@@ -25,6 +25,8 @@ const std::vector<ShippedScene>& shipped_scenes() {
        5'000, make_ring_twist},
       {"chain", "a heavy weight on a light chain swings against a peg", "segments of the chain", 4, 40, 10'000,
        make_chain},
+      {"flag", "a sheet that two corners hold falls into folds", "triangles of the sheet", 8, 500, 100'000, make_flag},
+      {"drape", "a sheet falls over a ball and onto the floor", "triangles of the sheet", 8, 500, 100'000, make_drape},
   };
   return all;
 }

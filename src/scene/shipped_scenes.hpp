@@ -31,5 +31,8 @@ Scene make_cable_drop(Index segments);
 Scene make_whip(Index segments);
 Scene make_ring_twist(Index segments);
 Scene make_chain(Index segments);
+Scene make_flag(Index triangles);
+Scene make_drape(Index triangles);
+Scene make_twist(Index triangles);
 
 }  // namespace touchstone::sim

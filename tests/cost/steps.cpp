@@ -5,6 +5,7 @@
 #include <string>
 
 #include "scene/parts.hpp"
+#include "scene/sheet.hpp"
 #include "scene/shipped_scenes.hpp"
 #include "sim/simulation.hpp"
 
@@ -47,8 +48,24 @@ Scene loose_edges(bool folds) {
   return scene;
 }
 
+/// A sheet above the floor.
+Surface small_sheet(Scene& scene) {
+  const std::size_t others = scene.particles.size();
+  Surface surface;
+  surface.faces = add_sheet(scene, {{-0.1, -0.3, 0.01}, {0.2, 0, 0}, {0, 0.2, 0}, 4}).faces;
+  surface.stretch = 50;
+  surface.bend = 1e-5;
+  for (std::size_t p = others; p < scene.particles.size(); ++p) scene.particles[p].mass = 1e-3;
+  return surface;
+}
+
 Scene scene_of(const std::string& lacking, bool with) {
   if (lacking == "faces") return strings_on_wires(with);
+  if (lacking == "cloth") {
+    Scene scene = strings_on_wires(true);
+    if (with) scene.surfaces.push_back(small_sheet(scene));
+    return scene;
+  }
   if (lacking == "folds") return loose_edges(with);
   if (lacking == "friction") {
     Scene scene = strings_on_wires(true);
