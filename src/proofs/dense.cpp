@@ -117,7 +117,9 @@ void make_short_integers(std::initializer_list<Dense*> polynomials) {
   }
   if (!least || *least == 0) return;
   const Exact factor = numbers::power_of_two(-*least);
-  for (Dense* p : polynomials) *p = factor * *p;
+  for (Dense* p : polynomials) {
+    for (Exact& c : *p) c = c * factor;
+  }
 }
 
 int sign_over(const Dense& p, const Exact& from, const Exact& to, Inner inner) {

@@ -3,50 +3,24 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <utility>
 
 #include <touchstone/error.hpp>
 
-#include "filters/same_side.hpp"
 #include "filters/separating_direction.hpp"
+#include "proofs/directions.hpp"
 
 namespace touchstone::proofs {
 namespace {
 
 using filters::RelativeCorners;
-using DoubleVector = filters::Vector;
-
-/// Bits of the coordinates of a direction: few first, because they make short proofs.
-constexpr int kDirectionBits[] = {7, 20, 52};
-
-/// The direction with integer coordinates of at most `bits` bits in place of its own, not all of them even; nothing for
-/// one that is zero or not finite.
-std::optional<DoubleVector> rounded(const DoubleVector& direction, int bits) {
-  const double largest = std::max({std::fabs(direction[0]), std::fabs(direction[1]), std::fabs(direction[2])});
-  if (!(largest > 0) || !(largest < HUGE_VAL)) return std::nullopt;
-  int exponent;
-  std::frexp(largest, &exponent);
-  DoubleVector result;
-  std::uint64_t ones = 0;  // the bits of all three
-  for (std::size_t k = 0; k < 3; ++k) {
-    result[k] = std::nearbyint(std::ldexp(direction[k], bits - exponent));
-    ones |= static_cast<std::uint64_t>(std::fabs(result[k]));
-  }
-  const double unit = static_cast<double>(std::uint64_t{1} << std::countr_zero(ones));
-  for (std::size_t k = 0; k < 3; ++k) result[k] /= unit;
-  return result;
-}
 
 DenseVector constant(const DoubleVector& direction) {
   return {{Dense{Exact(direction[0])}, Dense{Exact(direction[1])}, Dense{Exact(direction[2])}}};
 }
-
-constexpr DoubleVector kAxes[] = {{{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}};
 
 /// A moving direction n that may keep the elements farther apart than their separation D.
 struct Candidate {
@@ -188,10 +162,9 @@ class Search {
          {filters::between_closest_points(corners, elements_.kind), filters::between_centres(corners)}) {
       const filters::Gap gap = filters::gap_along(corners, direction);
       if (!(gap.value > -gap.error)) continue;  // the rounded corners are too far off
-      for (const int bits : kDirectionBits) {
-        const auto integers = rounded(direction, bits);
-        if (!integers) break;
-        if (Found found = tried(*integers)) return found;
+      Found found;
+      if (try_rounded(direction, [&](const DoubleVector& integers) { return (found = tried(integers)) != nullptr; })) {
+        return found;
       }
     }
     if (elements_.has_max_separation()) {
@@ -289,32 +262,6 @@ std::vector<Piece> separating_pieces(const Elements& elements, const Exact& end,
     piece.until = part.to;
   }
   return pieces;
-}
-
-std::optional<QuickDirection> quick_direction(const Query& query, const Separation& separation) {
-  const bool touching = separation.distance == 0;
-  if (touching && filters::same_side(query)) return QuickDirection{true, {}};
-  const RelativeCorners corners = filters::relative_corners(query);
-  const auto separates = [&](const DoubleVector& direction) {
-    return touching ? filters::separates(corners, direction) : filters::separates_by(corners, direction, separation);
-  };
-  const auto rounded_if_it_separates = [&](const DoubleVector& direction) -> std::optional<QuickDirection> {
-    if (!separates(direction)) return std::nullopt;
-    for (const int bits : kDirectionBits) {
-      const auto integers = rounded(direction, bits);
-      if (integers && separates(*integers)) return QuickDirection{false, integers->c};
-    }
-    return std::nullopt;
-  };
-  if (auto found = rounded_if_it_separates(filters::between_closest_points(corners, query.kind))) return found;
-  if (touching) return std::nullopt;
-  if (separation.metric == Metric::max) {
-    for (const DoubleVector& axis : kAxes) {
-      if (auto found = rounded_if_it_separates(axis)) return found;
-    }
-  }
-  if (!filters::has_cubic(query.kind)) return std::nullopt;
-  return rounded_if_it_separates(filters::normal_at_mid_step(corners, query.kind));
 }
 
 }  // namespace touchstone::proofs

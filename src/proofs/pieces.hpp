@@ -1,9 +1,7 @@
 // Planes that keep two elements apart. SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "proofs/elements.hpp"
@@ -15,14 +13,5 @@ namespace touchstone::proofs {
 /// `is_true` confirms: it is asked when the search is long. @throws Error  when it does not
 std::vector<Piece> separating_pieces(const Elements& elements, const Exact& end, bool open,
                                      const std::function<bool()>& is_true);
-
-/// A direction that separates over all of [0, 1]: u x w, or one of three integers below 2^52.
-struct QuickDirection {
-  bool normal = false;
-  std::array<double, 3> integers{};
-};
-
-/// Such a direction, found in doubles; none when doubles do not find one.
-std::optional<QuickDirection> quick_direction(const Query& query, const Separation& separation);
 
 }  // namespace touchstone::proofs

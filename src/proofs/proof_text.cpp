@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "proofs/proof_text.hpp"
 
+#include <bit>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 
 #include "io/times.hpp"
 #include "numbers/float_environment.hpp"
-#include "proofs/pieces.hpp"
+#include "proofs/quick_proof.hpp"
 
 namespace touchstone::proofs {
 namespace {
 
 /// Integers below it are shorter in decimal than in hexadecimal digits.
-constexpr int kShortDigits = 12;
-constexpr double kShortInteger = 0x1p48;  // 16^kShortDigits
+constexpr std::uint64_t kShortInteger = std::uint64_t{1} << 48;
 
 template <class I>
 void append_integer(std::string& to, I value) {
@@ -37,24 +36,20 @@ void append_number(std::string& to, const Exact& x) {
     return;
   }
   if (x.sign() < 0) to += '-';
-  // The limbs' hexadecimal digits, without the zeros at both ends.
-  std::string digits;
-  char limb[17];
-  for (int i = x.limb_count(); i-- > 0;) {
-    std::snprintf(limb, sizeof limb, "%016lx", x.limb(i));
-    digits += limb;
+  const int count = x.limb_count();
+  if (count == 1 && x.limb_exponent() == 0 && x.limb(0) < kShortInteger) return append_integer(to, x.limb(0));
+  // The limbs' hexadecimal digits, without the zeros at both ends. The first and the last limb are not zero.
+  const int zeros_after = std::countr_zero(x.limb(0)) / 4;
+  const int zeros_before = std::countl_zero(x.limb(count - 1)) / 4;
+  to += "0x";
+  const std::size_t begin = to.size();
+  to.resize(begin + static_cast<std::size_t>(16 * count - zeros_after - zeros_before));
+  char* digit = to.data() + to.size();
+  for (int i = zeros_after; digit != to.data() + begin; ++i) {
+    *--digit = "0123456789abcdef"[x.limb(i / 16) >> (4 * (i % 16)) & 15];
   }
-  long exponent = 64L * x.limb_exponent();
-  while (digits.back() == '0') {
-    digits.pop_back();
-    exponent += 4;
-  }
-  digits.erase(0, digits.find_first_not_of('0'));
-  if (exponent >= 0 && digits.size() + static_cast<std::size_t>(exponent) / 4 <= kShortDigits) {
-    to += std::to_string(std::stoull(digits + std::string(static_cast<std::size_t>(exponent) / 4, '0'), nullptr, 16));
-    return;
-  }
-  to += "0x" + digits + "p" + std::to_string(exponent);
+  to += 'p';
+  append_integer(to, 64L * x.limb_exponent() + 4L * zeros_after);
 }
 
 void append_separation(std::string& to, const Separation& separation) {
@@ -105,7 +100,8 @@ void append_proof(std::string& to, std::uint64_t number, const Answer& answer, c
   }
   for (std::size_t i = 0; i < meeting.weights.size(); ++i) {
     if (meeting.weights[i].empty()) continue;
-    to += "w " + std::to_string(i);
+    to += "w ";
+    append_integer(to, i);
     append_polynomial(to, meeting.weights[i]);
     to += '\n';
   }
@@ -121,7 +117,7 @@ void append_proof_of(std::string& to, std::uint64_t number, const Query& query, 
       if (quick->normal) return;
       for (const double x : quick->integers) {
         to += ' ';
-        if (std::fabs(x) < kShortInteger) {
+        if (std::fabs(x) < static_cast<double>(kShortInteger)) {
           append_integer(to, static_cast<std::int64_t>(x));
         } else {
           append_number(to, Exact(x));

@@ -5,28 +5,10 @@
 #include "proofs/meeting.hpp"
 #include "proofs/pieces.hpp"
 #include "proofs/proof.hpp"
+#include "proofs/quick_proof.hpp"
 
 namespace touchstone::proofs {
 namespace {
-
-/// A proof stays one when a direction, the meeting's polynomial, or the weights of one element are multiplied by a
-/// positive number. Integers are the shortest text.
-void shorten(const Elements& elements, Proof& proof) {
-  for (Piece& piece : proof.pieces) {
-    auto& n = piece.direction;
-    make_short_integers({&n[0], &n[1], &n[2]});
-  }
-  if (!proof.meeting) return;
-  make_short_integers({&proof.meeting->root});
-  auto& w = proof.meeting->weights;
-  if (elements.is_edge_edge()) {
-    make_short_integers({&w[0], &w[1]});
-    make_short_integers({&w[2], &w[3]});
-  } else {
-    make_short_integers({&w[0]});
-    make_short_integers({&w[1], &w[2], &w[3]});
-  }
-}
 
 template <class Q>
 Proof prove_exactly(const Q& query, const Answer& answer, const Separation& separation) {
@@ -39,7 +21,7 @@ Proof prove_exactly(const Q& query, const Answer& answer, const Separation& sepa
   Proof proof;
   if (!answer.contact) {
     proof.pieces = separating_pieces(elements, Exact(1), false, is_true);
-    shorten(elements, proof);
+    shorten(query.kind, proof);
     return proof;
   }
   const bool is_double = answer.toi == answer.toi_upper;
@@ -47,7 +29,7 @@ Proof prove_exactly(const Q& query, const Answer& answer, const Separation& sepa
     proof.pieces = separating_pieces(elements, Exact(answer.toi), is_double, is_true);
   }
   proof.meeting = meeting(elements, answer);
-  shorten(elements, proof);
+  shorten(query.kind, proof);
   return proof;
 }
 
@@ -65,6 +47,7 @@ Proof prove(const Query& query, const Answer& answer, const Separation& separati
       return proof;
     }
   }
+  if (auto quick = quick_proof(query, answer, separation)) return std::move(*quick);
   return prove_exactly(query, answer, separation);
 }
 
