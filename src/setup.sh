@@ -29,12 +29,16 @@ readonly -a touchstone_needs=(
 )
 
 # Optional tools and libraries: the set-up installs them where it can, and goes on where it cannot. Without them the
-# program draws no plots and reads no HDF5 files, and the tests that need them are skipped.
+# program draws no plots and reads no HDF5 files, there is no Python module, and the tests that need them are skipped.
 readonly -a touchstone_tools=(
   'gnuplot|gnuplot|gnuplot-nox|gnuplot|gnuplot'
   'valgrind|valgrind|valgrind|valgrind|valgrind'
   'python3|python3|python3|python3|python'
   'hdf5.h|hdf5.h hdf5/serial/hdf5.h|libhdf5-dev|hdf5-devel|hdf5'
+  'python.h|python3.9/Python.h python3.10/Python.h python3.11/Python.h python3.12/Python.h python3.13/Python.h python3.14/Python.h|python3-dev|python3-devel|python'
+  'pybind11.h|pybind11/pybind11.h|pybind11-dev|pybind11-devel|pybind11'
+  'f2py|f2py3 f2py|python3-numpy|python3-numpy-f2py|python-numpy'  # it comes with NumPy
+  'pytest|pytest-3 pytest py.test-3|python3-pytest|python3-pytest|python-pytest'
   'gappa|gappa|gappa|gappa| '  # Arch Linux has no package of it
 )
 

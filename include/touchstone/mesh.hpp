@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include <touchstone/answer.hpp>
+#include <touchstone/error.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
@@ -174,10 +176,20 @@ struct Positions {
   Positions(const std::vector<Vec3>& all) : Positions(all.empty() ? nullptr : &all[0].x, all.size()) {}
 };
 
+/// A long call was asked to stop, by MeshOptions::stop.
+class Stopped : public Error {
+ public:
+  using Error::Error;
+};
+
 /// How a mesh's questions are answered. No option but t_max changes an answer.
 struct MeshOptions {
   double t_max = 1.0;  ///< the end of the time range, 0 <= t_max <= 1; only first_contact and all_contacts use it
   int threads = 1;     ///< the number of threads, 1 to 1024; 0 takes as many as the machine has
+
+  /// Null, or a flag that another thread may set to end the call early, within about a tenth of a second. The call then
+  /// throws Stopped.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 /// Two elements in contact.
@@ -296,6 +308,8 @@ struct FreeStepOptions {
   /// and the distance D0 at the start, the distance stays greater than d + fraction * (D0 - d), which is rounded up to
   /// a double. With 0, each pair keeps a distance greater than d.
   double kept_fraction = 0;
+
+  const std::atomic<bool>* stop = nullptr;  ///< as in MeshOptions
 };
 
 /// A step that is free of contact.

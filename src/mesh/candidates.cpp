@@ -7,6 +7,7 @@
 #include <limits>
 #include <mutex>
 
+#include "mesh/contacts.hpp"
 #include "mesh/pair_distance.hpp"
 #include "numbers/float_environment.hpp"
 #include "solver/cascade.hpp"
@@ -221,6 +222,7 @@ TOUCHSTONE_BEHIND_GUARD std::vector<MeshPair> find_candidates(const Mesh& mesh, 
   search.threads = options.threads;
   mesh::for_each_candidate_block(mesh.impl(), motion, mesh::reach_of_separations(mesh.impl()), search,
                                  [&](Kind kind, const broad_phase::Pair* found, std::size_t count) {
+                                   mesh::check_stop(options.stop);
                                    const std::lock_guard<std::mutex> guard(lock);
                                    for (std::size_t i = 0; i < count; ++i) {
                                      pairs.push_back({kind, found[i][0], found[i][1]});

@@ -71,14 +71,15 @@ constexpr std::size_t kContactsAtATime = 16;
 /// answer that was found by a shorter one may have other last bits in its weights, and the range depends on the
 /// threads.
 std::vector<MeshContact> with_answers(const Mesh::Impl& mesh, const Motion& motion, std::vector<Found>& found,
-                                      double t_max, int threads) {
+                                      const ContactSearch& search) {
   std::sort(found.begin(), found.end());
   std::vector<MeshContact> contacts(found.size());
-  threads::for_each_range(found.size(), kContactsAtATime, threads, [&](std::size_t first, std::size_t last) {
+  threads::for_each_range(found.size(), kContactsAtATime, search.threads, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
+      check_stop(search.stop);
       const Separation separation{found[i].distance, mesh.separation.metric};
       const Query query = query_of(motion, found[i].pair.kind, corners_of(mesh, found[i].pair));
-      contacts[i] = {found[i].pair, separation, solve(query, separation, t_max)};
+      contacts[i] = {found[i].pair, separation, solve(query, separation, search.t_max)};
     }
   });
   return contacts;
@@ -125,6 +126,7 @@ FirstContact find_first(const Mesh::Impl& mesh, const Motion& motion, const Cont
   const broad_phase::PairSearch pairs_until{search.threads, &earliest.until()};
   for_each_candidate_block(mesh, motion, reach, pairs_until,
                            [&](Kind kind, const broad_phase::Pair* pairs, std::size_t count) {
+                             check_stop(search.stop);
                              const double t_max = earliest.until().load(std::memory_order_relaxed);
                              for_each_contact(mesh, motion, distances, kind, pairs, count, t_max, tell);
                            });
@@ -132,9 +134,9 @@ FirstContact find_first(const Mesh::Impl& mesh, const Motion& motion, const Cont
   result.contact = !earliest.first().empty();
   result.toi = earliest.toi();
   result.toi_upper = earliest.toi_upper();
-  result.first = with_answers(mesh, motion, earliest.first(), search.t_max, search.threads);
+  result.first = with_answers(mesh, motion, earliest.first(), search);
   keep_exactly_first(mesh, motion, result.first, search.threads);
-  result.at_start = with_answers(mesh, motion, earliest.at_start(), search.t_max, search.threads);
+  result.at_start = with_answers(mesh, motion, earliest.at_start(), search);
   return result;
 }
 
@@ -151,6 +153,7 @@ std::vector<MeshContact> find_all(const Mesh::Impl& mesh, const Motion& motion, 
   all_pairs.threads = search.threads;
   for_each_candidate_block(mesh, motion, reach, all_pairs,
                            [&](Kind kind, const broad_phase::Pair* pairs, std::size_t count) {
+                             check_stop(search.stop);
                              for_each_contact(mesh, motion, distances, kind, pairs, count, search.t_max, tell);
                            });
   std::sort(contacts.begin(), contacts.end(), [](const MeshContact& a, const MeshContact& b) {
@@ -163,12 +166,12 @@ namespace {
 
 TOUCHSTONE_BEHIND_GUARD FirstContact first_of(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1,
                                               const MeshOptions& options) {
-  return find_first(mesh, motion_of(mesh, x0, x1, options.threads), {options.t_max, options.threads});
+  return find_first(mesh, motion_of(mesh, x0, x1, options.threads), {options.t_max, options.threads, 0, options.stop});
 }
 
 TOUCHSTONE_BEHIND_GUARD std::vector<MeshContact> all_of(const Mesh::Impl& mesh, const Positions& x0,
                                                         const Positions& x1, const MeshOptions& options) {
-  return find_all(mesh, motion_of(mesh, x0, x1, options.threads), {options.t_max, options.threads});
+  return find_all(mesh, motion_of(mesh, x0, x1, options.threads), {options.t_max, options.threads, 0, options.stop});
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <vector>
 
 #include <touchstone/mesh.hpp>
@@ -13,8 +14,14 @@ namespace touchstone::mesh {
 struct ContactSearch {
   double t_max = 1;
   int threads = 1;
-  double kept_fraction = 0;  ///< as in FreeStepOptions
+  double kept_fraction = 0;                 ///< as in FreeStepOptions
+  const std::atomic<bool>* stop = nullptr;  ///< as in MeshOptions
 };
+
+/// @throws Stopped  when the flag is set
+inline void check_stop(const std::atomic<bool>* stop) {
+  if (stop != nullptr && stop->load(std::memory_order_relaxed)) throw Stopped("the call was stopped");
+}
 
 FirstContact find_first(const Mesh::Impl& mesh, const Motion& motion, const ContactSearch& search);
 

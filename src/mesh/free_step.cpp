@@ -153,7 +153,7 @@ bool is_in_contact(const Mesh::Impl& mesh, const Motion& step, const std::vector
 TOUCHSTONE_BEHIND_GUARD FreeStep find_step(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1,
                                            const FreeStepOptions& options) {
   const Motion step = motion_of(mesh, x0, x1, options.threads);
-  const ContactSearch search{1, options.threads, options.kept_fraction};
+  const ContactSearch search{1, options.threads, options.kept_fraction, options.stop};
   FreeStep result;
   result.contact = find_first(mesh, step, search);
   result.proofs = 1;
@@ -174,6 +174,7 @@ TOUCHSTONE_BEHIND_GUARD FreeStep find_step(const Mesh::Impl& mesh, const Positio
   const double before = contact.toi < contact.toi_upper ? contact.toi : next_below(contact.toi);
   double longest = before;
   while (true) {
+    check_stop(options.stop);
     result.length = length_that_passes(obstacles, longest);
     const Motion path = path_of(step, result.length, options.threads);
     const bool moves =

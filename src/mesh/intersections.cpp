@@ -12,6 +12,7 @@
 #include <touchstone/solve.hpp>
 
 #include "mesh/candidates.hpp"
+#include "mesh/contacts.hpp"
 #include "mesh/narrow.hpp"
 #include "numbers/float_environment.hpp"
 #include "solver/cascade.hpp"
@@ -95,12 +96,14 @@ bool comes_twice(const Mesh::Impl& mesh, const RestingPass& pass, const Pair& pa
 }
 
 TOUCHSTONE_BEHIND_GUARD std::vector<Intersection> find_intersections(const Mesh::Impl& mesh, const Positions& x,
-                                                                     int threads) {
+                                                                     const MeshOptions& options) {
+  const int threads = options.threads;
   const Motion motion = motion_of(mesh, x, x, threads);
   std::vector<Intersection> all;
   std::mutex lock;
   for (const RestingPass& pass : passes_of(mesh)) {
     for_each_resting_block(mesh, motion, pass, threads, [&](const Pair* pairs, std::size_t count) {
+      check_stop(options.stop);
       const auto columns = std::make_unique<ColumnBlock>(kind_of_query(pass.second));
       std::array<Pair, ColumnBlock::kQueries> asked;
       const auto ask = [&] {
@@ -136,7 +139,7 @@ namespace touchstone {
 
 std::vector<Intersection> intersections(const Mesh& mesh, const Positions& x, const MeshOptions& options) {
   const numbers::DefaultFloatEnvironment environment;
-  return mesh::find_intersections(mesh.impl(), x, options.threads);
+  return mesh::find_intersections(mesh.impl(), x, options);
 }
 
 }  // namespace touchstone

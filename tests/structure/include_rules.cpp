@@ -25,6 +25,7 @@ const LayerTable& layer_table() {
       {"frames", {"geometry", "io", "mesh"}},
       {"dropin", {"solver", "geometry"}},
       {"c_api", {"solver", "mesh"}},
+      {"python", {"solver", "certify", "fuzz", "mesh", "proofs", "io", "threads"}},
       {"proofs", {"solver", "broad_phase", "exact", "filters", "geometry", "io", "numbers"}},
       {"checker", {}},
       {"generators", {"broad_phase", "geometry", "io", "seeded"}},

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#include "python/arguments.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+namespace touchstone::python {
+namespace {
+
+template <class Value, std::size_t N>
+Value value_of(py::handle name, const char* what, const std::array<std::pair<std::string_view, Value>, N>& known) {
+  if (!PyUnicode_Check(name.ptr())) {
+    throw py::type_error(std::string(what) + " is of type " + Py_TYPE(name.ptr())->tp_name + "; it must be a string");
+  }
+  Py_ssize_t size = 0;
+  const char* const text = PyUnicode_AsUTF8AndSize(name.ptr(), &size);
+  if (text == nullptr) throw py::error_already_set();
+  const std::string_view given(text, static_cast<std::size_t>(size));
+  for (const auto& [known_name, value] : known) {
+    const auto same = [](char a, char b) { return a == b || (a == '_' && b == '-'); };
+    if (std::equal(given.begin(), given.end(), known_name.begin(), known_name.end(), same)) return value;
+  }
+  std::string message = std::string(what) + " is " + std::string(py::str(py::repr(name))) + "; it must be one of ";
+  for (const auto& entry : known) {
+    message.append(&entry == &known[0] ? "'" : ", '").append(entry.first).append("'");
+  }
+  throw py::value_error(message);
+}
+
+/// The Python half of the module, for what needs no speed.
+py::object array_helper(const char* name) { return py::module_::import("touchstone._arrays").attr(name); }
+
+py::dtype of_doubles() { return py::dtype::of<double>(); }
+
+}  // namespace
+
+Kind kind_of(py::handle name) {
+  static constexpr std::array<std::pair<std::string_view, Kind>, 4> kKinds = {{{"edge-edge", Kind::edge_edge},
+                                                                               {"vertex-face", Kind::vertex_face},
+                                                                               {"point-edge", Kind::point_edge},
+                                                                               {"point-point", Kind::point_point}}};
+  return value_of(name, "kind", kKinds);
+}
+
+Metric metric_of(py::handle name) {
+  static constexpr std::array<std::pair<std::string_view, Metric>, 2> kMetrics = {
+      {{"euclidean", Metric::euclidean}, {"max", Metric::max}}};
+  return value_of(name, "metric", kMetrics);
+}
+
+Method method_of(py::handle name) {
+  static constexpr std::array<std::pair<std::string_view, Method>, 4> kMethods = {
+      {{"fast", Method::fast}, {"exact", Method::exact}, {"oracle", Method::oracle}, {"fast-cgal", Method::fast_cgal}}};
+  return value_of(name, "method", kMethods);
+}
+
+int threads_of(py::handle threads) {
+  constexpr long kMost = 1024;
+  int too_long = 0;
+  const long number = PyLong_AsLongAndOverflow(threads.ptr(), &too_long);
+  if (PyErr_Occurred() != nullptr) throw py::error_already_set();
+  if (too_long != 0 || number < 0 || number > kMost) {
+    throw py::value_error("threads is " + std::string(py::str(threads)) +
+                          "; it must be in [0, 1024], 0 for as many as the machine has");
+  }
+  return static_cast<int>(number);
+}
+
+double number_of(py::handle number, const char* what) {
+  if (PyFloat_Check(number.ptr())) return PyFloat_AS_DOUBLE(number.ptr());
+  const double value = PyFloat_AsDouble(number.ptr());
+  if (value == -1 && PyErr_Occurred() != nullptr) {
+    if (PyErr_ExceptionMatches(PyExc_TypeError) == 0) throw py::error_already_set();
+    PyErr_Clear();
+    throw py::type_error(std::string(what) + " is of type " + Py_TYPE(number.ptr())->tp_name + "; it must be a number");
+  }
+  // A float of another size, an int or a fraction may be no double.
+  if (!py::bool_(py::float_(value).equal(number)) && value == value) {
+    throw py::value_error(std::string(what) + " is " + std::string(py::str(number)) + ", which no double equals");
+  }
+  return value;
+}
+
+std::string shape_text(const py::array& array) { return std::string(py::str(py::object(array.attr("shape")))); }
+
+py::array exact_array(py::handle values, const char* what) {
+  if (py::isinstance<py::array>(values)) {
+    const auto array = py::reinterpret_borrow<py::array>(values);
+    const py::dtype type = array.dtype();
+    if (type.is(of_doubles())) return array;
+    if (type.kind() == 'f' && type.itemsize() == sizeof(float) && type.attr("isnative").cast<bool>()) return array;
+  }
+  return py::array(array_helper("exact_doubles")(values, what));
+}
+
+CornerArray::CornerArray(py::handle values, Kind kind, const char* what)
+    : owner_(exact_array(values, what)), corners_(corner_count(kind)) {
+  const auto dimensions = owner_.ndim();
+  const auto fits = [&] {
+    if (dimensions != 2 && dimensions != 3) return false;
+    const py::ssize_t coordinates = owner_.shape(dimensions - 1);
+    return owner_.shape(dimensions - 2) == static_cast<py::ssize_t>(corners_) && (coordinates == 2 || coordinates == 3);
+  };
+  if (!fits()) {
+    const std::string corners = std::to_string(corners_);
+    throw py::value_error(std::string(what) + " has the shape " + shape_text(owner_) + "; for " +
+                          std::string(kind_name(kind)) + " it must be (n, " + corners + ", 3) or (n, " + corners +
+                          ", 2), or without n for a single query");
+  }
+  single_ = dimensions == 2;
+  if (!single_) {
+    count_ = static_cast<std::size_t>(owner_.shape(0));
+    query_stride_ = owner_.strides(0);
+  }
+  corner_stride_ = owner_.strides(dimensions - 2);
+  coordinate_stride_ = owner_.strides(dimensions - 1);
+  coordinates_ = static_cast<std::size_t>(owner_.shape(dimensions - 1));
+  is_float_ = owner_.itemsize() == sizeof(float);
+  data_ = static_cast<const char*>(owner_.data());
+}
+
+void CornerArray::read(std::size_t q, std::array<Vec3, 4>& corners) const noexcept {
+  for (std::size_t c = 0; c < corners_; ++c) corners[c] = {at(q, c, 0), at(q, c, 1), at(q, c, 2)};
+}
+
+bool CornerArray::has_columns() const noexcept {
+  constexpr std::ptrdiff_t kDouble = sizeof(double);
+  return !is_float_ && query_stride_ == kDouble && corner_stride_ % kDouble == 0 && coordinate_stride_ % kDouble == 0 &&
+         reinterpret_cast<std::uintptr_t>(data_) % alignof(double) == 0;
+}
+
+const double* CornerArray::column(std::size_t first, std::size_t c, std::size_t k, const double* zeros) const noexcept {
+  if (k >= coordinates_) return zeros;
+  const char* const place =
+      data_ + static_cast<std::ptrdiff_t>(c) * corner_stride_ + static_cast<std::ptrdiff_t>(k) * coordinate_stride_;
+  return reinterpret_cast<const double*>(place) + first;
+}
+
+template <class Number>
+void CornerArray::copy(std::size_t first, std::size_t size, double* to) const noexcept {
+  const char* const start = data_ + static_cast<std::ptrdiff_t>(first) * query_stride_;
+  for (std::size_t c = 0; c < corners_; ++c) {
+    for (std::size_t k = 0; k < 3; ++k, to += size) {
+      if (k >= coordinates_) {
+        std::fill_n(to, size, 0.0);
+        continue;
+      }
+      const char* place =
+          start + static_cast<std::ptrdiff_t>(c) * corner_stride_ + static_cast<std::ptrdiff_t>(k) * coordinate_stride_;
+      for (std::size_t q = 0; q < size; ++q, place += query_stride_) to[q] = load<Number>(place);
+    }
+  }
+}
+
+void CornerArray::copy_columns(std::size_t first, std::size_t size, double* to) const noexcept {
+  is_float_ ? copy<float>(first, size, to) : copy<double>(first, size, to);
+}
+
+SeparationArgument separation_of(py::handle distance, py::handle metric, std::size_t count, bool single) {
+  SeparationArgument argument;
+  argument.separation.metric = metric_of(metric);
+  if (PyFloat_Check(distance.ptr()) || PyLong_Check(distance.ptr())) {
+    argument.separation.distance = number_of(distance, "separation");
+    return argument;
+  }
+  const py::array all = exact_array(distance, "separation");
+  if (all.ndim() == 0) {
+    argument.separation.distance = number_of(distance, "separation");
+    return argument;
+  }
+  if (single || all.ndim() != 1 || static_cast<std::size_t>(all.shape(0)) != count) {
+    throw py::value_error(
+        "separation has the shape " + shape_text(all) + "; it must be a number" +
+        (single ? "" : ", or an array of one number for each of the " + std::to_string(count) + " queries"));
+  }
+  argument.distances = numbers(distance, "separation");
+  return argument;
+}
+
+namespace {
+
+/// Whole numbers with the right shape, as an array of uint32 without gaps.
+py::array index_array(py::handle values, const char* what, std::size_t columns) {
+  return py::array(array_helper("indices")(values, what, columns));
+}
+
+}  // namespace
+
+template <std::size_t N>
+std::vector<std::array<std::uint32_t, N>> index_rows(py::handle values, const char* what) {
+  static_assert(sizeof(std::array<std::uint32_t, N>) == N * sizeof(std::uint32_t));
+  if (values.is_none()) return {};
+  const py::array array = index_array(values, what, N);
+  std::vector<std::array<std::uint32_t, N>> rows(static_cast<std::size_t>(array.shape(0)));
+  if (!rows.empty()) std::memcpy(rows.data(), array.data(), rows.size() * sizeof(rows[0]));
+  return rows;
+}
+
+template std::vector<std::array<std::uint32_t, 2>> index_rows(py::handle, const char*);
+template std::vector<std::array<std::uint32_t, 3>> index_rows(py::handle, const char*);
+
+std::vector<std::uint32_t> indices(py::handle values, const char* what) {
+  if (values.is_none()) return {};
+  const py::array array = index_array(values, what, 0);
+  std::vector<std::uint32_t> all(static_cast<std::size_t>(array.shape(0)));
+  if (!all.empty()) std::memcpy(all.data(), array.data(), all.size() * sizeof(all[0]));
+  return all;
+}
+
+std::vector<double> numbers(py::handle values, const char* what) {
+  if (values.is_none()) return {};
+  const py::array given = exact_array(values, what);
+  if (given.ndim() != 1) {
+    throw py::value_error(std::string(what) + " has the shape " + shape_text(given) + "; it must be (n,)");
+  }
+  const auto doubles = py::array_t<double, py::array::c_style | py::array::forcecast>(given);
+  return {doubles.data(), doubles.data() + doubles.size()};
+}
+
+}  // namespace touchstone::python

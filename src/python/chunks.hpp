@@ -1,0 +1,41 @@
+// Long work without the GIL, in chunks between which Python hears Ctrl-C.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+
+namespace touchstone::python {
+
+/// Lets Python's signal handlers run. @throws error_already_set  with the exception of a handler: KeyboardInterrupt
+inline void check_signals() {
+  if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
+}
+
+/// Calls work(first, last) without the GIL for chunks that cover [0, count) in order, each of which takes about a
+/// twentieth of a second, however long an item takes. The signal handlers run after each.
+/// @param first_size  the number of items of the first chunk
+template <class Work>
+void in_chunks(std::size_t count, std::size_t first_size, const Work& work) {
+  using Clock = std::chrono::steady_clock;
+  constexpr double kSeconds = 0.05;
+  constexpr double kMostGrowth = 16;
+  for (std::size_t first = 0, size = first_size; first < count;) {
+    const std::size_t last = first + std::min(size, count - first);
+    const Clock::time_point start = Clock::now();
+    {
+      const pybind11::gil_scoped_release released;
+      work(first, last);
+    }
+    check_signals();
+    const std::chrono::duration<double> taken = Clock::now() - start;
+    const double growth = std::min(kMostGrowth, kSeconds / std::max(taken.count(), 1e-9));
+    size = std::max<std::size_t>(1, static_cast<std::size_t>(static_cast<double>(last - first) * growth));
+    first = last;
+  }
+}
+
+}  // namespace touchstone::python

@@ -1,0 +1,13 @@
+// The halves of the module. SPDX-License-Identifier: MIT
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace touchstone::python {
+
+namespace py = pybind11;
+
+void define_queries(py::module_& module);
+void define_meshes(py::module_& module);
+
+}  // namespace touchstone::python

@@ -1,0 +1,28 @@
+// The module touchstone._core. The package around it, src/python/touchstone, has the documented functions.
+// SPDX-License-Identifier: MIT
+#include <pybind11/pybind11.h>
+
+#include <exception>
+
+#include <touchstone/error.hpp>
+#include <touchstone/version.hpp>
+
+#include "python/answers.hpp"
+#include "python/define.hpp"
+
+PYBIND11_MODULE(_core, module) {
+  namespace python = touchstone::python;
+  pybind11::options options;
+  options.disable_function_signatures();  // those of the package are better
+  pybind11::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const touchstone::Error& error) {
+      PyErr_SetString(PyExc_ValueError, error.what());
+    }
+  });
+  module.attr("__version__") = touchstone::version();
+  python::define_answers(module);
+  python::define_queries(module);
+  python::define_meshes(module);
+}

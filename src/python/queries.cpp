@@ -1,0 +1,352 @@
+// Questions about queries: solve, solve_any, contact_times, distance, contact_normal.
+// SPDX-License-Identifier: MIT
+#include "python/define.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <touchstone/contact_normal.hpp>
+#include <touchstone/contact_times.hpp>
+#include <touchstone/distance.hpp>
+#include <touchstone/error.hpp>
+#include <touchstone/solve.hpp>
+
+#include "python/answers.hpp"
+#include "python/arguments.hpp"
+#include "python/chunks.hpp"
+#include "python/query_arrays.hpp"
+#include "threads/for_each_range.hpp"
+
+namespace touchstone::python {
+
+QueryArrays::QueryArrays(py::handle kind_name, py::handle start_values, py::handle end_values)
+    : kind(kind_of(kind_name)), start(start_values, kind, "start"), end(end_values, kind, "end") {
+  if (start.count() != end.count() || start.is_single() != end.is_single()) {
+    const auto rows = [](const CornerArray& corners) {
+      return corners.is_single() ? std::string("one query") : std::to_string(corners.count()) + " queries";
+    };
+    throw py::value_error("start has " + rows(start) + " and end has " + rows(end) + "; they must have the same");
+  }
+  if (start.is_plane() != end.is_plane()) {
+    throw py::value_error(std::string("start has ") + (start.is_plane() ? "2" : "3") +
+                          " coordinates a corner and end " + (end.is_plane() ? "2" : "3") +
+                          "; they must have the same");
+  }
+}
+
+Query QueryArrays::at(std::size_t q) const noexcept {
+  Query query;
+  query.kind = kind;
+  start.read(q, query.start);
+  end.read(q, query.end);
+  return query;
+}
+
+namespace {
+
+constexpr std::size_t kBlock = 256;   // queries whose columns stay in a core's cache: 48 KiB
+constexpr std::size_t kFirst = 2048;  // queries of the first chunk: less than a millisecond, but for degenerate ones
+
+/// Answers queries [first, last) into answers[first] and so on.
+class Batch {
+ public:
+  Batch(const QueryArrays& queries, const SeparationArgument& separation, const BatchOptions& options)
+      : queries_(queries), separation_(separation), options_(options) {
+    direct_ = queries.start.has_columns() && queries.end.has_columns();
+  }
+
+  void solve(std::size_t first, std::size_t last, Answer* answers) const {
+    if (direct_) return solve_columns(first, last, answers);
+    threads::for_each_range(last - first, kBlock, options_.threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t at = first + begin; at < first + end; at += kBlock) {
+        solve_copied(at, std::min(kBlock, first + end - at), answers);
+      }
+    });
+  }
+
+ private:
+  /// The options of a batch of queries from `first` on.
+  BatchOptions options_for(std::size_t first, std::size_t size, int threads) const {
+    BatchOptions options = options_;
+    options.threads = threads;
+    if (!separation_.distances.empty()) {
+      options.separation.distance = 0;
+      options.distances = separation_.distances.data() + first;
+      options.distance_count = size;
+    }
+    return options;
+  }
+
+  void solve_columns(std::size_t first, std::size_t last, Answer* answers) const {
+    const std::vector<double> zeros(queries_.start.is_plane() || queries_.end.is_plane() ? last - first : 0);
+    QueryColumns columns;
+    columns.kind = queries_.kind;
+    columns.count = last - first;
+    for (std::size_t c = 0; c < corner_count(queries_.kind); ++c) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        columns.start[c][k] = queries_.start.column(first, c, k, zeros.data());
+        columns.end[c][k] = queries_.end.column(first, c, k, zeros.data());
+      }
+    }
+    solve_batch(columns, answers + first, options_for(first, columns.count, options_.threads));
+  }
+
+  void solve_copied(std::size_t first, std::size_t size, Answer* answers) const {
+    std::array<double, 24 * kBlock> values;
+    const std::size_t corners = corner_count(queries_.kind);
+    double* const starts = values.data();
+    double* const ends = starts + 3 * corners * size;
+    queries_.start.copy_columns(first, size, starts);
+    queries_.end.copy_columns(first, size, ends);
+    QueryColumns columns;
+    columns.kind = queries_.kind;
+    columns.count = size;
+    for (std::size_t i = 0; i < 3 * corners; ++i) {
+      columns.start[i / 3][i % 3] = starts + i * size;
+      columns.end[i / 3][i % 3] = ends + i * size;
+    }
+    solve_batch(columns, answers + first, options_for(first, size, 1));
+  }
+
+  const QueryArrays& queries_;
+  const SeparationArgument& separation_;
+  const BatchOptions& options_;
+  bool direct_ = false;
+};
+
+/// Works on rows [first, last). An InvalidQuery becomes one that names the row: ask(q) throws it for row q again.
+template <class Work, class Ask>
+void naming_the_row(std::size_t first, std::size_t last, const Work& work, const Ask& ask) {
+  try {
+    work();
+  } catch (const InvalidQuery&) {
+    for (std::size_t q = first; q < last; ++q) {
+      try {
+        ask(q);
+      } catch (const InvalidQuery& error) {
+        throw InvalidQuery("row " + std::to_string(q) + ": " + error.what());
+      }
+    }
+    throw;
+  }
+}
+
+/// Whether the options have a meaning, before the first row is looked at. The one query is at rest and valid.
+void check_options(const Separation& separation, double t_max) { solve(Query(), separation, t_max); }
+
+/// Calls ask(q), on several threads, for each row.
+template <class Ask>
+void for_each_row(const QueryArrays& queries, int threads, const Ask& ask) {
+  constexpr std::size_t kAtATime = 64;
+  in_chunks(queries.count(), kFirst, [&](std::size_t first, std::size_t last) {
+    const auto work = [&] {
+      threads::for_each_range(last - first, kAtATime, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t q = first + begin; q < first + end; ++q) ask(q);
+      });
+    };
+    naming_the_row(first, last, work, ask);
+  });
+}
+
+py::object solve_arrays(py::handle kind, py::handle start, py::handle end, py::handle t_max, py::handle separation,
+                        py::handle metric, py::handle threads, py::handle method) {
+  const QueryArrays queries(kind, start, end);
+  const SeparationArgument kept = separation_of(separation, metric, queries.count(), queries.is_single());
+  BatchOptions options;
+  options.t_max = number_of(t_max, "t_max");
+  options.threads = threads_of(threads);
+  options.method = method_of(method);
+  options.separation = kept.separation;
+  if (queries.is_single()) {
+    const Query query = queries.at(0);
+    Answer answer;
+    {
+      const py::gil_scoped_release released;
+      answer = solve(query, kept.separation, options.method, options.t_max);
+    }
+    return py::cast(answer);
+  }
+  check_options(kept.separation, options.t_max);
+  std::vector<Answer> answers(queries.count());
+  const Batch batch(queries, kept, options);
+  const auto ask = [&](std::size_t q) { solve(queries.at(q), kept.of(q), options.method, options.t_max); };
+  in_chunks(answers.size(), kFirst, [&](std::size_t first, std::size_t last) {
+    naming_the_row(
+        first, last, [&] { batch.solve(first, last, answers.data()); }, ask);
+  });
+  return py::cast(Answers(std::move(answers)));
+}
+
+py::object solve_any_arrays(py::handle kind, py::handle start, py::handle end, py::handle t_max_number,
+                            py::handle separation, py::handle metric, py::handle threads) {
+  const QueryArrays queries(kind, start, end);
+  const SeparationArgument kept = separation_of(separation, metric, queries.count(), queries.is_single());
+  const double t_max = number_of(t_max_number, "t_max");
+  const int thread_count = threads_of(threads);
+  if (queries.is_single()) return py::bool_(solve_any(queries.at(0), kept.separation, t_max));
+  check_options(kept.separation, t_max);
+  py::array_t<bool> touch(static_cast<py::ssize_t>(queries.count()));
+  bool* const to = touch.mutable_data();
+  for_each_row(queries, thread_count, [&](std::size_t q) { to[q] = solve_any(queries.at(q), kept.of(q), t_max); });
+  return py::object(touch);
+}
+
+py::list list_of(const std::vector<ContactInterval>& intervals) {
+  py::list list;
+  for (const ContactInterval& interval : intervals) list.append(py::make_tuple(interval.first, interval.last));
+  return list;
+}
+
+py::list contact_times_arrays(py::handle kind, py::handle start, py::handle end, py::handle t_max_number,
+                              py::handle separation, py::handle metric, py::handle threads) {
+  const QueryArrays queries(kind, start, end);
+  const SeparationArgument kept = separation_of(separation, metric, queries.count(), queries.is_single());
+  const double t_max = number_of(t_max_number, "t_max");
+  const int thread_count = threads_of(threads);
+  check_options(kept.separation, t_max);
+  if (queries.is_single()) return list_of(contact_times(queries.at(0), kept.separation, t_max));
+  std::vector<std::vector<ContactInterval>> times(queries.count());
+  for_each_row(queries, thread_count,
+               [&](std::size_t q) { times[q] = contact_times(queries.at(q), kept.of(q), t_max); });
+  py::list all;
+  for (const auto& intervals : times) all.append(list_of(intervals));
+  return all;
+}
+
+/// The distances of many queries.
+struct Distances {
+  std::vector<Distance> all;
+};
+
+py::object distance_arrays(py::handle kind, py::handle start, py::handle end, py::handle t_number,
+                           py::handle metric_text, py::handle threads) {
+  const QueryArrays queries(kind, start, end);
+  const double t = number_of(t_number, "t");
+  const Metric metric = metric_of(metric_text);
+  const int thread_count = threads_of(threads);
+  if (queries.is_single()) return py::cast(distance(queries.at(0), t, metric));
+  distance(Query(), t, metric);  // whether they have a meaning
+  Distances distances{std::vector<Distance>(queries.count())};
+  for_each_row(queries, thread_count, [&](std::size_t q) { distances.all[q] = distance(queries.at(q), t, metric); });
+  return py::cast(std::move(distances));
+}
+
+py::object contact_normal_arrays(py::handle kind, py::handle start, py::handle end, py::handle t_max_number,
+                                 py::handle separation, py::handle threads) {
+  const QueryArrays queries(kind, start, end);
+  const SeparationArgument kept = separation_of(separation, py::str("euclidean"), queries.count(), queries.is_single());
+  const double t_max = number_of(t_max_number, "t_max");
+  const int thread_count = threads_of(threads);
+  check_options(kept.separation, t_max);
+  std::vector<py::ssize_t> shape = {3};
+  if (!queries.is_single()) shape.insert(shape.begin(), static_cast<py::ssize_t>(queries.count()));
+  py::array_t<double> normals(shape);
+  double* const to = normals.mutable_data();
+  const auto ask = [&](std::size_t q) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    const auto normal = contact_normal(queries.at(q), kept.of(q), t_max);
+    const std::array<double, 3> value = normal.value_or(std::array<double, 3>{kNone, kNone, kNone});
+    std::copy(value.begin(), value.end(), to + 3 * q);
+  };
+  if (queries.is_single()) {
+    ask(0);
+  } else {
+    for_each_row(queries, thread_count, ask);
+  }
+  return py::object(normals);
+}
+
+/// Negative, zero or positive, as `time` is before, at or after the other one, a number or an ExactTime.
+std::optional<int> compare(const ExactTime& time, py::handle other) {
+  if (py::isinstance<ExactTime>(other)) return time.compare(other.cast<const ExactTime&>());
+  if (PyFloat_Check(other.ptr())) {
+    const double number = PyFloat_AS_DOUBLE(other.ptr());
+    if (number == std::numeric_limits<double>::infinity()) return -1;
+    if (number == -std::numeric_limits<double>::infinity()) return 1;
+    if (number != number) return std::nullopt;
+    return time.compare(number);
+  }
+  if (py::hasattr(other, "numerator") && py::hasattr(other, "denominator")) {  // int, Fraction
+    return time.compare(Fraction{py::str(other.attr("numerator")), py::str(other.attr("denominator"))});
+  }
+  return std::nullopt;
+}
+
+template <class Holds>
+auto comparison(const Holds& holds) {
+  return [holds](const ExactTime& time, py::handle other) -> py::object {
+    const std::optional<int> order = compare(time, other);
+    if (!order) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
+    return py::bool_(holds(*order));
+  };
+}
+
+void define_times(py::module_& module) {
+  py::class_<ExactTime>(
+      module, "ExactTime",
+      "An exact time in [0, 1]: a rational or algebraic number. Comparisons with another one, an int,\n"
+      "a float or a fractions.Fraction are exact. str() gives '1/3', or the polynomial whose root it "
+      "is.")
+      .def_property_readonly("lower", &ExactTime::lower, "the largest double <= this time; float() gives it too")
+      .def_property_readonly("upper", &ExactTime::upper, "the smallest double >= this time")
+      .def("__float__", &ExactTime::lower)
+      .def("__str__", &ExactTime::to_string)
+      .def("__repr__", [](const ExactTime& time) { return "<ExactTime " + time.to_string() + ">"; })
+      .def("__eq__", comparison([](int order) { return order == 0; }))
+      .def("__ne__", comparison([](int order) { return order != 0; }))
+      .def("__lt__", comparison([](int order) { return order < 0; }))
+      .def("__le__", comparison([](int order) { return order <= 0; }))
+      .def("__gt__", comparison([](int order) { return order > 0; }))
+      .def("__ge__", comparison([](int order) { return order >= 0; }))
+      .attr("__hash__") = py::none();
+}
+
+void define_distances(py::module_& module) {
+  const auto weights = [](const std::array<double, 3>& w) { return py::make_tuple(w[0], w[1], w[2]); };
+  py::class_<Distance>(module, "Distance", "The distance of two elements at one instant, and their closest points.")
+      .def_readonly("value", &Distance::value, "the double nearest to the exact distance")
+      .def_property_readonly("feature_a", [](const Distance& d) { return name_object(d.feature_a); })
+      .def_property_readonly("feature_b", [](const Distance& d) { return name_object(d.feature_b); })
+      .def_property_readonly("weights_a", [weights](const Distance& d) { return weights(d.weights_a); })
+      .def_property_readonly("weights_b", [weights](const Distance& d) { return weights(d.weights_b); })
+      .def("__float__", [](const Distance& d) { return d.value; })
+      .def("__repr__", [](const Distance& d) {
+        return "Distance(value=" + std::string(py::repr(py::float_(d.value))) +
+               ", feature_a=" + std::string(feature_name(d.feature_a)) +
+               ", feature_b=" + std::string(feature_name(d.feature_b)) + ")";
+      });
+  py::class_<Distances> distances(module, "Distances", "The distances of n queries: arrays that cannot be written to.");
+  distances.def("__len__", [](const Distances& d) { return d.all.size(); });
+  const auto column = [&](const char* name, auto member, auto number, std::size_t width, const char* help) {
+    const auto get = [member, number, width](const py::object& self) {
+      static_cast<void>(number);
+      const auto& all = self.cast<const Distances&>().all;
+      return column_of<decltype(number)>(all, all.empty() ? nullptr : &(all[0].*member), self, width);
+    };
+    distances.def_property_readonly(name, get, help);
+  };
+  column("value", &Distance::value, double(), 0, "(n,) float64: the doubles nearest to the exact distances");
+  column("feature_a", &Distance::feature_a, std::uint8_t(), 0, "(n,) uint8: codes of Feature");
+  column("feature_b", &Distance::feature_b, std::uint8_t(), 0, "(n,) uint8: codes of Feature");
+  column("weights_a", &Distance::weights_a, double(), 3, "(n, 3) float64: closest points of the first elements");
+  column("weights_b", &Distance::weights_b, double(), 3, "(n, 3) float64: closest points of the second elements");
+}
+
+}  // namespace
+
+void define_queries(py::module_& module) {
+  define_times(module);
+  define_distances(module);
+  module.def("solve", &solve_arrays);
+  module.def("solve_any", &solve_any_arrays);
+  module.def("contact_times", &contact_times_arrays);
+  module.def("distance", &distance_arrays);
+  module.def("contact_normal", &contact_normal_arrays);
+}
+
+}  // namespace touchstone::python

@@ -1,0 +1,42 @@
+"""Exact continuous collision detection: do two moving elements ever touch, and when first?
+
+An element is a point, an edge or a triangle whose corners move on straight lines for t in [0, 1]. `solve` answers
+queries about two elements, one or millions at a time. `Mesh` and `first_contact` answer questions about whole meshes.
+Answers have no tolerance: `toi` and `toi_upper` are the two neighbouring doubles that enclose the exact first time.
+
+The kinds of query, and the order of their corners:
+
+    'edge-edge'    a0 a1 b0 b1        'vertex-face'  v f0 f1 f2
+    'point-edge'   p e0 e1            'point-point'  p q
+
+A point that falls through a triangle:
+
+>>> import touchstone
+>>> triangle = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
+>>> answer = touchstone.solve('vertex-face', [[.25, .25, 1]] + triangle, [[.25, .25, -2]] + triangle)
+>>> answer.contact, answer.toi, answer.toi_upper
+(True, 0.3333333333333333, 0.33333333333333337)
+>>> str(answer.nature)
+'crossing'
+
+Arrays. Positions are arrays or lists of real numbers: float64, float32, float16 and whole numbers, each taken with its
+exact value. A number that no double equals is an error. Arrays of any memory layout are read where they are. All
+lengths are in one unit of your choice, and times are fractions of the step.
+
+Errors. TypeError for an argument of another type. ValueError for a value without meaning: a NaN or infinite coordinate,
+a shape or name that does not fit. The message names the argument, and the row where there are rows.
+
+Calls run without Python's global lock, and Ctrl-C ends them with KeyboardInterrupt. Do not write to an array while a
+call reads it.
+"""
+from ._core import (Answer, Answers, Distance, Distances, ExactTime, FirstContact, FreeStep, Intersections, Mesh,
+                    Pairs, __version__)
+from ._names import Feature, Level, Nature, Trend
+from ._queries import contact_normal, contact_times, distance, solve, solve_any
+from ._meshes import all_contacts, candidates, first_contact, free_step, intersections
+
+__all__ = [
+    "Answer", "Answers", "Distance", "Distances", "ExactTime", "Feature", "FirstContact", "FreeStep", "Intersections",
+    "Level", "Mesh", "Nature", "Pairs", "Trend", "all_contacts", "candidates", "contact_normal", "contact_times",
+    "distance", "first_contact", "free_step", "intersections", "solve", "solve_any"
+]

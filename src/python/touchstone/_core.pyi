@@ -1,0 +1,140 @@
+# The types of the compiled half. The documented functions are in _queries.py and its neighbours.
+from typing import Any, Iterable, Iterator, List, Mapping, Optional, Tuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._names import Feature, Level, Nature, Trend
+
+__version__: str
+
+_Bools = NDArray[np.bool_]
+_Doubles = NDArray[np.float64]
+_Codes = NDArray[np.uint8]
+_Indices = NDArray[np.uint32]
+_Weights = Tuple[float, float, float]
+_Pair = Tuple[str, int, int]
+
+class Answer:
+    contact: bool
+    toi: float
+    toi_upper: float
+    starts_within: bool
+    nature: Nature
+    feature_a: Feature
+    feature_b: Feature
+    level: Level
+    trend: Trend
+    weights_a: _Weights
+    weights_b: _Weights
+    def __bool__(self) -> bool: ...
+
+class Answers:
+    contact: _Bools
+    toi: _Doubles
+    toi_upper: _Doubles
+    nature: _Codes
+    feature_a: _Codes
+    feature_b: _Codes
+    level: _Codes
+    trend: _Codes
+    starts_within: _Bools
+    weights_a: _Doubles
+    weights_b: _Doubles
+    def __len__(self) -> int: ...
+    def __getitem__(self, i: int) -> Answer: ...
+    def __iter__(self) -> Iterator[Answer]: ...
+
+class ExactTime:
+    lower: float
+    upper: float
+    def __float__(self) -> float: ...
+    def __lt__(self, other: Any) -> bool: ...
+    def __le__(self, other: Any) -> bool: ...
+    def __gt__(self, other: Any) -> bool: ...
+    def __ge__(self, other: Any) -> bool: ...
+
+class Distance:
+    value: float
+    feature_a: Feature
+    feature_b: Feature
+    weights_a: _Weights
+    weights_b: _Weights
+    def __float__(self) -> float: ...
+
+class Distances:
+    value: _Doubles
+    feature_a: _Codes
+    feature_b: _Codes
+    weights_a: _Doubles
+    weights_b: _Doubles
+    def __len__(self) -> int: ...
+
+class Mesh:
+    vertex_count: int
+    dimension: int
+    metric: str
+    faces: _Indices
+    edges: _Indices
+    points: _Indices
+    def __init__(self, vertices: Union[int, ArrayLike], faces: Optional[ArrayLike] = None,
+                 edges: Optional[ArrayLike] = None, points: Optional[ArrayLike] = None, separation: float = 0.0,
+                 metric: str = "euclidean", radii: Optional[ArrayLike] = None, *, dimension: Optional[int] = None,
+                 excluded_vertices: Optional[ArrayLike] = None, excluded_pairs: Iterable[_Pair] = (),
+                 groups: Optional[ArrayLike] = None, group_pairs: Optional[ArrayLike] = None,
+                 only_listed_groups: bool = False, pair_separations: Mapping[_Pair, float] = ...) -> None: ...
+    def may_collide(self, pair: _Pair) -> bool: ...
+    def separation_of(self, pair: _Pair) -> float: ...
+    def corners(self, pair: _Pair) -> List[int]: ...
+    def describe(self, pair: _Pair) -> str: ...
+
+class Pairs:
+    kind: List[str]
+    first: _Indices
+    second: _Indices
+    separation: _Doubles
+    answers: Answers
+    def __len__(self) -> int: ...
+    def __getitem__(self, i: int) -> _Pair: ...
+    def __iter__(self) -> Iterator[_Pair]: ...
+
+class FirstContact:
+    contact: bool
+    toi: float
+    toi_upper: float
+    free: bool
+    first: Pairs
+    at_start: Pairs
+
+class FreeStep:
+    outcome: str
+    length: float
+    positions: _Doubles
+    contact: FirstContact
+    proofs: int
+
+class Intersections:
+    first_element: List[str]
+    first: _Indices
+    second_element: List[str]
+    second: _Indices
+    pierces: _Bools
+    weights_first: _Doubles
+    weights_second: _Doubles
+    def __len__(self) -> int: ...
+
+def solve(kind: str, start: ArrayLike, end: ArrayLike, t_max: float, separation: ArrayLike, metric: str, threads: int,
+          method: str) -> Union[Answers, Answer]: ...
+def solve_any(kind: str, start: ArrayLike, end: ArrayLike, t_max: float, separation: ArrayLike, metric: str,
+              threads: int) -> Union[_Bools, bool]: ...
+def contact_times(kind: str, start: ArrayLike, end: ArrayLike, t_max: float, separation: ArrayLike, metric: str,
+                  threads: int) -> List[Any]: ...
+def distance(kind: str, start: ArrayLike, end: ArrayLike, t: float, metric: str,
+             threads: int) -> Union[Distances, Distance]: ...
+def contact_normal(kind: str, start: ArrayLike, end: ArrayLike, t_max: float, separation: ArrayLike,
+                   threads: int) -> _Doubles: ...
+def first_contact(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float, threads: int) -> FirstContact: ...
+def all_contacts(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float, threads: int) -> Pairs: ...
+def candidates(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float, threads: int) -> Pairs: ...
+def intersections(mesh: Mesh, x: ArrayLike, threads: int) -> Intersections: ...
+def free_step(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, kept_fraction: float, threads: int) -> FreeStep: ...
