@@ -120,6 +120,16 @@ SEPARATION_FAULTS = [
     ("parameters' distance from a border", "filters/entry.cpp", "if (!strictly_closest(", "if (false && !strictly_closest("),
 ]
 
+# Of curved queries: the fuzzer and the checker of proofs know none of these, only tests/curved does.
+CURVED_FAULTS = [
+    ("size of a separation along a direction", "filters/curved_paths.cpp", " + reach(direction, separation)", ""),
+    ("deviation of an arc", "solver/screw_arcs.cpp", "a * a * a / 32", "a * a * a / 512"),
+    ("errors of an arc's orientations", "solver/screw_arcs.cpp", "1.2 * error", "1.2 / 16 * error"),
+    ("rounding of an arc's positions", "solver/screw_arcs.cpp", "4 * kUlp * size", "4 / 16.0 * kUlp * size"),
+    ("rounding of an arc's control points", "solver/screw_arcs.cpp", "12 * kUlp * size", "12 / 16.0 * kUlp * size"),
+    ("speed in a range of times", "solver/screw_arcs.cpp", "corner_speed(c) * half", "corner_speed(c) / 16 * half"),
+]
+
 
 def stop(reason):
     print(f"weaken-constants: {reason}", file=sys.stderr)
@@ -127,6 +137,8 @@ def stop(reason):
 
 
 def layer_of(fault):
+    if fault in CURVED_FAULTS:
+        return "curved"
     return "separation" if fault in SEPARATION_FAULTS else fault[1].split("/")[0]
 
 
@@ -209,6 +221,8 @@ def attacks(build, layer, seconds, jobs, quick):
         fuzz += ["--separation", "each"]
         # The long tests of that folder compare what the fuzzer compares.
         searches = [tests("filters", 0.3, "[separation]"), tests("separation", 0.2, "*entries near*,patches*")]
+    elif layer == "curved":
+        searches, quick = [tests("curved", 0.5, "no corner is*,a corner is*,*separations of curved*")], True
     else:
         searches = [tests(layer, 0.5)]
     spent, excuses = 0.0, []
@@ -288,12 +302,13 @@ def main():
     parser.add_argument("--proofs", action="store_true", help="no tests: the checker of proofs judges")
     parser.add_argument("--list", action="store_true", help="the faults, and no more")
     options = parser.parse_args()
-    chosen = [fault for fault in FAULTS + SEPARATION_FAULTS if options.only in fault[0]]
+    known = FAULTS + SEPARATION_FAULTS + ([] if options.proofs else CURVED_FAULTS)
+    chosen = [fault for fault in known if options.only in fault[0]]
     if options.proofs:
         chosen = [coarser(fault) for fault in chosen]
     if not chosen:
         stop(f"no fault is called '{options.only}'")
-    for fault in FAULTS + SEPARATION_FAULTS:  # before minutes are spent
+    for fault in FAULTS + SEPARATION_FAULTS + CURVED_FAULTS:  # before minutes are spent
         faulty((ROOT / "src" / fault[1]).read_text(), fault)
     if options.list:
         print("\n".join(fault[0] for fault in chosen))

@@ -10,6 +10,7 @@
 #include <touchstone/answer.hpp>
 #include <touchstone/contact_times.hpp>
 #include <touchstone/curved_query.hpp>
+#include <touchstone/separation.hpp>
 #include <touchstone/solve.hpp>
 
 namespace touchstone {
@@ -30,16 +31,31 @@ Answer solve(const CurvedQuery& query, double t_max = 1.0);
 /// @throws InvalidQuery  also for a value that is none of Method's
 Answer solve(const CurvedQuery& query, Method method, double t_max = 1.0);
 
+/// The first time in [0, t_max] at which the two elements are within a separation of each other, decided exactly. With
+/// distance 0 it is solve(query, t_max).
+/// @param query       the two elements and their motion
+/// @param separation  the distance that they are to keep, and its metric
+/// @param t_max       the end of the time range, 0 <= t_max <= 1
+/// @return the answer
+/// @throws InvalidQuery  as solve(query, t_max), and for a distance that is negative or not finite, or an unknown metric
+Answer solve(const CurvedQuery& query, const Separation& separation, double t_max = 1.0);
+
+/// The same by the method of your choice.
+Answer solve(const CurvedQuery& query, const Separation& separation, Method method, double t_max = 1.0);
+
 /// Whether the two elements touch at any t in [0, t_max]: the `contact` of solve(query, t_max).
 /// @throws InvalidQuery  as solve(query, t_max)
 bool solve_any(const CurvedQuery& query, double t_max = 1.0);
+
+/// Whether they come within a separation of each other: the `contact` of solve(query, separation, t_max).
+/// @throws InvalidQuery  as solve(query, separation, t_max)
+bool solve_any(const CurvedQuery& query, const Separation& separation, double t_max = 1.0);
 
 /// The answers to many curved queries, in input order. They are the same for any number of threads.
 /// @param queries  the queries, of one kind or of several
 /// @param options  how they are answered; the vectors' width has no effect
 /// @return answers[i] for queries[i]
-/// @throws InvalidQuery  for options without meaning or with a separation, or naming the index of the first query
-///                       without meaning
+/// @throws InvalidQuery  for options without meaning, or naming the index of the first query without meaning
 std::vector<Answer> solve_batch(const std::vector<CurvedQuery>& queries, const BatchOptions& options = {});
 
 /// The same into the caller's memory. When it throws, no answer is valid.
@@ -47,18 +63,22 @@ std::vector<Answer> solve_batch(const std::vector<CurvedQuery>& queries, const B
 /// @param count    the number of queries
 /// @param answers  room for `count` answers; answers[i] becomes the answer to queries[i]
 /// @param options  how they are answered; the vectors' width has no effect
-/// @throws InvalidQuery  for options without meaning or with a separation, or naming the index of the first query
-///                       without meaning
+/// @throws InvalidQuery  for options without meaning, or naming the index of the first query without meaning
 void solve_batch(const CurvedQuery* queries, std::size_t count, Answer* answers, const BatchOptions& options = {});
 
-/// The unit normal at the first contact, as contact_normal(Query) defines it for d = 0. Its distance from the true unit
-/// vector is less than 2^-49.
-/// @return the normal; nothing without a contact, where n = 0, or where the kind has no n
-/// @throws InvalidQuery  as solve(query, t_max)
-std::optional<std::array<double, 3>> contact_normal(const CurvedQuery& query, double t_max = 1.0);
+/// The unit normal at the first contact, as contact_normal(Query) defines it. Its distance from the true unit vector is
+/// less than 2^-49.
+/// @return the normal; nothing without a contact, and where contact_normal(Query) gives nothing
+/// @throws InvalidQuery  as solve(query, separation, t_max), and for a distance > 0 in a metric that is not Euclidean
+std::optional<std::array<double, 3>> contact_normal(const CurvedQuery& query, const Separation& separation = {},
+                                                    double t_max = 1.0);
 
 /// All times in [0, t_max] at which the two elements touch: ascending and disjoint closed intervals, exactly.
 /// @throws InvalidQuery  as solve(query, t_max)
 std::vector<ContactInterval> contact_times(const CurvedQuery& query, double t_max = 1.0);
+
+/// All times in [0, t_max] at which they are within a separation of each other.
+/// @throws InvalidQuery  as solve(query, separation, t_max)
+std::vector<ContactInterval> contact_times(const CurvedQuery& query, const Separation& separation, double t_max = 1.0);
 
 }  // namespace touchstone

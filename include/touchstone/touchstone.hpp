@@ -12,6 +12,7 @@
 #include <touchstone/error.hpp>
 #include <touchstone/mesh.hpp>
 #include <touchstone/query.hpp>
+#include <touchstone/screw.hpp>
 #include <touchstone/separation.hpp>
 #include <touchstone/solve.hpp>
 #include <touchstone/vector_width.hpp>

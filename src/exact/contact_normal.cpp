@@ -22,6 +22,7 @@ using Corners = std::array<Direction, 4>;
 Direction operator*(const Form& factor, const Direction& v) { return {{factor * v[0], factor * v[1], factor * v[2]}}; }
 Direction negative(const Direction& v) { return {{-v[0], -v[1], -v[2]}}; }
 
+Corners corners_of(const CurvedQuery& query) { return moving_corners<AnyDegree>(query).corners; }
 template <class Q>
 Corners corners_of(const Q& query) {
   const ScaledCorners scaled = scaled_corners(query);
@@ -121,17 +122,6 @@ std::optional<std::array<double, 3>> unit_vector(const Direction& v, const RealR
 }
 
 template <class Q>
-std::optional<std::array<double, 3>> touching_normal(const Q& query, const Corners& x, double t_max) {
-  if (query.kind != Kind::edge_edge && query.kind != Kind::vertex_face) return std::nullopt;
-  const std::vector<RootInterval> times = touching_times(query, t_max);
-  if (times.empty()) return std::nullopt;
-  const RealRoot& time = times.front().first;
-  const Plane plane = plane_of(query.kind, x);
-  const bool turned = !plane.coplanarity.is_zero() && Moment::just_before(time).sign(plane.coplanarity) < 0;
-  return unit_vector(turned ? negative(plane.n) : plane.n, time);
-}
-
-template <class Q>
 std::optional<std::array<double, 3>> normal_of(const Q& query, double t_max, const Separation& separation) {
   const Corners x = corners_of(query);
   if (separation.distance > 0) {
@@ -139,7 +129,13 @@ std::optional<std::array<double, 3>> normal_of(const Q& query, double t_max, con
     if (!time) return std::nullopt;
     return unit_vector(between_closest_points(x, answer, query.kind, Moment::at(*time)), *time);
   }
-  return touching_normal(query, x, t_max);
+  if (query.kind != Kind::edge_edge && query.kind != Kind::vertex_face) return std::nullopt;
+  const std::vector<RootInterval> times = touching_times(query, t_max);
+  if (times.empty()) return std::nullopt;
+  const RealRoot& time = times.front().first;
+  const Plane plane = plane_of(query.kind, x);
+  const bool turned = !plane.coplanarity.is_zero() && Moment::just_before(time).sign(plane.coplanarity) < 0;
+  return unit_vector(turned ? negative(plane.n) : plane.n, time);
 }
 
 }  // namespace
@@ -153,8 +149,9 @@ std::optional<std::array<double, 3>> contact_normal(const RationalQuery& query, 
 }
 
 // At each time the corners are multiplied by one positive number, which turns no normal.
-std::optional<std::array<double, 3>> contact_normal(const CurvedQuery& query, double t_max) {
-  return touching_normal(query, moving_corners<AnyDegree>(query), t_max);
+std::optional<std::array<double, 3>> contact_normal(const CurvedQuery& query, double t_max,
+                                                    const Separation& separation) {
+  return normal_of(query, t_max, separation);
 }
 
 }  // namespace touchstone::exact

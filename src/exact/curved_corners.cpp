@@ -58,9 +58,10 @@ Pose pose_of(const RigidMotion& motion, const Scaled& lengths) {
           weight};
 }
 
-geometry::Vector<Form> on_body(const Pose& pose, const Vec3& point, const Scaled& lengths) {
+/// A body point in directions that do not turn, relative to the body's origin.
+geometry::Vector<Form> turned(const Pose& pose, const Vec3& point, const Scaled& lengths) {
   const Exact coordinates[3] = {lengths(point.x), lengths(point.y), lengths(point.z)};
-  geometry::Vector<Form> result = pose.origin;
+  geometry::Vector<Form> result;
   for (std::size_t k = 0; k < 3; ++k) {
     for (std::size_t j = 0; j < 3; ++j) result[k] = result[k] + pose.rotation[k][j] * coordinates[j];
   }
@@ -121,20 +122,51 @@ Forms<AnyDegree>::Corners moving_corners<AnyDegree>(const CurvedQuery& query) {
     if (same == weights.end()) weights.push_back(poses[m].weight);
   }
 
-  Forms<AnyDegree>::Corners corners;
+  // The product of all weights, but for one.
+  const auto others = [&](std::size_t but) {
+    Form product(Exact(1));
+    for (std::size_t w = 0; w < weights.size(); ++w) {
+      if (w != but) product = product * weights[w];
+    }
+    return product;
+  };
+  const std::size_t none = weights.size();
+  constexpr int kLeastSize = 2;  // as of straight motion, so that equal motions have equal formal degrees
+  const auto times = [](geometry::Vector<Form> x, const Form& factor) {
+    for (Form& coordinate : x.c) coordinate = scaled_by(factor, coordinate).trimmed(kLeastSize);
+    return x;
+  };
+
+  Forms<AnyDegree>::Corners result;
+  result.factor = lengths(1);
+  result.scale = others(none);
+  result.second = query.kind == Kind::edge_edge ? 2 : 1;
   for (std::size_t i = 0; i < count; ++i) {
     const CurvedCorner& corner = query.corners[i];
-    const bool on_a_body = corner.motion != CurvedCorner::kOnCurve;
-    corners[i] = on_a_body ? on_body(poses[motion_of(corner)], corner.points[0], lengths) : on_curve(corner, lengths);
-    constexpr int kLeastSize = 2;  // as of straight motion, so that equal motions have equal formal degrees
-    for (Form& coordinate : corners[i].c) {
-      for (std::size_t w = 0; w < weights.size(); ++w) {
-        if (!on_a_body || w != weight_of[motion_of(corner)]) coordinate = coordinate * weights[w];
-      }
-      coordinate = std::move(coordinate).trimmed(kLeastSize);
+    if (corner.motion == CurvedCorner::kOnCurve) {
+      result.own[i] = times(on_curve(corner, lengths), Form(Exact(1)));
+      result.corners[i] = times(result.own[i], result.scale);
+    } else {
+      const Pose& pose = poses[motion_of(corner)];
+      result.own[i] = turned(pose, corner.points[0], lengths);
+      geometry::Vector<Form> position = pose.origin;
+      for (std::size_t k = 0; k < 3; ++k) position[k] = position[k] + result.own[i][k];
+      result.corners[i] = times(std::move(position), others(weight_of[motion_of(corner)]));
     }
   }
-  return corners;
+  for (std::size_t element = 0; element < 2; ++element) {
+    const std::size_t begin = element == 0 ? 0 : result.second, end = element == 0 ? result.second : count;
+    const int motion = query.corners[begin].motion;
+    const bool all_alike = std::all_of(query.corners.begin() + begin, query.corners.begin() + end,
+                                       [&](const CurvedCorner& corner) { return corner.motion == motion; });
+    if (all_alike) {
+      const bool curves = motion == CurvedCorner::kOnCurve;
+      result.multipliers[element] = others(curves ? none : weight_of[static_cast<std::size_t>(motion)]);
+    } else {
+      std::copy(result.corners.begin() + begin, result.corners.begin() + end, result.own.begin() + begin);
+    }
+  }
+  return result;
 }
 
 }  // namespace touchstone::exact

@@ -65,11 +65,11 @@ class DistanceLevel {
   virtual std::unique_ptr<DistanceLevel> with_level(const Ratio& level) const = 0;
 };
 
-/// The Euclidean distance; the level is d^2. Corners and d are multiplied by the same number.
-std::unique_ptr<DistanceLevel> euclidean_level(Kind kind, const Forms<Exact>::Corners& corners, const Ratio& level);
+/// The Euclidean distance; the level is d^2. d is multiplied by the corners' factor, but not by their scale.
+std::unique_ptr<DistanceLevel> euclidean_level(Kind kind, const AnyCorners& corners, const Ratio& level);
 
-/// The largest distance along an axis; the level is d.
-std::unique_ptr<DistanceLevel> max_level(Kind kind, const Forms<Exact>::Corners& corners, const Ratio& level);
+/// The largest distance along an axis; the level is d, multiplied in the same way.
+std::unique_ptr<DistanceLevel> max_level(Kind kind, const AnyCorners& corners, const Ratio& level);
 
 /// A moving point, in polynomials of any formal degree.
 inline geometry::Vector<Form> form_of(const Forms<Exact>::Point& point) {

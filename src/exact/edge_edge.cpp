@@ -16,7 +16,7 @@ constexpr bool kEdges = true;
 template <class N>
 EdgeEdgeElements<N>::EdgeEdgeElements(const typename Forms<N>::Corners& corners)
     : corners_(corners),
-      frame_(geometry::frame_of(kEdges, [&](std::size_t i, std::size_t j) { return corners[i] - corners[j]; })),
+      frame_(geometry::frame_of(kEdges, [&](std::size_t i, std::size_t j) { return difference(corners, i, j); })),
       n_(geometry::normal(frame_)),
       coplanarity_(dot(n_, frame_.r)) {}
 
@@ -44,35 +44,35 @@ bool EdgeEdgeElements<N>::touching(const Moment& moment, SideSigns& found) const
   found.axis = k;
   const Quadratic f1 = first_numerator(frame_, axis);
   if ((found.sign[0] = s * moment.sign(f1, "(r x w)", k)) < 0) return false;
-  if ((found.sign[1] = s * moment.sign(n_[axis] - f1, "n - (r x w)", k)) < 0) return false;
+  if ((found.sign[1] = s * moment.sign(completed(corners_, 0, n_[axis]) - f1, "n - (r x w)", k)) < 0) return false;
   const Quadratic f2 = second_numerator(kEdges, frame_, axis);
   if ((found.sign[2] = s * moment.sign(f2, "(r x u)", k)) < 0) return false;
-  return (found.sign[3] = s * moment.sign(n_[axis] - f2, "n - (r x u)", k)) >= 0;
+  return (found.sign[3] = s * moment.sign(completed(corners_, 1, n_[axis]) - f2, "n - (r x u)", k)) >= 0;
 }
 
 template <class N>
 void EdgeEdgeElements<N>::locate(const RealRoot& root, const SideSigns& found, Answer& answer) const {
   if (found.axis < 0) return locate_parallel(root, answer);
   const std::size_t axis = static_cast<std::size_t>(found.axis);
-  // `first` is the index of the element's first sign; `numerator` gives the fraction along it.
-  const auto locate_on = [&](std::size_t first, const auto& numerator, std::array<Feature, 3> names,
+  // `element` is 0 or 1; `numerator` gives the fraction along it.
+  const auto locate_on = [&](std::size_t element, const auto& numerator, std::array<Feature, 3> names,
                              Feature& feature) -> std::array<double, 3> {
-    if (found.sign[first] == 0) {
+    if (found.sign[2 * element] == 0) {
       feature = names[0];
       return {1, 0, 0};
     }
-    if (found.sign[first + 1] == 0) {
+    if (found.sign[2 * element + 1] == 0) {
       feature = names[1];
       return {0, 1, 0};
     }
     feature = names[2];
-    const double weight = root.quotient(Quadratic(numerator()), n_[axis]);
+    const double weight = root.quotient(Quadratic(numerator()), completed(corners_, element, n_[axis]));
     return {1 - weight, weight, 0};
   };
   const auto f1 = [&] { return first_numerator(frame_, axis); };
   const auto f2 = [&] { return second_numerator(kEdges, frame_, axis); };
   answer.weights_a = locate_on(0, f1, {Feature::a0, Feature::a1, Feature::a}, answer.feature_a);
-  answer.weights_b = locate_on(2, f2, {Feature::b0, Feature::b1, Feature::b}, answer.feature_b);
+  answer.weights_b = locate_on(1, f2, {Feature::b0, Feature::b1, Feature::b}, answer.feature_b);
 }
 
 template <class N>

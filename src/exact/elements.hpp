@@ -39,14 +39,59 @@ struct Forms {
 
 /// In place of a number type: corners whose coordinates are polynomials of any degree.
 struct AnyDegree {};
+
+/// Moving corners, at each time multiplied by one positive number, a polynomial in t.
+struct AnyCorners {
+  using Point = geometry::Vector<Form>;
+
+  const Point& operator[](std::size_t i) const { return corners[i]; }
+  /// 0 for a corner of the first element, 1 for one of the second.
+  std::size_t element_of(std::size_t corner) const { return corner < second ? 0 : 1; }
+
+  std::array<Point, 4> corners;
+
+  /// The same corners up to a moving vector that is common to an element, for differences of lower degrees within it:
+  /// corners[i] - corners[j] = multipliers[e] (own[i] - own[j]) for corners of element e.
+  std::array<Point, 4> own;
+  std::array<Form, 2> multipliers = {Form(Exact(1)), Form(Exact(1))};  ///< positive
+  std::size_t second = 4;                                              ///< the second element's first corner
+
+  /// The positions of the query, and so its distances, are multiplied by the factor and, at each time, by the scale.
+  Exact factor = Exact(1);
+  Form scale = Form(Exact(1));
+};
 template <>
 struct Forms<AnyDegree> {
   using Linear = Form;
   using Quadratic = Form;
   using Cubic = Form;
-  using Point = geometry::Vector<Form>;
-  using Corners = std::array<Point, 4>;
+  using Point = AnyCorners::Point;
+  using Corners = AnyCorners;
 };
+
+/// p times a positive polynomial, which is often 1.
+inline Form scaled_by(const Form& scale, const Form& p) {
+  return scale.size() == 1 && scale[0] == Exact(1) ? p : scale * p;
+}
+
+/// Corner i minus corner j; within an element, up to a positive factor, of which `completed` makes up for.
+template <class Point>
+Point difference(const std::array<Point, 4>& corners, std::size_t i, std::size_t j) {
+  return corners[i] - corners[j];
+}
+inline AnyCorners::Point difference(const AnyCorners& corners, std::size_t i, std::size_t j) {
+  const bool within = corners.element_of(i) == corners.element_of(j);
+  return within ? corners.own[i] - corners.own[j] : corners[i] - corners[j];
+}
+
+/// p times the factor that differences within an element (0 or 1) lack.
+template <class Point, class P>
+const P& completed(const std::array<Point, 4>&, std::size_t, const P& p) {
+  return p;
+}
+inline Form completed(const AnyCorners& corners, std::size_t element, const Form& p) {
+  return scaled_by(corners.multipliers[element], p);
+}
 
 /// The number types of coordinates at this level: integers of one, two or three limbs, and Exact, numbers of any size.
 using Short = numbers::FixedInt<1>;

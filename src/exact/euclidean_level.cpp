@@ -19,16 +19,18 @@ namespace {
 
 using Point = geometry::Vector<Form>;
 
-/// A pair of features. All polynomials but the excess are to be divided by the scale, which is positive but where the
-/// features degenerate: a lesser pair then has the same closest points.
+/// A pair of features. The scale is positive but where the features degenerate: a lesser pair then has the same closest
+/// points. An edge's direction is known up to a positive polynomial: the multiplier of its element, which the weights
+/// on this element are multiplied by in addition. The distances do not depend on it.
 struct Patch {
   Feature feature_a = Feature::none;
   Feature feature_b = Feature::none;
   Form scale;   ///< 1, |e|^2 or |n|^2
-  Form gap;     ///< the squared distance
-  Form excess;  ///< squared distance minus level, times the level's denominator
-  /// The weights of the nearest points on each element; the formal degree is the scale's.
+  Form gap;     ///< the squared distance of the corners as they are scaled, times the scale
+  Form excess;  ///< squared distance minus level, times the scale and the level's denominator
+  /// The weights of the nearest points on each element, times unit_a and unit_b.
   std::array<Form, 3> a, b;
+  Form unit_a, unit_b;  ///< the scale, times the element's multiplier
   /// The weights that are neither 0 nor 1 at all times.
   std::array<std::pair<int, int>, 4> free = {};  ///< element (0, 1) and corner
   std::size_t free_count = 0;
@@ -53,7 +55,8 @@ struct Corner {
 struct Edge {
   Feature feature;
   int first, second;  ///< of its weights
-  Point start, end;
+  Point start;
+  Point direction;  ///< to its end, up to the multiplier
 };
 
 Patch corner_and_corner(const Corner& a, const Corner& b) {
@@ -64,36 +67,40 @@ Patch corner_and_corner(const Corner& a, const Corner& b) {
   const Point r = b.position - a.position;
   patch.gap = geometry::dot(r, r);
   patch.a[static_cast<std::size_t>(a.index)] = patch.b[static_cast<std::size_t>(b.index)] = patch.scale;
+  patch.unit_a = patch.unit_b = patch.scale;
   return patch;
 }
 
 /// With e = end - start and r = corner - start the foot on the edge's line has the weight (r . e) / |e|^2 at its end,
 /// and the squared distance is |e x r|^2 / |e|^2. `corner_first`: the corner belongs to the first element.
-Patch corner_and_edge(const Corner& corner, const Edge& edge, bool corner_first) {
+Patch corner_and_edge(const Corner& corner, const Edge& edge, const Form& multiplier, bool corner_first) {
   Patch patch;
   (corner_first ? patch.feature_a : patch.feature_b) = corner.feature;
   (corner_first ? patch.feature_b : patch.feature_a) = edge.feature;
   auto& on_corner = corner_first ? patch.a : patch.b;
   auto& on_edge = corner_first ? patch.b : patch.a;
-  const Point e = edge.end - edge.start;
+  const Point& e = edge.direction;
   const Point r = corner.position - edge.start;
   const Point c = geometry::cross(e, r);
   patch.scale = geometry::dot(e, e);
   patch.gap = geometry::dot(c, c);
   on_corner[static_cast<std::size_t>(corner.index)] = patch.scale;
+  Form& unit = corner_first ? patch.unit_b : patch.unit_a;
+  (corner_first ? patch.unit_a : patch.unit_b) = patch.scale;
+  unit = scaled_by(multiplier, patch.scale);
   on_edge[static_cast<std::size_t>(edge.second)] = geometry::dot(r, e);
-  on_edge[static_cast<std::size_t>(edge.first)] = patch.scale - geometry::dot(r, e);
+  on_edge[static_cast<std::size_t>(edge.first)] = unit - geometry::dot(r, e);
   patch.add_free(corner_first ? 1 : 0, {edge.first, edge.second});
   return patch;
 }
 
 /// Two edges, or a vertex and a face: see geometry/frame.hpp. Where n is not zero, r = f1 u - f2 w + (r . n) / |n|^2 n
 /// for edges, and r = w1 u + w2 w + (r . n) / |n|^2 n for a face, with f1 = (r x w) . n / |n|^2 and so on.
-Patch interiors(bool edges, const std::array<Point, 4>& x) {
+Patch interiors(bool edges, const AnyCorners& x) {
   Patch patch;
   patch.feature_a = edges ? Feature::a : Feature::v;
   patch.feature_b = edges ? Feature::b : Feature::f;
-  const auto frame = geometry::frame_of(edges, [&x](std::size_t i, std::size_t j) { return x[i] - x[j]; });
+  const auto frame = geometry::frame_of(edges, [&x](std::size_t i, std::size_t j) { return difference(x, i, j); });
   const Point n = geometry::normal(frame);
   const Form coplanarity = geometry::dot(n, frame.r);
   patch.scale = geometry::dot(n, n);
@@ -103,40 +110,45 @@ Patch interiors(bool edges, const std::array<Point, 4>& x) {
   };
   const Form first = along_normal([&](std::size_t k) { return geometry::first_numerator(frame, k); });
   const Form second = along_normal([&](std::size_t k) { return geometry::second_numerator(edges, frame, k); });
+  patch.unit_a = scaled_by(x.multipliers[0], patch.scale);
+  patch.unit_b = scaled_by(x.multipliers[1], patch.scale);
   if (edges) {
-    patch.a = {patch.scale - first, first, Form()};
-    patch.b = {patch.scale - second, second, Form()};
+    patch.a = {patch.unit_a - first, first, Form()};
+    patch.b = {patch.unit_b - second, second, Form()};
     patch.add_free(0, {0, 1});
     patch.add_free(1, {0, 1});
   } else {
-    patch.a = {patch.scale, Form(), Form()};
-    patch.b = {patch.scale - first - second, first, second};
+    patch.a = {patch.unit_a, Form(), Form()};
+    patch.b = {patch.unit_b - first - second, first, second};
     patch.add_free(1, {0, 1, 2});
   }
   return patch;
 }
 
 /// Lesser pairs before greater ones, in the order of their features.
-std::vector<Patch> patches_of(Kind kind, const std::array<Point, 4>& x) {
+std::vector<Patch> patches_of(Kind kind, const AnyCorners& x) {
   std::vector<Patch> patches;
   std::vector<Corner> a, b;
   std::vector<Edge> a_edges, b_edges;
+  const auto edge = [&x](Feature feature, int first, int second, std::size_t start, std::size_t end) {
+    return Edge{feature, first, second, x[start], difference(x, end, start)};
+  };
   switch (kind) {
     case Kind::edge_edge:
       a = {{Feature::a0, 0, x[0]}, {Feature::a1, 1, x[1]}};
       b = {{Feature::b0, 0, x[2]}, {Feature::b1, 1, x[3]}};
-      a_edges = {{Feature::a, 0, 1, x[0], x[1]}};
-      b_edges = {{Feature::b, 0, 1, x[2], x[3]}};
+      a_edges = {edge(Feature::a, 0, 1, 0, 1)};
+      b_edges = {edge(Feature::b, 0, 1, 2, 3)};
       break;
     case Kind::vertex_face:
       a = {{Feature::v, 0, x[0]}};
       b = {{Feature::f0, 0, x[1]}, {Feature::f1, 1, x[2]}, {Feature::f2, 2, x[3]}};
-      b_edges = {{Feature::f01, 0, 1, x[1], x[2]}, {Feature::f12, 1, 2, x[2], x[3]}, {Feature::f20, 2, 0, x[3], x[1]}};
+      b_edges = {edge(Feature::f01, 0, 1, 1, 2), edge(Feature::f12, 1, 2, 2, 3), edge(Feature::f20, 2, 0, 3, 1)};
       break;
     case Kind::point_edge:
       a = {{Feature::p, 0, x[0]}};
       b = {{Feature::e0, 0, x[1]}, {Feature::e1, 1, x[2]}};
-      b_edges = {{Feature::e, 0, 1, x[1], x[2]}};
+      b_edges = {edge(Feature::e, 0, 1, 1, 2)};
       break;
     case Kind::point_point:
       a = {{Feature::p, 0, x[0]}};
@@ -147,10 +159,10 @@ std::vector<Patch> patches_of(Kind kind, const std::array<Point, 4>& x) {
     for (const Corner& other : b) patches.push_back(corner_and_corner(corner, other));
   }
   for (const Corner& corner : a) {
-    for (const Edge& edge : b_edges) patches.push_back(corner_and_edge(corner, edge, true));
+    for (const Edge& other : b_edges) patches.push_back(corner_and_edge(corner, other, x.multipliers[1], true));
   }
   for (const Corner& corner : b) {
-    for (const Edge& edge : a_edges) patches.push_back(corner_and_edge(corner, edge, false));
+    for (const Edge& other : a_edges) patches.push_back(corner_and_edge(corner, other, x.multipliers[0], false));
   }
   if (kind == Kind::edge_edge || kind == Kind::vertex_face) patches.push_back(interiors(kind == Kind::edge_edge, x));
   return patches;
@@ -158,9 +170,12 @@ std::vector<Patch> patches_of(Kind kind, const std::array<Point, 4>& x) {
 
 class EuclideanLevel final : public DistanceLevel {
  public:
-  EuclideanLevel(Kind kind, std::vector<Patch> patches, const Ratio& level)
-      : kind_(kind), patches_(std::move(patches)) {
-    for (Patch& patch : patches_) patch.excess = patch.gap * level.denominator - patch.scale * level.numerator;
+  /// @param square  of the positive number that the corners are multiplied by at each time
+  EuclideanLevel(Kind kind, std::vector<Patch> patches, Form square, const Ratio& level)
+      : kind_(kind), patches_(std::move(patches)), square_(std::move(square)) {
+    for (Patch& patch : patches_) {
+      patch.excess = patch.gap * level.denominator - scaled_by(square_, patch.scale) * level.numerator;
+    }
   }
 
   int compare(const Moment& moment) const override {
@@ -195,8 +210,8 @@ class EuclideanLevel final : public DistanceLevel {
   std::vector<CandidateStory::Condition> conditions_of(const Event& event, const Moment& moment) const override {
     const Patch& patch = patches_[event.place];
     std::vector<CandidateStory::Condition> conditions;
-    if (patch.scale.size() > 1) {
-      const bool interior = patch.scale.size() > 3;
+    if (patch.free_count > 0) {
+      const bool interior = patch.free_count > 2;
       conditions.push_back({interior ? "|n|^2" : "squared length of the edge", moment.sign(patch.scale)});
     }
     for (std::size_t i = 0; i < patch.free_count; ++i) {
@@ -214,8 +229,8 @@ class EuclideanLevel final : public DistanceLevel {
       if (moment.sign(patch.excess) != 0 || !feet_strictly_inside(patch, moment)) continue;
       answer.feature_a = patch.feature_a;
       answer.feature_b = patch.feature_b;
-      answer.weights_a = weights(patch.a, patch.scale, root);
-      answer.weights_b = weights(patch.b, patch.scale, root);
+      answer.weights_a = weights(patch.a, patch.unit_a, root);
+      answer.weights_b = weights(patch.b, patch.unit_b, root);
       return;
     }
   }
@@ -226,18 +241,19 @@ class EuclideanLevel final : public DistanceLevel {
     std::optional<Ratio> least;
     for (const Patch& patch : patches_) {
       if (!feet_inside(patch, moment)) continue;
-      // The gap's formal degree may be greater than the scale's by two: r's own degree.
-      Ratio distance = {homogeneous_value(patch.gap, at), homogeneous_value(patch.scale, at)};
-      for (int i = patch.scale.size(); i < patch.gap.size(); ++i) {
+      const Form scale = scaled_by(square_, patch.scale);
+      Ratio distance = {homogeneous_value(patch.gap, at), homogeneous_value(scale, at)};
+      // To the same formal degree.
+      for (int i = scale.size(); i < patch.gap.size(); ++i)
         distance.denominator = distance.denominator * at.denominator;
-      }
+      for (int i = patch.gap.size(); i < scale.size(); ++i) distance.numerator = distance.numerator * at.denominator;
       if (!least || exact::compare(distance, *least) < 0) least = std::move(distance);
     }
     return *least;  // the closest points lie on some pair of features
   }
 
   std::unique_ptr<DistanceLevel> with_level(const Ratio& level) const override {
-    return std::make_unique<EuclideanLevel>(kind_, patches_, level);
+    return std::make_unique<EuclideanLevel>(kind_, patches_, square_, level);
   }
 
  private:
@@ -268,7 +284,7 @@ class EuclideanLevel final : public DistanceLevel {
     return false;
   }
 
-  static std::array<double, 3> weights(const std::array<Form, 3>& numerators, const Form& scale, const RealRoot& root) {
+  static std::array<double, 3> weights(const std::array<Form, 3>& numerators, const Form& unit, const RealRoot& root) {
     std::array<int, 3> positive{};
     std::size_t count = 0;
     for (int i = 0; i < 3; ++i) {
@@ -276,7 +292,7 @@ class EuclideanLevel final : public DistanceLevel {
       if (!numerator.is_zero() && root.quick_sign_at(numerator) > 0) positive[count++] = i;
     }
     std::array<double, 3> result{};
-    const auto quotient = [&](int i) { return root.quotient(numerators[static_cast<std::size_t>(i)], scale); };
+    const auto quotient = [&](int i) { return root.quotient(numerators[static_cast<std::size_t>(i)], unit); };
     if (count == 1) result[static_cast<std::size_t>(positive[0])] = 1;
     if (count == 2) {
       result[static_cast<std::size_t>(positive[1])] = quotient(positive[1]);
@@ -314,8 +330,8 @@ class EuclideanLevel final : public DistanceLevel {
       const Patch& other = patches_[kB0AndA + 1];
       if (b0 && b1 && moment.sign(other.a[1] - end->a[1]) > 0) end = &other;
     }
-    answer.weights_a = weights(end->a, end->scale, root);
-    answer.weights_b = weights(end->b, end->scale, root);
+    answer.weights_a = weights(end->a, end->unit_a, root);
+    answer.weights_b = weights(end->b, end->unit_b, root);
     return true;
   }
 
@@ -324,6 +340,7 @@ class EuclideanLevel final : public DistanceLevel {
 
   Kind kind_;
   std::vector<Patch> patches_;
+  Form square_;
 };
 
 }  // namespace
@@ -338,10 +355,8 @@ Exact homogeneous_value(const Form& p, const Ratio& time) {
   return value;
 }
 
-std::unique_ptr<DistanceLevel> euclidean_level(Kind kind, const Forms<Exact>::Corners& corners, const Ratio& level) {
-  std::array<Point, 4> x;
-  for (std::size_t i = 0; i < corner_count(kind); ++i) x[i] = form_of(corners[i]);
-  return std::make_unique<EuclideanLevel>(kind, patches_of(kind, x), level);
+std::unique_ptr<DistanceLevel> euclidean_level(Kind kind, const AnyCorners& corners, const Ratio& level) {
+  return std::make_unique<EuclideanLevel>(kind, patches_of(kind, corners), corners.scale * corners.scale, level);
 }
 
 }  // namespace touchstone::exact

@@ -23,6 +23,7 @@ Answer decide_exactly(const CurvedQuery& query, double t_max);
 /// The same for contact within a separation > 0.
 Answer decide_exactly(const Query& query, double t_max, const Separation& separation);
 Answer decide_exactly(const RationalQuery& query, double t_max, const Separation& separation);
+Answer decide_exactly(const CurvedQuery& query, double t_max, const Separation& separation);
 
 /// The sign of (distance at t - separation), for 0 <= t <= 1.
 int compare_distance(const Query& query, double t, const Separation& separation);
@@ -34,9 +35,8 @@ Distance distance_at(const Query& query, double t, Metric metric);
 std::optional<std::array<double, 3>> contact_normal(const Query& query, double t_max, const Separation& separation);
 std::optional<std::array<double, 3>> contact_normal(const RationalQuery& query, double t_max,
                                                     const Separation& separation);
-
-/// The same for touching.
-std::optional<std::array<double, 3>> contact_normal(const CurvedQuery& query, double t_max);
+std::optional<std::array<double, 3>> contact_normal(const CurvedQuery& query, double t_max,
+                                                    const Separation& separation);
 
 /// V(t) within a relative error of 2^-50 and with its exact sign, for edge-edge and vertex-face queries and
 /// 0 <= t <= 1. A value that underflows is the least double of its sign; one that overflows is infinite.
@@ -80,5 +80,6 @@ Story explain(const CurvedQuery& query, double t_max);
 /// The same for contact within a separation > 0.
 Story explain(const Query& query, double t_max, const Separation& separation);
 Story explain(const RationalQuery& query, double t_max, const Separation& separation);
+Story explain(const CurvedQuery& query, double t_max, const Separation& separation);
 
 }  // namespace touchstone::exact

@@ -26,6 +26,7 @@ std::vector<RootInterval> touching_times(const CurvedQuery& query, double t_max)
 /// The same for contact within a separation > 0.
 std::vector<RootInterval> touching_times(const Query& query, double t_max, const Separation& separation);
 std::vector<RootInterval> touching_times(const RationalQuery& query, double t_max, const Separation& separation);
+std::vector<RootInterval> touching_times(const CurvedQuery& query, double t_max, const Separation& separation);
 
 /// The first contact within a separation > 0 with its exact time, which is there when there is a contact.
 struct TimedAnswer {
@@ -34,5 +35,6 @@ struct TimedAnswer {
 };
 TimedAnswer decide_with_time(const Query& query, double t_max, const Separation& separation);
 TimedAnswer decide_with_time(const RationalQuery& query, double t_max, const Separation& separation);
+TimedAnswer decide_with_time(const CurvedQuery& query, double t_max, const Separation& separation);
 
 }  // namespace touchstone::exact

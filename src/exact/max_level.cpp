@@ -39,7 +39,9 @@ struct Vertex {
 
 class MaxLevel final : public DistanceLevel {
  public:
-  MaxLevel(Kind kind, const std::array<Point, 4>& corners, const Ratio& level) : kind_(kind), corners_(corners) {
+  // With edges' directions divided by their element's multiplier m, s and t are multiplied by it: s + t <= m and so on.
+  // d is multiplied by what the corners are multiplied by.
+  MaxLevel(Kind kind, const AnyCorners& corners, const Ratio& level) : kind_(kind), corners_(corners) {
     const Form zero, one(Exact(1)), minus_one(Exact(-1));
     const bool edges = kind == Kind::edge_edge;
     // The difference is r - s u - t w. For edges it is b0 + t (b1 - b0) - a0 - s u, for a face v - f0 - s u - t w, for
@@ -47,16 +49,16 @@ class MaxLevel final : public DistanceLevel {
     Point u, w, r;
     if (kind == Kind::edge_edge || kind == Kind::vertex_face) {
       const auto frame =
-          geometry::frame_of(edges, [&](std::size_t i, std::size_t j) { return corners_[i] - corners_[j]; });
+          geometry::frame_of(edges, [&](std::size_t i, std::size_t j) { return difference(corners_, i, j); });
       u = frame.u;
-      w = edges ? corners_[2] - corners_[3] : frame.w;
+      w = edges ? difference(corners_, 2, 3) : frame.w;
       r = frame.r;
     } else {
-      if (kind == Kind::point_edge) u = corners_[2] - corners_[1];
+      if (kind == Kind::point_edge) u = difference(corners_, 2, 1);
       r = corners_[0] - corners_[1];
     }
     for (std::size_t k = 0; k < 3; ++k) {
-      const Form d(level.numerator);
+      const Form d = corners_.scale * level.numerator;
       const Form us = u[k] * level.denominator, ws = w[k] * level.denominator, rs = r[k] * level.denominator;
       add({us, ws, d - rs});    // r_k - s u_k - t w_k <= d
       add({-us, -ws, d + rs});  // and >= -d
@@ -64,10 +66,11 @@ class MaxLevel final : public DistanceLevel {
     add({one, zero, zero});  // 0 <= s
     add({zero, one, zero});  // 0 <= t
     if (kind == Kind::vertex_face) {
-      add({minus_one, minus_one, one});  // s + t <= 1
+      add({minus_one, minus_one, corners_.multipliers[1]});  // s + t <= 1
     } else {
-      add({minus_one, zero, kind == Kind::point_point ? zero : one});  // s <= 1
-      add({zero, minus_one, edges ? one : zero});                      // t <= 1
+      const Form& of_s = corners_.multipliers[edges ? 0 : 1];
+      add({minus_one, zero, kind == Kind::point_point ? zero : of_s});  // s <= 1
+      add({zero, minus_one, edges ? corners_.multipliers[1] : zero});   // t <= 1
     }
   }
 
@@ -233,7 +236,7 @@ class MaxLevel final : public DistanceLevel {
       return moment.sign(v[0]) == 0 && moment.sign(v[1]) == 0 && moment.sign(v[2]) == 0;
     };
     const auto point_at = [&](std::size_t i, std::size_t j, std::size_t border) {
-      return vanishes(corners_[i] - corners_[j]) ? bit(border) : 0U;
+      return vanishes(difference(corners_, i, j)) ? bit(border) : 0U;
     };
     switch (kind_) {
       case Kind::edge_edge: return {point_at(0, 1, kS) | point_at(2, 3, kT)};
@@ -241,7 +244,7 @@ class MaxLevel final : public DistanceLevel {
       case Kind::point_point: return {0U};
       case Kind::vertex_face: break;
     }
-    if (!vanishes(geometry::cross(corners_[2] - corners_[1], corners_[3] - corners_[1]))) return {0U};
+    if (!vanishes(geometry::cross(difference(corners_, 2, 1), difference(corners_, 3, 1)))) return {0U};
     return {bit(kS) | bit(kT), bit(kT) | bit(kSum), bit(kS) | bit(kSum), bit(kT), bit(kSum), bit(kS)};
   }
 
@@ -265,7 +268,7 @@ class MaxLevel final : public DistanceLevel {
     return false;
   }
 
-  /// The border's value at the vertex: numerator and denominator.
+  /// The border's value at the vertex, which is the weight times its element's multiplier: numerator and denominator.
   std::pair<Form, Form> weight_of(const Vertex& vertex, std::size_t border) const {
     bool negative = false;
     const Form& value = value_at(vertex.i, vertex.j, border, negative);
@@ -276,7 +279,8 @@ class MaxLevel final : public DistanceLevel {
     const auto positive = [&](std::size_t border) { return (vertex.tight & bit(border)) == 0; };
     const auto weight = [&](std::size_t border) {
       const auto [numerator, denominator] = weight_of(vertex, border);
-      return root.quotient(numerator, denominator);
+      const bool of_first = kind_ == Kind::edge_edge && (border == kS || border == kOtherS);
+      return root.quotient(numerator, completed(corners_, of_first ? 0 : 1, denominator));
     };
     const auto on_edge = [&](std::size_t first, std::size_t second, const std::array<Feature, 3>& features,
                              Feature& feature) -> std::array<double, 3> {
@@ -316,14 +320,17 @@ class MaxLevel final : public DistanceLevel {
     }
   }
 
-  /// A half-plane's row at a rational time, times the time's denominator: s, t, constant, and the factor of d.
+  /// A half-plane's row at a rational time, times a power of the time's denominator: s, t, constant, and the factor of d.
   std::array<Exact, 4> row_at(std::size_t m, const Ratio& time) const {
-    const auto value = [&](const Form& p) {
-      const Exact result = homogeneous_value(p, time);
-      return p.size() == 1 ? result * time.denominator : result;
-    };
     const HalfPlane& h = half_planes_[m];
-    return {value(h.s), value(h.t), value(h.constant), m < kAxes ? time.denominator : Exact(0)};
+    const Form& of_d = corners_.scale;
+    const int size = std::max({h.s.size(), h.t.size(), h.constant.size(), of_d.size()});
+    const auto value = [&](const Form& p) {
+      Exact result = homogeneous_value(p, time);
+      for (int i = p.size(); i < size; ++i) result = result * time.denominator;
+      return result;
+    };
+    return {value(h.s), value(h.t), value(h.constant), m < kAxes ? value(of_d) : Exact(0)};
   }
 
   /// The determinant of three rows' columns 0, 1 and `column`.
@@ -333,7 +340,7 @@ class MaxLevel final : public DistanceLevel {
   }
 
   Kind kind_;
-  std::array<Point, 4> corners_;
+  AnyCorners corners_;
   std::array<HalfPlane, kMost> half_planes_;
   std::size_t count_ = 0;
   mutable std::array<Lazy<Form>, kMost*(kMost - 1) / 2> pairs_;
@@ -342,10 +349,8 @@ class MaxLevel final : public DistanceLevel {
 
 }  // namespace
 
-std::unique_ptr<DistanceLevel> max_level(Kind kind, const Forms<Exact>::Corners& corners, const Ratio& level) {
-  std::array<Point, 4> x;
-  for (std::size_t i = 0; i < corner_count(kind); ++i) x[i] = form_of(corners[i]);
-  return std::make_unique<MaxLevel>(kind, x, level);
+std::unique_ptr<DistanceLevel> max_level(Kind kind, const AnyCorners& corners, const Ratio& level) {
+  return std::make_unique<MaxLevel>(kind, corners, level);
 }
 
 }  // namespace touchstone::exact

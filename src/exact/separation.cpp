@@ -25,12 +25,25 @@ Ratio level_of(const Exact& distance, Metric metric) {
   return {metric == Metric::euclidean ? distance * distance : distance, Exact(1)};
 }
 
+AnyCorners any_corners(const CurvedQuery& query) { return moving_corners<AnyDegree>(query); }
+template <class Q>
+AnyCorners any_corners(const Q& query) {
+  const ScaledCorners scaled = scaled_corners(query);
+  AnyCorners corners;
+  corners.second = query.kind == Kind::edge_edge ? 2 : 1;
+  corners.factor = scaled.factor;
+  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+    corners.corners[i] = corners.own[i] = form_of(scaled.corners[i]);
+  }
+  return corners;
+}
+
 template <class Q>
 std::unique_ptr<DistanceLevel> level_for(const Q& query, const Separation& separation) {
-  const ScaledCorners scaled = scaled_corners(query);
-  const Ratio level = level_of(Exact(separation.distance) * scaled.factor, separation.metric);
+  const AnyCorners corners = any_corners(query);
+  const Ratio level = level_of(Exact(separation.distance) * corners.factor, separation.metric);
   const auto make = separation.metric == Metric::euclidean ? euclidean_level : max_level;
-  return make(query.kind, scaled.corners, level);
+  return make(query.kind, corners, level);
 }
 
 RealRoot time_at(double t) { return RealRoot::rational(Exact(t), Exact(1), 1); }
@@ -128,6 +141,12 @@ Answer first_contact(const DistanceLevel& level, double t_max, Story* story = nu
   return Answer();
 }
 
+TimedAnswer timed_contact(const DistanceLevel& level, double t_max) {
+  TimedAnswer timed;
+  timed.answer = first_contact(level, t_max, nullptr, &timed.time);
+  return timed;
+}
+
 template <class Q>
 Story tell(const Q& query, double t_max, const Separation& separation) {
   Story story;
@@ -203,27 +222,36 @@ Answer decide_exactly(const Query& query, double t_max, const Separation& separa
 Answer decide_exactly(const RationalQuery& query, double t_max, const Separation& separation) {
   return first_contact(*level_for(query, separation), t_max);
 }
+Answer decide_exactly(const CurvedQuery& query, double t_max, const Separation& separation) {
+  const numbers::LimbScratch scratch;
+  return first_contact(*level_for(query, separation), t_max);
+}
 
 Story explain(const Query& query, double t_max, const Separation& separation) { return tell(query, t_max, separation); }
 Story explain(const RationalQuery& query, double t_max, const Separation& separation) {
   return tell(query, t_max, separation);
 }
+Story explain(const CurvedQuery& query, double t_max, const Separation& separation) {
+  return tell(query, t_max, separation);
+}
 
 TimedAnswer decide_with_time(const Query& query, double t_max, const Separation& separation) {
-  TimedAnswer timed;
-  timed.answer = first_contact(*level_for(query, separation), t_max, nullptr, &timed.time);
-  return timed;
+  return timed_contact(*level_for(query, separation), t_max);
 }
 TimedAnswer decide_with_time(const RationalQuery& query, double t_max, const Separation& separation) {
-  TimedAnswer timed;
-  timed.answer = first_contact(*level_for(query, separation), t_max, nullptr, &timed.time);
-  return timed;
+  return timed_contact(*level_for(query, separation), t_max);
+}
+TimedAnswer decide_with_time(const CurvedQuery& query, double t_max, const Separation& separation) {
+  return timed_contact(*level_for(query, separation), t_max);
 }
 
 std::vector<RootInterval> touching_times(const Query& query, double t_max, const Separation& separation) {
   return all_contacts(*level_for(query, separation), t_max);
 }
 std::vector<RootInterval> touching_times(const RationalQuery& query, double t_max, const Separation& separation) {
+  return all_contacts(*level_for(query, separation), t_max);
+}
+std::vector<RootInterval> touching_times(const CurvedQuery& query, double t_max, const Separation& separation) {
   return all_contacts(*level_for(query, separation), t_max);
 }
 

@@ -15,7 +15,7 @@ constexpr bool kEdges = false;
 template <class N>
 VertexFaceElements<N>::VertexFaceElements(const typename Forms<N>::Corners& corners)
     : corners_(corners),
-      frame_(geometry::frame_of(kEdges, [&](std::size_t i, std::size_t j) { return corners[i] - corners[j]; })),
+      frame_(geometry::frame_of(kEdges, [&](std::size_t i, std::size_t j) { return difference(corners, i, j); })),
       n_(geometry::normal(frame_)),
       coplanarity_(geometry::dot(n_, frame_.r)) {}
 
@@ -39,7 +39,7 @@ bool VertexFaceElements<N>::touching(const Moment& moment, SideSigns& found) con
   if ((found.sign[1] = s * moment.sign(w1, "(r x w)", k)) < 0) return false;
   const Quadratic w2 = second_numerator(kEdges, frame_, axis);
   if ((found.sign[2] = s * moment.sign(w2, "(u x r)", k)) < 0) return false;
-  return (found.sign[0] = s * moment.sign(n_[axis] - w1 - w2, "n - (r x w) - (u x r)", k)) >= 0;
+  return (found.sign[0] = s * moment.sign(completed(corners_, 1, n_[axis]) - w1 - w2, "n - (r x w) - (u x r)", k)) >= 0;
 }
 
 template <class N>
@@ -50,7 +50,8 @@ void VertexFaceElements<N>::locate(const RealRoot& root, const SideSigns& found,
   const std::size_t axis = static_cast<std::size_t>(found.axis);
   const Quadratic w1 = first_numerator(frame_, axis);
   const Quadratic w2 = second_numerator(kEdges, frame_, axis);
-  const Quadratic weights[3] = {n_[axis] - w1 - w2, w1, w2};
+  const Quadratic n = completed(corners_, 1, n_[axis]);
+  const Quadratic weights[3] = {n - w1 - w2, w1, w2};
   unsigned support = 0;  // bit i: weight i is positive
   for (unsigned i = 0; i < 3; ++i) {
     if (found.sign[i] != 0) support |= 1U << i;
@@ -60,7 +61,7 @@ void VertexFaceElements<N>::locate(const RealRoot& root, const SideSigns& found,
   answer.feature_b = by_support[support];
   for (unsigned i = 0; i < 3; ++i) {
     if ((support & (1U << i)) != 0) {
-      answer.weights_b[i] = support == 1U << i ? 1.0 : root.quotient(weights[i], n_[axis]);
+      answer.weights_b[i] = support == 1U << i ? 1.0 : root.quotient(weights[i], n);
     }
   }
 }

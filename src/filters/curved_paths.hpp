@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include <touchstone/curved_query.hpp>
+#include <touchstone/separation.hpp>
 
 #include "geometry/vector.hpp"
 
@@ -28,5 +29,8 @@ CurvedPaths curved_paths(const CurvedQuery& query) noexcept;
 
 /// Whether some direction certainly separates the two elements all over the step.
 bool certainly_apart(const CurvedQuery& query) noexcept;
+
+/// Whether some direction shows that they are farther than a separation from each other all over the step.
+bool certainly_farther(const CurvedQuery& query, const Separation& separation) noexcept;
 
 }  // namespace touchstone::filters

@@ -44,8 +44,9 @@ bool bisect(Coefficients p, const Exact& low, const Exact& high, int depth, int 
     }
     if (part.depth == 0) return false;
     // A cut must not be at a root. One of these places is not, because there are more of them than roots.
-    static constexpr int kPlaces[] = {32, 40, 24, 48, 16, 56, 8,  33, 31, 34, 30, 35, 29, 36,
-                                      28, 37, 27, 38, 26, 39, 25, 41, 23, 42, 22, 43, 21, 44};
+    static constexpr int kPlaces[] = {32, 40, 24, 48, 16, 56, 8,  33, 31, 34, 30, 35, 29, 36, 28, 37, 27, 38, 26,
+                                      39, 25, 41, 23, 42, 22, 43, 21, 44, 20, 45, 19, 46, 18, 47, 17, 49, 15, 50,
+                                      14, 51, 13, 52, 12, 53, 11, 54, 10, 55, 9,  57, 7,  58, 6,  59, 5,  60};
     static_assert(sizeof kPlaces / sizeof *kPlaces > kMostDegree);
     for (const int place : kPlaces) {
       auto [left, right] = part.form.split(place);

@@ -7,8 +7,8 @@
 namespace touchstone::numbers {
 
 /// The largest degree of a polynomial whose roots and signs are decided. Straight motion takes 3, and 6 for the
-/// distance to a plane. Four corners on four bodies that turn take 27, two bodies 13.
-inline constexpr int kMostDegree = 27;
+/// distance to a plane. Four corners on four bodies that turn take 27, and 54 for the distance.
+inline constexpr int kMostDegree = 54;
 
 /// Coefficients of a polynomial, constant first; the formal degree is size - 1.
 struct Coefficients {

@@ -90,6 +90,24 @@ bool quotient_over(const RootBracket& bracket, Coefficients numerator, Coefficie
   return true;
 }
 
+/// The same from the values at the bracket's lower end, which is much cheaper for high degrees. A polynomial differs from
+/// its value there by at most its slope's bound, the sum of k |c_k| in [0, 1], times the bracket's width. For the values
+/// n and d and these bounds a and b, the quotient differs from n / d by at most (a |d| + |n| b) / (|d| (|d| - b)).
+bool quotient_at_low(const RootBracket& bracket, Coefficients numerator, Coefficients denominator, double& result) {
+  const Exact width = bracket.high() - bracket.low();
+  const auto magnitude = [](const Exact& x) { return sign_of(x) < 0 ? -x : x; };
+  const auto spread = [&](Coefficients q) {
+    Exact sum(0);
+    for (int k = 1; k < q.size; ++k) sum = sum + magnitude(q.c[k]);
+    return sum * Exact(q.size - 1) * width;
+  };
+  const Exact n = evaluate(numerator, bracket.low()), d = evaluate(denominator, bracket.low());
+  const Exact a = spread(numerator), b = spread(denominator), size = magnitude(d), left = size - b;
+  if (sign_of(left) <= 0 || a * size + magnitude(n) * b > Exact(0x1p-53) * size * left) return false;
+  result = std::clamp(approximate_quotient(n, d), 0.0, 1.0);
+  return true;
+}
+
 std::string hexfloat(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%a", x);
@@ -381,6 +399,11 @@ double RealRoot::quotient(Coefficients numerator, Coefficients denominator) cons
     return quotient({n.begin(), n.size()}, {d.begin(), d.size()});
   }
   double result;
+  constexpr int kLongSize = 5;
+  if (numerator.size >= kLongSize) {
+    while (!quotient_at_low(narrow_, numerator, denominator, result)) narrow_.narrow(polynomial());
+    return result;
+  }
   if (quotient_over(bracket_, numerator, denominator, result)) return result;
   while (!quotient_over(narrow_, numerator, denominator, result)) narrow_.narrow(polynomial());
   return result;

@@ -88,12 +88,13 @@ ExactList first_taylor_coefficients(Coefficients q, const Exact& point, std::siz
 
 /// Factors that bring the coefficients of a degree to its Bernstein basis without fractions: element i is u / b(n, i)
 /// with b(n, i) the binomial coefficients and u their least common multiple.
+constexpr int kTabled = 27;
 struct BernsteinUnits {
-  double factor[kMostDegree + 1][kMostDegree + 1] = {};
+  double factor[kTabled + 1][kTabled + 1] = {};
 
   constexpr BernsteinUnits() {
-    for (int n = 0; n <= kMostDegree; ++n) {
-      std::int64_t binomial[kMostDegree + 1] = {1};
+    for (int n = 0; n <= kTabled; ++n) {
+      std::int64_t binomial[kTabled + 1] = {1};
       std::int64_t unit = 1;
       for (int i = 1; i <= n; ++i) {
         binomial[i] = binomial[i - 1] * (n - i + 1) / i;
@@ -105,7 +106,20 @@ struct BernsteinUnits {
 };
 constexpr BernsteinUnits kBernstein;
 static_assert(kBernstein.factor[6][0] == 60 && kBernstein.factor[6][3] == 3);
-static_assert(kBernstein.factor[kMostDegree][0] < 0x1p53, "integers that doubles hold");
+static_assert(kBernstein.factor[kTabled][0] < 0x1p53, "integers that doubles hold");
+
+/// Multiplies by such factors, for any degree n. Those of high degrees are n! / b(n, i) = i! (n - i)!.
+void to_bernstein_units(ExactList& c) {
+  const std::size_t degree = static_cast<std::size_t>(c.size()) - 1;
+  if (degree <= kTabled) {
+    for (std::size_t i = 0; i <= degree; ++i) c[i] = c[i] * Exact(kBernstein.factor[degree][i]);
+    return;
+  }
+  ExactList factorial(c.size());
+  factorial[0] = Exact(1);
+  for (std::size_t i = 1; i <= degree; ++i) factorial[i] = factorial[i - 1] * Exact(static_cast<double>(i));
+  for (std::size_t i = 0; i <= degree; ++i) c[i] = c[i] * factorial[i] * factorial[degree - i];
+}
 
 /// The first four coefficients of p(point + x).
 struct TaylorCubic {
@@ -203,14 +217,15 @@ ExactList taylor_coefficients(Coefficients q, const Exact& point) {
 
 BernsteinForm::BernsteinForm(Coefficients q, const Exact& low, const Exact& high) : c_(taylor_coefficients(q, low)) {
   // With c_i the coefficients of q(low + (high - low) x), n the formal degree and b(n, i) the binomial coefficients,
-  // coefficient k is the sum of b(k, i) / b(n, i) c_i. All are times the least common multiple of the b(n, i).
+  // coefficient k is the sum of b(k, i) / b(n, i) c_i. All are times a common multiple of the b(n, i).
   const std::size_t degree = static_cast<std::size_t>(q.size) - 1;
   const Exact width = high - low;
   Exact power(1);
   for (std::size_t i = 0; i <= degree; ++i) {
-    c_[i] = c_[i] * power * Exact(kBernstein.factor[degree][i]);
+    c_[i] = c_[i] * power;
     if (i < degree) power = power * width;
   }
+  to_bernstein_units(c_);
   // The sums of b(k, i) c_i have the differences c_i at their start: add them up as in Pascal's triangle.
   for (std::size_t first = degree; first-- > 0;) {
     for (std::size_t k = first; k < degree; ++k) c_[k + 1] = c_[k + 1] + c_[k];

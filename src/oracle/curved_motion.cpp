@@ -63,9 +63,8 @@ Polynomial bezier(const std::vector<Integer>& control) {
   return points.front();
 }
 
-}  // namespace
-
-Corners read_motion(const CurvedQuery& query) {
+/// The corners, the product that they are multiplied by, and the distance, all in the same unit of length.
+MeasuredMotion read_with(const CurvedQuery& query, double distance) {
   const std::size_t count = corner_count(query.kind);
   const auto on_curve = [&](std::size_t i) { return query.corners[i].motion == CurvedCorner::kOnCurve; };
   const auto motion_of = [&](std::size_t i) -> const RigidMotion& {
@@ -76,6 +75,7 @@ Corners read_motion(const CurvedQuery& query) {
   const auto measure = [&](const Vec3& x) {
     for (const double c : coordinates(x)) length.add(c);
   };
+  length.add(distance);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t points = on_curve(i) ? static_cast<std::size_t>(query.corners[i].control_points) : 1;
     for (std::size_t k = 0; k < points; ++k) measure(query.corners[i].points[k]);
@@ -131,7 +131,13 @@ Corners read_motion(const CurvedQuery& query) {
     const Polynomial factor = CGAL::integral_division(common, denominators[i]);
     for (Polynomial& coordinate : corners[i]) coordinate *= factor;
   }
-  return corners;
+  return {corners, length(distance), common};
 }
+
+}  // namespace
+
+Corners read_motion(const CurvedQuery& query) { return read_with(query, 0).corners; }
+
+MeasuredMotion read_measured_motion(const CurvedQuery& query, double distance) { return read_with(query, distance); }
 
 }  // namespace touchstone::oracle

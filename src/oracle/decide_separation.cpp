@@ -18,14 +18,22 @@ namespace {
 /// metric.
 struct Measured {
   DifferencePolygon polygon;
+  Polynomial scale;  ///< of the polygon's positions at each time
   Metric metric;
 
+  /// At a time at which the scale is not zero.
   Rational distance_at(const Rational& time) const {
-    return metric == Metric::euclidean ? squared_distance_at(polygon, time) : max_distance_at(polygon, time);
+    const Rational size = scale.evaluate(time);
+    return metric == Metric::euclidean ? Rational(squared_distance_at(polygon, time) / (size * size))
+                                       : Rational(max_distance_at(polygon, time) / size);
   }
 
+  /// The scale's roots are among the dividing times, so that no rational time between these is one of them.
   Sublevel sublevel(const Rational& level) const {
-    return metric == Metric::euclidean ? euclidean_sublevel(polygon, level) : max_sublevel(polygon, level);
+    Sublevel result =
+        metric == Metric::euclidean ? euclidean_sublevel(polygon, level, scale) : max_sublevel(polygon, level, scale);
+    result.dividing.push_back(scale);
+    return result;
   }
 };
 
@@ -113,7 +121,7 @@ Answer contact(const Division& division, std::size_t i, Nature nature) {
 }
 
 Answer decide_measured(Kind kind, const MeasuredMotion& motion, double t_max, Metric metric) {
-  const Measured elements = {difference_polygon(kind, motion.corners), metric};
+  const Measured elements = {difference_polygon(kind, motion.corners), motion.scale, metric};
   const Rational distance(motion.distance);
   const Rational level = metric == Metric::euclidean ? Rational(distance * distance) : distance;
   const Rational at_start = elements.distance_at(Rational(0));
@@ -137,6 +145,10 @@ Answer decide_by_oracle(const Query& query, double t_max, const Separation& sepa
 }
 
 Answer decide_by_oracle(const RationalQuery& query, double t_max, const Separation& separation) {
+  return decide_measured(query.kind, read_measured_motion(query, separation.distance), t_max, separation.metric);
+}
+
+Answer decide_by_oracle(const CurvedQuery& query, double t_max, const Separation& separation) {
   return decide_measured(query.kind, read_measured_motion(query, separation.distance), t_max, separation.metric);
 }
 

@@ -28,15 +28,18 @@ Corners read_motion(const RationalQuery& query);
 /// coefficients integers. Touching, its times and barycentric coordinates are those of the query.
 Corners read_motion(const CurvedQuery& query);
 
-/// A motion and a distance in the same unit.
+/// A motion and a distance in the same unit. At each time the positions are in addition multiplied by the scale, which
+/// is positive in [0, 1].
 struct MeasuredMotion {
   Corners corners;
   Integer distance;
+  Polynomial scale = Polynomial(Integer(1));
 };
 
 /// The motion and the distance in one unit for all three axes, which makes all of them integers. So the distance of
 /// two elements compares with the given one as it does in the query.
 MeasuredMotion read_measured_motion(const Query& query, double distance);
 MeasuredMotion read_measured_motion(const RationalQuery& query, double distance);
+MeasuredMotion read_measured_motion(const CurvedQuery& query, double distance);
 
 }  // namespace touchstone::oracle

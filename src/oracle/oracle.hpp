@@ -19,6 +19,7 @@ Answer decide_by_oracle(const CurvedQuery& query, double t_max);
 /// The same for contact within a separation > 0.
 Answer decide_by_oracle(const Query& query, double t_max, const Separation& separation);
 Answer decide_by_oracle(const RationalQuery& query, double t_max, const Separation& separation);
+Answer decide_by_oracle(const CurvedQuery& query, double t_max, const Separation& separation);
 
 /// V(t) through CGAL's number types, for edge-edge and vertex-face queries and 0 <= t <= 1: the exact sign, and the
 /// value within a relative error of 2^-50. V is the determinant of the rows a1 - a0, b1 - b0, b0 - a0 of an edge-edge

@@ -74,10 +74,10 @@ Stationary stationary_point(Kind kind, const DifferenceFace& face, const MovingF
 }
 
 /// The conditions that the coordinates other than those in `tight` are at most the level in absolute value.
-void add_bounds(Candidate& candidate, const MovingFace& face, const Integer& level,
+void add_bounds(Candidate& candidate, const MovingFace& face, const Polynomial& level,
                 std::initializer_list<std::size_t> tight) {
   const Corner point = scaled_point(candidate, face);
-  const Polynomial bound = candidate.unit * constant(level);
+  const Polynomial bound = candidate.unit * level;
   for (std::size_t k = 0; k < 3; ++k) {
     if (std::find(tight.begin(), tight.end(), k) != tight.end()) continue;
     candidate.nonnegative.push_back(bound - point[k]);
@@ -89,7 +89,7 @@ void add_bounds(Candidate& candidate, const MovingFace& face, const Integer& lev
 /// each, as many coordinates are the level or its opposite as the face has dimensions. `moving` is in the unit of the
 /// level.
 std::vector<Candidate> corners_within(Kind kind, const DifferenceFace& face, const MovingFace& moving,
-                                      const Integer& level) {
+                                      const Polynomial& level) {
   const Polynomial zero = constant(0);
   const auto& [x, e, f] = moving;
   std::vector<Candidate> corners;
@@ -99,16 +99,16 @@ std::vector<Candidate> corners_within(Kind kind, const DifferenceFace& face, con
     return corners;
   }
   for (std::size_t k = 0; k < 3; ++k) {
-    for (const Integer& at_k : {level, Integer(-level)}) {
-      const Polynomial to_k = constant(at_k) - x[k];
+    for (const Polynomial& at_k : {level, Polynomial(-level)}) {
+      const Polynomial to_k = at_k - x[k];
       if (face.dimension() == 1) {
         corners.push_back(on_face(kind, face, e[k], to_k, zero));
         add_bounds(corners.back(), moving, level, {k});
         continue;
       }
       const std::size_t l = (k + 1) % 3;
-      for (const Integer& at_l : {level, Integer(-level)}) {
-        const Polynomial to_l = constant(at_l) - x[l];
+      for (const Polynomial& at_l : {level, Polynomial(-level)}) {
+        const Polynomial to_l = at_l - x[l];
         corners.push_back(on_face(kind, face, Polynomial(e[k] * f[l] - e[l] * f[k]),
                                   Polynomial(to_k * f[l] - to_l * f[k]), Polynomial(e[k] * to_l - e[l] * to_k)));
         add_bounds(corners.back(), moving, level, {k, l});
@@ -120,10 +120,10 @@ std::vector<Candidate> corners_within(Kind kind, const DifferenceFace& face, con
 
 }  // namespace
 
-Sublevel euclidean_sublevel(const DifferencePolygon& polygon, const Rational& level) {
+Sublevel euclidean_sublevel(const DifferencePolygon& polygon, const Rational& level, const Polynomial& scale) {
   // The squared length is convex on the polygon, so a point is the closest one exactly when no direction into the
   // polygon shortens it: the Karush-Kuhn-Tucker conditions.
-  const Polynomial numerator = constant(level.numerator());
+  const Polynomial numerator = constant(level.numerator()) * scale * scale;
   const Polynomial denominator = constant(level.denominator());
   Sublevel sublevel;
   for (const auto& face : polygon.faces) {
@@ -140,17 +140,18 @@ Sublevel euclidean_sublevel(const DifferencePolygon& polygon, const Rational& le
   return sublevel;
 }
 
-Sublevel max_sublevel(const DifferencePolygon& polygon, const Rational& level) {
+Sublevel max_sublevel(const DifferencePolygon& polygon, const Rational& level, const Polynomial& scale) {
   // The distance is the least h of a linear programme: coordinates between -h and h, parameters on the polygon. It is
   // attained at a corner, where three independent conditions hold with equality. Two that are opposite make h = 0, and
   // a positive level needs no division there; for level 0 their polynomial vanishes identically. The others are the
   // bounds of a point in which, on a face of dimension n, n coordinates are the level or its opposite.
   const Polynomial unit = constant(level.denominator());
+  const Polynomial bound = constant(level.numerator()) * scale;
   Sublevel sublevel;
   for (const auto& face : polygon.faces) {
     MovingFace moving = moving_face(polygon, face);
     moving = {unit * moving.base, unit * moving.first, unit * moving.second};
-    for (auto& candidate : corners_within(polygon.kind, face, moving, level.numerator())) {
+    for (auto& candidate : corners_within(polygon.kind, face, moving, bound)) {
       sublevel.dividing.insert(sublevel.dividing.end(), candidate.nonnegative.begin(), candidate.nonnegative.end());
       sublevel.candidates.push_back(std::move(candidate));
     }

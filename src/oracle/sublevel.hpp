@@ -33,11 +33,12 @@ struct Sublevel {
   std::vector<Candidate> candidates;
 };
 
-/// For the Euclidean metric. The level is that of the squared distance.
-Sublevel euclidean_sublevel(const DifferencePolygon& polygon, const Rational& level);
+/// For the Euclidean metric. The level is that of the squared distance. The polygon's positions are multiplied by the
+/// scale at each time, which is positive in [0, 1]; the level is not.
+Sublevel euclidean_sublevel(const DifferencePolygon& polygon, const Rational& level, const Polynomial& scale);
 
 /// For the largest-axis metric.
-Sublevel max_sublevel(const DifferencePolygon& polygon, const Rational& level);
+Sublevel max_sublevel(const DifferencePolygon& polygon, const Rational& level, const Polynomial& scale);
 
 /// Whether a candidate counts at a moment.
 bool counts(const Candidate& candidate, const Moment& at);

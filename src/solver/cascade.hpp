@@ -30,5 +30,8 @@ TOUCHSTONE_BEHIND_GUARD bool any_contact(const Query& query, const Separation& s
 /// The same for curved queries. @throws InvalidQuery  also naming the first corner or motion without meaning
 TOUCHSTONE_BEHIND_GUARD Answer answer(const CurvedQuery& query, Method method, double t_max);
 TOUCHSTONE_BEHIND_GUARD bool any_contact(const CurvedQuery& query, double t_max);
+TOUCHSTONE_BEHIND_GUARD Answer answer(const CurvedQuery& query, const Separation& separation, Method method,
+                                      double t_max);
+TOUCHSTONE_BEHIND_GUARD bool any_contact(const CurvedQuery& query, const Separation& separation, double t_max);
 
 }  // namespace touchstone::solver

@@ -33,10 +33,9 @@ std::optional<std::array<double, 3>> contact_normal(const RationalQuery& query, 
   return normal_of(query, separation, t_max);
 }
 
-std::optional<std::array<double, 3>> contact_normal(const CurvedQuery& query, double t_max) {
-  const numbers::DefaultFloatEnvironment environment;
-  solver::validate(query, t_max);
-  return exact::contact_normal(query, t_max);
+std::optional<std::array<double, 3>> contact_normal(const CurvedQuery& query, const Separation& separation,
+                                                    double t_max) {
+  return normal_of(query, separation, t_max);
 }
 
 }  // namespace touchstone

@@ -98,9 +98,11 @@ std::vector<ContactInterval> contact_times(const RationalQuery& query, const Sep
 }
 
 std::vector<ContactInterval> contact_times(const CurvedQuery& query, double t_max) {
-  const numbers::DefaultFloatEnvironment environment;
-  solver::validate(query, t_max);
-  return with_exact_times(exact::touching_times(query, t_max));
+  return contact_times(query, Separation(), t_max);
+}
+
+std::vector<ContactInterval> contact_times(const CurvedQuery& query, const Separation& separation, double t_max) {
+  return times_of_any(query, separation, t_max);
 }
 
 }  // namespace touchstone

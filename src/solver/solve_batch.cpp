@@ -98,6 +98,19 @@ void answer_all(std::size_t count, const BatchOptions& options, const QueryAt& q
   }
 }
 
+template <class AnyQuery>
+void solve_list(const AnyQuery* queries, std::size_t count, Answer* answers, const BatchOptions& options) {
+  const auto query_at = [queries](std::size_t i) -> const AnyQuery& { return queries[i]; };
+  const bool with_separation = has_separation(options);
+  answer_all(count, options, query_at, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      answers[i] = with_separation
+                       ? solver::answer(queries[i], separation_of(options, i), options.method, options.t_max)
+                       : solver::answer(queries[i], options.method, options.t_max);
+    }
+  });
+}
+
 }  // namespace
 
 bool has_vectors(VectorWidth width) noexcept { return filters::has_kernel(width); }
@@ -113,15 +126,7 @@ Query QueryColumns::operator[](std::size_t q) const noexcept {
 }
 
 void solve_batch(const Query* queries, std::size_t count, Answer* answers, const BatchOptions& options) {
-  const auto query_at = [queries](std::size_t i) -> const Query& { return queries[i]; };
-  const bool with_separation = has_separation(options);
-  answer_all(count, options, query_at, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      answers[i] = with_separation
-                       ? solver::answer(queries[i], separation_of(options, i), options.method, options.t_max)
-                       : solver::answer(queries[i], options.method, options.t_max);
-    }
-  });
+  solve_list(queries, count, answers, options);
 }
 
 void solve_batch(const QueryColumns& queries, Answer* answers, const BatchOptions& options) {
@@ -161,14 +166,7 @@ void solve_batch(const QueryColumns& queries, Answer* answers, const BatchOption
 }
 
 void solve_batch(const CurvedQuery* queries, std::size_t count, Answer* answers, const BatchOptions& options) {
-  validate_options(options);
-  if (has_separation(options)) {
-    throw InvalidQuery("there is a separation; curved queries have none, so the distance must be 0");
-  }
-  const auto query_at = [queries](std::size_t i) -> const CurvedQuery& { return queries[i]; };
-  answer_all(count, options, query_at, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) answers[i] = solver::answer(queries[i], options.method, options.t_max);
-  });
+  solve_list(queries, count, answers, options);
 }
 
 std::vector<Answer> solve_batch(const std::vector<CurvedQuery>& queries, const BatchOptions& options) {

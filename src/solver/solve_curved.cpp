@@ -30,6 +30,23 @@ bool any_contact(const CurvedQuery& query, double t_max) {
   return !filters::certainly_apart(query) && exact::decide_exactly(query, t_max).contact;
 }
 
+Answer answer(const CurvedQuery& query, const Separation& separation, Method method, double t_max) {
+  if (separation.distance == 0) return answer(query, method, t_max);
+  validate_method(method);
+  validate(query, t_max);
+  const bool by_cgal = method == Method::oracle || method == Method::fast_cgal;
+  if ((method == Method::fast || method == Method::fast_cgal) && filters::certainly_farther(query, separation)) {
+    Answer apart;
+    apart.level = Level::filter;
+    return apart;
+  }
+  return by_cgal ? oracle::decide_by_oracle(query, t_max, separation) : exact::decide_exactly(query, t_max, separation);
+}
+
+bool any_contact(const CurvedQuery& query, const Separation& separation, double t_max) {
+  return separation.distance == 0 ? any_contact(query, t_max) : answer(query, separation, Method::fast, t_max).contact;
+}
+
 }  // namespace solver
 
 Answer solve(const CurvedQuery& query, Method method, double t_max) {
@@ -38,6 +55,22 @@ Answer solve(const CurvedQuery& query, Method method, double t_max) {
 }
 
 Answer solve(const CurvedQuery& query, double t_max) { return solve(query, Method::fast, t_max); }
+
+Answer solve(const CurvedQuery& query, const Separation& separation, Method method, double t_max) {
+  const numbers::DefaultFloatEnvironment environment;
+  solver::validate(separation);
+  return solver::answer(query, separation, method, t_max);
+}
+
+Answer solve(const CurvedQuery& query, const Separation& separation, double t_max) {
+  return solve(query, separation, Method::fast, t_max);
+}
+
+bool solve_any(const CurvedQuery& query, const Separation& separation, double t_max) {
+  const numbers::DefaultFloatEnvironment environment;
+  solver::validate(separation);
+  return solver::any_contact(query, separation, t_max);
+}
 
 bool solve_any(const CurvedQuery& query, double t_max) {
   const numbers::DefaultFloatEnvironment environment;

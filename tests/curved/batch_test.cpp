@@ -109,8 +109,8 @@ TEST_CASE("a batch of curved queries names what has no meaning") {
   options.method = static_cast<Method>(9);
   CHECK(message_of(queries, options).find("method") != std::string::npos);
   options = {};
-  options.separation.distance = 1;
-  CHECK(message_of(queries, options).find("separation") != std::string::npos);
+  options.separation.distance = -1;
+  CHECK(message_of(queries, options).find("distance") != std::string::npos);
   CHECK_THROWS_AS(solve_any(queries[0], -1), InvalidQuery);
 }
 
@@ -210,7 +210,7 @@ TEST_CASE("the normal at the first contact of curved elements") {
       const auto normal = contact_normal(query);
       REQUIRE(normal);
       CHECK(*normal == std::array<double, 3>{0, 0, way});
-      CHECK(!contact_normal(query, 0.25));
+      CHECK(!contact_normal(query, {}, 0.25));
     }
   }
 }

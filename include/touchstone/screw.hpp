@@ -1,0 +1,68 @@
+// Touchstone: bodies that turn at a constant rate, as slerp and screw motions do. No finite polynomial is such a motion:
+// it is cut into arcs that are rational, with a proved bound on their deviation.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include <touchstone/curved_query.hpp>
+#include <touchstone/separation.hpp>
+
+namespace touchstone {
+
+/// What is proved about the motion.
+enum class ScrewVerdict : std::uint8_t {
+  free,         ///< there is certainly no contact in [0, t_max]
+  contact,      ///< there certainly is one
+  within_bound  ///< the elements come so near that the bound on the deviation leaves it open
+};
+
+/// The verdict's name: "free", "contact" or "within the bound". Empty for a value that is none of them.
+std::string_view screw_verdict_name(ScrewVerdict verdict) noexcept;
+
+/// How a motion of constant rate is decided.
+struct ScrewOptions {
+  double t_max = 1.0;          ///< the end of the time range, 0 <= t_max <= 1
+  Separation separation = {};  ///< contact is to be within this of each other; with distance 0, to touch
+
+  /// Into how many arcs of equal duration the step is cut first: a power of two from 4 to 2^20. Twice as many arcs have
+  /// an eighth of the deviation, down to the rounding errors of doubles.
+  int arcs = 8;
+
+  /// While the verdict is `within_bound`, the number of arcs is doubled up to this: a power of two from 4 to 2^20. It
+  /// has no effect when it is less than `arcs`.
+  int most_arcs = 256;
+};
+
+/// The answer. With no verdict but `free`, the elements certainly have no contact before `free_until`.
+struct ScrewAnswer {
+  ScrewVerdict verdict = ScrewVerdict::within_bound;
+  double free_until = 0;  ///< no contact is at a time less than this; t_max for `free`
+  double contact_by = 0;  ///< for `contact`: there is a contact at this time or before it; t_max otherwise
+  double deviation = 0;   ///< no corner was ever farther than this from where it should be, in the unit of length
+  int arcs = 0;           ///< the number of arcs that gave the verdict
+};
+
+/// Whether two elements whose bodies turn at a constant rate come into contact.
+///
+/// The query's rigid motions are read in another way than `solve` reads them: the orientation goes from q0 / |q0| to
+/// q1 / |q1| by slerp,
+///
+///     q(t) = sin((1 - t) h) / sin(h) q0 / |q0| + sin(t h) / sin(h) q1 / |q1|,   cos(h) = q0 . q1 / (|q0| |q1|),
+///
+/// so that the body turns about one axis at a constant rate, by the angle 2 h. The position is linear in t: with it, the
+/// motion is a screw where position and axis fit. See Shoemake, "Animating rotation with quaternion curves", SIGGRAPH
+/// 1985. Corners on curves are as in `solve`.
+///
+/// Contact of edges, and of a vertex and a face, is proved where the elements pass through each other. A touch that a
+/// small change of the motion undoes, as a graze and every touch of two points or of a point and an edge, is never
+/// proved, unless it is at t = 0 or t = 1. With a separation, contact is proved where the distance falls below it by
+/// more than the bound.
+/// @param query    the two elements and their motion
+/// @param options  the time range, the separation and the number of arcs
+/// @return the verdict, with the times and the bound that it rests on
+/// @throws InvalidQuery  as solve(query, separation, t_max), and for a number of arcs that is not a power of two in range
+ScrewAnswer solve_screw(const CurvedQuery& query, const ScrewOptions& options = {});
+
+}  // namespace touchstone

@@ -1,0 +1,259 @@
+// Bodies that turn at a constant rate: the bounds of their arcs and the verdicts, against the true motion in MPFR.
+// SPDX-License-Identifier: MIT
+#include <touchstone/screw.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include <touchstone/curved.hpp>
+#include <touchstone/distance.hpp>
+#include <touchstone/error.hpp>
+
+#include "curved/big.hpp"
+#include "curved/expected.hpp"
+#include "curved/queries.hpp"
+#include "solver/screw_arcs.hpp"
+#include "support/slow_build.hpp"
+
+namespace touchstone::tests {
+namespace {
+
+constexpr std::uint64_t kSeed = 59;
+
+Big distance_between(const BigPoint& a, const BigPoint& b) {
+  Big sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) sum = sum + (a[k] - b[k]) * (a[k] - b[k]);
+  return sqrt(sum);
+}
+
+/// Random bodies, of all turns from none to nearly a whole one, and of all sizes.
+CurvedQuery any_turn(Rng& rng) {
+  CurvedQuery query = random_query(rng.one_in(2) ? Kind::edge_edge : Kind::vertex_face, rng);
+  for (RigidMotion& motion : query.motions) {
+    for (double& c : motion.q1) c = rng.one_in(2) ? c : -c;
+    if (rng.one_in(4)) {
+      const double size = std::ldexp(1, -rng.between(1, 40));
+      for (std::size_t k = 0; k < 4; ++k) motion.q1[k] = motion.q0[k] + size * rng.symmetric();
+    }
+    if (rng.one_in(4)) {  // a turn about z by an angle below 360 degrees
+      motion.q0 = {1, 0, 0, 0};
+      motion.q1 = {-rng.unit(), 0, 0, 1};
+    }
+    const double length = std::ldexp(1, rng.between(-300, 300));
+    for (double& c : motion.q1) c *= length;
+  }
+  if (rng.one_in(4)) {
+    for (CurvedCorner& corner : query.corners) {
+      for (Vec3& x : corner.points) x = {1e6 + x.x, x.y - 1e9, x.z};
+    }
+  }
+  return query;
+}
+
+TEST_CASE("no corner is farther from its arcs than the bound") {
+  double most = 0, most_rounding = 0;
+  for (std::uint64_t index = 0; index < effort(400); ++index) {
+    Rng rng(seeded::seed_of_part(kSeed, index));
+    CurvedQuery query = any_turn(rng);
+    const int count = 1 << rng.between(2, rng.one_in(3) ? 12 : 5);
+    const solver::ScrewArcs arcs(query, count);
+    for (int sample = 0; sample < 6; ++sample) {
+      const int i = rng.between(0, count - 1);
+      // Where the deviation of an arc is largest, near 0.211 and 0.789, at its ends, or anywhere.
+      const double local = sample == 0 ? 0.2113 : sample == 1 ? 0.7887 : sample == 2 ? 0 : sample == 3 ? 1 : rng.unit();
+      const Big time = (Big(i) + Big(local)) / Big(count);
+      const CurvedQuery arc = arcs.arc(i);
+      for (std::size_t c = 0; c < corner_count(query.kind); ++c) {
+        const Big off = distance_between(true_position(query, c, time), rational_position(arc, c, local));
+        const double bound = arcs.deviation(query.kind == Kind::edge_edge ? c / 2 : c == 0 ? 0 : 1);
+        INFO("seed " << kSeed << ", index " << index << ", " << count << " arcs, arc " << i << " at " << local
+                     << ", corner " << c << "\n"
+                     << text_of(query));
+        REQUIRE(off.to_double() <= bound);
+        if (bound == 0) continue;
+        double& greatest = sample == 2 || sample == 3 ? most_rounding : most;
+        greatest = std::max(greatest, off.to_double() / bound);
+      }
+    }
+  }
+  std::printf("seed %llu: the greatest deviation is %.3f of its bound, at the arcs' ends %.3f\n",
+              static_cast<unsigned long long>(kSeed), most, most_rounding);
+  if (whole_effort("that the bound on the deviation is not far from the truth")) CHECK(most > 0.45);
+}
+
+TEST_CASE("a corner is in the box of a range of times") {
+  for (std::uint64_t index = 0; index < effort(150); ++index) {
+    Rng rng(seeded::seed_of_part(kSeed + 1, index));
+    const CurvedQuery query = any_turn(rng);
+    const solver::ScrewArcs arcs(query, 1 << rng.between(2, 10));
+    const double from = rng.unit(), to = std::min(1.0, from + std::ldexp(rng.unit(), -rng.between(1, 40)));
+    for (const double place : {0.0, 0.5, 1.0, rng.unit()}) {
+      const Big time = Big(from) + Big(place) * (Big(to) - Big(from));
+      for (std::size_t c = 0; c < corner_count(query.kind); ++c) {
+        const auto box = arcs.position(c, from, to);
+        const BigPoint x = true_position(query, c, time);
+        INFO("seed " << kSeed << ", index " << index << ", from " << hexfloat(from) << " to " << hexfloat(to) << "\n"
+                     << text_of(query));
+        for (std::size_t k = 0; k < 3; ++k) {
+          REQUIRE(!(x[k] < Big(box[k].low)));
+          REQUIRE(!(Big(box[k].high) < x[k]));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("twice as many arcs have an eighth of the deviation") {
+  CurvedQuery query = curved(Kind::point_point, {body(0, {3, 4, 0}), rest({0, 0, 1})}, {RigidMotion()});
+  query.motions[0].q1 = {1, 0, 0, 1};
+  for (int count = 8; count <= 512; count *= 2) {
+    const double ratio =
+        solver::ScrewArcs(query, count).deviation(0) / solver::ScrewArcs(query, 2 * count).deviation(0);
+    CHECK(ratio > 7.5);
+    CHECK(ratio < 8.5);
+  }
+}
+
+/// The tip of a rod of length 5 that makes a quarter turn about z, against a face in the plane y = height.
+CurvedQuery tip_and_wall(double height) {
+  CurvedQuery query = curved(Kind::vertex_face,
+                             {body(0, {5, 0, 0}), rest({-20, height, -9}), rest({20, height, -9}), rest({0, height, 9})},
+                             {RigidMotion()});
+  query.motions[0].q1 = {1, 0, 0, 1};
+  return query;
+}
+
+TEST_CASE("the tip of a rod passes through a wall at a third of a quarter turn") {
+  // sin(30 degrees) = 1/2. As `solve` reads the query, the body turns at another pace.
+  const CurvedQuery query = tip_and_wall(2.5);
+  CHECK(std::fabs(solve(query).toi - 1 / 3.0) > 1e-3);
+  double width = 1;
+  for (int arcs = 8; arcs <= 4096; arcs *= 8) {
+    const ScrewAnswer answer = solve_screw(query, {1, {}, arcs, arcs});
+    CAPTURE(arcs, answer.free_until, answer.contact_by, answer.deviation);
+    REQUIRE(answer.verdict == ScrewVerdict::contact);
+    CHECK(answer.arcs == arcs);
+    CHECK(answer.free_until < 1 / 3.0);
+    CHECK(answer.contact_by > 1 / 3.0);
+    CHECK(answer.contact_by - answer.free_until < width / 8);
+    width = answer.contact_by - answer.free_until;
+  }
+  CHECK(width < 1e-9);
+  CHECK(solve_screw(query, {0.33}).verdict == ScrewVerdict::free);
+  CHECK(solve_screw(query, {0.33}).free_until == 0.33);
+  CHECK(solve_screw(query, {0.34}).verdict == ScrewVerdict::contact);
+  CHECK(screw_verdict_name(ScrewVerdict::contact) == "contact");
+}
+
+TEST_CASE("the tip of a rod comes near a wall, and the bound decides") {
+  const CurvedQuery near = tip_and_wall(5.0001);
+  CHECK(solve_screw(near, {1, {}, 4, 4}).verdict == ScrewVerdict::within_bound);
+  CHECK(solve_screw(near).verdict == ScrewVerdict::free);
+  // It touches the wall at t = 1 only: y = 5. There the pose is exact.
+  const ScrewAnswer end = solve_screw(tip_and_wall(5));
+  CHECK(end.verdict == ScrewVerdict::contact);
+  CHECK(end.contact_by == 1);
+  CHECK(end.free_until > 0.9);
+  // It grazes the wall at t = 1/2: no number of arcs proves that or its absence.
+  CurvedQuery graze = tip_and_wall(5);
+  graze.motions[0].q0 = {1, 0, 0, -0.5};
+  graze.motions[0].q1 = {1, 0, 0, 0.5};
+  graze.corners[0].points[0] = {0, 5, 0};
+  const ScrewAnswer answer = solve_screw(graze);
+  CHECK(answer.verdict == ScrewVerdict::within_bound);
+  CHECK(answer.arcs == 256);
+  CHECK(answer.free_until > 0.49);
+  CHECK(answer.free_until <= 0.5);
+  const ScrewAnswer start = solve_screw(tip_and_wall(0));
+  CHECK(start.verdict == ScrewVerdict::contact);
+  CHECK(start.contact_by == 0);
+}
+
+TEST_CASE("the tip of a rod comes within a distance of a wall") {
+  const CurvedQuery query = tip_and_wall(6);
+  for (const Metric metric : {Metric::euclidean, Metric::max}) {
+    const ScrewAnswer answer = solve_screw(query, {1, {3.5, metric}, 1024, 1024});  // y = 5/2 at t = 1/3
+    CAPTURE(answer.free_until, answer.contact_by);
+    REQUIRE(answer.verdict == ScrewVerdict::contact);
+    CHECK(answer.free_until < 1 / 3.0);
+    CHECK(answer.contact_by > 1 / 3.0);
+    CHECK(answer.contact_by - answer.free_until < 1e-8);
+    CHECK(solve_screw(query, {1, {0.99, metric}}).verdict == ScrewVerdict::free);
+    CHECK(solve_screw(query, {1, {7, metric}}).contact_by == 0);
+  }
+}
+
+/// The elements' distance on the true motion, but for the rounding of the corners.
+double true_distance(const CurvedQuery& query, double t) {
+  Query at;
+  at.kind = query.kind;
+  for (std::size_t c = 0; c < corner_count(query.kind); ++c) {
+    const BigPoint x = true_position(query, c, t);
+    at.start[c] = at.end[c] = {x[0].to_double(), x[1].to_double(), x[2].to_double()};
+  }
+  return distance(at).value;
+}
+
+TEST_CASE("verdicts on random motions hold on the true motion") {
+  std::array<std::size_t, 3> verdicts{};
+  for (std::uint64_t index = 0; index < effort(120); ++index) {
+    Rng rng(seeded::seed_of_part(kSeed + 2, index));
+    const Kind kind = rng.one_in(2) ? Kind::edge_edge : Kind::vertex_face;
+    const CurvedQuery query = rng.one_in(2) ? random_query(kind, rng) : meeting_query(kind, rng);
+    ScrewOptions options;
+    options.arcs = 1 << rng.between(2, 5);
+    options.most_arcs = rng.one_in(2) ? options.arcs : 256;
+    const ScrewAnswer answer = solve_screw(query, options);
+    INFO("seed " << kSeed << ", index " << index << ": " << screw_verdict_name(answer.verdict) << ", free until "
+                 << hexfloat(answer.free_until) << ", contact by " << hexfloat(answer.contact_by) << "\n"
+                 << text_of(query));
+    ++verdicts[static_cast<std::size_t>(answer.verdict)];
+    REQUIRE(answer.free_until <= answer.contact_by);
+    constexpr int kSamples = 60;
+    for (int i = 0; i < kSamples; ++i) {
+      const double t = answer.free_until * i / kSamples;
+      REQUIRE(true_distance(query, t) > 0);
+    }
+    if (answer.verdict == ScrewVerdict::free) REQUIRE(answer.free_until == 1);
+    if (answer.verdict != ScrewVerdict::contact || answer.contact_by == 0) continue;
+    // The first contact is between the two times: the distance there falls to less than a corner moves in a part.
+    const double width = answer.contact_by - answer.free_until;
+    double least = true_distance(query, answer.contact_by);
+    for (int i = 0; i < kSamples; ++i) {
+      least = std::min(least, true_distance(query, answer.free_until + width * i / kSamples));
+    }
+    const double speed = 2 * (2 * 3.2 * 40 + 40);  // corners of these families are less than 40 from the origin
+    REQUIRE(least <= speed * width / kSamples + 1e-12);
+  }
+  std::printf("seed %llu: %zu motions free, %zu with contact, %zu within the bound\n",
+              static_cast<unsigned long long>(kSeed), verdicts[0], verdicts[1], verdicts[2]);
+  if (whole_effort("that all verdicts occur")) {
+    for (const std::size_t count : verdicts) CHECK(count > 0);
+  }
+}
+
+std::string message_of(const CurvedQuery& query, const ScrewOptions& options) {
+  try {
+    (void)solve_screw(query, options);
+  } catch (const InvalidQuery& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_CASE("options of a motion of constant rate that have no meaning are errors") {
+  CurvedQuery query = tip_and_wall(1);
+  CHECK(message_of(query, {1, {}, 3, 8}).find("arcs is 3; the number of arcs must be a power of two from 4") == 0);
+  CHECK(message_of(query, {1, {}, 8, 1 << 21}).find("most_arcs is 2097152") == 0);
+  CHECK(message_of(query, {1, {}, 2, 8}).find("arcs is 2") == 0);
+  CHECK(message_of(query, {2}).find("t_max") != std::string::npos);
+  CHECK(message_of(query, {1, {-1}}).find("distance") != std::string::npos);
+  query.motions[0].q1 = {-1, 0, 0, 0};
+  CHECK(message_of(query, {}).find("change the sign") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace touchstone::tests
