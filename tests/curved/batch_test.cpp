@@ -110,7 +110,7 @@ TEST_CASE("a batch of curved queries names what has no meaning") {
   CHECK(message_of(queries, options).find("method") != std::string::npos);
   options = {};
   options.separation.distance = -1;
-  CHECK(message_of(queries, options).find("distance") != std::string::npos);
+  CHECK(message_of(queries, options).find("the separation is -1") != std::string::npos);
   CHECK_THROWS_AS(solve_any(queries[0], -1), InvalidQuery);
 }
 

@@ -250,7 +250,7 @@ TEST_CASE("options of a motion of constant rate that have no meaning are errors"
   CHECK(message_of(query, {1, {}, 8, 1 << 21}).find("most_arcs is 2097152") == 0);
   CHECK(message_of(query, {1, {}, 2, 8}).find("arcs is 2") == 0);
   CHECK(message_of(query, {2}).find("t_max") != std::string::npos);
-  CHECK(message_of(query, {1, {-1}}).find("distance") != std::string::npos);
+  CHECK(message_of(query, {1, {-1}}).find("the separation is -1") != std::string::npos);
   query.motions[0].q1 = {-1, 0, 0, 0};
   CHECK(message_of(query, {}).find("change the sign") != std::string::npos);
 }
