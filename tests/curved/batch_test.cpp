@@ -161,7 +161,7 @@ TEST_CASE("the normal at the first contact of curved elements") {
       ++compared;
       for (std::size_t k = 0; k < 3; ++k) REQUIRE(std::fabs((*found)[k] - (*expected)[k]) <= 0x1p-48);
     });
-    CHECK(compared > 100);
+    if (whole_effort("that many straight queries have a normal")) CHECK(compared > 100);
   }
   SECTION("perpendicular to both edges or to the face at the time") {
     std::size_t checked = 0;
