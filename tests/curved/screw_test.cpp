@@ -119,9 +119,9 @@ TEST_CASE("twice as many arcs have an eighth of the deviation") {
 
 /// The tip of a rod of length 5 that makes a quarter turn about z, against a face in the plane y = height.
 CurvedQuery tip_and_wall(double height) {
-  CurvedQuery query = curved(Kind::vertex_face,
-                             {body(0, {5, 0, 0}), rest({-20, height, -9}), rest({20, height, -9}), rest({0, height, 9})},
-                             {RigidMotion()});
+  CurvedQuery query = curved(
+      Kind::vertex_face, {body(0, {5, 0, 0}), rest({-20, height, -9}), rest({20, height, -9}), rest({0, height, 9})},
+      {RigidMotion()});
   query.motions[0].q1 = {1, 0, 0, 1};
   return query;
 }

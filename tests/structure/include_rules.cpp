@@ -91,11 +91,11 @@ const std::map<std::string, std::string>& header_owners() {
       {"solve.hpp", "solver"},    {"contact_times.hpp", "solver"},
       {"distance.hpp", "solver"}, {"contact_normal.hpp", "solver"},
       {"curved.hpp", "solver"},   {"curved_query.hpp", ""},
-      {"screw.hpp", "solver"},
-      {"mesh.hpp", "mesh"},       {"certify.hpp", "certify"},
-      {"fuzz.hpp", "fuzz"},       {"plugin.h", "fuzz"},
-      {"eigen.hpp", "*"},         {"touchstone.hpp", "*"},
-      {"c.h", "c_api"},           {"ipc_toolkit.hpp", "*"},
+      {"screw.hpp", "solver"},    {"mesh.hpp", "mesh"},
+      {"certify.hpp", "certify"}, {"fuzz.hpp", "fuzz"},
+      {"plugin.h", "fuzz"},       {"eigen.hpp", "*"},
+      {"touchstone.hpp", "*"},    {"c.h", "c_api"},
+      {"ipc_toolkit.hpp", "*"},
   };
   return owners;
 }
