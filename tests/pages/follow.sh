@@ -43,6 +43,11 @@ reason_not_to_run() {
     'sudo '* | 'apt-get '*) echo 'it changes the machine' ;;
     mmdebstrap* | 'git archive'* | 'mount '* | 'chroot '*) echo 'it needs root and makes a whole system' ;;
     'touchstone report --out '*) echo 'it measures for minutes; the same command with --quick is run by tests/report' ;;
+    "python3 -c 'import touchstone"* | 'python3 ~/python/'*)
+      python3 -c 'import touchstone' 2>/dev/null ||
+        echo 'python3 in PATH does not import touchstone; tests/python runs the programs where the module is built'
+      ;;
+    'python3 -m venv '* | */pip' install '*) echo 'it builds the library anew, for minutes' ;;
     *sbatch*) echo 'it hands jobs to a cluster' ;;
     'touchstone stress --out '*) echo 'it measures for half a minute; tests/stress runs it smaller' ;;
     *)

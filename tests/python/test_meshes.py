@@ -86,7 +86,8 @@ def test_separations_rules_and_the_plane():
 
 
 def test_wrong_input_is_refused():
-    for arguments, message in (((3, [[0, 1, 3]]), "face 0"), ((3, [[0, 1, 1]]), "face 0"), ((3, [[0, -1, 2]]), r"faces\[0\]"),
+    for arguments, message in (((3, [[0, 1, 3]]), "face 0"), ((3, [[0, 1, 1]]), "face 0"),
+                               ((3, [[0, -1, 2]]), r"faces\[0\]"),
                                ((4, [[0, 1, 2], [2, 1, 0]]), "face"), ((3, [0, 1, 2]), "faces has the shape"),
                                ((3, [[0, 1]]), "faces has the shape"), ((3, None, [[0, 7]]), "edge 0"),
                                ((2, None, None, None, -1), "separation"), ((2, None, None, None, 0, "l2"), "metric"),
@@ -110,7 +111,8 @@ def test_wrong_input_is_refused():
             ask(mesh, X0, wrong)
         with pytest.raises(TypeError):
             ask("mesh", X0, X1)
-    for pair, error in ((("edge-edge", 0, 99), ValueError), (("edge-edge", -1, 0), ValueError), (("x", 0, 0), ValueError),
+    for pair, error in ((("edge-edge", 0, 99), ValueError), (("edge-edge", -1, 0), ValueError),
+                        (("x", 0, 0), ValueError),
                         ((0, 0), ValueError), (("edge-edge", 0, 1.5), TypeError)):
         with pytest.raises(error):
             mesh.describe(pair)

@@ -33,10 +33,12 @@ from ._core import (Answer, Answers, Distance, Distances, ExactTime, FirstContac
                     Pairs, __version__)
 from ._names import Feature, Level, Nature, Trend
 from ._queries import contact_normal, contact_times, distance, solve, solve_any
+from ._judging import Certificate, Verdict, certify
 from ._meshes import all_contacts, candidates, first_contact, free_step, intersections
 
 __all__ = [
-    "Answer", "Answers", "Distance", "Distances", "ExactTime", "Feature", "FirstContact", "FreeStep", "Intersections",
-    "Level", "Mesh", "Nature", "Pairs", "Trend", "all_contacts", "candidates", "contact_normal", "contact_times",
-    "distance", "first_contact", "free_step", "intersections", "solve", "solve_any"
+    "Answer", "Answers", "Certificate", "Distance", "Distances", "ExactTime", "Feature", "FirstContact", "FreeStep",
+    "Intersections", "Level", "Mesh", "Nature", "Pairs", "Trend", "Verdict", "all_contacts", "candidates",
+    "certify", "contact_normal", "contact_times", "distance", "first_contact", "free_step", "intersections",
+    "solve", "solve_any"
 ]

@@ -12,7 +12,8 @@ def _array(values, name):
     if array.dtype.kind == "O":  # rows of different lengths too, for an old NumPy
         for item in array.flat:
             if not hasattr(item, "__float__"):
-                raise TypeError(f"{name} has an element of type {type(item).__name__}; its elements must be real numbers")
+                found = type(item).__name__
+                raise TypeError(f"{name} has an element of type {found}; its elements must be real numbers")
     elif array.dtype.kind not in "fiu":
         raise TypeError(f"{name} has elements of type {array.dtype}; they must be real numbers")
     return array

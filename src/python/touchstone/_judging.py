@@ -1,0 +1,108 @@
+"""Judging a solver's claims. SPDX-License-Identifier: MIT"""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Optional
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._core import Answer, Answers
+from ._names import _Named
+from ._queries import Kind, Metric, solve
+
+
+class Verdict(_Named):
+    """The judgement of a claim.
+
+    holds: it is true. missed: it denies a contact that exists. phantom: it has a contact that does not exist. late: its
+    toi lies after the exact time, and a step of that length passes through.
+    """
+
+    holds = 0
+    missed = 1
+    phantom = 2
+    late = 3
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """The verdicts on n claims.
+
+    verdict  (n,) uint8: codes of Verdict
+    truth    the exact Answers
+    early    (n,) float64: for claims that hold and have a toi, how far it lies before truth.toi; NaN for the others
+    """
+
+    verdict: NDArray
+    truth: Answers
+    early: NDArray
+
+    @property
+    def holds(self) -> bool:
+        """Whether every claim holds."""
+        return not self.verdict.any()
+
+    @property
+    def refuted(self) -> NDArray:
+        """The indices of the claims that do not hold, in ascending order."""
+        return np.flatnonzero(self.verdict)
+
+    def count(self, verdict: Verdict) -> int:
+        """The number of claims with this verdict."""
+        return int((self.verdict == verdict).sum())
+
+    def __repr__(self):
+        return f"<Certificate: {', '.join(f'{self.count(verdict)} {verdict}' for verdict in Verdict)}>"
+
+
+def certify(kind: Kind, start: ArrayLike, end: ArrayLike, contact: ArrayLike, toi: Optional[ArrayLike] = None,
+            t_max: float = 1.0, separation: ArrayLike = 0.0, metric: Metric = "euclidean",
+            threads: int = 0) -> Certificate:
+    """Judges a solver's claims about n queries by their exact answers.
+
+    contact  (n,) bool: whether the solver claims a contact
+    toi      (n,) numbers: the claimed times of impact; None where the solver gives none. NaN is a claim without a time.
+             Times of claims without contact are not read
+    The other arguments are those of `solve`, with n queries.
+
+    Returns a Certificate with the attributes verdict, truth, early, holds and refuted. Raises what `solve` raises, and
+    ValueError for claims that are not n, or a claimed time that is infinite.
+
+    >>> import numpy as np, touchstone
+    >>> start, end = np.zeros((3, 2, 3)), np.zeros((3, 2, 3))
+    >>> start[:, 1, 0] = end[:, 1, 0] = [1, 2, 5]    # q at rest, 1, 2 and 5 to the right of p
+    >>> end[:, 0, 0] = 4                             # p flies to x = 4
+    >>> found = touchstone.certify('point-point', start, end, [True, False, False], [.3, 0, 0])
+    >>> touchstone.Verdict.names(found.verdict).tolist(), found.refuted.tolist()
+    (['late', 'missed', 'holds'], [0, 1])
+    """
+    truth = solve(kind, start, end, t_max, separation, metric, threads)
+    if isinstance(truth, Answer):
+        raise ValueError("start has a single query; certify takes arrays of shape (n, corners, 3), and n claims")
+    claimed = np.asarray(contact)
+    if claimed.dtype.kind != "b":
+        raise TypeError(f"contact has elements of type {claimed.dtype}; they must be bool")
+    if claimed.shape != (len(truth),):
+        raise ValueError(f"contact has the shape {claimed.shape}; it must be ({len(truth)},), a claim for each query")
+    times = np.full(len(truth), np.nan)
+    if toi is not None:
+        given = np.asarray(toi)
+        if given.dtype.kind not in "fiu" or given.dtype.itemsize > 8:
+            raise TypeError(f"toi has elements of type {given.dtype}; they must be doubles")
+        if given.shape != times.shape:
+            raise ValueError(f"toi has the shape {given.shape}; it must be {times.shape}, a time for each query")
+        times[claimed] = given[claimed]
+        infinite = np.flatnonzero(np.isinf(times))
+        if infinite.size:
+            row = infinite[0]
+            raise ValueError(f"row {row}: the claimed toi is {times[row]}; it must be finite, or NaN for none")
+    verdict = np.full(len(truth), Verdict.holds, np.uint8)
+    verdict[~claimed & truth.contact] = Verdict.missed
+    verdict[claimed & ~truth.contact] = Verdict.phantom
+    both = claimed & truth.contact
+    # The exact time lies below every double after truth.toi, unless it is that double: then toi_upper is toi.
+    verdict[both & (times > truth.toi)] = Verdict.late
+    with np.errstate(invalid="ignore"):
+        early = np.where(both & (times <= truth.toi), truth.toi - times, np.nan)
+    return Certificate(verdict, truth, early)
