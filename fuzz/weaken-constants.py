@@ -124,7 +124,8 @@ SEPARATION_FAULTS = [
 CURVED_FAULTS = [
     ("size of a separation along a direction", "filters/curved_paths.cpp", " + reach(direction, separation)", ""),
     ("deviation of an arc", "solver/screw_arcs.cpp", "a * a * a / 32", "a * a * a / 512"),
-    ("errors of an arc's orientations", "solver/screw_arcs.cpp", "1.2 * error", "1.2 / 16 * error"),
+    # Its roundings are many, and at their worst for no input that is known: the errors found are a twentieth of it.
+    ("errors of an arc's orientations", "solver/screw_arcs.cpp", "1.2 * error", "1.2 / 64 * error"),
     ("rounding of an arc's positions", "solver/screw_arcs.cpp", "4 * kUlp * size", "4 / 16.0 * kUlp * size"),
     ("rounding of an arc's control points", "solver/screw_arcs.cpp", "12 * kUlp * size", "12 / 16.0 * kUlp * size"),
     ("speed in a range of times", "solver/screw_arcs.cpp", "corner_speed(c) * half", "corner_speed(c) / 16 * half"),

@@ -42,10 +42,15 @@ CurvedQuery any_turn(Rng& rng) {
       motion.q0 = {1, 0, 0, 0};
       motion.q1 = {-rng.unit(), 0, 0, 1};
     }
+    if (rng.one_in(3)) motion.p0 = motion.p1 = {0, 0, 0};  // nothing but the turn is off
     const double length = std::ldexp(1, rng.between(-300, 300));
     for (double& c : motion.q1) c *= length;
   }
   if (rng.one_in(4)) {
+    for (CurvedCorner& corner : query.corners) {
+      if (corner.motion != CurvedCorner::kOnCurve) corner.points[0] = {0, 0, 0};  // nothing but the position is
+    }
+  } else if (rng.one_in(4)) {
     for (CurvedCorner& corner : query.corners) {
       for (Vec3& x : corner.points) x = {1e6 + x.x, x.y - 1e9, x.z};
     }
