@@ -27,6 +27,9 @@ constexpr double kPotentialNoise = 64 * kEpsilon;
 // A step of fewer units in the last place of the largest coordinate than this is lost in the rounding of strains.
 constexpr double kLeastStep = 16;
 
+// Iterations of cloth without a try of the exact Hessian, after one in which it was not positive definite.
+constexpr int kSkipped = 5;
+
 // Tolerances: a step of up to this many of them ends the search where rounding hides its decrease.
 constexpr double kFlat = 1000;
 
@@ -112,6 +115,7 @@ class Newton::Descent {
   double inverse_;          // 1 / span^2
   VectorX diagonal_;        // of inertia and drag, kg/s^2
   bool friction_ = false;
+  int skipped_ = 0;  // iterations to come that use the projected Hessian without a try of the exact one
   Iterate here_;
   Watchdog<Iterate> watchdog_;
 };
@@ -189,14 +193,20 @@ NewtonResult Newton::Descent::run() {
 Assembly Newton::Descent::assemble() {
   Assembly assembly;
   assembly.gradient = VectorX::Zero(here_.q.size());
-  assembly.positive_definite = factorise(Hessian::exact, assembly.gradient);
+  // Cloth in compression has an indefinite Hessian, mostly for some iterations to come.
+  const bool skips = kCloth && skipped_ > 0;
+  assembly.positive_definite = factorise(skips ? Hessian::projected : Hessian::exact, assembly.gradient);
+  assembly.projected = skips;
   assembly.stored_force = assembly.gradient.lpNorm<1>();
-  if (!assembly.positive_definite) {
+  if (skips) {
+    --skipped_;
+  } else if (!assembly.positive_definite) {
+    if (!newton_->system_->cloth.membranes.empty()) skipped_ = kSkipped;
     assembly.projected = true;
     VectorX ignored = VectorX::Zero(here_.q.size());
     assembly.positive_definite = factorise(Hessian::projected, ignored);
-    if (!assembly.positive_definite) return assembly;
   }
+  if (!assembly.positive_definite) return assembly;
   const VectorX& mass = newton_->system_->mass;
   const VectorX moved = here_.q - stage_->base;
   assembly.gradient += inverse_ * mass.cwiseProduct(moved - stage_->span * stage_->base_velocity) +

@@ -58,13 +58,16 @@ Settings settings_from(const JsonNode& node) {
   s.drag = node.number_or("drag", s.drag);
   s.newton_tolerance = node.number_or("newton_tolerance", s.newton_tolerance);
   if (const auto contact = node.find("contact")) {
-    contact->check_keys({"restitution", "friction", "thickness", "passes"});
+    contact->check_keys({"restitution", "friction", "thickness", "passes", "repulsion", "impulses", "zones"});
     s.contact.restitution = contact->number_or("restitution", s.contact.restitution);
     s.contact.friction = contact->number_or("friction", s.contact.friction);
     s.contact.thickness = contact->number_or("thickness", s.contact.thickness);
     if (const auto passes = contact->find("passes")) {
       s.contact.passes = static_cast<int>(passes->whole_number(1, 1000));
     }
+    s.contact.repulsion = contact->boolean_or("repulsion", true);
+    s.contact.impulses = contact->boolean_or("impulses", true);
+    s.contact.zones = contact->boolean_or("zones", true);
   }
   return s;
 }

@@ -119,6 +119,10 @@ struct ContactSettings {
   /// that moves
   double thickness = 0;
   int passes = 8;  ///< of impulses, before the fail-safe
+  // The three answers to contacts, in their order (Bridson et al. 2002):
+  bool repulsion = true;  ///< of elements that begin a substep nearer than the thickness, with friction
+  bool impulses = true;   ///< at contacts on the way, or contacts in the potential where elements are stiff
+  bool zones = true;      ///< rigid impact zones, for contacts that are left
 };
 
 struct Settings {

@@ -27,6 +27,7 @@ const std::vector<ShippedScene>& shipped_scenes() {
        make_chain},
       {"flag", "a sheet that two corners hold falls into folds", "triangles of the sheet", 8, 500, 100'000, make_flag},
       {"drape", "a sheet falls over a ball and onto the floor", "triangles of the sheet", 8, 500, 100'000, make_drape},
+      {"twist", "a sheet is wrung by both ends, for ten turns", "triangles of the sheet", 40, 500, 100'000, make_twist},
   };
   return all;
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <initializer_list>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "scene/scene_file.hpp"
 #include "scene/surface_file.hpp"
@@ -23,6 +25,10 @@ Json json_of(const Settings& s) {
                      {"friction", s.contact.friction},
                      {"thickness", s.contact.thickness},
                      {"passes", s.contact.passes}};
+  for (const auto& [key, used] : std::initializer_list<std::pair<const char*, bool>>{
+           {"repulsion", s.contact.repulsion}, {"impulses", s.contact.impulses}, {"zones", s.contact.zones}}) {
+    if (!used) json["contact"][key] = false;
+  }
   return json;
 }
 

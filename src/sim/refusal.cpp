@@ -11,6 +11,8 @@
 namespace touchstone::sim {
 namespace {
 
+constexpr std::string_view kMoreRoom = "a larger strain_limit, or paths that leave it room, would be right";
+
 std::string at(const Vector3& point) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", point.x(), point.y(), point.z());
 }
@@ -35,12 +37,16 @@ std::string not_converged(const Refusal& refusal, const Scene& scene, const Syst
     return "its numbers grow out of range; settings.time_step below the stiffest period / pi, or another "
            "settings.integrator than symplectic-euler, would be right";
   }
+  // Close to the limit of stretch, no step of Newton's method goes far.
+  const bool limited = std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
+                                   [](const Surface& surface) { return surface.strain_limit > 0; });
   const std::string advice = fmt::format(
       "a smaller settings.time_step{} or softer springs and cables would be right",
       refusal.with_contacts && scene.settings.contact.friction > 0 ? ", less settings.contact.friction" : "");
   const std::string_view with = refusal.with_contacts ? " with its contacts" : "";
   if (refusal.largest_change.coordinate < 0)
-    return fmt::format("its equations{} cannot be solved in doubles; {}", with, advice);
+    return limited ? fmt::format("what is held or driven would stretch cloth to its strain_limit; {}", kMoreRoom)
+                   : fmt::format("its equations{} cannot be solved in doubles; {}", with, advice);
   const auto coordinate = static_cast<std::size_t>(refusal.largest_change.coordinate);
   const std::size_t particles = system.particle_count();
   const bool is_angle = coordinate >= 3 * particles;
@@ -59,15 +65,17 @@ void count(RefusedCounts& counts, Cause cause) noexcept {
     case Cause::not_converged: ++counts.not_converged; break;
     case Cause::not_resolved: ++counts.not_resolved; break;
     case Cause::gained_energy: ++counts.gained_energy; break;
+    case Cause::overstretched: ++counts.overstretched; break;
     case Cause::not_certified: ++counts.not_certified; break;
   }
 }
 
 std::string refused_for_person(const RefusedCounts& counts, const RefusedCounts& before) {
-  const std::array<std::pair<std::uint64_t, const char*>, 4> all{
+  const std::array<std::pair<std::uint64_t, const char*>, 5> all{
       {{counts.not_converged - before.not_converged, "did not converge"},
        {counts.not_resolved - before.not_resolved, "found no response"},
        {counts.gained_energy - before.gained_energy, "would have gained energy"},
+       {counts.overstretched - before.overstretched, "would have stretched cloth to its limit"},
        {counts.not_certified - before.not_certified, "failed their proof"}}};
   std::string text;
   for (const auto& [number, what] : all) {
@@ -97,6 +105,8 @@ std::string refusal_for_person(const Refusal& refusal, const Scene& scene, const
                              ? "have no room between what is held or driven; paths that leave them room would be right"
                              : "nothing of them is free to give way; other paths or pins would be right");
     case Cause::gained_energy: return "energy would be gained";
+    case Cause::overstretched:
+      return fmt::format("what is held, driven or in contact would stretch cloth to its strain_limit; {}", kMoreRoom);
     case Cause::not_certified:
       return fmt::format(
           "{} would {} at {}; a smaller settings.time_step or a larger settings.contact.thickness "

@@ -13,12 +13,13 @@ enum class Cause : std::uint8_t {
   not_converged,  ///< Newton's method, or the step is not finite
   not_resolved,   ///< the response found no way
   gained_energy,  ///< energy would have come from nothing
+  overstretched,  ///< cloth would have reached its limit of stretch
   not_certified   ///< the proof found a crossing
 };
 
 /// Substeps that were tried and not taken.
 struct RefusedCounts {
-  std::uint64_t not_converged = 0, not_resolved = 0, gained_energy = 0, not_certified = 0;
+  std::uint64_t not_converged = 0, not_resolved = 0, gained_energy = 0, overstretched = 0, not_certified = 0;
 };
 
 struct Refusal {

@@ -82,11 +82,11 @@ ResponseResult::Outcome Response::Attempt::answer() {
   finder.begin(start_->q, end.q, model_->thickness());
   // The paper has no repulsion: contacts that its solver does not find are not answered.
   std::vector<Contact> known, found;
-  if (response_->repels_) known = finder.close(model_->thickness());
+  if (response_->repels_ && model_->contact().repulsion) known = finder.close(model_->thickness());
   result_.counts.close = known.size();
   finder.find(end.q, found, result_.counts);
   if (known.empty() && found.empty()) return Outcome::done;
-  known.insert(known.end(), found.begin(), found.end());
+  if (model_->contact().impulses) known.insert(known.end(), found.begin(), found.end());
   found = {};
 
   const Energies before = energies(model_->system(), *start_), without = energies(model_->system(), end);
@@ -108,7 +108,8 @@ ResponseResult::Outcome Response::Attempt::answer() {
   if (!solve_with_contacts(std::move(known))) return Outcome::not_converged;
   if (!resolve_by_impulses({})) {
     finder.find(end.q, found, result_.counts);
-    if (!resolve_by_zones(found)) return Outcome::not_resolved;
+    if (!model_->contact().zones && !found.empty()) result_.left = found.front();
+    if (!model_->contact().zones || !resolve_by_zones(found)) return Outcome::not_resolved;
   }
   take_velocities();
   return gained_energy() ? Outcome::gained_energy : Outcome::done;
@@ -131,6 +132,7 @@ bool Response::Attempt::resolve_by_impulses(std::vector<Contact> known) {
     }
     return any;
   };
+  const int most_passes = model_->contact().impulses ? model_->contact().passes : 0;
   std::vector<Contact> found;
   for (int pass = 0;; ++pass) {
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
@@ -139,7 +141,7 @@ bool Response::Attempt::resolve_by_impulses(std::vector<Contact> known) {
     finder.moved(x1, touched);
     std::fill(touched.begin(), touched.end(), char{0});
     finder.find(x1, found, result_.counts);
-    if (found.empty() || pass == model_->contact().passes) {
+    if (found.empty() || pass == most_passes) {
       limit_.driven_work += driven / (h_ * h_);
       return found.empty();
     }
@@ -176,6 +178,7 @@ bool Response::Attempt::solve_with_contacts(std::vector<Contact> contacts) {
     response_->finder_.moved(end.q, all);
     response_->finder_.find(end.q, found, result_.counts);
     const bool friction_settled = terms.update_friction(end.q);
+    if (!model_->contact().impulses) found.clear();
     terms.take(found);
     if (found.empty() && friction_settled) break;
   }

@@ -10,6 +10,8 @@
 
 #include <touchstone/error.hpp>
 
+#include "rods/cloth_energy.hpp"
+#include "scene/features.hpp"
 #include "sim/state_check.hpp"
 #include "sim/step_limits.hpp"
 
@@ -78,6 +80,8 @@ void Simulation::check_start(const State& state, std::string_view what) {
 
 void Simulation::resume(State state, std::uint64_t steps) {
   check_state(scene_, system_, state, steps);
+  if (kCloth && !within_stretch_limits(system_, state.q))
+    throw Error("q: the checkpoint's cloth is stretched to its strain_limit or beyond, which no run reaches");
   check_start(state, "q: the checkpoint");
   state_ = std::move(state);
   steps_ = steps;
@@ -158,6 +162,8 @@ std::variant<SubstepRecord, Refusal> Simulation::try_substep(double h, double en
   }
   State& next = response.end;
   if (!next.q.allFinite() || !next.v.allFinite()) return not_converged({}, false);
+
+  if (kCloth && !within_stretch_limits(system_, next.q)) return refused_for(Cause::overstretched);
 
   std::vector<Crossing> crossings;
   const Proof proof = prove(next, h, crossings);

@@ -6,7 +6,6 @@
 #include "sim/checkpoint.hpp"
 #include "sim/simulation.hpp"
 #include "support/catch.hpp"
-#include "support/slow_build.hpp"
 
 using namespace touchstone;
 using namespace touchstone::sim;

@@ -33,9 +33,11 @@ std::string simulation_for_person(const sim::Simulation& simulation, const StepT
   if (totals.substeps > totals.steps) {
     text += fmt::format(
         "{} in {}: refused were {} that did not converge, {} without a response, {} that gained "
-        "energy, {} that failed their proof\n",
+        "energy, {}{} that failed their proof\n",
         counted(totals.steps, "step"), counted(totals.substeps, "part"), refused.not_converged, refused.not_resolved,
-        refused.gained_energy, refused.not_certified);
+        refused.gained_energy,
+        refused.overstretched > 0 ? fmt::format("{} that stretched cloth to its limit, ", refused.overstretched) : "",
+        refused.not_certified);
   }
   if (totals.gained > 0)
     text += fmt::format("in {} energy was gained: too short to be cut again\n", counted(totals.gained, "part"));
