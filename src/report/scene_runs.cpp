@@ -28,7 +28,7 @@ struct Plan {
 
 struct Plans {
   Plan hoop;
-  std::vector<Plan> cable_drop, whip;
+  std::vector<Plan> cable_drop, whip, twist;
 };
 
 /// The layers of cable-drop fall for five steps and then lie on each other, and its time is that of their contacts; the
@@ -37,11 +37,13 @@ Plans plans(bool quick) {
   if (quick) {
     return {{"hoop", 200, 75, 2},
             {{"cable-drop", 200, 12, 1}, {"cable-drop", 800, 12, 4}},
-            {{"whip", 100, 10, 1}, {"whip", 400, 10, 4}}};
+            {{"whip", 100, 10, 1}, {"whip", 400, 10, 4}},
+            {{"twist", 100, 10, 1}, {"twist", 400, 10, 4}}};
   }
   return {{"hoop", 560, 600, 3},
           {{"cable-drop", 5'000, 24, 5}, {"cable-drop", 50'000, 24, 58}},
-          {{"whip", 1'000, 30, 0.5}, {"whip", 10'000, 30, 5}}};
+          {{"whip", 1'000, 30, 0.5}, {"whip", 10'000, 30, 5}},
+          {{"twist", 1'000, 10, 0.5}, {"twist", 5'000, 10, 7}}};
 }
 
 double weight(const std::vector<Plan>& plans) {
@@ -89,7 +91,7 @@ SceneRun run_scene(const Plan& plan, const Plan& small, const ScenePulse& pulse)
 template <class Use>
 void for_each_run(const SceneRuns& runs, const Use& use) {
   use(runs.hoop);
-  for (const SceneSeries* series : {&runs.cable_drop, &runs.whip}) {
+  for (const SceneSeries* series : {&runs.cable_drop, &runs.whip, &runs.twist}) {
     for (const SceneRun& run : *series) use(run);
   }
 }
@@ -104,7 +106,7 @@ double exponent(const SceneSeries& series) {
 
 SceneRuns run_scenes(bool quick, const ScenePulse& pulse) {
   const Plans all = plans(quick), small = plans(true);
-  const double total = all.hoop.weight + weight(all.cable_drop) + weight(all.whip);
+  const double total = all.hoop.weight + weight(all.cable_drop) + weight(all.whip) + weight(all.twist);
   double done = 0;
   const auto run = [&](const Plan& plan, const Plan& before) {
     SceneRun result = run_scene(plan, before, [&](double share) { pulse((done + share * plan.weight) / total); });
@@ -115,6 +117,7 @@ SceneRuns run_scenes(bool quick, const ScenePulse& pulse) {
   runs.hoop = run(all.hoop, small.hoop);
   for (const Plan& plan : all.cable_drop) runs.cable_drop.push_back(run(plan, small.cable_drop.front()));
   for (const Plan& plan : all.whip) runs.whip.push_back(run(plan, small.whip.front()));
+  for (const Plan& plan : all.twist) runs.twist.push_back(run(plan, small.twist.front()));
   return runs;
 }
 
@@ -134,15 +137,16 @@ std::string scene_runs_csv(const SceneRuns& runs, bool quick) {
 
 std::string scene_runs_section(const SceneRuns& runs) {
   std::string text = fmt::format(
-      "## Simulation\n\nThe first steps of scenes of `touchstone simulate`, a sixtieth of a second each, on one "
-      "thread; every step is proved. `hoop` makes {:.0f} steps a second of processor time. The time of a step of "
+      "## Simulation\n\nThe first steps of scenes of `touchstone simulate`, on one thread; every step is proved. "
+      "`hoop` makes {:.0f} steps a second of processor time. The time of a step of "
       "`cable-drop`, in which most steps have contacts, grows with the number of edges to the power of {:.2f}, and of "
-      "`whip`, a cable at 100 m/s, to the power of {:.2f}. *Collision* is the share of broad phase, narrow phase, "
+      "`whip`, a cable at 100 m/s, to the power of {:.2f}; that of `twist`, a sheet that is wrung, to the power of "
+      "{:.2f}. *Collision* is the share of broad phase, narrow phase, "
       "response and proof. *Memory* is by how much the resident memory of a process that does nothing else grew until "
       "its peak, with the scene and with what the allocator holds back, but without the code.\n\n"
       "| scene | edges | steps | contacts | crossings | ms a step | collision | memory | bytes an edge |\n"
       "|---|---:|---:|---:|---:|---:|---:|---:|---:|\n",
-      1 / runs.hoop.seconds_per_step(), exponent(runs.cable_drop), exponent(runs.whip));
+      1 / runs.hoop.seconds_per_step(), exponent(runs.cable_drop), exponent(runs.whip), exponent(runs.twist));
   for_each_run(runs, [&](const SceneRun& run) {
     std::string memory = "unknown", an_edge;
     if (run.memory) {

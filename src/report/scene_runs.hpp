@@ -33,7 +33,7 @@ double exponent(const SceneSeries& series);
 
 struct SceneRuns {
   SceneRun hoop;
-  SceneSeries cable_drop, whip;
+  SceneSeries cable_drop, whip, twist;
 };
 
 /// Called before each step with the fraction of all work that is done.

@@ -201,14 +201,14 @@ TEST_CASE("a folded sheet stays folded, and keeps its thickness") {
   Simulation simulation(sheet.scene, {});
   const Index end = sheet.mesh.rows.back().front(), start = sheet.mesh.rows.front().front();
   const Vector3 before = position(simulation.state().q, end) - position(simulation.state().q, start);
-  const Answers answers = answers_of(simulation, static_cast<int>(effort(60)));
+  const Answers answers = answers_of(simulation, static_cast<int>(tests::effort(60)));
   CHECK(answers.close > 0);
   CHECK(simulation.crossings().empty());
   const Vector3 after = position(simulation.state().q, end) - position(simulation.state().q, start);
   CAPTURE(before.transpose(), after.transpose());
   CHECK(std::abs(after.y() - before.y()) < 0.03);  // it has not opened
   CHECK(after.z() > 2 * kRadius);                  // the end lies above the start, and on it
-  if (whole_effort("the fold comes to rest on itself")) CHECK(after.z() < 2 * kRadius + 2e-3);
+  if (tests::whole_effort("the fold comes to rest on itself")) CHECK(after.z() < 2 * kRadius + 2e-3);
   // Corners of a triangle are farther apart than (pi / 2) (2 r), so that only elements with a common particle are
   // neighbours.
   CHECK(least_distance(simulation) > 2 * kRadius);
