@@ -162,6 +162,12 @@ std::string explain(const Simulation& simulation) {
       line(bending > 0, "bending forces", fmt::format("{} of {} cables resist bending", bending, scene.cables.size()));
   text +=
       line(twisting > 0, "twist angles", fmt::format("{} of {} cables resist twist", twisting, scene.cables.size()));
+  const auto& cloth = simulation.system().cloth;
+  if (!cloth.membranes.empty()) {
+    text +=
+        line(true, "cloth forces",
+             fmt::format("{} triangles that stretch, {} edges that bend", cloth.membranes.size(), cloth.hinges.size()));
+  }
   text += line(scene.settings.drag > 0, "drag", fmt::format("coefficient {} 1/s", scene.settings.drag));
   text += line(passes.edge_edge, "edge-edge pass", why_edges(colliders));
   text += line(passes.vertex_face, "vertex-face pass", why_faces(colliders));
