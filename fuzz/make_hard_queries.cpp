@@ -56,7 +56,7 @@ std::string queries_of(const CaseId& id, const Options& options) {
   fuzz::Climb climb(query, families::rng_of(id), separation);
   for (std::uint64_t step = 0; step <= options.steps; ++step) {
     io::append_query(text, query, solve(query, separation, Method::exact).contact);
-    query = climb.next();
+    query = std::get<Query>(climb.next());
   }
   return text;
 }

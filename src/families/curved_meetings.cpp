@@ -40,16 +40,6 @@ CurvedCorner lattice_curve(Rng& rng, int least, int most) {
   return corner;
 }
 
-/// The query's numbers that an ulp may move: lengths, and the components of quaternions.
-template <typename F>
-void for_each_number(CurvedQuery& query, F&& f) {
-  for_each_length(query, f);
-  for_each_motion(query, [&](RigidMotion& motion) {
-    for (double& c : motion.q0) f(c);
-    for (double& c : motion.q1) f(c);
-  });
-}
-
 }  // namespace
 
 CornerWeights dyadic_weights(std::size_t corners, Rng& rng, Where where) {

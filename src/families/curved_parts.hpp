@@ -91,4 +91,14 @@ void for_each_motion(CurvedQuery& query, F&& f) {
   }
 }
 
+/// Calls f(double&) for every number that the query reads: its lengths, then the components of its quaternions.
+template <typename F>
+void for_each_number(CurvedQuery& query, F&& f) {
+  for_each_length(query, f);
+  for_each_motion(query, [&](RigidMotion& motion) {
+    for (double& c : motion.q0) f(c);
+    for (double& c : motion.q1) f(c);
+  });
+}
+
 }  // namespace touchstone::families

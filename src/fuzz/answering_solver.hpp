@@ -11,6 +11,9 @@ namespace touchstone::fuzz {
 class AnsweringSolver : public SolverUnderTest {
  public:
   virtual Answer answer(const Query& query) = 0;
+
+  /// Only called where takes_curves().
+  virtual Answer answer_curved(const CurvedQuery&, double /*t_max*/) { return {}; }
 };
 
 }  // namespace touchstone::fuzz

@@ -48,9 +48,8 @@ std::optional<CaseName> parse_case_text(std::string_view text) {
   CaseName name{};
   name.given = words[0] == kGiven;
   bool family_known = name.given, kind_known = false;
-  for (const families::FamilyInfo& family : families::all_families()) {
-    if (family.name != words[0]) continue;
-    name.start.family = family.family;
+  if (const families::FamilyInfo* const family = families::find_family(words[0])) {
+    name.start.family = family->family;
     family_known = true;
   }
   for (const Kind kind : families::kKinds) {
@@ -80,12 +79,16 @@ struct Start {
 };
 
 Start made_start(const CaseName& name, const CaseSource& source) {
-  Start start{{{}, source.separation}, families::rng_of(name.start)};
+  Start start{{{}, source.separation, 1}, families::rng_of(name.start)};
   if (name.given) {
-    if (name.start.index >= source.given.size() || source.given[name.start.index].kind != name.start.kind) {
+    if (name.start.index >= source.given.size() || kind_of(source.given[name.start.index]) != name.start.kind) {
       throw InvalidQuery(case_text(name) + ": no such query was given");
     }
     start.asked.query = source.given[name.start.index];
+  } else if (families::is_curved(name.start.family)) {
+    const families::CurvedSample made = families::make_curved(name.start.family, name.start.kind, start.rng);
+    start.asked.query = made.query;
+    start.asked.t_max = made.t_max;
   } else if (source.own) {
     const families::Separated made =
         families::make_separated(name.start.family, name.start.kind, source.separation.metric, start.rng);
@@ -115,8 +118,8 @@ Asked asked_in_case(const CaseName& name, const CaseSource& source) {
   return asked;
 }
 
-Query query_of_case(const CaseName& name, const std::vector<Query>& given) {
-  return asked_in_case(name, {given}).query;
+Query query_of_case(const CaseName& name, const std::vector<AnyQuery>& given) {
+  return std::get<Query>(asked_in_case(name, {given}).query);
 }
 
 }  // namespace touchstone::fuzz

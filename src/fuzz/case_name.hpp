@@ -12,6 +12,7 @@
 #include <touchstone/separation.hpp>
 
 #include "families/families.hpp"
+#include "fuzz/any_query.hpp"
 #include "fuzz/climb.hpp"
 
 namespace touchstone::fuzz {
@@ -32,15 +33,16 @@ std::optional<CaseName> parse_case_text(std::string_view text);
 
 /// What the names of one run refer to, besides the families.
 struct CaseSource {
-  const std::vector<Query>& given;
+  const std::vector<AnyQuery>& given;
   Separation separation = {};  ///< of every query
   bool own = false;            ///< each query has a distance of its own instead, see families::make_separated
 };
 
-/// A query, and the separation that it is asked with.
+/// A query, and what it is asked about.
 struct Asked {
-  Query query;
+  AnyQuery query;
   Separation separation;
+  double t_max = 1;  ///< the end of the time range; 1 for straight queries
 };
 
 /// A case of step n takes n steps of climbing again.
@@ -53,7 +55,7 @@ Asked start_of_case(const CaseName& name, const CaseSource& source);
 /// The walk from there.
 Climb climb_from(const CaseName& name, const CaseSource& source);
 
-/// The query alone, for contact.
-Query query_of_case(const CaseName& name, const std::vector<Query>& given = {});
+/// The query of a straight case alone, for contact.
+Query query_of_case(const CaseName& name, const std::vector<AnyQuery>& given = {});
 
 }  // namespace touchstone::fuzz

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "families/curved_parts.hpp"
 #include "families/motion.hpp"
 #include "fuzz/margin.hpp"
 
@@ -16,13 +17,29 @@ using families::Rng;
 // Below, one call of rng a statement: compilers evaluate the arguments of a call in different orders, and a case's name
 // means the same query on every machine.
 
-double& random_coordinate(Query& query, Rng& rng) {
+double& random_number(Query& query, Rng& rng) {
   auto& corners = rng.one_in(2) ? query.start : query.end;
   const auto axis = static_cast<std::size_t>(rng.below(3));
   return families::coordinate(corners[rng.below(corner_count(query.kind))], axis);
 }
 
-double changed(double x, Query& query, Rng& rng) {
+double& random_number(CurvedQuery& query, Rng& rng) {
+  std::uint64_t count = 0;
+  families::for_each_number(query, [&](double&) { ++count; });
+  const std::uint64_t chosen = rng.below(count);
+  double* found = nullptr;
+  std::uint64_t next = 0;
+  families::for_each_number(query, [&](double& x) {
+    if (next++ == chosen) found = &x;
+  });
+  return *found;
+}
+
+double& random_number(AnyQuery& query, Rng& rng) {
+  return std::visit([&](auto& q) -> double& { return random_number(q, rng); }, query);
+}
+
+double changed(double x, AnyQuery& query, Rng& rng) {
   const double away =
       rng.one_in(2) ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity();
   switch (rng.between(0, 6)) {
@@ -35,23 +52,23 @@ double changed(double x, Query& query, Rng& rng) {
       const int exponent = -rng.between(0, 52);
       return x * (1 + std::ldexp(rng.symmetric(), exponent));
     }
-    case 3: return random_coordinate(query, rng);
-    case 4: return std::nextafter(random_coordinate(query, rng), away);
+    case 3: return random_number(query, rng);
+    case 4: return std::nextafter(random_number(query, rng), away);
     case 5: return -x;
-    default: return 0.5 * (x + random_coordinate(query, rng));
+    default: return 0.5 * (x + random_number(query, rng));
   }
 }
 
 }  // namespace
 
-double Climb::height_of(const Query& query) const {
+double Climb::height_of(const AnyQuery& query) const {
   return std::fabs(std::log2(std::fabs(filter_margin(query, separation_))));
 }
 
-/// Moves one coordinate to the value at which the margin would be zero if it were linear in the coordinate. V's
-/// coefficients are linear in it, so that there only rounding remains of them.
-void Climb::step_to_zero(Query& query) {
-  double& x = random_coordinate(query, rng_);
+/// Moves one number to the value at which the margin would be zero if it were linear in the number. V's coefficients
+/// are linear in a straight query's coordinates, so that there only rounding remains of them.
+void Climb::step_to_zero(AnyQuery& query) {
+  double& x = random_number(query, rng_);
   const double before = x;
   const double margin = filter_margin(query, separation_);
   const int exponent = -rng_.between(0, 30);
@@ -65,17 +82,18 @@ Climb::Climb(const families::CaseId& start)
       current_(families::make(start.family, start.kind, rng_)),
       height_(height_of(current_)) {}
 
-Climb::Climb(const Query& start, const families::Rng& random, const Separation& separation)
+Climb::Climb(const AnyQuery& start, const families::Rng& random, const Separation& separation)
     : rng_(random), separation_(separation), current_(start), height_(height_of(current_)) {}
 
-Query Climb::next() {
-  Query query = current_;
+AnyQuery Climb::next() {
+  AnyQuery query = current_;
   if (rng_.one_in(3)) step_to_zero(query);
   for (int changes = rng_.between(0, 2); changes > 0; --changes) {
-    double& x = random_coordinate(query, rng_);
+    double& x = random_number(query, rng_);
     const double value = changed(x, query, rng_);
     if (std::isfinite(value)) x = value;
   }
+  if (auto* const curved = std::get_if<CurvedQuery>(&query)) families::make_valid(*curved);
   const double height = height_of(query);
   if (height <= height_) {  // false for NaN, which a margin is not
     current_ = query;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "exact/corners.hpp"
 #include "geometry/frame.hpp"
 #include "geometry/vector.hpp"
 #include "numbers/exact_number.hpp"
@@ -14,6 +15,7 @@ namespace touchstone::fuzz {
 namespace {
 
 using numbers::Exact;
+using numbers::is_zero;
 using Linear = numbers::Polynomial<Exact, 1>;
 using Moving = geometry::Vector<Linear>;
 
@@ -29,9 +31,10 @@ Moving difference(const Query& q, std::size_t a, std::size_t b) {
            difference(q.start[a].z, q.end[a].z, q.start[b].z, q.end[b].z)}};
 }
 
-template <int D>
-bool vanishes(const geometry::Vector<numbers::Polynomial<Exact, D>>& v) {
-  return numbers::is_zero(v[0]) && numbers::is_zero(v[1]) && numbers::is_zero(v[2]);
+/// Of polynomials of any sort.
+template <class P>
+bool vanishes(const geometry::Vector<P>& v) {
+  return is_zero(v[0]) && is_zero(v[1]) && is_zero(v[2]);
 }
 
 using Names = std::vector<const char*>;
@@ -55,37 +58,48 @@ std::uint8_t bits(std::initializer_list<bool> flags) {
   return static_cast<std::uint8_t>(result);
 }
 
-std::uint8_t vanishing(const Query& q) {
+/// @param corner_difference  of two corners, as polynomials in t times one positive number at each t
+template <class Difference>
+std::uint8_t vanishing(Kind kind, Difference&& corner_difference) {
   using geometry::cross;
   using geometry::dot;
-  const auto corner_difference = [&q](std::size_t i, std::size_t j) { return difference(q, i, j); };
-  switch (q.kind) {
+  switch (kind) {
     case Kind::edge_edge: {
       const auto frame = geometry::frame_of(true, corner_difference);
       const auto& [u, w, r] = frame;
       const auto n = geometry::normal(frame);
-      return bits({numbers::is_zero(dot(n, r)), vanishes(n), vanishes(cross(r, u)), vanishes(cross(r, w)), vanishes(u),
-                   vanishes(w)});
+      return bits(
+          {is_zero(dot(n, r)), vanishes(n), vanishes(cross(r, u)), vanishes(cross(r, w)), vanishes(u), vanishes(w)});
     }
     case Kind::vertex_face: {
       const auto frame = geometry::frame_of(false, corner_difference);
       const auto& [u, w, r] = frame;
       const auto n = geometry::normal(frame);
-      return bits({numbers::is_zero(dot(n, r)), vanishes(n), vanishes(u), vanishes(w), vanishes(difference(q, 3, 2))});
+      return bits({is_zero(dot(n, r)), vanishes(n), vanishes(u), vanishes(w), vanishes(corner_difference(3, 2))});
     }
     case Kind::point_edge: {
-      const Moving u = difference(q, 2, 1), r = difference(q, 0, 1);
+      const auto u = corner_difference(2, 1), r = corner_difference(0, 1);
       return bits({vanishes(cross(r, u)), vanishes(u), vanishes(r)});
     }
-    case Kind::point_point: return bits({vanishes(difference(q, 1, 0))});
+    case Kind::point_point: return bits({vanishes(corner_difference(1, 0))});
   }
   return 0;
 }
 
+std::uint8_t vanishing(const Query& query) {
+  return vanishing(query.kind, [&](std::size_t i, std::size_t j) { return difference(query, i, j); });
+}
+
+std::uint8_t vanishing(const CurvedQuery& query) {
+  const auto corners = exact::moving_corners<exact::AnyDegree>(query);
+  return vanishing(query.kind, [&](std::size_t i, std::size_t j) { return corners[i] - corners[j]; });
+}
+
 }  // namespace
 
-Degeneracy degeneracy_of(const Query& query, const Answer& truth) {
-  return {query.kind, truth.nature, truth.feature_a, truth.feature_b, vanishing(query)};
+Degeneracy degeneracy_of(const AnyQuery& query, const Answer& truth) {
+  const std::uint8_t zeros = std::visit([](const auto& q) { return vanishing(q); }, query);
+  return {kind_of(query), truth.nature, truth.feature_a, truth.feature_b, zeros, is_curved(query)};
 }
 
 std::string degeneracy_text(const Degeneracy& d) {

@@ -9,6 +9,8 @@
 #include <touchstone/answer.hpp>
 #include <touchstone/query.hpp>
 
+#include "fuzz/any_query.hpp"
+
 namespace touchstone::fuzz {
 
 /// How the elements touch, and which of the deciding polynomials vanish identically.
@@ -19,11 +21,13 @@ struct Degeneracy {
   Feature feature_b = Feature::none;
   std::uint8_t vanishing = 0;  ///< a bit for each polynomial that `vanishing_names` can name
 
+  bool curved = false;
+
   auto operator<=>(const Degeneracy&) const = default;
 };
 
-/// The degeneracy of a query with finite coordinates and its exact answer. The polynomials are computed exactly.
-Degeneracy degeneracy_of(const Query& query, const Answer& truth);
+/// The degeneracy of a valid query and its exact answer. The polynomials are computed exactly.
+Degeneracy degeneracy_of(const AnyQuery& query, const Answer& truth);
 
 /// For a person: "sustained, a0 against b, V = n = 0", "no contact".
 std::string degeneracy_text(const Degeneracy& degeneracy);

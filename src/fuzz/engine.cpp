@@ -36,6 +36,10 @@ GivenPlan given_to_ask(const SolverUnderTest& solver, const std::vector<Kind>& k
 std::vector<families::Family> wanted_families(const Settings& settings) {
   if (!settings.families.empty()) return settings.families;
   std::vector<families::Family> all;
+  if (settings.curved) {
+    for (const families::FamilyInfo& family : families::curved_families()) all.push_back(family.family);
+    return all;
+  }
   for (const families::FamilyInfo& family : families::all_families()) {
     // Those are special for their own distances only.
     if (family.group != families::Group::separation || settings.own_separations) all.push_back(family.family);
@@ -85,8 +89,16 @@ Outcome run(const SolverFactory& make_solver, const Settings& settings, const Wa
   auto first_solver = make_solver();
   const std::vector<Kind> kinds = supported_kinds(*first_solver, settings.kinds);
   const GivenPlan given = given_to_ask(*first_solver, kinds, settings);
+  const std::vector<families::Family> families = wanted_families(settings);
+  const auto check = [&](bool curved) {
+    check_sort(*first_solver, curved, settings.separation, settings.own_separations);
+  };
+  for (const AnyQuery& query : settings.given) check(is_curved(query));
+  for (const families::Family family : families) {
+    if (settings.given.empty()) check(families::is_curved(family));
+  }
   first_solver.reset();
-  const Plan plan(wanted_families(settings), kinds, settings.cases);
+  const Plan plan(families, kinds, settings.cases);
   SearchState state;
   std::vector<Searcher> searchers;
   for (std::size_t i = 0; i < thread_count(settings); ++i) searchers.emplace_back(settings, plan, given, state);

@@ -65,7 +65,7 @@ std::optional<Failure> failure_of(const Query& query, const Reply& reply, const 
   return std::nullopt;
 }
 
-std::optional<Failure> failure_of(Kind kind, const Answer& answer, const Answer& truth) {
+std::optional<Failure> failure_of(Kind kind, const Answer& answer, const Answer& truth, double t_max) {
   Reply claimed;
   claimed.contact = answer.contact;
   if (answer.contact) claimed.toi = answer.toi;
@@ -77,7 +77,7 @@ std::optional<Failure> failure_of(Kind kind, const Answer& answer, const Answer&
   if (std::string wrong = certify::weight_difference(answer, truth); !wrong.empty()) {
     return Failure{FailureClass::differs, wrong};
   }
-  if (std::string wrong = certify::malformation(kind, answer, 1); !wrong.empty()) {
+  if (std::string wrong = certify::malformation(kind, answer, t_max); !wrong.empty()) {
     return Failure{FailureClass::malformed, wrong};
   }
   return std::nullopt;

@@ -42,6 +42,6 @@ std::optional<Failure> failure_of(const Query& query, const Reply& reply, const 
                                   const Separation& separation = {});
 
 /// The failure of a whole answer, if any. Everything except its level counts.
-std::optional<Failure> failure_of(Kind kind, const Answer& answer, const Answer& truth);
+std::optional<Failure> failure_of(Kind kind, const Answer& answer, const Answer& truth, double t_max = 1);
 
 }  // namespace touchstone::fuzz

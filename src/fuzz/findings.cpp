@@ -17,12 +17,22 @@ auto order(const Example& e) {
   return std::tuple(e.difficulty, start.family, start.kind, start.index, e.name.step);
 }
 
+std::int64_t difficulty_of(const AnyQuery& query) {
+  return std::visit([](const auto& q) { return difficulty(q); }, query);
+}
+
 }  // namespace
 
 void Findings::add(const Failure& failure, const CaseName& name, const Asked& asked, const Reply& reply,
                    const Answer& truth) {
   Bucket& bucket = buckets_[{failure.failure, degeneracy_of(asked.query, truth)}];
-  Example example{name, asked.query, asked.separation, {}, truth, {}, difficulty(asked.query)};
+  Example example;
+  example.name = name;
+  example.query = asked.query;
+  example.separation = asked.separation;
+  example.t_max = asked.t_max;
+  example.truth = truth;
+  example.difficulty = difficulty_of(asked.query);
   if (++bucket.count > 1 && order(bucket.example) <= order(example)) return;
   example.reply = reply;
   example.detail = failure.detail;
@@ -68,7 +78,7 @@ std::vector<Finding> Findings::take(std::size_t most) {
   return taken;
 }
 
-FailureTable::FailureTable() : rows_(families::all_families().size() + 1) {}
+FailureTable::FailureTable() : rows_(families::all_families().size() + families::curved_families().size() + 1) {}
 
 std::uint64_t FailureTable::Row::failed() const {
   return std::accumulate(failures.begin(), failures.end(), std::uint64_t{0});

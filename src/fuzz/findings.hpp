@@ -21,8 +21,9 @@ namespace touchstone::fuzz {
 /// One failing query.
 struct Example {
   CaseName name;  ///< of this query, or of the query that it was shrunk from
-  Query query;
+  AnyQuery query;
   Separation separation;  ///< that the query is asked with
+  double t_max = 1;       ///< and the end of its time range
   Reply reply;
   Answer truth;
   std::string detail;           ///< see Failure

@@ -18,9 +18,11 @@ namespace {
 constexpr int kMostThreads = 1024;
 
 families::Family family_of(const std::string& name) {
-  for (const families::FamilyInfo& family : families::all_families()) {
-    if (family.name == name) return family.family;
+  const families::FamilyInfo* const family = families::find_family(name);
+  if (family != nullptr && family->group == families::Group::curved) {
+    throw InvalidQuery("the family \"" + name + "\" has curved queries; the solver takes straight ones");
   }
+  if (family != nullptr) return family->family;
   throw InvalidQuery("there is no family of queries called \"" + name + "\"; touchstone fuzz --help lists them");
 }
 
@@ -64,7 +66,7 @@ FuzzFinding public_finding(fuzz::Finding&& finding) {
   return {finding.failure,
           fuzz::degeneracy_text(finding.degeneracy),
           finding.count,
-          example.query,
+          std::get<Query>(example.query),
           Claim{example.reply.contact, example.reply.toi, example.reply.toi_as_written},
           example.truth,
           std::move(example.detail),

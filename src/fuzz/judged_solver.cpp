@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/judged_solver.hpp"
 
+#include <touchstone/curved.hpp>
+
 namespace touchstone::fuzz {
 
 JudgedSolver::JudgedSolver(SolverUnderTest& solver, const Settings& settings)
@@ -10,10 +12,30 @@ JudgedSolver::JudgedSolver(SolverUnderTest& solver, const Settings& settings)
       own_separations_(settings.own_separations),
       early_(settings.early) {}
 
-Answer JudgedSolver::truth(const Asked& asked) const { return solve(asked.query, asked.separation, judge_); }
+Answer JudgedSolver::truth(const Asked& asked) const {
+  if (const auto* const curved = std::get_if<CurvedQuery>(&asked.query)) return solve(*curved, judge_, asked.t_max);
+  return solve(std::get<Query>(asked.query), asked.separation, judge_);
+}
+
+JudgedReply JudgedSolver::ask_curved(const CurvedQuery& query, double t_max, const Answer& truth) const {
+  JudgedReply judged;
+  if (answering_ == nullptr) {
+    judged.reply = solver_.ask_curved(query, t_max);
+    // A curved query is asked in this process, so that its time is a double and the judge needs no query.
+    judged.failure = failure_of(Query(), judged.reply, truth, early_);
+    return judged;
+  }
+  const Answer answer = answering_->answer_curved(query, t_max);
+  judged.reply.contact = answer.contact;
+  if (answer.contact) judged.reply.toi = answer.toi;
+  judged.failure = failure_of(query.kind, answer, truth, t_max);
+  return judged;
+}
 
 JudgedReply JudgedSolver::ask(const Asked& asked, const Answer& truth) const {
-  const auto& [query, separation] = asked;
+  if (const auto* const curved = std::get_if<CurvedQuery>(&asked.query)) return ask_curved(*curved, asked.t_max, truth);
+  const auto& query = std::get<Query>(asked.query);
+  const Separation& separation = asked.separation;
   JudgedReply judged;
   if (own_separations_) solver_.change_separation(separation);
   if (answering_ == nullptr) {

@@ -34,6 +34,8 @@ class JudgedSolver {
   JudgedReply ask(const Asked& asked, const Answer& truth) const;
 
  private:
+  JudgedReply ask_curved(const CurvedQuery& query, double t_max, const Answer& truth) const;
+
   SolverUnderTest& solver_;
   AnsweringSolver* answering_;  ///< the same solver when it gives whole answers, else null
   Method judge_;

@@ -8,6 +8,7 @@
 #include <initializer_list>
 #include <limits>
 
+#include "filters/curved_paths.hpp"
 #include "filters/same_side.hpp"
 #include "filters/separating_direction.hpp"
 
@@ -160,6 +161,41 @@ double filter_margin(const Query& query, const Separation& separation) noexcept 
   if (separation.distance > 0) return separation_margin(query, separation);
   const double margin = direction_margin(query);
   return filters::has_cubic(query.kind) ? least({margin, cubic_margin(query)}) : margin;
+}
+
+double filter_margin(const CurvedQuery& query) noexcept {
+  const filters::CurvedPaths paths = filters::curved_paths(query);
+  if (!paths.known) return kInfinity;
+  const std::size_t first_of_b = query.kind == Kind::edge_edge ? 2 : 1;
+  std::array<Vector, 2> middle{};
+  std::array<double, 2> count{};
+  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+    const std::size_t element = i < first_of_b ? 0 : 1;
+    for (std::size_t k = 0; k < paths.corners[i].count; ++k) {
+      for (std::size_t axis = 0; axis < 3; ++axis) middle[element][axis] += paths.corners[i].points[k][axis];
+      ++count[element];
+    }
+  }
+  Vector between;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    between[axis] = middle[1][axis] / count[1] - middle[0][axis] / count[0];
+  }
+  double margin = -kInfinity;  // of the direction that separates most
+  for (const Vector& direction : {Vector{{1, 0, 0}}, Vector{{0, 1, 0}}, Vector{{0, 0, 1}}, Vector{{-1, 0, 0}},
+                                  Vector{{0, -1, 0}}, Vector{{0, 0, -1}}, between}) {
+    double most = -kInfinity, least = kInfinity;
+    for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+      for (std::size_t k = 0; k < paths.corners[i].count; ++k) {
+        const double along = geometry::dot(direction, paths.corners[i].points[k]);
+        if (i < first_of_b) most = std::max(most, along);
+        if (i >= first_of_b) least = std::min(least, along);
+      }
+    }
+    const double largest = std::max({std::fabs(direction[0]), std::fabs(direction[1]), std::fabs(direction[2])});
+    const double m = quotient(least - most, 8 * largest * paths.error);
+    if (m > margin && m < kInfinity) margin = m;
+  }
+  return std::isfinite(margin) ? margin : kInfinity;
 }
 
 }  // namespace touchstone::fuzz

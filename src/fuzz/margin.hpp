@@ -5,6 +5,8 @@
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
+#include "fuzz/any_query.hpp"
+
 namespace touchstone::fuzz {
 
 /// The quotient of least magnitude of a value that a filter looks at and the bound on its rounding error: V's Bernstein
@@ -18,5 +20,14 @@ namespace touchstone::fuzz {
 /// between the closest points at mid-step less the distance times the direction's norm; and the same gap at the step's
 /// start alone, at its end, and at a time of least distance.
 double filter_margin(const Query& query, const Separation& separation = {}) noexcept;
+
+/// The same for a curved query, about contact: the gap between the control points of both elements' paths, along an
+/// axis or the line between their middles, over the bound on its rounding error.
+double filter_margin(const CurvedQuery& query) noexcept;
+
+inline double filter_margin(const AnyQuery& query, const Separation& separation = {}) noexcept {
+  const auto* const curved = std::get_if<CurvedQuery>(&query);
+  return curved != nullptr ? filter_margin(*curved) : filter_margin(*std::get_if<Query>(&query), separation);
+}
 
 }  // namespace touchstone::fuzz

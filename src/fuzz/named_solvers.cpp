@@ -5,9 +5,11 @@
 #include <string>
 #include <utility>
 
+#include <touchstone/curved.hpp>
 #include <touchstone/solve.hpp>
 
 #include "baselines/baseline.hpp"
+#include "baselines/curved_baseline.hpp"
 #include "baselines/separation_baseline.hpp"
 #include "certify/answer_check.hpp"
 #include "fuzz/answering_solver.hpp"
@@ -43,6 +45,10 @@ class OurSolver final : public AnsweringSolver {
   Answer answer(const Query& query) override { return solve(query, separation_, method_); }
 
   Reply ask(const Query& query) override { return reply_of(answer(query)); }
+
+  bool takes_curves() const override { return true; }
+  Answer answer_curved(const CurvedQuery& query, double t_max) override { return solve(query, method_, t_max); }
+  Reply ask_curved(const CurvedQuery& query, double t_max) override { return reply_of(answer_curved(query, t_max)); }
 
  private:
   std::string name_;
@@ -132,6 +138,25 @@ class SeparationSolver final : public SolverUnderTest {
   double distance_;
 };
 
+/// A method for curved queries only.
+class CurvedSolver final : public SolverUnderTest {
+ public:
+  explicit CurvedSolver(const baselines::CurvedBaseline& method) : name_(method.name), method_(method) {}
+
+  const std::string& name() const override { return name_; }
+  bool supports(Kind kind) const override { return method_.supports(kind); }
+  bool takes_straight() const override { return false; }
+  bool takes_curves() const override { return true; }
+  Reply ask(const Query&) override { return no_answer(Reply::State::malformed, "it takes curved queries only"); }
+  Reply ask_curved(const CurvedQuery& query, double t_max) override {
+    return reply_of(method_.solve(query, t_max, method_.usual_tolerance));
+  }
+
+ private:
+  std::string name_;
+  const baselines::CurvedBaseline& method_;
+};
+
 }  // namespace
 
 std::vector<std::string_view> solver_names(const Separation& separation) {
@@ -140,6 +165,7 @@ std::vector<std::string_view> solver_names(const Separation& separation) {
   names.push_back(kBatch);
   if (separation.distance == 0) {
     for (const baselines::Baseline& method : baselines::methods()) names.push_back(method.name);
+    for (const baselines::CurvedBaseline& method : baselines::curved_methods()) names.push_back(method.name);
   } else if (separation.metric == Metric::euclidean) {
     for (const baselines::SeparationBaseline& method : baselines::separation_methods()) names.push_back(method.name);
   }
@@ -157,6 +183,8 @@ std::unique_ptr<SolverUnderTest> named_solver(std::string_view name, const Separ
     if (baseline == nullptr) return nullptr;
     return std::make_unique<SeparationSolver>(*baseline, separation.distance);
   }
+  const auto* const curved = baselines::find_curved_method(name);
+  if (curved != nullptr) return std::make_unique<CurvedSolver>(*curved);
   const baselines::Baseline* const baseline = baselines::find_method(name);
   return baseline != nullptr ? baseline_solver(*baseline) : nullptr;
 }

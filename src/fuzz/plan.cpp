@@ -34,11 +34,22 @@ std::vector<Kind> supported_kinds(const SolverUnderTest& solver, const std::vect
   throw InvalidQuery(solver.name() + " takes no queries" + (names.empty() ? "" : " of this kind: " + names));
 }
 
-GivenPlan plan_of_given(const std::vector<Query>& given, const std::vector<Kind>& wanted,
+void check_sort(const SolverUnderTest& solver, bool curved, const Separation& separation, bool own_separations) {
+  if (!curved && !solver.takes_straight()) {
+    throw InvalidQuery(solver.name() + " takes curved queries only, as those of --curved");
+  }
+  if (!curved) return;
+  if (!solver.takes_curves()) throw InvalidQuery(solver.name() + " takes no curved queries");
+  if (separation.distance > 0 || own_separations) {
+    throw InvalidQuery("curved queries are asked about contact only, without a separation");
+  }
+}
+
+GivenPlan plan_of_given(const std::vector<AnyQuery>& given, const std::vector<Kind>& wanted,
                         const std::vector<Kind>& asked, std::optional<std::uint64_t> most) {
   GivenPlan plan;
   for (std::size_t i = 0; i < given.size(); ++i) {
-    const Kind kind = given[i].kind;
+    const Kind kind = kind_of(given[i]);
     if (!wanted.empty() && !has(wanted, kind)) continue;
     ++plan.wanted;
     if (!has(asked, kind)) {

@@ -10,12 +10,16 @@
 #include <touchstone/query.hpp>
 
 #include "families/families.hpp"
+#include "fuzz/any_query.hpp"
 #include "fuzz/solver_under_test.hpp"
 
 namespace touchstone::fuzz {
 
 /// Those of the `wanted` kinds (empty: all) that the solver supports. @throws InvalidQuery when it supports none
 std::vector<Kind> supported_kinds(const SolverUnderTest& solver, const std::vector<Kind>& wanted);
+
+/// @throws InvalidQuery  when the solver takes no queries of this sort, or a separation is asked for with curved ones
+void check_sort(const SolverUnderTest& solver, bool curved, const Separation& separation, bool own_separations);
 
 std::string kind_names(const std::vector<Kind>& kinds);  ///< "edge-edge, vertex-face"
 
@@ -37,7 +41,7 @@ struct GivenPlan {
 /// @param wanted  kinds; empty: all
 /// @param asked  the wanted kinds that the solver supports
 /// @param most  the most queries to ask
-GivenPlan plan_of_given(const std::vector<Query>& given, const std::vector<Kind>& wanted,
+GivenPlan plan_of_given(const std::vector<AnyQuery>& given, const std::vector<Kind>& wanted,
                         const std::vector<Kind>& asked, std::optional<std::uint64_t> most);
 
 /// Every family with every kind in turn, a few hundred cases at a time. A run that ends early has then seen all

@@ -17,6 +17,7 @@ std::optional<Finding> run_case(SolverUnderTest& solver, const CaseName& name, c
   supported_kinds(solver, {name.start.kind});
   const JudgedSolver judged(solver, settings);
   const Asked asked = asked_in_case(name, case_source(settings));
+  check_sort(solver, is_curved(asked.query), settings.separation, settings.own_separations);
   const Answer truth = judged.truth(asked);
   const auto [reply, failure] = judged.ask(asked, truth);
   if (!failure) return std::nullopt;
@@ -27,14 +28,14 @@ std::optional<Finding> run_case(SolverUnderTest& solver, const CaseName& name, c
   return finding;
 }
 
-void shrink_finding(Finding& finding, SolverUnderTest& solver, const Settings& settings,
-                    const std::function<bool()>& stop) {
-  if (settings.shrink_tries == 0) return;
-  const JudgedSolver judged(solver, settings);
+namespace {
+
+/// Shrinks the query of the example, which is of type Q.
+template <class Q>
+void shrink_example(Finding& finding, const JudgedSolver& judged, const ShrinkLimits& limits) {
   Example best = finding.example;
-  const Separation separation = finding.example.separation;
-  const auto still_fails = [&](const Query& query) {
-    const Asked asked{query, separation};
+  const auto fails = [&](const Q& query, double t_max) {
+    const Asked asked{query, best.separation, t_max};
     const Answer truth = judged.truth(asked);
     // The conditions on the true answer come first, because asking the solver may be dear.
     if (truth.nature != finding.degeneracy.nature || truth.feature_a != finding.degeneracy.feature_a ||
@@ -43,14 +44,34 @@ void shrink_finding(Finding& finding, SolverUnderTest& solver, const Settings& s
     }
     auto [reply, failure] = judged.ask(asked, truth);
     if (!failure || failure->failure != finding.failure) return false;
-    best = {finding.example.name, query, separation, std::move(reply), truth, failure->detail, difficulty(query)};
+    best = {finding.example.name, query, best.separation, t_max,
+            std::move(reply),     truth, failure->detail, difficulty(query)};
     return true;
   };
+  const Q start = std::get<Q>(finding.example.query);
+  double t_max = finding.example.t_max;
+  for (const double simpler : {1.0, 0.5}) {
+    if (t_max != simpler && t_max != 1 && fails(start, simpler)) t_max = simpler;
+  }
+  shrink(
+      start, [&](const Q& query) { return fails(query, t_max); }, limits);
+  finding.example = std::move(best);  // the last query that failed is the simplest
+}
+
+}  // namespace
+
+void shrink_finding(Finding& finding, SolverUnderTest& solver, const Settings& settings,
+                    const std::function<bool()>& stop) {
+  if (settings.shrink_tries == 0) return;
+  const JudgedSolver judged(solver, settings);
   ShrinkLimits limits;
   limits.tries = settings.shrink_tries;
   limits.stop = stop;
-  shrink(finding.example.query, still_fails, limits);
-  finding.example = std::move(best);  // the last query that failed is the simplest
+  if (is_curved(finding.example.query)) {
+    shrink_example<CurvedQuery>(finding, judged, limits);
+  } else {
+    shrink_example<Query>(finding, judged, limits);
+  }
 }
 
 }  // namespace touchstone::fuzz

@@ -43,7 +43,7 @@ void Searcher::ask_given(const JudgedSolver& solver) {
   for (std::uint64_t i = state_.next++; i < count && !over(); i = state_.next++) {
     const std::uint64_t position = given_.to_ask[i];
     ++state_.given_asked;
-    start_from({{{}, settings_.given[position].kind, settings_.seed, position}, 0, true}, solver);
+    start_from({{{}, kind_of(settings_.given[position]), settings_.seed, position}, 0, true}, solver);
   }
 }
 

@@ -17,8 +17,9 @@
 namespace touchstone::fuzz {
 
 struct Settings {
-  std::vector<Query> given;                ///< unless empty: each of these is asked once, and no family
-  std::vector<families::Family> families;  ///< empty: all
+  std::vector<AnyQuery> given;             ///< unless empty: each of these is asked once, and no family
+  std::vector<families::Family> families;  ///< empty: all of straight queries, or of curved ones
+  bool curved = false;                     ///< which of the two
   std::vector<Kind> kinds;                 ///< empty: all; kinds that the solver does not support are left out
   std::uint64_t seed = 1;
   std::optional<std::uint64_t> cases;  ///< the most queries of families, or given ones, to start from

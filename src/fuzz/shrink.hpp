@@ -7,6 +7,7 @@
 #include <functional>
 #include <unordered_set>
 
+#include <touchstone/curved_query.hpp>
 #include <touchstone/query.hpp>
 
 #include "seeded/rng.hpp"
@@ -19,18 +20,21 @@ struct ShrinkLimits {
 };
 
 /// The simplest query found, by `difficulty`, for which `still_fails` holds; `query` itself when there is no simpler
-/// one. Equal arguments give equal results unless `stop` ends it. `still_fails` is only called with finite coordinates.
+/// one. Equal arguments give equal results unless `stop` ends it. `still_fails` is only called with valid queries.
 Query shrink(const Query& query, const std::function<bool(const Query&)>& still_fails, const ShrinkLimits& limits = {});
+CurvedQuery shrink(const CurvedQuery& query, const std::function<bool(const CurvedQuery&)>& still_fails,
+                   const ShrinkLimits& limits = {});
 
 /// The state that the moves of shrink_moves.hpp work on: the simplest query so far. Moves offer simpler ones to it.
+template <class Q>
 class Shrinking {
  public:
-  Shrinking(const Query& query, const std::function<bool(const Query&)>& still_fails, const ShrinkLimits& limits);
+  Shrinking(const Q& query, const std::function<bool(const Q&)>& still_fails, const ShrinkLimits& limits);
 
-  const Query& best() const noexcept { return best_; }
+  const Q& best() const noexcept { return best_; }
 
-  /// Takes the candidate as the best when it is simpler, finite and still fails. @returns whether it did
-  bool offer(const Query& candidate);
+  /// Takes the candidate as the best when it is simpler, valid and still fails. @returns whether it did
+  bool offer(const Q& candidate);
 
   /// Whether to give up: no tries are left, or `stop` asked for an end.
   bool over() const noexcept { return over_; }
@@ -38,9 +42,9 @@ class Shrinking {
   seeded::Rng& rng() noexcept { return rng_; }
 
  private:
-  const std::function<bool(const Query&)>& still_fails_;
+  const std::function<bool(const Q&)>& still_fails_;
   const ShrinkLimits& limits_;
-  Query best_;
+  Q best_;
   std::int64_t difficulty_;
   std::uint64_t tries_ = 0;
   bool over_ = false;

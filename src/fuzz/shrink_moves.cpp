@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "families/motion.hpp"
+#include "fuzz/shrink_numbers.hpp"
 
 namespace touchstone::fuzz {
 namespace {
@@ -18,13 +19,15 @@ using families::mapped_corners;
 using families::operator+;
 using families::operator-;
 
+using StraightShrinking = Shrinking<Query>;
+
 constexpr std::array<std::size_t, 3> kAxes{0, 1, 2};
 
 /// The sets of axes that a move may change: all axes, and each axis alone.
 constexpr std::array<std::array<bool, 3>, 4> kAxisSets{
     {{true, true, true}, {true, false, false}, {false, true, false}, {false, false, true}}};
 
-std::size_t corners_of(const Shrinking& s) { return corner_count(s.best().kind); }
+std::size_t corners_of(const StraightShrinking& s) { return corner_count(s.best().kind); }
 
 /// The exponents of the last binary digit and of the power of two above the largest coordinate, over some axes.
 struct Digits {
@@ -62,7 +65,7 @@ Query mapped_axes(const Query& query, const std::array<bool, 3>& axes, F&& f) {
 }
 
 /// Multiplies by powers of two: to integers, to halves, or to ordinary size.
-void scale(Shrinking& s) {
+void scale(StraightShrinking& s) {
   for (const auto& axes : kAxisSets) {
     const Digits digits = digits_of(s.best(), axes);
     if (digits.above == INT_MIN) continue;
@@ -74,7 +77,7 @@ void scale(Shrinking& s) {
 }
 
 /// Moves a corner to the origin: at both ends together, or at each end with all corners there.
-void translate(Shrinking& s) {
+void translate(StraightShrinking& s) {
   for (std::size_t i = 0; i < corners_of(s); ++i) {
     for (const auto& axes : kAxisSets) {
       const auto masked = [&](Vec3 v) {
@@ -101,7 +104,7 @@ void translate(Shrinking& s) {
 
 /// Rounds every coordinate to a multiple of one power of two, or to a few digits of its own: to the nearest, towards
 /// zero, or at random up or down.
-void round_all(Shrinking& s) {
+void round_all(StraightShrinking& s) {
   constexpr int kLots = 8;
   for (const int digits : {1, 2, 3, 4, 5, 6, 8, 10, 14, 20, 28, 40}) {
     for (const auto& axes : kAxisSets) {
@@ -128,7 +131,7 @@ void round_all(Shrinking& s) {
   }
 }
 
-void stand_still(Shrinking& s) {
+void stand_still(StraightShrinking& s) {
   Query query = s.best();
   query.end = query.start;
   s.offer(query);
@@ -143,7 +146,7 @@ void stand_still(Shrinking& s) {
 }
 
 /// Moves corners onto others or the origin, or gives them the motion of others.
-void merge(Shrinking& s) {
+void merge(StraightShrinking& s) {
   const auto offer = [&](std::size_t i, const Vec3& start, const Vec3& end) {
     Query query = s.best();
     query.start[i] = start;
@@ -167,7 +170,7 @@ void merge(Shrinking& s) {
 }
 
 /// Changes whole axes: to zero, without motion, mirrored. Reverses time.
-void simplify_axes(Shrinking& s) {
+void simplify_axes(StraightShrinking& s) {
   for (const std::size_t axis : kAxes) {
     std::array<bool, 3> only{};
     only[axis] = true;
@@ -182,29 +185,8 @@ void simplify_axes(Shrinking& s) {
   s.offer(reversed);
 }
 
-/// Offers simpler numbers in place of one: small ones, with fewer digits, nearer to 1, nearer to zero. `number` reads
-/// it and `offer` puts another one in its place.
-template <class Number, class Offer>
-void simplify_number(Number&& number, Offer&& offer) {
-  constexpr std::array<double, 14> kSmall{0.0, 1, -1, 2, -2, 3, -3, 4, -4, 0.5, -0.5, 8, -8, 1.5};
-  for (const double value : kSmall) offer(value);
-  const double x = number();
-  for (const double value : {std::nearbyint(x), std::floor(x), std::ceil(x), -x}) offer(value);
-  for (const int places : {512, 256, 128, 64, 32, 16, 8, 4, 2, 1}) {
-    offer(std::ldexp(number(), std::fabs(number()) < 1 ? places : -places));
-  }
-  while (offer(number() - std::copysign(1.0, number()))) {
-  }
-  for (const int digits : {1, 2, 3, 4, 5, 6, 8, 12, 20, 30, 40, 48}) {
-    int exponent = 0;
-    const double scaled = std::ldexp(std::frexp(number(), &exponent), digits);
-    offer(std::ldexp(std::trunc(scaled), exponent - digits));
-    offer(std::ldexp(std::nearbyint(scaled), exponent - digits));
-  }
-}
-
 /// Simplifies one coordinate after the other, at one end or at both.
-void simplify_coordinates(Shrinking& s) {
+void simplify_coordinates(StraightShrinking& s) {
   enum class End { start, end, both };
   for (std::size_t i = 0; i < corners_of(s); ++i) {
     for (const std::size_t axis : kAxes) {
@@ -228,7 +210,7 @@ void simplify_coordinates(Shrinking& s) {
 }
 
 /// Simplifies one value after the other, at all its occurrences with either sign.
-void simplify_values(Shrinking& s) {
+void simplify_values(StraightShrinking& s) {
   for (std::size_t i = 0; i < corners_of(s); ++i) {
     for (const std::size_t axis : kAxes) {
       for (const bool at_start : {true, false}) {
@@ -247,7 +229,7 @@ void simplify_values(Shrinking& s) {
 }
 
 /// Sets one coordinate of a corner at both ends to pairs of small integers.
-void simplify_pairs(Shrinking& s) {
+void simplify_pairs(StraightShrinking& s) {
   constexpr int kReach = 2;
   for (std::size_t i = 0; i < corners_of(s); ++i) {
     for (const std::size_t axis : kAxes) {
@@ -265,7 +247,7 @@ void simplify_pairs(Shrinking& s) {
 }
 
 /// Moves several random coordinates at once to integers or halves near their values or near zero.
-void draw_lots(Shrinking& s) {
+void draw_lots(StraightShrinking& s) {
   constexpr int kTries = 600;
   for (int i = 0; i < kTries && !s.over(); ++i) {
     Query query = s.best();
@@ -282,11 +264,12 @@ void draw_lots(Shrinking& s) {
 
 }  // namespace
 
-const std::vector<Move>& shrink_moves() {
-  static const std::vector<Move> moves{translate,      scale,           round_all,
-                                       scale,          stand_still,     merge,
-                                       simplify_axes,  simplify_values, simplify_coordinates,
-                                       simplify_pairs, draw_lots};
+template <>
+const std::vector<Move<Query>>& shrink_moves<Query>() {
+  static const std::vector<Move<Query>> moves{translate,      scale,           round_all,
+                                              scale,          stand_still,     merge,
+                                              simplify_axes,  simplify_values, simplify_coordinates,
+                                              simplify_pairs, draw_lots};
   return moves;
 }
 

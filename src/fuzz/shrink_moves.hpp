@@ -9,9 +9,15 @@
 namespace touchstone::fuzz {
 
 /// Offers one sort of simpler queries, as often as they are taken.
-using Move = void (*)(Shrinking&);
+template <class Q>
+using Move = void (*)(Shrinking<Q>&);
 
 /// All moves. Those that change most come first.
-const std::vector<Move>& shrink_moves();
+template <class Q>
+const std::vector<Move<Q>>& shrink_moves();
+template <>
+const std::vector<Move<Query>>& shrink_moves<Query>();
+template <>
+const std::vector<Move<CurvedQuery>>& shrink_moves<CurvedQuery>();
 
 }  // namespace touchstone::fuzz

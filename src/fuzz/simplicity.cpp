@@ -6,6 +6,9 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <set>
+
+#include "families/curved_parts.hpp"
 
 namespace touchstone::fuzz {
 namespace {
@@ -58,6 +61,39 @@ std::int64_t difficulty(const Query& query) noexcept {
   }
   std::sort(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count));
   return sum + (std::unique(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count)) - values.begin());
+}
+
+std::int64_t difficulty(const CurvedQuery& query) {
+  constexpr std::int64_t kControlPoint = 4, kTurn = 6;
+  const auto of = [](const Vec3& x) { return difficulty(x.x) + difficulty(x.y) + difficulty(x.z); };
+  std::int64_t sum = 0;
+  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+    const CurvedCorner& corner = query.corners[i];
+    const int points = corner.motion == CurvedCorner::kOnCurve ? corner.control_points : 1;
+    std::int64_t own = corner.motion == CurvedCorner::kOnCurve ? kControlPoint * (points - 1) : kRepeatedCorner;
+    own += corner.motion > 0 ? corner.motion : 0;
+    for (int k = 0; k < points; ++k) own += of(corner.points[static_cast<std::size_t>(k)]);
+    for (std::size_t j = 0; j < i; ++j) {
+      bool repeated = query.corners[j].motion == corner.motion && query.corners[j].control_points == points;
+      for (std::size_t k = 0; k < corner.points.size(); ++k) {
+        repeated =
+            repeated && (k >= static_cast<std::size_t>(points) || same(query.corners[j].points[k], corner.points[k]));
+      }
+      if (repeated) own = std::min(own, kRepeatedCorner);
+    }
+    sum += own;
+  }
+  CurvedQuery read = query;
+  families::for_each_motion(read, [&](const RigidMotion& motion) {
+    sum += kMovingCorner + of(motion.p0) + (same(motion.p0, motion.p1) ? 0 : kMovingCorner + of(motion.p1));
+    for (const double c : motion.q0) sum += difficulty(c);
+    if (motion.q0 == motion.q1) return;
+    sum += kTurn;
+    for (const double c : motion.q1) sum += difficulty(c);
+  });
+  std::set<double> values;
+  families::for_each_number(read, [&](const double& x) { values.insert(std::fabs(x)); });
+  return sum + static_cast<std::int64_t>(values.size());
 }
 
 }  // namespace touchstone::fuzz

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include <touchstone/curved_query.hpp>
 #include <touchstone/query.hpp>
 
 namespace touchstone::fuzz {
@@ -12,5 +13,8 @@ namespace touchstone::fuzz {
 /// an integer with as many digits. Corners that stand still or lie on an earlier corner cost next to nothing. Every
 /// distinct absolute value costs a little.
 std::int64_t difficulty(const Query& query) noexcept;
+
+/// The same for corners and motions. Corners at rest are simplest, then those on bodies, then those on curves.
+std::int64_t difficulty(const CurvedQuery& query);
 
 }  // namespace touchstone::fuzz

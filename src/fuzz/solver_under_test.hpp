@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include <touchstone/curved_query.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
@@ -51,6 +52,17 @@ class SolverUnderTest {
 
   /// Asks for the first contact in [0, 1]. No behaviour of the solver makes it throw. One call at a time.
   virtual Reply ask(const Query& query) = 0;
+
+  /// Whether it takes straight queries.
+  virtual bool takes_straight() const { return true; }
+
+  /// Whether it takes curved queries.
+  virtual bool takes_curves() const { return false; }
+
+  /// The same for the first contact of a curved query in [0, t_max]. Only called where takes_curves().
+  virtual Reply ask_curved(const CurvedQuery&, double /*t_max*/) {
+    return no_answer(Reply::State::malformed, "it takes no curved queries");
+  }
 };
 
 }  // namespace touchstone::fuzz

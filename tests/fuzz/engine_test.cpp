@@ -48,7 +48,7 @@ std::string text_of(const fuzz::Outcome& outcome) {
   for (const fuzz::Finding& finding : outcome.findings) {
     text << fuzz::failure_name(finding.failure) << ' ' << fuzz::degeneracy_text(finding.degeneracy) << ' '
          << finding.count << ' ' << fuzz::case_text(finding.example.name) << ' '
-         << cpp_initializer(finding.example.query) << '\n';
+         << cpp_initializer(std::get<Query>(finding.example.query)) << '\n';
   }
   return text.str();
 }
@@ -106,7 +106,7 @@ TEST_CASE("a planted bug of every class is found, counted and kept through shrin
   for (const fuzz::Finding& finding : outcome.findings) {
     counted += finding.count;
     CHECK(kinds.insert(finding.degeneracy).second);
-    const Query& query = finding.example.query;
+    const auto& query = std::get<Query>(finding.example.query);
     const Answer truth = solve(query, Method::exact);
     const auto failure = fuzz::failure_of(query, solver->ask(query), truth, settings.early);
     REQUIRE(failure.has_value());

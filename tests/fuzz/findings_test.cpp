@@ -66,7 +66,7 @@ TEST_CASE("one finding for each class and kind of degeneracy, with all that fail
   std::uint64_t count = 0;
   for (std::size_t i = 0; i < taken.size(); ++i) {
     count += taken[i].count;
-    CHECK(taken[i].example.difficulty == fuzz::difficulty(taken[i].example.query));
+    CHECK(taken[i].example.difficulty == fuzz::difficulty(std::get<Query>(taken[i].example.query)));
     for (std::size_t j = 0; j < i; ++j) {
       CHECK((taken[i].failure != taken[j].failure || taken[i].degeneracy != taken[j].degeneracy));
     }

@@ -42,9 +42,10 @@ TEST_CASE("a plan without an end goes round all families and kinds") {
 }
 
 TEST_CASE("as many given queries are asked as wanted, those of other kinds not counted") {
-  std::vector<Query> given(9);
-  for (std::size_t i = 0; i < given.size(); ++i) given[i].kind = i % 3 == 0 ? Kind::point_point : Kind::edge_edge;
-  given[7].kind = Kind::point_edge;
+  std::vector<fuzz::AnyQuery> given(9);
+  for (std::size_t i = 0; i < given.size(); ++i)
+    std::get<Query>(given[i]).kind = i % 3 == 0 ? Kind::point_point : Kind::edge_edge;
+  std::get<Query>(given[7]).kind = Kind::point_edge;
   const auto all = fuzz::plan_of_given(given, {}, {Kind::edge_edge, Kind::point_point}, std::nullopt);
   CHECK(all.to_ask == std::vector<std::uint64_t>{0, 1, 2, 3, 4, 5, 6, 8});
   CHECK(all.wanted == 9);

@@ -66,7 +66,7 @@ TEST_CASE("most shrunk failures of solvers in doubles are integers or halves bel
   const auto solver = fuzz::named_solver(name);
   for (const fuzz::Finding& finding : shrunk_failures(name, std::string(name) == "paper" ? 6 : 20)) {
     const Query original = fuzz::query_of_case(finding.example.name);
-    const Query& query = finding.example.query;
+    const auto& query = std::get<Query>(finding.example.query);
     CAPTURE(fuzz::case_text(finding.example.name), cpp_initializer(query));
     const Answer truth = solve(query, Method::exact);
     const auto failure = fuzz::failure_of(query, solver->ask(query), truth, {});

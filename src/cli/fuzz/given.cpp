@@ -57,10 +57,10 @@ std::vector<Input> inputs_of(const FuzzCommandOptions& options) {
 
 }  // namespace
 
-std::vector<Query> given_queries(const FuzzCommandOptions& options) {
+std::vector<fuzz::AnyQuery> given_queries(const FuzzCommandOptions& options) {
   const std::vector<Input> inputs = inputs_of(options);
   std::vector<Count> counts(inputs.size());
-  std::vector<Query> queries;
+  std::vector<fuzz::AnyQuery> queries;
   for_each_query(inputs, [&](std::size_t input, const io::QueryRecord& record) {
     counts[input].add(record);
     if (const auto* const query = std::get_if<Query>(&record.query)) queries.push_back(*query);

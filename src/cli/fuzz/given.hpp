@@ -14,7 +14,7 @@ namespace touchstone::cli {
 /// queries are left out and which is the first of them.
 /// A file is of the kind that its folder is named after, or else of the one that `--kind` or `--case` names.
 /// @throws Error  when none is left
-std::vector<Query> given_queries(const FuzzCommandOptions& options);
+std::vector<fuzz::AnyQuery> given_queries(const FuzzCommandOptions& options);
 
 /// Checks that no file of `--from` is one that `--out` would write. @throws FileError
 void refuse_to_overwrite_given(const FuzzCommandOptions& options);

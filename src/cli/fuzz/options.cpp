@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "baselines/curved_baseline.hpp"
 #include "baselines/separation_baseline.hpp"
 #include "cli/fuzz/fuzz.hpp"
 #include "cli/shared/options.hpp"
@@ -38,22 +39,33 @@ std::optional<fuzz::EarlyLimit> early_limit(const std::string& text) {
 }
 
 std::optional<families::Family> family_from_name(const std::string& name) {
-  for (const families::FamilyInfo& family : families::all_families()) {
-    if (family.name == name) return family.family;
-  }
-  return std::nullopt;
+  const families::FamilyInfo* const family = families::find_family(name);
+  return family != nullptr ? std::optional(family->family) : std::nullopt;
 }
 
-std::string listed_families() {
-  std::string text, line = "Families:";
-  for (const families::FamilyInfo& family : families::all_families()) {
+std::string listed(std::string line, const std::vector<families::FamilyInfo>& families) {
+  const std::string indent(line.size(), ' ');
+  std::string text;
+  for (const families::FamilyInfo& family : families) {
     if (line.size() + family.name.size() > 108) {
       text += line + "\n";
-      line = "         ";
+      line = indent;
     }
     line.append(" ").append(family.name);
   }
   return text + line + "\n";
+}
+
+std::string curved_baselines() {
+  std::string names;
+  for (const auto& method : baselines::curved_methods()) {
+    names.append(names.empty() ? "" : ", ").append(method.name);
+  }
+  return names;
+}
+
+std::string listed_families() {
+  return listed("Families:", families::all_families()) + listed("Curved:", families::curved_families());
 }
 
 void add_solver_options(CLI::App& subcommand, FuzzCommandOptions& options) {
@@ -109,18 +121,19 @@ void add_solver_options(CLI::App& subcommand, FuzzCommandOptions& options) {
 CLI::Option* add_source_options(CLI::App& subcommand, FuzzCommandOptions& options,
                                 std::vector<CLI::Option*>& of_search) {
   fuzz::Settings& settings = options.settings;
-  of_search.push_back(subcommand
-                          .add_option_function<std::vector<std::string>>(
-                              "--family",
-                              [&settings](const std::vector<std::string>& names) {
-                                for (const auto& name : names) settings.families.push_back(*family_from_name(name));
-                              },
-                              "Only queries of this family (default: all; may be given more than once)")
-                          ->type_name("FAMILY")
-                          ->check([](const std::string& name) {
-                            return family_from_name(name) ? std::string()
-                                                          : name + " is no family; see touchstone fuzz --help";
-                          }));
+  of_search.push_back(
+      subcommand
+          .add_option_function<std::vector<std::string>>(
+              "--family",
+              [&settings](const std::vector<std::string>& names) {
+                for (const auto& name : names) settings.families.push_back(*family_from_name(name));
+              },
+              "Only queries of this family (default: all; may be given more than once). Those of the curved families "
+              "turn or move on curves")
+          ->type_name("FAMILY")
+          ->check([](const std::string& name) {
+            return family_from_name(name) ? std::string() : name + " is no family; see touchstone fuzz --help";
+          }));
   of_search.push_back(
       subcommand
           .add_option_function<std::vector<std::string>>(
@@ -140,6 +153,12 @@ CLI::Option* add_source_options(CLI::App& subcommand, FuzzCommandOptions& option
           return check_whole_number(text, least, most);
         }));
   };
+  of_search.push_back(subcommand
+                          .add_flag("--curved", settings.curved,
+                                    "Queries of all curved families: corners of bodies that turn, and on curves. The "
+                                    "solvers for them are touchstone, exact, oracle, fast-cgal, " +
+                                        curved_baselines())
+                          ->excludes(of_search.front()));
   number("--seed", settings.seed, 0, "The seed of the queries (default: 1)");
   number("--cases", settings.cases, 1,
          "The number of queries to start from; without --seconds the outcome does not depend on the number of threads");
@@ -220,6 +239,7 @@ void add_fuzz(CLI::App& program, Command& command) {
       "\nExamples\n"
       "  touchstone fuzz --solver paper --seconds 10 --out broken\n"
       "  touchstone fuzz --solver touchstone --cases 1000000 --judge oracle\n"
+      "  touchstone fuzz --solver touchstone --curved --cases 10000 --judge oracle\n"
       "  touchstone fuzz --solver newton --case \"near_hit edge-edge 1 17\"\n"
       "  touchstone fuzz --solver newton --climb 20 --from candidates/edge-edge/candidates.csv\n"
       "  touchstone fuzz --solver ./theirs.so --out broken          a plugin: see touchstone/plugin.h\n"

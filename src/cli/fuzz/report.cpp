@@ -83,10 +83,12 @@ std::string table_for_person(const FailureTable& table) {
     text += fmt::format(fmt::runtime(kRow), name, grouped(row.cases));
     cells([&](FailureClass, std::size_t i) { return grouped(row.failures[i]); });
   };
-  for (const families::FamilyInfo& family : families::all_families()) {
-    const FailureTable::Row& row = table.of(family.family);
-    if (row.failed() > 0) line(family.name, row);
-    if (row.failed() == 0 && row.cases > 0) ++well;
+  for (const auto* families : {&families::all_families(), &families::curved_families()}) {
+    for (const families::FamilyInfo& family : *families) {
+      const FailureTable::Row& row = table.of(family.family);
+      if (row.failed() > 0) line(family.name, row);
+      if (row.failed() == 0 && row.cases > 0) ++well;
+    }
   }
   if (table.given().failed() > 0) line("given", table.given());
   line("all", total);
@@ -114,6 +116,7 @@ std::string finding_for_person(std::size_t number, const Finding& finding, const
                                  finding.count > 1 ? fmt::format(" {} times", grouped(finding.count)) : "",
                                  kind_name(finding.degeneracy.kind), fuzz::degeneracy_text(finding.degeneracy));
   text += fuzz::corners_text(example.query, "     ");
+  if (example.t_max != 1) text += fmt::format("   asked for t in [0, {}]\n", fuzz::decimal_text(example.t_max));
   if (options.separation.each) text += fmt::format("   {}\n", separation_for_person(example.separation));
   text += fmt::format("   claim: {}\n", fuzz::claim_text(example.reply));
   text += fmt::format("   exact: {}\n", fuzz::truth_text(example.truth));
@@ -154,7 +157,9 @@ std::vector<WrittenQuery> write_findings(const std::vector<Finding>& findings, c
     std::string text =
         fmt::format("# query {}: {}, {}\n# {}\n", target->second.queries, fuzz::failure_name(finding.failure),
                     fuzz::degeneracy_text(finding.degeneracy), io::printable(case_command(options, example.name)));
-    io::append_query(text, example.query, example.truth.contact);
+    if (const auto* const query = std::get_if<Query>(&example.query)) {
+      io::append_query(text, *query, example.truth.contact);
+    }
     target->second.file.write(text);
     written.push_back({path, target->second.queries++});
   }

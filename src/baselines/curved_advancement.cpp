@@ -1,0 +1,107 @@
+// Conservative advancement with motion bounds: nothing can touch before the distance has been travelled.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <touchstone/error.hpp>
+
+#include "baselines/curved_baseline.hpp"
+#include "baselines/curved_position.hpp"
+#include "baselines/distance.hpp"
+
+namespace touchstone::baselines {
+namespace {
+
+Vector vector_of(const Vec3& x) { return {{x.x, x.y, x.z}}; }
+
+double length_of(const Vector& x) { return std::sqrt(geometry::dot(x, x)); }
+
+/// A bound on the angular speed of q(t) = (1 - t) q0 + t q1 over the step: 2 |q0 ^ q1| / |q(t)|^2, where the wedge's
+/// length is that of the part of q1 across q0 times |q0|, at the least |q(t)|.
+double angular_speed(const RigidMotion& motion) {
+  const auto dot = [](const std::array<double, 4>& a, const std::array<double, 4>& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+  };
+  const double aa = dot(motion.q0, motion.q0), ab = dot(motion.q0, motion.q1), bb = dot(motion.q1, motion.q1);
+  double wedge = 0;  // the sum of its components' squares, so that small turns do not cancel
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = i + 1; j < 4; ++j) {
+      const double component = motion.q0[i] * motion.q1[j] - motion.q0[j] * motion.q1[i];
+      wedge += component * component;
+    }
+  }
+  const double way = aa - 2 * ab + bb;  // |q1 - q0|^2
+  double nearest = std::min(aa, bb);    // the least |q(t)|^2
+  if (way > 0 && aa - ab > 0 && bb - ab > 0) nearest = std::min(nearest, wedge / way);
+  return wedge == 0 ? 0 : 2 * std::sqrt(wedge) / nearest;
+}
+
+/// What an element's corners do: one velocity for all of them, and a bound on their speed beside it.
+struct Speeds {
+  Vector velocity{};
+  double beside = 0;
+};
+
+Speeds speeds_of(const CurvedQuery& query, std::size_t first, std::size_t last) {
+  Speeds speeds;
+  const int motion = query.corners[first].motion;
+  for (std::size_t i = first; i < last; ++i) {
+    const CurvedCorner& corner = query.corners[i];
+    if (motion == CurvedCorner::kOnCurve || corner.motion != motion) {  // not one body: no velocity for all
+      speeds = {};
+      break;
+    }
+    const RigidMotion& body = query.motions[static_cast<std::size_t>(motion)];
+    speeds.velocity = vector_of(body.p1) - vector_of(body.p0);
+    speeds.beside = std::max(speeds.beside, angular_speed(body) * length_of(vector_of(corner.points[0])));
+    if (i + 1 == last) return speeds;
+  }
+  for (std::size_t i = first; i < last; ++i) {
+    const CurvedCorner& corner = query.corners[i];
+    double speed = 0;
+    if (corner.motion != CurvedCorner::kOnCurve) {
+      const RigidMotion& body = query.motions[static_cast<std::size_t>(corner.motion)];
+      speed = length_of(vector_of(body.p1) - vector_of(body.p0)) +
+              angular_speed(body) * length_of(vector_of(corner.points[0]));
+    } else {  // a Bezier curve's derivative lies in the hull of n times the differences of its control points
+      for (std::size_t k = 1; k < static_cast<std::size_t>(corner.control_points); ++k) {
+        const Vector way = vector_of(corner.points[k]) - vector_of(corner.points[k - 1]);
+        speed = std::max(speed, (corner.control_points - 1) * length_of(way));
+      }
+    }
+    speeds.beside = std::max(speeds.beside, speed);
+  }
+  return speeds;
+}
+
+double distance_at(const CurvedCorners& corners, double t) {
+  const Vector c0 = corners.at(0, t), c1 = corners.at(1, t), c2 = corners.at(2, t), c3 = corners.at(3, t);
+  if (corners.query().kind == Kind::edge_edge) return segment_distance(c1 - c0, c3 - c2, c2 - c0);
+  return point_triangle_distance(c2 - c1, c3 - c1, c0 - c1);
+}
+
+}  // namespace
+
+Result solve_curved_advancement(const CurvedQuery& query, double t_max, double tolerance) {
+  if (query.kind != Kind::edge_edge && query.kind != Kind::vertex_face) {
+    throw InvalidQuery("curved_advancement takes no " + std::string(kind_name(query.kind)) + " queries");
+  }
+  const CurvedCorners corners(query);
+  const std::size_t first_of_b = query.kind == Kind::edge_edge ? 2 : 1;
+  const Speeds a = speeds_of(corners.query(), 0, first_of_b);
+  const Speeds b = speeds_of(corners.query(), first_of_b, corner_count(query.kind));
+  const double speed = length_of(b.velocity - a.velocity) + a.beside + b.beside;
+  const double near = std::scalbn(tolerance, -corners.exponent());
+  double t = 0;
+  for (int step = 0; step < kCurvedAdvancementSteps; ++step) {
+    const double distance = distance_at(corners, t);
+    if (distance <= near) return {true, t};
+    const double next = t + distance / speed;  // infinite or no number at all when nothing moves
+    if (!(next <= t_max)) return {};
+    t = next;
+  }
+  return {true, t};
+}
+
+}  // namespace touchstone::baselines
