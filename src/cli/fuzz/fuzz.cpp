@@ -31,6 +31,15 @@ void check_folder(const std::string& out) {
   io::OutputFile((std::filesystem::path(out) / "findings.csv").string());
 }
 
+/// Query files hold straight queries.
+void refuse_files_of_curves(const FuzzCommandOptions& options) {
+  const auto& families = options.settings.families;
+  const bool curved = options.settings.curved || std::any_of(families.begin(), families.end(), families::is_curved) ||
+                      (options.a_case && !options.a_case->given && families::is_curved(options.a_case->start.family));
+  if (!curved || options.out.empty()) return;
+  throw Error("--out writes straight queries, and those of --curved are not; the --case of a finding repeats it");
+}
+
 void print_findings(io::OutputFile& console, const std::vector<fuzz::Finding>& findings,
                     const FuzzCommandOptions& options) {
   std::vector<WrittenQuery> written(findings.size());
@@ -61,6 +70,7 @@ int run_one_case(const FuzzCommandOptions& options, const fuzz::Settings& settin
 
 int run_fuzz(const FuzzCommandOptions& options) {
   refuse_to_overwrite_given(options);
+  refuse_files_of_curves(options);
   check_folder(options.out);
   fuzz::Settings settings = options.settings;
   settings.separation = options.separation.separation;

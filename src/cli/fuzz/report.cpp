@@ -157,9 +157,7 @@ std::vector<WrittenQuery> write_findings(const std::vector<Finding>& findings, c
     std::string text =
         fmt::format("# query {}: {}, {}\n# {}\n", target->second.queries, fuzz::failure_name(finding.failure),
                     fuzz::degeneracy_text(finding.degeneracy), io::printable(case_command(options, example.name)));
-    if (const auto* const query = std::get_if<Query>(&example.query)) {
-      io::append_query(text, *query, example.truth.contact);
-    }
+    io::append_query(text, std::get<Query>(example.query), example.truth.contact);
     target->second.file.write(text);
     written.push_back({path, target->second.queries++});
   }
