@@ -22,4 +22,23 @@ std::vector<Exact> over_common_denominator(
   return integers;
 }
 
+std::vector<Exact> without_common_factor(const std::vector<Exact>& numbers) {
+  std::vector<mpq_class> rationals;
+  mpz_class multiple(1), factor(0);
+  for (const Exact& x : numbers) {
+    rationals.push_back(to_rational(x));
+    multiple = lcm(multiple, rationals.back().get_den());
+  }
+  for (mpq_class& x : rationals) {
+    x *= multiple;
+    factor = gcd(factor, x.get_num());
+  }
+  std::vector<Exact> integers;
+  integers.reserve(numbers.size());
+  for (const mpq_class& x : rationals) {
+    integers.push_back(factor == 0 ? Exact(0) : exact_from_integer(mpz_class(x.get_num() / factor)));
+  }
+  return integers;
+}
+
 }  // namespace touchstone::numbers

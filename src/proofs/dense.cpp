@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <bit>
 #include <optional>
+#include <utility>
+
+#include "numbers/common_denominator.hpp"
 
 namespace touchstone::proofs {
 namespace {
@@ -119,6 +122,16 @@ void make_short_integers(std::initializer_list<Dense*> polynomials) {
   const Exact factor = numbers::power_of_two(-*least);
   for (Dense* p : polynomials) {
     for (Exact& c : *p) c = c * factor;
+  }
+}
+
+void remove_common_factor(std::initializer_list<Dense*> polynomials) {
+  std::vector<Exact> all;
+  for (const Dense* p : polynomials) all.insert(all.end(), p->begin(), p->end());
+  all = numbers::without_common_factor(all);
+  auto next = all.begin();
+  for (Dense* p : polynomials) {
+    for (Exact& c : *p) c = std::move(*next++);
   }
 }
 

@@ -33,6 +33,9 @@ bool divides(const Dense& g, Dense p);
 /// Multiplies the polynomials by the power of two that makes all their coefficients integers, not all of them even.
 void make_short_integers(std::initializer_list<Dense*> polynomials);
 
+/// The same with any positive number: integers without a common factor.
+void remove_common_factor(std::initializer_list<Dense*> polynomials);
+
 inline numbers::Coefficients coefficients(const Dense& p) { return {p.data(), static_cast<int>(p.size())}; }
 
 /// What the Bernstein coefficients after the first one may be, for `sign_over`.

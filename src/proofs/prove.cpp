@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <type_traits>
+
 #include "exact/exact.hpp"
 #include "numbers/float_environment.hpp"
 #include "proofs/elements.hpp"
@@ -12,6 +14,7 @@ namespace {
 
 template <class Q>
 Proof prove_exactly(const Q& query, const Answer& answer, const Separation& separation) {
+  constexpr Factors kFactors = std::is_same_v<Q, Query> ? Factors::powers_of_two : Factors::all;
   const Elements elements = elements_of(query, separation);
   const auto is_true = [&] {
     const Answer exact =
@@ -21,7 +24,7 @@ Proof prove_exactly(const Q& query, const Answer& answer, const Separation& sepa
   Proof proof;
   if (!answer.contact) {
     proof.pieces = separating_pieces(elements, Exact(1), false, is_true);
-    shorten(query.kind, proof);
+    shorten(query.kind, kFactors, proof);
     return proof;
   }
   const bool is_double = answer.toi == answer.toi_upper;
@@ -29,7 +32,7 @@ Proof prove_exactly(const Q& query, const Answer& answer, const Separation& sepa
     proof.pieces = separating_pieces(elements, Exact(answer.toi), is_double, is_true);
   }
   proof.meeting = meeting(elements, answer);
-  shorten(query.kind, proof);
+  shorten(query.kind, kFactors, proof);
   return proof;
 }
 

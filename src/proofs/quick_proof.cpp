@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -196,24 +197,27 @@ std::optional<Proof> quick_proof(const Query& query, const Answer& answer, const
   } else {
     proof = quick_contact(query, answer, separation);
   }
-  if (proof) shorten(query.kind, *proof);
+  if (proof) shorten(query.kind, Factors::powers_of_two, *proof);
   return proof;
 }
 
-void shorten(Kind kind, Proof& proof) {
+void shorten(Kind kind, Factors factors, Proof& proof) {
+  const auto remove = [factors](std::initializer_list<Dense*> polynomials) {
+    factors == Factors::all ? remove_common_factor(polynomials) : make_short_integers(polynomials);
+  };
   for (Piece& piece : proof.pieces) {
     auto& n = piece.direction;
-    make_short_integers({&n[0], &n[1], &n[2]});
+    remove({&n[0], &n[1], &n[2]});
   }
   if (!proof.meeting) return;
-  make_short_integers({&proof.meeting->root});
+  remove({&proof.meeting->root});
   auto& w = proof.meeting->weights;
   if (kind == Kind::edge_edge) {
-    make_short_integers({&w[0], &w[1]});
-    make_short_integers({&w[2], &w[3]});
+    remove({&w[0], &w[1]});
+    remove({&w[2], &w[3]});
   } else {
-    make_short_integers({&w[0]});
-    make_short_integers({&w[1], &w[2], &w[3]});
+    remove({&w[0]});
+    remove({&w[1], &w[2], &w[3]});
   }
 }
 

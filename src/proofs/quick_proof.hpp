@@ -28,6 +28,10 @@ std::optional<Proof> quick_proof(const Query& query, const Answer& answer, const
 
 /// A proof stays one when a direction, the meeting's polynomial, or the weights of one element are multiplied by a
 /// positive number. Integers are the shortest text.
-void shorten(Kind kind, Proof& proof);
+enum class Factors {
+  powers_of_two,  ///< integers, not all of them even
+  all,            ///< integers without a common factor. Coordinates in fractions have many: the denominators of others
+};
+void shorten(Kind kind, Factors factors, Proof& proof);
 
 }  // namespace touchstone::proofs

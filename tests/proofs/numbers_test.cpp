@@ -1,6 +1,8 @@
 // The text of exact numbers. SPDX-License-Identifier: MIT
 #include <string>
+#include <vector>
 
+#include "numbers/common_denominator.hpp"
 #include "proofs/proof_text.hpp"
 #include "support/catch.hpp"
 
@@ -34,4 +36,15 @@ TEST_CASE("a hexfloat of a double reads back as this double") {
     CAPTURE(text);
     CHECK(std::stod(text) == x);
   }
+}
+
+TEST_CASE("integers without a common factor keep their proportions and signs") {
+  using numbers::without_common_factor;
+  using List = std::vector<Exact>;
+  CHECK(without_common_factor({}).empty());
+  CHECK(without_common_factor({Exact(0), Exact(0)}) == List{Exact(0), Exact(0)});
+  CHECK(without_common_factor({Exact(0), Exact(-7)}) == List{Exact(0), Exact(-1)});
+  CHECK(without_common_factor({Exact(-15.0), Exact(0), Exact(22.5)}) == List{Exact(-2), Exact(0), Exact(3)});
+  CHECK(without_common_factor({Exact(0x1p-900), Exact(0x3p-901)}) == List{Exact(2), Exact(3)});
+  CHECK(without_common_factor({Exact(0x1p900), Exact(-0x5p902)}) == List{Exact(1), Exact(-20)});
 }

@@ -1,7 +1,9 @@
 // Proofs of every family's answers, judged by the checker, which is a program of its own.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -260,4 +262,48 @@ TEST_CASE("a file of proofs that was cut or that has more is rejected") {
   CHECK(check_texts(text + "0 none\n", {proved.queries}).status == 1);
   CHECK(check_texts(text, {proved.queries + proved.queries}).status == 1);
   CHECK(check_texts("", {proved.queries}).status == 2);
+}
+
+TEST_CASE("the proofs of fractions with many digits and different denominators stay within the checker's limits") {
+  Rng rng(18);
+  const auto digits = [&rng](std::size_t count) {
+    std::string text(count, '1');
+    for (char& c : text) c = static_cast<char>('1' + rng.below(9));
+    return text;
+  };
+  // Two edges, or a vertex and a face, that cross near t = 1/2. The fractions are near these integers.
+  const std::vector<std::array<int, 3>> edges = {{-1, 0, 0}, {1, 0, 0}, {0, -1, 1}, {0, 1, 1}};
+  const std::vector<std::array<int, 3>> face = {{0, 0, 1}, {-1, -1, 0}, {2, -1, 0}, {-1, 2, 0}};
+  struct Case {
+    Separation separation;
+    std::size_t digits;
+  };
+  for (const auto& [separation, count] :
+       {Case{{}, 180}, Case{{0.125, Metric::euclidean}, 90}, Case{{0.125, Metric::max}, 180}}) {
+    for (const Kind kind : {Kind::edge_edge, Kind::vertex_face}) {
+      const bool is_edge = kind == Kind::edge_edge;
+      const auto fraction = [&, size = count](int near) {
+        const std::string denominator = digits(size);
+        std::string numerator = (near < 0 ? "-" : "") + denominator;
+        if (near == 0) numerator = digits(size - 2);
+        if (std::abs(near) == 2) numerator = "1" + denominator;
+        return Fraction{numerator, denominator};
+      };
+      RationalQuery query;
+      query.kind = kind;
+      for (std::size_t i = 0; i < 4; ++i) {
+        const auto& at = is_edge ? edges[i] : face[i];
+        const bool falls = is_edge ? i >= 2 : i == 0;
+        query.start[i] = {fraction(at[0]), fraction(at[1]), fraction(at[2])};
+        query.end[i] = {fraction(at[0]), fraction(at[1]), fraction(falls ? -1 : at[2])};
+      }
+      Proved proved;
+      proved.separation = separation;
+      proved.add(query);
+      CHECK(proved.contacts == 1);
+      const CheckerRun result = check_texts(proved.text(kind), {proved.queries});
+      INFO(kind_name(kind) << ' ' << separation.distance << ": " << result.text);
+      CHECK(result.status == 0);
+    }
+  }
 }
