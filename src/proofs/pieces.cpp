@@ -163,9 +163,11 @@ class Search {
       const filters::Gap gap = filters::gap_along(corners, direction);
       if (!(gap.value > -gap.error)) continue;  // the rounded corners are too far off
       Found found;
-      if (try_rounded(direction, [&](const DoubleVector& integers) { return (found = tried(integers)) != nullptr; })) {
-        return found;
-      }
+      const auto try_one = [&](const DoubleVector& integers) {
+        const filters::Gap of_integers = filters::gap_along(corners, integers);
+        return of_integers.value > -of_integers.error && (found = tried(integers)) != nullptr;
+      };
+      if (try_rounded(direction, try_one)) return found;
     }
     if (elements_.has_max_separation()) {
       for (const DoubleVector& axis : kAxes) {

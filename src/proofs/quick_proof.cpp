@@ -55,7 +55,7 @@ class QuickSearch {
   /// Pieces that cover [0, 1]; none where a few do not.
   std::vector<Piece> pieces() {
     constexpr std::size_t kMostParts = 4;
-    constexpr double kShortest = 0x1p-5;
+    constexpr double kShortest = 0x1p-36;  // where doubles say nothing, a few dozen tries cost little
     if (!(corners_.largest >= kLeastCoordinate)) return {};
     std::vector<Part> parts;
     double from = 0;
