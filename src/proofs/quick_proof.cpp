@@ -55,13 +55,15 @@ class QuickSearch {
   /// Pieces that cover [0, 1]; none where a few do not.
   std::vector<Piece> pieces() {
     constexpr std::size_t kMostParts = 4;
-    constexpr double kShortest = 0x1p-36;  // where doubles say nothing, a few dozen tries cost little
+    constexpr double kShortest = 0x1p-36;
+    constexpr int kMostTries = 80;  // they cost little beside a search in exact numbers
     if (!(corners_.largest >= kLeastCoordinate)) return {};
     std::vector<Part> parts;
     double from = 0;
     double to = 1;
     std::vector<double> ends;  // of the parts after `to`, the next one last
-    for (;;) {
+    for (int tries = 0;; ++tries) {
+      if (tries == kMostTries) return {};
       if (const auto direction = direction_over(from, to)) {
         append(parts, {*direction, from, to});
         if (parts.size() > kMostParts) return {};
