@@ -1,5 +1,6 @@
 // The reader of query files. Any bytes are queries or an error that names a row, and the pieces do not matter; queries
-// that were read can be written and read again. The first byte chooses the kind and the size of the pieces.
+// that were read can be written and read again. The first byte chooses the kind and the size of the pieces, and
+// whether the first row of a file of curved queries is put before the text.
 // SPDX-License-Identifier: MIT
 #include <cstring>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include <touchstone/error.hpp>
 
+#include "io/curved_rows.hpp"
 #include "io/query_chunks.hpp"
 #include "io/query_parser.hpp"
 #include "io/query_writer.hpp"
@@ -18,7 +20,7 @@ namespace touchstone::fuzzing {
 namespace {
 
 struct Record {
-  std::variant<Query, RationalQuery> query;
+  io::FileQuery query;
   bool truth;
   std::uint64_t number, first_row, last_row;
 };
@@ -31,13 +33,13 @@ struct Outcome {
 Outcome read(std::string_view text, Kind kind, std::size_t chunk_bytes) {
   Outcome outcome;
   try {
-    io::QueryChunkReader reader(io::InputFile::from_memory("fuzz.csv", text), kind, chunk_bytes);
+    io::QueryChunkReader reader(io::InputFile::from_memory("fuzz.csv", text), kind, chunk_bytes, io::Motions::any);
     while (auto chunk = reader.next()) {
       io::QueryParser parser(*chunk);
       io::QueryRecord record;
       while (parser.next(record)) {
         outcome.records.push_back({record.query, record.truth, record.number, record.first_row, record.last_row});
-        io::query_as_given(kind, record.text);
+        if (!chunk->curved()) io::query_as_given(kind, record.text);
       }
     }
   } catch (const FileError& error) {
@@ -69,8 +71,19 @@ bool same(const RationalQuery& one, const RationalQuery& other) {
   return true;
 }
 
-bool same(const std::variant<Query, RationalQuery>& one, const std::variant<Query, RationalQuery>& other) {
+/// The bits of all that a reader sets. Motions that no corner names are zero.
+bool same(const CurvedQuery& one, const CurvedQuery& other) {
+  const auto equal = [](const auto& a, const auto& b) { return std::memcmp(&a, &b, sizeof a) == 0; };
+  for (std::size_t i = 0; i < corner_count(one.kind); ++i) {
+    const CurvedCorner &a = one.corners[i], &b = other.corners[i];
+    if (a.motion != b.motion || a.control_points != b.control_points || !equal(a.points, b.points)) return false;
+  }
+  return one.kind == other.kind && equal(one.motions, other.motions);
+}
+
+bool same(const io::FileQuery& one, const io::FileQuery& other) {
   if (one.index() != other.index()) return false;
+  if (one.index() == 2) return same(std::get<CurvedQuery>(one), std::get<CurvedQuery>(other));
   if (one.index() == 0) return same(std::get<Query>(one), std::get<Query>(other));
   return same(std::get<RationalQuery>(one), std::get<RationalQuery>(other));
 }
@@ -93,7 +106,8 @@ void fuzz_query_file(Bytes input) {
   if (input.empty()) return;
   const auto kind = static_cast<Kind>(input[0] & 3);
   const std::size_t piece = std::size_t{1} << (input[0] >> 2 & 7);
-  const std::string_view text = as_text(input.subspan(1));
+  std::string text((input[0] & 32) != 0 ? std::string(io::kCurvedHeader) + "\n" : std::string());
+  text += as_text(input.subspan(1));
   const Outcome whole = read(text, kind, io::kChunkBytes);
   if (!same(whole, read(text, kind, piece))) {
     throw Finding("read in pieces of " + std::to_string(piece) +
@@ -106,6 +120,7 @@ void fuzz_query_file(Bytes input) {
   if (whole.records.empty()) return;
 
   std::string written;
+  if (io::holds_curved_queries(text)) written = std::string(io::kCurvedHeader) + "\n";
   for (const Record& record : whole.records) {
     std::visit([&](const auto& query) { io::append_query(written, query, record.truth); }, record.query);
   }

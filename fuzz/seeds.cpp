@@ -40,6 +40,11 @@ std::vector<std::string> query_file_seeds() {
     if (seed.size() < 4000) seeds.push_back(seed);
   }
   seeds.push_back(std::string(1, '\3') + "1,3,0,1,-5,7,1\r\n0,1,0,1,0,1,1\r\n1,3,0,1,-5,7,1\r\n0,1,0,1,0,1,1\r\n");
+  const std::string turn = "motion,0,1,0,0,0,1,0,0,1,0,0,0,0,0,0\n";
+  seeds.push_back("\x23query,1\n" + turn + "body,0,5,0,0\ncurve,0,0,0x1p-1,1,1e-3,-2\n");
+  seeds.push_back("\x21# a comment\n\nquery,0\r\n" + turn +
+                  "motion,3,1,2,0,-1,3,0,1,1,1,2,3,-4,0,7\nbody,3, 1 ,2,3\nbody,0,1,1,1\nbody,0,1,2,1\ncurve,0,0,0\n");
+  seeds.push_back("\3touchstone-curved,1\nquery,0\ncurve,0,0,0\ncurve,1,0,0,2,0,0,3,0,0,4,4,4\nquery,1\n");
   return seeds;
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <touchstone/answer.hpp>
+#include <touchstone/curved_query.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
@@ -50,5 +51,8 @@ Verdict judge(const Claim& claim, const Query& query, const Answer& truth, const
 
 /// The same for rational coordinates.
 Verdict judge(const Claim& claim, const RationalQuery& query, const Answer& truth, const Separation& separation = {});
+
+/// The same for curved motion, and for touching.
+Verdict judge(const Claim& claim, const CurvedQuery& query, const Answer& truth);
 
 }  // namespace touchstone

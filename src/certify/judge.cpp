@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <touchstone/contact_times.hpp>
+#include <touchstone/curved.hpp>
 #include <touchstone/error.hpp>
 
 #include "numbers/common_denominator.hpp"
@@ -36,26 +37,28 @@ class FractionAmongDoubles {
   std::vector<numbers::Exact> integers_;  // numerator and denominator, which is positive
 };
 
-/// Whether the claimed time is after the exact one. Both have the same nearest doubles, or nearly.
-template <class AnyQuery>
-bool is_late_as_written(const Claim& claim, const AnyQuery& query, const Answer& truth, const Separation& separation) {
+/// Whether the claimed time is after the exact one, which times() has first. Both have the same nearest doubles, or
+/// nearly.
+template <class Times>
+bool is_late_as_written(const Claim& claim, const Answer& truth, Times times) {
   const numbers::DefaultFloatEnvironment environment;
   const Fraction time = exact_value(claim.toi_as_written);
   const FractionAmongDoubles among(time);
   if (among.compare(truth.toi) <= 0) return false;
   if (truth.toi == truth.toi_upper || among.compare(truth.toi_upper) >= 0) return true;
-  return contact_times(query, separation).front().first.compare(time) < 0;
+  return times().front().first.compare(time) < 0;
 }
 
-template <class AnyQuery>
-Verdict judge_as_written(const Claim& claim, const AnyQuery& query, const Answer& truth, const Separation& separation) {
+/// @param times  gives the exact contact times; it is called only when they are needed
+template <class Times>
+Verdict judge_as_written(const Claim& claim, const Answer& truth, Times times) {
   const Verdict verdict = judge(claim, truth);
   const bool of_contact = claim.contact && truth.contact && claim.toi;
   if (!of_contact || claim.toi_as_written.empty()) return verdict;
   // If the nearest double of a time is before toi, the time lies before the midpoint of two doubles that are both at
   // most toi. The same holds after toi_upper. In both cases the nearest double decides.
   if (*claim.toi < truth.toi || *claim.toi > truth.toi_upper) return verdict;
-  return is_late_as_written(claim, query, truth, separation) ? Verdict::late : Verdict::holds;
+  return is_late_as_written(claim, truth, times) ? Verdict::late : Verdict::holds;
 }
 
 }  // namespace
@@ -79,11 +82,15 @@ Verdict judge(const Claim& claim, const Answer& truth) noexcept {
 }
 
 Verdict judge(const Claim& claim, const Query& query, const Answer& truth, const Separation& separation) {
-  return judge_as_written(claim, query, truth, separation);
+  return judge_as_written(claim, truth, [&] { return contact_times(query, separation); });
 }
 
 Verdict judge(const Claim& claim, const RationalQuery& query, const Answer& truth, const Separation& separation) {
-  return judge_as_written(claim, query, truth, separation);
+  return judge_as_written(claim, truth, [&] { return contact_times(query, separation); });
+}
+
+Verdict judge(const Claim& claim, const CurvedQuery& query, const Answer& truth) {
+  return judge_as_written(claim, truth, [&] { return contact_times(query); });
 }
 
 }  // namespace touchstone

@@ -6,9 +6,11 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <variant>
 
 #include <touchstone/answer.hpp>
 #include <touchstone/certify.hpp>
+#include <touchstone/curved_query.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
@@ -54,8 +56,13 @@ struct RefutedClaim {
   Claim claim;
   Verdict verdict = Verdict::missed;
   Answer answer;
-  RationalQuery as_given;  ///< the coordinates as the file writes them
-  Separation separation;   ///< what the claim is about
+  /// The coordinates as the file writes them, or a curved query in doubles.
+  std::variant<RationalQuery, CurvedQuery> as_given;
+  Separation separation;  ///< what the claim is about
+
+  Kind kind() const {
+    return std::visit([](const auto& given) { return given.kind; }, as_given);
+  }
 };
 
 }  // namespace touchstone::certify

@@ -49,7 +49,8 @@ std::string first_line(const std::string& text) { return io::with_short_words(te
 int parse_and_run(int argc, const char* const* argv) {
   CLI::App program(
       "Touchstone: do two moving elements ever touch, and when first? Exact answers, and verdicts on claimed\n"
-      "ones. An element is an edge, a face or a point whose corners move on straight lines for t in [0, 1].",
+      "ones. An element is an edge, a face or a point whose corners move for t in [0, 1], on straight lines or\n"
+      "on curves.",
       "touchstone");
   program.set_version_flag("--version", std::string("touchstone ") + version());
   program.require_subcommand(1);
@@ -73,7 +74,12 @@ int parse_and_run(int argc, const char* const* argv) {
       "and seven integers a row: x_num,x_den,y_num,y_den,z_num,z_den,truth. --kind, or else the name of its folder, "
       "is\n"
       "the kind of its queries. Lines that start with # and blank lines are skipped. Rows are counted as lines from\n"
-      "1, queries from 0.\n\n"
+      "1, queries from 0.\n"
+      "A file whose first row is touchstone-curved,1 holds queries of bodies that turn and corners on Bezier curves, "
+      "with\n"
+      "the rows query,truth; motion,index,q0,q1,p0,p1; body,index,x,y,z; curve,x,y,z,...: solve, certify and explain "
+      "read\n"
+      "it, and docs/program.md defines it.\n\n"
       "Exit status: 0 done and every claim holds, 1 some claim is refuted, 2 bad usage or bad input.");
   Command command;
   add_solve(program, command);

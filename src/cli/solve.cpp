@@ -31,7 +31,7 @@ void solve_queries(SolveItem& item, const std::vector<Input>& inputs, const Solv
   io::QueryRecord record;
   while (parser.next(record)) {
     const Separation& separation = options.separation.separation;
-    const Answer answer = answer_to(record.query, options.method, separation);
+    const Answer answer = answer_to(inputs[item.input].name, record, options.method, separation);
     if (options.separation.given) {
       io::append_answer(item.rows, file, record.number, answer, separation);
     } else {
@@ -50,7 +50,7 @@ int run_solve(const SolveOptions& options) {
   io::OutputFile out = to_standard_output ? io::OutputFile::standard_output() : io::OutputFile(options.out);
   const int threads = thread_count(options.threads);
 
-  QueryStream stream(inputs, options.chunk_bytes);
+  QueryStream stream(inputs, options.chunk_bytes, io::Motions::any);
   Counts counts;
   QueryProgress progress(inputs);
   out.write(options.separation.given ? io::kSeparationAnswerHeader : io::kAnswerHeader);

@@ -5,15 +5,17 @@
 #include <cstring>
 #include <utility>
 
+#include "io/curved_rows.hpp"
 #include "io/fail.hpp"
 
 namespace touchstone::io {
 
-QueryChunkReader::QueryChunkReader(InputFile file, Kind kind, std::size_t chunk_bytes)
+QueryChunkReader::QueryChunkReader(InputFile file, Kind kind, std::size_t chunk_bytes, Motions motions)
     : file_(std::move(file)),
       name_(std::make_shared<const std::string>(file_.name())),
       kind_(kind),
-      chunk_bytes_(std::max<std::size_t>(chunk_bytes, 1)) {}
+      chunk_bytes_(std::max<std::size_t>(chunk_bytes, 1)),
+      motions_(motions) {}
 
 std::optional<QueryChunk> QueryChunkReader::next() {
   if (!started_) skip_byte_order_mark();
@@ -21,8 +23,9 @@ std::optional<QueryChunk> QueryChunkReader::next() {
     if (!error_.empty()) fail(*name_, error_row_, error_);
     if (at_end_ && buffer_.empty()) {
       if (next_query_ > 0) return std::nullopt;
-      fail(*name_, "holds no query; a query is " + std::to_string(rows_per_query(kind_)) +
-                       " rows x_num,x_den,y_num,y_den,z_num,z_den,truth");
+      fail(*name_, header_row_ != 0 ? "holds no query; a query starts with a row query,truth"
+                                    : "holds no query; a query is " + std::to_string(rows_per_query(kind_)) +
+                                          " rows x_num,x_den,y_num,y_den,z_num,z_den,truth");
     }
     if (!at_end_) fill();
     scan();
@@ -69,7 +72,30 @@ void QueryChunkReader::scan() {
     if (!scan_line(static_cast<std::size_t>(static_cast<const char*>(found) - buffer_.data()))) return;
   }
   searched_ = buffer_.size();
-  if (error_.empty() && !too_long(searched_) && at_end_ && line_ < searched_) scan_line(searched_);
+  if (!error_.empty() || too_long(searched_) || !at_end_) return;
+  if (line_ < searched_ && !scan_line(searched_)) return;
+  if (header_row_ != 0 && rows_ > 0) complete_query();
+}
+
+/// Of a file of curved queries: the next query starts at line_, or the file ends there.
+void QueryChunkReader::complete_query() {
+  ++queries_;
+  rows_ = 0;
+  cut_ = line_;
+  cut_lines_ = lines_;
+}
+
+/// Finds out what the file's first row, which is the next line, says of the others. @returns false after an error
+bool QueryChunkReader::scan_first_row(std::string_view row) {
+  first_row_found_ = true;
+  if (!announces_curved_queries(row)) return true;
+  header_row_ = first_row_ + lines_;
+  std::string fault = fault_of_curved_header(row);
+  if (fault.empty() && motions_ == Motions::straight) {
+    fault = "the queries of this file have curved motion, which is not read here; solve, certify and explain read it";
+  }
+  if (!fault.empty()) refuse(header_row_, std::move(fault));
+  return error_.empty();
 }
 
 /// Refuses a line or a query that is too long, where the current line reaches to `end`. It reports the limit that comes
@@ -91,14 +117,25 @@ bool QueryChunkReader::too_long(std::size_t end) {
 bool QueryChunkReader::scan_line(std::size_t end) {
   if (too_long(end)) return false;
   const std::string_view line(buffer_.data() + line_, end - line_);
-  const bool row = is_row(line);
+  bool row = is_row(line);
+  if (row && !first_row_found_) {
+    if (!scan_first_row(line)) return false;
+    row = header_row_ == 0;
+  } else if (row && header_row_ != 0) {
+    if (end == buffer_.size()) {  // in the straight format a row that is cut off lacks its last column
+      refuse(first_row_ + lines_,
+             "the last row does not end with an end of line, so that the file may be cut off here");
+      return false;
+    }
+    if (rows_ > 0 && starts_curved_query(line)) complete_query();
+  }
   if (!row && line.find('\0') != std::string_view::npos) {
     refuse(first_row_ + lines_, "a zero byte; this is no text file");
     return false;
   }
   line_ = searched_ = std::min(end + 1, buffer_.size());
   ++lines_;
-  if (row && ++rows_ == rows_per_query(kind_)) {
+  if (row && ++rows_ == rows_per_query(kind_) && header_row_ == 0) {
     rows_ = 0;
     ++queries_;
   }
@@ -117,6 +154,7 @@ QueryChunk QueryChunkReader::take(std::size_t size, std::size_t lines, std::size
   chunk.first_query = next_query_;
   chunk.first_row = first_row_;
   chunk.query_count = queries;
+  chunk.header_row = header_row_;
 
   std::string rest;
   rest.reserve(buffer_.size() - size + chunk_bytes_ + QueryChunk::kPadding);

@@ -29,6 +29,10 @@ inline bool is_row(std::string_view line) noexcept {
   return line[first] != '\r' || first + 1 != line.size();
 }
 
+/// Which query files are read: those of straight motion alone, or those of curved motion too. The first row of a file
+/// tells which it is.
+enum class Motions : std::uint8_t { straight, any };
+
 /// Whole queries of one file, as text.
 struct QueryChunk {
   std::shared_ptr<const std::string> file;  ///< its name, for messages
@@ -36,7 +40,10 @@ struct QueryChunk {
   std::uint64_t first_query = 0;  ///< number of the first query, counted from 0 within the file
   std::uint64_t first_row = 1;    ///< line number of the first line, counted from 1
   std::size_t query_count = 0;
-  bool truncated = false;  ///< the file ends in the middle of a query, whose rows follow the whole ones
+  bool truncated = false;        ///< the file ends in the middle of a query, whose rows follow the whole ones
+  std::uint64_t header_row = 0;  ///< in a file of curved queries the line of its first row, which is no query's; else 0
+
+  bool curved() const noexcept { return header_row != 0; }
 
   std::string_view text() const noexcept { return std::string_view(bytes).substr(0, bytes.size() - kPadding); }
 
@@ -48,7 +55,9 @@ struct QueryChunk {
 class QueryChunkReader {
  public:
   /// @param chunk_bytes  the bytes of one read; any value gives the same queries and the same errors
-  QueryChunkReader(InputFile file, Kind kind, std::size_t chunk_bytes = kChunkBytes);
+  /// @param motions  with Motions::straight a file of curved queries is refused
+  QueryChunkReader(InputFile file, Kind kind, std::size_t chunk_bytes = kChunkBytes,
+                   Motions motions = Motions::straight);
 
   /// The next queries, or nothing at the end of the file.
   /// @throws FileError  for a file without a query, a line that is too long, or what the system cannot read;
@@ -61,6 +70,8 @@ class QueryChunkReader {
   void scan();
   bool too_long(std::size_t end);
   bool scan_line(std::size_t end);
+  bool scan_first_row(std::string_view row);
+  void complete_query();
   QueryChunk take(std::size_t size, std::size_t lines, std::size_t queries);
   void refuse(std::uint64_t row, std::string reason);
 
@@ -68,6 +79,9 @@ class QueryChunkReader {
   std::shared_ptr<const std::string> name_;
   Kind kind_;
   std::size_t chunk_bytes_;
+  Motions motions_;
+  bool first_row_found_ = false;
+  std::uint64_t header_row_ = 0;  ///< as in the chunks
   bool at_end_ = false;
   bool started_ = false;
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "io/curved_rows.hpp"
 #include "io/fail.hpp"
 #include "io/query_row.hpp"
 #include "numbers/fraction.hpp"
@@ -36,6 +37,7 @@ QueryParser::QueryParser(const QueryChunk& chunk)
       query_(chunk.first_query) {}
 
 bool QueryParser::next(QueryRecord& record) {
+  if (chunk_.curved()) return next_curved(record);
   skip_to_row();
   if (at_ == end_) return false;
   const char* const start = at_;
@@ -80,6 +82,31 @@ bool QueryParser::next(QueryRecord& record) {
   return true;
 }
 
+bool QueryParser::next_curved(QueryRecord& record) {
+  skip_to_row();
+  if (row_ == chunk_.header_row && at_ != end_) {
+    skip_line(line_at(at_));
+    skip_to_row();
+  }
+  if (at_ == end_) return false;
+  const char* const start = at_;
+  record.first_row = row_;
+  record.number = query_++;
+  CurvedRows rows(chunk_.kind);
+  for (; at_ != end_; skip_to_row()) {
+    const std::string_view line = line_at(at_);
+    if (row_ != record.first_row && starts_curved_query(line)) break;
+    if (const std::string fault = rows.add(line, row_); !fault.empty()) fail(*chunk_.file, row_, fault);
+    record.last_row = row_;
+    skip_line(line);
+    record.text = {start, static_cast<std::size_t>(at_ - start)};
+  }
+  if (const std::string fault = rows.finish(); !fault.empty()) fail(*chunk_.file, rows.fault_line(), fault);
+  record.query = rows.query();
+  record.truth = rows.truth();
+  return true;
+}
+
 std::string_view QueryParser::line_at(const char* start) const noexcept {
   const auto* const end = static_cast<const char*>(std::memchr(start, '\n', static_cast<std::size_t>(end_ - start)));
   return {start, static_cast<std::size_t>((end == nullptr ? end_ : end) - start)};
@@ -90,9 +117,13 @@ void QueryParser::skip_to_row() noexcept {
   while (at_ != end_ && !(*at_ == '-' || (*at_ >= '0' && *at_ <= '9'))) {
     const std::string_view line = line_at(at_);
     if (is_row(line)) return;
-    at_ = line.end() == end_ ? end_ : line.end() + 1;
-    ++row_;
+    skip_line(line);
   }
+}
+
+void QueryParser::skip_line(std::string_view line) noexcept {
+  at_ = line.end() == end_ ? end_ : line.end() + 1;
+  ++row_;
 }
 
 /// The truth of row `row` of a query, counted from 0, must be that of its first.

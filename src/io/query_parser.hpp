@@ -6,18 +6,22 @@
 #include <string_view>
 #include <variant>
 
+#include <touchstone/curved_query.hpp>
 #include <touchstone/query.hpp>
 
 #include "io/query_chunks.hpp"
 
 namespace touchstone::io {
 
+/// A query of a file: rational when some coordinate is not a double, curved in a file of curved queries.
+using FileQuery = std::variant<Query, RationalQuery, CurvedQuery>;
+
 /// One query of a file, with the claim of its truth column.
 struct QueryRecord {
-  std::variant<Query, RationalQuery> query;  ///< rational when some coordinate is not a double
-  bool truth = false;                        ///< the file's truth column
-  std::uint64_t number = 0;                  ///< counted from 0 within the file
-  std::uint64_t first_row = 0;               ///< line number of its first row, counted from 1
+  FileQuery query;
+  bool truth = false;           ///< the file's truth column
+  std::uint64_t number = 0;     ///< counted from 0 within the file
+  std::uint64_t first_row = 0;  ///< line number of its first row, counted from 1
   std::uint64_t last_row = 0;
   std::string_view text;  ///< its rows as they stand in the chunk, which must outlive it
 };
@@ -33,7 +37,9 @@ class QueryParser {
 
  private:
   std::string_view line_at(const char* start) const noexcept;
+  void skip_line(std::string_view line) noexcept;
   void skip_to_row() noexcept;
+  bool next_curved(QueryRecord& record);
   void check_truth(QueryRecord& record, std::size_t row, bool truth) const;
   [[noreturn]] void refuse_truncated(std::size_t rows) const;
 
@@ -44,7 +50,7 @@ class QueryParser {
   std::uint64_t query_;
 };
 
-/// All corners as the file gives them, for reports. @param text  QueryRecord::text
+/// All corners of a straight motion as the file gives them, for reports. @param text  QueryRecord::text
 RationalQuery query_as_given(Kind kind, std::string_view text);
 
 }  // namespace touchstone::io

@@ -5,13 +5,11 @@
 #include <cstdio>
 #include <string>
 
-#include "numbers/exact_number.hpp"
+#include "numbers/vanishing.hpp"
 #include "solver/validate.hpp"
 
 namespace touchstone::solver {
 namespace {
-
-using numbers::Exact;
 
 std::string text_of(double x) {
   char text[32];
@@ -39,32 +37,17 @@ void validate_orientation(const std::array<double, 4>& q, const std::string& wha
   if (zero) throw InvalidQuery(what + " is zero; an orientation needs a component that is not 0");
 }
 
-/// Whether q1 = -c q0 for some c > 0, both not zero: exactly then (1 - t) q0 + t q1 is zero for some t in [0, 1].
-bool opposite(const std::array<double, 4>& q0, const std::array<double, 4>& q1) {
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (q0[i] < 0 ? !(q1[i] > 0) : q0[i] > 0 ? !(q1[i] < 0) : q1[i] != 0) return false;
-  }
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = i + 1; j < 4; ++j) {
-      if (Exact(q0[i]) * Exact(q1[j]) != Exact(q0[j]) * Exact(q1[i])) return false;
-    }
-  }
-  return true;
-}
-
 void validate(const RigidMotion& motion, std::size_t index) {
   const std::string name = "motion " + std::to_string(index);
   validate_orientation(motion.q0, name + ": the quaternion q0");
   validate_orientation(motion.q1, name + ": the quaternion q1");
   validate_finite(motion.p0, name + ": the position p0");
   validate_finite(motion.p1, name + ": the position p1");
-  if (!opposite(motion.q0, motion.q1)) return;
-  std::size_t i = 0;
-  while (motion.q0[i] == 0) ++i;
-  const double a = std::fabs(motion.q0[i]) / 4, b = std::fabs(motion.q1[i]) / 4;  // their sum does not overflow
-  throw InvalidQuery(name + ": q1 is q0 times a negative number, so that (1 - t) q0 + t q1 is zero near t = " +
-                     text_of(a + b > 0 ? a / (a + b) : 0.5) +
-                     "; change the sign of all components of q1: the orientation at t = 1 stays the same");
+  const auto time = numbers::zero_between(motion.q0, motion.q1);
+  if (!time) return;
+  throw InvalidQuery(
+      name + ": q1 is q0 times a negative number, so that (1 - t) q0 + t q1 is zero near t = " + text_of(*time) +
+      "; change the sign of all components of q1: the orientation at t = 1 stays the same");
 }
 
 void validate(const CurvedCorner& corner, const std::string& name) {

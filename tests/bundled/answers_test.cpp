@@ -1,7 +1,9 @@
 // Every method gives the answers that the construction of the bundled queries gives.
 // SPDX-License-Identifier: MIT
+#include <touchstone/curved.hpp>
 #include <touchstone/solve.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -44,6 +46,22 @@ void check_answer(const ExpectedQuery& expected, const Answer& answer, const cha
   CHECK(malformation(expected.query.kind, answer, 1.0) == "");
 }
 
+void check_level(const Answer& answer, Method method) {
+  if (method == Method::exact) CHECK(answer.level == Level::exact);
+  if (method == Method::oracle) CHECK(answer.level == Level::oracle);
+  if (method == Method::fast) CHECK(answer.level != Level::oracle);
+  if (method == Method::fast_cgal) CHECK(answer.level != Level::exact);
+}
+
+void check_curved_methods(const ExpectedQuery& expected) {
+  INFO(expected.name());
+  for (const auto& [method, name] : kMethods) {
+    const Answer answer = solve(*expected.curved, method);
+    check_answer(expected, answer, name);
+    check_level(answer, method);
+  }
+}
+
 void check_methods(const ExpectedQuery& expected, const Query* doubles) {
   INFO(expected.name());
   for (const auto& [method, name] : kMethods) {
@@ -54,10 +72,7 @@ void check_methods(const ExpectedQuery& expected, const Query* doubles) {
       const Answer touching = doubles ? solve(*doubles, method) : solve(expected.query, method);
       CHECK(bit_difference(answer, touching, true) == "");
     }
-    if (method == Method::exact) CHECK(answer.level == Level::exact);
-    if (method == Method::oracle) CHECK(answer.level == Level::oracle);
-    if (method == Method::fast) CHECK(answer.level != Level::oracle);
-    if (method == Method::fast_cgal) CHECK(answer.level != Level::exact);
+    check_level(answer, method);
   }
 }
 
@@ -87,17 +102,22 @@ TEST_CASE("the truth column and the expectations say the same, and times are dou
 
 TEST_CASE("every method answers the bundled queries as constructed") {
   REQUIRE(!expected_queries().empty());
-  for (const auto& expected : expected_queries()) check_methods(expected, nullptr);
+  for (const auto& expected : expected_queries()) {
+    expected.curved ? check_curved_methods(expected) : check_methods(expected, nullptr);
+  }
 }
 
 TEST_CASE("every method answers the bundled queries as constructed, given as doubles") {
   std::size_t checked = 0;
   for (const auto& expected : expected_queries()) {
+    if (expected.curved) continue;
     const auto query = in_doubles(expected.query);
     if (!query) continue;
     check_methods(expected, &*query);
     ++checked;
   }
   CHECK(checked >= 300);
-  CHECK(checked < expected_queries().size());  // some coordinates are no doubles
+  const auto& all = expected_queries();
+  const auto straight = std::count_if(all.begin(), all.end(), [](const auto& query) { return !query.curved; });
+  CHECK(checked < static_cast<std::size_t>(straight));  // some coordinates are no doubles
 }

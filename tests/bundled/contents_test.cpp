@@ -19,6 +19,7 @@
 #include "io/query_chunks.hpp"
 #include "io/query_parser.hpp"
 #include "support/catch.hpp"
+#include "support/curved_query.hpp"
 
 using namespace touchstone;
 using namespace touchstone::tests;
@@ -59,6 +60,8 @@ bool same(const RationalQuery& a, const RationalQuery& b) {
 TEST_CASE("there are hundreds of bundled queries, of every kind, nature and feature, with and without contact") {
   const auto& queries = expected_queries();
   CHECK(queries.size() >= 300);
+  CHECK(std::count_if(queries.begin(), queries.end(), [](const auto& query) { return query.curved.has_value(); }) >=
+        60);
 
   std::map<Kind, std::map<std::string, std::size_t>> contacts;
   std::map<std::string, std::size_t> natures;
@@ -131,7 +134,7 @@ TEST_CASE("the program reads the same queries from the bundled files") {
     const auto expected = parse_bundled_file(file);
     REQUIRE(!expected.empty());
     io::QueryChunkReader reader(io::InputFile::from_memory(std::string(file.name), file.content),
-                                expected.front().query.kind);
+                                expected.front().query.kind, io::kChunkBytes, io::Motions::any);
     std::size_t count = 0;
     while (const auto chunk = reader.next()) {
       io::QueryParser parser(*chunk);
@@ -140,6 +143,11 @@ TEST_CASE("the program reads the same queries from the bundled files") {
         INFO(expected[count].name());
         CHECK(record.number == expected[count].number);
         CHECK(record.truth == expected[count].truth);
+        if (expected[count].curved) {
+          REQUIRE(std::holds_alternative<CurvedQuery>(record.query));
+          CHECK(same(std::get<CurvedQuery>(record.query), *expected[count].curved));
+          continue;
+        }
         const auto doubles = in_doubles(expected[count].query);
         REQUIRE(doubles.has_value() == std::holds_alternative<Query>(record.query));
         CHECK((doubles ? same(std::get<Query>(record.query), *doubles)

@@ -47,8 +47,13 @@ class Parser {
         read_expectation(line.substr(kExpect.size()));
       } else if (line.substr(0, kSeparation.size()) == kSeparation) {
         read_separation(line.substr(kSeparation.size()));
+      } else if (line == "touchstone-curved,1") {
+        if (curved_ || !queries_.empty()) fail("a first row that is not the first");
+        curved_ = true;
+      } else if (curved_ && line.empty()) {
+        continue;
       } else if (line.empty() || line.front() != '#') {
-        read_row(line);
+        curved_ ? read_curved_row(line) : read_row(line);
       }
     }
     if (row_ != 0) fail("the file ends within a query");
@@ -87,18 +92,7 @@ class Parser {
     if (columns.size() != 7) fail("not a row of 7 columns");
     if (columns[6] != "0" && columns[6] != "1") fail("truth is neither 0 nor 1");
     const std::size_t corners = corner_count(kind_);
-    if (row_ == 0) {
-      if (expect_.empty()) fail("a query without an expectation");
-      queries_.emplace_back();
-      ExpectedQuery& query = queries_.back();
-      query.file = name_;
-      query.number = queries_.size() - 1;
-      query.query.kind = kind_;
-      query.separation = separation_;
-      query.truth = columns[6] == "1";
-      query.expect = std::move(expect_);
-      expect_.clear();
-    }
+    if (row_ == 0) add_query(columns[6] == "1");
     ExpectedQuery& query = queries_.back();
     if (query.truth != (columns[6] == "1")) fail("truth differs within the query");
     auto& corner = row_ < corners ? query.query.start[row_] : query.query.end[row_ - corners];
@@ -106,7 +100,59 @@ class Parser {
     row_ = (row_ + 1) % (2 * corners);
   }
 
+  double number_of(const std::string& text) const {
+    char* end = nullptr;
+    const double number = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != '\0') fail("not a number: " + text);
+    return number;
+  }
+
+  ExpectedQuery& add_query(bool truth) {
+    if (expect_.empty()) fail("a query without an expectation");
+    ExpectedQuery& query = queries_.emplace_back();
+    query.file = name_;
+    query.number = queries_.size() - 1;
+    query.query.kind = kind_;
+    query.separation = separation_;
+    query.truth = truth;
+    query.expect = std::move(expect_);
+    expect_.clear();
+    return query;
+  }
+
+  void read_curved_row(const std::string& line) {
+    const auto columns = split(line, ',');
+    if (row_ == 0) {
+      if (columns != std::vector<std::string>{"query", "0"} && columns != std::vector<std::string>{"query", "1"}) {
+        fail("not the first row of a query");
+      }
+      add_query(columns[1] == "1").curved.emplace().kind = kind_;
+      row_ = 1;
+      return;
+    }
+    CurvedQuery& query = *queries_.back().curved;
+    std::vector<double> x;
+    for (std::size_t i = 1; i < columns.size(); ++i) x.push_back(number_of(columns[i]));
+    if (columns[0] == "motion") {
+      if (x.size() != 15 || !(x[0] >= 0 && x[0] < 4)) fail("not a motion");
+      query.motions[static_cast<std::size_t>(x[0])] = {
+          {x[1], x[2], x[3], x[4]}, {x[5], x[6], x[7], x[8]}, {x[9], x[10], x[11]}, {x[12], x[13], x[14]}};
+      return;
+    }
+    CurvedCorner& corner = query.corners[row_ - 1];
+    if (columns[0] == "body" && x.size() == 4) {
+      corner = CurvedCorner::on_body(static_cast<int>(x[0]), {x[1], x[2], x[3]});
+    } else if (columns[0] == "curve" && x.size() % 3 == 0 && x.size() >= 3 && x.size() <= 12) {
+      corner.control_points = static_cast<int>(x.size() / 3);
+      for (std::size_t i = 0; i < x.size() / 3; ++i) corner.points[i] = {x[3 * i], x[3 * i + 1], x[3 * i + 2]};
+    } else {
+      fail("not a corner");
+    }
+    row_ = row_ == corner_count(kind_) ? 0 : row_ + 1;
+  }
+
   std::string name_;
+  bool curved_ = false;
   Kind kind_;
   std::string text_;
   std::size_t line_ = 0;

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include <touchstone/curved_query.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
@@ -21,7 +22,8 @@ namespace touchstone::tests {
 struct ExpectedQuery {
   std::string file;        ///< "bundled/KIND/FAMILY.csv"
   std::size_t number = 0;  ///< counted from 0 within the file
-  RationalQuery query;
+  RationalQuery query;     ///< for curved motion its kind alone
+  std::optional<CurvedQuery> curved;
   Separation separation;  ///< of the line "# separation D METRIC" before the file's first query; else touching
   bool truth = false;
   std::map<std::string, std::string>

@@ -44,7 +44,11 @@ void read_file(const fs::path& root, const fs::path& path, std::vector<KnownQuer
     io::QueryRecord record;
     while (parser.next(record)) {
       const std::string name = fs::relative(path, root).string() + " query " + std::to_string(record.number);
-      queries.push_back({name, record.query, record.truth});
+      if (const auto* const doubles = std::get_if<Query>(&record.query)) {
+        queries.push_back({name, *doubles, record.truth});
+      } else {
+        queries.push_back({name, std::get<RationalQuery>(record.query), record.truth});
+      }
     }
   }
   INFO(path.string());

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include <touchstone/error.hpp>
@@ -16,7 +15,7 @@
 namespace touchstone::tests {
 
 struct ReadQuery {
-  std::variant<Query, RationalQuery> query;
+  io::FileQuery query;
   bool truth;
   std::uint64_t number;
   std::uint64_t first_row;
@@ -29,10 +28,11 @@ struct ReadFile {
   std::string error;               ///< empty: none
 };
 
-inline ReadFile read_queries(std::string_view content, Kind kind, std::size_t chunk_bytes) {
+inline ReadFile read_queries(std::string_view content, Kind kind, std::size_t chunk_bytes,
+                             io::Motions motions = io::Motions::straight) {
   ReadFile result;
   try {
-    io::QueryChunkReader reader(io::InputFile::from_memory("q.csv", content), kind, chunk_bytes);
+    io::QueryChunkReader reader(io::InputFile::from_memory("q.csv", content), kind, chunk_bytes, motions);
     while (const auto chunk = reader.next()) {
       io::QueryParser parser(*chunk);
       io::QueryRecord record;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <variant>
 
 #include <touchstone/error.hpp>
 
@@ -87,6 +88,18 @@ class GrowingReport {
   io::SpoolFile refuted_;
 };
 
+Verdict verdict_on(const Claim& claim, const io::FileQuery& query, const Answer& answer, const Separation& separation) {
+  if (const auto* const curved = std::get_if<CurvedQuery>(&query)) return judge(claim, *curved, answer);
+  const auto* const doubles = std::get_if<Query>(&query);
+  return doubles != nullptr ? judge(claim, *doubles, answer, separation)
+                            : judge(claim, std::get<RationalQuery>(query), answer, separation);
+}
+
+std::variant<RationalQuery, CurvedQuery> as_given(Kind kind, const io::QueryRecord& record) {
+  if (const auto* const curved = std::get_if<CurvedQuery>(&record.query)) return *curved;
+  return io::query_as_given(kind, record.text);
+}
+
 void judge_queries(CertifyItem& item, const CertifyOptions& options, const std::vector<Input>& inputs) {
   if (item.chunk.file == nullptr) return;  // reading failed
   const bool from_file = !options.claims.empty();
@@ -97,21 +110,14 @@ void judge_queries(CertifyItem& item, const CertifyOptions& options, const std::
     const auto& [claim, separation] =
         from_file ? item.claims[i] : StatedClaim{{record.truth, std::nullopt}, item.truth_separation};
     item.questions.add(separation);
-    const Answer answer = answer_to(record.query, options.method, separation);
-    const Verdict verdict =
-        std::visit([&](const auto& query) { return judge(claim, query, answer, separation); }, record.query);
+    const Answer answer = answer_to(inputs[item.input].name, record, options.method, separation);
+    const Verdict verdict = verdict_on(claim, record.query, answer, separation);
     item.tally.add(claim, answer, verdict);
     if (!options.proofs.empty()) item.proved.add(inputs[item.input], record, answer, separation);
     if (verdict == Verdict::holds) continue;
-    certify::RefutedClaim refuted{inputs[item.input].name,
-                                  record.number,
-                                  record.first_row,
-                                  record.last_row,
-                                  claim,
-                                  verdict,
-                                  answer,
-                                  io::query_as_given(item.chunk.kind, record.text),
-                                  separation};
+    certify::RefutedClaim refuted{
+        inputs[item.input].name,           record.number, record.first_row, record.last_row, claim, verdict, answer,
+        as_given(item.chunk.kind, record), separation};
     if (!options.report.empty()) item.refuted_json += kClaimSeparator + refuted_claim_json(refuted);
     if (item.first_refuted.size() < kShownClaims) item.first_refuted.push_back(std::move(refuted));
   }
@@ -143,7 +149,11 @@ std::string what_was_judged(const CertifyOptions& options, const std::vector<Inp
                             const Questions& questions) {
   std::string text = "claims of ";
   text += options.claims.empty() ? "the truth column" : options.claims;
-  text += options.files.empty() ? ", the bundled queries" : ", " + counted(inputs.size(), "file");
+  if (!options.files.empty()) {
+    text += ", " + counted(inputs.size(), "file");
+  } else {
+    text += options.proofs.empty() ? ", the bundled queries" : ", the bundled queries with straight motion";
+  }
   const auto separation = questions.only();
   if (!separation) return text + ", several separations";
   return separation->distance > 0 ? text + ", " + separation_for_person(*separation) : text;
@@ -184,7 +194,9 @@ int run_certify(const CertifyOptions& options) {
         "--separation goes with files or --claims; the truth column of each bundled file is about a separation of its "
         "own");
   }
-  const std::vector<Input> inputs = options.files.empty() ? bundled_inputs() : find_inputs(options.files, options.kind);
+  const io::Motions bundled_motions = options.proofs.empty() ? io::Motions::any : io::Motions::straight;
+  const std::vector<Input> inputs =
+      options.files.empty() ? bundled_inputs(bundled_motions) : find_inputs(options.files, options.kind);
   std::vector<std::string> read_files = options.files;
   if (!options.claims.empty()) read_files.push_back(options.claims);
   refuse_to_overwrite(options.report, read_files);
@@ -208,7 +220,7 @@ int run_certify(const CertifyOptions& options) {
   const int threads = thread_count(options.threads);
   TruthSeparation truth_separation(options.separation);
   Questions questions;
-  QueryStream stream(inputs, options.chunk_bytes);
+  QueryStream stream(inputs, options.chunk_bytes, io::Motions::any);
   QueryProgress progress(inputs);
   run_in_order<CertifyItem>(
       threads,

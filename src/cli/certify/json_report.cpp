@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include <touchstone/version.hpp>
 
@@ -77,13 +78,46 @@ Json json_of(const std::array<Fraction, 3>& corner) {
   return json;
 }
 
-Json corners_json(const RationalQuery& query) {
-  Json json = Json::object();
-  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
-    json[std::string(corner_name(query.kind, i))] = {{"start", json_of(query.start[i])},
-                                                     {"end", json_of(query.end[i])}};
-  }
+Json json_of(const Vec3& x) { return {io::hexfloat(x.x), io::hexfloat(x.y), io::hexfloat(x.z)}; }
+
+Json json_of(const std::array<double, 4>& q) {
+  Json json = Json::array();
+  for (const double c : q) json.push_back(io::hexfloat(c));
   return json;
+}
+
+void put_corners(Json& json, const RationalQuery& query) {
+  json["corners"] = Json::object();
+  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+    json["corners"][std::string(corner_name(query.kind, i))] = {{"start", json_of(query.start[i])},
+                                                                {"end", json_of(query.end[i])}};
+  }
+}
+
+void put_corners(Json& json, const CurvedQuery& query) {
+  std::array<bool, 4> used{};
+  Json corners = Json::object();
+  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+    const CurvedCorner& corner = query.corners[i];
+    Json& shown = corners[std::string(corner_name(query.kind, i))];
+    if (corner.motion != CurvedCorner::kOnCurve) {
+      used[static_cast<std::size_t>(corner.motion)] = true;
+      shown = {{"motion", corner.motion}, {"point", json_of(corner.points[0])}};
+      continue;
+    }
+    shown["curve"] = Json::array();
+    for (int k = 0; k < corner.control_points; ++k) {
+      shown["curve"].push_back(json_of(corner.points[static_cast<std::size_t>(k)]));
+    }
+  }
+  json["motions"] = Json::object();
+  for (std::size_t m = 0; m < used.size(); ++m) {
+    if (!used[m]) continue;
+    const RigidMotion& motion = query.motions[m];
+    json["motions"][std::to_string(m)] = {
+        {"q0", json_of(motion.q0)}, {"q1", json_of(motion.q1)}, {"p0", json_of(motion.p0)}, {"p1", json_of(motion.p1)}};
+  }
+  json["corners"] = std::move(corners);
 }
 
 /// A time that is no double is shown as the claim writes it.
@@ -110,7 +144,7 @@ std::string text_of(const Json& json, int indent) {
 std::string refuted_claim_json(const certify::RefutedClaim& refuted) {
   Json json = {
       {"file", refuted.file},
-      {"kind", kind_name(refuted.as_given.kind)},
+      {"kind", kind_name(refuted.kind())},
       {"query", refuted.query},
       {"rows", {refuted.first_row, refuted.last_row}},
       {"verdict", verdict_name(refuted.verdict)},
@@ -118,7 +152,7 @@ std::string refuted_claim_json(const certify::RefutedClaim& refuted) {
       {"answer", json_of(refuted.answer, refuted.separation)},
   };
   put_separation(json, refuted.separation);
-  json["corners"] = corners_json(refuted.as_given);
+  std::visit([&](const auto& query) { put_corners(json, query); }, refuted.as_given);
   return text_of(json, -1);
 }
 

@@ -28,6 +28,9 @@
 //                                              "trend" too
 //       "separation", "metric",                of this claim, when it is not touching
 //       "corners": {"a0": {"start": ["1/3", "0/1", "1/1"], "end": [...]}, ...}   x, y, z as the file writes them
+//                                              of a query with curved motion, all numbers being hexfloats:
+//       "motions": {"0": {"q0": [w, x, y, z], "q1", "p0": [x, y, z], "p1"}, ...},   those that a corner is on
+//       "corners": {"a0": {"motion": 0, "point": [x, y, z]} or {"curve": [[x, y, z], ...]}, ...}
 //     }]
 //   }
 //

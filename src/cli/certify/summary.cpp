@@ -58,7 +58,7 @@ std::string refuted_for_person(const certify::RefutedClaim& refuted) {
   return fmt::format("  {} query {} (rows {} to {}): {}\n    claim: {}\n    exact: {}\n    {}\n",
                      io::printable(refuted.file), refuted.query, refuted.first_row, refuted.last_row,
                      verdict_name(refuted.verdict), claimed, truth,
-                     explain_command(refuted.file, refuted.as_given.kind, refuted.query, refuted.separation));
+                     explain_command(refuted.file, refuted.kind(), refuted.query, refuted.separation));
 }
 
 }  // namespace touchstone::cli

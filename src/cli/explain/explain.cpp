@@ -8,9 +8,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include <touchstone/certify.hpp>
 #include <touchstone/contact_normal.hpp>
+#include <touchstone/curved.hpp>
 
 #include "cli/explain/story.hpp"
 #include "cli/shared/inputs.hpp"
@@ -43,7 +45,7 @@ struct FoundQuery {
 };
 
 std::unique_ptr<FoundQuery> find_query(const Input& input, std::uint64_t number) {
-  io::QueryChunkReader reader(input.open(), input.kind);
+  io::QueryChunkReader reader(input.open(), input.kind, io::kChunkBytes, io::Motions::any);
   std::uint64_t count = 0;
   auto found = std::make_unique<FoundQuery>();
   while (auto chunk = reader.next()) {
@@ -61,41 +63,60 @@ std::unique_ptr<FoundQuery> find_query(const Input& input, std::uint64_t number)
 }
 
 std::string heading(const Input& input, const io::QueryRecord& record) {
-  return fmt::format("query {} of {} (rows {} to {}), {}\n\n", record.number, io::printable(input.name),
-                     record.first_row, record.last_row, kind_name(input.kind));
+  const char* const motion = std::holds_alternative<CurvedQuery>(record.query) ? ", curved motion" : "";
+  return fmt::format("query {} of {} (rows {} to {}), {}{}\n\n", record.number, io::printable(input.name),
+                     record.first_row, record.last_row, kind_name(input.kind), motion);
+}
+
+/// What stands between the heading and the line about the truth column.
+struct Explanation {
+  std::string text;
+  Answer answer;
+};
+
+template <class StraightQuery>
+Explanation explanation_of(const StraightQuery& query, const io::QueryRecord& record, const ExplainOptions& options) {
+  const Separation& separation = options.separation.separation;
+  // solve comes first: it refuses the queries that exact::explain does not accept.
+  static_cast<void>(solve(query, separation, Method::exact, options.t_max));
+  const exact::Story story = separation.distance == 0 ? exact::explain(query, options.t_max)
+                                                      : exact::explain(query, options.t_max, separation);
+  std::optional<std::array<double, 3>> normal;
+  if (separation.distance == 0 || separation.metric == Metric::euclidean) {
+    normal = contact_normal(query, separation, options.t_max);
+  }
+  return {corners_for_person(record.query, io::query_as_given(query.kind, record.text)) +
+              story_for_person(query.kind, false, story, options.t_max, separation, normal),
+          story.answer};
+}
+
+Explanation explanation_of(const CurvedQuery& query, const io::QueryRecord& record, const ExplainOptions& options) {
+  refuse_separation_of_curved(options.file, record, options.separation.separation);
+  static_cast<void>(solve(query, Method::exact, options.t_max));
+  const exact::Story story = exact::explain(query, options.t_max);
+  return {curves_for_person(query) +
+              story_for_person(query.kind, true, story, options.t_max, {}, contact_normal(query, options.t_max)) +
+              times_for_person(contact_times(query, options.t_max)),
+          story.answer};
 }
 
 int run_explain(const ExplainOptions& options) {
   const Input input = find_inputs({options.file}, options.kind).front();
   const auto found = find_query(input, options.query);
   const auto& record = found->record;
-  // solve comes first: it refuses the queries that exact::explain does not accept.
   const Separation& separation = options.separation.separation;
-  std::visit([&](const auto& query) { static_cast<void>(solve(query, separation, Method::exact, options.t_max)); },
-             record.query);
-  const exact::Story story = std::visit(
-      [&](const auto& query) {
-        return separation.distance == 0 ? exact::explain(query, options.t_max)
-                                        : exact::explain(query, options.t_max, separation);
-      },
-      record.query);
-
-  std::optional<std::array<double, 3>> normal;
-  if (separation.distance == 0 || separation.metric == Metric::euclidean) {
-    normal =
-        std::visit([&](const auto& query) { return contact_normal(query, separation, options.t_max); }, record.query);
-  }
+  const Explanation explanation =
+      std::visit([&](const auto& query) { return explanation_of(query, record, options); }, record.query);
 
   auto console = io::OutputFile::standard_output();
   console.write(heading(input, record));
-  console.write(corners_for_person(record.query, io::query_as_given(input.kind, record.text)));
-  console.write(story_for_person(input.kind, story, options.t_max, separation, normal));
+  console.write(explanation.text);
   if (found->truth_separation && !io::same_question(*found->truth_separation, separation)) {
     console.write(
         fmt::format("the file's truth column is about {}\n", separation_for_person(*found->truth_separation)));
   } else if (options.t_max == 1) {
     console.write(fmt::format("the file's truth column says {}: {}\n", record.truth ? 1 : 0,
-                              verdict_name(judge({record.truth, std::nullopt}, story.answer))));
+                              verdict_name(judge({record.truth, std::nullopt}, explanation.answer))));
   }
   console.commit();
   return kAllHold;

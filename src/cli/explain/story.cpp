@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <initializer_list>
+#include <variant>
 #include <vector>
 
 #include "cli/shared/separation.hpp"
@@ -66,8 +69,43 @@ std::string coefficients_for_person(const std::vector<std::string>& coefficients
   return text;
 }
 
-std::string cubic_for_person(const exact::Story& story) {
-  return "\nthe coplanarity cubic V(t), exactly\n" + coefficients_for_person(story.coefficients);
+std::string coplanarity_for_person(const exact::Story& story, bool curved) {
+  if (!curved) return "\nthe coplanarity cubic V(t), exactly\n" + coefficients_for_person(story.coefficients);
+  std::vector<std::string> coefficients = story.coefficients;
+  while (coefficients.size() > 1 && coefficients.back() == "0") coefficients.pop_back();
+  const bool zero = coefficients.size() == 1 && coefficients.front() == "0";
+  return fmt::format("\nthe coplanarity V(t), times a positive function of t that makes it a polynomial, exactly: {}\n",
+                     zero ? "zero" : fmt::format("degree {}", coefficients.size() - 1)) +
+         coefficients_for_person(coefficients);
+}
+
+std::string numbers_for_person(std::initializer_list<double> numbers) {
+  std::string text;
+  for (const double number : numbers) text += fmt::format("{}{}", text.empty() ? "" : ", ", number);
+  return text;
+}
+
+std::string vector_for_person(const Vec3& x) { return fmt::format("({})", numbers_for_person({x.x, x.y, x.z})); }
+
+/// The turn from q0 to q1, by the quaternion product of q1 and q0 reversed, in a person's digits.
+std::string turn_for_person(const RigidMotion& motion) {
+  const auto scaled = [](const std::array<double, 4>& q) {
+    double most = 0;
+    for (const double c : q) most = std::max(most, std::abs(c));
+    std::array<double, 4> result{};
+    for (std::size_t i = 0; i < 4; ++i) result[i] = q[i] / most;
+    return result;
+  };
+  const std::array<double, 4> a = scaled(motion.q0), b = scaled(motion.q1);
+  const double w = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+  const double x = a[0] * b[1] - a[1] * b[0] + a[2] * b[3] - a[3] * b[2];
+  const double y = a[0] * b[2] - a[2] * b[0] + a[3] * b[1] - a[1] * b[3];
+  const double z = a[0] * b[3] - a[3] * b[0] + a[1] * b[2] - a[2] * b[1];
+  const double sine = std::hypot(x, y, z);
+  if (sine <= 1e-15 * std::abs(w)) return "does not turn";
+  constexpr double kDegrees = 57.29577951308232;
+  return fmt::format("turns by about {:.6g} degrees, about the axis ({:.6g}, {:.6g}, {:.6g})",
+                     2 * std::atan2(sine, w) * kDegrees, x / sine + 0.0, y / sine + 0.0, z / sine + 0.0);
 }
 
 /// The polynomials of the distance that have roots, and a line about the others.
@@ -115,7 +153,7 @@ std::string answer_for_person(Kind kind, const Answer& answer, double t_max) {
 
 }  // namespace
 
-std::string corners_for_person(const std::variant<Query, RationalQuery>& query, const RationalQuery& as_given) {
+std::string corners_for_person(const io::FileQuery& query, const RationalQuery& as_given) {
   std::string text = std::holds_alternative<Query>(query)
                          ? "corners, as given and as doubles\n"
                          : "corners, as given and as doubles where they are (so this query is solved as rationals)\n";
@@ -140,12 +178,57 @@ std::string corners_for_person(const std::variant<Query, RationalQuery>& query, 
   return text;
 }
 
-std::string story_for_person(Kind kind, const exact::Story& story, double t_max, const Separation& separation,
-                             const std::optional<std::array<double, 3>>& normal) {
+std::string curves_for_person(const CurvedQuery& query) {
+  std::array<bool, 4> used{};
+  std::string corners = "corners\n";
+  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+    const CurvedCorner& corner = query.corners[i];
+    corners += fmt::format("  {:<8}  ", corner_name(query.kind, i));
+    if (corner.motion != CurvedCorner::kOnCurve) {
+      used[static_cast<std::size_t>(corner.motion)] = true;
+      corners += fmt::format("on motion {}, at {} of its body\n", corner.motion, vector_for_person(corner.points[0]));
+      continue;
+    }
+    corners += corner.control_points == 1 ? "at rest at " : "on the curve of the control points ";
+    for (int k = 0; k < corner.control_points; ++k) {
+      corners += fmt::format("{}{}", k == 0 ? "" : ", ", vector_for_person(corner.points[static_cast<std::size_t>(k)]));
+    }
+    corners += '\n';
+  }
+  std::string motions;
+  for (std::size_t m = 0; m < used.size(); ++m) {
+    if (!used[m]) continue;
+    const RigidMotion& motion = query.motions[m];
+    const auto pose = [&](const std::array<double, 4>& q, const Vec3& p) {
+      return fmt::format("q = ({}), p = {}\n", numbers_for_person({q[0], q[1], q[2], q[3]}), vector_for_person(p));
+    };
+    motions += fmt::format("  {} at 0    {}", m, pose(motion.q0, motion.p0));
+    motions += fmt::format("    at 1    {}", pose(motion.q1, motion.p1));
+    motions += fmt::format("            {}\n", turn_for_person(motion));
+  }
+  return (motions.empty() ? "" : "motions, of the orientation q = (w, x, y, z) and the position p\n" + motions) +
+         corners;
+}
+
+std::string times_for_person(const std::vector<ContactInterval>& times) {
+  if (times.empty()) return "contact times: none\n";
+  constexpr std::size_t kShown = 12;
+  std::string text = "contact times\n";
+  for (std::size_t i = 0; i < std::min(times.size(), kShown); ++i) {
+    const ExactTime &first = times[i].first, &last = times[i].last;
+    text += fmt::format("  t {}", enclosure(first.lower(), first.upper()));
+    text += first.compare(last) == 0 ? "\n" : fmt::format(" to t {}\n", enclosure(last.lower(), last.upper()));
+  }
+  if (times.size() > kShown) text += fmt::format("  and {} more\n", times.size() - kShown);
+  return text;
+}
+
+std::string story_for_person(Kind kind, bool curved, const exact::Story& story, double t_max,
+                             const Separation& separation, const std::optional<std::array<double, 3>>& normal) {
   const bool apart = separation.distance > 0;
   std::string text;
   if (apart) text += fmt::format("\n{}: d below\n", separation_for_person(separation));
-  if (story.has_cubic) text += cubic_for_person(story);
+  if (story.has_cubic) text += coplanarity_for_person(story, curved);
   text += polynomials_for_person(story, t_max);
   text += fmt::format("\n{}\n", story.why);
   text += fmt::format("\ncandidate times in [0, {}]: {}\n", t_max, story.candidates.size());

@@ -7,6 +7,7 @@
 
 #include "cli/queries/bundled.hpp"
 #include "cli/shared/interrupt.hpp"
+#include "io/curved_rows.hpp"
 #include "io/fail.hpp"
 #include "io/kind_of_file.hpp"
 #include "io/separation_text.hpp"
@@ -54,15 +55,17 @@ std::vector<Input> find_inputs(const std::vector<std::string>& names, std::optio
   return inputs;
 }
 
-std::vector<Input> bundled_inputs() {
+std::vector<Input> bundled_inputs(io::Motions motions) {
   std::vector<Input> inputs;
-  for (const auto& file : bundled_files()) inputs.push_back(bundled_input(file));
+  for (const auto& file : bundled_files()) {
+    if (motions == io::Motions::any || !io::holds_curved_queries(file.content)) inputs.push_back(bundled_input(file));
+  }
   if (inputs.empty()) io::fail("bundled queries", "this program was built without them; name a query file");
   return inputs;
 }
 
 std::vector<Input> bundled_touching_inputs() {
-  std::vector<Input> inputs = bundled_inputs();
+  std::vector<Input> inputs = bundled_inputs(io::Motions::straight);
   const auto about_separation = [](const Input& input) {
     return io::separation_of_comments(input.content).has_value();
   };
@@ -70,12 +73,12 @@ std::vector<Input> bundled_touching_inputs() {
   return inputs;
 }
 
-QueryStream::QueryStream(const std::vector<Input>& inputs, std::size_t chunk_bytes)
-    : inputs_(inputs), chunk_bytes_(chunk_bytes) {}
+QueryStream::QueryStream(const std::vector<Input>& inputs, std::size_t chunk_bytes, io::Motions motions)
+    : inputs_(inputs), chunk_bytes_(chunk_bytes), motions_(motions) {}
 
 bool QueryStream::next(QueryItem& item) {
   for (; current_ < inputs_.size(); ++current_, reader_.reset()) {
-    if (!reader_) reader_.emplace(inputs_[current_].open(), inputs_[current_].kind, chunk_bytes_);
+    if (!reader_) reader_.emplace(inputs_[current_].open(), inputs_[current_].kind, chunk_bytes_, motions_);
     if (auto chunk = reader_->next()) {
       item.input = current_;
       item.chunk = std::move(*chunk);

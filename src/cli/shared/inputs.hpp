@@ -34,10 +34,10 @@ struct Input {
 /// @throws FileError
 std::vector<Input> find_inputs(const std::vector<std::string>& names, std::optional<Kind> kind);
 
-/// Every bundled file. @throws FileError when the program was built without them
-std::vector<Input> bundled_inputs();
+/// Every bundled file, or those of straight motion. @throws FileError when the program was built without them
+std::vector<Input> bundled_inputs(io::Motions motions);
 
-/// Those of them whose truth column is about touching.
+/// Those of them with straight motion whose truth column is about touching.
 std::vector<Input> bundled_touching_inputs();
 
 /// One item of the pipeline: some queries of one input.
@@ -50,7 +50,8 @@ struct QueryItem {
 /// The chunks of several files, one file after the other.
 class QueryStream {
  public:
-  QueryStream(const std::vector<Input>& inputs, std::size_t chunk_bytes);
+  /// @param motions  with Motions::straight a file of curved queries is refused
+  QueryStream(const std::vector<Input>& inputs, std::size_t chunk_bytes, io::Motions motions = io::Motions::straight);
 
   /// @returns false after the last chunk of the last file. @throws FileError
   bool next(QueryItem& item);
@@ -58,11 +59,12 @@ class QueryStream {
  private:
   const std::vector<Input>& inputs_;
   std::size_t chunk_bytes_;
+  io::Motions motions_;
   std::size_t current_ = 0;
   std::optional<io::QueryChunkReader> reader_;
 };
 
-/// Calls take(input, record) for every query of the files, in their order, `input` being an index into the inputs.
+/// Calls take(input, record) for every query of the files, which have straight motion, in their order, `input` being an index into the inputs.
 /// @throws FileError; and Interrupted, as throw_if_interrupted does
 void for_each_query(const std::vector<Input>& inputs,
                     const std::function<void(std::size_t input, const io::QueryRecord& record)>& take);

@@ -8,7 +8,9 @@
 #include <map>
 #include <set>
 #include <system_error>
+#include <variant>
 
+#include <touchstone/curved.hpp>
 #include <touchstone/error.hpp>
 
 #include "cli/shared/words.hpp"
@@ -93,8 +95,21 @@ void refuse_one_file_twice(const std::vector<std::pair<std::string, std::string>
   }
 }
 
-Answer answer_to(const std::variant<Query, RationalQuery>& query, Method method, const Separation& separation) {
-  return std::visit([&](const auto& q) { return solve(q, separation, method); }, query);
+Answer answer_to(const std::string& file, const io::QueryRecord& record, Method method, const Separation& separation) {
+  if (const auto* const curved = std::get_if<CurvedQuery>(&record.query)) {
+    refuse_separation_of_curved(file, record, separation);
+    return solve(*curved, method);
+  }
+  const auto* const query = std::get_if<Query>(&record.query);
+  return query != nullptr ? solve(*query, separation, method)
+                          : solve(std::get<RationalQuery>(record.query), separation, method);
+}
+
+void refuse_separation_of_curved(const std::string& file, const io::QueryRecord& record, const Separation& separation) {
+  if (separation.distance == 0 || !std::holds_alternative<CurvedQuery>(record.query)) return;
+  io::fail(file, record.first_row,
+           fmt::format("query {} has curved motion, and that takes no separation yet; leave the separation out",
+                       record.number));
 }
 
 }  // namespace touchstone::cli

@@ -1,0 +1,222 @@
+// Files of curved queries on the command line: solve, certify and explain take them beside straight ones, and the other
+// commands refuse them.
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <touchstone/curved.hpp>
+
+#include "cli/run_program.hpp"
+#include "cli/sample_files.hpp"
+#include "io/answer_writer.hpp"
+#include "io/curved_rows.hpp"
+#include "io/times.hpp"
+#include "seeded/rng.hpp"
+#include "support/catch.hpp"
+#include "support/slow_build.hpp"
+
+using namespace touchstone;
+using namespace touchstone::tests;
+using nlohmann::json;
+
+namespace {
+
+const std::string kHeader = std::string(io::kCurvedHeader) + "\n";
+
+/// A spinning tip that meets a wall at t = 1/2, and one whose wall is on the other side.
+const std::string kTip = kHeader +
+                         "# the tip of a rod\nquery,1\nmotion,0,1,0,0,0,1,0,0,1,0,0,0,0,0,0\nbody,0,5,0,0\n"
+                         "curve,2,4,0\ncurve,4,4,-1\ncurve,4,4,1\n"
+                         "query,0\nmotion,2,1,0,0,0,1,0,0,1,0,0,0,0,0,0\nbody,2,5,0,0\n"
+                         "curve,-2,-4,0\ncurve,-4,-4,-1\ncurve,-4,-4,1\n";
+
+/// Bodies that turn about axes through small integers, and curves through them: many of them touch.
+std::vector<CurvedQuery> some_queries(Kind kind, std::size_t count) {
+  std::vector<CurvedQuery> queries;
+  seeded::Rng rng(7);
+  const auto vector = [&](int size) {
+    const double x = rng.between(-size, size), y = rng.between(-size, size), z = rng.between(-size, size);
+    return Vec3{x, y, z};
+  };
+  while (queries.size() < count) {
+    CurvedQuery query;
+    query.kind = kind;
+    for (RigidMotion& motion : query.motions) {
+      motion.q1[static_cast<std::size_t>(rng.between(1, 3))] = rng.between(-1, 1);
+      motion.p0 = vector(1);
+      motion.p1 = vector(1);
+    }
+    for (std::size_t i = 0; i < corner_count(kind); ++i) {
+      const bool second = kind == Kind::edge_edge ? i >= 2 : i >= 1;
+      query.corners[i] = CurvedCorner::on_body(second ? 1 : 0, vector(2));
+      if (second && queries.size() % 3 == 0)
+        query.corners[i] = CurvedCorner::on_curve({vector(1), vector(2), vector(1)});
+    }
+    queries.push_back(query);
+  }
+  return queries;
+}
+
+std::string text_of(const std::vector<CurvedQuery>& queries, bool flipped = false) {
+  std::string text = kHeader;
+  for (const CurvedQuery& query : queries) io::append_query(text, query, solve(query).contact != flipped);
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("solve answers curved files beside straight ones, as the library does") {
+  const TemporaryFolder folder;
+  std::vector<std::string> files;
+  std::string expected = std::string(io::kAnswerHeader);
+  for (const Kind kind : kKinds) {
+    const std::string name(kind_name(kind));
+    const std::vector<CurvedQuery> queries = some_queries(kind, effort(60));
+    files.push_back(folder.write(name + "/curved.csv", text_of(queries)));
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      io::append_answer(expected, files.back(), i, solve(queries[i]));
+    }
+    const SampleFile sample = sample_file(kind, 3, 1);
+    files.push_back(folder.write(name + "/straight.csv", sample.text));
+    for (std::size_t i = 0; i < sample.queries.size(); ++i) {
+      io::append_answer(expected, files.back(), i, sample.answers[i]);
+    }
+  }
+  for (const std::string threads : {"1", "2", "7"}) {
+    std::vector<std::string> arguments = {"solve", "--threads", threads};
+    arguments.insert(arguments.end(), files.begin(), files.end());
+    const Run run = run_program(arguments);
+    CAPTURE(threads, run.err);
+    CHECK(run.status == 0);
+    CHECK(run.out == expected);
+  }
+  const Run judged = run_program({"certify", files[0], files[1], files[2], files[3]});
+  CAPTURE(judged.out);
+  CHECK(judged.status == 0);
+  // The kind of a file in another folder.
+  const std::string other = folder.write("else/where.csv", text_of(some_queries(Kind::point_edge, 5)));
+  CHECK(run_program({"solve", other}).status == 2);
+  CHECK(run_program({"certify", "--kind", "point-edge", other}).status == 0);
+}
+
+TEST_CASE("every level answers a curved file alike") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("vertex-face/a.csv", text_of(some_queries(Kind::vertex_face, effort(30))));
+  std::string first;
+  for (const std::string level : {"fast", "exact", "oracle", "fast-cgal"}) {
+    const Run run = run_program({"solve", "--level", level, file});
+    CHECK(run.status == 0);
+    std::string decisions;  // all columns but the last, which names the level
+    std::istringstream lines(run.out);
+    for (std::string line; std::getline(lines, line);) decisions += line.substr(0, line.rfind(',')) + "\n";
+    CAPTURE(level);
+    if (!first.empty()) CHECK(decisions == first);
+    first = decisions;
+  }
+}
+
+TEST_CASE("claims about curved queries are judged: missed, phantom, late, or they hold") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("vertex-face/tip.csv", kTip);
+  const auto judged = [&](const std::string& rows, const std::string& report = "r.json") {
+    const std::string claims = folder.write("claims.csv", "query,contact,toi\n" + rows);
+    return run_program({"certify", "--claims", claims, "--report", folder.path(report), file});
+  };
+  CHECK(judged("0,1,0.5\n1,0,\n").status == 0);
+  CHECK(judged("0,1,0.25\n1,0,\n").status == 0);
+  const Run missed = judged("0,0,\n1,1,0.25\n");
+  CHECK(missed.status == 1);
+  CHECK(occurrences(missed.out, "  missed      1 (") == 1);
+  CHECK(occurrences(missed.out, "  phantom     1 (") == 1);
+  const Run late = judged("0,1,0x1.0000000000001p-1\n1,0,\n");
+  CHECK(late.status == 1);
+  CHECK(occurrences(late.out, "  " + file + " query 0 (rows 3 to 8): late\n") == 1);
+  CHECK(occurrences(late.out, "    exact: contact at 0x1p-1 (0.5), crossing, v against f\n") == 1);
+  CHECK(occurrences(late.out, "    touchstone explain --query 0 " + file + "\n") == 1);
+  const json refuted = json::parse(folder.read("r.json"))["refuted"];
+  REQUIRE(refuted.size() == 1);
+  CHECK(refuted[0]["kind"] == "vertex-face");
+  CHECK(refuted[0]["verdict"] == "late");
+  CHECK(refuted[0]["rows"] == json{3, 8});
+  CHECK(refuted[0]["corners"]["v"] == json{{"motion", 0}, {"point", {"0x1.4p+2", "0x0p+0", "0x0p+0"}}});
+  CHECK(refuted[0]["corners"]["f1"] == json{{"curve", {{"0x1p+2", "0x1p+2", "-0x1p+0"}}}});
+  CHECK(refuted[0]["motions"]["0"]["q1"] == json{"0x1p+0", "0x0p+0", "0x0p+0", "0x1p+0"});
+  CHECK(refuted[0]["motions"].size() == 1);
+  // A time that is no double is compared exactly: 0.3333333333333333333 is before 1/3, 0.3333333333333333334 after it.
+  const std::string third = folder.write(
+      "vertex-face/third.csv", kHeader + "query,1\ncurve,0,0,1,0,0,-2\ncurve,-1,-1,0\ncurve,1,-1,0\ncurve,0,1,0\n");
+  for (const auto& [toi, status] : {std::pair{"0.3333333333333333333", 0}, std::pair{"0.3333333333333333334", 1}}) {
+    const std::string claims = folder.write("third-claims.csv", std::string("query,contact,toi\n0,1,") + toi + "\n");
+    CHECK(run_program({"certify", "--claims", claims, third}).status == status);
+  }
+  const Run flipped =
+      run_program({"certify", folder.write("edge-edge/flipped.csv", text_of(some_queries(Kind::edge_edge, 8), true))});
+  CHECK(flipped.status == 1);
+  CHECK(flipped.out.rfind("8 of 8 claims refuted", 0) == 0);
+}
+
+TEST_CASE("the story of a curved query tells its motions, V, the roots, the answer and all contact times") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("vertex-face/tip.csv", kTip);
+  const Run run = run_program({"explain", "--query", "0", file});
+  CAPTURE(run.out, run.err);
+  CHECK(run.status == 0);
+  CHECK(run.out.rfind("query 0 of " + file + " (rows 3 to 8), vertex-face, curved motion\n", 0) == 0);
+  // V is 2 times (10 t - 4 (1 + t^2)), times a positive constant.
+  for (const char* part :
+       {"  0 at 0    q = (1, 0, 0, 0), p = (0, 0, 0)\n    at 1    q = (1, 0, 0, 1), p = (0, 0, 0)\n",
+        "            turns by about 90 degrees, about the axis (0, 0, 1)\n",
+        "  v         on motion 0, at (5, 0, 0) of its body\n", "  f1        at rest at (4, 4, -1)\n",
+        "\nthe coplanarity V(t), times a positive function of t that makes it a polynomial, exactly: degree ",
+        " t = 0x1p-1 (0.5), a simple root of V\n     exactly 1/2\n",
+        "\nanswer: crossing contact, first at t = 0x1p-1 (0.5)\n  v        at 1 v\n  f        at 0.5 f0 + 0.25 f1 + "
+        "0.25 f2\n",
+        "contact times\n  t = 0x1p-1 (0.5)\n", "the file's truth column says 1: holds\n"}) {
+    CAPTURE(part);
+    CHECK(occurrences(run.out, part) == 1);
+  }
+  const Run none = run_program({"explain", "--query", "1", file});
+  CHECK(occurrences(none.out, "\nanswer: no contact\ncontact times: none\n") == 1);
+  CHECK(occurrences(none.out, "  2 at 0    q = (1, 0, 0, 0)") == 1);
+  const Run before = run_program({"explain", "--query", "0", "--t-max", "0.25", file});
+  CHECK(occurrences(before.out, "answer: no contact for t in [0, 0.25]\ncontact times: none\n") == 1);
+  const std::string arc = folder.write(
+      "point-edge/arc.csv", kHeader + "query,1\ncurve,-1,0,0,0,0,2,1,0,0\ncurve,-0.75,0,0.75\ncurve,0.75,0,0.75\n");
+  const Run twice = run_program({"explain", "--query", "0", arc});
+  CAPTURE(twice.out);
+  CHECK(occurrences(twice.out, "  p         on the curve of the control points (-1, 0, 0), (0, 0, 2), (1, 0, 0)\n") ==
+        1);
+  CHECK(occurrences(twice.out, "contact times\n  t = 0x1p-2 (0.25)\n  t = 0x1.8p-1 (0.75)\n") == 1);
+  CHECK(run_program({"explain", "--query", "2", file}).err ==
+        file + ": has no query 2; it has 2 queries, counted from 0\n");
+}
+
+TEST_CASE("commands that cannot take curved queries refuse them, and a separation is refused") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("vertex-face/tip.csv", kTip);
+  const std::string refusal =
+      file +
+      ":1: the queries of this file have curved motion, which is not read here; solve, certify and explain read "
+      "it\n";
+  for (const std::vector<std::string>& command : {std::vector<std::string>{"prove", file},
+                                                  {"fuzz", "--solver", "newton", "--from", file, "--cases", "10"},
+                                                  {"report", "--quick", "--out", folder.path("report"), file},
+                                                  {"bench", "--count", "10", file}}) {
+    const Run run = run_program(command);
+    CAPTURE(command.front(), run.err);
+    CHECK(run.status == 2);
+    CHECK(run.err == refusal);
+    CHECK(run.out == "");
+  }
+  const Run proofs = run_program({"certify", "--proofs", folder.path("proofs.txt"), file});
+  CHECK(proofs.status == 2);
+  CHECK(occurrences(proofs.err, file + ":3: there are no proofs for curved motion yet") == 1);
+  const std::string separation =
+      file + ":3: query 0 has curved motion, and that takes no separation yet; leave the separation out\n";
+  CHECK(run_program({"solve", "--separation", "0.5", file}).err == separation);
+  CHECK(run_program({"certify", "--separation", "0.5", file}).err == separation);
+  CHECK(run_program({"explain", "--separation", "0.5", "--query", "0", file}).err == separation);
+  CHECK(run_program({"solve", "--separation", "0", file}).status == 0);
+}
