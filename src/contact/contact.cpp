@@ -229,6 +229,10 @@ bool apply_impulse(const Contact& contact, const ImpulseRule& rule, const Motion
           *motion.driven -= contact.omega[c] * impulse[k] * ((*motion.x1)[at + k] - (*motion.x0)[at + k]);
       }
     }
+    if (motion.impulses != nullptr) {
+      ContactImpulses::add(contact, j * n, motion.impulses->normal);
+      ContactImpulses::add(contact, impulse - j * n, motion.impulses->friction);
+    }
     apply(impulse, *motion.x1);
     approach = after;
     changed = true;

@@ -37,6 +37,22 @@ struct ImpulseRule {
   double recovery = 0;   ///< fraction of a missing distance that one impulse corrects
 };
 
+/// The impulses of a substep's contacts on each coordinate of a particle, held ones included, times the substep's
+/// length: kg m.
+struct ContactImpulses {
+  VectorX normal, friction;
+
+  /// All 0, for so many coordinates.
+  void reset(Eigen::Index size) { normal = friction = VectorX::Zero(size); }
+
+  /// @param impulse  on the second element of two, or on a point against an element
+  static void add(const Contact& contact, const Vector3& impulse, VectorX& to) {
+    for (std::size_t c = 0; c < contact.corners; ++c) {
+      to.segment<3>(3 * static_cast<Eigen::Index>(contact.particles[c])) += contact.omega[c] * impulse;
+    }
+  }
+};
+
 /// The displacements of a substep, on which impulses act. Divided by its length they are velocities.
 struct Motion {
   const VectorX* x0 = nullptr;
@@ -44,6 +60,7 @@ struct Motion {
   VectorX* correction = nullptr;          ///< the position corrections in x1, which are no velocity
   const VectorX* inverse_mass = nullptr;  ///< of each coordinate; 0 where it is held
   double* driven = nullptr;               ///< work of driven particles by impulses, times h^2, kg m^2; may be null
+  ContactImpulses* impulses = nullptr;    ///< to which they are added; may be null
 };
 
 /// Applies the corrected impulse when the elements approach: with K = sum omega_i^2 / m_i the normal velocity v_n

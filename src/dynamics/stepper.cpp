@@ -17,6 +17,9 @@ constexpr double kFirstOrderBelow = 0.125;
 // m/s, of Newton's method with contacts: their springs are no more exact than this.
 constexpr double kContactTolerance = 1e-3;
 
+// m: the error of an angle counts as that of a point at this distance from the axis.
+constexpr double kLever = 0.01;
+
 // Times the work of driven coordinates that is measured at the substep's end: the second-order methods take their
 // forces from all over the substep.
 constexpr double kWorkFactor = 2;
@@ -48,7 +51,6 @@ Advance Stepper::advance(const State& state, double h) {
     case Integrator::implicit_midpoint: advance = implicit_midpoint(state, h); break;
     case Integrator::symplectic_euler: advance = symplectic_euler(state, h); break;
   }
-  if (advance.converged) finish(state, h, advance.state);
   const bool is_explicit = settings_.integrator == Integrator::symplectic_euler;
   const bool second_order =
       settings_.integrator == Integrator::tr_bdf2 || settings_.integrator == Integrator::implicit_midpoint;
@@ -60,14 +62,43 @@ Advance Stepper::advance(const State& state, double h) {
     advance.iterations += tried.iterations;
     advance.projected += tried.projected;
     advance.first_order = true;
-    if (advance.converged) {
-      finish(state, h, advance.state);
-      advance.gained_energy = gained_energy(state, h, advance.state);
-    }
+    if (advance.converged) advance.gained_energy = gained_energy(state, h, advance.state);
   }
   if (!advance.converged) return advance;
   if (!advance.state.q.allFinite() || !advance.state.v.allFinite()) advance.converged = false;
   return advance;
+}
+
+Advance Stepper::advance_in_halves(const State& state, double h) {
+  const Advance whole = advance(state, h);
+  if (!whole.converged) return whole;
+  const Advance first = advance(state, h / 2);
+  if (!first.converged) return first;
+  Advance second = advance(first.state, h / 2);
+  second.iterations += whole.iterations + first.iterations;
+  second.projected += whole.projected + first.projected;
+  second.first_order = second.first_order || first.first_order;
+  second.gained_energy = second.gained_energy || first.gained_energy;
+  second.flows += first.flows;
+  if (second.converged) second.difference = difference(whole.state, second.state, h);
+  return second;
+}
+
+int Stepper::order() const noexcept {
+  return settings_.integrator == Integrator::tr_bdf2 || settings_.integrator == Integrator::implicit_midpoint ? 2 : 1;
+}
+
+double Stepper::difference(const State& a, const State& b, double h) const {
+  double most = 0;
+  const auto particles = static_cast<Eigen::Index>(3 * system_->particle_count());
+  for (Eigen::Index i = 0; i < particles; i += 3) {
+    most = std::max(
+        most, (a.q.segment<3>(i) - b.q.segment<3>(i)).norm() + h * (a.v.segment<3>(i) - b.v.segment<3>(i)).norm());
+  }
+  for (Eigen::Index i = particles; i < a.q.size(); ++i) {
+    most = std::max(most, kLever * (std::abs(a.q[i] - b.q[i]) + h * std::abs(a.v[i] - b.v[i])));
+  }
+  return most;
 }
 
 void Stepper::finish(const State& before, double h, State& after) const {
@@ -117,6 +148,14 @@ Stepper::Solution Stepper::solve(const State& state, const Stage& stage, const V
   return solution;
 }
 
+/// Of a substep of implicit Euler, whose forces are those at its end.
+EnergyFlows Stepper::euler_flows(const State& before, double h, const State& after) const {
+  FlowMeter flows = meter(before, h);
+  flows.pass(1, before, after);
+  flows.drive(1, after, (strains(after) - strains(before)) / h);
+  return flows.finish(after);
+}
+
 Stage Stepper::euler_stage(const State& state, double h) const {
   return {state.q, state.v, h, state.time + h, energy_.damped(energy_.strains(state.q, state.frames, state.time), h),
           {},      0};
@@ -125,6 +164,9 @@ Stage Stepper::euler_stage(const State& state, double h) const {
 Advance Stepper::implicit_euler(const State& state, double h) {
   Advance advance;
   advance.state = solve(state, euler_stage(state, h), state.v, advance).state;
+  if (!advance.converged) return advance;
+  finish(state, h, advance.state);
+  if (measures_flows_) advance.flows = euler_flows(state, h, advance.state);
   return advance;
 }
 
@@ -138,6 +180,7 @@ Advance Stepper::advance_with(const State& state, double h, std::span<const Cont
   if (!advance.converged) return advance;
   finish(state, h, advance.state);
   advance.converged = advance.state.q.allFinite() && advance.state.v.allFinite();
+  if (measures_flows_) advance.flows = euler_flows(state, h, advance.state);
   return advance;
 }
 
@@ -184,6 +227,13 @@ Advance Stepper::implicit_midpoint(const State& state, double h) {
   VectorX q = advance.state.q;
   system_->prescribe(state.time + h, q);
   advance.state.frames = system_->transported(middle.frames, middle.q, q);
+  finish(state, h, advance.state);
+  if (measures_flows_) {
+    FlowMeter flows = meter(state, h);
+    flows.pass(1, state, advance.state);
+    flows.drive(1, middle, (strains(middle) - strains(state)) / (0.5 * h));
+    advance.flows = flows.finish(advance.state);
+  }
   return advance;
 }
 
@@ -213,6 +263,20 @@ Advance Stepper::tr_bdf2(const State& state, double h) {
   stage.time = state.time + h;
   stage.strains = energy_.damped(s0 + weight * h * (r0 + r1), stage.span);
   advance.state = solve(middle, stage, middle.v, advance).state;
+  if (!advance.converged) return advance;
+  finish(state, h, advance.state);
+  if (measures_flows_) {
+    FlowMeter flows = meter(state, h);
+    flows.pass(2 * fraction, state, middle);
+    flows.pass(1 - 2 * fraction, middle, advance.state);
+    // The rates of the two parts, with weights that sum to the parts' lengths.
+    const VectorX s1 = strains(middle), s2 = strains(advance.state);
+    const VectorX first = (s1 - s0) / (2 * fraction * h), second = (s2 - s1) / ((1 - 2 * fraction) * h);
+    flows.drive(weight, state, first);
+    flows.drive(weight, middle, ((2 * fraction - weight) * first + (1 - 3 * fraction) * second) / weight);
+    flows.drive(fraction, advance.state, second);
+    advance.flows = flows.finish(advance.state);
+  }
   return advance;
 }
 
@@ -225,7 +289,15 @@ Advance Stepper::symplectic_euler(const State& state, double h) {
   }
   system_->prescribe(state.time + h, advance.state.q);
   advance.converged = advance.state.q.allFinite();
-  if (advance.converged) advance.state.frames = system_->transported(state.frames, state.q, advance.state.q);
+  if (!advance.converged) return advance;
+  advance.state.frames = system_->transported(state.frames, state.q, advance.state.q);
+  finish(state, h, advance.state);
+  if (measures_flows_) {
+    FlowMeter flows = meter(state, h);
+    flows.pass(1, state, advance.state);
+    flows.drive(1, state, (strains(advance.state) - strains(state)) / h);
+    advance.flows = flows.finish(advance.state);
+  }
   return advance;
 }
 

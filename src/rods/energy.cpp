@@ -86,6 +86,21 @@ Strains Energy::damped(const VectorX& base, double span) const {
   return s;
 }
 
+VectorX Energy::damping() const {
+  VectorX c = VectorX::Zero(static_cast<Eigen::Index>(system_->strain_count()));
+  for (std::size_t i = 0; i < system_->stretch_elements.size(); ++i) {
+    c[static_cast<Eigen::Index>(i)] = system_->stretch_elements[i].damping;
+  }
+  for (std::size_t j = 0; kRods && j < system_->joints.size(); ++j) {
+    const Joint& joint = system_->joints[j];
+    c.segment<3>(joint_row(*system_, j)) = joint.damping * Vector3(joint.bend, joint.bend, joint.twist);
+  }
+  if (kCloth) {
+    for_each_cloth_strain(*system_, [&](Eigen::Index row, double k, double, double time) { c[row] = time * k; });
+  }
+  return c;
+}
+
 VectorX Energy::strains(const VectorX& q, const Frames& frames, double time) const {
   VectorX s(static_cast<Eigen::Index>(system_->strain_count()));
   for (std::size_t i = 0; i < system_->stretch_elements.size(); ++i) {
@@ -111,7 +126,8 @@ VectorX Energy::strain_rates(const VectorX& q, const VectorX& v, const Frames& f
     const Joint& joint = system_->joints[j];
     JointVector k1, k2, m;
     system_->joint_strain(joint, q, frames, time).gradients(k1, k2, m);
-    const JointVector local = gather(*system_, joint, v);
+    JointVector local = gather(*system_, joint, v);
+    local[7] += time < joint.closing_until ? joint.closing_rate : 0;  // its frame turns by itself
     rates.segment<3>(joint_row(*system_, j)) << k1.dot(local), k2.dot(local), m.dot(local);
   }
   if (kCloth) measure_cloth_rates(*system_, q, v, rates);

@@ -39,11 +39,14 @@ class Energy {
   /// @param base  strains at the beginning of the span  @param span  s
   Strains damped(const VectorX& base, double span) const;
 
+  /// The damping of each strain: its damping force is -c ds/dt grad s.
+  VectorX damping() const;
+
   /// All strains: the lengths of stretch elements, then kappa1, kappa2 and twist of each joint, then
   /// three of each membrane, and the bend of each hinge.
   VectorX strains(const VectorX& q, const Frames& frames, double time) const;
 
-  /// The rates of the strains for velocities v, with frames that are carried along.
+  /// The rates of the strains for velocities v, with frames that are carried along, and the twist that is inserted.
   VectorX strain_rates(const VectorX& q, const VectorX& v, const Frames& frames, double time) const;
 
   /// The sum of 1/2 stiffness (strain - rest)^2 and of the limits of stretch. Not finite where an edge or triangle folds

@@ -40,16 +40,13 @@ std::array<Index, N> indices_from(const JsonNode& node) {
 }
 
 Integrator integrator_from(const JsonNode& node) {
-  const std::string name = node.text();
-  for (const auto integrator :
-       {Integrator::implicit_euler, Integrator::tr_bdf2, Integrator::implicit_midpoint, Integrator::symplectic_euler}) {
-    if (name == integrator_name(integrator)) return integrator;
-  }
+  if (const auto integrator = find_integrator(node.text())) return *integrator;
   node.fail("must be implicit-euler, tr-bdf2, implicit-midpoint or symplectic-euler");
 }
 
 Settings settings_from(const JsonNode& node) {
-  node.check_keys({"time_step", "duration", "integrator", "gravity", "drag", "newton_tolerance", "contact"});
+  node.check_keys({"time_step", "duration", "integrator", "gravity", "drag", "newton_tolerance", "tolerance",
+                   "least_step", "contact"});
   Settings s;
   s.time_step = node.number_or("time_step", s.time_step);
   s.duration = node.number_or("duration", s.duration);
@@ -57,6 +54,8 @@ Settings settings_from(const JsonNode& node) {
   s.gravity = vector_or(node, "gravity", s.gravity);
   s.drag = node.number_or("drag", s.drag);
   s.newton_tolerance = node.number_or("newton_tolerance", s.newton_tolerance);
+  s.tolerance = node.number_or("tolerance", s.tolerance);
+  s.least_step = node.number_or("least_step", s.least_step);
   if (const auto contact = node.find("contact")) {
     contact->check_keys({"restitution", "friction", "thickness", "passes", "repulsion", "impulses", "zones"});
     s.contact.restitution = contact->number_or("restitution", s.contact.restitution);

@@ -22,6 +22,14 @@ std::string_view integrator_name(Integrator integrator) noexcept {
   return "";
 }
 
+std::optional<Integrator> find_integrator(std::string_view name) noexcept {
+  for (const auto integrator :
+       {Integrator::implicit_euler, Integrator::tr_bdf2, Integrator::implicit_midpoint, Integrator::symplectic_euler}) {
+    if (name == integrator_name(integrator)) return integrator;
+  }
+  return std::nullopt;
+}
+
 namespace {
 
 /// The path of a thing in a scene file, for the messages about it.
@@ -67,6 +75,9 @@ void check_settings(const Settings& s) {
   path.finite("gravity", s.gravity);
   path.in_range("drag", s.drag, 0, 1e6);
   path.in_range("newton_tolerance", s.newton_tolerance, 1e-14, 1);
+  path.in_range("tolerance", s.tolerance, 0, 1e9);
+  path.in_range("least_step", s.least_step, 0, s.time_step);
+  if (s.least_step > 0 && s.tolerance == 0) path.fail("least_step", "goes with a tolerance");
   const ScenePath contact("settings.contact");
   contact.in_range("restitution", s.contact.restitution, 0, 1);
   contact.in_range("friction", s.contact.friction, 0, 100);

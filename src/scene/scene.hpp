@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -111,6 +112,8 @@ enum class Integrator : std::uint8_t {
   symplectic_euler    ///< explicit: cheap, for soft scenes; the step must be shorter than the stiffest period / pi
 };
 std::string_view integrator_name(Integrator integrator) noexcept;
+/// By its name; nothing for any other text.
+std::optional<Integrator> find_integrator(std::string_view name) noexcept;
 
 struct ContactSettings {
   double restitution = 0.5;  ///< in [0, 1]
@@ -132,6 +135,8 @@ struct Settings {
   Vector3 gravity{0, 0, -9.81};    ///< m/s^2
   double drag = 0;                 ///< 1/s: force -drag * mass * velocity
   double newton_tolerance = 1e-6;  ///< m/s: a step's velocities are converged to about this
+  double tolerance = 0;   ///< m/s: the error of positions that integration may make in a second; 0: steps are not cut
+  double least_step = 0;  ///< s: `tolerance` cuts no substep into shorter ones; 0: 1/1024 of the step
   ContactSettings contact;
 };
 

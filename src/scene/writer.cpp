@@ -21,6 +21,8 @@ Json json_of(const Settings& s) {
   json["gravity"] = list(s.gravity);
   json["drag"] = s.drag;
   json["newton_tolerance"] = s.newton_tolerance;
+  if (s.tolerance != 0) json["tolerance"] = s.tolerance;
+  if (s.least_step != 0) json["least_step"] = s.least_step;
   json["contact"] = {{"restitution", s.contact.restitution},
                      {"friction", s.contact.friction},
                      {"thickness", s.contact.thickness},

@@ -112,6 +112,43 @@ void ContactTerms::add(const Contact& contact) {
   term_of_pair_.emplace_back(key(contact.pair), terms_.size() - 1);
 }
 
+EnergyFlows ContactTerms::flows(const State& end) const {
+  EnergyFlows flows;
+  for (const ContactTerm& term : terms_) {
+    const Vector3 before = relative_motion(term, start_->v), after = relative_motion(term, end.v);
+    Vector3 response = Vector3::Zero();  // to a unit impulse along each axis
+    for (std::size_t c = 0; c < term.corners; ++c) {
+      const auto at = 3 * static_cast<Eigen::Index>(term.particles[c]);
+      response += term.omega[c] * term.omega[c] * model_->inverse_mass().segment<3>(at);
+    }
+    // A force works along the way of the substep, which is that of the velocities at its end. Of an impulse that
+    // changes these velocities, half of the change is lost on the way: that much of the impulse as the inertia of the
+    // corners takes. The rest pushes against their elements.
+    const auto work = [&](const Vector3& impulse) {
+      const double size = impulse.norm();
+      if (size == 0) return 0.0;
+      const Vector3 along = impulse / size;
+      const double change = std::max(0.0, along.dot(after - before));
+      const double inertia = 1 / (response.dot(along.cwiseProduct(along)) + kTiny);
+      return size * along.dot(after) - 0.5 * std::min(size, inertia * change) * change;
+    };
+    const Vector3 normal = h_ * normal_force(term, start_->q, end.q) * term.normal;
+    Vector3 friction = Vector3::Zero();
+    if (kFriction && term.slip > 0) friction = -h_ * term.slip * friction_pull(term, start_->q, end.q);
+    const double by_normal = work(normal);
+    (term.goal > 0 && by_normal > 0 ? flows.corrections : flows.impacts) += by_normal;
+    flows.friction += work(friction);
+    for (std::size_t c = 0; c < term.corners; ++c) {
+      const auto at = 3 * static_cast<Eigen::Index>(term.particles[c]);
+      for (Eigen::Index k = 0; k < 3; ++k) {
+        if (model_->inverse_mass()[at + k] == 0)
+          flows.driven -= term.omega[c] * (normal[k] + friction[k]) * end.v[at + k];
+      }
+    }
+  }
+  return flows;
+}
+
 bool ContactTerms::update_friction(const VectorX& end) {
   double most = 0, change = 0;
   if (kFriction && model_->contact().friction > 0) {

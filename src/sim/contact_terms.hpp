@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "contact/contact_potential.hpp"
-#include "dynamics/state.hpp"
+#include "dynamics/energy_flows.hpp"
 #include "sim/response_model.hpp"
 
 namespace touchstone::sim {
@@ -23,6 +23,9 @@ class ContactTerms {
 
   /// The tolerance with the energy of the springs that push apart elements nearer than the thickness, J.
   double tolerance() const noexcept { return tolerance_; }
+
+  /// The energy that the contacts give in a solve that ended at `end`.
+  EnergyFlows flows(const State& end) const;
 
   /// Sets the limits of friction from the normal forces at the end of a solve. Friction changes how tension runs along
   /// a cable, and with it these forces. @returns whether the limits have settled

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace touchstone::sim {
 
@@ -75,19 +76,38 @@ std::string proof_row(const Simulation& simulation, const SubstepRecord& r) {
                      r.proof.crossings == 0 ? 1 : 0);
 }
 
-std::string energy_header() { return "step,time,kinetic,stretch,bend,twist,load,total,parts,close,contacts,pairs\n"; }
+std::string energy_header(std::optional<Index> follow) {
+  return std::string(
+             "step,time,kinetic,stretch,bend,twist,load,total,parts,close,contacts,pairs,driven,drag,damping,friction,"
+             "impacts,corrections,numerical") +
+         (follow ? ",x,y,z" : "") + "\n";
+}
 
-std::string energy_row(const Simulation& simulation, const std::vector<SubstepRecord>& records) {
+std::string energy_row(const Simulation& simulation, const std::vector<SubstepRecord>& records,
+                       std::optional<Index> follow) {
   const Energies e = simulation.energies();
   std::uint64_t close = 0, contacts = 0, pairs = 0;
+  EnergyFlows flows;
+  double numerical = 0;
   for (const SubstepRecord& record : records) {
     close += record.response.close;
     contacts += record.response.contacts;
     pairs += record.proof.pairs;
+    flows += record.flows;
+    numerical += record.numerical;
   }
-  return fmt::format("{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{},{},{},{}\n", simulation.steps(),
-                     simulation.state().time, e.kinetic, e.stretch, e.bend, e.twist, e.load, e.total(), records.size(),
-                     close, contacts, pairs);
+  std::string row = fmt::format("{},{:.9g}", simulation.steps(), simulation.state().time);
+  const auto add = [&row](std::initializer_list<double> numbers) {
+    for (const double number : numbers) row += fmt::format(",{:.9g}", number);
+  };
+  add({e.kinetic, e.stretch, e.bend, e.twist, e.load, e.total()});
+  row += fmt::format(",{},{},{},{}", records.size(), close, contacts, pairs);
+  add({flows.driven, flows.drag, flows.damping, flows.friction, flows.impacts, flows.corrections, numerical});
+  if (follow) {
+    const Vector3 at = position(simulation.state().q, *follow);
+    add({at.x(), at.y(), at.z()});
+  }
+  return row + "\n";
 }
 
 std::string crossing_for_person(const Simulation& simulation, const Crossing& crossing) {
@@ -178,6 +198,9 @@ std::string explain(const Simulation& simulation) {
   text += line(contact.friction > 0, "friction", fmt::format("coefficient {}", contact.friction));
   text += fmt::format("     integrator             {}, steps of {} s\n", integrator_name(scene.settings.integrator),
                       scene.settings.time_step);
+  if (const Settings& settings = scene.settings; settings.tolerance > 0) {
+    text += fmt::format("     tolerance              {} m a second; shorter substeps keep it\n", settings.tolerance);
+  }
   text += fmt::format("     contact                restitution {}, thickness {} m, at most {} passes of impulses\n",
                       contact.restitution, simulation.thickness(), contact.passes);
   return text;

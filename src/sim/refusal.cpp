@@ -67,16 +67,18 @@ void count(RefusedCounts& counts, Cause cause) noexcept {
     case Cause::gained_energy: ++counts.gained_energy; break;
     case Cause::overstretched: ++counts.overstretched; break;
     case Cause::not_certified: ++counts.not_certified; break;
+    case Cause::inaccurate: ++counts.inaccurate; break;
   }
 }
 
 std::string refused_for_person(const RefusedCounts& counts, const RefusedCounts& before) {
-  const std::array<std::pair<std::uint64_t, const char*>, 5> all{
+  const std::array<std::pair<std::uint64_t, const char*>, 6> all{
       {{counts.not_converged - before.not_converged, "did not converge"},
        {counts.not_resolved - before.not_resolved, "found no response"},
        {counts.gained_energy - before.gained_energy, "would have gained energy"},
        {counts.overstretched - before.overstretched, "would have stretched cloth to its limit"},
-       {counts.not_certified - before.not_certified, "failed their proof"}}};
+       {counts.not_certified - before.not_certified, "failed their proof"},
+       {counts.inaccurate - before.inaccurate, "were less accurate than the tolerance"}}};
   std::string text;
   for (const auto& [number, what] : all) {
     if (number > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", number, what);
@@ -107,6 +109,7 @@ std::string refusal_for_person(const Refusal& refusal, const Scene& scene, const
     case Cause::gained_energy: return "energy would be gained";
     case Cause::overstretched:
       return fmt::format("what is held, driven or in contact would stretch cloth to its strain_limit; {}", kMoreRoom);
+    case Cause::inaccurate: return "the tolerance asks for shorter ones; a larger one would be right";
     case Cause::not_certified:
       return fmt::format(
           "{} would {} at {}; a smaller settings.time_step or a larger settings.contact.thickness "

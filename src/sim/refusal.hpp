@@ -14,12 +14,14 @@ enum class Cause : std::uint8_t {
   not_resolved,   ///< the response found no way
   gained_energy,  ///< energy would have come from nothing
   overstretched,  ///< cloth would have reached its limit of stretch
-  not_certified   ///< the proof found a crossing
+  not_certified,  ///< the proof found a crossing
+  inaccurate      ///< its error was above the scene's tolerance
 };
 
 /// Substeps that were tried and not taken.
 struct RefusedCounts {
   std::uint64_t not_converged = 0, not_resolved = 0, gained_energy = 0, overstretched = 0, not_certified = 0;
+  std::uint64_t inaccurate = 0;
 };
 
 struct Refusal {
@@ -28,6 +30,7 @@ struct Refusal {
   Vector3 point = Vector3::Zero();  ///< m, where it touches
   LargestChange largest_change;     ///< not converged
   bool with_contacts = false;       ///< not converged: in the response, and not before it
+  double excess = 0;                ///< inaccurate: the error over what the tolerance allows
 };
 
 void count(RefusedCounts& counts, Cause cause) noexcept;

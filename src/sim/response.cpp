@@ -40,6 +40,7 @@ class Response::Attempt {
 
   void take_velocities();
   bool gained_energy() const;
+  void measure_flows();
   Vector3 free_momentum(const std::vector<Index>& zone) const;
 
   Response* response_;
@@ -50,6 +51,9 @@ class Response::Attempt {
   VectorX integrated_;  // the positions that the integrator leads to, to which the velocities belong
   VectorX correction_;  // the part of the way from there that is no velocity
   EnergyLimit limit_;
+  // When flows of energy are measured: the impulses, and the end of the solve with contacts, if there is one.
+  ContactImpulses applied_;
+  State solved_;
 };
 
 Response::Response(const Colliders& colliders, const System& system, const Settings& settings, NarrowPhase narrow_phase,
@@ -64,6 +68,7 @@ ResponseResult Response::respond(Substep substep) { return Attempt(*this, std::m
 Response::Attempt::Attempt(Response& response, Substep substep)
     : response_(&response), model_(&response.model_), start_(substep.start), h_(substep.h) {
   result_.end = std::move(substep.end);
+  result_.flows = substep.flows;
 }
 
 ResponseResult Response::Attempt::run() {
@@ -71,6 +76,8 @@ ResponseResult Response::Attempt::run() {
     const PhaseClock clock(result_.times.response);
     result_.outcome = answer();
   }
+  const bool ended = result_.outcome == Outcome::done || result_.outcome == Outcome::gained_energy;
+  if (ended && applied_.normal.size() > 0) measure_flows();
   return std::move(result_);
 }
 
@@ -93,6 +100,7 @@ ResponseResult::Outcome Response::Attempt::answer() {
   limit_ = {std::max(before.total(), without.total()), energy_tolerance(before, without), 0};
   integrated_ = end.q;
   correction_ = VectorX::Zero(model_->inverse_mass().size());
+  if (response_->measures_flows_) applied_.reset(correction_.size());
   const bool stiff = std::any_of(known.begin(), known.end(), [&](const Contact& c) { return model_->is_stiff(c, h_); });
   if (!stiff) {
     const State free = end;
@@ -103,6 +111,7 @@ ResponseResult::Outcome Response::Attempt::answer() {
     end = free;
     integrated_ = free.q;
     correction_.setZero();
+    if (response_->measures_flows_) applied_.reset(correction_.size());
     limit_.driven_work = 0;
   }
   if (!solve_with_contacts(std::move(known))) return Outcome::not_converged;
@@ -121,7 +130,8 @@ bool Response::Attempt::resolve_by_impulses(std::vector<Contact> known) {
   ContactFinder& finder = response_->finder_;
   VectorX& x1 = result_.end.q;
   double driven = 0;
-  const Motion motion{&start_->q, &x1, &correction_, &model_->inverse_mass(), &driven};
+  ContactImpulses* const impulses = response_->measures_flows_ ? &applied_ : nullptr;
+  const Motion motion{&start_->q, &x1, &correction_, &model_->inverse_mass(), &driven, impulses};
   std::vector<char> touched(model_->system().particle_count(), 0);
   const auto resolve_all = [&](const std::vector<Contact>& contacts) {
     bool any = false;
@@ -175,6 +185,11 @@ bool Response::Attempt::solve_with_contacts(std::vector<Contact> contacts) {
     if (!advance.converged) return false;
     end = std::move(advance.state);
     driven = response_->stepper_->driven_work(*start_, h_, terms.all(), end);
+    if (response_->measures_flows_) {
+      result_.flows = advance.flows;
+      result_.flows += terms.flows(end);
+      solved_ = end;
+    }
     response_->finder_.moved(end.q, all);
     response_->finder_.find(end.q, found, result_.counts);
     const bool friction_settled = terms.update_friction(end.q);
@@ -227,8 +242,11 @@ bool Response::Attempt::resolve_by_zones(std::vector<Contact> contacts) {
       // A driven particle carries the zone, and gives its free particles the momentum that they gain.
       const auto driven = std::find_if(zone.begin(), zone.end(), [&](Index p) { return model_->is_held(p); });
       if (driven != zone.end()) {
-        limit_.driven_work +=
-            (free_momentum(zone) - before).dot(position(x1, *driven) - position(start_->q, *driven)) / (h_ * h_);
+        const Vector3 gained = free_momentum(zone) - before;
+        limit_.driven_work += gained.dot(position(x1, *driven) - position(start_->q, *driven)) / (h_ * h_);
+        if (response_->measures_flows_) {
+          applied_.normal.segment<3>(3 * static_cast<Eigen::Index>(*driven)) -= gained;
+        }
       }
     }
     response_->finder_.begin(start_->q, x1, 0);
@@ -255,6 +273,42 @@ bool Response::Attempt::gained_energy() const {
   const double lifted = (system.force.head(correction_.size()).array() * correction_.array()).abs().sum();
   return energies(system, result_.end).total() >
          limit_.highest + limit_.tolerance + lifted + std::max(limit_.driven_work, 0.0);
+}
+
+/// The work of an impulse is that impulse times the mean of the velocities before and after it, which is the kinetic
+/// energy that it gives. Before it are the velocities of the solve with contacts or, as an impulse acts for the whole
+/// substep, those at its start. A held coordinate has the velocity of its path.
+void Response::Attempt::measure_flows() {
+  const System& system = model_->system();
+  const State& end = result_.end;
+  const auto n = correction_.size();
+  const bool solved = solved_.q.size() > 0;
+  const VectorX& before = solved ? solved_.v : start_->v;
+  EnergyFlows& flows = result_.flows;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const bool held = model_->inverse_mass()[i] == 0;
+    const double friction = applied_.friction[i];
+    // Of zones is what impulses do not explain.
+    const double normal = result_.counts.zones > 0 && !held
+                              ? system.mass[i] * (end.q[i] - integrated_[i] - correction_[i]) - friction
+                              : applied_.normal[i];
+    const double speed = held ? end.v[i] : 0.5 * (before[i] + end.v[i]);
+    flows.impacts += normal * speed / h_;
+    flows.friction += friction * speed / h_;
+    if (held) flows.driven -= (normal + friction) * speed / h_;
+  }
+  const auto without_motion = [&system](const State& state) {
+    const Energies e = energies(system, state);
+    return e.total() - e.kinetic;
+  };
+  if (solved) {
+    flows.corrections += without_motion(end) - without_motion(solved_);
+  } else if (!correction_.isZero(0)) {
+    State uncorrected = end;
+    uncorrected.q.head(n) -= correction_;
+    uncorrected.frames = system.transported(end.frames, end.q, uncorrected.q);
+    flows.corrections += without_motion(end) - without_motion(uncorrected);
+  }
 }
 
 /// Of the displacements in this substep, kg m, but for a constant; held particles are left aside.

@@ -16,6 +16,7 @@ struct Substep {
   const State* start = nullptr;
   double h = 0;  ///< s
   State end;
+  EnergyFlows flows{};  ///< when they are measured
 };
 
 struct ResponseResult {
@@ -31,6 +32,7 @@ struct ResponseResult {
   LargestChange largest_change;  ///< when not converged
   std::optional<Contact> left;   ///< when not resolved: one of the contacts that are left
   PhaseTimes times;              ///< of this response
+  EnergyFlows flows;             ///< of the substep, when they are measured
 };
 
 /// Impulses first, in the order of exact time. They act on single particles, which is right for loose particles and
@@ -41,6 +43,9 @@ class Response {
   /// @param stepper  solves substeps again  @param cancel  is checked in each pass; both live as long as this
   Response(const Colliders& colliders, const System& system, const Settings& settings, NarrowPhase narrow_phase,
            int threads, Stepper& stepper, const linear::Cancellation& cancel = linear::Cancellation::never());
+
+  /// Measures the flows of energy from now on. The stepper does so, too.
+  void measure_flows() noexcept { measures_flows_ = true; }
 
   /// Changes the end of the substep until the narrow phase finds no contact.
   ResponseResult respond(Substep substep);
@@ -54,6 +59,7 @@ class Response {
   bool repels_;  // elements that are nearer than the thickness
   ContactFinder finder_;
   Stepper* stepper_;
+  bool measures_flows_ = false;
 };
 
 }  // namespace touchstone::sim

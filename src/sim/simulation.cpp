@@ -25,6 +25,19 @@ constexpr int kMostSubsteps = 20'000;
 // times in which the elements and contacts answer; a shorter one is better taken than halved for ever.
 constexpr double kMostSubstepsForEnergy = 100;
 
+// The error that a substep may make, over what the tolerance allows, is estimated by steps of two lengths. At times in
+// which an error passes through zero, the estimate is too low for the whole motion: so it counts for more.
+constexpr double kErrorSafety = 4;
+
+// A longer substep is tried when the error of the one before promises that it will do.
+constexpr double kPromise = 0.8;
+
+// A substep that is too inaccurate is cut into at most 2^6 at once: the estimate may be far off.
+constexpr int kMostHalvingsAtOnce = 6;
+
+// Fraction of the step: the default of the least substep that a tolerance asks for.
+constexpr double kLeastOfStep = 1.0 / 1024;
+
 Refusal refused_for(Cause cause) {
   Refusal refusal;
   refusal.cause = cause;
@@ -56,8 +69,13 @@ Simulation::Simulation(Scene scene, const SimulationOptions& options)
       prover_(colliders_, NarrowPhase::exact, options.threads, cancel_),
       narrow_phase_(options.narrow_phase),
       keep_ends_(options.keep_ends),
+      measures_flows_(options.measure_flows),
       ignores_radii_(options.narrow_phase == NarrowPhase::paper && has_radii(scene_)),
       state_(stepper_.initial()) {
+  if (measures_flows_) {
+    stepper_.measure_flows();
+    response_.measure_flows();
+  }
   check_start(state_, "the scene");
 }
 
@@ -113,6 +131,7 @@ std::vector<SubstepRecord> Simulation::make_substeps(std::optional<State>& befor
     return fmt::format("({}): {}", refused_for_person(refused_, refused_before),
                        refusal_for_person(refusal, scene_, system_, colliders_, state_.q));
   };
+  const double growth = std::ldexp(1.0, stepper_.order());  // of the error a second in a substep of twice the length
   double done = 0, fraction = 1;
   int halvings = 0, tries = 0;
   while (done < 1) {
@@ -127,16 +146,27 @@ std::vector<SubstepRecord> Simulation::make_substeps(std::optional<State>& befor
     if (const auto* const record = std::get_if<SubstepRecord>(&tried)) {
       records.push_back(*record);
       done += fraction;
-      while (halvings > 0 && std::fmod(done, 2 * fraction) == 0) {
+      double excess = record->excess * growth;
+      while (halvings > 0 && excess <= kPromise && std::fmod(done, 2 * fraction) == 0) {
         fraction *= 2;
         --halvings;
+        excess *= growth;
       }
       continue;
     }
     refusal = std::get<Refusal>(tried);
     count(refused_, refusal.cause);
     fraction /= 2;
-    if (++halvings > kMostHalvings) {
+    ++halvings;
+    if (refusal.cause == Cause::inaccurate) {
+      const int most = halvings + kMostHalvingsAtOnce - 1;
+      for (double excess = refusal.excess / growth;
+           excess > 1 && halvings < most && !is_least(fraction * scene_.settings.time_step); excess /= growth) {
+        fraction /= 2;
+        ++halvings;
+      }
+    }
+    if (halvings > kMostHalvings) {
       throw Error(fmt::format("step {} at {:.9g} s cannot be taken, not even in parts of {:.3g} s {}", steps_, start,
                               end - start, why()));
     }
@@ -145,16 +175,20 @@ std::vector<SubstepRecord> Simulation::make_substeps(std::optional<State>& befor
 }
 
 std::variant<SubstepRecord, Refusal> Simulation::try_substep(double h, double end_time) {
-  Advance advance = [&] {
-    const PhaseClock clock(times_.integration);
-    return stepper_.advance(state_, h);
-  }();
+  double excess = 0;
+  Advance advance = integrate(h, excess);
   if (!advance.converged) return not_converged(advance.largest_change, false);
   const bool may_be_halved =
       narrow_phase_ == NarrowPhase::exact && h > scene_.settings.time_step / kMostSubstepsForEnergy;
   if (advance.gained_energy && may_be_halved) return refused_for(Cause::gained_energy);
 
-  ResponseResult response = response_.respond({&state_, h, std::move(advance.state)});
+  if (excess > 1 && !is_least(h)) {
+    Refusal refusal = refused_for(Cause::inaccurate);
+    refusal.excess = excess;
+    return refusal;
+  }
+
+  ResponseResult response = response_.respond({&state_, h, std::move(advance.state), advance.flows});
   times_ += response.times;
   const bool contacts_gained = response.outcome == ResponseResult::Outcome::gained_energy;
   if (response.outcome != ResponseResult::Outcome::done && (!contacts_gained || may_be_halved)) {
@@ -175,9 +209,12 @@ std::variant<SubstepRecord, Refusal> Simulation::try_substep(double h, double en
   }
   crossings_.insert(crossings_.end(), crossings.begin(), crossings.end());
   next.time = end_time;
-  state_ = std::move(next);
-
   SubstepRecord record;
+  if (measures_flows_) {
+    record.flows = response.flows;
+    record.numerical = sim::energies(system_, next).total() - energies().total() - response.flows.total();
+  }
+  state_ = std::move(next);
   record.step = steps_;
   record.time = end_time;
   record.length = h;
@@ -185,10 +222,27 @@ std::variant<SubstepRecord, Refusal> Simulation::try_substep(double h, double en
   record.newton_projected = advance.projected;
   record.first_order = advance.first_order ? 1 : 0;
   record.gained_energy = advance.gained_energy || contacts_gained ? 1 : 0;
+  record.excess = excess;
   record.response = response.counts;
   record.proof = proof;
   if (keep_ends_) record.end = state_.q;
   return record;
+}
+
+Advance Simulation::integrate(double h, double& excess) {
+  const PhaseClock clock(times_.integration);
+  const double tolerance = scene_.settings.tolerance;
+  if (tolerance == 0) return stepper_.advance(state_, h);
+  Advance advance = stepper_.advance_in_halves(state_, h);
+  const double error = kErrorSafety * advance.difference / (std::ldexp(1.0, stepper_.order()) - 1);
+  excess = error / (tolerance * h);
+  return advance;
+}
+
+bool Simulation::is_least(double h) const noexcept {
+  const Settings& settings = scene_.settings;
+  const double least = settings.least_step > 0 ? settings.least_step : kLeastOfStep * settings.time_step;
+  return h < 2 * least * (1 - 1e-9);  // substeps are rounded
 }
 
 Refusal Simulation::refusal_of(const ResponseResult& response) const {

@@ -46,9 +46,14 @@ struct SubstepRecord {
   int newton_iterations = 0, newton_projected = 0;
   int first_order = 0;    ///< 1 when implicit Euler stood in for the scene's own method
   int gained_energy = 0;  ///< 1 when the substep gained energy, and was too short to be halved again
+  /// The error of the integration over what the tolerance allows; 0 without a tolerance. Above 1 the substep was too
+  /// short to be halved again.
+  double excess = 0;
   ResponseCounts response;
   Proof proof;
-  VectorX end;  ///< the coordinates at its end, the doubles that were proved; empty without keep_ends
+  EnergyFlows flows;     ///< with measure_flows
+  double numerical = 0;  ///< J, with measure_flows: what the substep gained beyond the flows
+  VectorX end;           ///< the coordinates at its end, the doubles that were proved; empty without keep_ends
 };
 
 struct SimulationOptions {
@@ -57,7 +62,8 @@ struct SimulationOptions {
   /// Called while the simulation is made, and between substeps, iterations of Newton's method and passes over contacts.
   /// It may throw to end the run: the step under way has not been made then.
   std::function<void()> check_cancelled = {};
-  bool keep_ends = false;  ///< whether each record has the coordinates at the end of its substep
+  bool keep_ends = false;      ///< whether each record has the coordinates at the end of its substep
+  bool measure_flows = false;  ///< whether each record has the flows of energy of its substep
 };
 
 class Simulation {
@@ -106,6 +112,10 @@ class Simulation {
   std::vector<SubstepRecord> make_substeps(std::optional<State>& before);
   /// Moves the state on by h seconds, unless the substep is refused.
   std::variant<SubstepRecord, Refusal> try_substep(double h, double end_time);
+  /// Moves the state on without contacts; excess: as in a record.
+  Advance integrate(double h, double& excess);
+  /// Whether the tolerance asks for no shorter substep.
+  bool is_least(double h) const noexcept;
   Refusal refusal_of(const ResponseResult& response) const;
   void measure_separations(const std::vector<Pair>& pairs, Proof& proof) const;
   Proof prove(const State& end, double h, std::vector<Crossing>& crossings);
@@ -118,7 +128,7 @@ class Simulation {
   Response response_;
   PairSolver prover_;
   NarrowPhase narrow_phase_;
-  bool keep_ends_;
+  bool keep_ends_, measures_flows_;
   bool ignores_radii_;
   State state_;
   std::uint64_t steps_ = 0;

@@ -54,7 +54,8 @@ TEST_CASE("nothing that a scene says is lost on the way through JSON") {
   double last = 0.1;
   const auto odd = [&] { return last = 0.1 + std::fmod(last * 7.7, 0.83); };
   Scene scene;
-  scene.settings = {odd(), odd(), Integrator::tr_bdf2, {odd(), odd(), odd()}, odd(), odd(), {odd(), odd(), odd(), 5}};
+  scene.settings = {odd(), odd(), Integrator::tr_bdf2,     {odd(), odd(), odd()}, odd(), odd(),
+                    odd(), odd(), {odd(), odd(), odd(), 5}};
   for (int i = 0; i < 14; ++i) {
     Particle p;
     p.position = {i + odd(), odd(), 10 * odd()};

@@ -26,6 +26,23 @@ void add_simulate(CLI::App& program, Command& command) {
   subcommand->add_option("--steps", options->steps, "The number of steps (default: the scene's duration)")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000'000'000}));
+  subcommand->add_option("--time-step", options->time_step, "The length of a step in s, in place of the scene's")
+      ->type_name("S");
+  subcommand
+      ->add_option_function<std::string>(
+          "--integrator", [options](const std::string& name) { options->integrator = sim::find_integrator(name); },
+          "The integrator, in place of the scene's")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"implicit-euler", "tr-bdf2", "implicit-midpoint", "symplectic-euler"}));
+  subcommand
+      ->add_option("--tolerance", options->tolerance,
+                   "The error of positions in m that integration may make in a second, in place of the scene's: steps "
+                   "are cut until they keep it. 0: no step is cut for it")
+      ->type_name("M");
+  subcommand
+      ->add_option("--follow", options->follow,
+                   "Add the position of this particle to the table of energies, as the columns x, y and z")
+      ->type_name("PARTICLE");
   subcommand
       ->add_option("--out", options->out, "The folder for frames (VTK, a series for ParaView), energies and their plot")
       ->type_name("FOLDER");
@@ -72,6 +89,9 @@ void add_simulate(CLI::App& program, Command& command) {
                    "The number of threads that answer queries (default: 1); no result depends on it")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
+  for (const char* of_scene : {"--time-step", "--integrator", "--tolerance"}) {
+    subcommand->get_option("--resume")->excludes(subcommand->get_option(of_scene));
+  }
   subcommand->get_option("--frame-every")->needs(subcommand->get_option("--out"));
   for (const char* path :
        {"--out", "--proof", "--prove", "--energies", "--queries", "--checkpoint", "--resume", "--scene-out"}) {

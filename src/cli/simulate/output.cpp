@@ -116,7 +116,7 @@ SimulateOutput::SimulateOutput(const SimulateOptions& options, sim::Simulation& 
   // Files that cannot be written are found before the run, not after it.
   const auto open_energies = [&](const std::string& path) {
     energies_.emplace_back(path);
-    energies_.back()->write(sim::energy_header() + sim::energy_row(simulation, {}));
+    energies_.back()->write(sim::energy_header(options.follow) + sim::energy_row(simulation, {}, options.follow));
   };
   if (!options.proof.empty()) proof_.emplace(options.proof).write(sim::proof_header(simulation));
   if (!options.energies.empty()) open_energies(options.energies);
@@ -174,7 +174,8 @@ void SimulateOutput::step(const std::vector<sim::SubstepRecord>& records) {
     for (const auto& record : records) file.write(sim::proof_row(*simulation_, record));
   });
   for (auto& energies : energies_) {
-    attempts.with(energies, [&](io::OutputFile& file) { file.write(sim::energy_row(*simulation_, records)); });
+    attempts.with(energies,
+                  [&](io::OutputFile& file) { file.write(sim::energy_row(*simulation_, records, options_->follow)); });
   }
   attempts.attempt([&] {
     if (!options_->out.empty() && ++since_frame_ >= options_->frame_every) write_frame();

@@ -33,7 +33,7 @@ std::unique_ptr<sim::Simulation> make_simulation(sim::Scene scene, std::optional
   throw_if_interrupted();
   auto simulation = naming_file(options.resume.empty() ? options.scene : options.resume, [&] {
     const sim::SimulationOptions settings{options.narrow_phase, options.threads, throw_if_interrupted,
-                                          !options.prove.empty()};
+                                          !options.prove.empty(), !options.energies.empty() || !options.out.empty()};
     auto made = std::make_unique<sim::Simulation>(std::move(scene), settings);
     if (checkpoint) made->resume(std::move(checkpoint->state), checkpoint->steps);
     return made;
@@ -106,11 +106,21 @@ int run_simulate(const SimulateOptions& options) {
     throw Error("name a scene, or a checkpoint with --resume, and not both");
   }
   if (!options.resume.empty() && options.size) throw Error("--size: a checkpoint has its size");
+  if (options.follow && options.energies.empty() && options.out.empty()) {
+    throw Error("--follow: its positions are written with --energies or --out, and neither is given");
+  }
   check_paths(options);
   sim::give_memory_back();
   std::optional<sim::Checkpoint> checkpoint;
   if (!options.resume.empty()) checkpoint = read_checkpoint(options.resume);
   sim::Scene scene = checkpoint ? checkpoint->scene : scene_of(options);
+  if (options.time_step) scene.settings.time_step = *options.time_step;
+  if (options.integrator) scene.settings.integrator = *options.integrator;
+  if (options.tolerance) scene.settings.tolerance = *options.tolerance;
+  if (options.follow && *options.follow >= scene.particles.size()) {
+    throw Error(
+        fmt::format("--follow {}: there is no such particle: there are {}", *options.follow, scene.particles.size()));
+  }
   if (!options.scene_out.empty()) {
     write_whole(options.scene_out, sim::scene_to_json(scene));
     return kAllHold;

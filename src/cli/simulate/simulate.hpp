@@ -8,15 +8,19 @@
 
 #include "cli/shared/command.hpp"
 #include "contact/narrow_phase.hpp"
+#include "scene/scene.hpp"
 
 namespace touchstone::cli {
 
 struct SimulateOptions {
   std::string scene;  ///< a shipped scene's name or a file; empty with `resume`
   std::optional<std::uint32_t> size;
-  std::optional<std::uint64_t> steps;  ///< how many to make; nothing: to the scene's duration
-  std::string out;                     ///< a folder for frames, tables and plots
-  std::uint64_t frame_every = 2;       ///< steps
+  std::optional<std::uint64_t> steps;          ///< how many to make; nothing: to the scene's duration
+  std::string out;                             ///< a folder for frames, tables and plots
+  std::optional<double> time_step, tolerance;  ///< in place of the scene's
+  std::optional<sim::Integrator> integrator;
+  std::optional<sim::Index> follow;  ///< a particle whose positions are in the table of energies
+  std::uint64_t frame_every = 2;     ///< steps
   std::string proof, prove, energies, queries, checkpoint, resume, scene_out;
   bool explain = false;
   sim::NarrowPhase narrow_phase = sim::NarrowPhase::exact;

@@ -15,6 +15,7 @@ void StepTotals::add(const std::vector<sim::SubstepRecord>& records) {
   for (const sim::SubstepRecord& record : records) {
     ++substeps;
     gained += static_cast<std::uint64_t>(record.gained_energy);
+    if (record.excess > 1) ++inaccurate;
     first_order += static_cast<std::uint64_t>(record.first_order);
     separated += record.proof.separated;
     largest_separation = std::max(largest_separation, record.proof.largest);
@@ -33,14 +34,20 @@ std::string simulation_for_person(const sim::Simulation& simulation, const StepT
   if (totals.substeps > totals.steps) {
     text += fmt::format(
         "{} in {}: refused were {} that did not converge, {} without a response, {} that gained "
-        "energy, {}{} that failed their proof\n",
+        "energy, {}{} that failed their proof{}\n",
         counted(totals.steps, "step"), counted(totals.substeps, "part"), refused.not_converged, refused.not_resolved,
         refused.gained_energy,
         refused.overstretched > 0 ? fmt::format("{} that stretched cloth to its limit, ", refused.overstretched) : "",
-        refused.not_certified);
+        refused.not_certified,
+        refused.inaccurate > 0 ? fmt::format(", {} that were less accurate than the tolerance", refused.inaccurate)
+                               : "");
   }
   if (totals.gained > 0)
     text += fmt::format("in {} energy was gained: too short to be cut again\n", counted(totals.gained, "part"));
+  if (totals.inaccurate > 0) {
+    text += fmt::format("{} less accurate than the tolerance: too short to be cut again\n",
+                        counted(totals.inaccurate, "part"));
+  }
   if (totals.first_order > 0) {
     text +=
         fmt::format("{} of first order, by implicit-euler: the scene's integrator gained energy or did not converge\n",

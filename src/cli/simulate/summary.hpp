@@ -12,7 +12,7 @@ namespace touchstone::cli {
 
 /// Counts over all steps of a run.
 struct StepTotals {
-  std::uint64_t steps = 0, substeps = 0, gained = 0, first_order = 0;
+  std::uint64_t steps = 0, substeps = 0, gained = 0, first_order = 0, inaccurate = 0;
   std::uint64_t separated = 0;    ///< pairs with a separation that the proofs asked about
   double largest_separation = 0;  ///< of these, m
 
