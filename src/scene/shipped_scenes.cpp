@@ -54,6 +54,7 @@ Scene make_shipped_scene(std::string_view name, std::optional<Index> size) {
 Scene make_two_edges(Index pairs) {
   Scene scene;
   scene.settings.gravity.setZero();
+  scene.settings.integrator = Integrator::tr_bdf2;
   scene.settings.duration = 2;
   scene.settings.contact.restitution = 0.8;
   scene.settings.contact.thickness = 1e-3;
@@ -61,8 +62,9 @@ Scene make_two_edges(Index pairs) {
     const double y = 3.0 * i;
     const Index a = add_particle(scene, {-1, y, 0}, 1), b = add_particle(scene, {1, y + 0.1, 0}, 1);
     const Index c = add_particle(scene, {0.2, y - 1, 0.7}, 1), d = add_particle(scene, {0.1, y + 1, 0.9}, 1);
-    add_spring(scene, a, b, 1e4, 1, true);
-    add_spring(scene, c, d, 1e4, 1, true);
+    // No stiffer than a step can follow: an impact on stiffer ones would lose more than its restitution says.
+    add_spring(scene, a, b, 3e3, 1, true);
+    add_spring(scene, c, d, 3e3, 1, true);
     for (const Index p : {c, d}) scene.particles[p].velocity = {0, 0, -1};
   }
   return scene;
@@ -70,7 +72,9 @@ Scene make_two_edges(Index pairs) {
 
 Scene make_whip(Index segments) {
   Scene scene;
-  scene.settings.duration = 0.5;
+  scene.settings.integrator = Integrator::tr_bdf2;
+  scene.settings.time_step = 5e-5;  // it flies 5 mm in it
+  scene.settings.duration = 0.05;
   scene.settings.contact.restitution = 0.2;
   scene.settings.contact.friction = 0.2;
   const Index a = add_pinned(scene, {0.35, -0.5, 0.003}), b = add_pinned(scene, {0.35, 0.5, -0.002});
@@ -86,6 +90,7 @@ Scene make_whip(Index segments) {
 
 Scene make_ring_twist(Index segments) {
   Scene scene;
+  scene.settings.integrator = Integrator::tr_bdf2;
   scene.settings.duration = 5;
   scene.settings.gravity.setZero();
   scene.settings.drag = 1;
@@ -109,6 +114,8 @@ Scene make_ring_twist(Index segments) {
 
 Scene make_chain(Index segments) {
   Scene scene;
+  scene.settings.integrator = Integrator::tr_bdf2;
+  scene.settings.time_step = 1.0 / 960;
   scene.settings.duration = 5;
   scene.settings.contact.restitution = 0.2;
   scene.settings.contact.friction = 0.3;

@@ -34,18 +34,22 @@ ResponseModel::ResponseModel(const Colliders& colliders, const System& system, c
       thickness_(settings.contact.thickness > 0 ? settings.contact.thickness
                                                 : colliders.shortest_edge() / kEdgesPerThickness),
       inverse_mass_(VectorX::Zero(static_cast<Eigen::Index>(3 * system.particle_count()))),
-      stiffness_(VectorX::Zero(static_cast<Eigen::Index>(system.particle_count()))) {
+      stiffness_(VectorX::Zero(static_cast<Eigen::Index>(system.particle_count()))),
+      damping_(stiffness_) {
   for (Eigen::Index i = 0; i < inverse_mass_.size(); ++i) {
     if (!system.fixed[static_cast<std::size_t>(i)]) inverse_mass_[i] = 1 / system.mass[i];
   }
   for (const StretchElement& element : system.stretch_elements) {
-    stiffness_[element.a] += element.stiffness;
-    stiffness_[element.b] += element.stiffness;
+    for (const Index p : {element.a, element.b}) {
+      stiffness_[p] += element.stiffness;
+      damping_[p] += element.damping;
+    }
   }
   for (const Membrane& membrane : system.cloth.membranes) {
     for (Eigen::Index i = 0; i < 3; ++i) {
-      stiffness_[membrane.p[static_cast<std::size_t>(i)]] +=
-          (membrane.stiffness[0] + membrane.stiffness[1]) * membrane.weights.row(i).squaredNorm();
+      const double stiffness = (membrane.stiffness[0] + membrane.stiffness[1]) * membrane.weights.row(i).squaredNorm();
+      stiffness_[membrane.p[static_cast<std::size_t>(i)]] += stiffness;
+      damping_[membrane.p[static_cast<std::size_t>(i)]] += membrane.damping * stiffness;
     }
   }
 }
@@ -61,7 +65,7 @@ bool ResponseModel::is_held(Index particle) const {
 bool ResponseModel::is_stiff(const Contact& contact, double h) const {
   for (std::size_t c = 0; c < contact.corners; ++c) {
     const Index p = contact.particles[c];
-    if (contact.omega[c] != 0 && stiffness_[p] * h * h * inverse_mass(p) > 1) return true;
+    if (contact.omega[c] != 0 && (stiffness_[p] * h + damping_[p]) * h * inverse_mass(p) > 1) return true;
   }
   return false;
 }

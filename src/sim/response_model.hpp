@@ -27,7 +27,7 @@ class ResponseModel {
   /// Whether all coordinates of the particle are prescribed.
   bool is_held(Index particle) const;
 
-  /// Whether the springs of the contact's particles answer within h seconds.
+  /// Whether the springs of the contact's particles, or their dampers, answer within h seconds.
   bool is_stiff(const Contact& contact, double h) const;
 
   ImpulseRule impulse_rule(double h) const;
@@ -48,7 +48,7 @@ class ResponseModel {
   double time_step_;
   double thickness_;
   VectorX inverse_mass_;
-  VectorX stiffness_;  // of the springs of each particle, N/m
+  VectorX stiffness_, damping_;  // of the springs of each particle, N/m and N s/m
 };
 
 }  // namespace touchstone::sim

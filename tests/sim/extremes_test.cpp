@@ -196,6 +196,13 @@ struct Extreme {
                              // by themselves, TR-BDF2 up to where no step can be taken
 };
 
+/// Far longer steps than those of the scene.
+Scene in_long_steps(const char* name, Index size) {
+  Scene scene = make_shipped_scene(name, size);
+  scene.settings.time_step = 1.0 / 60;
+  return scene;
+}
+
 std::vector<Extreme> extremes() {
   return {
       {"a steel cable of radius 1 mm", [] { return cable_on_wire(Vector3::Zero(), 2e11, 7800, 1e-3); }, 90},
@@ -205,12 +212,12 @@ std::vector<Extreme> extremes() {
          return cable_on_wire({1e6, -1e6, 1e6}, 2e8, 2000, 2e-3);
        },
        60},
-      {"a mass ratio of 1e4 along a chain", [] { return make_shipped_scene("chain", 20); }, 120},
+      {"a mass ratio of 1e4 along a chain", [] { return in_long_steps("chain", 20); }, 120},
       {"a mass ratio of 1e4 in a contact", heavy_on_light, 90, false},
       {"a stiffness jump of 1e6 along a chain", stiffness_jump, 120},
       {"a stiffness jump of 1e6 in contacts", soft_meets_stiff, 60},
       {"segment lengths from 1 to 1000", short_and_long_segments, 60},
-      {"a whip at 100 m/s", [] { return make_shipped_scene("whip", 30); }, 20, true, false},
+      {"a whip at 100 m/s", [] { return in_long_steps("whip", 30); }, 20, true, false},
   };
 }
 
