@@ -295,8 +295,12 @@ TEST_CASE("the files of the bundled queries are judged and proved, but not those
   const std::string proofs = folder.path("proofs.txt");
   Words files;
   for (const auto& file : std::filesystem::recursive_directory_iterator(TOUCHSTONE_BUNDLED_QUERIES)) {
-    if (file.path().extension() == ".csv") files.push_back(file.path().string());
+    const std::string path = file.path().string();
+    // Curved motion has no proofs.
+    const bool curved = file.path().filename().string().rfind("curved_", 0) == 0;
+    if (file.path().extension() == ".csv" && !curved) files.push_back(path);
   }
+  REQUIRE(files.size() >= 20);
   Words certify = {"certify", "--report", folder.path("r.json"), "--proofs", proofs};
   certify.insert(certify.end(), files.begin(), files.end());
   REQUIRE(run_program(certify).status == 0);

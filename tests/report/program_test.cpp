@@ -139,7 +139,8 @@ void check_scene_runs(const std::vector<Row>& rows) {
     const std::string& scene = row.at("scene");
     CAPTURE(scene, row.at("size"));
     ++runs[scene];
-    CHECK(number(row, "contacts") > 0);
+    // The first steps of `twist` have none: it is there for what the forces and the proof of cloth cost.
+    if (scene != "twist") CHECK(number(row, "contacts") > 0);
     CHECK(row.at("crossings") == "0");
     CHECK(std::stod(row.at("seconds")) > 0);
     CHECK(std::stod(row.at("collision_share")) > 0);
