@@ -10,6 +10,7 @@
 #include <touchstone/error.hpp>
 
 #include "json/json_node.hpp"
+#include "scene/body_file.hpp"
 #include "scene/parts.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/surface_file.hpp"
@@ -267,8 +268,8 @@ void add_cable(Scene& scene, const JsonNode& node) {
 Scene scene_from_json(std::string_view text) {
   const json::JsonDocument document = json::parse_json(text);
   const JsonNode root(document.value(), "the scene");
-  root.check_keys(
-      {"touchstone_scene", "name", "settings", "particles", "springs", "surfaces", "cables", "wires", "faces"});
+  root.check_keys({"touchstone_scene", "name", "settings", "particles", "springs", "surfaces", "cables", "wires",
+                   "faces", "bodies"});
   root.at("touchstone_scene").version(kVersion);
   Scene scene;
   if (const auto name = root.find("name")) scene.name = name->text();
@@ -290,6 +291,9 @@ Scene scene_from_json(std::string_view text) {
   }
   if (const auto surfaces = root.find("surfaces")) {
     for (const JsonNode& node : surfaces->items()) add_surface(scene, node);
+  }
+  if (const auto bodies = root.find("bodies")) {
+    for (const JsonNode& node : bodies->items()) scene.bodies.push_back(body_from(node));
   }
   check_scene(scene);
   return scene;

@@ -213,11 +213,12 @@ bool has_radii(const Scene& scene) {
 
 void check_scene(const Scene& scene) {
   check_settings(scene.settings);
-  if (scene.particles.empty()) ScenePath("particles").fail("", "a scene must have some");
+  if (scene.particles.empty() && scene.bodies.empty()) ScenePath("particles").fail("", "a scene must have some");
   if (scene.particles.size() > kMostParticles) ScenePath("particles").fail("", "are more than 10,000,000");
   for (std::size_t i = 0; i < scene.particles.size(); ++i) {
     check_particle(ScenePath(fmt::format("particles[{}]", i)), scene.particles[i]);
   }
+  check_bodies(scene);
   std::vector<char> has_mass(scene.particles.size(), 0);
   for (std::size_t i = 0; i < scene.springs.size(); ++i) {
     const Spring& s = scene.springs[i];

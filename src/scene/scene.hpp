@@ -12,10 +12,11 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/body.hpp"
+
 namespace touchstone::sim {
 
 using Index = std::uint32_t;
-using Vector3 = Eigen::Vector3d;
 
 /// A point of a driven particle's path, which is straight between waypoints and rests before and after them.
 struct Waypoint {
@@ -149,6 +150,7 @@ struct Scene {
   std::vector<Wire> wires;
   std::vector<Facet> faces;
   std::vector<Surface> surfaces;  ///< cloth; a surface of springs is springs and faces
+  std::vector<Body> bodies;
 };
 
 constexpr std::size_t kMostParticles = 10'000'000;

@@ -28,6 +28,10 @@ const std::vector<ShippedScene>& shipped_scenes() {
       {"flag", "a sheet that two corners hold falls into folds", "triangles of the sheet", 8, 500, 100'000, make_flag},
       {"drape", "a sheet falls over a ball and onto the floor", "triangles of the sheet", 8, 500, 100'000, make_drape},
       {"twist", "a sheet is wrung by both ends, for ten turns", "triangles of the sheet", 40, 500, 100'000, make_twist},
+      {"link-chain", "a chain of rigid links falls, held at one end", "links", 2, 24, 2'000, make_link_chain},
+      {"stack", "boxes rest on one another and on the ground", "boxes", 1, 5, 200, make_stack},
+      {"nut-and-bolt", "a nut runs down a thread by its weight", "faces around the thread", 24, 36, 96,
+       make_nut_and_bolt},
   };
   return all;
 }

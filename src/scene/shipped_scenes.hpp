@@ -34,5 +34,8 @@ Scene make_chain(Index segments);
 Scene make_flag(Index triangles);
 Scene make_drape(Index triangles);
 Scene make_twist(Index triangles);
+Scene make_link_chain(Index links);
+Scene make_stack(Index boxes);
+Scene make_nut_and_bolt(Index around);
 
 }  // namespace touchstone::sim

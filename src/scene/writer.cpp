@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "scene/body_file.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/surface_file.hpp"
 
@@ -123,6 +124,15 @@ std::string scene_to_json(const Scene& scene) {
   append(text, "wires", scene.wires, [](const Wire& wire) { return with_radius(wire); });
   append(text, "faces", scene.faces, [](const Facet& face) { return with_radius(face); });
   if (!scene.surfaces.empty()) append(text, "surfaces", scene.surfaces, [](const Surface& s) { return json_of(s); });
+  if (!scene.bodies.empty()) {
+    text += ",\n\"bodies\": [";
+    const char* separator = "\n";
+    for (const Body& body : scene.bodies) {
+      text += separator + body_to_json(body);
+      separator = ",\n";
+    }
+    text += "]";
+  }
   return text + "}\n";
 }
 

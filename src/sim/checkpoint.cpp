@@ -39,11 +39,62 @@ void append_hexfloats(nlohmann::json& list, const double* values, std::size_t co
   for (std::size_t i = 0; i < count; ++i) list.push_back(io::hexfloat(values[i]));
 }
 
+// Of a body's state: position 3, orientation 4, velocity 3, angular momentum 3.
+constexpr std::size_t kNumbersOfBody = 13;
+
+void append_bodies(nlohmann::json& json, const BodiesState& state) {
+  append_hexfloats(json["bodies"], nullptr, 0);
+  for (const BodyState& body : state.bodies) {
+    append_hexfloats(json["bodies"], body.pose.p.data(), 3);
+    append_hexfloats(json["bodies"], body.pose.q.data(), 4);
+    append_hexfloats(json["bodies"], body.velocity.data(), 3);
+    append_hexfloats(json["bodies"], body.momentum.data(), 3);
+  }
+  append_hexfloats(json["contact_forces"], nullptr, 0);
+  json["contact_pairs"] = nlohmann::json::array();
+  for (const ContactForce& force : state.forces) {
+    append_hexfloats(json["contact_forces"], force.force.data(), 3);
+    const BodyPair& pair = force.pair;
+    json["contact_pairs"].push_back(
+        {static_cast<int>(pair.kind), pair.a.body, pair.a.number, pair.b.body, pair.b.number});
+  }
+}
+
 VectorX vector_from(const JsonNode& node) {
   const auto items = node.items();
   VectorX values(static_cast<Eigen::Index>(items.size()));
   for (std::size_t i = 0; i < items.size(); ++i) values[static_cast<Eigen::Index>(i)] = from_hexfloat(items[i]);
   return values;
+}
+
+BodiesState bodies_from(const JsonNode& root) {
+  BodiesState state;
+  const VectorX numbers = vector_from(root.at("bodies"));
+  if (static_cast<std::size_t>(numbers.size()) % kNumbersOfBody != 0) {
+    root.at("bodies").fail("must be 13 numbers a body: position, orientation, velocity, angular momentum");
+  }
+  for (Eigen::Index i = 0; i < numbers.size(); i += kNumbersOfBody) {
+    BodyState& body = state.bodies.emplace_back();
+    body.pose.p = numbers.segment<3>(i);
+    for (Eigen::Index k = 0; k < 4; ++k) body.pose.q[static_cast<std::size_t>(k)] = numbers[i + 3 + k];
+    body.velocity = numbers.segment<3>(i + 7);
+    body.momentum = numbers.segment<3>(i + 10);
+  }
+  const auto pairs = root.at("contact_pairs").items();
+  const VectorX forces = vector_from(root.at("contact_forces"));
+  if (static_cast<std::size_t>(forces.size()) != 3 * pairs.size()) {
+    root.at("contact_forces").fail("must be three numbers for each of contact_pairs");
+  }
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto numbers_of_pair = pairs[i].items();
+    if (numbers_of_pair.size() != 5) pairs[i].fail("must be five numbers: kind, body, element, body, element");
+    ContactForce& force = state.forces.emplace_back();
+    force.pair.kind = static_cast<Kind>(numbers_of_pair[0].whole_number(0, 3));
+    force.pair.a = {numbers_of_pair[1].index(), numbers_of_pair[2].index()};
+    force.pair.b = {numbers_of_pair[3].index(), numbers_of_pair[4].index()};
+    force.force = forces.segment<3>(3 * static_cast<Eigen::Index>(i));
+  }
+  return state;
 }
 
 }  // namespace
@@ -60,6 +111,7 @@ std::string checkpoint_to_json(const Simulation& simulation) {
   append_hexfloats(json["directors"], nullptr, 0);
   for (const Vector3& d : state.frames.director) append_hexfloats(json["directors"], d.data(), 3);
   append_hexfloats(json["reference_twists"], state.frames.reference_twist.data(), state.frames.reference_twist.size());
+  if (simulation.bodies() != nullptr) append_bodies(json, simulation.bodies()->state());
   json["scene"] = scene_to_json(simulation.scene());
   return io::sealed_json(json.dump(1) + "\n");
 }
@@ -68,8 +120,8 @@ Checkpoint checkpoint_from_json(std::string_view text) {
   check_seal(text);
   const JsonDocument document = json::parse_json(text);
   const JsonNode root(document.value(), "the checkpoint");
-  root.check_keys(
-      {"sha256", "touchstone_checkpoint", "steps", "time", "q", "v", "directors", "reference_twists", "scene"});
+  root.check_keys({"sha256", "touchstone_checkpoint", "steps", "time", "q", "v", "directors", "reference_twists",
+                   "scene", "bodies", "contact_pairs", "contact_forces"});
   root.at("touchstone_checkpoint").version(kVersion);
   Checkpoint checkpoint;
   const std::string scene = root.at("scene").text();
@@ -88,6 +140,7 @@ Checkpoint checkpoint_from_json(std::string_view text) {
     checkpoint.state.frames.director.push_back(directors.segment<3>(i));
   const VectorX twists = vector_from(root.at("reference_twists"));
   checkpoint.state.frames.reference_twist.assign(twists.data(), twists.data() + twists.size());
+  if (!checkpoint.scene.bodies.empty()) checkpoint.bodies = bodies_from(root);
   return checkpoint;
 }
 

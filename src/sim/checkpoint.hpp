@@ -13,6 +13,7 @@ struct Checkpoint {
   Scene scene;
   std::uint64_t steps = 0;
   State state;
+  BodiesState bodies;
 };
 
 /// Scene and state; numbers of the state are C hexfloats. The text carries a digest of itself (io/sealed_json.hpp).

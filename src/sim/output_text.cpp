@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/output_text.hpp"
 
+#include <Eigen/Geometry>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,33 +10,72 @@
 
 namespace touchstone::sim {
 
+namespace {
+
+/// A corner of a frame.
+struct FramePoint {
+  Vector3 position, velocity;
+};
+
+/// Points and elements of particles, then those of bodies.
+struct Frame {
+  std::vector<FramePoint> points;
+  std::vector<Index> vertices;
+  std::vector<Edge> edges;
+  std::vector<Face> faces;
+};
+
+void add_bodies(const BodyPart& bodies, Frame& frame) {
+  for (Index b = 0; b < bodies.system().bodies().size(); ++b) {
+    const RigidBody& body = bodies.system().bodies()[b];
+    const BodyState& state = bodies.state().bodies[b];
+    const auto first = static_cast<Index>(frame.points.size());
+    const Vector3 spin =
+        body.is_free() ? angular_velocity(body.inertia, state.pose.q, state.momentum) : body.angular_velocity;
+    const Vector3 velocity = body.is_free() ? state.velocity : body.velocity;
+    const Matrix3 turn = matrix_of(state.pose.q);
+    for (const Vector3& x : body.points) {
+      const Vector3 arm = turn * x;
+      frame.points.push_back({state.pose.p + arm, velocity + spin.cross(arm)});
+    }
+    const ElementSet& surface = bodies.colliders().surface(b);
+    for (Index e = 0; e < surface.edges.size(); ++e) {
+      if (surface.bare[e]) frame.edges.push_back({first + surface.edges[e][0], first + surface.edges[e][1]});
+    }
+    for (const Face& face : surface.faces) frame.faces.push_back({first + face[0], first + face[1], first + face[2]});
+  }
+}
+
+}  // namespace
+
 std::string vtk_frame(const Simulation& simulation) {
   const auto& colliders = simulation.colliders();
-  const std::size_t count = simulation.scene().particles.size();
+  Frame frame;
+  for (Index p = 0; p < simulation.scene().particles.size(); ++p) {
+    frame.points.push_back({position(simulation.state().q, p), position(simulation.state().v, p)});
+  }
+  frame.vertices = colliders.points();
+  frame.edges = colliders.edges();
+  frame.faces = colliders.faces();
+  if (simulation.bodies() != nullptr) add_bodies(*simulation.bodies(), frame);
   std::string text =
       fmt::format("# vtk DataFile Version 3.0\ntouchstone t = {:.9g} s\nASCII\nDATASET POLYDATA\nPOINTS {} double\n",
-                  simulation.state().time, count);
-  for (Index p = 0; p < count; ++p) {
-    const Vector3 x = position(simulation.state().q, p);
-    text += fmt::format("{} {} {}\n", x.x(), x.y(), x.z());
+                  simulation.state().time, frame.points.size());
+  for (const auto& [x, v] : frame.points) text += fmt::format("{} {} {}\n", x.x(), x.y(), x.z());
+  if (!frame.vertices.empty()) {
+    text += fmt::format("VERTICES {} {}\n", frame.vertices.size(), 2 * frame.vertices.size());
+    for (const Index point : frame.vertices) text += fmt::format("1 {}\n", point);
   }
-  if (!colliders.points().empty()) {
-    text += fmt::format("VERTICES {} {}\n", colliders.points().size(), 2 * colliders.points().size());
-    for (const Index point : colliders.points()) text += fmt::format("1 {}\n", point);
+  if (!frame.edges.empty()) {
+    text += fmt::format("LINES {} {}\n", frame.edges.size(), 3 * frame.edges.size());
+    for (const Edge& edge : frame.edges) text += fmt::format("2 {} {}\n", edge[0], edge[1]);
   }
-  if (!colliders.edges().empty()) {
-    text += fmt::format("LINES {} {}\n", colliders.edges().size(), 3 * colliders.edges().size());
-    for (const Edge& edge : colliders.edges()) text += fmt::format("2 {} {}\n", edge[0], edge[1]);
+  if (!frame.faces.empty()) {
+    text += fmt::format("POLYGONS {} {}\n", frame.faces.size(), 4 * frame.faces.size());
+    for (const Face& face : frame.faces) text += fmt::format("3 {} {} {}\n", face[0], face[1], face[2]);
   }
-  if (!colliders.faces().empty()) {
-    text += fmt::format("POLYGONS {} {}\n", colliders.faces().size(), 4 * colliders.faces().size());
-    for (const Face& face : colliders.faces()) text += fmt::format("3 {} {} {}\n", face[0], face[1], face[2]);
-  }
-  text += fmt::format("POINT_DATA {}\nVECTORS velocity double\n", count);
-  for (Index p = 0; p < count; ++p) {
-    const Vector3 v = position(simulation.state().v, p);
-    text += fmt::format("{} {} {}\n", v.x(), v.y(), v.z());
-  }
+  text += fmt::format("POINT_DATA {}\nVECTORS velocity double\n", frame.points.size());
+  for (const auto& [x, v] : frame.points) text += fmt::format("{} {} {}\n", v.x(), v.y(), v.z());
   return text;
 }
 
@@ -51,6 +92,10 @@ std::string vtk_series(const std::vector<SeriesFrame>& frames) {
 std::string proof_header(const Simulation& simulation) {
   const char* const separations =
       simulation.colliders().has_separations() ? "entering,separated,least_separation,largest_separation," : "";
+  const std::string bodies = simulation.bodies() == nullptr
+                                 ? ""
+                                 : "body_close,body_contacts,body_passes,body_sweeps,body_zones,body_pairs,body_filter,"
+                                   "body_exact,";
   return std::string(
              "step,time,length,newton_iterations,first_order,close,contacts,crossing,grazing,sustained,isolated,"
              "response_"
@@ -58,7 +103,7 @@ std::string proof_header(const Simulation& simulation) {
              "response_filter,response_bracket,response_exact,impulse_passes,contact_solves,impact_zones,pairs,proof_"
              "filter,"
              "proof_bracket,proof_exact,") +
-         separations + "gained_energy,crossings,certified\n";
+         separations + bodies + "gained_energy,crossings,certified\n";
 }
 
 std::string proof_row(const Simulation& simulation, const SubstepRecord& r) {
@@ -68,12 +113,17 @@ std::string proof_row(const Simulation& simulation, const SubstepRecord& r) {
       simulation.colliders().has_separations()
           ? fmt::format("{},{},{:a},{:a},", entering, r.proof.separated, r.proof.least, r.proof.largest)
           : "";
-  return fmt::format("{},{:a},{:a},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}{},{},{}\n", r.step,
+  const BodyCounts& b = r.bodies;
+  const std::string bodies = simulation.bodies() == nullptr
+                                 ? ""
+                                 : fmt::format("{},{},{},{},{},{},{},{},", b.close, b.contacts, b.passes, b.sweeps,
+                                               b.zones, b.pairs, b.proof.filter, b.proof.bracket + b.proof.exact);
+  return fmt::format("{},{:a},{:a},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}{}{},{},{}\n", r.step,
                      r.time, r.length, r.newton_iterations, r.first_order, c.close, c.contacts, c.natures[1],
                      c.natures[2], c.natures[3], c.natures[4], c.queries, c.levels.filter, c.levels.bracket,
                      c.levels.exact, c.passes, c.solves, c.zones, r.proof.pairs, r.proof.levels.filter,
-                     r.proof.levels.bracket, r.proof.levels.exact, separations, r.gained_energy, r.proof.crossings,
-                     r.proof.crossings == 0 ? 1 : 0);
+                     r.proof.levels.bracket, r.proof.levels.exact, separations, bodies, r.gained_energy,
+                     r.proof.crossings, r.proof.crossings == 0 ? 1 : 0);
 }
 
 std::string energy_header(std::optional<Index> follow) {
@@ -90,9 +140,9 @@ std::string energy_row(const Simulation& simulation, const std::vector<SubstepRe
   EnergyFlows flows;
   double numerical = 0;
   for (const SubstepRecord& record : records) {
-    close += record.response.close;
-    contacts += record.response.contacts;
-    pairs += record.proof.pairs;
+    close += record.response.close + record.bodies.close;
+    contacts += record.response.contacts + record.bodies.contacts;
+    pairs += record.proof.pairs + record.bodies.pairs;
     flows += record.flows;
     numerical += record.numerical;
   }
@@ -195,6 +245,21 @@ std::string explain(const Simulation& simulation) {
                passes.joints ? "edges share particles that can move" : "no edges share a particle and can move");
   text += line(passes.points, "single-particle pass", why_points(colliders));
   text += line(colliders.has_separations(), "separations", why_separations(simulation));
+  if (const BodyPart* const bodies = simulation.bodies()) {
+    const auto& all = bodies->system().bodies();
+    const auto free = std::count_if(all.begin(), all.end(), [](const RigidBody& body) { return body.is_free(); });
+    std::size_t vertices = 0, edges = 0, faces = 0;
+    for (const ElementSet& surface : bodies->colliders().surfaces()) {
+      vertices += surface.vertices.size();
+      edges += surface.edges.size();
+      faces += surface.faces.size();
+    }
+    text += line(true, "body pass",
+                 fmt::format("{} bodies, {} of which are free: {} vertices, {} edges and {} faces that turn",
+                             all.size(), free, vertices, edges, faces));
+  } else {
+    text += line(false, "body pass", "0 bodies");
+  }
   text += line(contact.friction > 0, "friction", fmt::format("coefficient {}", contact.friction));
   text += fmt::format("     integrator             {}, steps of {} s\n", integrator_name(scene.settings.integrator),
                       scene.settings.time_step);
@@ -202,7 +267,9 @@ std::string explain(const Simulation& simulation) {
     text += fmt::format("     tolerance              {} m a second; shorter substeps keep it\n", settings.tolerance);
   }
   text += fmt::format("     contact                restitution {}, thickness {} m, at most {} passes of impulses\n",
-                      contact.restitution, simulation.thickness(), contact.passes);
+                      contact.restitution,
+                      simulation.bodies() != nullptr ? simulation.bodies()->thickness() : simulation.thickness(),
+                      contact.passes);
   return text;
 }
 

@@ -68,17 +68,19 @@ void count(RefusedCounts& counts, Cause cause) noexcept {
     case Cause::overstretched: ++counts.overstretched; break;
     case Cause::not_certified: ++counts.not_certified; break;
     case Cause::inaccurate: ++counts.inaccurate; break;
+    case Cause::turns_too_far: ++counts.turns_too_far; break;
   }
 }
 
 std::string refused_for_person(const RefusedCounts& counts, const RefusedCounts& before) {
-  const std::array<std::pair<std::uint64_t, const char*>, 6> all{
+  const std::array<std::pair<std::uint64_t, const char*>, 7> all{
       {{counts.not_converged - before.not_converged, "did not converge"},
        {counts.not_resolved - before.not_resolved, "found no response"},
        {counts.gained_energy - before.gained_energy, "would have gained energy"},
        {counts.overstretched - before.overstretched, "would have stretched cloth to its limit"},
        {counts.not_certified - before.not_certified, "failed their proof"},
-       {counts.inaccurate - before.inaccurate, "were less accurate than the tolerance"}}};
+       {counts.inaccurate - before.inaccurate, "were less accurate than the tolerance"},
+       {counts.turns_too_far - before.turns_too_far, "turned a body too far"}}};
   std::string text;
   for (const auto& [number, what] : all) {
     if (number > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", number, what);
@@ -101,6 +103,10 @@ std::string refusal_for_person(const Refusal& refusal, const Scene& scene, const
   switch (refusal.cause) {
     case Cause::not_converged: return not_converged(refusal, scene, system, q);
     case Cause::not_resolved:
+      if (!refusal.body_pair.empty()) {
+        return fmt::format("{} would touch at {}, and find no way apart; paths that leave them room would be right",
+                           refusal.body_pair, at(refusal.point));
+      }
       if (!refusal.pair) return "contacts are left";
       return fmt::format("{} would {} at {}, and {}", pair, meeting("touch", separation), at(refusal.point),
                          can_give_way(*refusal.pair, system, colliders)
@@ -110,6 +116,7 @@ std::string refusal_for_person(const Refusal& refusal, const Scene& scene, const
     case Cause::overstretched:
       return fmt::format("what is held, driven or in contact would stretch cloth to its strain_limit; {}", kMoreRoom);
     case Cause::inaccurate: return "the tolerance asks for shorter ones; a larger one would be right";
+    case Cause::turns_too_far: return "a body turns too fast; slower angular velocities would be right";
     case Cause::not_certified:
       return fmt::format(
           "{} would {} at {}; a smaller settings.time_step or a larger settings.contact.thickness "

@@ -15,17 +15,19 @@ enum class Cause : std::uint8_t {
   gained_energy,  ///< energy would have come from nothing
   overstretched,  ///< cloth would have reached its limit of stretch
   not_certified,  ///< the proof found a crossing
-  inaccurate      ///< its error was above the scene's tolerance
+  inaccurate,     ///< its error was above the scene's tolerance
+  turns_too_far   ///< a body, in one substep
 };
 
 /// Substeps that were tried and not taken.
 struct RefusedCounts {
   std::uint64_t not_converged = 0, not_resolved = 0, gained_energy = 0, overstretched = 0, not_certified = 0;
-  std::uint64_t inaccurate = 0;
+  std::uint64_t inaccurate = 0, turns_too_far = 0;
 };
 
 struct Refusal {
   Cause cause = Cause::not_converged;
+  std::string body_pair;            ///< not resolved, of bodies: the pair that is left
   std::optional<Pair> pair;         ///< not resolved: one that is left in contact; not certified: the one that crosses
   Vector3 point = Vector3::Zero();  ///< m, where it touches
   LargestChange largest_change;     ///< not converged

@@ -18,6 +18,13 @@
 namespace touchstone::sim {
 namespace {
 
+/// Rigid bodies. As in scene/features.hpp, tests/cost compares with a build without them; only this file asks.
+#ifdef TOUCHSTONE_SIM_WITHOUT_BODIES
+constexpr bool kBodies = false;
+#else
+constexpr bool kBodies = true;
+#endif
+
 // Substeps of a step, refused ones included: 2^24 of them would take for ever.
 constexpr int kMostSubsteps = 20'000;
 
@@ -76,6 +83,16 @@ Simulation::Simulation(Scene scene, const SimulationOptions& options)
     stepper_.measure_flows();
     response_.measure_flows();
   }
+  if (!scene_.bodies.empty()) {
+    if (narrow_phase_ == NarrowPhase::paper) {
+      throw Error("bodies: the narrow phase of the paper knows no motion that turns; the exact one would be right");
+    }
+    if (has_radii(scene_)) {
+      throw Error("bodies: no element of a scene with bodies has a radius yet; radii of 0 would be right");
+    }
+    bodies_ = std::make_unique<BodyPart>(scene_, system_, colliders_, cancel_);
+    bodies_->check_start(bodies_->state(), state_.q, "the scene");
+  }
   check_start(state_, "the scene");
 }
 
@@ -96,17 +113,33 @@ void Simulation::check_start(const State& state, std::string_view what) {
   });
 }
 
-void Simulation::resume(State state, std::uint64_t steps) {
+Energies Simulation::energies() const {
+  Energies sum = sim::energies(system_, state_);
+  if (bodies_) {
+    const BodyEnergies of_bodies = bodies_->energies();
+    sum.kinetic += of_bodies.kinetic;
+    sum.load += of_bodies.load;
+  }
+  return sum;
+}
+
+void Simulation::resume(State state, std::uint64_t steps, BodiesState bodies) {
   check_state(scene_, system_, state, steps);
   if (kCloth && !within_stretch_limits(system_, state.q))
     throw Error("q: the checkpoint's cloth is stretched to its strain_limit or beyond, which no run reaches");
   check_start(state, "q: the checkpoint");
+  if (bodies_) {
+    bodies_->check_state(bodies, state.time);
+    bodies_->check_start(bodies, state.q, "the checkpoint");
+    bodies_->take(std::move(bodies));
+  }
   state_ = std::move(state);
   steps_ = steps;
 }
 
 std::vector<SubstepRecord> Simulation::step() {
   std::optional<State> before;
+  const std::optional<BodiesState> bodies_before = kBodies && bodies_ ? std::optional(bodies_->state()) : std::nullopt;
   const std::size_t crossings_before = crossings_.size();
   ++steps_;
   try {
@@ -114,6 +147,7 @@ std::vector<SubstepRecord> Simulation::step() {
   } catch (...) {
     // A step is made as a whole or not at all, whatever the exception.
     if (before) state_ = std::move(*before);
+    if (bodies_before) bodies_->take(*bodies_before);
     crossings_.resize(crossings_before);
     --steps_;
     throw;
@@ -190,13 +224,23 @@ std::variant<SubstepRecord, Refusal> Simulation::try_substep(double h, double en
 
   ResponseResult response = response_.respond({&state_, h, std::move(advance.state), advance.flows});
   times_ += response.times;
-  const bool contacts_gained = response.outcome == ResponseResult::Outcome::gained_energy;
+  bool contacts_gained = response.outcome == ResponseResult::Outcome::gained_energy;
   if (response.outcome != ResponseResult::Outcome::done && (!contacts_gained || may_be_halved)) {
     return refusal_of(response);
   }
   State& next = response.end;
   if (!next.q.allFinite() || !next.v.allFinite()) return not_converged({}, false);
 
+  BodyResult bodies;
+  if (kBodies && bodies_) {
+    const PhaseClock clock(times_.response);
+    // Bodies that do not come apart in a short substep are merged for it.
+    const bool may_merge = h <= scene_.settings.time_step / kMostSubstepsForEnergy;
+    bodies = bodies_->step(state_, h, end_time, may_merge, system_, next);
+    const bool gained = bodies.outcome == BodyResult::Outcome::gained_energy;
+    if (bodies.outcome != BodyResult::Outcome::done && (!gained || may_be_halved)) return bodies_->refusal_of(bodies);
+    contacts_gained |= gained;
+  }
   if (kCloth && !within_stretch_limits(system_, next.q)) return refused_for(Cause::overstretched);
 
   std::vector<Crossing> crossings;
@@ -210,11 +254,13 @@ std::variant<SubstepRecord, Refusal> Simulation::try_substep(double h, double en
   crossings_.insert(crossings_.end(), crossings.begin(), crossings.end());
   next.time = end_time;
   SubstepRecord record;
+  const double energy_before = measures_flows_ ? energies().total() : 0;
+  state_ = std::move(next);
+  if (kBodies && bodies_) bodies_->take(std::move(bodies.end));
   if (measures_flows_) {
     record.flows = response.flows;
-    record.numerical = sim::energies(system_, next).total() - energies().total() - response.flows.total();
+    record.numerical = energies().total() - energy_before - response.flows.total();
   }
-  state_ = std::move(next);
   record.step = steps_;
   record.time = end_time;
   record.length = h;
@@ -225,6 +271,7 @@ std::variant<SubstepRecord, Refusal> Simulation::try_substep(double h, double en
   record.excess = excess;
   record.response = response.counts;
   record.proof = proof;
+  if (kBodies && bodies_) record.bodies = bodies.counts;
   if (keep_ends_) record.end = state_.q;
   return record;
 }

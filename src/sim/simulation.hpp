@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "dynamics/energy_budget.hpp"
 #include "dynamics/stepper.hpp"
 #include "linear/cancellation.hpp"
+#include "sim/body_part.hpp"
 #include "sim/phase_times.hpp"
 #include "sim/refusal.hpp"
 #include "sim/response.hpp"
@@ -53,7 +55,8 @@ struct SubstepRecord {
   Proof proof;
   EnergyFlows flows;     ///< with measure_flows
   double numerical = 0;  ///< J, with measure_flows: what the substep gained beyond the flows
-  VectorX end;           ///< the coordinates at its end, the doubles that were proved; empty without keep_ends
+  BodyCounts bodies;
+  VectorX end;  ///< the coordinates at its end, the doubles that were proved; empty without keep_ends
 };
 
 struct SimulationOptions {
@@ -95,12 +98,15 @@ class Simulation {
   double thickness() const noexcept { return response_.thickness(); }
   /// Of all steps so far, those that were refused included.
   const PhaseTimes& times() const noexcept { return times_; }
-  Energies energies() const { return sim::energies(system_, state_); }
+  /// Of particles and bodies.
+  Energies energies() const;
+  /// Null when the scene has no bodies.
+  const BodyPart* bodies() const noexcept { return bodies_.get(); }
 
   /// Goes on from a state of the same scene.
   /// @throws Error as check_state does, or when elements touch or are nearer than their separation. The simulation
   /// stays at its own state then
-  void resume(State state, std::uint64_t steps);
+  void resume(State state, std::uint64_t steps, BodiesState bodies = {});
 
   /// Sees every query of the proofs, with its answer.
   void watch(QuerySink sink) { prover_.watch(std::move(sink)); }
@@ -130,6 +136,7 @@ class Simulation {
   NarrowPhase narrow_phase_;
   bool keep_ends_, measures_flows_;
   bool ignores_radii_;
+  std::unique_ptr<BodyPart> bodies_;
   State state_;
   std::uint64_t steps_ = 0;
   std::vector<Crossing> crossings_;

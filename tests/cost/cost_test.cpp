@@ -50,8 +50,8 @@ double ratio(const Counted& a, const Counted& b) {
 
 TEST_CASE_WITH(
     "valgrind",
-    "a scene without cloth, faces, shared particles, friction, cables or radii pays under 1 % for their existence") {
-  for (const std::string feature : {"cloth", "faces", "folds", "friction", "rods", "separations"}) {
+    "a scene without cloth, faces, shared particles, friction, cables, radii or bodies pays under 1 %") {
+  for (const std::string feature : {"cloth", "faces", "folds", "friction", "rods", "separations", "bodies"}) {
     const Counted whole = count("whole", feature), without = count("without_" + feature, feature);
     CAPTURE(feature, whole.instructions, without.instructions);
     CHECK(ratio(whole, without) < 1.01);

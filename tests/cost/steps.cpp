@@ -77,6 +77,17 @@ Scene scene_of(const std::string& lacking, bool with) {
     for (Cable& cable : scene.cables) cable.solid = with;
     return scene;
   }
+  if (lacking == "bodies") {
+    Scene scene = strings_on_wires(true);
+    if (!with) return scene;
+    Body frame;
+    frame.vertices = {{-0.1, -0.1, 0}, {0.1, -0.1, 0}, {0.1, 0.1, 0}, {-0.1, 0.1, 0}};
+    frame.edges = {{0, 1}, {1, 2}, {2, 3}, {0, 3}};
+    frame.density = 1;
+    frame.pose.p = {0, 0.15, 0.3};
+    scene.bodies = {frame};
+    return scene;
+  }
   Scene scene = loose_edges(true);
   if (with) {
     Cable cable = straight_cable(scene, {-0.4, 0.3, 0.1}, {0.4, 0.3, 0.1}, 12);

@@ -127,6 +127,10 @@ SimulateOutput::SimulateOutput(const SimulateOptions& options, sim::Simulation& 
       write_query(query, separation, answer);
     });
   }
+  if (!options.prove.empty() && simulation.bodies() != nullptr) {
+    throw Error(
+        "--prove: the proofs know straight motion only, and bodies turn; a scene without bodies would be right");
+  }
   if (!options.prove.empty()) {
     motion_.emplace(options.prove, motion_elements(simulation), Separation{}, options.threads);
     motion_->add(motion_frame(simulation, simulation.state().q));

@@ -35,7 +35,7 @@ std::unique_ptr<sim::Simulation> make_simulation(sim::Scene scene, std::optional
     const sim::SimulationOptions settings{options.narrow_phase, options.threads, throw_if_interrupted,
                                           !options.prove.empty(), !options.energies.empty() || !options.out.empty()};
     auto made = std::make_unique<sim::Simulation>(std::move(scene), settings);
-    if (checkpoint) made->resume(std::move(checkpoint->state), checkpoint->steps);
+    if (checkpoint) made->resume(std::move(checkpoint->state), checkpoint->steps, std::move(checkpoint->bodies));
     return made;
   });
   throw_if_interrupted();

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: MIT
+#include "body_contact/body_colliders.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <touchstone/solve.hpp>
+
+#include "broad_phase/box_tree.hpp"
+
+namespace touchstone::sim {
+namespace {
+
+using broad_phase::MovingBox;
+
+// A moving box follows the straight lines between the ends of its corners' paths. Of a body that turns by the angle a
+// about an axis, in a plane across it and in units of the distance r from the axis: with T = s tan(a / 4), s = 2 t - 1,
+// the corner is at the angle 2 atan(T) from the middle of its arc (RigidMotion interpolates the quaternion straight), at
+// (2 T, 1 - T^2) / (1 + T^2); and the line is at (s 2 k / (1 + k^2), (1 - k^2) / (1 + k^2)) with k = tan(a / 4). They are
+// apart by 2 k^2 (1 - s^2) / ((1 + T^2)(1 + k^2)) along one axis, and by 2 s k^3 (1 - s^2) / ((1 + T^2)(1 + k^2)) along
+// the other: for k <= 1 together by at most k^2 / (1 + k^2) sqrt(4 + 0.6 k^2) <= 2.2 k^2 / (1 + k^2). The quaternions, of
+// length 1, are apart by d = |q1 - q0| with d^2 = 4 k^2 / (1 + k^2). So the bulge is at most 0.55 d^2 r; q0 . q1 >= 0
+// makes k <= 1. The rest of the factor is for rounding.
+constexpr double kBulge = 0.56;
+
+// The rounded matrix of a quaternion has entries of up to 1 and errors below 14 e, e = 2^-53; 3 products and 2 sums of
+// them with a point X, below 51 e |X| together; the quaternion's length is off by 4 e, its square by 8 e, which is as much of |X|;
+// the position adds e (|X| + |p|). All of it is below 2^-46 (|X| + |p|) = 128 e (|X| + |p|).
+constexpr double kPlacing = 0x1p-46;
+
+double largest(const Vector3& x) { return x.lpNorm<Eigen::Infinity>(); }
+
+/// Where the corners of a body or of the particles are at both ends, and by how much their paths leave the lines
+/// between.
+struct Sweep {
+  std::vector<Vector3> start, end;
+  double margin = 0;
+};
+
+broad_phase::Box around(const std::vector<Vector3>& at, const Index* corners, std::size_t count, double margin) {
+  broad_phase::Box box = broad_phase::empty_box();
+  for (std::size_t c = 0; c < count; ++c) {
+    const Vector3& x = at[corners[c]];
+    broad_phase::extend(box, {x.x(), x.y(), x.z()});
+  }
+  if (margin > 0) broad_phase::grow(box, margin);
+  return box;
+}
+
+/// Boxes of some elements, with their numbers.
+struct Boxes {
+  std::vector<Index> numbers;
+  std::vector<MovingBox> boxes;
+};
+
+template <class Element>
+MovingBox box_of(const Sweep& sweep, const Element& element) {
+  return {around(sweep.start, element.data(), element.size(), sweep.margin),
+          around(sweep.end, element.data(), element.size(), sweep.margin)};
+}
+
+/// Of those elements that meet the other's box.
+template <class Element, class Wanted>
+Boxes boxes_near(const Sweep& sweep, const std::vector<Element>& elements, const MovingBox& other, Wanted wanted) {
+  Boxes near;
+  for (Index i = 0; i < elements.size(); ++i) {
+    if (!wanted(i)) continue;
+    const MovingBox box = box_of(sweep, elements[i]);
+    if (!broad_phase::meet(box, other)) continue;
+    near.numbers.push_back(i);
+    near.boxes.push_back(box);
+  }
+  return near;
+}
+
+constexpr auto kAll = [](Index) { return true; };
+
+std::vector<std::array<Index, 1>> singles(const std::vector<Index>& vertices) {
+  std::vector<std::array<Index, 1>> all;
+  for (const Index v : vertices) all.push_back({v});
+  return all;
+}
+
+}  // namespace
+
+BodyColliders::BodyColliders(const Scene& scene, const System& system, const Colliders& particles,
+                             const BodySystem& bodies)
+    : bodies_(&bodies) {
+  std::vector<Index> colliding;
+  for (Index p = 0; p < scene.particles.size(); ++p) {
+    if (scene.particles[p].collides) colliding.push_back(p);
+    moves_.push_back(particles.can_move(p) ? 1 : 0);
+  }
+  particles_ = ElementSet(system.particle_count(), std::move(colliding), particles.edges(), particles.faces());
+  shortest_ = std::numeric_limits<double>::infinity();
+  for (const Body& body : scene.bodies) {
+    std::vector<Index> vertices(body.vertices.size());
+    std::iota(vertices.begin(), vertices.end(), Index{0});
+    surfaces_.emplace_back(body.vertices.size(), std::move(vertices), all_edges(body.edges, body.faces), body.faces);
+    if (body.motion == BodyMotion::fixed) continue;
+    for (const Edge& edge : surfaces_.back().edges) {
+      shortest_ = std::min(shortest_, (body.vertices[edge[0]] - body.vertices[edge[1]]).norm());
+    }
+  }
+}
+
+bool BodyColliders::can_move(Index body) const noexcept { return bodies_->bodies()[body].motion != BodyMotion::fixed; }
+
+std::array<OfBody, 4> BodyColliders::corners(const BodyPair& pair) const noexcept {
+  const auto of = [](const OfBody& element, Index vertex) { return OfBody{element.body, vertex}; };
+  const ElementSet& second = surface(pair.b.body);
+  switch (pair.kind) {
+    case Kind::edge_edge: {
+      const Edge &a = surface(pair.a.body).edges[pair.a.number], &b = second.edges[pair.b.number];
+      return {of(pair.a, a[0]), of(pair.a, a[1]), of(pair.b, b[0]), of(pair.b, b[1])};
+    }
+    case Kind::vertex_face: {
+      const Face& b = second.faces[pair.b.number];
+      return {pair.a, of(pair.b, b[0]), of(pair.b, b[1]), of(pair.b, b[2])};
+    }
+    case Kind::point_edge: {
+      const Edge& b = second.edges[pair.b.number];
+      return {pair.a, of(pair.b, b[0]), of(pair.b, b[1]), {}};
+    }
+    case Kind::point_point: break;
+  }
+  return {pair.a, pair.b, {}, {}};
+}
+
+CurvedQuery BodyColliders::query(const BodyPair& pair, const BodyMotions& motions) const noexcept {
+  CurvedQuery query;
+  query.kind = pair.kind;
+  const auto vec = [](const Vector3& x) { return Vec3{x.x(), x.y(), x.z()}; };
+  const auto motion_of = [&](Index body) -> RigidMotion {
+    const Pose &from = (*motions.start)[body].pose, &to = (*motions.end)[body].pose;
+    return {from.q, to.q, vec(from.p), vec(to.p)};
+  };
+  // Each element has a motion of its own, unless both are of one kind.
+  if (pair.a.body != kParticles) query.motions[0] = motion_of(pair.a.body);
+  if (pair.b.body != kParticles) query.motions[1] = motion_of(pair.b.body);
+  const auto all = corners(pair);
+  const std::size_t of_first = pair.kind == Kind::edge_edge ? 2 : 1;
+  for (std::size_t c = 0; c < corner_count(pair.kind); ++c) {
+    CurvedCorner& corner = query.corners[c];
+    if (all[c].body == kParticles) {
+      corner.control_points = 2;
+      corner.points[0] = corner_of(*motions.x0, all[c].number);
+      corner.points[1] = corner_of(*motions.x1, all[c].number);
+    } else {
+      corner.motion = c < of_first ? 0 : 1;
+      corner.points[0] = vec(bodies_->bodies()[all[c].body].points[all[c].number]);
+    }
+  }
+  return query;
+}
+
+std::vector<BodyPair> BodyColliders::candidates(const BodyMotions& motions, double margin) const {
+  const std::size_t count = surfaces_.size();
+  std::vector<Sweep> sweeps(count);
+  std::vector<MovingBox> whole(count);
+  for (Index b = 0; b < count; ++b) {
+    const RigidBody& body = bodies_->bodies()[b];
+    const Pose &from = (*motions.start)[b].pose, &to = (*motions.end)[b].pose;
+    double apart = 0;
+    for (std::size_t i = 0; i < 4; ++i) apart += (to.q[i] - from.q[i]) * (to.q[i] - from.q[i]);
+    Sweep& sweep = sweeps[b];
+    sweep.margin =
+        margin + kBulge * apart * body.reach + kPlacing * (body.reach + std::max(largest(from.p), largest(to.p)));
+    const Matrix3 turn_from = matrix_of(from.q), turn_to = matrix_of(to.q);
+    for (const Vector3& x : body.points) {
+      sweep.start.emplace_back(turn_from * x + from.p);
+      sweep.end.emplace_back(turn_to * x + to.p);
+    }
+    const std::vector<Index>& vertices = surfaces_[b].vertices;
+    whole[b] = {around(sweep.start, vertices.data(), vertices.size(), sweep.margin),
+                around(sweep.end, vertices.data(), vertices.size(), sweep.margin)};
+  }
+
+  std::vector<BodyPair> pairs;
+  const auto meet_all = [&](const Boxes& a, const Boxes& b, Kind kind, Index of_a, Index of_b,
+                            const std::vector<Index>* vertices) {
+    if (a.boxes.empty() || b.boxes.empty()) return;
+    broad_phase::for_each_pair(a.boxes, b.boxes, [&](Index i, Index j) {
+      const Index first = vertices ? (*vertices)[a.numbers[i]] : a.numbers[i];
+      pairs.push_back({kind, {of_a, first}, {of_b, b.numbers[j]}});
+    });
+  };
+  const auto between_surfaces = [&](Index a, const Sweep& sweep_a, const MovingBox& box_a, Index b,
+                                    const Sweep& sweep_b, const MovingBox& box_b) {
+    const ElementSet &first = surface(a), &second = surface(b);
+    const auto edges_a = boxes_near(sweep_a, first.edges, box_b, kAll);
+    meet_all(edges_a, boxes_near(sweep_b, second.edges, box_a, kAll), Kind::edge_edge, a, b, nullptr);
+    if (!second.faces.empty()) {
+      meet_all(boxes_near(sweep_a, singles(first.vertices), box_b, kAll),
+               boxes_near(sweep_b, second.faces, box_a, kAll), Kind::vertex_face, a, b, &first.vertices);
+    }
+    if (!first.faces.empty()) {
+      meet_all(boxes_near(sweep_b, singles(second.vertices), box_a, kAll),
+               boxes_near(sweep_a, first.faces, box_b, kAll), Kind::vertex_face, b, a, &second.vertices);
+    }
+    // A particle in no edge meets the edges of wire frames. Those of faces are parts of the faces.
+    if (a == kParticles && !first.points.empty()) {
+      meet_all(boxes_near(sweep_a, singles(first.points), box_b, kAll),
+               boxes_near(sweep_b, second.edges, box_a, [&](Index e) { return second.bare[e] != 0; }), Kind::point_edge,
+               a, b, &first.points);
+    }
+  };
+  broad_phase::for_each_pair(whole, [&](Index a, Index b) {
+    if (can_move(a) || can_move(b)) between_surfaces(a, sweeps[a], whole[a], b, sweeps[b], whole[b]);
+  });
+  if (particles_.vertices.empty()) return pairs;
+  Sweep particles;
+  for (Index p = 0; p < particles_.around.size(); ++p) {
+    particles.start.push_back(position(*motions.x0, p));
+    particles.end.push_back(position(*motions.x1, p));
+  }
+  const MovingBox all = {around(particles.start, particles_.vertices.data(), particles_.vertices.size(), 0),
+                         around(particles.end, particles_.vertices.data(), particles_.vertices.size(), 0)};
+  for (Index b = 0; b < count; ++b) {
+    if (!broad_phase::meet(all, whole[b])) continue;
+    const std::size_t before = pairs.size();
+    between_surfaces(kParticles, particles, all, b, sweeps[b], whole[b]);
+    if (can_move(b)) continue;
+    const auto is_still = [&](const BodyPair& pair) {
+      const auto corner = corners(pair);
+      for (std::size_t c = 0; c < corner_count(pair.kind); ++c) {
+        if (corner[c].body == kParticles && moves_[corner[c].number]) return false;
+      }
+      return true;
+    };
+    pairs.erase(std::remove_if(pairs.begin() + static_cast<std::ptrdiff_t>(before), pairs.end(), is_still),
+                pairs.end());
+  }
+  return pairs;
+}
+
+std::string BodyColliders::first_intersection(const BodyStates& states, const VectorX& x) const {
+  std::vector<Index> all;
+  for (Index b = 0; b < surfaces_.size(); ++b) all.push_back(b);
+  if (!particles_.edges.empty()) all.push_back(kParticles);
+  std::vector<Sweep> sweeps;
+  std::vector<MovingBox> whole;
+  for (const Index b : all) {
+    Sweep& sweep = sweeps.emplace_back();
+    for (Index v = 0; v < surface(b).around.size(); ++v) sweep.start.push_back(at({b, v}, states, x));
+    sweep.end = sweep.start;
+    const std::vector<Index>& vertices = surface(b).vertices;
+    whole.push_back({around(sweep.start, vertices.data(), vertices.size(), 0),
+                     around(sweep.end, vertices.data(), vertices.size(), 0)});
+  }
+  std::string found;
+  const auto look = [&](Index i, Index j) {
+    const ElementSet &first = surface(all[i]), &second = surface(all[j]);
+    if (!found.empty() || second.faces.empty()) return;
+    const Boxes edges = boxes_near(sweeps[i], first.edges, whole[j], kAll);
+    const Boxes faces = boxes_near(sweeps[j], second.faces, whole[i], kAll);
+    if (edges.boxes.empty() || faces.boxes.empty()) return;
+    broad_phase::for_each_pair(edges.boxes, faces.boxes, [&](Index e, Index f) {
+      if (!found.empty()) return;
+      // A point that runs along the edge meets the face if they have a point in common.
+      const Edge& edge = first.edges[edges.numbers[e]];
+      const Face& face = second.faces[faces.numbers[f]];
+      const auto corner = [&](std::size_t of, Index v) {
+        const Vector3& p = sweeps[of].start[v];
+        return Vec3{p.x(), p.y(), p.z()};
+      };
+      Query query;
+      query.kind = Kind::vertex_face;
+      query.start = {corner(i, edge[0]), corner(j, face[0]), corner(j, face[1]), corner(j, face[2])};
+      query.end = query.start;
+      query.end[0] = corner(i, edge[1]);
+      if (!solve(query).contact) return;
+      const auto of = [](Index body) { return body == kParticles ? std::string() : fmt::format(" of body {}", body); };
+      found = fmt::format("edge {}-{}{} and face {}-{}-{}{}", edge[0], edge[1], of(all[i]), face[0], face[1], face[2],
+                          of(all[j]));
+    });
+  };
+  broad_phase::for_each_pair(whole, [&](Index i, Index j) {
+    look(i, j);
+    look(j, i);
+  });
+  return found;
+}
+
+std::string BodyColliders::describe(const BodyPair& pair) const {
+  const auto c = corners(pair);
+  const auto of = [](Index body) { return body == kParticles ? std::string() : fmt::format(" of body {}", body); };
+  const auto first = [&] {
+    if (pair.kind == Kind::edge_edge) return fmt::format("edge {}-{}{}", c[0].number, c[1].number, of(c[0].body));
+    return fmt::format("{} {}{}", c[0].body == kParticles ? "particle" : "vertex", c[0].number, of(c[0].body));
+  };
+  switch (pair.kind) {
+    case Kind::edge_edge: return fmt::format("{} and edge {}-{}{}", first(), c[2].number, c[3].number, of(c[2].body));
+    case Kind::vertex_face:
+      return fmt::format("{} and face {}-{}-{}{}", first(), c[1].number, c[2].number, c[3].number, of(c[1].body));
+    case Kind::point_edge: return fmt::format("{} and edge {}-{}{}", first(), c[1].number, c[2].number, of(c[1].body));
+    case Kind::point_point: break;
+  }
+  return first();
+}
+
+Vector3 BodyColliders::at(const OfBody& corner, const BodyStates& states, const VectorX& x) const noexcept {
+  if (corner.body == kParticles) return position(x, corner.number);
+  return placed(states[corner.body].pose, bodies_->bodies()[corner.body].points[corner.number]);
+}
+
+}  // namespace touchstone::sim

@@ -1,0 +1,78 @@
+// The elements of bodies and of particles, and the pairs of them, one of a body at least, that come close in a substep.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <compare>
+#include <string>
+#include <vector>
+
+#include <touchstone/curved_query.hpp>
+
+#include "body_contact/body_system.hpp"
+#include "body_contact/element_set.hpp"
+#include "contact/colliders.hpp"
+
+namespace touchstone::sim {
+
+constexpr Index kParticles = ~Index{0};  ///< in the place of a body's number
+
+/// An element, or a corner of one, of a body or of the particles.
+struct OfBody {
+  Index body = kParticles;
+  Index number = 0;  ///< of the vertex, edge or face within the body; of the particle
+
+  auto operator<=>(const OfBody&) const = default;
+};
+
+/// As Pair: edge and edge, vertex and face, particle and edge of a wire frame.
+struct BodyPair {
+  Kind kind = Kind::edge_edge;
+  OfBody a, b;
+
+  auto operator<=>(const BodyPair&) const = default;
+};
+
+/// The stored motion of a substep: bodies move by touchstone::RigidMotion between their poses, particles straight.
+struct BodyMotions {
+  const BodyStates* start = nullptr;
+  const BodyStates* end = nullptr;
+  const VectorX* x0 = nullptr;
+  const VectorX* x1 = nullptr;
+};
+
+class BodyColliders {
+ public:
+  BodyColliders(const Scene& scene, const System& system, const Colliders& particles, const BodySystem& bodies);
+
+  const BodySystem& bodies() const noexcept { return *bodies_; }
+  const ElementSet& surface(Index body) const noexcept { return body == kParticles ? particles_ : surfaces_[body]; }
+  const std::vector<ElementSet>& surfaces() const noexcept { return surfaces_; }
+
+  std::array<OfBody, 4> corners(const BodyPair& pair) const noexcept;
+  CurvedQuery query(const BodyPair& pair, const BodyMotions& motions) const noexcept;
+
+  /// Every pair whose elements may come within `margin` of each other, and in which something can move. The order
+  /// depends on the arguments only.
+  std::vector<BodyPair> candidates(const BodyMotions& motions, double margin) const;
+
+  /// An edge and a face of two different bodies, or of a body and particles, that pass through each other: described; empty
+  /// when there are none. Positions are rounded to doubles, and then decided exactly. Pairs whose boxes meet are asked.
+  std::string first_intersection(const BodyStates& states, const VectorX& x) const;
+
+  bool can_move(Index body) const noexcept;
+
+  /// "edge 3-4 of body 1 and edge 10-11 of body 2"; without "of body" for particles.
+  std::string describe(const BodyPair& pair) const;
+
+  double shortest_edge() const noexcept { return shortest_; }  ///< m, of bodies
+  Vector3 at(const OfBody& corner, const BodyStates& states, const VectorX& x) const noexcept;
+
+ private:
+  const BodySystem* bodies_;
+  ElementSet particles_;
+  std::vector<ElementSet> surfaces_;
+  std::vector<char> moves_;  // by particle
+  double shortest_ = 0;
+};
+
+}  // namespace touchstone::sim

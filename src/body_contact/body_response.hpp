@@ -1,0 +1,95 @@
+// A substep of bodies: their free motion, impulses where they meet, and the exact answers about the motion that is left.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "body_contact/contact_solver.hpp"
+#include "contact/narrow_phase.hpp"
+
+namespace touchstone::sim {
+
+/// The contact forces of the substep before, from which the solver starts. N
+struct ContactForce {
+  BodyPair pair;
+  Vector3 force = Vector3::Zero();
+
+  bool operator==(const ContactForce&) const = default;
+};
+
+/// All that a run needs to go on: the states of the bodies, and the contact forces in the order of their pairs.
+struct BodiesState {
+  BodyStates bodies;
+  std::vector<ContactForce> forces;
+
+  bool operator==(const BodiesState&) const = default;
+};
+
+struct BodyCounts {
+  std::uint64_t close = 0;     ///< contacts that the impulses see
+  std::uint64_t contacts = 0;  ///< pairs that would touch, over all passes
+  std::uint64_t queries = 0;   ///< of the passes whose motion was not taken
+  LevelCounts levels;          ///< of these
+  std::uint64_t pairs = 0;     ///< proved: the candidates of the motion that is taken
+  LevelCounts proof;           ///< of these
+  int passes = 0, sweeps = 0, zones = 0;
+};
+
+/// A substep of the bodies.
+struct BodyStep {
+  double h = 0;                 ///< s
+  double end_time = 0;          ///< s
+  const VectorX* x0 = nullptr;  ///< of particles, at its start
+  VectorX x1;                   ///< of particles, at its end without contacts with bodies
+  bool may_merge = false;       ///< the substep is short: bodies that still touch move as one
+};
+
+struct BodyResult {
+  enum class Outcome : std::uint8_t {
+    done,
+    too_fast,      ///< a body turns by more than a radian
+    not_resolved,  ///< pairs still touch
+    gained_energy
+  };
+  Outcome outcome = Outcome::done;
+  BodiesState end;
+  VectorX x1;                       ///< of particles, at the end
+  VectorX velocity_change;          ///< of particles, m/s
+  std::optional<BodyPair> left;     ///< when not resolved
+  Vector3 point = Vector3::Zero();  ///< where it touches, m
+  BodyCounts counts;
+};
+
+/// Sees a query of a proof, and its answer.
+using CurvedSink = std::function<void(const CurvedQuery&, const Answer&)>;
+
+class BodyResponse {
+ public:
+  BodyResponse(const BodyColliders& colliders, const System& system, const Settings& settings,
+               const linear::Cancellation& cancel = linear::Cancellation::never());
+
+  BodyResult step(const BodiesState& start, BodyStep step) const;
+
+  /// The pairs that touch in a motion, each with its answer, and how many were asked.
+  struct Touches {
+    std::vector<std::pair<BodyPair, Answer>> found;
+    std::uint64_t pairs = 0;
+    LevelCounts levels;
+  };
+  Touches touches(const BodyMotions& motions) const;
+
+  double thickness() const noexcept { return thickness_; }
+
+ private:
+  class Attempt;
+
+  const BodyColliders* colliders_;
+  ContactSettings contact_;
+  double time_step_;
+  double thickness_;
+  VectorX inverse_mass_;
+  const linear::Cancellation* cancel_;
+};
+
+}  // namespace touchstone::sim

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "sim/body_part.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <touchstone/error.hpp>
+
+namespace touchstone::sim {
+namespace {
+
+// The quaternion of a state is normalised: each component is good to a few epsilon.
+constexpr double kUnitLength = 1e-14;
+
+// m, m/s, kg m^2/s, N: what no run with numbers that make sense comes to.
+constexpr double kMost = 1e30;
+
+bool sensible(const Vector3& x) { return x.allFinite() && x.lpNorm<Eigen::Infinity>() <= kMost; }
+
+}  // namespace
+
+BodyPart::BodyPart(const Scene& scene, const System& system, const Colliders& colliders,
+                   const linear::Cancellation& cancel)
+    : system_(scene),
+      colliders_(scene, system, colliders, system_),
+      response_(colliders_, system, scene.settings, cancel),
+      state_{system_.initial(), {}} {}
+
+void BodyPart::check_start(const BodiesState& bodies, const VectorX& q, std::string_view what) const {
+  const auto touches = response_.touches({&bodies.bodies, &bodies.bodies, &q, &q});
+  if (touches.found.empty()) {
+    const std::string through = colliders_.first_intersection(bodies.bodies, q);
+    if (through.empty()) return;
+    throw Error(fmt::format("{} begins with elements that touch: {}", what, through));
+  }
+  throw Error(
+      fmt::format("{} begins with elements that touch: {}", what, colliders_.describe(touches.found.front().first)));
+}
+
+BodyResult BodyPart::step(const State& start, double h, double end_time, bool may_merge, const System& system,
+                          State& next) const {
+  const auto count = static_cast<Eigen::Index>(3 * system.particle_count());
+  const VectorX x0 = start.q.head(count);
+  BodyStep step{h, end_time, &x0, next.q.head(count), may_merge};
+  BodyResult result = response_.step(state_, std::move(step));
+  if (result.outcome == BodyResult::Outcome::too_fast || result.x1.size() == 0) return result;
+  if ((result.x1.array() == next.q.head(count).array()).all()) return result;
+  const VectorX before = next.q;
+  next.q.head(count) = result.x1;
+  next.v.head(count) += result.velocity_change;
+  next.frames = system.transported(next.frames, before, next.q);
+  return result;
+}
+
+Refusal BodyPart::refusal_of(const BodyResult& result) const {
+  Refusal refusal;
+  switch (result.outcome) {
+    case BodyResult::Outcome::too_fast: refusal.cause = Cause::turns_too_far; break;
+    case BodyResult::Outcome::gained_energy: refusal.cause = Cause::gained_energy; break;
+    case BodyResult::Outcome::done:
+    case BodyResult::Outcome::not_resolved: refusal.cause = Cause::not_resolved; break;
+  }
+  if (result.left) refusal.body_pair = colliders_.describe(*result.left);
+  refusal.point = result.point;
+  return refusal;
+}
+
+void BodyPart::check_state(const BodiesState& state, double time) const {
+  const auto fail = [](std::size_t i, std::string_view key, std::string_view reason) {
+    throw Error(fmt::format("bodies[{}].{}: {}", i, key, reason));
+  };
+  if (state.bodies.size() != system_.bodies().size()) {
+    throw Error(
+        fmt::format("bodies: there are {}, and this scene has {}", state.bodies.size(), system_.bodies().size()));
+  }
+  for (std::size_t i = 0; i < state.bodies.size(); ++i) {
+    const BodyState& body = state.bodies[i];
+    if (!sensible(body.pose.p)) fail(i, "position", "must be three finite numbers of at most 1e30");
+    if (!(std::abs(dot(body.pose.q, body.pose.q) - 1) <= kUnitLength)) {
+      fail(i, "orientation", "must be a quaternion of length 1");
+    }
+    if (!sensible(body.velocity)) fail(i, "velocity", "must be three finite numbers of at most 1e30");
+    if (!sensible(body.momentum)) fail(i, "angular_momentum", "must be three finite numbers of at most 1e30");
+    if (system_.bodies()[i].is_free()) continue;
+    if (body.velocity != Vector3::Zero() || body.momentum != Vector3::Zero()) {
+      fail(i, "velocity", "a body that is not free has none");
+    }
+    Pose must = system_.prescribed(i, time);
+    if (dot(must.q, body.pose.q) < 0) must.q = negated(must.q);
+    if (time > 0 && must != body.pose) fail(i, "position", "the body is not free: it must be where its motion leads");
+  }
+  const auto exists = [&](const OfBody& element, bool is_edge, bool is_face) {
+    if (element.body != kParticles && element.body >= state.bodies.size()) return false;
+    const ElementSet& surface = colliders_.surface(element.body);
+    return element.number < (is_edge ? surface.edges.size() : is_face ? surface.faces.size() : surface.around.size());
+  };
+  for (std::size_t i = 0; i < state.forces.size(); ++i) {
+    const ContactForce& force = state.forces[i];
+    const Kind kind = force.pair.kind;
+    const bool known = (kind == Kind::edge_edge || kind == Kind::vertex_face || kind == Kind::point_edge) &&
+                       exists(force.pair.a, kind == Kind::edge_edge, false) &&
+                       exists(force.pair.b, kind != Kind::vertex_face, kind == Kind::vertex_face);
+    if (!known) throw Error(fmt::format("contact_forces[{}]: the scene has no such pair of elements", i));
+    if (!sensible(force.force))
+      throw Error(fmt::format("contact_forces[{}]: the force must be finite, at most 1e30", i));
+    if (i > 0 && !(state.forces[i - 1].pair < force.pair)) {
+      throw Error(fmt::format("contact_forces[{}]: must come after the one before it, and be of another pair", i));
+    }
+  }
+}
+
+}  // namespace touchstone::sim

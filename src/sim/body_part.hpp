@@ -1,0 +1,45 @@
+// The bodies of a simulation, beside its particles: their state, their response, and what a run says about them.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "body_contact/body_response.hpp"
+#include "dynamics/state.hpp"
+#include "sim/refusal.hpp"
+
+namespace touchstone::sim {
+
+class BodyPart {
+ public:
+  BodyPart(const Scene& scene, const System& system, const Colliders& colliders, const linear::Cancellation& cancel);
+
+  const BodySystem& system() const noexcept { return system_; }
+  const BodyColliders& colliders() const noexcept { return colliders_; }
+  const BodiesState& state() const noexcept { return state_; }
+  double thickness() const noexcept { return response_.thickness(); }
+  BodyEnergies energies() const { return system_.energies(state_.bodies); }
+
+  /// @throws Error when an element of a body touches another one
+  void check_start(const BodiesState& bodies, const VectorX& q, std::string_view what) const;
+
+  /// Moves on by h seconds, from these particles to `next`, which it changes where bodies push them. The state is that
+  /// at the end only after `take`.
+  BodyResult step(const State& start, double h, double end_time, bool may_merge, const System& system,
+                  State& next) const;
+  Refusal refusal_of(const BodyResult& result) const;
+
+  void take(BodiesState state) { state_ = std::move(state); }
+
+  /// @throws Error by the keys of a checkpoint, for a state that no run comes to
+  void check_state(const BodiesState& state, double time) const;
+
+ private:
+  BodySystem system_;
+  BodyColliders colliders_;
+  BodyResponse response_;
+  BodiesState state_;
+};
+
+}  // namespace touchstone::sim
