@@ -20,7 +20,7 @@ std::vector<Edge> all_edges(const std::vector<Edge>& edges, const std::vector<Fa
 }
 
 ElementSet::ElementSet(std::size_t vertex_count, std::vector<Index> of_vertices, std::vector<Edge> of_edges,
-                 std::vector<Face> of_faces)
+                       std::vector<Face> of_faces)
     : vertices(std::move(of_vertices)), edges(std::move(of_edges)), faces(std::move(of_faces)) {
   opposite.assign(edges.size(), {kNoCorner, kNoCorner});
   around.resize(vertex_count);

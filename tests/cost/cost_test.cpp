@@ -48,9 +48,8 @@ double ratio(const Counted& a, const Counted& b) {
 
 }  // namespace
 
-TEST_CASE_WITH(
-    "valgrind",
-    "a scene without cloth, faces, shared particles, friction, cables, radii or bodies pays under 1 %") {
+TEST_CASE_WITH("valgrind",
+               "a scene without cloth, faces, shared particles, friction, cables, radii or bodies pays under 1 %") {
   for (const std::string feature : {"cloth", "faces", "folds", "friction", "rods", "separations", "bodies"}) {
     const Counted whole = count("whole", feature), without = count("without_" + feature, feature);
     CAPTURE(feature, whole.instructions, without.instructions);

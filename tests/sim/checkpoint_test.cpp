@@ -65,7 +65,7 @@ std::string resume(const std::string& text) {
   Simulation simulation(checkpoint.scene, {});
   const std::string before = checkpoint_to_json(simulation);
   try {
-    simulation.resume(std::move(checkpoint.state), checkpoint.steps);
+    simulation.resume(std::move(checkpoint.state), checkpoint.steps, std::move(checkpoint.bodies));
   } catch (...) {
     CHECK((checkpoint_to_json(simulation) == before));
     throw;

@@ -44,7 +44,7 @@ Course run_with_a_stop(const Scene& scene, int steps, int stop) {
   Checkpoint checkpoint = checkpoint_from_json(checkpoint_to_json(first));
   REQUIRE(checkpoint.steps == static_cast<std::uint64_t>(stop));
   Simulation second(checkpoint.scene, {});
-  second.resume(std::move(checkpoint.state), checkpoint.steps);
+  second.resume(std::move(checkpoint.state), checkpoint.steps, std::move(checkpoint.bodies));
   go_on(second, steps - stop, course);
   course.bytes += checkpoint_to_json(second);
   return course;

@@ -41,17 +41,16 @@ const LayerTable& layer_table() {
       {"shells", {"scene"}},
       {"rods", {"scene", "shells"}},
       {"contact", {"broad_phase", "linear", "scene", "rods", "solver", "baselines", "geometry", "numbers"}},
-      {"body_contact",
-       {"bodies", "broad_phase", "linear", "scene", "rods", "contact", "solver", "geometry"}},
+      {"body_contact", {"bodies", "broad_phase", "linear", "scene", "rods", "contact", "solver", "geometry"}},
       {"dynamics", {"linear", "scene", "rods", "contact"}},
       {"sim", {"bodies", "linear", "scene", "rods", "contact", "body_contact", "dynamics", "io", "json"}},
       {"sequence", {"frames", "mesh", "geometry", "io", "json"}},
       {"report", {"solver", "certify", "baselines", "generators", "io", "geometry", "seeded", "scene", "sim"}},
       {"stress", {"solver", "baselines", "report", "geometry", "seeded"}},
-      {"cli", {"geometry", "numbers", "filters",  "exact", "oracle",  "solver", "certify",  "baselines", "generators",
-               "io",       "report",  "families", "fuzz",  "pipes",   "seeded", "scene",    "rods",      "contact",
-               "dynamics", "sim",     "stress",   "mesh",  "threads", "frames", "sequence", "proofs",
-               "bodies", "body_contact"}},
+      {"cli", {"geometry",  "numbers",    "filters", "exact",    "oracle",   "solver", "certify",
+               "baselines", "generators", "io",      "report",   "families", "fuzz",   "pipes",
+               "seeded",    "scene",      "rods",    "contact",  "dynamics", "sim",    "stress",
+               "mesh",      "threads",    "frames",  "sequence", "proofs",   "bodies", "body_contact"}},
   };
   return table;
 }
