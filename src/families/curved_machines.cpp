@@ -8,7 +8,7 @@
 namespace touchstone::families::makers {
 namespace {
 
-constexpr std::size_t kX = 0, kY = 1, kZ = 2;
+constexpr std::size_t kY = 1, kZ = 2;
 
 double small(Rng& rng, int reach) { return rng.between(-reach, reach); }
 
