@@ -35,10 +35,10 @@ struct ScrewOptions {
   int most_arcs = 256;
 };
 
-/// The answer. With no verdict but `free`, the elements certainly have no contact before `free_until`.
+/// The answer. Whatever the verdict is, the elements certainly have no contact before `free_until`.
 struct ScrewAnswer {
-  ScrewVerdict verdict = ScrewVerdict::within_bound;
-  double free_until = 0;  ///< no contact is at a time less than this; t_max for `free`
+  ScrewVerdict verdict = ScrewVerdict::within_bound;  ///< what is proved
+  double free_until = 0;                              ///< no contact is at a time less than this; t_max for `free`
   double contact_by = 0;  ///< for `contact`: there is a contact at this time or before it; t_max otherwise
   double deviation = 0;   ///< no corner was ever farther than this from where it should be, in the unit of length
   int arcs = 0;           ///< the number of arcs that gave the verdict
