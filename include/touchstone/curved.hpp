@@ -18,7 +18,7 @@ namespace touchstone {
 /// The first contact of the two elements for t in [0, t_max], decided exactly: no tolerance, no false answer. The same
 /// guarantees hold as for straight motion: `toi` and `toi_upper` are the neighbouring doubles of the exact time, and
 /// nature, features and weights are those at the exact time. V(t) is then the coplanarity of the corners times a
-/// positive function of t that makes it a polynomial; its degree is up to 13 for two bodies.
+/// positive function of t that makes it a polynomial; its degree is up to 9 for two bodies.
 /// @param query  the two elements and their motion
 /// @param t_max  the end of the time range, 0 <= t_max <= 1
 /// @return the answer
