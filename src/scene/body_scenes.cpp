@@ -4,7 +4,10 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
+#include "scene/body_shapes.hpp"
+#include "scene/parts.hpp"
 #include "scene/shipped_scenes.hpp"
 
 namespace touchstone::sim {
@@ -17,25 +20,12 @@ Quaternion turned_about(const Vector3& axis, double angle) {
   return {std::cos(angle / 2), v.x(), v.y(), v.z()};
 }
 
-Body box(const Vector3& size, double density) {
-  Body body;
-  for (int i = 0; i < 8; ++i) {
-    body.vertices.emplace_back((i & 1 ? 0.5 : -0.5) * size.x(), (i & 2 ? 0.5 : -0.5) * size.y(),
-                               (i & 4 ? 0.5 : -0.5) * size.z());
-  }
-  body.faces = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-  body.density = density;
-  return body;
-}
-
 Body ground(double half_width) {
   const double w = half_width;
   Body body;
   body.vertices = {{-w, -w, 0}, {w, -w, 0}, {w, w, 0}, {-w, w, 0}};
   body.faces = {{0, 1, 2}, {0, 2, 3}};
-  body.motion = BodyMotion::fixed;
-  return body;
+  return fixed(std::move(body));
 }
 
 /// A link of wire: two straight sides and two half circles, around the origin, along x in the plane z = 0.
@@ -107,9 +97,7 @@ Scene make_stack(Index boxes) {
   Scene scene;
   scene.settings.time_step = 1.0 / 100;
   scene.settings.duration = 5;
-  scene.settings.contact.restitution = 0;
-  scene.settings.contact.friction = 0.5;
-  scene.settings.contact.thickness = 2e-3;
+  set_contact(scene.settings.contact, 0, 0.5, 2e-3);
   constexpr double kSide = 0.2, kGap = 1e-3;
   scene.bodies.push_back(ground(2));
   for (Index i = 0; i < boxes; ++i) {
@@ -124,20 +112,14 @@ Scene make_link_chain(Index links) {
   Scene scene;
   scene.settings.time_step = 1.0 / 400;
   scene.settings.duration = 1.5;
-  scene.settings.contact.restitution = 0.1;
-  scene.settings.contact.friction = 0.2;
-  scene.settings.contact.thickness = 1e-3;
+  set_contact(scene.settings.contact, 0.1, 0.2, 1e-3);
   constexpr double kHalfSide = 0.03, kRadius = 0.02;
   constexpr double kPlay = 0.01;  // between two links, at the start
   const double distance = 2 * (kHalfSide + kRadius) - kPlay;
   for (Index i = 0; i < links; ++i) {
     Body body = link(40, kHalfSide, kRadius, 0.4);
     body.pose = {turned_about(Vector3::UnitX(), i % 2 == 0 ? 0.1 : 0.1 + kTurn / 4), {distance * i, 0, 0}};
-    if (i == 0) {
-      body.motion = BodyMotion::fixed;
-      body.density = 0;
-    }
-    scene.bodies.push_back(body);
+    scene.bodies.push_back(i == 0 ? fixed(body, body.pose.p) : body);
   }
   return scene;
 }
@@ -146,17 +128,14 @@ Scene make_nut_and_bolt(Index around) {
   Scene scene;
   scene.settings.time_step = 1.0 / 500;
   scene.settings.duration = 0.6;
-  scene.settings.contact.restitution = 0;
-  scene.settings.contact.friction = 0.02;
-  scene.settings.contact.thickness = 1e-4;
+  set_contact(scene.settings.contact, 0, 0.02, 1e-4);
   constexpr Index kBoltPitches = 7;
   constexpr Index kBoltRows = kRowsPerPitch * kBoltPitches, kNutRows = kRowsPerPitch * 3 / 2;
   constexpr double kNutHeight = kPitch * 1.5, kNutRadius = 0.018;
   Body bolt;
   add_rows(bolt, around, kBoltRows, 0, kPitch * kBoltPitches, thread);
   for (Index j = 0; j < kBoltRows; ++j) join_rows(bolt, around, around * j, around * (j + 1), true);
-  bolt.motion = BodyMotion::fixed;
-  scene.bodies.push_back(bolt);
+  scene.bodies.push_back(fixed(std::move(bolt)));
 
   // The nut has fewer faces around, so that their edges do not all lie in the bolt's corners at one time.
   const Index of_nut = around - 5;

@@ -1,4 +1,4 @@
-// Figure 1 of the paper: a basketball of springs, a rim, and a net of strings.
+// Figure 1 of the paper: a basketball of springs, a rim, and a net of strings. And the same with a rigid rim on a pole.
 // SPDX-License-Identifier: MIT
 #include <Eigen/Geometry>
 
@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "generators/mesh.hpp"
+#include "scene/body_shapes.hpp"
 #include "scene/parts.hpp"
 #include "scene/shipped_scenes.hpp"
 
@@ -21,9 +22,10 @@ constexpr double kStringsPerKnot = 0.1;
 // rad/s. The spin is too slow to be seen. But with it the ends of an edge do not move exactly alike, and the leading
 // coefficient of a cubic is tiny instead of zero. The paper's closed form divides by that coefficient, and loses edges.
 constexpr double kSpin = 1e-12;
+constexpr Index kStringParts = 2;                   // segments of a string between two knots
 constexpr double kNetDepth = 0.4, kNetEnd = 0.128;  // radius of the net's opening, which a cord holds
 
-void add_ball(Scene& scene, Index n, const Vector3& centre, const Vector3& spin) {
+void add_ball(Scene& scene, Index n, const Vector3& centre, const Vector3& velocity, const Vector3& spin) {
   const generators::Sphere sphere = generators::sphere_mesh(n);
   const auto first = static_cast<Index>(scene.particles.size());
   const double mass = kBallMass / (1.1 * static_cast<double>(sphere.directions.size()));
@@ -39,7 +41,7 @@ void add_ball(Scene& scene, Index n, const Vector3& centre, const Vector3& spin)
     scene.faces.push_back({{first + face[0], first + face[1], first + face[2]}, kSkinRadius});
   }
   for (Index i = first; i <= middle; ++i) {
-    scene.particles[i].velocity = spin.cross(scene.particles[i].position - centre);
+    scene.particles[i].velocity = velocity + spin.cross(scene.particles[i].position - centre);
   }
 }
 
@@ -51,8 +53,8 @@ void make_string(Cable& cord, double radius) {
   cord.damping = 5e-3;
 }
 
-/// Knots in rows, each tied to two of the next row by strings of `parts` segments.
-void add_net(Scene& scene, Index around, Index rows, Index parts) {
+/// Knots in rows, each tied to two of the next row by strings of `parts` segments. @returns the knots of the first row
+std::vector<Index> add_net(Scene& scene, Index around, Index rows, Index parts) {
   std::vector<std::vector<Index>> knots(rows + 1);
   for (Index r = 0; r <= rows; ++r) {
     const double down = static_cast<double>(r) / rows;
@@ -63,7 +65,6 @@ void add_net(Scene& scene, Index around, Index rows, Index parts) {
       knots[r].push_back(r == 0 ? add_pinned(scene, at) : add_particle(scene, at, 0));
     }
   }
-  for (Index i = 0; i < around; ++i) scene.wires.push_back({{knots[0][i], knots[0][(i + 1) % around]}, kRodRadius});
   const double between_knots = 2 * std::numbers::pi * kNetEnd / around;
   const double string_radius = std::min(kStringRadius, kStringsPerKnot * between_knots);
   for (Index r = 0; r < rows; ++r) {
@@ -89,26 +90,80 @@ void add_net(Scene& scene, Index around, Index rows, Index parts) {
   last.closed = true;
   make_string(last, string_radius);
   scene.cables.push_back(std::move(last));
+  return knots.front();
+}
+
+struct HoopSize {
+  Index ball = 0, around = 0, rows = 0;
+};
+
+/// Half of the edges for the ball, 12 ball^2, and half for the net, 2 * around * rows * kStringParts.
+HoopSize hoop_size(Index edges) {
+  const double half = 0.5 * edges;
+  const double rows = std::max(3.0, std::round(std::cbrt(half / 2) * 0.95));
+  return {static_cast<Index>(std::max(2.0, std::round(std::sqrt(half / 12)))),
+          static_cast<Index>(std::max(8.0, std::round(half / (2.0 * kStringParts * rows)))), static_cast<Index>(rows)};
+}
+
+void set_hoop_settings(Settings& settings) {
+  set_contact(settings.contact, 0.4, 0.2, 1e-3);
+  settings.drag = 0.1;
+  settings.newton_tolerance = 1e-4;
+}
+
+/// A wire around the axis z, which two stays hold from the side of +x.
+Body rim(Index around, double radius, double height, double stays_end) {
+  Body body;
+  for (Index i = 0; i < around; ++i) {
+    const double phi = 2 * std::numbers::pi * i / around;
+    body.vertices.emplace_back(radius * std::cos(phi), radius * std::sin(phi), height);
+    body.edges.push_back({i, (i + 1) % around});
+  }
+  const Index aside = around / 8;
+  for (const Index from : {aside, around - aside}) {
+    const auto to = static_cast<Index>(body.vertices.size());
+    body.vertices.emplace_back(stays_end, body.vertices[from].y(), height);
+    body.edges.push_back({from, to});
+  }
+  body.motion = BodyMotion::fixed;
+  return body;
 }
 
 }  // namespace
 
 Scene make_hoop(Index edges) {
   Scene scene;
+  set_hoop_settings(scene.settings);
   scene.settings.duration = 10;
-  scene.settings.contact.restitution = 0.4;
-  scene.settings.contact.friction = 0.2;
-  scene.settings.contact.thickness = 1e-3;
-  scene.settings.drag = 0.1;
-  scene.settings.newton_tolerance = 1e-4;
-  // Half of the edges for the ball, 12 n^2, and half for the net, 2 * around * rows * parts.
-  const double half = 0.5 * edges;
-  const auto n = static_cast<Index>(std::max(2.0, std::round(std::sqrt(half / 12))));
-  const auto rows = static_cast<Index>(std::max(3.0, std::round(std::cbrt(half / 2) * 0.95)));
-  const auto around = static_cast<Index>(std::max(8.0, std::round(half / (2.0 * 2.0 * rows))));
-  add_net(scene, around, rows, 2);
-  add_ball(scene, n, {0.03, -0.02, kRimHeight + 0.6}, kSpin * Vector3(0.48, 0.6, 0.64));
+  const HoopSize size = hoop_size(edges);
+  const std::vector<Index> top = add_net(scene, size.around, size.rows, kStringParts);
+  for (Index i = 0; i < size.around; ++i) {
+    scene.wires.push_back({{top[i], top[(i + 1) % size.around]}, kRodRadius});
+  }
+  add_ball(scene, size.ball, {0.03, -0.02, kRimHeight + 0.6}, Vector3::Zero(), kSpin * Vector3(0.48, 0.6, 0.64));
   add_floor(scene, 3);
+  return scene;
+}
+
+Scene make_hoop_rim(Index edges) {
+  Scene scene;
+  set_hoop_settings(scene.settings);
+  scene.settings.time_step = 1.0 / 240;
+  scene.settings.duration = 4;
+  const HoopSize size = hoop_size(edges);
+  // The net hangs on hooks, just below the rim and inside of it.
+  constexpr double kHook = 0.02;
+  add_net(scene, size.around, size.rows, kStringParts);
+  // It is thrown at the board, bounces off it onto the rim, and then goes in.
+  add_ball(scene, size.ball, {-1.2, 0.06, kRimHeight - 0.2}, {2.5, -0.08, 4.5}, {0, -6, 0});
+  add_floor(scene, 3);
+  constexpr double kBoard = 0.4, kBoardDepth = 0.02, kPoleSide = 0.08, kPoleHeight = 2.1, kGap = 0.005;
+  scene.bodies.push_back(rim(2 * size.around, kRimRadius + kHook / 2, kRimHeight + kHook, kBoard - kGap));
+  scene.bodies.push_back(fixed(box({kBoardDepth, 0.9, 0.6}, 0), {kBoard + kBoardDepth / 2, 0, kRimHeight + 0.25}));
+  scene.bodies.push_back(fixed(box({kPoleSide, kPoleSide, kPoleHeight - kGap}, 0),
+                               {kBoard + kBoardDepth + kGap + kPoleSide / 2, 0, (kPoleHeight + kGap) / 2}));
+  for (Facet& face : scene.faces) face.radius = 0;
+  for (Cable& cable : scene.cables) cable.solid = false;
   return scene;
 }
 

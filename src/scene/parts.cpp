@@ -19,6 +19,12 @@ Index add_pinned(Scene& scene, const Vector3& position) {
   return p;
 }
 
+void set_contact(ContactSettings& contact, double restitution, double friction, double thickness) {
+  contact.restitution = restitution;
+  contact.friction = friction;
+  contact.thickness = thickness;
+}
+
 void add_spring(Scene& scene, Index a, Index b, double stiffness, double damping, bool collides) {
   const double rest = (scene.particles[b].position - scene.particles[a].position).norm();
   scene.springs.push_back({a, b, stiffness, damping, rest, collides});

@@ -9,6 +9,9 @@ namespace touchstone::sim {
 Index add_particle(Scene& scene, const Vector3& position, double mass);
 Index add_pinned(Scene& scene, const Vector3& position);
 
+/// @param thickness  m
+void set_contact(ContactSettings& contact, double restitution, double friction, double thickness);
+
 /// A spring at rest between two particles.
 void add_spring(Scene& scene, Index a, Index b, double stiffness, double damping, bool collides);
 

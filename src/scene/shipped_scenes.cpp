@@ -18,6 +18,8 @@ const std::vector<ShippedScene>& shipped_scenes() {
       {"two-edges", "one edge is thrown against another and bounces", "pairs of edges", 1, 1, 10'000, make_two_edges},
       {"hoop", "a basketball of springs goes through a rim with a net of strings", "about how many edges", 200, 560,
        50'000, make_hoop},
+      {"hoop-rim", "a basketball meets a board and a rigid rim, with a net of strings", "about how many edges", 200,
+       560, 50'000, make_hoop_rim},
       {"cable-drop", "layers of cables fall on one another and on the floor", "segments of all cables", 40, 400,
        200'000, make_cable_drop},
       {"whip", "a cable at 100 m/s meets a wire", "segments of the cable", 4, 60, 10'000, make_whip},

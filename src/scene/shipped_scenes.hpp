@@ -27,6 +27,7 @@ Scene make_shipped_scene(std::string_view name, std::optional<Index> size);
 // One for each name. Each is the same, bit for bit, every time.
 Scene make_two_edges(Index pairs);
 Scene make_hoop(Index edges);
+Scene make_hoop_rim(Index edges);
 Scene make_cable_drop(Index segments);
 Scene make_whip(Index segments);
 Scene make_ring_twist(Index segments);

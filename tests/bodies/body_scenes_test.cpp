@@ -1,5 +1,6 @@
 // The shipped scenes of bodies: links stay linked, boxes stay where they are, a nut turns as its thread leads it.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -95,4 +96,30 @@ TEST_CASE("a nut turns and descends as its thread leads it") {
   // The thread's play lets it be off by the clearance along the axis.
   CHECK(std::abs(down - turn / (2 * std::numbers::pi) * 0.010) < 1e-3);
   CHECK(std::abs(after.p.x()) + std::abs(after.p.y()) < 1e-3);
+}
+
+TEST_CASE("a ball of springs bounces off a board and a rigid rim, and goes through the net") {
+  Simulation simulation(make_shipped_scene("hoop-rim", 560), {});
+  const auto& particles = simulation.scene().particles;
+  const auto found = std::find_if(particles.begin(), particles.end(), [](const Particle& p) { return !p.collides; });
+  REQUIRE(found != particles.end());
+  const auto middle = static_cast<Index>(found - particles.begin());
+  constexpr double kNetEnd = 1.2, kRim = 0.225;  // m: height of the net's lower end, radius of the rim
+  std::vector<char> met(simulation.scene().bodies.size(), 0);
+  const std::size_t steps = effort(480);
+  for (std::size_t i = 0; i < steps && position(simulation.state().q, middle).z() > kNetEnd; ++i) {
+    simulation.step();
+    for (const ContactForce& force : simulation.bodies()->state().forces) {
+      for (const OfBody& side : {force.pair.a, force.pair.b}) {
+        if (side.body != kParticles) met[side.body] = 1;
+      }
+    }
+  }
+  CHECK(simulation.crossings().empty());
+  if (!touchstone::tests::whole_effort("the ball's way through the net")) return;
+  CHECK(met[0]);  // the rim
+  CHECK(met[1]);  // the board
+  const Vector3 end = position(simulation.state().q, middle);
+  CHECK(end.z() <= kNetEnd);
+  CHECK(end.head<2>().norm() < kRim);
 }
