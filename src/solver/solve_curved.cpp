@@ -1,7 +1,11 @@
 // Queries whose corners move on curves. SPDX-License-Identifier: MIT
 #include <touchstone/curved.hpp>
 
+#include <cstddef>
+#include <optional>
+
 #include "exact/exact.hpp"
+#include "filters/curved_bracket.hpp"
 #include "filters/curved_paths.hpp"
 #include "numbers/float_environment.hpp"
 #include "oracle/oracle.hpp"
@@ -10,15 +14,39 @@
 
 namespace touchstone {
 namespace solver {
+namespace {
+
+/// The same as a straight query, if it is one: all corners are on curves of degree 0 or 1.
+std::optional<Query> straight(const CurvedQuery& query) {
+  Query result;
+  result.kind = query.kind;
+  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+    const CurvedCorner& corner = query.corners[i];
+    if (corner.motion != CurvedCorner::kOnCurve || corner.control_points > 2) return std::nullopt;
+    result.start[i] = corner.points[0];
+    result.end[i] = corner.points[static_cast<std::size_t>(corner.control_points - 1)];
+  }
+  return result;
+}
+
+/// Whether the filters decide a valid query. If so, the answer is complete.
+bool decided_by_filters(const CurvedQuery& query, double t_max, Answer& answer) {
+  answer.level = Level::filter;
+  if (filters::certainly_apart(query)) return true;
+  answer.level = Level::bracket;
+  return filters::decide_in_brackets(query, t_max, answer) != filters::Finding::uncertain;
+}
+
+}  // namespace
 
 Answer answer(const CurvedQuery& query, Method method, double t_max) {
   validate_method(method);
   validate(query, t_max);
   const bool by_cgal = method == Method::oracle || method == Method::fast_cgal;
-  if ((method == Method::fast || method == Method::fast_cgal) && filters::certainly_apart(query)) {
-    Answer apart;
-    apart.level = Level::filter;
-    return apart;
+  if (method == Method::fast || method == Method::fast_cgal) {
+    if (const std::optional<Query> same = straight(query)) return answer(*same, method, t_max);
+    Answer answer;
+    if (decided_by_filters(query, t_max, answer)) return answer;
   }
   Answer answer = by_cgal ? oracle::decide_by_oracle(query, t_max) : exact::decide_exactly(query, t_max);
   answer.starts_within = answer.contact && answer.toi_upper == 0;
@@ -27,7 +55,9 @@ Answer answer(const CurvedQuery& query, Method method, double t_max) {
 
 bool any_contact(const CurvedQuery& query, double t_max) {
   validate(query, t_max);
-  return !filters::certainly_apart(query) && exact::decide_exactly(query, t_max).contact;
+  if (const std::optional<Query> same = straight(query)) return any_contact(*same, t_max);
+  Answer answer;
+  return decided_by_filters(query, t_max, answer) ? answer.contact : exact::decide_exactly(query, t_max).contact;
 }
 
 Answer answer(const CurvedQuery& query, const Separation& separation, Method method, double t_max) {
@@ -35,10 +65,13 @@ Answer answer(const CurvedQuery& query, const Separation& separation, Method met
   validate_method(method);
   validate(query, t_max);
   const bool by_cgal = method == Method::oracle || method == Method::fast_cgal;
-  if ((method == Method::fast || method == Method::fast_cgal) && filters::certainly_farther(query, separation)) {
-    Answer apart;
-    apart.level = Level::filter;
-    return apart;
+  if (method == Method::fast || method == Method::fast_cgal) {
+    if (const std::optional<Query> same = straight(query)) return answer(*same, separation, method, t_max);
+    if (filters::certainly_farther(query, separation)) {
+      Answer apart;
+      apart.level = Level::filter;
+      return apart;
+    }
   }
   return by_cgal ? oracle::decide_by_oracle(query, t_max, separation) : exact::decide_exactly(query, t_max, separation);
 }

@@ -8,6 +8,7 @@
 #include <gmpxx.h>
 
 #include "curved/expected.hpp"
+#include "curved/rational_motion.hpp"
 #include "filters/curved_paths.hpp"
 #include "seeded/rng.hpp"
 #include "support/slow_build.hpp"
@@ -16,44 +17,7 @@ namespace touchstone::tests {
 namespace {
 
 using seeded::Rng;
-using Point = std::array<mpq_class, 3>;
-using Quaternion = std::array<mpq_class, 4>;
-
 constexpr std::uint64_t kSeed = 47;
-
-Point exact(const Vec3& x) { return {mpq_class(x.x), mpq_class(x.y), mpq_class(x.z)}; }
-
-Quaternion product(const Quaternion& a, const Quaternion& b) {
-  return {a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3], a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
-          a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1], a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0]};
-}
-
-mpq_class square(const Quaternion& q) { return q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]; }
-
-/// The vector part of q x q*.
-Point turned(const Quaternion& q, const Point& x) {
-  const Quaternion result =
-      product(product(q, {0, x[0], x[1], x[2]}), {q[0], mpq_class(-q[1]), mpq_class(-q[2]), mpq_class(-q[3])});
-  return {result[1], result[2], result[3]};
-}
-
-/// A rigid motion in rationals. The numerator and the weight of a corner at t, both homogeneous.
-struct Motion {
-  Quaternion q0, q1;
-  Point p0, p1, x;
-
-  Quaternion q(const mpq_class& t) const {
-    Quaternion result;
-    for (std::size_t i = 0; i < 4; ++i) result[i] = (1 - t) * q0[i] + t * q1[i];
-    return result;
-  }
-  mpq_class weight(const mpq_class& t) const { return square(q(t)); }
-  Point numerator(const mpq_class& t) const {
-    Point result = turned(q(t), x);
-    for (std::size_t k = 0; k < 3; ++k) result[k] += weight(t) * ((1 - t) * p0[k] + t * p1[k]);
-    return result;
-  }
-};
 
 /// The Bernstein coefficients of a cubic from its values at 0, 1/3, 2/3 and 1.
 std::array<mpq_class, 4> bernstein(const std::array<mpq_class, 4>& f) {
@@ -89,13 +53,9 @@ TEST_CASE("the control points of turning corners are within their bound of the t
     const filters::CurvedPaths paths = filters::curved_paths(query);
     if (!paths.known) continue;
     ++known;
-    Motion truth = {{}, {}, exact(motion.p0), exact(motion.p1), exact(query.corners[0].points[0])};
-    for (std::size_t i = 0; i < 4; ++i) {
-      truth.q0[i] = mpq_class(motion.q0[i]);
-      truth.q1[i] = mpq_class(motion.q1[i]);
-    }
+    const RationalMotion truth(motion, query.corners[0].points[0]);
     std::array<mpq_class, 4> weights;
-    std::array<Point, 4> numerators;
+    std::array<RationalPoint, 4> numerators;
     for (int i = 0; i < 4; ++i) {
       const mpq_class t(i, 3);
       weights[static_cast<std::size_t>(i)] = truth.weight(t);

@@ -34,8 +34,10 @@ void straight_as_curves(Kind kind) {
     const Answer straight = solve(query, Method::exact);
     const Answer curved = solve(CurvedQuery(query), Method::exact);
     std::string wrong = labelled("as curves", bit_difference(straight, curved, true));
-    if (wrong.empty()) wrong = labelled("by default", bit_difference(curved, solve(CurvedQuery(query)), false));
-    if (wrong.empty()) wrong = labelled("fast", decision_difference(solve(query), curved));
+    const Answer fast = solve(query);
+    if (wrong.empty()) wrong = labelled("by default", bit_difference(fast, solve(CurvedQuery(query)), true));
+    if (wrong.empty()) wrong = labelled("fast", decision_difference(fast, curved));
+    if (wrong.empty()) wrong = labelled("fast", weight_difference(fast, curved));
     if (wrong.empty() && info(id.family).dyadic) {
       const Answer answer = solve(elevated(query), Method::exact);
       wrong = labelled("with another control point", decision_difference(straight, answer));
