@@ -6,7 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
+
+#include "filters/step_frame.hpp"
+#include "geometry/frame.hpp"
 
 namespace touchstone::filters {
 namespace {
@@ -15,7 +19,8 @@ using Point = geometry::Vector<double>;
 using Quaternion = std::array<double, 4>;
 
 // Bounds, with e = 2^-53; q is scaled by a power of two so that its largest component m at both ends is in [1/2, 1).
-// Let L be the largest coordinate of body points plus the largest of positions.
+// Let L be the largest coordinate of body points plus the largest of positions, which are those relative to the moving
+// origin: a difference of two doubles, with one rounding.
 // - An entry of the bilinear rotation matrix sums 4 products, below 4 m^2 in all. A coordinate of M(a, b) X sums 3
 //   entries times coordinates, below 12 m^2 L, with at most 7 roundings of each product.
 // - A weight a . b sums 4 products, below 4 m^2, with at most 4 roundings of each.
@@ -23,7 +28,7 @@ using Quaternion = std::array<double, 4>;
 //   is off by at most 490 e m^2 L. A denominator w + 2 w' is below 12 m^2, and off by at most 5.1 * 12 e m^2, below
 //   62 e m^2.
 // - The denominator is required to be at least m^2 / 8. So with C the quotient as computed, it is off by at most
-//   8.1 (490 e L + 62 e |C|) + e |C| < 3970 e L + 510 e |C|.
+//   8.1 (490 e L + 62 e |C|) + 2.1 e |C| < 3970 e L + 510 e |C|, with two roundings of the quotient.
 // 2^12 e = 4096 e times (L + |C|) leaves room for second-order terms and the rounding of the bound. What underflows is
 // off by less than 100 * 2^-1074, times at most 8.1, and does not count for an L of at least kLeastLength. Nothing
 // overflows for one of at most kMostLength.
@@ -52,24 +57,39 @@ double dot(const Quaternion& a, const Quaternion& b) noexcept {
   return (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]);
 }
 
-/// M(a, b) X, the bilinear form of which M(q) X = M(q, q) X is the quadratic one.
-Point turned(const Quaternion& a, const Quaternion& b, const Point& x) noexcept {
+using Matrix = std::array<Point, 3>;  // of rows
+
+/// M(a, b), the bilinear form of which M(q) = M(q, q) is the quadratic one.
+Matrix bilinear(const Quaternion& a, const Quaternion& b) noexcept {
   const double ww = a[0] * b[0], xx = a[1] * b[1], yy = a[2] * b[2], zz = a[3] * b[3];
   const auto mixed = [&](std::size_t i, std::size_t j) { return a[i] * b[j] + a[j] * b[i]; };
   const double xy = mixed(1, 2), xz = mixed(1, 3), yz = mixed(2, 3);
   const double wx = mixed(0, 1), wy = mixed(0, 2), wz = mixed(0, 3);
-  return {{((ww + xx) - (yy + zz)) * x[0] + (xy - wz) * x[1] + (xz + wy) * x[2],
-           (xy + wz) * x[0] + ((ww + yy) - (xx + zz)) * x[1] + (yz - wx) * x[2],
-           (xz - wy) * x[0] + (yz + wx) * x[1] + ((ww + zz) - (xx + yy)) * x[2]}};
+  return {{{{(ww + xx) - (yy + zz), xy - wz, xz + wy}},
+           {{xy + wz, (ww + yy) - (xx + zz), yz - wx}},
+           {{xz - wy, yz + wx, (ww + zz) - (xx + yy)}}}};
+}
+
+Point product(const Matrix& m, const Point& x) noexcept {
+  return {{geometry::dot(m[0], x), geometry::dot(m[1], x), geometry::dot(m[2], x)}};
 }
 
 /// Scales both quaternions by one power of two, so that the largest component is in [1/2, 1).
 void scale(Quaternion& q0, Quaternion& q1) noexcept {
   double largest = 0;
-  for (const double c : q0) largest = std::max(largest, std::fabs(c));
-  for (const double c : q1) largest = std::max(largest, std::fabs(c));
+  for (std::size_t i = 0; i < 4; ++i) largest = std::max({largest, std::fabs(q0[i]), std::fabs(q1[i])});
+  if (largest >= 0.5 && largest < 1) return;
   int exponent = 0;
   std::frexp(largest, &exponent);
+  constexpr int kOrdinary = 1000;
+  if (std::abs(exponent) < kOrdinary) {
+    const double factor = std::ldexp(1.0, -exponent);
+    for (std::size_t i = 0; i < 4; ++i) {
+      q0[i] *= factor;
+      q1[i] *= factor;
+    }
+    return;
+  }
   for (double& c : q0) c = std::ldexp(c, -exponent);
   for (double& c : q1) c = std::ldexp(c, -exponent);
 }
@@ -82,25 +102,58 @@ double reach(const Point& direction, const Separation& separation) noexcept {
   return kReachBound * (length * separation.distance);
 }
 
-/// The path of a body point; false where the weights are not certainly positive and far from 0.
-bool follow(const RigidMotion& motion, const Vec3& body_point, CurvedPaths::Path& path) noexcept {
+/// What the paths of all points of a body need.
+struct Turn {
+  bool known = false;           ///< the weights are certainly positive and far from 0
+  Matrix m0, m1, m2;            ///< M(q0, q0), M(q0, q1), M(q1, q1)
+  std::array<Point, 4> origin;  ///< of the body, times the weights
+  std::array<double, 4> per_weight;
+};
+
+void make_turn(const RigidMotion& motion, const Point& p0, const Point& p1, Turn& turn) noexcept {
+  turn.known = false;
   Quaternion q0 = motion.q0, q1 = motion.q1;
   scale(q0, q1);
   const double w0 = dot(q0, q0), w1 = dot(q0, q1), w2 = dot(q1, q1);
   const double weights[4] = {w0, w0 + 2 * w1, 2 * w1 + w2, w2};
-  for (const double weight : weights) {
-    if (!(weight >= kLeastWeight)) return false;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!(weights[i] >= kLeastWeight)) return;
+    turn.per_weight[i] = 1 / weights[i];
   }
-  const Point x = point_of(body_point), p0 = point_of(motion.p0), p1 = point_of(motion.p1);
-  const Point n0 = turned(q0, q0, x), n1 = turned(q0, q1, x), n2 = turned(q1, q1, x);
+  turn.m0 = bilinear(q0, q0);
+  turn.m1 = bilinear(q0, q1);
+  turn.m2 = bilinear(q1, q1);
   for (std::size_t k = 0; k < 3; ++k) {
-    path.points[0][k] = (n0[k] + w0 * p0[k]) / weights[0];
-    path.points[1][k] = ((n0[k] + 2 * n1[k]) + (2 * w1 * p0[k] + w0 * p1[k])) / weights[1];
-    path.points[2][k] = ((2 * n1[k] + n2[k]) + (w2 * p0[k] + 2 * w1 * p1[k])) / weights[2];
-    path.points[3][k] = (n2[k] + w2 * p1[k]) / weights[3];
+    turn.origin[0][k] = w0 * p0[k];
+    turn.origin[1][k] = 2 * w1 * p0[k] + w0 * p1[k];
+    turn.origin[2][k] = w2 * p0[k] + 2 * w1 * p1[k];
+    turn.origin[3][k] = w2 * p1[k];
+  }
+  turn.known = true;
+}
+
+void follow(const Turn& turn, const Vec3& body_point, CurvedPaths::Path& path) noexcept {
+  const Point x = point_of(body_point);
+  const Point n0 = product(turn.m0, x), n1 = product(turn.m1, x), n2 = product(turn.m2, x);
+  for (std::size_t k = 0; k < 3; ++k) {
+    path.points[0][k] = (n0[k] + turn.origin[0][k]) * turn.per_weight[0];
+    path.points[1][k] = ((n0[k] + 2 * n1[k]) + turn.origin[1][k]) * turn.per_weight[1];
+    path.points[2][k] = ((2 * n1[k] + n2[k]) + turn.origin[2][k]) * turn.per_weight[2];
+    path.points[3][k] = (n2[k] + turn.origin[3][k]) * turn.per_weight[3];
   }
   path.count = 4;
-  return true;
+}
+
+/// A curve of one point at least, relative to the moving origin; that is a curve with the points from + (i / n) (to -
+/// from), for any degree n >= 1. Off by a few e times the sum of the coordinates: far less than kPathBound counts.
+void follow(const CurvedCorner& corner, const Point& from, const Point& to, CurvedPaths::Path& path) noexcept {
+  const std::size_t last = static_cast<std::size_t>(corner.control_points) - 1, degree = std::max<std::size_t>(last, 1);
+  path.count = degree + 1;
+  for (std::size_t i = 0; i <= degree; ++i) {
+    const Point x = point_of(corner.points[std::min(i, last)]);
+    const double part = static_cast<double>(i) / static_cast<double>(degree);
+    for (std::size_t k = 0; k < 3; ++k) path.points[i][k] = x[k] - ((1 - part) * from[k] + part * to[k]);
+  }
 }
 
 /// The points of both elements.
@@ -138,18 +191,44 @@ Nearest nearest_along(const Hulls& hulls, const Point& direction) noexcept {
 
 CurvedPaths curved_paths(const CurvedQuery& query) noexcept {
   CurvedPaths paths;
+  const std::size_t count = corner_count(query.kind);
+  const auto on_body = [&](std::size_t i) { return query.corners[i].motion != CurvedCorner::kOnCurve; };
+  std::size_t leader = 0;  // the first corner of a body, or the first of all
+  while (leader < count && !on_body(leader)) ++leader;
+  if (leader < count) {
+    const RigidMotion& motion = query.motions[static_cast<std::size_t>(query.corners[leader].motion)];
+    paths.from = motion.p0;
+    paths.to = motion.p1;
+  } else {
+    paths.from = query.corners[0].points[0];
+    paths.to = query.corners[0].points[static_cast<std::size_t>(query.corners[0].control_points) - 1];
+  }
+  const Point from = point_of(paths.from), to = point_of(paths.to);
   double points = 0, positions = 0;
-  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+  std::array<Turn, 4> turns;
+  std::array<bool, 4> seen{};
+  for (std::size_t i = 0; i < count; ++i) {
     const CurvedCorner& corner = query.corners[i];
     CurvedPaths::Path& path = paths.corners[i];
-    if (corner.motion == CurvedCorner::kOnCurve) {
-      path.count = static_cast<std::size_t>(corner.control_points);
-      for (std::size_t k = 0; k < path.count; ++k) path.points[k] = point_of(corner.points[k]);
-    } else {
-      const RigidMotion& motion = query.motions[static_cast<std::size_t>(corner.motion)];
+    if (on_body(i)) {
+      const std::size_t m = static_cast<std::size_t>(corner.motion);
       points = std::max(points, largest_of(point_of(corner.points[0])));
-      positions = std::max({positions, largest_of(point_of(motion.p0)), largest_of(point_of(motion.p1))});
-      if (!(points + positions <= kMostLength) || !follow(motion, corner.points[0], path)) return paths;
+      if (!seen[m]) {
+        seen[m] = true;
+        const RigidMotion& motion = query.motions[m];
+        const Point p0 = point_of(motion.p0) - from, p1 = point_of(motion.p1) - to;
+        positions = std::max({positions, largest_of(p0), largest_of(p1)});
+        make_turn(motion, p0, p1, turns[m]);
+      }
+      if (!(points + positions <= kMostLength) || !turns[m].known) return paths;
+      follow(turns[m], corner.points[0], path);
+    } else {
+      follow(corner, from, to, path);
+      paths.size = std::max({paths.size, largest_of(from), largest_of(to)});
+      for (std::size_t k = 0; k < path.count; ++k) {
+        const auto point = std::min(k, static_cast<std::size_t>(corner.control_points) - 1);
+        paths.size = std::max(paths.size, largest_of(point_of(corner.points[point])));
+      }
     }
     for (std::size_t k = 0; k < path.count; ++k) paths.size = std::max(paths.size, largest_of(path.points[k]));
   }
@@ -182,10 +261,41 @@ bool certainly_farther(const CurvedQuery& query, const Separation& separation) n
     if (!(product >= kLeastLength && product <= kMostLength)) return false;
     return gap > kErrorFactor * (largest * paths.error) + kProjectionBound * product + reach(direction, separation);
   };
-  for (const Point& axis : {Point{{1, 0, 0}}, Point{{0, 1, 0}}, Point{{0, 0, 1}}}) {
-    const Point opposite = {{-axis[0], -axis[1], -axis[2]}};
-    if (separates(axis, nearest_along(hulls, axis).gap)) return true;
-    if (separates(opposite, nearest_along(hulls, opposite).gap)) return true;
+  // Along the axes, of which the projections are the coordinates.
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double low[2], high[2];
+    for (std::size_t side = 0; side < 2; ++side) {
+      const std::size_t begin = side == 0 ? 0 : hulls.first, end = side == 0 ? hulls.first : hulls.count;
+      low[side] = high[side] = hulls.points[begin][axis];
+      for (std::size_t i = begin + 1; i < end; ++i) {
+        low[side] = std::min(low[side], hulls.points[i][axis]);
+        high[side] = std::max(high[side], hulls.points[i][axis]);
+      }
+    }
+    Point direction = {};
+    direction[axis] = 1;
+    if (separates(direction, std::max(low[1] - high[0], low[0] - high[1]))) return true;
+  }
+  // Along n at about half the time: between edges or a vertex and a face that are near each other.
+  if (has_cubic(query.kind)) {
+    std::array<Point, 4> at;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const CurvedPaths::Path& path = paths.corners[i];
+      at[i] = path.points[0];
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        double sum = 0;
+        for (std::size_t k = 0; k < path.count; ++k) sum += path.points[k][axis];
+        at[i][axis] = sum / static_cast<double>(path.count);
+      }
+    }
+    Point n = geometry::normal(
+        geometry::frame_of(query.kind == Kind::edge_edge, [&](std::size_t i, std::size_t j) { return at[i] - at[j]; }));
+    const double largest = largest_of(n);
+    if (largest > 0) {
+      const double sign = geometry::dot(n, at[first] - at[0]) < 0 ? -1 : 1;
+      for (std::size_t k = 0; k < 3; ++k) n[k] *= sign / largest;
+      if (separates(n, nearest_along(hulls, n).gap)) return true;
+    }
   }
   // From the line between the middles, the direction is mirrored until it separates (Chung and Wang, "Quick collision
   // detection of polytopes in virtual environments", 1996). It is a hint: each one is tested.

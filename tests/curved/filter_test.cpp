@@ -25,6 +25,10 @@ std::array<mpq_class, 4> bernstein(const std::array<mpq_class, 4>& f) {
           f[3]};
 }
 
+RationalPoint relative(const RationalPoint& x, const RationalPoint& origin) {
+  return {x[0] - origin[0], x[1] - origin[1], x[2] - origin[2]};
+}
+
 TEST_CASE("the control points of turning corners are within their bound of the true ones") {
   double worst = 0;
   std::size_t known = 0;
@@ -40,7 +44,11 @@ TEST_CASE("the control points of turning corners are within their bound of the t
     };
     CurvedQuery query;
     query.kind = Kind::point_point;
-    query.corners[0] = CurvedCorner::on_body(0, place());
+    // The first body is where positions are measured from; the other one is the one that is looked at.
+    query.corners[0] = CurvedCorner::on_body(1, place());
+    query.motions[1].p0 = place();
+    query.motions[1].p1 = place();
+    query.corners[1] = CurvedCorner::on_body(0, place());
     RigidMotion& motion = query.motions[0];
     const int size = rng.between(-1060, 1000);
     for (std::size_t i = 0; i < 4; ++i) {
@@ -53,7 +61,9 @@ TEST_CASE("the control points of turning corners are within their bound of the t
     const filters::CurvedPaths paths = filters::curved_paths(query);
     if (!paths.known) continue;
     ++known;
-    const RationalMotion truth(motion, query.corners[0].points[0]);
+    RationalMotion truth(motion, query.corners[1].points[0]);
+    truth.p0 = relative(truth.p0, exact(query.motions[1].p0));
+    truth.p1 = relative(truth.p1, exact(query.motions[1].p1));
     std::array<mpq_class, 4> weights;
     std::array<RationalPoint, 4> numerators;
     for (int i = 0; i < 4; ++i) {
@@ -67,9 +77,9 @@ TEST_CASE("the control points of turning corners are within their bound of the t
       for (std::size_t i = 0; i < 4; ++i) {
         INFO("seed " << kSeed << ", index " << index);
         REQUIRE(weights[i] > 0);
-        const mpq_class off = abs(mpq_class(mpq_class(paths.corners[0].points[i][k]) - numerator[i] / weights[i]));
+        const mpq_class off = abs(mpq_class(mpq_class(paths.corners[1].points[i][k]) - numerator[i] / weights[i]));
         REQUIRE(off <= mpq_class(paths.error));
-        REQUIRE(std::fabs(paths.corners[0].points[i][k]) <= paths.size);
+        REQUIRE(std::fabs(paths.corners[1].points[i][k]) <= paths.size);
         worst = std::max(worst, mpq_class(off / mpq_class(paths.error)).get_d());
       }
     }
@@ -78,6 +88,59 @@ TEST_CASE("the control points of turning corners are within their bound of the t
               static_cast<unsigned long long>(kSeed), known, worst);
   CHECK(known > effort(4000) / 4);
   CHECK(worst > 1e-5);
+}
+
+TEST_CASE("the control points of curves, seen from a body that moves, are within their bound") {
+  for (std::uint64_t index = 0; index < effort(2000); ++index) {
+    Rng rng(seeded::seed_of_part(kSeed + 2, index));
+    INFO("seed " << kSeed + 2 << ", index " << index);
+    const int magnitude = rng.between(-300, 300);
+    const auto place = [&] {
+      const auto length = [&] { return std::ldexp(rng.symmetric(), magnitude + rng.between(-4, 4)); };
+      const double x = length(), y = length(), z = length();
+      return Vec3{x, y, z};
+    };
+    CurvedQuery query;
+    query.kind = Kind::point_point;
+    query.corners[0] = CurvedCorner::on_body(0, place());
+    query.motions[0].p0 = place();
+    query.motions[0].p1 = place();
+    query.corners[1].control_points = rng.between(1, 4);
+    for (Vec3& point : query.corners[1].points) point = place();
+    if (rng.one_in(3)) std::swap(query.corners[0], query.corners[1]);
+    const std::size_t curve = query.corners[0].motion == CurvedCorner::kOnCurve ? 0 : 1;
+    const filters::CurvedPaths paths = filters::curved_paths(query);
+    REQUIRE(paths.known);
+    const auto& path = paths.corners[curve];
+    const std::size_t given = static_cast<std::size_t>(query.corners[curve].control_points);
+    REQUIRE(path.count == std::max<std::size_t>(given, 2));
+    for (std::size_t i = 0; i < path.count; ++i) {
+      const RationalPoint point = exact(query.corners[curve].points[std::min(i, given - 1)]);
+      const RationalPoint from = exact(query.motions[0].p0), to = exact(query.motions[0].p1);
+      const mpq_class part(static_cast<long>(i), static_cast<long>(path.count - 1));
+      for (std::size_t k = 0; k < 3; ++k) {
+        const mpq_class truth = point[k] - ((1 - part) * from[k] + part * to[k]);
+        REQUIRE(abs(mpq_class(mpq_class(path.points[i][k]) - truth)) <= mpq_class(paths.error));
+        REQUIRE(std::fabs(path.points[i][k]) <= paths.size);
+      }
+    }
+  }
+}
+
+TEST_CASE("the filter proves apart what flies together") {
+  // Two points a thousandth apart, on bodies that move by a thousand in one step: no plane at rest is between them.
+  RigidMotion flight;
+  flight.p1 = {1000, 500, 0};
+  RigidMotion beside = flight;
+  beside.q0 = beside.q1 = {1, 1, 1, 1};
+  CHECK(filters::certainly_apart(
+      curved(Kind::point_point, {body(0, {1, 2, 3}), body(1, {2, 3.001, 1})}, {flight, beside})));
+  CHECK_FALSE(
+      filters::certainly_apart(curved(Kind::point_point, {body(0, {1, 2, 3}), body(1, {2, 3, 1})}, {flight, beside})));
+  const CurvedCorner line = CurvedCorner::on_curve({{1, 2, 3.001}, {1001, 502, 3.001}});
+  CHECK(filters::certainly_apart(curved(Kind::point_point, {line, body(0, {1, 2, 3})}, {flight})));
+  const CurvedCorner bow = CurvedCorner::on_curve({{1, 2, 4}, {501, 252, 3.001}, {1001, 502, 4}});
+  CHECK(filters::certainly_apart(curved(Kind::point_point, {body(0, {1, 2, 3}), bow}, {flight})));
 }
 
 TEST_CASE("the filter decides most of what is apart, and never what touches") {
