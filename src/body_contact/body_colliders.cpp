@@ -87,6 +87,12 @@ std::vector<std::array<Index, 1>> singles(const std::vector<Index>& vertices) {
 
 }  // namespace
 
+double bulge(const Quaternion& q0, const Quaternion& q1, double reach) noexcept {
+  double apart = 0;
+  for (std::size_t i = 0; i < 4; ++i) apart += (q1[i] - q0[i]) * (q1[i] - q0[i]);
+  return kBulge * apart * reach;
+}
+
 BodyColliders::BodyColliders(const Scene& scene, const System& system, const Colliders& particles,
                              const BodySystem& bodies)
     : bodies_(&bodies) {
@@ -165,11 +171,9 @@ std::vector<BodyPair> BodyColliders::candidates(const BodyMotions& motions, doub
   for (Index b = 0; b < count; ++b) {
     const RigidBody& body = bodies_->bodies()[b];
     const Pose &from = (*motions.start)[b].pose, &to = (*motions.end)[b].pose;
-    double apart = 0;
-    for (std::size_t i = 0; i < 4; ++i) apart += (to.q[i] - from.q[i]) * (to.q[i] - from.q[i]);
     Sweep& sweep = sweeps[b];
     sweep.margin =
-        margin + kBulge * apart * body.reach + kPlacing * (body.reach + std::max(largest(from.p), largest(to.p)));
+        margin + bulge(from.q, to.q, body.reach) + kPlacing * (body.reach + std::max(largest(from.p), largest(to.p)));
     const Matrix3 turn_from = matrix_of(from.q), turn_to = matrix_of(to.q);
     for (const Vector3& x : body.points) {
       sweep.start.emplace_back(turn_from * x + from.p);

@@ -40,6 +40,11 @@ struct BodyMotions {
   const VectorX* x1 = nullptr;
 };
 
+/// By how much, m, a point of a body may at most leave the straight line between the ends of its path, along an axis, at
+/// any time of the motion from one orientation to the other. @param q0, q1  of length 1, with q0 . q1 >= 0
+/// @param reach  m: no point is farther from the origin
+double bulge(const Quaternion& q0, const Quaternion& q1, double reach) noexcept;
+
 class BodyColliders {
  public:
   BodyColliders(const Scene& scene, const System& system, const Colliders& particles, const BodySystem& bodies);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
 #include <optional>
 
 #include "body_contact/contact_solver.hpp"
@@ -36,6 +35,11 @@ struct BodyCounts {
   int passes = 0, sweeps = 0, zones = 0;
 };
 
+/// The energy that bodies, and the particles that they push, gain in a substep, J, as EnergyFlows of the dynamics.
+struct BodyFlows {
+  double driven = 0, drag = 0, friction = 0, impacts = 0, corrections = 0;
+};
+
 /// A substep of the bodies.
 struct BodyStep {
   double h = 0;                 ///< s
@@ -59,10 +63,8 @@ struct BodyResult {
   std::optional<BodyPair> left;     ///< when not resolved
   Vector3 point = Vector3::Zero();  ///< where it touches, m
   BodyCounts counts;
+  BodyFlows flows;
 };
-
-/// Sees a query of a proof, and its answer.
-using CurvedSink = std::function<void(const CurvedQuery&, const Answer&)>;
 
 class BodyResponse {
  public:
@@ -88,7 +90,7 @@ class BodyResponse {
   ContactSettings contact_;
   double time_step_;
   double thickness_;
-  VectorX inverse_mass_;
+  VectorX inverse_mass_, force_;  // of each coordinate of a particle; N: gravity and its own
   const linear::Cancellation* cancel_;
 };
 

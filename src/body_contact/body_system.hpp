@@ -51,6 +51,7 @@ class BodySystem {
 
   BodyEnergies energies(const BodyStates& states) const;
   const Vector3& gravity() const noexcept { return gravity_; }
+  bool has_drag() const noexcept { return drag_ > 0; }
 
   /// No less than the angle by which a body turns in h seconds, rad: the largest of all.
   double most_turn(const BodyStates& states, double h) const;

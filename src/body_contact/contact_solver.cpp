@@ -122,18 +122,59 @@ int solve_contacts(Movers& movers, std::vector<SolverContact>& contacts, const S
   return rule.sweeps;
 }
 
-void solve_pushes(Movers& movers, const std::vector<SolverContact>& contacts, int sweeps) {
-  std::vector<double> pushed(contacts.size(), 0), response(contacts.size(), 0);
-  for (std::size_t i = 0; i < contacts.size(); ++i) response[i] = response_of(movers, contacts[i].contact).normal;
+int bounce(Movers& movers, std::vector<SolverContact>& contacts, const BounceRule& rule) {
+  // Of bodies that bounce between others for ever the rest is left to the impulses without restitution.
+  constexpr int kMostImpacts = 64;
+  constexpr double kTogether = 1.0 / 16;  // of the substep
+  std::vector<double> room(contacts.size()), along(contacts.size());
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    contacts[i].bounce.setZero();
+    room[i] = contacts[i].room;
+  }
+  std::vector<std::size_t> hit;
+  std::vector<SolverContact> impact;
+  int sweeps = 0;
+  double left = rule.h;
+  for (int count = 0; count < kMostImpacts; ++count) {
+    double first = left;
+    const auto time = [&](std::size_t i) { return along[i] < -rule.resting ? room[i] / -along[i] : 2 * left; };
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      along[i] = contacts[i].contact.normal.dot(movers.approach(contacts[i].contact));
+      first = std::min(first, time(i));
+    }
+    if (!(first < left)) break;
+    hit.clear();
+    impact.clear();
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      if (!(time(i) <= first + kTogether * rule.h) || !(time(i) < left)) continue;
+      hit.push_back(i);
+      SolverContact& c = impact.emplace_back();
+      c.contact = contacts[i].contact;
+      c.least = -rule.restitution * along[i];
+    }
+    for (std::size_t i = 0; i < contacts.size(); ++i) room[i] = std::max(0.0, room[i] + first * along[i]);
+    left -= first;
+    sweeps += solve_contacts(movers, impact, rule.solver);
+    for (std::size_t k = 0; k < hit.size(); ++k) contacts[hit[k]].bounce += impact[k].impulse();
+  }
+  return sweeps;
+}
+
+void solve_pushes(Movers& movers, std::vector<SolverContact>& contacts, int sweeps) {
+  std::vector<double> response(contacts.size(), 0);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    response[i] = response_of(movers, contacts[i].contact).normal;
+    contacts[i].pushed = 0;
+  }
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       // A contact that needs no push must not be closed by those of others.
-      const SolverContact& c = contacts[i];
+      SolverContact& c = contacts[i];
       if (!(response[i] > 0)) continue;
       const Vector3& n = c.contact.normal;
-      const double next = std::max(0.0, pushed[i] + (c.push - n.dot(movers.approach(c.contact))) / response[i]);
-      if (next != pushed[i]) apply(movers, c.contact, (next - pushed[i]) * n);
-      pushed[i] = next;
+      const double next = std::max(0.0, c.pushed + (c.push - n.dot(movers.approach(c.contact))) / response[i]);
+      if (next != c.pushed) apply(movers, c.contact, (next - c.pushed) * n);
+      c.pushed = next;
     }
   }
 }

@@ -13,9 +13,15 @@ namespace touchstone::sim {
 struct SolverContact {
   BodyContact contact;
   double least = 0;                    ///< m/s: the relative velocity along the normal must not be below it
+  double room = 0;                     ///< m: what the gap has beyond the distance that is kept
+  double extra = 0;                    ///< m/s, added to `least` where that was not enough
   double push = 0;                     ///< m/s: so fast the elements are to be moved apart, which adds no velocity
+  double pushed = 0;                   ///< N s: the impulse of that
   double normal_impulse = 0;           ///< N s, >= 0
   Vector3 friction = Vector3::Zero();  ///< N s, across the normal
+  Vector3 bounce = Vector3::Zero();    ///< N s: of impacts with restitution, in all directions
+
+  Vector3 impulse() const { return normal_impulse * contact.normal + friction + bounce; }  ///< N s, of a
 };
 
 /// One body: velocities of its centre and its angular velocity, by which it is displaced in the substep.
@@ -49,7 +55,20 @@ struct SolverRule {
 /// @returns the number of sweeps
 int solve_contacts(Movers& movers, std::vector<SolverContact>& contacts, const SolverRule& rule);
 
-/// The same for the velocities that move elements apart, which begin at zero in `movers`.
-void solve_pushes(Movers& movers, const std::vector<SolverContact>& contacts, int sweeps);
+struct BounceRule {
+  double restitution = 0;
+  double h = 0;        ///< s: the substep
+  double resting = 0;  ///< m/s: a slower approach does not bounce
+  SolverRule solver;
+};
+
+/// The impacts of the substep in the order of their times: of the contacts whose room is used up, the first ones bounce
+/// with the velocities that they have at that time, then the next ones with the velocities that this leaves. Contacts
+/// within a sixteenth of the substep are one impact, so that a face that lands on its corners does not tilt.
+/// @returns the number of sweeps
+int bounce(Movers& movers, std::vector<SolverContact>& contacts, const BounceRule& rule);
+
+/// As solve_contacts, for the velocities that move elements apart, which begin at zero in `movers`.
+void solve_pushes(Movers& movers, std::vector<SolverContact>& contacts, int sweeps);
 
 }  // namespace touchstone::sim

@@ -154,8 +154,8 @@ Scene make_hoop_rim(Index edges) {
   // The net hangs on hooks, just below the rim and inside of it.
   constexpr double kHook = 0.02;
   add_net(scene, size.around, size.rows, kStringParts);
-  // It is thrown at the board, bounces off it onto the rim, and then goes in.
-  add_ball(scene, size.ball, {-1.2, 0.06, kRimHeight - 0.2}, {2.5, -0.08, 4.5}, {0, -6, 0});
+  // It is thrown at the board, bounces off it onto the rim, and goes in.
+  add_ball(scene, size.ball, {-1.2, 0.06, kRimHeight - 0.2}, {2.35, -0.08, 4.35}, {0, -6, 0});
   add_floor(scene, 3);
   constexpr double kBoard = 0.4, kBoardDepth = 0.02, kPoleSide = 0.08, kPoleHeight = 2.1, kGap = 0.005;
   scene.bodies.push_back(rim(2 * size.around, kRimRadius + kHook / 2, kRimHeight + kHook, kBoard - kGap));

@@ -259,7 +259,11 @@ std::variant<SubstepRecord, Refusal> Simulation::try_substep(double h, double en
   if (kBodies && bodies_) bodies_->take(std::move(bodies.end));
   if (measures_flows_) {
     record.flows = response.flows;
-    record.numerical = energies().total() - energy_before - response.flows.total();
+    if (kBodies && bodies_) {
+      const BodyFlows& f = bodies.flows;
+      record.flows += {f.driven, f.drag, 0, f.friction, f.impacts, f.corrections};
+    }
+    record.numerical = energies().total() - energy_before - record.flows.total();
   }
   record.step = steps_;
   record.time = end_time;

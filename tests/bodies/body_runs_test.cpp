@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include <Eigen/Geometry>
 
-#include <touchstone/curved.hpp>
 #include <touchstone/error.hpp>
 
 #include <cmath>
 #include <numbers>
 
+#include "bodies_support.hpp"
 #include "scene/parts.hpp"
 #include "scene/shipped_scenes.hpp"
 #include "sim/checkpoint.hpp"
@@ -18,84 +18,12 @@
 
 using namespace touchstone;
 using namespace touchstone::sim;
-
-namespace {
-
-Body box(const Vector3& size, const Vector3& at, double density = 500) {
-  Body body;
-  for (int i = 0; i < 8; ++i) {
-    body.vertices.emplace_back((i & 1 ? 0.5 : -0.5) * size.x(), (i & 2 ? 0.5 : -0.5) * size.y(),
-                               (i & 4 ? 0.5 : -0.5) * size.z());
-  }
-  body.faces = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-  body.density = density;
-  body.pose.p = at;
-  return body;
-}
-
-Scene empty_scene(double time_step) {
-  Scene scene;
-  scene.settings.time_step = time_step;
-  scene.settings.gravity.setZero();
-  scene.settings.contact.thickness = 2e-3;
-  return scene;
-}
-
-struct Momentum {
-  Vector3 linear = Vector3::Zero(), angular = Vector3::Zero();
-};
-
-/// Of all bodies and particles, about the origin.
-Momentum momentum_of(const Simulation& simulation) {
-  Momentum sum;
-  const auto& bodies = simulation.bodies()->system().bodies();
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const BodyState& state = simulation.bodies()->state().bodies[i];
-    if (!bodies[i].is_free()) continue;
-    sum.linear += bodies[i].mass * state.velocity;
-    sum.angular += state.momentum + bodies[i].mass * state.pose.p.cross(state.velocity);
-  }
-  for (Index p = 0; p < simulation.scene().particles.size(); ++p) {
-    const double m = simulation.system().mass[3 * p];
-    const Vector3 v = position(simulation.state().v, p);
-    sum.linear += m * v;
-    sum.angular += m * position(simulation.state().q, p).cross(v);
-  }
-  return sum;
-}
-
-/// Every pair of elements of two different bodies, asked without a broad phase: whether any touches.
-bool any_touch(const BodyPart& bodies, const BodyStates& from, const BodyStates& to) {
-  const BodyColliders& colliders = bodies.colliders();
-  const VectorX none;
-  const BodyMotions motions{&from, &to, &none, &none};
-  const auto touch = [&](const BodyPair& pair) { return solve(colliders.query(pair, motions)).contact; };
-  for (Index a = 0; a < from.size(); ++a) {
-    for (Index b = 0; b < from.size(); ++b) {
-      if (a == b) continue;
-      const ElementSet &first = colliders.surface(a), &second = colliders.surface(b);
-      for (Index i = 0; a < b && i < first.edges.size(); ++i) {
-        for (Index j = 0; j < second.edges.size(); ++j) {
-          if (touch({Kind::edge_edge, {a, i}, {b, j}})) return true;
-        }
-      }
-      for (const Index v : first.vertices) {
-        for (Index f = 0; f < second.faces.size(); ++f) {
-          if (touch({Kind::vertex_face, {a, v}, {b, f}})) return true;
-        }
-      }
-    }
-  }
-  return false;
-}
-
-}  // namespace
+using namespace touchstone::tests;
 
 TEST_CASE("a racket that is thrown flips, keeps its angular momentum to the last bit, and flies a parabola") {
   Scene scene = empty_scene(1.0 / 60);
   scene.settings.gravity = {0, 0, -9.81};
-  scene.bodies.push_back(box({0.3, 0.2, 0.02}, {0, 0, 0}));
+  scene.bodies.push_back(box_at({0.3, 0.2, 0.02}, {0, 0, 0}));
   scene.bodies[0].angular_velocity = {0.01, 10, 0};
   scene.bodies[0].velocity = {1, 2, 3};
   Simulation simulation(scene, {});
@@ -125,8 +53,8 @@ TEST_CASE("bodies that collide keep momentum and angular momentum, gain no energ
       Scene scene = empty_scene(1.0 / 100);
       scene.settings.contact.friction = friction;
       scene.settings.contact.restitution = restitution;
-      scene.bodies = {box({0.2, 0.3, 0.4}, {0, 0, 0}), box({0.3, 0.3, 0.1}, {0.6, 0.05, 0.1}, 900),
-                      box({0.1, 0.6, 0.1}, {-0.5, 0.1, -0.05}, 200)};
+      scene.bodies = {box_at({0.2, 0.3, 0.4}, {0, 0, 0}), box_at({0.3, 0.3, 0.1}, {0.6, 0.05, 0.1}, 900),
+                      box_at({0.1, 0.6, 0.1}, {-0.5, 0.1, -0.05}, 200)};
       scene.bodies[0].angular_velocity = {3, -1, 2};
       scene.bodies[1].velocity = {-2, 0, 0};
       scene.bodies[1].pose.q = {0.9, 0.1, 0.3, -0.2};
@@ -143,13 +71,13 @@ TEST_CASE("bodies that collide keep momentum and angular momentum, gain no energ
         const double after = simulation.energies().total();
         CHECK(after <= energy * (1 + 1e-9));
         energy = after;
-        if (records.size() == 1) REQUIRE(!any_touch(*simulation.bodies(), from, simulation.bodies()->state().bodies));
+        if (records.size() == 1)
+          REQUIRE(!any_touch(simulation.bodies()->colliders(), from, simulation.bodies()->state().bodies));
       }
       CHECK(contacts > 0);
       const Momentum after = momentum_of(simulation);
       CHECK((after.linear - before.linear).norm() < 1e-12 * before.linear.norm());
-      // Position corrections move centres of mass aside, and with them the moment of their momentum.
-      CHECK((after.angular - before.angular).norm() < 1e-3 * before.angular.norm());
+      CHECK((after.angular - before.angular).norm() < 1e-12 * before.angular.norm());
       CHECK(simulation.crossings().empty());
     }
   }
@@ -162,10 +90,10 @@ TEST_CASE("a box slides on a slope as Coulomb says, and rests where friction hol
     scene.settings.gravity = 9.81 * Vector3(std::sin(slope), 0, -std::cos(slope));
     scene.settings.contact.friction = friction;
     scene.settings.contact.restitution = 0;
-    Body ground = box({20, 20, 1}, {0, 0, -0.5});
+    Body ground = box_at({20, 20, 1}, {0, 0, -0.5});
     ground.density = 0;
     ground.motion = BodyMotion::fixed;
-    scene.bodies = {ground, box({0.4, 0.4, 0.2}, {0, 0, 0.101})};
+    scene.bodies = {ground, box_at({0.4, 0.4, 0.2}, {0, 0, 0.101})};
     Simulation simulation(scene, {});
     for (int i = 0; i < 100; ++i) simulation.step();
     const double v0 = simulation.bodies()->state().bodies[1].velocity.x();
@@ -185,10 +113,10 @@ TEST_CASE("a box slides on a slope as Coulomb says, and rests where friction hol
 TEST_CASE("a ball bounces with the coefficient of restitution") {
   Scene scene = empty_scene(1.0 / 200);
   scene.settings.contact.restitution = 0.6;
-  Body ground = box({4, 4, 1}, {0, 0, -0.5});
+  Body ground = box_at({4, 4, 1}, {0, 0, -0.5});
   ground.density = 0;
   ground.motion = BodyMotion::fixed;
-  Body diamond = box({0.2, 0.2, 0.2}, {0.013, 0.021, 0.4});
+  Body diamond = box_at({0.2, 0.2, 0.2}, {0.013, 0.021, 0.4});
   // It falls on a corner that is right below its centre.
   diamond.pose.q = rotation_by(std::atan(std::sqrt(2.0)) * Vector3(1, -1, 0).normalized());
   scene.bodies = {ground, diamond};
@@ -200,7 +128,7 @@ TEST_CASE("a ball bounces with the coefficient of restitution") {
 
 TEST_CASE("bodies push particles and are pushed by them, and momentum is kept") {
   Scene scene = empty_scene(1.0 / 200);
-  scene.bodies = {box({0.2, 0.2, 0.2}, {0, 0, 0})};
+  scene.bodies = {box_at({0.2, 0.2, 0.2}, {0, 0, 0})};
   const Index a = add_particle(scene, {-0.5, -0.3, 0.01}, 2), b = add_particle(scene, {-0.5, 0.35, 0.02}, 2);
   add_spring(scene, a, b, 100, 0, true);
   add_particle(scene, {0.5, 0.03, 0.02}, 0.5);
@@ -219,11 +147,11 @@ TEST_CASE("bodies push particles and are pushed by them, and momentum is kept") 
 
 TEST_CASE("a driven body keeps to its path and pushes a free one before it") {
   Scene scene = empty_scene(1.0 / 100);
-  Body pusher = box({0.2, 0.2, 0.2}, {0, 0, 0});
+  Body pusher = box_at({0.2, 0.2, 0.2}, {0, 0, 0});
   pusher.density = 0;
   pusher.motion = BodyMotion::driven;
   pusher.path = {{0, {{1, 0, 0, 0}, {0, 0, 0}}}, {1, {{0.8, 0, 0, 0.6}, {0.5, 0, 0}}}};
-  scene.bodies = {pusher, box({0.2, 0.2, 0.2}, {0.3, 0.02, 0})};
+  scene.bodies = {pusher, box_at({0.2, 0.2, 0.2}, {0.3, 0.02, 0})};
   Simulation simulation(scene, {});
   for (int i = 0; i < 120; ++i) simulation.step();
   const auto& bodies = simulation.bodies()->state().bodies;

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "bodies_support.hpp"
+
+#include <Eigen/Geometry>
+
+#include <touchstone/curved.hpp>
+
+using namespace touchstone::sim;
+
+namespace touchstone::tests {
+
+Body box_at(const Vector3& size, const Vector3& at, double density) {
+  Body body;
+  for (int i = 0; i < 8; ++i) {
+    body.vertices.emplace_back((i & 1 ? 0.5 : -0.5) * size.x(), (i & 2 ? 0.5 : -0.5) * size.y(),
+                               (i & 4 ? 0.5 : -0.5) * size.z());
+  }
+  body.faces = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  body.density = density;
+  body.pose.p = at;
+  return body;
+}
+
+Scene empty_scene(double time_step) {
+  Scene scene;
+  scene.settings.time_step = time_step;
+  scene.settings.gravity.setZero();
+  scene.settings.contact.thickness = 2e-3;
+  return scene;
+}
+
+Momentum momentum_of(const BodySystem& system, const BodyStates& states) {
+  Momentum sum;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const RigidBody& body = system.bodies()[i];
+    if (!body.is_free()) continue;
+    sum.linear += body.mass * states[i].velocity;
+    sum.angular += states[i].momentum + body.mass * states[i].pose.p.cross(states[i].velocity);
+  }
+  return sum;
+}
+
+Momentum momentum_of(const Simulation& simulation) {
+  Momentum sum = momentum_of(simulation.bodies()->system(), simulation.bodies()->state().bodies);
+  for (Index p = 0; p < simulation.scene().particles.size(); ++p) {
+    const double m = simulation.system().mass[3 * p];
+    const Vector3 v = position(simulation.state().v, p);
+    sum.linear += m * v;
+    sum.angular += m * position(simulation.state().q, p).cross(v);
+  }
+  return sum;
+}
+
+bool any_touch(const BodyColliders& colliders, const BodyStates& from, const BodyStates& to) {
+  const VectorX none;
+  const BodyMotions motions{&from, &to, &none, &none};
+  const auto touch = [&](const BodyPair& pair) { return solve(colliders.query(pair, motions)).contact; };
+  for (Index a = 0; a < from.size(); ++a) {
+    for (Index b = 0; b < from.size(); ++b) {
+      if (a == b) continue;
+      const ElementSet &first = colliders.surface(a), &second = colliders.surface(b);
+      for (Index i = 0; a < b && i < first.edges.size(); ++i) {
+        for (Index j = 0; j < second.edges.size(); ++j) {
+          if (touch({Kind::edge_edge, {a, i}, {b, j}})) return true;
+        }
+      }
+      for (const Index v : first.vertices) {
+        for (Index f = 0; f < second.faces.size(); ++f) {
+          if (touch({Kind::vertex_face, {a, v}, {b, f}})) return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace touchstone::tests
