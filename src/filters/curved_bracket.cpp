@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "filters/curved_frame.hpp"
+#include "filters/curved_walk.hpp"
 #include "filters/step_frame.hpp"
 
 namespace touchstone::filters {
@@ -395,9 +396,9 @@ Finding Search::refine(const ScalarForm& slope, const Part& part, double t, doub
 
 }  // namespace
 
-Finding decide_in_brackets(const CurvedQuery& query, double t_max, Answer& answer) noexcept {
-  const CurvedFrame frame = curved_frame(query);
-  if (!frame.known) return Finding::uncertain;
+namespace {
+
+Finding decide_by_roots(const CurvedQuery& query, const CurvedFrame& frame, double t_max, Answer& answer) noexcept {
   Search search(query, t_max, frame, answer);
   if (has_cubic(query.kind)) return search.decide(coplanarity_of(frame));
   // Where they touch, all three components vanish.
@@ -414,6 +415,22 @@ Finding decide_in_brackets(const CurvedQuery& query, double t_max, Answer& answe
     if (search.decide(component, k) == Finding::no_contact) return Finding::no_contact;
   }
   return Finding::uncertain;
+}
+
+}  // namespace
+
+Finding decide_in_brackets(const CurvedQuery& query, double t_max, Answer& answer) noexcept {
+  const CurvedFrame frame = curved_frame(query);
+  if (!frame.known) return Finding::uncertain;
+  const Finding finding = decide_by_roots(query, frame, t_max, answer);
+  if (finding != Finding::uncertain) return finding;
+  return certainly_farther_in_parts(query, frame, Separation(), t_max) ? Finding::no_contact : Finding::uncertain;
+}
+
+Finding decide_in_brackets(const CurvedQuery& query, const Separation& separation, double t_max) noexcept {
+  const CurvedFrame frame = curved_frame(query);
+  if (!frame.known) return Finding::uncertain;
+  return certainly_farther_in_parts(query, frame, separation, t_max) ? Finding::no_contact : Finding::uncertain;
 }
 
 }  // namespace touchstone::filters

@@ -6,6 +6,7 @@
 
 #include <touchstone/answer.hpp>
 #include <touchstone/curved_query.hpp>
+#include <touchstone/separation.hpp>
 
 #include "filters/question.hpp"
 
@@ -15,5 +16,8 @@ namespace touchstone::filters {
 /// Of a point and an edge, or two points, it only decides that they do not touch. On `contact` the answer is
 /// complete; otherwise it is untouched.
 Finding decide_in_brackets(const CurvedQuery& query, double t_max, Answer& answer) noexcept;
+
+/// The same with a separation > 0: it only decides that the elements do not come within it.
+Finding decide_in_brackets(const CurvedQuery& query, const Separation& separation, double t_max) noexcept;
 
 }  // namespace touchstone::filters

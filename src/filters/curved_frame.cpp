@@ -47,6 +47,8 @@ ScalarForm constant(double x) noexcept {
   return form;
 }
 
+}  // namespace
+
 template <Index Dim>
 CurvedForm<Dim> operator*(const ScalarForm& a, const CurvedForm<Dim>& b) noexcept {
   CurvedForm<Dim> product;
@@ -83,6 +85,15 @@ CurvedForm<Dim> sum(CurvedForm<Dim> a, CurvedForm<Dim> b, double sign) noexcept 
   a.error += b.error + kRounding * a.size;
   return a;
 }
+
+template VectorForm operator*(const ScalarForm&, const VectorForm&) noexcept;
+template ScalarForm operator*(const ScalarForm&, const ScalarForm&) noexcept;
+template VectorForm sum(VectorForm, VectorForm, double) noexcept;
+template ScalarForm sum(ScalarForm, ScalarForm, double) noexcept;
+template VectorForm elevated(VectorForm, int) noexcept;
+template ScalarForm elevated(ScalarForm, int) noexcept;
+
+namespace {
 
 /// A point or an orientation, times 2^exponent without any rounding.
 struct Scale {
@@ -296,6 +307,7 @@ CurvedFrame curved_frame(const CurvedQuery& query) noexcept {
   }
   frame.first_multiplier = b.weight;
   frame.second_multiplier = a.weight;
+  frame.factor = lengths.factor;
   frame.known = exact && lengths.exact;
   return frame;
 }

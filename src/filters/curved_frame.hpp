@@ -53,10 +53,20 @@ struct CurvedForm {
 using ScalarForm = CurvedForm<1>;
 using VectorForm = CurvedForm<3>;
 
+/// Products and sums with their bounds; of sums the degree is the greater one. `sign` is 1 or -1: a + sign b.
+template <std::size_t Dim>
+CurvedForm<Dim> operator*(const ScalarForm& a, const CurvedForm<Dim>& b) noexcept;
+template <std::size_t Dim>
+CurvedForm<Dim> sum(CurvedForm<Dim> a, CurvedForm<Dim> b, double sign) noexcept;
+/// The same polynomials, of a higher degree.
+template <std::size_t Dim>
+CurvedForm<Dim> elevated(CurvedForm<Dim> form, int degree) noexcept;
+
 /// The corners, all multiplied by one positive polynomial; differences within an element only by a divisor of it.
 /// Let A be corner 0, the first one of the first element, and B the first one of the second element.
 struct CurvedFrame {
   bool known = false;  ///< false where an element's corners move in different ways, or sizes are extreme
+  double factor = 1;   ///< a power of two that lengths are multiplied by, in addition to the polynomial
   VectorForm between;  ///< B - A
   /// Differences within the elements. Edges: a1 - a0 and b1 - b0. Vertex-face: f1 - f0 and f2 - f0. Point-edge: e1 - e0
   /// is the second one.

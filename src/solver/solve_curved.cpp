@@ -67,11 +67,11 @@ Answer answer(const CurvedQuery& query, const Separation& separation, Method met
   const bool by_cgal = method == Method::oracle || method == Method::fast_cgal;
   if (method == Method::fast || method == Method::fast_cgal) {
     if (const std::optional<Query> same = straight(query)) return answer(*same, separation, method, t_max);
-    if (filters::certainly_farther(query, separation)) {
-      Answer apart;
-      apart.level = Level::filter;
-      return apart;
-    }
+    Answer apart;
+    apart.level = Level::filter;
+    if (filters::certainly_farther(query, separation)) return apart;
+    apart.level = Level::bracket;
+    if (filters::decide_in_brackets(query, separation, t_max) == filters::Finding::no_contact) return apart;
   }
   return by_cgal ? oracle::decide_by_oracle(query, t_max, separation) : exact::decide_exactly(query, t_max, separation);
 }

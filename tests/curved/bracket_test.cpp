@@ -13,6 +13,7 @@
 #include "curved/rational_motion.hpp"
 #include "filters/curved_bracket.hpp"
 #include "filters/curved_frame.hpp"
+#include "filters/curved_paths.hpp"
 #include "numbers/bounded.hpp"
 #include "seeded/rng.hpp"
 #include "support/query_families.hpp"
@@ -331,6 +332,87 @@ TEST_CASE("curved bracket: its answers are the exact level's, and it decides wha
     const bool ordinary = family == Family::turning_bodies || family == Family::curved_random;
     if (ordinary) CHECK(tally.exact_hits + tally.exact_misses < (tally.hits + tally.misses) / 20);
   }
+}
+
+TEST_CASE("curved bracket: with a separation it denies contacts only where the exact level does") {
+  struct Tally {
+    std::size_t parts = 0, misses = 0, contacts = 0;
+  };
+  for (const Family family : {Family::turning_bodies, Family::curved_random, Family::near_meeting, Family::spline}) {
+    Tally tally;
+    for (const Kind kind : kKinds) {
+      for (std::uint64_t index = 0; index < effort(30); ++index) {
+        const CaseId id{family, kind, kSeed + 4, index};
+        const CurvedSample sample = make_curved(id);
+        Rng rng(seeded::seed_of_part(kSeed + 5, index));
+        const Separation separation = {std::ldexp(1 + rng.unit(), -rng.between(0, 12)),
+                                       rng.one_in(2) ? Metric::euclidean : Metric::max};
+        const Answer exact = solve(sample.query, separation, Method::exact, sample.t_max);
+        tally.contacts += exact.contact;
+        tally.misses += !exact.contact;
+        const auto finding = filters::decide_in_brackets(sample.query, separation, sample.t_max);
+        if (finding == filters::Finding::uncertain) continue;
+        ++tally.parts;
+        INFO(case_name(id) << ", t_max " << hexfloat(sample.t_max) << ", distance " << hexfloat(separation.distance)
+                           << "\n"
+                           << curved_text(sample.query));
+        REQUIRE(finding == filters::Finding::no_contact);
+        REQUIRE_FALSE(exact.contact);
+      }
+    }
+    std::printf("%-15s with a separation: %zu contacts, %zu misses, %zu of them by directions in parts\n",
+                std::string(info(family).name).c_str(), tally.contacts, tally.misses, tally.parts);
+    if (!whole_effort("that directions in parts show most misses")) continue;
+    CHECK(tally.contacts > 0);
+    const bool ordinary = family == Family::turning_bodies || family == Family::curved_random;
+    if (ordinary) CHECK(tally.parts > tally.misses * 9 / 10);
+  }
+}
+
+TEST_CASE("curved bracket: separations that are just reached are not denied") {
+  // The least distance of a random pair, by bisection between doubles, of which the greater one is a contact.
+  std::size_t found = 0, denied = 0;
+  for (std::uint64_t index = 0; index < effort(40); ++index) {
+    Rng rng(seeded::seed_of_part(kSeed + 6, index));
+    const CurvedQuery query = make_curved({Family::turning_bodies, some_kind(rng), kSeed + 6, index}).query;
+    const Metric metric = rng.one_in(2) ? Metric::euclidean : Metric::max;
+    const auto exact_contact = [&](double d) { return solve(query, Separation{d, metric}, Method::exact).contact; };
+    double low = 0x1p-30, high = 4;
+    if (exact_contact(low) || !exact_contact(high)) continue;
+    ++found;
+    while (high > std::nextafter(low, 5)) {
+      const double middle = 0.5 * (low + high);
+      if (middle <= low || middle >= high) break;
+      (exact_contact(middle) ? high : low) = middle;
+    }
+    INFO("seed " << kSeed + 6 << ", index " << index);
+    for (int bits = 53; bits >= 20; bits -= 3) {
+      const double more = high * (1 + std::ldexp(1.0, -bits)), less = low * (1 - std::ldexp(1.0, -bits));
+      REQUIRE(filters::decide_in_brackets(query, {more, metric}, 1) == filters::Finding::uncertain);
+      denied += filters::decide_in_brackets(query, {less, metric}, 1) == filters::Finding::no_contact;
+    }
+  }
+  std::printf("%zu least distances; %zu a little less are proved to be kept\n", found, denied);
+  CHECK(found > effort(40) / 2);
+  CHECK(denied > found);
+}
+
+TEST_CASE("curved bracket: a direction for each part of the step") {
+  // A rod turns by 120 degrees about z past a corner at rest: it is near the corner all the time, on all sides of it.
+  RigidMotion turn;
+  turn.q0 = {1, 0, 0, -0.5773502691896257};
+  turn.q1 = {1, 0, 0, 0.5773502691896257};
+  const auto rod = [&](double radius) {
+    return curved(Kind::point_edge, {rest({0, 0, 0}), body(0, {radius, -0.1, 0}), body(0, {radius, 0.1, 0.01})},
+                  {turn});
+  };
+  REQUIRE_FALSE(filters::certainly_farther(rod(1), {0.9, Metric::euclidean}));
+  const Answer apart = solve(rod(1), Separation{0.9, Metric::euclidean});
+  CHECK_FALSE(apart.contact);
+  CHECK(apart.level == Level::bracket);
+  CHECK(solve(rod(1), Separation{1.001, Metric::euclidean}).contact);
+  // A separation of 0 is below all that the roots of one component tell apart.
+  CHECK_FALSE(solve(rod(0x1p-20)).contact);
 }
 
 TEST_CASE("curved bracket: a contact at t_max, or just before it, or just after") {
