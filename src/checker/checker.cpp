@@ -6,112 +6,11 @@
 // The checks are signs and divisibility. So the coordinates of a query, the coefficients of a direction, and those of a
 // polynomial are integers here: each group is multiplied by a positive number, which changes no sign.
 // SPDX-License-Identifier: MIT
-#include "checker/input.hpp"
+#include "checker/motion.hpp"
+#include "checker/queries.hpp"
 
 namespace checker {
 namespace {
-
-// ---- Polynomials ----------------------------------------------------------------------------------------------------
-
-/// sum += factor p
-void add(Polynomial& sum, const Polynomial& p, const mpz_class& factor) {
-  sum.extend(p.size());
-  for (std::size_t i = 0; i < p.size(); ++i) mpz_addmul(sum[i].get_mpz_t(), p[i].get_mpz_t(), factor.get_mpz_t());
-}
-/// sum += p q
-void add_product(Polynomial& sum, const Polynomial& p, const Polynomial& q) {
-  if (p.size() == 0 || q.size() == 0) return;
-  sum.extend(p.size() + q.size() - 1);
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    for (std::size_t j = 0; j < q.size(); ++j) {
-      mpz_addmul(sum[i + j].get_mpz_t(), p[i].get_mpz_t(), q[j].get_mpz_t());
-    }
-  }
-}
-void set_product(Polynomial& product, const Polynomial& p, const Polynomial& q) {
-  product.clear();
-  add_product(product, p, q);
-}
-void set_dot(Polynomial& dot, const Vector& a, const Vector& b) {
-  dot.clear();
-  for (std::size_t k = 0; k < 3; ++k) add_product(dot, a[k], b[k]);
-}
-void set_difference(Polynomial& difference, const Polynomial& p, const Polynomial& q) {
-  difference.clear();
-  difference.extend(std::max(p.size(), q.size()));
-  for (std::size_t i = 0; i < p.size(); ++i) difference[i] = p[i];
-  for (std::size_t i = 0; i < q.size(); ++i) difference[i] -= q[i];
-}
-
-/// The times from low / 2^shift on that are (width / 2^shift) s later, for s in [0, 1].
-struct Interval {
-  mpz_class low, width;
-  unsigned long shift = 0;
-  void set(const Number& from, const Number& to) {
-    const long e = std::min({from.e, to.e, 0L});
-    low = from.m << static_cast<unsigned long>(from.e - e);
-    width = (to.m << static_cast<unsigned long>(to.e - e)) - low;
-    shift = static_cast<unsigned long>(-e);
-  }
-};
-
-/// The Bernstein coefficients b_i of p over the interval, times C(d, i) 2^(shift d), for p with d + 1 coefficients.
-/// These factors are positive, so the signs are right. With p(low + s width) = sum c_j s^j and 1 = (1 - s) + s, p is
-/// the sum of the c_j s^j ((1 - s) + s)^(d - j). This is a polynomial of s and 1 - s: s^i (1 - s)^(d - i) has the
-/// coefficient sum over j <= i of C(d - j, i - j) c_j, which is C(d, i) b_i.
-void set_bernstein(Polynomial& b, const Polynomial& p, const Interval& on) {
-  static mpz_class power;
-  const std::size_t size = p.size();
-  b.clear();
-  b.extend(size);
-  for (std::size_t i = 0; i < size; ++i) {  // p as a polynomial of 2^shift t
-    mpz_mul_2exp(b[i].get_mpz_t(), p[i].get_mpz_t(), on.shift * (size - 1 - i));
-  }
-  for (std::size_t k = 1; k < size; ++k) {  // by Horner's scheme, as a polynomial of 2^shift t - low
-    for (std::size_t i = size - 1; i >= k; --i) {
-      mpz_addmul(b[i - 1].get_mpz_t(), b[i].get_mpz_t(), on.low.get_mpz_t());
-    }
-  }
-  power = 1;
-  for (std::size_t i = 1; i < size; ++i) {  // as a polynomial of s
-    power *= on.width;
-    b[i] *= power;
-  }
-  // Also by Horner's scheme: the first k coefficients are those of a polynomial of 1 - s and s, times (1 - s) + s.
-  for (std::size_t k = 1; k < size; ++k) {
-    for (std::size_t i = k; i > 0; --i) b[i] += b[i - 1];
-  }
-}
-
-/// Whether all of the Bernstein coefficients have this sign. From the index `zeros_from` on they may also be zero.
-bool have_sign(const Polynomial& bernstein, int sign, std::size_t zeros_from) {
-  for (std::size_t i = 0; i < bernstein.size(); ++i) {
-    const int s = sgn(bernstein[i]);
-    if (s != sign && (s != 0 || i < zeros_from)) return false;
-  }
-  return bernstein.size() > 0;
-}
-constexpr std::size_t kNoZeros = std::numeric_limits<std::size_t>::max();
-
-/// Whether g divides p, over the rational numbers. g's leading coefficient is not zero.
-bool divides(const Polynomial& g, const Polynomial& p) {
-  static Polynomial rest;
-  rest.clear();
-  add(rest, p, 1);
-  const mpz_class& lead = g[g.size() - 1];
-  for (std::size_t size = rest.size(); size >= g.size(); --size) {
-    // lead rest - top g t^(size - g.size()), whose last coefficient is zero and not looked at any more
-    const mpz_class& top = rest[size - 1];
-    for (std::size_t i = 0; i + 1 < size; ++i) rest[i] *= lead;
-    for (std::size_t i = 0; i + 1 < g.size(); ++i) rest[size - g.size() + i] -= top * g[i];
-  }
-  for (std::size_t i = 0; i < std::min(rest.size(), g.size() - 1); ++i) {
-    if (rest[i] != 0) return false;
-  }
-  return true;
-}
-
-// ---- The checker ----------------------------------------------------------------------------------------------------
 
 enum class Metric { none, euclidean, max };
 struct Separation {
@@ -160,19 +59,20 @@ class Checker {
             "the second word is no kind: edge-edge, vertex-face, point-edge, point-point or mesh was expected");
     const unsigned long long before = queries_;
     next();
-    std::string steps;
+    std::string text;
     if (kind == kKinds.end()) {
-      steps = " in " + counted(check_motion(name), "step", "steps");
+      text = " in " + counted(check_motion(name), "step", "steps");
     } else {
-      Lines queries(name);
+      QueryFile queries(name);
+      if (queries.is_curved()) text = " with curved motion";
       query_.kind = *kind;
-      for (std::uint64_t i = 0; read_query(queries, query_); ++i) {
+      for (std::uint64_t i = 0; queries.next(query_); ++i) {
         check_query(i, [&] { return name + ": query " + std::to_string(i); });
       }
     }
     // The proofs say which kind the queries are, and which separation they have, so a person must see both.
     const std::string count = counted(queries_ - before, kind_name + " query", kind_name + " queries");
-    std::printf("%s: %s%s%s\n", name.c_str(), count.c_str(), steps.c_str(), separation_.text.c_str());
+    std::printf("%s: %s%s%s\n", name.c_str(), count.c_str(), text.c_str(), separation_.text.c_str());
   }
 
   /// The separation of the next file, which is zero without a line of its own.
@@ -226,7 +126,7 @@ class Checker {
     if (words_.size() < 2 || words_[0] != std::to_string(number)) {
       throw expected("\"" + std::to_string(number) + " none\" or \"" + std::to_string(number) + " contact T U\"");
     }
-    set_corners();
+    corners_.set(query_, separation_.distance);
     if (words_.size() == 2 && words_[1] == "none") {
       next();
       toi_ = {1, 0};
@@ -244,32 +144,6 @@ class Checker {
     next();
     if (!is_double || sign(toi_) > 0) check_pieces(is_double);
     check_meeting(is_double);
-  }
-
-  /// The corners as polynomials of degree 1, and the separation, all multiplied by the least number that makes their
-  /// coordinates and the separation integers.
-  void set_corners() {
-    const Fraction distance = fraction_of(separation_.distance);
-    scale_ = distance.denominator;
-    const std::size_t corners = query_.kind.corners;
-    for (std::size_t row = 0; row < 2 * corners; ++row) {
-      for (const Fraction& c : query_.rows[row]) {
-        if (!mpz_divisible_p(scale_.get_mpz_t(), c.denominator.get_mpz_t())) scale_ = lcm(scale_, c.denominator);
-      }
-    }
-    set_scaled(distance_, distance);
-    for (std::size_t i = 0; i < corners; ++i) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        x_[i][k].extend(2);
-        set_scaled(x_[i][k][0], query_.rows[i][k]);
-        set_scaled(x_[i][k][1], query_.rows[corners + i][k]);
-        x_[i][k][1] -= x_[i][k][0];
-      }
-    }
-  }
-  void set_scaled(mpz_class& x, const Fraction& c) {
-    mpz_divexact(x.get_mpz_t(), scale_.get_mpz_t(), c.denominator.get_mpz_t());
-    x *= c.numerator;
   }
 
   /// A list of pieces that cover [0, toi_]; if `open`, the elements may meet at the end.
@@ -297,13 +171,13 @@ class Checker {
     int side = 0;
     for (std::size_t i = 0; i < query_.kind.first; ++i) {
       for (std::size_t j = query_.kind.first; j < query_.kind.corners; ++j) {
-        for (std::size_t k = 0; k < 3; ++k) set_difference(r_[k], x_[j][k], x_[i][k]);
+        corners_.set_difference_of(r_, j, i);
         set_dot(product_, n_, r_);
-        if (!is_separated(open, side)) {
+        if (!is_separated(i, j, open, side)) {
           throw rejected("corner " + std::to_string(i) + " and corner " + std::to_string(j) +
                          " are not proved to be on different sides of the plane, with the separation between them");
         }
-        // n is perpendicular to the edges of both elements: its products with all x_j - x_i are one polynomial.
+        // n is perpendicular to the edges of both elements: its products with all x_j - x_i have one sign at each time.
         if (is_normal) return;
       }
     }
@@ -312,10 +186,8 @@ class Checker {
   /// n = u x w
   void set_normal() {
     const bool is_edge = query_.kind.first == 2;
-    for (std::size_t k = 0; k < 3; ++k) {
-      set_difference(u_[k], x_[is_edge ? 1 : 2][k], x_[is_edge ? 0 : 1][k]);
-      set_difference(w_[k], x_[3][k], x_[is_edge ? 2 : 1][k]);
-    }
+    corners_.set_difference_of(u_, is_edge ? 1 : 2, is_edge ? 0 : 1);
+    corners_.set_difference_of(w_, 3, is_edge ? 2 : 1);
     for (std::size_t k = 0; k < 3; ++k) {
       set_product(product_, u_[(k + 1) % 3], w_[(k + 2) % 3]);
       set_product(square_, u_[(k + 2) % 3], w_[(k + 1) % 3]);
@@ -332,22 +204,32 @@ class Checker {
 
   /// Whether product_, of two corners, has the sign `side` during the piece, which is set if it is 0. With a separation
   /// the polynomials of docs/proofs.md that take its place are checked, and its sign at the start.
-  bool is_separated(bool open, int& side) {
+  bool is_separated(std::size_t i, std::size_t j, bool open, int& side) {
     const std::size_t zeros_from = open ? 1 : kNoZeros;
     set_bernstein(bernstein_, product_, interval_);
     if (side == 0) side = sgn(bernstein_[0]);
     if (side == 0 || sgn(bernstein_[0]) != side) return false;
     if (separation_.metric == Metric::none) return have_sign(bernstein_, side, zeros_from);
+    // The separation, times what x_j - x_i is multiplied by.
+    bound_.clear();
+    add(bound_, corners_.w[i], corners_.separation);
+    if (corners_.motion[i] != corners_.motion[j]) {
+      set_product(square_, bound_, corners_.w[j]);
+      std::swap(bound_, square_);
+    }
     if (separation_.metric == Metric::euclidean) {
+      set_dot(sum_, n_, n_);
+      set_product(square_, bound_, bound_);
+      set_product(bound_, square_, sum_);
       set_product(square_, product_, product_);
-      set_dot(product_, n_, n_);
-      add(square_, product_, -(distance_ * distance_));
+      add(square_, bound_, -1);
       return has_sign(square_, 1, zeros_from);
     }
     for (unsigned signs = 0; signs < 8; ++signs) {
-      sum_.clear();
+      square_.clear();
+      for (unsigned k = 0; k < 3; ++k) add(square_, n_[k], (signs >> k) % 2 == 0 ? -1 : 1);
+      set_product(sum_, bound_, square_);
       add(sum_, product_, 1);
-      for (unsigned k = 0; k < 3; ++k) add(sum_, n_[k], (signs >> k) % 2 == 0 ? distance_ : -distance_);
       if (!has_sign(sum_, side, zeros_from)) return false;
     }
     return true;
@@ -378,8 +260,8 @@ class Checker {
         throw rejected("before this line: the weight of corner " + std::to_string(i) + " may be negative");
       }
       const std::size_t e = i < query_.kind.first ? 0 : 1;
-      add(sums_[e], weight, 1);
-      for (std::size_t k = 0; k < 3; ++k) add_product(points_[e][k], weight, x_[i][k]);
+      add_product(sums_[e], weight, corners_.w[i]);
+      for (std::size_t k = 0; k < 3; ++k) add_product(points_[e][k], weight, corners_.x[i][k]);
     }
     for (const Polynomial& sum : sums_) {
       require(has_sign(sum, 1, kNoZeros), "before this line: the weights of an element may all be zero");
@@ -438,13 +320,13 @@ class Checker {
     if (separation_.metric == Metric::euclidean) {
       set_product(square_, product_, product_);
       set_dot(sum_, r_, r_);
-      add(sum_, square_, -(distance_ * distance_));
+      add(sum_, square_, -(corners_.separation * corners_.separation));
       return has_sign(sum_, -1, 0) || divides(root_[0], sum_);
     }
     for (const Polynomial& c : r_) {
       for (const int s : {1, -1}) {
         sum_.clear();
-        add(sum_, product_, distance_);
+        add(sum_, product_, corners_.separation);
         add(sum_, c, s);
         if (!has_sign(sum_, 1, 0) && !divides(root_[0], sum_)) return false;
       }
@@ -460,13 +342,12 @@ class Checker {
   // Of the query. The numbers keep their memory from one query to the next.
   Query query_;
   Number toi_, upper_, from_, to_;
-  mpz_class scale_, distance_;
+  Corners corners_;
   Interval interval_;
   std::array<std::vector<Number>, 4> numbers_;
-  std::array<Vector, 4> x_;
   std::array<Polynomial, 4> weights_;
   Vector u_, w_, r_, n_;
-  Polynomial product_, square_, sum_, bernstein_;
+  Polynomial product_, square_, sum_, bound_, bernstein_;
   std::array<Polynomial, 1> root_;
   std::array<Polynomial, 2> sums_;
   std::array<Vector, 2> points_;

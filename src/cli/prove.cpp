@@ -43,7 +43,7 @@ int run_prove(const ProveOptions& options) {
   ProofFile out(options.out, inputs);
   const int threads = thread_count(options.threads);
 
-  QueryStream stream(inputs, options.chunk_bytes);
+  QueryStream stream(inputs, options.chunk_bytes, io::Motions::any);
   Counts counts;
   QueryProgress progress(inputs);
   run_in_order<ProveItem>(

@@ -31,6 +31,15 @@ struct ScaledCorners {
 ScaledCorners scaled_corners(const Query& query);
 ScaledCorners scaled_corners(const RationalQuery& query);
 
+/// The corners of a curved query as they are: corner i is at numerators[i] / weights[i], times one positive number. All
+/// numerators and weights are multiplied by another one, which is 1 where quaternions are of ordinary size.
+struct HomogeneousCorners {
+  std::array<geometry::Vector<Form>, 4> numerators;
+  std::array<Form, 4> weights;  ///< |q|^2 for a corner of a body, constant for one on a curve
+  Exact factor;                 ///< the positive number
+};
+HomogeneousCorners homogeneous_corners(const CurvedQuery& query);
+
 /// Calls f with the elements of the query's kind, over numbers of type N.
 template <class N, class Q, class F>
 auto with_elements(const Q& query, F&& f) {

@@ -36,12 +36,13 @@ struct Pose {
   Form weight;
 };
 
-Pose pose_of(const RigidMotion& motion, const Scaled& lengths) {
-  OrdinarySize size;  // of the quaternion, whose length does not matter
+void add(const RigidMotion& motion, OrdinarySize& size) {
   for (const auto& end : {motion.q0, motion.q1}) {
     for (const double c : end) size.add(c);
   }
-  const Scaled scale(size);
+}
+
+Pose pose_of(const RigidMotion& motion, const Scaled& lengths, const Scaled& scale) {
   const auto component = [&](std::size_t i) { return linear(scale(motion.q0[i]), scale(motion.q1[i])).trimmed(1); };
   const Form w = component(0), x = component(1), y = component(2), z = component(3);
   const Form ww = w * w, xx = x * x, yy = y * y, zz = z * z;
@@ -89,34 +90,49 @@ geometry::Vector<Form> on_curve(const CurvedCorner& corner, const Scaled& length
   return result;
 }
 
-}  // namespace
+std::size_t motion_of(const CurvedCorner& corner) { return static_cast<std::size_t>(corner.motion); }
 
-template <>
-Forms<AnyDegree>::Corners moving_corners<AnyDegree>(const CurvedQuery& query) {
-  const std::size_t count = corner_count(query.kind);
-  const auto motion_of = [&](const CurvedCorner& corner) { return static_cast<std::size_t>(corner.motion); };
+std::array<bool, 4> used_motions(const CurvedQuery& query) {
   std::array<bool, 4> used{};
+  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+    if (query.corners[i].motion != CurvedCorner::kOnCurve) used[motion_of(query.corners[i])] = true;
+  }
+  return used;
+}
+
+/// Of the coordinates that count.
+OrdinarySize size_of(const CurvedQuery& query) {
   OrdinarySize size;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
     const CurvedCorner& corner = query.corners[i];
     const bool on_a_body = corner.motion != CurvedCorner::kOnCurve;
     const std::size_t points = on_a_body ? 1 : static_cast<std::size_t>(corner.control_points);
     for (std::size_t k = 0; k < points; ++k) size.add(corner.points[k]);
-    if (on_a_body) used[motion_of(corner)] = true;
   }
+  const std::array<bool, 4> used = used_motions(query);
   for (std::size_t m = 0; m < used.size(); ++m) {
     if (!used[m]) continue;
     size.add(query.motions[m].p0);
     size.add(query.motions[m].p1);
   }
+  return size;
+}
 
-  const Scaled lengths(size);
+}  // namespace
+
+template <>
+Forms<AnyDegree>::Corners moving_corners<AnyDegree>(const CurvedQuery& query) {
+  const std::size_t count = corner_count(query.kind);
+  const std::array<bool, 4> used = used_motions(query);
+  const Scaled lengths(size_of(query));
   std::array<Pose, 4> poses;
   std::vector<Form> weights;               // the different ones
   std::array<std::size_t, 4> weight_of{};  // of a motion
   for (std::size_t m = 0; m < used.size(); ++m) {
     if (!used[m]) continue;
-    poses[m] = pose_of(query.motions[m], lengths);
+    OrdinarySize size;  // of the quaternion, whose length does not matter
+    add(query.motions[m], size);
+    poses[m] = pose_of(query.motions[m], lengths, Scaled(size));
     const auto same = std::find(weights.begin(), weights.end(), poses[m].weight);
     weight_of[m] = static_cast<std::size_t>(same - weights.begin());
     if (same == weights.end()) weights.push_back(poses[m].weight);
@@ -165,6 +181,33 @@ Forms<AnyDegree>::Corners moving_corners<AnyDegree>(const CurvedQuery& query) {
     } else {
       std::copy(result.corners.begin() + begin, result.corners.begin() + end, result.own.begin() + begin);
     }
+  }
+  return result;
+}
+
+HomogeneousCorners homogeneous_corners(const CurvedQuery& query) {
+  const Scaled lengths(size_of(query));
+  OrdinarySize size;  // of all quaternions
+  const std::array<bool, 4> used = used_motions(query);
+  for (std::size_t m = 0; m < used.size(); ++m) {
+    if (used[m]) add(query.motions[m], size);
+  }
+  const Scaled turns(size);
+  const Form square(turns(1) * turns(1));
+  HomogeneousCorners result;
+  result.factor = lengths(1);
+  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+    const CurvedCorner& corner = query.corners[i];
+    if (corner.motion == CurvedCorner::kOnCurve) {
+      result.numerators[i] = on_curve(corner, lengths);
+      for (Form& coordinate : result.numerators[i].c) coordinate = scaled_by(square, coordinate);
+      result.weights[i] = square;
+      continue;
+    }
+    const Pose pose = pose_of(query.motions[motion_of(corner)], lengths, turns);
+    result.numerators[i] = turned(pose, corner.points[0], lengths);
+    for (std::size_t k = 0; k < 3; ++k) result.numerators[i][k] = result.numerators[i][k] + pose.origin[k];
+    result.weights[i] = pose.weight;
   }
   return result;
 }

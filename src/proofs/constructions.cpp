@@ -10,10 +10,18 @@ namespace {
 
 /// Two edges meet, or a vertex and a face do, with the weights of geometry/frame.hpp: n = u x w and, along an axis, the
 /// numerators of two fractions.
+///
+/// The frame's vectors are multiplied by scales, and corner i's weight is its share of the point over W_i. Let s be the
+/// scale of r, and a that of u. The fraction of u is first / n times a / s, and the share of corner 1 of two edges is
+/// this fraction. So with the common factor n s, the weight is first a / W_1; and that of corner 0 is n s / W_0 - first
+/// a / W_0. A scale over a weight is what `completed` multiplies by.
 std::array<Dense, 4> weights_of_lines(const Elements& elements, const Dense& n, const Dense& first,
                                       const Dense& second) {
-  if (elements.is_edge_edge()) return {n - first, first, n - second, second};
-  return {n, n - first - second, first, second};
+  const auto of = [&](const Dense& p, std::size_t i, std::size_t j) { return elements.completed(p, i, j); };
+  if (elements.is_edge_edge()) {
+    return {of(n, 0, 2) - of(first, 0, 1), of(first, 1, 0), of(n, 2, 0) - of(second, 2, 3), of(second, 3, 2)};
+  }
+  return {n, of(n, 1, 0) - of(first, 1, 2) - of(second, 1, 3), of(first, 2, 1), of(second, 3, 1)};
 }
 
 /// Where V vanishes, the fractions along axis k; none of them is better than another one.
@@ -35,7 +43,8 @@ Construction closest_of_lines(const Elements& elements, const geometry::Frame<De
   const DenseVector second =
       elements.is_edge_edge() ? geometry::cross(frame.r, frame.u) : geometry::cross(frame.u, frame.r);
   Construction c;
-  c.events = {{v * v - elements.separation * elements.separation * square}};
+  const Dense bound = elements.is_edge_edge() ? elements.bound(2, 0) : elements.bound(0, 1);  // of r
+  c.events = {{v * v - bound * bound * square}};
   c.weights =
       weights_of_lines(elements, square, geometry::dot(geometry::cross(frame.r, frame.w), n), geometry::dot(second, n));
   return c;
@@ -49,13 +58,16 @@ Construction on_edge(const Elements& elements, const CornerAndEdge& pair) {
   const Dense square = geometry::dot(e, e);
   Construction result;
   if (elements.has_separation()) {
-    result.events = {{geometry::dot(c, c) - elements.separation * elements.separation * square}};
+    const Dense bound = elements.bound(pair.corner, pair.start);
+    result.events = {{geometry::dot(c, c) - bound * bound * square}};
   } else {
     result.events = {{c[0], c[1], c[2]}};
   }
   result.weights[pair.corner] = {Exact(1)};
-  result.weights[pair.end] = geometry::dot(r, e);
-  result.weights[pair.start] = square - result.weights[pair.end];
+  const Dense along = geometry::dot(r, e);
+  result.weights[pair.end] = elements.completed(along, pair.end, pair.start);
+  result.weights[pair.start] =
+      elements.completed(square, pair.start, pair.corner) - elements.completed(along, pair.start, pair.end);
   return result;
 }
 
@@ -63,7 +75,8 @@ Construction at_corners(const Elements& elements, std::size_t i, std::size_t j) 
   const DenseVector r = elements.difference(j, i);
   Construction result;
   if (elements.has_separation()) {
-    result.events = {{geometry::dot(r, r) - Dense{elements.separation * elements.separation}}};
+    const Dense bound = elements.bound(j, i);
+    result.events = {{geometry::dot(r, r) - bound * bound}};
   } else {
     result.events = {{r[0], r[1], r[2]}};
   }
@@ -71,8 +84,8 @@ Construction at_corners(const Elements& elements, std::size_t i, std::size_t j) 
   return result;
 }
 
-/// In the metric `max`, with the fractions s and q along the elements' edges: the polygon of the points (s, q) of the
-/// elements whose difference is at most D along each axis. A border is the line where a s + b q + c = 0; the polygon is
+/// In the metric `max`, with the fractions s and q along the elements' edges, times the scale of r over that of the
+/// edge: the polygon of the points (s, q) of the elements whose difference is at most D along each axis. A border is the line where a s + b q + c = 0; the polygon is
 /// on its side where that is not negative. For a point and an edge q = 0, for two points s = 0 too; these are the last
 /// borders.
 class Polygon {
@@ -81,31 +94,36 @@ class Polygon {
     const Dense zero = {Exact(0)};
     const Dense one = {Exact(1)};
     const Dense minus_one = {Exact(-1)};
-    DenseVector r, along_s, along_q;  // the difference is r + s along_s + q along_q
+    DenseVector r, along_s, along_q;  // the difference is r + s along_s + q along_q, times the scale of r
+    const auto of = [&](const Dense& p, std::size_t i, std::size_t j) { return elements.completed(p, i, j); };
+    const bool edges = elements.kind == Kind::edge_edge;
+    const Dense d = edges ? elements.bound(2, 0) : elements.bound(1, 0);
     switch (elements.kind) {
       case Kind::edge_edge:
         dimensions_ = 2;
         r = elements.difference(2, 0);
         along_s = elements.difference(0, 1);
         along_q = elements.difference(3, 2);
-        borders_ = {{one, zero, zero}, {minus_one, zero, one}, {zero, one, zero}, {zero, minus_one, one}};
+        borders_ = {{one, zero, zero},
+                    {of(minus_one, 0, 1), zero, of(one, 0, 2)},
+                    {zero, one, zero},
+                    {zero, of(minus_one, 2, 3), of(one, 2, 0)}};
         break;
       case Kind::vertex_face:
         dimensions_ = 2;
         r = elements.difference(1, 0);
         along_s = elements.difference(2, 1);
         along_q = elements.difference(3, 1);
-        borders_ = {{one, zero, zero}, {zero, one, zero}, {minus_one, minus_one, one}};
+        borders_ = {{one, zero, zero}, {zero, one, zero}, {of(minus_one, 1, 2), of(minus_one, 1, 3), of(one, 1, 0)}};
         break;
       case Kind::point_edge:
         dimensions_ = 1;
         r = elements.difference(1, 0);
         along_s = elements.difference(2, 1);
-        borders_ = {{one, zero, zero}, {minus_one, zero, one}};
+        borders_ = {{one, zero, zero}, {of(minus_one, 1, 2), zero, of(one, 1, 0)}};
         break;
       case Kind::point_point: r = elements.difference(1, 0); break;
     }
-    const Dense d = {elements.separation};
     for (std::size_t k = 0; k < 3; ++k) {
       borders_.push_back({-along_s[k], -along_q[k], d - r[k]});
       borders_.push_back({along_s[k], along_q[k], d + r[k]});
@@ -174,13 +192,13 @@ class Polygon {
   /// The weights of the corners for the fractions s / det and q / det.
   std::array<Dense, 4> weights(const Dense& det, const Dense& s, const Dense& q) const {
     const Dense one = {Exact(1)};
-    switch (elements_.kind) {
-      case Kind::edge_edge: return {det - s, s, det - q, q};
-      case Kind::vertex_face: return {one, det - s - q, s, q};
-      case Kind::point_edge: return {one, det - s, s, {}};
-      case Kind::point_point: break;
+    if (elements_.kind == Kind::point_point) return {one, one, {}, {}};
+    if (elements_.kind == Kind::point_edge) {
+      return {one, elements_.completed(det, 1, 0) - elements_.completed(s, 1, 2), elements_.completed(s, 2, 1), {}};
     }
-    return {one, one, {}, {}};
+    std::array<Dense, 4> result = weights_of_lines(elements_, det, s, q);
+    if (elements_.kind == Kind::vertex_face) result[0] = one;
+    return result;
   }
 
   const Elements& elements_;
@@ -219,7 +237,7 @@ std::vector<Dense> conditions(const Elements& elements, const std::array<Dense, 
   std::array<DenseVector, 2> points;
   for (std::size_t i = 0; i < elements.count; ++i) {
     const std::size_t element = i < elements.first ? 0 : 1;
-    sums[element] = sums[element] + weights[i];
+    sums[element] = sums[element] + scaled_by(elements.weights[i], weights[i]);
     for (std::size_t k = 0; k < 3; ++k) {
       points[element][k] = points[element][k] + weights[i] * elements.corners[i][k];
     }

@@ -12,42 +12,26 @@
 namespace touchstone::proofs {
 namespace {
 
-/// Binomial coefficient C(n, k), exact for the small n here.
-double binomial(std::size_t n, std::size_t k) {
-  double c = 1;
-  for (std::size_t i = 0; i < k; ++i) c = c * static_cast<double>(n - i) / static_cast<double>(i + 1);
-  return c;
-}
-
-/// n!, exact for n <= 18.
-double factorial(std::size_t n) {
-  double product = 1;
-  for (std::size_t i = 2; i <= n; ++i) product *= static_cast<double>(i);
-  return product;
-}
-
-/// The Bernstein coefficients of p over [from, to], all multiplied by d!. b_i is the sum over j <= i of
-/// C(i, j) / C(d, j) q_j, where q is p over [from, to]; and d! / C(d, j) = j! (d - j)!, which divides d!. The
-/// polynomials of proofs have d <= 8.
+/// The Bernstein coefficients b_i of p over [from, to], each multiplied by the binomial coefficient C(d, i) > 0. With
+/// p(from + s (to - from)) = sum c_j s^j and 1 = (1 - s) + s, p is the sum of the c_j s^j ((1 - s) + s)^(d - j), a
+/// polynomial of s and 1 - s.
 Dense bernstein(const Dense& p, const Exact& from, const Exact& to) {
-  if (p.empty()) return p;
-  const std::size_t degree = p.size() - 1;
-  // q(x) = p(from + x (to - from)): Taylor's shift by Horner's scheme, and powers of the width.
-  Dense q = p;
-  if (!numbers::is_zero(from)) {
-    for (std::size_t i = 0; i < degree; ++i) {
-      for (std::size_t j = degree; j-- > i;) q[j] = q[j] + q[j + 1] * from;
+  Dense b = p;
+  const std::size_t size = b.size();
+  if (!numbers::is_zero(from)) {  // Taylor's shift by Horner's scheme
+    for (std::size_t k = 1; k < size; ++k) {
+      for (std::size_t i = size - 1; i >= k; --i) b[i - 1] = b[i - 1] + b[i] * from;
     }
   }
   const Exact width = to - from;
   Exact power(1);
-  for (std::size_t j = 0; j <= degree; ++j) {
-    q[j] = q[j] * power * Exact(factorial(j) * factorial(degree - j));
+  for (std::size_t i = 1; i < size; ++i) {
     power = power * width;
+    b[i] = b[i] * power;
   }
-  Dense b = q;
-  for (std::size_t i = 1; i <= degree; ++i) {
-    for (std::size_t j = 0; j < i; ++j) b[i] = b[i] + q[j] * Exact(binomial(i, j));
+  // Also by Horner's scheme: the first k coefficients are those of a polynomial of 1 - s and s, times (1 - s) + s.
+  for (std::size_t k = 1; k < size; ++k) {
+    for (std::size_t i = k; i > 0; --i) b[i] = b[i] + b[i - 1];
   }
   return b;
 }
@@ -56,11 +40,13 @@ Dense bernstein(const Dense& p, const Exact& from, const Exact& to) {
 /// different ones, in which case the value is 0. Nothing where they are not certain.
 ///
 /// The coefficients c_i and the interval are off by a relative 2^-51 at most. q_j is the sum of C(i, j) c_i from^(i - j)
-/// over i >= j, and b_k that of C(k, j) / C(d, j) q_j width^j over j <= k. A term passes through fewer than 60 roundings
-/// where d <= 8. So b_k is off by at most 2^-45 times the sum of the terms' absolute values. The bound has 2^-44, and
-/// nothing may underflow in sums that are large enough, nor overflow.
+/// over i >= j, and b_k that of C(k, j) / C(d, j) q_j width^j over j <= k. Beside 4 such errors of 2^-53 for c_i, a term
+/// passes through at most 2 d roundings in q_j, 2 d + 1 with its power of the width, 2 d in its ratio of binomials, and
+/// d + 2 in the product with it and the sum: 7 d + 7 <= 231 in all where d <= 32. So b_k is off by at most 2^-45 times
+/// the sum of the terms' absolute values. The bound has 2^-44, and nothing may underflow in sums that are large enough,
+/// nor overflow: no factor but the coefficients is above C(32, 16) < 2^30.
 std::optional<int> sign_in_doubles(const Dense& p, const Exact& exact_from, const Exact& exact_to) {
-  constexpr std::size_t kMostSize = 9;
+  constexpr std::size_t kMostSize = 33;
   constexpr double kBound = 0x1p-44, kLeast = 0x1p-800, kGreatest = 0x1p800;
   const double from = numbers::to_double(exact_from), to = numbers::to_double(exact_to);
   const std::size_t size = p.size();
@@ -136,6 +122,10 @@ Dense operator*(const Dense& p, const Dense& q) {
     for (std::size_t j = 0; j < q.size(); ++j) product[i + j] = product[i + j] + p[i] * q[j];
   }
   return product;
+}
+
+Dense scaled_by(const Dense& scale, const Dense& p) {
+  return scale.size() == 1 && scale[0] == Exact(1) ? p : scale * p;
 }
 
 bool is_zero(const Dense& p) {

@@ -25,6 +25,10 @@ Dense operator-(const Dense& p);
 Dense operator*(const Dense& p, const Dense& q);
 Dense operator*(const Exact& factor, const Dense& p);
 bool is_zero(const Dense& p);
+
+/// scale p; the scale is often 1.
+Dense scaled_by(const Dense& scale, const Dense& p);
+
 Exact value(const Dense& p, const Exact& t);
 
 /// Whether g divides p, over the rational numbers. g's leading coefficient is not zero.

@@ -26,26 +26,30 @@ DenseVector constant(const DoubleVector& direction) {
 struct Candidate {
   bool normal = false;
   DenseVector direction;
-  std::vector<Dense> products;  ///< n . (x_j - x_i) for each pair of corners; one polynomial that all are, for u x w
 
-  /// D^2 (n . n) in the Euclidean metric. In the other one D (s_0 n_0 + s_1 n_1 + s_2 n_2) for all choices of the signs
-  /// s, or for one of them that is the largest. Empty without a separation.
-  std::vector<Dense> bounds;
+  /// n . (x_j - x_i) times a positive polynomial for each pair of corners; one that has the sign of all, for u x w.
+  std::vector<Dense> products;
+
+  /// n . n in the Euclidean metric. In the other one s_0 n_0 + s_1 n_1 + s_2 n_2 for all choices of the signs s, or for
+  /// one of them that is the largest. Empty without a separation.
+  std::vector<Dense> norms;
+  std::vector<Dense> bounds;  ///< for each product D or D^2 times what x_j - x_i is multiplied by, or its square
 
   bool separates(const Elements& elements, const Exact& from, const Exact& to, bool open) const {
     const Inner inner = open ? Inner::any_zero : Inner::not_zero;
     const int side = numbers::sign_of(value(products.front(), from));
     if (side == 0) return false;
-    if (bounds.empty()) {
+    if (norms.empty()) {
       return std::all_of(products.begin(), products.end(),
                          [&](const Dense& p) { return sign_over(p, from, to, inner) == side; });
     }
     const bool euclidean = elements.metric == Metric::euclidean;
-    for (const Dense& product : products) {
+    for (std::size_t i = 0; i < products.size(); ++i) {
+      const Dense& product = products[i];
       if (numbers::sign_of(value(product, from)) != side) return false;
       const Dense left = euclidean ? product * product : side > 0 ? product : -product;
-      for (const Dense& bound : bounds) {
-        if (sign_over(left - bound, from, to, inner) != 1) return false;
+      for (const Dense& norm : norms) {
+        if (sign_over(left - bounds[i] * norm, from, to, inner) != 1) return false;
       }
     }
     return true;
@@ -63,23 +67,28 @@ Candidate candidate_along(const Elements& elements, const DenseVector& direction
 
 void add_bounds(const Elements& elements, Candidate& candidate) {
   const DenseVector& n = candidate.direction;
-  const Exact& d = elements.separation;
   if (!elements.has_separation()) return;
-  if (elements.metric == Metric::euclidean) {
-    candidate.bounds = {d * d * geometry::dot(n, n)};
+  const bool euclidean = elements.metric == Metric::euclidean;
+  elements.for_each_pair([&](std::size_t i, std::size_t j) {
+    const Dense bound = elements.bound(i, j);
+    if (candidate.bounds.size() < candidate.products.size())
+      candidate.bounds.push_back(euclidean ? bound * bound : bound);
+  });
+  if (euclidean) {
+    candidate.norms = {geometry::dot(n, n)};
     return;
   }
   const bool is_constant = n[0].size() == 1 && n[1].size() == 1 && n[2].size() == 1;
   if (is_constant) {
     Exact sum;
     for (const Dense& p : n.c) sum = sum + (numbers::sign_of(p[0]) < 0 ? -p[0] : p[0]);
-    candidate.bounds = {Dense{d * sum}};
+    candidate.norms = {Dense{sum}};
     return;
   }
   for (const double s0 : {1.0, -1.0}) {
     for (const double s1 : {1.0, -1.0}) {
       for (const double s2 : {1.0, -1.0}) {
-        candidate.bounds.push_back(d * (Exact(s0) * n[0] + Exact(s1) * n[1] + Exact(s2) * n[2]));
+        candidate.norms.push_back(Exact(s0) * n[0] + Exact(s1) * n[1] + Exact(s2) * n[2]);
       }
     }
   }
@@ -183,12 +192,15 @@ class Search {
     corners.count = elements_.count;
     corners.first_count = elements_.first;
     corners.largest = 0;
-    const DenseVector& origin = elements_.corners[0];
     for (std::size_t i = 0; i < elements_.count; ++i) {
+      const DenseVector relative = elements_.difference(i, 0);
+      const Dense scale = elements_.scale(i, 0);
+      const auto at = [&](std::size_t k, const Exact& time) {
+        return numbers::to_double(value(relative[k], time)) / numbers::to_double(value(scale, time));
+      };
       for (std::size_t k = 0; k < 3; ++k) {
-        const Dense relative = elements_.corners[i][k] - origin[k];
-        corners.start[i][k] = numbers::to_double(value(relative, from));
-        corners.end[i][k] = numbers::to_double(value(relative, to));
+        corners.start[i][k] = at(k, from);
+        corners.end[i][k] = at(k, to);
         corners.largest = std::max({corners.largest, std::fabs(corners.start[i][k]), std::fabs(corners.end[i][k])});
       }
     }

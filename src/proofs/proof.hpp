@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <touchstone/answer.hpp>
+#include <touchstone/curved_query.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
@@ -40,5 +41,6 @@ struct Proof {
 /// answer has none. @throws Error  for an answer that has none, after a long search
 Proof prove(const Query& query, const Answer& answer, const Separation& separation = {});
 Proof prove(const RationalQuery& query, const Answer& answer, const Separation& separation = {});
+Proof prove(const CurvedQuery& query, const Answer& answer, const Separation& separation = {});
 
 }  // namespace touchstone::proofs

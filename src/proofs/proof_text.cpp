@@ -135,4 +135,9 @@ void append_proof_of(std::string& to, std::uint64_t number, const RationalQuery&
   append_proof(to, number, answer, prove(query, answer, separation));
 }
 
+void append_proof_of(std::string& to, std::uint64_t number, const CurvedQuery& query, const Answer& answer,
+                     const Separation& separation) {
+  append_proof(to, number, answer, prove(query, answer, separation));
+}
+
 }  // namespace touchstone::proofs

@@ -26,5 +26,7 @@ void append_proof_of(std::string& to, std::uint64_t number, const Query& query, 
                      const Separation& separation = {});
 void append_proof_of(std::string& to, std::uint64_t number, const RationalQuery& query, const Answer& answer,
                      const Separation& separation = {});
+void append_proof_of(std::string& to, std::uint64_t number, const CurvedQuery& query, const Answer& answer,
+                     const Separation& separation = {});
 
 }  // namespace touchstone::proofs

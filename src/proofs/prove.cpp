@@ -14,7 +14,7 @@ namespace {
 
 template <class Q>
 Proof prove_exactly(const Q& query, const Answer& answer, const Separation& separation) {
-  constexpr Factors kFactors = std::is_same_v<Q, Query> ? Factors::powers_of_two : Factors::all;
+  constexpr Factors kFactors = std::is_same_v<Q, RationalQuery> ? Factors::all : Factors::powers_of_two;
   const Elements elements = elements_of(query, separation);
   const auto is_true = [&] {
     const Answer exact =
@@ -55,6 +55,11 @@ Proof prove(const Query& query, const Answer& answer, const Separation& separati
 }
 
 Proof prove(const RationalQuery& query, const Answer& answer, const Separation& separation) {
+  const numbers::DefaultFloatEnvironment environment;
+  return prove_exactly(query, answer, separation);
+}
+
+Proof prove(const CurvedQuery& query, const Answer& answer, const Separation& separation) {
   const numbers::DefaultFloatEnvironment environment;
   return prove_exactly(query, answer, separation);
 }

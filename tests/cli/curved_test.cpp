@@ -193,26 +193,34 @@ TEST_CASE("the story of a curved query tells its motions, V, the roots, the answ
         file + ": has no query 2; it has 2 queries, counted from 0\n");
 }
 
+TEST_CASE("curved queries are proved, by certify too") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("vertex-face/tip.csv", kTip);
+  const Run proofs = run_program({"prove", file});
+  CHECK(proofs.status == 0);
+  CHECK(occurrences(proofs.out, "touchstone-proofs 1\nfile vertex-face ") == 1);
+  CHECK(occurrences(proofs.out, "\nend 2 1\n") == 1);
+  CHECK(run_program({"certify", "--proofs", folder.path("proofs.txt"), file}).status == 0);
+  CHECK(folder.read("proofs.txt") == proofs.out);
+}
+
 TEST_CASE("commands that cannot take curved queries refuse them, and a separation is refused") {
   const TemporaryFolder folder;
   const std::string file = folder.write("vertex-face/tip.csv", kTip);
   const std::string refusal =
       file +
-      ":1: the queries of this file have curved motion, which is not read here; solve, certify and explain read "
-      "it\n";
-  for (const std::vector<std::string>& command : {std::vector<std::string>{"prove", file},
-                                                  {"fuzz", "--solver", "newton", "--from", file, "--cases", "10"},
-                                                  {"report", "--quick", "--out", folder.path("report"), file},
-                                                  {"bench", "--count", "10", file}}) {
+      ":1: the queries of this file have curved motion, which is not read here; solve, certify, explain "
+      "and prove read it\n";
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"fuzz", "--solver", "newton", "--from", file, "--cases", "10"},
+        {"report", "--quick", "--out", folder.path("report"), file},
+        {"bench", "--count", "10", file}}) {
     const Run run = run_program(command);
     CAPTURE(command.front(), run.err);
     CHECK(run.status == 2);
     CHECK(run.err == refusal);
     CHECK(run.out == "");
   }
-  const Run proofs = run_program({"certify", "--proofs", folder.path("proofs.txt"), file});
-  CHECK(proofs.status == 2);
-  CHECK(occurrences(proofs.err, file + ":3: there are no proofs for curved motion yet") == 1);
   const std::string separation =
       file + ":3: query 0 has curved motion, and that takes no separation yet; leave the separation out\n";
   CHECK(run_program({"solve", "--separation", "0.5", file}).err == separation);

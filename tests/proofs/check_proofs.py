@@ -22,7 +22,7 @@ import sys
 MAX_LINE_BYTES = 1 << 20
 MAX_DIGITS = 4096
 MAX_EXPONENT = 20000
-MAX_DEGREE = 16
+MAX_DEGREE = 32
 MAX_QUERY_DIGITS = 4096
 MAX_VERTICES = (1 << 30) - 1
 
@@ -36,6 +36,9 @@ SIGNS = list(itertools.product((1, -1), repeat=3))
 INTEGER = re.compile(rb"0|[1-9][0-9]*")
 DIGEST = re.compile(rb"-|[0-9a-f]{64}")
 QUERY_NUMBER = re.compile(rb"-?[0-9]{1,%d}" % MAX_QUERY_DIGITS)
+# A number of a file of curved queries: its sign, and digits, fraction and exponent of a hexfloat or a decimal.
+CURVED_NUMBER = re.compile(rb"(-?)(?:0[xX](?=\.?[0-9A-Fa-f])([0-9A-Fa-f]*)(?:\.([0-9A-Fa-f]*))?(?:[pP]([+-]?[0-9]+))?|"
+                           rb"(?=\.?[0-9])([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?)")
 
 # Newer versions of Python refuse decimal integers of more than 4,300 digits unless told otherwise.
 if hasattr(sys, "set_int_max_str_digits"):
@@ -57,12 +60,14 @@ class Lines:
         self.stream = stream
         self.name = name
         self.number = 0
+        self.has_end = False
         self.line = b""
         self.advance()
 
     def advance(self):
         for line in iter(lambda: self.stream.readline(MAX_LINE_BYTES + 3), b""):
             self.number += 1
+            self.has_end = line.endswith(b"\n")
             line = re.sub(rb"\r?\n?\Z", b"", line, count=1)
             if self.number == 1 and line.startswith(b"\xef\xbb\xbf"):
                 line = line[3:]
@@ -73,6 +78,10 @@ class Lines:
                 self.line = line
                 return
         self.line = None
+
+    def columns(self):
+        """The columns of the current row; none at the end of the file."""
+        return [] if self.line is None else [column.strip(b" \t") for column in self.line.split(b",")]
 
     def words(self):
         """The words of the current line; no words at the end of the file."""
@@ -179,22 +188,40 @@ def is_positive(p, low, high):
 
 
 class Query:
-    """Corner i is at starts[i] + t steps[i]. All coordinates and the separation are times one positive number.
+    """Corner i is at corners[i] / weights[i], three polynomials and one that is positive.
 
-    `split` is the number of corners of the first element. `metric` is None for the separation 0.
+    Corners of one motion have the same weight; `motions` has None for those of none, whose weight is 1. All coordinates
+    and the separation are times one positive number. `split` is the number of corners of the first element. `metric` is
+    None for the separation 0.
     """
 
-    def __init__(self, starts, ends, split, metric, separation):
+    def __init__(self, corners, weights, motions, split, metric, separation):
         self.split = split
-        self.size = len(starts)
-        self.starts = starts
-        self.steps = [[e - s for s, e in zip(start, end)] for start, end in zip(starts, ends)]
+        self.size = len(corners)
+        self.corners = corners
+        self.weights = weights
+        self.motions = motions
         self.metric = metric
         self.separation = separation
 
-    def corner(self, i):
-        """The three coordinates of a corner, as polynomials."""
-        return [[s, d] for s, d in zip(self.starts[i], self.steps[i])]
+    @classmethod
+    def straight(cls, starts, ends, split, metric, separation):
+        corners = [[[s, e - s] for s, e in zip(start, end)] for start, end in zip(starts, ends)]
+        return cls(corners, [[1]] * len(corners), [None] * len(corners), split, metric, separation)
+
+    def has_one_weight(self, i, j):
+        return self.motions[i] == self.motions[j]
+
+    def difference(self, i, j):
+        """D(i, j), a positive multiple of x_i - x_j."""
+        if self.has_one_weight(i, j):
+            return [minus(p, q) for p, q in zip(self.corners[i], self.corners[j])]
+        return [minus(times(self.weights[j], p), times(self.weights[i], q))
+                for p, q in zip(self.corners[i], self.corners[j])]
+
+    def factor(self, i, j):
+        """S(i, j): D(i, j) is S(i, j) (x_i - x_j)."""
+        return self.weights[i] if self.has_one_weight(i, j) else times(self.weights[i], self.weights[j])
 
     def pairs(self):
         """The corners of the first element, each with each one of the second element."""
@@ -202,10 +229,8 @@ class Query:
 
     def normal(self):
         """u x w, for the kinds with 4 corners."""
-        x = [self.corner(i) for i in range(4)]
-        u_from, w_from, u_to, w_to = (0, 2, 1, 3) if self.split == 2 else (1, 1, 2, 3)
-        u = [minus(p, q) for p, q in zip(x[u_to], x[u_from])]
-        w = [minus(p, q) for p, q in zip(x[w_to], x[w_from])]
+        ends = ((1, 0), (3, 2)) if self.split == 2 else ((2, 1), (3, 1))
+        u, w = (self.difference(i, j) for i, j in ends)
         return [minus(times(u[b], w[c]), times(u[c], w[b])) for b, c in ((1, 2), (2, 0), (0, 1))]
 
 
@@ -220,7 +245,7 @@ def query_of_rows(rows, split, metric, separation):
     points = [[row[c] * (factor // row[c + 1]) for c in (0, 2, 4)] for row in rows]
     count = len(rows) // 2
     scaled = m * factor << e if e >= 0 else m * (factor >> -e)
-    return Query(points[:count], points[count:], split, metric, scaled)
+    return Query.straight(points[:count], points[count:], split, metric, scaled)
 
 
 def read_query(lines, kind, metric, separation):
@@ -228,7 +253,7 @@ def read_query(lines, kind, metric, separation):
     split, count = KINDS[kind]
     rows = []
     while lines.line is not None and len(rows) < 2 * count:
-        fields = [field.strip(b" \t") for field in lines.line.split(b",")]
+        fields = lines.columns()
         if len(fields) != 7 or not all(QUERY_NUMBER.fullmatch(field) for field in fields):
             raise BadInput(f"{lines.place()}: a row has seven integers of at most {MAX_QUERY_DIGITS} digits")
         row = [int(field) for field in fields]
@@ -243,6 +268,151 @@ def read_query(lines, kind, metric, separation):
     if len(rows) < 2 * count:
         raise BadInput(f"{lines.place()}: the last query has too few rows")
     return query_of_rows(rows, split, metric, separation)
+
+
+def read_double(word, lines):
+    """The double that is nearest to a number of a file of curved queries, as (m, e)."""
+    match = CURVED_NUMBER.fullmatch(word) if len(word) <= MAX_QUERY_DIGITS else None
+    if not match:
+        raise BadInput(f"{lines.place()}: not a number, or too long: {ascii(word[:40].decode('latin-1'))}")
+    sign, *groups = match.groups(default=b"")
+    whole, fraction, exponent = groups[:3] if groups[0] or groups[1] else groups[3:]
+    base, step, digit = (16, 2, 4) if groups[0] or groups[1] else (10, 10, 1)
+    power = int(exponent or 0)
+    if abs(power) > MAX_EXPONENT:
+        raise BadInput(f"{lines.place()}: an exponent beyond {MAX_EXPONENT}")
+    power -= digit * len(fraction)
+    top, bottom = int(whole + fraction, base) * step ** max(power, 0), step ** max(-power, 0)
+    # The greatest e of those for which top / (bottom 2^e) has 53 bits before the point, or -1074.
+    e = max(top.bit_length() - bottom.bit_length() - 53, -1074)
+    while True:
+        number, unit = top << max(-e, 0), bottom << max(e, 0)
+        m, rest = divmod(number, unit)
+        if m.bit_length() <= 53:
+            break
+        e += 1
+    m += 2 * rest > unit or (2 * rest == unit and m % 2)
+    if (m == 0) != (top == 0) or m.bit_length() + e > 1024 and m:
+        raise BadInput(f"{lines.place()}: beyond the doubles: {ascii(word[:40].decode('latin-1'))}")
+    zeros = (m & -m).bit_length() - 1 if m else 0
+    return ((-m if sign else m) >> zeros, e + zeros) if m else (0, 0)
+
+
+def is_curved_file(lines):
+    """Whether a query file has curved motion, which its first row says; that row is then the one before."""
+    columns = lines.columns()
+    if columns[:1] != [b"touchstone-curved"]:
+        return False
+    if columns != [b"touchstone-curved", b"1"]:
+        raise BadInput(f"{lines.place()}: the version of a file of curved queries is 1")
+    require_end(lines)
+    lines.advance()
+    return True
+
+
+def require_end(lines):
+    if lines.line is not None and not lines.has_end:
+        raise BadInput(f"{lines.place()}: the last row has no end of line")
+
+
+def read_curved_query(lines, kind, metric, separation):
+    """The next query of a file of curved queries, or None at its end."""
+    def require_row(holds, what):
+        if not holds:
+            raise BadInput(f"{lines.place()}: {what}")
+
+    split, count = KINDS[kind]
+    columns = lines.columns()
+    if not columns:
+        return None
+    require_row(columns in ([b"query", b"0"], [b"query", b"1"]), "expected query,0 or query,1")
+    motions, corners = {}, []
+    while True:
+        require_end(lines)
+        lines.advance()
+        word, *columns = lines.columns() or [None]
+        if word in (None, b"query"):
+            break
+        if word in (b"motion", b"body"):
+            require_row(columns and columns[0] in (b"0", b"1", b"2", b"3"), "the number of a motion is 0 to 3")
+        if word == b"motion":
+            number = columns.pop(0)
+            require_row(len(columns) == 14 and number not in motions, "expected 14 numbers of a new motion")
+            motions[number] = [read_double(column, lines) for column in columns]
+            require_row(not vanishes(motions[number][:8]), "the quaternion is zero at some t")
+            continue
+        require_row(word in (b"body", b"curve") and len(corners) < count, "no row of a query, or a corner too many")
+        motion = columns.pop(0) if word == b"body" else None
+        require_row(motion is None or motion in motions, "the motion must come before its corners")
+        sizes = (3,) if word == b"body" else (3, 6, 9, 12)
+        require_row(len(columns) in sizes, "a corner has three coordinates for each of its points")
+        corners.append((motion, [read_double(column, lines) for column in columns]))
+    require_row(len(corners) == count, "the query has too few corners")
+    require_row(set(motions) == {motion for motion, _ in corners} - {None}, "a motion has no corner")
+    return curved_query(motions, corners, split, metric, separation)
+
+
+def vanishes(q):
+    """Whether (1 - t) q0 + t q1 = 0 at some t in [0, 1]."""
+    integers, _ = to_integers(q)
+    q0, q1 = integers[:4], integers[4:]
+    product = sum(a * b for a, b in zip(q0, q1))
+    return product <= 0 and product ** 2 == sum(a * a for a in q0) * sum(a * a for a in q1)
+
+
+def curved_query(motions, corners, split, metric, separation):
+    """The query of motions, lists of 14 numbers, and of corners, each with its motion or None and its numbers."""
+    lengths = [x for motion in motions.values() for x in motion[8:]] + [x for _, points in corners for x in points]
+    integers, _ = to_integers(lengths + [separation])
+    distance = integers.pop()
+    rest = iter(integers)
+    turns, e = to_integers([x for motion in motions.values() for x in motion[:8]])
+    square = 1 << -2 * e  # all X_i and W_i are multiplied by it
+    poses = {number: Pose(turns[8 * k:8 * k + 8], [next(rest) for _ in range(6)]) for k, number in enumerate(motions)}
+    polynomials, weights = [], []
+    for motion, points in corners:
+        points = [next(rest) for _ in points]
+        if motion is None:
+            polynomials.append([[square * x for x in power_basis(points[c::3])] for c in range(3)])
+            weights.append([square])
+        else:
+            polynomials.append(poses[motion].corner(points))
+            weights.append(poses[motion].weight)
+    return Query(polynomials, weights, [motion for motion, _ in corners], split, metric, distance)
+
+
+def power_basis(controls):
+    """The polynomial whose Bernstein coefficients are these."""
+    n = len(controls) - 1
+    return [math.comb(n, k) * sum((-1) ** (k - i) * math.comb(k, i) * controls[i] for i in range(k + 1))
+            for k in range(n + 1)]
+
+
+class Pose:
+    """A moving body, with q = (w, x, y, z) and p as polynomials."""
+
+    def __init__(self, q, p):
+        self.q = [[a, b - a] for a, b in zip(q[:4], q[4:])]
+        self.p = [[a, b - a] for a, b in zip(p[:3], p[3:])]
+        squares = [times(c, c) for c in self.q]
+        self.weight = functools.reduce(plus, squares)
+        w, x, y, z = self.q
+        ww, xx, yy, zz = squares
+        self.rotation = [
+            [minus(plus(ww, xx), plus(yy, zz)), twice(minus(times(x, y), times(w, z))),
+             twice(plus(times(x, z), times(w, y)))],
+            [twice(plus(times(x, y), times(w, z))), minus(plus(ww, yy), plus(xx, zz)),
+             twice(minus(times(y, z), times(w, x)))],
+            [twice(minus(times(x, z), times(w, y))), twice(plus(times(y, z), times(w, x))),
+             minus(plus(ww, zz), plus(xx, yy))]]
+
+    def corner(self, point):
+        return [functools.reduce(plus, [times(m, [y]) for m, y in zip(row, point)] + [times(self.weight, p)])
+                for row, p in zip(self.rotation, self.p)]
+
+
+def twice(p):
+    return [2 * c for c in p]
 
 
 Box = collections.namedtuple("Box", "low high element")
@@ -330,7 +500,8 @@ class Motion:
         start, end = points[:self.count], points[self.count:]
         for kind, first, second in sorted(self.pairs(start, end, reach)):
             corners = first[1] + second[1]
-            yield Query([start[v] for v in corners], [end[v] for v in corners], len(first[1]), metric, reach)
+            starts, ends = ([frame[v] for v in corners] for frame in (start, end))
+            yield Query.straight(starts, ends, len(first[1]), metric, reach)
 
     def pairs(self, start, end, reach):
         """A sweep along the x axis: at each box, the boxes before it whose end is not yet left behind."""
@@ -381,7 +552,7 @@ def read_numbers(words, lines, polynomials=1):
 
 
 def read_piece(query, lines):
-    """The direction of a piece, as three polynomials, and the number after `to` or None."""
+    """The direction of a piece, as three polynomials, whether it is n, and the number after `to` or None."""
     words = lines.words()
     end = None
     if words[-2:-1] == [b"to"]:
@@ -389,9 +560,9 @@ def read_piece(query, lines):
         words = words[:-2]
     if words[:1] == [b"d"]:
         coefficients, _ = to_integers(read_numbers(words[1:], lines, 3))
-        return [coefficients[c::3] for c in range(3)], end
+        return [coefficients[c::3] for c in range(3)], False, end
     require(words == [b"n"] and query.size == 4, "expected a piece; only queries with 4 corners have n")
-    return query.normal(), end
+    return query.normal(), True, end
 
 
 def dot(p, q):
@@ -399,21 +570,23 @@ def dot(p, q):
     return plus(plus(x, y), z)
 
 
-def separates(query, direction, low, high, may_touch_at_end):
+def separates(query, direction, is_normal, low, high, may_touch_at_end):
     """Whether the direction separates the elements from low to high, by the signs of Bernstein coefficients."""
-    heights = [dot(direction, query.corner(i)) for i in range(query.size)]
-    products = [minus(heights[j], heights[i]) for i, j in query.pairs()]
+    # For n all pairs of corners have the same sign, and one is looked at.
+    pairs = list(query.pairs())[:1] if is_normal else list(query.pairs())
+    products = [dot(direction, query.difference(j, i)) for i, j in pairs]
+    bounds = [times([query.separation], query.factor(i, j)) for i, j in pairs]
     signs = {1, -1}
     if query.metric == b"euclidean":
         at_low = [bernstein(p, low, low)[0] for p in products]
         if not (min(at_low) > 0 or max(at_low) < 0):
             return False
         signs = {1}
-        bound = times([query.separation ** 2], dot(direction, direction))
-        products = [minus(times(p, p), bound) for p in products]
+        square = dot(direction, direction)
+        products = [minus(times(p, p), times(times(bound, bound), square)) for p, bound in zip(products, bounds)]
     elif query.metric == b"max":
-        bounds = [times([query.separation], dot(direction, [[s] for s in triple])) for triple in SIGNS]
-        products = [minus(p, bound) for p in products for bound in bounds]
+        sums = [dot(direction, [[s] for s in triple]) for triple in SIGNS]
+        products = [minus(p, times(bound, total)) for p, bound in zip(products, bounds) for total in sums]
     for p in products:
         b = bernstein(p, low, high)
         strict, rest = (b[:1], b[1:]) if may_touch_at_end else (b, [])
@@ -426,10 +599,10 @@ def separates(query, direction, low, high, may_touch_at_end):
 def check_pieces(query, lines, end, touches_at_end):
     low = (0, 0)
     while low is not None:
-        direction, stop = read_piece(query, lines)
+        direction, is_normal, stop = read_piece(query, lines)
         last = stop is None
         require(last or (less(low, stop) and less(stop, end)), "the piece does not end in the rest of the interval")
-        if not separates(query, direction, low, end if last else stop, last and touches_at_end):
+        if not separates(query, direction, is_normal, low, end if last else stop, last and touches_at_end):
             raise Rejected("the direction does not separate the elements during the piece")
         low = stop
         lines.advance()
@@ -459,8 +632,8 @@ def check_meeting(query, lines, early, late):
         holds = is_positive(weight, low, high) or is_multiple(weight, g)
         require(holds, f"the weight of corner {corner} may be negative")
         element = 0 if corner < query.split else 1
-        sums[element] = plus(sums[element], weight)
-        points[element] = [plus(p, times(weight, x)) for p, x in zip(points[element], query.corner(corner))]
+        sums[element] = plus(sums[element], times(weight, query.weights[corner]))
+        points[element] = [plus(p, times(weight, x)) for p, x in zip(points[element], query.corners[corner])]
     require(all(is_positive(total, low, high) for total in sums), "the weights of an element may all be zero")
     difference = [minus(times(sums[1], p), times(sums[0], q)) for p, q in zip(*points)]
     if query.metric is None:
@@ -551,7 +724,7 @@ def check(proofs, proofs_name, files, report=lambda *header: None):
     for stream, name in files:
         metric, separation_word, separation, kind = read_header(lines, name)
         rows = Lines(stream, name)
-        counts = []
+        counts, curved = [], False
         if kind == b"mesh":
             motion = Motion(rows)
             for step, frames in enumerate(motion.steps()):
@@ -561,9 +734,11 @@ def check(proofs, proofs_name, files, report=lambda *header: None):
                 pairs = motion.queries(frames, metric, separation)
                 counts.append(check_queries(pairs, lines, f"{name}: step {step}"))
         else:
-            rest = iter(functools.partial(read_query, rows, kind, metric, separation), None)
+            curved = is_curved_file(rows)
+            read = read_curved_query if curved else read_query
+            rest = iter(functools.partial(read, rows, kind, metric, separation), None)
             counts.append(check_queries(rest, lines, name))
-        report(name, kind, counts, metric, separation_word)
+        report(name, kind, curved, counts, metric, separation_word)
         queries += sum(count for count, _ in counts)
         contacts += sum(count for _, count in counts)
     holds = lines.words() == [b"end", str(queries).encode(), str(contacts).encode()]
@@ -583,8 +758,9 @@ def counted(number, one, several):
     return f"{number} {one if number == 1 else several}"
 
 
-def print_header(name, kind, counts, metric, separation):
+def print_header(name, kind, curved, counts, metric, separation):
     steps = " in " + counted(len(counts), "step", "steps") if kind == b"mesh" else ""
+    steps += " with curved motion" if curved else ""
     text = f" with separation {metric.decode()} {separation.decode()}" if metric else ""
     count = counted(sum(queries for queries, _ in counts), f"{kind.decode()} query", f"{kind.decode()} queries")
     print(f"{name}: {count}{steps}{text}")

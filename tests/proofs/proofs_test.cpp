@@ -12,7 +12,7 @@
 #include <touchstone/solve.hpp>
 
 #include "io/query_writer.hpp"
-#include "proofs/proof_text.hpp"
+#include "proofs/proved.hpp"
 #include "proofs/run_checker.hpp"
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
@@ -20,39 +20,6 @@
 
 using namespace touchstone;
 using namespace touchstone::tests;
-
-namespace {
-
-/// A file of queries, and the proofs of their answers.
-struct Proved {
-  Separation separation;
-  std::string queries;
-  std::vector<std::string> proofs;
-  std::size_t contacts = 0;
-
-  template <class Q>
-  void add(const Q& query, const Answer& answer) {
-    io::append_query(queries, query, answer.contact);
-    std::string text;
-    proofs::append_proof(text, proofs.size(), answer, proofs::prove(query, answer, separation));
-    proofs.push_back(text);
-    contacts += answer.contact ? 1 : 0;
-  }
-  template <class Q>
-  void add(const Q& query) {
-    add(query, solve(query, separation));
-  }
-
-  std::string text(Kind kind) const {
-    std::string all = proofs::kFirstLine;
-    proofs::append_separation(all, separation);
-    all += "file " + std::string(kind_name(kind)) + " - queries.csv\n";
-    for (const std::string& proof : proofs) all += proof;
-    return all + "end " + std::to_string(proofs.size()) + " " + std::to_string(contacts) + "\n";
-  }
-};
-
-}  // namespace
 
 TEST_CASE("the answers to queries of every family are proved, and the checker accepts the proofs") {
   constexpr std::uint64_t kSeed = 14;

@@ -24,7 +24,9 @@ both_check() { # PROOFS FILE...
   python3 -B "$here/mutate_proofs.py" --cases 60 --checker "$checker" --many "$checks" "$@"
 }
 
-# Curved motion has no proofs.
+mapfile -t curved < <(grep -l '^touchstone-curved' "$queries"/{edge-edge,vertex-face,point-edge,point-point}/*.csv)
+"$program" prove --out "$folder/curved.txt" "${curved[@]}"
+both_check "$folder/curved.txt" "${curved[@]}"
 mapfile -t files < <(grep -L '^touchstone-curved' "$queries"/{edge-edge,vertex-face,point-edge,point-point}/*.csv)
 "$program" prove --out "$folder/touching.txt" "${files[@]}"
 both_check "$folder/touching.txt" "${files[@]}"

@@ -152,7 +152,7 @@ std::string what_was_judged(const CertifyOptions& options, const std::vector<Inp
   if (!options.files.empty()) {
     text += ", " + counted(inputs.size(), "file");
   } else {
-    text += options.proofs.empty() ? ", the bundled queries" : ", the bundled queries with straight motion";
+    text += ", the bundled queries";
   }
   const auto separation = questions.only();
   if (!separation) return text + ", several separations";
@@ -194,9 +194,8 @@ int run_certify(const CertifyOptions& options) {
         "--separation goes with files or --claims; the truth column of each bundled file is about a separation of its "
         "own");
   }
-  const io::Motions bundled_motions = options.proofs.empty() ? io::Motions::any : io::Motions::straight;
   const std::vector<Input> inputs =
-      options.files.empty() ? bundled_inputs(bundled_motions) : find_inputs(options.files, options.kind);
+      options.files.empty() ? bundled_inputs(io::Motions::any) : find_inputs(options.files, options.kind);
   std::vector<std::string> read_files = options.files;
   if (!options.claims.empty()) read_files.push_back(options.claims);
   refuse_to_overwrite(options.report, read_files);

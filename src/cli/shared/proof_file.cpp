@@ -38,15 +38,9 @@ std::string section_of(const Input& input, const Separation& separation) {
 
 void ProvedQueries::add(const Input& input, const io::QueryRecord& record, const Answer& answer,
                         const Separation& separation) {
-  if (std::holds_alternative<CurvedQuery>(record.query)) {
-    io::fail(input.name, record.first_row, "there are no proofs for curved motion yet; leave this file out");
-  }
   try {
-    if (const auto* const query = std::get_if<Query>(&record.query)) {
-      proofs::append_proof_of(text_, record.number, *query, answer, separation);
-    } else {
-      proofs::append_proof_of(text_, record.number, std::get<RationalQuery>(record.query), answer, separation);
-    }
+    std::visit([&](const auto& query) { proofs::append_proof_of(text_, record.number, query, answer, separation); },
+               record.query);
   } catch (const Error& error) {
     io::fail(input.name, record.first_row, fmt::format("query {}: {}", record.number, error.what()));
   }
