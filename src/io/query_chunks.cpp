@@ -92,7 +92,9 @@ bool QueryChunkReader::scan_first_row(std::string_view row) {
   header_row_ = first_row_ + lines_;
   std::string fault = fault_of_curved_header(row);
   if (fault.empty() && motions_ == Motions::straight) {
-    fault = "the queries of this file have curved motion, which is not read here; solve, certify, explain and prove read it";
+    fault =
+        "the queries of this file have curved motion, which is not read here; solve, certify, explain and prove read "
+        "it";
   }
   if (!fault.empty()) refuse(header_row_, std::move(fault));
   return error_.empty();

@@ -30,8 +30,8 @@ struct Candidate {
   /// n . (x_j - x_i) times a positive polynomial for each pair of corners; one that has the sign of all, for u x w.
   std::vector<Dense> products;
 
-  /// n . n in the Euclidean metric. In the other one s_0 n_0 + s_1 n_1 + s_2 n_2 for all choices of the signs s, or for
-  /// one of them that is the largest. Empty without a separation.
+  /// n . n in the Euclidean metric. In the other one s_0 n_0 + s_1 n_1 + s_2 n_2 for all choices of the signs s, or
+  /// for some that decide about all. Empty without a separation.
   std::vector<Dense> norms;
   std::vector<Dense> bounds;  ///< for each product D or D^2 times what x_j - x_i is multiplied by, or its square
 
@@ -83,6 +83,10 @@ void add_bounds(const Elements& elements, Candidate& candidate) {
     Exact sum;
     for (const Dense& p : n.c) sum = sum + (numbers::sign_of(p[0]) < 0 ? -p[0] : p[0]);
     candidate.norms = {Dense{sum}};
+    // The others are between it and its negative. Where the bounds have positive Bernstein coefficients, as those of
+    // straight motion do, it is enough.
+    const auto varies = [](const Dense& weight) { return weight.size() > 1; };
+    if (std::any_of(elements.weights.begin(), elements.weights.end(), varies)) candidate.norms.push_back({-sum});
     return;
   }
   for (const double s0 : {1.0, -1.0}) {
