@@ -71,6 +71,11 @@ void Diagonal<Number>::assemble(const Patterns& patterns) {
     entries += static_cast<int>(pattern->row.size());
   }
   analysed = false;
+  dense = nullptr;
+  if constexpr (lanes<Number> == 1) {
+    if (std::any_of(patterns.begin(), patterns.end(), [](const auto& pattern) { return pattern->fills_up; }))
+      dense = std::make_unique<SupernodalFactor>(size, matrix.outerIndexPtr(), matrix.innerIndexPtr());
+  }
 }
 
 template <class Number>
@@ -85,6 +90,7 @@ double* Diagonal<Number>::entry(int row, int column) {
 template <class Number>
 bool Diagonal<Number>::factorise() {
   if (matrix.rows() == 0) return true;
+  if (dense) return dense->factorise(first_lane(matrix.valuePtr()));
   if (!analysed) factor.analyzePattern(matrix);
   analysed = true;
   factor.factorize(matrix);
@@ -92,6 +98,15 @@ bool Diagonal<Number>::factorise() {
   Eigen::Matrix<Number, Eigen::Dynamic, 1> pivots = factor.vectorD();
   const Eigen::Map<const Eigen::ArrayXd> all(first_lane(pivots.data()), pivots.size() * lanes<Number>);
   return all.allFinite() && (all > 0).all();
+}
+
+template <class Number>
+template <class Vector>
+void Diagonal<Number>::apply_inverse(Vector&& x) const {
+  if constexpr (lanes<Number> == 1) {
+    if (dense) return dense->solve_in_place(x);
+  }
+  x = factor.solve(x);
 }
 
 void BlockMatrix::take_pattern(int size, const Blocks& all, PatternCache* cache) {
@@ -133,7 +148,7 @@ void BlockMatrix::take_pattern(int size, const Blocks& all, PatternCache* cache)
   };
   for (const auto& group : groups) {
     const auto& pattern = patterns_[group[0]];
-    const std::size_t in_fours = group.size() - group.size() % FourDoubles::kCount;
+    const std::size_t in_fours = pattern->fills_up ? 0 : group.size() - group.size() % FourDoubles::kCount;
     for (std::size_t i = 0; i < in_fours; ++i) {
       four.lane = static_cast<int>(i % FourDoubles::kCount);
       places[group[i]] = four;
@@ -200,9 +215,8 @@ bool BlockMatrix::factorise() { return fours_.factorise() && alone_.factorise();
 
 void BlockMatrix::apply_inverse(Vector& x) const {
   const Eigen::Index fours = fours_.matrix.rows(), singles = alone_.matrix.rows();
-  if (fours > 0) x.head(fours) = fours_.factor.solve(x.head(fours));
-  auto rest = numbers(x).segment(FourDoubles::kCount * fours, singles);
-  if (singles > 0) rest = alone_.factor.solve(rest);
+  if (fours > 0) fours_.apply_inverse(x.head(fours));
+  if (singles > 0) alone_.apply_inverse(numbers(x).segment(FourDoubles::kCount * fours, singles));
 }
 
 void BlockMatrix::times(const Vector& x, Vector& y) const {

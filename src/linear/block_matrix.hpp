@@ -10,6 +10,7 @@
 
 #include "linear/four_doubles.hpp"
 #include "linear/sparse_pattern.hpp"
+#include "linear/supernodal_factor.hpp"
 
 namespace touchstone::linear {
 
@@ -21,10 +22,13 @@ struct Diagonal {
   void assemble(const Patterns& patterns);
   double* entry(int row, int column);  ///< null when there is none
   bool factorise();                    ///< false when it is not positive definite
+  template <class Vector>
+  void apply_inverse(Vector&& x) const;
 
   Eigen::SparseMatrix<Number> matrix;  ///< the upper triangle, in an order that fills up little
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<Number>, Eigen::Upper, Eigen::NaturalOrdering<int>> factor;
   bool analysed = false;
+  std::unique_ptr<SupernodalFactor> dense;  ///< in place of `factor` when that would fill up
 };
 
 class BlockMatrix {

@@ -9,9 +9,14 @@
 #include <cstdint>
 #include <numeric>
 
+#include "linear/supernodal_factor.hpp"
+
 // Indices are int, as they are half of the memory; `at` makes std::size_t of them.
 namespace touchstone::linear {
 namespace {
+
+// Unknowns: the factor of a smaller matrix is quick whatever it is made of.
+constexpr int kLeastDense = 400;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -20,6 +25,10 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 SparsePattern::SparsePattern(int unknowns, const Blocks& blocks) : size(unknowns), numbers(at(unknowns)) {
   order(blocks);
   take_matrix(blocks);
+  if (size >= kLeastDense) {
+    const FactorSize factor = factor_size(size, first.data(), row.data());
+    fills_up = factor.work > SupernodalFactor::kWorkPerEntry * factor.entries;
+  }
   const auto place = [&](int unknown, int other) {
     const auto [low, high] = std::minmax(numbers[at(unknown)], numbers[at(other)]);
     return std::lower_bound(row.begin() + first[at(high)], row.begin() + first[at(high) + 1], low) - row.begin();

@@ -21,6 +21,9 @@ struct SparsePattern {
   /// The matrix's upper triangle, column by column, in these numbers; rows ascend, and the diagonal comes last.
   std::vector<int> first, row;
 
+  /// Whether the factor of the matrix is better made of dense blocks than of single entries.
+  bool fills_up = false;
+
   /// Where the entries of each block are: its lower triangle, column by column, without rows and columns left out.
   std::vector<int> places, place_first;
 
