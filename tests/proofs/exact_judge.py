@@ -198,18 +198,18 @@ def double_after(x):
 
 
 class Elements:
-    """The corners of both elements as polynomial vectors, and what decides a contact."""
+    """The corners of both elements as polynomial vectors, and what decides a contact. All corners and the separation may
+    be multiplied by one polynomial that is positive on [0, 1]."""
 
-    def __init__(self, starts, ends, split, metric, separation):
-        """The coordinates and the separation are rational. The metric does not matter for the separation 0."""
-        numbers = [Fraction(x) for point in starts + ends for x in point] + [Fraction(separation)]
-        scale = math.lcm(*(x.denominator for x in numbers))
-        *numbers, self.d = [int(x * scale) for x in numbers]
-        points = [numbers[i:i + 3] for i in range(0, len(numbers), 3)]
-        self.x = [[[s, e - s] for s, e in zip(*ends)] for ends in zip(points, points[len(starts):])]
-        self.first, self.second = range(split), range(split, len(starts))
+    def __init__(self, corners, split, metric, separation):
+        """The coefficients of the corners and of the separation, a polynomial, are rational. The metric does not matter
+        for the separation 0."""
+        scale = math.lcm(*(Fraction(c).denominator for p in sum(corners, [separation]) for c in p))
+        self.d, *rest = [[int(c * scale) for c in p] for p in sum(corners, [separation])]
+        self.x = [rest[i:i + 3] for i in range(0, len(rest), 3)]
+        self.first, self.second = range(split), range(split, len(corners))
         self.features = self.normals = None
-        if metric == "max" and self.d:
+        if metric == "max" and any(self.d):
             self.find_normals()
         else:
             self.find_features()
@@ -220,7 +220,7 @@ class Elements:
     def find_features(self):
         """For each pair of features: excess <= 0 if their lines or planes are at most D apart, and what is not negative
         and what is positive if the closest points are inside."""
-        square = [self.d ** 2]
+        square = mul(self.d, self.d)
         self.features = []
         for i, j in itertools.product(self.first, self.second):
             r = difference(self.x[j], self.x[i])
@@ -258,7 +258,7 @@ class Elements:
         self.normals = []
         for m in normals:
             products = [dot(m, difference(self.x[j], self.x[i])) for i, j in itertools.product(self.first, self.second)]
-            reaches = [dot(m, [[s] for s in signs]) for signs in itertools.product((self.d, -self.d), repeat=3)]
+            reaches = [mul(self.d, dot(m, [[s] for s in signs])) for signs in itertools.product((1, -1), repeat=3)]
             for s in (1, -1):
                 self.normals.append([add(mul([s], p), reach, -1) for p in products for reach in reaches])
 

@@ -9,7 +9,7 @@ import functools
 import itertools
 from fractions import Fraction
 
-from exact_judge import Elements
+from exact_judge import Elements, add, mul
 
 CORNERS = {"edge-edge": (2, 4), "vertex-face": (1, 4), "point-edge": (1, 3), "point-point": (1, 2)}
 
@@ -63,6 +63,11 @@ def truths_of_file(kind, text, metric, separation):
     if kind == "mesh":
         return truths_of_motion(text, metric, separation)
     split, count = CORNERS[kind]
+    if is_curved(text):
+        try:
+            return [[first_contact_of(tuple(query), kind, metric, separation) for query in curved_queries(text)]]
+        except (BadQuery, ValueError, IndexError, OverflowError):
+            return None
     rows = [[int(x) for x in line.split(",")] for line in text.split("\n")
             if line.strip() and not line.strip().startswith("#")]
     points = [tuple(Fraction(row[c], row[c + 1]) for c in (0, 2, 4)) for row in rows]
@@ -74,7 +79,96 @@ def truths_of_file(kind, text, metric, separation):
 
 @functools.lru_cache(maxsize=100000)
 def first_contact(starts, ends, split, metric, separation):
-    return Elements(list(starts), list(ends), split, metric, separation).first_contact()
+    corners = [[[Fraction(s), Fraction(e) - s] for s, e in zip(start, end)] for start, end in zip(starts, ends)]
+    return Elements(corners, split, metric, [Fraction(separation)]).first_contact()
+
+
+class BadQuery(Exception):
+    """A query with curved motion is not valid."""
+
+
+def rows_of(text):
+    """The columns of each row of a query file."""
+    rows = [[word.strip() for word in line.split(",")] for line in text.split("\n")]
+    return [row for row in rows if row != [""] and not row[0].startswith("#")]
+
+
+def is_curved(text):
+    return rows_of(text)[:1] == [["touchstone-curved", "1"]]
+
+
+def curved_queries(text):
+    """The rows of each query of a file with curved motion."""
+    queries = []
+    for row in rows_of(text)[1:]:
+        if row[0] == "query":
+            queries.append([])
+        queries[-1].append(tuple(row))
+    return queries
+
+
+def as_double(word):
+    """The double nearest to a number, as a fraction."""
+    x = float.fromhex(word) if "x" in word.lower() else float(word)
+    return Fraction(x)
+
+
+def line(start, end):
+    return [start, end - start]
+
+
+def quaternion_product(a, b):
+    s, x, y, z = range(4)
+    terms = [[(s, s, 1), (x, x, -1), (y, y, -1), (z, z, -1)], [(s, x, 1), (x, s, 1), (y, z, 1), (z, y, -1)],
+             [(s, y, 1), (y, s, 1), (z, x, 1), (x, z, -1)], [(s, z, 1), (z, s, 1), (x, y, 1), (y, x, -1)]]
+    return [functools.reduce(lambda total, t: add(total, mul(a[t[0]], b[t[1]]), t[2]), row, [0]) for row in terms]
+
+
+@functools.lru_cache(maxsize=100000)
+def first_contact_of(rows, kind, metric, separation):
+    """Of a query with curved motion. All corners are multiplied by all |q|^2."""
+    split, count = CORNERS[kind]
+    motions, corners = {}, []
+    for row in rows[1:]:
+        if row[0] == "motion":
+            if len(row) != 16 or row[1] in motions or row[1] not in ("0", "1", "2", "3"):
+                raise BadQuery
+            numbers = [as_double(word) for word in row[2:]]
+            q0, q1 = numbers[:4], numbers[4:8]
+            # q(t) = 0 where all components vanish at one t in [0, 1].
+            for t in [a / (a - b) for a, b in zip(q0, q1) if a != b] + [Fraction(0)]:
+                if 0 <= t <= 1 and not any((1 - t) * a + t * b for a, b in zip(q0, q1)):
+                    raise BadQuery
+            q = [line(a, b) for a, b in zip(q0, q1)]
+            conjugate = [q[0]] + [[-c for c in p] for p in q[1:]]
+            weight = quaternion_product(q, conjugate)[0]
+            motions[row[1]] = q, conjugate, [line(a, b) for a, b in zip(numbers[8:11], numbers[11:14])], weight
+        elif row[0] == "body" and row[1] in motions and len(row) == 5:
+            q, conjugate, origin, weight = motions[row[1]]
+            point = [[Fraction(0)]] + [[as_double(word)] for word in row[2:]]
+            turned = quaternion_product(quaternion_product(q, point), conjugate)[1:]
+            corners.append((row[1], [add(x, mul(weight, p)) for x, p in zip(turned, origin)]))
+        elif row[0] == "curve" and len(row) in (4, 7, 10, 13):
+            numbers = [as_double(word) for word in row[1:]]
+            controls = [numbers[i:i + 3] for i in range(0, len(numbers), 3)]
+            while len(controls) > 1:  # de Casteljau's scheme, with polynomials in place of points
+                controls = [[add(mul([1, -1], p if isinstance(p, list) else [p]),
+                                 mul([0, 1], q if isinstance(q, list) else [q])) for p, q in zip(a, b)]
+                            for a, b in zip(controls, controls[1:])]
+            corners.append((None, [p if isinstance(p, list) else [p] for p in controls[0]]))
+        else:
+            raise BadQuery
+    if rows[0][0] != "query" or len(rows[0]) != 2 or rows[0][1] not in ("0", "1") or len(corners) != count:
+        raise BadQuery
+    if {motion for motion, _ in corners} - {None} != set(motions):
+        raise BadQuery
+
+    def completed(p, motion):
+        for other, (_, _, _, weight) in motions.items():
+            p = mul(p, weight) if other != motion else p
+        return p
+    polynomials = [[completed(p, motion) for p in corner] for motion, corner in corners]
+    return Elements(polynomials, split, metric, completed([Fraction(separation)], None)).first_contact()
 
 
 class BadMotion(Exception):

@@ -29,7 +29,7 @@ from fractions import Fraction
 
 import check_proofs
 import small_cases
-from exact_truth import CORNERS, claims, lines_of, truths, value
+from exact_truth import CORNERS, as_double, claims, curved_queries, is_curved, lines_of, rows_of, truths, value
 
 NUMBER = re.compile(r"-?([0-9]+|0x[0-9A-Fa-f.]+p[+-]?[0-9]+)")
 
@@ -442,12 +442,63 @@ def change_coordinate(rng, file, other):
         vertex[c] = word_of(another_number(rng, value(vertex[c])))
         file.set_motion(head, frames)
         return [file]
-    rows = [row.split(",") for row in file.content.split()]
+    rows = rows_of(file.content)
+    if is_curved(file.content):
+        row = rng.choice([row for row in rows if row[0] in ("motion", "body", "curve")])
+        c = rng.randrange(1 if row[0] == "curve" else 2, len(row))
+        try:
+            row[c] = float(another_number(rng, as_double(row[c]))).hex()
+        except OverflowError:
+            return None
+        return with_rows(file, rows)
     row, c = rng.choice(rows), rng.choice([0, 2, 4])
     x = another_number(rng, Fraction(int(row[c]), int(row[c + 1])))
     row[c:c + 2] = str(x.numerator), str(x.denominator)
+    return with_rows(file, rows)
+
+
+def with_rows(file, rows):
     file.content = "".join(",".join(row) + "\n" for row in rows)
     return [file]
+
+
+def change_curved_rows(rng, file, other):
+    """A row is missing, twice or elsewhere; a corner has another motion, or another degree; a turn goes the other way
+    round, or another body's quaternion is longer; the file loses the row that says that its motion is curved."""
+    if not is_curved(file.content):
+        return None
+    rows = rows_of(file.content)
+    places = range(2, len(rows))
+    i, j = rng.choice(places), rng.choice(places)
+    motions = [row for row in rows if row[0] == "motion"]
+    corners = [row for row in rows if row[0] in ("body", "curve")]
+    choice = rng.randrange(9)
+    if choice == 0:
+        del rows[i]
+    elif choice == 1:
+        rows.insert(j, list(rows[i]))
+    elif choice == 2:
+        rows[i], rows[j] = rows[j], rows[i]
+    elif choice == 3:
+        del rows[rng.randrange(2)]
+    elif choice == 4:
+        row = rng.choice(corners)
+        row[1 if row[0] == "body" else slice(0, 1)] = rng.choice("0123") if row[0] == "body" else ["body", "0"]
+    elif choice == 5:
+        row = rng.choice(corners)
+        row += row[-3:] if rng.random() < 0.7 else ["0"]
+    elif choice == 6 and motions:
+        row = rng.choice(motions)
+        row[6:10] = [float(-as_double(word)).hex() for word in row[6:10]]
+    elif choice == 7 and motions:
+        row = rng.choice(motions)
+        factor = rng.choice([2, 3, 0.5, -1])
+        first = rng.choice([2, 6])
+        row[first:first + 4] = [float(factor * as_double(word)).hex() for word in row[first:first + 4]]
+    else:
+        row = rng.choice(motions or corners)
+        row[-3:], row[-6:-3] = row[-6:-3], row[-3:]
+    return with_rows(file, rows)
 
 
 def renumbered(rng, file):
@@ -630,8 +681,8 @@ def reorder_proofs(rng, file, other):
 
 
 FILE_MUTATIONS = [change_separation_by_ulps, scale_separation, change_metric, drop_separation, add_separation,
-                  move_separation, move_separation_line, use_other_file, change_kind, change_coordinate, drop_step,
-                  drop_step_line, double_step, swap_steps, drop_pair, double_pair, swap_pairs, move_pair, empty_step,
+                  move_separation, move_separation_line, use_other_file, change_kind, change_coordinate,
+                  change_curved_rows, drop_step, drop_step_line, double_step, swap_steps, drop_pair, double_pair, swap_pairs, move_pair, empty_step,
                   add_fixed, drop_fixed, change_elements, change_frames, truncate_proofs, reorder_proofs]
 MUTATIONS = PROOF_MUTATIONS + FILE_MUTATIONS
 
@@ -651,7 +702,7 @@ def mutant_of(mutation, rng, file, other):
     return None if group[k] is None else [file]
 
 
-def rows_of(starts, ends):
+def straight_rows(starts, ends):
     return "".join(f"{x},1,{y},1,{z},1,0\n" for x, y, z in starts + ends)
 
 
@@ -667,16 +718,16 @@ def forgeries():
 
     def two_points(start, end):
         """The first point rests at 0, the second one moves on the x axis."""
-        return "point-point", rows_of([(0, 0, 0), (start, 0, 0)], [(0, 0, 0), (end, 0, 0)])
+        return "point-point", straight_rows([(0, 0, 0), (start, 0, 0)], [(0, 0, 0), (end, 0, 0)])
 
     passing = two_points(-2, 1)  # they meet at 2/3
     meeting = two_points(-1, 1)  # they meet at 1/2
     resting = two_points(0, 0)
     odd = 2**53 + 1
     return [
-        ("negative weight", "point-edge", rows_of(line, line), ["0 contact 0 0", "w 0 1", "w 1 -1", "w 2 2"]),
-        ("zero weights", "point-edge", rows_of(above, above), ["0 contact 0 0", "w 0 0", "w 1 0", "w 2 0"]),
-        ("no weights", "point-edge", rows_of(above, above), ["0 contact 0 0"]),
+        ("negative weight", "point-edge", straight_rows(line, line), ["0 contact 0 0", "w 0 1", "w 1 -1", "w 2 2"]),
+        ("zero weights", "point-edge", straight_rows(above, above), ["0 contact 0 0", "w 0 0", "w 1 0", "w 2 0"]),
+        ("no weights", "point-edge", straight_rows(above, above), ["0 contact 0 0"]),
         ("weights that vanish at T", *passing, ["0 contact 0x1p-1 0x1p-1", west, "w 0 -1 2", "w 1 -1 2"]),
         ("weights that vanish at the root", *passing, [third, west, "root -1 3", "w 0 -1 3", "w 1 -1 3"]),
         ("root elsewhere", *passing, [third, west, "root -2 3 between 0x1p-1 0x1p0", *weights]),
@@ -692,9 +743,9 @@ def forgeries():
         ("piece without length", *passing, ["0 none", f"{west} to 0x1p-1", f"{west} to 0x1p-1", east]),
         ("last piece has an end", *passing, ["0 none", f"{west} to 0x1p-1"]),
         ("zero at the end", *two_points(-1, 0), ["0 none", west]),
-        ("two signs", "point-edge", rows_of(around, around), ["0 none", east]),
-        ("direction that turns", "edge-edge", rows_of(*crossing), ["0 none", "d 0 0 1 0 0 -3"]),
-        ("zero direction", "edge-edge", rows_of(*crossing), ["0 none", "d 0 0 0"]),
+        ("two signs", "point-edge", straight_rows(around, around), ["0 none", east]),
+        ("direction that turns", "edge-edge", straight_rows(*crossing), ["0 none", "d 0 0 1 0 0 -3"]),
+        ("zero direction", "edge-edge", straight_rows(*crossing), ["0 none", "d 0 0 0"]),
         ("late", *resting, ["0 contact 1 1", east, *weights]),
         ("no piece", *resting, ["0 contact 1 1", *weights]),
         ("different points", *two_points(1, 1), ["0 contact 0 0", *weights]),
@@ -726,6 +777,11 @@ def cases_of(file, parts):
     """A case for each query of a query file; some small parts of a motion."""
     if file.kind == "mesh":
         return motion_cases_of(file, parts)
+    if is_curved(file.content):
+        queries = [[["touchstone-curved", "1"]] + rows for rows in curved_queries(file.content)]
+        contents = ["".join(",".join(row) + "\n" for row in rows) for rows in queries]
+        return [File(file.separation, file.kind, content, [[[["0"] + proof[0][1:]] + proof[1:]]])
+                for content, proof in zip(contents, file.groups[0])]
     count = 2 * CORNERS[file.kind][1]
     rows = [row for row in file.content.split("\n") if row.strip() and not row.strip().startswith("#")]
     cases = []

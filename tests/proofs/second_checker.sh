@@ -29,7 +29,7 @@ both_check() { # PROOFS FILE...
 
 mapfile -t curved < <(grep -l '^touchstone-curved' "$queries"/{edge-edge,vertex-face,point-edge,point-point}/*.csv)
 "$program" prove --out "$folder/curved.txt" "${curved[@]}"
-both_accept "$folder/curved.txt" "${curved[@]}"
+both_check "$folder/curved.txt" "${curved[@]}"
 mapfile -t files < <(grep -L '^touchstone-curved' "$queries"/{edge-edge,vertex-face,point-edge,point-point}/*.csv)
 "$program" prove --out "$folder/touching.txt" "${files[@]}"
 both_check "$folder/touching.txt" "${files[@]}"

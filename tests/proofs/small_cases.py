@@ -5,7 +5,7 @@
     small_cases.py [--checker PROGRAM]
 
 Each case is a file of proofs, its query files and motion files, and the exit status that the page asks for. The cases
-are about separations, query rows and motions. Without --checker only check_proofs.py is asked. An accepted proof is
+are about separations, query rows, curved motion and motions. Without --checker only check_proofs.py is asked. An accepted proof is
 judged by exact_judge.py too: its answers must be true. The exit status is 0 if all verdicts are right.
 """
 
@@ -496,8 +496,103 @@ def row_cases():
     ]
 
 
+# A point of a body makes half a turn about the z axis, along the unit circle from (1, 0) to (-1, 0), and meets the point
+# (0, 1) at t = 1/2: W = 1 - 2 t + 2 t^2 and X = (1 - 2 t, 2 t - 2 t^2, 0).
+TURN = ("touchstone-curved,1\nquery,1\nmotion,0,1,0,0,0,0,0,0,1,0,0,0,0,0,0\nbody,0,1,0,0\n"
+        "curve,0,1,0\n")
+TURN_PROOF = ["0 contact 0x1p-1 0x1p-1", WEST, "w 0 1", "w 1 1"]
+# The middle of an edge rests at the origin. One corner is on a body whose quaternion has the length 2, so W = 4.
+HALF_EDGE = ("touchstone-curved,1\nquery,1\nmotion,3,2,0,0,0,2,0,0,0,0,0,0,0,0,0\ncurve,0,0,0\nbody,3,-1,0,0\n"
+             "curve,1,0,0\n")
+
+
+def curved_cases():
+    def case(name, status, old, new, proof=None, text=TURN):
+        assert old in text
+        return one("curved: " + name, status, "", "point-point", text.replace(old, new, 1), *(proof or TURN_PROOF))
+
+    def number(text, status):
+        return case("the number " + text[:60], status, "curve,0,1,", f"curve,0,{text},")
+
+    def half(status, *weights):
+        return one("curved: weights " + " ".join(weights), status, "", "point-edge", HALF_EDGE, "0 contact 0 0", "w 0 1",
+                   *weights)
+
+    tie = "1.00000000000000011102230246251565404236316680908203125"  # 1 + 2^-53
+    numbers = [("1.", 0), ("01", 0), ("1e0", 0), ("1E+0", 0), ("10e-1", 0), (".1e1", 0), ("0x1", 0), ("0x.8p1", 0),
+               ("0X1P+0", 0), ("0x1.p0", 0), ("1" + "0" * 400 + "e-400", 0), ("1.00000000000000005", 0), (tie, 0),
+               (tie + "1", 1), ("0x1.00000000000008p0", 0), ("0x1.000000000000081p0", 1), ("0x1.00000000000018p0", 1),
+               ("1.0000000000000002", 1), ("-1", 1), ("0", 1), ("+1", 2), ("", 2), (".", 2), ("-", 2), ("1e", 2),
+               ("0x", 2), ("0xp1", 2), ("1e+-0", 2), ("1e-+0", 2), ("--1", 2), ("1.0.0", 2), ("1 0", 2), ("0x1p", 2),
+               ("nan", 2), ("inf", 2), ("1e400", 2), ("1e-400", 2), ("0x1p1024", 2), ("0x1p-1075", 2), ("1p0", 2),
+               ("0x1p-1074", 1), ("0x1.fffffffffffff8p1023", 2), ("0x1e0", 1), ("1" + "0" * 4096 + "e-4096", 2),
+               ("1e20001", 2)]
+    late = ["0 contact 1 1"] + TURN_PROOF[1:]
+    motion = "motion,0,1,0,0,0,0,0,0,1,0,0,0,0,0,0\n"
+    body = "body,0,1,0,0\n"
+    return [number(*pair) for pair in numbers] + [
+        case("as it is", 0, "query", "query"),
+        case("a comment and blanks", 0, motion, "# a\n \t\n" + motion.replace(",", " ,\t")),
+        case("truth 0", 0, "query,1", "query,0"),
+        case("another time", 1, "query", "query", late),
+        case("another answer", 1, "query", "query", ["0 none", WEST]),
+        case("n for points", 1, "query", "query", [TURN_PROOF[0], "n"] + TURN_PROOF[2:]),
+        case("a direction that is zero at the start", 1, "query", "query", [TURN_PROOF[0], "d 1 1 0"] + TURN_PROOF[2:]),
+        case("a longer quaternion", 0, motion, "motion,0,3,0,0,0,0,0,0,3,0,0,0,0,0,0\n"),
+        case("the other sign of both", 0, motion, "motion,0,-1,0,0,0,0,0,0,-1,0,0,0,0,0,0\n"),
+        case("the other way round", 1, motion, "motion,0,1,0,0,0,0,0,0,-1,0,0,0,0,0,0\n"),
+        case("a longer quaternion at the end", 1, motion, "motion,0,1,0,0,0,0,0,0,3,0,0,0,0,0,0\n"),
+        case("no turn", 1, motion, "motion,0,1,0,0,0,1,0,0,0,0,0,0,0,0,0\n"),
+        case("a quaternion that is zero at 1/2", 2, motion, "motion,0,1,0,0,0,-1,0,0,0,0,0,0,0,0,0\n"),
+        case("a quaternion that is zero at 1/4", 2, motion, "motion,0,1,-2,3,1,-3,6,-9,-3,0,0,0,0,0,0\n"),
+        case("a quaternion that is zero at 0", 2, motion, "motion,0,0,0,0,0,0,0,0,1,0,0,0,0,0,0\n"),
+        case("a quaternion that is zero at 1", 2, motion, "motion,0,1,0,0,0,0,0,-0,0.0,0,0,0,0,0,0\n"),
+        case("blanks around the words of the first row", 0, "touchstone-curved,1", " touchstone-curved\t, 1 "),
+        case("another version", 2, "curved,1", "curved,2"),
+        case("no version", 2, "curved,1", "curved"),
+        case("a word after the version", 2, "curved,1", "curved,1,"),
+        case("no first row", 2, "touchstone-curved,1\n", ""),
+        case("the first row twice", 2, "query", "touchstone-curved,1\nquery"),
+        case("no end of line", 2, "curve,0,1,0\n", "curve,0,1,0"),
+        case("carriage returns", 0, TURN, TURN.replace("\n", "\r\n")),
+        case("no queries", 1, TURN, "touchstone-curved,1\n"),
+        case("a query more", 1, TURN, TURN + TURN[TURN.index("query"):]),
+        case("truth 2", 2, "query,1", "query,2"),
+        case("no truth", 2, "query,1", "query"),
+        case("no row of a query", 2, "query,1\n", ""),
+        case("a motion without a corner", 2, motion, motion + motion.replace("n,0", "n,1")),
+        case("a motion twice", 2, motion, motion + motion),
+        case("no motion", 2, motion, ""),
+        case("the motion after its corner", 2, motion + body, body + motion),
+        case("another motion", 2, body, body.replace("y,0", "y,1")),
+        case("motion 4", 2, motion + body, (motion + body).replace("y,0", "y,4").replace("n,0", "n,4")),
+        case("motion 00", 2, body, body.replace("y,0", "y,00")),
+        case("motion 3", 0, motion + body, (motion + body).replace("y,0", "y,3").replace("n,0", "n,3")),
+        case("a motion between the corners", 0, motion + body + "curve,0,1,0\n", "curve,0,1,0\n" + motion + body),
+        case("a number of a motion too few", 2, motion, motion.replace(",0\n", "\n")),
+        case("a number of a motion too many", 2, motion, motion.replace(",0\n", ",0,0\n")),
+        case("a coordinate of a body too few", 2, body, "body,0,1,0\n"),
+        case("two points of a body", 2, body, "body,0,1,0,0,1,0,0\n"),
+        case("a corner too few", 2, "curve,0,1,0\n", ""),
+        case("a corner too many", 2, body, body + body),
+        case("another word", 2, "curve,", "corner,"),
+        case("two control points", 0, "curve,0,1,0", "curve,0,1,0,0,1,0"),
+        case("four control points", 0, "curve,0,1,0", "curve" + ",0,1,0" * 4),
+        case("five control points", 2, "curve,0,1,0", "curve" + ",0,1,0" * 5),
+        case("no control point", 2, "curve,0,1,0", "curve"),
+        case("a control point and a half", 2, "curve,0,1,0", "curve,0,1,0,0"),
+        case("a parabola that is there at 1/2", 0, "curve,0,1,0", "curve,0,1,2,0,1,0,0,1,-2"),
+        case("a parabola that is higher at 1/2", 1, "curve,0,1,0", "curve,0,1,0,0,1,1,0,1,0"),
+        half(0, "w 1 1", "w 2 4"),
+        half(0, "w 1 0x1p-2", "w 2 1"),
+        half(1, "w 1 1", "w 2 1"),
+        half(1, "w 1 4", "w 2 1"),
+        half(1, "w 1 -1", "w 2 -4"),
+    ]
+
+
 def all_cases():
-    return point_point_cases() + corner_cases() + line_cases() + row_cases() + motion_cases()
+    return point_point_cases() + corner_cases() + line_cases() + row_cases() + curved_cases() + motion_cases()
 
 
 def by_page(proof, files):
