@@ -100,6 +100,9 @@ class Search {
   /// touch.
   Finding decide(const ScalarForm& p, Index component = 0) noexcept;
 
+  /// Whether `decide` was uncertain about the touching at one time, so that nothing else is likely to show a miss.
+  bool contact_is_likely() const noexcept { return contact_is_likely_; }
+
  private:
   /// A part of [0, 1] with p's coefficients in the Bernstein basis over it.
   struct Part {
@@ -129,6 +132,7 @@ class Search {
   const CurvedFrame& frame_;
   Answer& answer_;
   Index component_ = 0;
+  bool contact_is_likely_ = false;
   double between_slope_, u_slope_, w_slope_, first_slope_, second_slope_;
 };
 
@@ -204,6 +208,10 @@ Finding Search::decide(const ScalarForm& p, Index component) noexcept {
   // What vanishes at all times, or seems to, has no roots to look for.
   const auto vanishes = [&](double b) { return std::fabs(b) <= numbers::kBoundSlack * parts[0].error; };
   if (std::all_of(parts[0].b.begin(), parts[0].b.begin() + p.degree + 1, vanishes)) return Finding::uncertain;
+  if (vanishes(parts[0].b[0]) && side_over(0, 0) != Side::outside) {
+    contact_is_likely_ = true;
+    return Finding::uncertain;
+  }
   Index count = 1;
   for (int looked_at = 0; count > 0; ++looked_at) {
     Part& part = parts[count - 1];
@@ -215,6 +223,7 @@ Finding Search::decide(const ScalarForm& p, Index component) noexcept {
     }
     if (variations == Variations::one) {
       const Finding finding = decide_at_root(p, part);
+      contact_is_likely_ = finding == Finding::uncertain;
       if (finding != Finding::no_contact) return finding;
       --count;
       continue;
@@ -398,13 +407,12 @@ Finding Search::refine(const ScalarForm& slope, const Part& part, double t, doub
 
 namespace {
 
-Finding decide_by_roots(const CurvedQuery& query, const CurvedFrame& frame, double t_max, Answer& answer) noexcept {
-  Search search(query, t_max, frame, answer);
-  if (has_cubic(query.kind)) return search.decide(coplanarity_of(frame));
-  // Where they touch, all three components vanish.
-  for (Index k = 0; k < 3; ++k) {
+/// Decides from the roots of V or, for a point, of components. Where they touch, all three components vanish.
+Finding decide_by_roots(Search& search, const CurvedFrame& frame, Kind kind) noexcept {
+  if (has_cubic(kind)) return search.decide(coplanarity_of(frame));
+  for (Index k = 0; k < 3 && !search.contact_is_likely(); ++k) {
     ScalarForm component;
-    if (query.kind == Kind::point_edge) {
+    if (kind == Kind::point_edge) {
       component = cross_component_of(frame, k);
     } else {
       component.degree = frame.between.degree;
@@ -422,8 +430,9 @@ Finding decide_by_roots(const CurvedQuery& query, const CurvedFrame& frame, doub
 Finding decide_in_brackets(const CurvedQuery& query, double t_max, Answer& answer) noexcept {
   const CurvedFrame frame = curved_frame(query);
   if (!frame.known) return Finding::uncertain;
-  const Finding finding = decide_by_roots(query, frame, t_max, answer);
-  if (finding != Finding::uncertain) return finding;
+  Search search(query, t_max, frame, answer);
+  const Finding finding = decide_by_roots(search, frame, query.kind);
+  if (finding != Finding::uncertain || search.contact_is_likely()) return finding;
   return certainly_farther_in_parts(query, frame, Separation(), t_max) ? Finding::no_contact : Finding::uncertain;
 }
 
