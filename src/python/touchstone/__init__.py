@@ -35,10 +35,11 @@ from ._names import Feature, Level, Nature, Trend
 from ._queries import contact_normal, contact_times, distance, solve, solve_any
 from ._judging import Certificate, Verdict, certify
 from ._meshes import all_contacts, candidates, first_contact, free_step, intersections
+from ._display import Shown, show
 
 __all__ = [
     "Answer", "Answers", "Certificate", "Distance", "Distances", "ExactTime", "Feature", "FirstContact", "FreeStep",
-    "Intersections", "Level", "Mesh", "Nature", "Pairs", "Trend", "Verdict", "all_contacts", "candidates",
-    "certify", "contact_normal", "contact_times", "distance", "first_contact", "free_step", "intersections",
+    "Intersections", "Level", "Mesh", "Nature", "Pairs", "Shown", "Trend", "Verdict", "all_contacts", "candidates",
+    "certify", "contact_normal", "contact_times", "distance", "first_contact", "free_step", "intersections", "show",
     "solve", "solve_any"
 ]

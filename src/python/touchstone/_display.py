@@ -1,0 +1,137 @@
+"""What answers, judged claims and mesh results look like in a notebook: plain tables. SPDX-License-Identifier: MIT"""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from html import escape
+from typing import Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _queries
+from ._core import Answer, Answers, FirstContact, FreeStep, Intersections, Pairs
+from ._judging import Certificate, Verdict
+from ._names import Feature, Level, Nature
+from ._queries import Kind, Metric
+
+_CORNERS = {"edge-edge": ("a0", "a1", "b0", "b1"), "vertex-face": ("v", "f0", "f1", "f2"),
+            "point-edge": ("p", "e0", "e1"), "point-point": ("p", "q")}
+_MOST_ROWS = 20
+
+
+def _number(x):
+    x = float(x)
+    short = abs(x) < 2**30 and x * 2**20 == round(x * 2**20)  # a person sees which number it is
+    return f"{x!r}" if short else f"{x!r} ({x.hex()})"
+
+
+def _table(heading, names, rows, more=0):
+    """Every cell is text and escaped: names of files and texts of exceptions are shown, never interpreted."""
+    head = "".join(f"<th>{escape(str(name))}</th>" for name in names)
+    body = "".join("<tr>" + "".join(f"<td>{escape(str(cell))}</td>" for cell in row) + "</tr>" for row in rows)
+    rest = f"<p>{more} more</p>" if more > 0 else ""
+    return (f"<div><strong>{escape(heading)}</strong><table><thead><tr>{head}</tr></thead>"
+            f"<tbody>{body}</tbody></table>{rest}</div>")
+
+
+def _facts(heading, pairs):
+    return _table(heading, ("", ""), pairs)
+
+
+def _answer_facts(answer):
+    if not answer.contact:
+        return [("contact", "none"), ("decided by", Level(answer.level))]
+    return [("first time", f"[{_number(answer.toi)}, {_number(answer.toi_upper)}]"), ("nature", Nature(answer.nature)),
+            ("touched", f"{Feature(answer.feature_a)} and {Feature(answer.feature_b)}"),
+            ("decided by", Level(answer.level))]
+
+
+def _corner_rows(kind, start, end):
+    rows = []
+    for name, a, b in zip(_CORNERS[kind], np.asarray(start), np.asarray(end)):
+        rows.append((name, ", ".join(map(_number, a)), ", ".join(map(_number, b))))
+    return rows
+
+
+@dataclass(frozen=True)
+class Shown:
+    """One query with its answer, as a table in a notebook and as text elsewhere.
+
+    kind, start, end  the query
+    answer            its Answer
+    """
+
+    kind: str
+    start: NDArray
+    end: NDArray
+    answer: Answer
+
+    def _repr_html_(self):
+        return (_table(f"{self.kind} query", ("corner", "at t = 0", "at t = 1"),
+                       _corner_rows(self.kind, self.start, self.end)) + _facts("answer", _answer_facts(self.answer)))
+
+    def __repr__(self):
+        rows = "\n".join(f"  {name:<3} ({a}) to ({b})" for name, a, b in _corner_rows(self.kind, self.start, self.end))
+        return f"{self.kind} query\n{rows}\n  {self.answer!r}"
+
+
+def show(kind: Kind, start: ArrayLike, end: ArrayLike, t_max: float = 1.0, separation: float = 0.0,
+         metric: Metric = "euclidean") -> Shown:
+    """One query with its answer, to look at in a notebook. Arguments and errors are those of `solve`.
+
+    >>> import touchstone
+    >>> touchstone.show('point-point', [[0, 0], [2, 0]], [[4, 0], [2, 0]])
+    point-point query
+      p   (0.0, 0.0) to (4.0, 0.0)
+      q   (2.0, 0.0) to (2.0, 0.0)
+      Answer(contact=True, toi=0.5, toi_upper=0.5, nature=isolated, feature_a=p, feature_b=q, level=exact)
+    """
+    answer = _queries.solve(kind, start, end, t_max, separation, metric, 1)
+    if not isinstance(answer, Answer):
+        raise ValueError("start has many queries; show takes one, of shape (corners, 3) or (corners, 2)")
+    return Shown(kind.replace("_", "-"), np.array(start, float), np.array(end, float), answer)
+
+
+def _show_answers(answers: Union[Answers, NDArray]):
+    rows = [(i, "yes" if a.contact else "no", _number(a.toi) if a.contact else "", Nature(a.nature), Level(a.level))
+            for i, a in zip(range(_MOST_ROWS), answers)]
+    return _table(f"{len(answers)} answers, {int(answers.contact.sum())} with contact",
+                  ("query", "contact", "toi", "nature", "decided by"), rows, len(answers) - len(rows))
+
+
+def _show_pairs(pairs):
+    rows = list(zip(range(_MOST_ROWS), pairs.kind, pairs.first.tolist(), pairs.second.tolist()))
+    return _table(f"{len(pairs)} pairs", ("", "kind", "first", "second"), rows, len(pairs) - len(rows))
+
+
+def _show_contact(found):
+    if found.free:
+        return _facts("the step is free of contact", [])
+    facts = [("first time", f"[{_number(found.toi)}, {_number(found.toi_upper)}]")] if found.contact else []
+    facts += [("pairs at that time", len(found.first)), ("in contact at the start", len(found.at_start))]
+    return _facts("contact", facts) + (_show_pairs(found.first) if len(found.first) else "")
+
+
+def _show_step(step):
+    return _facts("free step", [("outcome", step.outcome), ("length", _number(step.length)), ("proofs", step.proofs)])
+
+
+def _show_intersections(found):
+    columns = zip(range(_MOST_ROWS), found.first_element, found.first.tolist(), found.second_element,
+                  found.second.tolist(), found.pierces.tolist())
+    rows = [(f"{a} {i}", f"{b} {j}", "pierces" if through else "touches") for _, a, i, b, j, through in columns]
+    return _table(f"{len(found)} intersections", ("element", "element", "how"), rows, len(found) - len(rows))
+
+
+def _show_certificate(certificate):
+    rows = [(int(i), Verdict(certificate.verdict[i]), "contact at " + _number(certificate.truth.toi[i])
+             if certificate.truth.contact[i] else "no contact") for i in certificate.refuted[:_MOST_ROWS]]
+    heading = ", ".join(f"{certificate.count(verdict)} {verdict}" for verdict in Verdict)
+    return _table(heading, ("claim", "verdict", "exact answer"), rows, len(certificate.refuted) - len(rows))
+
+
+for _class, _shown in ((Answer, lambda answer: _facts("answer", _answer_facts(answer))), (Answers, _show_answers),
+                       (Pairs, _show_pairs),
+                       (FirstContact, _show_contact), (FreeStep, _show_step), (Intersections, _show_intersections),
+                       (Certificate, _show_certificate)):
+    setattr(_class, "_repr_html_", _shown)

@@ -1,0 +1,234 @@
+"""Questions over many processes or machines: parts, plain functions that answer a part, and results put together.
+
+This module has no engine of its own. Each function takes a `client`: a Client of Dask's `distributed`, or anything else
+with `map` and perhaps `gather`, such as a concurrent.futures.ProcessPoolExecutor. The functions whose names end in
+`_part` are what a worker runs. Hand them to Ray or Spark in the same way: they take arrays, return arrays, and keep no
+state.
+
+A part is a tuple of arrays, or a function without arguments that makes one on the worker: for data that no single
+machine should read. Results are in the order of the parts, whoever answered them, and a part that is answered again,
+because its worker died, has the same answer. So no byte of a result depends on the workers.
+"""
+from __future__ import annotations
+
+import json
+from functools import lru_cache, partial
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _judging, _meshes, _queries
+from ._core import Mesh
+from ._judging import Certificate, Verdict
+from ._names import Nature
+
+_FIELDS = np.dtype([("contact", "?"), ("toi", "f8"), ("toi_upper", "f8"), ("nature", "u1"), ("feature_a", "u1"),
+                    ("feature_b", "u1"), ("level", "u1"), ("trend", "u1"), ("starts_within", "?"),
+                    ("weights_a", "f8", 3), ("weights_b", "f8", 3)])
+
+
+def partition(*arrays: NDArray, rows: int = 100_000) -> List[Tuple[NDArray, ...]]:
+    """Arrays of n rows each, cut into parts of at most `rows` rows, without copies.
+
+    Raises ValueError for arrays that do not have equally many rows, or rows < 1.
+
+    >>> [part[0].tolist() for part in partition(np.arange(5), rows=2)]
+    [[0, 1], [2, 3], [4]]
+    """
+    if rows < 1:
+        raise ValueError(f"rows is {rows}; it must be at least 1")
+    counts = {len(array) for array in arrays}
+    if len(counts) != 1:
+        raise ValueError(f"the arrays have {sorted(counts)} rows; they must have the same")
+    return [tuple(array[i:i + rows] for array in arrays) for i in range(0, counts.pop(), rows)]
+
+
+def _ask(function, part, number):
+    try:
+        return function(*(part() if callable(part) else part))
+    except (TypeError, ValueError) as error:
+        raise type(error)(f"part {number}: {error}") from None
+
+
+def _run(client, function, parts):
+    """The results of function(*part), in the order of the parts."""
+    parts = list(parts)
+    own = {"pure": False} if hasattr(client, "gather") else {}  # Dask must not look for the arrays' digests
+    answers = client.map(_ask, [function] * len(parts), parts, range(len(parts)), **own)
+    return client.gather(answers) if hasattr(client, "gather") else list(answers)
+
+
+def _joined(rows):
+    return np.concatenate(rows).view(np.recarray) if rows else np.empty(0, _FIELDS).view(np.recarray)
+
+
+def _rows(answers):
+    rows = np.zeros(len(answers), _FIELDS)
+    for name in _FIELDS.names:
+        rows[name] = getattr(answers, name)
+    rows["weights_a"][~rows["contact"]] = rows["weights_b"][~rows["contact"]] = 0  # they have no meaning there
+    return rows
+
+
+def solve_part(kind: str, start: NDArray, end: NDArray, **options: Any) -> NDArray:
+    """`touchstone.solve` of n queries as a structured array, which can be sent from process to process.
+
+    Arguments and errors are those of `touchstone.solve`; one thread, if `threads` does not say otherwise.
+
+    >>> solve_part('point-point', np.zeros((1, 2, 3)), np.ones((1, 2, 3)))['toi'].tolist()
+    [0.0]
+    """
+    return _rows(_queries.solve(kind, start, end, **{"threads": 1, **options}))
+
+
+def solve(client: Any, kind: str, parts: Sequence, **options: Any) -> np.recarray:
+    """`touchstone.solve` over parts (start, end). The attributes of the result are those of Answers.
+
+    options  those of `touchstone.solve`
+
+    Raises what `touchstone.solve` raises, with the number of the part before the row.
+
+    >>> from concurrent.futures import ThreadPoolExecutor
+    >>> parts = partition(np.zeros((5, 2, 3)), np.ones((5, 2, 3)), rows=2)
+    >>> solve(ThreadPoolExecutor(), 'point-point', parts).contact.sum()
+    5
+    """
+    return _joined(_run(client, partial(solve_part, kind, **options), parts))
+
+
+def certify_part(kind: str, start: NDArray, end: NDArray, contact: NDArray, toi: Optional[NDArray] = None,
+                 **options: Any) -> Tuple[NDArray, NDArray, NDArray]:
+    """`touchstone.certify` of n claims: (verdict, truth as of `solve_part`, early). Errors are those of it."""
+    found = _judging.certify(kind, start, end, contact, toi, **{"threads": 1, **options})
+    return found.verdict, _rows(found.truth), found.early
+
+
+def certify(client: Any, kind: str, parts: Sequence, **options: Any) -> Certificate:
+    """`touchstone.certify` over parts (start, end, contact) or (start, end, contact, toi).
+
+    options  those of `touchstone.certify`
+
+    Returns a Certificate of all claims, in the order of the parts. Raises what `touchstone.certify` raises.
+
+    >>> from concurrent.futures import ThreadPoolExecutor
+    >>> parts = partition(np.zeros((5, 2, 3)), np.ones((5, 2, 3)), np.arange(5) > 0, rows=2)
+    >>> certify(ThreadPoolExecutor(), 'point-point', parts)
+    <Certificate: 4 holds, 1 missed, 0 phantom, 0 late>
+    """
+    found = _run(client, partial(certify_part, kind, **options), parts)
+    verdict, truth, early = zip(*found) if found else ([], [], [])
+    return Certificate(np.concatenate([np.empty(0, np.uint8), *verdict]), _joined(truth),
+                       np.concatenate([np.empty(0), *early]))
+
+
+def _tally(certificate):
+    """The counts of verdicts, and the refuted claims."""
+    refuted = []
+    for i in certificate.refuted:
+        truth = certificate.truth[int(i)]
+        exact = {"contact": int(truth.contact)}
+        if truth.contact:
+            exact.update(toi=float(truth.toi).hex(), toi_upper=float(truth.toi_upper).hex(),
+                         nature=str(Nature(truth.nature)))
+        refuted.append({"query": int(i), "verdict": str(Verdict(certificate.verdict[i])), "exact": exact})
+    return [certificate.count(verdict) for verdict in Verdict], refuted
+
+
+def _text(counts, refuted):
+    claims = json.dumps({str(verdict): count for verdict, count in zip(Verdict, counts)})
+    lines = ",".join("\n  " + json.dumps(one) for one in refuted)
+    return "{\n \"claims\": " + claims + ",\n \"refuted\": [" + lines + "]\n}\n"
+
+
+def report(certificate: Certificate) -> str:
+    """The certificate as JSON, with hexfloats: the counts of verdicts, and each refuted claim with the exact answer.
+
+    Raises nothing for a Certificate of `certify` here or of `touchstone.certify`.
+
+    >>> import touchstone
+    >>> print(report(touchstone.certify('point-point', np.zeros((1, 2, 3)), np.ones((1, 2, 3)), [True])).splitlines()[1])
+     "claims": {"holds": 1, "missed": 0, "phantom": 0, "late": 0},
+    """
+    return _text(*_tally(certificate))
+
+
+def report_part(kind: str, start: NDArray, end: NDArray, contact: NDArray, toi: Optional[NDArray] = None,
+                **options: Any) -> Tuple[List[int], List[Dict]]:
+    """The counts and refuted claims of `touchstone.certify`, whose errors it has, with numbers from 0."""
+    return _tally(_judging.certify(kind, start, end, contact, toi, **{"threads": 1, **options}))
+
+
+def certify_report(client: Any, kind: str, parts: Sequence, **options: Any) -> str:
+    """report(certify(client, kind, parts)), without the answers to claims that hold: for many workers.
+
+    Arguments and errors are those of `certify`.
+
+    >>> from concurrent.futures import ThreadPoolExecutor
+    >>> parts = partition(np.zeros((5, 2, 3)), np.ones((5, 2, 3)), np.arange(5) != 3, rows=2)
+    >>> print(certify_report(ThreadPoolExecutor(), 'point-point', parts).splitlines()[3][:35])
+      {"query": 3, "verdict": "missed",
+    """
+    counts, refuted, before = [0] * len(Verdict), [], 0
+    for part_counts, part_refuted in _run(client, partial(report_part, kind, **options), parts):
+        refuted += [{**one, "query": before + one["query"]} for one in part_refuted]
+        counts = [a + b for a, b in zip(counts, part_counts)]
+        before += sum(part_counts)
+    return _text(counts, refuted)
+
+
+@lru_cache(maxsize=4)
+def _mesh_of(key):
+    return Mesh(**{name: np.frombuffer(value[0], value[1]).reshape(value[2]) if isinstance(value, tuple) else value
+                   for name, value in key})
+
+
+def _key_of(mesh):
+    """The arguments of a Mesh as a key: an array as its bytes, type and shape."""
+    arrays = {name: value if np.isscalar(value) else np.asarray(value) for name, value in mesh.items()}
+    return tuple((name, (value.tobytes(), value.dtype.str, value.shape) if isinstance(value, np.ndarray) else value)
+                 for name, value in sorted(arrays.items()))
+
+
+def steps_part(mesh: Mapping[str, Any], frame: Callable[[int], NDArray], first: int, last: int,
+               **options: Any) -> List[Dict]:
+    """The steps first to last - 1 of a sequence, as `steps` describes them. Errors are those of `first_contact`."""
+    made = _mesh_of(_key_of(mesh))
+    found = []
+    before = frame(first) if first < last else None
+    for k in range(first, last):
+        after = frame(k + 1)
+        try:
+            contact = _meshes.first_contact(made, before, after, **{"threads": 1, **options})
+        except ValueError as error:
+            raise ValueError(f"step {k}: {error}") from None
+        before = after
+        times = [t.hex() if contact.contact else None for t in (contact.toi, contact.toi_upper)]
+        found.append({"step": k, "free": contact.free, "toi": times[0], "toi_upper": times[1],
+                      "first": [made.describe(pair) for pair in contact.first],
+                      "at_start": [made.describe(pair) for pair in contact.at_start]})
+    return found
+
+
+def steps(client: Any, mesh: Mapping[str, Any], frame: Callable[[int], NDArray], count: int, parts: int = 16,
+          **options: Any) -> List[Dict]:
+    """`touchstone.first_contact` for each of the `count` steps of an animation.
+
+    mesh     the arguments of a Mesh, by name; each worker makes it once
+    frame    frame(k) has the positions of frame k, 0 <= k <= count; it runs on the worker and can be sent there
+    parts    how many contiguous parts the steps are cut into
+    options  those of `touchstone.first_contact`
+
+    Returns a list with a dict for each step: step, free, toi and toi_upper as hexfloats or None, first and at_start as
+    lists of pairs in words. Raises ValueError as `first_contact` does, naming part, step and vertex.
+
+    >>> from concurrent.futures import ThreadPoolExecutor
+    >>> fly = lambda k: [[k, 0, 0], [2.5, 0, 0]]
+    >>> [step["free"] for step in steps(ThreadPoolExecutor(), {"vertices": 2}, fly, 3)]
+    [True, True, False]
+    """
+    if count < 0 or parts < 1:
+        raise ValueError(f"count is {count} and parts {parts}; they must be at least 0 and 1")
+    ends = [count * i // parts for i in range(parts + 1)]
+    ranges = [(a, b) for a, b in zip(ends, ends[1:]) if a < b]
+    return sum(_run(client, partial(steps_part, mesh, frame, **options), ranges), [])

@@ -1,0 +1,67 @@
+"""What a notebook shows. SPDX-License-Identifier: MIT"""
+from html.parser import HTMLParser
+
+import numpy as np
+import queries
+import touchstone as ts
+
+
+class Page(HTMLParser):
+    """Tags must nest, and the text is collected."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.seen, self.text = [], set(), ""
+        self.feed(text)
+        assert self.open == []
+
+    def handle_starttag(self, tag, attributes):
+        self.open.append(tag)
+        self.seen.add(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        self.text += data + "\n"
+
+
+def page(thing):
+    return Page(thing._repr_html_())
+
+
+def test_queries_and_answers():
+    start, end = queries.both("vertex-face", 100)
+    answers = ts.solve("vertex-face", start, end)
+    many = page(answers)
+    assert f"100 answers, {answers.contact.sum()} with contact" in many.text and "80 more" in many.text
+    assert many.seen <= {"div", "strong", "table", "thead", "tbody", "tr", "th", "td", "p"}
+    q = int(np.flatnonzero(answers.contact)[0])
+    shown = page(ts.show("vertex-face", start[q], end[q]))
+    for word in ("vertex-face query", "f2", float(answers.toi[q]).hex(), str(ts.Nature(answers.nature[q]))):
+        assert word in shown.text or float(answers.toi[q]) * 2**20 % 1 == 0
+    assert "none" in page(answers[int(np.flatnonzero(~answers.contact)[0])]).text
+    assert "(0.0, 0.0)" in repr(ts.show("point-point", [[0, 0], [1, 1]], [[0, 0], [1e300, -5e-324]]))
+    assert (-5e-324).hex() in page(ts.show("point-point", [[0, 0], [1, 1]], [[0, 0], [1e300, -5e-324]])).text
+
+
+def test_claims():
+    start, end = queries.both("edge-edge", 50)
+    truth = ts.solve("edge-edge", start, end)
+    found = page(ts.certify("edge-edge", start, end, ~truth.contact))
+    assert f"{truth.contact.sum()} missed" in found.text and "30 more" in found.text
+
+
+def test_mesh_results():
+    mesh = ts.Mesh(4, [[0, 1, 2]])
+    x0 = np.array([[-9., -9, 0], [9, -9, 0], [0, 9, 0], [0, 0, 1]])
+    x1 = x0.copy()
+    x1[3, 2] = -1
+    found = ts.first_contact(mesh, x0, x1)
+    assert "0.5" in page(found).text and "vertex-face" in page(found).text
+    assert "free of contact" in page(ts.first_contact(mesh, x0, x0)).text
+    assert "shortened" in page(ts.free_step(mesh, x0, x1)).text
+    assert "1 pairs" in page(ts.all_contacts(mesh, x0, x1)).text
+    edges = ts.Mesh(5, faces=[[0, 1, 2]], edges=[[3, 4]])
+    pierced = ts.intersections(edges, [[0, 0, 0], [1, 0, 0], [0, 1, 0], [.25, .25, -1], [.25, .25, 1]])
+    assert "edge 0" in page(pierced).text and "pierces" in page(pierced).text
