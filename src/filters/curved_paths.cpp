@@ -41,6 +41,7 @@ constexpr double kLeastWeight = 0.125;
 // roundings each: it is off by at most 9.1 e D C, and by 3 D times the points' error. The difference of two of them is
 // off by twice this and e 6.1 D C: less than 6 D error + 25 e D C. The rest is for the rounding of the bound.
 constexpr double kErrorFactor = 7;
+constexpr double kMostSum = 4;  // of a direction's coordinates, none of which is larger than 1
 constexpr double kProjectionBound = 32 * 0x1p-53;
 
 // Points within a distance d of each other differ by at most |n| d along a direction n, and in the metric max by at most
@@ -166,7 +167,7 @@ struct Hulls {
 /// The points of each element that are nearest to the other one along a direction from the first to the second.
 struct Nearest {
   std::size_t a = 0, b = 0;
-  double gap = 0;  // NaN for a direction that is not finite
+  double gap = 0;  // of no meaning for a direction that is not finite
 };
 
 Nearest nearest_along(const Hulls& hulls, const Point& direction) noexcept {
@@ -256,6 +257,9 @@ bool certainly_farther(const CurvedQuery& query, const Separation& separation) n
     if (i + 1 == first) hulls.first = hulls.count;
   }
   const auto separates = [&](const Point& direction, double gap) {
+    // A direction that overflowed has no projections: every comparison with them is false.
+    const double sum = std::fabs(direction[0]) + std::fabs(direction[1]) + std::fabs(direction[2]);
+    if (!(sum <= kMostSum)) return false;
     const double largest = largest_of(direction);
     const double product = largest * paths.size;
     if (!(product >= kLeastLength && product <= kMostLength)) return false;

@@ -115,6 +115,11 @@ TEST_CASE("curved bracket: no sign is told of what under- or overflows") {
   CHECK((tiny_pair * tiny_pair).sign() == 0);
   CHECK((huge_pair * huge_pair).sign() == 0);
   CHECK((tiny_pair * -huge_pair).sign() == -1);
+  // A product that is rounded to a subnormal number is greater than it should be, and one that is cut off is less.
+  const Bounded rounded = Bounded{0x1.4p-537, 0} * Bounded{0x1.4p-537, 0} * Bounded{0x1p60, 0};
+  CHECK((rounded - Bounded{0x1.99p-1014, 0}).sign() == 0);
+  const BoundedPair cut = numbers::exact_pair(0x1.00001p-520) * numbers::exact_pair(0x1.00001p-520);
+  CHECK((cut * numbers::exact_pair(0x1p100) - numbers::exact_pair(0x1.000020000080p-940)).sign() == 0);
 }
 
 /// Two elements on bodies or curves, of sizes that are not scaled, with digits that round badly.

@@ -143,6 +143,16 @@ TEST_CASE("the filter proves apart what flies together") {
   CHECK(filters::certainly_apart(curved(Kind::point_point, {body(0, {1, 2, 3}), bow}, {flight})));
 }
 
+TEST_CASE("the filter proves nothing by a direction that overflows") {
+  // n is infinite, as a product of lengths.
+  const double far = 0x1p600;
+  const CurvedQuery query =
+      curved(Kind::vertex_face, {body(0, {0, 0, 0}), rest({-far, -far, 0}), rest({far, -far, 0}), rest({0, far, 0})},
+             {RigidMotion()});
+  CHECK_FALSE(filters::certainly_apart(query));
+  CHECK(solve(query).contact);
+}
+
 TEST_CASE("the filter decides most of what is apart, and never what touches") {
   std::size_t decided = 0, apart = 0, touching = 0;
   const std::size_t count = effort(3000);
