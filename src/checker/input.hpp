@@ -27,7 +27,8 @@ struct BadInput : std::runtime_error {  // exit status 2
   using std::runtime_error::runtime_error;
 };
 
-constexpr std::size_t kLongestLine = 1U << 20, kMostDigits = 4096, kMostCoefficients = 33;
+constexpr std::size_t kLongestLine = 1U << 20, kMostDigits = 4096, kMostHexDigits = 16384;
+constexpr std::size_t kMostCoefficients = 33;
 constexpr long kMostExponent = 20000;
 constexpr std::uint32_t kMostVertices = (1U << 30) - 1;
 
@@ -174,8 +175,9 @@ inline bool next_double(Number x, Number& next) {
 inline void read_number(std::string_view word, Number& x, const Lines& lines) {
   const auto require = [&](bool is_number) {
     if (is_number) return;
-    throw lines.bad(quoted(word) +
-                    " is no number: an integer or a hexfloat such as 0x1.8p-3 was expected, of at most 4,096 digits");
+    throw lines.bad(
+        quoted(word) +
+        " is no number: an integer or a hexfloat such as 0x1.8p-3 was expected, of at most 4,096 or 16,384 digits");
   };
   const bool negative = word.substr(0, 1) == "-";
   const std::string_view text = word.substr(negative ? 1 : 0);
@@ -193,7 +195,8 @@ inline void read_number(std::string_view word, Number& x, const Lines& lines) {
   std::string digits(text.substr(2, p - 2));
   const std::size_t point = digits.find('.');
   if (point != std::string::npos) digits.erase(point, 1);
-  require(!digits.empty() && digits.size() <= kMostDigits && std::all_of(digits.begin(), digits.end(), is_hexadecimal));
+  require(!digits.empty() && digits.size() <= kMostHexDigits);
+  require(std::all_of(digits.begin(), digits.end(), is_hexadecimal));
   x.m.set_str((negative ? "-" : "") + digits, 16);
   if (sign(x) == 0) return;
   x.e = exponent.get_si();

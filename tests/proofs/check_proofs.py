@@ -21,6 +21,7 @@ import sys
 
 MAX_LINE_BYTES = 1 << 20
 MAX_DIGITS = 4096
+MAX_HEX_DIGITS = 16384
 MAX_EXPONENT = 20000
 MAX_DEGREE = 32
 MAX_QUERY_DIGITS = 4096
@@ -93,13 +94,14 @@ class Lines:
 
 def read_number(word, lines):
     """A number of a proof: a pair (m, e) with the value m 2^e. m is odd, or m = e = 0."""
-    match = NUMBER.fullmatch(word) if len(word) <= MAX_DIGITS + 20 else None
+    match = NUMBER.fullmatch(word) if len(word) <= MAX_HEX_DIGITS + 20 else None
     if not match:
         raise BadInput(f"{lines.place()}: not a number, or too long: {ascii(word[:40].decode('latin-1'))}")
     sign, decimal, whole, fraction, exponent = match.groups(default=b"")
     digits, power = decimal or whole + fraction, int(exponent or 0)
-    if len(digits) > MAX_DIGITS or abs(power) > MAX_EXPONENT:
-        raise BadInput(f"{lines.place()}: more than {MAX_DIGITS} digits, or an exponent beyond {MAX_EXPONENT}")
+    most = MAX_DIGITS if decimal else MAX_HEX_DIGITS
+    if len(digits) > most or abs(power) > MAX_EXPONENT:
+        raise BadInput(f"{lines.place()}: more than {most} digits, or an exponent beyond {MAX_EXPONENT}")
     value = int(digits, 10 if decimal else 16)
     if value == 0:
         return 0, 0

@@ -410,9 +410,9 @@ TEST_CASE("numbers of proofs") {
     call_bad("was expected", kPoints, kApart, {"0 none", std::string("d ") + wrong + " 0 0"});
   }
   accept(kPoints, kApart, {"0 none", "d " + std::string(4096, '9') + " 0 0"});
-  call_bad("4,096 digits", kPoints, kApart, {"0 none", "d " + std::string(4097, '9') + " 0 0"});
-  accept(kPoints, kApart, {"0 none", "d 0x." + std::string(4096, 'f') + "p0 0 0"});
-  call_bad("4,096 digits", kPoints, kApart, {"0 none", "d 0x." + std::string(4097, 'f') + "p0 0 0"});
+  call_bad("4,096 or", kPoints, kApart, {"0 none", "d " + std::string(4097, '9') + " 0 0"});
+  accept(kPoints, kApart, {"0 none", "d 0x." + std::string(16384, 'f') + "p0 0 0"});
+  call_bad("16,384 digits", kPoints, kApart, {"0 none", "d 0x." + std::string(16385, 'f') + "p0 0 0"});
 }
 
 TEST_CASE("exponents and lines have limits") {

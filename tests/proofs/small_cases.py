@@ -254,7 +254,7 @@ def line_cases():
         ("the least exponent", 0, "separation max 0x1p-20000"),
         ("an exponent beyond the limits", 2, "separation max 0x1p-20001"),
         ("as many digits as there may be", 0, f"separation max 0x{4095 * '0'}8p-4"),
-        ("more digits than there may be", 2, f"separation max 0x{4096 * '0'}8p-4"),
+        ("more digits than there may be", 2, f"separation max 0x{16384 * '0'}8p-4"),
     ]]
     touching = still(ORIGIN, (-HALF, 0, 0))
     blocks = ("max 0x1p-1", "point-point", none), ("", "point-point", none)
