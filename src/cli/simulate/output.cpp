@@ -128,8 +128,7 @@ SimulateOutput::SimulateOutput(const SimulateOptions& options, sim::Simulation& 
     });
   }
   if (!options.prove.empty() && simulation.bodies() != nullptr) {
-    throw Error(
-        "--prove: the proofs know straight motion only, and bodies turn; a scene without bodies would be right");
+    throw Error("--prove: a motion file has no bodies that turn; a scene without bodies would be right");
   }
   if (!options.prove.empty()) {
     motion_.emplace(options.prove, motion_elements(simulation), Separation{}, options.threads);
