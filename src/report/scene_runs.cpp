@@ -46,7 +46,7 @@ Plans plans(bool quick) {
   return {{"hoop", 560, 600, 3},
           {{"cable-drop", 5'000, 24, 5}, {"cable-drop", 50'000, 24, 58}},
           {{"whip", 1'000, 30, 0.5}, {"whip", 10'000, 30, 5}},
-          {{"twist", 1'000, 10, 0.5}, {"twist", 5'000, 10, 7}}};
+          {{"twist", 1'000, 10, 0.5}, {"twist", 5'000, 10, 2}, {"twist", 20'000, 10, 15}}};
 }
 
 double weight(const std::vector<Plan>& plans) {

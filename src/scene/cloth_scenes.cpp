@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "generators/mesh.hpp"
 #include "scene/parts.hpp"
@@ -53,15 +54,32 @@ std::vector<Waypoint> circling(const Vector3& start, double turns, double shift,
 }  // namespace
 
 Scene make_flag(Index triangles) {
+  constexpr double kLength = 0.9, kWidth = 0.6, kTop = 0.92, kEnd = 0.08, kSwing = 0.3, kNearer = 0.05,
+                   kSwingTime = 0.5;
+  constexpr int kSwings = 3;
   Scene scene;
-  scene.settings.duration = 3;
-  scene.settings.time_step = 1.0 / 120;
-  scene.settings.drag = 0.5;
+  scene.settings.duration = 2.5;
+  scene.settings.time_step = 1.0 / 480;
+  scene.settings.drag = 1;
   scene.settings.newton_tolerance = 1e-4;
-  scene.settings.contact = {0, 0.3, 1e-3, 8};
-  const SheetMesh mesh = add_sheet(scene, {{0, 0, 2}, {0.9, 0, 0}, {0, 0.6, 0}, columns_for(0.9, 0.6, triangles)});
-  for (const Index p : {mesh.rows.front().front(), mesh.rows.back().front()}) scene.particles[p].fixed.fill(true);
+  scene.settings.contact = {0, 0.5, 1e-3, 8};
+  const SheetMesh mesh =
+      add_sheet(scene, {{0, 0, kTop}, {0, 0, -kLength}, {0, kWidth, 0}, columns_for(kLength, kWidth, triangles)});
+  // It bulges a little: a plane sheet that is pushed together would never choose a side.
+  for (Particle& p : scene.particles) {
+    p.position.x() = 0.02 * std::sin(std::numbers::pi * (kTop - p.position.z()) / kLength);
+  }
+  // Down to the floor, forth, back and forth again, as one lays down a sheet in folds.
+  for (const auto& [p, side] : {std::pair(mesh.rows.front().front(), 1), std::pair(mesh.rows.back().front(), -1)}) {
+    Particle& corner = scene.particles[p];
+    for (int i = 0; i <= kSwings; ++i) {
+      const double part = static_cast<double>(i) / kSwings;
+      const Vector3 moved(i % 2 == 1 ? kSwing : 0, kNearer * side * part, (kEnd - kTop) * part);
+      corner.path.push_back({kSwingTime * i, corner.position + moved});
+    }
+  }
   scene.surfaces.push_back(cotton(mesh, 1e-3));
+  add_floor(scene, 2);
   return scene;
 }
 
@@ -88,7 +106,7 @@ Scene make_twist(Index triangles) {
   constexpr double kLength = 1, kWidth = 0.25, kTurns = 5, kSeconds = 5, kShift = 0.15, kRadius = 5e-4;
   Scene scene;
   scene.settings.duration = kSeconds;
-  scene.settings.time_step = 1.0 / 100;
+  scene.settings.time_step = 1.0 / 400;
   scene.settings.gravity.setZero();
   scene.settings.drag = 2;
   scene.settings.newton_tolerance = 1e-4;
