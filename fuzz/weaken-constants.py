@@ -124,7 +124,8 @@ SEPARATION_FAULTS = [
 #
 # Without a line below, as the errors found are far smaller: kProjectionErrors, kProjectionRoundings and kCutRoundings of
 # curved_walk.cpp, the roundings of a product of polynomials, the errors of its factors, those of a cut in two, and
-# kBoundSlack; or as another test is uncertain, too: a certain sign at a part's start in curved_bracket.cpp.
+# kBoundSlack; or as another test is uncertain, too: a certain sign at a part's start, and the doubt of the nearest double,
+# in curved_bracket.cpp.
 CURVED_FAULTS = [
     ("size of a separation along a direction", "filters/curved_paths.cpp", " + reach(direction, separation)", ""),
     ("guard of a direction that overflows", "filters/curved_paths.cpp", "if (!(sum <= kMostSum)) return false;", ""),
@@ -150,8 +151,6 @@ CURVED_FAULTS = [
     ("later roots than one", "filters/curved_bracket.cpp", "++changes > 1", "++changes > 3"),
     ("error of a root's offset", "filters/curved_bracket.cpp", "off = (1 + 0x1p-20) * (value_off",
      "off = 0x1p-20 * (value_off"),
-    ("doubt of the nearest double, curved", "filters/curved_bracket.cpp",
-     "if (!(std::fabs(rest) + off < nearest - before(nearest))) return {};", ""),
     ("size of a separation in a part", "filters/curved_walk.cpp", "kReach * (reach * (std::max(part.scale[k], 0.0)",
      "0 * (reach * (std::max(part.scale[k], 0.0)"),
 ]

@@ -144,10 +144,10 @@ TEST_CASE("the filter proves apart what flies together") {
 }
 
 TEST_CASE("the filter proves nothing by a direction that overflows") {
-  // n is infinite, as a product of lengths.
+  // The vertex is at a corner of the face. One component of n is the difference of two products that overflow.
   const double far = 0x1p600;
   const CurvedQuery query =
-      curved(Kind::vertex_face, {body(0, {0, 0, 0}), rest({-far, -far, 0}), rest({far, -far, 0}), rest({0, far, 0})},
+      curved(Kind::vertex_face, {body(0, {0, 0, 0}), rest({0, 0, 0}), rest({far, 1, far}), rest({2 * far, -1, far})},
              {RigidMotion()});
   CHECK_FALSE(filters::certainly_apart(query));
   CHECK(solve(query).contact);
