@@ -14,6 +14,8 @@
 
 #include "cli/bench/bench.hpp"
 #include "cli/certify/certify.hpp"
+#include "cli/describe/describe.hpp"
+#include "cli/doctor/doctor.hpp"
 #include "cli/explain/explain.hpp"
 #include "cli/fuzz/fuzz.hpp"
 #include "cli/generate/generate.hpp"
@@ -21,6 +23,7 @@
 #include "cli/mesh/mesh.hpp"
 #include "cli/prove.hpp"
 #include "cli/report.hpp"
+#include "cli/shared/build_facts.hpp"
 #include "cli/shared/interrupt.hpp"
 #include "cli/shared/words.hpp"
 #include "cli/simulate/simulate.hpp"
@@ -46,13 +49,26 @@ int complain(const std::string& line) {
 /// The first line of the message of the parser of arguments. It repeats the arguments, which may be of any length.
 std::string first_line(const std::string& text) { return io::with_short_words(text.substr(0, text.find('\n'))); }
 
+/// "solve, certify and merge": the subcommands that --help shows.
+std::string subcommand_names(const CLI::App& program) {
+  const auto commands = program.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
+  std::string text;
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == commands.size() ? " and " : ", ") + commands[i]->get_name();
+  }
+  return text;
+}
+
 int parse_and_run(int argc, const char* const* argv) {
   CLI::App program(
       "Touchstone: do two moving elements ever touch, and when first? Exact answers, and verdicts on claimed\n"
       "ones. An element is an edge, a face or a point whose corners move for t in [0, 1], on straight lines or\n"
       "on curves.",
       "touchstone");
-  program.set_version_flag("--version", std::string("touchstone ") + version());
+  program.set_version_flag("--version", std::string("touchstone ") + version(), "Say the version, and end");
+  bool wants_more = false;  // --version ends the parsing before this is set, so the option itself is asked
+  const CLI::Option* const verbose =
+      program.add_flag("--verbose", wants_more, "With --version: say how the program was built")->needs("--version");
   program.require_subcommand(1);
   program.footer(
       "Examples\n"
@@ -68,7 +84,8 @@ int parse_and_run(int argc, const char* const* argv) {
       "  touchstone fuzz --solver paper                    the simplest queries on which a solver is wrong\n"
       "  touchstone stress --out stress                    where each method breaks as queries get stiff\n"
       "  touchstone simulate hoop --out hoop               a basketball through a net, each step proved\n"
-      "  touchstone mesh --report report.json cloth-*.obj  is each step of an animation free of contact?\n\n"
+      "  touchstone mesh --report report.json cloth-*.obj  is each step of an animation free of contact?\n"
+      "  touchstone doctor                                 what is missing, and is arithmetic sound here?\n\n"
       "A query file has a row for each corner at t = 0 and then for each at t = 1, in the order\n"
       "  edge-edge    a0 a1 b0 b1      vertex-face  v f0 f1 f2      point-edge  p e0 e1      point-point  p q\n"
       "and seven integers a row: x_num,x_den,y_num,y_den,z_num,z_den,truth. --kind, or else the name of its folder, "
@@ -94,21 +111,21 @@ int parse_and_run(int argc, const char* const* argv) {
   add_simulate(program, command);
   add_mesh(program, command);
   add_merge(program, command);
+  add_doctor(program, command);
+  add_describe(program, command);
   try {
     program.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
     print(program.help());
     return kAllHold;
   } catch (const CLI::CallForVersion& version_text) {
-    print(std::string(version_text.what()) + "\n");
+    print(verbose->count() == 0 ? std::string(version_text.what()) + "\n" : build_facts() + text_of(build_parts()));
     return kAllHold;
   } catch (const CLI::RequiredError& error) {
     const auto unknown = program.remaining();
     if (program.get_subcommands().empty() && !unknown.empty()) {
-      return complain(
-          "touchstone: " + io::with_short_words(unknown.front()) +
-          " is no subcommand; they are solve, certify, explain, prove, generate, bench, report, fuzz, stress, "
-          "simulate, mesh and merge");
+      return complain("touchstone: " + io::with_short_words(unknown.front()) + " is no subcommand; they are " +
+                      subcommand_names(program));
     }
     return complain("touchstone: " + first_line(error.what()) + " (see touchstone --help)");
   } catch (const CLI::ParseError& error) {

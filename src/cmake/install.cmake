@@ -1,6 +1,9 @@
-# What `cmake --install` puts where: libraries, program, public headers, licence and the package config.
+# What `cmake --install` puts where: libraries, program, public headers, licence and the package config. The components
+# are `program`, `development` and, from src/python, `python`: cpack makes a Debian package of each.
 # SPDX-License-Identifier: MIT
 include(CMakePackageConfigHelpers)
+
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 
 set(touchstone_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/touchstone)
 
@@ -32,11 +35,12 @@ if(TARGET touchstone_program)
     set_target_properties(touchstone_program PROPERTIES
       INSTALL_RPATH "$<IF:$<PLATFORM_ID:Darwin>,@loader_path,$ORIGIN>/${to_libraries}")
   endif()
-  install(TARGETS touchstone_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS touchstone_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
   add_dependencies(touchstone_installed touchstone_program)
+  include(${CMAKE_CURRENT_LIST_DIR}/described.cmake)
 endif()
 if(TARGET touchstone_check)
-  install(TARGETS touchstone_check RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS touchstone_check RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
   add_dependencies(touchstone_installed touchstone_check)
 endif()
 if(TARGET touchstone_python)
@@ -59,3 +63,8 @@ install(
     ${PROJECT_BINARY_DIR}/touchstone-config-version.cmake
     ${CMAKE_CURRENT_LIST_DIR}/touchstone-dependencies.cmake
   DESTINATION ${touchstone_package_dir})
+
+include(${CMAKE_CURRENT_LIST_DIR}/pkg_config.cmake)
+if(CMAKE_SOURCE_DIR STREQUAL PROJECT_SOURCE_DIR)
+  include(${CMAKE_CURRENT_LIST_DIR}/debian.cmake)
+endif()

@@ -16,21 +16,24 @@
 #include <touchstone/error.hpp>
 
 #include "io/fail.hpp"
+#include "report/find_program.hpp"
 
 namespace touchstone::report {
 
-std::optional<std::string> find_gnuplot() {
+std::optional<std::string> find_program(const std::string& name) {
   const char* const path = std::getenv("PATH");
   std::istringstream folders(path == nullptr ? "" : path);
   for (std::string folder; std::getline(folders, folder, ':');) {
     std::error_code ignored;
-    const auto program = std::filesystem::absolute(folder.empty() ? "." : folder, ignored) / "gnuplot";
+    const auto program = std::filesystem::absolute(folder.empty() ? "." : folder, ignored) / name;
     if (std::filesystem::is_regular_file(program, ignored) && ::access(program.c_str(), X_OK) == 0) {
       return program.string();
     }
   }
   return std::nullopt;
 }
+
+std::optional<std::string> find_gnuplot() { return find_program("gnuplot"); }
 
 namespace {
 

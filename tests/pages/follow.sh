@@ -48,6 +48,9 @@ reason_not_to_run() {
         echo 'python3 in PATH does not import touchstone; tests/python runs the programs where the module is built'
       ;;
     'python3 -m venv '* | */pip' install '*) echo 'it builds the library anew, for minutes' ;;
+    *'cpack '*) echo 'tests/packaging makes the packages, installs and removes them' ;;
+    *pkg-config*) command -v pkg-config >/dev/null || echo 'pkg-config is not installed; tests/packaging uses it' ;;
+    */by_pkg_config) [[ -x $HOME/first_touch/by_pkg_config ]] || echo 'it was not built, without pkg-config' ;;
     *sbatch*) echo 'it hands jobs to a cluster' ;;
     'touchstone stress --out '*) echo 'it measures for half a minute; tests/stress runs it smaller' ;;
     *)

@@ -7,6 +7,7 @@
 #include "baselines/curved_baseline.hpp"
 #include "baselines/separation_baseline.hpp"
 #include "cli/fuzz/fuzz.hpp"
+#include "cli/shared/kind_check.hpp"
 #include "cli/shared/options.hpp"
 #include "cli/shared/words.hpp"
 #include "fuzz/climb.hpp"
@@ -143,9 +144,7 @@ CLI::Option* add_source_options(CLI::App& subcommand, FuzzCommandOptions& option
               },
               "Only queries of this kind: " + io::kind_names() + " (default: all; may be given more than once)")
           ->type_name("KIND")
-          ->check([](const std::string& name) {
-            return io::kind_from_name(name) ? std::string() : name + " is no kind; it must be " + io::kind_names();
-          }));
+          ->check(kind_check()));
   const auto number = [&](const std::string& name, auto& value, std::uint64_t least, const std::string& about,
                           std::uint64_t most = kMostNumber) {
     of_search.push_back(

@@ -13,6 +13,7 @@
 #include <touchstone/curved.hpp>
 #include <touchstone/error.hpp>
 
+#include "cli/shared/kind_check.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
 #include "io/kind_of_file.hpp"
@@ -31,15 +32,25 @@ std::filesystem::path place_of(const std::string& name) {
 
 }  // namespace
 
+CLI::Validator kind_check() {
+  std::string names;
+  for (const Kind kind : {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point}) {
+    names.append(names.empty() ? "{" : ",").append(kind_name(kind));
+  }
+  return CLI::Validator(
+      [](const std::string& name) {
+        return io::kind_from_name(name) ? std::string() : name + " is no kind; it must be " + io::kind_names();
+      },
+      names + "}");
+}
+
 void add_kind_option(CLI::App& subcommand, std::optional<Kind>& kind) {
   subcommand
       .add_option_function<std::string>(
           "--kind", [&kind](const std::string& name) { kind = io::kind_from_name(name); },
           "The kind of the files' queries: " + io::kind_names() + " (default: the name of each file's folder)")
       ->type_name("KIND")
-      ->check([](const std::string& name) {
-        return io::kind_from_name(name) ? std::string() : name + " is no kind; it must be " + io::kind_names();
-      });
+      ->check(kind_check());
 }
 
 void add_seed_option(CLI::App& subcommand, std::uint64_t& seed) {

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "cli/doctor/found_parts.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <system_error>
+
+#include "io/fail.hpp"
+#include "report/find_program.hpp"
+#include "report/gnuplot.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+/// The checker of proofs beside this program, or in PATH.
+std::optional<std::string> find_checker() {
+  std::error_code error;
+  const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (!error) {
+    const auto beside = self.parent_path() / "touchstone-check";
+    if (std::filesystem::is_regular_file(beside, error)) return beside.string();
+  }
+  return report::find_program("touchstone-check");
+}
+
+BuildPart part(const char* name, const std::optional<std::string>& place, const char* without, const char* package) {
+  return {name, place.has_value(), place ? io::printable(*place) : std::string(without), package};
+}
+
+}  // namespace
+
+std::vector<BuildPart> found_parts() {
+  return {part("plots", report::find_gnuplot(), "gnuplot is not in PATH: report, stress and simulate draw no plots",
+               "gnuplot-nox"),
+          part("proof checker", find_checker(), "touchstone-check is neither beside this program nor in PATH", "")};
+}
+
+}  // namespace touchstone::cli
