@@ -494,7 +494,10 @@ def change_curved_rows(rng, file, other):
         row = rng.choice(motions)
         factor = rng.choice([2, 3, 0.5, -1])
         first = rng.choice([2, 6])
-        row[first:first + 4] = [float(factor * as_double(word)).hex() for word in row[first:first + 4]]
+        try:
+            row[first:first + 4] = [float(factor * as_double(word)).hex() for word in row[first:first + 4]]
+        except OverflowError:
+            return None
     else:
         row = rng.choice(motions or corners)
         row[-3:], row[-6:-3] = row[-6:-3], row[-3:]
