@@ -216,6 +216,7 @@ BodyResult::Outcome BodyResponse::Attempt::settle(double restitution) {
     if (touches.found.empty()) {
       result_.counts.pairs = touches.pairs;
       result_.counts.proof = touches.levels;
+      result_.counts.separations = touches.separations;
       if (!contacts_.empty()) restore_angular_momentum();
       return Outcome::done;
     }

@@ -11,6 +11,7 @@
 #include <touchstone/solve.hpp>
 
 #include "broad_phase/box_tree.hpp"
+#include "numbers/rounded_sum.hpp"
 
 namespace touchstone::sim {
 namespace {
@@ -31,6 +32,9 @@ constexpr double kBulge = 0.56;
 // them with a point X, below 51 e |X| together; the quaternion's length is off by 4 e, its square by 8 e, which is as much of |X|;
 // the position adds e (|X| + |p|). All of it is below 2^-46 (|X| + |p|) = 128 e (|X| + |p|).
 constexpr double kPlacing = 0x1p-46;
+
+// Of a radius: its sums with margins, and with another radius, are rounded.
+constexpr double kWidened = 1 + 0x1p-40;
 
 double largest(const Vector3& x) { return x.lpNorm<Eigen::Infinity>(); }
 
@@ -58,26 +62,29 @@ struct Boxes {
 };
 
 template <class Element>
-MovingBox box_of(const Sweep& sweep, const Element& element) {
-  return {around(sweep.start, element.data(), element.size(), sweep.margin),
-          around(sweep.end, element.data(), element.size(), sweep.margin)};
+MovingBox box_of(const Sweep& sweep, const Element& element, double radius) {
+  const double margin = sweep.margin + kWidened * radius;
+  return {around(sweep.start, element.data(), element.size(), margin),
+          around(sweep.end, element.data(), element.size(), margin)};
 }
 
-/// Of those elements that meet the other's box.
-template <class Element, class Wanted>
-Boxes boxes_near(const Sweep& sweep, const std::vector<Element>& elements, const MovingBox& other, Wanted wanted) {
+constexpr auto kAll = [](Index) { return true; };
+constexpr auto kThin = [](Index) { return 0.0; };
+
+/// Of those elements that meet the other's box. @param radius  by which they are wider, beside the sweep's margin
+template <class Element, class Wanted, class Radius>
+Boxes boxes_near(const Sweep& sweep, const std::vector<Element>& elements, const MovingBox& other, Wanted wanted,
+                 Radius radius) {
   Boxes near;
   for (Index i = 0; i < elements.size(); ++i) {
     if (!wanted(i)) continue;
-    const MovingBox box = box_of(sweep, elements[i]);
+    const MovingBox box = box_of(sweep, elements[i], radius(i));
     if (!broad_phase::meet(box, other)) continue;
     near.numbers.push_back(i);
     near.boxes.push_back(box);
   }
   return near;
 }
-
-constexpr auto kAll = [](Index) { return true; };
 
 std::vector<std::array<Index, 1>> singles(const std::vector<Index>& vertices) {
   std::vector<std::array<Index, 1>> all;
@@ -95,7 +102,7 @@ double bulge(const Quaternion& q0, const Quaternion& q1, double reach) noexcept 
 
 BodyColliders::BodyColliders(const Scene& scene, const System& system, const Colliders& particles,
                              const BodySystem& bodies)
-    : bodies_(&bodies) {
+    : bodies_(&bodies), of_particles_(&particles), has_separations_(particles.has_separations()) {
   std::vector<Index> colliding;
   for (Index p = 0; p < scene.particles.size(); ++p) {
     if (scene.particles[p].collides) colliding.push_back(p);
@@ -107,6 +114,8 @@ BodyColliders::BodyColliders(const Scene& scene, const System& system, const Col
     std::vector<Index> vertices(body.vertices.size());
     std::iota(vertices.begin(), vertices.end(), Index{0});
     surfaces_.emplace_back(body.vertices.size(), std::move(vertices), all_edges(body.edges, body.faces), body.faces);
+    radii_.push_back(body.radius);
+    has_separations_ |= body.radius > 0;
     if (body.motion == BodyMotion::fixed) continue;
     for (const Edge& edge : surfaces_.back().edges) {
       shortest_ = std::min(shortest_, (body.vertices[edge[0]] - body.vertices[edge[1]]).norm());
@@ -115,6 +124,19 @@ BodyColliders::BodyColliders(const Scene& scene, const System& system, const Col
 }
 
 bool BodyColliders::can_move(Index body) const noexcept { return bodies_->bodies()[body].motion != BodyMotion::fixed; }
+
+double BodyColliders::separation_of(const BodyPair& pair) const noexcept {
+  const auto radius_of = [&](const OfBody& element, Kind kind) {
+    if (element.body != kParticles) return radii_[element.body];
+    if (kind == Kind::edge_edge) return of_particles_->radius_of_edge(element.number);
+    return kind == Kind::vertex_face ? of_particles_->radius_of_face(element.number)
+                                     : of_particles_->radius_of_particle(element.number);
+  };
+  const bool edges = pair.kind == Kind::edge_edge;
+  const Kind second = pair.kind == Kind::vertex_face ? Kind::vertex_face : Kind::edge_edge;
+  return numbers::sum_rounded_up(radius_of(pair.a, edges ? Kind::edge_edge : Kind::point_point),
+                                 radius_of(pair.b, second));
+}
 
 std::array<OfBody, 4> BodyColliders::corners(const BodyPair& pair) const noexcept {
   const auto of = [](const OfBody& element, Index vertex) { return OfBody{element.body, vertex}; };
@@ -172,8 +194,8 @@ std::vector<BodyPair> BodyColliders::candidates(const BodyMotions& motions, doub
     const RigidBody& body = bodies_->bodies()[b];
     const Pose &from = (*motions.start)[b].pose, &to = (*motions.end)[b].pose;
     Sweep& sweep = sweeps[b];
-    sweep.margin =
-        margin + bulge(from.q, to.q, body.reach) + kPlacing * (body.reach + std::max(largest(from.p), largest(to.p)));
+    sweep.margin = margin + kWidened * radii_[b] + bulge(from.q, to.q, body.reach) +
+                   kPlacing * (body.reach + std::max(largest(from.p), largest(to.p)));
     const Matrix3 turn_from = matrix_of(from.q), turn_to = matrix_of(to.q);
     for (const Vector3& x : body.points) {
       sweep.start.emplace_back(turn_from * x + from.p);
@@ -196,21 +218,35 @@ std::vector<BodyPair> BodyColliders::candidates(const BodyMotions& motions, doub
   const auto between_surfaces = [&](Index a, const Sweep& sweep_a, const MovingBox& box_a, Index b,
                                     const Sweep& sweep_b, const MovingBox& box_b) {
     const ElementSet &first = surface(a), &second = surface(b);
-    const auto edges_a = boxes_near(sweep_a, first.edges, box_b, kAll);
-    meet_all(edges_a, boxes_near(sweep_b, second.edges, box_a, kAll), Kind::edge_edge, a, b, nullptr);
+    // The radius of a body is in its sweep's margin.
+    const auto edge_radius = [&](Index of) {
+      return [this, of](Index e) { return of == kParticles ? of_particles_->radius_of_edge(e) : 0.0; };
+    };
+    const auto face_radius = [&](Index of) {
+      return [this, of](Index f) { return of == kParticles ? of_particles_->radius_of_face(f) : 0.0; };
+    };
+    const auto vertex_radius = [&](Index of, const std::vector<Index>& vertices) {
+      return [this, of, &vertices](Index i) {
+        return of == kParticles ? of_particles_->radius_of_particle(vertices[i]) : 0.0;
+      };
+    };
+    const auto edges_a = boxes_near(sweep_a, first.edges, box_b, kAll, edge_radius(a));
+    meet_all(edges_a, boxes_near(sweep_b, second.edges, box_a, kAll, edge_radius(b)), Kind::edge_edge, a, b, nullptr);
     if (!second.faces.empty()) {
-      meet_all(boxes_near(sweep_a, singles(first.vertices), box_b, kAll),
-               boxes_near(sweep_b, second.faces, box_a, kAll), Kind::vertex_face, a, b, &first.vertices);
+      meet_all(boxes_near(sweep_a, singles(first.vertices), box_b, kAll, vertex_radius(a, first.vertices)),
+               boxes_near(sweep_b, second.faces, box_a, kAll, face_radius(b)), Kind::vertex_face, a, b,
+               &first.vertices);
     }
     if (!first.faces.empty()) {
-      meet_all(boxes_near(sweep_b, singles(second.vertices), box_a, kAll),
-               boxes_near(sweep_a, first.faces, box_b, kAll), Kind::vertex_face, b, a, &second.vertices);
+      meet_all(boxes_near(sweep_b, singles(second.vertices), box_a, kAll, vertex_radius(b, second.vertices)),
+               boxes_near(sweep_a, first.faces, box_b, kAll, face_radius(a)), Kind::vertex_face, b, a,
+               &second.vertices);
     }
     // A particle in no edge meets the edges of wire frames. Those of faces are parts of the faces.
     if (a == kParticles && !first.points.empty()) {
-      meet_all(boxes_near(sweep_a, singles(first.points), box_b, kAll),
-               boxes_near(sweep_b, second.edges, box_a, [&](Index e) { return second.bare[e] != 0; }), Kind::point_edge,
-               a, b, &first.points);
+      const auto bare = [&](Index e) { return second.bare[e] != 0; };
+      meet_all(boxes_near(sweep_a, singles(first.points), box_b, kAll, vertex_radius(a, first.points)),
+               boxes_near(sweep_b, second.edges, box_a, bare, kThin), Kind::point_edge, a, b, &first.points);
     }
   };
   broad_phase::for_each_pair(whole, [&](Index a, Index b) {
@@ -222,8 +258,9 @@ std::vector<BodyPair> BodyColliders::candidates(const BodyMotions& motions, doub
     particles.start.push_back(position(*motions.x0, p));
     particles.end.push_back(position(*motions.x1, p));
   }
-  const MovingBox all = {around(particles.start, particles_.vertices.data(), particles_.vertices.size(), 0),
-                         around(particles.end, particles_.vertices.data(), particles_.vertices.size(), 0)};
+  const double widest = kWidened * of_particles_->largest_radius();
+  const MovingBox all = {around(particles.start, particles_.vertices.data(), particles_.vertices.size(), widest),
+                         around(particles.end, particles_.vertices.data(), particles_.vertices.size(), widest)};
   for (Index b = 0; b < count; ++b) {
     if (!broad_phase::meet(all, whole[b])) continue;
     const std::size_t before = pairs.size();
@@ -260,8 +297,8 @@ std::string BodyColliders::first_intersection(const BodyStates& states, const Ve
   const auto look = [&](Index i, Index j) {
     const ElementSet &first = surface(all[i]), &second = surface(all[j]);
     if (!found.empty() || second.faces.empty()) return;
-    const Boxes edges = boxes_near(sweeps[i], first.edges, whole[j], kAll);
-    const Boxes faces = boxes_near(sweeps[j], second.faces, whole[i], kAll);
+    const Boxes edges = boxes_near(sweeps[i], first.edges, whole[j], kAll, kThin);
+    const Boxes faces = boxes_near(sweeps[j], second.faces, whole[i], kAll, kThin);
     if (edges.boxes.empty() || faces.boxes.empty()) return;
     broad_phase::for_each_pair(edges.boxes, faces.boxes, [&](Index e, Index f) {
       if (!found.empty()) return;

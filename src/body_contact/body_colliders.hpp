@@ -56,7 +56,7 @@ class BodyColliders {
   std::array<OfBody, 4> corners(const BodyPair& pair) const noexcept;
   CurvedQuery query(const BodyPair& pair, const BodyMotions& motions) const noexcept;
 
-  /// Every pair whose elements may come within `margin` of each other, and in which something can move. The order
+  /// Every pair whose elements may come within its separation and `margin` of each other, and in which something can move. The order
   /// depends on the arguments only.
   std::vector<BodyPair> candidates(const BodyMotions& motions, double margin) const;
 
@@ -66,6 +66,13 @@ class BodyColliders {
 
   bool can_move(Index body) const noexcept;
 
+  /// Whether a body has a radius, or an element of the particles.
+  bool has_separations() const noexcept { return has_separations_; }
+  double radius(Index body) const noexcept { return radii_[body]; }  ///< m, in contacts
+
+  /// The distance that the pair is to stay farther apart than, m: the sum of the radii of its elements, rounded up.
+  double separation(const BodyPair& pair) const noexcept { return has_separations_ ? separation_of(pair) : 0; }
+
   /// "edge 3-4 of body 1 and edge 10-11 of body 2"; without "of body" for particles.
   std::string describe(const BodyPair& pair) const;
 
@@ -73,11 +80,16 @@ class BodyColliders {
   Vector3 at(const OfBody& corner, const BodyStates& states, const VectorX& x) const noexcept;
 
  private:
+  double separation_of(const BodyPair& pair) const noexcept;
+
   const BodySystem* bodies_;
+  const Colliders* of_particles_;
   ElementSet particles_;
   std::vector<ElementSet> surfaces_;
   std::vector<char> moves_;  // by particle
   double shortest_ = 0;
+  std::vector<double> radii_;  // of bodies
+  bool has_separations_ = false;
 };
 
 }  // namespace touchstone::sim

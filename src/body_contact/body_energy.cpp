@@ -156,8 +156,9 @@ bool BodyResponse::Attempt::gained_energy() const {
                                                             kSmallEnergy;
 }
 
-/// The work of an impulse is that impulse times the mean of the relative velocities before and after all impulses: the
-/// sum over the contacts is the kinetic energy that they give. Turning is measured at the orientation of the start,
+/// The work of an impulse is that impulse times the mean of the relative velocities at the start of the substep and after
+/// all impulses, as an impulse acts for the whole substep: the sum over the contacts is the kinetic energy that they
+/// give, and a body at rest gets none. Turning is measured at the orientation of the start,
 /// where the impulses act, with the angular velocities that belong to the momenta.
 void BodyResponse::Attempt::measure_flows() {
   BodyFlows& flows = result_.flows;
@@ -169,11 +170,14 @@ void BodyResponse::Attempt::measure_flows() {
   if (system_->has_drag()) flows.drag = total(free_) - total(start);
   if (contacts_.empty()) return;
   Movers before = free_movers_, after = movers_;
+  if (step_->v0 != nullptr) before.particles = *step_->v0;
   for (std::size_t i = 0; i < bodies_; ++i) {
     const RigidBody& body = system_->bodies()[i];
     if (!body.is_free()) continue;
-    before.bodies[i].spin = angular_velocity(body.inertia, start[i].pose.q, free_[i].momentum);
-    after.bodies[i].spin = before.bodies[i].spin + movers_.bodies[i].spin - free_movers_.bodies[i].spin;
+    before.bodies[i].velocity = start[i].velocity;
+    before.bodies[i].spin = angular_velocity(body.inertia, start[i].pose.q, start[i].momentum);
+    after.bodies[i].spin = angular_velocity(body.inertia, start[i].pose.q, free_[i].momentum) + movers_.bodies[i].spin -
+                           free_movers_.bodies[i].spin;
   }
   for (const SolverContact& c : contacts_) {
     const Vector3 impulse = c.impulse(), &normal = c.contact.normal;

@@ -41,6 +41,7 @@ bool BodyResponse::Attempt::merge(const Touches& first) {
   }
   result_.counts.pairs = touches.pairs;
   result_.counts.proof = touches.levels;
+  result_.counts.separations = touches.separations;
   return true;
 }
 

@@ -53,7 +53,15 @@ BodyResponse::Touches BodyResponse::touches(const BodyMotions& motions) const {
   constexpr std::size_t kBlock = 256;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (i % kBlock == 0) cancel_->check();
-    const Answer answer = solve(colliders_->query(pairs[i], motions));
+    const CurvedQuery query = colliders_->query(pairs[i], motions);
+    const double d = colliders_->separation(pairs[i]);
+    const Answer answer = d > 0 ? solve(query, Separation{d, Metric::euclidean}) : solve(query);
+    if (d > 0) {
+      SeparationCounts& kept = touches.separations;
+      kept.least = kept.pairs == 0 ? d : std::min(kept.least, d);
+      kept.largest = std::max(kept.largest, d);
+      ++kept.pairs;
+    }
     count_level(answer.level, touches.levels);
     if (answer.contact) touches.found.emplace_back(pairs[i], answer);
   }

@@ -25,13 +25,20 @@ struct BodiesState {
   bool operator==(const BodiesState&) const = default;
 };
 
+/// Pairs that keep a distance, and do not only not touch.
+struct SeparationCounts {
+  std::uint64_t pairs = 0;
+  double least = 0, largest = 0;  ///< of these distances, m; 0 without any
+};
+
 struct BodyCounts {
-  std::uint64_t close = 0;     ///< contacts that the impulses see
-  std::uint64_t contacts = 0;  ///< pairs that would touch, over all passes
-  std::uint64_t queries = 0;   ///< of the passes whose motion was not taken
-  LevelCounts levels;          ///< of these
-  std::uint64_t pairs = 0;     ///< proved: the candidates of the motion that is taken
-  LevelCounts proof;           ///< of these
+  std::uint64_t close = 0;       ///< contacts that the impulses see
+  std::uint64_t contacts = 0;    ///< pairs that would touch, over all passes
+  std::uint64_t queries = 0;     ///< of the passes whose motion was not taken
+  LevelCounts levels;            ///< of these
+  std::uint64_t pairs = 0;       ///< proved: the candidates of the motion that is taken
+  LevelCounts proof;             ///< of these
+  SeparationCounts separations;  ///< of these
   int passes = 0, sweeps = 0, zones = 0;
 };
 
@@ -46,6 +53,7 @@ struct BodyStep {
   double end_time = 0;          ///< s
   const VectorX* x0 = nullptr;  ///< of particles, at its start
   VectorX x1;                   ///< of particles, at its end without contacts with bodies
+  const VectorX* v0 = nullptr;  ///< of particles, at its start: for the flows of energy
   bool may_merge = false;       ///< the substep is short: bodies that still touch move as one
 };
 
@@ -78,7 +86,9 @@ class BodyResponse {
     std::vector<std::pair<BodyPair, Answer>> found;
     std::uint64_t pairs = 0;
     LevelCounts levels;
+    SeparationCounts separations;
   };
+  /// Pairs that touch, or come within their separation, in a motion.
   Touches touches(const BodyMotions& motions) const;
 
   double thickness() const noexcept { return thickness_; }

@@ -159,9 +159,12 @@ std::optional<BodyContact> closest(const BodyColliders& colliders, const BodyPai
     x[c] = colliders.at(corners[c], *motions.start, *motions.x0);
   const Weights weights = closest_weights(pair.kind, x);
   BodyContact contact = contact_at(pair, corners, x, weights, *motions.start);
-  if (!(contact.gap < reach) || !(contact.gap > 0)) return std::nullopt;
+  const double separation = colliders.separation(pair);
+  if (!(contact.gap < reach + separation) || !(contact.gap > 0)) return std::nullopt;
   contact.normal /= contact.gap;
   if (neighbours_are_nearer(colliders, pair, corners, motions, weights, contact)) return std::nullopt;
+  // Rounding may make a gap negative that is not.
+  if (separation > 0) contact.gap = std::max(0.0, contact.gap - separation);
   return contact;
 }
 
@@ -184,6 +187,12 @@ BodyContact touching(const BodyColliders& colliders, const BodyPair& pair, const
   contact.at_touch = true;
   const BodyContact start = contact_at(pair, corners, before, closest_weights(pair.kind, before), *motions.start);
   Vector3 normal = Vector3::Zero();
+  // At a distance, the closest points say it.
+  if (colliders.separation(pair) > 0 && contact.gap > 0) {
+    contact.normal /= contact.gap;
+    contact.gap = 0;
+    return contact;
+  }
   if (pair.kind == Kind::edge_edge)
     normal = (x[1] - x[0]).cross(x[3] - x[2]) / ((x[1] - x[0]).norm() * (x[3] - x[2]).norm());
   if (pair.kind == Kind::vertex_face)

@@ -25,11 +25,11 @@ struct BodyContact {
   ContactSide a, b;
   Vector3 normal = Vector3::Zero();  ///< of length 1, from b to a
   Vector3 point = Vector3::Zero();   ///< of b
-  double gap = 0;                    ///< m, at the start of the substep
+  double gap = 0;                    ///< m, at the start of the substep: the distance less the separation
   bool at_touch = false;             ///< found where the exact solver says that they touch
 };
 
-/// The closest points at the start, when they are nearer than `reach` and no neighbours of the elements are nearer
+/// The closest points at the start, when their gap is less than `reach` and no neighbours of the elements are nearer
 /// still: those have contacts of their own.
 std::optional<BodyContact> closest(const BodyColliders& colliders, const BodyPair& pair, const BodyMotions& motions,
                                    double reach);

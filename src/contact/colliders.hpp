@@ -64,6 +64,11 @@ class Colliders {
   /// The distance of the pair's elements at these positions, correctly rounded, m.
   double distance(const Pair& pair, const VectorX& x) const;
 
+  /// Of a particle in contacts, m: the largest one of its elements, or its own; of an edge; of a face.
+  double radius_of_particle(Index particle) const noexcept { return has_separations() ? radii_.particle[particle] : 0; }
+  double radius_of_edge(Index edge) const noexcept { return has_separations() ? radii_.edge[edge] : 0; }
+  double radius_of_face(Index face) const noexcept { return has_separations() ? radii_.face[face] : 0; }
+
   /// How many elements have a radius: edges, faces, and particles that are in no edge.
   std::size_t with_radius() const noexcept;
   double largest_radius() const noexcept;  ///< m

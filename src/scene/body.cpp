@@ -208,9 +208,7 @@ void check_bodies(const Scene& scene) {
     check_shape(path, body);
     vertices += body.vertices.size();
     if (vertices > kMostElements) path.fail("vertices", "the bodies have more than 10,000,000 vertices");
-    if (!std::isfinite(body.radius) || body.radius != 0) {
-      path.fail("radius", "bodies have no radius yet: 0 would be right");
-    }
+    if (const std::string reason = wrong_radius(body.radius); !reason.empty()) path.fail("radius", reason);
     check_motion(path, body);
     check_mass(path, body);
   }

@@ -44,7 +44,7 @@ struct Body {
   Vector3 angular_velocity = Vector3::Zero();  ///< in the world's frame, rad/s
   BodyMotion motion = BodyMotion::free;
   std::vector<BodyWaypoint> path;  ///< of a driven body; not empty: instead of velocities
-  double radius = 0;               ///< m, in contacts; bodies have none yet
+  double radius = 0;               ///< m, in contacts, of all its elements
 };
 
 /// Of a free body.

@@ -114,6 +114,7 @@ std::string body_to_json(const Body& body) {
   for (const BodyWaypoint& point : body.path) {
     json["path"].push_back({{"time", point.time}, {"position", list(point.pose.p)}, {"orientation", point.pose.q}});
   }
+  if (body.radius != 0) json["radius"] = body.radius;
   return json.dump();
 }
 

@@ -110,14 +110,14 @@ Scene make_stack(Index boxes) {
 
 Scene make_link_chain(Index links) {
   Scene scene;
-  scene.settings.time_step = 1.0 / 400;
+  scene.settings.time_step = 1.0 / 1600;
   scene.settings.duration = 1.5;
   set_contact(scene.settings.contact, 0.1, 0.2, 1e-3);
   constexpr double kHalfSide = 0.03, kRadius = 0.02;
   constexpr double kPlay = 0.01;  // between two links, at the start
   const double distance = 2 * (kHalfSide + kRadius) - kPlay;
   for (Index i = 0; i < links; ++i) {
-    Body body = link(40, kHalfSide, kRadius, 0.4);
+    Body body = link(100, kHalfSide, kRadius, 0.4);
     body.pose = {turned_about(Vector3::UnitX(), i % 2 == 0 ? 0.1 : 0.1 + kTurn / 4), {distance * i, 0, 0}};
     scene.bodies.push_back(i == 0 ? fixed(body, body.pose.p) : body);
   }

@@ -162,8 +162,7 @@ Scene make_hoop_rim(Index edges) {
   scene.bodies.push_back(fixed(box({kBoardDepth, 0.9, 0.6}, 0), {kBoard + kBoardDepth / 2, 0, kRimHeight + 0.25}));
   scene.bodies.push_back(fixed(box({kPoleSide, kPoleSide, kPoleHeight - kGap}, 0),
                                {kBoard + kBoardDepth + kGap + kPoleSide / 2, 0, (kPoleHeight + kGap) / 2}));
-  for (Facet& face : scene.faces) face.radius = 0;
-  for (Cable& cable : scene.cables) cable.solid = false;
+  scene.bodies[0].radius = kRodRadius;
   return scene;
 }
 

@@ -36,15 +36,22 @@ void BodyPart::check_start(const BodiesState& bodies, const VectorX& q, std::str
     if (through.empty()) return;
     throw Error(fmt::format("{} begins with elements that touch: {}", what, through));
   }
-  throw Error(
-      fmt::format("{} begins with elements that touch: {}", what, colliders_.describe(touches.found.front().first)));
+  const BodyPair& pair = touches.found.front().first;
+  if (const double d = colliders_.separation(pair); d > 0) {
+    throw Error(fmt::format(
+        "{} begins with elements that are too near: the radii of {} ask for more than {:.9g} m between them; smaller "
+        "radii, or elements farther apart, would be right",
+        what, colliders_.describe(pair), d));
+  }
+  throw Error(fmt::format("{} begins with elements that touch: {}", what, colliders_.describe(pair)));
 }
 
 BodyResult BodyPart::step(const State& start, double h, double end_time, bool may_merge, const System& system,
                           State& next) const {
   const auto count = static_cast<Eigen::Index>(3 * system.particle_count());
   const VectorX x0 = start.q.head(count);
-  BodyStep step{h, end_time, &x0, next.q.head(count), may_merge};
+  const VectorX v0 = start.v.head(count);
+  BodyStep step{h, end_time, &x0, next.q.head(count), &v0, may_merge};
   BodyResult result = response_.step(state_, std::move(step));
   if (result.outcome == BodyResult::Outcome::too_fast || result.x1.size() == 0) return result;
   if ((result.x1.array() == next.q.head(count).array()).all()) return result;

@@ -91,7 +91,7 @@ std::string vtk_series(const std::vector<SeriesFrame>& frames) {
 
 std::string proof_header(const Simulation& simulation) {
   const char* const separations =
-      simulation.colliders().has_separations() ? "entering,separated,least_separation,largest_separation," : "";
+      simulation.has_separations() ? "entering,separated,least_separation,largest_separation," : "";
   const std::string bodies = simulation.bodies() == nullptr
                                  ? ""
                                  : "body_close,body_contacts,body_passes,body_sweeps,body_zones,body_pairs,body_filter,"
@@ -110,7 +110,7 @@ std::string proof_row(const Simulation& simulation, const SubstepRecord& r) {
   const auto& c = r.response;
   const auto entering = c.natures[static_cast<std::size_t>(Nature::entering)];
   const std::string separations =
-      simulation.colliders().has_separations()
+      simulation.has_separations()
           ? fmt::format("{},{},{:a},{:a},", entering, r.proof.separated, r.proof.least, r.proof.largest)
           : "";
   const BodyCounts& b = r.bodies;
@@ -192,10 +192,24 @@ std::string why_faces(const Colliders& colliders) {
 std::string why_separations(const Simulation& simulation) {
   const Colliders& colliders = simulation.colliders();
   if (simulation.ignores_radii()) return "the narrow phase of the paper knows none: radii are left aside";
-  if (!colliders.has_separations()) return "no element has a radius";
-  return fmt::format("{} with radii of up to {} m; {} of particles are neighbours",
-                     counted(colliders.with_radius(), "element"), colliders.largest_radius(),
-                     counted(colliders.neighbours().count(), "pair"));
+  if (!simulation.has_separations()) return "no element has a radius";
+  std::string bodies;
+  if (simulation.bodies() != nullptr) {
+    std::size_t thick = 0;
+    double most = 0;
+    for (const Body& body : simulation.scene().bodies) {
+      thick += body.radius > 0 ? 1 : 0;
+      most = std::max(most, body.radius);
+    }
+    if (thick > 0)
+      bodies =
+          fmt::format("{} with radii of up to {} m", thick == 1 ? "1 body" : fmt::format("{} bodies", thick), most);
+    if (!colliders.has_separations()) return bodies;
+    if (!bodies.empty()) bodies += "; ";
+  }
+  return bodies + fmt::format("{} with radii of up to {} m; {} of particles are neighbours",
+                              counted(colliders.with_radius(), "element"), colliders.largest_radius(),
+                              counted(colliders.neighbours().count(), "pair"));
 }
 
 std::string why_points(const Colliders& colliders) {
@@ -244,7 +258,7 @@ std::string explain(const Simulation& simulation) {
   text += line(passes.joints, "fold pass (planar)",
                passes.joints ? "edges share particles that can move" : "no edges share a particle and can move");
   text += line(passes.points, "single-particle pass", why_points(colliders));
-  text += line(colliders.has_separations(), "separations", why_separations(simulation));
+  text += line(simulation.has_separations(), "separations", why_separations(simulation));
   if (const BodyPart* const bodies = simulation.bodies()) {
     const auto& all = bodies->system().bodies();
     const auto free = std::count_if(all.begin(), all.end(), [](const RigidBody& body) { return body.is_free(); });

@@ -87,9 +87,6 @@ Simulation::Simulation(Scene scene, const SimulationOptions& options)
     if (narrow_phase_ == NarrowPhase::paper) {
       throw Error("bodies: the narrow phase of the paper knows no motion that turns; the exact one would be right");
     }
-    if (has_radii(scene_)) {
-      throw Error("bodies: no element of a scene with bodies has a radius yet; radii of 0 would be right");
-    }
     bodies_ = std::make_unique<BodyPart>(scene_, system_, colliders_, cancel_);
     bodies_->check_start(bodies_->state(), state_.q, "the scene");
   }
@@ -275,7 +272,15 @@ std::variant<SubstepRecord, Refusal> Simulation::try_substep(double h, double en
   record.excess = excess;
   record.response = response.counts;
   record.proof = proof;
-  if (kBodies && bodies_) record.bodies = bodies.counts;
+  if (kBodies && bodies_) {
+    record.bodies = bodies.counts;
+    if (const SeparationCounts& kept = bodies.counts.separations; kept.pairs > 0) {
+      Proof& all = record.proof;
+      all.least = all.separated == 0 ? kept.least : std::min(all.least, kept.least);
+      all.largest = std::max(all.largest, kept.largest);
+      all.separated += kept.pairs;
+    }
+  }
   if (keep_ends_) record.end = state_.q;
   return record;
 }

@@ -100,6 +100,10 @@ class Simulation {
   const PhaseTimes& times() const noexcept { return times_; }
   /// Of particles and bodies.
   Energies energies() const;
+  /// Whether pairs of elements keep distances, by the radii of particles' elements or of bodies.
+  bool has_separations() const noexcept {
+    return colliders_.has_separations() || (bodies_ && bodies_->colliders().has_separations());
+  }
   /// Null when the scene has no bodies.
   const BodyPart* bodies() const noexcept { return bodies_.get(); }
 

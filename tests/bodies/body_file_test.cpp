@@ -34,7 +34,7 @@ TEST_CASE("bodies are the same after a round trip through JSON") {
       R"(, "orientation": [0.1, 0.2, 0.3, 0.7], "velocity": [1, 2, 3], "angular_velocity": [0.1, 0, 0]}, {)" +
       kCorners +
       R"(, "edges": [[0, 1], [1, 2], [2, 3], [3, 0]], "mass": 0.3, "inertia": [1, 2, 2.5, 0.1, 0, -0.1],
-          "centre": [0.1, 0.2, 0.3]}, {)" +
+          "centre": [0.1, 0.2, 0.3], "radius": 0.05}, {)" +
       kCorners + ", " + kFaces + R"(, "motion": "fixed", "position": [9, 9, 9]}, {)" + kCorners + ", " + kFaces +
       R"(, "motion": "driven", "path": [{"time": 0, "position": [4, 0, 0]},
           {"time": 1.5, "position": [4, 1, 0], "orientation": [0, 1, 0, 0]}]}]})";
@@ -52,7 +52,8 @@ TEST_CASE("bodies are the same after a round trip through JSON") {
     const Body &a = scene.bodies[i], &b = again.bodies[i];
     CHECK((a.vertices == b.vertices && a.edges == b.edges && a.faces == b.faces && a.density == b.density));
     CHECK((a.mass == b.mass && a.inertia == b.inertia && a.centre == b.centre && a.pose == b.pose));
-    CHECK((a.velocity == b.velocity && a.angular_velocity == b.angular_velocity && a.path == b.path));
+    CHECK((a.radius == b.radius && a.velocity == b.velocity && a.angular_velocity == b.angular_velocity &&
+           a.path == b.path));
   }
 }
 
@@ -92,7 +93,7 @@ TEST_CASE("wrong bodies are refused, and the path of the fault is named") {
   check_refused(kSolid + ", \"orientation\": [0, 0, 1]", "bodies[0].orientation: must be a list of 4");
   check_refused(kSolid + ", \"motion\": \"fixed\"", "bodies[0].density: goes with a body that is free");
   check_refused(kSolid + ", \"motion\": \"flying\"", "bodies[0].motion: must be free, fixed or driven");
-  check_refused(kSolid + ", \"radius\": 0.1", "bodies[0].radius: bodies have no radius yet");
+  check_refused(kSolid + ", \"radius\": -0.1", "bodies[0].radius: ");
   check_refused(kSolid + R"(, "path": [{"time": 0, "position": [0, 0, 0]}])", "bodies[0].path: goes with a driven");
   check_refused(kCorners + ", " + kFaces +
                     R"(, "motion": "driven", "path": [{"time": 1, "position": [0, 0, 0]},

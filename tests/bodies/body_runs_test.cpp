@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <Eigen/Geometry>
 
+#include <touchstone/curved.hpp>
 #include <touchstone/error.hpp>
 
 #include <cmath>
@@ -199,7 +200,80 @@ TEST_CASE("scenes with bodies that cannot be simulated are refused") {
   SimulationOptions paper;
   paper.narrow_phase = NarrowPhase::paper;
   CHECK_THROWS_WITH(Simulation(scene, paper), Catch::Contains("bodies: the narrow phase of the paper"));
-  add_particle(scene, {3, 3, 3}, 1);
-  scene.particles[0].radius = 0.1;
-  CHECK_THROWS_WITH(Simulation(scene, {}), Catch::Contains("bodies: no element of a scene with bodies has a radius"));
+  scene.bodies[1].radius = 0.01;
+  CHECK_THROWS_WITH(Simulation(scene, {}), Catch::Contains("begins with elements that are too near: the radii of ") &&
+                                               Catch::Contains("more than 0.01 m"));
+}
+
+TEST_CASE("bodies and particles keep the distances that their radii ask for") {
+  Scene scene = empty_scene(1.0 / 200);
+  scene.settings.gravity = {0, 0, -9.81};
+  scene.settings.contact.friction = 0.3;
+  Body ground = box_at({4, 4, 1}, {0, 0, -0.5}, 0);
+  ground.motion = BodyMotion::fixed;
+  ground.radius = 0.01;
+  Body ring;  // a wire as thick as a finger, that rolls and falls over
+  for (Index i = 0; i < 12; ++i) {
+    const double phi = 2 * std::numbers::pi * i / 12;
+    ring.vertices.emplace_back(0.2 * std::cos(phi), 0, 0.2 * std::sin(phi));
+    ring.edges.push_back({i, (i + 1) % 12});
+  }
+  ring.density = 1;
+  ring.radius = 0.02;
+  ring.pose.p = {0, 0, 0.26};
+  ring.velocity = {0.5, 0.3, -1};
+  ring.angular_velocity = {1, 3, 0.5};
+  scene.bodies = {ground, ring};
+  // A cable that falls through the ring and onto the ground, and a grain.
+  Cable cable = straight_cable(scene, {-0.1, -0.3, 0.3}, {-0.05, 0.3, 0.32}, 6);
+  set_material(cable, 1e6, 0.3, 0.005, 1000);
+  cable.solid = true;
+  scene.cables.push_back(cable);
+  scene.particles[add_particle(scene, {0.1, 0.02, 0.6}, 0.01)].radius = 0.015;
+  Simulation simulation(scene, {});
+  const BodyColliders& colliders = simulation.bodies()->colliders();
+  // Every pair of a body with anything, without a broad phase, is asked by the solver about each substep's two ends, and
+  // measured in doubles between them.
+  std::uint64_t contacts = 0, asked = 0, separated = 0;
+  double nearest = 1;
+  for (std::size_t i = 0; i < effort(120); ++i) {
+    const BodyStates from = simulation.bodies()->state().bodies;
+    const VectorX x0 = simulation.state().q;
+    const auto records = simulation.step();
+    for (const auto& record : records) {
+      contacts += record.bodies.close;
+      separated += record.proof.separated;
+    }
+    if (records.size() != 1) continue;
+    const BodyMotions motions{&from, &simulation.bodies()->state().bodies, &x0, &simulation.state().q};
+    const auto ask = [&](const BodyPair& pair, double d) {
+      const double kept = colliders.separation(pair);  // rounded up
+      REQUIRE(kept >= d);
+      REQUIRE(kept <= std::nextafter(d, 1.0));
+      const CurvedQuery query = colliders.query(pair, motions);
+      REQUIRE(!solve(query, Separation{kept, Metric::euclidean}).contact);
+      ++asked;
+      const auto near = closest(colliders, pair, motions, 1);
+      if (near) nearest = std::min(nearest, near->gap);
+    };
+    const ElementSet &wire = colliders.surface(1), &block = colliders.surface(0), &rest = colliders.surface(kParticles);
+    for (const Index v : wire.vertices) {
+      for (Index f = 0; f < 4; ++f) ask({touchstone::Kind::vertex_face, {1, v}, {0, f}}, 0.01 + 0.02);
+    }
+    for (Index e = 0; e < rest.edges.size(); ++e) {
+      for (Index w = 0; w < wire.edges.size(); ++w) {
+        ask({touchstone::Kind::edge_edge, {kParticles, e}, {1, w}}, 0.005 + 0.02);
+      }
+    }
+    for (Index w = 0; w < wire.edges.size(); ++w) {
+      ask({touchstone::Kind::point_edge, {kParticles, 7}, {1, w}}, 0.015 + 0.02);
+    }
+    for (Index f = 0; f < block.faces.size(); f += 4) {
+      ask({touchstone::Kind::vertex_face, {kParticles, 7}, {0, f}}, 0.015 + 0.01);
+    }
+  }
+  CHECK(contacts > 0);
+  CHECK(asked > 0);
+  CHECK(separated > 0);
+  if (whole_effort("contacts at a distance")) CHECK(nearest < 2e-3);
 }

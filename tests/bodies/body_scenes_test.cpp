@@ -58,7 +58,7 @@ TEST_CASE("a falling chain of links stays linked: each linking number is what it
   }
   const double energy = simulation.energies().total();
   std::uint64_t contacts = 0;
-  const std::size_t steps = effort(200);
+  const std::size_t steps = effort(600);
   for (std::size_t i = 0; i < steps; ++i) {
     for (const auto& record : simulation.step()) contacts += record.bodies.contacts + record.bodies.close;
   }

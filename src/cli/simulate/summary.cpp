@@ -64,7 +64,7 @@ std::string simulation_for_person(const sim::Simulation& simulation, const StepT
   text += fmt::format("{:.1f} steps a second\n", rate);
   if (simulation.ignores_radii()) {
     text += "the radii of the scene were left aside: the narrow phase of the paper knows no separation\n";
-  } else if (simulation.colliders().has_separations()) {
+  } else if (simulation.has_separations()) {
     text += totals.separated > 0
                 ? fmt::format(
                       "every pair asked about stayed farther apart than its separation ({}, with separations "
