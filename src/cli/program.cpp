@@ -77,6 +77,7 @@ int parse_and_run(int argc, const char* const* argv) {
       "  touchstone certify --claims mine.csv edge-edge/a.csv --report report.json\n"
       "  touchstone solve --out answers.csv edge-edge/a.csv vertex-face/b.csv\n"
       "  touchstone explain --query 12 edge-edge/a.csv\n"
+      "  touchstone view --query 12 --out page.html edge-edge/a.csv\n"
       "  touchstone prove --out proofs.txt edge-edge/a.csv a proof of each answer, for touchstone-check\n"
       "  touchstone generate --out queries                 query files like a simulation's\n"
       "  touchstone bench --filter simulation              the time of an answer\n"
@@ -102,6 +103,7 @@ int parse_and_run(int argc, const char* const* argv) {
   add_solve(program, command);
   add_certify(program, command);
   add_explain(program, command);
+  add_view(program, command);
   add_prove(program, command);
   add_generate(program, command);
   add_bench(program, command);

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# check_format.sh SOURCE: every C and C++ file is as clang-format 14 writes it with the project's .clang-format, and a file
-# that is not is found. 77, "skipped", without that version: others format some lines in another way.
+# check_format.sh SOURCE: every C, C++ and JavaScript file is as clang-format 14 writes it with the project's
+# .clang-format, and a file that is not is found. 77, "skipped", without that version: others format some lines in
+# another way.
 # SPDX-License-Identifier: MIT
 set -euo pipefail
 
@@ -19,7 +20,8 @@ if [ -z "$format" ]; then
 fi
 
 files_below() {
-  find "$@" -type f \( -name '*.cpp' -o -name '*.hpp' -o -name '*.c' -o -name '*.h' -o -name '*.inl' \) -print0
+  find "$@" -type f \( -name '*.cpp' -o -name '*.hpp' -o -name '*.c' -o -name '*.h' -o -name '*.inl' \
+    -o -name '*.js' \) -print0
 }
 
 mapfile -d '' -t files < <(cd -- "$source" && files_below include src tests fuzz)

@@ -28,6 +28,7 @@ const LayerTable& layer_table() {
       {"python", {"solver", "certify", "fuzz", "mesh", "proofs", "io", "threads"}},
       {"proofs", {"solver", "broad_phase", "exact", "filters", "geometry", "io", "numbers"}},
       {"checker", {}},
+      {"view", {"exact", "geometry", "io", "numbers", "proofs"}},
       {"generators", {"broad_phase", "geometry", "io", "seeded"}},
       {"fuzz",
        {"solver", "certify", "baselines", "families", "exact", "filters", "io", "numbers", "geometry", "pipes",
@@ -48,10 +49,10 @@ const LayerTable& layer_table() {
       {"sequence", {"frames", "mesh", "geometry", "io", "json"}},
       {"report", {"solver", "certify", "baselines", "generators", "io", "geometry", "seeded", "scene", "sim"}},
       {"stress", {"solver", "baselines", "report", "geometry", "seeded"}},
-      {"cli", {"geometry",  "numbers",    "filters", "exact",    "oracle",   "solver", "certify",
-               "baselines", "generators", "io",      "report",   "families", "fuzz",   "pipes",
-               "seeded",    "scene",      "rods",    "contact",  "dynamics", "sim",    "stress",
-               "mesh",      "threads",    "frames",  "sequence", "proofs",   "bodies", "body_contact"}},
+      {"cli", {"geometry",   "numbers", "filters",  "exact",        "oracle", "solver", "certify", "baselines",
+               "generators", "io",      "report",   "families",     "fuzz",   "pipes",  "seeded",  "scene",
+               "rods",       "contact", "dynamics", "sim",          "stress", "mesh",   "threads", "frames",
+               "sequence",   "proofs",  "bodies",   "body_contact", "view"}},
   };
   return table;
 }

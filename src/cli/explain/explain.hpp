@@ -1,4 +1,4 @@
-// `touchstone explain`: the story of one query's answer.
+// `touchstone explain` and `touchstone view`: the story of one query's answer, as text and as a page.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -7,5 +7,6 @@
 namespace touchstone::cli {
 
 void add_explain(CLI::App& program, Command& command);
+void add_view(CLI::App& program, Command& command);
 
 }  // namespace touchstone::cli

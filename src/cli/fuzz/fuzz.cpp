@@ -23,8 +23,10 @@ namespace {
 
 constexpr double kUsualSeconds = 10;
 
-/// Throws when nothing can be written to the folder: before minutes are spent on a search, not after.
-void check_folder(const std::string& out) {
+/// Throws when nothing can be written to the folder or the page: before minutes are spent on a search, not after.
+void check_outputs(const std::string& out, const std::string& html) {
+  if (html == "-") throw Error("--html: name a file to write, standard output has the findings");
+  if (!html.empty()) io::OutputFile{html};
   if (out.empty()) return;
   NewFolders folders;
   folders.make(out);
@@ -40,13 +42,15 @@ void refuse_files_of_curves(const FuzzCommandOptions& options) {
   throw Error("--out writes straight queries, and those of --curved are not; the --case of a finding repeats it");
 }
 
-void print_findings(io::OutputFile& console, const std::vector<fuzz::Finding>& findings,
+/// @param summary  lines for the page
+void print_findings(io::OutputFile& console, const std::string& summary, const std::vector<fuzz::Finding>& findings,
                     const FuzzCommandOptions& options) {
   std::vector<WrittenQuery> written(findings.size());
   if (!options.out.empty()) written = write_findings(findings, options);
   for (std::size_t i = 0; i < findings.size(); ++i) {
     console.write(finding_for_person(i + 1, findings[i], options, written[i]));
   }
+  if (!options.html.empty()) write_findings_page(summary, findings, options, written);
 }
 
 int run_one_case(const FuzzCommandOptions& options, const fuzz::Settings& settings) {
@@ -57,11 +61,12 @@ int run_one_case(const FuzzCommandOptions& options, const fuzz::Settings& settin
   const auto solver = solver_factory(options.solver, options.separation)();
   const auto finding = fuzz::run_case(*solver, *options.a_case, settings, interrupted);
   auto console = io::OutputFile::standard_output();
-  if (finding) {
-    print_findings(console, {*finding}, options);
-  } else {
-    console.write(fmt::format("{}: {} is right\n", fuzz::case_text(*options.a_case), solver->name()));
-  }
+  const std::string name = fuzz::case_text(*options.a_case);
+  const std::string right = finding ? std::string() : fmt::format("{}: {} is right\n", name, solver->name());
+  console.write(right);
+  std::vector<fuzz::Finding> findings;
+  if (finding) findings.push_back(*finding);
+  print_findings(console, finding ? name + '\n' : right, findings, options);
   console.commit();
   return finding ? kRefuted : kAllHold;
 }
@@ -71,7 +76,7 @@ int run_one_case(const FuzzCommandOptions& options, const fuzz::Settings& settin
 int run_fuzz(const FuzzCommandOptions& options) {
   refuse_to_overwrite_given(options);
   refuse_files_of_curves(options);
-  check_folder(options.out);
+  check_outputs(options.out, options.html);
   fuzz::Settings settings = options.settings;
   settings.separation = options.separation.separation;
   settings.own_separations = options.separation.each;
@@ -97,18 +102,18 @@ int run_fuzz(const FuzzCommandOptions& options) {
   if (outcome.queries == 0 && !interrupted())
     throw Error("no query was asked in this time: more --seconds, or --cases");
   auto console = io::OutputFile::standard_output();
-  console.write(search_for_person(options, outcome, settings.threads));
-  console.write(given_for_person(outcome));
-  console.write(table_for_person(outcome.table));
+  std::string summary = search_for_person(options, outcome, settings.threads) + given_for_person(outcome) +
+                        table_for_person(outcome.table);
   if (outcome.kinds_of_failure == 0) {
-    console.write("nothing found\n");
+    summary += "nothing found\n";
   } else {
     const std::size_t shown = outcome.findings.size();
-    console.write(fmt::format(
+    summary += fmt::format(
         "{} of failure{}\n", outcome.kinds_of_failure == 1 ? "1 kind" : grouped(outcome.kinds_of_failure) + " kinds",
-        shown < outcome.kinds_of_failure ? fmt::format("; {} shown (--findings 0 shows all)", shown) : ""));
+        shown < outcome.kinds_of_failure ? fmt::format("; {} shown (--findings 0 shows all)", shown) : "");
   }
-  print_findings(console, outcome.findings, options);
+  console.write(summary);
+  print_findings(console, summary, outcome.findings, options);
   console.commit();
   return outcome.kinds_of_failure == 0 ? kAllHold : kRefuted;
 }

@@ -19,6 +19,7 @@ struct FuzzCommandOptions {
   SeparationOption separation;
   std::vector<std::string> from;         ///< query files to start from; empty: families
   std::string out;                       ///< a folder for the shrunk failures; empty: none
+  std::string html;                      ///< a page with the findings; empty: none
   std::optional<fuzz::CaseName> a_case;  ///< this one alone
 };
 

@@ -80,6 +80,7 @@ std::vector<fuzz::AnyQuery> given_queries(const FuzzCommandOptions& options) {
 }
 
 void refuse_to_overwrite_given(const FuzzCommandOptions& options) {
+  refuse_to_overwrite(options.html, options.from);
   if (options.out.empty()) return;
   for (const Kind kind : families::kKinds) {
     for (const fuzz::FailureClass failure : fuzz::kEveryFailure) {

@@ -215,6 +215,9 @@ void add_fuzz(CLI::App& program, Command& command) {
                          EachQuery::allowed);
   subcommand->add_option("--out", options->out, "The folder for the shrunk failures; it is made when it is missing")
       ->type_name("FOLDER");
+  subcommand->add_option("--html", options->html, "A page with a moving picture of each finding")
+      ->type_name("PAGE.html")
+      ->check(not_empty);
   subcommand
       ->add_option("--findings", options->settings.most_findings,
                    "The most findings to shrink and show; 0: all (default: 32)")

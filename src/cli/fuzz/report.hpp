@@ -43,4 +43,8 @@ std::string findings_file(const std::string& out, Kind kind, fuzz::FailureClass 
 /// @returns the position of each @throws FileError
 std::vector<WrittenQuery> write_findings(const std::vector<fuzz::Finding>& findings, const FuzzCommandOptions& options);
 
+/// Writes the page of the findings. @param summary  whole lines about the search @throws FileError
+void write_findings_page(const std::string& summary, const std::vector<fuzz::Finding>& findings,
+                         const FuzzCommandOptions& options, const std::vector<WrittenQuery>& written);
+
 }  // namespace touchstone::cli

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "cli/explain/one_query.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include <touchstone/contact_normal.hpp>
+#include <touchstone/curved.hpp>
+
+#include "cli/explain/story.hpp"
+#include "cli/shared/interrupt.hpp"
+#include "cli/shared/options.hpp"
+#include "cli/shared/words.hpp"
+#include "io/fail.hpp"
+#include "io/output_file.hpp"
+#include "io/separation_text.hpp"
+#include "io/times.hpp"
+#include "view/query_page.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+template <class StraightQuery>
+Explanation explained(const StraightQuery& query, const io::QueryRecord& record, const OneQuery& options) {
+  const Separation& separation = options.separation.separation;
+  // solve comes first: it refuses the queries that exact::explain does not accept.
+  static_cast<void>(solve(query, separation, Method::exact, options.t_max));
+  const exact::Story story = separation.distance == 0 ? exact::explain(query, options.t_max)
+                                                      : exact::explain(query, options.t_max, separation);
+  std::optional<std::array<double, 3>> normal;
+  if (separation.distance == 0 || separation.metric == Metric::euclidean) {
+    normal = contact_normal(query, separation, options.t_max);
+  }
+  return {corners_for_person(record.query, io::query_as_given(query.kind, record.text)),
+          story_for_person(query.kind, false, story, options.t_max, separation, normal), story};
+}
+
+Explanation explained(const CurvedQuery& query, const io::QueryRecord& record, const OneQuery& options) {
+  refuse_separation_of_curved(options.file, record, options.separation.separation);
+  static_cast<void>(solve(query, Method::exact, options.t_max));
+  const exact::Story story = exact::explain(query, options.t_max);
+  return {curves_for_person(query),
+          story_for_person(query.kind, true, story, options.t_max, {}, contact_normal(query, options.t_max)) +
+              times_for_person(contact_times(query, options.t_max)),
+          story};
+}
+
+}  // namespace
+
+std::unique_ptr<FoundQuery> find_query(const Input& input, std::uint64_t number) {
+  io::QueryChunkReader reader(input.open(), input.kind, io::kChunkBytes, io::Motions::any);
+  std::uint64_t count = 0;
+  auto found = std::make_unique<FoundQuery>();
+  while (auto chunk = reader.next()) {
+    throw_if_interrupted();
+    if (chunk->first_query == 0) found->truth_separation = io::separation_of_comments(chunk->text());
+    count += chunk->query_count;
+    if (number >= count && !chunk->truncated) continue;
+    found->chunk = std::move(*chunk);
+    io::QueryParser parser(found->chunk);
+    while (parser.next(found->record)) {
+      if (found->record.number == number) return found;
+    }
+  }
+  io::fail(input.name, fmt::format("has no query {}; it has {}, counted from 0", number, counted(count, "query")));
+}
+
+Explanation explanation_of(const io::QueryRecord& record, const OneQuery& options) {
+  return std::visit([&](const auto& query) { return explained(query, record, options); }, record.query);
+}
+
+std::string heading(const Input& input, const io::QueryRecord& record) {
+  const char* const motion = std::holds_alternative<CurvedQuery>(record.query) ? ", curved motion" : "";
+  return fmt::format("query {} of {} (rows {} to {}), {}{}", record.number, io::printable(input.name), record.first_row,
+                     record.last_row, kind_name(input.kind), motion);
+}
+
+std::uint64_t write_query_page(const std::string& path, const Input& input, const io::QueryRecord& record,
+                               const Explanation& explanation, const OneQuery& options) {
+  const std::string about = explain_command(input.name, input.kind, record.number, options.separation.separation) +
+                            (options.t_max == 1 ? "" : " --t-max " + io::hexfloat(options.t_max));
+  const view::QueryToShow shown{heading(input, record), about,         explanation.corners,          record.query,
+                                explanation.story,      options.t_max, options.separation.separation};
+  const std::string page = view::page_text(view::query_page(shown));
+  auto out = path == "-" ? io::OutputFile::standard_output() : io::OutputFile(path);
+  out.write(page);
+  out.commit();
+  return page.size();
+}
+
+void add_one_query_options(CLI::App& subcommand, OneQuery& options) {
+  subcommand.add_option("FILE", options.file, "The query file")->required()->type_name("");
+  subcommand.add_option("--query", options.query, "The number of the query in the file, counted from 0")
+      ->required()
+      ->type_name("N")
+      ->check([](const std::string& text) {
+        return check_whole_number(text).empty() ? std::string() : text + " must be a number counted from 0";
+      });
+  add_kind_option(subcommand, options.kind);
+  subcommand
+      .add_option_function<std::string>(
+          "--t-max", [&options](const std::string& text) { options.t_max = io::parse_finite_double(text).value_or(1); },
+          "The end of the time range, in [0, 1], decimal or hexfloat (default: 1)")
+      ->type_name("T")
+      ->check([](const std::string& text) {
+        const auto value = io::parse_finite_double(text);
+        if (value && *value >= 0 && *value <= 1) return std::string();
+        return text + (value ? " must be a number in [0, 1]" : fault_of_number(text));
+      });
+  add_separation_options(subcommand, options.separation, "The distance at which two elements are in contact");
+}
+
+}  // namespace touchstone::cli

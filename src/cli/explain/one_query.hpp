@@ -1,0 +1,57 @@
+// One query of a file, as `explain` and `view` find it and tell it.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <touchstone/query.hpp>
+
+#include "cli/shared/command.hpp"
+#include "cli/shared/inputs.hpp"
+#include "cli/shared/separation.hpp"
+#include "exact/exact.hpp"
+#include "io/query_chunks.hpp"
+#include "io/query_parser.hpp"
+
+namespace touchstone::cli {
+
+/// Which query, and what is asked about it.
+struct OneQuery {
+  std::string file;
+  std::optional<Kind> kind;
+  std::uint64_t query = 0;
+  double t_max = 1;
+  SeparationOption separation;
+};
+
+/// The options of both commands. They are written into `options`, which must outlive the parser.
+void add_one_query_options(CLI::App& subcommand, OneQuery& options);
+
+/// A query and the piece of the file that holds it. Only that piece is parsed.
+struct FoundQuery {
+  std::optional<Separation> truth_separation;  ///< what the file says that its truth column is about
+  io::QueryChunk chunk;                        ///< record.text lies in here
+  io::QueryRecord record;
+};
+
+/// @throws FileError  for a file that has no such query
+std::unique_ptr<FoundQuery> find_query(const Input& input, std::uint64_t number);
+
+struct Explanation {
+  std::string corners;  ///< whole lines
+  std::string text;     ///< whole lines, after the corners
+  exact::Story story;
+};
+Explanation explanation_of(const io::QueryRecord& record, const OneQuery& options);
+
+/// "query 3 of a.csv (rows 25 to 32), edge-edge"
+std::string heading(const Input& input, const io::QueryRecord& record);
+
+/// Writes the page of a query. @returns its size in bytes @throws FileError
+std::uint64_t write_query_page(const std::string& path, const Input& input, const io::QueryRecord& record,
+                               const Explanation& explanation, const OneQuery& options);
+
+}  // namespace touchstone::cli

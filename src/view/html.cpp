@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "view/html.hpp"
+
+#include <cstddef>
+#include <stdexcept>
+
+#include "view/page_files.hpp"
+
+namespace touchstone::view {
+namespace {
+
+/// The bytes of the UTF-8 character that starts at `at`, or 0 if none does.
+std::size_t length_of_character(std::string_view text, std::size_t at) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(at);
+  if (first < 0x80) return 1;
+  const std::size_t length = first >= 0xf0 && first <= 0xf4   ? 4
+                             : first >= 0xe0 && first <= 0xef ? 3
+                             : first >= 0xc2 && first <= 0xdf ? 2
+                                                              : 0;
+  if (length == 0 || at + length > text.size()) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(at + i) & 0xc0) != 0x80) return 0;
+  }
+  const unsigned char second = byte(at + 1);
+  const bool too_long = (first == 0xe0 && second < 0xa0) || (first == 0xf0 && second < 0x90);
+  const bool no_character = (first == 0xed && second >= 0xa0) || (first == 0xf4 && second >= 0x90);
+  return too_long || no_character ? 0 : length;
+}
+
+const std::string& file_of_page(const std::string& name) {
+  for (const PageFile& file : page_files()) {
+    if (file.name == name) return file.content;
+  }
+  throw std::logic_error("the program has no page file " + name);
+}
+
+}  // namespace
+
+std::string escaped(std::string_view text) {
+  constexpr std::string_view kReplacement = "\xef\xbf\xbd";
+  std::string result;
+  result.reserve(text.size());
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = length_of_character(text, at);
+    const char c = text[at];
+    if (length == 0) {
+      result += kReplacement;
+    } else if (length > 1) {
+      result += text.substr(at, length);
+    } else if (c == '&') {
+      result += "&amp;";
+    } else if (c == '<') {
+      result += "&lt;";
+    } else if (c == '>') {
+      result += "&gt;";
+    } else if (c == '"') {
+      result += "&quot;";
+    } else if (c == '\'') {
+      result += "&#39;";
+    } else if ((static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f) {
+      result += kReplacement;
+    } else {
+      result += c;
+    }
+    at += length == 0 ? 1 : length;
+  }
+  return result;
+}
+
+std::string json_for_script(const nlohmann::json& data) {
+  const std::string text = data.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  std::string result;
+  result.reserve(text.size());
+  for (const char c : text) {
+    // Outside of strings JSON has none of these.
+    if (c == '<') {
+      result += "\\u003c";
+    } else if (c == '>') {
+      result += "\\u003e";
+    } else if (c == '&') {
+      result += "\\u0026";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+void write_page(const Page& page, const Sink& sink, const std::function<void(const Sink&)>& more_data) {
+  // The policy forbids every request: the page needs nothing but itself.
+  sink(R"(<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; script-src 'unsafe-inline'; )"
+       R"(style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<title>)");
+  sink(escaped(page.title));
+  sink("</title>\n<style>\n");
+  sink(file_of_page("style.css"));
+  sink("</style>\n</head>\n<body class=\"" + escaped(page.sort) + "\">\n<header>\n<h1>" + escaped(page.title) +
+       "</h1>\n");
+  if (!page.subtitle.empty()) sink("<p>" + escaped(page.subtitle) + "</p>\n");
+  sink(
+      "</header>\n<noscript><p class=\"note\">Scripts are off: the page shows still pictures and the text.</p>"
+      "</noscript>\n");
+  sink(page.body);
+  for (const auto& [id, json] : page.data) {
+    sink("<script type=\"application/json\" id=\"" + escaped(id) + "\">");
+    sink(json);
+    sink("</script>\n");
+  }
+  if (more_data) more_data(sink);
+  sink("<script>\n'use strict';\n");
+  for (const std::string& name : page.scripts) sink(file_of_page(name));
+  sink("</script>\n</body>\n</html>\n");
+}
+
+std::string page_text(const Page& page) {
+  std::string text;
+  write_page(page, [&text](std::string_view bytes) { text += bytes; });
+  return text;
+}
+
+}  // namespace touchstone::view

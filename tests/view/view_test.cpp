@@ -1,0 +1,214 @@
+// Pages to look at: exact pictures, and text that is only text.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <touchstone/curved.hpp>
+#include <touchstone/solve.hpp>
+
+#include "seeded/rng.hpp"
+#include "support/catch.hpp"
+#include "support/slow_build.hpp"
+#include "view/closest_points.hpp"
+#include "view/html.hpp"
+#include "view/picture.hpp"
+#include "view/query_page.hpp"
+
+using namespace touchstone;
+using nlohmann::json;
+using tests::effort;
+
+namespace {
+
+json picture(const Query& query, double t_max = 1) {
+  return view::picture_of(query, solve(query, Method::exact, t_max), t_max);
+}
+
+double polynomial(const json& p, double s) {
+  double result = 0;
+  for (std::size_t i = p.size(); i-- > 0;) result = result * s + p[i].get<double>();
+  return result;
+}
+
+/// Edge a along x, which ends at `end`; edge b, at x = 1, falls along z past it.
+Query falling(double end) {
+  return EdgeEdge{{Vec3{-1, 0, 0}, Vec3{end, 0, 0}, Vec3{1, -1, 1}, Vec3{1, 1, 1}},
+                  {Vec3{-1, 0, 0}, Vec3{end, 0, 0}, Vec3{1, -1, -1}, Vec3{1, 1, -1}}};
+}
+
+/// A query with integer coordinates, so that it can be moved and scaled without rounding.
+Query lattice_query(seeded::Rng& rng, Kind kind) {
+  Query query;
+  query.kind = kind;
+  for (auto* const corners : {&query.start, &query.end}) {
+    for (std::size_t i = 0; i < corner_count(kind); ++i) {
+      for (double Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+        const double x = static_cast<double>(rng.below(17)) - 8;
+        (*corners)[i].*axis = x;
+      }
+    }
+  }
+  return query;
+}
+
+template <class F>
+Query mapped(Query query, F&& f) {
+  for (auto* const corners : {&query.start, &query.end}) {
+    for (Vec3& p : *corners) p = {f(p.x), f(p.y), f(p.z)};
+  }
+  return query;
+}
+
+constexpr std::array<Kind, 4> kKinds{Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point};
+
+}  // namespace
+
+TEST_CASE("JSON in a script element has no character that could end it") {
+  const std::string hostile = "</script><script>alert('&amp;')</script><!--\xff\xfe\0\n\"\\";
+  const std::string text = view::json_for_script(json{{"name", hostile + "\xc3\xa9"}, {"</b>", {1, 2}}});
+  CHECK(text.find_first_of("<>&") == std::string::npos);
+  const json back = json::parse(text);
+  CHECK(back["</b>"] == json({1, 2}));
+  CHECK(back["name"].get<std::string>().rfind("</script><script>alert('&amp;')</script><!--", 0) == 0);
+  CHECK(back["name"].get<std::string>().find("\xc3\xa9") != std::string::npos);
+}
+
+TEST_CASE("text is escaped, and bytes that are no UTF-8 are replaced") {
+  CHECK(view::escaped("<a href='x'>\"&\n") == "&lt;a href=&#39;x&#39;&gt;&quot;&amp;\n");
+  const std::string replaced = "\xef\xbf\xbd";
+  CHECK(view::escaped("\xff|\xc0\xaf|\xed\xa0\x80|\x01") ==
+        replaced + "|" + replaced + replaced + "|" + replaced + replaced + replaced + "|" + replaced);
+  CHECK(view::escaped("\xc3\xa9 \xe2\x82\xac \xf0\x9f\x8e\x88") == "\xc3\xa9 \xe2\x82\xac \xf0\x9f\x8e\x88");
+}
+
+TEST_CASE("two edges that miss each other by one ulp are exactly that far apart") {
+  const double end = 1 - 0x1p-53;
+  const json data = picture(falling(end));
+  CHECK(data["contact"] == false);
+  CHECK(data["apart"] == true);
+  CHECK(data["t"] == 0.5);
+  const double unit = std::ldexp(1, data["exponent"].get<int>());
+  CHECK(polynomial(data["gap"][0], 0) * unit == 0x1p-53);
+  CHECK(polynomial(data["gap"][1], 0) == 0);
+  CHECK(polynomial(data["gap"][2], 0) == 0);
+  CHECK(polynomial(data["gap"][2], 0x1p-60) * unit == -0x1p-59);  // b falls by 2 in the step
+  CHECK(data["deepest"].get<double>() >= 53);
+  // The plane of the proof lies between them at every time, the closest one included.
+  REQUIRE(!data["planes"].empty());
+  for (const double s : {-0.5, -0x1p-54, 0.0, 0x1p-54, 0.5}) {
+    const auto piece = std::find_if(data["planes"].begin(), data["planes"].end(),
+                                    [&](const json& p) { return s <= p["untilS"].get<double>(); });
+    REQUIRE(piece != data["planes"].end());
+    std::array<double, 4> h{};
+    for (std::size_t i = 0; i < 4; ++i) h[i] = polynomial((*piece)["offsets"][i], s);
+    CAPTURE(s, h[0], h[1], h[2], h[3]);
+    CHECK((std::max(h[0], h[1]) < std::min(h[2], h[3]) || std::min(h[0], h[1]) > std::max(h[2], h[3])));
+  }
+  const json touching = picture(falling(1));
+  CHECK(touching["contact"] == true);
+  CHECK(touching["apart"] == false);
+  for (std::size_t k = 0; k < 3; ++k) CHECK(polynomial(touching["gap"][k], 0) == 0);
+}
+
+TEST_CASE("the time of a contact is far more exact than its doubles") {
+  // Edge b falls from 1 to -2: the contact is at 1/3, which is no double.
+  Query query = falling(2);
+  query.start[2].z = query.start[3].z = 1;
+  query.end[2].z = query.end[3].z = -2;
+  const Answer answer = solve(query, Method::exact);
+  REQUIRE(answer.toi < answer.toi_upper);
+  const view::MovingCorners corners = view::moving_corners_of(query);
+  const view::Origin origin = view::origin_of(query, corners, answer, 1, {});
+  const auto third = numbers::Exact(3) * origin.t - numbers::Exact(1);
+  CHECK(std::fabs(numbers::to_double(third)) < 0x1p-250);
+  const json marks = view::picture_of(query, answer, 1)["marks"];
+  const auto toi = std::find_if(marks.begin(), marks.end(), [](const json& mark) { return mark["sort"] == "toi"; });
+  REQUIRE(toi != marks.end());
+  // 1/3 - toi, for the largest double below 1/3.
+  CHECK(std::fabs((*toi)["s"].get<double>() * 0x1p54 + 1.0 / 3) < 1e-15);
+}
+
+TEST_CASE("a picture does not change when its query is moved or scaled") {
+  seeded::Rng rng(5);
+  for (std::size_t i = 0; i < effort(120); ++i) {
+    const Query query = lattice_query(rng, kKinds[i % 4]);
+    const json data = picture(query);
+    const json moved = picture(mapped(query, [](double x) { return x + 0x1p40; }));
+    json scaled = picture(mapped(query, [](double x) { return std::ldexp(x, -900); }));
+    INFO(data.dump() + "\n" + moved.dump() + "\n" + scaled.dump());
+    CHECK(data["exponent"].get<int>() - 900 == scaled["exponent"].get<int>());
+    scaled["exponent"] = data["exponent"];
+    for (const char* key : {"gap", "corners", "weights", "marks", "carrier", "denominator", "exponent", "deepest"}) {
+      CAPTURE(key);
+      CHECK(data[key] == moved[key]);
+      CHECK(data[key] == scaled[key]);
+    }
+    CHECK(moved["planar"] == false);
+  }
+}
+
+TEST_CASE("the corners of a picture are where the query has them") {
+  seeded::Rng rng(6);
+  for (std::size_t i = 0; i < effort(120); ++i) {
+    const Query query = lattice_query(rng, kKinds[i % 4]);
+    const json data = picture(query);
+    const double unit = std::ldexp(1, data["exponent"].get<int>());
+    const std::size_t first = data["first"].get<std::size_t>();
+    for (const bool start : {true, false}) {
+      const auto& corners = start ? query.start : query.end;
+      const double s = (start ? data["marks"].front() : data["marks"].back())["s"].get<double>();
+      const auto at = [&](std::size_t c, std::size_t k) {
+        return unit * (polynomial(data["corners"][c][k], s) + (c < first ? 0 : polynomial(data["gap"][k], s)));
+      };
+      for (std::size_t c = 0; c < corner_count(query.kind); ++c) {
+        const std::array<double, 3> offset{corners[c].x - corners[0].x, corners[c].y - corners[0].y,
+                                           corners[c].z - corners[0].z};
+        for (std::size_t k = 0; k < 3; ++k) CHECK(std::fabs(at(c, k) - at(0, k) - offset[k]) < 1e-12);
+      }
+    }
+  }
+}
+
+TEST_CASE("straight motion as curves gives the same picture") {
+  seeded::Rng rng(7);
+  for (std::size_t i = 0; i < effort(40); ++i) {
+    const Query query = lattice_query(rng, kKinds[i % 2]);
+    const Answer answer = solve(query, Method::exact);
+    const json straight = view::picture_of(query, answer, 1), curved = view::picture_of(CurvedQuery(query), answer, 1);
+    CHECK(curved["planes"].empty());
+    CHECK(!straight["planes"].empty() == (!answer.contact || answer.toi_upper > 0));
+    CHECK(std::fabs(straight["t"].get<double>() - curved["t"].get<double>()) <= 0x1p-53);
+    if (answer.toi == answer.toi_upper || !answer.contact) {
+      for (const char* key : {"gap", "corners", "carrier", "marks"}) CHECK(straight[key] == curved[key]);
+    }
+  }
+}
+
+TEST_CASE("a page is one whole document whose names are text") {
+  view::QueryToShow shown;
+  shown.title = "query 0 of </title><script>x()</script>";
+  shown.about = "<!--";
+  shown.corners = "</pre><img>";
+  shown.query = falling(1);
+  shown.story = exact::explain(falling(1), 1);
+  const std::string page = view::page_text(view::query_page(shown));
+  const auto count = [&](const std::string& part) {
+    std::size_t found = 0;
+    for (std::size_t at = page.find(part); at != std::string::npos; at = page.find(part, at + 1)) ++found;
+    return found;
+  };
+  CHECK(count("<script") == 2);  // the data and the program
+  CHECK(count("</script>") == 2);
+  CHECK(count("<!--") == 0);
+  CHECK(count("<img") == 0);
+  CHECK(count("default-src 'none'") == 1);
+  CHECK(count("http:") + count("https:") + count("src=") == 0);
+  CHECK(count("<svg class=\"still\"") == 1);
+  CHECK(count("they touch") == 1);
+  CHECK(page.rfind("<!doctype html>", 0) == 0);
+  CHECK(page.substr(page.size() - 8) == "</html>\n");
+}
