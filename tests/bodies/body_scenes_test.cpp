@@ -13,6 +13,7 @@
 
 using namespace touchstone::sim;
 using touchstone::tests::effort;
+using touchstone::tests::whole_effort;
 
 namespace {
 
