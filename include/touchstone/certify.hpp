@@ -52,7 +52,7 @@ Verdict judge(const Claim& claim, const Query& query, const Answer& truth, const
 /// The same for rational coordinates.
 Verdict judge(const Claim& claim, const RationalQuery& query, const Answer& truth, const Separation& separation = {});
 
-/// The same for curved motion, and for touching.
-Verdict judge(const Claim& claim, const CurvedQuery& query, const Answer& truth);
+/// The same for curved motion.
+Verdict judge(const Claim& claim, const CurvedQuery& query, const Answer& truth, const Separation& separation = {});
 
 }  // namespace touchstone

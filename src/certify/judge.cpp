@@ -89,8 +89,8 @@ Verdict judge(const Claim& claim, const RationalQuery& query, const Answer& trut
   return judge_as_written(claim, truth, [&] { return contact_times(query, separation); });
 }
 
-Verdict judge(const Claim& claim, const CurvedQuery& query, const Answer& truth) {
-  return judge_as_written(claim, truth, [&] { return contact_times(query); });
+Verdict judge(const Claim& claim, const CurvedQuery& query, const Answer& truth, const Separation& separation) {
+  return judge_as_written(claim, truth, [&] { return contact_times(query, separation); });
 }
 
 }  // namespace touchstone

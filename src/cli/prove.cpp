@@ -29,7 +29,7 @@ void prove_queries(ProveItem& item, const std::vector<Input>& inputs, const Prov
   io::QueryParser parser(item.chunk);
   io::QueryRecord record;
   while (parser.next(record)) {
-    const Answer answer = answer_to(inputs[item.input].name, record, options.method, separation);
+    const Answer answer = answer_to(record.query, options.method, separation);
     item.proved.add(inputs[item.input], record, answer, separation);
     item.counts.add(answer);
   }

@@ -31,7 +31,7 @@ void solve_queries(SolveItem& item, const std::vector<Input>& inputs, const Solv
   io::QueryRecord record;
   while (parser.next(record)) {
     const Separation& separation = options.separation.separation;
-    const Answer answer = answer_to(inputs[item.input].name, record, options.method, separation);
+    const Answer answer = answer_to(record.query, options.method, separation);
     if (options.separation.given) {
       io::append_answer(item.rows, file, record.number, answer, separation);
     } else {

@@ -53,24 +53,15 @@ void check_level(const Answer& answer, Method method) {
   if (method == Method::fast_cgal) CHECK(answer.level != Level::exact);
 }
 
-void check_curved_methods(const ExpectedQuery& expected) {
+/// @param query  the expected one, in any of its types
+template <class AQuery>
+void check_methods(const ExpectedQuery& expected, const AQuery& query) {
   INFO(expected.name());
   for (const auto& [method, name] : kMethods) {
-    const Answer answer = solve(*expected.curved, method);
-    check_answer(expected, answer, name);
-    check_level(answer, method);
-  }
-}
-
-void check_methods(const ExpectedQuery& expected, const Query* doubles) {
-  INFO(expected.name());
-  for (const auto& [method, name] : kMethods) {
-    const Answer answer =
-        doubles ? solve(*doubles, expected.separation, method) : solve(expected.query, expected.separation, method);
+    const Answer answer = solve(query, expected.separation, method);
     check_answer(expected, answer, name);
     if (expected.separation.distance == 0) {  // the question without a separation is the same one
-      const Answer touching = doubles ? solve(*doubles, method) : solve(expected.query, method);
-      CHECK(bit_difference(answer, touching, true) == "");
+      CHECK(bit_difference(answer, solve(query, method), true) == "");
     }
     check_level(answer, method);
   }
@@ -103,7 +94,7 @@ TEST_CASE("the truth column and the expectations say the same, and times are dou
 TEST_CASE("every method answers the bundled queries as constructed") {
   REQUIRE(!expected_queries().empty());
   for (const auto& expected : expected_queries()) {
-    expected.curved ? check_curved_methods(expected) : check_methods(expected, nullptr);
+    expected.curved ? check_methods(expected, *expected.curved) : check_methods(expected, expected.query);
   }
 }
 
@@ -113,7 +104,7 @@ TEST_CASE("every method answers the bundled queries as constructed, given as dou
     if (expected.curved) continue;
     const auto query = in_doubles(expected.query);
     if (!query) continue;
-    check_methods(expected, &*query);
+    check_methods(expected, *query);
     ++checked;
   }
   CHECK(checked >= 300);

@@ -12,6 +12,7 @@
 #include "cli/sample_files.hpp"
 #include "io/answer_writer.hpp"
 #include "io/curved_rows.hpp"
+#include "io/separation_text.hpp"
 #include "io/times.hpp"
 #include "seeded/rng.hpp"
 #include "support/catch.hpp"
@@ -59,10 +60,17 @@ std::vector<CurvedQuery> some_queries(Kind kind, std::size_t count) {
   return queries;
 }
 
-std::string text_of(const std::vector<CurvedQuery>& queries, bool flipped = false) {
-  std::string text = kHeader;
-  for (const CurvedQuery& query : queries) io::append_query(text, query, solve(query).contact != flipped);
+std::string text_of(const std::vector<CurvedQuery>& queries, bool flipped = false, const Separation& separation = {}) {
+  std::string text = separation.distance > 0 ? io::separation_comment(separation) + kHeader : kHeader;
+  for (const CurvedQuery& query : queries) io::append_query(text, query, solve(query, separation).contact != flipped);
   return text;
+}
+
+/// The program with the options that ask for the separation.
+Run run_with(const Separation& separation, std::vector<std::string> arguments) {
+  arguments.insert(arguments.end(), {"--separation", io::hexfloat(separation.distance), "--metric",
+                                     std::string(metric_name(separation.metric))});
+  return run_program(arguments);
 }
 
 }  // namespace
@@ -204,7 +212,84 @@ TEST_CASE("curved queries are proved, by certify too") {
   CHECK(folder.read("proofs.txt") == proofs.out);
 }
 
-TEST_CASE("commands that cannot take curved queries refuse them, and a separation is refused") {
+TEST_CASE("a separation of curved queries: all levels answer as the library does, and claims say what they are about") {
+  const TemporaryFolder folder;
+  std::size_t contacts = 0;
+  std::size_t starting = 0;
+  for (const Separation& separation : {Separation{0.75}, Separation{0.5, Metric::max}}) {
+    const std::string about =
+        separation.metric == Metric::max ? "separation 0x1p-1 (0.5), max" : "separation 0x1.8p-1 (0.75), euclidean";
+    for (const Kind kind : kKinds) {
+      const std::vector<CurvedQuery> queries = some_queries(kind, effort(12));
+      const std::string file =
+          folder.write(std::string(kind_name(kind)) + "/a.csv", text_of(queries, false, separation));
+      std::string expected(io::kSeparationAnswerHeader);
+      for (std::size_t i = 0; i < queries.size(); ++i) {
+        const Answer answer = solve(queries[i], separation);
+        contacts += answer.contact ? 1 : 0;
+        starting += answer.starts_within ? 1 : 0;
+        io::append_answer(expected, file, i, answer, separation);
+      }
+      const std::string claims = folder.path("claims.csv");
+      REQUIRE(run_with(separation, {"solve", "--out", claims, file}).status == 0);
+      CAPTURE(about, kind_name(kind));
+      CHECK(folder.read("claims.csv") == expected);
+      for (const std::string level : {"exact", "oracle"}) {
+        const Run run = run_program({"certify", "--level", level, "--claims", claims, file});
+        CHECK(run.status == 0);
+        CHECK(occurrences(run.out, "(claims of " + claims + ", 1 file, " + about + ")\n") == 1);
+      }
+      // The truth column, whose separation the file says, and all of it turned round.
+      CHECK(run_program({"certify", file}).status == 0);
+      CHECK(run_with(separation, {"certify", file}).status == 0);
+      CHECK(run_program({"certify", file, "--separation", "3"}).status == 2);
+      const std::string flipped =
+          folder.write(std::string(kind_name(kind)) + "/flipped.csv", text_of(queries, true, separation));
+      const Run refuted = run_program({"certify", "--report", folder.path("r.json"), flipped});
+      CHECK(refuted.status == 1);
+      const json report = json::parse(folder.read("r.json"));
+      CHECK(report["refuted"].size() == queries.size());
+      CHECK(report["refuted"][0]["separation"] == io::hexfloat(separation.distance));
+    }
+  }
+  CHECK(contacts > 0);
+  CHECK(starting > 0);
+  CHECK(contacts > starting);
+}
+
+TEST_CASE("the story of a separation of a curved query tells the polynomials of the distance and the course of it") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("vertex-face/tip.csv", kTip);
+  // The wall is the triangle (2, 4, 0), (4, 4, +-1), and the tip is at (4, 3) at t = 1/3. Its height there is 4 - 1.
+  const Run run = run_program({"explain", "--query", "0", "--separation", "1", file});
+  CAPTURE(run.out, run.err);
+  CHECK(run.status == 0);
+  for (const char* part :
+       {"\nseparation 0x1p+0 (1), euclidean: d below\n", "\nthe polynomial of v against f12",
+        ", times a positive function of t, exactly: degree ", ", a simple root of v against f12\n",
+        "     they are within d\n",
+        "\nanswer: entering contact, first at t in [0x1.5555555555555p-2, 0x1.5555555555556p-2] (0.3333333333333333)\n"
+        "  the distance then falls\n",
+        "contact times\n  t in [0x1.5555555555555p-2, 0x1.5555555555556p-2] (0.3333333333333333) to t ",
+        "the file's truth column says 1: holds\n"}) {
+    CAPTURE(part);
+    CHECK(occurrences(run.out, part) >= 1);
+  }
+  const Run far = run_program({"explain", "--query", "0", "--separation", "0x1p-1", "--t-max", "0.25", file});
+  CHECK(occurrences(far.out, "answer: no contact for t in [0, 0.25]\ncontact times: none\n") == 1);
+  const Run box = run_program({"explain", "--query", "0", "--separation", "1", "--metric", "max", file});
+  CAPTURE(box.out);
+  CHECK(box.status == 0);
+  CHECK(occurrences(box.out, "\nseparation 0x1p+0 (1), max: d below\n") == 1);
+  CHECK(occurrences(box.out, "  normal ") == 0);
+  // A time that is no double: 1/3 is the exact one.
+  for (const auto& [toi, status] : {std::pair{"0.3333333333333333333", 0}, std::pair{"0.3333333333333333334", 1}}) {
+    const std::string claims = folder.write("c.csv", std::string("query,contact,toi\n0,1,") + toi + "\n1,0,\n");
+    CHECK(run_program({"certify", "--separation", "1", "--claims", claims, file}).status == status);
+  }
+}
+
+TEST_CASE("commands that cannot take curved queries refuse them") {
   const TemporaryFolder folder;
   const std::string file = folder.write("vertex-face/tip.csv", kTip);
   const std::string refusal =
@@ -221,10 +306,4 @@ TEST_CASE("commands that cannot take curved queries refuse them, and a separatio
     CHECK(run.err == refusal);
     CHECK(run.out == "");
   }
-  const std::string separation =
-      file + ":3: query 0 has curved motion, and that takes no separation yet; leave the separation out\n";
-  CHECK(run_program({"solve", "--separation", "0.5", file}).err == separation);
-  CHECK(run_program({"certify", "--separation", "0.5", file}).err == separation);
-  CHECK(run_program({"explain", "--separation", "0.5", "--query", "0", file}).err == separation);
-  CHECK(run_program({"solve", "--separation", "0", file}).status == 0);
 }

@@ -64,7 +64,7 @@ TEST_CASE("an answer that has no proof is an error that names its query") {
     std::string message;
     cli::for_each_query(inputs, [&](std::size_t, const io::QueryRecord& record) {
       if (record.number != query) return;
-      Answer answer = cli::answer_to(file, record, Method::fast, {});
+      Answer answer = cli::answer_to(record.query, Method::fast, {});
       answer.contact = true;  // a claim of no contact would be refuted as well, after a long search
       answer.toi = answer.toi_upper = 0;
       try {

@@ -89,10 +89,7 @@ class GrowingReport {
 };
 
 Verdict verdict_on(const Claim& claim, const io::FileQuery& query, const Answer& answer, const Separation& separation) {
-  if (const auto* const curved = std::get_if<CurvedQuery>(&query)) return judge(claim, *curved, answer);
-  const auto* const doubles = std::get_if<Query>(&query);
-  return doubles != nullptr ? judge(claim, *doubles, answer, separation)
-                            : judge(claim, std::get<RationalQuery>(query), answer, separation);
+  return std::visit([&](const auto& given) { return judge(claim, given, answer, separation); }, query);
 }
 
 std::variant<RationalQuery, CurvedQuery> as_given(Kind kind, const io::QueryRecord& record) {
@@ -110,7 +107,7 @@ void judge_queries(CertifyItem& item, const CertifyOptions& options, const std::
     const auto& [claim, separation] =
         from_file ? item.claims[i] : StatedClaim{{record.truth, std::nullopt}, item.truth_separation};
     item.questions.add(separation);
-    const Answer answer = answer_to(inputs[item.input].name, record, options.method, separation);
+    const Answer answer = answer_to(record.query, options.method, separation);
     const Verdict verdict = verdict_on(claim, record.query, answer, separation);
     item.tally.add(claim, answer, verdict);
     if (!options.proofs.empty()) item.proved.add(inputs[item.input], record, answer, separation);

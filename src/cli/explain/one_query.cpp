@@ -5,7 +5,9 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -25,8 +27,9 @@
 namespace touchstone::cli {
 namespace {
 
-template <class StraightQuery>
-Explanation explained(const StraightQuery& query, const io::QueryRecord& record, const OneQuery& options) {
+template <class AQuery>
+Explanation explained(const AQuery& query, const io::QueryRecord& record, const OneQuery& options) {
+  constexpr bool kCurved = std::is_same_v<AQuery, CurvedQuery>;
   const Separation& separation = options.separation.separation;
   // solve comes first: it refuses the queries that exact::explain does not accept.
   static_cast<void>(solve(query, separation, Method::exact, options.t_max));
@@ -36,18 +39,15 @@ Explanation explained(const StraightQuery& query, const io::QueryRecord& record,
   if (separation.distance == 0 || separation.metric == Metric::euclidean) {
     normal = contact_normal(query, separation, options.t_max);
   }
-  return {corners_for_person(record.query, io::query_as_given(query.kind, record.text)),
-          story_for_person(query.kind, false, story, options.t_max, separation, normal), story};
-}
-
-Explanation explained(const CurvedQuery& query, const io::QueryRecord& record, const OneQuery& options) {
-  refuse_separation_of_curved(options.file, record, options.separation.separation);
-  static_cast<void>(solve(query, Method::exact, options.t_max));
-  const exact::Story story = exact::explain(query, options.t_max);
-  return {curves_for_person(query),
-          story_for_person(query.kind, true, story, options.t_max, {}, contact_normal(query, options.t_max)) +
-              times_for_person(contact_times(query, options.t_max)),
-          story};
+  std::string corners;
+  if constexpr (kCurved) {
+    corners = curves_for_person(query);
+  } else {
+    corners = corners_for_person(record.query, io::query_as_given(query.kind, record.text));
+  }
+  std::string text = story_for_person(query.kind, kCurved, story, options.t_max, separation, normal);
+  if constexpr (kCurved) text += times_for_person(contact_times(query, separation, options.t_max));
+  return {corners, text, story};
 }
 
 }  // namespace

@@ -69,14 +69,18 @@ std::string coefficients_for_person(const std::vector<std::string>& coefficients
   return text;
 }
 
-std::string coplanarity_for_person(const exact::Story& story, bool curved) {
-  if (!curved) return "\nthe coplanarity cubic V(t), exactly\n" + coefficients_for_person(story.coefficients);
-  std::vector<std::string> coefficients = story.coefficients;
+/// "degree 2" and the coefficients up to that degree.
+std::string degree_for_person(std::vector<std::string> coefficients) {
   while (coefficients.size() > 1 && coefficients.back() == "0") coefficients.pop_back();
   const bool zero = coefficients.size() == 1 && coefficients.front() == "0";
-  return fmt::format("\nthe coplanarity V(t), times a positive function of t that makes it a polynomial, exactly: {}\n",
-                     zero ? "zero" : fmt::format("degree {}", coefficients.size() - 1)) +
+  return (zero ? "zero" : fmt::format("degree {}", coefficients.size() - 1)) + "\n" +
          coefficients_for_person(coefficients);
+}
+
+std::string coplanarity_for_person(const exact::Story& story, bool curved) {
+  if (!curved) return "\nthe coplanarity cubic V(t), exactly\n" + coefficients_for_person(story.coefficients);
+  return "\nthe coplanarity V(t), times a positive function of t that makes it a polynomial, exactly: " +
+         degree_for_person(story.coefficients);
 }
 
 std::string numbers_for_person(std::initializer_list<double> numbers) {
@@ -109,11 +113,12 @@ std::string turn_for_person(const RigidMotion& motion) {
 }
 
 /// The polynomials of the distance that have roots, and a line about the others.
-std::string polynomials_for_person(const exact::Story& story, double t_max) {
+std::string polynomials_for_person(const exact::Story& story, bool curved, double t_max) {
   std::string text;
   for (const auto& polynomial : story.polynomials) {
-    text += fmt::format("\nthe polynomial of {}, exactly\n", polynomial.name);
-    text += coefficients_for_person(polynomial.coefficients);
+    text += fmt::format("\nthe polynomial of {}, ", polynomial.name);
+    text += curved ? "times a positive function of t, exactly: " + degree_for_person(polynomial.coefficients)
+                   : "exactly\n" + coefficients_for_person(polynomial.coefficients);
   }
   constexpr std::size_t kListed = 9;  // all pairs of features
   const std::vector<std::string>& others = story.without_root;
@@ -229,7 +234,7 @@ std::string story_for_person(Kind kind, bool curved, const exact::Story& story, 
   std::string text;
   if (apart) text += fmt::format("\n{}: d below\n", separation_for_person(separation));
   if (story.has_cubic) text += coplanarity_for_person(story, curved);
-  text += polynomials_for_person(story, t_max);
+  text += polynomials_for_person(story, curved, t_max);
   text += fmt::format("\n{}\n", story.why);
   text += fmt::format("\ncandidate times in [0, {}]: {}\n", t_max, story.candidates.size());
   for (std::size_t i = 0; i < story.candidates.size(); ++i)

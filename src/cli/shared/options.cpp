@@ -106,21 +106,8 @@ void refuse_one_file_twice(const std::vector<std::pair<std::string, std::string>
   }
 }
 
-Answer answer_to(const std::string& file, const io::QueryRecord& record, Method method, const Separation& separation) {
-  if (const auto* const curved = std::get_if<CurvedQuery>(&record.query)) {
-    refuse_separation_of_curved(file, record, separation);
-    return solve(*curved, method);
-  }
-  const auto* const query = std::get_if<Query>(&record.query);
-  return query != nullptr ? solve(*query, separation, method)
-                          : solve(std::get<RationalQuery>(record.query), separation, method);
-}
-
-void refuse_separation_of_curved(const std::string& file, const io::QueryRecord& record, const Separation& separation) {
-  if (separation.distance == 0 || !std::holds_alternative<CurvedQuery>(record.query)) return;
-  io::fail(file, record.first_row,
-           fmt::format("query {} has curved motion, and that takes no separation yet; leave the separation out",
-                       record.number));
+Answer answer_to(const io::FileQuery& query, Method method, const Separation& separation) {
+  return std::visit([&](const auto& given) { return solve(given, separation, method); }, query);
 }
 
 }  // namespace touchstone::cli

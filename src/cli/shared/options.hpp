@@ -48,11 +48,7 @@ void refuse_to_overwrite(const std::string& output, const std::vector<std::strin
 /// @throws Error when two of them lead to one file, whether it is there or not. A device may be named twice
 void refuse_one_file_twice(const std::vector<std::pair<std::string, std::string>>& outputs);
 
-/// The exact answer to a query of the file `file`.
-/// @throws FileError  that names the query, for a separation with curved motion
-Answer answer_to(const std::string& file, const io::QueryRecord& record, Method method, const Separation& separation);
-
-/// @throws FileError  that names the query, if it has curved motion and the separation is not 0
-void refuse_separation_of_curved(const std::string& file, const io::QueryRecord& record, const Separation& separation);
+/// The answer to a query of a file, whatever its motion.
+Answer answer_to(const io::FileQuery& query, Method method, const Separation& separation);
 
 }  // namespace touchstone::cli
