@@ -1,5 +1,6 @@
 // `touchstone doctor`, `touchstone --version --verbose`, and that each check of the doctor finds the fault that it is
-// for. SPDX-License-Identifier: MIT
+// for.
+// SPDX-License-Identifier: MIT
 #include <cfenv>
 #include <cmath>
 #include <limits>
@@ -36,7 +37,7 @@ std::string line_of(const std::string& text, const std::string& heading) {
 
 }  // namespace
 
-TEST_CASE("--version --verbose says how the program was built") {
+TEST_CASE("the version with --verbose says how the program was built") {
   const Run run = run_program({"--version", "--verbose"});
   CHECK(run.status == 0);
   CHECK(run.err == "");
@@ -48,8 +49,7 @@ TEST_CASE("--version --verbose says how the program was built") {
   CHECK(occurrences(line_of(run.out, "compiler"), "GNU " + std::to_string(__GNUC__) + ".") == 1);
 #endif
   CHECK(occurrences(line_of(run.out, "flags"), "-ffp-contract=off") == 1);
-  for (const char* library :
-       {"CGAL 5", "Boost 1.", "GMP 6.", "MPFR 4", "Eigen 3.", "CLI11 ", "fmt ", "nlohmann-json "}) {
+  for (const char* library : {"CGAL ", "Boost ", "GMP ", "MPFR ", "Eigen ", "CLI11 ", "fmt ", "nlohmann-json "}) {
     CAPTURE(library);
     CHECK(occurrences(line_of(run.out, "libraries"), library) == 1);
   }
