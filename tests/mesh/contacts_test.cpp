@@ -275,7 +275,7 @@ TEST_CASE("1 to 64 threads give the same bytes") {
     }
   }
   CHECK(contacts > 50);
-  CHECK(crossings > 50);
+  CHECK(crossings > (TOUCHSTONE_SLOW_BUILD ? 10U : 50U));  // the scenes of slow builds are smaller
 }
 
 TEST_CASE("a vertex moved by one unit in its last place changes the verdict") {
