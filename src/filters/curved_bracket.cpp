@@ -108,6 +108,7 @@ class Search {
   struct Part {
     double low, high;
     double error;
+    Index cuts;  ///< how often it was cut out of a larger part
     std::array<double, kMostCurvedDegree + 1> b;
   };
   enum class Variations : std::uint8_t { none, one, uncertain };
@@ -196,12 +197,14 @@ Search::Variations Search::variations(const ScalarForm& p, const Part& part) con
 Finding Search::decide(const ScalarForm& p, Index component) noexcept {
   component_ = component;
   const Index size = static_cast<Index>(p.degree) + 1;
-  // A part is cut at most so many times in a row, and so many parts are looked at.
+  // A part is cut at most so many times in a row, and so many parts are looked at. Each cut adds at most 5 binary digits
+  // to the ends of a part, so 10 cuts keep them, and their middle, exact.
   constexpr Index kMostCuts = 10;
   constexpr int kMostParts = 32;
   std::array<Part, kMostCuts + 1> parts;  // still to come, the first one last
   parts[0].low = 0;
   parts[0].high = 1;
+  parts[0].cuts = 0;
   const auto& binomial = kBinomial[static_cast<Index>(p.degree)];
   for (Index k = 0; k < size; ++k) parts[0].b[k] = p.c[0][k] / binomial[k];
   parts[0].error = p.error + kRounding * p.size + numbers::kUnderflow;
@@ -233,7 +236,7 @@ Finding Search::decide(const ScalarForm& p, Index component) noexcept {
       --count;
       continue;
     }
-    if (count == parts.size() || looked_at == kMostParts) return Finding::uncertain;
+    if (part.cuts == kMostCuts || looked_at >= kMostParts) return Finding::uncertain;
     // De Casteljau's algorithm. A coefficient has at most 2 e times the size of rounding errors in each of n rounds; the
     // errors before them are averaged. A cut in the middle is often at a root of a query that people make.
     Part& right = part;
@@ -248,12 +251,13 @@ Finding Search::decide(const ScalarForm& p, Index component) noexcept {
         left.b[round] = right.b[0];
         for (Index i = 0; i + round + 1 < size; ++i) right.b[i] = (1 - place) * right.b[i] + place * right.b[i + 1];
       }
-      cut = right.low + place * (right.high - right.low);  // exact: few digits
+      cut = right.low + place * (right.high - right.low);  // exact: at most 5 more digits
       if (std::fabs(right.b[0]) > numbers::kBoundSlack * error) break;
     }
     left.low = right.low;
     left.high = right.low = cut;
     left.error = right.error = error;
+    left.cuts = ++right.cuts;
   }
   return Finding::no_contact;
 }

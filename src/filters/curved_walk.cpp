@@ -216,7 +216,7 @@ bool certainly_farther_in_parts(const CurvedQuery& query, const CurvedFrame& fra
       --count;
       continue;
     }
-    if (count == parts.size() || looked_at == kMostParts) return false;
+    if (count == parts.size() || looked_at >= kMostParts) return false;
     cut(walk, parts[count], part, 0.5);
     if (seem_near_at_start(walk, part)) return false;
     ++count;

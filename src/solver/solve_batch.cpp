@@ -5,6 +5,8 @@
 #include <touchstone/solve.hpp>
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -19,6 +21,10 @@ namespace touchstone {
 namespace {
 
 constexpr std::size_t kBlock = 64;  // how many queries a kernel is given at a time; a few microseconds of work
+
+/// Whether the distance is not 0, by its bits: where the caller's environment reads subnormals as zeros, a comparison
+/// would take a subnormal distance for none.
+bool is_set(double distance) noexcept { return (std::bit_cast<std::uint64_t>(distance) << 1U) != 0; }
 
 void validate_options(const BatchOptions& options) {
   threads::validate_threads(options.threads);
@@ -39,7 +45,7 @@ void validate_distances(const BatchOptions& options, std::size_t count) {
     throw InvalidQuery("there are " + std::to_string(options.distance_count) + " distances for " +
                        std::to_string(count) + " queries; a column of distances must have one for each query");
   }
-  if (options.separation.distance != 0) {
+  if (is_set(options.separation.distance)) {
     throw InvalidQuery("there is both a separation for all queries and a column of distances; give one of them");
   }
   for (std::size_t i = 0; i < count; ++i) {
@@ -58,7 +64,7 @@ Separation separation_of(const BatchOptions& options, std::size_t i) {
 }
 
 bool has_separation(const BatchOptions& options) {
-  return options.distances != nullptr || options.separation.distance != 0;
+  return options.distances != nullptr || is_set(options.separation.distance);
 }
 
 /// Answers queries [first, last), at most kBlock of which kernel(first, count, proved) tests at a time. Where it proves
@@ -81,12 +87,12 @@ void answer_columns(const Kernel& kernel, std::size_t first, std::size_t last, A
 template <class QueryAt, class AnswerRange>
 void answer_all(std::size_t count, const BatchOptions& options, const QueryAt& query_at,
                 const AnswerRange& answer_range) {
+  const numbers::DefaultFloatEnvironment environment;
   validate_options(options);
   validate_distances(options, count);
   try {
     threads::for_each_range(count, kBlock, options.threads, std::cref(answer_range));  // allocates nothing
   } catch (const InvalidQuery&) {
-    const numbers::DefaultFloatEnvironment environment;
     for (std::size_t i = 0; i < count; ++i) {
       try {
         solver::validate(query_at(i), options.t_max);

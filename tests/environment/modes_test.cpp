@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <touchstone/contact_times.hpp>
+#include <touchstone/curved.hpp>
 #include <touchstone/error.hpp>
 #include <touchstone/solve.hpp>
 
@@ -218,15 +219,6 @@ TEST_CASE("batches are the same bit for bit in every floating-point mode, on one
   report.finish();
 }
 
-// A double from its bits: a fast-math compiler may take it that no NaN or infinity exists.
-double from_bits(std::uint64_t bits) {
-  double x = 0;
-  std::memcpy(&x, &bits, sizeof x);
-  return x;
-}
-constexpr std::uint64_t kNan = 0x7FF8000000000000u;
-constexpr std::uint64_t kInfinity = 0x7FF0000000000000u;
-
 template <typename Call>
 bool refused(Call&& call) {
   try {
@@ -236,6 +228,70 @@ bool refused(Call&& call) {
   }
   return false;
 }
+
+TEST_CASE("a batch keeps a subnormal separation in every floating-point mode") {
+  Query straight;
+  CurvedQuery curved;
+  QueryColumns columns;
+  std::array<std::array<double, 6>, 2> coordinates{};
+  BatchOptions options;
+  BatchOptions with_column;
+  double distance = 0;
+  double negative = 0;
+  {
+    const WithFloatMode ordinary{FloatMode{}};
+    distance = 0x1p-1074;
+    negative = -distance;
+    straight.kind = curved.kind = columns.kind = Kind::point_point;
+    straight.start[0] = {1, 0, 0};
+    straight.end[0] = {distance, 0, 0};
+    curved.corners[0] = CurvedCorner::on_curve({{1, 0, 0}, {0.5, 0, 0}, {distance, 0, 0}});
+    curved.corners[1] = CurvedCorner::on_curve({{0, 0, 0}});
+    coordinates[0] = {1, 0, 0, distance, 0, 0};
+    columns.count = 1;
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        columns.start[i][k] = &coordinates[i][k];
+        columns.end[i][k] = &coordinates[i][3 + k];
+      }
+    }
+    options.separation.distance = distance;
+    with_column.distances = &distance;
+    with_column.distance_count = 1;
+  }
+  for (const FloatMode& mode : float_modes()) {
+    INFO(mode.name());
+    std::array<Answer, 4> answers{};
+    int refusals = 0;
+    {
+      const WithFloatMode with(mode);
+      solve_batch(&straight, 1, &answers[0], options);
+      solve_batch(&curved, 1, &answers[1], options);
+      solve_batch(columns, &answers[2], options);
+      solve_batch(&straight, 1, &answers[3], with_column);
+      BatchOptions below = options;
+      below.separation.distance = negative;
+      refusals += refused([&] { solve_batch(&straight, 1, &answers[0], below); });
+      below = with_column;
+      below.distances = &negative;
+      refusals += refused([&] { solve_batch(&straight, 1, &answers[0], below); });
+    }
+    CHECK(refusals == 2);
+    for (const Answer& answer : answers) {
+      CHECK(answer.contact);
+      CHECK(answer.toi == 1);
+    }
+  }
+}
+
+// A double from its bits: a fast-math compiler may take it that no NaN or infinity exists.
+double from_bits(std::uint64_t bits) {
+  double x = 0;
+  std::memcpy(&x, &bits, sizeof x);
+  return x;
+}
+constexpr std::uint64_t kNan = 0x7FF8000000000000u;
+constexpr std::uint64_t kInfinity = 0x7FF0000000000000u;
 
 TEST_CASE("a query without meaning is refused in every mode, and the mode is restored") {
   const EdgeEdge good{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 1}, {0, -1, 1}}},
