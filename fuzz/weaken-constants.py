@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-# Does anybody notice when a filter lies? On a copy of the sources, makes each error bound of the filters, and of the signs
-# in doubles in src/numbers, 16 times too small and drops each guard, one at a time; builds what depends on it; and runs the
-# searches of the layer's tests and then `touchstone fuzz` against the cascade, for a minute at most. Prints who found what.
-# Exit status 0 when every fault was found, 1 when one survived, 2 when this script no longer fits the sources.
+# Does anybody notice when a filter lies? On a copy of the sources, makes each error bound of the filters, and of the
+# signs in doubles in src/numbers, 16 times too small and drops each guard, one at a time; builds what depends on it;
+# and runs the searches of the layer's tests and then `touchstone fuzz` against the cascade, for a minute at most.
+# Prints who found what. Exit status 0 when every fault was found, 1 when one survived, 2 when this script no longer
+# fits the sources.
 #
 # With --proofs no test is run: the faulty program proves its answers to hard queries, and touchstone-check, which knows
 # nothing of filters, must reject some proof. A fault for whose answers the prover has no proof is found, too, and is
@@ -26,7 +27,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 # Without a line below, as no query is likely to show them missing:
 # - the rounding that `minus` of bracket.cpp adds: at a border, where it would matter, it is at most the slack of 1 e in
 #   `spread` and some e^2, so that a wrong side needs every rounding of a component at its worst at once;
-# - the tests of `within_radius` in refined_root.cpp: a step from a root that BernsteinCubic certified ends within its radius,
+# - the tests of `within_radius` in refined_root.cpp: a step from a root that BernsteinCubic certified ends within its
+# radius,
 #   but perhaps after a second step, by a few e where V is steep; they are there for what SimpleRoot promises.
 
 # name, file below src, text there (exactly once), what it becomes
@@ -92,12 +94,12 @@ FAULTS = [
 ]
 
 
-# The same for questions with a separation. Where a bound is a sum, one of its parts can be hidden behind the others: then
-# the part becomes negative here, or is taken off by more than it adds.
+# The same for questions with a separation. Where a bound is a sum, one of its parts can be hidden behind the others:
+# then the part becomes negative here, or is taken off by more than it adds.
 #
-# No attack finds these yet: kPreciseError, kMostError and kSolveReserve of entry.cpp, 16 times too small; its limits of sizes
-# and kLeastShare; its errors of rates, and `lowest`, which strictly_closest hides; kPreciseError and the margin of other corners
-# of max_entry.cpp; the underflow guards of a direction with a norm. They have no line below.
+# No attack finds these yet: kPreciseError, kMostError and kSolveReserve of entry.cpp, 16 times too small; its limits of
+# sizes and kLeastShare; its errors of rates, and `lowest`, which strictly_closest hides; kPreciseError and the margin
+# of other corners of max_entry.cpp; the underflow guards of a direction with a norm. They have no line below.
 SEPARATION_FAULTS = [
     ("greatest norm of n's middle coefficient", "filters/coplanarity_form.hpp", "(Euclidean ? 0.25 : 0.5) * norm(n[1])",
      "(Euclidean ? 0.25 / 16 : 0.5 / 16) * norm(n[1])"),
@@ -122,10 +124,10 @@ SEPARATION_FAULTS = [
 
 # Of curved queries: the fuzzer and the checker of proofs know none of these, only tests/curved does.
 #
-# Without a line below, as the errors found are far smaller: kProjectionErrors, kProjectionRoundings and kCutRoundings of
-# curved_walk.cpp, the roundings of a product of polynomials, the errors of its factors, those of a cut in two, and
-# kBoundSlack; or as another test is uncertain, too: a certain sign at a part's start, and the doubt of the nearest double,
-# in curved_bracket.cpp.
+# Without a line below, as the errors found are far smaller: kProjectionErrors, kProjectionRoundings and kCutRoundings
+# of curved_walk.cpp, the roundings of a product of polynomials, the errors of its factors, those of a cut in two, and
+# kBoundSlack; or as another test is uncertain, too: a certain sign at a part's start, and the doubt of the nearest
+# double, in curved_bracket.cpp.
 CURVED_FAULTS = [
     ("size of a separation along a direction", "filters/curved_paths.cpp", " + reach(direction, separation)", ""),
     ("guard of a direction that overflows", "filters/curved_paths.cpp", "if (!(sum <= kMostSum)) return false;", ""),
@@ -143,10 +145,10 @@ CURVED_FAULTS = [
      "kPairUnderflow = 0;"),
     ("kTurnedRoundings", "filters/curved_frame.cpp", "kTurnedRoundings = 6;", "kTurnedRoundings = 6 / 64.0;"),
     ("kWeightRoundings", "filters/curved_frame.cpp", "kWeightRoundings = 3;", "kWeightRoundings = 3 / 16.0;"),
-    ("roundings of a value", "filters/curved_frame.cpp", "(3 * p.degree + 3) * kRounding",
+    ("roundings of a value", "filters/curved_form.cpp", "(3 * p.degree + 3) * kRounding",
      "(3 * p.degree + 3) / 16.0 * kRounding"),
-    ("slope of a value", "filters/curved_frame.cpp", "+ slope * radius +", "+ slope / 16 * radius +"),
-    ("roundings of a derivative", "filters/curved_frame.cpp", "4 * kRounding * p.size) + kUnderflow",
+    ("slope of a value", "filters/curved_form.cpp", "+ slope * radius +", "+ slope / 16 * radius +"),
+    ("roundings of a derivative", "filters/curved_form.cpp", "4 * kRounding * p.size) + kUnderflow",
      "4 / 16.0 * kRounding * p.size) + kUnderflow"),
     ("later roots than one", "filters/curved_bracket.cpp", "++changes > 1", "++changes > 3"),
     ("error of a root's offset", "filters/curved_bracket.cpp", "off = (1 + 0x1p-20) * (value_off",

@@ -37,7 +37,8 @@ Answer solve(const CurvedQuery& query, Method method, double t_max = 1.0);
 /// @param separation  the distance that they are to keep, and its metric
 /// @param t_max       the end of the time range, 0 <= t_max <= 1
 /// @return the answer
-/// @throws InvalidQuery  as solve(query, t_max), and for a distance that is negative or not finite, or an unknown metric
+/// @throws InvalidQuery  as solve(query, t_max), and for a distance that is negative or not finite, or an unknown
+/// metric
 Answer solve(const CurvedQuery& query, const Separation& separation, double t_max = 1.0);
 
 /// The same by the method of your choice.

@@ -16,9 +16,9 @@ namespace touchstone {
 ///
 /// for a point X of the body. A quaternion is {w, x, y, z}. M(q) X is the vector part of q X q*, so M(q) / |q|^2 is a
 /// rotation for every q that is not zero; see Shoemake, "Animating rotation with quaternion curves", SIGGRAPH 1985.
-/// Both poses are met exactly. Over the step the body turns about one axis, as with slerp, at a pace that differs a little.
-/// q and -q are the same rotation, but they are the ends of two different turns: with q0 . q1 >= 0 the body takes the
-/// shorter one.
+/// Both poses are met exactly. Over the step the body turns about one axis, as with slerp, at a pace that differs a
+/// little. q and -q are the same rotation, but they are the ends of two different turns: with q0 . q1 >= 0 the body
+/// takes the shorter one.
 struct RigidMotion {
   std::array<double, 4> q0 = {1, 0, 0, 0};  ///< orientation at t = 0: {w, x, y, z}, finite, not all 0, of any length
   std::array<double, 4> q1 = {1, 0, 0, 0};  ///< orientation at t = 1, not q0 times a negative number

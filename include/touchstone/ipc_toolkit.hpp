@@ -1,4 +1,5 @@
-// Touchstone: an exact narrow phase for ipc-toolkit. Include it beside touchstone.hpp; it needs ipc-toolkit and Eigen 3.
+// Touchstone: an exact narrow phase for ipc-toolkit. Include it beside touchstone.hpp; it needs ipc-toolkit and Eigen
+// 3.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -56,9 +57,9 @@ class WithRescaling<Base, std::void_t<decltype(std::declval<Base&>().conservativ
 
 /// A narrow phase for ipc-toolkit, exact, with Euclidean distances. An object may be used by several threads.
 ///
-/// Each of the four functions answers for the two elements while t goes from 0 to tmax, 0 <= tmax <= 1. The elements are
-/// in contact while their distance is at most min_distance. With the rescaling 1, a function returns true exactly when
-/// there is contact in [0, tmax]. Then toi is 0 if the elements are in contact at t = 0. Otherwise toi is strictly
+/// Each of the four functions answers for the two elements while t goes from 0 to tmax, 0 <= tmax <= 1. The elements
+/// are in contact while their distance is at most min_distance. With the rescaling 1, a function returns true exactly
+/// when there is contact in [0, tmax]. Then toi is 0 if the elements are in contact at t = 0. Otherwise toi is strictly
 /// before the first contact, and greater than 0 if some double is. The step x0 + toi (x1 - x0), rounded to doubles, is
 /// free of contact: that very step was asked about. Without contact toi is infinity.
 ///

@@ -1,5 +1,5 @@
-// Touchstone: bodies that turn at a constant rate, as slerp and screw motions do. No finite polynomial is such a motion:
-// it is cut into arcs that are rational, with a proved bound on their deviation.
+// Touchstone: bodies that turn at a constant rate, as slerp and screw motions do. No finite polynomial is such a
+// motion: it is cut into arcs that are rational, with a proved bound on their deviation.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -51,9 +51,9 @@ struct ScrewAnswer {
 ///
 ///     q(t) = sin((1 - t) h) / sin(h) q0 / |q0| + sin(t h) / sin(h) q1 / |q1|,   cos(h) = q0 . q1 / (|q0| |q1|),
 ///
-/// so that the body turns about one axis at a constant rate, by the angle 2 h. The position is linear in t: with it, the
-/// motion is a screw where position and axis fit. See Shoemake, "Animating rotation with quaternion curves", SIGGRAPH
-/// 1985. Corners on curves are as in `solve`.
+/// so that the body turns about one axis at a constant rate, by the angle 2 h. The position is linear in t: with it,
+/// the motion is a screw where position and axis fit. See Shoemake, "Animating rotation with quaternion curves",
+/// SIGGRAPH 1985. Corners on curves are as in `solve`.
 ///
 /// Contact of edges, and of a vertex and a face, is proved where the elements pass through each other. A touch that a
 /// small change of the motion undoes, as a graze and every touch of two points or of a point and an edge, is never
@@ -62,7 +62,8 @@ struct ScrewAnswer {
 /// @param query    the two elements and their motion
 /// @param options  the time range, the separation and the number of arcs
 /// @return the verdict, with the times and the bound that it rests on
-/// @throws InvalidQuery  as solve(query, separation, t_max), and for a number of arcs that is not a power of two in range
+/// @throws InvalidQuery  as solve(query, separation, t_max), and for a number of arcs that is not a power of two in
+/// range
 ScrewAnswer solve_screw(const CurvedQuery& query, const ScrewOptions& options = {});
 
 }  // namespace touchstone

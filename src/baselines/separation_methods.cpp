@@ -1,4 +1,5 @@
-// The registry of the methods with a separation. SPDX-License-Identifier: MIT
+// The registry of the methods with a separation.
+// SPDX-License-Identifier: MIT
 #include <algorithm>
 
 #include "baselines/separation_baseline.hpp"

@@ -1,6 +1,6 @@
-// Euler's equations for the angular momentum P in the body's frame, P' = P x w with w = I^-1 P, by the implicit midpoint
-// rule: P1 - P0 = h (Pm x wm), Pm = (P0 + P1) / 2. It keeps each quadratic invariant, so both |P| and the energy
-// P . I^-1 P / 2. Written as P1 = (1 + h/2 [wm])^-1 (1 - h/2 [wm]) P0, it is the inverse of the Cayley rotation
+// Euler's equations for the angular momentum P in the body's frame, P' = P x w with w = I^-1 P, by the implicit
+// midpoint rule: P1 - P0 = h (Pm x wm), Pm = (P0 + P1) / 2. It keeps each quadratic invariant, so both |P| and the
+// energy P . I^-1 P / 2. Written as P1 = (1 + h/2 [wm])^-1 (1 - h/2 [wm]) P0, it is the inverse of the Cayley rotation
 // C = cay(h [wm]); so with q1 = q0 C the angular momentum in the world's frame, q P q*, stays as it is (Austin,
 // Krishnaprasad and Wang, "Almost Poisson integration of rigid body systems", 1993). As a quaternion C is (1, h wm / 2)
 // over its length. Three such steps of lengths g, 1 - 2 g, g with g = 1 / (2 - 2^(1/3)) are of the fourth order

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kMostTurn = 1;  // rad, in a substep: the motion that is stored is one arc
 
-// Elements keep this part of the thickness between them; where they are nearer, this part of what is missing is restored
-// in a whole step of the scene, and less in a shorter one.
+// Elements keep this part of the thickness between them; where they are nearer, this part of what is missing is
+// restored in a whole step of the scene, and less in a shorter one.
 constexpr double kGapKept = 0.5, kRecovery = 0.2;
 
 // In units of gravity's displacement in a step: a slower approach is that of bodies at rest, and does not bounce.

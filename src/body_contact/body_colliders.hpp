@@ -40,8 +40,8 @@ struct BodyMotions {
   const VectorX* x1 = nullptr;
 };
 
-/// By how much, m, a point of a body may at most leave the straight line between the ends of its path, along an axis, at
-/// any time of the motion from one orientation to the other. @param q0, q1  of length 1, with q0 . q1 >= 0
+/// By how much, m, a point of a body may at most leave the straight line between the ends of its path, along an axis,
+/// at any time of the motion from one orientation to the other. @param q0, q1  of length 1, with q0 . q1 >= 0
 /// @param reach  m: no point is farther from the origin
 double bulge(const Quaternion& q0, const Quaternion& q1, double reach) noexcept;
 
@@ -56,12 +56,13 @@ class BodyColliders {
   std::array<OfBody, 4> corners(const BodyPair& pair) const noexcept;
   CurvedQuery query(const BodyPair& pair, const BodyMotions& motions) const noexcept;
 
-  /// Every pair whose elements may come within its separation and `margin` of each other, and in which something can move. The order
-  /// depends on the arguments only.
+  /// Every pair whose elements may come within its separation and `margin` of each other, and in which something can
+  /// move. The order depends on the arguments only.
   std::vector<BodyPair> candidates(const BodyMotions& motions, double margin) const;
 
-  /// An edge and a face of two different bodies, or of a body and particles, that pass through each other: described; empty
-  /// when there are none. Positions are rounded to doubles, and then decided exactly. Pairs whose boxes meet are asked.
+  /// An edge and a face of two different bodies, or of a body and particles, that pass through each other: described;
+  /// empty when there are none. Positions are rounded to doubles, and then decided exactly. Pairs whose boxes meet are
+  /// asked.
   std::string first_intersection(const BodyStates& states, const VectorX& x) const;
 
   bool can_move(Index body) const noexcept;

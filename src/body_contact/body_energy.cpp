@@ -156,9 +156,9 @@ bool BodyResponse::Attempt::gained_energy() const {
                                                             kSmallEnergy;
 }
 
-/// The work of an impulse is that impulse times the mean of the relative velocities at the start of the substep and after
-/// all impulses, as an impulse acts for the whole substep: the sum over the contacts is the kinetic energy that they
-/// give, and a body at rest gets none. Turning is measured at the orientation of the start,
+/// The work of an impulse is that impulse times the mean of the relative velocities at the start of the substep and
+/// after all impulses, as an impulse acts for the whole substep: the sum over the contacts is the kinetic energy that
+/// they give, and a body at rest gets none. Turning is measured at the orientation of the start,
 /// where the impulses act, with the angular velocities that belong to the momenta.
 void BodyResponse::Attempt::measure_flows() {
   BodyFlows& flows = result_.flows;

@@ -1,4 +1,5 @@
-// A substep of bodies: their free motion, impulses where they meet, and the exact answers about the motion that is left.
+// A substep of bodies: their free motion, impulses where they meet, and the exact answers about the motion that is
+// left.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -181,9 +181,9 @@ struct Motion {
   std::array<Point, 2> p;
   bool is_given = false, is_used = false;
 };
-/// Whether (1 - t) q0 + t q1 is not zero at any t in [0, 1]. It is zero at one if q0 or q1 is zero, or they have opposite
-/// directions. By the inequality of Cauchy and Schwarz, that is so if and only if q0 . q1 <= 0 and (q0 . q1)^2 = (q0 .
-/// q0) (q1 . q1).
+/// Whether (1 - t) q0 + t q1 is not zero at any t in [0, 1]. It is zero at one if q0 or q1 is zero, or they have
+/// opposite directions. By the inequality of Cauchy and Schwarz, that is so if and only if q0 . q1 <= 0 and (q0 . q1)^2
+/// = (q0 . q0) (q1 . q1).
 inline bool turns(const Motion& motion) {
   mpq_class product, start, end;
   for (std::size_t c = 0; c < 4; ++c) {

@@ -1,5 +1,5 @@
-# touchstone.pc and touchstone-fuzz.pc, for builds that know pkg-config and not CMake. The prefix is found from the place
-# of the file, so that an installation may be moved.
+# touchstone.pc and touchstone-fuzz.pc, for builds that know pkg-config and not CMake. The prefix is found from the
+# place of the file, so that an installation may be moved.
 # SPDX-License-Identifier: MIT
 
 # The libraries that a program links after a static touchstone.

@@ -1,4 +1,5 @@
-// A list of at most so many, without allocation. SPDX-License-Identifier: MIT
+// A list of at most so many, without allocation.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,6 @@
 // Powers of two for the coordinates of a query: how many bits they have as integers, and what makes them of ordinary
-// size. SPDX-License-Identifier: MIT
+// size.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <algorithm>

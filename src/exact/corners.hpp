@@ -1,4 +1,5 @@
-// From a query to moving corners in exact numbers. SPDX-License-Identifier: MIT
+// From a query to moving corners in exact numbers.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// Exact times: all touching times, from which contact_times is made, and the first one. SPDX-License-Identifier: MIT
+// Exact times: all touching times, from which contact_times is made, and the first one.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>

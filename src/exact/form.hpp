@@ -1,4 +1,5 @@
-// Polynomials in t of any formal degree up to the largest. SPDX-License-Identifier: MIT
+// Polynomials in t of any formal degree up to the largest.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// A value that is made when it is first asked for. SPDX-License-Identifier: MIT
+// A value that is made when it is first asked for.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <memory>

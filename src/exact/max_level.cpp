@@ -320,7 +320,8 @@ class MaxLevel final : public DistanceLevel {
     }
   }
 
-  /// A half-plane's row at a rational time, times a power of the time's denominator: s, t, constant, and the factor of d.
+  /// A half-plane's row at a rational time, times a power of the time's denominator: s, t, constant, and the factor of
+  /// d.
   std::array<Exact, 4> row_at(std::size_t m, const Ratio& time) const {
     const HalfPlane& h = half_planes_[m];
     const Form& of_d = corners_.scale;

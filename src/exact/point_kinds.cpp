@@ -1,4 +1,5 @@
-// Point against edge, point against point. SPDX-License-Identifier: MIT
+// Point against edge, point against point.
+// SPDX-License-Identifier: MIT
 #include "exact/elements.hpp"
 #include "exact/vectors_at.hpp"
 

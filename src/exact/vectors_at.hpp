@@ -1,4 +1,5 @@
-// Moving vectors at an exact time. SPDX-License-Identifier: MIT
+// Moving vectors at an exact time.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <type_traits>

@@ -1,4 +1,5 @@
-// Curved queries with a contact at a known dyadic time and known dyadic weights, exact in doubles, and their neighbours.
+// Curved queries with a contact at a known dyadic time and known dyadic weights, exact in doubles, and their
+// neighbours.
 //
 // At the time t, q(t) is a quaternion of integers, divided by a power of two, and body points are integers times N =
 // |q(t)|^2: rotated, they are integers. So the positions at t are dyadics of few digits, and one element is moved so

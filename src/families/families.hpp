@@ -1,4 +1,5 @@
-// Seeded queries, straight and curved, that are hard for solvers. Each family is degenerate, nearly degenerate or extreme in one way.
+// Seeded queries, straight and curved, that are hard for solvers. Each family is degenerate, nearly degenerate or
+// extreme in one way.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -1,4 +1,5 @@
-// The boxes around two elements' paths. SPDX-License-Identifier: MIT
+// The boxes around two elements' paths.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>

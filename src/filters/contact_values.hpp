@@ -1,4 +1,5 @@
-// V and the side conditions at a time in double-double arithmetic. SPDX-License-Identifier: MIT
+// V and the side conditions at a time in double-double arithmetic.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-// Compiled for AVX2 and fused multiply-add. SPDX-License-Identifier: MIT
+// Compiled for AVX2 and fused multiply-add.
+// SPDX-License-Identifier: MIT
 #include "filters/contact_values_steps.hpp"
 
 namespace touchstone::filters {

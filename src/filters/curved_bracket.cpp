@@ -197,8 +197,8 @@ Search::Variations Search::variations(const ScalarForm& p, const Part& part) con
 Finding Search::decide(const ScalarForm& p, Index component) noexcept {
   component_ = component;
   const Index size = static_cast<Index>(p.degree) + 1;
-  // A part is cut at most so many times in a row, and so many parts are looked at. Each cut adds at most 5 binary digits
-  // to the ends of a part, so 10 cuts keep them, and their middle, exact.
+  // A part is cut at most so many times in a row, and so many parts are looked at. Each cut adds at most 5 binary
+  // digits to the ends of a part, so 10 cuts keep them, and their middle, exact.
   constexpr Index kMostCuts = 10;
   constexpr int kMostParts = 32;
   std::array<Part, kMostCuts + 1> parts;  // still to come, the first one last
@@ -237,8 +237,8 @@ Finding Search::decide(const ScalarForm& p, Index component) noexcept {
       continue;
     }
     if (part.cuts == kMostCuts || looked_at >= kMostParts) return Finding::uncertain;
-    // De Casteljau's algorithm. A coefficient has at most 2 e times the size of rounding errors in each of n rounds; the
-    // errors before them are averaged. A cut in the middle is often at a root of a query that people make.
+    // De Casteljau's algorithm. A coefficient has at most 2 e times the size of rounding errors in each of n rounds;
+    // the errors before them are averaged. A cut in the middle is often at a root of a query that people make.
     Part& right = part;
     Part& left = parts[count];
     ++count;

@@ -1,6 +1,6 @@
-// The bracket level of curved queries. It isolates the roots of V with certified signs, decides the side conditions over
-// each bracket, and drives the time of a contact to its two neighbouring doubles, in doubles and double-doubles that
-// carry their error bounds along.
+// The bracket level of curved queries. It isolates the roots of V with certified signs, decides the side conditions
+// over each bracket, and drives the time of a contact to its two neighbouring doubles, in doubles and double-doubles
+// that carry their error bounds along.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -44,10 +44,10 @@ constexpr double kErrorFactor = 7;
 constexpr double kMostSum = 4;  // of a direction's coordinates, none of which is larger than 1
 constexpr double kProjectionBound = 32 * 0x1p-53;
 
-// Points within a distance d of each other differ by at most |n| d along a direction n, and in the metric max by at most
-// (|n_x| + |n_y| + |n_z|) d. At most 3 roundings of the length, 2 of the products and 1 of the sum with the bounds above
-// follow: less than 8 e in all. Directions have a coordinate 1, and what underflows in a product with d is less than the
-// room that the bounds above leave.
+// Points within a distance d of each other differ by at most |n| d along a direction n, and in the metric max by at
+// most (|n_x| + |n_y| + |n_z|) d. At most 3 roundings of the length, 2 of the products and 1 of the sum with the bounds
+// above follow: less than 8 e in all. Directions have a coordinate 1, and what underflows in a product with d is less
+// than the room that the bounds above leave.
 constexpr double kReachBound = 1 + 8 * 0x1p-53;
 
 double largest_of(const Point& x) noexcept { return std::max({std::fabs(x[0]), std::fabs(x[1]), std::fabs(x[2])}); }

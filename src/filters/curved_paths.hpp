@@ -1,4 +1,5 @@
-// Where corners on curves can be at all during a step. SPDX-License-Identifier: MIT
+// Where corners on curves can be at all during a step.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
@@ -12,8 +13,8 @@
 namespace touchstone::filters {
 
 /// Points that have all positions of the corners in their convex hull, corner by corner: the control points of a Bezier
-/// curve, rational for a body that turns. Positions are those relative to an origin that moves with one of the elements,
-/// at from + t (to - from): a plane that separates them moves with it.
+/// curve, rational for a body that turns. Positions are those relative to an origin that moves with one of the
+/// elements, at from + t (to - from): a plane that separates them moves with it.
 struct CurvedPaths {
   struct Path {
     std::array<geometry::Vector<double>, 4> points;

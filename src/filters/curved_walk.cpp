@@ -26,8 +26,8 @@ constexpr double kReach = 1 + 8 * kRounding;
 constexpr int kMostDegree = 6;
 constexpr Index kSize = kMostDegree + 1;
 
-/// The corners of the second element minus those of the first, and the scale that they are multiplied by, over a part of
-/// the step, in the Bernstein basis.
+/// The corners of the second element minus those of the first, and the scale that they are multiplied by, over a part
+/// of the step, in the Bernstein basis.
 struct Part {
   double low, high;
   std::array<std::array<std::array<double, kSize>, 3>, 4> pairs;  // B - A first

@@ -1,4 +1,5 @@
-// The first time within a separation, in error-bounded arithmetic. SPDX-License-Identifier: MIT
+// The first time within a separation, in error-bounded arithmetic.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <touchstone/answer.hpp>

@@ -190,7 +190,8 @@ Walk walk(const Step& step, const Separation& separation, double t_max, const Pl
 
 /// Decides by Newton's jump or, where that is not enough, by the walk.
 /// @param place_at       as above
-/// @param enter          the finding about an entry soon after a place up to which the elements may be taken to be apart
+/// @param enter          the finding about an entry soon after a place up to which the elements may be taken to be
+/// apart
 /// @param starts_within  the finding about elements that are perhaps within the separation at t = 0, this place's time
 template <class PlaceAt, class Enter, class StartsWithin>
 Finding decide_by_walk(const Step& step, const Separation& separation, double t_max, const PlaceAt& place_at,

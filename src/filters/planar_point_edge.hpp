@@ -1,4 +1,5 @@
-// A point and an edge that stay in one coordinate plane: scenes in two dimensions. SPDX-License-Identifier: MIT
+// A point and an edge that stay in one coordinate plane: scenes in two dimensions.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>

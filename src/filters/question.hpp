@@ -1,4 +1,5 @@
-// The question to the filters, and their decision. SPDX-License-Identifier: MIT
+// The question to the filters, and their decision.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>

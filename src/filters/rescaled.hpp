@@ -1,4 +1,5 @@
-// Queries that are too large or too small for the filters' products. SPDX-License-Identifier: MIT
+// Queries that are too large or too small for the filters' products.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>

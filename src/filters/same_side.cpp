@@ -1,5 +1,6 @@
 // certain_same_side and certain_clearance for one query, with the step's two ends side by side in a pack of two: half
-// the operations, the same steps in each lane. SPDX-License-Identifier: MIT
+// the operations, the same steps in each lane.
+// SPDX-License-Identifier: MIT
 #include "filters/same_side.hpp"
 
 #include "numbers/pack.hpp"

@@ -1,4 +1,5 @@
-// Same side all along: the coplanarity cubic has no root in the step. SPDX-License-Identifier: MIT
+// Same side all along: the coplanarity cubic has no root in the step.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <touchstone/query.hpp>

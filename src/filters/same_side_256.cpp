@@ -1,4 +1,5 @@
-// Compiled for vectors of 256 bits; called only where the machine has them. SPDX-License-Identifier: MIT
+// Compiled for vectors of 256 bits; called only where the machine has them.
+// SPDX-License-Identifier: MIT
 #include "filters/same_side_kernel.hpp"
 #include "filters/same_side_widths.hpp"
 

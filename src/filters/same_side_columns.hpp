@@ -1,4 +1,5 @@
-// The first test over many queries at once, in vectors of doubles. SPDX-License-Identifier: MIT
+// The first test over many queries at once, in vectors of doubles.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>

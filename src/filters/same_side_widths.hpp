@@ -1,4 +1,5 @@
-// The kernels that are compiled for processors beyond the least one. SPDX-License-Identifier: MIT
+// The kernels that are compiled for processors beyond the least one.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "filters/same_side_columns.hpp"

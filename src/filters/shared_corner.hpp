@@ -1,4 +1,5 @@
-// Elements that share a corner throughout the step: neighbours in a mesh. SPDX-License-Identifier: MIT
+// Elements that share a corner throughout the step: neighbours in a mesh.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <touchstone/answer.hpp>

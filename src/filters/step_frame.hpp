@@ -1,4 +1,5 @@
-// The frame of one query in doubles, at both ends of the step. SPDX-License-Identifier: MIT
+// The frame of one query in doubles, at both ends of the step.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <touchstone/query.hpp>

@@ -129,8 +129,8 @@ struct OpenDataset {
   std::size_t rank = 2;
 };
 
-/// A file of few bytes does not hold much. Filters compress, deflate to a 1032nd at best. Without this check a few bytes
-/// could ask for any amount of memory.
+/// A file of few bytes does not hold much. Filters compress, deflate to a 1032nd at best. Without this check a few
+/// bytes could ask for any amount of memory.
 void check_storage(const std::string& file, const OpenDataset& open, std::uint64_t file_size) {
   constexpr std::uint64_t kMostCompression = 1100;
   const std::uint64_t stored = std::min<std::uint64_t>(H5Dget_storage_size(open.dataset.id()), file_size);

@@ -15,9 +15,9 @@ namespace touchstone::fuzz {
 /// The most steps that a case's name may ask for.
 constexpr std::uint64_t kMostClimbSteps = 1'000'000;
 
-/// A walk. Each step changes one or two numbers of the query. The change stays when it brings the magnitude of `filter_margin`
-/// nearer to 1, in proportion, because there the error bounds are tested. Otherwise the next step starts from the same
-/// query again. Step k depends on the case and k only.
+/// A walk. Each step changes one or two numbers of the query. The change stays when it brings the magnitude of
+/// `filter_margin` nearer to 1, in proportion, because there the error bounds are tested. Otherwise the next step
+/// starts from the same query again. Step k depends on the case and k only.
 class Climb {
  public:
   explicit Climb(const families::CaseId& start);

@@ -13,7 +13,8 @@
 namespace touchstone::fuzz {
 
 /// "touchstone", "exact", "oracle", "fast-cgal", "batch" (touchstone, through solve_batch in rows and in columns), then
-/// every method of `baselines` at its usual tolerance, those for curved queries last: with a separation > 0 those that take one, which are Euclidean.
+/// every method of `baselines` at its usual tolerance, those for curved queries last: with a separation > 0 those that
+/// take one, which are Euclidean.
 std::vector<std::string_view> solver_names(const Separation& separation = {});
 
 /// The solver of that name, asked about the separation; null when there is none.

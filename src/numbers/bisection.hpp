@@ -1,4 +1,5 @@
-// Isolation of the roots of a polynomial of any degree. SPDX-License-Identifier: MIT
+// Isolation of the roots of a polynomial of any degree.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "numbers/coefficients.hpp"

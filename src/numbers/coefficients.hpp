@@ -1,4 +1,5 @@
-// Polynomials as lists of exact coefficients. SPDX-License-Identifier: MIT
+// Polynomials as lists of exact coefficients.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "numbers/exact_number.hpp"

@@ -1,4 +1,5 @@
-// Rational coordinates brought to integers, and integers freed of a common factor. SPDX-License-Identifier: MIT
+// Rational coordinates brought to integers, and integers freed of a common factor.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string_view>

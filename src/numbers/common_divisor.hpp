@@ -1,4 +1,5 @@
-// What several polynomials have in common. SPDX-License-Identifier: MIT
+// What several polynomials have in common.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>

@@ -1,4 +1,5 @@
-// A few exact numbers in a row, in storage of its own as long as they are few. SPDX-License-Identifier: MIT
+// A few exact numbers in a row, in storage of its own as long as they are few.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// Exact numbers to and from GMP's. SPDX-License-Identifier: MIT
+// Exact numbers to and from GMP's.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <gmpxx.h>

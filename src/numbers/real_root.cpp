@@ -90,9 +90,10 @@ bool quotient_over(const RootBracket& bracket, Coefficients numerator, Coefficie
   return true;
 }
 
-/// The same from the values at the bracket's lower end, which is much cheaper for high degrees. A polynomial differs from
-/// its value there by at most its slope's bound, the sum of k |c_k| in [0, 1], times the bracket's width. For the values
-/// n and d and these bounds a and b, the quotient differs from n / d by at most (a |d| + |n| b) / (|d| (|d| - b)).
+/// The same from the values at the bracket's lower end, which is much cheaper for high degrees. A polynomial differs
+/// from its value there by at most its slope's bound, the sum of k |c_k| in [0, 1], times the bracket's width. For the
+/// values n and d and these bounds a and b, the quotient differs from n / d by at most (a |d| + |n| b) / (|d| (|d| -
+/// b)).
 bool quotient_at_low(const RootBracket& bracket, Coefficients numerator, Coefficients denominator, double& result) {
   const Exact width = bracket.high() - bracket.low();
   const auto magnitude = [](const Exact& x) { return sign_of(x) < 0 ? -x : x; };

@@ -1,4 +1,5 @@
-// An interval around one root of a polynomial that narrows as far as a caller needs. SPDX-License-Identifier: MIT
+// An interval around one root of a polynomial that narrows as far as a caller needs.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-// Sums with a known direction of rounding. SPDX-License-Identifier: MIT
+// Sums with a known direction of rounding.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// Where a vector that moves on a straight line is zero. SPDX-License-Identifier: MIT
+// Where a vector that moves on a straight line is zero.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>

@@ -85,9 +85,9 @@ Construction at_corners(const Elements& elements, std::size_t i, std::size_t j) 
 }
 
 /// In the metric `max`, with the fractions s and q along the elements' edges, times the scale of r over that of the
-/// edge: the polygon of the points (s, q) of the elements whose difference is at most D along each axis. A border is the line where a s + b q + c = 0; the polygon is
-/// on its side where that is not negative. For a point and an edge q = 0, for two points s = 0 too; these are the last
-/// borders.
+/// edge: the polygon of the points (s, q) of the elements whose difference is at most D along each axis. A border is
+/// the line where a s + b q + c = 0; the polygon is on its side where that is not negative. For a point and an edge q =
+/// 0, for two points s = 0 too; these are the last borders.
 class Polygon {
  public:
   explicit Polygon(const Elements& elements) : elements_(elements) {

@@ -1,4 +1,5 @@
-// Points of two elements that may be in contact at the first time of a contact. SPDX-License-Identifier: MIT
+// Points of two elements that may be in contact at the first time of a contact.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>

@@ -39,12 +39,12 @@ Dense bernstein(const Dense& p, const Exact& from, const Exact& to) {
 /// What doubles say about the Bernstein coefficients of a polynomial: that all have this sign or that two of them have
 /// different ones, in which case the value is 0. Nothing where they are not certain.
 ///
-/// The coefficients c_i and the interval are off by a relative 2^-51 at most. q_j is the sum of C(i, j) c_i from^(i - j)
-/// over i >= j, and b_k that of C(k, j) / C(d, j) q_j width^j over j <= k. Beside 4 such errors of 2^-53 for c_i, a term
-/// passes through at most 2 d roundings in q_j, 2 d + 1 with its power of the width, 2 d in its ratio of binomials, and
-/// d + 2 in the product with it and the sum: 7 d + 7 <= 231 in all where d <= 32. So b_k is off by at most 2^-45 times
-/// the sum of the terms' absolute values. The bound has 2^-44, and nothing may underflow in sums that are large enough,
-/// nor overflow: no factor but the coefficients is above C(32, 16) < 2^30.
+/// The coefficients c_i and the interval are off by a relative 2^-51 at most. q_j is the sum of C(i, j) c_i from^(i -
+/// j) over i >= j, and b_k that of C(k, j) / C(d, j) q_j width^j over j <= k. Beside 4 such errors of 2^-53 for c_i, a
+/// term passes through at most 2 d roundings in q_j, 2 d + 1 with its power of the width, 2 d in its ratio of
+/// binomials, and d + 2 in the product with it and the sum: 7 d + 7 <= 231 in all where d <= 32. So b_k is off by at
+/// most 2^-45 times the sum of the terms' absolute values. The bound has 2^-44, and nothing may underflow in sums that
+/// are large enough, nor overflow: no factor but the coefficients is above C(32, 16) < 2^30.
 std::optional<int> sign_in_doubles(const Dense& p, const Exact& exact_from, const Exact& exact_to) {
   constexpr std::size_t kMostSize = 33;
   constexpr double kBound = 0x1p-44, kLeast = 0x1p-800, kGreatest = 0x1p800;

@@ -1,4 +1,5 @@
-// Polynomials in t of any degree with exact coefficients. SPDX-License-Identifier: MIT
+// Polynomials in t of any degree with exact coefficients.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-// Constant directions of planes, with few bits. SPDX-License-Identifier: MIT
+// Constant directions of planes, with few bits.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <algorithm>

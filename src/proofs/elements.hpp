@@ -1,4 +1,5 @@
-// The moving corners of a query, and the polynomials that proofs are made of. SPDX-License-Identifier: MIT
+// The moving corners of a query, and the polynomials that proofs are made of.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// Why two elements are in contact. SPDX-License-Identifier: MIT
+// Why two elements are in contact.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <touchstone/answer.hpp>

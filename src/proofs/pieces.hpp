@@ -1,4 +1,5 @@
-// Planes that keep two elements apart. SPDX-License-Identifier: MIT
+// Planes that keep two elements apart.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>

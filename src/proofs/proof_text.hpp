@@ -1,4 +1,5 @@
-// The text of proofs, as docs/proofs.md defines it. SPDX-License-Identifier: MIT
+// The text of proofs, as docs/proofs.md defines it.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>

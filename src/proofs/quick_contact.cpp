@@ -69,8 +69,8 @@ Dense dense(const numbers::Polynomial<N, D>& p, bool negative = false) {
   return result;
 }
 
-/// One piece with the direction u x w, and `event` as the polynomial of the meeting, where it keeps its sign until T and
-/// changes it between T and U.
+/// One piece with the direction u x w, and `event` as the polynomial of the meeting, where it keeps its sign until T
+/// and changes it between T and U.
 template <class N, int D>
 std::optional<Proof> proof_until(const numbers::Polynomial<N, D>& event, const Answer& answer) {
   std::optional<Proof> proof(std::in_place);

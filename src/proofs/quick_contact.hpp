@@ -1,4 +1,5 @@
-// Proofs of the usual contacts, in integers of fixed size. SPDX-License-Identifier: MIT
+// Proofs of the usual contacts, in integers of fixed size.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>

@@ -20,11 +20,11 @@ namespace {
 
 using filters::RelativeCorners;
 
-/// The corners as they are from one time to another one. Each coordinate is an interpolation of two that are off by e M,
-/// with e = 2^-53 and M the largest one: 1 - s is exact or has 1 rounding, both products have 1, and their sum has 1. So
-/// it is off by at most 4 e M to first order, where gap_along counts with 1 e M: a projection, by 12 + 9 in place of 12
-/// e D M, and the difference of two by 6 e D M more. Twice its bound of 3 * 13 e D M is enough for these 48 e D M. No
-/// product underflows by more than 2^-1075, which is nothing beside e M.
+/// The corners as they are from one time to another one. Each coordinate is an interpolation of two that are off by e
+/// M, with e = 2^-53 and M the largest one: 1 - s is exact or has 1 rounding, both products have 1, and their sum has
+/// 1. So it is off by at most 4 e M to first order, where gap_along counts with 1 e M: a projection, by 12 + 9 in place
+/// of 12 e D M, and the difference of two by 6 e D M more. Twice its bound of 3 * 13 e D M is enough for these 48 e D
+/// M. No product underflows by more than 2^-1075, which is nothing beside e M.
 RelativeCorners corners_between(const RelativeCorners& whole, double from, double to) {
   RelativeCorners corners = whole;
   for (std::size_t i = 0; i < whole.count; ++i) {

@@ -1,4 +1,5 @@
-// Proofs of the usual answers, in doubles and in integers of fixed size. SPDX-License-Identifier: MIT
+// Proofs of the usual answers, in doubles and in integers of fixed size.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>

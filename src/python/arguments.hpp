@@ -20,8 +20,8 @@ namespace touchstone::python {
 
 namespace py = pybind11;
 
-/// @throws TypeError or ValueError (as do all functions here)  for anything but one of the four names; "_" is as good as
-/// "-"
+/// @throws TypeError or ValueError (as do all functions here)  for anything but one of the four names; "_" is as good
+/// as "-"
 Kind kind_of(py::handle name);
 Metric metric_of(py::handle name);
 Method method_of(py::handle name);
@@ -64,8 +64,8 @@ class CornerArray {
   /// Whether each coordinate of each corner is a column of doubles already.
   bool has_columns() const noexcept;
 
-  /// Coordinate k of corner c of query `first` and those after it, where has_columns(). @param zeros  the column of z in
-  /// the plane
+  /// Coordinate k of corner c of query `first` and those after it, where has_columns(). @param zeros  the column of z
+  /// in the plane
   const double* column(std::size_t first, std::size_t c, std::size_t k, const double* zeros) const noexcept;
 
   /// Copies queries [first, first + size) into columns: coordinate k of corner c begins at to + (3 c + k) size.

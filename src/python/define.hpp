@@ -1,4 +1,5 @@
-// The halves of the module. SPDX-License-Identifier: MIT
+// The halves of the module.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <pybind11/pybind11.h>

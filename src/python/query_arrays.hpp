@@ -1,4 +1,5 @@
-// Queries in the arrays they came in. SPDX-License-Identifier: MIT
+// Queries in the arrays they came in.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-// Programs that others start. SPDX-License-Identifier: MIT
+// Programs that others start.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>

@@ -34,8 +34,8 @@ struct Plans {
 };
 
 /// The layers of cable-drop fall for five steps and then lie on each other, and its time is that of their contacts; the
-/// whip, in steps far longer than its own, meets its wire in the first one, and hangs over it from then on. So series of
-/// one scene are for one span.
+/// whip, in steps far longer than its own, meets its wire in the first one, and hangs over it from then on. So series
+/// of one scene are for one span.
 Plans plans(bool quick) {
   if (quick) {
     return {{"hoop", 200, 75, 2},

@@ -1,4 +1,5 @@
-// The picture of a set in plain characters, for pages and terminals that show no other. SPDX-License-Identifier: MIT
+// The picture of a set in plain characters, for pages and terminals that show no other.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>

@@ -49,8 +49,8 @@ class Energy {
   /// The rates of the strains for velocities v, with frames that are carried along, and the twist that is inserted.
   VectorX strain_rates(const VectorX& q, const VectorX& v, const Frames& frames, double time) const;
 
-  /// The sum of 1/2 stiffness (strain - rest)^2 and of the limits of stretch. Not finite where an edge or triangle folds
-  /// onto its neighbour, or a limit is reached.
+  /// The sum of 1/2 stiffness (strain - rest)^2 and of the limits of stretch. Not finite where an edge or triangle
+  /// folds onto its neighbour, or a limit is reached.
   double value(const VectorX& q, const Frames& frames, double time, const Strains& strains) const;
 
   /// Adds to `gradient`, and gives the second derivatives to `sink` unless it is null.

@@ -76,8 +76,9 @@ std::vector<std::size_t> order_by(const std::vector<NameParts>& all, std::size_t
   return order;
 }
 
-/// Of several numbers in which names differ, as in f-2-t0.2 and f-10-t0.10, one that is a frame's own: no two names have
-/// it. Those with a constant stride count first. Nothing when there is none, or when two of them give different orders.
+/// Of several numbers in which names differ, as in f-2-t0.2 and f-10-t0.10, one that is a frame's own: no two names
+/// have it. Those with a constant stride count first. Nothing when there is none, or when two of them give different
+/// orders.
 std::optional<std::size_t> frame_number_of(const std::vector<NameParts>& all, const std::vector<std::size_t>& places) {
   struct Found {
     std::vector<std::size_t> order;

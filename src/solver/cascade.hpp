@@ -1,4 +1,5 @@
-// The cascade: the filters, then the exact level where they are uncertain. SPDX-License-Identifier: MIT
+// The cascade: the filters, then the exact level where they are uncertain.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <touchstone/answer.hpp>

@@ -1,4 +1,5 @@
-// Queries of one kind, copied into columns of their own. SPDX-License-Identifier: MIT
+// Queries of one kind, copied into columns of their own.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>

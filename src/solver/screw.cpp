@@ -1,7 +1,7 @@
 // Verdicts about motions of constant rate. On arcs whose corners are off by at most A and B, elements that stay farther
 // than d + A + B from each other are farther than d on the true motion too, and elements within d - A - B are within d.
-// For d = 0, a contact is proved by a crossing: the true V has different signs at two times, and everywhere between them
-// the lines, or the line and the plane, meet inside the elements if they meet at all.
+// For d = 0, a contact is proved by a crossing: the true V has different signs at two times, and everywhere between
+// them the lines, or the line and the plane, meet inside the elements if they meet at all.
 // SPDX-License-Identifier: MIT
 #include <touchstone/screw.hpp>
 

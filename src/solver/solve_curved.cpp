@@ -1,4 +1,5 @@
-// Queries whose corners move on curves. SPDX-License-Identifier: MIT
+// Queries whose corners move on curves.
+// SPDX-License-Identifier: MIT
 #include <touchstone/curved.hpp>
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-// Queries from outside. A meaningless one becomes an error before anything is computed. SPDX-License-Identifier: MIT
+// Queries from outside. A meaningless one becomes an error before anything is computed.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>

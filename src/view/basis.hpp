@@ -1,4 +1,5 @@
-// From where a picture is seen first. SPDX-License-Identifier: MIT
+// From where a picture is seen first.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,5 @@
-// The closest points of two elements at one time, in exact arithmetic. SPDX-License-Identifier: MIT
+// The closest points of two elements at one time, in exact arithmetic.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// The page of a fuzzer's findings. SPDX-License-Identifier: MIT
+// The page of a fuzzer's findings.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// Self-contained pages: one file, no request to anywhere, and text that is only text. SPDX-License-Identifier: MIT
+// Self-contained pages: one file, no request to anywhere, and text that is only text.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <nlohmann/json.hpp>

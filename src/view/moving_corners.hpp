@@ -1,4 +1,5 @@
-// The corners of any query as exact polynomials in t. SPDX-License-Identifier: MIT
+// The corners of any query as exact polynomials in t.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>

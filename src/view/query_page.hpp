@@ -1,4 +1,5 @@
-// The page of one query. SPDX-License-Identifier: MIT
+// The page of one query.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <nlohmann/json.hpp>

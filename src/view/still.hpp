@@ -1,4 +1,5 @@
-// Still pictures, for readers without WebGL or scripts. SPDX-License-Identifier: MIT
+// Still pictures, for readers without WebGL or scripts.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <nlohmann/json.hpp>

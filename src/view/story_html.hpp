@@ -1,4 +1,5 @@
-// The story of `explain` as HTML. SPDX-License-Identifier: MIT
+// The story of `explain` as HTML.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>

@@ -5,19 +5,14 @@
 
 #include <touchstone/curved.hpp>
 
+#include "scene/body_shapes.hpp"
+
 using namespace touchstone::sim;
 
 namespace touchstone::tests {
 
 Body box_at(const Vector3& size, const Vector3& at, double density) {
-  Body body;
-  for (int i = 0; i < 8; ++i) {
-    body.vertices.emplace_back((i & 1 ? 0.5 : -0.5) * size.x(), (i & 2 ? 0.5 : -0.5) * size.y(),
-                               (i & 4 ? 0.5 : -0.5) * size.z());
-  }
-  body.faces = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-  body.density = density;
+  Body body = box(size, density);
   body.pose.p = at;
   return body;
 }

@@ -232,8 +232,8 @@ TEST_CASE("bodies and particles keep the distances that their radii ask for") {
   scene.particles[add_particle(scene, {0.1, 0.02, 0.6}, 0.01)].radius = 0.015;
   Simulation simulation(scene, {});
   const BodyColliders& colliders = simulation.bodies()->colliders();
-  // Every pair of a body with anything, without a broad phase, is asked by the solver about each substep's two ends, and
-  // measured in doubles between them.
+  // Every pair of a body with anything, without a broad phase, is asked by the solver about each substep's two ends,
+  // and measured in doubles between them.
   std::uint64_t contacts = 0, asked = 0, separated = 0;
   double nearest = 1;
   for (std::size_t i = 0; i < effort(120); ++i) {

@@ -13,6 +13,7 @@
 #include <touchstone/c.h>
 #include <touchstone/touchstone.hpp>
 
+#include "c_api/c_api_support.hpp"
 #include "seeded/rng.hpp"
 #include "support/catch.hpp"
 
@@ -21,19 +22,11 @@ using touchstone::Kind;
 using touchstone::Query;
 using touchstone::Vec3;
 using touchstone::seeded::Rng;
+using namespace touchstone::tests;
 
 namespace {
 
 constexpr std::array<Kind, 4> kKinds = {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point};
-
-bool same(const Answer& a, const touchstone_answer& b) {
-  return a.contact == (b.contact != 0) && static_cast<int>(a.level) == b.level &&
-         static_cast<int>(a.nature) == b.nature && static_cast<int>(a.feature_a) == b.feature_a &&
-         static_cast<int>(a.feature_b) == b.feature_b && a.starts_within == (b.starts_within != 0) &&
-         static_cast<int>(a.trend) == b.trend && a.toi == b.toi && a.toi_upper == b.toi_upper &&
-         std::equal(a.weights_a.begin(), a.weights_a.end(), b.weights_a) &&
-         std::equal(a.weights_b.begin(), a.weights_b.end(), b.weights_b);
-}
 
 /// Queries of one kind on a lattice of small integers, as rows of doubles.
 struct Rows {
@@ -62,31 +55,6 @@ struct Rows {
     }
     return query;
   }
-};
-
-touchstone_options default_options() { return TOUCHSTONE_OPTIONS_INIT; }
-touchstone_mesh_elements default_elements() { return TOUCHSTONE_MESH_ELEMENTS_INIT; }
-
-bool message_has(const std::string& part) {
-  INFO(touchstone_last_error());
-  return std::string(touchstone_last_error()).find(part) != std::string::npos;
-}
-
-/// Two triangles, the second above the first and falling through it.
-struct FallingTriangle {
-  std::vector<std::uint32_t> faces = {0, 1, 2, 3, 4, 5};
-  std::vector<double> x0 = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0.25, 0.25, 1, 0.25, 0.5, 2, 0.5, 0.25, 2};
-  std::vector<double> x1 = x0;
-  touchstone_mesh_elements elements = default_elements();
-
-  FallingTriangle() {
-    for (std::size_t i = 11; i < 18; i += 3) x1[i] -= 2;
-    elements.vertex_count = 6;
-    elements.faces = faces.data();
-    elements.face_count = 2;
-  }
-  FallingTriangle(const FallingTriangle&) = delete;
-  FallingTriangle& operator=(const FallingTriangle&) = delete;
 };
 
 }  // namespace
@@ -189,151 +157,6 @@ TEST_CASE("numbers have the names of C++, and others have none") {
   }
 }
 
-TEST_CASE("a mesh answers as the one of C++") {
-  FallingTriangle given;
-  for (const double separation : {0.0, 0.25}) {
-    CAPTURE(separation);
-    given.elements.separation = separation;
-    touchstone::MeshElements elements;
-    elements.vertex_count = 6;
-    elements.faces = {{0, 1, 2}, {3, 4, 5}};
-    elements.separation.distance = separation;
-    const touchstone::Mesh mesh(elements);
-    const touchstone::Positions x0(given.x0, 3), x1(given.x1, 3);
-
-    touchstone_mesh* handle = nullptr;
-    REQUIRE(touchstone_mesh_create(&given.elements, &handle) == TOUCHSTONE_OK);
-    REQUIRE(handle != nullptr);
-    std::uint32_t corners[2] = {9, 9};
-    for (std::size_t e = 0; e < mesh.edges().size(); ++e) {
-      REQUIRE(touchstone_mesh_edge(handle, e, corners) == TOUCHSTONE_OK);
-      CHECK(corners[0] == mesh.edges()[e][0]);
-      CHECK(corners[1] == mesh.edges()[e][1]);
-    }
-    CHECK(touchstone_mesh_edge(handle, mesh.edges().size(), corners) == TOUCHSTONE_INVALID_ARGUMENT);
-
-    const touchstone::FirstContact expected = touchstone::first_contact(mesh, x0, x1);
-    touchstone_first_contact result;
-    touchstone_contacts* first = nullptr;
-    touchstone_contacts* at_start = nullptr;
-    REQUIRE(touchstone_mesh_first_contact(handle, given.x0.data(), given.x1.data(), 18, nullptr, &result, &first,
-                                          &at_start) == TOUCHSTONE_OK);
-    CHECK(expected.contact);
-    CHECK(result.contact == 1);
-    CHECK(result.free == 0);
-    CHECK(result.toi == expected.toi);
-    CHECK(result.toi_upper == expected.toi_upper);
-    CHECK(touchstone_contacts_count(first) == expected.first.size());
-    CHECK(touchstone_contacts_count(at_start) == 0);
-
-    touchstone_contacts* all = nullptr;
-    touchstone_options options = default_options();
-    options.threads = 2;
-    REQUIRE(touchstone_mesh_all_contacts(handle, given.x0.data(), given.x1.data(), 18, &options, &all) ==
-            TOUCHSTONE_OK);
-    const auto every = touchstone::all_contacts(mesh, x0, x1);
-    REQUIRE(touchstone_contacts_count(all) == every.size());
-    CHECK(every.size() > expected.first.size());
-    for (std::size_t i = 0; i < every.size(); ++i) {
-      touchstone_mesh_pair pair;
-      touchstone_answer answer;
-      REQUIRE(touchstone_contacts_get(all, i, &pair, &answer) == TOUCHSTONE_OK);
-      CHECK(pair.kind == static_cast<int>(every[i].pair.kind));
-      CHECK(pair.first == every[i].pair.first);
-      CHECK(pair.second == every[i].pair.second);
-      CHECK(same(every[i].answer, answer));
-    }
-
-    const touchstone::FreeStep step = touchstone::free_step(mesh, x0, x1, {1, 0.5});
-    options.kept_fraction = 0.5;
-    std::vector<double> positions(18);
-    double length = -1;
-    int outcome = -1;
-    REQUIRE(touchstone_mesh_free_step(handle, given.x0.data(), given.x1.data(), 18, &options, positions.data(), &length,
-                                      &outcome) == TOUCHSTONE_OK);
-    CHECK(positions == step.positions);
-    CHECK(length == step.length);
-    CHECK(outcome == TOUCHSTONE_STEP_SHORTENED);
-    std::vector<double> in_place = given.x1;
-    REQUIRE(touchstone_mesh_free_step(handle, given.x0.data(), in_place.data(), 18, &options, in_place.data(), nullptr,
-                                      nullptr) == TOUCHSTONE_OK);
-    CHECK(in_place == step.positions);
-
-    const auto expected_intersections = touchstone::intersections(mesh, x1);
-    touchstone_intersections* found = nullptr;
-    REQUIRE(touchstone_mesh_intersections(handle, given.x1.data(), 18, nullptr, &found) == TOUCHSTONE_OK);
-    REQUIRE(touchstone_intersections_count(found) == expected_intersections.size());
-    CHECK(expected_intersections.size() == 3);  // all edges of the upper face
-    for (std::size_t i = 0; i < expected_intersections.size(); ++i) {
-      const touchstone::Intersection& one = expected_intersections[i];
-      touchstone_intersection told;
-      REQUIRE(touchstone_intersections_get(found, i, &told) == TOUCHSTONE_OK);
-      CHECK(told.first_element == static_cast<int>(one.first_element));
-      CHECK(told.second_element == static_cast<int>(one.second_element));
-      CHECK(told.first == one.first);
-      CHECK(told.second == one.second);
-      CHECK(told.pierces == (one.pierces ? 1 : 0));
-      CHECK(std::equal(one.weights_first.begin(), one.weights_first.end(), told.weights_first));
-      CHECK(std::equal(one.weights_second.begin(), one.weights_second.end(), told.weights_second));
-    }
-
-    touchstone_mesh_destroy(handle);  // the lists stay
-    CHECK(touchstone_contacts_count(all) == every.size());
-    touchstone_contacts_destroy(first);
-    touchstone_contacts_destroy(at_start);
-    touchstone_contacts_destroy(all);
-    touchstone_intersections_destroy(found);
-  }
-}
-
-TEST_CASE("the rules of a mesh arrive") {
-  FallingTriangle given;
-  const auto contacts = [&] {
-    touchstone_mesh* mesh = nullptr;
-    touchstone_contacts* all = nullptr;
-    REQUIRE(touchstone_mesh_create(&given.elements, &mesh) == TOUCHSTONE_OK);
-    REQUIRE(touchstone_mesh_all_contacts(mesh, given.x0.data(), given.x1.data(), 18, nullptr, &all) == TOUCHSTONE_OK);
-    const std::size_t count = touchstone_contacts_count(all);
-    touchstone_contacts_destroy(all);
-    touchstone_mesh_destroy(mesh);
-    return count;
-  };
-  const std::size_t all = contacts();
-  const touchstone_mesh_pair tip{TOUCHSTONE_KIND_VERTEX_FACE, 3, 0};
-  given.elements.excluded_pairs = &tip;
-  given.elements.excluded_pair_count = 1;
-  CHECK(contacts() == all - 1);
-  given.elements.excluded_pair_count = 0;
-
-  const std::vector<std::uint32_t> groups = {0, 0, 0, 1, 1, 1}, pair = {1, 0};
-  given.elements.groups = groups.data();
-  given.elements.group_count = 6;
-  given.elements.group_pairs = pair.data();
-  given.elements.group_pair_count = 1;
-  CHECK(contacts() == 0);
-  given.elements.only_listed_groups = 1;
-  CHECK(contacts() == all);
-  given.elements.only_listed_groups = 2;
-  touchstone_mesh* mesh = nullptr;
-  CHECK(touchstone_mesh_create(&given.elements, &mesh) == TOUCHSTONE_INVALID_ARGUMENT);
-  CHECK(message_has("only_listed_groups"));
-  given.elements.only_listed_groups = 0;
-  given.elements.group_count = given.elements.group_pair_count = 0;
-
-  const double far = 8;
-  given.elements.separate_pairs = &tip;
-  given.elements.pair_separations = &far;
-  given.elements.separate_pair_count = 1;
-  touchstone_first_contact result;
-  touchstone_contacts* at_start = nullptr;
-  REQUIRE(touchstone_mesh_create(&given.elements, &mesh) == TOUCHSTONE_OK);
-  REQUIRE(touchstone_mesh_first_contact(mesh, given.x0.data(), given.x1.data(), 18, nullptr, &result, nullptr,
-                                        &at_start) == TOUCHSTONE_OK);
-  CHECK(touchstone_contacts_count(at_start) == 1);
-  touchstone_contacts_destroy(at_start);
-  touchstone_mesh_destroy(mesh);
-}
-
 TEST_CASE("what has no meaning is a status and a message") {
   const Rows rows(Kind::edge_edge, 2, 1);
   const double* start = rows.start.data();
@@ -412,90 +235,4 @@ TEST_CASE("what has no meaning is a status and a message") {
   std::string elsewhere = "not asked";
   std::thread([&] { elsewhere = touchstone_last_error(); }).join();
   CHECK(elsewhere.empty());
-}
-
-TEST_CASE("what is wrong with a mesh is a status and a message, and no handle") {
-  FallingTriangle given;
-  touchstone_mesh* const kNotNull = reinterpret_cast<touchstone_mesh*>(&given);
-  touchstone_mesh* mesh = kNotNull;
-  const auto create = [&](touchstone_mesh_elements elements) {
-    mesh = kNotNull;
-    const int status = touchstone_mesh_create(&elements, &mesh);
-    CHECK((mesh == nullptr) == (status != TOUCHSTONE_OK));
-    return status;
-  };
-  CHECK(touchstone_mesh_create(nullptr, &mesh) == TOUCHSTONE_INVALID_ARGUMENT);
-  CHECK(mesh == nullptr);
-  CHECK(touchstone_mesh_create(&given.elements, nullptr) == TOUCHSTONE_INVALID_ARGUMENT);
-  touchstone_mesh_elements wrong = given.elements;
-  wrong.vertex_count = 5;
-  CHECK(create(wrong) == TOUCHSTONE_INVALID_MESH);
-  CHECK(message_has("vertex 5"));
-  wrong = given.elements;
-  wrong.faces = nullptr;
-  CHECK(create(wrong) == TOUCHSTONE_INVALID_ARGUMENT);
-  CHECK(message_has("faces is a null pointer"));
-  wrong = given.elements;
-  wrong.face_count = std::numeric_limits<std::size_t>::max() / 12 + 2;
-  CHECK(create(wrong) == TOUCHSTONE_INVALID_ARGUMENT);
-  CHECK(message_has("more than memory"));
-  wrong = given.elements;
-  wrong.metric = 7;
-  CHECK(create(wrong) == TOUCHSTONE_INVALID_ARGUMENT);
-  wrong = given.elements;
-  wrong.size -= sizeof(double);
-  CHECK(create(wrong) == TOUCHSTONE_INVALID_ARGUMENT);
-  wrong = given.elements;
-  const touchstone_mesh_pair unknown{9, 0, 0};
-  wrong.excluded_pairs = &unknown;
-  wrong.excluded_pair_count = 1;
-  CHECK(create(wrong) == TOUCHSTONE_INVALID_ARGUMENT);
-  CHECK(message_has("the kind is 9"));
-
-  REQUIRE(create(given.elements) == TOUCHSTONE_OK);
-  touchstone_first_contact result;
-  touchstone_contacts* list = reinterpret_cast<touchstone_contacts*>(&given);
-  const double* x0 = given.x0.data();
-  const double* x1 = given.x1.data();
-  CHECK(touchstone_mesh_first_contact(nullptr, x0, x1, 18, nullptr, &result, &list, nullptr) ==
-        TOUCHSTONE_INVALID_ARGUMENT);
-  CHECK(list == nullptr);
-  CHECK(touchstone_mesh_first_contact(mesh, x0, x1, 17, nullptr, &result, nullptr, nullptr) ==
-        TOUCHSTONE_INVALID_ARGUMENT);
-  CHECK(message_has("17 values"));
-  CHECK(touchstone_mesh_first_contact(mesh, nullptr, x1, 18, nullptr, &result, nullptr, nullptr) ==
-        TOUCHSTONE_INVALID_ARGUMENT);
-  CHECK(touchstone_mesh_first_contact(mesh, x0, x1, 18, nullptr, nullptr, nullptr, nullptr) ==
-        TOUCHSTONE_INVALID_ARGUMENT);
-  CHECK(touchstone_mesh_all_contacts(mesh, x0, x1, 18, nullptr, nullptr) == TOUCHSTONE_INVALID_ARGUMENT);
-  CHECK(touchstone_mesh_intersections(mesh, x0, 18, nullptr, nullptr) == TOUCHSTONE_INVALID_ARGUMENT);
-  touchstone_options options = default_options();
-  options.separation = 0.5;
-  CHECK(touchstone_mesh_first_contact(mesh, x0, x1, 18, &options, &result, nullptr, nullptr) ==
-        TOUCHSTONE_INVALID_ARGUMENT);
-  CHECK(message_has("its own separations"));
-  options = default_options();
-  options.t_max = 0.5;
-  std::vector<double> positions(18);
-  CHECK(touchstone_mesh_free_step(mesh, x0, x1, 18, &options, positions.data(), nullptr, nullptr) ==
-        TOUCHSTONE_INVALID_ARGUMENT);
-  options = default_options();
-  options.kept_fraction = 1;
-  CHECK(touchstone_mesh_free_step(mesh, x0, x1, 18, &options, positions.data(), nullptr, nullptr) ==
-        TOUCHSTONE_INVALID_QUERY);
-  CHECK(touchstone_mesh_free_step(mesh, x0, x1, 18, nullptr, nullptr, nullptr, nullptr) == TOUCHSTONE_INVALID_ARGUMENT);
-  given.x1[4] = std::nan("");
-  CHECK(touchstone_mesh_first_contact(mesh, x0, x1, 18, nullptr, &result, nullptr, nullptr) ==
-        TOUCHSTONE_INVALID_QUERY);
-  CHECK(message_has("vertex 1"));
-  touchstone_mesh_destroy(mesh);
-
-  touchstone_mesh_destroy(nullptr);
-  touchstone_contacts_destroy(nullptr);
-  touchstone_intersections_destroy(nullptr);
-  CHECK(touchstone_contacts_count(nullptr) == 0);
-  CHECK(touchstone_intersections_count(nullptr) == 0);
-  touchstone_intersection one;
-  CHECK(touchstone_contacts_get(nullptr, 0, nullptr, nullptr) == TOUCHSTONE_INVALID_ARGUMENT);
-  CHECK(touchstone_intersections_get(nullptr, 0, &one) == TOUCHSTONE_INVALID_ARGUMENT);
 }

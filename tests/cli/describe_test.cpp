@@ -17,13 +17,6 @@ using namespace touchstone::tests;
 
 namespace {
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
 std::set<std::string> set_of_lines(const std::string& text) {
   const auto lines = lines_of(text);
   return {lines.begin(), lines.end()};

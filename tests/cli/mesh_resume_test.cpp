@@ -61,7 +61,7 @@ struct Sample {
   }
 };
 
-std::size_t lines_of(const std::string& text) { return occurrences(text, "\n"); }
+std::size_t count_of_lines(const std::string& text) { return occurrences(text, "\n"); }
 
 }  // namespace
 
@@ -102,11 +102,11 @@ TEST_CASE("a run goes on where the earlier one stopped, wherever the journal is 
   const Sample sample(5, 8);
   sample.leave_journal(6);
   const std::string journal = sample.folder.read("r.json.progress");
-  CHECK(lines_of(journal) >= 4);
+  CHECK(count_of_lines(journal) >= 4);
   for (std::size_t cut = 0; cut <= journal.size(); cut += 53) {
     std::filesystem::remove(sample.folder.path("r.json"));
     sample.folder.write("r.json.progress", journal.substr(0, cut));
-    const std::size_t lines = lines_of(journal.substr(0, cut));
+    const std::size_t lines = count_of_lines(journal.substr(0, cut));
     const Run run = sample.report({"--resume"});
     CAPTURE(cut, run.err);
     CHECK(run.status == 1);
@@ -121,7 +121,7 @@ TEST_CASE("finished steps are not checked again: their results are those of the 
   const Sample sample(5, 8);
   sample.leave_journal(6);
   const std::string journal = sample.folder.read("r.json.progress");
-  CHECK(lines_of(journal) == 7);  // the heading, frame 0 and the steps up to 4 -> 5
+  CHECK(count_of_lines(journal) == 7);  // the heading, frame 0 and the steps up to 4 -> 5
   // A journal with a digest that is right, and a result that is not: it says that step 2 -> 3 is free.
   std::string forged;
   std::istringstream lines(journal);

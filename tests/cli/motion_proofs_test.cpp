@@ -25,13 +25,6 @@ Run check(const TemporaryFolder& folder, const std::string& name) {
   return run_checker(folder.path(name + "/proofs.txt"), {folder.path(name + "/motion.txt")});
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
 std::size_t count_of(const std::vector<std::string>& lines, const std::string& line) {
   return static_cast<std::size_t>(std::count(lines.begin(), lines.end(), line));
 }

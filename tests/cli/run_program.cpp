@@ -8,6 +8,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -97,6 +98,13 @@ Run run_here(const std::function<int()>& command) {
   restore();
   run.out = folder.read("out");
   return run;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
 }
 
 std::size_t occurrences(const std::string& text, const std::string& part) {

@@ -36,6 +36,9 @@ Run run_program(const std::vector<std::string>& arguments, const RunOptions& opt
 /// Calls `command` with standard output going to a file. @returns status and output; exceptions pass through
 Run run_here(const std::function<int()>& command);
 
+/// The lines of `text`, without their ends.
+std::vector<std::string> lines_of(const std::string& text);
+
 /// How often `part` occurs in `text`.
 std::size_t occurrences(const std::string& text, const std::string& part);
 

@@ -51,7 +51,8 @@ double sag_of_mesh(Index columns, double stiffness) {
 }
 
 /// The deflection of the free end of a horizontal sheet of length 1 that is clamped at the other end, under its weight,
-/// in the middle of its width of 2 sqrt(3), with which the triangles are equilateral: far from its free sides the sheet bends to a cylinder, with the stiffness D.
+/// in the middle of its width of 2 sqrt(3), with which the triangles are equilateral: far from its free sides the sheet
+/// bends to a cylinder, with the stiffness D.
 /// @param load  weight per area times length^3 over D
 double tip_of_mesh(Index columns, double load) {
   SheetScene sheet = sheet_scene(2 * std::sqrt(3.0), 1, columns);
@@ -72,8 +73,8 @@ double tip_of_mesh(Index columns, double load) {
   return -position(state.q, rows.back()[rows.back().size() / 2]).z() / length;
 }
 
-/// The heavy elastica: theta'' = -load (1 - s) cos theta with theta(0) = 0 and theta'(1) = 0, by shooting with Runge and
-/// Kutta's method. @returns how far the tip is down, for the length 1
+/// The heavy elastica: theta'' = -load (1 - s) cos theta with theta(0) = 0 and theta'(1) = 0, by shooting with Runge
+/// and Kutta's method. @returns how far the tip is down, for the length 1
 double elastica_tip(double load) {
   constexpr int kSteps = 2000;
   constexpr double kStep = 1.0 / kSteps;

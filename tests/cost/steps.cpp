@@ -1,5 +1,7 @@
-// Moves a scene on by some steps, for a tool that counts the instructions of Simulation::step. Usage: steps SCENE
-// [with] SCENE is the feature that the scene lacks; with `with` it has it. SPDX-License-Identifier: MIT
+// Moves a scene on by some steps, for a tool that counts the instructions of Simulation::step:
+//   steps SCENE [with]
+// SCENE is the feature that the scene lacks; with `with` it has it.
+// SPDX-License-Identifier: MIT
 #include <cmath>
 #include <cstdio>
 #include <string>

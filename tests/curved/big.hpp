@@ -1,4 +1,5 @@
-// Numbers of 300 bits, by MPFR: the motion of constant rate as it is defined. SPDX-License-Identifier: MIT
+// Numbers of 300 bits, by MPFR: the motion of constant rate as it is defined.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// The bracket level of curved queries: its numbers and polynomials against rationals, with a search for errors that come
-// near their bounds, and its answers against the exact level's.
+// The bracket level of curved queries: its numbers and polynomials against rationals, with a search for errors that
+// come near their bounds, and its answers against the exact level's.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>

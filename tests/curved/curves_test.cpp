@@ -1,4 +1,5 @@
-// Corners on Bezier curves, in cases that a person can solve on paper. SPDX-License-Identifier: MIT
+// Corners on Bezier curves, in cases that a person can solve on paper.
+// SPDX-License-Identifier: MIT
 #include <cmath>
 
 #include "curved/expected.hpp"

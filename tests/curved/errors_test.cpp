@@ -1,4 +1,5 @@
-// Wrong input is named: what, where, and what would be right. SPDX-License-Identifier: MIT
+// Wrong input is named: what, where, and what would be right.
+// SPDX-License-Identifier: MIT
 #include <functional>
 #include <limits>
 #include <string>

@@ -1,4 +1,5 @@
-// What a curved query's answer must be, by the exact level and by the oracle. SPDX-License-Identifier: MIT
+// What a curved query's answer must be, by the exact level and by the oracle.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>

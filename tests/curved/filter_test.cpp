@@ -25,6 +25,13 @@ std::array<mpq_class, 4> bernstein(const std::array<mpq_class, 4>& f) {
           f[3]};
 }
 
+/// A point whose coordinates are drawn by `length`, in the order x, y, z.
+template <class Length>
+Vec3 place_by(const Length& length) {
+  const double x = length(), y = length(), z = length();
+  return {x, y, z};
+}
+
 RationalPoint relative(const RationalPoint& x, const RationalPoint& origin) {
   return {x[0] - origin[0], x[1] - origin[1], x[2] - origin[2]};
 }
@@ -38,10 +45,7 @@ TEST_CASE("the control points of turning corners are within their bound of the t
     const auto length = [&] {
       return std::ldexp(rng.symmetric(), magnitude - (rng.one_in(3) ? rng.between(0, 60) : 0));
     };
-    const auto place = [&] {
-      const double x = length(), y = length(), z = length();
-      return Vec3{x, y, z};
-    };
+    const auto place = [&] { return place_by(length); };
     CurvedQuery query;
     query.kind = Kind::point_point;
     // The first body is where positions are measured from; the other one is the one that is looked at.
@@ -96,9 +100,7 @@ TEST_CASE("the control points of curves, seen from a body that moves, are within
     INFO("seed " << kSeed + 2 << ", index " << index);
     const int magnitude = rng.between(-300, 300);
     const auto place = [&] {
-      const auto length = [&] { return std::ldexp(rng.symmetric(), magnitude + rng.between(-4, 4)); };
-      const double x = length(), y = length(), z = length();
-      return Vec3{x, y, z};
+      return place_by([&] { return std::ldexp(rng.symmetric(), magnitude + rng.between(-4, 4)); });
     };
     CurvedQuery query;
     query.kind = Kind::point_point;

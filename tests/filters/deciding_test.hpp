@@ -1,4 +1,5 @@
-// Which test of the filters decides a query, in the order that a user gets. SPDX-License-Identifier: MIT
+// Which test of the filters decides a query, in the order that a user gets.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <touchstone/query.hpp>

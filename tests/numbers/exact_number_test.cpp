@@ -1,4 +1,5 @@
-// The exact ring against GMP's rationals. SPDX-License-Identifier: MIT
+// The exact ring against GMP's rationals.
+// SPDX-License-Identifier: MIT
 #include <gmpxx.h>
 
 #include <cmath>

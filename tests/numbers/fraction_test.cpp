@@ -1,4 +1,5 @@
-// Fractions that are doubles, and fractions that are not. SPDX-License-Identifier: MIT
+// Fractions that are doubles, and fractions that are not.
+// SPDX-License-Identifier: MIT
 #include <gmpxx.h>
 
 #include <cmath>

@@ -1,5 +1,6 @@
 // Brackets of roots that are known by construction, some of them very close to others: how small they get, and that
-// they keep the root. SPDX-License-Identifier: MIT
+// they keep the root.
+// SPDX-License-Identifier: MIT
 #include <vector>
 
 #include "numbers/root_bracket.hpp"

@@ -13,15 +13,7 @@ if(TIGHT_INCLUSION)
   list(APPEND programs line_search)
 endif()
 
-function(run)
-  list(JOIN ARGN " " line)
-  message(STATUS "${line}")
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT status EQUAL 0)
-    message(FATAL_ERROR "exit status ${status} from: ${line}\n${output}")
-  endif()
-  set(output "${output}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 # Configure and build the consumer in `build` with further -D options, and run its programs.
 function(consume build)

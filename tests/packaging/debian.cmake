@@ -1,6 +1,6 @@
-# The Debian packages: `cpack -G DEB` makes them, each has the right files and dependencies, and dpkg installs and removes
-# them in a root folder of this test's own, in which it believes that the packages of this machine are there. The
-# caller's -D: BUILD_DIR and CONFIG of the build, SCRATCH (a folder of this test's own), VERSION, PROGRAM and PYTHON
+# The Debian packages: `cpack -G DEB` makes them, each has the right files and dependencies, and dpkg installs and
+# removes them in a root folder of this test's own, in which it believes that the packages of this machine are there.
+# The caller's -D: BUILD_DIR and CONFIG of the build, SCRATCH (a folder of this test's own), VERSION, PROGRAM and PYTHON
 # (whether they were built).
 # SPDX-License-Identifier: MIT
 cmake_minimum_required(VERSION 3.18)
@@ -13,14 +13,7 @@ foreach(tool cpack dpkg dpkg-deb dpkg-shlibdeps file gzip)
   endif()
 endforeach()
 
-function(run)
-  list(JOIN ARGN " " line)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE errors)
-  if(NOT status EQUAL 0)
-    message(FATAL_ERROR "exit status ${status} from: ${line}\n${output}${errors}")
-  endif()
-  set(output "${output}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 file(REMOVE_RECURSE ${SCRATCH})
 file(MAKE_DIRECTORY ${SCRATCH})

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Follows one page as a reader does: from its top, every command of it, in one shell that begins in the project's folder.
+# Follows one page as a reader does: from its top, every command of it, in one shell that begins in the project's
+# folder.
 #   follow.sh PAGE ROOT HOME_FOLDER CMAKE      PAGE: relative to ROOT; HOME_FOLDER: stands for the reader's home
 # Prints each command with its output, or the reason why it is not run here. Exit status 0 when the page is right.
 #
@@ -126,7 +127,8 @@ run_commands() {
 
 programs=()
 
-# A block of the page: its language, the file it makes (or nothing) and its text. `after` is the kind of block before it.
+# A block of the page: its language, the file it makes (or nothing) and its text. `after` is the kind of block before
+# it.
 after=''
 take_block() {
   local language=$1 file=$2 text=$3

@@ -1,5 +1,6 @@
 // `touchstone fuzz` with other people's solvers: the shipped examples are broken within seconds, and a crash is a
-// finding. SPDX-License-Identifier: MIT
+// finding.
+// SPDX-License-Identifier: MIT
 #include <string>
 
 #include "cli/run_program.hpp"

@@ -1,4 +1,5 @@
-// The text of exact numbers. SPDX-License-Identifier: MIT
+// The text of exact numbers.
+// SPDX-License-Identifier: MIT
 #include <string>
 #include <vector>
 

@@ -183,13 +183,11 @@ TEST_CASE("a time one double off is rejected, with the proof that belongs to it"
       if (!answer.contact) continue;
       const proofs::Proof proof = proofs::prove(query, answer);
       for (const double direction : {0.0, 1.0}) {
-        Answer off = answer;
-        off.toi = std::nextafter(answer.toi, direction);
-        off.toi_upper = std::nextafter(answer.toi_upper, direction);
-        if (off.toi == answer.toi || off.toi_upper == answer.toi_upper) continue;
+        const std::optional<Answer> off = shifted(answer, direction);
+        if (!off) continue;
         Proved proved;
         io::append_query(proved.queries, query, true);
-        proofs::append_proof(proved.proofs.emplace_back(), 0, off, proof);
+        proofs::append_proof(proved.proofs.emplace_back(), 0, *off, proof);
         proved.contacts = 1;
         const CheckerRun result = check_texts(proved.text(kind), {proved.queries});
         INFO(family.name << ' ' << kind_name(kind) << ": " << result.text << cpp_initializer(query));

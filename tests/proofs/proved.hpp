@@ -1,7 +1,10 @@
-// Proofs of the answers to some queries of one kind. SPDX-License-Identifier: MIT
+// Proofs of the answers to some queries of one kind.
+// SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,5 +45,15 @@ struct Proved {
     return all + "end " + std::to_string(proofs.size()) + " " + std::to_string(contacts) + "\n";
   }
 };
+
+/// The answer with its times moved on to the next doubles in the direction of `towards`, or nothing where one does not
+/// move.
+inline std::optional<Answer> shifted(const Answer& answer, double towards) {
+  Answer off = answer;
+  off.toi = std::nextafter(answer.toi, towards);
+  off.toi_upper = std::nextafter(answer.toi_upper, towards);
+  if (off.toi == answer.toi || off.toi_upper == answer.toi_upper) return std::nullopt;
+  return off;
+}
 
 }  // namespace touchstone::tests

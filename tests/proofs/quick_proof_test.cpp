@@ -1,4 +1,5 @@
-// Proofs found in doubles and in integers of fixed size. SPDX-License-Identifier: MIT
+// Proofs found in doubles and in integers of fixed size.
+// SPDX-License-Identifier: MIT
 #include <array>
 #include <cmath>
 #include <map>

@@ -1,4 +1,5 @@
-// Runs the checker of proofs on texts. SPDX-License-Identifier: MIT
+// Runs the checker of proofs on texts.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <sys/wait.h>

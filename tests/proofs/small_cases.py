@@ -496,8 +496,8 @@ def row_cases():
     ]
 
 
-# A point of a body makes half a turn about the z axis, along the unit circle from (1, 0) to (-1, 0), and meets the point
-# (0, 1) at t = 1/2: W = 1 - 2 t + 2 t^2 and X = (1 - 2 t, 2 t - 2 t^2, 0).
+# A point of a body makes half a turn about the z axis, along the unit circle from (1, 0) to (-1, 0), and meets the
+# point (0, 1) at t = 1/2: W = 1 - 2 t + 2 t^2 and X = (1 - 2 t, 2 t - 2 t^2, 0).
 TURN = ("touchstone-curved,1\nquery,1\nmotion,0,1,0,0,0,0,0,0,1,0,0,0,0,0,0\nbody,0,1,0,0\n"
         "curve,0,1,0\n")
 TURN_PROOF = ["0 contact 0x1p-1 0x1p-1", WEST, "w 0 1", "w 1 1"]

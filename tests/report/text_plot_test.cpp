@@ -1,4 +1,5 @@
-// The picture in plain characters: every point in its row, none lost. SPDX-License-Identifier: MIT
+// The picture in plain characters: every point in its row, none lost.
+// SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <sstream>
 #include <string>

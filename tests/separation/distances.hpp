@@ -1,4 +1,5 @@
-// Separations that are worth a question. SPDX-License-Identifier: MIT
+// Separations that are worth a question.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// Queries that come near the limits of the entry filter's bounds. SPDX-License-Identifier: MIT
+// Queries that come near the limits of the entry filter's bounds.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// Separations without meaning. SPDX-License-Identifier: MIT
+// Separations without meaning.
+// SPDX-License-Identifier: MIT
 #include <limits>
 #include <string>
 #include <vector>

@@ -1,4 +1,5 @@
-// The message of what is refused. SPDX-License-Identifier: MIT
+// The message of what is refused.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>

@@ -1,4 +1,5 @@
-// Contact without its time: the same yes or no as the whole answer's. SPDX-License-Identifier: MIT
+// Contact without its time: the same yes or no as the whole answer's.
+// SPDX-License-Identifier: MIT
 #include <touchstone/error.hpp>
 #include <touchstone/solve.hpp>
 

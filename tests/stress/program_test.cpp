@@ -19,13 +19,6 @@ using namespace touchstone::tests;
 
 namespace {
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
 /// Cells by column name; no cell that is looked at holds a comma, and quoted ones come before them.
 std::map<std::string, std::string> cells(const std::string& header, std::string row) {
   for (std::size_t quote = row.find('"'); quote != std::string::npos; quote = row.find('"')) {

@@ -1,4 +1,5 @@
-// Equality of curved queries, bit for bit. SPDX-License-Identifier: MIT
+// Equality of curved queries, bit for bit.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>

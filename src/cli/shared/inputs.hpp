@@ -64,7 +64,8 @@ class QueryStream {
   std::optional<io::QueryChunkReader> reader_;
 };
 
-/// Calls take(input, record) for every query of the files, which have straight motion, in their order, `input` being an index into the inputs.
+/// Calls take(input, record) for every query of the files, which have straight motion, in their order, `input` being an
+/// index into the inputs.
 /// @throws FileError; and Interrupted, as throw_if_interrupted does
 void for_each_query(const std::vector<Input>& inputs,
                     const std::function<void(std::size_t input, const io::QueryRecord& record)>& take);

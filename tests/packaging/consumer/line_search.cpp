@@ -1,6 +1,6 @@
-// A program written for Tight-Inclusion: a line search moves a soup of triangles towards a target, in steps of 0.8 times
-// the first time of impact. Each step is asked about again, from the positions before it to those after it, and must be
-// free. It names nothing of Touchstone's. Exit status 0 when the law holds.
+// A program written for Tight-Inclusion: a line search moves a soup of triangles towards a target, in steps of 0.8
+// times the first time of impact. Each step is asked about again, from the positions before it to those after it, and
+// must be free. It names nothing of Touchstone's. Exit status 0 when the law holds.
 // SPDX-License-Identifier: MIT
 #include <tight_inclusion/ccd.hpp>
 #include <tight_inclusion/interval_root_finder.hpp>

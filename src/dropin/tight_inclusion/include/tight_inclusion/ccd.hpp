@@ -32,7 +32,8 @@ enum class CCDRootFindingMethod {
 /// @param[in] eb0_t1  first corner of the second edge at t = 1
 /// @param[in] eb1_t1  second corner of the second edge at t = 1
 /// @param[in] err  not needed, not read: no answer depends on a rounding error
-/// @param[in] ms  the minimum separation, finite and not negative, compared exactly; a distance equal to it is a contact
+/// @param[in] ms  the minimum separation, finite and not negative, compared exactly; a distance equal to it is a
+/// contact
 /// @param[out] toi  the greatest double that is not after the exact first time; infinity without contact. It is 0 for
 ///                  elements that are within `ms` of each other at t = 0. It is 0 for no others, except where the exact
 ///                  first time is less than the least positive double, 2^-1074.
