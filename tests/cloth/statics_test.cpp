@@ -101,6 +101,34 @@ double elastica_tip(double load) {
   return tip;
 }
 
+/// How far down the last corner of a square of side 1 hangs that is held wherever `held` says so of its places at rest.
+template <class Held>
+double corner_of_square(Index columns, double bend, const Held& held) {
+  SheetScene sheet = sheet_scene(1, 1, columns);
+  sheet.scene.settings.gravity = {0, 0, -kG};
+  sheet.surface().bend = bend;
+  for (Particle& p : sheet.scene.particles) {
+    if (held(p.position.x(), p.position.y())) p.fixed = {true, true, true};
+  }
+  const State state = at_rest(sheet.scene);
+  return -position(state.q, sheet.mesh.rows.back().back()).z();
+}
+
+/// Halving the triangles at least halves the change of the drape, nearly: the shapes have a limit.
+template <class Held>
+void check_limit(double bend, const Held& held) {
+  double drop = 0, change = 0;
+  for (const Index columns : {8u, 16u, 32u}) {
+    const double now = corner_of_square(columns, bend, held), moved = std::abs(now - drop);
+    CAPTURE(bend, columns, now, moved, change);
+    if (columns > 8) CHECK(moved < 0.2 * now);
+    if (columns > 16) CHECK(moved < 0.6 * change);
+    drop = now;
+    change = moved;
+  }
+  CHECK(drop > 0.3);
+}
+
 }  // namespace
 
 TEST_CASE("patch test: an irregular mesh reproduces a uniform strain exactly") {
@@ -200,5 +228,14 @@ TEST_CASE("a clamped sheet bends as a cantilever, and better with a finer mesh")
     }
     CHECK(before < 0.01);
     CHECK(std::abs(limit_of_second_order(coarse, fine) - 1) < 2e-3);
+  }
+}
+
+TEST_CASE("a square drapes to one shape as its mesh gets finer") {
+  SECTION("from two of its sides") {
+    check_limit(1e-3, [](double x, double y) { return x == 0 || y == 0; });
+  }
+  SECTION("over a round table") {
+    check_limit(1e-2, [](double x, double y) { return std::hypot(x - 0.5, y - 0.5) <= 0.25; });
   }
 }
