@@ -66,4 +66,9 @@ CurvedSample make_curved(Family family, Kind kind, Rng& rng) {
   return sample;
 }
 
+CurvedSeparated make_curved_separated(Family family, Kind kind, Metric metric, Rng& rng) {
+  const CurvedSample sample = make_curved(family, kind, rng);
+  return {sample, makers::drawn_distance(sample.query, metric, rng)};
+}
+
 }  // namespace touchstone::families

@@ -162,6 +162,16 @@ struct CurvedSample {
 /// The next query of a family of curved queries. The caller's floating-point environment must be the default one.
 CurvedSample make_curved(Family family, Kind kind, Rng& rng);
 
+/// A curved query and a separation's distance to ask it with.
+struct CurvedSeparated {
+  CurvedSample sample;
+  double distance = 0;  ///< finite and above 0; of the query's own size, most often
+};
+
+/// The next query of a family of curved queries, and a distance that is drawn after it.
+/// @param metric  that of the separation
+CurvedSeparated make_curved_separated(Family family, Kind kind, Metric metric, Rng& rng);
+
 /// One seeded query that can be made again without the ones before it.
 struct CaseId {
   Family family;

@@ -73,7 +73,8 @@ Separated gap_ulp(Kind kind, Metric metric, Rng& rng);
 Separated gap_lattice(Kind kind, Metric metric, Rng& rng);
 Separated gap_scale(Kind kind, Metric metric, Rng& rng);
 Separated gap_extreme(Kind kind, Metric metric, Rng& rng);
-double drawn_distance(const Query& query, Metric metric, Rng& rng);  ///< for a query that has none of its own
+double drawn_distance(const Query& query, Metric metric, Rng& rng);        ///< for a query that has none of its own
+double drawn_distance(const CurvedQuery& query, Metric metric, Rng& rng);  ///< the same
 
 // curved_meetings.cpp
 CornerWeights dyadic_weights(std::size_t corners, Rng& rng, Where where);

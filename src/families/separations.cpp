@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "families/curved_parts.hpp"
 #include "families/makers.hpp"
 
 namespace touchstone::families::makers {
@@ -324,26 +325,50 @@ Separated gap_extreme(Kind kind, Metric metric, Rng& rng) {
   return s;
 }
 
-double drawn_distance(const Query& query, Metric metric, Rng& rng) {
-  const std::size_t first_of_b = element_sizes(query.kind).a;
-  const auto corner_of_b = static_cast<std::size_t>(
-      rng.between(static_cast<int>(first_of_b), static_cast<int>(corner_count(query.kind)) - 1));
-  double largest = 0;
-  Query copy = query;
-  for_each_coordinate(copy, [&](double& x) { largest = std::max(largest, std::fabs(x)); });
+namespace {
+
+/// @param largest  the query's largest coordinate
+/// @param gap  gap(corner) draws a time, and is the vector there from the first corner to this one of the other element
+template <typename Gap>
+double distance_of_size(Kind kind, Metric metric, double largest, Rng& rng, Gap&& gap) {
+  const std::size_t first_of_b = element_sizes(kind).a;
+  const auto corner_of_b =
+      static_cast<std::size_t>(rng.between(static_cast<int>(first_of_b), static_cast<int>(corner_count(kind)) - 1));
   double distance = 0;
   switch (rng.between(0, 4)) {
     case 0: distance = std::ldexp(rng.between(1, 8), -2); break;
     case 1: distance = largest * rng.unit() * 0.5; break;
     case 2: distance = std::ldexp(largest, -rng.between(1, 60)); break;
-    default: {  // that of two corners at one end of the step, or a fraction of it
-      const auto& corners = rng.one_in(2) ? query.start : query.end;
-      distance = length_of(corners[corner_of_b] - corners[0], metric);
+    default: {  // that of two corners at one time, or a fraction of it
+      distance = length_of(gap(corner_of_b), metric);
       if (rng.one_in(3)) distance *= rng.unit();
       break;
     }
   }
   return distance > 0 && distance <= kGreatest ? distance : 1;
+}
+
+}  // namespace
+
+double drawn_distance(const Query& query, Metric metric, Rng& rng) {
+  double largest = 0;
+  Query copy = query;
+  for_each_coordinate(copy, [&](double& x) { largest = std::max(largest, std::fabs(x)); });
+  return distance_of_size(query.kind, metric, largest, rng, [&](std::size_t corner) {
+    const auto& corners = rng.one_in(2) ? query.start : query.end;
+    return corners[corner] - corners[0];
+  });
+}
+
+double drawn_distance(const CurvedQuery& query, Metric metric, Rng& rng) {
+  double largest = 0;
+  CurvedQuery copy = query;
+  for_each_length(copy, [&](double& x) { largest = std::max(largest, std::fabs(x)); });
+  return distance_of_size(query.kind, metric, largest, rng, [&](std::size_t corner) {
+    static constexpr std::array<double, 3> round{0, 0.5, 1};
+    const double t = rng.one_in(4) ? rng.unit() : rng.pick(round);
+    return position(query, corner, t) - position(query, 0, t);
+  });
 }
 
 }  // namespace touchstone::families::makers

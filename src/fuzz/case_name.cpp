@@ -86,7 +86,15 @@ Start made_start(const CaseName& name, const CaseSource& source) {
     }
     start.asked.query = source.given[name.start.index];
   } else if (families::is_curved(name.start.family)) {
-    const families::CurvedSample made = families::make_curved(name.start.family, name.start.kind, start.rng);
+    families::CurvedSample made;
+    if (source.own) {
+      const families::CurvedSeparated separated =
+          families::make_curved_separated(name.start.family, name.start.kind, source.separation.metric, start.rng);
+      made = separated.sample;
+      start.asked.separation.distance = separated.distance;
+    } else {
+      made = families::make_curved(name.start.family, name.start.kind, start.rng);
+    }
     start.asked.query = made.query;
     start.asked.t_max = made.t_max;
   } else if (source.own) {

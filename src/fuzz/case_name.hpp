@@ -35,7 +35,8 @@ std::optional<CaseName> parse_case_text(std::string_view text);
 struct CaseSource {
   const std::vector<AnyQuery>& given;
   Separation separation = {};  ///< of every query
-  bool own = false;            ///< each query has a distance of its own instead, see families::make_separated
+  bool own =
+      false;  ///< each query has a distance of its own instead, see families::make_separated and make_curved_separated
 };
 
 /// A query, and what it is asked about.

@@ -90,12 +90,9 @@ Outcome run(const SolverFactory& make_solver, const Settings& settings, const Wa
   const std::vector<Kind> kinds = supported_kinds(*first_solver, settings.kinds);
   const GivenPlan given = given_to_ask(*first_solver, kinds, settings);
   const std::vector<families::Family> families = wanted_families(settings);
-  const auto check = [&](bool curved) {
-    check_sort(*first_solver, curved, settings.separation, settings.own_separations);
-  };
-  for (const AnyQuery& query : settings.given) check(is_curved(query));
+  for (const AnyQuery& query : settings.given) check_sort(*first_solver, is_curved(query));
   for (const families::Family family : families) {
-    if (settings.given.empty()) check(families::is_curved(family));
+    if (settings.given.empty()) check_sort(*first_solver, families::is_curved(family));
   }
   first_solver.reset();
   const Plan plan(families, kinds, settings.cases);

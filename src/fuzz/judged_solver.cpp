@@ -13,7 +13,9 @@ JudgedSolver::JudgedSolver(SolverUnderTest& solver, const Settings& settings)
       early_(settings.early) {}
 
 Answer JudgedSolver::truth(const Asked& asked) const {
-  if (const auto* const curved = std::get_if<CurvedQuery>(&asked.query)) return solve(*curved, judge_, asked.t_max);
+  if (const auto* const curved = std::get_if<CurvedQuery>(&asked.query)) {
+    return solve(*curved, asked.separation, judge_, asked.t_max);
+  }
   return solve(std::get<Query>(asked.query), asked.separation, judge_);
 }
 
@@ -33,11 +35,11 @@ JudgedReply JudgedSolver::ask_curved(const CurvedQuery& query, double t_max, con
 }
 
 JudgedReply JudgedSolver::ask(const Asked& asked, const Answer& truth) const {
+  const Separation& separation = asked.separation;
+  if (own_separations_) solver_.change_separation(separation);
   if (const auto* const curved = std::get_if<CurvedQuery>(&asked.query)) return ask_curved(*curved, asked.t_max, truth);
   const auto& query = std::get<Query>(asked.query);
-  const Separation& separation = asked.separation;
   JudgedReply judged;
-  if (own_separations_) solver_.change_separation(separation);
   if (answering_ == nullptr) {
     judged.reply = solver_.ask(query);
     judged.failure = failure_of(query, judged.reply, truth, early_, separation);

@@ -163,7 +163,7 @@ double filter_margin(const Query& query, const Separation& separation) noexcept 
   return filters::has_cubic(query.kind) ? least({margin, cubic_margin(query)}) : margin;
 }
 
-double filter_margin(const CurvedQuery& query) noexcept {
+double filter_margin(const CurvedQuery& query, const Separation& separation) noexcept {
   const filters::CurvedPaths paths = filters::curved_paths(query);
   if (!paths.known) return kInfinity;
   const std::size_t first_of_b = query.kind == Kind::edge_edge ? 2 : 1;
@@ -192,7 +192,8 @@ double filter_margin(const CurvedQuery& query) noexcept {
       }
     }
     const double largest = std::max({std::fabs(direction[0]), std::fabs(direction[1]), std::fabs(direction[2])});
-    const double m = quotient(least - most, 8 * largest * paths.error);
+    const double kept = separation.distance > 0 ? separation.distance * norm_of(direction, separation.metric) : 0;
+    const double m = quotient(least - most - kept, 8 * largest * paths.error + kNormRounding * kept);
     if (m > margin && m < kInfinity) margin = m;
   }
   return std::isfinite(margin) ? margin : kInfinity;

@@ -21,13 +21,14 @@ namespace touchstone::fuzz {
 /// start alone, at its end, and at a time of least distance.
 double filter_margin(const Query& query, const Separation& separation = {}) noexcept;
 
-/// The same for a curved query, about contact: the gap between the control points of both elements' paths, along an
-/// axis or the line between their middles, over the bound on its rounding error.
-double filter_margin(const CurvedQuery& query) noexcept;
+/// The same for a curved query: the gap between the control points of both elements' paths, along an axis or the line
+/// between their middles, less what the separation asks for, over the bound on its rounding error.
+double filter_margin(const CurvedQuery& query, const Separation& separation = {}) noexcept;
 
 inline double filter_margin(const AnyQuery& query, const Separation& separation = {}) noexcept {
   const auto* const curved = std::get_if<CurvedQuery>(&query);
-  return curved != nullptr ? filter_margin(*curved) : filter_margin(*std::get_if<Query>(&query), separation);
+  return curved != nullptr ? filter_margin(*curved, separation)
+                           : filter_margin(*std::get_if<Query>(&query), separation);
 }
 
 }  // namespace touchstone::fuzz

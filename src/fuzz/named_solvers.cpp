@@ -47,7 +47,9 @@ class OurSolver final : public AnsweringSolver {
   Reply ask(const Query& query) override { return reply_of(answer(query)); }
 
   bool takes_curves() const override { return true; }
-  Answer answer_curved(const CurvedQuery& query, double t_max) override { return solve(query, method_, t_max); }
+  Answer answer_curved(const CurvedQuery& query, double t_max) override {
+    return solve(query, separation_, method_, t_max);
+  }
   Reply ask_curved(const CurvedQuery& query, double t_max) override { return reply_of(answer_curved(query, t_max)); }
 
  private:
@@ -68,16 +70,31 @@ class BatchSolver final : public AnsweringSolver {
   Answer answer(const Query& query) override {
     in_rows(query);
     in_columns(query);
-    for (const Answer& other : answers_) {
-      if (!certify::bit_difference(other, answers_.front(), true).empty()) return other;  // one of them is wrong
-    }
-    return answers_.front();
+    return common(2 * kCopies);
   }
 
   Reply ask(const Query& query) override { return reply_of(answer(query)); }
 
+  bool takes_curves() const override { return true; }
+  Answer answer_curved(const CurvedQuery& query, double t_max) override {
+    BatchOptions options = options_;
+    options.t_max = t_max;
+    curved_rows_.fill(query);
+    solve_batch(curved_rows_.data(), kCopies, answers_.data(), options);
+    return common(kCopies);
+  }
+  Reply ask_curved(const CurvedQuery& query, double t_max) override { return reply_of(answer_curved(query, t_max)); }
+
  private:
   static constexpr std::size_t kCopies = 9;  // the widest vectors hold eight
+
+  /// The answer that the first `count` have in common; one that differs, if there is one, for that is wrong.
+  Answer common(std::size_t count) const {
+    for (std::size_t i = 1; i < count; ++i) {
+      if (!certify::bit_difference(answers_[i], answers_[0], true).empty()) return answers_[i];
+    }
+    return answers_[0];
+  }
 
   void in_rows(const Query& query) {
     rows_.fill(query);
@@ -105,6 +122,7 @@ class BatchSolver final : public AnsweringSolver {
   std::string name_{kBatch};
   BatchOptions options_;
   std::array<Query, kCopies> rows_;
+  std::array<CurvedQuery, kCopies> curved_rows_;
   std::array<std::array<double, kCopies>, 24> columns_{};
   std::array<Answer, 2 * kCopies> answers_;
 };

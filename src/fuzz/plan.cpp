@@ -34,15 +34,11 @@ std::vector<Kind> supported_kinds(const SolverUnderTest& solver, const std::vect
   throw InvalidQuery(solver.name() + " takes no queries" + (names.empty() ? "" : " of this kind: " + names));
 }
 
-void check_sort(const SolverUnderTest& solver, bool curved, const Separation& separation, bool own_separations) {
+void check_sort(const SolverUnderTest& solver, bool curved) {
   if (!curved && !solver.takes_straight()) {
     throw InvalidQuery(solver.name() + " takes curved queries only, as those of --curved");
   }
-  if (!curved) return;
-  if (!solver.takes_curves()) throw InvalidQuery(solver.name() + " takes no curved queries");
-  if (separation.distance > 0 || own_separations) {
-    throw InvalidQuery("curved queries are asked about contact only, without a separation");
-  }
+  if (curved && !solver.takes_curves()) throw InvalidQuery(solver.name() + " takes no curved queries");
 }
 
 GivenPlan plan_of_given(const std::vector<AnyQuery>& given, const std::vector<Kind>& wanted,

@@ -18,8 +18,8 @@ namespace touchstone::fuzz {
 /// Those of the `wanted` kinds (empty: all) that the solver supports. @throws InvalidQuery when it supports none
 std::vector<Kind> supported_kinds(const SolverUnderTest& solver, const std::vector<Kind>& wanted);
 
-/// @throws InvalidQuery  when the solver takes no queries of this sort, or a separation is asked for with curved ones
-void check_sort(const SolverUnderTest& solver, bool curved, const Separation& separation, bool own_separations);
+/// @throws InvalidQuery  when the solver takes no queries of this sort
+void check_sort(const SolverUnderTest& solver, bool curved);
 
 std::string kind_names(const std::vector<Kind>& kinds);  ///< "edge-edge, vertex-face"
 

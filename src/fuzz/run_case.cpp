@@ -17,7 +17,7 @@ std::optional<Finding> run_case(SolverUnderTest& solver, const CaseName& name, c
   supported_kinds(solver, {name.start.kind});
   const JudgedSolver judged(solver, settings);
   const Asked asked = asked_in_case(name, case_source(settings));
-  check_sort(solver, is_curved(asked.query), settings.separation, settings.own_separations);
+  check_sort(solver, is_curved(asked.query));
   const Answer truth = judged.truth(asked);
   const auto [reply, failure] = judged.ask(asked, truth);
   if (!failure) return std::nullopt;

@@ -59,7 +59,8 @@ class SolverUnderTest {
   /// Whether it takes curved queries.
   virtual bool takes_curves() const { return false; }
 
-  /// The same for the first contact of a curved query in [0, t_max]. Only called where takes_curves().
+  /// The same for the first contact of a curved query in [0, t_max]. Only called where takes_curves(). A solver that
+  /// was made for a separation, or told of one, answers about it.
   virtual Reply ask_curved(const CurvedQuery&, double /*t_max*/) {
     return no_answer(Reply::State::malformed, "it takes no curved queries");
   }

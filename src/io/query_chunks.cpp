@@ -93,8 +93,8 @@ bool QueryChunkReader::scan_first_row(std::string_view row) {
   std::string fault = fault_of_curved_header(row);
   if (fault.empty() && motions_ == Motions::straight) {
     fault =
-        "the queries of this file have curved motion, which is not read here; solve, certify, explain and prove read "
-        "it";
+        "the queries of this file have curved motion, which is not read here; solve, certify, explain, prove and fuzz "
+        "read it";
   }
   if (!fault.empty()) refuse(header_row_, std::move(fault));
   return error_.empty();

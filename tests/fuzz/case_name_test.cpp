@@ -4,6 +4,7 @@
 
 #include "fuzz/climb.hpp"
 #include "support/catch.hpp"
+#include "support/curved_query.hpp"
 #include "support/query_text.hpp"
 
 using namespace touchstone;
@@ -51,6 +52,21 @@ TEST_CASE("with separations of their own a name makes the query and its distance
       CHECK(cpp_initializer(std::get<Query>(climb.next())) == cpp_initializer(std::get<Query>(later.query)));
       CHECK(later.separation.distance == made.distance);
     }
+  }
+}
+
+TEST_CASE("with separations of their own a name makes the curved query, its distance and its time range") {
+  const families::CaseId id{families::Family::gears, Kind::vertex_face, 3, 14};
+  for (const Metric metric : {Metric::euclidean, Metric::max}) {
+    families::Rng rng = families::rng_of(id);
+    const families::CurvedSeparated made = families::make_curved_separated(id.family, id.kind, metric, rng);
+    const fuzz::Asked asked = fuzz::asked_in_case({id, 0}, {{}, {1, metric}, true});
+    CHECK(same(std::get<CurvedQuery>(asked.query), made.sample.query));
+    CHECK(asked.t_max == made.sample.t_max);
+    CHECK(made.distance > 0);
+    CHECK(asked.separation.distance == made.distance);
+    CHECK(asked.separation.metric == metric);
+    CHECK(same(families::make_curved(id).query, made.sample.query));
   }
 }
 

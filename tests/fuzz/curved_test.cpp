@@ -148,14 +148,71 @@ TEST_CASE("fuzzing curves: hill climbing goes towards queries on which the filte
   CHECK(2 * nearer >= all);
 }
 
-TEST_CASE("fuzzing curves: solvers that do not take them, and separations, are refused") {
+TEST_CASE("fuzzing curves: the margin of a separation is that of the elements' distance less it") {
+  CurvedQuery query;
+  query.kind = Kind::point_point;
+  query.motions[0].q1 = {1, 0, 0, 1};
+  query.corners = {CurvedCorner::on_body(0, {0, 0, 0}), CurvedCorner::on_curve({{5, 0, 0}})};
+  CHECK(fuzz::filter_margin(query) > 1);
+  CHECK(fuzz::filter_margin(query, Separation{4}) > 1);
+  CHECK(std::fabs(fuzz::filter_margin(query, Separation{5})) <= 1);
+  CHECK(fuzz::filter_margin(query, Separation{6}) < -1);
+}
+
+TEST_CASE("fuzzing curves: solvers that do not take them are refused") {
   const fuzz::Settings settings = curved_settings(100);
   CHECK_THROWS_AS(fuzz::run(named("paper"), settings), InvalidQuery);
   CHECK_THROWS_AS(fuzz::run(named("redon"), fuzz::Settings{}), InvalidQuery);
-  fuzz::Settings separated = settings;
-  separated.separation.distance = 1;
-  const auto solver = [] { return fuzz::named_solver("touchstone", {1, Metric::euclidean}); };
-  CHECK_THROWS_AS(fuzz::run(solver, separated), InvalidQuery);
+  fuzz::Settings given;
+  given.given = {CurvedQuery()};
+  CHECK_THROWS_AS(fuzz::run(named("newton"), given), InvalidQuery);
+  given.given = {Query()};
+  CHECK_THROWS_AS(fuzz::run(named("redon"), given), InvalidQuery);
+}
+
+TEST_CASE("fuzzing curves: ours hold against each other with separations, one for all or of each query's own") {
+  const auto name = GENERATE("touchstone", "batch");
+  const Metric metric = GENERATE(Metric::euclidean, Metric::max);
+  CAPTURE(name, metric_name(metric));
+  fuzz::Settings settings = curved_settings(440);
+  settings.separation = {0.75, metric};
+  settings.own_separations = GENERATE(false, true);
+  const fuzz::Outcome outcome = fuzz::run([&] { return fuzz::named_solver(name, settings.separation); }, settings);
+  CAPTURE(text_of(outcome));
+  CHECK(outcome.kinds_of_failure == 0);
+  for (const families::FamilyInfo& family : families::curved_families()) {
+    INFO(family.name);
+    CHECK(outcome.table.of(family.family).cases > 0);
+  }
+}
+
+/// Gives the exact answer for the first distance, whatever distance it is told later.
+class ForgetfulSolver final : public fuzz::AnsweringSolver {
+ public:
+  const std::string& name() const override { return name_; }
+  bool supports(Kind) const override { return true; }
+  bool takes_curves() const override { return true; }
+  Answer answer(const Query& query) override { return solve(query, Separation{1}); }
+  fuzz::Reply ask(const Query&) override { return {}; }
+  Answer answer_curved(const CurvedQuery& query, double t_max) override { return solve(query, Separation{1}, t_max); }
+
+ private:
+  std::string name_ = "forgetful";
+};
+
+TEST_CASE("fuzzing curves: a solver that is wrong about separations is found out, and its findings keep theirs") {
+  fuzz::Settings settings = curved_settings(300);
+  settings.separation = {1, Metric::euclidean};
+  settings.own_separations = true;
+  settings.shrink_tries = 100;
+  settings.most_findings = 4;
+  const fuzz::Outcome outcome = fuzz::run([] { return std::make_unique<ForgetfulSolver>(); }, settings);
+  CHECK(outcome.table.total().failed() > 0);
+  for (const fuzz::Finding& finding : outcome.findings) {
+    const fuzz::Asked asked = fuzz::asked_in_case(finding.example.name, fuzz::case_source(settings));
+    CHECK(asked.separation.distance == finding.example.separation.distance);
+    CHECK(finding.example.separation.distance != 1);
+  }
 }
 
 TEST_CASE("fuzzing curves: a query as text") {

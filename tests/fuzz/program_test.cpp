@@ -5,44 +5,10 @@
 #include <vector>
 
 #include "cli/run_program.hpp"
+#include "fuzz/printed.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone::tests;
-
-namespace {
-
-/// The words that follow `part` up to the end of its line, quotes taken off.
-std::vector<std::string> lines_with(const std::string& text, const std::string& part) {
-  std::vector<std::string> lines;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
-    const std::size_t start = text.rfind('\n', at) + 1;
-    lines.push_back(text.substr(start, text.find('\n', at) - start));
-  }
-  return lines;
-}
-
-std::string without_time(const std::string& out) { return out.substr(out.find('\n')); }
-
-/// A printed command as arguments: blanks part them, quotes hold them together.
-std::vector<std::string> arguments_of(const std::string& command) {
-  std::vector<std::string> words;
-  std::string word;
-  bool quoted = false;
-  for (const char c : command + " ") {
-    if (c == '\'') {
-      quoted = !quoted;
-    } else if (c == ' ' && !quoted) {
-      if (!word.empty()) words.push_back(word);
-      word.clear();
-    } else {
-      word += c;
-    }
-  }
-  words.erase(words.begin());  // touchstone
-  return words;
-}
-
-}  // namespace
 
 TEST_CASE("ours is found right: status 0") {
   const Run run = run_program({"fuzz", "--cases", "5000", "--threads", "1"});

@@ -82,8 +82,8 @@ std::string heading(const Input& input, const io::QueryRecord& record) {
 
 std::uint64_t write_query_page(const std::string& path, const Input& input, const io::QueryRecord& record,
                                const Explanation& explanation, const OneQuery& options) {
-  const std::string about = explain_command(input.name, input.kind, record.number, options.separation.separation) +
-                            (options.t_max == 1 ? "" : " --t-max " + io::hexfloat(options.t_max));
+  const std::string about =
+      explain_command(input.name, input.kind, record.number, options.separation.separation, options.t_max);
   const view::QueryToShow shown{heading(input, record), about,         explanation.corners,          record.query,
                                 explanation.story,      options.t_max, options.separation.separation};
   const std::string page = view::page_text(view::query_page(shown));

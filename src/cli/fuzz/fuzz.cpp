@@ -33,15 +33,6 @@ void check_outputs(const std::string& out, const std::string& html) {
   io::OutputFile((std::filesystem::path(out) / "findings.csv").string());
 }
 
-/// Query files hold straight queries.
-void refuse_files_of_curves(const FuzzCommandOptions& options) {
-  const auto& families = options.settings.families;
-  const bool curved = options.settings.curved || std::any_of(families.begin(), families.end(), families::is_curved) ||
-                      (options.a_case && !options.a_case->given && families::is_curved(options.a_case->start.family));
-  if (!curved || options.out.empty()) return;
-  throw Error("--out writes straight queries, and those of --curved are not; the --case of a finding repeats it");
-}
-
 /// @param summary  lines for the page
 void print_findings(io::OutputFile& console, const std::string& summary, const std::vector<fuzz::Finding>& findings,
                     const FuzzCommandOptions& options) {
@@ -75,7 +66,6 @@ int run_one_case(const FuzzCommandOptions& options, const fuzz::Settings& settin
 
 int run_fuzz(const FuzzCommandOptions& options) {
   refuse_to_overwrite_given(options);
-  refuse_files_of_curves(options);
   check_outputs(options.out, options.html);
   fuzz::Settings settings = options.settings;
   settings.separation = options.separation.separation;

@@ -29,7 +29,7 @@ struct Count {
 
   void add(const io::QueryRecord& record) {
     ++queries;
-    if (std::holds_alternative<Query>(record.query)) return;
+    if (!std::holds_alternative<RationalQuery>(record.query)) return;
     if (no_doubles++ > 0) return;
     first = record.number;
     first_row = record.first_row;
@@ -61,10 +61,12 @@ std::vector<fuzz::AnyQuery> given_queries(const FuzzCommandOptions& options) {
   const std::vector<Input> inputs = inputs_of(options);
   std::vector<Count> counts(inputs.size());
   std::vector<fuzz::AnyQuery> queries;
-  for_each_query(inputs, [&](std::size_t input, const io::QueryRecord& record) {
+  const auto take = [&](std::size_t input, const io::QueryRecord& record) {
     counts[input].add(record);
     if (const auto* const query = std::get_if<Query>(&record.query)) queries.push_back(*query);
-  });
+    if (const auto* const curved = std::get_if<CurvedQuery>(&record.query)) queries.push_back(*curved);
+  };
+  for_each_query(inputs, take, io::Motions::any);
   if (queries.empty()) {
     std::uint64_t all = 0;
     for (const Count& count : counts) all += count.queries;
@@ -84,7 +86,10 @@ void refuse_to_overwrite_given(const FuzzCommandOptions& options) {
   if (options.out.empty()) return;
   for (const Kind kind : families::kKinds) {
     for (const fuzz::FailureClass failure : fuzz::kEveryFailure) {
-      refuse_to_overwrite(findings_file(options.out, kind, failure), options.from, "give --out another folder");
+      for (const bool curved : {false, true}) {
+        refuse_to_overwrite(findings_file(options.out, kind, failure, curved), options.from,
+                            "give --out another folder");
+      }
     }
   }
 }

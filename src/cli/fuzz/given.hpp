@@ -10,8 +10,8 @@
 
 namespace touchstone::cli {
 
-/// Every query of the files of `--from` whose coordinates are doubles. Standard error says, file by file, how many
-/// queries are left out and which is the first of them.
+/// Every query of the files of `--from` whose coordinates are doubles, straight or curved. Standard error says, file by
+/// file, how many queries are left out and which is the first of them.
 /// A file is of the kind that its folder is named after, or else of the one that `--kind` or `--case` names.
 /// @throws Error  when none is left
 std::vector<fuzz::AnyQuery> given_queries(const FuzzCommandOptions& options);

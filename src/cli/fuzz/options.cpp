@@ -118,11 +118,11 @@ void add_solver_options(CLI::App& subcommand, FuzzCommandOptions& options) {
       });
 }
 
-/// @returns the option --family
-CLI::Option* add_source_options(CLI::App& subcommand, FuzzCommandOptions& options,
-                                std::vector<CLI::Option*>& of_search) {
+/// @returns the options that choose among the families
+std::vector<CLI::Option*> add_source_options(CLI::App& subcommand, FuzzCommandOptions& options,
+                                             std::vector<CLI::Option*>& of_search) {
   fuzz::Settings& settings = options.settings;
-  of_search.push_back(
+  CLI::Option* const family =
       subcommand
           .add_option_function<std::vector<std::string>>(
               "--family",
@@ -134,7 +134,8 @@ CLI::Option* add_source_options(CLI::App& subcommand, FuzzCommandOptions& option
           ->type_name("FAMILY")
           ->check([](const std::string& name) {
             return family_from_name(name) ? std::string() : name + " is no family; see touchstone fuzz --help";
-          }));
+          });
+  of_search.push_back(family);
   of_search.push_back(
       subcommand
           .add_option_function<std::vector<std::string>>(
@@ -152,12 +153,14 @@ CLI::Option* add_source_options(CLI::App& subcommand, FuzzCommandOptions& option
           return check_whole_number(text, least, most);
         }));
   };
-  of_search.push_back(subcommand
-                          .add_flag("--curved", settings.curved,
-                                    "Queries of all curved families: corners of bodies that turn, and on curves. The "
-                                    "solvers for them are touchstone, exact, oracle, fast-cgal, " +
-                                        curved_baselines())
-                          ->excludes(of_search.front()));
+  CLI::Option* const curved =
+      subcommand
+          .add_flag("--curved", settings.curved,
+                    "Queries of all curved families: corners of bodies that turn, and on curves. The "
+                    "solvers for them are touchstone, exact, oracle, fast-cgal, batch, " +
+                        curved_baselines())
+          ->excludes(family);
+  of_search.push_back(curved);
   number("--seed", settings.seed, 0, "The seed of the queries (default: 1)");
   number("--cases", settings.cases, 1,
          "The number of queries to start from; without --seconds the outcome does not depend on the number of threads");
@@ -172,7 +175,7 @@ CLI::Option* add_source_options(CLI::App& subcommand, FuzzCommandOptions& option
          "The number of steps from every case towards queries on which the filters are only just certain; each step is "
          "asked as well (default: 0)",
          fuzz::kMostClimbSteps);
-  return of_search.front();
+  return {family, curved};
 }
 
 }  // namespace
@@ -185,7 +188,7 @@ void add_fuzz(CLI::App& program, Command& command) {
       program.add_subcommand("fuzz", "Break a solver: the simplest queries on which it is wrong");
   add_solver_options(*subcommand, *options);
   std::vector<CLI::Option*> of_search;
-  CLI::Option* const family = add_source_options(*subcommand, *options, of_search);
+  const std::vector<CLI::Option*> of_families = add_source_options(*subcommand, *options, of_search);
   auto* const a_case =
       subcommand
           ->add_option_function<std::string>(
@@ -197,13 +200,14 @@ void add_fuzz(CLI::App& program, Command& command) {
                                                : text + " is no case; it must be \"FAMILY KIND SEED INDEX\"";
           });
   for (CLI::Option* const option : of_search) a_case->excludes(option);
-  subcommand
-      ->add_option(
-          "--from", options->from,
-          "Queries of these files instead of families: each as it is, and with --climb also queries around it. The "
-          "name of each file's folder is their kind, or else the one --kind is")
-      ->type_name("FILE")
-      ->excludes(family);
+  CLI::Option* const from =
+      subcommand
+          ->add_option(
+              "--from", options->from,
+              "Queries of these files, straight or curved, instead of families: each as it is, and with --climb also "
+              "queries around it. The name of each file's folder is their kind, or else the one --kind is")
+          ->type_name("FILE");
+  for (CLI::Option* const option : of_families) from->excludes(option);
   std::string with_separation;
   for (const auto& method : baselines::separation_methods()) {
     with_separation.append(with_separation.empty() ? "" : ", ").append(method.name);
@@ -235,13 +239,15 @@ void add_fuzz(CLI::App& program, Command& command) {
       "  crash, hang                                        differs    a whole answer (ours) differs in anything\n"
       "Failures of one class and one kind of degeneracy are one finding. Its simplest query is shrunk, and --out "
       "writes\n"
-      "it to FOLDER/KIND/CLASS.csv, which certify and explain read. Files of earlier runs stay unless this run writes\n"
-      "the same file. Ctrl-C ends the search and shows the findings so far.\n\n" +
+      "it to FOLDER/KIND/CLASS.csv (curved_CLASS.csv for a curved query), which certify and explain read. Files of\n"
+      "earlier runs stay unless this run writes the same file. Ctrl-C ends the search and shows the findings so "
+      "far.\n\n" +
       listed_families() +
       "\nExamples\n"
       "  touchstone fuzz --solver paper --seconds 10 --out broken\n"
       "  touchstone fuzz --solver touchstone --cases 1000000 --judge oracle\n"
       "  touchstone fuzz --solver touchstone --curved --cases 10000 --judge oracle\n"
+      "  touchstone fuzz --solver redon --curved --cases 1000 --out broken\n"
       "  touchstone fuzz --solver newton --case \"near_hit edge-edge 1 17\"\n"
       "  touchstone fuzz --solver newton --climb 20 --from candidates/edge-edge/candidates.csv\n"
       "  touchstone fuzz --solver ./theirs.so --out broken          a plugin: see touchstone/plugin.h\n"

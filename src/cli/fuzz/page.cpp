@@ -30,7 +30,7 @@ view::FindingToShow finding_to_show(const fuzz::Finding& finding, const FuzzComm
   if (example.separation.distance > 0) shown.corners += separation_for_person(example.separation) + "\n";
   shown.commands.push_back(case_command(options, example.name));
   if (!written.file.empty()) {
-    shown.commands.push_back(explain_command(written.file, finding.degeneracy.kind, written.query, example.separation));
+    shown.commands.push_back(explain_command(finding, written));
   }
   shown.query = std::visit([](const auto& query) { return io::FileQuery(query); }, example.query);
   shown.answer = example.truth;

@@ -7,10 +7,14 @@
 #include <filesystem>
 #include <list>
 #include <map>
+#include <variant>
+
+#include <touchstone/curved.hpp>
 
 #include "cli/shared/new_folders.hpp"
 #include "cli/shared/words.hpp"
 #include "fuzz/finding_text.hpp"
+#include "io/curved_rows.hpp"
 #include "io/fail.hpp"
 #include "io/output_file.hpp"
 #include "io/query_writer.hpp"
@@ -123,16 +127,38 @@ std::string finding_for_person(std::size_t number, const Finding& finding, const
   if (!example.detail.empty()) text += fmt::format("   {}\n", io::printable(example.detail));
   text += fmt::format("   {}\n", case_command(options, example.name));
   if (!written.file.empty()) {
-    text += fmt::format("   {}\n",
-                        explain_command(written.file, finding.degeneracy.kind, written.query, example.separation));
+    text += fmt::format("   {}\n", explain_command(finding, written));
   }
   return text;
 }
 
-std::string findings_file(const std::string& out, Kind kind, FailureClass failure) {
-  const auto folder = std::filesystem::path(out) / kind_name(kind);
-  return (folder / (std::string(fuzz::failure_name(failure)) + ".csv")).string();
+std::string explain_command(const Finding& finding, const WrittenQuery& written) {
+  const fuzz::Example& example = finding.example;
+  return explain_command(written.file, finding.degeneracy.kind, written.query, example.separation, example.t_max);
 }
+
+std::string findings_file(const std::string& out, Kind kind, FailureClass failure, bool curved) {
+  const auto folder = std::filesystem::path(out) / kind_name(kind);
+  return (folder / fmt::format("{}{}.csv", curved ? "curved_" : "", fuzz::failure_name(failure))).string();
+}
+
+namespace {
+
+/// Whether there is a contact in the whole step, which is what a query file's truth column is about.
+bool contact_in_step(const fuzz::Example& example, Method judge) {
+  if (example.t_max == 1 || example.truth.contact) return example.truth.contact;
+  return solve(std::get<CurvedQuery>(example.query), example.separation, judge).contact;
+}
+
+/// The lines before the first query of a file that starts with this one.
+std::string head_of_file(const fuzz::Example& example) {
+  std::string text;
+  if (example.separation.distance > 0) text += io::separation_comment(example.separation);
+  if (fuzz::is_curved(example.query)) text.append(io::kCurvedHeader).append("\n");
+  return text;
+}
+
+}  // namespace
 
 std::vector<WrittenQuery> write_findings(const std::vector<Finding>& findings, const FuzzCommandOptions& options) {
   struct Target {
@@ -143,21 +169,24 @@ std::vector<WrittenQuery> write_findings(const std::vector<Finding>& findings, c
   std::map<std::string, Target> targets;
   std::vector<WrittenQuery> written;
   for (const Finding& finding : findings) {
-    std::string path = findings_file(options.out, finding.degeneracy.kind, finding.failure);
+    const fuzz::Example& example = finding.example;
+    const bool curved = fuzz::is_curved(example.query);
+    std::string path = findings_file(options.out, finding.degeneracy.kind, finding.failure, curved);
     // A file is about one separation.
     if (options.separation.each) path.insert(path.size() - 4, fmt::format("-{}", written.size() + 1));
     auto target = targets.find(path);
     if (target == targets.end()) {
       folders.make(std::filesystem::path(path).parent_path());
       target = targets.emplace(path, Target{io::OutputFile(path)}).first;
-      const Separation& separation = finding.example.separation;
-      if (separation.distance > 0) target->second.file.write(io::separation_comment(separation));
+      target->second.file.write(head_of_file(example));
     }
-    const fuzz::Example& example = finding.example;
-    std::string text =
-        fmt::format("# query {}: {}, {}\n# {}\n", target->second.queries, fuzz::failure_name(finding.failure),
-                    fuzz::degeneracy_text(finding.degeneracy), io::printable(case_command(options, example.name)));
-    io::append_query(text, std::get<Query>(example.query), example.truth.contact);
+    const std::string range =
+        example.t_max == 1 ? "" : fmt::format(", asked for t in [0, {}]", fuzz::decimal_text(example.t_max));
+    std::string text = fmt::format("# query {}: {}, {}{}\n# {}\n", target->second.queries,
+                                   fuzz::failure_name(finding.failure), fuzz::degeneracy_text(finding.degeneracy),
+                                   range, io::printable(case_command(options, example.name)));
+    const bool truth = contact_in_step(example, options.settings.judge);
+    std::visit([&](const auto& query) { io::append_query(text, query, truth); }, example.query);
     target->second.file.write(text);
     written.push_back({path, target->second.queries++});
   }

@@ -31,15 +31,19 @@ struct WrittenQuery {
   std::uint64_t query = 0;
 };
 
+/// The command that explains the query as it was written and asked.
+std::string explain_command(const fuzz::Finding& finding, const WrittenQuery& written);
+
 /// One finding: its corners, the claim, the true answer, and the commands that repeat and explain it.
 std::string finding_for_person(std::size_t number, const fuzz::Finding& finding, const FuzzCommandOptions& options,
                                const WrittenQuery& written);
 
-/// FOLDER/KIND/CLASS.csv. With separations of their own, each finding has a file to itself, FOLDER/KIND/CLASS-N.csv.
-std::string findings_file(const std::string& out, Kind kind, fuzz::FailureClass failure);
+/// FOLDER/KIND/CLASS.csv, or FOLDER/KIND/curved_CLASS.csv for curved queries. With separations of their own, each
+/// finding has a file to itself, FOLDER/KIND/CLASS-N.csv.
+std::string findings_file(const std::string& out, Kind kind, fuzz::FailureClass failure, bool curved);
 
-/// Writes the findings' queries, with their true answers, to FOLDER/KIND/CLASS.csv. The folders are made where they are
-/// missing, and the files appear when all of them are complete.
+/// Writes the findings' queries, with their true answers for the whole step, to these files. The folders are made where
+/// they are missing, and the files appear when all of them are complete.
 /// @returns the position of each @throws FileError
 std::vector<WrittenQuery> write_findings(const std::vector<fuzz::Finding>& findings, const FuzzCommandOptions& options);
 

@@ -89,8 +89,8 @@ bool QueryStream::next(QueryItem& item) {
 }
 
 void for_each_query(const std::vector<Input>& inputs,
-                    const std::function<void(std::size_t, const io::QueryRecord&)>& take) {
-  QueryStream stream(inputs, io::kChunkBytes);
+                    const std::function<void(std::size_t, const io::QueryRecord&)>& take, io::Motions motions) {
+  QueryStream stream(inputs, io::kChunkBytes, motions);
   QueryItem item;
   while (stream.next(item)) {
     throw_if_interrupted();

@@ -64,10 +64,11 @@ class QueryStream {
   std::optional<io::QueryChunkReader> reader_;
 };
 
-/// Calls take(input, record) for every query of the files, which have straight motion, in their order, `input` being an
-/// index into the inputs.
+/// Calls take(input, record) for every query of the files, in their order, `input` being an index into the inputs.
+/// @param motions  with Motions::straight a file of curved queries is refused
 /// @throws FileError; and Interrupted, as throw_if_interrupted does
 void for_each_query(const std::vector<Input>& inputs,
-                    const std::function<void(std::size_t input, const io::QueryRecord& record)>& take);
+                    const std::function<void(std::size_t input, const io::QueryRecord& record)>& take,
+                    io::Motions motions = io::Motions::straight);
 
 }  // namespace touchstone::cli

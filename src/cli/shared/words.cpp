@@ -77,10 +77,12 @@ std::string shell_word(const std::string& word) {
   return out + "'";
 }
 
-std::string explain_command(const std::string& file, Kind kind, std::uint64_t query, const Separation& separation) {
+std::string explain_command(const std::string& file, Kind kind, std::uint64_t query, const Separation& separation,
+                            double t_max) {
   std::string options;
   if (io::kind_of_folder(file) != kind) options = fmt::format(" --kind {}", kind_name(kind));
   options += separation_arguments(separation);
+  if (t_max != 1) options += " --t-max " + io::hexfloat(t_max);
   const std::string end_of_options = file.starts_with('-') ? " --" : "";
   return fmt::format("touchstone explain{} --query {}{} {}", options, query, end_of_options, shell_word(file));
 }

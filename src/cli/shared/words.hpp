@@ -45,7 +45,8 @@ std::string fault_of_number(std::string_view text);
 /// `word` as one word of a POSIX shell command.
 std::string shell_word(const std::string& word);
 
-/// The command that explains one query, for a separation.
-std::string explain_command(const std::string& file, Kind kind, std::uint64_t query, const Separation& separation = {});
+/// The command that explains one query, for a separation and t in [0, t_max].
+std::string explain_command(const std::string& file, Kind kind, std::uint64_t query, const Separation& separation = {},
+                            double t_max = 1);
 
 }  // namespace touchstone::cli
