@@ -1,10 +1,10 @@
 // The law of time: reversing it, ending it early, and taking a step in two halves.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
+#include <vector>
 
+#include "laws/halves.hpp"
 #include "laws/law.hpp"
 #include "laws/time_sets.hpp"
 
@@ -58,27 +58,10 @@ TEST_CASE("law: contact_times with a t_max is T cut off there") {
             {Method::exact});
 }
 
-// The answer with a t_max, given the answer without one.
-Answer cut_off(const Answer& whole, double t_max) {
-  if (!whole.contact || whole.toi_upper > t_max) return {};
-  Answer cut = whole;
-  // A contact that would last longer is a single instant of the range, which ends with it.
-  if (whole.toi == t_max && whole.nature == Nature::sustained) cut.nature = Nature::isolated;
-  return cut;
-}
-
 TEST_CASE("law: solve with a t_max forgets what happens later and changes nothing else") {
   check_law(kSeed, 100, every_family, 1, [](const Query& query, Method method, Rng& rng) -> Finding {
     const Answer whole = solve(query, method);
-    std::vector<double> ends{0, 1, rng.unit()};
-    if (whole.contact) {
-      for (const double bound : {whole.toi, whole.toi_upper}) {
-        ends.push_back(bound);
-        ends.push_back(std::nextafter(bound, 0.0));
-        ends.push_back(std::min(1.0, std::nextafter(bound, 2.0)));
-      }
-    }
-    for (const double t_max : ends) {
+    for (const double t_max : ends_around(whole, rng)) {
       const Answer cut = solve(query, method, t_max);
       std::string wrong = difference(cut_off(whole, t_max), cut, query);
       if (wrong.empty()) wrong = malformation(query.kind, cut, t_max);
@@ -99,29 +82,11 @@ std::pair<Query, Query> halves(const Query& query) {
   return {first, second};
 }
 
-// The neighbouring doubles around (1 + time) / 2, from those around `time`. Doubles in [1/2, 1] are the multiples of
-// 2^-53, and twice one less 1 is a double, so that none lies between where these round to and the time.
-std::pair<double, double> in_second_half(const Answer& answer) {
-  const double lower = std::floor((0.5 * answer.toi) * 0x1p53) * 0x1p-53;
-  const double upper = std::ceil((0.5 * answer.toi_upper) * 0x1p53) * 0x1p-53;
-  return {0.5 + lower, 0.5 + upper};
-}
-
 TEST_CASE("law: a step is its two halves") {
   check_law(kSeed, 200, dyadic_families, 1, [](const Query& query, Method method, Rng&) -> Finding {
     const auto [first, second] = halves(query);
     const Answer whole = solve(query, method);
-    Answer expected = solve(first, method);
-    if (expected.contact) {
-      // A contact that lasts through the second half may be a single instant of the first.
-      const bool at_its_end = expected.toi == 1;
-      expected.toi *= 0.5;
-      expected.toi_upper *= 0.5;
-      if (at_its_end && expected.nature == Nature::isolated) expected.nature = whole.nature;
-    } else {
-      expected = solve(second, method);
-      if (expected.contact) std::tie(expected.toi, expected.toi_upper) = in_second_half(expected);
-    }
+    const Answer expected = of_halves(whole, solve(first, method), [&] { return solve(second, method); });
     return difference(expected, whole, first);
   });
 }
