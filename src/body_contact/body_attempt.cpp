@@ -262,6 +262,11 @@ BodyResult BodyResponse::Attempt::run() {
     const Vector3 impulse = c.normal_impulse * c.contact.normal + c.friction;
     if (c.normal_impulse > 0 && !c.contact.at_touch) result_.end.forces.push_back({c.contact.pair, impulse / step_->h});
   }
+  if (step_->keep_contacts) {
+    for (const SolverContact& c : contacts_) {
+      if (c.contact.at_touch || !c.impulse().isZero(0)) result_.contacts.push_back(c.contact);
+    }
+  }
   std::sort(result_.end.forces.begin(), result_.end.forces.end(),
             [](const ContactForce& a, const ContactForce& b) { return a.pair < b.pair; });
   return std::move(result_);

@@ -56,6 +56,7 @@ struct BodyStep {
   VectorX x1;                   ///< of particles, at its end without contacts with bodies
   const VectorX* v0 = nullptr;  ///< of particles, at its start: for the flows of energy
   bool may_merge = false;       ///< the substep is short: bodies that still touch move as one
+  bool keep_contacts = false;   ///< whether the result has them
 };
 
 struct BodyResult {
@@ -73,6 +74,7 @@ struct BodyResult {
   Vector3 point = Vector3::Zero();  ///< where it touches, m
   BodyCounts counts;
   BodyFlows flows;
+  std::vector<BodyContact> contacts;  ///< with keep_contacts: those that push
 };
 
 class BodyResponse {

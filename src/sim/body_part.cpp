@@ -51,7 +51,7 @@ BodyResult BodyPart::step(const State& start, double h, double end_time, bool ma
   const auto count = static_cast<Eigen::Index>(3 * system.particle_count());
   const VectorX x0 = start.q.head(count);
   const VectorX v0 = start.v.head(count);
-  BodyStep step{h, end_time, &x0, next.q.head(count), &v0, may_merge};
+  BodyStep step{h, end_time, &x0, next.q.head(count), &v0, may_merge, keeps_contacts_};
   BodyResult result = response_.step(state_, std::move(step));
   if (result.outcome == BodyResult::Outcome::too_fast || result.x1.size() == 0) return result;
   if ((result.x1.array() == next.q.head(count).array()).all()) return result;

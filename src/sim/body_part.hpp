@@ -21,6 +21,9 @@ class BodyPart {
   double thickness() const noexcept { return response_.thickness(); }
   BodyEnergies energies() const { return system_.energies(state_.bodies); }
 
+  /// The results of steps have their contacts from now on.
+  void keep_contacts() noexcept { keeps_contacts_ = true; }
+
   /// @throws Error when an element of a body touches another one
   void check_start(const BodiesState& bodies, const VectorX& q, std::string_view what) const;
 
@@ -40,6 +43,7 @@ class BodyPart {
   BodyColliders colliders_;
   BodyResponse response_;
   BodiesState state_;
+  bool keeps_contacts_ = false;
 };
 
 }  // namespace touchstone::sim

@@ -2,6 +2,7 @@
 #include "sim/response.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "contact/impact_zones.hpp"
@@ -34,6 +35,9 @@ class Response::Attempt {
   using Outcome = ResponseResult::Outcome;
 
   Outcome answer();
+  void find(std::vector<Contact>& found);
+  void keep_contacts(const std::vector<Contact>& contacts);
+  void keep_each_pair_once();
   bool resolve_by_impulses(std::vector<Contact> known);
   bool solve_with_contacts(std::vector<Contact> contacts);
   bool resolve_by_zones(std::vector<Contact> contacts);
@@ -76,6 +80,7 @@ ResponseResult Response::Attempt::run() {
     const PhaseClock clock(result_.times.response);
     result_.outcome = answer();
   }
+  if (response_->keeps_contacts_) keep_each_pair_once();
   const bool ended = result_.outcome == Outcome::done || result_.outcome == Outcome::gained_energy;
   if (ended && applied_.normal.size() > 0) measure_flows();
   return std::move(result_);
@@ -91,7 +96,8 @@ ResponseResult::Outcome Response::Attempt::answer() {
   std::vector<Contact> known, found;
   if (response_->repels_ && model_->contact().repulsion) known = finder.close(model_->thickness());
   result_.counts.close = known.size();
-  finder.find(end.q, found, result_.counts);
+  keep_contacts(known);
+  find(found);
   if (known.empty() && found.empty()) return Outcome::done;
   if (model_->contact().impulses) known.insert(known.end(), found.begin(), found.end());
   found = {};
@@ -116,12 +122,33 @@ ResponseResult::Outcome Response::Attempt::answer() {
   }
   if (!solve_with_contacts(std::move(known))) return Outcome::not_converged;
   if (!resolve_by_impulses({})) {
-    finder.find(end.q, found, result_.counts);
+    find(found);
     if (!model_->contact().zones && !found.empty()) result_.left = found.front();
     if (!model_->contact().zones || !resolve_by_zones(found)) return Outcome::not_resolved;
   }
   take_velocities();
   return gained_energy() ? Outcome::gained_energy : Outcome::done;
+}
+
+/// The contacts of the end as it stands.
+void Response::Attempt::find(std::vector<Contact>& found) {
+  response_->finder_.find(result_.end.q, found, result_.counts);
+  keep_contacts(found);
+}
+
+void Response::Attempt::keep_contacts(const std::vector<Contact>& contacts) {
+  if (!response_->keeps_contacts_) return;
+  result_.contacts.insert(result_.contacts.end(), contacts.begin(), contacts.end());
+}
+
+/// A pair that touches is kept as the first touch that was found, and not as a pair that was close.
+void Response::Attempt::keep_each_pair_once() {
+  const auto key = [](const Contact& c) { return std::tuple(c.pair.kind, c.pair.i, c.pair.j); };
+  const auto order = [&](const Contact& c) { return std::pair(key(c), c.time == 0); };
+  auto& kept = result_.contacts;
+  std::stable_sort(kept.begin(), kept.end(), [&](const Contact& a, const Contact& b) { return order(a) < order(b); });
+  const auto same = [&](const Contact& a, const Contact& b) { return key(a) == key(b); };
+  kept.erase(std::unique(kept.begin(), kept.end(), same), kept.end());
 }
 
 /// Impulses on the known contacts and on those that come up, pass by pass. False when contacts are left.
@@ -150,7 +177,7 @@ bool Response::Attempt::resolve_by_impulses(std::vector<Contact> known) {
     }
     finder.moved(x1, touched);
     std::fill(touched.begin(), touched.end(), char{0});
-    finder.find(x1, found, result_.counts);
+    find(found);
     if (found.empty() || pass == most_passes) {
       limit_.driven_work += driven / (h_ * h_);
       return found.empty();
@@ -191,7 +218,7 @@ bool Response::Attempt::solve_with_contacts(std::vector<Contact> contacts) {
       solved_ = end;
     }
     response_->finder_.moved(end.q, all);
-    response_->finder_.find(end.q, found, result_.counts);
+    find(found);
     const bool friction_settled = terms.update_friction(end.q);
     if (!model_->contact().impulses) found.clear();
     terms.take(found);
@@ -250,7 +277,7 @@ bool Response::Attempt::resolve_by_zones(std::vector<Contact> contacts) {
       }
     }
     response_->finder_.begin(start_->q, x1, 0);
-    response_->finder_.find(x1, contacts, result_.counts);
+    find(contacts);
   }
   return true;
 }

@@ -29,10 +29,11 @@ struct ResponseResult {
   Outcome outcome = Outcome::done;
   State end;  ///< of the substep, without a contact on the way: when done, or when energy was gained
   ResponseCounts counts;
-  LargestChange largest_change;  ///< when not converged
-  std::optional<Contact> left;   ///< when not resolved: one of the contacts that are left
-  PhaseTimes times;              ///< of this response
-  EnergyFlows flows;             ///< of the substep, when they are measured
+  LargestChange largest_change;   ///< when not converged
+  std::optional<Contact> left;    ///< when not resolved: one of the contacts that are left
+  PhaseTimes times;               ///< of this response
+  EnergyFlows flows;              ///< of the substep, when they are measured
+  std::vector<Contact> contacts;  ///< with keep_contacts: each pair that was close at the start or found to touch, once
 };
 
 /// Impulses first, in the order of exact time. They act on single particles, which is right for loose particles and
@@ -47,6 +48,9 @@ class Response {
   /// Measures the flows of energy from now on. The stepper does so, too.
   void measure_flows() noexcept { measures_flows_ = true; }
 
+  /// Keeps the contacts of each response from now on.
+  void keep_contacts() noexcept { keeps_contacts_ = true; }
+
   /// Changes the end of the substep until the narrow phase finds no contact.
   ResponseResult respond(Substep substep);
 
@@ -60,6 +64,7 @@ class Response {
   ContactFinder finder_;
   Stepper* stepper_;
   bool measures_flows_ = false;
+  bool keeps_contacts_ = false;
 };
 
 }  // namespace touchstone::sim

@@ -77,6 +77,7 @@ Simulation::Simulation(Scene scene, const SimulationOptions& options)
       narrow_phase_(options.narrow_phase),
       keep_ends_(options.keep_ends),
       measures_flows_(options.measure_flows),
+      keeps_contacts_(options.keep_contacts),
       ignores_radii_(options.narrow_phase == NarrowPhase::paper && has_radii(scene_)),
       state_(stepper_.initial()) {
   if (measures_flows_) {
@@ -89,7 +90,9 @@ Simulation::Simulation(Scene scene, const SimulationOptions& options)
     }
     bodies_ = std::make_unique<BodyPart>(scene_, system_, colliders_, cancel_);
     bodies_->check_start(bodies_->state(), state_.q, "the scene");
+    if (keeps_contacts_) bodies_->keep_contacts();
   }
+  if (keeps_contacts_) response_.keep_contacts();
   check_start(state_, "the scene");
 }
 
@@ -282,6 +285,12 @@ std::variant<SubstepRecord, Refusal> Simulation::try_substep(double h, double en
     }
   }
   if (keep_ends_) record.end = state_.q;
+  for (const Contact& c : response.contacts) {
+    record.contacts.push_back({c.pair, c.time > 0, c.time, sim::contact_point(c, state_.q)});
+  }
+  for (const BodyContact& c : bodies.contacts) record.contacts.push_back({c.pair, c.at_touch, 1, c.point});
+  std::stable_sort(record.contacts.begin(), record.contacts.end(),
+                   [](const ContactMark& a, const ContactMark& b) { return a.time < b.time; });
   return record;
 }
 
@@ -337,7 +346,8 @@ Proof Simulation::prove(const State& end, double h, std::vector<Crossing>& cross
   if (colliders_.has_separations()) measure_separations(pairs, proof);
   proof.levels = prover_.contacts(pairs, state_.q, end.q, [&](std::size_t i, const Answer& answer) {
     crossings.push_back({steps_, state_.time + answer.toi * h,
-                         colliders_.contact_point(pairs[i], state_.q, end.q, answer), pairs[i], answer});
+                         colliders_.contact_point(pairs[i], state_.q, end.q, answer), pairs[i],
+                         colliders_.query(pairs[i], state_.q, end.q), answer});
   });
   proof.crossings = crossings.size();
   return proof;

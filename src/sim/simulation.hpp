@@ -14,6 +14,7 @@
 #include "dynamics/stepper.hpp"
 #include "linear/cancellation.hpp"
 #include "sim/body_part.hpp"
+#include "sim/contact_mark.hpp"
 #include "sim/phase_times.hpp"
 #include "sim/refusal.hpp"
 #include "sim/response.hpp"
@@ -27,7 +28,8 @@ struct Crossing {
   double time = 0;                  ///< s, when they touch first
   Vector3 point = Vector3::Zero();  ///< m, where
   Pair pair;
-  Answer answer;
+  Query query;    ///< of the substep
+  Answer answer;  ///< to it
 };
 
 /// The exact answers to every candidate pair of a step as it is stored: without a crossing, each pair stays farther
@@ -56,6 +58,7 @@ struct SubstepRecord {
   EnergyFlows flows;     ///< with measure_flows
   double numerical = 0;  ///< J, with measure_flows: what the substep gained beyond the flows
   BodyCounts bodies;
+  std::vector<ContactMark> contacts;  ///< with keep_contacts: those that the response saw
   VectorX end;  ///< the coordinates at its end, the doubles that were proved; empty without keep_ends
 };
 
@@ -67,6 +70,7 @@ struct SimulationOptions {
   std::function<void()> check_cancelled = {};
   bool keep_ends = false;      ///< whether each record has the coordinates at the end of its substep
   bool measure_flows = false;  ///< whether each record has the flows of energy of its substep
+  bool keep_contacts = false;  ///< whether each record has its contacts
 };
 
 class Simulation {
@@ -138,7 +142,7 @@ class Simulation {
   Response response_;
   PairSolver prover_;
   NarrowPhase narrow_phase_;
-  bool keep_ends_, measures_flows_;
+  bool keep_ends_, measures_flows_, keeps_contacts_;
   bool ignores_radii_;
   std::unique_ptr<BodyPart> bodies_;
   State state_;

@@ -101,6 +101,7 @@ void write_page(const Page& page, const Sink& sink, const std::function<void(con
   sink(escaped(page.title));
   sink("</title>\n<style>\n");
   sink(file_of_page("style.css"));
+  for (const std::string& name : page.styles) sink(file_of_page(name));
   sink("</style>\n</head>\n<body class=\"" + escaped(page.sort) + "\">\n<header>\n<h1>" + escaped(page.title) +
        "</h1>\n");
   if (!page.subtitle.empty()) sink("<p>" + escaped(page.subtitle) + "</p>\n");

@@ -31,6 +31,7 @@ struct Page {
   std::string body;                                       ///< HTML
   std::vector<std::pair<std::string, std::string>> data;  ///< script elements: id, and what json_for_script made
   std::vector<std::string> scripts;
+  std::vector<std::string> styles;  ///< names of files, after style.css
 };
 
 /// Writes a page, piece by piece.

@@ -71,3 +71,32 @@ TEST_CASE("what view cannot show is refused, and leaves no file") {
   }
   CHECK(files == 2);  // no temporary file stays
 }
+
+TEST_CASE("simulate writes its page whole, also when a run ends early, and refuses names that do not fit") {
+  const TemporaryFolder folder;
+  const std::string page = folder.path("page.html");
+  const Run run = run_program({"simulate", "two-edges", "--steps", "40", "--html", page});
+  CHECK(run.status == 0);
+  const std::string text = text_of(page);
+  CHECK(occurrences(run.out, "animation in " + page + ", ") == 1);
+  CHECK(occurrences(text, "id=\"frame-40\"") == 1);
+  CHECK(occurrences(text, "id=\"frame-41\"") == 0);
+  CHECK(occurrences(text, "40 steps, 0 crossings") == 1);
+  CHECK(occurrences(text, "</html>") == 1);
+  check_refused({"simulate", "two-edges", "--html", "-"}, "--html");
+  check_refused({"simulate", "two-edges", "--html", ""}, "--html");
+  check_refused({"simulate", "two-edges", "--html", page, "--energies", page}, "--html");
+  check_refused({"simulate", "two-edges", "--html", folder.path("none/p.html")}, "none/p.html");
+  CHECK(text_of(page) == text);
+
+  // Held particles that are driven into each other: no step is possible any more.
+  const std::string stuck = folder.write("stuck.json", R"({"touchstone_scene": 1, "particles": [
+      {"position": [-1, 0, 0], "pinned": true}, {"position": [1, 0, 0], "pinned": true},
+      {"position": [0, -1, 1], "path": [{"time": 0, "position": [0, -1, 1]}, {"time": 1, "position": [0, -1, -1]}]},
+      {"position": [0, 1, 1], "path": [{"time": 0, "position": [0, 1, 1]}, {"time": 1, "position": [0, 1, -1]}]}],
+      "wires": [[0, 1], [2, 3]], "settings": {"time_step": 0.1}})");
+  const Run early = run_program({"simulate", stuck, "--html", page});
+  CHECK(early.status == 2);
+  CHECK(occurrences(text_of(page), "The run ended early, after step ") == 1);
+  CHECK(occurrences(text_of(page), "id=\"frame-1\"") == 1);
+}

@@ -5,14 +5,11 @@ SPDX-License-Identifier: MIT
 """
 import json
 import os
-import subprocess
-import sys
-import tempfile
 import unittest
 
 import browser
+import pages
 
-PROGRAM = sys.argv.pop(1) if len(sys.argv) > 1 else "touchstone"
 CANVAS = "document.querySelector('.stage canvas')"
 
 
@@ -36,47 +33,13 @@ def falling(end):
 ONE_ULP_SHORT = 1 - 2.0 ** -53
 
 
-class Pages(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        cls.browser = browser.Browser()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.__exit__()
-        cls.folder.cleanup()
-
-    def setUp(self):
-        self.page = self.browser
-        self.page.messages.clear()
-        self.page.requests.clear()
-        self.page.window(1280, 720)
-
-    def path(self, name):
-        return os.path.join(self.folder.name, name)
-
-    def run_program(self, *arguments):
-        done = subprocess.run([PROGRAM, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
-        self.assertIn(done.returncode, (0, 1), done.stderr)
-        return done.stdout.decode()
-
-    def write(self, name, text):
-        with open(self.path(name), "w", encoding="utf-8") as file:
-            file.write(text)
-        return self.path(name)
-
+class Queries(pages.Pages):
     def page_of(self, name, corners, truth, *arguments):
         file = self.write(name, rows_of(corners, truth))
         out = self.path("page.html")
         self.run_program("view", "--query", "0", "--kind", "edge-edge", "--out", out, *arguments, file)
         self.page.requests.clear()
         return self.page.open(out)
-
-    def check_quiet(self, url):
-        """No error was printed, and the only request was for the page itself."""
-        self.assertEqual(self.page.messages, [])
-        self.assertEqual(self.page.requests, [url])
 
     def readout(self):
         return self.page.evaluate("document.querySelector('.readout').textContent")

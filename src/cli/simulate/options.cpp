@@ -50,6 +50,10 @@ void add_simulate(CLI::App& program, Command& command) {
       ->add_option("--frame-every", options->frame_every, "The number of steps from one frame to the next (default: 2)")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
+  subcommand
+      ->add_option("--html", options->html,
+                   "Write a page with the animation, its contacts and its energies. It is one file, for any browser")
+      ->type_name("PAGE.html");
   subcommand->add_option("--proof", options->proof, "Write a table with the proof of each step")->type_name("FILE");
   subcommand
       ->add_option("--prove", options->prove,
@@ -93,14 +97,15 @@ void add_simulate(CLI::App& program, Command& command) {
     subcommand->get_option("--resume")->excludes(subcommand->get_option(of_scene));
   }
   subcommand->get_option("--frame-every")->needs(subcommand->get_option("--out"));
-  for (const char* path :
-       {"--out", "--proof", "--prove", "--energies", "--queries", "--checkpoint", "--resume", "--scene-out"}) {
+  for (const char* path : {"--out", "--html", "--proof", "--prove", "--energies", "--queries", "--checkpoint",
+                           "--resume", "--scene-out"}) {
     subcommand->get_option(path)->check(
         [](const std::string& name) { return name.empty() ? std::string("the name is empty") : std::string(); });
   }
   // These two make no step, so that options of a run are refused beside them.
   scene_out->excludes(explain);
-  for (const char* of_run : {"--steps", "--out", "--proof", "--prove", "--energies", "--queries", "--checkpoint"}) {
+  for (const char* of_run :
+       {"--steps", "--out", "--html", "--proof", "--prove", "--energies", "--queries", "--checkpoint"}) {
     scene_out->excludes(subcommand->get_option(of_run));
     explain->excludes(subcommand->get_option(of_run));
   }
@@ -110,6 +115,7 @@ void add_simulate(CLI::App& program, Command& command) {
       "is not\ntaken: it is tried again in shorter substeps. The last line is `N steps, 0 crossings`.\n\n"
       "Examples\n"
       "  touchstone simulate hoop --out hoop\n"
+      "  touchstone simulate two-edges --html two-edges.html\n"
       "  touchstone simulate cable-drop --size 5000 --proof proof.csv\n"
       "  touchstone simulate hoop --prove proved && touchstone-check proved/proofs.txt proved/motion.txt\n"
       "  touchstone simulate hoop --scene-out hoop.json && touchstone simulate hoop.json\n"

@@ -8,7 +8,9 @@
 #include <touchstone/error.hpp>
 
 #include "cli/shared/interrupt.hpp"
+#include "cli/shared/words.hpp"
 #include "cli/simulate/paths.hpp"
+#include "io/fail.hpp"
 #include "io/query_writer.hpp"
 #include "io/separation_text.hpp"
 #include "report/drawing.hpp"
@@ -121,6 +123,10 @@ SimulateOutput::SimulateOutput(const SimulateOptions& options, sim::Simulation& 
   if (!options.proof.empty()) proof_.emplace(options.proof).write(sim::proof_header(simulation));
   if (!options.energies.empty()) open_energies(options.energies);
   if (!options.checkpoint.empty()) checkpoint_.emplace(options.checkpoint);
+  if (!options.html.empty()) {
+    page_.emplace(options.html);
+    animation_.emplace(simulation);
+  }
   if (!options.queries.empty()) {
     folders_.make(options.queries);
     simulation.watch([this](const Query& query, double separation, const Answer& answer) {
@@ -183,13 +189,14 @@ void SimulateOutput::step(const std::vector<sim::SubstepRecord>& records) {
   attempts.attempt([&] {
     if (!options_->out.empty() && ++since_frame_ >= options_->frame_every) write_frame();
   });
+  if (animation_) animation_->step(records);
   attempts.with(motion_, [&](MotionProofs& motion) {
     for (const auto& record : records) motion.add(motion_frame(*simulation_, record.end));
   });
   attempts.end();
 }
 
-void SimulateOutput::finish() {
+void SimulateOutput::finish(const std::string& summary) {
   Attempts attempts;
   const auto commit = [](io::OutputFile& file) { file.commit(); };
   attempts.with(checkpoint_, [&](io::OutputFile& file) {
@@ -202,6 +209,11 @@ void SimulateOutput::finish() {
   attempts.with(motion_, [&](MotionProofs& motion) {
     if (!motion.has_steps()) throw Error("--prove: no step was made, so there is nothing to prove");
     motion.commit();
+  });
+  attempts.with(page_, [&](io::OutputFile& file) {
+    const std::string name = options_->resume.empty() ? options_->scene : options_->resume;
+    page_size_ = animation_->write(file, "simulation " + name, summary);
+    file.commit();
   });
   attempts.with(frame_index_, [&](io::OutputFile& file) {
     file.write(sim::vtk_series(written_));
@@ -216,8 +228,14 @@ void SimulateOutput::finish_early() {
   attempts.attempt([&] {
     if (frame_index_ && since_frame_ > 0) write_frame();
   });
-  attempts.attempt([&] { finish(); });
+  attempts.attempt([&] { finish(fmt::format("The run ended early, after step {}.\n", simulation_->steps())); });
   attempts.end();
+}
+
+std::string SimulateOutput::page_summary() const {
+  if (page_size_ == 0) return {};
+  return fmt::format("animation in {}, {} bytes: open it in a browser\n", io::printable(options_->html),
+                     grouped(page_size_));
 }
 
 std::string SimulateOutput::draw() {

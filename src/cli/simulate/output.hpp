@@ -11,6 +11,7 @@
 
 #include "cli/shared/motion_proofs.hpp"
 #include "cli/shared/new_folders.hpp"
+#include "cli/simulate/animation.hpp"
 #include "cli/simulate/simulate.hpp"
 #include "io/output_file.hpp"
 #include "sim/output_text.hpp"
@@ -24,8 +25,9 @@ class SimulateOutput {
 
   void step(const std::vector<sim::SubstepRecord>& records);
 
-  /// Writes all files except the plots. @throws Error for the first file that cannot be written, after the others
-  void finish();
+  /// Writes all files except the plots. @param summary  of the run, for the page of --html
+  /// @throws Error for the first file that cannot be written, after the others
+  void finish(const std::string& summary);
 
   /// The same for a run that ends early, up to the last step that was taken.
   void finish_early();
@@ -33,7 +35,10 @@ class SimulateOutput {
   /// A line about the proofs of --prove, after finish(); empty without them.
   std::string proofs_summary() const { return motion_ ? motion_->summary() : std::string(); }
 
-  /// Whether these have no contact; true without them.
+  /// A line about the page of --html, after finish(); empty without it.
+  std::string page_summary() const;
+
+  /// Whether the proofs have no contact; true without them.
   bool proved_free() const { return !motion_ || motion_->contacts() == 0; }
 
   /// Draws the plots. @returns a hint when there is nothing to draw, or no gnuplot to draw it
@@ -52,6 +57,9 @@ class SimulateOutput {
   std::filesystem::path frames_;
   std::vector<sim::SeriesFrame> written_;
   std::optional<MotionProofs> motion_;
+  std::optional<io::OutputFile> page_;
+  std::optional<SimulationAnimation> animation_;
+  std::uint64_t page_size_ = 0;
   std::optional<io::OutputFile> proof_, frame_index_, checkpoint_;
   std::vector<std::optional<io::OutputFile>> energies_;
   std::map<std::pair<Kind, double>, std::optional<io::OutputFile>> queries_;  // by kind and separation

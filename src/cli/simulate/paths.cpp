@@ -121,6 +121,7 @@ void check_paths(const SimulateOptions& options) {
   files.add("--energies", options.energies);
   files.add("--checkpoint", options.checkpoint);
   files.add("--scene-out", options.scene_out);
+  files.add("--html", options.html);
   if (!options.out.empty()) {
     const fs::path out = options.out;
     for (const char* ending : {".csv", ".gp", ".svg", ".png"})

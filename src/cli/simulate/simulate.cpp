@@ -32,8 +32,12 @@ std::unique_ptr<sim::Simulation> make_simulation(sim::Scene scene, std::optional
   // Reading a large scene and setting it up take seconds each.
   throw_if_interrupted();
   auto simulation = naming_file(options.resume.empty() ? options.scene : options.resume, [&] {
-    const sim::SimulationOptions settings{options.narrow_phase, options.threads, throw_if_interrupted,
-                                          !options.prove.empty(), !options.energies.empty() || !options.out.empty()};
+    const sim::SimulationOptions settings{options.narrow_phase,
+                                          options.threads,
+                                          throw_if_interrupted,
+                                          !options.prove.empty(),
+                                          !options.energies.empty() || !options.out.empty(),
+                                          !options.html.empty()};
     auto made = std::make_unique<sim::Simulation>(std::move(scene), settings);
     if (checkpoint) made->resume(std::move(checkpoint->state), checkpoint->steps, std::move(checkpoint->bodies));
     return made;
@@ -85,14 +89,14 @@ Run run_steps(sim::Simulation& simulation, std::uint64_t steps, SimulateOutput& 
 int simulate(sim::Simulation& simulation, const SimulateOptions& options, io::OutputFile& console) {
   SimulateOutput output(options, simulation);
   const Run run = run_steps(simulation, steps_to_make(options, simulation), output);
+  const std::string summary = simulation_for_person(simulation, run.totals, run.rate);
   std::exception_ptr unwritten;  // a file that cannot be written does not change the proofs made so far
   try {
-    output.finish();
+    output.finish(summary);
   } catch (const Error&) {
     unwritten = std::current_exception();
   }
-  console.write(output.proofs_summary());
-  console.write(simulation_for_person(simulation, run.totals, run.rate));
+  console.write(output.proofs_summary() + output.page_summary() + summary);
   console.commit();
   if (unwritten) std::rethrow_exception(unwritten);
   if (const std::string hint = output.draw(); !hint.empty()) print_error(fmt::format("touchstone: {}\n", hint));
@@ -109,6 +113,7 @@ int run_simulate(const SimulateOptions& options) {
   if (options.follow && options.energies.empty() && options.out.empty()) {
     throw Error("--follow: its positions are written with --energies or --out, and neither is given");
   }
+  if (options.html == "-") throw Error("--html: name a file to write, standard output has the summary");
   check_paths(options);
   sim::give_memory_back();
   std::optional<sim::Checkpoint> checkpoint;

@@ -21,6 +21,7 @@ struct SimulateOptions {
   std::optional<sim::Integrator> integrator;
   std::optional<sim::Index> follow;  ///< a particle whose positions are in the table of energies
   std::uint64_t frame_every = 2;     ///< steps
+  std::string html;                  ///< the page to write; empty: none
   std::string proof, prove, energies, queries, checkpoint, resume, scene_out;
   bool explain = false;
   sim::NarrowPhase narrow_phase = sim::NarrowPhase::exact;

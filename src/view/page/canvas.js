@@ -85,8 +85,8 @@ class ShapeCanvas {
         .push(p[0] * 2 / this.width, p[1] * 2 / this.height, depth, 1, ...colour, alpha, edgeX, edgeY);
   }
 
-  triangle(a, b, c, colour, alpha) {
-    for (const p of [a, b, c]) this.vertex(p, 0, colour, alpha, 0, 0);
+  triangle(a, b, c, colour, alpha, lift = 0) {
+    for (const p of [a, b, c]) this.vertex(p, lift, colour, alpha, 0, 0);
   }
 
   /** A line of a width in pixels; lift brings it before what is at its depth. */

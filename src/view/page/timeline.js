@@ -3,9 +3,10 @@
 const kSteps = 2000;
 
 class Timeline {
-  /** marks: {s, sort, text}; changed(s): called with each new time. */
-  constructor(parent, marks, changed) {
+  /** marks: {s, sort, text}; changed(s): called with each new time; more: {s, sort}, marks without a button. */
+  constructor(parent, marks, changed, more = []) {
     this.marks = marks;
+    this.all = more.concat(marks);
     this.changed = changed;
     this.low = 0;
     this.high = 1;
@@ -39,7 +40,7 @@ class Timeline {
   range(low, high) {
     this.low = low;
     this.high = high > low ? high : low;
-    this.ticks.replaceChildren(...this.marks.filter((mark) => mark.s >= low && mark.s <= high).map((mark) => {
+    this.ticks.replaceChildren(...this.all.filter((mark) => mark.s >= low && mark.s <= high).map((mark) => {
       const tick = element('span', {class: 'tick ' + mark.sort});
       tick.style.left = this.fractionOf(mark.s) * 100 + '%';
       return tick;
@@ -63,7 +64,7 @@ class Timeline {
 
   /** To the next mark, or the one before. */
   jump(direction) {
-    const sorted = this.marks.map((mark) => mark.s).sort((a, b) => a - b);
+    const sorted = this.all.map((mark) => mark.s).sort((a, b) => a - b);
     const next = direction > 0 ? sorted.find((s) => s > this.s) : sorted.reverse().find((s) => s < this.s);
     if (next !== undefined) this.go(next);
   }

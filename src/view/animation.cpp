@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "view/animation.hpp"
+
+#include <algorithm>
+
+#include <touchstone/error.hpp>
+
+namespace touchstone::view {
+
+std::size_t AnimationShape::vertex_count() const noexcept {
+  std::size_t count = 0;
+  for (const AnimationPart& part : parts) count += part.vertices;
+  return count;
+}
+
+Animation::Animation(AnimationShape shape, std::vector<Plot> plots, const AnimationLimits& limits)
+    : shape_(std::move(shape)), plots_(std::move(plots)), limits_(limits) {
+  const std::size_t vertices = shape_.vertex_count();
+  const std::size_t bytes_of_frame = std::max<std::size_t>(6 * vertices, 1);
+  most_frames_ = std::min(limits_.frames, limits_.frame_bytes / bytes_of_frame);
+  const std::size_t bytes_of_elements = 8 * shape_.edges.size() + 12 * shape_.faces.size();
+  if (most_frames_ < 2 || bytes_of_elements > limits_.frame_bytes) {
+    throw Error("a page holds at most " + std::to_string(limits_.frame_bytes / 12) + " vertices and " +
+                std::to_string(limits_.frame_bytes / 12) + " faces, and there are " + std::to_string(vertices) +
+                " and " + std::to_string(shape_.faces.size()));
+  }
+  for (const Plot& plot : plots_) {
+    for (const PlotSeries& series : plot.series) adds_up_.push_back(series.adds_up ? 1 : 0);
+  }
+}
+
+void Animation::add_frame(double time, std::uint64_t number, const std::vector<double>& positions,
+                          const std::vector<double>& values) {
+  const int exponent = frames_.empty() ? kAnyExponent : frames_.back().drawn.exponent;
+  AnimationFrame frame{time, number, on_lattice(positions, exponent), {}, values};
+  if (keeps_exact_) frame.exact = positions;
+  // The last frame is always shown; when the next one comes, it goes if it is not one of every `stride_`.
+  if (!frames_.empty() && (made_ - 1) % stride_ != 0) replace_last(frame);
+  frames_.push_back(std::move(frame));
+  ++made_;
+  while (frames_.size() > most_frames_) leave_out_every_second();
+  if (keeps_exact_ && frames_.size() * positions.size() * sizeof(double) > limits_.exact_bytes) {
+    keeps_exact_ = false;
+    for (AnimationFrame& each : frames_) each.exact = {};
+  }
+}
+
+void Animation::replace_last(AnimationFrame& next) {
+  for (std::size_t i = 0; i < adds_up_.size(); ++i) {
+    if (adds_up_[i]) next.values[i] += frames_.back().values[i];
+  }
+  frames_.pop_back();
+}
+
+void Animation::leave_out_every_second() {
+  stride_ *= 2;
+  std::vector<AnimationFrame> all;
+  all.swap(frames_);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i > 0 && i % 2 == 0) replace_last(all[i]);
+    frames_.push_back(std::move(all[i]));
+  }
+}
+
+std::uint32_t Animation::pair(const AnimationPair& pair) {
+  const auto [found, is_new] = numbers_.emplace(pair, static_cast<std::uint32_t>(pairs_.size()));
+  if (is_new) pairs_.push_back(pair);
+  return found->second;
+}
+
+void Animation::add_mark(const AnimationMark& mark) {
+  if (marks_.size() < limits_.marks) {
+    marks_.push_back(mark);
+  } else {
+    ++marks_left_out_;
+  }
+}
+
+void Animation::add_story(AnimationStory story) {
+  ++told_[static_cast<std::size_t>(story.sort)];
+  stories_.push_back(std::move(story));
+}
+
+std::string Animation::name(const AnimationElement& element) const {
+  using Sort = AnimationElement::Sort;
+  const std::string word = element.sort == Sort::edge   ? "edge"
+                           : element.sort == Sort::face ? "face"
+                                                        : shape_.vertex_name;
+  std::uint32_t number = element.number;
+  for (const AnimationPart& part : shape_.parts) {
+    const std::uint32_t count = element.sort == Sort::edge   ? part.edges
+                                : element.sort == Sort::face ? part.faces
+                                                             : part.vertices;
+    if (number < count) return word + " " + std::to_string(number) + (part.name.empty() ? "" : " of " + part.name);
+    number -= count;
+  }
+  return word + " " + std::to_string(element.number);
+}
+
+}  // namespace touchstone::view

@@ -1,0 +1,24 @@
+// The page of an animation. SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "view/animation.hpp"
+#include "view/html.hpp"
+
+namespace touchstone::view {
+
+/// All strings are text.
+struct AnimationWords {
+  std::string title, subtitle;
+  std::string summary;     ///< several lines
+  std::string time_unit;   ///< "s"; empty: times are numbers of frames
+  std::string number;      ///< what the numbers of frames count: "step"
+  std::string between;     ///< a sentence: how vertices move between frames
+  std::string mark_names;  ///< a sentence: what marks stand for
+};
+
+/// Writes the page, frame by frame: it may be large.
+void write_animation_page(const Animation& animation, const AnimationWords& words, const Sink& sink);
+
+}  // namespace touchstone::view

@@ -1,0 +1,30 @@
+// From where an animation is seen first, and what stays of it without scripts. SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "view/animation.hpp"
+
+namespace touchstone::view {
+
+/// Where an animation is in space.
+struct AnimationView {
+  Triple centre{};                ///< of all frames, but for what never moves
+  double radius = 1;              ///< no vertex that moves is farther from the centre
+  bool planar = false;            ///< all vertices are at one height z
+  std::array<Triple, 3> basis{};  ///< unit vectors to the right, up and towards the reader
+};
+AnimationView view_of(const Animation& animation);
+
+/// A coordinate of a vertex as it is drawn.
+double drawn_coordinate(const AnimationFrame& frame, std::size_t vertex, std::size_t axis) noexcept;
+
+/// One frame as an SVG element, with the marks of that time: the frame of the first story, or the last one. Of many
+/// elements some are left out.
+std::string still_of(const Animation& animation, const AnimationView& view);
+
+/// A figure for each plot: the lines over time, and their names. The script adds a cursor and values.
+std::string plots_html(const Animation& animation);
+
+}  // namespace touchstone::view

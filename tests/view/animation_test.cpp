@@ -1,0 +1,189 @@
+// The data of animations: rounding to the lattice, base64, frames that are left out, and text that stays text.
+// SPDX-License-Identifier: MIT
+#include <touchstone/error.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "support/catch.hpp"
+#include "view/animation.hpp"
+#include "view/animation_page.hpp"
+#include "view/animation_view.hpp"
+#include "view/base64.hpp"
+#include "view/lattice.hpp"
+
+using namespace touchstone::view;
+
+namespace {
+
+/// One triangle and one edge.
+AnimationShape small_shape() {
+  AnimationShape shape;
+  shape.parts = {{"", 3, 0, 1}, {"<b>\"body\"</b>", 2, 1, 0}};
+  shape.faces = {{0, 1, 2}};
+  shape.edges = {{3, 4}};
+  shape.vertex_name = "particle";
+  return shape;
+}
+
+std::vector<Plot> small_plots() { return {{"<i>energy</i>", {{"total"}, {"contacts", true}}}}; }
+
+std::vector<double> positions(double height) { return {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, height, 1, 1, height}; }
+
+}  // namespace
+
+TEST_CASE("base64 of numbers, as the standard's own examples") {
+  const std::string text = "foobar";
+  const std::vector<std::string> encoded = {"",         "Zg==",     "Zm8=",    "Zm9v",
+                                            "Zm9vYg==", "Zm9vYmE=", "Zm9vYmFy"};  // RFC 4648
+  for (std::size_t n = 0; n <= text.size(); ++n) {
+    const std::vector<std::uint8_t> bytes(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(n));
+    CHECK(base64_of(bytes.data(), n) == encoded[n]);
+  }
+  const std::vector<std::uint16_t> pair = {0x6f66, 0x626f};  // "foob", the low byte first
+  CHECK(base64_of(pair.data(), 2) == "Zm9vYg==");
+  const double one = 1;
+  CHECK(base64_of(&one, 1) == "AAAAAAAA8D8=");
+}
+
+TEST_CASE("drawn coordinates are within half a step of the true ones, whatever the size and the place") {
+  std::mt19937_64 random(20261123);
+  for (int round = 0; round < 400; ++round) {
+    CAPTURE(round);
+    std::uniform_real_distribution<double> unit(-1, 1), power(-1000, 1000);
+    const double size = std::exp2(power(random)), place = round % 3 == 0 ? 0 : std::exp2(power(random));
+    std::vector<double> all;
+    for (int i = 0; i < 30; ++i) all.push_back((i % 3 == 0 ? place : 0.0) + size * unit(random));
+    const int least = round % 2 == 0 ? kAnyExponent : std::ilogb(size) - 10;
+    const LatticePositions rounded = on_lattice(all, least);
+    CHECK(rounded.exponent >= least);
+    REQUIRE(rounded.steps.size() == all.size());
+    const double step = std::ldexp(1.0, rounded.exponent);
+    double extent = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      double low = all[k], high = all[k];
+      for (std::size_t i = k; i < all.size(); i += 3) {
+        low = std::min(low, all[i]);
+        high = std::max(high, all[i]);
+        const double drawn = rounded.origin[k] + step * rounded.steps[i];
+        // An ulp more, as the sum is rounded here.
+        CHECK(std::abs(drawn - all[i]) <= 0.5 * step + std::abs(all[i]) * 0x1p-52);
+      }
+      extent = std::max(extent, high - low);
+    }
+    // The finest lattice that fits, unless a coarser one is asked for.
+    if (least == kAnyExponent && place == 0) CHECK(extent > step * 32766);
+  }
+}
+
+TEST_CASE("a vertex at rest keeps its drawn place while others move away") {
+  int exponent = kAnyExponent;
+  double before = 0;
+  for (int i = 0; i < 20; ++i) {
+    const LatticePositions rounded = on_lattice({0.1, 0, 0, 1 + 0.01 * i, 0, -0.003 * i}, exponent);
+    const double drawn = rounded.origin[0] + std::ldexp(1.0, rounded.exponent) * rounded.steps[0];
+    if (i > 0 && rounded.exponent == exponent) CHECK(drawn == before);
+    exponent = rounded.exponent;
+    before = drawn;
+  }
+  const LatticePositions still = on_lattice({5, 5, 5}, kAnyExponent);
+  CHECK(still.origin[1] == 5);
+  CHECK(still.steps == std::vector<std::uint16_t>{0, 0, 0});
+}
+
+TEST_CASE("of more frames than fit, every second one goes; the first and the last stay, and counts add up") {
+  AnimationLimits limits;
+  limits.frames = 10;
+  for (const std::uint64_t frames : {1U, 2U, 9U, 10U, 11U, 12U, 37U, 160U, 161U}) {
+    CAPTURE(frames);
+    Animation animation(small_shape(), small_plots(), limits);
+    for (std::uint64_t i = 0; i < frames; ++i) {
+      animation.add_frame(0.5 * static_cast<double>(i), i, positions(static_cast<double>(i)), {static_cast<double>(i), 1});
+    }
+    const auto& kept = animation.frames();
+    CHECK(animation.frames_made() == frames);
+    CHECK(kept.size() <= 10);
+    CHECK(kept.size() >= std::min<std::size_t>(frames, 5));
+    CHECK(kept.front().number == 0);
+    CHECK(kept.back().number == frames - 1);
+    double sum = 0;
+    for (const AnimationFrame& frame : kept) {
+      CHECK(frame.time == 0.5 * static_cast<double>(frame.number));
+      CHECK(frame.exact == positions(static_cast<double>(frame.number)));
+      CHECK(frame.values[0] == static_cast<double>(frame.number));
+      sum += frame.values[1];
+    }
+    CHECK(sum == static_cast<double>(frames));
+    for (std::size_t i = 2; i + 1 < kept.size(); ++i) {
+      CHECK(kept[i].number - kept[i - 1].number == kept[1].number - kept[0].number);
+    }
+  }
+}
+
+TEST_CASE("what does not fit into a page is left out, and the page says so; what cannot fit is refused") {
+  AnimationLimits limits;
+  limits.exact_bytes = 5 * 24 * 3;
+  limits.marks = 2;
+  Animation animation(small_shape(), small_plots(), limits);
+  for (std::uint64_t i = 0; i < 3; ++i) animation.add_frame(static_cast<double>(i), i, positions(1), {0, 0});
+  CHECK(animation.has_exact());
+  animation.add_frame(3, 3, positions(1), {0, 0});
+  CHECK(!animation.has_exact());
+  const auto pair = animation.pair({{AnimationElement::Sort::edge, 0}, {AnimationElement::Sort::face, 0}});
+  for (int i = 0; i < 5; ++i) animation.add_mark({1.0, {0, 0, 0}, pair, MarkSort::contact});
+  CHECK(animation.marks().size() == 2);
+  CHECK(animation.marks_left_out() == 3);
+  std::string text;
+  write_animation_page(animation, {}, [&](std::string_view bytes) { text += bytes; });
+  CHECK(text.find("3 marks are left out") != std::string::npos);
+  CHECK(text.find("the page has those of the listed pairs") != std::string::npos);
+  CHECK(text.find("exact-0") == std::string::npos);
+  limits.frame_bytes = 5 * 6 * 2 - 1;
+  CHECK_THROWS_AS(Animation(small_shape(), small_plots(), limits), touchstone::Error);
+}
+
+TEST_CASE("names of an animation are text, and elements are named by their part") {
+  Animation animation(small_shape(), small_plots());
+  animation.add_frame(0, 0, positions(1), {1, 0});
+  animation.add_frame(1, 1, positions(2), {2, 1});
+  CHECK(animation.name({AnimationElement::Sort::vertex, 2}) == "particle 2");
+  CHECK(animation.name({AnimationElement::Sort::vertex, 4}) == "particle 1 of <b>\"body\"</b>");
+  CHECK(animation.name({AnimationElement::Sort::edge, 0}) == "edge 0 of <b>\"body\"</b>");
+  const auto pair = animation.pair({{AnimationElement::Sort::edge, 0}, {AnimationElement::Sort::face, 0}});
+  CHECK(pair == animation.pair({{AnimationElement::Sort::edge, 0}, {AnimationElement::Sort::face, 0}}));
+  animation.add_story({1, {0, 0, 1}, pair, MarkSort::crossing, "<script>alert(1)</script>", "<p>html</p>"});
+  std::string text;
+  AnimationWords words;
+  words.title = words.subtitle = words.summary = "</script><script>alert(2)</script>";
+  write_animation_page(animation, words, [&](std::string_view bytes) { text += bytes; });
+  CHECK(text.find("<script>alert") == std::string::npos);
+  CHECK(text.find("<b>\"body\"") == std::string::npos);
+  CHECK(text.find("<i>energy") == std::string::npos);
+  CHECK(text.find("&lt;script&gt;alert(1)") != std::string::npos);
+  CHECK(text.find("<p>html</p>") != std::string::npos);
+  // The still picture has the triangle, the edge and the mark.
+  CHECK(text.find("<circle class=\"meeting\"") != std::string::npos);
+}
+
+TEST_CASE("a picture in a plane is seen from above, and every first view is a rotation") {
+  Animation flat(small_shape(), small_plots()), high(small_shape(), small_plots());
+  flat.add_frame(0, 0, positions(0), {0, 0});
+  high.add_frame(0, 0, positions(3), {0, 0});
+  CHECK(view_of(flat).planar);
+  CHECK(!view_of(high).planar);
+  for (const AnimationView& view : {view_of(flat), view_of(high)}) {
+    const auto& [r, u, t] = view.basis;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        double sum = 0;
+        for (std::size_t k = 0; k < 3; ++k) sum += view.basis[i][k] * view.basis[j][k];
+        CHECK(std::abs(sum - (i == j ? 1 : 0)) < 1e-12);
+      }
+    }
+    CHECK(std::abs(r[1] * u[2] - r[2] * u[1] - t[0]) < 1e-12);
+  }
+  CHECK(view_of(high).centre == Triple{0.5, 0.5, 1.5});
+}

@@ -1,0 +1,191 @@
+"""The page of an animation in a real browser: it is scrubbed, clicked and read, and its pixels are compared.
+SPDX-License-Identifier: MIT
+
+  test_animation.py TOUCHSTONE
+"""
+import json
+import unittest
+
+import browser
+import pages
+
+CANVAS = "document.querySelector('.stage canvas')"
+VIEWER = "window.touchstoneAnimation"
+NAME = "<script>window.hacked=1</script><img src=x onerror=hacked=1>&amp;"
+
+
+def scene(name, **more):
+    """A triangle that does not move, and an edge that falls on it from 1 m."""
+    particles = [{"position": p, "pinned": True} for p in ((-1, -1, 0), (1, -1, 0), (0, 1, 0))]
+    particles += [{"position": p, "mass": 1} for p in ((-0.2, 0, 1), (0.2, 0, 1))]
+    return json.dumps({
+        "touchstone_scene": 1, "name": name, "particles": particles, "faces": [[0, 1, 2]],
+        "springs": [{"particles": [3, 4], "stiffness": 1000}],
+        "settings": {"time_step": 0.01, "duration": 0.6, "contact": {"restitution": 0.5}}, **more})
+
+
+def body_scene():
+    """A tetrahedron that falls and turns."""
+    return json.dumps({
+        "touchstone_scene": 1, "name": "bodies", "particles": [],
+        "bodies": [{"vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]],
+                    "faces": [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]], "density": 1000, "position": [0, 0, 1],
+                    "angular_velocity": [2, 1, 0]}],
+        "settings": {"time_step": 0.01, "duration": 0.3}})
+
+
+class Simulations(pages.Pages):
+    def page_of(self, text, *arguments):
+        out = self.path("page.html")
+        self.summary = self.run_program("simulate", self.write("scene.json", text), "--html", out, *arguments)
+        self.page.requests.clear()
+        return self.page.open(out)
+
+    def readout(self):
+        return self.page.evaluate("document.querySelector('.readout').textContent")
+
+    def pixels(self):
+        """The picture, one character a pixel: '.' for nothing."""
+        return "".join(self.page.pixels(CANVAS))
+
+    def place(self, vertex):
+        """Where a vertex is on the screen."""
+        return self.page.evaluate("""(() => {
+          const v = %s, view = v.view(), box = v.node.getBoundingClientRect();
+          const p = v.camera.seen(v.frames.place(%d, v.frames.around(v.s)).map((x, k) => (x - view.centre[k]) * view.pixels));
+          return [box.left + box.width / 2 + p[0] + view.pan[0], box.top + box.height / 2 - p[1] - view.pan[1]];
+        })()""" % (VIEWER, vertex))
+
+    def test_scrubbing_moves_the_picture_the_plots_and_the_words(self):
+        url = self.page_of(scene("fall"))
+        self.assertTrue(self.readout().startswith("step 0, 0 s."))
+        seen = {self.pixels()}
+        left, top, width, height = self.box(".timeline input")
+        self.page.click(left + width / 2, top + height / 2)
+        self.assertRegex(self.readout(), r"^step (30|31), 0\.30?\d* s\.")
+        seen.add(self.pixels())
+        cursor = float(self.page.evaluate("document.querySelector('.cursor').getAttribute('x1')"))
+        self.assertAlmostEqual(cursor, 500, delta=20)
+        left, top, width, height = self.box(".plot")
+        self.page.click(left + width * 0.75, top + height / 2)
+        self.assertRegex(self.readout(), r"^step 4[56], 0\.4[45]\d* s\.")
+        seen.add(self.pixels())
+        self.assertEqual(len(seen), 3)
+        self.page.evaluate("%s.focus()" % CANVAS)
+        self.page.key("Home")
+        self.page.key("ArrowRight")
+        self.assertTrue(self.readout().startswith("step 1, 0.01 s."))
+        self.page.key("End")
+        self.assertTrue(self.readout().startswith("step 60, 0.6 s."))
+        energies = self.page.evaluate("[...document.querySelectorAll('.key')].slice(0, 2).map((k) => k.innerText)")
+        self.assertRegex(energies[0], r"^total [\d.\u2212e-]+$")
+        self.check_quiet(url)
+
+    def test_the_contact_is_marked_listed_and_told(self):
+        url = self.page_of(scene("fall"))
+        self.assertIn("0 crossings", self.text("aside"))
+        stories = self.page.evaluate("document.querySelectorAll('.events li').length")
+        self.assertGreater(stories, 0)
+        self.assertGreater(self.page.evaluate("document.querySelectorAll('.tick.contact').length"), 1)
+        self.page.click_on("document.querySelector('.events button')")
+        # An edge falls 1 m in 0.45 s.
+        self.assertRegex(self.readout(), r"^step 4\d, 0\.4\d+ s\. Marks: .*\d+ contact")
+        told = self.text(".picked")
+        for part in ("Exact coordinates", "0x1p+0", "Marks of this pair", "would have touched"):
+            self.assertIn(part, told)
+        # The mark is in the middle of the view, and has its colour.
+        middle = self.page.evaluate("""(() => {
+          const from = %s, to = document.createElement('canvas');
+          to.width = from.width; to.height = from.height;
+          const context = to.getContext('2d');
+          context.drawImage(from, 0, 0);
+          const p = context.getImageData(from.width / 2, from.height / 2, 1, 1).data;
+          return [p, colourOf('--mark').map((x) => Math.round(255 * x))].map((c) => Array.from(c).slice(0, 3));
+        })()""" % CANVAS)
+        self.assertLess(sum(abs(a - b) for a, b in zip(*middle)), 60)
+        self.check_quiet(url)
+
+    def test_a_click_tells_the_number_and_the_exact_coordinates(self):
+        url = self.page_of(scene("fall"))
+        self.page.evaluate("%s.zoomTo(-1)" % VIEWER)
+        corners = [self.place(v) for v in range(3)]
+        middle = [sum(c[k] for c in corners) / 3 for k in (0, 1)]
+        blue = self.pixels().count("a")
+        self.page.click(*middle)
+        told = self.text(".picked")
+        self.assertIn("face 0", told)
+        self.assertIn("-0x1p+0 -0x1p+0 0x0p+0", told)
+        self.assertIn("Exact coordinates at step 0", told)
+        self.assertGreater(self.pixels().count("a"), blue + 500)  # it is highlighted
+        ends = [self.place(v) for v in (3, 4)]
+        self.page.click(ends[0][0] * 0.3 + ends[1][0] * 0.7, ends[0][1] * 0.3 + ends[1][1] * 0.7)
+        self.assertTrue(self.text(".picked").startswith("edge "), self.text(".picked"))
+        self.assertIn("0x1p+0", self.text(".picked"))
+        self.page.evaluate("%s.timeline.go(%s.data.times[20])" % (VIEWER, VIEWER))
+        self.assertIn("Exact coordinates at step 20", self.text(".picked"))
+        self.page.evaluate("%s.focus()" % CANVAS)
+        self.page.key("Escape")
+        self.assertTrue(self.page.evaluate("document.querySelector('.picked').hidden"))
+        self.check_quiet(url)
+
+    def test_names_are_text(self):
+        url = self.page_of(scene(NAME))
+        self.assertIsNone(self.page.evaluate("window.hacked || null"))
+        self.assertIn(NAME, self.text("header"))
+        self.assertEqual(self.page.evaluate("document.querySelectorAll('img').length"), 0)
+        self.check_quiet(url)
+
+    def test_bodies_turn(self):
+        url = self.page_of(body_scene())
+        places = [self.place(1)]
+        seen = {self.pixels()}
+        self.page.evaluate("%s.focus()" % CANVAS)
+        self.page.key("End")
+        places.append(self.place(1))
+        seen.add(self.pixels())
+        self.assertEqual(len(seen), 2)
+        self.assertGreater(abs(places[0][1] - places[1][1]), 20)
+        self.page.click(*[sum(p[k] for p in map(self.place, (0, 1, 2, 3))) / 4 for k in (0, 1)])
+        self.assertRegex(self.text(".picked"), r"^(face|edge) \d of body 0")
+        self.check_quiet(url)
+
+    def test_a_crossing_has_its_exact_story(self):
+        out = self.path("page.html")
+        self.run_program("simulate", "hoop", "--steps", "30", "--narrow-phase", "paper", "--html", out)
+        self.page.requests.clear()
+        url = self.page.open(out)
+        first = "document.querySelector('.events li.crossing button')"
+        self.assertTrue(self.page.evaluate(first + ".textContent").startswith("crossing: step "))
+        self.page.click_on(first)
+        self.assertIn("crossing", self.readout())
+        self.assertIn("The coplanarity cubic V(t)", self.text(".picked"))
+        self.assertIn("b", self.pixels())  # the cross
+        self.check_quiet(url)
+
+    def test_a_telephone_and_the_dark(self):
+        self.page.window(390, 844, dark=True, touch=True)
+        url = self.page_of(scene("fall"))
+        self.assertLessEqual(self.page.evaluate("document.documentElement.scrollWidth"), 390)
+        self.assertEqual(self.page.evaluate("getComputedStyle(document.body).backgroundColor"), "rgb(20, 23, 27)")
+        self.assertGreater(len(self.pixels().replace(".", "")), 3000)
+        self.page.evaluate("document.querySelector('.timeline input').scrollIntoView()")
+        left, top, width, height = self.box(".timeline input")
+        touch = [{"x": left + width / 2, "y": top + height / 2}]
+        self.page.command("Input.dispatchTouchEvent", type="touchStart", touchPoints=touch)
+        self.page.command("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+        self.page.wait("!document.querySelector('.readout').textContent.startsWith('step 0,')")
+        self.check_quiet(url)
+
+    def test_without_webgl_the_still_picture_the_plots_and_the_text_stay(self):
+        self.page_of(scene("fall"))
+        with browser.Browser("--disable-3d-apis") as plain:
+            plain.window(1280, 720)
+            plain.open(self.path("page.html"))
+            self.assertGreater(plain.evaluate("document.querySelector('svg.still').getBoundingClientRect().width"), 300)
+            self.assertGreater(plain.evaluate("document.querySelector('.line').getBoundingClientRect().width"), 300)
+            self.assertIn("no WebGL 2", plain.evaluate("document.querySelector('.note:last-child').textContent"))
+            self.assertIn("would have touched", plain.evaluate("document.querySelector('aside').textContent"))
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=1)
