@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "view/animation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <string_view>
 
 #include <touchstone/error.hpp>
 
@@ -30,9 +33,9 @@ Animation::Animation(AnimationShape shape, std::vector<Plot> plots, const Animat
 }
 
 void Animation::add_frame(double time, std::uint64_t number, const std::vector<double>& positions,
-                          const std::vector<double>& values) {
+                          const std::vector<double>& values, const std::string& label) {
   const int exponent = frames_.empty() ? kAnyExponent : frames_.back().drawn.exponent;
-  AnimationFrame frame{time, number, on_lattice(positions, exponent), {}, values};
+  AnimationFrame frame{time, number, on_lattice(positions, exponent), {}, values, label};
   if (keeps_exact_) frame.exact = positions;
   // The last frame is always shown; when the next one comes, it goes if it is not one of every `stride_`.
   if (!frames_.empty() && (made_ - 1) % stride_ != 0) replace_last(frame);
@@ -83,18 +86,31 @@ void Animation::add_story(AnimationStory story) {
 
 std::string Animation::name(const AnimationElement& element) const {
   using Sort = AnimationElement::Sort;
-  const std::string word = element.sort == Sort::edge   ? "edge"
-                           : element.sort == Sort::face ? "face"
-                                                        : shape_.vertex_name;
-  std::uint32_t number = element.number;
+  std::uint32_t number = element.number, first_vertex = 0;
   for (const AnimationPart& part : shape_.parts) {
     const std::uint32_t count = element.sort == Sort::edge   ? part.edges
                                 : element.sort == Sort::face ? part.faces
                                                              : part.vertices;
-    if (number < count) return word + " " + std::to_string(number) + (part.name.empty() ? "" : " of " + part.name);
-    number -= count;
+    if (number >= count) {
+      number -= count;
+      first_vertex += part.vertices;
+      continue;
+    }
+    const std::string of = part.name.empty() ? std::string() : fmt::format(" of {}", part.name);
+    const std::uint32_t first = shape_.first_number;
+    if (element.sort == Sort::edge && !shape_.edges_have_numbers) {
+      const auto& corners = shape_.edges[element.number];
+      return fmt::format("edge {}-{}{}", corners[0] - first_vertex + first, corners[1] - first_vertex + first, of);
+    }
+    if (element.sort == Sort::face && !shape_.face_numbers.empty()) {
+      return fmt::format("face {}{}", shape_.face_numbers[element.number], of);
+    }
+    const std::string_view word = element.sort == Sort::edge   ? "edge"
+                                  : element.sort == Sort::face ? "face"
+                                                               : std::string_view(shape_.vertex_name);
+    return fmt::format("{} {}{}", word, number + (element.sort == Sort::edge ? 0 : first), of);
   }
-  return word + " " + std::to_string(element.number);
+  throw Error("an animation has no such element");
 }
 
 }  // namespace touchstone::view

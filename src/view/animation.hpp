@@ -28,8 +28,11 @@ struct AnimationShape {
   std::vector<AnimationPart> parts;
   std::vector<std::array<std::uint32_t, 2>> edges;
   std::vector<std::array<std::uint32_t, 3>> faces;
-  std::vector<std::uint32_t> points;  ///< vertices that are drawn as dots
-  std::string vertex_name;            ///< "particle"
+  std::vector<std::uint32_t> points;        ///< vertices that are drawn as dots
+  std::string vertex_name;                  ///< "particle"
+  std::uint32_t first_number = 0;           ///< of the first vertex and the first face of each part
+  std::vector<std::uint32_t> face_numbers;  ///< of each face; empty: they are counted
+  bool edges_have_numbers = true;           ///< false: edges are named by their corners
 
   std::size_t vertex_count() const noexcept;
 };
@@ -80,6 +83,7 @@ struct AnimationFrame {
   LatticePositions drawn;
   std::vector<double> exact;   ///< the coordinates themselves; empty where they do not fit
   std::vector<double> values;  ///< of the series of all plots, in their order
+  std::string label;           ///< text, such as the name of its file; may be empty
 };
 
 /// What a page may hold.
@@ -98,7 +102,7 @@ class Animation {
 
   /// The next frame. @param positions  three finite coordinates for each vertex  @param values  of the plots' series
   void add_frame(double time, std::uint64_t number, const std::vector<double>& positions,
-                 const std::vector<double>& values);
+                 const std::vector<double>& values, const std::string& label = {});
 
   /// The number of a pair, for marks and stories.
   std::uint32_t pair(const AnimationPair& pair);

@@ -61,6 +61,10 @@ const char* sort_name(MarkSort sort) {
 nlohmann::json data_of(const Animation& animation, const AnimationWords& words, const AnimationView& view) {
   nlohmann::json data;
   data["vertexName"] = animation.shape().vertex_name;
+  data["firstNumber"] = animation.shape().first_number;
+  data["edgesHaveNumbers"] = animation.shape().edges_have_numbers;
+  data["facesHaveNumbers"] = !animation.shape().face_numbers.empty();
+  data["crossing"] = words.crossing;
   data["unit"] = words.time_unit;
   data["number"] = words.number;
   data["centre"] = view.centre;
@@ -74,12 +78,13 @@ nlohmann::json data_of(const Animation& animation, const AnimationWords& words, 
     data["parts"].push_back(
         {{"name", part.name}, {"vertices", part.vertices}, {"edges", part.edges}, {"faces", part.faces}});
   }
-  for (const char* key : {"times", "numbers", "exponents", "origins", "plots", "stories"}) {
+  for (const char* key : {"times", "numbers", "labels", "exponents", "origins", "plots", "stories"}) {
     data[key] = nlohmann::json::array();
   }
   for (const AnimationFrame& frame : animation.frames()) {
     data["times"].push_back(frame.time);
     data["numbers"].push_back(frame.number);
+    data["labels"].push_back(frame.label);
     data["exponents"].push_back(frame.drawn.exponent);
     data["origins"].push_back(frame.drawn.origin);
   }
@@ -156,6 +161,7 @@ void write_data(const Animation& animation, const Sink& sink) {
   write_numbers(sink, "edges", flat(shape.edges));
   write_numbers(sink, "bare", edges_without_face(shape));
   write_numbers(sink, "points", shape.points);
+  write_numbers(sink, "face-numbers", shape.face_numbers);
   std::vector<std::uint32_t> pairs;
   for (const auto& [a, b] : animation.pairs()) {
     for (const AnimationElement& e : {a, b}) pairs.insert(pairs.end(), {static_cast<std::uint32_t>(e.sort), e.number});

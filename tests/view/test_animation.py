@@ -34,10 +34,24 @@ def body_scene():
         "settings": {"time_step": 0.01, "duration": 0.3}})
 
 
-class Simulations(pages.Pages):
+def obj(height, tip=0.25, group="floor"):
+    """A triangle on the floor, and one whose tip is at a height above it."""
+    return ("v -1 -1 0\nv 1 -1 0\nv 0 1 0\nv 0 0 %r\nv 0.1 0.5 %r\nv -0.1 0.5 %r\ng %s\nf 1 2 3\ng tent\nf 4 5 6\n" %
+            (tip + height, height + 1, height + 1, group))
+
+
+class Animations(pages.Pages):
     def page_of(self, text, *arguments):
+        """The page of a scene."""
         out = self.path("page.html")
         self.summary = self.run_program("simulate", self.write("scene.json", text), "--html", out, *arguments)
+        self.page.requests.clear()
+        return self.page.open(out)
+
+    def page_of_frames(self, texts, *arguments, name="frame"):
+        out = self.path("page.html")
+        files = [self.write("%s-%d.obj" % (name, i), text) for i, text in enumerate(texts)]
+        self.summary = self.run_program("mesh", "--html", out, *arguments, *files)
         self.page.requests.clear()
         return self.page.open(out)
 
@@ -160,6 +174,53 @@ class Simulations(pages.Pages):
         self.assertIn("crossing", self.readout())
         self.assertIn("The coplanarity cubic V(t)", self.text(".picked"))
         self.assertIn("b", self.pixels())  # the cross
+        self.check_quiet(url)
+
+    def test_frames_of_a_mesh_their_contact_and_their_intersections(self):
+        url = self.page_of_frames([obj(1), obj(0.5), obj(-0.5), obj(-0.25)])
+        self.assertIn("animation in ", self.summary)
+        self.assertIn("frame-0.obj to frame-3.obj", self.text("h1"))
+        self.assertIn("3 steps: 1 free, 2 not free", self.text("aside"))
+        headings = self.page.evaluate("[...document.querySelectorAll('.events button')].map((b) => b.textContent)")
+        self.assertTrue(headings[0].startswith("step 1 to 2, t = 0.75: vertex 4 of tent and face 1 (1-2-3) of floor"))
+        self.assertTrue(any("pierces" in h for h in headings), headings)
+        self.page.click_on("document.querySelector('.events button')")
+        self.assertRegex(self.readout(), r"^frame 2 \(frame-2\.obj\), t = 1\.75\. Marks: 1 contact, \d intersection")
+        told = self.text(".picked")
+        for part in ("vertex 4 and face 1", "0x1.8p-1", "The coplanarity cubic V(t)", "start v: 0x0p+0 0x0p+0 0x1.8p-1"):
+            self.assertIn(part, told)
+        # At the first contact the tip is drawn on the floor.
+        tip, corners = self.place(3), [self.place(v) for v in range(3)]
+        self.assertAlmostEqual(tip[0], sum(c[0] for c in corners[:2]) / 4 + corners[2][0] / 2, delta=1)
+        self.assertAlmostEqual(tip[1], sum(c[1] for c in corners[:2]) / 4 + corners[2][1] / 2, delta=1)
+        pierced = "[...document.querySelectorAll('.events button')].find((b) => b.textContent.includes('pierces'))"
+        self.page.click_on(pierced)
+        self.assertTrue(self.readout().startswith("frame 2 (frame-2.obj), t = 2."), self.readout())
+        self.assertIn("b", self.pixels())  # the cross
+        self.check_quiet(url)
+
+    def test_frames_at_rest_and_in_the_plane(self):
+        flat = "v 0 0\nv 1 0\nv 0 1\nv %r 0.2\nv 3 1\nv 3 2\nf 1 2 3\nf 4 5 6\n"
+        flat = flat.replace("v 0 0\n", "v 0 0 0\n").replace("v 1 0\n", "v 1 0 0\n").replace("v 0 1\n", "v 0 1 0\n")
+        flat = flat.replace(" 0.2\n", " 0.2 0\n").replace("v 3 1\n", "v 3 1 0\n").replace("v 3 2\n", "v 3 2 0\n")
+        url = self.page_of_frames([flat % 2, flat % 1.5, flat % 0.5], "--check")
+        self.assertIn("Is each frame free of intersections?", self.text("header"))
+        self.page.evaluate("%s.focus()" % CANVAS)
+        self.page.key("End")
+        self.assertRegex(self.readout(), r"^frame 2 \(frame-2\.obj\), t = 2\. Marks: \d+ intersection\.$")
+        before = self.page.evaluate("%s.camera.basis.flat()" % VIEWER)
+        self.page.drag((400, 250), (460, 280))  # in the plane it moves, and does not turn
+        self.assertEqual(self.page.evaluate("%s.camera.basis.flat()" % VIEWER), before)
+        self.check_quiet(url)
+
+    def test_names_of_files_and_groups_are_text(self):
+        name = "<img src=x onerror=hacked=1>&lt;"
+        url = self.page_of_frames([obj(1, group="<b>floor</b>"), obj(-0.5, group="<b>floor</b>")], name=name)
+        self.assertIsNone(self.page.evaluate("window.hacked || null"))
+        self.assertEqual(self.page.evaluate("document.querySelectorAll('img, aside b').length"), 0)
+        self.assertIn(name, self.text("h1"))
+        self.assertIn(name, self.readout())
+        self.assertIn("<b>floor</b>", self.text(".events"))
         self.check_quiet(url)
 
     def test_a_telephone_and_the_dark(self):

@@ -12,6 +12,7 @@
 #include <touchstone/error.hpp>
 #include <touchstone/version.hpp>
 
+#include "cli/mesh/animation.hpp"
 #include "cli/mesh/output.hpp"
 #include "cli/shared/interrupt.hpp"
 #include "cli/shared/motion_proofs.hpp"
@@ -49,6 +50,7 @@ void check_files(const MeshRunOptions& options, const std::vector<FrameName>& na
   }
   if (!options.topology.empty()) inputs.push_back(options.topology);
   if (options.pairs == "-") throw Error("--pairs: name a file to write");
+  if (options.html == "-") throw Error("--html: name a file to write");
   const std::optional<std::string> journal = journal_path(options.report);
   if (options.resume && options.report == "-")
     throw Error("--resume: name the report's file, standard output has none");
@@ -62,6 +64,7 @@ void check_files(const MeshRunOptions& options, const std::vector<FrameName>& na
     if (journal) outputs.emplace_back("--report", *journal);
   }
   if (!options.pairs.empty()) outputs.emplace_back("--pairs", options.pairs);
+  if (!options.html.empty()) outputs.emplace_back("--html", options.html);
   for (const Kind kind : {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point}) {
     if (options.queries.empty()) break;
     const auto folder = std::filesystem::path(options.queries) / kind_name(kind);
@@ -133,7 +136,8 @@ proofs::MotionFrame motion_frame(const Frame& frame) {
 class Checker {
  public:
   Checker(const MeshRunOptions& options, const std::vector<FrameName>& names, MeshOutput& output, Question question,
-          const Separation& separation, sequence::Range range, int threads, MotionProofs* proofs)
+          const Separation& separation, sequence::Range range, int threads, MotionProofs* proofs,
+          MeshAnimation* animation)
       : options_(options),
         names_(names),
         output_(output),
@@ -141,7 +145,8 @@ class Checker {
         separation_(separation),
         range_(range),
         threads_(threads),
-        proofs_(proofs) {}
+        proofs_(proofs),
+        animation_(animation) {}
 
   /// The mesh of the first frame, which was made already.
   void start_with(std::shared_ptr<const frames::Topology> topology, Mesh mesh) {
@@ -165,6 +170,7 @@ class Checker {
     if (rest) check(*frame, *frame);
     if (question_ == Question::steps && before != nullptr) check(*before, *frame);
     if (proofs_ != nullptr) proofs_->add(motion_frame(*frame));
+    if (animation_ != nullptr) animation_->add_frame(index, name.label(), *frame);
   }
 
  private:
@@ -185,6 +191,7 @@ class Checker {
       next.result.intersections = sequence::intersections_of(mesh_, before, threads_);
     }
     ++results_;
+    if (animation_ != nullptr) animation_->add_result(next.result, before, after);
     output_.add(std::move(next), before, after, known);
   }
 
@@ -202,11 +209,19 @@ class Checker {
   sequence::Range range_;
   int threads_;
   MotionProofs* proofs_;                              ///< null: no proofs are asked for
+  MeshAnimation* animation_;                          ///< null: no page is asked for
   std::shared_ptr<const frames::Topology> topology_;  ///< of mesh_
   Mesh mesh_;
   std::shared_ptr<const Frame> before_;
   std::size_t results_ = 0;
 };
+
+std::string question_for_person(Question question, const Separation& separation) {
+  if (question == Question::rest) return "Is each frame free of intersections?";
+  return separation.distance > 0
+             ? "Do all elements stay apart in each step? (" + separation_for_person(separation) + ")"
+             : std::string("Is each step between neighbouring frames free of contact?");
+}
 
 std::shared_ptr<const Frame> read(const FrameName& name, const frames::ReadOptions& reading,
                                   const std::shared_ptr<const frames::Topology>& earlier) {
@@ -234,12 +249,19 @@ int run_mesh(const MeshRunOptions& options) {
   if (question == Question::steps) heading.facts = sequence::facts_of(mesh, *first->topology);
   std::optional<MotionProofs> proofs;  // a folder that is refused is found before a journal is made
   if (!options.prove.empty()) proofs.emplace(options.prove, motion_elements(mesh), separation, threads);
+  std::optional<io::OutputFile> page;
+  std::optional<MeshAnimation> animation;
+  if (!options.html.empty()) {
+    page.emplace(options.html);
+    animation.emplace(mesh, first->topology, separation);
+  }
   MeshOutput output(options, std::move(heading));
   if (!output.finished().empty()) {
     print_error(fmt::format("touchstone: {} of {} results are those of {}\n", grouped(output.finished().size()),
                             grouped(sequence::result_count(question, range)), io::printable(output.finished_file())));
   }
-  Checker checker(options, names, output, question, separation, range, threads, proofs ? &*proofs : nullptr);
+  Checker checker(options, names, output, question, separation, range, threads, proofs ? &*proofs : nullptr,
+                  animation ? &*animation : nullptr);
   checker.start_with(first->topology, std::move(mesh));
 
   // The next frame is read while the steps before it are checked. A oneTBB pipeline around both would keep its threads
@@ -257,9 +279,17 @@ int run_mesh(const MeshRunOptions& options) {
   }
   if (proofs) proofs->commit();
   const bool all_free = output.finish();
-  if (proofs && options.report != "-") {
+  std::string summary = proofs ? proofs->summary() : std::string();
+  if (animation) {
+    const std::uint64_t size =
+        animation->write(*page, question_for_person(question, separation), output.counts_summary());
+    page->commit();
+    summary +=
+        fmt::format("animation in {}, {} bytes: open it in a browser\n", io::printable(options.html), grouped(size));
+  }
+  if (!summary.empty() && options.report != "-") {
     auto console = io::OutputFile::standard_output();
-    console.write(proofs->summary());
+    console.write(summary);
     console.commit();
   }
   return all_free ? kAllHold : kRefuted;

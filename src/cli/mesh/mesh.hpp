@@ -19,6 +19,7 @@ struct MeshRunOptions {
   int threads = 0;  ///< 0: all that the machine has
   std::optional<sequence::Shard> shard;
   std::string report, pairs, queries, prove;
+  std::string html;  ///< the page to write; empty: none
   bool resume = false;
   std::string topology, dataset;
   bool triangulate = false;

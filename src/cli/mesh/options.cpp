@@ -67,6 +67,11 @@ void add_mesh(CLI::App& program, Command& command) {
                    "Write the pairs in contact as FOLDER/KIND/contacts.csv, query files for explain and certify")
       ->type_name("FOLDER");
   subcommand
+      ->add_option(
+          "--html", options->html,
+          "Write a page with the animation, its contacts and its intersections. It is one file, for any browser")
+      ->type_name("PAGE.html");
+  subcommand
       ->add_option("--prove", options->prove,
                    "Write the frames' positions as FOLDER/motion.txt and a proof for each pair of each step as "
                    "FOLDER/proofs.txt, for touchstone-check. The folder must be new or empty")
@@ -79,7 +84,7 @@ void add_mesh(CLI::App& program, Command& command) {
   subcommand->add_option("--dataset", options->dataset, "The name of the data set in HDF5 files")->type_name("NAME");
   subcommand->add_flag("--triangulate", options->triangulate,
                        "Cut polygons of more than three corners into triangles that share the first corner");
-  for (const char* name : {"--report", "--pairs", "--queries", "--prove", "--topology"}) {
+  for (const char* name : {"--report", "--pairs", "--queries", "--html", "--prove", "--topology"}) {
     subcommand->get_option(name)->check(not_empty);
   }
   subcommand->footer(
@@ -92,6 +97,7 @@ void add_mesh(CLI::App& program, Command& command) {
       "  touchstone mesh --separation 1e-3 --report report.json --resume 'cloth-*.obj'\n"
       "  touchstone mesh --shard 2/4 --report part-2.json cloth-*.obj\n"
       "  touchstone mesh --check body.ply\n"
+      "  touchstone mesh --html cloth.html cloth-*.obj\n"
       "  touchstone mesh --prove proved cloth-*.obj && touchstone-check proved/proofs.txt proved/motion.txt\n\n"
       "Exit status: 0 every step is free and the first frame does not intersect itself (--check: no frame does), 1\n"
       "otherwise, 2 bad usage or bad input.");

@@ -197,6 +197,12 @@ std::string MeshOutput::write_query(const sequence::PairContact& pair, const seq
   return explain_command(target->path, pair.kind, target->queries++, separation);
 }
 
+sequence::ResultCounts MeshOutput::all_counts() const {
+  return options_.report.empty() ? counts_ : sequence::counts_of(report_);
+}
+
+std::string MeshOutput::counts_summary() const { return counts_for_person(report_.heading, all_counts()); }
+
 bool MeshOutput::finish() {
   if (pairs_file_) pairs_file_->commit();
   for (const Kind kind : io::kKinds) {
@@ -211,8 +217,7 @@ bool MeshOutput::finish() {
     }
   }
   folders_.keep();
-  const bool has_report = !options_.report.empty();
-  const sequence::ResultCounts counts = has_report ? sequence::counts_of(report_) : counts_;
+  const sequence::ResultCounts counts = all_counts();
   if (report_file_) {
     report_file_->write(sequence::report_text(report_));
     report_file_->commit();

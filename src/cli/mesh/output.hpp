@@ -41,6 +41,9 @@ class MeshOutput {
   /// @param known   whether an earlier run found it
   void add(sequence::Finished finished, const frames::Frame& before, const frames::Frame& after, bool known);
 
+  /// The line about all results.
+  std::string counts_summary() const;
+
   /// Writes what is left, and puts all files in their places. @returns whether every step is free
   bool finish();
 
@@ -52,6 +55,7 @@ class MeshOutput {
   };
 
   void take_finished_report();
+  sequence::ResultCounts all_counts() const;
   std::string pair_lines(const std::vector<sequence::PairContact>& pairs, const sequence::Result& result,
                          const frames::Frame& before, const frames::Frame& after, const std::string& indent);
   std::string write_query(const sequence::PairContact& pair, const sequence::Result& result,

@@ -3,12 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <string_view>
 #include <utility>
 #include <variant>
 
+#include "cli/shared/exact_corners.hpp"
 #include "exact/exact.hpp"
-#include "io/times.hpp"
 #include "sim/output_text.hpp"
 #include "view/animation_page.hpp"
 #include "view/story_html.hpp"
@@ -72,21 +71,6 @@ std::pair<Sort, Sort> sorts_of(Kind kind) {
     case Kind::point_point: break;
   }
   return {Sort::vertex, Sort::vertex};
-}
-
-std::string exact_corner(std::string_view name, double x, double y, double z) {
-  return fmt::format("{}: {} {} {}\n", name, io::hexfloat(x), io::hexfloat(y), io::hexfloat(z));
-}
-
-std::string exact_corners(const Query& query) {
-  std::string text;
-  for (const auto& [when, corners] : {std::pair{"start", &query.start}, std::pair{"end", &query.end}}) {
-    for (std::size_t c = 0; c < corner_count(query.kind); ++c) {
-      const Vec3& x = (*corners)[c];
-      text += exact_corner(fmt::format("{} {}", when, corner_name(query.kind, c)), x.x, x.y, x.z);
-    }
-  }
-  return fmt::format("<pre>{}</pre>", text);
 }
 
 }  // namespace
@@ -170,7 +154,7 @@ SimulationAnimation::Words SimulationAnimation::words_of(const sim::Pair& pair) 
   const auto corners = simulation_->colliders().corners(pair);
   for (std::size_t c = 0; c < corner_count(pair.kind); ++c) {
     const Vec3 x = sim::corner_of(simulation_->state().q, corners[c]);
-    words.corners += exact_corner(fmt::format("particle {}", corners[c]), x.x, x.y, x.z);
+    words.corners += exact_corner(fmt::format("particle {}", corners[c]), x);
   }
   return words;
 }
@@ -185,7 +169,7 @@ SimulationAnimation::Words SimulationAnimation::words_of(const sim::BodyPair& pa
     const std::string name = corner.body == sim::kParticles
                                  ? fmt::format("particle {}", corner.number)
                                  : fmt::format("vertex {} of body {}", corner.number, corner.body);
-    words.corners += exact_corner(name, x.x(), x.y(), x.z());
+    words.corners += exact_corner(name, {x.x(), x.y(), x.z()});
   }
   return words;
 }
@@ -198,7 +182,8 @@ void SimulationAnimation::add_crossing(const sim::Crossing& crossing) {
   const exact::Story story = exact::explain(crossing.query, 1);
   animation_.add_story({crossing.time, point, pair, view::MarkSort::crossing,
                         "crossing: " + sim::crossing_for_person(*simulation_, crossing),
-                        view::story_html(crossing.query.kind, false, story, 1, {}) + exact_corners(crossing.query)});
+                        view::story_html(crossing.query.kind, false, story, 1, {}) +
+                            fmt::format("<pre>{}</pre>", exact_corners(crossing.query))});
 }
 
 std::uint64_t SimulationAnimation::write(io::OutputFile& file, const std::string& title,

@@ -46,12 +46,15 @@ class AnimationViewer {
         button('Whole', 'Key 0', () => this.whole())));
   }
 
+  /** The word for a sort of marks. */
+  word(sort) { return sort === 'crossing' ? this.data.crossing : sort; }
+
   /** Times with a button of their own. */
   chips() {
     const times = this.data.times, chips = [{s: times[0], sort: 'start', text: 'start'}];
     const first = (sort) => {
       const i = this.marks.sorts.indexOf(kMarkSorts.indexOf(sort));
-      if (i >= 0) chips.push({s: this.marks.times[i], sort, text: `first ${sort}`});
+      if (i >= 0) chips.push({s: this.marks.times[i], sort, text: `first ${this.word(sort)}`});
     };
     first('contact');
     first('crossing');
@@ -227,9 +230,10 @@ class AnimationViewer {
       const number = kMarkSorts.indexOf(sort);
       return [list.filter((i) => marks.sorts[i] === number).length, sort];
     });
-    const told = counts.filter(([n]) => n > 0).map(([n, sort]) => `${n} ${sort}`).join(', ');
+    const told = counts.filter(([n]) => n > 0).map(([n, sort]) => `${n} ${this.word(sort)}`).join(', ');
     const time = data.unit ? `, ${Number(this.s.toPrecision(6))} ${data.unit}` : `, t = ${Number(this.s.toPrecision(9))}`;
-    this.readout.textContent = `${data.number} ${data.numbers[frame]}${time}. Marks: ${told || 'none'}.`;
+    const label = data.labels[frame] ? ` (${data.labels[frame]})` : '';
+    this.readout.textContent = `${data.number} ${data.numbers[frame]}${label}${time}. Marks: ${told || 'none'}.`;
   }
 }
 

@@ -41,7 +41,7 @@ class ElementPanel {
   /** A line that leads to the first mark of a pair. */
   pairLine({pair, marks}) {
     const all = this.viewer.marks, count = (sort) => marks.filter((i) => all.sort(i) === sort).length;
-    const counts = [['crossing', 'crossings'], ['contact', 'contacts'], ['close', 'times close']]
+    const counts = [['crossing', this.viewer.word('crossing') + 's'], ['contact', 'contacts'], ['close', 'times close']]
                        .map(([sort, words]) => [count(sort), words])
                        .filter(([n]) => n > 0)
                        .map(([n, words]) => `${n} ${words}`);
@@ -66,7 +66,7 @@ class ElementPanel {
     const {marks, elements} = this.viewer, both = marks.pairElements(pair), found = marks.ofPair(pair);
     const times = found.slice(0, kMostPairsShown).map((i) => element(
         'button', {type: 'button', class: 'link', onclick: () => this.viewer.goToMark(i)},
-        `${marks.sort(i)} at ${this.timeText(marks.times[i])}`));
+        `${this.viewer.word(marks.sort(i))} at ${this.timeText(marks.times[i])}`));
     const story = this.viewer.data.stories.findIndex((s) => s.pair === pair);
     const told = story < 0 ? null : this.list[story].parentNode.querySelector('details').cloneNode(true);
     if (told) told.open = true;

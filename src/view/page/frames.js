@@ -83,6 +83,7 @@ class Elements {
     this.faces = new Uint32Array(bytesOf('faces'));
     this.edges = new Uint32Array(bytesOf('edges'));
     this.points = new Uint32Array(bytesOf('points'));
+    this.faceNumbers = new Uint32Array(bytesOf('face-numbers'));
     const bare = new Uint8Array(bytesOf('bare'));
     this.bareEdges = [];
     bare.forEach((is, i) => {
@@ -96,15 +97,24 @@ class Elements {
     return [number];
   }
 
-  /** "edge 12 of body 2" */
+  /** "edge 12 of body 2", or "edge 3-4" where edges have no numbers */
   name({sort, number}) {
-    const word = sort === 'vertex' ? this.data.vertexName : sort;
+    const data = this.data, first = data.firstNumber;
     const count = {vertex: 'vertices', edge: 'edges', face: 'faces'}[sort];
-    for (const part of this.data.parts) {
-      if (number < part[count]) return `${word} ${number}` + (part.name ? ` of ${part.name}` : '');
-      number -= part[count];
+    let within = number, firstVertex = 0;
+    for (const part of data.parts) {
+      if (within >= part[count]) {
+        within -= part[count];
+        firstVertex += part.vertices;
+        continue;
+      }
+      const of = part.name ? ` of ${part.name}` : '';
+      if (sort === 'vertex') return `${data.vertexName} ${within + first}${of}`;
+      if (sort === 'face') return `face ${data.facesHaveNumbers ? this.faceNumbers[number] : within + first}${of}`;
+      if (data.edgesHaveNumbers) return `edge ${within}${of}`;
+      return `edge ${this.corners({sort, number}).map((v) => v - firstVertex + first).join('-')}${of}`;
     }
-    return `${word} ${number}`;
+    return '';
   }
 }
 
