@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -68,6 +69,10 @@ struct FuzzOptions {
 
   /// The number of threads, 1 to 1024, that call the solver at the same time. The report is the same for any number.
   int threads = 1;
+
+  /// When this becomes true, the search and the shrinking end soon, and the report has what was found so far; null: they
+  /// run to their end.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 /// All failures of one class on queries that are degenerate in one way, shown by the simplest such query.
@@ -91,6 +96,7 @@ struct FuzzReport {
   std::uint64_t failures = 0;         ///< The number of queries with a wrong reply.
   std::size_t kinds_of_failure = 0;   ///< The number of findings, including those beyond FuzzOptions::findings.
   std::vector<FuzzFinding> findings;  ///< The findings, at most FuzzOptions::findings of them.
+  bool stopped = false;               ///< Whether FuzzOptions::stop ended the call.
 };
 
 /// Asks `solver` for the first contact in [0, 1] of many queries that are degenerate, nearly degenerate or extreme, and

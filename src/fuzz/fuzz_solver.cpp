@@ -102,11 +102,14 @@ FuzzReport fuzz_solver(const std::function<Claim(const Query&)>& solver, const F
     reply.toi = claim.toi;
     return reply;
   };
-  fuzz::Outcome outcome = fuzz::run([&ask] { return fuzz::callable_solver("the solver", ask); }, settings_of(options));
+  const auto goes_on = [&options](const fuzz::Progress&) { return options.stop == nullptr || !*options.stop; };
+  fuzz::Outcome outcome =
+      fuzz::run([&ask] { return fuzz::callable_solver("the solver", ask); }, settings_of(options), goes_on);
   FuzzReport report;
   report.queries = outcome.queries;
   report.failures = outcome.table.total().failed();
   report.kinds_of_failure = outcome.kinds_of_failure;
+  report.stopped = outcome.stopped;
   for (fuzz::Finding& finding : outcome.findings) report.findings.push_back(public_finding(std::move(finding)));
   return report;
 }

@@ -1,4 +1,4 @@
-// The halves of the module.
+// The parts of the module.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -10,5 +10,8 @@ namespace py = pybind11;
 
 void define_queries(py::module_& module);
 void define_meshes(py::module_& module);
+void define_curved(py::module_& module);
+void define_proofs(py::module_& module);
+void define_fuzzing(py::module_& module);
 
 }  // namespace touchstone::python

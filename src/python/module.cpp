@@ -25,4 +25,7 @@ PYBIND11_MODULE(_core, module) {
   python::define_answers(module);
   python::define_queries(module);
   python::define_meshes(module);
+  python::define_curved(module);
+  python::define_proofs(module);
+  python::define_fuzzing(module);
 }

@@ -13,13 +13,13 @@
 #include <touchstone/contact_normal.hpp>
 #include <touchstone/contact_times.hpp>
 #include <touchstone/distance.hpp>
-#include <touchstone/error.hpp>
 #include <touchstone/solve.hpp>
 
 #include "python/answers.hpp"
 #include "python/arguments.hpp"
 #include "python/chunks.hpp"
 #include "python/query_arrays.hpp"
+#include "python/rows.hpp"
 #include "threads/for_each_range.hpp"
 
 namespace touchstone::python {
@@ -49,8 +49,7 @@ Query QueryArrays::at(std::size_t q) const noexcept {
 
 namespace {
 
-constexpr std::size_t kBlock = 256;   // queries whose columns stay in a core's cache: 48 KiB
-constexpr std::size_t kFirst = 2048;  // queries of the first chunk: less than a millisecond, but for degenerate ones
+constexpr std::size_t kBlock = 256;  // queries whose columns stay in a core's cache: 48 KiB
 
 /// Answers queries [first, last) into answers[first] and so on.
 class Batch {
@@ -119,39 +118,8 @@ class Batch {
   bool direct_ = false;
 };
 
-/// Works on rows [first, last). An InvalidQuery becomes one that names the row: ask(q) throws it for row q again.
-template <class Work, class Ask>
-void naming_the_row(std::size_t first, std::size_t last, const Work& work, const Ask& ask) {
-  try {
-    work();
-  } catch (const InvalidQuery&) {
-    for (std::size_t q = first; q < last; ++q) {
-      try {
-        ask(q);
-      } catch (const InvalidQuery& error) {
-        throw InvalidQuery("row " + std::to_string(q) + ": " + error.what());
-      }
-    }
-    throw;
-  }
-}
-
 /// Whether the options have a meaning, before the first row is looked at. The one query is at rest and valid.
 void check_options(const Separation& separation, double t_max) { solve(Query(), separation, t_max); }
-
-/// Calls ask(q), on several threads, for each row.
-template <class Ask>
-void for_each_row(const QueryArrays& queries, int threads, const Ask& ask) {
-  constexpr std::size_t kAtATime = 64;
-  in_chunks(queries.count(), kFirst, [&](std::size_t first, std::size_t last) {
-    const auto work = [&] {
-      threads::for_each_range(last - first, kAtATime, threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t q = first + begin; q < first + end; ++q) ask(q);
-      });
-    };
-    naming_the_row(first, last, work, ask);
-  });
-}
 
 py::object solve_arrays(py::handle kind, py::handle start, py::handle end, py::handle t_max, py::handle separation,
                         py::handle metric, py::handle threads, py::handle method) {
@@ -192,14 +160,9 @@ py::object solve_any_arrays(py::handle kind, py::handle start, py::handle end, p
   check_options(kept.separation, t_max);
   py::array_t<bool> touch(static_cast<py::ssize_t>(queries.count()));
   bool* const to = touch.mutable_data();
-  for_each_row(queries, thread_count, [&](std::size_t q) { to[q] = solve_any(queries.at(q), kept.of(q), t_max); });
+  for_each_row(queries.count(), thread_count,
+               [&](std::size_t q) { to[q] = solve_any(queries.at(q), kept.of(q), t_max); });
   return py::object(touch);
-}
-
-py::list list_of(const std::vector<ContactInterval>& intervals) {
-  py::list list;
-  for (const ContactInterval& interval : intervals) list.append(py::make_tuple(interval.first, interval.last));
-  return list;
 }
 
 py::list contact_times_arrays(py::handle kind, py::handle start, py::handle end, py::handle t_max_number,
@@ -211,7 +174,7 @@ py::list contact_times_arrays(py::handle kind, py::handle start, py::handle end,
   check_options(kept.separation, t_max);
   if (queries.is_single()) return list_of(contact_times(queries.at(0), kept.separation, t_max));
   std::vector<std::vector<ContactInterval>> times(queries.count());
-  for_each_row(queries, thread_count,
+  for_each_row(queries.count(), thread_count,
                [&](std::size_t q) { times[q] = contact_times(queries.at(q), kept.of(q), t_max); });
   py::list all;
   for (const auto& intervals : times) all.append(list_of(intervals));
@@ -232,7 +195,8 @@ py::object distance_arrays(py::handle kind, py::handle start, py::handle end, py
   if (queries.is_single()) return py::cast(distance(queries.at(0), t, metric));
   distance(Query(), t, metric);  // whether they have a meaning
   Distances distances{std::vector<Distance>(queries.count())};
-  for_each_row(queries, thread_count, [&](std::size_t q) { distances.all[q] = distance(queries.at(q), t, metric); });
+  for_each_row(queries.count(), thread_count,
+               [&](std::size_t q) { distances.all[q] = distance(queries.at(q), t, metric); });
   return py::cast(std::move(distances));
 }
 
@@ -256,7 +220,7 @@ py::object contact_normal_arrays(py::handle kind, py::handle start, py::handle e
   if (queries.is_single()) {
     ask(0);
   } else {
-    for_each_row(queries, thread_count, ask);
+    for_each_row(queries.count(), thread_count, ask);
   }
   return py::object(normals);
 }
@@ -338,6 +302,12 @@ void define_distances(py::module_& module) {
 }
 
 }  // namespace
+
+py::list list_of(const std::vector<ContactInterval>& intervals) {
+  py::list list;
+  for (const ContactInterval& interval : intervals) list.append(py::make_tuple(interval.first, interval.last));
+  return list;
+}
 
 void define_queries(py::module_& module) {
   define_times(module);

@@ -3,6 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
+
+#include <touchstone/contact_times.hpp>
 
 #include "python/arguments.hpp"
 
@@ -19,5 +22,8 @@ struct QueryArrays {
   std::size_t count() const noexcept { return start.count(); }
   Query at(std::size_t q) const noexcept;
 };
+
+/// Intervals of contact as a list of pairs of ExactTime.
+py::list list_of(const std::vector<ContactInterval>& intervals);
 
 }  // namespace touchstone::python

@@ -83,7 +83,7 @@ def test_the_answers_of_the_program(tmp_path):
     for kind in queries.KINDS:
         for path in sorted((QUERY_FILES / kind).glob("*.csv")):
             if path.name.startswith("curved_"):
-                continue  # queries of curved motion are not in the module yet
+                continue  # test_curved.py has these
             out = tmp_path / "answers.csv"
             subprocess.run([program, "solve", "--kind", kind, "--out", out, path], check=True, capture_output=True)
             header, *lines = out.read_bytes().decode().splitlines(keepends=True)
@@ -131,7 +131,8 @@ except KeyboardInterrupt:
 
 @pytest.mark.parametrize("statement", [
     "ts.solve('edge-edge', start, end, method='oracle')", "ts.contact_times('edge-edge', start, end, threads=1)",
-    "ts.all_contacts(mesh, x0, x0 + 1e3 * (x1 - x0))", "ts.intersections(mesh, x0)"
+    "ts.all_contacts(mesh, x0, x0 + 1e3 * (x1 - x0))", "ts.intersections(mesh, x0)",
+    "ts.prove('edge-edge', start, end)", "ts.fuzz(lambda *query: False, 10**9)"
 ])
 def test_ctrl_c_is_heard(statement):
     interrupted(statement)
@@ -146,10 +147,13 @@ def test_a_million_calls_leave_no_memory_behind():
     start, end = queries.lattice("vertex-face", 40)
     mesh = ts.Mesh(4, [[0, 1, 2]])
     wrong = np.full((4, 3), np.nan)
+    curved = ts.CurvedQueries("vertex-face", ts.OnBody(start[:, :1], q1=[1, 0, 0, 1]), ts.OnBody(start[:, 1:]))
 
     def calls(count):
         for i in range(count):
             ts.solve("vertex-face", start[i % 40], end[i % 40])
+        for _ in range(count // 50_000):
+            ts.fuzz(lambda *query: True, 50).findings[0].start
         for _ in range(count // 1000):
             answers = ts.solve("vertex-face", start, end, separation=0.25)
             answers.toi, answers.weights_a, answers[3].nature
@@ -158,6 +162,7 @@ def test_a_million_calls_leave_no_memory_behind():
             ts.first_contact(mesh, start[0], end[0]).first.answers.toi
             ts.free_step(mesh, start[0], end[0]).positions
             ts.contact_times("vertex-face", start[1], end[1])
+            curved.solve().toi, curved.prove().answers.toi
             for argument in (wrong, [[1]], "x"):
                 try:
                     ts.solve("vertex-face", argument, wrong)

@@ -29,17 +29,21 @@ a shape or name that does not fit. The message names the argument, and the row w
 Calls run without Python's global lock, and Ctrl-C ends them with KeyboardInterrupt. Do not write to an array while a
 call reads it.
 """
-from ._core import (Answer, Answers, Distance, Distances, ExactTime, FirstContact, FreeStep, Intersections, Mesh,
-                    Pairs, __version__)
+from ._core import (Answer, Answers, Distance, Distances, ExactTime, Finding, FirstContact, FreeStep, FuzzReport,
+                    Intersections, Mesh, Pairs, __version__)
 from ._names import Feature, Level, Nature, Trend
 from ._queries import contact_normal, contact_times, distance, solve, solve_any
+from ._curved import CurvedQueries, OnBody, OnCurves
+from ._fuzzing import fuzz
 from ._judging import Certificate, Verdict, certify
 from ._meshes import all_contacts, candidates, first_contact, free_step, intersections
+from ._proofs import Checked, Proofs, check, prove
 from ._display import Shown, show
 
 __all__ = [
-    "Answer", "Answers", "Certificate", "Distance", "Distances", "ExactTime", "Feature", "FirstContact", "FreeStep",
-    "Intersections", "Level", "Mesh", "Nature", "Pairs", "Shown", "Trend", "Verdict", "all_contacts", "candidates",
-    "certify", "contact_normal", "contact_times", "distance", "first_contact", "free_step", "intersections", "show",
-    "solve", "solve_any"
+    "Answer", "Answers", "Certificate", "Checked", "CurvedQueries", "Distance", "Distances", "ExactTime", "Feature",
+    "Finding", "FirstContact", "FreeStep", "FuzzReport", "Intersections", "Level", "Mesh", "Nature", "OnBody",
+    "OnCurves", "Pairs", "Proofs", "Shown", "Trend", "Verdict", "all_contacts", "candidates", "certify", "check",
+    "contact_normal", "contact_times", "distance", "first_contact", "free_step", "fuzz", "intersections", "prove",
+    "show", "solve", "solve_any"
 ]

@@ -123,6 +123,45 @@ class Intersections:
     weights_second: _Doubles
     def __len__(self) -> int: ...
 
+class CurvedArrays:
+    kind: str
+    single: bool
+    def __len__(self) -> int: ...
+    def solve(self, t_max: float, separation: ArrayLike, metric: str, threads: int,
+              method: str) -> Union[Answers, Answer]: ...
+    def solve_any(self, t_max: float, separation: ArrayLike, metric: str, threads: int) -> Union[_Bools, bool]: ...
+    def contact_times(self, t_max: float, separation: ArrayLike, metric: str, threads: int) -> List[Any]: ...
+
+class ProvedFile:
+    queries: bytes
+    proofs: bytes
+    answers: Answers
+
+class Finding:
+    failure: str
+    degeneracy: str
+    count: int
+    kind: str
+    start: _Doubles
+    end: _Doubles
+    contact: bool
+    toi: Optional[float]
+    truth: Answer
+    detail: str
+    case_name: str
+
+class FuzzReport:
+    queries: int
+    failures: int
+    kinds_of_failure: int
+    findings: List[Finding]
+
+def curved_queries(kind: str, first: Tuple[ArrayLike, ...], second: Tuple[ArrayLike, ...]) -> CurvedArrays: ...
+def prove(kind: str, start: ArrayLike, end: ArrayLike, separation: float, metric: str, threads: int) -> ProvedFile: ...
+def prove_curved(queries: CurvedArrays, separation: float, metric: str, threads: int) -> ProvedFile: ...
+def fuzz(solver: Any, kinds: Optional[List[str]], families: Optional[List[str]], cases: int, seed: int, climb: int,
+         separation: float, metric: str, early_ulps: Optional[int], early_share: Optional[float],
+         findings: int) -> FuzzReport: ...
 def solve(kind: str, start: ArrayLike, end: ArrayLike, t_max: float, separation: ArrayLike, metric: str, threads: int,
           method: str) -> Union[Answers, Answer]: ...
 def solve_any(kind: str, start: ArrayLike, end: ArrayLike, t_max: float, separation: ArrayLike, metric: str,

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _queries
-from ._core import Answer, Answers, FirstContact, FreeStep, Intersections, Pairs
+from ._core import Answer, Answers, Finding, FirstContact, FreeStep, FuzzReport, Intersections, Pairs
 from ._judging import Certificate, Verdict
 from ._names import Feature, Level, Nature
 from ._queries import Kind, Metric
@@ -130,8 +130,22 @@ def _show_certificate(certificate):
     return _table(heading, ("claim", "verdict", "exact answer"), rows, len(certificate.refuted) - len(rows))
 
 
+def _show_finding(found):
+    claim = "no contact" if not found.contact else "contact" if found.toi is None else f"contact at {_number(found.toi)}"
+    facts = [("claim", claim), ("exact", repr(found.truth)), ("in all", found.count), ("degeneracy", found.degeneracy),
+             ("more", found.detail)]
+    return (_table(f"{found.failure}, {found.kind}", ("corner", "at t = 0", "at t = 1"),
+                   _corner_rows(found.kind, found.start, found.end)) + _facts("reply", facts))
+
+
+def _show_report(report):
+    rows = [(f.failure, f.kind, f.degeneracy, f.count) for f in report.findings[:_MOST_ROWS]]
+    return _table(f"{report.failures} of {report.queries} replies are wrong", ("failure", "kind", "degeneracy", "times"),
+                  rows, report.kinds_of_failure - len(rows))
+
+
 for _class, _shown in ((Answer, lambda answer: _facts("answer", _answer_facts(answer))), (Answers, _show_answers),
                        (Pairs, _show_pairs),
                        (FirstContact, _show_contact), (FreeStep, _show_step), (Intersections, _show_intersections),
-                       (Certificate, _show_certificate)):
+                       (Certificate, _show_certificate), (Finding, _show_finding), (FuzzReport, _show_report)):
     setattr(_class, "_repr_html_", _shown)

@@ -1,0 +1,213 @@
+// Queries about bodies that turn and corners on curves.
+// SPDX-License-Identifier: MIT
+#include <touchstone/curved.hpp>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "python/answers.hpp"
+#include "python/arguments.hpp"
+#include "python/curved_queries.hpp"
+#include "python/define.hpp"
+#include "python/query_arrays.hpp"
+#include "python/rows.hpp"
+
+namespace touchstone::python {
+namespace {
+
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// The numbers of n rows of one shape, or of one row that counts for all.
+class Table {
+ public:
+  /// @param shape  that of a row
+  Table(py::handle values, const char* what, const std::vector<py::ssize_t>& shape) {
+    const py::array given = exact_array(values, what);
+    const auto width = static_cast<py::ssize_t>(shape.size());
+    bool fits = given.ndim() == width || given.ndim() == width + 1;
+    for (py::ssize_t i = 0; fits && i < width; ++i) {
+      fits = given.shape(given.ndim() - width + i) == shape[static_cast<std::size_t>(i)];
+      row_ *= static_cast<std::size_t>(shape[static_cast<std::size_t>(i)]);
+    }
+    if (!fits) {
+      std::string row;
+      for (const py::ssize_t size : shape) row.append(row.empty() ? "" : ", ").append(std::to_string(size));
+      throw py::value_error(std::string(what) + " has the shape " + shape_text(given) + "; it must be (n, " + row +
+                            ") or (" + row + (shape.size() == 1 ? ",)" : ")"));
+    }
+    if (given.ndim() > width) count_ = static_cast<std::size_t>(given.shape(0));
+    numbers_ = Doubles(given);
+  }
+
+  /// The number of rows; none: one row for all.
+  std::optional<std::size_t> count() const noexcept { return count_; }
+
+  const double* row(std::size_t i) const { return numbers_.data() + (count_ ? i * row_ : 0); }
+
+ private:
+  Doubles numbers_;
+  std::size_t row_ = 1;
+  std::optional<std::size_t> count_;
+};
+
+Vec3 vector_at(const double* x) { return {x[0], x[1], x[2]}; }
+
+/// The corners of one element of each query: on a body, or on curves.
+class Element {
+ public:
+  /// @param values  (corners, q0, q1, p0, p1), or (control_points,)
+  Element(const py::tuple& values, const std::string& what, std::size_t corners) : corners_(corners) {
+    const auto count = static_cast<py::ssize_t>(corners);
+    const auto add = [&](std::size_t i, const char* name, const std::vector<py::ssize_t>& shape) {
+      names_.push_back(what + "." + name);
+      tables_.emplace_back(values[i], names_.back().c_str(), shape);
+    };
+    if (values.size() == 1) {
+      const py::array given = exact_array(values[0], (what + ".control_points").c_str());
+      points_ = given.ndim() >= 3 ? given.shape(given.ndim() - 2) : 0;
+      if (points_ < 1 || points_ > 4) {
+        throw py::value_error(what + ".control_points has the shape " + shape_text(given) + "; it must be (n, " +
+                              std::to_string(corners) + ", m, 3) or (" + std::to_string(corners) +
+                              ", m, 3), with 1 to 4 control points for each corner");
+      }
+      add(0, "control_points", {count, points_, 3});
+      return;
+    }
+    add(0, "corners", {count, 3});
+    add(1, "q0", {4});
+    add(2, "q1", {4});
+    add(3, "p0", {3});
+    add(4, "p1", {3});
+  }
+
+  /// Compares the numbers of rows with those of other tables. @param count  the rows so far, and `first` has them
+  void count_rows(std::optional<std::size_t>& count, std::string& first) const {
+    for (std::size_t i = 0; i < tables_.size(); ++i) {
+      const auto rows = tables_[i].count();
+      if (!rows) continue;
+      if (count && *count != *rows) {
+        throw py::value_error(first + " has " + std::to_string(*count) + " rows and " + names_[i] + " has " +
+                              std::to_string(*rows) + "; they must have the same");
+      }
+      if (!count) first = names_[i];
+      count = rows;
+    }
+  }
+
+  /// Sets the corners from `corner` on, and the motion with this index, to those of row i.
+  void put(std::size_t i, CurvedQuery& query, std::size_t corner, int motion) const {
+    const double* x = tables_[0].row(i);
+    for (std::size_t c = corner; c < corner + corners_; ++c) {
+      if (points_ == 0) {
+        query.corners[c] = CurvedCorner::on_body(motion, vector_at(x));
+        x += 3;
+        continue;
+      }
+      query.corners[c].control_points = static_cast<int>(points_);
+      for (std::size_t k = 0; k < static_cast<std::size_t>(points_); ++k, x += 3) {
+        query.corners[c].points[k] = vector_at(x);
+      }
+    }
+    if (points_ > 0) return;
+    RigidMotion& to = query.motions[static_cast<std::size_t>(motion)];
+    std::copy_n(tables_[1].row(i), 4, to.q0.begin());
+    std::copy_n(tables_[2].row(i), 4, to.q1.begin());
+    to.p0 = vector_at(tables_[3].row(i));
+    to.p1 = vector_at(tables_[4].row(i));
+  }
+
+ private:
+  std::size_t corners_;
+  py::ssize_t points_ = 0;  ///< of each curve; 0 on a body
+  std::vector<Table> tables_;
+  std::vector<std::string> names_;
+};
+
+CurvedQueries curved_queries(py::handle kind_name, const py::tuple& first, const py::tuple& second) {
+  CurvedQueries queries;
+  queries.kind = kind_of(kind_name);
+  const std::size_t corners = queries.kind == Kind::edge_edge ? 2 : 1;
+  const Element a(first, "first", corners), b(second, "second", corner_count(queries.kind) - corners);
+  std::optional<std::size_t> rows;
+  std::string name;
+  a.count_rows(rows, name);
+  b.count_rows(rows, name);
+  queries.single = !rows;
+  queries.all.resize(rows.value_or(1));
+  for (std::size_t i = 0; i < queries.all.size(); ++i) {
+    queries.all[i].kind = queries.kind;
+    a.put(i, queries.all[i], 0, 0);
+    b.put(i, queries.all[i], corners, 1);
+  }
+  return queries;
+}
+
+/// Whether the options have a meaning, before the first row is looked at. The one query is at rest and valid.
+void check_options(const Separation& separation, double t_max) { solve(CurvedQuery(), separation, t_max); }
+
+py::object solve_curved(const CurvedQueries& queries, py::handle t_max_number, py::handle distance, py::handle metric,
+                        py::handle threads, py::handle method_name) {
+  const SeparationArgument separation = separation_of(distance, metric, queries.all.size(), queries.single);
+  const double t_max = number_of(t_max_number, "t_max");
+  const int thread_count = threads_of(threads);
+  const Method method = method_of(method_name);
+  std::vector<Answer> answers(queries.all.size());
+  const auto ask = [&](std::size_t q) { answers[q] = solve(queries.all[q], separation.of(q), method, t_max); };
+  if (queries.single) {
+    {
+      const py::gil_scoped_release released;
+      ask(0);
+    }
+    return py::cast(answers[0]);
+  }
+  check_options(separation.separation, t_max);
+  for_each_row(answers.size(), thread_count, ask);
+  return py::cast(Answers(std::move(answers)));
+}
+
+py::object solve_any_curved(const CurvedQueries& queries, py::handle t_max_number, py::handle distance,
+                            py::handle metric, py::handle threads) {
+  const SeparationArgument separation = separation_of(distance, metric, queries.all.size(), queries.single);
+  const double t_max = number_of(t_max_number, "t_max");
+  const int thread_count = threads_of(threads);
+  check_options(separation.separation, t_max);
+  if (queries.single) return py::bool_(solve_any(queries.all[0], separation.separation, t_max));
+  py::array_t<bool> touch(static_cast<py::ssize_t>(queries.all.size()));
+  bool* const to = touch.mutable_data();
+  for_each_row(queries.all.size(), thread_count,
+               [&](std::size_t q) { to[q] = solve_any(queries.all[q], separation.of(q), t_max); });
+  return py::object(touch);
+}
+
+py::list contact_times_curved(const CurvedQueries& queries, py::handle t_max_number, py::handle distance,
+                              py::handle metric, py::handle threads) {
+  const SeparationArgument separation = separation_of(distance, metric, queries.all.size(), queries.single);
+  const double t_max = number_of(t_max_number, "t_max");
+  const int thread_count = threads_of(threads);
+  check_options(separation.separation, t_max);
+  if (queries.single) return list_of(contact_times(queries.all[0], separation.separation, t_max));
+  std::vector<std::vector<ContactInterval>> times(queries.all.size());
+  for_each_row(times.size(), thread_count,
+               [&](std::size_t q) { times[q] = contact_times(queries.all[q], separation.of(q), t_max); });
+  py::list all;
+  for (const auto& intervals : times) all.append(list_of(intervals));
+  return all;
+}
+
+}  // namespace
+
+void define_curved(py::module_& module) {
+  py::class_<CurvedQueries>(module, "CurvedArrays", "The queries of a CurvedQueries.")
+      .def("__len__", [](const CurvedQueries& queries) { return queries.all.size(); })
+      .def_property_readonly("kind", [](const CurvedQueries& queries) { return std::string(kind_name(queries.kind)); })
+      .def_readonly("single", &CurvedQueries::single)
+      .def("solve", &solve_curved)
+      .def("solve_any", &solve_any_curved)
+      .def("contact_times", &contact_times_curved);
+  module.def("curved_queries", &curved_queries);
+}
+
+}  // namespace touchstone::python

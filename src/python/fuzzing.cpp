@@ -1,0 +1,154 @@
+// The fuzzer, for a solver that is a Python function.
+// SPDX-License-Identifier: MIT
+#include <touchstone/fuzz.hpp>
+
+#include <pybind11/stl.h>
+
+#include <atomic>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "python/arguments.hpp"
+#include "python/background.hpp"
+#include "python/define.hpp"
+
+namespace touchstone::python {
+namespace {
+
+/// The corners as an array of doubles of shape (corners, 3), the caller's own.
+py::array_t<double> corners_array(Kind kind, const std::array<Vec3, 4>& corners) {
+  const auto count = static_cast<py::ssize_t>(corner_count(kind));
+  py::array_t<double> array({count, static_cast<py::ssize_t>(3)});
+  double* to = array.mutable_data();
+  for (py::ssize_t i = 0; i < count; ++i) {
+    const Vec3& x = corners[static_cast<std::size_t>(i)];
+    *to++ = x.x;
+    *to++ = x.y;
+    *to++ = x.z;
+  }
+  return array;
+}
+
+bool is_bool(const py::object& value) {
+  return PyBool_Check(value.ptr()) || py::isinstance(value, py::module_::import("numpy").attr("bool_"));
+}
+
+double time_of(const py::object& value) {
+  if (is_bool(value)) throw std::runtime_error("the solver returned a bool as a time");
+  const double time = PyFloat_AsDouble(value.ptr());
+  if (time == -1 && PyErr_Occurred() != nullptr) throw py::error_already_set();
+  return time;
+}
+
+/// What the function returned: a bool, None for no contact, a time, or a pair of a bool and a time or None.
+Claim claim_of(const py::object& reply) {
+  if (reply.is_none()) return {};
+  if (is_bool(reply)) return {reply.cast<bool>(), std::nullopt};
+  if (py::isinstance<py::tuple>(reply)) {
+    const auto pair = reply.cast<py::tuple>();
+    if (pair.size() != 2 || !is_bool(pair[0])) {
+      throw std::runtime_error("the solver returned a tuple that is not (contact, toi) with a bool first");
+    }
+    const py::object time = pair[1];
+    const bool contact = py::object(pair[0]).cast<bool>();
+    return {contact, time.is_none() || !contact ? std::nullopt : std::optional(time_of(time))};
+  }
+  return {true, time_of(reply)};
+}
+
+/// Asks the function. What it throws becomes an exception that holds nothing of Python.
+Claim ask(const py::object& solver, const Query& query) {
+  const py::gil_scoped_acquire locked;
+  try {
+    return claim_of(solver(std::string(kind_name(query.kind)), corners_array(query.kind, query.start),
+                           corners_array(query.kind, query.end)));
+  } catch (py::error_already_set& error) {
+    throw std::runtime_error(error.what());
+  }
+}
+
+template <class Number>
+std::optional<Number> number_or_none(py::handle value) {
+  return value.is_none() ? std::nullopt : std::optional(value.cast<Number>());
+}
+
+FuzzReport fuzz(const py::object& solver, py::handle kinds, py::handle families, py::handle cases, py::handle seed,
+                py::handle climb, py::handle distance, py::handle metric, py::handle early_ulps, py::handle early_share,
+                py::handle findings) {
+  if (PyCallable_Check(solver.ptr()) == 0) {
+    throw py::type_error(std::string("solver is of type ") + Py_TYPE(solver.ptr())->tp_name +
+                         "; it must be a function of (kind, start, end)");
+  }
+  FuzzOptions options;
+  options.cases = cases.cast<std::uint64_t>();
+  options.seed = seed.cast<std::uint64_t>();
+  options.climb = climb.cast<std::uint64_t>();
+  options.findings = findings.cast<std::size_t>();
+  options.separation = separation_of(distance, metric, 0, true).separation;
+  options.early_ulps = number_or_none<std::uint64_t>(early_ulps);
+  options.early_share = number_or_none<double>(early_share);
+  if (!kinds.is_none()) {
+    for (const py::handle kind : kinds) options.kinds.push_back(kind_of(kind));
+  }
+  if (!families.is_none()) options.families = families.cast<std::vector<std::string>>();
+  // The function runs under the lock: more threads than one would only wait for each other.
+  return in_background(std::numeric_limits<std::size_t>::max(), [&](const std::atomic<bool>& stop) {
+    options.stop = &stop;
+    return fuzz_solver([&solver](const Query& query) { return ask(solver, query); }, options);
+  });
+}
+
+void define_finding(py::module_& module) {
+  py::class_<FuzzFinding>(module, "Finding",
+                          "All failures of one sort on queries that are degenerate in one way, with the simplest one.")
+      .def_property_readonly(
+          "failure", [](const FuzzFinding& found) { return std::string(fuzz_failure_name(found.failure)); },
+          "'crash', 'malformed', 'missed', 'late', 'nan', 'phantom' or 'early'")
+      .def_readonly("degeneracy", &FuzzFinding::degeneracy, "the degeneracy in words")
+      .def_readonly("count", &FuzzFinding::count, "how many queries failed in this way")
+      .def_property_readonly(
+          "kind", [](const FuzzFinding& found) { return std::string(kind_name(found.query.kind)); },
+          "the kind of the shrunk query")
+      .def_property_readonly(
+          "start", [](const FuzzFinding& found) { return corners_array(found.query.kind, found.query.start); },
+          "(corners, 3) float64: its corners at t = 0")
+      .def_property_readonly(
+          "end", [](const FuzzFinding& found) { return corners_array(found.query.kind, found.query.end); },
+          "(corners, 3) float64: its corners at t = 1")
+      .def_property_readonly(
+          "contact", [](const FuzzFinding& found) { return found.claim.contact; },
+          "whether the solver claims a contact")
+      .def_property_readonly(
+          "toi", [](const FuzzFinding& found) { return found.claim.toi; }, "the claimed time, or None")
+      .def_readonly("truth", &FuzzFinding::truth, "the exact Answer")
+      .def_readonly("detail", &FuzzFinding::detail, "more about it, such as the text of an exception")
+      .def_readonly("case_name", &FuzzFinding::case_name, "the query before it was shrunk, for touchstone fuzz --case")
+      .def("__repr__", [](const FuzzFinding& found) {
+        std::string text = to_string(found);
+        text.pop_back();  // the end of the last line
+        return text;
+      });
+}
+
+}  // namespace
+
+void define_fuzzing(py::module_& module) {
+  define_finding(module);
+  py::class_<FuzzReport>(module, "FuzzReport", "What fuzz found.")
+      .def_readonly("queries", &FuzzReport::queries, "how many queries were asked and judged")
+      .def_readonly("failures", &FuzzReport::failures, "how many replies were wrong")
+      .def_readonly("kinds_of_failure", &FuzzReport::kinds_of_failure, "how many findings there are in all")
+      .def_readonly("findings", &FuzzReport::findings, "a list of Finding, worst first")
+      .def("__repr__", [](const FuzzReport& report) {
+        return "<FuzzReport: " + std::to_string(report.queries) + " queries, " + std::to_string(report.failures) +
+               " failures of " + std::to_string(report.kinds_of_failure) + " kinds>";
+      });
+  module.def("fuzz", &fuzz);
+}
+
+}  // namespace touchstone::python

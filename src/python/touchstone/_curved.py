@@ -1,0 +1,116 @@
+"""Queries about bodies that turn and corners on curves. SPDX-License-Identifier: MIT"""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import List, Optional, Union
+
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._core import Answer, Answers
+from ._proofs import Proofs
+from ._queries import Kind, Method, Metric, Times
+
+
+@dataclass(frozen=True)
+class OnBody:
+    """Elements that are parts of rigid bodies: one for all queries, or n of them.
+
+    corners  each in the frame of its body: of shape (c, 3) or (n, c, 3), where c is 1 for points, 2 for edges and 3 for
+             faces
+    q0, q1   the orientations at t = 0 and t = 1: quaternions (w, x, y, z) of any length but 0, of shape (4,) or (n, 4).
+             Without q1 the body does not turn
+    p0, p1   where the body's origin is at t = 0 and t = 1, of shape (3,) or (n, 3). Without p1 it stays where it is
+
+    Over the step the quaternion is (1 - t) q0 + t q1, and the position (1 - t) p0 + t p1. Both ends are met exactly. The
+    body turns about one axis, at a pace that differs a little from that of slerp. With q0 . q1 >= 0 it takes the shorter
+    turn; q1 must not be q0 times a negative number.
+    """
+
+    corners: ArrayLike
+    q0: ArrayLike = (1, 0, 0, 0)
+    q1: Optional[ArrayLike] = None
+    p0: ArrayLike = (0, 0, 0)
+    p1: Optional[ArrayLike] = None
+
+    def _parts(self):
+        return (self.corners, self.q0, self.q0 if self.q1 is None else self.q1, self.p0,
+                self.p0 if self.p1 is None else self.p1)
+
+
+@dataclass(frozen=True)
+class OnCurves:
+    """Elements whose corners are on Bezier curves: one for all queries, or n of them.
+
+    control_points  of shape (c, m, 3) or (n, c, m, 3), where c is 1 for points, 2 for edges and 3 for faces, and m is 1
+                    for corners at rest, 2 for straight motions, 3 for ballistic arcs and 4 for cubics
+    """
+
+    control_points: ArrayLike
+
+    def _parts(self):
+        return (self.control_points,)
+
+
+class CurvedQueries:
+    """Queries about elements of bodies that turn, and elements on curves.
+
+    kind           as in `solve`
+    first, second  the elements, in the kind's order: each an OnBody or OnCurves. Single elements and n of them may be
+                   mixed; where both are single there is one query
+
+    The methods solve, solve_any, contact_times and prove are the functions of these names. Raises TypeError for another
+    element, and ValueError for shapes that do not fit.
+
+    The tip of a rod turns by 90 degrees about z, and meets a point:
+
+    >>> import touchstone
+    >>> from touchstone import CurvedQueries, OnBody, OnCurves
+    >>> CurvedQueries('point-point', OnBody([[1, 0, 0]], q1=[1, 0, 0, 1]), OnBody([[0, 1, 0]])).solve().toi
+    1.0
+
+    A stone is thrown over an edge:
+
+    >>> stone = OnCurves([[[0, 0, 0], [1, 0, 1], [2, 0, 0]]])
+    >>> edge = OnCurves([[[1, -1, .5]], [[1, 1, .5]]])
+    >>> answer = CurvedQueries('point-edge', stone, edge).solve()
+    >>> answer.toi, str(answer.nature)
+    (0.5, 'isolated')
+    """
+
+    def __init__(self, kind: Kind, first: Union[OnBody, OnCurves], second: Union[OnBody, OnCurves]):
+        for name, element in (("first", first), ("second", second)):
+            if not isinstance(element, (OnBody, OnCurves)):
+                found = type(element).__name__
+                raise TypeError(f"{name} is of type {found}; it must be touchstone.OnBody or touchstone.OnCurves")
+        self._core = _core.curved_queries(kind, first._parts(), second._parts())
+
+    @property
+    def kind(self) -> str:
+        """'edge-edge', 'vertex-face', 'point-edge' or 'point-point'."""
+        return self._core.kind
+
+    def __len__(self) -> int:
+        return len(self._core)
+
+    def __repr__(self):
+        return f"<CurvedQueries: {len(self)} {self.kind}>"
+
+    def solve(self, t_max: float = 1.0, separation: ArrayLike = 0.0, metric: Metric = "euclidean", threads: int = 0,
+              method: Method = "fast") -> Union[Answers, Answer]:
+        """The first contact of each query; arguments, result and errors are those of `touchstone.solve`."""
+        return self._core.solve(t_max, separation, metric, threads, method)
+
+    def solve_any(self, t_max: float = 1.0, separation: ArrayLike = 0.0, metric: Metric = "euclidean",
+                  threads: int = 0) -> Union[NDArray, bool]:
+        """Whether the elements touch at all, as `touchstone.solve_any`."""
+        return self._core.solve_any(t_max, separation, metric, threads)
+
+    def contact_times(self, t_max: float = 1.0, separation: ArrayLike = 0.0, metric: Metric = "euclidean",
+                      threads: int = 0) -> Union[Times, List[Times]]:
+        """All times of contact, as `touchstone.contact_times`."""
+        return self._core.contact_times(t_max, separation, metric, threads)
+
+    def prove(self, separation: float = 0.0, metric: Metric = "euclidean", threads: int = 0) -> Proofs:
+        """The answers with their proofs, as `touchstone.prove`."""
+        return Proofs(_core.prove_curved(self._core, separation, metric, threads))

@@ -1,0 +1,65 @@
+"""Breaking a solver that is a Python function. SPDX-License-Identifier: MIT"""
+from __future__ import annotations
+
+import operator
+from typing import Any, Callable, Iterable, Optional
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+from ._core import FuzzReport
+from ._queries import Kind, Metric
+
+_MOST = 2**64 - 1
+
+
+def _whole(number, name, least=0):
+    try:
+        value = operator.index(number)
+    except TypeError:
+        raise TypeError(f"{name} is of type {type(number).__name__}; it must be a whole number") from None
+    if not least <= value <= _MOST:
+        raise ValueError(f"{name} is {value}; it must be in [{least}, 2^64 - 1]")
+    return value
+
+
+def fuzz(solver: Callable[[str, NDArray[np.float64], NDArray[np.float64]], Any], cases: int = 10_000, *,
+         kinds: Optional[Iterable[Kind]] = None, families: Optional[Iterable[str]] = None, seed: int = 1, climb: int = 0,
+         separation: float = 0.0, metric: Metric = "euclidean", early_ulps: Optional[int] = None,
+         early_share: Optional[float] = None, findings: int = 32) -> FuzzReport:
+    """Asks a solver degenerate and extreme queries, judges its replies exactly, and shrinks the queries that it fails.
+
+    solver       a function of (kind, start, end): a word and two float64 arrays of shape (corners, 3). It returns whether
+                 there is contact for t in [0, 1], a bool; or the time of contact, a float; or None for no contact; or a
+                 tuple (contact, toi), where toi may be None. What it raises is a finding
+    cases        how many queries to make, in equal parts for all families and kinds
+    kinds        the kinds of query; all by default
+    families     the families of queries, as `touchstone fuzz --help` lists them; all by default
+    seed         the queries are the same for the same seed
+    climb        steps of hill-climbing from each query towards harder ones
+    separation   what the solver is asked: the first time within this distance. The solver is not told; metric as in
+                 `solve`
+    early_ulps   the greatest distance of a claimed time before the exact one, in doubles; by default any
+    early_share  the same as a fraction of the step
+    findings     how many findings to shrink and return
+
+    Returns a FuzzReport with the attributes queries, failures, kinds_of_failure and findings. A Finding has failure,
+    degeneracy, count, kind, start, end, contact, toi, truth, detail and case_name, and prints itself. The function runs
+    on another thread than the caller's. Raises ValueError for options without meaning, and KeyboardInterrupt at Ctrl-C.
+
+    >>> import numpy as np, touchstone
+    >>> def samples(kind, start, end):               # the distance of two points at 100 times
+    ...     t = np.linspace(0, 1, 100)[:, None, None]
+    ...     with np.errstate(over='ignore'):
+    ...         p, q = np.moveaxis((1 - t) * start + t * end, 1, 0)
+    ...         return bool((np.abs(p - q).max(axis=1) < 1e-6).any())
+    >>> report = touchstone.fuzz(samples, 300, kinds=['point-point'])
+    >>> report.failures > 0, sorted({finding.failure for finding in report.findings})
+    (True, ['missed', 'phantom'])
+    """
+    share = None if early_share is None else float(early_share)
+    return _core.fuzz(solver, None if kinds is None else list(kinds), None if families is None else list(families),
+                      _whole(cases, "cases", 1), _whole(seed, "seed"), _whole(climb, "climb"), separation, metric,
+                      None if early_ulps is None else _whole(early_ulps, "early_ulps"), share,
+                      _whole(findings, "findings"))

@@ -1,0 +1,92 @@
+"""The fuzzer, for solvers that are Python functions. SPDX-License-Identifier: MIT"""
+import math
+
+import numpy as np
+import pytest
+import touchstone as ts
+
+
+def exact(kind, start, end):
+    answer = ts.solve(kind, start, end)
+    return answer.contact, answer.toi
+
+
+def test_an_exact_solver_is_never_wrong():
+    seen = set()
+
+    def solver(kind, start, end):
+        seen.add(kind)
+        assert start.dtype == end.dtype == np.float64 and start.shape == end.shape
+        return exact(kind, start, end)
+
+    report = ts.fuzz(solver, 2000, early_ulps=0)
+    assert report.queries == 2000 and report.failures == 0 and report.findings == []
+    assert seen == {"edge-edge", "vertex-face", "point-edge", "point-point"}
+    only = ts.fuzz(solver, 100, kinds=["point_edge"], families=["planar_axis"], seed=3)
+    assert only.queries == 100 and only.failures == 0
+
+
+def half(kind, start, end):
+    """Misses every contact in the second half of the step."""
+    answer = ts.solve(kind, start, end, t_max=0.5)
+    return answer.contact
+
+
+def test_findings_are_shrunk_and_true():
+    report = ts.fuzz(half, 1500)
+    assert report.failures > 10 and len(report.findings) == 32 < report.kinds_of_failure
+    assert {found.failure for found in report.findings} == {"missed"}
+    for found in report.findings:
+        truth = ts.solve(found.kind, found.start, found.end)
+        assert truth.contact and truth.toi == found.truth.toi and not found.contact and found.toi is None
+        assert not half(found.kind, found.start, found.end) and found.count >= 1
+        assert found.failure in repr(found) and "exact" in repr(found)
+    assert [repr(found) for found in ts.fuzz(half, 1500).findings] == [repr(found) for found in report.findings]
+    assert len(ts.fuzz(half, 1500, findings=2).findings) == 2
+    assert "<td>missed</td>" in report._repr_html_() and "at t = 1" in report.findings[0]._repr_html_()
+
+
+@pytest.mark.parametrize("reply, failure", [
+    (lambda truth: truth.toi if truth.contact else None, None),
+    (lambda truth: (truth.contact, None), None),
+    (lambda truth: np.bool_(truth.contact), None),
+    (lambda truth: (truth.contact, np.float64(truth.toi)), None),
+    (lambda truth: (truth.contact, math.nan), "nan"),
+    (lambda truth: not truth.contact, "phantom"),
+    (lambda truth: "yes", "crash"),
+    (lambda truth: (1, 0.5), "crash"),
+    (lambda truth: 1 // 0, "crash"),
+])
+def test_replies(reply, failure):
+    report = ts.fuzz(lambda *query: reply(ts.solve(*query)), 200, kinds=["point-point", "edge-edge"])
+    kinds = {found.failure for found in report.findings}
+    assert (failure in kinds) if failure else not kinds
+    if failure == "crash":
+        assert report.findings[0].detail
+
+
+def test_what_is_raised_is_told():
+    def broken(kind, start, end):
+        raise LookupError("the <b>seventh</b> table is missing")
+
+    found = ts.fuzz(broken, 100).findings[0]
+    assert found.failure == "crash" and "LookupError" in found.detail and "seventh" in found.detail
+    assert "&lt;b&gt;" in found._repr_html_() and "<b>" not in found._repr_html_()
+
+
+def test_a_separation_is_what_the_solver_was_asked():
+    near = ts.fuzz(lambda *query: ts.solve_any(*query, separation=0.5), 500, separation=0.5)
+    assert near.failures == 0
+    assert ts.fuzz(lambda *query: ts.solve_any(*query), 500, separation=0.5).failures > 0
+
+
+@pytest.mark.parametrize("arguments, error, words", [
+    ({"solver": 3}, TypeError, "solver is of type int"), ({"cases": 0}, ValueError, "cases is 0"),
+    ({"cases": -1}, ValueError, "cases is -1"), ({"cases": 1.5}, TypeError, "cases is of type float"),
+    ({"seed": 2**64}, ValueError, "seed"), ({"kinds": ["edge"]}, ValueError, "kind is 'edge'"),
+    ({"families": ["none-such"]}, ValueError, "none-such"), ({"separation": -1}, ValueError, "separation"),
+    ({"early_share": 2}, ValueError, "early_share"), ({"climb": 2**63}, ValueError, "climb"),
+])
+def test_options_without_meaning(arguments, error, words):
+    with pytest.raises(error, match=words):
+        ts.fuzz(**{"solver": half, **arguments})
