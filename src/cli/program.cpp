@@ -22,7 +22,7 @@
 #include "cli/merge.hpp"
 #include "cli/mesh/mesh.hpp"
 #include "cli/prove.hpp"
-#include "cli/report.hpp"
+#include "cli/report/report.hpp"
 #include "cli/shared/build_facts.hpp"
 #include "cli/shared/interrupt.hpp"
 #include "cli/shared/words.hpp"

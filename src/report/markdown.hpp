@@ -8,6 +8,12 @@
 
 namespace touchstone::report {
 
+/// One paragraph: how often touchstone is wrong, and on how many fronts it is.
+std::string summary(const Report& report);
+
+/// What the tables' words mean, in Markdown but for the heading.
+extern const char* const kHowToRead;
+
 /// @param plots  whether the plots were drawn, so that the text shows them
 std::string markdown_text(const Report& report, bool plots);
 

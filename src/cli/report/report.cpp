@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/report.hpp"
+#include "cli/report/report.hpp"
 
 #include <fmt/format.h>
 
@@ -9,11 +9,15 @@
 #include <memory>
 #include <optional>
 
+#include <touchstone/error.hpp>
+
+#include "cli/report/page.hpp"
 #include "cli/shared/inputs.hpp"
 #include "cli/shared/new_folders.hpp"
 #include "cli/shared/options.hpp"
 #include "cli/shared/progress_line.hpp"
 #include "cli/shared/words.hpp"
+#include "io/fail.hpp"
 #include "io/kind_of_file.hpp"
 #include "io/output_file.hpp"
 #include "report/report.hpp"
@@ -24,6 +28,7 @@ namespace {
 struct ReportOptions {
   report::Size size;
   std::string out;
+  std::string html;  ///< the page to write; empty: none
   std::vector<std::string> files;
   std::optional<Kind> kind;
   SeparationOption separation;
@@ -87,10 +92,16 @@ GivenQueries read_queries(const std::string& source, const std::string& about, c
 }
 
 int run_report(const ReportOptions& options) {
+  if (options.html == "-") throw Error("--html: name a file to write, standard output has the report's name");
   NewFolders folders;
   folders.make(std::filesystem::path(options.out) / "plots");
   // A folder that cannot be written to is found before minutes are spent, not after.
   io::OutputFile((std::filesystem::path(options.out) / "report.md").string());
+  std::optional<io::OutputFile> page;
+  if (!options.html.empty()) {
+    refuse_to_overwrite(options.html, options.files);
+    page.emplace(options.html);
+  }
 
   ProgressLine line;
   const auto progress = draw_fraction_on(line);
@@ -117,10 +128,17 @@ int run_report(const ReportOptions& options) {
   made.remarks = std::move(remarks);
   const std::string hint = report::write_report(made, options.out, progress);
   folders.keep();
+  std::string pages;
+  if (page) {
+    const std::string text = report_page(made);
+    page->write(text);
+    page->commit();
+    pages = fmt::format("{}, {} bytes: open it in a browser\n", io::printable(options.html), grouped(text.size()));
+  }
   if (!hint.empty()) print_error(fmt::format("touchstone: {}\n", hint));
 
   auto console = io::OutputFile::standard_output();
-  console.write((std::filesystem::path(options.out) / "report.md").string() + "\n");
+  console.write((std::filesystem::path(options.out) / "report.md").string() + "\n" + pages);
   console.commit();
   return kAllHold;
 }
@@ -136,6 +154,11 @@ void add_report(CLI::App& program, Command& command) {
   subcommand->add_option("--out", options->out, "The folder for the report; it is made when it is missing")
       ->required()
       ->type_name("FOLDER");
+  subcommand
+      ->add_option("--html", options->html,
+                   "Write a page with the error against the run time, and tables that sort. It is one file")
+      ->type_name("PAGE.html")
+      ->check(not_empty);
   subcommand->add_flag("--quick", options->size.quick, "A few queries of each set: some seconds, and rough numbers");
   add_seed_option(*subcommand, options->size.seed);
   add_separation_options(*subcommand, options->separation,
@@ -156,6 +179,7 @@ void add_report(CLI::App& program, Command& command) {
       "Arch. Without gnuplot only the scripts are written, and can be drawn later.\n\n"
       "Examples\n"
       "  touchstone report --out report\n"
+      "  touchstone report --quick --out report --html report.html\n"
       "  touchstone report --quick --out report data/*/edge-edge/*.csv\n\n"
       "Exit status: 0 done, 2 bad usage, bad input or a file that cannot be written.");
   subcommand->callback([options, &command] { command = [options] { return run_report(*options); }; });
