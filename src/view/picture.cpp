@@ -22,15 +22,12 @@ namespace {
 
 using nlohmann::json;
 
-/// The proof of an answer over [0, 1] to a query with straight motion.
+/// The proof of an answer over [0, 1].
 std::optional<proofs::Proof> proof_of(const io::FileQuery& query, const Answer& answer, double t_max,
                                       const Separation& separation) {
   if (t_max != 1) return std::nullopt;
-  if (const auto* const straight = std::get_if<Query>(&query)) return proofs::prove(*straight, answer, separation);
-  if (const auto* const rational = std::get_if<RationalQuery>(&query)) {
-    return proofs::prove(*rational, answer, separation);
-  }
-  return std::nullopt;
+  return std::visit([&](const auto& of_sort) { return std::optional(proofs::prove(of_sort, answer, separation)); },
+                    query);
 }
 
 /// The contact's time within its two doubles.

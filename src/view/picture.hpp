@@ -35,7 +35,7 @@ Origin origin_of(const io::FileQuery& query, const MovingCorners& corners, const
 ///     carrier                     x, y, z of the first element's closest point relative to its place at s = 0
 ///     gap                         the second element's closest point relative to the first one's
 ///     corners                     relative to the closest point of its own element; weights: of the corners there
-///     planes                      of the proof, for straight motion over [0, 1]: until (t), untilS, normal, and offsets,
+///     planes                      of the proof, over [0, 1]: until (t), untilS, normal, and offsets,
 ///                                 the normal times each corner relative to the first element's closest point
 ///     marks                       t, s, sort (start, root, contact, closest, end), text
 ///

@@ -63,6 +63,49 @@ Query mapped(Query query, F&& f) {
   return query;
 }
 
+/// Checks that every plane of a picture lies between the elements: at times of its piece that are no ends of it.
+void check_planes(const json& data) {
+  const std::size_t first = data["first"].get<std::size_t>();
+  double from = data["marks"].front()["s"].get<double>();
+  for (const json& piece : data["planes"]) {
+    const double until = piece["untilS"].get<double>();
+    for (const double fraction : {0.1, 0.5, 0.9}) {
+      const double s = from + fraction * (until - from);
+      double low = 0, high = 0, other_low = 0, other_high = 0;
+      for (std::size_t i = 0; i < data["corners"].size(); ++i) {
+        const double h = polynomial(piece["offsets"][i], s);
+        double& least = i < first ? low : other_low;
+        double& most = i < first ? high : other_high;
+        least = i == 0 || i == first ? h : std::min(least, h);
+        most = i == 0 || i == first ? h : std::max(most, h);
+      }
+      INFO("s = " << s << " in\n" << data.dump());
+      CHECK((high < other_low || other_high < low));
+    }
+    from = until;
+  }
+}
+
+/// Two bodies that turn and move past each other, with integer coordinates.
+CurvedQuery turning_query(seeded::Rng& rng, Kind kind) {
+  const auto small = [&rng] { return static_cast<double>(rng.below(9)) - 4; };
+  const auto point = [&small] { return Vec3{small(), small(), small()}; };
+  CurvedQuery query;
+  query.kind = kind;
+  for (int body = 0; body < 2; ++body) {
+    RigidMotion& motion = query.motions[static_cast<std::size_t>(body)];
+    motion.q0 = {4, small(), small(), small()};
+    motion.q1 = {4, small(), small(), small()};
+    motion.p0 = point();
+    motion.p1 = point();
+  }
+  const std::size_t first = kind == Kind::edge_edge ? 2 : 1;
+  for (std::size_t i = 0; i < corner_count(kind); ++i) {
+    query.corners[i] = CurvedCorner::on_body(i < first ? 0 : 1, point());
+  }
+  return query;
+}
+
 constexpr std::array<Kind, 4> kKinds{Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point};
 
 }  // namespace
@@ -179,13 +222,31 @@ TEST_CASE("straight motion as curves gives the same picture") {
     const Query query = lattice_query(rng, kKinds[i % 2]);
     const Answer answer = solve(query, Method::exact);
     const json straight = view::picture_of(query, answer, 1), curved = view::picture_of(CurvedQuery(query), answer, 1);
-    CHECK(curved["planes"].empty());
+    CHECK(curved["planes"].empty() == straight["planes"].empty());
+    check_planes(curved);
+    check_planes(straight);
     CHECK(!straight["planes"].empty() == (!answer.contact || answer.toi_upper > 0));
     CHECK(std::fabs(straight["t"].get<double>() - curved["t"].get<double>()) <= 0x1p-53);
     if (answer.toi == answer.toi_upper || !answer.contact) {
       for (const char* key : {"gap", "corners", "carrier", "marks"}) CHECK(straight[key] == curved[key]);
     }
   }
+}
+
+TEST_CASE("planes of proofs keep bodies that turn apart") {
+  seeded::Rng rng(8);
+  std::size_t planes = 0, contacts = 0;
+  for (std::size_t i = 0; i < effort(80); ++i) {
+    const CurvedQuery query = turning_query(rng, kKinds[i % 4]);
+    const Answer answer = solve(query);
+    const json data = view::picture_of(query, answer, 1);
+    check_planes(data);
+    planes += data["planes"].size();
+    contacts += answer.contact ? 1 : 0;
+    if (!answer.contact) CHECK(!data["planes"].empty());
+  }
+  CHECK(planes > effort(80) / 2);
+  CHECK(contacts > 0);
 }
 
 TEST_CASE("a page is one whole document whose names are text") {
