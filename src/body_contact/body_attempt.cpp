@@ -178,6 +178,35 @@ void BodyResponse::Attempt::move() {
   }
 }
 
+/// Of the motion as it stands. Particles have answered each other before bodies push them: so those that bodies move
+/// are asked about again, and what they are pushed onto carries them.
+BodyResponse::Touches BodyResponse::Attempt::touches() {
+  Touches touches = r_->touches(motions());
+  std::vector<char> moved(static_cast<std::size_t>(result_.x1.size()) / 3, 0);
+  bool any = false;
+  for (Eigen::Index i = 0; i < result_.x1.size(); ++i) {
+    if (result_.x1[i] == step_->x1[i]) continue;
+    any = true;
+    moved[static_cast<std::size_t>(i) / 3] = 1;
+  }
+  if (!any) return touches;
+  // The proof of bodies has no pairs of particles.
+  const Touches more = r_->touches(r_->colliders_->particle_candidates(motions(), moved), motions());
+  count_asked(more);
+  touches.found.insert(touches.found.end(), more.found.begin(), more.found.end());
+  std::stable_sort(touches.found.begin(), touches.found.end(),
+                   [](const auto& a, const auto& b) { return a.second.toi < b.second.toi; });
+  return touches;
+}
+
+void BodyResponse::Attempt::count_asked(const Touches& touches) {
+  BodyCounts& counts = result_.counts;
+  counts.queries += touches.pairs;
+  counts.levels.filter += touches.levels.filter;
+  counts.levels.bracket += touches.levels.bracket;
+  counts.levels.exact += touches.levels.exact;
+}
+
 /// More contacts, or more distance for those that were not enough.
 void BodyResponse::Attempt::answer_touches(const Touches& touches) {
   const double h = step_->h;
@@ -199,7 +228,7 @@ void BodyResponse::Attempt::answer_touches(const Touches& touches) {
 }
 
 BodyResult::Outcome BodyResponse::Attempt::settle(double restitution) {
-  Touches touches;
+  Touches found;
   restored_ = restored_particles_ = 0;
   result_.counts.zones = 0;
   carried_ = {};
@@ -211,29 +240,26 @@ BodyResult::Outcome BodyResponse::Attempt::settle(double restitution) {
       move();
     }
     if (system_->most_turn(result_.end.bodies, step_->h) > 2 * kMostTurn) return Outcome::too_fast;
-    touches = r_->touches(motions());
-    result_.counts.contacts += touches.found.size();
-    if (touches.found.empty()) {
-      result_.counts.pairs = touches.pairs;
-      result_.counts.proof = touches.levels;
-      result_.counts.separations = touches.separations;
+    found = touches();
+    result_.counts.contacts += found.found.size();
+    if (found.found.empty()) {
+      result_.counts.pairs = found.pairs;
+      result_.counts.proof = found.levels;
+      result_.counts.separations = found.separations;
       if (!contacts_.empty()) restore_angular_momentum();
       return Outcome::done;
     }
-    result_.counts.queries += touches.pairs;
-    result_.counts.levels.filter += touches.levels.filter;
-    result_.counts.levels.bracket += touches.levels.bracket;
-    result_.counts.levels.exact += touches.levels.exact;
+    count_asked(found);
     if (pass == kPasses) break;
     ++result_.counts.passes;
-    answer_touches(touches);
+    answer_touches(found);
   }
-  if (step_->may_merge && merge(touches)) {
+  if (step_->may_merge && merge(found)) {
     restore_angular_momentum();
     return Outcome::done;
   }
-  result_.left = touches.found.front().first;
-  const auto& [pair, answer] = touches.found.front();
+  result_.left = found.found.front().first;
+  const auto& [pair, answer] = found.found.front();
   result_.point = touching(*r_->colliders_, pair, motions(), answer).point;
   return Outcome::not_resolved;
 }

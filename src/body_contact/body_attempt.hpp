@@ -29,8 +29,10 @@ class BodyResponse::Attempt {
   void solve(double restitution);
   void move();
   Outcome settle(double restitution);
+  Touches touches();
+  void count_asked(const Touches& touches);
   void answer_touches(const Touches& touches);
-  bool merge(const Touches& touches);
+  bool merge(Touches left);
   bool move_as_one(const std::vector<Index>& members, const BodyStates& before, const VectorX& x_before);
   void restore_angular_momentum();
   bool gained_energy() const;

@@ -68,6 +68,9 @@ MovingBox box_of(const Sweep& sweep, const Element& element, double radius) {
           around(sweep.end, element.data(), element.size(), margin)};
 }
 
+bool is_of_particles(const BodyPair& pair) { return pair.a.body == kParticles && pair.b.body == kParticles; }
+Pair particle_pair(const BodyPair& pair) { return {pair.kind, pair.a.number, pair.b.number}; }
+
 constexpr auto kAll = [](Index) { return true; };
 constexpr auto kThin = [](Index) { return 0.0; };
 
@@ -126,6 +129,7 @@ BodyColliders::BodyColliders(const Scene& scene, const System& system, const Col
 bool BodyColliders::can_move(Index body) const noexcept { return bodies_->bodies()[body].motion != BodyMotion::fixed; }
 
 double BodyColliders::separation_of(const BodyPair& pair) const noexcept {
+  if (is_of_particles(pair)) return of_particles_->separation(particle_pair(pair));
   const auto radius_of = [&](const OfBody& element, Kind kind) {
     if (element.body != kParticles) return radii_[element.body];
     if (kind == Kind::edge_edge) return of_particles_->radius_of_edge(element.number);
@@ -279,6 +283,18 @@ std::vector<BodyPair> BodyColliders::candidates(const BodyMotions& motions, doub
   return pairs;
 }
 
+std::vector<BodyPair> BodyColliders::particle_candidates(const BodyMotions& motions,
+                                                         const std::vector<char>& moved) const {
+  std::vector<BodyPair> pairs;
+  for (const Pair& pair : of_particles_->candidates(*motions.x0, *motions.x1, 0)) {
+    const auto corners = of_particles_->corners(pair);
+    const auto* const end = corners.begin() + corner_count(pair.kind);
+    if (std::none_of(corners.begin(), end, [&](Index p) { return moved[p] != 0; })) continue;
+    pairs.push_back({pair.kind, {kParticles, pair.i}, {kParticles, pair.j}});
+  }
+  return pairs;
+}
+
 std::string BodyColliders::first_intersection(const BodyStates& states, const VectorX& x) const {
   std::vector<Index> all;
   for (Index b = 0; b < surfaces_.size(); ++b) all.push_back(b);
@@ -328,6 +344,7 @@ std::string BodyColliders::first_intersection(const BodyStates& states, const Ve
 }
 
 std::string BodyColliders::describe(const BodyPair& pair) const {
+  if (is_of_particles(pair)) return of_particles_->describe(particle_pair(pair));
   const auto c = corners(pair);
   const auto of = [](Index body) { return body == kParticles ? std::string() : fmt::format(" of body {}", body); };
   const auto first = [&] {

@@ -24,7 +24,8 @@ struct OfBody {
   auto operator<=>(const OfBody&) const = default;
 };
 
-/// As Pair: edge and edge, vertex and face, particle and edge of a wire frame.
+/// As Pair: edge and edge, vertex and face, particle and edge of a wire frame. Where a body pushes particles onto
+/// others, also any Pair of the particles' Colliders, with its numbers.
 struct BodyPair {
   Kind kind = Kind::edge_edge;
   OfBody a, b;
@@ -59,6 +60,10 @@ class BodyColliders {
   /// Every pair whose elements may come within its separation and `margin` of each other, and in which something can
   /// move. The order depends on the arguments only.
   std::vector<BodyPair> candidates(const BodyMotions& motions, double margin) const;
+
+  /// Pairs of particles alone, which may come within their separation, and of which `moved` has a corner.
+  /// @param moved  by particle
+  std::vector<BodyPair> particle_candidates(const BodyMotions& motions, const std::vector<char>& moved) const;
 
   /// An edge and a face of two different bodies, or of a body and particles, that pass through each other: described;
   /// empty when there are none. Positions are rounded to doubles, and then decided exactly. Pairs whose boxes meet are

@@ -10,14 +10,13 @@ namespace touchstone::sim {
 
 /// Bodies and particles that touch move on together, in this substep without turning, with the momentum that they have.
 /// Their velocities afterwards are those of one rigid body with their momentum and angular momentum.
-bool BodyResponse::Attempt::merge(const Touches& first) {
+bool BodyResponse::Attempt::merge(Touches left) {
   linear::UnionFind joined(nodes());
-  Touches touches = first;
   const BodyStates before = result_.end.bodies;
   const VectorX x_before = result_.x1;
-  while (!touches.found.empty()) {
+  while (!left.found.empty()) {
     bool grew = false;
-    for (const auto& [pair, answer] : touches.found) {
+    for (const auto& [pair, answer] : left.found) {
       const auto corners = r_->colliders_->corners(pair);
       for (std::size_t c = 1; c < corner_count(pair.kind); ++c) {
         merged_.emplace_back(node(corners[0]), node(corners[c]));
@@ -36,12 +35,12 @@ bool BodyResponse::Attempt::merge(const Touches& first) {
       ++result_.counts.zones;
       if (!move_as_one(members, before, x_before)) return false;
     }
-    touches = r_->touches(motions());
-    result_.counts.queries += touches.pairs;
+    left = touches();
+    result_.counts.queries += left.pairs;
   }
-  result_.counts.pairs = touches.pairs;
-  result_.counts.proof = touches.levels;
-  result_.counts.separations = touches.separations;
+  result_.counts.pairs = left.pairs;
+  result_.counts.proof = left.levels;
+  result_.counts.separations = left.separations;
   return true;
 }
 

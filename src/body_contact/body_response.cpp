@@ -46,8 +46,7 @@ BodyResult BodyResponse::step(const BodiesState& start, BodyStep step) const {
   return Attempt(*this, start, step).run();
 }
 
-BodyResponse::Touches BodyResponse::touches(const BodyMotions& motions) const {
-  const auto pairs = colliders_->candidates(motions, 0);
+BodyResponse::Touches BodyResponse::touches(const std::vector<BodyPair>& pairs, const BodyMotions& motions) const {
   Touches touches;
   touches.pairs = pairs.size();
   constexpr std::size_t kBlock = 256;

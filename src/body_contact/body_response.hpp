@@ -91,13 +91,14 @@ class BodyResponse {
     LevelCounts levels;
     SeparationCounts separations;
   };
-  /// Pairs that touch, or come within their separation, in a motion.
-  Touches touches(const BodyMotions& motions) const;
+  /// Pairs that touch, or come within their separation, in a motion; the earliest first.
+  Touches touches(const BodyMotions& motions) const { return touches(colliders_->candidates(motions, 0), motions); }
 
   double thickness() const noexcept { return thickness_; }
 
  private:
   class Attempt;
+  Touches touches(const std::vector<BodyPair>& pairs, const BodyMotions& motions) const;
 
   const BodyColliders* colliders_;
   ContactSettings contact_;

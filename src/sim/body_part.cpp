@@ -70,7 +70,10 @@ Refusal BodyPart::refusal_of(const BodyResult& result) const {
     case BodyResult::Outcome::done:
     case BodyResult::Outcome::not_resolved: refusal.cause = Cause::not_resolved; break;
   }
-  if (result.left) refusal.body_pair = colliders_.describe(*result.left);
+  if (result.left) {
+    refusal.body_pair = colliders_.describe(*result.left);
+    refusal.body_separation = colliders_.separation(*result.left);
+  }
   refusal.point = result.point;
   return refusal;
 }

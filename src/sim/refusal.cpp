@@ -104,8 +104,8 @@ std::string refusal_for_person(const Refusal& refusal, const Scene& scene, const
     case Cause::not_converged: return not_converged(refusal, scene, system, q);
     case Cause::not_resolved:
       if (!refusal.body_pair.empty()) {
-        return fmt::format("{} would touch at {}, and find no way apart; paths that leave them room would be right",
-                           refusal.body_pair, at(refusal.point));
+        return fmt::format("{} would {} at {}, and find no way apart; paths that leave them room would be right",
+                           refusal.body_pair, meeting("touch", refusal.body_separation), at(refusal.point));
       }
       if (!refusal.pair) return "contacts are left";
       return fmt::format("{} would {} at {}, and {}", pair, meeting("touch", separation), at(refusal.point),

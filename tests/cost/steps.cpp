@@ -86,7 +86,7 @@ Scene scene_of(const std::string& lacking, bool with) {
     frame.vertices = {{-0.1, -0.1, 0}, {0.1, -0.1, 0}, {0.1, 0.1, 0}, {-0.1, 0.1, 0}};
     frame.edges = {{0, 1}, {1, 2}, {2, 3}, {0, 3}};
     frame.density = 1;
-    frame.pose.p = {0, 0.15, 1.2};  // so high that it only falls
+    frame.pose.p = {0, 0.15, 0.3};
     scene.bodies = {frame};
     return scene;
   }
