@@ -23,7 +23,7 @@ Animation::Animation(AnimationShape shape, std::vector<Plot> plots, const Animat
   most_frames_ = std::min(limits_.frames, limits_.frame_bytes / bytes_of_frame);
   const std::size_t bytes_of_elements = 8 * shape_.edges.size() + 12 * shape_.faces.size();
   if (most_frames_ < 2 || bytes_of_elements > limits_.frame_bytes) {
-    throw Error("a page holds at most " + std::to_string(limits_.frame_bytes / 12) + " vertices and " +
+    throw Error("--html: a page holds at most " + std::to_string(limits_.frame_bytes / 12) + " vertices and " +
                 std::to_string(limits_.frame_bytes / 12) + " faces, and there are " + std::to_string(vertices) +
                 " and " + std::to_string(shape_.faces.size()));
   }

@@ -16,8 +16,8 @@ struct LatticePositions {
 };
 
 /// @param positions  three finite coordinates for each vertex
-/// @param least_exponent  at least this exponent is taken. With the exponent of the frame before, a vertex at rest keeps
-///                        its place
+/// @param least_exponent  at least this exponent is taken. With the exponent of the frame before, a vertex at rest
+///                        keeps its place
 LatticePositions on_lattice(const std::vector<double>& positions, int least_exponent);
 
 /// Less than every exponent.

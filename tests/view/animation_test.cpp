@@ -101,7 +101,8 @@ TEST_CASE("of more frames than fit, every second one goes; the first and the las
     CAPTURE(frames);
     Animation animation(small_shape(), small_plots(), limits);
     for (std::uint64_t i = 0; i < frames; ++i) {
-      animation.add_frame(0.5 * static_cast<double>(i), i, positions(static_cast<double>(i)), {static_cast<double>(i), 1});
+      animation.add_frame(0.5 * static_cast<double>(i), i, positions(static_cast<double>(i)),
+                          {static_cast<double>(i), 1});
     }
     const auto& kept = animation.frames();
     CHECK(animation.frames_made() == frames);

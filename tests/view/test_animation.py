@@ -3,7 +3,10 @@ SPDX-License-Identifier: MIT
 
   test_animation.py TOUCHSTONE
 """
+import array
 import json
+import math
+import sys
 import unittest
 
 import browser
@@ -40,6 +43,17 @@ def obj(height, tip=0.25, group="floor"):
             (tip + height, height + 1, height + 1, group))
 
 
+def npy(code, shape, numbers):
+    """A file of NumPy's format with an array of 'd', doubles, or 'i', integers of 32 bits."""
+    kind = {"d": "<f8", "i": "<i4"}[code]
+    header = "{'descr': '%s', 'fortran_order': False, 'shape': (%s,), }" % (kind, ", ".join(map(str, shape)))
+    header += " " * (63 - (len(header) + 10) % 64) + "\n"
+    values = array.array(code, numbers)
+    if sys.byteorder == "big":
+        values.byteswap()
+    return b"\x93NUMPY\x01\x00" + len(header).to_bytes(2, "little") + header.encode() + values.tobytes()
+
+
 class Animations(pages.Pages):
     def page_of(self, text, *arguments):
         """The page of a scene."""
@@ -66,7 +80,8 @@ class Animations(pages.Pages):
         """Where a vertex is on the screen."""
         return self.page.evaluate("""(() => {
           const v = %s, view = v.view(), box = v.node.getBoundingClientRect();
-          const p = v.camera.seen(v.frames.place(%d, v.frames.around(v.s)).map((x, k) => (x - view.centre[k]) * view.pixels));
+          const at = v.frames.place(%d, v.frames.around(v.s));
+          const p = v.camera.seen(at.map((x, k) => (x - view.centre[k]) * view.pixels));
           return [box.left + box.width / 2 + p[0] + view.pan[0], box.top + box.height / 2 - p[1] - view.pan[1]];
         })()""" % (VIEWER, vertex))
 
@@ -187,7 +202,8 @@ class Animations(pages.Pages):
         self.page.click_on("document.querySelector('.events button')")
         self.assertRegex(self.readout(), r"^frame 2 \(frame-2\.obj\), t = 1\.75\. Marks: 1 contact, \d intersection")
         told = self.text(".picked")
-        for part in ("vertex 4 and face 1", "0x1.8p-1", "The coplanarity cubic V(t)", "start v: 0x0p+0 0x0p+0 0x1.8p-1"):
+        for part in ("vertex 4 and face 1", "0x1.8p-1", "The coplanarity cubic V(t)",
+                     "start v: 0x0p+0 0x0p+0 0x1.8p-1"):
             self.assertIn(part, told)
         # At the first contact the tip is drawn on the floor.
         tip, corners = self.place(3), [self.place(v) for v in range(3)]
@@ -211,6 +227,54 @@ class Animations(pages.Pages):
         before = self.page.evaluate("%s.camera.basis.flat()" % VIEWER)
         self.page.drag((400, 250), (460, 280))  # in the plane it moves, and does not turn
         self.assertEqual(self.page.evaluate("%s.camera.basis.flat()" % VIEWER), before)
+        self.check_quiet(url)
+
+    def page_of_arrays(self, elements, columns, frames, vertices, coordinates, dimension):
+        """The page of arrays. coordinates: a list of all coordinates of all frames."""
+        for name, content in (("elements.npy", npy("i", (len(elements) // columns, columns), elements)),
+                              ("frames.npy", npy("d", (frames, vertices, dimension), coordinates))):
+            with open(self.path(name), "wb") as file:
+                file.write(content)
+        out = self.path("page.html")
+        self.run_program("mesh", "--topology", self.path("elements.npy"), "--html", out, self.path("frames.npy"))
+        self.page.requests.clear()
+        return self.page.open(out)
+
+    def test_frames_with_two_coordinates(self):
+        # Two segments cross as one moves to the right.
+        before, after = ([0, 0, 0, 2, x, 1, x - 0.5, 1.5] for x in (-1, 1))
+        url = self.page_of_arrays([0, 1, 2, 3], 2, 2, 4, before + after, 2)
+        self.page.click_on("document.querySelector('.events button')")
+        self.assertRegex(self.readout(), r"^frame 1 \(frames\.npy\[1\]\), t = 0\.5\. Marks: 1 contact")
+        self.assertIn("edge 0-1", self.text(".picked"))
+        self.check_quiet(url)
+
+    def test_a_hundred_thousand_triangles_do_not_stall(self):
+        n, frames = 225, 12
+        faces = []
+        for i in range(n - 1):
+            for j in range(n - 1):
+                v = n * i + j
+                faces += [v, v + 1, v + n, v + 1, v + n + 1, v + n]
+        self.assertEqual(len(faces) // 3, 100352)
+        coordinates = []
+        for frame in range(frames):
+            for i in range(n):
+                wave = math.sin(0.05 * i + 0.2 * frame)
+                for j in range(n):
+                    coordinates += (i / n, j / n, 0.1 * wave * math.cos(0.03 * j))
+        url = self.page_of_arrays(faces, 3, frames, n * n, coordinates, 3)
+        times = self.page.evaluate("""[...Array(30).keys()].map((i) => {
+          const start = performance.now();
+          %s.timeline.go(5 * i %% %d + 0.5);
+          return performance.now() - start;
+        })""" % (VIEWER, frames - 1))
+        # It takes 3 ms, without the drawing itself, which the graphics card does, or here the processor.
+        self.assertLess(sorted(times)[len(times) // 2], 100)
+        self.page.click_on(CANVAS)
+        self.assertRegex(self.text(".picked"), r"^(edge|face) \d+")
+        self.assertIn("Rounded coordinates" if frames * n * n * 24 > 1 << 24 else "Exact coordinates",
+                      self.text(".picked"))
         self.check_quiet(url)
 
     def test_names_of_files_and_groups_are_text(self):

@@ -37,7 +37,8 @@ class Reports(pages.Pages):
             self.assertGreaterEqual(dots, rows)  # the first picture has all methods
         # The text and the table say the same as the other files of the report.
         self.assertIn("is wrong on 0 of", self.text("main"))
-        cells = self.page.evaluate("[...document.querySelector('table.sorts tr.own').children].map((c) => c.textContent)")
+        cells = self.page.evaluate("[...document.querySelector('table.sorts tr.own').children].map((c) => "
+                                   "c.textContent)")
         self.assertIn("| touchstone | | %s |" % " | ".join(cells[1:6]), report.replace("|  |", "| |"))
         self.check_quiet(url)
 

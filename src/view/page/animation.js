@@ -31,7 +31,8 @@ class AnimationViewer {
     this.node = element('canvas', {
       tabindex: 0,
       role: 'img',
-      'aria-label': 'The elements at the chosen time. Drag to turn, wheel or pinch to zoom, click an element to choose it.'
+      'aria-label':
+          'The elements at the chosen time. Drag to turn, wheel or pinch to zoom, click an element to choose it.'
     });
     this.node.addEventListener('keydown', (event) => this.key(event));
     parent.querySelector('.stage').append(this.node);
@@ -42,8 +43,7 @@ class AnimationViewer {
     this.readout = element('span', {class: 'readout', 'aria-live': 'polite'});
     this.controls.append(element(
         'div', {class: 'row'}, this.readout, button('\u2212', 'Zoom out, key \u2212', () => this.zoomTo(this.zoom - 1)),
-        button('+', 'Zoom in, key +', () => this.zoomTo(this.zoom + 1)),
-        button('Whole', 'Key 0', () => this.whole())));
+        button('+', 'Zoom in, key +', () => this.zoomTo(this.zoom + 1)), button('Whole', 'Key 0', () => this.whole())));
   }
 
   /** The word for a sort of marks. */
@@ -203,8 +203,8 @@ class AnimationViewer {
     const view = this.view(), now = this.frames.around(this.s), frame = this.frames.ending(this.s);
     const names = {cloth: '--cloth', ink: '--ink', a: '--a', b: '--b', mark: '--mark', paper: '--paper'};
     const colours = Object.fromEntries(Object.entries(names).map(([key, name]) => [key, colourOf(name)]));
-    const place = (p) => added(
-        this.camera.seen(p.map((x, k) => (x - view.centre[k]) * view.pixels)), [view.pan[0], view.pan[1], 0]);
+    const place = (p) =>
+        added(this.camera.seen(p.map((x, k) => (x - view.centre[k]) * view.pixels)), [view.pan[0], view.pan[1], 0]);
     this.mesh.draw(this.frames, now, view, colours);
     this.canvas.begin();
     this.chosen.forEach((chosen, i) => {
@@ -231,7 +231,8 @@ class AnimationViewer {
       return [list.filter((i) => marks.sorts[i] === number).length, sort];
     });
     const told = counts.filter(([n]) => n > 0).map(([n, sort]) => `${n} ${this.word(sort)}`).join(', ');
-    const time = data.unit ? `, ${Number(this.s.toPrecision(6))} ${data.unit}` : `, t = ${Number(this.s.toPrecision(9))}`;
+    const time =
+        data.unit ? `, ${Number(this.s.toPrecision(6))} ${data.unit}` : `, t = ${Number(this.s.toPrecision(9))}`;
     const label = data.labels[frame] ? ` (${data.labels[frame]})` : '';
     this.readout.textContent = `${data.number} ${data.numbers[frame]}${label}${time}. Marks: ${told || 'none'}.`;
   }

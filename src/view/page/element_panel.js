@@ -23,8 +23,9 @@ class ElementPanel {
     const isFrame = frames.times[i] === this.viewer.s;
     const rows = corners.map((v) => {
       const exact = frames.exact(v, i);
-      const text = exact ? exact.map(hexfloat).join(' ') :
-                           frames.place(v, {frame: i, fraction: 0}).map((x) => '~' + Number(x.toPrecision(6))).join(' ');
+      const text = exact ?
+          exact.map(hexfloat).join(' ') :
+          frames.place(v, {frame: i, fraction: 0}).map((x) => '~' + Number(x.toPrecision(6))).join(' ');
       return element(
           'tr', {}, element('th', {scope: 'row'}, this.viewer.elements.name({sort: 'vertex', number: v})),
           element('td', {}, element('code', {}, text)));
@@ -34,9 +35,7 @@ class ElementPanel {
     return [element('h3', {}, heading), element('table', {class: 'coordinates'}, ...rows)];
   }
 
-  pairName(pair) {
-    return this.viewer.marks.pairElements(pair).map((e) => this.viewer.elements.name(e)).join(' and ');
-  }
+  pairName(pair) { return this.viewer.marks.pairElements(pair).map((e) => this.viewer.elements.name(e)).join(' and '); }
 
   /** A line that leads to the first mark of a pair. */
   pairLine({pair, marks}) {
@@ -64,9 +63,11 @@ class ElementPanel {
 
   showPair(pair) {
     const {marks, elements} = this.viewer, both = marks.pairElements(pair), found = marks.ofPair(pair);
-    const times = found.slice(0, kMostPairsShown).map((i) => element(
-        'button', {type: 'button', class: 'link', onclick: () => this.viewer.goToMark(i)},
-        `${this.viewer.word(marks.sort(i))} at ${this.timeText(marks.times[i])}`));
+    const times = found.slice(0, kMostPairsShown)
+                      .map(
+                          (i) => element(
+                              'button', {type: 'button', class: 'link', onclick: () => this.viewer.goToMark(i)},
+                              `${this.viewer.word(marks.sort(i))} at ${this.timeText(marks.times[i])}`));
     const story = this.viewer.data.stories.findIndex((s) => s.pair === pair);
     const told = story < 0 ? null : this.list[story].parentNode.querySelector('details').cloneNode(true);
     if (told) told.open = true;

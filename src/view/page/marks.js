@@ -19,10 +19,8 @@ class Marks {
   pair(i) { return this.pairElements(this.pairs[i]); }
 
   pairElements(pair) {
-    return [0, 2].map((at) => ({
-                        sort: kElementSorts[this.elements[4 * pair + at]],
-                        number: this.elements[4 * pair + at + 1]
-                      }));
+    return [0, 2].map(
+        (at) => ({sort: kElementSorts[this.elements[4 * pair + at]], number: this.elements[4 * pair + at + 1]}));
   }
 
   point(i) { return Array.from(this.points.subarray(3 * i, 3 * i + 3)); }
@@ -34,8 +32,8 @@ class Marks {
     const sort = kElementSorts.indexOf(element.sort), found = new Map();
     for (let i = 0; i < this.count; ++i) {
       const at = 4 * this.pairs[i], e = this.elements;
-      if (!((e[at] === sort && e[at + 1] === element.number) ||
-            (e[at + 2] === sort && e[at + 3] === element.number))) continue;
+      if (!((e[at] === sort && e[at + 1] === element.number) || (e[at + 2] === sort && e[at + 3] === element.number)))
+        continue;
       if (!found.has(this.pairs[i])) found.set(this.pairs[i], []);
       found.get(this.pairs[i]).push(i);
     }

@@ -7,7 +7,8 @@ class Plots {
     this.boxes = [...parent.querySelectorAll('.plotbox')].map((box) => {
       const svg = box.querySelector('svg');
       const cursor = document.createElementNS('http://www.w3.org/2000/svg', 'line');
-      for (const [name, value] of [['class', 'cursor'], ['y1', -3], ['y2', 103], ['vector-effect', 'non-scaling-stroke']])
+      for (const [name, value] of [
+               ['class', 'cursor'], ['y1', -3], ['y2', 103], ['vector-effect', 'non-scaling-stroke']])
         cursor.setAttribute(name, value);
       svg.append(cursor);
       const go = (event) => {
