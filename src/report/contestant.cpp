@@ -78,6 +78,48 @@ std::vector<Contestant> contestants(const std::vector<double>& tolerances, const
   return all;
 }
 
+std::vector<Contestant> curved_contestants(const std::vector<double>& tolerances, const Separation& separation) {
+  std::vector<Contestant> all;
+  if (separation.distance == 0) {
+    for (const baselines::CurvedBaseline& method : baselines::curved_methods()) {
+      Contestant contestant{std::string(method.name), std::string(method.about), nullptr, Method::fast, 0};
+      contestant.curved = &method;
+      for (const double tolerance : tolerances) {
+        contestant.tolerance = tolerance;
+        all.push_back(contestant);
+      }
+    }
+  }
+  append_ours(all);
+  return all;
+}
+
+namespace {
+
+template <class AnyQuery>
+Reply reply_of_solver(Method method, const AnyQuery& query, const Separation& separation) {
+  const Answer answer = solve(query, separation, method);
+  return {claim_of(answer.contact, answer.toi), answer.level};
+}
+
+}  // namespace
+
+Reply ask(const Contestant& contestant, const CurvedQuery& query, const Separation& separation) {
+  if (contestant.curved == nullptr) return reply_of_solver(contestant.method, query, separation);
+  const auto result = contestant.curved->solve(query, kWholeStep, contestant.tolerance);
+  return {claim_of(result.contact, result.toi), Level::exact};
+}
+
+void ask_all(const Contestant& contestant, const std::vector<CurvedQuery>& queries, std::size_t count,
+             const Separation& separation) {
+  if (contestant.curved == nullptr) {
+    for (std::size_t i = 0; i < count; ++i) do_not_optimize(solve(queries[i], separation, contestant.method));
+    return;
+  }
+  const auto function = contestant.curved->solve;
+  for (std::size_t i = 0; i < count; ++i) do_not_optimize(function(queries[i], kWholeStep, contestant.tolerance));
+}
+
 Reply ask(const Contestant& contestant, const Query& query, const Separation& separation) {
   Reply reply;
   if (contestant.thick != nullptr) {
@@ -87,9 +129,7 @@ Reply ask(const Contestant& contestant, const Query& query, const Separation& se
     const auto result = contestant.baseline->solve(query, kWholeStep, contestant.tolerance);
     reply.claim = claim_of(result.contact, result.toi);
   } else {
-    const Answer answer = solve(query, separation, contestant.method);
-    reply.claim = claim_of(answer.contact, answer.toi);
-    reply.level = answer.level;
+    return reply_of_solver(contestant.method, query, separation);
   }
   return reply;
 }

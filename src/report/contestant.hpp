@@ -1,4 +1,5 @@
-// The methods that are compared: every baseline at every tolerance, and the solver by three of its methods.
+// The methods that are compared: every baseline at every tolerance, and the solver by three of its methods. Straight and
+// curved queries have baselines of their own.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -8,10 +9,12 @@
 
 #include <touchstone/answer.hpp>
 #include <touchstone/certify.hpp>
+#include <touchstone/curved.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/solve.hpp>
 
 #include "baselines/baseline.hpp"
+#include "baselines/curved_baseline.hpp"
 #include "baselines/separation_baseline.hpp"
 
 namespace touchstone::report {
@@ -24,18 +27,24 @@ struct Contestant {
   Method method = Method::fast;                          ///< only without a baseline
   double tolerance = 0;                                  ///< 0: it has none
   const baselines::SeparationBaseline* thick = nullptr;  ///< a baseline for queries with a separation, or null
+  const baselines::CurvedBaseline* curved = nullptr;     ///< a baseline for queries with curved motion, or null
 
-  bool supports(Kind kind) const { return baseline == nullptr || baseline->supports(kind); }
+  bool supports(Kind kind) const {
+    if (curved != nullptr) return curved->supports(kind);
+    return baseline == nullptr || baseline->supports(kind);
+  }
   bool is_touchstone() const noexcept { return !may_be_wrong() && method == Method::fast; }
 
   /// Whether it may stand on the front. The pairing with CGAL may not: where the filters decide all it is the same code
   /// as `touchstone`, and noise alone would say which of the two is faster.
   bool competes() const noexcept { return may_be_wrong() || method != Method::fast_cgal; }
-  bool may_be_wrong() const noexcept { return baseline != nullptr || thick != nullptr; }
+  bool may_be_wrong() const noexcept { return baseline != nullptr || thick != nullptr || curved != nullptr; }
 
   /// Whether it has no tolerance, or the one that its users commonly choose.
   bool is_usual() const noexcept {
-    return tolerance == 0 || tolerance == (thick != nullptr ? thick->usual_tolerance : baseline->usual_tolerance);
+    if (tolerance == 0) return true;
+    if (curved != nullptr) return tolerance == curved->usual_tolerance;
+    return tolerance == (thick != nullptr ? thick->usual_tolerance : baseline->usual_tolerance);
   }
 
   std::string tolerance_text() const;  ///< "1e-6", or "" without one
@@ -46,15 +55,21 @@ struct Contestant {
 /// `touchstone`. With a separation > 0 the baselines are those that take it, at tolerances of their own.
 std::vector<Contestant> contestants(const std::vector<double>& tolerances, const Separation& separation = {});
 
-/// The reply of a contestant to one query, for a separation.
+/// The same for queries with curved motion. No baseline for them takes a separation.
+std::vector<Contestant> curved_contestants(const std::vector<double>& tolerances, const Separation& separation = {});
+
+/// The reply of a contestant to one query, for a separation. A contestant for curved queries gets these alone.
 struct Reply {
   Claim claim;
   Level level = Level::exact;  ///< the level that decided; only of the solver's own methods
 };
 Reply ask(const Contestant& contestant, const Query& query, const Separation& separation);
+Reply ask(const Contestant& contestant, const CurvedQuery& query, const Separation& separation);
 
 /// Asks the first `count` queries and forgets the answers: for timing.
 void ask_all(const Contestant& contestant, const std::vector<Query>& queries, std::size_t count,
+             const Separation& separation);
+void ask_all(const Contestant& contestant, const std::vector<CurvedQuery>& queries, std::size_t count,
              const Separation& separation);
 
 }  // namespace touchstone::report

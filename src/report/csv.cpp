@@ -25,7 +25,8 @@ constexpr const char* kColumns =
 std::string tolerance_measures(const Contestant& contestant) {
   if (contestant.tolerance == 0) return "";
   if (contestant.thick != nullptr) return "share";
-  return contestant.baseline->tolerance == baselines::Tolerance::length ? "length" : "share";
+  const auto measured = contestant.curved != nullptr ? contestant.curved->tolerance : contestant.baseline->tolerance;
+  return measured == baselines::Tolerance::length ? "length" : "share";
 }
 
 std::string numbers(const Result& result) {
@@ -76,7 +77,7 @@ std::string csv_rows(const Size& size, const std::vector<SetResults>& sets) {
       text +=
           fmt::format("{},{},{},{},{},{},{},{},{}{}\n", origin, set.set.name, kind_name(set.set.kind), set.exponent,
                       result.contestant.name, result.contestant.tolerance_text(), tolerance_measures(result.contestant),
-                      set.set.queries.size(), result.asked > 0 ? numbers(result) : not_asked(), end);
+                      set.set.size(), result.asked > 0 ? numbers(result) : not_asked(), end);
     }
   }
   return text;

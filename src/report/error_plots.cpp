@@ -183,7 +183,7 @@ Plot panels_plot(const std::string& name, const SetResults& set, const std::vect
       "points: tolerances; dashed line: no error}}\" font ',14'\n"
       "set logscale xy\nset format x '%g'\nset xlabel 'mean run time [us per query]'\nset grid xtics ytics lc rgb "
       "'#E4E4E4' lt 1\nunset key\n",
-      layout.grid, set.set.name, set.set.queries.size(), set.set.contacts());
+      layout.grid, set.set.name, set.set.size(), set.set.contacts());
   double fastest = 1e300, slowest = 0;
   for (const Result& result : set.results) {
     if (result.asked == 0) continue;

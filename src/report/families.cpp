@@ -3,11 +3,10 @@
 
 #include <array>
 #include <cmath>
-#include <utility>
 
+#include "families/families.hpp"
 #include "generators/candidates.hpp"
 #include "generators/vectors.hpp"
-#include "seeded/rng.hpp"
 
 namespace touchstone::report {
 namespace {
@@ -158,9 +157,19 @@ std::vector<Query> scaled(const std::vector<Query>& queries, int exponent) {
   return result;
 }
 
-void shuffle(std::vector<Query>& queries, std::uint64_t seed) {
-  Rng random(seed);
-  for (std::size_t i = queries.size(); i > 1; --i) std::swap(queries[i - 1], queries[random.below(i)]);
+std::vector<QuerySet> curved_sets(std::uint64_t seed, std::size_t count) {
+  std::vector<QuerySet> sets;
+  for (const Kind kind : families::kKinds) {
+    sets.push_back(empty_set("curved", kind,
+                             "All families of curved queries of touchstone fuzz: machines, planned contacts, curves, "
+                             "large and tiny turns, extreme lengths"));
+    for (const families::FamilyInfo& family : families::curved_families()) {
+      for (std::uint64_t index = 0; index < count; ++index) {
+        sets.back().curved.push_back(families::make_curved({family.family, kind, seed, index}).query);
+      }
+    }
+  }
+  return sets;
 }
 
 }  // namespace touchstone::report

@@ -60,7 +60,7 @@ std::string percentile_table(const SetResults& set) {
 
 std::string set_section(const SetResults& set, bool plots) {
   std::string text = fmt::format("## {}\n\n{}. {} queries, {} with contact.\n\n", set.set.name, set.set.about,
-                                 set.set.queries.size(), set.set.contacts());
+                                 set.set.size(), set.set.contacts());
   text += front_sentence(set.results) + "\n\n";
   text += error_table(set);
   if (const std::string plot = text_plot(set); !plot.empty()) text += "```\n" + plot + "```\n\n";
@@ -111,17 +111,20 @@ std::string scale_section(const Report& report, bool plots) {
   text += scale_table(report, [](const Result& result, const QuerySet&) { return percent(result.wrong_share()); });
   text += "Queries asked, where there was no time for all:\n\n";
   return text + scale_table(report, [](const Result& result, const QuerySet& set) {
-           return result.asked == set.queries.size() ? std::string() : asked_text(result, set);
+           return result.asked == set.size() ? std::string() : asked_text(result, set);
          });
 }
 
 std::string methods_section(const Report& report) {
   std::string text = "## Methods\n\n";
-  const std::string* last = nullptr;
-  for (const Contestant& contestant : report.contestants) {
-    if (last == nullptr || *last != contestant.name)
-      text += fmt::format("- `{}`: {}\n", contestant.name, contestant.about);
-    last = &contestant.name;
+  std::vector<std::string> named;
+  for (const auto* contestants : {&report.contestants, &report.curved_contestants}) {
+    for (const Contestant& contestant : *contestants) {
+      if (std::find(named.begin(), named.end(), contestant.name) != named.end()) continue;
+      named.push_back(contestant.name);
+      text += fmt::format("- `{}`{}: {}\n", contestant.name, contestant.curved != nullptr ? ", for curved motion" : "",
+                          contestant.about);
+    }
   }
   return text + "\n";
 }

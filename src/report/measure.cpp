@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace touchstone::report {
 namespace {
@@ -59,13 +60,15 @@ void count(const Reply& reply, const Answer& truth, Result& result, std::vector<
 }
 
 /// Asks queries one by one until the budget is spent, judges the replies, and gives each query's microseconds.
-std::vector<double> first_round(const QuerySet& set, double budget, Result& result) {
+template <class AnyQuery>
+std::vector<double> first_round(const QuerySet& set, const std::vector<AnyQuery>& queries, double budget,
+                                Result& result) {
   std::vector<double> microseconds;
   std::vector<std::int64_t> errors;
   const auto begin = Clock::now();
-  for (std::size_t i = 0; i < set.queries.size(); ++i) {
+  for (std::size_t i = 0; i < queries.size(); ++i) {
     const auto start = Clock::now();
-    const Reply reply = ask(result.contestant, set.queries[i], set.separation);
+    const Reply reply = ask(result.contestant, queries[i], set.separation);
     microseconds.push_back(1e6 * seconds_since(start));
     count(reply, set.truth[i], result, errors);
     if (seconds_since(begin) > budget) break;
@@ -76,11 +79,13 @@ std::vector<double> first_round(const QuerySet& set, double budget, Result& resu
 }
 
 void another_round(const QuerySet& set, const Result& result, std::vector<double>& microseconds) {
-  for (std::size_t i = 0; i < result.asked; ++i) {
-    const auto start = Clock::now();
-    ask(result.contestant, set.queries[i], set.separation);
-    microseconds[i] = std::min(microseconds[i], 1e6 * seconds_since(start));
-  }
+  set.with_queries([&](const auto& queries) {
+    for (std::size_t i = 0; i < result.asked; ++i) {
+      const auto start = Clock::now();
+      ask(result.contestant, queries[i], set.separation);
+      microseconds[i] = std::min(microseconds[i], 1e6 * seconds_since(start));
+    }
+  });
 }
 
 /// Mean microseconds a query.
@@ -89,7 +94,7 @@ double pass(const QuerySet& set, const Result& result, double least) {
   double taken = 0;
   const double start = processor_seconds();
   do {
-    ask_all(result.contestant, set.queries, result.asked, set.separation);
+    set.with_queries([&](const auto& queries) { ask_all(result.contestant, queries, result.asked, set.separation); });
     ++rounds;
     taken = processor_seconds() - start;
   } while (taken < least);
@@ -99,11 +104,14 @@ double pass(const QuerySet& set, const Result& result, double least) {
 }  // namespace
 
 SetResults measure(QuerySet set, const std::vector<Contestant>& contestants, const Effort& effort, const Pulse& pulse) {
-  set.truth.clear();
-  for (const Query& query : set.queries) {
-    if (set.truth.size() % 1024 == 0) pulse();
-    set.truth.push_back(solve(query, set.separation, Method::exact));
-  }
+  std::vector<Answer> truth;
+  set.with_queries([&](const auto& queries) {
+    for (const auto& query : queries) {
+      if (truth.size() % 1024 == 0) pulse();
+      truth.push_back(solve(query, set.separation, Method::exact));
+    }
+  });
+  set.truth = std::move(truth);
   SetResults all;
   std::vector<std::vector<double>> singles;
   for (const Contestant& contestant : contestants) {
@@ -113,7 +121,8 @@ SetResults measure(QuerySet set, const std::vector<Contestant>& contestants, con
     singles.emplace_back();
     if (contestant.supports(set.kind)) {
       const bool in_full = effort.ours_in_full && !contestant.may_be_wrong();
-      singles.back() = first_round(set, in_full ? std::numeric_limits<double>::infinity() : effort.budget, result);
+      const double budget = in_full ? std::numeric_limits<double>::infinity() : effort.budget;
+      set.with_queries([&](const auto& queries) { singles.back() = first_round(set, queries, budget, result); });
     }
   }
   for (int round = 0; round < std::max(effort.passes, effort.tries - 1); ++round) {

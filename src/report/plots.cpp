@@ -117,13 +117,15 @@ std::string style(const std::string& method) {
     const char* style;
   };
   // Colours that the colour-blind can tell apart (Okabe and Ito), and a shape each.
-  static constexpr std::array<Entry, 10> kStyles{{{"paper", "lc rgb '#D55E00' pt 5"},
+  static constexpr std::array<Entry, 12> kStyles{{{"paper", "lc rgb '#D55E00' pt 5"},
                                                   {"closed_form", "lc rgb '#E69F00' pt 9"},
                                                   {"newton", "lc rgb '#009E73' pt 13"},
                                                   {"interval", "lc rgb '#0072B2' pt 11"},
                                                   {"conservative_advancement", "lc rgb '#CC79A7' pt 15"},
                                                   {"thick_advancement", "lc rgb '#CC79A7' pt 14"},
                                                   {"thick_polynomial", "lc rgb '#D55E00' pt 8"},
+                                                  {"redon", "lc rgb '#0072B2' pt 10"},
+                                                  {"curved_advancement", "lc rgb '#CC79A7' pt 12"},
                                                   {"exact_only", "lc rgb '#888888' pt 6"},
                                                   {"touchstone_cgal", "lc rgb '#56B4E9' pt 4"},
                                                   {"touchstone", "lc rgb '#000000' pt 7"}}};

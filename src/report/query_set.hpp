@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <touchstone/answer.hpp>
+#include <touchstone/curved_query.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
@@ -18,7 +19,21 @@ struct QuerySet {
   Kind kind = Kind::edge_edge;
   Separation separation;  ///< what every query asks about
   std::vector<Query> queries;
-  std::vector<Answer> truth;  ///< by Method::exact, one for each query
+  std::vector<CurvedQuery> curved;  ///< in place of the others: the queries of a set of curved motion
+  std::vector<Answer> truth;        ///< by Method::exact, one for each query
+
+  std::size_t size() const noexcept { return queries.size() + curved.size(); }
+  bool is_curved() const noexcept { return !curved.empty(); }
+
+  /// use(queries), with those that the set has.
+  template <class Use>
+  void with_queries(Use&& use) const {
+    if (is_curved()) {
+      use(curved);
+    } else {
+      use(queries);
+    }
+  }
 
   std::size_t contacts() const noexcept {
     std::size_t count = 0;

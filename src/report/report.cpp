@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "report/body_pairs.hpp"
 #include "report/csv.hpp"
 #include "report/drawing.hpp"
 #include "report/families.hpp"
@@ -28,12 +29,14 @@ constexpr double kMeasuring = 0.5;   ///< the rest is drawing
 struct Amounts {
   std::size_t simulation, edges, steps;  ///< candidates a scene and kind; how large and long the scenes are
   std::size_t random, near, scale;
+  BodyPairOptions bodies;
+  std::size_t curved;  ///< cases of each family and kind
   Effort effort, scale_effort;
 };
 
 Amounts amounts(bool quick) {
-  if (quick) return {300, 1000, 4, 200, 300, 60, {0.01, 3, 0.0002, 2}, {0.003, 3, 0.0002, 2}};
-  return {6000, 4000, 20, 4000, 4000, 1000, {0.3, 7, 0.01, 3}, {0.1, 5, 0.01, 3}};
+  if (quick) return {300, 1000, 4, 200, 300, 60, {200}, 4, {0.01, 3, 0.0002, 2}, {0.003, 3, 0.0002, 2}};
+  return {6000, 4000, 20, 4000, 4000, 1000, {4000}, 40, {0.3, 7, 0.01, 3}, {0.1, 5, 0.01, 3}};
 }
 
 std::vector<QuerySet> scale_sets(std::uint64_t seed, std::size_t count) {
@@ -71,6 +74,7 @@ Report make_report(const Size& size, std::vector<QuerySet> given, const Progress
   Report report;
   report.size = size;
   report.contestants = contestants(kTolerances, size.separation);
+  report.curved_contestants = curved_contestants(kTolerances, size.separation);
 
   // The scenes run first, while this process is small: the processes of the runs are copies of it.
   report.scene_runs = run_scenes(size.quick, [&](double share) { progress("simulating", kSimulating * share); });
@@ -78,21 +82,30 @@ Report make_report(const Size& size, std::vector<QuerySet> given, const Progress
   progress("generating", kSimulating);
   std::vector<QuerySet> sets =
       simulation_sets(size.seed, amount.simulation, amount.edges, amount.steps, size.separation.distance);
-  for (auto* more : {&given}) std::move(more->begin(), more->end(), std::back_inserter(sets));
-  for (auto&& made : {random_sets(size.seed, amount.random), near_sets(size.seed, amount.near)}) {
-    sets.insert(sets.end(), made.begin(), made.end());
-  }
+  BodyPairOptions of_bodies = amount.bodies;
+  of_bodies.separation = size.separation.distance;
+  const auto generating = [&] { progress("generating", kSimulating); };
+  const auto append = [&sets](std::vector<QuerySet> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(sets));
+  };
+  append(std::move(given));
+  append(random_sets(size.seed, amount.random));
+  append(near_sets(size.seed, amount.near));
+  for (const auto scene : kBodyScenes) append(body_pair_sets(scene, of_bodies, generating));
+  append(curved_sets(size.seed, amount.curved));
   std::vector<QuerySet> scales = scale_sets(size.seed, amount.scale);
 
   const double total = static_cast<double>(sets.size()) + 0.3 * static_cast<double>(scales.size());
   double done = 0;
   for (QuerySet& set : sets) {
-    if (set.queries.empty()) continue;
+    if (set.size() == 0) continue;
     shuffle(set.queries, seeded::seed_of_part(size.seed, 20));
+    shuffle(set.curved, seeded::seed_of_part(size.seed, 20));
     const std::string name = set.name;
     set.separation = size.separation;
     const auto pulse = [&] { progress(name, kSimulating + kMeasuring * done / total); };
-    report.sets.push_back(measure(std::move(set), report.contestants, amount.effort, pulse));
+    const auto& asked = set.is_curved() ? report.curved_contestants : report.contestants;
+    report.sets.push_back(measure(std::move(set), asked, amount.effort, pulse));
     done += 1;
   }
   const auto usual = usual_ones(report.contestants);

@@ -15,8 +15,8 @@ std::string ulps(std::int64_t error) {
 }
 
 std::string asked_text(const Result& result, const QuerySet& set) {
-  const std::string whole = fmt::format("{}", set.queries.size());
-  return result.asked == set.queries.size() ? whole : fmt::format("{} of {}", result.asked, whole);
+  const std::string whole = fmt::format("{}", set.size());
+  return result.asked == set.size() ? whole : fmt::format("{} of {}", result.asked, whole);
 }
 
 std::string separation_arguments(const Separation& separation) {

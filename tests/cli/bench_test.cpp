@@ -89,6 +89,27 @@ TEST_CASE("given files are a source of their own") {
   CHECK(folder.read("point-point/a.csv") == same);
 }
 
+TEST_CASE("curved sets are measured beside the same pairs moving straight") {
+  if (!can_measure()) return;
+  const TemporaryFolder folder;
+  const Run run = run_program(
+      bench({"--filter", "^(nut-and-bolt|bundled-curved)/edge-edge/(all|hits)", "--csv", folder.path("b.csv")}));
+  CAPTURE(run.out, run.err);
+  CHECK(run.status == 0);
+  for (const char* set : {"nut-and-bolt/edge-edge/all: ", "nut-and-bolt/edge-edge/hits: ",
+                          "bundled-curved/edge-edge/all: ", "bundled-curved/edge-edge/hits: "}) {
+    CHECK(occurrences(run.out, set) == 1);
+  }
+  CHECK(occurrences(run.out, "  x straight  ") == 4);
+  for (const char* method : {"  floor ", "  straight ", "  touchstone ", "  touchstone_batch ", "  touchstone_cgal "}) {
+    CHECK(occurrences(run.out, method) == 4);
+  }
+  CHECK(occurrences(run.out, "touchstone_columns") == 0);
+  const std::string csv = folder.read("b.csv");
+  CHECK(occurrences(csv, ",ratio_to_straight\n") == 1);
+  CHECK(occurrences(csv, ",1.0000\n") == 4);  // the straight pairs are the measure
+}
+
 TEST_CASE("bad options of bench end with status 2 and one line") {
   if (!can_measure()) return;
   const TemporaryFolder folder;

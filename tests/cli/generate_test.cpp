@@ -51,6 +51,32 @@ TEST_CASE("generated files hold what was asked for, and their truth columns are 
   }
 }
 
+TEST_CASE("curved families are files of curved queries, and their truth columns are true") {
+  const TemporaryFolder folder;
+  const Run run = run_program({"generate", "--family", "gears", "--family", "spline", "--count", "40", "--seed", "3",
+                               "--out", folder.path("q")});
+  CAPTURE(run.out, run.err);
+  CHECK(run.status == 0);
+  std::vector<std::string> certify = {"certify"};
+  for (const char* family : {"gears", "spline"}) {
+    for (const char* kind : {"edge-edge", "vertex-face", "point-edge", "point-point"}) {
+      const std::string name = std::string("q/") + family + "/" + kind + "/seed-3.csv";
+      CHECK(occurrences(run.out, folder.path(name) + ": 40 queries, ") == 1);
+      CHECK(folder.read(name).starts_with("touchstone-curved,1\n"));
+      certify.push_back(folder.path(name));
+    }
+  }
+  const Run certified = run_program(certify);
+  CHECK(certified.status == 0);
+  CHECK(occurrences(certified.out, "all 320 claims hold") == 1);
+
+  const std::vector<std::string> near = {"generate",    "--curved",     "--count", "2",     "--kind",
+                                         "point-point", "--separation", "0.5",     "--out", folder.path("near")};
+  CHECK(run_program(near).status == 0);
+  CHECK(folder.read("near/coin/point-point/seed-1.csv").starts_with("# separation 0x1p-1 euclidean\n"));
+  CHECK_FALSE(std::filesystem::exists(folder.path("near/coin/edge-edge")));
+}
+
 TEST_CASE("scene and kind leave out the others") {
   const TemporaryFolder folder;
   const Run run = run_program(generate(folder.path("q"), {"--scene", "sheets", "--kind", "vertex-face"}));
@@ -91,7 +117,12 @@ TEST_CASE("bad options end with status 2, one line, and nothing written") {
   check_refused({"generate"}, "--out");
   check_refused({"generate", "--out", out, "--scene", "kitchen"},
                 "kitchen is no scene; it must be cloth, sheets, cables or drape");
-  check_refused({"generate", "--out", out, "--kind", "point-edge"}, "--kind");
+  check_refused({"generate", "--out", out, "--kind", "point-edge"}, "--kind point-edge: the scenes have edge-edge and");
+  check_refused({"generate", "--out", out, "--kind", "edge"}, "--kind");
+  check_refused({"generate", "--out", out, "--curved", "--scene", "cloth"}, "--scene excludes --curved");
+  check_refused({"generate", "--out", out, "--curved", "--family", "gears"}, "--curved excludes --family");
+  check_refused({"generate", "--out", out, "--curved", "--count", "0"}, "a number from 1 would be right");
+  check_refused({"generate", "--out", out, "--family", "sliding"}, "sliding is no curved family");
   check_refused({"generate", "--out", out, "--scene", "cables", "--kind", "vertex-face"}, "scene cables has no faces");
   check_refused({"generate", "--out", out, "--size", "99"}, "99 must be a whole number from 100");
   check_refused({"generate", "--out", out, "--steps", "0"}, "--steps");

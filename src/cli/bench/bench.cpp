@@ -20,6 +20,7 @@
 #include "cli/shared/interrupt.hpp"
 #include "cli/shared/options.hpp"
 #include "cli/shared/words.hpp"
+#include "io/kind_of_file.hpp"
 #include "io/output_file.hpp"
 #include "solver/owned_columns.hpp"
 
@@ -31,27 +32,59 @@ struct Entry {
   const BenchSet* set = nullptr;
   BenchMethod method = BenchMethod::floor;
   std::vector<Query> queries;
-  solver::OwnedColumns columns;  // of the same queries
+  solver::OwnedColumns columns;     // of the same queries
+  std::vector<CurvedQuery> curved;  // in place of the queries, where the set is curved and the method takes such
   std::vector<Answer> answers;
+
+  std::size_t size() const { return queries.size() + curved.size(); }
+
+  void ask(const Separation& separation) {
+    if (curved.empty()) {
+      ask_all(method, queries, columns.view(), separation, answers);
+    } else {
+      ask_all(method, curved, separation, answers);
+    }
+  }
 };
 
-/// The measurements whose "set/method" matches the filter, and the floor of each set that has one.
+Entry entry_of(const BenchSet& set, BenchMethod method) {
+  const bool curved = set.is_curved() && !is_of_straight(method);
+  const std::size_t most = most_queries(method);
+  std::vector<Query> queries = curved ? std::vector<Query>() : spread(set.queries, most);
+  solver::OwnedColumns columns(method == BenchMethod::columns ? queries : std::vector<Query>());
+  Entry entry{&set, method, std::move(queries), std::move(columns), {}, {}};
+  if (curved) entry.curved = spread(set.curved, most);
+  entry.answers.resize(entry.size());
+  return entry;
+}
+
+/// Whether the filter can match the name of any measurement of this source.
+bool may_choose(const std::string& source, const std::string& filter) {
+  const std::regex pattern(filter);
+  for (const Kind kind : io::kKinds) {
+    for (const char* part : {"all", "hits", "misses"}) {
+      for (const BenchMethod method : kBenchMethods) {
+        const std::string name = fmt::format("{}/{}/{}/{}", source, kind_name(kind), part, bench_method_name(method));
+        if (std::regex_search(name, pattern)) return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// The measurements whose "set/method" matches the filter, and of each set that has one the floor, and the straight twins.
 std::vector<Entry> chosen_entries(const std::vector<BenchSet>& sets, const BenchOptions& options) {
   const std::regex pattern(options.filter);
   std::vector<Entry> entries;
   for (const BenchSet& set : sets) {
     const auto is_chosen = [&](BenchMethod method) {
-      if (!takes(method, options.separation.separation)) return false;
+      if (!takes(method, set.is_curved(), options.separation.separation)) return false;
       return std::regex_search(set.name + "/" + std::string(bench_method_name(method)), pattern);
     };
     if (std::none_of(kBenchMethods.begin(), kBenchMethods.end(), is_chosen)) continue;
     for (const BenchMethod method : kBenchMethods) {
-      if (method != BenchMethod::floor && !is_chosen(method)) continue;
-      std::vector<Query> queries = spread(set.queries, most_queries(method));
-      solver::OwnedColumns columns(method == BenchMethod::columns ? queries : std::vector<Query>());
-      Entry entry{&set, method, std::move(queries), std::move(columns), {}};
-      entry.answers.resize(entry.queries.size());
-      entries.push_back(std::move(entry));
+      const bool is_measure = method == BenchMethod::floor || (set.is_curved() && method == BenchMethod::straight);
+      if (is_measure || is_chosen(method)) entries.push_back(entry_of(set, method));
     }
   }
   return entries;
@@ -62,11 +95,12 @@ BenchResult result_of(Entry& entry, const std::vector<double>& seconds, const Se
   BenchResult result;
   result.set = entry.set->name;
   result.method = entry.method;
-  result.queries = entry.queries.size();
+  result.queries = entry.size();
   result.set_size = entry.set->queries.size();
   for (const Answer& answer : entry.set->answers) result.contacts += answer.contact;
   for (const double pass : seconds) result.nanoseconds.push_back(1e9 * pass / static_cast<double>(result.queries));
-  result.slowest_microseconds = slowest_microseconds(entry.method, entry.queries, separation);
+  result.slowest_microseconds = entry.curved.empty() ? slowest_microseconds(entry.method, entry.queries, separation)
+                                                     : slowest_microseconds(entry.method, entry.curved, separation);
   if (entry.method != BenchMethod::floor && !is_baseline(entry.method)) result.levels = count_levels(entry.answers);
   return result;
 }
@@ -82,16 +116,20 @@ std::vector<BenchResult> measured(std::vector<Entry>& entries, const BenchOption
   for (Entry& entry : entries) {
     actions.push_back([&entry, &separation] {
       throw_if_interrupted();
-      ask_all(entry.method, entry.queries, entry.columns.view(), separation, entry.answers);
+      entry.ask(separation);
     });
   }
   const auto seconds = measure(actions, options.repetitions, options.min_time);
   std::vector<BenchResult> results;
-  double floor = 0;  // of the set; each set's entries begin with it
+  double floor = 0, straight = 0;  // of the set; each set's entries begin with them
   for (std::size_t i = 0; i < entries.size(); ++i) {
     results.push_back(result_of(entries[i], seconds[i], separation));
     if (entries[i].method == BenchMethod::floor) floor = results.back().median();
+    if (entries[i].method == BenchMethod::straight) straight = results.back().median();
     results.back().ratio = results.back().median() / floor;
+    if (entries[i].set->is_curved() && entries[i].method != BenchMethod::floor) {
+      results.back().ratio_to_straight = results.back().median() / straight;
+    }
   }
   return results;
 }
@@ -117,7 +155,8 @@ int run_bench(const BenchOptions& options) {
     refuse_to_overwrite(name, options.files);
     if (!name.empty()) outputs.emplace_back(name);
   }
-  const std::vector<BenchSet> sets = bench_sets(options);
+  const std::vector<BenchSet> sets =
+      bench_sets(options, [&](const std::string& source) { return may_choose(source, options.filter); });
   std::vector<Entry> entries = chosen_entries(sets, options);
   if (entries.empty()) throw InvalidQuery("no entry matches --filter " + options.filter);
   const std::vector<BenchResult> results = measured(entries, options);
@@ -168,8 +207,11 @@ void add_bench(CLI::App& program, Command& command) {
       ->type_name("FILE");
   subcommand->footer(
       "SOURCE is simulation (candidate pairs of the three scenes of touchstone generate), random (doubles), bundled\n"
-      "(degenerate queries) or files; PART is all, hits (with contact) or misses. METHOD is floor (reads the query "
-      "and\n"
+      "(degenerate queries) or files; or of curved motion link-chain and nut-and-bolt (candidate pairs of these "
+      "scenes\n"
+      "of touchstone simulate), bundled-curved or files-curved. PART is all, hits (with contact) or misses. METHOD is\n"
+      "straight (curved sets only: solve of the same pairs, moving straight between the same ends), floor (reads the\n"
+      "query, of a curved set the straight one, and\n"
       "computes the coplanarity cubic's four Bernstein coefficients, deciding nothing), touchstone (solve),\n"
       "touchstone_batch (one thread), touchstone_columns (the same, structure of arrays), touchstone_cgal (solve\n"
       "by Method::fast_cgal: CGAL where the filters are uncertain), exact (exact arithmetic alone), oracle (a few\n"

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include <touchstone/curved.hpp>
+
 #include "baselines/separation_baseline.hpp"
 #include "filters/same_side.hpp"
 #include "proofs/proof_text.hpp"
@@ -39,7 +41,8 @@ Answer answer_of(const baselines::Result& result) {
   return answer;
 }
 
-Answer answer_and_proof(const Query& query, const Separation& separation) {
+template <class AnyQuery>
+Answer answer_and_proof(const AnyQuery& query, const Separation& separation) {
   const Answer answer = solve(query, separation);
   std::string text;
   proofs::append_proof_of(text, 0, query, answer, separation);
@@ -64,6 +67,7 @@ void ask(BenchMethod method, const Query& query, const Separation& separation, A
   }
   switch (method) {
     case BenchMethod::floor: ask_floor(query); return;
+    case BenchMethod::straight:
     case BenchMethod::touchstone:
     case BenchMethod::batch:
     case BenchMethod::columns: answer = solve(query); return;
@@ -81,6 +85,7 @@ void ask(BenchMethod method, const Query& query, const Separation& separation, A
 std::string_view bench_method_name(BenchMethod method) noexcept {
   switch (method) {
     case BenchMethod::floor: return "floor";
+    case BenchMethod::straight: return "straight";
     case BenchMethod::touchstone: return "touchstone";
     case BenchMethod::batch: return "touchstone_batch";
     case BenchMethod::columns: return "touchstone_columns";
@@ -94,7 +99,9 @@ std::string_view bench_method_name(BenchMethod method) noexcept {
   return {};
 }
 
-bool takes(BenchMethod method, const Separation& separation) noexcept {
+bool takes(BenchMethod method, bool curved, const Separation& separation) noexcept {
+  if (curved) return !is_baseline(method) && method != BenchMethod::columns;
+  if (method == BenchMethod::straight) return false;
   return !is_baseline(method) || (separation.distance > 0 && separation.metric == Metric::euclidean);
 }
 
@@ -102,13 +109,6 @@ std::size_t most_queries(BenchMethod method) noexcept {
   constexpr std::size_t kAll = 100'000;
   if (method == BenchMethod::oracle) return 20;
   return method == BenchMethod::exact || method == BenchMethod::prove ? 1000 : kAll;
-}
-
-std::vector<Query> spread(const std::vector<Query>& queries, std::size_t most) {
-  std::vector<Query> some;
-  const std::size_t step = std::max<std::size_t>(1, (queries.size() + most - 1) / most);
-  for (std::size_t i = 0; i < queries.size(); i += step) some.push_back(queries[i]);
-  return some;
 }
 
 namespace {
@@ -148,6 +148,7 @@ void ask_all(BenchMethod method, const std::vector<Query>& queries, const QueryC
     case BenchMethod::floor:
       for (const Query& query : queries) ask_floor(query);
       break;
+    case BenchMethod::straight:
     case BenchMethod::touchstone:
       for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = solve(queries[i]);
       break;
@@ -167,12 +168,35 @@ void ask_all(BenchMethod method, const std::vector<Query>& queries, const QueryC
   report::do_not_optimize(answers);
 }
 
-double slowest_microseconds(BenchMethod method, const std::vector<Query>& queries, const Separation& separation) {
+void ask_all(BenchMethod method, const std::vector<CurvedQuery>& queries, const Separation& separation,
+             std::vector<Answer>& answers) {
+  if (method == BenchMethod::batch) {
+    BatchOptions options;
+    options.separation = separation;
+    solve_batch(queries.data(), queries.size(), answers.data(), options);
+  } else if (method == BenchMethod::prove) {
+    for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = answer_and_proof(queries[i], separation);
+  } else {
+    const Method ours = method_of(method);
+    for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = solve(queries[i], separation, ours);
+  }
+  report::do_not_optimize(answers);
+}
+
+namespace {
+
+void ask(BenchMethod method, const CurvedQuery& query, const Separation& separation, Answer& answer) {
+  answer =
+      method == BenchMethod::prove ? answer_and_proof(query, separation) : solve(query, separation, method_of(method));
+}
+
+template <class AnyQuery>
+double slowest(BenchMethod method, const std::vector<AnyQuery>& queries, const Separation& separation) {
   using Clock = std::chrono::steady_clock;
   if (method == BenchMethod::batch || method == BenchMethod::columns) return -1;
-  double slowest = 0;
+  double greatest = 0;
   Answer answer;
-  for (const Query& query : queries) {
+  for (const AnyQuery& query : queries) {
     double best = 0;
     for (int attempt = 0; attempt < 3; ++attempt) {
       const auto start = Clock::now();
@@ -181,9 +205,18 @@ double slowest_microseconds(BenchMethod method, const std::vector<Query>& querie
       const double taken = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
       if (attempt == 0 || taken < best) best = taken;
     }
-    slowest = std::max(slowest, best);
+    greatest = std::max(greatest, best);
   }
-  return slowest;
+  return greatest;
+}
+
+}  // namespace
+
+double slowest_microseconds(BenchMethod method, const std::vector<Query>& queries, const Separation& separation) {
+  return slowest(method, queries, separation);
+}
+double slowest_microseconds(BenchMethod method, const std::vector<CurvedQuery>& queries, const Separation& separation) {
+  return slowest(method, queries, separation);
 }
 
 }  // namespace touchstone::cli

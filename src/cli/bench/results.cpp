@@ -32,12 +32,19 @@ std::string levels_for_person(const BenchResult& result) {
                      percentage(levels.bracket, result.queries), percentage(levels.exact, result.queries));
 }
 
-std::string line_for_person(const BenchResult& result) {
+bool has_straight_twins(const std::vector<BenchResult>& results, const std::string& set) {
+  return std::any_of(results.begin(), results.end(),
+                     [&](const BenchResult& result) { return result.set == set && result.ratio_to_straight; });
+}
+
+std::string line_for_person(const BenchResult& result, bool of_curves) {
   std::string name(bench_method_name(result.method));
   if (result.queries < result.set_size) name += fmt::format(" ({} of them)", grouped(result.queries));
   const std::string slowest = result.slowest_microseconds < 0 ? "" : fmt::format("{:.2f}", result.slowest_microseconds);
-  std::string line = fmt::format("  {:<26}{:>12.1f}{:>12.2f}{:>14}{}", name, result.median(), result.ratio, slowest,
-                                 levels_for_person(result));
+  std::string line = fmt::format("  {:<26}{:>12.1f}{:>12.2f}", name, result.median(), result.ratio);
+  if (of_curves)
+    line += fmt::format("{:>12}", result.ratio_to_straight ? fmt::format("{:.2f}", *result.ratio_to_straight) : "");
+  line += fmt::format("{:>14}{}", slowest, levels_for_person(result));
   line.erase(line.find_last_not_of(' ') + 1);
   return line + "\n";
 }
@@ -61,6 +68,7 @@ Json json_of(const BenchResult& result) {
                {"median_ns", result.median()},
                {"repetitions_ns", result.nanoseconds},
                {"ratio_to_floor", result.ratio}};
+  if (result.ratio_to_straight) json["ratio_to_straight"] = *result.ratio_to_straight;
   json["slowest_us"] = result.slowest_microseconds < 0 ? Json(nullptr) : Json(result.slowest_microseconds);
   json["levels"] = {{"filter", result.levels.filter},
                     {"bracket", result.levels.bracket},
@@ -81,15 +89,18 @@ double BenchResult::median() const {
 std::string bench_table(const std::vector<BenchResult>& results) {
   std::string table;
   std::string set;
+  bool of_curves = false;
   for (const BenchResult& result : results) {
     if (result.set != set) {
       set = result.set;
       const std::string title = fmt::format("{}: {}, {} with contact", set, counted(result.set_size, "query"),
                                             percentage(result.contacts, result.set_size));
-      table += fmt::format("{}{}\n  {:<26}{:>12}{:>12}{:>14}{:>10}{:>10}{:>10}\n", table.empty() ? "" : "\n", title, "",
-                           "ns a query", "x floor", "slowest, us", "filter", "bracket", "exact");
+      of_curves = has_straight_twins(results, set);
+      const std::string straight = of_curves ? fmt::format("{:>12}", "x straight") : "";
+      table += fmt::format("{}{}\n  {:<26}{:>12}{:>12}{}{:>14}{:>10}{:>10}{:>10}\n", table.empty() ? "" : "\n", title,
+                           "", "ns a query", "x floor", straight, "slowest, us", "filter", "bracket", "exact");
     }
-    table += line_for_person(result);
+    table += line_for_person(result, of_curves);
   }
   return table;
 }
@@ -97,13 +108,14 @@ std::string bench_table(const std::vector<BenchResult>& results) {
 std::string bench_csv(const std::vector<BenchResult>& results) {
   std::string csv =
       "set,method,queries,set_queries,set_contacts,median_ns,least_ns,greatest_ns,ratio_to_floor,slowest_us,"
-      "filter,bracket,exact,oracle\n";
+      "filter,bracket,exact,oracle,ratio_to_straight\n";
   for (const BenchResult& r : results) {
-    csv +=
-        fmt::format("{},{},{},{},{},{:.3f},{:.3f},{:.3f},{:.4f},{},{},{},{},{}\n", r.set, bench_method_name(r.method),
-                    r.queries, r.set_size, r.contacts, r.median(), least(r.nanoseconds), greatest(r.nanoseconds),
-                    r.ratio, r.slowest_microseconds < 0 ? "" : fmt::format("{:.3f}", r.slowest_microseconds),
-                    r.levels.filter, r.levels.bracket, r.levels.exact, r.levels.oracle);
+    csv += fmt::format("{},{},{},{},{},{:.3f},{:.3f},{:.3f},{:.4f},{},{},{},{},{},{}\n", r.set,
+                       bench_method_name(r.method), r.queries, r.set_size, r.contacts, r.median(), least(r.nanoseconds),
+                       greatest(r.nanoseconds), r.ratio,
+                       r.slowest_microseconds < 0 ? "" : fmt::format("{:.3f}", r.slowest_microseconds), r.levels.filter,
+                       r.levels.bracket, r.levels.exact, r.levels.oracle,
+                       r.ratio_to_straight ? fmt::format("{:.4f}", *r.ratio_to_straight) : "");
   }
   return csv;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,11 @@ struct BenchResult {
   std::size_t queries = 0;   ///< that were asked
   std::size_t contacts = 0;  ///< among all of the set
   std::size_t set_size = 0;
-  std::vector<double> nanoseconds;  ///< a query, one a repetition
-  double ratio = 0;                 ///< of the median to the floor's median on the same set
-  double slowest_microseconds = 0;  ///< negative: not measured
-  LevelCounts levels;               ///< of this method's answers; floor has none
+  std::vector<double> nanoseconds;          ///< a query, one a repetition
+  double ratio = 0;                         ///< of the median to the floor's median on the same set
+  std::optional<double> ratio_to_straight;  ///< of curved sets: to the median of the straight twins
+  double slowest_microseconds = 0;          ///< negative: not measured
+  LevelCounts levels;                       ///< of this method's answers; floor has none
 
   double median() const;
 };

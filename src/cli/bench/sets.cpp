@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "cli/bench/sets.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 #include <variant>
 
-#include <touchstone/solve.hpp>
+#include <touchstone/curved.hpp>
 
 #include "cli/shared/inputs.hpp"
 #include "cli/shared/interrupt.hpp"
 #include "generators/candidates.hpp"
 #include "io/kind_of_file.hpp"
+#include "report/body_pairs.hpp"
 #include "seeded/rng.hpp"
 
 namespace touchstone::cli {
@@ -17,9 +21,15 @@ namespace {
 
 constexpr std::uint64_t kSeed = 1;
 
-using ByKind = std::array<std::vector<Query>, 4>;
+template <class AnyQuery>
+using AnyByKind = std::array<std::vector<AnyQuery>, 4>;
+using ByKind = AnyByKind<Query>;
+using CurvedByKind = AnyByKind<CurvedQuery>;
 
-std::vector<Query>& of_kind(ByKind& queries, Kind kind) { return queries[static_cast<std::size_t>(kind)]; }
+template <class AnyQuery>
+std::vector<AnyQuery>& of_kind(AnyByKind<AnyQuery>& queries, Kind kind) {
+  return queries[static_cast<std::size_t>(kind)];
+}
 
 ByKind simulation_queries(std::size_t count, const Separation& separation) {
   ByKind queries;
@@ -61,12 +71,21 @@ ByKind random_queries(std::size_t count) {
   return queries;
 }
 
-ByKind queries_of(const std::vector<Input>& inputs) {
-  ByKind queries;
-  for_each_query(inputs, [&queries](std::size_t, const io::QueryRecord& record) {
-    if (const Query* query = std::get_if<Query>(&record.query)) of_kind(queries, query->kind).push_back(*query);
-  });
+/// The queries of files, straight or curved.
+template <class AnyQuery>
+AnyByKind<AnyQuery> queries_of(const std::vector<Input>& inputs) {
+  AnyByKind<AnyQuery> queries;
+  const auto take = [&queries](std::size_t, const io::QueryRecord& record) {
+    if (const auto* query = std::get_if<AnyQuery>(&record.query)) of_kind(queries, query->kind).push_back(*query);
+  };
+  for_each_query(inputs, take, io::Motions::any);
   return queries;
+}
+
+bool is_finite(const Query& query) {
+  const auto finite = [](const Vec3& x) { return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z); };
+  return std::all_of(query.start.begin(), query.start.end(), finite) &&
+         std::all_of(query.end.begin(), query.end.end(), finite);
 }
 
 void append_sets(const std::string& source, const ByKind& queries, const Separation& separation,
@@ -75,8 +94,8 @@ void append_sets(const std::string& source, const ByKind& queries, const Separat
   options.separation = separation;
   for (const Kind kind : io::kKinds) {
     const std::string name = source + "/" + std::string(kind_name(kind)) + "/";
-    BenchSet all{name + "all", queries[static_cast<std::size_t>(kind)], {}}, hits{name + "hits", {}, {}},
-        misses{name + "misses", {}, {}};
+    BenchSet all{name + "all", queries[static_cast<std::size_t>(kind)], {}, {}}, hits{name + "hits", {}, {}, {}},
+        misses{name + "misses", {}, {}, {}};
     all.answers = solve_batch(all.queries, options);
     for (std::size_t i = 0; i < all.queries.size(); ++i) {
       BenchSet& part = all.answers[i].contact ? hits : misses;
@@ -89,16 +108,56 @@ void append_sets(const std::string& source, const ByKind& queries, const Separat
   }
 }
 
+void append_curved_sets(const std::string& source, const CurvedByKind& queries, const Separation& separation,
+                        std::vector<BenchSet>& sets) {
+  for (const Kind kind : io::kKinds) {
+    const std::string name = source + "/" + std::string(kind_name(kind)) + "/";
+    BenchSet all{name + "all", {}, {}, {}}, hits{name + "hits", {}, {}, {}}, misses{name + "misses", {}, {}, {}};
+    for (const CurvedQuery& query : queries[static_cast<std::size_t>(kind)]) {
+      const Query twin = report::straight_twin(query);
+      if (!is_finite(twin)) continue;
+      const Answer answer = solve(query, separation);
+      for (BenchSet* set : {&all, answer.contact ? &hits : &misses}) {
+        set->queries.push_back(twin);
+        set->curved.push_back(query);
+        set->answers.push_back(answer);
+      }
+    }
+    for (BenchSet* set : {&all, &hits, &misses}) {
+      if (!set->queries.empty()) sets.push_back(std::move(*set));
+    }
+  }
+}
+
+void append_body_pairs(std::size_t count, const Separation& separation,
+                       const std::function<bool(const std::string&)>& wanted, std::vector<BenchSet>& sets) {
+  report::BodyPairOptions pairs;
+  pairs.count = count;
+  pairs.separation = separation.distance;
+  for (const std::string_view scene : report::kBodyScenes) {
+    if (!wanted(std::string(scene))) continue;
+    CurvedByKind queries;
+    for (report::QuerySet& set : report::body_pair_sets(scene, pairs, throw_if_interrupted)) {
+      of_kind(queries, set.kind) = std::move(set.curved);
+    }
+    append_curved_sets(std::string(scene), queries, separation, sets);
+  }
+}
+
 }  // namespace
 
-std::vector<BenchSet> bench_sets(const BenchOptions& options) {
+std::vector<BenchSet> bench_sets(const BenchOptions& options, const std::function<bool(const std::string&)>& wanted) {
   const std::vector<Input> given = find_inputs(options.files, options.kind);
   std::vector<BenchSet> sets;
   const Separation& separation = options.separation.separation;
   append_sets("simulation", simulation_queries(options.count, separation), separation, sets);
   append_sets("random", random_queries(options.count), separation, sets);
-  append_sets("bundled", queries_of(bundled_touching_inputs()), separation, sets);
-  append_sets("files", queries_of(given), separation, sets);
+  append_sets("bundled", queries_of<Query>(bundled_touching_inputs()), separation, sets);
+  append_sets("files", queries_of<Query>(given), separation, sets);
+  append_body_pairs(options.count, separation, wanted, sets);
+  append_curved_sets("bundled-curved", queries_of<CurvedQuery>(bundled_touching_inputs(io::Motions::any)), separation,
+                     sets);
+  append_curved_sets("files-curved", queries_of<CurvedQuery>(given), separation, sets);
   return sets;
 }
 

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include <touchstone/answer.hpp>
+#include <touchstone/curved_query.hpp>
 #include <touchstone/query.hpp>
 
 #include "cli/bench/bench.hpp"
@@ -17,11 +19,17 @@ namespace touchstone::cli {
 struct BenchSet {
   std::string name;  ///< "simulation/edge-edge/hits"
   std::vector<Query> queries;
-  std::vector<Answer> answers;
+  std::vector<CurvedQuery> curved;  ///< of curved motion; `queries` are then their straight twins, see the report layer
+  std::vector<Answer> answers;      ///< to the curved queries, if there are any
+
+  bool is_curved() const noexcept { return !curved.empty(); }
 };
 
 /// The sets of simulation-like candidates, random doubles, the bundled (degenerate) queries and the given files, in
-/// this order. Empty sets are left out, and so are queries whose coordinates are not all doubles.
-std::vector<BenchSet> bench_sets(const BenchOptions& options);
+/// this order; then those of curved motion: pairs of the scenes link-chain and nut-and-bolt, the bundled ones, and those
+/// of the given files. Empty sets are left out, and so are queries whose coordinates, or those of whose twins, are not
+/// all doubles.
+/// @param wanted  whether the sets of a source are; the scenes link-chain and nut-and-bolt are only then simulated
+std::vector<BenchSet> bench_sets(const BenchOptions& options, const std::function<bool(const std::string&)>& wanted);
 
 }  // namespace touchstone::cli

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <list>
 
+#include <touchstone/curved.hpp>
 #include <touchstone/error.hpp>
-#include <touchstone/solve.hpp>
 
 #include "cli/generate/frames.hpp"
 #include "cli/shared/interrupt.hpp"
@@ -15,6 +15,7 @@
 #include "cli/shared/query_progress.hpp"
 #include "cli/shared/summary.hpp"
 #include "cli/shared/words.hpp"
+#include "io/curved_rows.hpp"
 #include "io/output_file.hpp"
 #include "io/query_writer.hpp"
 #include "io/separation_text.hpp"
@@ -44,17 +45,50 @@ std::vector<Kind> kinds_of(SceneName scene, std::optional<Kind> asked) {
   return kinds;
 }
 
-void write_batch(const Batch& batch, const Separation& separation, Target& target, Counts& counts) {
+/// The file FOLDER/SOURCE/KIND/seed-S.csv.
+Target& open_target(const GenerateOptions& options, std::string_view source, Kind kind, NewFolders& folders,
+                    std::list<Target>& targets) {
+  const auto folder = std::filesystem::path(options.out) / source / kind_name(kind);
+  folders.make(folder);
+  const auto file = folder / fmt::format("seed-{}.csv", options.candidates.seed);
+  Target& target = targets.emplace_back(Target{kind, io::OutputFile(file.string())});
+  const Separation& separation = options.separation.separation;
+  if (separation.distance > 0) target.file.write(io::separation_comment(separation));
+  return target;
+}
+
+template <class AnyQuery>
+void write_queries(const std::vector<AnyQuery>& queries, const Separation& separation, Target& target, Counts& counts) {
   throw_if_interrupted();
   std::string text;
-  for (const Query& query : batch.queries) {
+  for (const AnyQuery& query : queries) {
     const Answer answer = solve(query, separation);
     io::append_query(text, query, answer.contact);
     target.contacts += answer.contact;
     counts.add(answer);
   }
   target.file.write(text);
-  target.queries += batch.queries.size();
+  target.queries += queries.size();
+}
+
+/// Writes the files of one family of curved queries, uncommitted.
+void write_family(families::Family family, const GenerateOptions& options, NewFolders& folders,
+                  std::list<Target>& targets, Counts& counts, QueryProgress& progress) {
+  constexpr std::uint64_t kBlock = 256;
+  for (const Kind kind : families::kKinds) {
+    if (options.kind && *options.kind != kind) continue;
+    Target& target = open_target(options, families::info(family).name, kind, folders, targets);
+    target.file.write(std::string(io::kCurvedHeader) + "\n");
+    std::vector<CurvedQuery> block;
+    const std::uint64_t count = options.candidates.count;
+    for (std::uint64_t index = 0; index < count; ++index) {
+      block.push_back(families::make_curved({family, kind, options.candidates.seed, index}).query);
+      if (block.size() < kBlock && index + 1 < count) continue;
+      write_queries(block, options.separation.separation, target, counts);
+      progress.add(0, block.size());
+      block.clear();
+    }
+  }
 }
 
 /// Writes one scene's files, uncommitted.
@@ -67,16 +101,12 @@ void write_scene(SceneName scene, const GenerateOptions& options, NewFolders& fo
   wanted.edge_edge = wanted.vertex_face = false;
   std::array<Target*, 2> target_of{};  // by Kind
   for (const Kind kind : kinds_of(scene, options.kind)) {
-    const auto folder = std::filesystem::path(options.out) / generators::scene_name(scene) / kind_name(kind);
-    folders.make(folder);
-    const auto file = folder / fmt::format("seed-{}.csv", wanted.seed);
     (kind == Kind::edge_edge ? wanted.edge_edge : wanted.vertex_face) = true;
-    Target& target = targets.emplace_back(Target{kind, io::OutputFile(file.string())});
-    if (separation.distance > 0) target.file.write(io::separation_comment(separation));
-    target_of[static_cast<std::size_t>(kind)] = &target;
+    target_of[static_cast<std::size_t>(kind)] =
+        &open_target(options, generators::scene_name(scene), kind, folders, targets);
   }
   generators::for_each_batch(wanted, [&](const Batch& batch) {
-    write_batch(batch, separation, *target_of[static_cast<std::size_t>(batch.kind)], counts);
+    write_queries(batch.queries, separation, *target_of[static_cast<std::size_t>(batch.kind)], counts);
     progress.add(0, batch.queries.size());
   });
   for (const Target* target : target_of) {
@@ -88,17 +118,43 @@ void write_scene(SceneName scene, const GenerateOptions& options, NewFolders& fo
   }
 }
 
+bool of_families(const GenerateOptions& options) { return options.curved || !options.families.empty(); }
+
+std::vector<SceneName> wanted_scenes(const GenerateOptions& options) {
+  if (of_families(options)) return {};
+  if (options.kind == Kind::point_edge || options.kind == Kind::point_point) {
+    throw InvalidQuery(
+        fmt::format("--kind {}: the scenes have edge-edge and vertex-face queries; with --curved there "
+                    "are queries of every kind",
+                    kind_name(*options.kind)));
+  }
+  if (!options.scenes.empty()) return options.scenes;
+  return {generators::kScenes.begin(), generators::kScenes.end()};
+}
+
+std::vector<families::Family> wanted_families(const GenerateOptions& options) {
+  if (of_families(options) && options.candidates.count == 0) {
+    throw InvalidQuery("--count 0: a family has queries without end; a number from 1 would be right");
+  }
+  if (!options.curved) return options.families;
+  std::vector<families::Family> all;
+  for (const families::FamilyInfo& family : families::curved_families()) all.push_back(family.family);
+  return all;
+}
+
 }  // namespace
 
 int run_generate(const GenerateOptions& options) {
   if (options.meshes) return write_frames(options);
-  std::vector<SceneName> scenes = options.scenes;
-  if (scenes.empty()) scenes.assign(generators::kScenes.begin(), generators::kScenes.end());
   NewFolders folders;
   std::list<Target> targets;
   Counts counts;
   QueryProgress progress({});
+  const std::vector<SceneName> scenes = wanted_scenes(options);
   for (const SceneName scene : scenes) write_scene(scene, options, folders, targets, counts, progress);
+  for (const families::Family family : wanted_families(options)) {
+    write_family(family, options, folders, targets, counts, progress);
+  }
   if (targets.empty()) {
     throw InvalidQuery(fmt::format("scene {} has no faces, so there are no {} queries in it",
                                    generators::scene_name(scenes.front()), kind_name(*options.kind)));

@@ -1,4 +1,4 @@
-// `touchstone generate`: query files of simulation-like candidate pairs, and sequences of meshes.
+// `touchstone generate`: query files of simulation-like candidate pairs or of curved families, and sequences of meshes.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -11,14 +11,17 @@
 
 #include "cli/shared/command.hpp"
 #include "cli/shared/separation.hpp"
+#include "families/families.hpp"
 #include "generators/candidates.hpp"
 
 namespace touchstone::cli {
 
 struct GenerateOptions {
   std::vector<generators::SceneName> scenes;  ///< empty: kScenes, or the drape with `meshes`
-  std::optional<Kind> kind;                   ///< nothing: edge-edge and vertex-face
-  generators::CandidateOptions candidates;    ///< but for its scene and kinds
+  std::vector<families::Family> families;     ///< of curved queries, in place of scenes; empty: all with `curved`
+  bool curved = false;                        ///< curved queries of families in place of scenes
+  std::optional<Kind> kind;                   ///< nothing: edge-edge and vertex-face; of families every kind
+  generators::CandidateOptions candidates;    ///< but for its scene and kinds; of families the seed and the count
   SeparationOption separation;                ///< of a contact
   std::string out;                            ///< a folder, made when it is not there
   bool meshes = false;                        ///< frames in place of queries

@@ -5,7 +5,9 @@
 #include <memory>
 
 #include "cli/generate/generate.hpp"
+#include "cli/shared/kind_check.hpp"
 #include "cli/shared/options.hpp"
+#include "io/kind_of_file.hpp"
 
 namespace touchstone::cli {
 namespace {
@@ -58,13 +60,49 @@ void add_mesh_options(CLI::App& subcommand, GenerateOptions& options) {
 void add_kind(CLI::App& subcommand, GenerateOptions& options) {
   subcommand
       .add_option_function<std::string>(
-          "--kind",
-          [&options](const std::string& name) {
-            options.kind = name == kind_name(Kind::edge_edge) ? Kind::edge_edge : Kind::vertex_face;
-          },
-          "Only these queries: edge-edge or vertex-face (default: both)")
+          "--kind", [&options](const std::string& name) { options.kind = io::kind_from_name(name); },
+          "Only these queries: edge-edge or vertex-face; of curved families also point-edge or point-point (default: "
+          "all)")
       ->type_name("KIND")
-      ->check(CLI::IsMember({"edge-edge", "vertex-face"}));
+      ->check(kind_check());
+}
+
+/// --curved and --family. Options that are about scenes are refused beside them.
+void add_family_options(CLI::App& subcommand, GenerateOptions& options) {
+  constexpr std::uint64_t kUsualCount = 100;
+  const auto of_families = [&subcommand, &options] {
+    if (subcommand.count("--count") == 0) options.candidates.count = kUsualCount;
+  };
+  CLI::Option* const curved = subcommand.add_flag_callback(
+      "--curved",
+      [&options, of_families] {
+        options.curved = true;
+        of_families();
+      },
+      "Queries of all curved families of touchstone fuzz in place of scenes: FOLDER/FAMILY/KIND/seed-S.csv, --count of "
+      "them each (default: 100)");
+  CLI::Option* const family = subcommand
+                                  .add_option_function<std::vector<std::string>>(
+                                      "--family",
+                                      [&options, of_families](const std::vector<std::string>& names) {
+                                        for (const auto& name : names)
+                                          options.families.push_back(families::find_family(name)->family);
+                                        of_families();
+                                      },
+                                      "Queries of this curved family alone; may be given more than once")
+                                  ->type_name("FAMILY")
+                                  ->check([](const std::string& name) {
+                                    const families::FamilyInfo* const found = families::find_family(name);
+                                    return found != nullptr && found->group == families::Group::curved
+                                               ? std::string()
+                                               : name + " is no curved family; touchstone fuzz --help lists them";
+                                  });
+  curved->excludes(family);
+  for (CLI::Option* const option : {curved, family}) {
+    for (const char* of_scenes : {"--scene", "--size", "--steps", "--speed", "--shared-corners", "--meshes"}) {
+      option->excludes(subcommand.get_option(of_scenes));
+    }
+  }
 }
 
 }  // namespace
@@ -96,6 +134,7 @@ void add_generate(CLI::App& program, Command& command) {
       ->required()
       ->type_name("FOLDER");
   add_mesh_options(*subcommand, *options);
+  add_family_options(*subcommand, *options);
   subcommand->footer(
       "Writes FOLDER/SCENE/KIND/seed-S.csv. Smooth formulas, rounded to doubles, give a scene's corners at the ends "
       "of\n"
@@ -112,6 +151,7 @@ void add_generate(CLI::App& program, Command& command) {
       "Examples\n"
       "  touchstone generate --out queries && touchstone certify queries/*/*/*.csv\n"
       "  touchstone generate --separation 1e-3 --out near && touchstone certify near/*/*/*.csv\n"
+      "  touchstone generate --curved --out curved && touchstone certify curved/*/*/*.csv\n"
       "  touchstone generate --scene cables --size 20000 --steps 1000 --count 1000000 --out big\n"
       "  touchstone generate --meshes --steps 100 --out frames\n"
       "  touchstone generate --meshes --steps 100 --crossing 42 --out crossed\n\n"

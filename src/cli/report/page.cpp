@@ -68,8 +68,8 @@ std::string report_page(const report::Report& report) {
   for (const report::SetResults& set : report.sets) {
     view::MeasuredSet shown;
     shown.name = set.set.name;
-    shown.about = fmt::format("{}. {} queries, {} with contact. {}", set.set.about, set.set.queries.size(),
-                              set.set.contacts(), without_marks(report::front_sentence(set.results)));
+    shown.about = fmt::format("{}. {} queries, {} with contact. {}", set.set.about, set.set.size(), set.set.contacts(),
+                              without_marks(report::front_sentence(set.results)));
     for (const report::Result& result : set.results) {
       if (result.asked > 0) shown.methods.push_back(measured(result, set.set));
     }

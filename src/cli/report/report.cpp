@@ -40,11 +40,12 @@ struct GivenQueries {
   std::uint64_t not_doubles = 0;
 };
 
+template <class AnyQuery>
 class Thinned {
  public:
   explicit Thinned(std::size_t most) : most_(most) {}
 
-  void add(const Query& query) {
+  void add(const AnyQuery& query) {
     if (seen_++ % stride_ != 0) return;
     queries_.push_back(query);
     if (queries_.size() <= most_) return;
@@ -55,39 +56,63 @@ class Thinned {
 
   std::uint64_t seen() const noexcept { return seen_; }
   std::uint64_t stride() const noexcept { return stride_; }
-  std::vector<Query> take() { return std::move(queries_); }
+  std::vector<AnyQuery> take() { return std::move(queries_); }
 
  private:
   std::size_t most_;
   std::uint64_t seen_ = 0;
   std::uint64_t stride_ = 1;
-  std::vector<Query> queries_;
+  std::vector<AnyQuery> queries_;
+};
+
+/// The queries of one sort, by kind.
+template <class AnyQuery>
+class ThinnedKinds {
+ public:
+  explicit ThinnedKinds(std::size_t most)
+      : by_kind_{Thinned<AnyQuery>(most), Thinned<AnyQuery>(most), Thinned<AnyQuery>(most), Thinned<AnyQuery>(most)} {}
+
+  void add(const AnyQuery& query) { by_kind_[static_cast<std::size_t>(query.kind)].add(query); }
+
+  /// @param queries_of  the member of a set that the queries go to
+  void append_sets(const std::string& source, const std::string& about,
+                   std::vector<AnyQuery> report::QuerySet::*queries_of, std::vector<report::QuerySet>& sets) {
+    for (const Kind kind : io::kKinds) {
+      Thinned<AnyQuery>& queries = by_kind_[static_cast<std::size_t>(kind)];
+      if (queries.seen() == 0) continue;
+      report::QuerySet set;
+      set.name = source + "/" + std::string(kind_name(kind));
+      set.about = about;
+      if (queries.stride() > 1) {
+        set.about += fmt::format("; one in {} of their {}", queries.stride(), counted(queries.seen(), "query"));
+      }
+      set.kind = kind;
+      set.*queries_of = queries.take();
+      sets.push_back(std::move(set));
+    }
+  }
+
+ private:
+  std::array<Thinned<AnyQuery>, 4> by_kind_;
 };
 
 GivenQueries read_queries(const std::string& source, const std::string& about, const std::vector<Input>& inputs,
                           std::size_t most) {
   GivenQueries given;
-  std::array<Thinned, 4> by_kind{Thinned(most), Thinned(most), Thinned(most), Thinned(most)};
-  for_each_query(inputs, [&](std::size_t, const io::QueryRecord& record) {
+  ThinnedKinds<Query> straight(most);
+  ThinnedKinds<CurvedQuery> curved(most);
+  const auto take = [&](std::size_t, const io::QueryRecord& record) {
     if (const auto* const query = std::get_if<Query>(&record.query)) {
-      by_kind[static_cast<std::size_t>(query->kind)].add(*query);
+      straight.add(*query);
+    } else if (const auto* const of_curves = std::get_if<CurvedQuery>(&record.query)) {
+      curved.add(*of_curves);
     } else {
       ++given.not_doubles;
     }
-  });
-  for (const Kind kind : io::kKinds) {
-    Thinned& queries = by_kind[static_cast<std::size_t>(kind)];
-    if (queries.seen() == 0) continue;
-    report::QuerySet set;
-    set.name = source + "/" + std::string(kind_name(kind));
-    set.about = about;
-    if (queries.stride() > 1) {
-      set.about += fmt::format("; one in {} of their {}", queries.stride(), counted(queries.seen(), "query"));
-    }
-    set.kind = kind;
-    set.queries = queries.take();
-    given.sets.push_back(std::move(set));
-  }
+  };
+  for_each_query(inputs, take, io::Motions::any);
+  straight.append_sets(source, about, &report::QuerySet::queries, given.sets);
+  curved.append_sets(source + "-curved", about + ", those of curved motion", &report::QuerySet::curved, given.sets);
   return given;
 }
 
@@ -118,7 +143,7 @@ int run_report(const ReportOptions& options) {
                     source, given.not_doubles == 1 ? "1 is" : grouped(given.not_doubles) + " are"));
   };
   append("bundled", "The hand-made, mostly degenerate queries that are bundled with the program",
-         bundled_touching_inputs());
+         bundled_touching_inputs(io::Motions::any));
   append("files", counted(options.files.size(), "file") + " named on the command line",
          find_inputs(options.files, options.kind));
 
@@ -168,8 +193,10 @@ void add_report(CLI::App& program, Command& command) {
       "Asks every method simulation-like candidates, the bundled queries, the given files, random and nearly touching\n"
       "elements: the paper's closed form, a careful one, Newton, inclusion, conservative advancement (at several "
       "tolerances\n"
-      "where they have one), exact arithmetic alone, touchstone paired with CGAL, and touchstone. Exact arithmetic\n"
-      "judges. Writes\n"
+      "where they have one), exact arithmetic alone, touchstone paired with CGAL, and touchstone. Of curved motion it\n"
+      "asks pairs of the scenes link-chain and nut-and-bolt, the bundled and given queries, and the families of\n"
+      "touchstone fuzz --curved; the methods of others are then Redon's intervals and conservative advancement. Exact\n"
+      "arithmetic judges. Writes\n"
       "  FOLDER/report.md    tables: errors, mean run time, percentiles, levels, scales, and the methods on the front\n"
       "  FOLDER/report.csv   every number, with version, machine and compiler\n"
       "  FOLDER/simulation.csv  how fast scenes are simulated, and in how much memory\n"

@@ -64,8 +64,8 @@ std::vector<Input> bundled_inputs(io::Motions motions) {
   return inputs;
 }
 
-std::vector<Input> bundled_touching_inputs() {
-  std::vector<Input> inputs = bundled_inputs(io::Motions::straight);
+std::vector<Input> bundled_touching_inputs(io::Motions motions) {
+  std::vector<Input> inputs = bundled_inputs(motions);
   const auto about_separation = [](const Input& input) {
     return io::separation_of_comments(input.content).has_value();
   };

@@ -37,8 +37,8 @@ std::vector<Input> find_inputs(const std::vector<std::string>& names, std::optio
 /// Every bundled file, or those of straight motion. @throws FileError when the program was built without them
 std::vector<Input> bundled_inputs(io::Motions motions);
 
-/// Those of them with straight motion whose truth column is about touching.
-std::vector<Input> bundled_touching_inputs();
+/// Those of them whose truth column is about touching.
+std::vector<Input> bundled_touching_inputs(io::Motions motions = io::Motions::straight);
 
 /// One item of the pipeline: some queries of one input.
 struct QueryItem {
