@@ -1,5 +1,5 @@
-// The methods that are compared: every baseline at every tolerance, and the solver by three of its methods. Straight and
-// curved queries have baselines of their own.
+// The methods that are compared: every baseline at every tolerance, and the solver by three of its methods. Straight
+// and curved queries have baselines of their own.
 // SPDX-License-Identifier: MIT
 #pragma once
 

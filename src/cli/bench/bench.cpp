@@ -72,7 +72,8 @@ bool may_choose(const std::string& source, const std::string& filter) {
   return false;
 }
 
-/// The measurements whose "set/method" matches the filter, and of each set that has one the floor, and the straight twins.
+/// The measurements whose "set/method" matches the filter, and of each set that has one the floor and, where it is
+/// curved, the straight twins.
 std::vector<Entry> chosen_entries(const std::vector<BenchSet>& sets, const BenchOptions& options) {
   const std::regex pattern(options.filter);
   std::vector<Entry> entries;
