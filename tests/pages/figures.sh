@@ -6,6 +6,8 @@
 #   touchstone report --out report
 #   touchstone bench --filter '(simulation|bundled)/' --csv bench.csv
 #   touchstone stress --out stress
+#   touchstone bench --filter '^(link-chain|nut-and-bolt|bundled-curved)/' --csv curved-bench.csv
+# curved-report.csv has the header and the rows of curved motion of a later run of the first command.
 # SPDX-License-Identifier: MIT
 set -euo pipefail
 root=$1
@@ -115,6 +117,51 @@ table_cgal() {
         printf " %.3g | %.3g | %.2g |", ns[s, "exact"] / 1000, ns[s, "oracle"] / 1000, ns[s, "oracle"] / ns[s, "exact"]
         if (paired) printf " %.2g |", ns[s, "touchstone_cgal"] / ns[s, "touchstone"]
         printf "\n"
+      }
+    }
+END
+}
+
+table_curvedmachine() {
+  rows curved-report.csv <<'END'
+    NR == 2 { printf "%s, %s, touchstone %s.\n", get("machine"), get("compiler"), get("version") }
+END
+}
+
+table_curvederrors() {
+  printf '| queries | method | us a query | missed | phantom | late | greatest time error [ulps] |\n'
+  printf '|---|---|---:|---:|---:|---:|---:|\n'
+  rows curved-report.csv <<'END'
+    get("queries") == 0 || get("method") == "touchstone_cgal" { next }
+    get("tolerance") != "" && get("tolerance") !~ /^(1e-06|1e-6)$/ { next }
+    {
+      shown = get("set") == last ? "" : get("set")
+      last = get("set")
+      some = get("queries") == get("set_queries") ? "" : sprintf(", asked %s of %s", get("queries"), get("set_queries"))
+      printf "| %s | `%s`%s | %.3g | %s | %s | %s | %s |\n", shown, get("method"), some, get("mean_us"),
+        percent(get("missed"), get("contacts")), percent(get("phantom"), get("queries") - get("contacts")),
+        percent(get("late"), get("contacts")),
+        get("ulps_greatest_magnitude") == "" ? "" : power(get("ulps_greatest_magnitude"))
+    }
+END
+}
+
+table_curvedbench() {
+  printf '| queries | straight [us] | `solve` [us] | x straight | exact arithmetic alone [us] | slowest [us] |\n'
+  printf '|---|---:|---:|---:|---:|---:|\n'
+  rows curved-bench.csv <<'END'
+    get("set") ~ /^bundled/ && get("set") !~ /all$/ { next }
+    !(get("set") in seen) { seen[get("set")] = 1; order[++sets] = get("set") }
+    {
+      us[get("set"), get("method")] = get("median_ns") / 1000
+      ratio[get("set"), get("method")] = get("ratio_to_straight")
+      slowest[get("set"), get("method")] = get("slowest_us")
+    }
+    END {
+      for (i = 1; i <= sets; ++i) {
+        s = order[i]
+        printf "| %s | %.2g | %.3g | %.2g | %.3g | %.2g |\n", s, us[s, "straight"], us[s, "touchstone"],
+          ratio[s, "touchstone"], us[s, "exact"], slowest[s, "touchstone"]
       }
     }
 END
