@@ -85,6 +85,7 @@ struct FuzzFinding {
   Answer truth;             ///< The exact answer to `query`.
   std::string detail;       ///< More about the failure, such as the message of the exception of a crash.
   std::string case_name;    ///< The name of the query before it was shrunk, for `touchstone fuzz --case "..."`.
+  Separation separation;    ///< What the solver was asked: FuzzOptions::separation.
 };
 
 /// The finding as a few lines of text: class, degeneracy, corners, claim and exact answer.

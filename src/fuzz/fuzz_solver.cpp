@@ -70,7 +70,8 @@ FuzzFinding public_finding(fuzz::Finding&& finding) {
           Claim{example.reply.contact, example.reply.toi, example.reply.toi_as_written},
           example.truth,
           std::move(example.detail),
-          fuzz::case_text(example.name)};
+          fuzz::case_text(example.name),
+          example.separation};
 }
 
 }  // namespace

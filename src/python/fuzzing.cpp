@@ -128,6 +128,12 @@ void define_finding(py::module_& module) {
       .def_readonly("truth", &FuzzFinding::truth, "the exact Answer")
       .def_readonly("detail", &FuzzFinding::detail, "more about it, such as the text of an exception")
       .def_readonly("case_name", &FuzzFinding::case_name, "the query before it was shrunk, for touchstone fuzz --case")
+      .def_property_readonly(
+          "separation", [](const FuzzFinding& found) { return found.separation.distance; }, "what the solver was asked")
+      .def_property_readonly(
+          "metric",
+          [](const FuzzFinding& found) { return found.separation.metric == Metric::max ? "max" : "euclidean"; },
+          "'euclidean' or 'max'")
       .def("__repr__", [](const FuzzFinding& found) {
         std::string text = to_string(found);
         text.pop_back();  // the end of the last line

@@ -28,4 +28,9 @@ PYBIND11_MODULE(_core, module) {
   python::define_curved(module);
   python::define_proofs(module);
   python::define_fuzzing(module);
+#ifdef TOUCHSTONE_PYTHON_WITH_PAGES
+  python::define_pages(module);
+#else
+  module.attr("page") = pybind11::none();
+#endif
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "threads/for_each_range.hpp"
 
+#include <map>
 #include <string>
 
 #include <touchstone/error.hpp>
@@ -16,6 +17,19 @@
 #endif
 
 namespace touchstone::threads {
+
+#ifdef TOUCHSTONE_WITH_TBB
+namespace {
+
+/// The calling thread's arena for so many threads. It is kept until the thread ends: oneTBB 2021.8 does not give back all
+/// memory of an arena that is destroyed, several KB each where the machine is busy.
+tbb::task_arena& arena_of(int threads) {
+  thread_local std::map<int, tbb::task_arena> arenas;
+  return arenas.try_emplace(threads, threads).first->second;
+}
+
+}  // namespace
+#endif
 
 void validate_threads(int threads) {
   if (threads >= 0 && threads <= kMostThreads) return;
@@ -33,10 +47,9 @@ void for_each_range(std::size_t count, std::size_t block, int threads,
 #ifdef TOUCHSTONE_WITH_TBB
   if (threads == 0) threads = tbb::info::default_concurrency();
   if (threads > 1 && count > block) {
-    tbb::task_arena arena(threads);
     ThreadHandover started, finished;
     started.give();
-    arena.execute([&] {
+    arena_of(threads).execute([&] {
       tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, block),
                         [&](const tbb::blocked_range<std::size_t>& range) {
                           started.take();

@@ -1,4 +1,6 @@
 """What a notebook shows. SPDX-License-Identifier: MIT"""
+import re
+from html import unescape
 from html.parser import HTMLParser
 
 import numpy as np
@@ -21,6 +23,9 @@ class Page(HTMLParser):
 
     def handle_endtag(self, tag):
         assert self.open.pop() == tag
+
+    def handle_startendtag(self, tag, attributes):
+        self.seen.add(tag)
 
     def handle_data(self, data):
         self.text += data + "\n"
@@ -65,3 +70,18 @@ def test_mesh_results():
     edges = ts.Mesh(5, faces=[[0, 1, 2]], edges=[[3, 4]])
     pierced = ts.intersections(edges, [[0, 0, 0], [1, 0, 0], [0, 1, 0], [.25, .25, -1], [.25, .25, 1]])
     assert "edge 0" in page(pierced).text and "pierces" in page(pierced).text
+
+
+def test_a_query_is_a_page_that_reaches_nothing():
+    shown = ts.show("point-edge", [[0, 1, 0], [-1, 0, 0], [1, 0, 0]], [[0, -1, 0], [-1, 0, 0], [1, 0, 0]])
+    whole = shown.page()
+    assert whole.startswith("<!doctype html>") and "http://" not in whole.replace("http://www.w3.org", "")
+    assert "0x1p-1" in whole
+    html = shown._repr_html_()
+    frame = re.search('<iframe srcdoc="([^"]*)" sandbox="allow-scripts"', html).group(1)
+    assert unescape(frame).startswith("<!doctype html>") and "<script" not in frame
+    near = ts.show("point-point", [[0, 0], [2, 0]], [[1, 0], [2, 0]], separation=1.5)
+    assert near.answer.toi == 0.5 and near.separation == 1.5 and near.page() != whole
+    report = ts.fuzz(lambda *query: False, 200, kinds=["point-point"], separation=0.5)
+    found = report.findings[0]
+    assert found.separation == 0.5 and found.metric == "euclidean" and "<iframe" in found._repr_html_()

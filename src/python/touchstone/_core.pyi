@@ -149,6 +149,8 @@ class Finding:
     truth: Answer
     detail: str
     case_name: str
+    separation: float
+    metric: str
 
 class FuzzReport:
     queries: int
@@ -162,6 +164,9 @@ def prove_curved(queries: CurvedArrays, separation: float, metric: str, threads:
 def fuzz(solver: Any, kinds: Optional[List[str]], families: Optional[List[str]], cases: int, seed: int, climb: int,
          separation: float, metric: str, early_ulps: Optional[int], early_share: Optional[float],
          findings: int) -> FuzzReport: ...
+# None in a build without pages
+def page(kind: str, start: ArrayLike, end: ArrayLike, t_max: float, separation: float, metric: str, title: str,
+         about: str) -> str: ...
 def solve(kind: str, start: ArrayLike, end: ArrayLike, t_max: float, separation: ArrayLike, metric: str, threads: int,
           method: str) -> Union[Answers, Answer]: ...
 def solve_any(kind: str, start: ArrayLike, end: ArrayLike, t_max: float, separation: ArrayLike, metric: str,

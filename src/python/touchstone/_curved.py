@@ -22,9 +22,9 @@ class OnBody:
              Without q1 the body does not turn
     p0, p1   where the body's origin is at t = 0 and t = 1, of shape (3,) or (n, 3). Without p1 it stays where it is
 
-    Over the step the quaternion is (1 - t) q0 + t q1, and the position (1 - t) p0 + t p1. Both ends are met exactly. The
-    body turns about one axis, at a pace that differs a little from that of slerp. With q0 . q1 >= 0 it takes the shorter
-    turn; q1 must not be q0 times a negative number.
+    Over the step the quaternion is (1 - t) q0 + t q1, and the position (1 - t) p0 + t p1. Both ends are met exactly.
+    The body turns about one axis, at a pace that differs a little from that of slerp. With q0 . q1 >= 0 it takes the
+    shorter turn; q1 must not be q0 times a negative number.
     """
 
     corners: ArrayLike

@@ -8,7 +8,7 @@ from typing import Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _queries
+from . import _core, _queries
 from ._core import Answer, Answers, Finding, FirstContact, FreeStep, FuzzReport, Intersections, Pairs
 from ._judging import Certificate, Verdict
 from ._names import Feature, Level, Nature
@@ -46,6 +46,20 @@ def _answer_facts(answer):
             ("decided by", Level(answer.level))]
 
 
+def _frame(page):
+    """A page in a frame of its own, which can reach nothing of the notebook; nothing in a build without pages."""
+    if page is None:
+        return ""
+    return (f'<iframe srcdoc="{escape(page, quote=True)}" sandbox="allow-scripts" width="100%" height="720" '
+            'style="border: 0"></iframe>')
+
+
+def _page(kind, start, end, t_max, separation, metric, title):
+    if _core.page is None:
+        return None
+    return _core.page(kind, start, end, t_max, separation, metric, title, "")
+
+
 def _corner_rows(kind, start, end):
     rows = []
     for name, a, b in zip(_CORNERS[kind], np.asarray(start), np.asarray(end)):
@@ -55,20 +69,32 @@ def _corner_rows(kind, start, end):
 
 @dataclass(frozen=True)
 class Shown:
-    """One query with its answer, as a table in a notebook and as text elsewhere.
+    """One query with its answer: a moving picture in a notebook, and text elsewhere.
 
-    kind, start, end  the query
-    answer            its Answer
+    kind, start, end             the query
+    answer                       its Answer
+    t_max, separation, metric    what was asked
     """
 
     kind: str
     start: NDArray
     end: NDArray
     answer: Answer
+    t_max: float = 1.0
+    separation: float = 0.0
+    metric: str = "euclidean"
+
+    def page(self) -> str:
+        """The text of an HTML file: the page that `touchstone view` writes. Raises RuntimeError in a build without."""
+        page = _page(self.kind, self.start, self.end, self.t_max, self.separation, self.metric, f"{self.kind} query")
+        if page is None:
+            raise RuntimeError("this module was built without pages: fmt or nlohmann-json was not found then")
+        return page
 
     def _repr_html_(self):
         return (_table(f"{self.kind} query", ("corner", "at t = 0", "at t = 1"),
-                       _corner_rows(self.kind, self.start, self.end)) + _facts("answer", _answer_facts(self.answer)))
+                       _corner_rows(self.kind, self.start, self.end)) + _facts("answer", _answer_facts(self.answer)) +
+                _frame(_page(self.kind, self.start, self.end, self.t_max, self.separation, self.metric, self.kind)))
 
     def __repr__(self):
         rows = "\n".join(f"  {name:<3} ({a}) to ({b})" for name, a, b in _corner_rows(self.kind, self.start, self.end))
@@ -89,7 +115,8 @@ def show(kind: Kind, start: ArrayLike, end: ArrayLike, t_max: float = 1.0, separ
     answer = _queries.solve(kind, start, end, t_max, separation, metric, 1)
     if not isinstance(answer, Answer):
         raise ValueError("start has many queries; show takes one, of shape (corners, 3) or (corners, 2)")
-    return Shown(kind.replace("_", "-"), np.array(start, float), np.array(end, float), answer)
+    return Shown(kind.replace("_", "-"), np.array(start, float), np.array(end, float), answer, float(t_max),
+                 float(separation), metric)
 
 
 def _show_answers(answers: Union[Answers, NDArray]):
@@ -131,17 +158,21 @@ def _show_certificate(certificate):
 
 
 def _show_finding(found):
-    claim = "no contact" if not found.contact else "contact" if found.toi is None else f"contact at {_number(found.toi)}"
+    claim = "contact" if found.contact else "no contact"
+    if found.contact and found.toi is not None:
+        claim += f" at {_number(found.toi)}"
     facts = [("claim", claim), ("exact", repr(found.truth)), ("in all", found.count), ("degeneracy", found.degeneracy),
              ("more", found.detail)]
     return (_table(f"{found.failure}, {found.kind}", ("corner", "at t = 0", "at t = 1"),
-                   _corner_rows(found.kind, found.start, found.end)) + _facts("reply", facts))
+                   _corner_rows(found.kind, found.start, found.end)) + _facts("reply", facts) +
+            _frame(_page(found.kind, found.start, found.end, 1.0, found.separation, found.metric,
+                         f"{found.failure}, {found.kind}")))
 
 
 def _show_report(report):
     rows = [(f.failure, f.kind, f.degeneracy, f.count) for f in report.findings[:_MOST_ROWS]]
-    return _table(f"{report.failures} of {report.queries} replies are wrong", ("failure", "kind", "degeneracy", "times"),
-                  rows, report.kinds_of_failure - len(rows))
+    return _table(f"{report.failures} of {report.queries} replies are wrong",
+                  ("failure", "kind", "degeneracy", "times"), rows, report.kinds_of_failure - len(rows))
 
 
 for _class, _shown in ((Answer, lambda answer: _facts("answer", _answer_facts(answer))), (Answers, _show_answers),

@@ -25,14 +25,14 @@ def _whole(number, name, least=0):
 
 
 def fuzz(solver: Callable[[str, NDArray[np.float64], NDArray[np.float64]], Any], cases: int = 10_000, *,
-         kinds: Optional[Iterable[Kind]] = None, families: Optional[Iterable[str]] = None, seed: int = 1, climb: int = 0,
-         separation: float = 0.0, metric: Metric = "euclidean", early_ulps: Optional[int] = None,
-         early_share: Optional[float] = None, findings: int = 32) -> FuzzReport:
+         kinds: Optional[Iterable[Kind]] = None, families: Optional[Iterable[str]] = None, seed: int = 1,
+         climb: int = 0, separation: float = 0.0, metric: Metric = "euclidean",
+         early_ulps: Optional[int] = None, early_share: Optional[float] = None, findings: int = 32) -> FuzzReport:
     """Asks a solver degenerate and extreme queries, judges its replies exactly, and shrinks the queries that it fails.
 
-    solver       a function of (kind, start, end): a word and two float64 arrays of shape (corners, 3). It returns whether
-                 there is contact for t in [0, 1], a bool; or the time of contact, a float; or None for no contact; or a
-                 tuple (contact, toi), where toi may be None. What it raises is a finding
+    solver       a function of (kind, start, end): a word and two float64 arrays of shape (corners, 3). It returns
+                 whether there is contact for t in [0, 1], a bool; or the time of contact, a float; or None for no
+                 contact; or a tuple (contact, toi), where toi may be None. What it raises is a finding
     cases        how many queries to make, in equal parts for all families and kinds
     kinds        the kinds of query; all by default
     families     the families of queries, as `touchstone fuzz --help` lists them; all by default
@@ -45,8 +45,9 @@ def fuzz(solver: Callable[[str, NDArray[np.float64], NDArray[np.float64]], Any],
     findings     how many findings to shrink and return
 
     Returns a FuzzReport with the attributes queries, failures, kinds_of_failure and findings. A Finding has failure,
-    degeneracy, count, kind, start, end, contact, toi, truth, detail and case_name, and prints itself. The function runs
-    on another thread than the caller's. Raises ValueError for options without meaning, and KeyboardInterrupt at Ctrl-C.
+    degeneracy, count, kind, start, end, contact, toi, truth, detail, case_name, separation and metric; it prints
+    itself, and shows itself in a notebook. The function runs on another thread than the caller's. Raises ValueError for
+    options without meaning, and KeyboardInterrupt at Ctrl-C.
 
     >>> import numpy as np, touchstone
     >>> def samples(kind, start, end):               # the distance of two points at 100 times
