@@ -25,7 +25,7 @@ const LayerTable& layer_table() {
       {"frames", {"geometry", "io", "mesh"}},
       {"dropin", {"solver", "geometry"}},
       {"c_api", {"solver", "mesh"}},
-      {"python", {"solver", "certify", "fuzz", "mesh", "proofs", "io", "threads"}},
+      {"python", {"solver", "certify", "exact", "fuzz", "mesh", "proofs", "view", "io", "threads"}},
       {"proofs", {"solver", "broad_phase", "exact", "filters", "geometry", "io", "numbers"}},
       {"checker", {}},
       {"view", {"exact", "geometry", "io", "numbers", "proofs"}},
