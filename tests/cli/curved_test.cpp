@@ -252,7 +252,7 @@ TEST_CASE("a separation of curved queries: all levels answer as the library does
       CHECK(report["refuted"][0]["separation"] == io::hexfloat(separation.distance));
     }
   }
-  CHECK(contacts > 0);
+  if (!whole_effort("that some of the queries have contact, and some at the start")) return;
   CHECK(starting > 0);
   CHECK(contacts > starting);
 }
