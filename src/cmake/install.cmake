@@ -41,6 +41,8 @@ if(TARGET touchstone_program)
 endif()
 if(TARGET touchstone_check)
   install(TARGETS touchstone_check RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+  install(FILES ${PROJECT_SOURCE_DIR}/src/checker/touchstone-check.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
+    COMPONENT program)
   add_dependencies(touchstone_installed touchstone_check)
 endif()
 if(TARGET touchstone_python)

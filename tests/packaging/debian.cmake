@@ -29,6 +29,7 @@ endif()
 
 # What each package must hold, and must depend on.
 set(files_of_touchstone ./usr/bin/touchstone ./usr/bin/touchstone-check ./usr/share/man/man1/touchstone.1.gz
+  ./usr/share/man/man1/touchstone-check.1.gz
   ./usr/share/bash-completion/completions/touchstone ./usr/share/zsh/vendor-completions/_touchstone
   ./usr/share/doc/touchstone/copyright)
 set(depends_of_touchstone libc6 libgmp10 libmpfr6 libstdc\\+\\+6)
