@@ -7,7 +7,6 @@
 // polynomial are integers here: each group is multiplied by a positive number, which changes no sign.
 // SPDX-License-Identifier: MIT
 #include "checker/motion.hpp"
-#include "checker/queries.hpp"
 
 namespace checker {
 namespace {
@@ -359,8 +358,8 @@ class Checker {
 int main(int argc, char** argv) {
   const bool help = argc > 1 && (std::string_view(argv[1]) == "--help" || std::string_view(argv[1]) == "-h");
   if (help || argc < 3) {
-    std::fputs("usage: touchstone-check PROOFS FILE...\n", help ? stdout : stderr);
     std::fputs(
+        "usage: touchstone-check PROOFS FILE...\n"
         "Checks the proofs of `touchstone prove` against their query files or motion files, in their order.\n"
         "Exit status: 0 every proof holds, 1 some proof does not, 2 bad usage or a file that cannot be read.\n",
         help ? stdout : stderr);

@@ -44,8 +44,6 @@ inline std::string counted(std::uint64_t number, const std::string& one, const s
   return std::to_string(number) + " " + (number == 1 ? one : several);
 }
 
-// ---- Lines and words ------------------------------------------------------------------------------------------------
-
 using Words = std::vector<std::string_view>;
 
 /// The lines of a file that are neither blank nor comments.
@@ -104,8 +102,6 @@ class Lines {
   bool has_end_ = false;
 };
 
-// ---- Numbers --------------------------------------------------------------------------------------------------------
-
 inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 inline bool is_hexadecimal(char c) { return is_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
 
@@ -157,96 +153,88 @@ inline int compare(const Number& a, const Number& b) {
   return cmp(x, y);
 }
 
-/// Whether x is a double: m 2^e with 0 <= m < 2^53 and e >= -1074. The next double is x + 2^e, with the least such e
-/// for which m >= 2^52, or e = -1074.
-inline bool next_double(Number x, Number& next) {
-  next = {1, -1074};
-  if (sign(x) <= 0) return sign(x) == 0;
-  const unsigned long zeros = mpz_scan1(x.m.get_mpz_t(), 0);
-  x.m >>= zeros;
-  x.e += static_cast<long>(zeros);
-  const long shift = std::min(53 - static_cast<long>(mpz_sizeinbase(x.m.get_mpz_t(), 2)), x.e + 1074);
-  if (shift < 0) return false;
-  next = {(x.m << static_cast<unsigned long>(shift)) + 1, x.e - shift};
+/// m 2^e or m 10^e of hexadecimal or decimal digits with at most one point, and a power behind one of the marks.
+/// @returns false for any other text, or one beyond the limits
+inline bool read_digits(std::string_view text, bool is_hex, const char* marks, std::size_t most, Number& x) {
+  const std::size_t mark = std::min(text.find_first_of(marks), text.size());
+  std::string digits(text.substr(0, mark));
+  const std::size_t point = std::min(digits.find('.'), digits.size());
+  if (point < digits.size()) digits.erase(point, 1);
+  if (digits.empty() || digits.size() > most) return false;
+  if (!std::all_of(digits.begin(), digits.end(), is_hex ? is_hexadecimal : is_digit)) return false;
+  mpz_class power;
+  if (mark < text.size()) {
+    text.remove_prefix(mark + 1);
+    if (text.size() > 1 && text[0] == '+' && is_digit(text[1])) text.remove_prefix(1);
+    if (!read_integer(text, power) || abs(power) > kMostExponent) return false;
+  }
+  x.m.set_str(digits, is_hex ? 16 : 10);
+  x.e = sign(x) == 0 ? 0 : power.get_si() - (is_hex ? 4 : 1) * static_cast<long>(digits.size() - point);
   return true;
 }
 
 /// "-12", or a C hexfloat with any number of digits: "0x1.8p-3".
 inline void read_number(std::string_view word, Number& x, const Lines& lines) {
-  const auto require = [&](bool is_number) {
-    if (is_number) return;
-    throw lines.bad(
-        quoted(word) +
-        " is no number: an integer or a hexfloat such as 0x1.8p-3 was expected, of at most 4,096 or 16,384 digits");
-  };
-  const bool negative = word.substr(0, 1) == "-";
-  const std::string_view text = word.substr(negative ? 1 : 0);
+  const bool negative = word.substr(0, 1) == "-", is_hex = word.substr(negative ? 1 : 0, 2) == "0x";
   x.e = 0;
-  if (text.substr(0, 2) != "0x") return require(read_integer(word, x.m));
-  const std::size_t p = text.find('p');
-  require(p != std::string_view::npos);
-  std::string_view power = text.substr(p + 1);
-  if (power.substr(0, 1) == "+" && power.substr(1, 1) != "-") power.remove_prefix(1);
-  static mpz_class exponent;
-  require(read_integer(power, exponent));
-  if (abs(exponent) > kMostExponent) {
-    throw lines.bad(quoted(word) + " has an exponent beyond the limit, which is 20,000");
+  const bool is_number =
+      is_hex ? word.find('p') != word.npos && read_digits(word.substr(negative ? 3 : 2), true, "p", kMostHexDigits, x)
+             : read_integer(word, x.m);
+  if (!is_number) {
+    throw lines.bad(quoted(word) +
+                    " is no number: an integer or a hexfloat such as 0x1.8p-3 was expected, of at most "
+                    "4,096 or 16,384 digits, with an exponent within the limit, which is 20,000");
   }
-  std::string digits(text.substr(2, p - 2));
-  const std::size_t point = digits.find('.');
-  if (point != std::string::npos) digits.erase(point, 1);
-  require(!digits.empty() && digits.size() <= kMostHexDigits);
-  require(std::all_of(digits.begin(), digits.end(), is_hexadecimal));
-  x.m.set_str((negative ? "-" : "") + digits, 16);
-  if (sign(x) == 0) return;
-  x.e = exponent.get_si();
-  if (point != std::string::npos) x.e -= 4 * static_cast<long>(digits.size() - point);
+  if (is_hex && negative) mpz_neg(x.m.get_mpz_t(), x.m.get_mpz_t());
+}
+
+/// The greatest m 2^e that is at most numerator / denominator, with integers |m| < 2^53 and e >= -1074. The denominator
+/// is positive. `rest` is positive where the quotient is nearer to (m + 1) 2^e, and zero in the middle.
+inline Number rounded_down(const mpz_class& numerator, const mpz_class& denominator, mpz_class& rest) {
+  const auto bits = [](const mpz_class& x) { return static_cast<long>(mpz_sizeinbase(x.get_mpz_t(), 2)); };
+  Number x;
+  x.e = std::max(bits(numerator) - bits(denominator) - 54, -1075L);
+  do {
+    ++x.e;
+    const mpz_class above = numerator << static_cast<unsigned long>(std::max(-x.e, 0L));
+    const mpz_class below = denominator << static_cast<unsigned long>(std::max(x.e, 0L));
+    mpz_fdiv_qr(x.m.get_mpz_t(), rest.get_mpz_t(), above.get_mpz_t(), below.get_mpz_t());
+    rest = 2 * rest - below;
+  } while (bits(x.m) > 53);
+  return x;
+}
+
+/// Whether x is a double, and not negative. With 53 bits of m, or e = -1074, the next double is (m + 1) 2^e.
+inline bool next_double(const Number& x, Number& next) {
+  static mpz_class unit, rest;
+  unit = mpz_class(1) << static_cast<unsigned long>(std::max(-x.e, 0L));
+  next = {0, -1074};
+  if (sign(x) > 0) next = rounded_down(x.m << static_cast<unsigned long>(std::max(x.e, 0L)), unit, rest);
+  const bool is_double = compare(x, next) == 0;
+  ++next.m;
+  return is_double;
 }
 
 /// The double that is nearest to a decimal or a hexfloat; of two, the one with an even significand.
 inline Number read_double(std::string_view word, const Lines& lines) {
-  const auto require = [&](bool good) {
-    if (!good) throw lines.bad("here must be a finite double, such as 0.25 or 0x1p-2: " + quoted(word));
-  };
   std::string_view text = word;
   const bool negative = text.substr(0, 1) == "-";
   if (negative) text.remove_prefix(1);
   const bool is_hex = text.substr(0, 2) == "0x" || text.substr(0, 2) == "0X";
   if (is_hex) text.remove_prefix(2);
-  const std::size_t mark = std::min(text.find_first_of(is_hex ? "pP" : "eE"), text.size());
-  std::string digits(text.substr(0, mark));
-  const std::size_t point = std::min(digits.find('.'), digits.size());
-  if (point < digits.size()) digits.erase(point, 1);
-  require(!digits.empty() && digits.size() <= kMostDigits &&
-          std::all_of(digits.begin(), digits.end(), is_hex ? is_hexadecimal : is_digit));
-  mpz_class m(digits, is_hex ? 16 : 10), exponent, unit = 1, quotient, rest;
-  if (mark < text.size()) {
-    text.remove_prefix(mark + 1);
-    if (text.size() > 1 && text[0] == '+' && is_digit(text[1])) text.remove_prefix(1);
-    require(read_integer(text, exponent) && abs(exponent) <= kMostExponent);
+  Number x;
+  bool is_finite = read_digits(text, is_hex, is_hex ? "pP" : "eE", kMostDigits, x);
+  if (is_finite && sign(x) != 0) {
+    mpz_class unit = 1, rest;
+    const auto size = static_cast<unsigned long>(std::abs(x.e));
+    is_hex ? mpz_mul_2exp(unit.get_mpz_t(), unit.get_mpz_t(), size) : mpz_ui_pow_ui(unit.get_mpz_t(), 10, size);
+    x = x.e > 0 ? rounded_down(x.m * unit, 1, rest) : rounded_down(x.m, unit, rest);
+    if (rest > 0 || (rest == 0 && mpz_odd_p(x.m.get_mpz_t()))) ++x.m;
+    is_finite = x.m != 0 && static_cast<long>(mpz_sizeinbase(x.m.get_mpz_t(), 2)) + x.e <= 1024;
   }
-  if (m == 0) return {};
-  exponent -= (is_hex ? 4 : 1) * static_cast<long>(digits.size() - point);
-  const mpz_class size = abs(exponent);
-  is_hex ? mpz_mul_2exp(unit.get_mpz_t(), unit.get_mpz_t(), size.get_ui())
-         : mpz_ui_pow_ui(unit.get_mpz_t(), 10, size.get_ui());
-  if (exponent > 0) {
-    m *= unit;
-    unit = 1;
-  }
-  // The number is m / unit = (quotient + rest / unit) 2^e, with a quotient of 53 bits, or of fewer where e = -1074.
-  const auto bits = [](const mpz_class& x) { return static_cast<long>(mpz_sizeinbase(x.get_mpz_t(), 2)); };
-  long e = std::max(bits(m) - bits(unit) - 54, -1075L);
-  do {
-    ++e;
-    const mpz_class numerator = m << static_cast<unsigned long>(std::max(-e, 0L));
-    const mpz_class denominator = unit << static_cast<unsigned long>(std::max(e, 0L));
-    mpz_fdiv_qr(quotient.get_mpz_t(), rest.get_mpz_t(), numerator.get_mpz_t(), denominator.get_mpz_t());
-    rest = 2 * rest - denominator;
-  } while (bits(quotient) > 53);
-  if (rest > 0 || (rest == 0 && mpz_odd_p(quotient.get_mpz_t()))) ++quotient;
-  require(quotient != 0 && bits(quotient) + e <= 1024);
-  return {negative ? mpz_class(-quotient) : quotient, e};
+  if (!is_finite) throw lines.bad("here must be a finite double, such as 0.25 or 0x1p-2: " + quoted(word));
+  if (negative) mpz_neg(x.m.get_mpz_t(), x.m.get_mpz_t());
+  return x;
 }
 
 }  // namespace checker

@@ -3,26 +3,28 @@
 #pragma once
 
 #include <numeric>
+#include <unordered_map>
 #include <unordered_set>
 
 #include "checker/queries.hpp"
 
 namespace checker {
 
-/// A point, an edge or a face, and its box during a step. Along each axis, the coordinates of all vertices at both ends
-/// of the step are sorted. `low` is the place of the box's least coordinate, and `reach` the number of the coordinates
-/// that are at most D above its greatest one. Boxes a and b are at most D apart if a.low < b.reach and b.low < a.reach.
+/// A point, an edge or a face, and its box during a step. Along each axis, the ends of the boxes of all vertices are
+/// sorted. `low` is the place of the box's least coordinate, and `reach` the number of the ends that are at most D
+/// above its greatest one. Boxes a and b are at most D apart if a.low < b.reach and b.low < a.reach.
 struct Element {
   std::array<std::uint32_t, 3> vertices{}, low{}, reach{};
-  std::size_t size = 0;
-  std::size_t number = 0;  ///< among those of its sort
+  std::size_t size = 0, number = 0;  ///< of vertices; among the elements of its sort
 };
 
 /// A mesh, and the two frames of a step.
 class MotionFile {
  public:
-  static constexpr std::array<std::string_view, 4> kSorts = {"point", "edge", "face", "fixed"};
-  static constexpr std::array<std::size_t, 4> kSizes = {1, 2, 3, 1};
+  static constexpr std::array<std::string_view, 5> kSorts = {"point", "edge", "face", "fixed", "body"};
+  static constexpr std::array<std::size_t, 5> kSizes = {1, 2, 3, 1, 1}, kWords = {2, 3, 4, 2, 6};
+  static constexpr std::size_t kPose = 7;  ///< numbers: a quaternion and a position
+  static constexpr std::uint32_t kNoBody = kMostVertices;
 
   explicit MotionFile(const std::string& name) : lines_(name) {
     lines_.next(words_);
@@ -32,15 +34,13 @@ class MotionFile {
       throw expected("\"vertices N\" with N below 2^30");
     }
     while (lines_.next(words_) && words_[0] != "frame") read_element();
-    if (!next_step()) throw expected("the line \"frame\" of frame 0");
-    // There are as many lines as vertices, so memory for each vertex is in proportion to the file.
-    is_fixed_.assign(count_, false);
-    for (const Element& vertex : elements_[3]) is_fixed_[vertex.vertices[0]] = true;
-    std::vector<bool> on_edge(count_, false);
-    for (const Element& edge : elements_[1]) on_edge[edge.vertices[0]] = on_edge[edge.vertices[1]] = true;
+    std::unordered_set<std::uint32_t> on_edge;
+    for (const Element& edge : elements_[1]) on_edge.insert({edge.vertices[0], edge.vertices[1]});
     for (const Element& point : elements_[0]) {
-      if (!on_edge[point.vertices[0]]) elements_[4].push_back(point);
+      if (on_edge.count(point.vertices[0]) == 0) elements_[5].push_back(point);
     }
+    for (const Element& vertex : elements_[3]) still_.insert(body_of(vertex.vertices[0]));
+    if (!next_step()) throw expected("the line \"frame\" of frame 0");
     if (!next_step()) throw expected("the line \"frame\" of frame 1: a motion has at least two frames");
   }
 
@@ -54,29 +54,25 @@ class MotionFile {
     frames_[1].clear();
     if (words_.empty()) return false;
     if (words_ != Words{"frame"}) throw expected("\"frame\" alone, or the end of the file");
+    lines_.next(words_);
+    for (std::uint32_t b = 0; b < body_count_; ++b) read_row(kPose, "body ", b, still_.count(b) > 0);
     for (std::uint32_t v = 0; v < count_; ++v) {
-      lines_.next(words_);
-      if (words_.size() != 3) {
-        throw expected("the three coordinates of vertex " + std::to_string(v) + " in frame " + std::to_string(frame_));
-      }
-      for (const std::string_view word : words_) {
-        read_number(word, frames_[1].emplace_back(), lines_);
-        if (frame_ > 0 && is_fixed_[v] && compare(frames_[0][frames_[1].size() - 1], frames_[1].back()) != 0) {
-          throw lines_.bad("vertex " + std::to_string(v) + " is fixed, but has moved in frame " +
-                           std::to_string(frame_) + ": the coordinates of the frame before were expected");
-        }
+      if (body_of(v) == kNoBody) {
+        read_row(3, "vertex ", v, is_fixed(v));
+      } else {
+        for (const Number& x : on_bodies_.at(v).second) frames_[1].push_back(x);
       }
     }
     ++frame_;
-    lines_.next(words_);
     return true;
   }
 
   /// Calls function(kind, first element, second element) for each pair of the step, in the order of the proofs.
   template <class Function>
   void for_each_pair(const Number& distance, const Function& function) {
+    set_ends();
     for (std::size_t k = 0; k < 3; ++k) set_boxes(k, distance);
-    const auto& [points, edges, faces, fixed, lone] = elements_;
+    const auto& [points, edges, faces, fixed, on_bodies, lone] = elements_;
     for_each_of(kKinds[0], edges, edges, function);
     for_each_of(kKinds[1], points, faces, function);
     for_each_of(kKinds[2], lone, edges, function);
@@ -86,12 +82,21 @@ class MotionFile {
   /// Sets the query of a pair: the corners of the first element, then those of the second one.
   void set(Query& query, const Kind& kind, const Element& a, const Element& b) const {
     query.kind = kind;
+    std::array<std::uint32_t, 4> bodies{};
     for (std::size_t i = 0; i < kind.corners; ++i) {
-      const std::size_t vertex = i < a.size ? a.vertices[i] : b.vertices[i - a.size];
+      const std::uint32_t vertex = i < a.size ? a.vertices[i] : b.vertices[i - a.size];
+      Corner& corner = query.corners[i];
+      bodies[i] = body_of(vertex);
+      const bool on_body = bodies[i] != kNoBody;
+      const auto first = static_cast<std::size_t>(std::find(bodies.begin(), bodies.end(), bodies[i]) - bodies.begin());
+      Motion& motion = query.motions[first];
+      corner.size = on_body ? 1 : 2;
+      corner.motion = on_body ? first : Corner::kOnCurve;
       for (std::size_t end = 0; end < 2; ++end) {
-        for (std::size_t k = 0; k < 3; ++k) {
-          query.corners[i].points[end][k] = fraction_of(frames_[end][3 * vertex + k]);
-        }
+        const auto at = [&](std::size_t n) { return fraction_of(frames_[end][n]); };
+        for (std::size_t k = 0; k < 3; ++k) corner.points[end][k] = at(place_of(vertex) + k);
+        for (std::size_t c = 0; on_body && c < 4; ++c) motion.q[end][c] = at(kPose * bodies[i] + c);
+        for (std::size_t k = 0; on_body && k < 3; ++k) motion.p[end][k] = at(kPose * bodies[i] + 4 + k);
       }
     }
   }
@@ -101,42 +106,88 @@ class MotionFile {
 
   void read_element() {
     const auto sort = static_cast<std::size_t>(std::find(kSorts.begin(), kSorts.end(), words_[0]) - kSorts.begin());
-    if (sort == kSorts.size() || words_.size() != kSizes[sort] + 1) {
-      throw expected("\"point V\", \"edge V0 V1\", \"face V0 V1 V2\", \"fixed V\" or \"frame\"");
+    if (sort == kSorts.size() || words_.size() != kWords[sort]) {
+      throw expected(R"("point V", "edge V0 V1", "face V0 V1 V2", "fixed V", "body V B X Y Z" or "frame")");
     }
     Element element;
     element.number = elements_[sort].size();
     for (; element.size < kSizes[sort]; ++element.size) {
       const std::string_view word = words_[element.size + 1];
       std::uint32_t v = 0;
-      if (!read_count(word, kMostVertices, v) || v >= count_) {
-        throw lines_.bad(quoted(word) + " is no vertex: a number below " + std::to_string(count_) +
-                         " was expected, without a sign or leading zeros");
-      }
+      if (!read_count(word, kMostVertices, v) || v >= count_)
+        throw lines_.bad(quoted(word) + " is no vertex, such as 0 or 12, below " + std::to_string(count_));
       const auto end = element.vertices.begin() + static_cast<long>(element.size);
       lines_.require(std::find(element.vertices.begin(), end, v) == end,
                      "an element has different vertices, but this one has a vertex twice");
       element.vertices[element.size] = v;
     }
     lines_.require(element.size > 1 || single_[sort].insert(element.vertices[0]).second,
-                   sort == 0 ? "the vertex is a point already: one line was expected"
-                             : "the vertex is fixed already: one line was expected");
+                   "the vertex has such a line already: one was expected");
     elements_[sort].push_back(element);
+    if (kSorts[sort] != "body") return;
+    auto& [body, point] = on_bodies_[element.vertices[0]];
+    if (!read_count(words_[2], kNoBody - 1, body)) throw expected("the number of a body, below 2^30 - 1");
+    for (std::size_t k = 0; k < 3; ++k) read_number(words_[3 + k], point[k], lines_);
+    body_count_ = std::max(body_count_, body + 1);
+  }
+
+  /// Reads the numbers of a body or of a vertex in the frame, and the line after them.
+  void read_row(std::size_t size, const char* of, std::uint32_t number, bool is_fixed) {
+    const auto name = [&] { return of + std::to_string(number) + " in frame " + std::to_string(frame_); };
+    if (words_.size() != size) throw expected("the " + std::to_string(size) + " numbers of " + name());
+    for (const std::string_view word : words_) {
+      read_number(word, frames_[1].emplace_back(), lines_);
+      if (frame_ > 0 && is_fixed && compare(frames_[0][frames_[1].size() - 1], frames_[1].back()) != 0) {
+        throw lines_.bad(name() + " is fixed, but has moved: the numbers of the frame before were expected");
+      }
+    }
+    lines_.next(words_);
+  }
+
+  std::uint32_t body_of(std::uint32_t vertex) const {
+    const auto found = on_bodies_.find(vertex);
+    return found == on_bodies_.end() ? kNoBody : found->second.first;
+  }
+  bool is_fixed(std::uint32_t vertex) const { return single_[3].count(vertex) > 0; }
+  /// Of its coordinates in a frame.
+  std::size_t place_of(std::size_t vertex) const { return kPose * body_count_ + 3 * vertex; }
+
+  /// Sets the ends of the boxes of vertices, which are those of their motion. That of a body's vertex is a mean of the
+  /// quotients of the Bernstein coefficients of x and w, if those of w are positive. These are rounded outwards.
+  void set_ends() {
+    static const Interval whole{0, 1, 0};
+    static mpz_class rest;
+    if (body_count_ > 0) ends_ = frames_;
+    for (const Element& vertex : elements_[4]) {
+      set(query_, {"", 1, 1}, vertex, vertex);
+      corners_.set(query_, Number());
+      corners_.w[0].extend(4);  // as many as x has
+      set_bernstein(w_, corners_.w[0], whole);
+      for (std::size_t i = 0; i < 12; ++i) {
+        if (i % 4 == 0) set_bernstein(x_, corners_.x[0][i / 4], whole);
+        lines_.require(w_[i % 4] > 0, "a body turns too far in the step that ends before this line");
+        const mpz_class unit = w_[i % 4] * corners_.scale;
+        for (const int sign : {-1, 1}) {  // the greatest coordinate is the least one of the opposite body
+          Number x = rounded_down(-sign * x_[i % 4], unit, rest);
+          x.m *= -sign;
+          Number& end = ends_[sign < 0 ? 0 : 1][place_of(vertex.vertices[0]) + i / 4];
+          if (i % 4 == 0 || sign * compare(x, end) > 0) end = x;
+        }
+      }
+    }
   }
 
   /// Sets the boxes along one axis.
   void set_boxes(std::size_t k, const Number& distance) {
-    const auto at = [&](std::size_t i) -> const Number& {  // of a vertex at the start, or at the end
-      return frames_[i / count_][3 * (i % count_) + k];
-    };
+    const auto& ends = body_count_ > 0 ? ends_ : frames_;
+    const auto at = [&](std::size_t i) -> const Number& { return ends[i / count_][place_of(i % count_) + k]; };
     std::vector<std::uint32_t> order(2 * std::size_t{count_}), place(order.size()), reach(order.size());
     std::iota(order.begin(), order.end(), 0U);
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return compare(at(a), at(b)) < 0; });
-    std::uint32_t end = 0;
-    for (std::size_t i = 0; i < order.size(); ++i) {
+    for (std::uint32_t i = 0, end = 0; i < order.size(); ++i) {
       const Number farthest = at(order[i]) + distance;
       while (end < order.size() && compare(at(order[end]), farthest) <= 0) ++end;
-      place[order[i]] = static_cast<std::uint32_t>(i);
+      place[order[i]] = i;
       reach[order[i]] = end;
     }
     for (std::vector<Element>& elements : elements_) {
@@ -166,9 +217,8 @@ class MotionFile {
     std::sort(row.begin(), row.end(), [&](const Element& a, const Element& b) { return a.low[axis] < b.low[axis]; });
     std::vector<std::uint32_t> farthest;  // the greatest reach of a box and those before it
     for (const Element& b : row) farthest.push_back(std::max(b.reach[axis], farthest.empty() ? 0 : farthest.back()));
-    std::vector<const Element*> partners;
     for (const Element& a : first) {
-      partners.clear();
+      std::vector<const Element*> partners;
       // The boxes before this one end below a, and those behind the last one of the loop begin above it.
       const auto begin = std::upper_bound(farthest.begin(), farthest.end(), a.low[axis]) - farthest.begin();
       for (auto i = static_cast<std::size_t>(begin); i < row.size() && row[i].low[axis] < a.reach[axis]; ++i) {
@@ -183,25 +233,33 @@ class MotionFile {
     for (std::size_t k = 0; k < 3; ++k) {
       if (a.low[k] >= b.reach[k] || b.low[k] >= a.reach[k]) return false;
     }
-    bool all_fixed = true;
+    bool all_fixed = true, on_one_body = body_count_ > 0;
     for (std::size_t i = 0; i < a.size; ++i) {
       for (std::size_t j = 0; j < b.size; ++j) {
-        if (a.vertices[i] == b.vertices[j]) return false;
-        all_fixed = all_fixed && is_fixed_[a.vertices[i]] && is_fixed_[b.vertices[j]];
+        const std::uint32_t v = a.vertices[i], w = b.vertices[j];
+        if (v == w) return false;
+        all_fixed = all_fixed && is_fixed(v) && is_fixed(w);
+        on_one_body = on_one_body && body_of(v) != kNoBody && body_of(v) == body_of(w);
       }
     }
-    return !all_fixed;
+    return !all_fixed && !on_one_body;
   }
 
   Lines lines_;
   Words words_;
-  std::uint32_t count_ = 0;
+  std::uint32_t count_ = 0, body_count_ = 0;
   std::size_t frame_ = 0;
-  std::array<std::vector<Number>, 2> frames_;  ///< three coordinates for each vertex, at the start and at the end
-  std::vector<bool> is_fixed_;                 ///< of each vertex
-  /// Points, edges, faces, vertices that are fixed, and points that are corners of no edge.
-  std::array<std::vector<Element>, 5> elements_;
-  std::array<std::unordered_set<std::uint32_t>, 4> single_;  ///< the vertices that are points, and that are fixed
+  /// At the start and at the end: the numbers of each body's pose, and three for each vertex, which are its point if it
+  /// is on a body; and, with bodies, the ends of the boxes of vertices in the same places.
+  std::array<std::vector<Number>, 2> frames_, ends_;
+  std::unordered_map<std::uint32_t, std::pair<std::uint32_t, std::array<Number, 3>>> on_bodies_;  ///< by vertex
+  std::unordered_set<std::uint32_t> still_;  ///< bodies that have fixed vertices
+  /// Points, edges, faces, vertices that are fixed and on bodies, and points that are corners of no edge.
+  std::array<std::vector<Element>, 6> elements_;
+  std::array<std::unordered_set<std::uint32_t>, 5> single_;  ///< the vertices that have a line of each sort
+  Query query_;
+  Corners corners_;
+  Polynomial x_, w_;
 };
 
 }  // namespace checker

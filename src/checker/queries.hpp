@@ -6,9 +6,7 @@
 
 namespace checker {
 
-// ---- Polynomials: coefficient i belongs to t^i ----------------------------------------------------------------------
-
-/// It keeps the memory of its coefficients when it is cleared.
+/// Coefficient i belongs to t^i. It keeps the memory of its coefficients when it is cleared.
 class Polynomial {
  public:
   std::size_t size() const { return size_; }
@@ -76,9 +74,8 @@ inline void set_dot(Polynomial& dot, const Vector& a, const Vector& b) {
 }
 inline void set_difference(Polynomial& difference, const Polynomial& p, const Polynomial& q) {
   difference.clear();
-  difference.extend(std::max(p.size(), q.size()));
-  for (std::size_t i = 0; i < p.size(); ++i) difference[i] = p[i];
-  for (std::size_t i = 0; i < q.size(); ++i) difference[i] -= q[i];
+  add(difference, p, 1);
+  add(difference, q, -1);
 }
 
 /// The times from low / 2^shift on that are (width / 2^shift) s later, for s in [0, 1].
@@ -149,8 +146,6 @@ inline bool divides(const Polynomial& g, const Polynomial& p) {
   return true;
 }
 
-// ---- Queries --------------------------------------------------------------------------------------------------------
-
 struct Kind {
   std::string_view name;
   std::size_t corners, first;  ///< of both elements, of the first one
@@ -181,21 +176,16 @@ struct Motion {
   std::array<Point, 2> p;
   bool is_given = false, is_used = false;
 };
-/// Whether (1 - t) q0 + t q1 is not zero at any t in [0, 1]. It is zero at one if q0 or q1 is zero, or they have
-/// opposite directions. By the inequality of Cauchy and Schwarz, that is so if and only if q0 . q1 <= 0 and (q0 . q1)^2
-/// = (q0 . q0) (q1 . q1).
+/// Whether (1 - t) q0 + t q1 is not zero at any t in [0, 1]: docs/proofs.md has the reason.
 inline bool turns(const Motion& motion) {
-  mpq_class product, start, end;
-  for (std::size_t c = 0; c < 4; ++c) {
-    mpq_class a(motion.q[0][c].numerator, motion.q[0][c].denominator);
-    mpq_class b(motion.q[1][c].numerator, motion.q[1][c].denominator);
-    a.canonicalize();
-    b.canonicalize();
-    product += a * b;
-    start += a * a;
-    end += b * b;
+  std::array<mpq_class, 3> sums;  // q0 . q0, q0 . q1 and q1 . q1
+  for (std::size_t i = 0; i < 12; ++i) {
+    const Fraction &x = motion.q[i / 8][i % 4], &y = motion.q[(i / 4 + 1) / 2][i % 4];
+    mpq_class product(x.numerator * y.numerator, x.denominator * y.denominator);
+    product.canonicalize();
+    sums[i / 4] += product;
   }
-  return sgn(product) > 0 || product * product != start * end;
+  return sgn(sums[1]) > 0 || sums[1] * sums[1] != sums[0] * sums[2];
 }
 
 struct Query {

@@ -9,11 +9,13 @@
 #include <tuple>
 #include <utility>
 
+#include <touchstone/curved.hpp>
 #include <touchstone/solve.hpp>
 
 #include "broad_phase/box_tree.hpp"
 #include "io/times.hpp"
 #include "numbers/float_environment.hpp"
+#include "proofs/body_box.hpp"
 #include "proofs/proof_text.hpp"
 
 namespace touchstone::proofs {
@@ -54,7 +56,13 @@ struct Cells {
   const std::array<Index, N>& corners(Index i) const noexcept { return cells[i]; }
 };
 
-/// The boxes of a step, and what makes a pair of them.
+RigidMotion motion_of(std::uint32_t body, const MotionFrame& start, const MotionFrame& end) {
+  const MotionPose &from = start.poses[body], &to = end.poses[body];
+  return {from.q, to.q, from.p, to.p};
+}
+
+/// The boxes of a step, and what makes a pair of them. The box of a vertex reaches from `start` to `end` along each
+/// axis.
 class StepBoxes {
  public:
   StepBoxes(const MotionElements& elements, const MotionFrame& start, const MotionFrame& end, double distance,
@@ -127,9 +135,19 @@ class StepBoxes {
   }
 
   template <std::size_t N, std::size_t M>
+  bool on_one_body(const std::array<Index, N>& a, const std::array<Index, M>& b) const noexcept {
+    const std::size_t free = elements_.free_count();
+    const auto is_elsewhere = [&](Index v) {
+      return v < free || a[0] < free || elements_.on_bodies[v - free].body != elements_.on_bodies[a[0] - free].body;
+    };
+    return std::none_of(a.begin(), a.end(), is_elsewhere) && std::none_of(b.begin(), b.end(), is_elsewhere);
+  }
+
+  template <std::size_t N, std::size_t M>
   bool is_pair(const std::array<Index, N>& a, const std::array<Index, M>& b) const noexcept {
     if (share_vertex(a, b)) return false;
     if (!elements_.fixed.empty() && all_fixed(a) && all_fixed(b)) return false;
+    if (!elements_.on_bodies.empty() && on_one_body(a, b)) return false;
     const Box box_a = around(a), box_b = around(b);
     for (std::size_t k = 0; k < 3; ++k) {
       if (!at_most_apart(box_a.low[k], box_b.high[k], distance_)) return false;
@@ -146,6 +164,16 @@ class StepBoxes {
 };
 
 void append_coordinate(std::string& to, double x) { to += x == 0 ? "0" : io::hexfloat(x); }
+
+/// With the end of the line.
+void append_point(std::string& to, const Vec3& point) {
+  append_coordinate(to, point.x);
+  to += ' ';
+  append_coordinate(to, point.y);
+  to += ' ';
+  append_coordinate(to, point.z);
+  to += '\n';
+}
 
 }  // namespace
 
@@ -181,7 +209,18 @@ StepProver::StepProver(MotionElements elements, const Separation& separation)
 
 std::vector<MotionPair> StepProver::pairs(const MotionFrame& start, const MotionFrame& end, int threads) const {
   const numbers::DefaultFloatEnvironment environment;
-  const StepBoxes boxes(elements_, start, end, separation_.distance, threads);
+  MotionFrame low, high;
+  if (!elements_.on_bodies.empty()) {
+    low = start;
+    high = end;
+    for (const BodyVertex& vertex : elements_.on_bodies) {
+      const PointBox box = box_on_body(motion_of(vertex.body, start, end), vertex.point);
+      low.push_back(box.low);
+      high.push_back(box.high);
+    }
+  }
+  const bool straight = elements_.on_bodies.empty();
+  const StepBoxes boxes(elements_, straight ? start : low, straight ? end : high, separation_.distance, threads);
   const Points points{elements_.points};
   const LoosePoints loose{elements_.points, loose_};
   const Cells<2> edges{elements_.edges};
@@ -228,12 +267,43 @@ Query StepProver::query_of(const MotionPair& pair, const MotionFrame& start, con
   return query;
 }
 
+CurvedQuery StepProver::curved_query_of(const MotionPair& pair, const MotionFrame& start,
+                                        const MotionFrame& end) const {
+  CurvedQuery query;
+  query.kind = pair.kind;
+  const auto corners = corners_of(pair);
+  const std::size_t free = elements_.free_count();
+  std::array<std::uint32_t, 4> bodies{};
+  for (std::size_t c = 0; c < corner_count(pair.kind); ++c) {
+    if (corners[c] < free) {
+      query.corners[c] = CurvedCorner::on_curve({start[corners[c]], end[corners[c]]});
+      bodies[c] = ~std::uint32_t{0};
+      continue;
+    }
+    // Corners of one body have one motion.
+    const BodyVertex& vertex = elements_.on_bodies[corners[c] - free];
+    bodies[c] = vertex.body;
+    const auto first = std::find(bodies.begin(), bodies.end(), vertex.body) - bodies.begin();
+    query.motions[static_cast<std::size_t>(first)] = motion_of(vertex.body, start, end);
+    query.corners[c] = CurvedCorner::on_body(static_cast<int>(first), vertex.point);
+  }
+  return query;
+}
+
+bool StepProver::is_curved(const MotionPair& pair) const noexcept {
+  const auto corners = corners_of(pair);
+  return std::any_of(corners.begin(), corners.begin() + corner_count(pair.kind),
+                     [&](Index v) { return v >= elements_.free_count(); });
+}
+
 Answer StepProver::append_proof(std::string& to, std::uint64_t number, const MotionPair& pair, const MotionFrame& start,
                                 const MotionFrame& end) const {
-  const Query query = query_of(pair, start, end);
-  const Answer answer = solve(query, separation_);
-  append_proof_of(to, number, query, answer, separation_);
-  return answer;
+  const auto append = [&](const auto& query) {
+    const Answer answer = solve(query, separation_);
+    append_proof_of(to, number, query, answer, separation_);
+    return answer;
+  };
+  return is_curved(pair) ? append(curved_query_of(pair, start, end)) : append(query_of(pair, start, end));
 }
 
 std::string motion_head(const MotionElements& elements) {
@@ -249,19 +319,24 @@ std::string motion_head(const MotionElements& elements) {
   for (Index vertex = 0; vertex < elements.fixed.size(); ++vertex) {
     if (elements.fixed[vertex] != 0) add("fixed", std::array{vertex});
   }
+  for (std::size_t i = 0; i < elements.on_bodies.size(); ++i) {
+    const BodyVertex& vertex = elements.on_bodies[i];
+    text += "body " + std::to_string(elements.free_count() + i) + ' ' + std::to_string(vertex.body) + ' ';
+    append_point(text, vertex.point);
+  }
   return text;
 }
 
 void append_frame(std::string& to, const MotionFrame& frame) {
   to += "frame\n";
-  for (const Vec3& position : frame) {
-    append_coordinate(to, position.x);
-    to += ' ';
-    append_coordinate(to, position.y);
-    to += ' ';
-    append_coordinate(to, position.z);
-    to += '\n';
+  for (const MotionPose& pose : frame.poses) {
+    for (const double c : pose.q) {
+      append_coordinate(to, c);
+      to += ' ';
+    }
+    append_point(to, pose.p);
   }
+  for (const Vec3& position : frame) append_point(to, position);
 }
 
 }  // namespace touchstone::proofs

@@ -10,10 +10,17 @@
 #include <vector>
 
 #include <touchstone/answer.hpp>
+#include <touchstone/curved_query.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
 namespace touchstone::proofs {
+
+/// A vertex that is a point of a body.
+struct BodyVertex {
+  std::uint32_t body = 0;
+  Vec3 point;  ///< in the body's own frame
+};
 
 /// The elements of a motion file. The numbers of vertices are below vertex_count.
 struct MotionElements {
@@ -22,14 +29,25 @@ struct MotionElements {
   std::vector<std::array<std::uint32_t, 2>> edges;  ///< of different vertices
   std::vector<std::array<std::uint32_t, 3>> faces;  ///< of different vertices
   std::vector<char> fixed;                          ///< by vertex: whether it never moves; empty when all may
+  std::vector<BodyVertex> on_bodies = {};           ///< the last vertices
+
+  std::size_t free_count() const noexcept { return vertex_count - on_bodies.size(); }  ///< vertices on no body
 };
 
 /// The vertices that collide, in ascending order: the corners of edges and the loose points.
 std::vector<std::uint32_t> colliding_vertices(const std::vector<std::array<std::uint32_t, 2>>& edges,
                                               const std::vector<std::uint32_t>& loose_points);
 
-/// The position of each vertex. All coordinates are finite.
-using MotionFrame = std::vector<Vec3>;
+struct MotionPose {
+  std::array<double, 4> q{1, 0, 0, 0};
+  Vec3 p;
+};
+
+/// The position of each vertex that is on no body, and the pose of each body. All numbers are finite.
+struct MotionFrame : std::vector<Vec3> {
+  using std::vector<Vec3>::vector;
+  std::vector<MotionPose> poses;
+};
 
 /// Two elements, by their numbers among those of their sort.
 struct MotionPair {
@@ -54,7 +72,9 @@ class StepProver {
   /// The pairs of the step between two frames, in the order of the proofs; the same for any number of threads.
   std::vector<MotionPair> pairs(const MotionFrame& start, const MotionFrame& end, int threads) const;
 
+  /// Of a pair without a vertex on a body.
   Query query_of(const MotionPair& pair, const MotionFrame& start, const MotionFrame& end) const;
+  CurvedQuery curved_query_of(const MotionPair& pair, const MotionFrame& start, const MotionFrame& end) const;
 
   /// Answers a pair and appends the lines of its proof. Several threads may call it at the same time.
   /// @throws Error  as prove does
@@ -63,6 +83,7 @@ class StepProver {
 
  private:
   std::array<std::uint32_t, 4> corners_of(const MotionPair& pair) const noexcept;
+  bool is_curved(const MotionPair& pair) const noexcept;
 
   MotionElements elements_;
   Separation separation_;
@@ -72,7 +93,7 @@ class StepProver {
 /// The lines of a motion file before the first frame.
 std::string motion_head(const MotionElements& elements);
 
-/// The lines of a frame.
+/// The lines of a frame: the poses, and then the positions.
 void append_frame(std::string& to, const MotionFrame& frame);
 
 }  // namespace touchstone::proofs

@@ -285,6 +285,7 @@ std::variant<SubstepRecord, Refusal> Simulation::try_substep(double h, double en
     }
   }
   if (keep_ends_) record.end = state_.q;
+  if (kBodies && bodies_ && keep_ends_) record.end_bodies = bodies_->state().bodies;
   for (const Contact& c : response.contacts) {
     record.contacts.push_back({c.pair, c.time > 0, c.time, sim::contact_point(c, state_.q)});
   }

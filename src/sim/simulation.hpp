@@ -59,7 +59,8 @@ struct SubstepRecord {
   double numerical = 0;  ///< J, with measure_flows: what the substep gained beyond the flows
   BodyCounts bodies;
   std::vector<ContactMark> contacts;  ///< with keep_contacts: those that the response saw
-  VectorX end;  ///< the coordinates at its end, the doubles that were proved; empty without keep_ends
+  VectorX end;            ///< the coordinates at its end, the doubles that were proved; empty without keep_ends
+  BodyStates end_bodies;  ///< likewise the bodies; empty without keep_ends
 };
 
 struct SimulationOptions {

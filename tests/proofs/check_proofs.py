@@ -417,13 +417,44 @@ def twice(p):
     return [2 * c for c in p]
 
 
+def rounded_down(top, bottom):
+    """The greatest m 2^e that is at most top / bottom, for integers |m| < 2^53 and e >= -1074, as (m, e)."""
+    if top == 0:
+        return 0, 0
+    e = max(abs(top).bit_length() - bottom.bit_length() - 60, -1074)
+    while True:
+        m = (top << max(-e, 0)) // (bottom << max(e, 0))
+        if abs(m) < 1 << 53:
+            return m, e
+        e += 1
+
+
+def box_on_body(motion, point):
+    """The least and the greatest coordinates of a point of a body in a step; None where a weight is not positive."""
+    lengths, e = to_integers(motion[8:] + point)
+    turns, _ = to_integers(motion[:8])
+    pose = Pose(turns, lengths[:6])
+    zero, one = (0, 0), (1, 0)
+    weights = bernstein(pose.weight + [0], zero, one)
+    if min(weights) <= 0:
+        return None
+    low, high = [], []
+    for polynomial in pose.corner(lengths[6:]):
+        controls = bernstein(polynomial, zero, one)
+        bounds = [rounded_down(sign * c, w << -e) for sign in (1, -1) for c, w in zip(controls, weights)]
+        integers, least = to_integers(bounds)
+        low.append((min(integers[:4]), least))
+        high.append((-min(integers[4:]), least))
+    return low, high
+
+
 Box = collections.namedtuple("Box", "low high element")
 
 
 class Motion:
     """A motion file. Its frames are read one after another, so that two of them are in memory."""
 
-    SIZES = {b"point": 1, b"edge": 2, b"face": 3, b"fixed": 1}
+    SIZES = {b"point": 1, b"edge": 2, b"face": 3, b"fixed": 1, b"body": 1}
 
     def __init__(self, lines):
         self.lines = lines
@@ -440,6 +471,10 @@ class Motion:
         self.elements = {sort: [] for sort in self.SIZES}
         self.read_elements()
         self.fixed = {vertex for vertex, in self.elements.pop(b"fixed")}
+        self.bodies = {}  # the body of a vertex, and its point there
+        for (vertex,), words in zip(self.elements.pop(b"body"), self.on_bodies):
+            self.bodies[vertex] = words
+        self.body_count = max([body + 1 for body, _ in self.bodies.values()], default=0)
         edge_vertices = {vertex for edge in self.elements[b"edge"] for vertex in edge}
         self.lone = [vertex not in edge_vertices for vertex, in self.elements[b"point"]]
 
@@ -450,10 +485,19 @@ class Motion:
 
     def read_elements(self):
         seen = set()
+        self.on_bodies = []
         while True:
             sort, *words = self.lines.words() or [b""]
             if sort not in self.SIZES:
                 return
+            if sort == b"body":
+                if len(words) != 5:
+                    raise BadInput(f"{self.lines.place()}: expected body V B X Y Z")
+                body = self.read_integer(words[1])
+                if body >= MAX_VERTICES:
+                    raise BadInput(f"{self.lines.place()}: the number of a body is below {MAX_VERTICES}")
+                self.on_bodies.append((body, [read_number(word, self.lines) for word in words[2:]]))
+                del words[1:]
             vertices = tuple(self.read_integer(word) for word in words)
             if len(vertices) != self.SIZES[sort] or len(set(vertices)) != len(vertices):
                 raise BadInput(f"{self.lines.place()}: {sort.decode()} needs {self.SIZES[sort]} different vertices")
@@ -467,20 +511,30 @@ class Motion:
             self.lines.advance()
 
     def read_frame(self):
-        """The coordinates of all vertices as numbers, or None at the end of the file."""
+        """The poses of all bodies and the rows of all vertices as numbers, or None at the end of the file.
+
+        The row of a vertex on a body is its point there.
+        """
         if self.lines.line is None:
             return None
         if self.lines.words() != [b"frame"]:
             raise BadInput(f"{self.lines.place()}: expected an element, \"frame\" or the end of the file")
         self.lines.advance()
-        frame = []
-        while len(frame) < self.count:
-            words = self.lines.words()
-            if len(words) != 3:
-                raise BadInput(f"{self.lines.place()}: expected three coordinates of vertex {len(frame)}")
-            frame.append([read_number(word, self.lines) for word in words])
-            self.lines.advance()
-        return frame
+        poses, rows = [], []
+        while len(poses) < self.body_count:
+            poses.append(self.read_row(7, f"body {len(poses)}"))
+        while len(rows) < self.count:
+            on_body = self.bodies.get(len(rows))
+            rows.append(on_body[1] if on_body else self.read_row(3, f"vertex {len(rows)}"))
+        return poses, rows
+
+    def read_row(self, size, name):
+        words = self.lines.words()
+        if len(words) != size:
+            raise BadInput(f"{self.lines.place()}: expected the {size} numbers of {name}")
+        row = [read_number(word, self.lines) for word in words]
+        self.lines.advance()
+        return row
 
     def steps(self):
         """Both frames of each step."""
@@ -489,21 +543,44 @@ class Motion:
             raise BadInput(f"{self.lines.place()}: a motion has at least two frames")
         while end is not None:
             for vertex in self.fixed:
-                if start[vertex] != end[vertex]:
+                body, _ = self.bodies.get(vertex, (None, None))
+                if start[1][vertex] != end[1][vertex] or (body is not None and start[0][body] != end[0][body]):
                     raise BadInput(f"{self.lines.place()}: vertex {vertex} is fixed, but moves")
             yield start, end
             start, end = end, self.read_frame()
 
     def queries(self, frames, metric, separation):
         """The queries of the pairs of a step, in the order of the page."""
-        integers, _ = to_integers([x for frame in frames for vertex in frame for x in vertex] + [separation])
+        low, high, reach = self.boxes(frames, separation)
+        for kind, first, second in sorted(self.pairs(low, high, reach)):
+            corners, motions = [], {}
+            for vertex in first[1] + second[1]:
+                if vertex in self.bodies:
+                    body, point = self.bodies[vertex]
+                    motions[body] = self.motion(frames, body)
+                    corners.append((body, point))
+                else:
+                    corners.append((None, frames[0][1][vertex] + frames[1][1][vertex]))
+            yield curved_query(motions, corners, len(first[1]), metric, separation)
+
+    def boxes(self, frames, separation):
+        """The boxes of all vertices, two lists of points, and the separation, as integers of one scale."""
+        ends = [[list(row) for row in frame[1]] for frame in frames]
+        for vertex, (body, point) in self.bodies.items():
+            box = box_on_body(self.motion(frames, body), point)
+            if box is None:
+                raise BadInput(f"{self.lines.place()}: body {body} turns too far in the step before this line")
+            ends[0][vertex], ends[1][vertex] = box
+        integers, _ = to_integers([x for rows in ends for row in rows for x in row] + [separation])
         reach = integers.pop()
         points = [integers[i:i + 3] for i in range(0, len(integers), 3)]
-        start, end = points[:self.count], points[self.count:]
-        for kind, first, second in sorted(self.pairs(start, end, reach)):
-            corners = first[1] + second[1]
-            starts, ends = ([frame[v] for v in corners] for frame in (start, end))
-            yield Query.straight(starts, ends, len(first[1]), metric, reach)
+        return points[:self.count], points[self.count:], reach
+
+    @staticmethod
+    def motion(frames, body):
+        """The quaternions and then the positions at both ends."""
+        (start, _), (end, _) = frames
+        return start[body][:4] + end[body][:4] + start[body][4:] + end[body][4:]
 
     def pairs(self, start, end, reach):
         """A sweep along the x axis: at each box, the boxes before it whose end is not yet left behind."""
@@ -532,6 +609,9 @@ class Motion:
         first, second = sorted((first, second), key=lambda element: (order[element[0]], element[1]))
         vertices = first[2] + second[2]
         if set(first[2]) & set(second[2]) or self.fixed.issuperset(vertices):
+            return None
+        bodies = {self.bodies[vertex][0] if vertex in self.bodies else None for vertex in vertices}
+        if len(bodies) == 1 and None not in bodies:
             return None
         sorts = first[0], second[0]
         kind = [(b"edge", b"edge"), (b"point", b"face"), (b"point", b"edge"), (b"point", b"point")].index(sorts)

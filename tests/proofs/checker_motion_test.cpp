@@ -177,6 +177,73 @@ TEST_CASE("motions: pairs that a sweep along any axis alone would miss or invent
   check(grid(1, 1, 2), 5 * neighbours(3, 4, 1));
 }
 
+namespace {
+
+/// Vertex 0 is the point `point` of a body at the origin that turns from the first quaternion to the second one, and
+/// vertex 1 rests.
+std::string turning(const std::string& point, const std::string& from, const std::string& to,
+                    const std::string& other) {
+  std::string text = kFirst + "vertices 2\npoint 0\npoint 1\nbody 0 0 " + point + "\n";
+  for (const std::string& q : {from, to}) text += "frame\n" + q + " 0 0 0\n" + other + "\n";
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("motions: a body's pose moves its elements") {
+  // Edge 0, of the body, falls through edge 1.
+  const auto falls = [](const std::string& more) {
+    return kFirst + "vertices 4\nedge 0 1\nedge 2 3\nbody 1 0 1 0 0\nbody 0 0 -1 0 0\n" + more;
+  };
+  const std::string rest = "0 -1 0\n0 1 0\n";
+  const std::string frames = "frame\n1 0 0 0 0 0 1\n" + rest + "frame\n-3 0 0 0 0 0 -1\n" + rest;
+  const std::string good = "frame\n1 0 0 0 0 0 1\n" + rest + "frame\n3 0 0 0 0 0 -1\n" + rest;
+  const std::string meets = "0 contact 0x1p-1 0x1p-1\nd 0 0 1\n" + kMiddles;
+  accept(falls("") + good, "step 0\n" + meets, "1 1");
+  reject("pair 0 (edge 0 and edge 1)", falls("") + good, "step 0\n", "0 0");
+  reject("pair 0 (edge 0 and edge 1)", falls("") + good, "step 0\n0 none\nd 0 0 1\n", "1 0");
+  call_bad("turns too far", falls("") + frames);
+  call_bad("body 0 in frame 1 is fixed, but has moved", falls("fixed 1\n") + good);
+  call_bad("7 numbers of body 0 in frame 0", falls("") + "frame\n1 0 0 0 0 0\n" + rest);
+  call_bad("7 numbers of body 0 in frame 1", falls("") + "frame\n1 0 0 0 0 0 1\n" + rest + "frame\n" + rest);
+  call_bad("3 numbers of vertex 2 in frame 0", falls("") + "frame\n1 0 0 0 0 0 1\nframe\n");
+  call_bad("such a line already", falls("body 0 1 0 0 0\n") + good);
+  call_bad("7 numbers of body 1 in frame 0", falls("body 2 1 0 0 0\n") + good);
+  call_bad("the number of a body", falls("body 2 1073741823 0 0 0\n") + good);
+  call_bad("body 1 in frame 0", falls("body 2 1073741822 0 0 0\n") + good);
+  call_bad("is no vertex", falls("body 4 0 0 0 0\n") + good);
+  call_bad("body V B X Y Z", falls("body 2 0 0 0\n") + good);
+  call_bad("is no number", falls("body 2 0 0 0 0.5\n") + good);
+  // All on one body, or fixed: no pair.
+  accept(falls("body 2 0 0 -1 0\nbody 3 0 0 1 0\n") + "frame\n1 0 0 0 0 0 1\nframe\n1 0 0 0 0 0 2\n", "step 0\n",
+         "0 0");
+  const std::string still = "frame\n1 0 0 0 0 0 0\n" + rest;
+  reject("pair 0", falls("fixed 2\nfixed 3\nfixed 0\n") + still + still, "step 0\n", "0 0");
+  accept(falls("fixed 2\nfixed 3\nfixed 0\nfixed 1\n") + still + still, "step 0\n", "0 0");
+}
+
+TEST_CASE("motions: the box of a body's vertex is around the quotients of Bernstein coefficients, rounded outwards") {
+  // A quarter turn of (1, 0, 0): the quotients are (1, 0), (1, 2/3), (1/2, 1) and (0, 1).
+  const auto quarter = [](const std::string& other) { return turning("1 0 0", "1 0 0 0", "1 0 0 1", other); };
+  const std::string below_one = "max 0x1.fffffffffffffp-1";
+  for (const char* const other : {"2 1 0", "-1 0x1p-1 0", "1 2 0", "0x1p-1 -1 0", "0 0 1", "1 1 -1"}) {
+    reject("pair 0 (point 0 and point 1)", quarter(other), "step 0\n", "0 0", "max 1");
+    accept(quarter(other), "step 0\n", "0 0", below_one);
+  }
+  // To (1, 0, 0, 1/2): the greatest y is 4/5, which is no double, and the least x 3/5.
+  const auto less = [](const std::string& other) { return turning("1 0 0", "1 0 0 0", "1 0 0 0x1p-1", other); };
+  reject("pair 0", less("0x1.3333333333333p-1 0 0"), "step 0\n", "0 0");
+  accept(less("0x1.3333333333332p-1 0 0"), "step 0\n", "0 0");
+  reject("pair 0", less("1 0x1.999999999999ap-1 0"), "step 0\n", "0 0");
+  accept(less("1 0x1.999999999999bp-1 0"), "step 0\n", "0 0");
+  // The same with the signs of the point and of both quaternions changed, and with other lengths.
+  const auto opposite = [](const std::string& other) { return turning("-1 0 0", "-7 0 0 0", "-4 0 0 -2", other); };
+  reject("pair 0", opposite("-0x1.3333333333333p-1 0 0"), "step 0\n", "0 0");
+  accept(opposite("-0x1.3333333333332p-1 0 0"), "step 0\n", "0 0");
+  reject("pair 0", opposite("-1 -0x1.999999999999ap-1 0"), "step 0\n", "0 0");
+  accept(opposite("-1 -0x1.999999999999bp-1 0"), "step 0\n", "0 0");
+}
+
 TEST_CASE("motions: the report") {
   const CheckerRun run = check_texts(proofs_of("step 0\nstep 1\n", "0 0", "max 0x1p-2"), {crossing({"3", "2", "1"})});
   INFO(run.text);
@@ -210,8 +277,8 @@ TEST_CASE("motions: files with an error") {
   }
   call_bad("twice", head + "edge 1 1\n" + frame + frame);
   call_bad("twice", kFirst + "vertices 3\nface 0 1 0\n" + frame + frame);
-  call_bad("a point already", head + "point 0\npoint 1\npoint 0\n" + frame + frame);
-  call_bad("fixed already", head + "fixed 0\nfixed 0\n" + frame + frame);
+  call_bad("such a line already", head + "point 0\npoint 1\npoint 0\n" + frame + frame);
+  call_bad("such a line already", head + "fixed 0\nfixed 0\n" + frame + frame);
   call_bad("has moved", head + "fixed 1\n" + frame + "frame\n0 0 0\n1 0 1\n");
   call_bad("has moved", head + "fixed 0\n" + frame + "frame\n0x1p-19000 0 0\n1 0 1\n");
   call_bad("at least two frames", head + frame);

@@ -7,6 +7,7 @@ for proofs that a checker has accepted.
 
 import functools
 import itertools
+import math
 from fractions import Fraction
 
 from exact_judge import Elements, add, mul
@@ -124,6 +125,40 @@ def quaternion_product(a, b):
     return [functools.reduce(lambda total, t: add(total, mul(a[t[0]], b[t[1]]), t[2]), row, [0]) for row in terms]
 
 
+class RigidMotion:
+    """Of the 14 numbers of a row `motion`."""
+
+    def __init__(self, numbers):
+        self.q = [line(a, b) for a, b in zip(numbers[:4], numbers[4:8])]
+        self.conjugate = [self.q[0]] + [[-c for c in p] for p in self.q[1:]]
+        self.origin = [line(a, b) for a, b in zip(numbers[8:11], numbers[11:14])]
+        self.weight = quaternion_product(self.q, self.conjugate)[0]
+
+    def corner(self, point):
+        """The coordinates of a point of the body, times the weight."""
+        pure = [[Fraction(0)]] + [[Fraction(x)] for x in point]
+        turned = quaternion_product(quaternion_product(self.q, pure), self.conjugate)[1:]
+        return [add(x, mul(self.weight, p)) for x, p in zip(turned, self.origin)]
+
+    def box(self, point):
+        """The least and the greatest quotients of Bernstein coefficients, rounded to doubles outwards."""
+        weights = bernstein_of_cubic(self.weight)
+        if min(weights) <= 0:
+            raise BadMotion
+        quotients = [[x / w for x, w in zip(bernstein_of_cubic(p), weights)] for p in self.corner(point)]
+        return [rounded_down(min(axis)) for axis in quotients], [-rounded_down(-max(axis)) for axis in quotients]
+
+
+def bernstein_of_cubic(p):
+    c = list(p) + [Fraction(0)] * (4 - len(p))
+    return [c[0], c[0] + c[1] / 3, c[0] + 2 * c[1] / 3 + c[2] / 3, sum(c)]
+
+
+def rounded_down(x):
+    nearest = Fraction(float(x))
+    return nearest if nearest <= x else Fraction(math.nextafter(float(x), -math.inf))
+
+
 @functools.lru_cache(maxsize=100000)
 def first_contact_of(rows, kind, metric, separation):
     """Of a query with curved motion. All corners are multiplied by all |q|^2."""
@@ -139,15 +174,9 @@ def first_contact_of(rows, kind, metric, separation):
             for t in [a / (a - b) for a, b in zip(q0, q1) if a != b] + [Fraction(0)]:
                 if 0 <= t <= 1 and not any((1 - t) * a + t * b for a, b in zip(q0, q1)):
                     raise BadQuery
-            q = [line(a, b) for a, b in zip(q0, q1)]
-            conjugate = [q[0]] + [[-c for c in p] for p in q[1:]]
-            weight = quaternion_product(q, conjugate)[0]
-            motions[row[1]] = q, conjugate, [line(a, b) for a, b in zip(numbers[8:11], numbers[11:14])], weight
+            motions[row[1]] = RigidMotion(numbers)
         elif row[0] == "body" and row[1] in motions and len(row) == 5:
-            q, conjugate, origin, weight = motions[row[1]]
-            point = [[Fraction(0)]] + [[as_double(word)] for word in row[2:]]
-            turned = quaternion_product(quaternion_product(q, point), conjugate)[1:]
-            corners.append((row[1], [add(x, mul(weight, p)) for x, p in zip(turned, origin)]))
+            corners.append((row[1], motions[row[1]].corner([as_double(word) for word in row[2:]])))
         elif row[0] == "curve" and len(row) in (4, 7, 10, 13):
             numbers = [as_double(word) for word in row[1:]]
             controls = [numbers[i:i + 3] for i in range(0, len(numbers), 3)]
@@ -163,9 +192,14 @@ def first_contact_of(rows, kind, metric, separation):
     if {motion for motion, _ in corners} - {None} != set(motions):
         raise BadQuery
 
+    return first_contact_on(motions, corners, split, metric, separation)
+
+
+def first_contact_on(motions, corners, split, metric, separation):
+    """Of corners as polynomials, each with the name of its motion or None."""
     def completed(p, motion):
-        for other, (_, _, _, weight) in motions.items():
-            p = mul(p, weight) if other != motion else p
+        for other, rigid in motions.items():
+            p = mul(p, rigid.weight) if other != motion else p
         return p
     polynomials = [[completed(p, motion) for p in corner] for motion, corner in corners]
     return Elements(polynomials, split, metric, completed([Fraction(separation)], None)).first_contact()
@@ -175,33 +209,87 @@ class BadMotion(Exception):
     """The motion file is not valid."""
 
 
-def parse_motion(text):
-    """The elements by their sort, and the frames as lists of points."""
-    lines = lines_of(text)
-    count = int(lines[1][1])
-    elements = {"point": [], "edge": [], "face": [], "fixed": []}
-    rest = 2
-    while rest < len(lines) and lines[rest][0] in elements:
-        elements[lines[rest][0]].append(tuple(int(word) for word in lines[rest][1:]))
-        rest += 1
-    frames = []
-    while rest < len(lines):
-        frame = lines[rest + 1:rest + 1 + count]
-        if lines[rest] != ["frame"] or len(frame) != count or any(len(words) != 3 for words in frame):
+class Motion:
+    """The elements by their sort, the body and the point of each vertex on a body, and the frames: the rows of bodies
+    and those of vertices."""
+
+    SIZES = {"point": 1, "edge": 2, "face": 3, "fixed": 1}
+
+    def __init__(self, text):
+        lines = lines_of(text)
+        count = int(lines[1][1])
+        self.elements = {sort: [] for sort in self.SIZES}
+        self.bodies = {}
+        rest = 2
+        while rest < len(lines) and lines[rest][0] in list(self.SIZES) + ["body"]:
+            sort, *words = lines[rest]
+            if sort == "body":
+                if int(words[0]) in self.bodies or not 0 <= int(words[0]) < count:
+                    raise BadMotion
+                self.bodies[int(words[0])] = int(words[1]), tuple(value(word) for word in words[2:])
+            else:
+                self.elements[sort].append(tuple(int(word) for word in words))
+            rest += 1
+        body_count = max([body + 1 for body, _ in self.bodies.values()], default=0)
+        self.frames = []
+        while rest < len(lines):
+            rows = lines[rest + 1:rest + 1 + body_count + count - len(self.bodies)]
+            sizes = [7] * body_count + [3] * (count - len(self.bodies))
+            if lines[rest] != ["frame"] or [len(words) for words in rows] != sizes:
+                raise BadMotion
+            numbers = [tuple(value(word) for word in words) for words in rows]
+            free = iter(numbers[body_count:])
+            self.frames.append((numbers[:body_count], [None if v in self.bodies else next(free) for v in range(count)]))
+            rest += 1 + len(rows)
+        self.check(count)
+
+    def check(self, count):
+        if len(self.frames) < 2:
             raise BadMotion
-        frames.append([tuple(value(word) for word in words) for words in frame])
-        rest += 1 + count
-    if len(frames) < 2 or any(len({frame[v] for frame in frames}) > 1 for v, in elements["fixed"]):
-        raise BadMotion
-    for sort, size in (("point", 1), ("edge", 2), ("face", 3), ("fixed", 1)):
-        if any(len(set(e)) != size or len(e) != size or not 0 <= min(e) <= max(e) < count for e in elements[sort]):
-            raise BadMotion
-        if size == 1 and len(set(elements[sort])) < len(elements[sort]):
-            raise BadMotion
-    return elements, frames
+        for vertex, in self.elements["fixed"]:
+            if len({self.place(vertex, frame) for frame in self.frames}) > 1:
+                raise BadMotion
+        for sort, size in self.SIZES.items():
+            elements = self.elements[sort]
+            if any(len(set(e)) != size or len(e) != size or not 0 <= min(e) <= max(e) < count for e in elements):
+                raise BadMotion
+            if size == 1 and len(set(elements)) < len(elements):
+                raise BadMotion
+
+    def place(self, vertex, frame):
+        return frame[0][self.bodies[vertex][0]] if vertex in self.bodies else frame[1][vertex]
+
+    def motion(self, body, start, end):
+        """As in a row `motion`."""
+        a, b = start[0][body], end[0][body]
+        return a[:4] + b[:4] + a[4:] + b[4:]
+
+    def boxes(self, start, end):
+        """Of each vertex, its least and its greatest coordinates."""
+        boxes = [(a, b) if a else None for a, b in zip(start[1], end[1])]
+        for vertex, (body, point) in self.bodies.items():
+            boxes[vertex] = RigidMotion(self.motion(body, start, end)).box(point)
+        return boxes
+
+    def first_contact(self, vertices, split, start, end, metric, separation):
+        if not any(v in self.bodies for v in vertices):
+            return first_contact(*(tuple(frame[1][v] for v in vertices) for frame in (start, end)), split, metric,
+                                 separation)
+        motions = tuple((b, self.motion(b, start, end)) for b in {self.bodies[v][0] for v in vertices
+                                                                 if v in self.bodies})
+        corners = tuple(self.bodies[v] if v in self.bodies else (None, start[1][v] + end[1][v]) for v in vertices)
+        return first_contact_of_bodies(motions, corners, split, metric, separation)
 
 
-def pairs_of(elements):
+@functools.lru_cache(maxsize=100000)
+def first_contact_of_bodies(motions, corners, split, metric, separation):
+    rigid = {body: RigidMotion(numbers) for body, numbers in motions}
+    polynomials = [(body, [line(a, b) for a, b in zip(numbers[:3], numbers[3:])] if body is None else
+                    rigid[body].corner(numbers)) for body, numbers in corners]
+    return first_contact_on(rigid, polynomials, split, metric, separation)
+
+
+def pairs_of(elements, bodies):
     """All pairs of a motion, near or far, in the order of the proofs: the vertices of both elements."""
     fixed = {v for v, in elements["fixed"]}
     corners = {v for edge in elements["edge"] for v in edge}
@@ -209,15 +297,17 @@ def pairs_of(elements):
     for pairs in (itertools.combinations(elements["edge"], 2), itertools.product(elements["point"], elements["face"]),
                   itertools.product(alone, elements["edge"]), itertools.combinations(alone, 2)):
         for first, second in pairs:
-            if not set(first) & set(second) and not fixed.issuperset(first + second):
+            on = {bodies[v][0] if v in bodies else None for v in first + second}
+            on_one_body = len(on) == 1 and None not in on
+            if not set(first) & set(second) and not fixed.issuperset(first + second) and not on_one_body:
                 yield first, second
 
 
-def near(first, second, frames, separation):
+def near(first, second, boxes, separation):
     """Whether the boxes of two elements during a step are at most the separation apart along each axis."""
     for c in range(3):
-        a = [frame[v][c] for frame in frames for v in first]
-        b = [frame[v][c] for frame in frames for v in second]
+        a = [end[c] for v in first for end in boxes[v]]
+        b = [end[c] for v in second for end in boxes[v]]
         if min(b) - max(a) > separation or min(a) - max(b) > separation:
             return False
     return True
@@ -225,14 +315,13 @@ def near(first, second, frames, separation):
 
 def truths_of_motion(text, metric, separation):
     try:
-        elements, frames = parse_motion(text)
-    except BadMotion:
+        motion = Motion(text)
+        answers = []
+        for start, end in zip(motion.frames, motion.frames[1:]):
+            boxes = motion.boxes(start, end)
+            answers.append([motion.first_contact(first + second, len(first), start, end, metric, separation)
+                            for first, second in pairs_of(motion.elements, motion.bodies)
+                            if near(first, second, boxes, separation)])
+        return answers
+    except (BadMotion, OverflowError):
         return None
-    answers = []
-    for start, end in zip(frames, frames[1:]):
-        answers.append([])
-        for first, second in pairs_of(elements):
-            if near(first, second, (start, end), separation):
-                points = [tuple(frame[v] for v in first + second) for frame in (start, end)]
-                answers[-1].append(first_contact(*points, len(first), metric, separation))
-    return answers

@@ -326,7 +326,8 @@ class File:
                 proof[0][0] = str(number)
 
     def motion(self):
-        """The lines of a motion file before its frames, and its frames, which have a line for each vertex."""
+        """The lines of a motion file before its frames, and its frames, which have a line for each body, and one for
+        each vertex on none."""
         lines = lines_of(self.content)
         starts = [i for i, words in enumerate(lines) if words == ["frame"]] + [len(lines)]
         return lines[:starts[0]], [lines[i + 1:j] for i, j in zip(starts, starts[1:])]
@@ -334,6 +335,14 @@ class File:
     def set_motion(self, head, frames):
         lines = head + [words for frame in frames for words in [["frame"]] + frame]
         self.content = "".join(" ".join(words) + "\n" for words in lines)
+
+
+def rows_of_vertices(head):
+    """Of each vertex of a motion: the number of its row in a frame, or of its body's."""
+    bodies = {int(words[1]): int(words[2]) for words in head if words[0] == "body"}
+    body_count = max(bodies.values(), default=-1) + 1
+    free = [v for v in range(int(head[1][1])) if v not in bodies]
+    return {**bodies, **{v: body_count + k for k, v in enumerate(free)}}
 
 
 def text_of(files):
@@ -435,11 +444,13 @@ def another_number(rng, x):
 def change_coordinate(rng, file, other):
     if file.kind == "mesh":
         head, frames = file.motion()
-        places = [vertex for frame in frames for vertex in frame]
-        if not places:
+        points = [(words, range(3, 6)) for words in head if words[0] == "body"]
+        rows = [(row, range(len(row))) for frame in frames for row in frame]
+        if not rows:
             return None
-        vertex, c = rng.choice(places), rng.randrange(3)
-        vertex[c] = word_of(another_number(rng, value(vertex[c])))
+        row, places = rng.choice(points if points and rng.random() < 0.3 else rows)
+        c = rng.choice(places)
+        row[c] = word_of(another_number(rng, value(row[c])))
         file.set_motion(head, frames)
         return [file]
     rows = rows_of(file.content)
@@ -600,8 +611,9 @@ def add_fixed(rng, file, other):
         return None
     head, frames = file.motion()
     fixed = {words[1] for words in head if words[0] == "fixed"}
-    vertices = [str(v) for v in range(len(frames[0])) if str(v) not in fixed]
-    resting = [v for v in vertices if all(frame[int(v)] == frames[0][int(v)] for frame in frames)]
+    rows = rows_of_vertices(head)
+    vertices = [str(v) for v in rows if str(v) not in fixed]
+    resting = [v for v in vertices if all(frame[rows[int(v)]] == frames[0][rows[int(v)]] for frame in frames)]
     chosen = resting if resting and rng.random() < 0.7 else vertices[:]
     if not chosen:
         return None
@@ -803,12 +815,11 @@ def motion_cases_of(file, parts):
     reach = check_proofs.read_number(d, lines)
     steps = []
     for frames in motion.steps():
-        integers, _ = check_proofs.to_integers([x for frame in frames for vertex in frame for x in vertex] + [reach])
-        points = [integers[i:i + 3] for i in range(0, len(integers) - 1, 3)]
-        steps.append(sorted(motion.pairs(points[:motion.count], points[motion.count:], integers[-1])))
+        steps.append(sorted(motion.pairs(*motion.boxes(frames, reach))))
     small = len(file.proofs()) <= 12 and motion.count <= 30 and len(steps) <= 4
     cases = [file] if small else []
     head, frames = file.motion()
+    rows = rows_of_vertices(head)
     rng = random.Random(f"{len(file.content)} {len(file.proofs())}")
     for _ in range(parts if steps and any(steps) else 0):
         first = rng.randrange(len(steps))
@@ -830,13 +841,18 @@ def motion_cases_of(file, parts):
         for sort, _, vertices in sorted(chosen):
             new_head.append([sort.decode()] + [names[v] for v in vertices])
         new_head += [["fixed", names[v]] for v in used if v in motion.fixed]
+        bodies = sorted({motion.bodies[v][0] for v in used if v in motion.bodies})
+        for words in head:
+            if words[0] == "body" and int(words[1]) in names:
+                new_head.append(["body", names[int(words[1])], str(bodies.index(int(words[2])))] + words[3:])
+        kept_rows = bodies + [rows[v] for v in used if v not in motion.bodies]
         groups = []
         for k in range(first, last):
             kept = [proof for proof, (kind, one, two) in zip(file.groups[k], steps[k])
                     if {(SORTS[kind][0],) + one, (SORTS[kind][1],) + two} <= chosen]
             groups.append([[list(line) for line in proof] for proof in kept])
         part = File(file.separation, "mesh", "", groups)
-        part.set_motion(new_head, [[frame[v] for v in used] for frame in frames[first:last + 1]])
+        part.set_motion(new_head, [[frame[row] for row in kept_rows] for frame in frames[first:last + 1]])
         part.renumber()
         cases.append(part)
     return cases

@@ -49,3 +49,13 @@ prove_motion sheets --separation 0.02 "$folder"/meshes/sheets/frame-000[0-2].obj
 prove_motion max --separation 0.02 --metric max "$folder"/meshes/cables/frame-000[0-2].obj
 "$program" simulate hoop --steps 5 --prove "$folder/hoop"
 both_check "$folder/hoop/proofs.txt" "$folder/hoop/motion.txt"
+# Bodies that turn: links that meet late, a nut on a fixed bolt, and a rim with a ball of particles.
+prove_bodies() { # NAME ARGUMENT...
+  "$program" simulate "${@:2}" --prove "$folder/$1"
+  grep -q '^body ' "$folder/$1/motion.txt"
+  grep -q ' none$' "$folder/$1/proofs.txt"
+  both_check "$folder/$1/proofs.txt" "$folder/$1/motion.txt"
+}
+prove_bodies chain link-chain --size 3 --steps 160
+prove_bodies nut nut-and-bolt --size 24 --steps 1
+prove_bodies rim hoop-rim --steps 2

@@ -359,6 +359,62 @@ def crowd_proof(pairs, separation="euclidean 1"):
     return proof_of((separation, "mesh", lines), end=f"{len(pairs)} {contacts}")
 
 
+
+def falling(head="", poses=("1 0 0 0 0 0 1", "3 0 0 0 0 0 -1"), rest="0 -1 0\n0 1 0\n"):
+    """Edge 0 is on body 0 and falls through edge 1."""
+    frames = "".join(f"frame\n{pose}\n{rest}" for pose in poses)
+    elements = "body 1 0 1 0 0\nedge 0 1\nedge 2 3\nbody 0 0 -1 0 0\n"
+    return "touchstone-motion 1\nvertices 4\n" + elements + head + frames
+
+
+def turning(point, end, other, start="1 0 0 0"):
+    """Point 0 is on a body that turns, and point 1 rests."""
+    frames = "".join(f"frame\n{q} 0 0 0\n{other}\n" for q in (start, end))
+    return f"touchstone-motion 1\nvertices 2\npoint 0\npoint 1\nbody 0 0 {point}\n" + frames
+
+
+def body_cases():
+    middles = [f"w {corner} 1" for corner in range(4)]
+    falls = proof_of(("", "mesh", ["step 0", "0 contact 0x1p-1 0x1p-1", "d 0 0 1", *middles]), end="1 1")
+    denied = proof_of(("", "mesh", ["step 0", "0 none", "d 0 0 1"]), end="1 0")
+    nothing = proof_of(("", "mesh", ["step 0"]), end="0 0")
+    at_one, below = (proof_of((d, "mesh", ["step 0"]), end="0 0") for d in ("max 1", "max 0x1.fffffffffffffp-1"))
+    on_body = "body 2 0 0 -1 0\nbody 3 0 0 1 0\n"
+    still = "1 0 0 0 0 0 0", "1 0 0 0 0 0 0"
+    cases = [
+        ("falls", 0, falls, falling()),
+        ("falls, denied", 1, denied, falling()),
+        ("falls, no pair", 1, nothing, falling()),
+        ("quaternions of opposite signs", 2, falls, falling(poses=("1 0 0 0 0 0 1", "-3 0 0 0 0 0 -1"))),
+        ("no quaternion", 2, falls, falling(poses=("1 0 0 0 0 0 1", "0 0 0 0 0 0 -1"))),
+        ("more than a half turn", 2, falls, falling(poses=("1 0 0 0 0 0 1", "-1 0 0 1 0 0 -1"))),
+        ("a pose too short", 2, falls, falling(poses=("1 0 0 0 0 0 1", "1 0 0 0 0 0"))),
+        ("a pose too few", 2, nothing, falling("body 2 1 0 0 0\n")),
+        ("a vertex too many", 2, falls, falling("body 2 0 0 0 0\n")),
+        ("two lines for a vertex", 2, falls, falling("body 1 0 1 0 0\n")),
+        ("no such vertex", 2, falls, falling("body 4 0 1 0 0\n")),
+        ("a coordinate too few", 2, falls, falling("body 2 0 1 0\n")),
+        ("a body with a leading zero", 2, falls, falling("body 2 00 1 0 0\n")),
+        ("a body beyond the limit", 2, falls, falling(f"body 2 {(1 << 30) - 1} 1 0 0\n")),
+        ("all on one body", 0, nothing, falling(on_body, ("1 0 0 0 0 0 1", "1 0 0 0 0 0 -1"), "")),
+        ("a fixed vertex of a body that moves", 2, falls, falling("fixed 0\n")),
+        ("one vertex is not fixed", 1, nothing, falling("fixed 0\nfixed 2\nfixed 3\n", still)),
+        ("all vertices are fixed", 0, nothing, falling("fixed 0\nfixed 1\nfixed 2\nfixed 3\n", still)),
+    ]
+    # The box of a quarter turn of (1, 0, 0) is [0, 1] x [0, 1] x [0, 0].
+    for other in ("2 1 0", "-1 0x1p-1 0", "1 2 0", "0x1p-1 -1 0", "0 0 1", "1 1 -1"):
+        cases.append((f"the box of a quarter turn, at ({other})", 1, at_one, turning("1 0 0", "1 0 0 1", other)))
+        cases.append((f"beyond the box of a quarter turn, ({other})", 0, below, turning("1 0 0", "1 0 0 1", other)))
+    # To (1, 0, 0, 1/2) the least x is 3/5, and the greatest y 4/5: both are no doubles.
+    for other, status in (("0x1.3333333333333p-1 0 0", 1), ("0x1.3333333333332p-1 0 0", 0),
+                          ("1 0x1.999999999999ap-1 0", 1), ("1 0x1.999999999999bp-1 0", 0)):
+        cases.append((f"a rounded box, ({other})", status, nothing, turning("1 0 0", "1 0 0 0x1p-1", other)))
+        opposite = " ".join(word if word == "0" else "-" + word for word in other.split())
+        cases.append((f"a rounded box, ({opposite})", status, nothing,
+                      turning("-1 0 0", "-4 0 0 -2", opposite, "-7 0 0 0")))
+    return [("body: " + name, status, proof, [text]) for name, status, proof, text in cases]
+
+
 def motion_cases():
     def motion(name, text, proof=FALL_PROOF, status=2):
         return name, status, proof, [text]
@@ -592,7 +648,8 @@ def curved_cases():
 
 
 def all_cases():
-    return point_point_cases() + corner_cases() + line_cases() + row_cases() + curved_cases() + motion_cases()
+    return (point_point_cases() + corner_cases() + line_cases() + row_cases() + curved_cases() + motion_cases() +
+            body_cases())
 
 
 def by_page(proof, files):

@@ -51,7 +51,27 @@ constexpr const char* kPlotScript =
     "  set output\n"
     "}\n";
 
-/// The elements that collide, by the numbers of their particles.
+Vec3 vec(const sim::Vector3& x) { return {x.x(), x.y(), x.z()}; }
+
+/// The vertices of bodies come after all particles.
+void add_bodies(proofs::MotionElements& elements, const sim::BodyColliders& colliders) {
+  for (sim::Index b = 0; b < colliders.surfaces().size(); ++b) {
+    const auto first = static_cast<sim::Index>(elements.vertex_count);
+    const sim::ElementSet& surface = colliders.surface(b);
+    for (const sim::Vector3& point : colliders.bodies().bodies()[b].points) {
+      elements.on_bodies.push_back({b, vec(point)});
+      elements.fixed.push_back(colliders.can_move(b) ? 0 : 1);
+    }
+    elements.vertex_count += colliders.bodies().bodies()[b].points.size();
+    for (const sim::Index v : surface.vertices) elements.points.push_back(first + v);
+    for (const sim::Edge& edge : surface.edges) elements.edges.push_back({first + edge[0], first + edge[1]});
+    for (const sim::Face& face : surface.faces) {
+      elements.faces.push_back({first + face[0], first + face[1], first + face[2]});
+    }
+  }
+}
+
+/// The elements that collide, by the numbers of their particles, and of the vertices of bodies after them.
 proofs::MotionElements motion_elements(const sim::Simulation& simulation) {
   const sim::Colliders& colliders = simulation.colliders();
   proofs::MotionElements elements;
@@ -60,13 +80,16 @@ proofs::MotionElements motion_elements(const sim::Simulation& simulation) {
   elements.edges = colliders.edges();
   elements.faces = colliders.faces();
   for (sim::Index p = 0; p < elements.vertex_count; ++p) elements.fixed.push_back(colliders.can_move(p) ? 0 : 1);
+  if (simulation.bodies() != nullptr) add_bodies(elements, simulation.bodies()->colliders());
   return elements;
 }
 
-/// The positions of the scene's particles in these coordinates.
-proofs::MotionFrame motion_frame(const sim::Simulation& simulation, const sim::VectorX& q) {
+/// The positions of the scene's particles in these coordinates, and the poses of bodies.
+proofs::MotionFrame motion_frame(const sim::Simulation& simulation, const sim::VectorX& q,
+                                 const sim::BodyStates& bodies) {
   proofs::MotionFrame frame(simulation.scene().particles.size());
   for (sim::Index p = 0; p < frame.size(); ++p) frame[p] = sim::corner_of(q, p);
+  for (const sim::BodyState& body : bodies) frame.poses.push_back({body.pose.q, vec(body.pose.p)});
   return frame;
 }
 
@@ -133,12 +156,11 @@ SimulateOutput::SimulateOutput(const SimulateOptions& options, sim::Simulation& 
       write_query(query, separation, answer);
     });
   }
-  if (!options.prove.empty() && simulation.bodies() != nullptr) {
-    throw Error("--prove: a motion file has no bodies that turn; a scene without bodies would be right");
-  }
   if (!options.prove.empty()) {
     motion_.emplace(options.prove, motion_elements(simulation), Separation{}, options.threads);
-    motion_->add(motion_frame(simulation, simulation.state().q));
+    const sim::BodyPart* const bodies = simulation.bodies();
+    motion_->add(
+        motion_frame(simulation, simulation.state().q, bodies == nullptr ? sim::BodyStates() : bodies->state().bodies));
   }
   if (options.out.empty()) return;
   frames_ = fs::path(options.out) / kFrameFolder;
@@ -191,7 +213,7 @@ void SimulateOutput::step(const std::vector<sim::SubstepRecord>& records) {
   });
   if (animation_) animation_->step(records);
   attempts.with(motion_, [&](MotionProofs& motion) {
-    for (const auto& record : records) motion.add(motion_frame(*simulation_, record.end));
+    for (const auto& record : records) motion.add(motion_frame(*simulation_, record.end, record.end_bodies));
   });
   attempts.end();
 }
