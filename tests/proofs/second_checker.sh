@@ -54,8 +54,13 @@ prove_bodies() { # NAME ARGUMENT...
   "$program" simulate "${@:2}" --prove "$folder/$1"
   grep -q '^body ' "$folder/$1/motion.txt"
   grep -q ' none$' "$folder/$1/proofs.txt"
-  both_check "$folder/$1/proofs.txt" "$folder/$1/motion.txt"
+  # Fewer mutants: their truth is about polynomials of high degrees.
+  both_accept "$folder/$1/proofs.txt" "$folder/$1/motion.txt"
+  python3 -B "$here/mutate_proofs.py" --cases 40 --parts 6 "$folder/$1/proofs.txt" "$folder/$1/motion.txt"
+  python3 -B "$here/mutate_proofs.py" --cases 20 --parts 6 --checker "$checker" --many "$checks" \
+    "$folder/$1/proofs.txt" "$folder/$1/motion.txt"
 }
-prove_bodies chain link-chain --size 3 --steps 160
+"$program" simulate link-chain --size 3 --steps 152 --checkpoint "$folder/chain.json"
+prove_bodies chain --resume "$folder/chain.json" --steps 4
 prove_bodies nut nut-and-bolt --size 24 --steps 1
 prove_bodies rim hoop-rim --steps 2
