@@ -93,8 +93,9 @@ bool QueryChunkReader::scan_first_row(std::string_view row) {
   std::string fault = fault_of_curved_header(row);
   if (fault.empty() && motions_ == Motions::straight) {
     fault =
-        "the queries of this file have curved motion, which is not read here; solve, certify, explain, prove and fuzz "
-        "read it";
+        "the queries of this file have curved motion, which is not read here; solve, certify, explain, judge, prove, "
+        "fuzz, "
+        "bench and report read it";
   }
   if (!fault.empty()) refuse(header_row_, std::move(fault));
   return error_.empty();

@@ -15,6 +15,13 @@ inline void check_signals() {
   if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
 }
 
+/// The result of work(), which runs without the GIL.
+template <class Work>
+auto unlocked(const Work& work) {
+  const pybind11::gil_scoped_release released;
+  return work();
+}
+
 /// Calls work(first, last) without the GIL for chunks that cover [0, count) in order, each of which takes about a
 /// twentieth of a second, however long an item takes. The signal handlers run after each.
 /// @param first_size  the number of items of the first chunk

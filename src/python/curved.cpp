@@ -157,10 +157,7 @@ py::object solve_curved(const CurvedQueries& queries, py::handle t_max_number, p
   std::vector<Answer> answers(queries.all.size());
   const auto ask = [&](std::size_t q) { answers[q] = solve(queries.all[q], separation.of(q), method, t_max); };
   if (queries.single) {
-    {
-      const py::gil_scoped_release released;
-      ask(0);
-    }
+    unlocked([&] { ask(0); });
     return py::cast(answers[0]);
   }
   check_options(separation.separation, t_max);
@@ -174,7 +171,9 @@ py::object solve_any_curved(const CurvedQueries& queries, py::handle t_max_numbe
   const double t_max = number_of(t_max_number, "t_max");
   const int thread_count = threads_of(threads);
   check_options(separation.separation, t_max);
-  if (queries.single) return py::bool_(solve_any(queries.all[0], separation.separation, t_max));
+  if (queries.single) {
+    return py::bool_(unlocked([&] { return solve_any(queries.all[0], separation.separation, t_max); }));
+  }
   py::array_t<bool> touch(static_cast<py::ssize_t>(queries.all.size()));
   bool* const to = touch.mutable_data();
   for_each_row(queries.all.size(), thread_count,
@@ -188,7 +187,9 @@ py::list contact_times_curved(const CurvedQueries& queries, py::handle t_max_num
   const double t_max = number_of(t_max_number, "t_max");
   const int thread_count = threads_of(threads);
   check_options(separation.separation, t_max);
-  if (queries.single) return list_of(contact_times(queries.all[0], separation.separation, t_max));
+  if (queries.single) {
+    return list_of(unlocked([&] { return contact_times(queries.all[0], separation.separation, t_max); }));
+  }
   std::vector<std::vector<ContactInterval>> times(queries.all.size());
   for_each_row(times.size(), thread_count,
                [&](std::size_t q) { times[q] = contact_times(queries.all[q], separation.of(q), t_max); });

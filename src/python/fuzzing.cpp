@@ -40,6 +40,9 @@ bool is_bool(const py::object& value) {
 
 double time_of(const py::object& value) {
   if (is_bool(value)) throw std::runtime_error("the solver returned a bool as a time");
+  if (py::isinstance<py::array>(value)) {
+    throw std::runtime_error("the solver returned an array; a bool, a time, None or a tuple (contact, toi) is a reply");
+  }
   const double time = PyFloat_AsDouble(value.ptr());
   if (time == -1 && PyErr_Occurred() != nullptr) throw py::error_already_set();
   return time;

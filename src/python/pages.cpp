@@ -7,6 +7,7 @@
 #include "exact/exact.hpp"
 #include "fuzz/finding_text.hpp"
 #include "python/arguments.hpp"
+#include "python/chunks.hpp"
 #include "python/define.hpp"
 #include "python/query_arrays.hpp"
 #include "view/query_page.hpp"
@@ -14,13 +15,8 @@
 namespace touchstone::python {
 namespace {
 
-std::string page(py::handle kind, py::handle start, py::handle end, py::handle t_max_number, py::handle distance,
-                 py::handle metric, const std::string& title, const std::string& about) {
-  const QueryArrays queries(kind, start, end);
-  if (!queries.is_single()) throw py::value_error("start has many queries; a page shows one");
-  const Query query = queries.at(0);
-  const Separation separation = separation_of(distance, metric, 1, true).separation;
-  const double t_max = number_of(t_max_number, "t_max");
+std::string page_of(const Query& query, const std::string& title, const std::string& about, double t_max,
+                    const Separation& separation) {
   static_cast<void>(solve(query, separation, Method::exact, t_max));  // it refuses what exact::explain does not accept
   view::QueryToShow shown;
   shown.title = title;
@@ -31,6 +27,16 @@ std::string page(py::handle kind, py::handle start, py::handle end, py::handle t
   shown.t_max = t_max;
   shown.separation = separation;
   return view::page_text(view::query_page(shown));
+}
+
+std::string page(py::handle kind, py::handle start, py::handle end, py::handle t_max_number, py::handle distance,
+                 py::handle metric, const std::string& title, const std::string& about) {
+  const QueryArrays queries(kind, start, end);
+  if (!queries.is_single()) throw py::value_error("start has many queries; a page shows one");
+  const Query query = queries.at(0);
+  const Separation separation = separation_of(distance, metric, 1, true).separation;
+  const double t_max = number_of(t_max_number, "t_max");
+  return unlocked([&] { return page_of(query, title, about, t_max, separation); });
 }
 
 }  // namespace

@@ -132,12 +132,7 @@ py::object solve_arrays(py::handle kind, py::handle start, py::handle end, py::h
   options.separation = kept.separation;
   if (queries.is_single()) {
     const Query query = queries.at(0);
-    Answer answer;
-    {
-      const py::gil_scoped_release released;
-      answer = solve(query, kept.separation, options.method, options.t_max);
-    }
-    return py::cast(answer);
+    return py::cast(unlocked([&] { return solve(query, kept.separation, options.method, options.t_max); }));
   }
   check_options(kept.separation, options.t_max);
   std::vector<Answer> answers(queries.count());
@@ -156,7 +151,9 @@ py::object solve_any_arrays(py::handle kind, py::handle start, py::handle end, p
   const SeparationArgument kept = separation_of(separation, metric, queries.count(), queries.is_single());
   const double t_max = number_of(t_max_number, "t_max");
   const int thread_count = threads_of(threads);
-  if (queries.is_single()) return py::bool_(solve_any(queries.at(0), kept.separation, t_max));
+  if (queries.is_single()) {
+    return py::bool_(unlocked([&] { return solve_any(queries.at(0), kept.separation, t_max); }));
+  }
   check_options(kept.separation, t_max);
   py::array_t<bool> touch(static_cast<py::ssize_t>(queries.count()));
   bool* const to = touch.mutable_data();
@@ -172,7 +169,9 @@ py::list contact_times_arrays(py::handle kind, py::handle start, py::handle end,
   const double t_max = number_of(t_max_number, "t_max");
   const int thread_count = threads_of(threads);
   check_options(kept.separation, t_max);
-  if (queries.is_single()) return list_of(contact_times(queries.at(0), kept.separation, t_max));
+  if (queries.is_single()) {
+    return list_of(unlocked([&] { return contact_times(queries.at(0), kept.separation, t_max); }));
+  }
   std::vector<std::vector<ContactInterval>> times(queries.count());
   for_each_row(queries.count(), thread_count,
                [&](std::size_t q) { times[q] = contact_times(queries.at(q), kept.of(q), t_max); });

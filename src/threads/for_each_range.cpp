@@ -2,7 +2,11 @@
 #include "threads/for_each_range.hpp"
 
 #include <map>
+#include <memory>
+#include <mutex>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <touchstone/error.hpp>
 
@@ -21,12 +25,47 @@ namespace touchstone::threads {
 #ifdef TOUCHSTONE_WITH_TBB
 namespace {
 
-/// The calling thread's arena for so many threads. It is kept until the thread ends: oneTBB 2021.8 does not give back all
-/// memory of an arena that is destroyed, several KB each where the machine is busy.
-tbb::task_arena& arena_of(int threads) {
-  thread_local std::map<int, tbb::task_arena> arenas;
-  return arenas.try_emplace(threads, threads).first->second;
+/// Arenas that no call has taken, by their number of threads. They are used again and never destroyed: oneTBB 2021.8
+/// does not give back all memory of an arena that is destroyed, several KB each where the machine is busy.
+class Arenas {
+ public:
+  std::unique_ptr<tbb::task_arena> take(int threads) {
+    const std::lock_guard lock(mutex_);
+    auto& free = free_[threads];
+    if (free.empty()) return std::make_unique<tbb::task_arena>(threads);
+    auto arena = std::move(free.back());
+    free.pop_back();
+    return arena;
+  }
+  void give_back(int threads, std::unique_ptr<tbb::task_arena> arena) {
+    const std::lock_guard lock(mutex_);
+    free_[threads].push_back(std::move(arena));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<int, std::vector<std::unique_ptr<tbb::task_arena>>> free_;
+};
+
+Arenas& arenas() {
+  static Arenas* const all = new Arenas;  // threads may still use it when the program's statics are destroyed
+  return *all;
 }
+
+/// An arena that is the caller's alone for a while.
+class TakenArena {
+ public:
+  explicit TakenArena(int threads) : threads_(threads), arena_(arenas().take(threads)) {}
+  TakenArena(const TakenArena&) = delete;
+  TakenArena& operator=(const TakenArena&) = delete;
+  ~TakenArena() { arenas().give_back(threads_, std::move(arena_)); }
+
+  tbb::task_arena* operator->() const noexcept { return arena_.get(); }
+
+ private:
+  int threads_;
+  std::unique_ptr<tbb::task_arena> arena_;
+};
 
 }  // namespace
 #endif
@@ -47,9 +86,10 @@ void for_each_range(std::size_t count, std::size_t block, int threads,
 #ifdef TOUCHSTONE_WITH_TBB
   if (threads == 0) threads = tbb::info::default_concurrency();
   if (threads > 1 && count > block) {
+    const TakenArena arena(threads);
     ThreadHandover started, finished;
     started.give();
-    arena_of(threads).execute([&] {
+    arena->execute([&] {
       tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, block),
                         [&](const tbb::blocked_range<std::size_t>& range) {
                           started.take();

@@ -8,6 +8,9 @@
 namespace touchstone::view {
 namespace {
 
+/// Farther out nothing is drawn: with this, sums and lengths of drawn coordinates do not overflow.
+constexpr double kFarthest = 0x1p1010;
+
 constexpr double kMostSteps = 65534;  // one less than 16 bits hold, as both ends are rounded
 
 /// The least power of two, not below 2^-1022, by which the extent is at most kMostSteps.
@@ -23,6 +26,8 @@ int exponent_for(double low, double high) {
 /// x / 2^exponent, rounded to an integer.
 double steps_of(double x, int exponent) { return std::nearbyint(std::ldexp(x, -exponent)); }
 
+double drawn(double x) { return std::clamp(x, -kFarthest, kFarthest); }
+
 }  // namespace
 
 LatticePositions on_lattice(const std::vector<double>& positions, int least_exponent) {
@@ -31,8 +36,8 @@ LatticePositions on_lattice(const std::vector<double>& positions, int least_expo
   low.fill(std::numeric_limits<double>::infinity());
   high.fill(-std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    low[i % 3] = std::min(low[i % 3], positions[i]);
-    high[i % 3] = std::max(high[i % 3], positions[i]);
+    low[i % 3] = std::min(low[i % 3], drawn(positions[i]));
+    high[i % 3] = std::max(high[i % 3], drawn(positions[i]));
   }
   if (positions.empty()) low = high = {};
   result.exponent = least_exponent;
@@ -49,7 +54,7 @@ LatticePositions on_lattice(const std::vector<double>& positions, int least_expo
   }
   result.steps.reserve(positions.size());
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    const double step = steps_of(positions[i], result.exponent) - first[i % 3];
+    const double step = steps_of(drawn(positions[i]), result.exponent) - first[i % 3];
     result.steps.push_back(static_cast<std::uint16_t>(std::clamp(step, 0.0, 65535.0)));
   }
   return result;

@@ -8,7 +8,8 @@
 
 namespace touchstone::view {
 
-/// Coordinate k of vertex i is about origin[k] + 2^exponent * steps[3 * i + k], within 2^(exponent - 1).
+/// Coordinate k of vertex i is about origin[k] + 2^exponent * steps[3 * i + k], within 2^(exponent - 1). One beyond
+/// 2^1010 is drawn there.
 struct LatticePositions {
   int exponent = 0;
   std::array<double, 3> origin{};

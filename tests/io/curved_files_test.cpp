@@ -156,9 +156,8 @@ TEST_CASE("a file of curved queries is known by its first row, and is not read a
     const ReadFile file = read_queries("# a comment\n" + kHeader + kGood, Kind::point_point, chunk);
     CHECK(file.queries.empty());
     CHECK(file.error ==
-          "q.csv:2: the queries of this file have curved motion, which is not read here; solve, certify, explain and "
-          "prove "
-          "read it");
+          "q.csv:2: the queries of this file have curved motion, which is not read here; solve, certify, explain, "
+          "judge, prove, fuzz, bench and report read it");
   }
   const std::string straight = "0,1,0,1,0,1,0\n0,1,0,1,0,1,0\n0,1,0,1,0,1,0\n0,1,0,1,0,1,0\n";
   CHECK(read_queries(straight, Kind::point_point, 5, io::Motions::any).error == "");

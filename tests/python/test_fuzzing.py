@@ -55,6 +55,7 @@ def test_findings_are_shrunk_and_true():
     (lambda truth: not truth.contact, "phantom"),
     (lambda truth: "yes", "crash"),
     (lambda truth: (1, 0.5), "crash"),
+    (lambda truth: np.array([truth.contact]), "crash"),
     (lambda truth: 1 // 0, "crash"),
 ])
 def test_replies(reply, failure):
@@ -84,7 +85,8 @@ def test_a_separation_is_what_the_solver_was_asked():
     ({"solver": 3}, TypeError, "solver is of type int"), ({"cases": 0}, ValueError, "cases is 0"),
     ({"cases": -1}, ValueError, "cases is -1"), ({"cases": 1.5}, TypeError, "cases is of type float"),
     ({"seed": 2**64}, ValueError, "seed"), ({"kinds": ["edge"]}, ValueError, "kind is 'edge'"),
-    ({"families": ["none-such"]}, ValueError, "none-such"), ({"separation": -1}, ValueError, "separation"),
+    ({"families": ["none-such"]}, ValueError, "none-such"), ({"families": [3]}, TypeError, "families has"),
+    ({"kinds": []}, ValueError, "kinds is empty"), ({"separation": -1}, ValueError, "separation"),
     ({"early_share": 2}, ValueError, "early_share"), ({"climb": 2**63}, ValueError, "climb"),
 ])
 def test_options_without_meaning(arguments, error, words):

@@ -77,3 +77,18 @@ def test_bad_input_of_the_checker_is_an_error(tmp_path, monkeypatch):
     monkeypatch.setenv("TOUCHSTONE_CHECK", str(CHECKER))
     with pytest.raises(ValueError, match="none-such"):
         ts.check(tmp_path / "none-such", tmp_path / "b")
+
+
+@needs_checker
+def test_a_name_like_an_option_is_a_file_and_another_program_checks_nothing(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for name in ("--help", "-h"):
+        with pytest.raises(ValueError, match="cannot be opened"):
+            ts.check(name, "a.csv", checker=CHECKER)
+    proved = ts.prove("point-point", [[[0, 0], [1, 0]]], [[[1, 0], [1, 0]]])
+    with pytest.raises(ValueError, match="checked anything"):
+        proved.check("/bin/true")
+    os.symlink("nowhere", "proofs.txt")
+    with pytest.raises(FileExistsError):
+        proved.write(".")
+    assert os.listdir() == ["proofs.txt"]

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -77,6 +78,18 @@ TEST_CASE("drawn coordinates are within half a step of the true ones, whatever t
     // The finest lattice that fits, unless a coarser one is asked for.
     if (least == kAnyExponent && place == 0) CHECK(extent > step * 32766);
   }
+}
+
+TEST_CASE("the largest doubles are drawn where sums and lengths do not overflow") {
+  const double most = std::numeric_limits<double>::max();
+  const LatticePositions rounded = on_lattice({-most, 0, 1, most, most, -1}, kAnyExponent);
+  double squares = 0;
+  for (std::size_t i = 0; i < rounded.steps.size(); ++i) {
+    const double drawn = rounded.origin[i % 3] + std::ldexp(rounded.steps[i], rounded.exponent);
+    REQUIRE(std::isfinite(drawn));
+    squares = std::hypot(squares, drawn);
+  }
+  CHECK(std::isfinite(squares));
 }
 
 TEST_CASE("a vertex at rest keeps its drawn place while others move away") {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
 #include "cli/generate/generate.hpp"
@@ -85,8 +86,13 @@ void add_family_options(CLI::App& subcommand, GenerateOptions& options) {
                                   .add_option_function<std::vector<std::string>>(
                                       "--family",
                                       [&options, of_families](const std::vector<std::string>& names) {
-                                        for (const auto& name : names)
-                                          options.families.push_back(families::find_family(name)->family);
+                                        for (const auto& name : names) {
+                                          const families::Family wanted = families::find_family(name)->family;
+                                          auto& chosen = options.families;
+                                          if (std::find(chosen.begin(), chosen.end(), wanted) == chosen.end()) {
+                                            chosen.push_back(wanted);
+                                          }
+                                        }
                                         of_families();
                                       },
                                       "Queries of this curved family alone; may be given more than once")

@@ -118,10 +118,14 @@ GivenQueries read_queries(const std::string& source, const std::string& about, c
 
 int run_report(const ReportOptions& options) {
   if (options.html == "-") throw Error("--html: name a file to write, standard output has the report's name");
+  const std::filesystem::path root = options.out;
+  for (const char* const name : {"report.md", "report.csv", "simulation.csv"}) {
+    refuse_one_file_twice({{"--html", options.html}, {"--out", (root / name).string()}});
+  }
   NewFolders folders;
-  folders.make(std::filesystem::path(options.out) / "plots");
+  folders.make(root / "plots");
   // A folder that cannot be written to is found before minutes are spent, not after.
-  io::OutputFile((std::filesystem::path(options.out) / "report.md").string());
+  io::OutputFile((root / "report.md").string());
   std::optional<io::OutputFile> page;
   if (!options.html.empty()) {
     refuse_to_overwrite(options.html, options.files);
@@ -163,7 +167,7 @@ int run_report(const ReportOptions& options) {
   if (!hint.empty()) print_error(fmt::format("touchstone: {}\n", hint));
 
   auto console = io::OutputFile::standard_output();
-  console.write((std::filesystem::path(options.out) / "report.md").string() + "\n" + pages);
+  console.write((root / "report.md").string() + "\n" + pages);
   console.commit();
   return kAllHold;
 }

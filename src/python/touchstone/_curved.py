@@ -12,7 +12,7 @@ from ._proofs import Proofs
 from ._queries import Kind, Method, Metric, Times
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class OnBody:
     """Elements that are parts of rigid bodies: one for all queries, or n of them.
 
@@ -38,7 +38,7 @@ class OnBody:
                 self.p0 if self.p1 is None else self.p1)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class OnCurves:
     """Elements whose corners are on Bezier curves: one for all queries, or n of them.
 

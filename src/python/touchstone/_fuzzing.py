@@ -24,6 +24,19 @@ def _whole(number, name, least=0):
     return value
 
 
+def _words(words, name):
+    """None, or a list of strings: one at least."""
+    if words is None:
+        return None
+    given = [words] if isinstance(words, str) else list(words)
+    for word in given:
+        if not isinstance(word, str):
+            raise TypeError(f"{name} has an element of type {type(word).__name__}; they must be strings")
+    if not given:
+        raise ValueError(f"{name} is empty; None stands for all")
+    return given
+
+
 def fuzz(solver: Callable[[str, NDArray[np.float64], NDArray[np.float64]], Any], cases: int = 10_000, *,
          kinds: Optional[Iterable[Kind]] = None, families: Optional[Iterable[str]] = None, seed: int = 1,
          climb: int = 0, separation: float = 0.0, metric: Metric = "euclidean",
@@ -34,7 +47,7 @@ def fuzz(solver: Callable[[str, NDArray[np.float64], NDArray[np.float64]], Any],
                  whether there is contact for t in [0, 1], a bool; or the time of contact, a float; or None for no
                  contact; or a tuple (contact, toi), where toi may be None. What it raises is a finding
     cases        how many queries to make, in equal parts for all families and kinds
-    kinds        the kinds of query; all by default
+    kinds        the kinds of query, or one; all by default
     families     the families of queries, as `touchstone fuzz --help` lists them; all by default
     seed         the queries are the same for the same seed
     climb        steps of hill-climbing from each query towards harder ones
@@ -47,7 +60,7 @@ def fuzz(solver: Callable[[str, NDArray[np.float64], NDArray[np.float64]], Any],
     Returns a FuzzReport with the attributes queries, failures, kinds_of_failure and findings. A Finding has failure,
     degeneracy, count, kind, start, end, contact, toi, truth, detail, case_name, separation and metric; it prints
     itself, and shows itself in a notebook. The function runs on another thread than the caller's. Raises ValueError for
-    options without meaning, and KeyboardInterrupt at Ctrl-C.
+    options without meaning, and KeyboardInterrupt at Ctrl-C, when the function's call that runs then has ended.
 
     >>> import numpy as np, touchstone
     >>> def samples(kind, start, end):               # the distance of two points at 100 times
@@ -60,7 +73,7 @@ def fuzz(solver: Callable[[str, NDArray[np.float64], NDArray[np.float64]], Any],
     (True, ['missed', 'phantom'])
     """
     share = None if early_share is None else float(early_share)
-    return _core.fuzz(solver, None if kinds is None else list(kinds), None if families is None else list(families),
-                      _whole(cases, "cases", 1), _whole(seed, "seed"), _whole(climb, "climb"), separation, metric,
+    return _core.fuzz(solver, _words(kinds, "kinds"), _words(families, "families"), _whole(cases, "cases", 1),
+                      _whole(seed, "seed"), _whole(climb, "climb"), separation, metric,
                       None if early_ulps is None else _whole(early_ulps, "early_ulps"), share,
                       _whole(findings, "findings"))

@@ -60,11 +60,18 @@ class Proofs:
         place.mkdir(parents=True, exist_ok=True)
         names = ("queries.csv", "proofs.txt")
         for name in names:
-            if (place / name).exists():
+            if os.path.lexists(place / name):
                 raise FileExistsError(f"{place / name} exists; give a folder without it")
-        for name, content in zip(names, (self._core.queries, self._core.proofs)):
-            with open(place / name, "xb") as file:
-                file.write(content)
+        made = []
+        try:
+            for name, content in zip(names, (self._core.queries, self._core.proofs)):
+                with open(place / name, "xb") as file:
+                    made.append(place / name)
+                    file.write(content)
+        except BaseException:  # Ctrl-C too: a query file without its proofs is of no use
+            for path in made:
+                path.unlink()
+            raise
         return place
 
     def check(self, checker: Optional[Union[str, os.PathLike]] = None) -> Checked:
@@ -116,9 +123,13 @@ def check(proofs: Union[str, os.PathLike], *files: Union[str, os.PathLike],
     Traceback (most recent call last):
     FileNotFoundError: [Errno 2] No such file or directory: 'no-such-program'
     """
-    result = subprocess.run([_checker(checker), os.fspath(proofs), *map(os.fspath, files)], capture_output=True,
-                            text=True, errors="replace", check=False)
+    program = _checker(checker)
+    names = [os.path.join(os.curdir, name) if name.startswith("-") else name
+             for name in map(os.fspath, (proofs, *files))]
+    result = subprocess.run([program, *names], capture_output=True, text=True, errors="replace", check=False)
     words = (result.stdout + result.stderr).strip()
     if result.returncode not in (0, 1):
-        raise ValueError(words or f"{_checker(checker)} ended with the status {result.returncode}")
+        raise ValueError(words or f"{program} ended with the status {result.returncode}")
+    if result.returncode == 0 and " checked: " not in result.stdout:
+        raise ValueError(f"{program} does not say that it checked anything: {words!r}")
     return Checked(result.returncode == 0, words)
