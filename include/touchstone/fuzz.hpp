@@ -70,8 +70,8 @@ struct FuzzOptions {
   /// The number of threads, 1 to 1024, that call the solver at the same time. The report is the same for any number.
   int threads = 1;
 
-  /// When this becomes true, the search and the shrinking end soon, and the report has what was found so far; null: they
-  /// run to their end.
+  /// When this becomes true, the search and the shrinking end soon, and the report has what was found so far;
+  /// null: they run to their end.
   const std::atomic<bool>* stop = nullptr;
 };
 

@@ -2,8 +2,8 @@
 #   cmake -D LIST=file -D FOLDER=folder -D PREFIX=text -D FOR_PAGES=ON|OFF -D HEADER=header -D TYPE=type
 #         -D FUNCTION=name -D OUTPUT=source -P embed.cmake
 # LIST names the files, one a line, relative to FOLDER. HEADER declares `const std::vector<TYPE>& FUNCTION()`, both with
-# their namespaces; a TYPE has a name, which is PREFIX and that of the list, and a content. FOR_PAGES asks for files that
-# can stand in the <script> and <style> of a page.
+# their namespaces; a TYPE has a name, which is PREFIX and that of the list, and a content. FOR_PAGES asks for files
+# that can stand in the <script> and <style> of a page.
 # SPDX-License-Identifier: MIT
 cmake_minimum_required(VERSION 3.18)
 

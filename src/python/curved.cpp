@@ -148,6 +148,22 @@ CurvedQueries curved_queries(py::handle kind_name, const py::tuple& first, const
 /// Whether the options have a meaning, before the first row is looked at. The one query is at rest and valid.
 void check_options(const Separation& separation, double t_max) { solve(CurvedQuery(), separation, t_max); }
 
+/// What is asked about all queries.
+struct Asked {
+  SeparationArgument separation;
+  double t_max = 1;
+  int threads = 0;
+};
+
+/// @throws  for arguments without meaning
+Asked asked_of(const CurvedQueries& queries, py::handle t_max, py::handle distance, py::handle metric,
+               py::handle threads) {
+  Asked asked{separation_of(distance, metric, queries.all.size(), queries.single), number_of(t_max, "t_max"),
+              threads_of(threads)};
+  check_options(asked.separation.separation, asked.t_max);
+  return asked;
+}
+
 py::object solve_curved(const CurvedQueries& queries, py::handle t_max_number, py::handle distance, py::handle metric,
                         py::handle threads, py::handle method_name) {
   const SeparationArgument separation = separation_of(distance, metric, queries.all.size(), queries.single);
@@ -167,32 +183,26 @@ py::object solve_curved(const CurvedQueries& queries, py::handle t_max_number, p
 
 py::object solve_any_curved(const CurvedQueries& queries, py::handle t_max_number, py::handle distance,
                             py::handle metric, py::handle threads) {
-  const SeparationArgument separation = separation_of(distance, metric, queries.all.size(), queries.single);
-  const double t_max = number_of(t_max_number, "t_max");
-  const int thread_count = threads_of(threads);
-  check_options(separation.separation, t_max);
+  const Asked asked = asked_of(queries, t_max_number, distance, metric, threads);
   if (queries.single) {
-    return py::bool_(unlocked([&] { return solve_any(queries.all[0], separation.separation, t_max); }));
+    return py::bool_(unlocked([&] { return solve_any(queries.all[0], asked.separation.separation, asked.t_max); }));
   }
   py::array_t<bool> touch(static_cast<py::ssize_t>(queries.all.size()));
   bool* const to = touch.mutable_data();
-  for_each_row(queries.all.size(), thread_count,
-               [&](std::size_t q) { to[q] = solve_any(queries.all[q], separation.of(q), t_max); });
+  for_each_row(queries.all.size(), asked.threads,
+               [&](std::size_t q) { to[q] = solve_any(queries.all[q], asked.separation.of(q), asked.t_max); });
   return py::object(touch);
 }
 
 py::list contact_times_curved(const CurvedQueries& queries, py::handle t_max_number, py::handle distance,
                               py::handle metric, py::handle threads) {
-  const SeparationArgument separation = separation_of(distance, metric, queries.all.size(), queries.single);
-  const double t_max = number_of(t_max_number, "t_max");
-  const int thread_count = threads_of(threads);
-  check_options(separation.separation, t_max);
+  const Asked asked = asked_of(queries, t_max_number, distance, metric, threads);
   if (queries.single) {
-    return list_of(unlocked([&] { return contact_times(queries.all[0], separation.separation, t_max); }));
+    return list_of(unlocked([&] { return contact_times(queries.all[0], asked.separation.separation, asked.t_max); }));
   }
   std::vector<std::vector<ContactInterval>> times(queries.all.size());
-  for_each_row(times.size(), thread_count,
-               [&](std::size_t q) { times[q] = contact_times(queries.all[q], separation.of(q), t_max); });
+  for_each_row(times.size(), asked.threads,
+               [&](std::size_t q) { times[q] = contact_times(queries.all[q], asked.separation.of(q), asked.t_max); });
   py::list all;
   for (const auto& intervals : times) all.append(list_of(intervals));
   return all;

@@ -1,4 +1,5 @@
-// Where a substep's response saw a contact. SPDX-License-Identifier: MIT
+// Where a substep's response saw a contact.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <variant>
@@ -10,7 +11,8 @@ namespace touchstone::sim {
 
 struct ContactMark {
   std::variant<Pair, BodyPair> pair;
-  /// True: the pair would have touched in a motion that was tried. False: it was closer than the thickness at the start.
+  /// True: the pair would have touched in a motion that was tried. False: it was closer than the thickness at the
+  /// start.
   bool touches = false;
   double time = 0;                  ///< in [0, 1], of the substep: of the touch
   Vector3 point = Vector3::Zero();  ///< m: on the first element, at the end of the substep

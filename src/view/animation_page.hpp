@@ -1,4 +1,5 @@
-// The page of an animation. SPDX-License-Identifier: MIT
+// The page of an animation.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>

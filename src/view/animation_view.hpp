@@ -1,4 +1,5 @@
-// From where an animation is seen first, and what stays of it without scripts. SPDX-License-Identifier: MIT
+// From where an animation is seen first, and what stays of it without scripts.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>

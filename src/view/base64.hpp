@@ -1,4 +1,5 @@
-// Numbers as base64, for typed arrays of a page's script. SPDX-License-Identifier: MIT
+// Numbers as base64, for typed arrays of a page's script.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-// Positions as multiples of a power of two, in 16 bits each: for drawing only. SPDX-License-Identifier: MIT
+// Positions as multiples of a power of two, in 16 bits each: for drawing only.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// The page of a comparison of methods: error against run time, and tables that sort. SPDX-License-Identifier: MIT
+// The page of a comparison of methods: error against run time, and tables that sort.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>

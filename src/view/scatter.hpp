@@ -1,4 +1,5 @@
-// Points on logarithmic axes as an SVG. SPDX-License-Identifier: MIT
+// Points on logarithmic axes as an SVG.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>

@@ -30,8 +30,9 @@ inline bool asks_separations(Family family) {
   return family != Family::long_quaternion && family != Family::curved_scale && family != Family::large_turn;
 }
 
-/// Checks `law(asked, method, rng)` by Method::fast and Method::exact on `count` cases of every family of curved queries
-/// and every kind, and that it applies to at least `least_share` of them. One case in six asks about a separation.
+/// Checks `law(asked, method, rng)` by Method::fast and Method::exact on `count` cases of every family of curved
+/// queries and every kind, and that it applies to at least `least_share` of them. One case in six asks about a
+/// separation.
 template <typename Law>
 void check_curved_law(std::uint64_t seed, std::size_t count, double least_share, Law&& law) {
   constexpr std::size_t kPrinted = 5;

@@ -1,6 +1,6 @@
-// Maps of space, and other ways to write the same motion, that keep every answer to a curved query: mirrors and permuted
-// axes, quarter turns, powers of two, translations, a common velocity, quaternions of another length or sign, and curves
-// of a higher degree.
+// Maps of space, and other ways to write the same motion, that keep every answer to a curved query: mirrors and
+// permuted axes, quarter turns, powers of two, translations, a common velocity, quaternions of another length or sign,
+// and curves of a higher degree.
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cmath>
@@ -66,8 +66,8 @@ TEST_CASE("law of curves: permuted and mirrored axes change nothing") {
   });
 }
 
-/// The 24 turns of a cube, as quaternions of integers that are not of unit length: quarter turns, half turns, and thirds
-/// of a turn about a diagonal.
+/// The 24 turns of a cube, as quaternions of integers that are not of unit length: quarter turns, half turns, and
+/// thirds of a turn about a diagonal.
 Quaternion cube_turn(Rng& rng) {
   Quaternion q{};
   const int parts = rng.pick(std::array<int, 3>{1, 2, 4});

@@ -44,7 +44,8 @@ inline std::pair<double, double> in_second_half(const Answer& answer) {
 }
 
 /// The answer to a step, from that to its first half and, where nothing touches in it, that to the second.
-/// @param whole  the answer to the step; only its nature is read, where a contact at the end of the first half has another
+/// @param whole  the answer to the step; only its nature is read, where a contact at the end of the first half has
+/// another
 /// @param second  gives the answer to the second half
 template <typename Second>
 Answer of_halves(const Answer& whole, Answer first, Second&& second) {

@@ -51,8 +51,8 @@ execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${PREFI
   RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
 expect_success(status output)
 
-# Built files, with what the program writes about itself; headers, the man page of the checker, examples, pages and CMake's own files are copied from
-# the sources or written by configuring.
+# Built files, with what the program writes about itself. Headers, the man page of the checker, examples, pages and
+# CMake's own files are copied from the sources or written by configuring.
 file(GLOB_RECURSE installed LIST_DIRECTORIES FALSE ${PREFIX}/*)
 list(FILTER installed INCLUDE REGEX "/bin/[^/]*$|/share/(bash-completion|zsh)/|/touchstone\\.1$|/lib[^/]*\\.(a|so|dylib)[.0-9]*$")
 list(LENGTH installed count)

@@ -1,4 +1,5 @@
-// The page of a comparison: every point is in the picture, and text stays text. SPDX-License-Identifier: MIT
+// The page of a comparison: every point is in the picture, and text stays text.
+// SPDX-License-Identifier: MIT
 #include <cmath>
 #include <cstddef>
 #include <string>
