@@ -188,7 +188,7 @@ void write_data(const Animation& animation, const Sink& sink) {
 
 }  // namespace
 
-void write_animation_page(const Animation& animation, const AnimationWords& words, const Sink& sink) {
+std::uint64_t write_animation_page(const Animation& animation, const AnimationWords& words, const Sink& sink) {
   const AnimationView view = view_of(animation);
   Page page;
   page.title = words.title;
@@ -205,7 +205,13 @@ void write_animation_page(const Animation& animation, const AnimationWords& word
   page.data.emplace_back("animation", json_for_script(data_of(animation, words, view)));
   page.scripts = {"numbers.js", "canvas.js", "camera.js", "timeline.js",      "frames.js",   "mesh_canvas.js",
                   "pick.js",    "marks.js",  "plots.js",  "element_panel.js", "animation.js"};
-  write_page(page, sink, [&](const Sink& out) { write_data(animation, out); });
+  std::uint64_t size = 0;
+  const auto counted = [&](std::string_view bytes) {
+    sink(bytes);
+    size += bytes.size();
+  };
+  write_page(page, counted, [&](const Sink& out) { write_data(animation, out); });
+  return size;
 }
 
 }  // namespace touchstone::view

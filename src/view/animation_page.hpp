@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "view/animation.hpp"
@@ -20,7 +21,7 @@ struct AnimationWords {
   std::string crossing = "crossing";  ///< the word for marks of that sort
 };
 
-/// Writes the page, frame by frame: it may be large.
-void write_animation_page(const Animation& animation, const AnimationWords& words, const Sink& sink);
+/// Writes the page, frame by frame: it may be large. @returns its bytes
+std::uint64_t write_animation_page(const Animation& animation, const AnimationWords& words, const Sink& sink);
 
 }  // namespace touchstone::view

@@ -201,12 +201,7 @@ std::uint64_t MeshAnimation::write(io::OutputFile& file, const std::string& ques
       "Filled marks are the pairs whose contact begins first in a step, or that are in contact at its start; crosses "
       "are intersections.",
       "intersection"};
-  std::uint64_t size = 0;
-  view::write_animation_page(animation_, words, [&](std::string_view bytes) {
-    file.write(bytes);
-    size += bytes.size();
-  });
-  return size;
+  return view::write_animation_page(animation_, words, [&](std::string_view bytes) { file.write(bytes); });
 }
 
 }  // namespace touchstone::cli

@@ -197,12 +197,7 @@ std::uint64_t SimulationAnimation::write(io::OutputFile& file, const std::string
       "Between frames the picture moves straight.",
       "Filled marks are pairs that would have touched if nothing had answered them, rings are pairs closer than the "
       "thickness, crosses are crossings."};
-  std::uint64_t size = 0;
-  view::write_animation_page(animation_, words, [&](std::string_view bytes) {
-    file.write(bytes);
-    size += bytes.size();
-  });
-  return size;
+  return view::write_animation_page(animation_, words, [&](std::string_view bytes) { file.write(bytes); });
 }
 
 }  // namespace touchstone::cli
