@@ -146,11 +146,11 @@ inline Number operator+(const Number& a, const Number& b) {
 }
 /// The sign of a - b.
 inline int compare(const Number& a, const Number& b) {
-  static mpz_class x, y;  // they keep their memory
-  const long low = std::min(a.e, b.e);
-  x = a.m << static_cast<unsigned long>(a.e - low);
-  y = b.m << static_cast<unsigned long>(b.e - low);
-  return cmp(x, y);
+  static mpz_class shifted;  // it keeps its memory
+  if (a.e == b.e) return cmp(a.m, b.m);
+  if (a.e > b.e) return -compare(b, a);
+  shifted = b.m << static_cast<unsigned long>(b.e - a.e);
+  return cmp(a.m, shifted);
 }
 
 /// m 2^e or m 10^e of hexadecimal or decimal digits with at most one point, and a power behind one of the marks.

@@ -163,16 +163,17 @@ class MotionFile {
       corners_.set(query_, Number());
       corners_.w[0].extend(4);  // as many as x has
       set_bernstein(w_, corners_.w[0], whole);
-      for (std::size_t i = 0; i < 12; ++i) {
-        if (i % 4 == 0) set_bernstein(x_, corners_.x[0][i / 4], whole);
-        lines_.require(w_[i % 4] > 0, "a body turns too far in the step that ends before this line");
-        const mpz_class unit = w_[i % 4] * corners_.scale;
-        for (const int sign : {-1, 1}) {  // the greatest coordinate is the least one of the opposite body
-          Number x = rounded_down(-sign * x_[i % 4], unit, rest);
-          x.m *= -sign;
-          Number& end = ends_[sign < 0 ? 0 : 1][place_of(vertex.vertices[0]) + i / 4];
-          if (i % 4 == 0 || sign * compare(x, end) > 0) end = x;
+      for (std::size_t k = 0, place = place_of(vertex.vertices[0]); k < 3; ++k, ++place) {
+        set_bernstein(x_, corners_.x[0][k], whole);
+        std::size_t least = 0, greatest = 0;
+        for (std::size_t c = 0; c < 4; ++c) {
+          lines_.require(w_[c] > 0, "a body turns too far in the step that ends before this line");
+          if (x_[c] * w_[least] < x_[least] * w_[c]) least = c;
+          if (x_[c] * w_[greatest] > x_[greatest] * w_[c]) greatest = c;
         }
+        ends_[0][place] = rounded_down(x_[least], w_[least] * corners_.scale, rest);
+        Number& end = ends_[1][place] = rounded_down(-x_[greatest], w_[greatest] * corners_.scale, rest);
+        end.m = -end.m;
       }
     }
   }
