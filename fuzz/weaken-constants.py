@@ -28,8 +28,9 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 # - the rounding that `minus` of bracket.cpp adds: at a border, where it would matter, it is at most the slack of 1 e in
 #   `spread` and some e^2, so that a wrong side needs every rounding of a component at its worst at once;
 # - the tests of `within_radius` in refined_root.cpp: a step from a root that BernsteinCubic certified ends within its
-# radius,
-#   but perhaps after a second step, by a few e where V is steep; they are there for what SimpleRoot promises.
+#   radius, but perhaps after a second step, by a few e where V is steep; they are there for what SimpleRoot promises;
+# - in near_root.cpp the steadiness of the slope, the gap beside a root, which root two polynomials share, the root that
+#   a divisor leaves and the uncertain signs of a part: the search and the interval that it starts from make them hold.
 
 # name, file below src, text there (exactly once), what it becomes
 FAULTS = [
@@ -91,6 +92,11 @@ FAULTS = [
     ("kDegreeBound of signs at a root", "numbers/real_root.cpp", "kDegreeBound = 3 *", "kDegreeBound = 3 / 16.0 *"),
     ("underflow guard of signs at a root", "numbers/real_root.cpp",
      "sum >= kLeast ? bound * sum : std::numeric_limits<double>::quiet_NaN()", "bound * sum"),
+    ("error of a near root", "numbers/near_root.cpp", "kSlack * ((1 + 2 * q) * (v.error + q * std::fabs(v.value)) / steep",
+     "kSlack / 256 * ((1 + 2 * q) * (v.error + q * std::fabs(v.value)) / steep"),
+    ("a near root that is a double", "numbers/near_root.cpp", "if (side == 0) side = sign_of_rest(nearest);", ""),
+    ("doubt of a sign at a near root", "numbers/near_root.cpp", "? 0 : raise_doubt();\n}\n\n// Sizes", "? 0 : 1;\n}\n\n// Sizes"),
+    ("error of a near quotient", "numbers/near_root.cpp", "kGreatestError = 0x1p-52", "kGreatestError = 0x1p-38"),
 ]
 
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -44,6 +45,22 @@ inline BitSpan coordinate_span(const Query& query) noexcept {
   }
   if (span.bits() == 0) span.low = span.high = 0;
   return span;
+}
+
+/// The same along each axis.
+inline std::array<BitSpan, 3> axis_spans(const Query& query) noexcept {
+  std::array<BitSpan, 3> spans;
+  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+    for (const Vec3* x : {&query.start[i], &query.end[i]}) {
+      spans[0].add(x->x);
+      spans[1].add(x->y);
+      spans[2].add(x->z);
+    }
+  }
+  for (BitSpan& span : spans) {
+    if (span.bits() == 0) span.low = span.high = 0;
+  }
+  return spans;
 }
 
 /// The power of two that makes the largest of some doubles of ordinary size; 0 where it is of ordinary size already.

@@ -21,16 +21,27 @@ typename Forms<N>::Point moving(const std::array<N, 3>& start, const std::array<
 }
 
 template <class N>
-typename Forms<N>::Corners integer_corners(const Query& query) {
-  const int low = coordinate_span(query).low;
-  const auto integers = [low](const Vec3& x) {
-    return std::array<N, 3>{N::scaled(x.x, low), N::scaled(x.y, low), N::scaled(x.z, low)};
+typename Forms<N>::Corners integer_corners(const Query& query, const std::array<int, 3>& low) {
+  const auto integers = [&low](const Vec3& x) {
+    return std::array<N, 3>{N::scaled(x.x, low[0]), N::scaled(x.y, low[1]), N::scaled(x.z, low[2])};
   };
   typename Forms<N>::Corners corners;
   for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
     corners[i] = moving(integers(query.start[i]), integers(query.end[i]));
   }
   return corners;
+}
+
+template <class N>
+typename Forms<N>::Corners integer_corners(const Query& query) {
+  const int low = coordinate_span(query).low;
+  return integer_corners<N>(query, {low, low, low});
+}
+
+template <int Limbs>
+typename Forms<Near<Limbs>>::Corners near_corners(const Query& query) {
+  const std::array<BitSpan, 3> spans = axis_spans(query);
+  return integer_corners<numbers::FixedInt<Limbs>>(query, {spans[0].low, spans[1].low, spans[2].low});
 }
 
 }  // namespace
@@ -48,6 +59,16 @@ Forms<Medium>::Corners moving_corners<Medium>(const Query& query) {
 template <>
 Forms<Long>::Corners moving_corners<Long>(const Query& query) {
   return integer_corners<Long>(query);
+}
+
+template <>
+Forms<Near<1>>::Corners moving_corners<Near<1>>(const Query& query) {
+  return near_corners<1>(query);
+}
+
+template <>
+Forms<Near<2>>::Corners moving_corners<Near<2>>(const Query& query) {
+  return near_corners<2>(query);
 }
 
 ScaledCorners scaled_corners(const Query& query) {

@@ -13,7 +13,8 @@ namespace touchstone::exact {
 
 /// The corners of a query, all multiplied by one positive number, which changes no touching time, nature, feature or
 /// weight. For integer types, that number makes all coordinates integers; the caller makes sure that they have at most
-/// kMostBits. For Exact, it makes the largest coordinate of ordinary size.
+/// kMostBits. For Exact, it makes the largest coordinate of ordinary size. For Near, each axis has such a number of its
+/// own, which changes none of these either: touching and weights are affine, and signs along one axis keep theirs.
 template <class N>
 typename Forms<N>::Corners moving_corners(const Query& query);
 template <class N>

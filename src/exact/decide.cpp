@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "exact/bounded_list.hpp"
@@ -11,28 +12,65 @@
 #include "exact/exact.hpp"
 #include "exact/exact_times.hpp"
 #include "numbers/limb_scratch.hpp"
+#include "numbers/near_root.hpp"
 
 namespace touchstone::exact {
 namespace {
 
-/// Ascending, distinct times in [0, limit], 0 and limit included, that contain all ends of touching intervals. For
+/// The range [0, t_max] of times, exact ones.
+class ExactRange {
+ public:
+  explicit ExactRange(double t_max) : end_(t_max) {}
+
+  RealRoot start() const { return RealRoot::rational(Exact(0), Exact(1), 1); }
+  RealRoot end() const { return RealRoot::rational(end_, Exact(1), 1); }
+  bool ends_at(const RealRoot& root) const { return root.compare(end_) >= 0; }
+  template <class P>
+  numbers::RootList roots(const P& p) const {
+    return numbers::isolate_roots(p, end_);
+  }
+
+ private:
+  Exact end_;
+};
+
+/// The same with times in double-doubles.
+template <int Limbs>
+class NearRange {
+ public:
+  NearRange(double t_max, numbers::Doubt& doubt) : end_(t_max), doubt_(doubt) {}
+
+  numbers::NearRoot<Limbs> start() const { return numbers::NearRoot<Limbs>::at_double(0, 1, doubt_); }
+  numbers::NearRoot<Limbs> end() const { return numbers::NearRoot<Limbs>::at_double(end_, 1, doubt_); }
+  bool ends_at(const numbers::NearRoot<Limbs>& root) const { return root.compare(end_) >= 0; }
+  template <class P>
+  numbers::NearRoots<Limbs> roots(const P& p) const {
+    return numbers::NearRoots<Limbs>(p, end_, doubt_);
+  }
+
+ private:
+  double end_;
+  numbers::Doubt& doubt_;
+};
+
+/// Ascending, distinct times in the range, its ends included, that contain all ends of touching intervals. For
 /// elements that are coplanar at all times or have no coplanarity cubic.
 template <class N>
 class CandidateTimes {
  public:
-  template <class Elements>
-  CandidateTimes(const Elements& elements, const Exact& limit) {
+  template <class Elements, class Range>
+  CandidateTimes(const Elements& elements, const Range& range) {
     Events<N> events;
     elements.append_events(events);
-    times_.add(RealRoot::rational(Exact(0), Exact(1), 1));
+    times_.add(range.start());
     for (const auto& event : events) {
-      const numbers::RootList roots = numbers::isolate_roots(event, limit);
+      const auto roots = range.roots(event);
       for (int i = 0; i < roots.size(); ++i) times_.add(roots[i]);
     }
-    times_.add(RealRoot::rational(limit, Exact(1), 1));
-    for (const RealRoot& time : times_) order_.add(&time);
-    std::sort(order_.begin(), order_.end(), [](const RealRoot* a, const RealRoot* b) { return a->compare(*b) < 0; });
-    const auto same = [](const RealRoot* a, const RealRoot* b) { return a->compare(*b) == 0; };
+    times_.add(range.end());
+    for (const Time<N>& time : times_) order_.add(&time);
+    std::sort(order_.begin(), order_.end(), [](const Time<N>* a, const Time<N>* b) { return a->compare(*b) < 0; });
+    const auto same = [](const Time<N>* a, const Time<N>* b) { return a->compare(*b) == 0; };
     distinct_ = std::unique(order_.begin(), order_.end(), same) - order_.begin();
   }
 
@@ -40,12 +78,12 @@ class CandidateTimes {
   auto end() const { return order_.begin() + distinct_; }
 
  private:
-  EventTimes<N, RealRoot> times_;
-  EventTimes<N, const RealRoot*> order_;
+  EventTimes<N, Time<N>> times_;
+  EventTimes<N, const Time<N>*> order_;
   std::ptrdiff_t distinct_ = 0;
 };
-template <class Elements>
-CandidateTimes(const Elements&, const Exact&) -> CandidateTimes<typename Elements::Number>;
+template <class Elements, class Range>
+CandidateTimes(const Elements&, const Range&) -> CandidateTimes<typename Elements::Number>;
 
 template <class Elements>
 auto nonzero_cubic(const Elements& elements) -> const typename Elements::Cubic* {
@@ -55,22 +93,23 @@ auto nonzero_cubic(const Elements& elements) -> const typename Elements::Cubic* 
   return nullptr;
 }
 
-template <class Elements>
-bool touching_at(const Elements& elements, const RealRoot& root, CandidateStory* chapter, SideSigns& found) {
+template <class Elements, class Root>
+bool touching_at(const Elements& elements, const Root& root, CandidateStory* chapter, SideSigns& found) {
   found = SideSigns();
-  const bool touching = elements.touching(Moment::at(root, chapter != nullptr ? &chapter->conditions : nullptr), found);
+  const bool touching =
+      elements.touching(MomentOf<Root>::at(root, chapter != nullptr ? &chapter->conditions : nullptr), found);
   if (chapter != nullptr) chapter->touching = touching;
   return touching;
 }
 
-template <class Elements>
-bool touching_after(const Elements& elements, const RealRoot& root) {
+template <class Elements, class Root>
+bool touching_after(const Elements& elements, const Root& root) {
   SideSigns ignored;
-  return elements.touching(Moment::just_after(root), ignored);
+  return elements.touching(MomentOf<Root>::just_after(root), ignored);
 }
 
-template <class Elements>
-Answer contact_at(const Elements& elements, const RealRoot& root, const SideSigns& found, Nature nature) {
+template <class Elements, class Root>
+Answer contact_at(const Elements& elements, const Root& root, const SideSigns& found, Nature nature) {
   Answer answer;
   answer.contact = true;
   answer.nature = nature;
@@ -80,40 +119,39 @@ Answer contact_at(const Elements& elements, const RealRoot& root, const SideSign
   return answer;
 }
 
-template <class Elements>
-Answer first_contact(const Elements& elements, const Exact& limit, Story* story) {
+template <class Elements, class Range>
+Answer first_contact(const Elements& elements, const Range& range, Story* story) {
   SideSigns found;
   if (const auto* cubic = nonzero_cubic(elements)) {
-    const numbers::RootList roots = numbers::isolate_roots(*cubic, limit);
+    const auto roots = range.roots(*cubic);
     for (int i = 0; i < roots.size(); ++i) {
-      const RealRoot& root = roots[i];
+      const auto& root = roots[i];
       if (touching_at(elements, root, new_chapter(story, root, root.multiplicity()), found)) {
         return contact_at(elements, root, found, root.multiplicity() % 2 == 1 ? Nature::crossing : Nature::grazing);
       }
     }
     return Answer();
   }
-  const auto nature_at = [&](const RealRoot& root) {
-    const bool lasts = root.compare(limit) < 0 && touching_after(elements, root);
+  const auto nature_at = [&](const auto& root) {
+    const bool lasts = !range.ends_at(root) && touching_after(elements, root);
     return lasts ? Nature::sustained : Nature::isolated;
   };
-  const RealRoot start = RealRoot::rational(Exact(0), Exact(1), 1);
+  const auto start = range.start();
   if (story == nullptr && touching_at(elements, start, nullptr, found))
     return contact_at(elements, start, found, nature_at(start));
-  for (const RealRoot* time : CandidateTimes(elements, limit)) {
-    const RealRoot& root = *time;
-    if (touching_at(elements, root, new_chapter(story, root, 0), found))
-      return contact_at(elements, root, found, nature_at(root));
+  for (const auto* time : CandidateTimes(elements, range)) {
+    if (touching_at(elements, *time, new_chapter(story, *time, 0), found))
+      return contact_at(elements, *time, found, nature_at(*time));
   }
   return Answer();
 }
 
 template <class Elements>
-std::vector<RootInterval> all_contacts(const Elements& elements, const Exact& limit) {
+std::vector<RootInterval> all_contacts(const Elements& elements, const ExactRange& range) {
   std::vector<RootInterval> intervals;
   SideSigns found;
   if (const auto* cubic = nonzero_cubic(elements)) {
-    const numbers::RootList roots = numbers::isolate_roots(*cubic, limit);
+    const numbers::RootList roots = range.roots(*cubic);
     for (int i = 0; i < roots.size(); ++i) {
       if (touching_at(elements, roots[i], nullptr, found)) intervals.push_back({roots[i], roots[i]});
     }
@@ -121,7 +159,7 @@ std::vector<RootInterval> all_contacts(const Elements& elements, const Exact& li
   }
   // Between neighbouring candidates the elements touch always or never.
   bool lasting = false;
-  for (const RealRoot* time : CandidateTimes(elements, limit)) {
+  for (const RealRoot* time : CandidateTimes(elements, range)) {
     const RealRoot& root = *time;
     if (lasting) {
       intervals.back().last = root;  // the set is closed
@@ -130,7 +168,7 @@ std::vector<RootInterval> all_contacts(const Elements& elements, const Exact& li
     } else {
       continue;
     }
-    lasting = root.compare(limit) < 0 && touching_after(elements, root);
+    lasting = !range.ends_at(root) && touching_after(elements, root);
   }
   return intervals;
 }
@@ -158,19 +196,31 @@ Story tell(const Q& query, double t_max) {
   return with_elements<N>(query, [&](const auto& elements) {
     Story story;
     describe(elements, story);
-    story.answer = first_contact(elements, Exact(t_max), &story);
+    story.answer = first_contact(elements, ExactRange(t_max), &story);
     return story;
   });
 }
 
 template <class N, class Q>
 Answer first_contact_in(const Q& query, double t_max) {
-  return with_elements<N>(query, [&](const auto& elements) { return first_contact(elements, Exact(t_max), nullptr); });
+  const ExactRange range(t_max);
+  return with_elements<N>(query, [&](const auto& elements) { return first_contact(elements, range, nullptr); });
+}
+
+/// Nothing where a doubt is left.
+template <int Limbs>
+std::optional<Answer> near_first_contact(const Query& query, double t_max) {
+  numbers::Doubt doubt;
+  const NearRange<Limbs> range(t_max, doubt);
+  std::optional<Answer> answer = with_elements<Near<Limbs>>(
+      query, [&](const auto& elements) { return std::optional(first_contact(elements, range, nullptr)); });
+  if (doubt.raised()) answer.reset();
+  return answer;
 }
 
 template <class N, class Q>
 std::vector<RootInterval> touching_times_of_any(const Q& query, double t_max) {
-  return with_elements<N>(query, [&](const auto& elements) { return all_contacts(elements, Exact(t_max)); });
+  return with_elements<N>(query, [&](const auto& elements) { return all_contacts(elements, ExactRange(t_max)); });
 }
 
 }  // namespace
@@ -187,6 +237,19 @@ Answer decide_exactly(const RationalQuery& query, double t_max) { return first_c
 Answer decide_exactly(const CurvedQuery& query, double t_max) {
   const numbers::LimbScratch scratch;
   return first_contact_in<AnyDegree>(query, t_max);
+}
+
+std::optional<Answer> decide_nearby(const Query& query, double t_max) {
+  int bits = 0;
+  for (const BitSpan& span : axis_spans(query)) bits = std::max(bits, span.bits());
+  if (bits <= kMostBits<1>) return near_first_contact<1>(query, t_max);
+  if (bits <= kMostBits<2>) return near_first_contact<2>(query, t_max);
+  return std::nullopt;
+}
+
+Answer decide_sooner(const Query& query, double t_max) {
+  if (const std::optional<Answer> answer = decide_nearby(query, t_max)) return *answer;
+  return decide_exactly(query, t_max);
 }
 
 Story explain(const Query& query, double t_max) { return tell<Exact>(query, t_max); }

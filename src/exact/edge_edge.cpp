@@ -33,7 +33,7 @@ const PointOnEdge<N>& EdgeEdgeElements<N>::pair(Pair which) const {
 }
 
 template <class N>
-bool EdgeEdgeElements<N>::touching(const Moment& moment, SideSigns& found) const {
+bool EdgeEdgeElements<N>::touching(const MomentOf<Time<N>>& moment, SideSigns& found) const {
   const auto [k, s] = nonzero_axis(n_, moment, "n");
   if (k < 0) {  // parallel or of zero length: they touch exactly when some corner lies on the other edge
     return pair(a0_on_b).touching(moment) || pair(a1_on_b).touching(moment) || pair(b0_on_a).touching(moment) ||
@@ -51,7 +51,7 @@ bool EdgeEdgeElements<N>::touching(const Moment& moment, SideSigns& found) const
 }
 
 template <class N>
-void EdgeEdgeElements<N>::locate(const RealRoot& root, const SideSigns& found, Answer& answer) const {
+void EdgeEdgeElements<N>::locate(const Time<N>& root, const SideSigns& found, Answer& answer) const {
   if (found.axis < 0) return locate_parallel(root, answer);
   const std::size_t axis = static_cast<std::size_t>(found.axis);
   // `element` is 0 or 1; `numerator` gives the fraction along it.
@@ -76,7 +76,7 @@ void EdgeEdgeElements<N>::locate(const RealRoot& root, const SideSigns& found, A
 }
 
 template <class N>
-void EdgeEdgeElements<N>::locate_parallel(const RealRoot& root, Answer& answer) const {
+void EdgeEdgeElements<N>::locate_parallel(const Time<N>& root, Answer& answer) const {
   static constexpr Feature a_features[] = {Feature::a0, Feature::a1, Feature::a};
   static constexpr Feature b_features[] = {Feature::b0, Feature::b1, Feature::b};
   const bool a_is_point = vanishes(frame_.u, root);
@@ -99,7 +99,7 @@ void EdgeEdgeElements<N>::locate_parallel(const RealRoot& root, Answer& answer) 
   // they leave it in opposite directions. Otherwise they share a longer part.
   for (const Pair a_corner : {a0_on_b, a1_on_b}) {
     const PointOnEdge<N>& corner = pair(a_corner);
-    if (!corner.touching(Moment::at(root))) continue;
+    if (!corner.touching(MomentOf<Time<N>>::at(root))) continue;
     const int b_position = corner.position(root);
     if (b_position == 2) break;
     // Directions away from the shared corner: +-u and +-w.
@@ -117,9 +117,9 @@ void EdgeEdgeElements<N>::locate_parallel(const RealRoot& root, Answer& answer) 
 
 /// The lexicographically smallest weights (a0, a1, b0, b1): the end of the shared part that is farthest along a.
 template <class N>
-void EdgeEdgeElements<N>::locate_overlap(const RealRoot& root, Answer& answer) const {
+void EdgeEdgeElements<N>::locate_overlap(const Time<N>& root, Answer& answer) const {
   answer.feature_a = answer.feature_b = Feature::overlap;
-  if (pair(a1_on_b).touching(Moment::at(root))) {
+  if (pair(a1_on_b).touching(MomentOf<Time<N>>::at(root))) {
     answer.weights_a = {0, 1, 0};
     answer.weights_b = pair(a1_on_b).weights(root);
     return;

@@ -19,6 +19,7 @@
 #include "geometry/frame.hpp"
 #include "geometry/vector.hpp"
 #include "numbers/fixed_int.hpp"
+#include "numbers/near_root.hpp"
 #include "numbers/real_root.hpp"
 
 namespace touchstone::exact {
@@ -29,6 +30,7 @@ using numbers::RealRoot;
 /// The polynomials of corners whose coordinates are numbers of type N: a ring, in which products may be of wider types.
 template <class N>
 struct Forms {
+  using Number = N;
   using Square = decltype(N() * N());
   using Linear = numbers::Polynomial<N, 1>;
   using Quadratic = numbers::Polynomial<Square, 2>;
@@ -69,6 +71,24 @@ struct Forms<AnyDegree> {
   using Corners = AnyCorners;
 };
 
+/// In place of a number type: coordinates of type FixedInt<Limbs>, whose times are known as numbers::NearRoot.
+template <int Limbs>
+struct Near {};
+template <int Limbs>
+struct Forms<Near<Limbs>> : Forms<numbers::FixedInt<Limbs>> {};
+
+/// The type of times over numbers of type N.
+template <class N>
+struct TimeOf {
+  using Type = RealRoot;
+};
+template <int Limbs>
+struct TimeOf<Near<Limbs>> {
+  using Type = numbers::NearRoot<Limbs>;
+};
+template <class N>
+using Time = typename TimeOf<N>::Type;
+
 /// p times a positive polynomial, which is often 1.
 inline Form scaled_by(const Form& scale, const Form& p) {
   return scale.size() == 1 && scale[0] == Exact(1) ? p : scale * p;
@@ -104,6 +124,8 @@ using Long = numbers::FixedInt<3>;
   template class Template<Short>;                 \
   template class Template<Medium>;                \
   template class Template<Long>;                  \
+  template class Template<Near<1>>;               \
+  template class Template<Near<2>>;               \
   template class Template<Exact>;                 \
   template class Template<AnyDegree>
 // NOLINTEND(bugprone-macro-parentheses)
@@ -136,26 +158,30 @@ class EventTimes<AnyDegree, T> : public std::vector<T> {
   void add(T time) { this->push_back(std::move(time)); }
 };
 
-/// Signs at a root, or just before or after it. It keeps a record of them when `explain` wants one.
-class Moment {
- public:
-  static Moment at(const RealRoot& root, std::vector<CandidateStory::Condition>* record = nullptr) {
-    return Moment(root, 0, record);
-  }
-  static Moment just_after(const RealRoot& root) { return Moment(root, 1, nullptr); }
-  static Moment just_before(const RealRoot& root) { return Moment(root, -1, nullptr); }
+/// Adds a sign to a record, under its name and its axis (0, 1, 2; -1 for none).
+void keep_sign(std::vector<CandidateStory::Condition>& record, int sign, const char* name, int axis);
 
-  /// The sign of q at this moment. The name and the axis (0, 1, 2; -1 for none) are for the record.
+/// Signs at a root, or just before or after it. It keeps a record of them when `explain` wants one.
+template <class Root>
+class MomentOf {
+ public:
+  static MomentOf at(const Root& root, std::vector<CandidateStory::Condition>* record = nullptr) {
+    return MomentOf(root, 0, record);
+  }
+  static MomentOf just_after(const Root& root) { return MomentOf(root, 1, nullptr); }
+  static MomentOf just_before(const Root& root) { return MomentOf(root, -1, nullptr); }
+
+  /// The sign of q at this moment. The name and the axis are for the record.
   template <class R, int D>
   int sign(const numbers::Polynomial<R, D>& q, const char* name, int axis = -1) const {
     const int sign = side_ == 0 ? root_.sign_at(q) : side_ > 0 ? root_.sign_after(q) : root_.sign_before(q);
-    if (record_ != nullptr) keep(sign, name, axis);
+    if (record_ != nullptr) keep_sign(*record_, sign, name, axis);
     return sign;
   }
 
   int sign(const Form& q, const char* name, int axis = -1) const {
     const int sign = this->sign(numbers::Coefficients(q));
-    if (record_ != nullptr) keep(sign, name, axis);
+    if (record_ != nullptr) keep_sign(*record_, sign, name, axis);
     return sign;
   }
 
@@ -166,18 +192,21 @@ class Moment {
   }
 
  private:
-  Moment(const RealRoot& root, int side, std::vector<CandidateStory::Condition>* record)
+  MomentOf(const Root& root, int side, std::vector<CandidateStory::Condition>* record)
       : root_(root), side_(side), record_(record) {}
 
-  void keep(int sign, const char* name, int axis) const;
-
-  const RealRoot& root_;
+  const Root& root_;
   int side_;  // 1: just after the root, -1: just before it
   std::vector<CandidateStory::Condition>* record_;
 };
+using Moment = MomentOf<RealRoot>;
 
 /// A new chapter of the story about a candidate time; null without a story. The multiplicity is that of
-/// CandidateStory::multiplicity.
+/// CandidateStory::multiplicity. Stories are told of exact times only.
+template <class Root>
+CandidateStory* new_chapter(Story*, const Root&, int) {
+  return nullptr;
+}
 inline CandidateStory* new_chapter(Story* story, const RealRoot& time, int multiplicity) {
   if (story == nullptr) return nullptr;
   CandidateStory& chapter = story->candidates.emplace_back();
@@ -209,13 +238,13 @@ class PointOnEdge {
   using Names = PointOnEdgeNames;
   PointOnEdge(const Point& p, const Point& x, const Point& y, Names names);
 
-  bool touching(const Moment& moment) const;
+  bool touching(const MomentOf<Time<N>>& moment) const;
 
   /// The position on the edge of a touching point: 0 at x, 1 at y, 2 between. x wins where both coincide.
-  int position(const RealRoot& root) const;
+  int position(const Time<N>& root) const;
 
   /// The weights (x, y) of a touching point, supported on its position.
-  std::array<double, 3> weights(const RealRoot& root) const;
+  std::array<double, 3> weights(const Time<N>& root) const;
 
   /// Appends polynomials whose roots contain all times at which touching may begin or end.
   void append_events(Events<N>& events) const;
@@ -240,16 +269,16 @@ class EdgeEdgeElements {
 
   const Cubic& coplanarity() const { return coplanarity_; }
   /// Whether the elements touch. The four corners must be coplanar at the moment.
-  bool touching(const Moment& moment, SideSigns& found) const;
+  bool touching(const MomentOf<Time<N>>& moment, SideSigns& found) const;
   /// Where they touch at the root. `found` is from `touching` at the same root.
-  void locate(const RealRoot& root, const SideSigns& found, Answer& answer) const;
+  void locate(const Time<N>& root, const SideSigns& found, Answer& answer) const;
   void append_events(Events<N>& events) const;  ///< complete when the corners are always coplanar
 
  private:
   enum Pair { a0_on_b, a1_on_b, b0_on_a, b1_on_a };
   const PointOnEdge<N>& pair(Pair which) const;
-  void locate_parallel(const RealRoot& root, Answer& answer) const;
-  void locate_overlap(const RealRoot& root, Answer& answer) const;
+  void locate_parallel(const Time<N>& root, Answer& answer) const;
+  void locate_overlap(const Time<N>& root, Answer& answer) const;
 
   typename Forms<N>::Corners corners_;
   geometry::Frame<Point> frame_;
@@ -271,13 +300,13 @@ class VertexFaceElements {
   explicit VertexFaceElements(const typename Forms<N>::Corners& corners);
 
   const Cubic& coplanarity() const { return coplanarity_; }
-  bool touching(const Moment& moment, SideSigns& found) const;
-  void locate(const RealRoot& root, const SideSigns& found, Answer& answer) const;
+  bool touching(const MomentOf<Time<N>>& moment, SideSigns& found) const;
+  void locate(const Time<N>& root, const SideSigns& found, Answer& answer) const;
   void append_events(Events<N>& events) const;
 
  private:
   const PointOnEdge<N>& side(std::size_t which) const;  // f01, f12, f20
-  void locate_flat(const RealRoot& root, Answer& answer) const;
+  void locate_flat(const Time<N>& root, Answer& answer) const;
 
   typename Forms<N>::Corners corners_;
   geometry::Frame<Point> frame_;
@@ -298,8 +327,8 @@ class PointEdgeElements {
   static constexpr bool kHasCubic = false;
   explicit PointEdgeElements(const typename Forms<N>::Corners& corners);
 
-  bool touching(const Moment& moment, SideSigns&) const { return point_.touching(moment); }
-  void locate(const RealRoot& root, const SideSigns& found, Answer& answer) const;
+  bool touching(const MomentOf<Time<N>>& moment, SideSigns&) const { return point_.touching(moment); }
+  void locate(const Time<N>& root, const SideSigns& found, Answer& answer) const;
   void append_events(Events<N>& events) const;
 
  private:
@@ -318,8 +347,8 @@ class PointPointElements {
   static constexpr bool kHasCubic = false;
   explicit PointPointElements(const typename Forms<N>::Corners& corners);
 
-  bool touching(const Moment& moment, SideSigns& found) const;
-  void locate(const RealRoot& root, const SideSigns& found, Answer& answer) const;
+  bool touching(const MomentOf<Time<N>>& moment, SideSigns& found) const;
+  void locate(const Time<N>& root, const SideSigns& found, Answer& answer) const;
   void append_events(Events<N>& events) const;
 
  private:

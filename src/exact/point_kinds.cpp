@@ -10,7 +10,7 @@ PointEdgeElements<N>::PointEdgeElements(const typename Forms<N>::Corners& corner
     : point_(corners[0], corners[1], corners[2], {"(p - e0) x (e1 - e0)", "(p - e0) . (p - e1)"}) {}
 
 template <class N>
-void PointEdgeElements<N>::locate(const RealRoot& root, const SideSigns&, Answer& answer) const {
+void PointEdgeElements<N>::locate(const Time<N>& root, const SideSigns&, Answer& answer) const {
   static constexpr Feature features[] = {Feature::e0, Feature::e1, Feature::e};
   answer.feature_a = Feature::p;
   answer.weights_a = {1, 0, 0};
@@ -28,12 +28,12 @@ PointPointElements<N>::PointPointElements(const typename Forms<N>::Corners& corn
     : difference_(corners[0] - corners[1]) {}
 
 template <class N>
-bool PointPointElements<N>::touching(const Moment& moment, SideSigns&) const {
+bool PointPointElements<N>::touching(const MomentOf<Time<N>>& moment, SideSigns&) const {
   return nonzero_axis(difference_, moment, "(p - q)").axis < 0;
 }
 
 template <class N>
-void PointPointElements<N>::locate(const RealRoot&, const SideSigns&, Answer& answer) const {
+void PointPointElements<N>::locate(const Time<N>&, const SideSigns&, Answer& answer) const {
   answer.feature_a = Feature::p;
   answer.feature_b = Feature::q;
   answer.weights_a = answer.weights_b = {1, 0, 0};

@@ -4,10 +4,10 @@
 
 namespace touchstone::exact {
 
-void Moment::keep(int sign, const char* name, int axis) const {
+void keep_sign(std::vector<CandidateStory::Condition>& record, int sign, const char* name, int axis) {
   std::string full = name;
   if (axis >= 0) full += std::string("_") + "xyz"[axis];
-  record_->push_back({full, sign});
+  record.push_back({full, sign});
 }
 
 template <class N>
@@ -15,7 +15,7 @@ PointOnEdge<N>::PointOnEdge(const Point& p, const Point& x, const Point& y, Name
     : from_x_(p - x), from_y_(p - y), edge_(y - x), cross_(geometry::cross(from_x_, edge_)), names_(names) {}
 
 template <class N>
-bool PointOnEdge<N>::touching(const Moment& moment) const {
+bool PointOnEdge<N>::touching(const MomentOf<Time<N>>& moment) const {
   for (int k = 0; k < 3; ++k) {
     if (moment.sign(cross_[static_cast<std::size_t>(k)], names_.cross, k) != 0) return false;
   }
@@ -23,12 +23,12 @@ bool PointOnEdge<N>::touching(const Moment& moment) const {
 }
 
 template <class N>
-int PointOnEdge<N>::position(const RealRoot& root) const {
+int PointOnEdge<N>::position(const Time<N>& root) const {
   return vanishes(from_x_, root) ? 0 : vanishes(from_y_, root) ? 1 : 2;
 }
 
 template <class N>
-std::array<double, 3> PointOnEdge<N>::weights(const RealRoot& root) const {
+std::array<double, 3> PointOnEdge<N>::weights(const Time<N>& root) const {
   const int where = position(root);
   if (where == 0) return {1, 0, 0};
   if (where == 1) return {0, 1, 0};

@@ -9,15 +9,15 @@
 namespace touchstone::exact {
 
 /// The sign of a polynomial at the root, tried in doubles first.
-template <class R, int D>
-int sign_at(const RealRoot& root, const numbers::Polynomial<R, D>& p) {
+template <class Root, class R, int D>
+int sign_at(const Root& root, const numbers::Polynomial<R, D>& p) {
   return root.sign_at(p);
 }
 inline int sign_at(const RealRoot& root, const Form& p) { return root.quick_sign_at(p); }
 
 /// Whether a moving vector is zero at the root.
-template <class P>
-bool vanishes(const geometry::Vector<P>& v, const RealRoot& root) {
+template <class P, class Root>
+bool vanishes(const geometry::Vector<P>& v, const Root& root) {
   return sign_at(root, v[0]) == 0 && sign_at(root, v[1]) == 0 && sign_at(root, v[2]) == 0;
 }
 
@@ -26,8 +26,8 @@ struct NonzeroAxis {
   int axis = -1;
   int sign = 0;
 };
-template <class P>
-NonzeroAxis nonzero_axis(const geometry::Vector<P>& v, const Moment& moment, const char* name) {
+template <class P, class Root>
+NonzeroAxis nonzero_axis(const geometry::Vector<P>& v, const MomentOf<Root>& moment, const char* name) {
   for (int k = 0; k < 3; ++k) {
     const int sign = moment.sign(v[static_cast<std::size_t>(k)], name, k);
     if (sign != 0) return {k, sign};
@@ -43,7 +43,7 @@ void append_coincidence(const typename Forms<N>::Point& difference, Events<N>& e
     if constexpr (std::is_same_v<N, AnyDegree>) {
       events.add(component);
     } else {
-      const N one(1);
+      const typename Forms<N>::Number one(1);
       events.add(typename Forms<N>::Quadratic{{component[0] * one, component[1] * one, typename Forms<N>::Square(0)}});
     }
     return;

@@ -29,7 +29,7 @@ const PointOnEdge<N>& VertexFaceElements<N>::side(std::size_t which) const {
 }
 
 template <class N>
-bool VertexFaceElements<N>::touching(const Moment& moment, SideSigns& found) const {
+bool VertexFaceElements<N>::touching(const MomentOf<Time<N>>& moment, SideSigns& found) const {
   const auto [k, s] = nonzero_axis(n_, moment, "n");
   if (k < 0) return side(0).touching(moment) || side(1).touching(moment) || side(2).touching(moment);
   // r = w1 u + w2 w with w1 = (r x w)_k / n_k and w2 = (u x r)_k / n_k; inside iff w1, w2 and 1 - w1 - w2 are >= 0.
@@ -43,7 +43,7 @@ bool VertexFaceElements<N>::touching(const Moment& moment, SideSigns& found) con
 }
 
 template <class N>
-void VertexFaceElements<N>::locate(const RealRoot& root, const SideSigns& found, Answer& answer) const {
+void VertexFaceElements<N>::locate(const Time<N>& root, const SideSigns& found, Answer& answer) const {
   answer.feature_a = Feature::v;
   answer.weights_a = {1, 0, 0};
   if (found.axis < 0) return locate_flat(root, answer);
@@ -67,7 +67,7 @@ void VertexFaceElements<N>::locate(const RealRoot& root, const SideSigns& found,
 }
 
 template <class N>
-void VertexFaceElements<N>::locate_flat(const RealRoot& root, Answer& answer) const {
+void VertexFaceElements<N>::locate_flat(const Time<N>& root, Answer& answer) const {
   for (std::size_t i = 0; i < 3; ++i) {
     if (side(i).position(root) == 0) {
       static constexpr Feature corners[] = {Feature::f0, Feature::f1, Feature::f2};
@@ -77,7 +77,7 @@ void VertexFaceElements<N>::locate_flat(const RealRoot& root, Answer& answer) co
     }
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    if (side(i).touching(Moment::at(root))) {
+    if (side(i).touching(MomentOf<Time<N>>::at(root))) {
       static constexpr Feature edges[] = {Feature::f01, Feature::f12, Feature::f20};
       answer.feature_b = edges[i];
       const std::array<double, 3> along = side(i).weights(root);

@@ -90,6 +90,12 @@ class FixedInt {
   template <int Others>
   friend FixedInt<Limbs + Others> operator*(const FixedInt& a, const FixedInt<Others>& b) noexcept {
     FixedInt<Limbs + Others> product;
+    if constexpr (Limbs == 1 && Others == 1) {
+      const SignedWide both = SignedWide{static_cast<std::int64_t>(a.limb(0))} * static_cast<std::int64_t>(b.limb(0));
+      product.set_limb(0, static_cast<Limb>(both));
+      product.set_limb(1, static_cast<Limb>(static_cast<Wide>(both) >> 64));
+      return product;
+    }
     for (int i = 0; i < Limbs; ++i) {
       Limb carry = 0;
       for (int j = 0; j < Others; ++j) {
@@ -105,12 +111,22 @@ class FixedInt {
     return product;
   }
 
+  /// The same number with more limbs.
+  template <int Others>
+  FixedInt<Others> widened() const noexcept {
+    static_assert(Others >= Limbs);
+    FixedInt<Others> result;
+    for (int i = 0; i < Others; ++i) result.set_limb(i, i < Limbs ? limbs_[i] : sign_mask());
+    return result;
+  }
+
   Limb limb(int i) const noexcept { return limbs_[i]; }
   void set_limb(int i, Limb value) noexcept { limbs_[i] = value; }
   Limb sign_mask() const noexcept { return static_cast<Limb>(static_cast<std::int64_t>(limbs_[Limbs - 1]) >> 63); }
 
  private:
   __extension__ using Wide = unsigned __int128;
+  __extension__ using SignedWide = __int128;
 
   template <int Size, int Others>
   static void subtract_above(FixedInt<Size>& from, const FixedInt<Others>& x, int first, Limb mask) noexcept {

@@ -12,12 +12,12 @@ namespace {
 /// The arithmetic without error below the filters and the bracket level.
 struct ExactArithmetic {
   filters::ExactValue coplanarity_at;
-  Answer (*decide_exactly)(const Query& query, double t_max);
+  Answer (*decide)(const Query& query, double t_max);
 };
 /// Contact at exactly t = 0 is a fact that no level below needs.
 void complete(Answer& answer) noexcept { answer.starts_within = answer.contact && answer.toi_upper == 0; }
 
-constexpr ExactArithmetic kOwn = {exact::coplanarity_at, exact::decide_exactly};
+constexpr ExactArithmetic kOwn = {exact::coplanarity_at, exact::decide_sooner};
 constexpr ExactArithmetic kCgal = {oracle::coplanarity_at, oracle::decide_by_oracle};
 
 }  // namespace
@@ -37,7 +37,7 @@ Answer answer(const Query& query, Method method, double t_max) {
   validate(query, t_max);
   const ExactArithmetic& below = method == Method::fast ? kOwn : kCgal;
   const filters::Decision decision = filters::decide_by_filters({query, t_max, below.coplanarity_at}, result);
-  if (decision.finding == filters::Finding::uncertain) result = below.decide_exactly(query, t_max);
+  if (decision.finding == filters::Finding::uncertain) result = below.decide(query, t_max);
   complete(result);
   return result;
 }
@@ -49,7 +49,7 @@ bool any_contact(const Query& query, double t_max) {
   const filters::Question question = {query, t_max, exact::coplanarity_at, true};
   const filters::Finding finding = filters::decide_by_filters(question, ignored).finding;
   if (finding != filters::Finding::uncertain) return finding == filters::Finding::contact;
-  return exact::decide_exactly(query, t_max).contact;
+  return exact::decide_sooner(query, t_max).contact;
 }
 
 Answer answer(const Query& query, const Separation& separation, Method method, double t_max) {

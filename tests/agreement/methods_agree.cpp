@@ -20,9 +20,8 @@ std::string against(const char* names, const Answer& one, const Answer& other, c
 
 std::string fast_against_exact(const Answer& fast, const Answer& exact) {
   std::string found = against("fast and exact", fast, exact, decision_difference(fast, exact));
-  if (found.empty()) found = against("fast and exact", fast, exact, weight_difference(fast, exact));
-  if (!found.empty() || fast.level != Level::exact) return found;
-  return against("fast and exact", fast, exact, bit_difference(fast, exact, true));
+  if (!found.empty()) return found;
+  return against("fast and exact", fast, exact, weight_difference(fast, exact));
 }
 
 // Empty when the three methods agree and their answers are well formed.

@@ -1,0 +1,208 @@
+// Real roots in [0, 1] of polynomials with integer coefficients of a fixed number of limbs, each known as a
+// double-double with a bound on its error, and the signs of other polynomials there. Doubles decide where their bounds
+// allow it, and integers of fixed sizes what doubles leave open, above all whether a polynomial vanishes at a root.
+// What both leave open raises a doubt: real_root.hpp decides everything, and takes longer.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <variant>
+
+#include "numbers/bounded.hpp"
+#include "numbers/fixed_int.hpp"
+#include "numbers/polynomial.hpp"
+#include "numbers/real_root.hpp"
+
+namespace touchstone::numbers {
+
+/// Raised where a root or a sign stays open. What was computed with them is worth nothing then.
+class Doubt {
+ public:
+  void raise() noexcept { raised_ = true; }
+  bool raised() const noexcept { return raised_; }
+
+ private:
+  bool raised_ = false;
+};
+
+template <int Limbs>
+class NearRoots;
+
+/// A root of a polynomial with coefficients |c| < 2^(192 Limbs - 3), where other polynomials of degree at most 2, with
+/// coefficients |c| < 2^(128 Limbs - 3), have signs and quotients. The doubt outlives the root.
+template <int Limbs>
+class NearRoot {
+ public:
+  using Short = FixedInt<2 * Limbs>;
+  using Long = FixedInt<3 * Limbs>;
+  using Quadratic = Polynomial<Short, 2>;
+  using Cubic = Polynomial<Long, 3>;
+
+  /// The double `time` in [0, 1], as a root of this multiplicity.
+  static NearRoot at_double(double time, int multiplicity, Doubt& doubt);
+
+  int multiplicity() const noexcept { return multiplicity_; }
+
+  /// The neighbouring doubles around the root: the largest double <= it and the smallest >= it.
+  double lower() const noexcept { return lower_; }
+  double upper() const noexcept { return upper_; }
+
+  /// The sign of q at the root.
+  template <int Q, int D>
+  int sign_at(const Polynomial<FixedInt<Q>, D>& q) const {
+    static_assert(Q <= 2 * Limbs && D <= 2);
+    if (const Fraction* fraction = std::get_if<Fraction>(&exact_)) return sign_at_fraction(q, *fraction);
+    std::array<double, D + 1> c;
+    for (std::size_t i = 0; i < c.size(); ++i) c[i] = to_double(q.c[i]);
+    const ValueNear value = value_near(c.data(), D + 1, lower_);
+    if (value.value > value.error) return 1;
+    if (value.value < -value.error) return -1;
+    return close_sign_at(widened(q));
+  }
+
+  /// The sign of q just after the root, or just before it. Zero only for q == 0.
+  template <int Q, int D>
+  int sign_after(const Polynomial<FixedInt<Q>, D>& q) const {
+    return sign_beside(q, 1);
+  }
+  template <int Q, int D>
+  int sign_before(const Polynomial<FixedInt<Q>, D>& q) const {
+    return sign_beside(q, -1);
+  }
+
+  /// The sign of (this - other), of (this - value).
+  int compare(const NearRoot& other) const;
+  int compare(double value) const noexcept { return upper_ <= value ? (lower_ == value ? 0 : -1) : 1; }
+
+  /// numerator(root) / denominator(root) within an absolute error of 2^-50.5, given that the quotient lies in [0, 1]
+  /// and the denominator is not zero at the root.
+  template <int Q>
+  double quotient(const Polynomial<FixedInt<Q>, 2>& numerator, const Polynomial<FixedInt<Q>, 2>& denominator) const {
+    return close_quotient(widened(numerator), widened(denominator));
+  }
+
+ private:
+  friend class NearRoots<Limbs>;
+
+  /// numerator / denominator; the denominator is positive, both are below 2^61.
+  struct Fraction {
+    std::int64_t numerator, denominator;
+  };
+  /// The same in numbers of any size that a rational root of a cubic may need.
+  struct Quotient {
+    FixedInt<6 * Limbs> numerator, denominator;
+  };
+  /// The only root of a polynomial of degree 2 or 3 within `reach` of `near`, a simple one.
+  struct Isolated {
+    Cubic p;
+    int degree;
+    double reach;
+  };
+
+  NearRoot() = default;
+
+  template <int Q, int D>
+  static Quadratic widened(const Polynomial<FixedInt<Q>, D>& q) {
+    Quadratic result;
+    for (int i = 0; i <= D; ++i) result[i] = q[i].template widened<2 * Limbs>();
+    return result;
+  }
+
+  template <int Q, int D>
+  static int sign_at_fraction(const Polynomial<FixedInt<Q>, D>& q, const Fraction& at) {
+    if (at.numerator == 0) return sign_of(q[0]);
+    if (at.numerator == at.denominator) {
+      if constexpr (D == 1) return sign_of(q[0] + q[1]);
+      if constexpr (D == 2) return sign_of(q[0] + q[1] + q[2]);
+    }
+    const auto n = FixedInt<1>::integer(at.numerator), d = FixedInt<1>::integer(at.denominator);
+    const auto linear = q[0] * d + q[1] * n;
+    if constexpr (D == 1) {
+      return sign_of(linear);
+    } else {
+      return sign_of(linear * d + q[2] * n * n);
+    }
+  }
+
+  template <int Q, int D>
+  int sign_beside(const Polynomial<FixedInt<Q>, D>& q, int side) const {
+    const int sign = sign_at(q);
+    if (sign != 0) return sign;
+    if constexpr (D == 1) {
+      return side * sign_of(q[1]);
+    } else {
+      return side * sign_beside(Polynomial<FixedInt<Q>, 1>{{q[1], q[2] + q[2]}}, side);
+    }
+  }
+
+  /// This root as a quotient, when it is held as one.
+  std::optional<Quotient> rational() const;
+  BoundedPair value_of(const Quadratic& q) const;
+  int close_sign_at(const Quadratic& q) const;
+  double close_quotient(const Quadratic& numerator, const Quadratic& denominator) const;
+  /// Whether q certainly has this isolated root. Its value there is too small for doubles.
+  bool certainly_vanishes(const Quadratic& q, const Isolated& root) const;
+  /// Finds lower_ and upper_; a root that is a double becomes a Fraction.
+  void settle();
+  int sign_of_rest(double time) const;
+  int raise_doubt() const {
+    doubt_->raise();
+    return 0;
+  }
+
+  std::variant<Fraction, Quotient, Isolated> exact_;
+  BoundedPair near_;
+  double lower_ = 0, upper_ = 0;
+  int multiplicity_ = 1;
+  Doubt* doubt_ = nullptr;
+};
+
+/// The distinct roots, ascending, in [0, limit], 0 <= limit <= 1, each with its multiplicity.
+template <int Limbs>
+class NearRoots {
+ public:
+  using Root = NearRoot<Limbs>;
+
+  /// Of p, which is not identically zero. Sums of 6 of its coefficients are below 2^(192 Limbs - 3), too.
+  template <int Q, int D>
+  NearRoots(const Polynomial<FixedInt<Q>, D>& p, double limit, Doubt& doubt) : limit_(limit), doubt_(doubt) {
+    if (has_no_root(p)) return;
+    typename Root::Cubic cubic;
+    for (int i = 0; i <= D; ++i) cubic[i] = p[i].template widened<3 * Limbs>();
+    isolate(cubic);
+  }
+  NearRoots(const NearRoots&) = delete;
+  NearRoots& operator=(const NearRoots&) = delete;
+
+  int size() const noexcept { return size_; }
+  const Root& operator[](int i) const noexcept { return *roots_[static_cast<std::size_t>(i)]; }
+
+ private:
+  using Cubic = typename Root::Cubic;
+  using Pairs = std::array<BoundedPair, 4>;
+
+  void isolate(Cubic p);
+  void isolate_inside(const Cubic& p, int size);
+  void isolate_quadratic(const Cubic& p);
+  void isolate_cubic(const Cubic& p);
+  void push_repeated(const Cubic& p);
+  void push_double(double time, int multiplicity);
+  template <class N>
+  void push_quotient(const N& numerator, const N& denominator, int multiplicity);
+  void push_simple(const Cubic& p, int size, double low, double high, int sign_low);
+  void push(Root&& root);
+
+  double limit_;
+  Doubt& doubt_;
+  int size_ = 0;
+  std::array<std::optional<Root>, 3> roots_;
+};
+
+extern template class NearRoot<1>;
+extern template class NearRoot<2>;
+extern template class NearRoots<1>;
+extern template class NearRoots<2>;
+
+}  // namespace touchstone::numbers

@@ -1,0 +1,164 @@
+// Roots in double-doubles against exact ones: their number, times, multiplicities, order, and signs there.
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cstdint>
+#include <cstdio>
+
+#include "numbers/near_root.hpp"
+#include "numbers/real_root.hpp"
+#include "support/catch.hpp"
+#include "support/query_families.hpp"
+#include "support/slow_build.hpp"
+
+using namespace touchstone;
+using numbers::Doubt;
+using numbers::Exact;
+using numbers::FixedInt;
+using numbers::NearRoots;
+using numbers::Polynomial;
+using numbers::RootList;
+
+namespace {
+
+using Integers = std::array<std::int64_t, 4>;
+
+/// Small, large or with roots that are known, some of them together: what real input has, and what is hard.
+Integers random_coefficients(int degree, tests::Rng& rng) {
+  Integers c{};
+  const int style = rng.between(0, 4);
+  if (style <= 1) {
+    const int greatest = style == 0 ? 8 : 1 << 20;
+    for (int i = 0; i <= degree; ++i) c[static_cast<std::size_t>(i)] = rng.between(-greatest, greatest);
+    return c;
+  }
+  c[0] = 1;
+  for (int factor = 0; factor < degree; ++factor) {  // times d t - n
+    const int d = rng.between(1, style == 2 ? 6 : 1000);
+    const int n = rng.between(style == 2 ? 0 : -10, d);
+    Integers product{};
+    for (std::size_t i = 0; i < 4; ++i) product[i] = (i > 0 ? d * c[i - 1] : 0) - n * c[i];
+    c = product;
+  }
+  if (style == 4) c[static_cast<std::size_t>(rng.between(0, degree))] += rng.between(-1, 1);
+  return c;
+}
+
+template <int Limbs>
+FixedInt<Limbs> fixed(std::int64_t value, int shift) {
+  const auto product = FixedInt<1>::integer(value) * FixedInt<Limbs>::scaled(1, -shift);
+  FixedInt<Limbs> result;
+  for (int limb = 0; limb < Limbs; ++limb) result.set_limb(limb, product.limb(limb));
+  return result;
+}
+
+template <int Limbs, int Degree>
+Polynomial<FixedInt<Limbs>, Degree> fixed(const Integers& c, int shift = 0) {
+  Polynomial<FixedInt<Limbs>, Degree> p;
+  for (int i = 0; i <= Degree; ++i) p[i] = fixed<Limbs>(c[static_cast<std::size_t>(i)], shift);
+  return p;
+}
+
+struct Tally {
+  long roots = 0, zeros = 0, doubts = 0;
+};
+
+/// Whether a doubt was raised; takes it back.
+bool doubtful(Doubt& doubt, Tally& tally) {
+  const bool raised = doubt.raised();
+  tally.doubts += raised;
+  doubt = Doubt();
+  return raised;
+}
+
+template <int Limbs>
+void check_polynomial(const Integers& c, int degree, int shift, double limit, tests::Rng& rng, Tally& tally) {
+  const auto p = fixed<3 * Limbs, 3>(c, shift);
+  Doubt doubt;
+  const NearRoots<Limbs> near(p, limit, doubt);
+  if (doubtful(doubt, tally)) return;
+  const RootList real = isolate_roots(to_exact(p), Exact(limit));
+  INFO(c[0] << ", " << c[1] << ", " << c[2] << ", " << c[3] << " times 2^" << shift << " up to " << limit);
+  REQUIRE(near.size() == real.size());
+  for (int i = 0; i < near.size(); ++i) {
+    ++tally.roots;
+    REQUIRE(near[i].lower() == real[i].lower());
+    REQUIRE(near[i].upper() == real[i].upper());
+    REQUIRE(near[i].multiplicity() == real[i].multiplicity());
+    for (int j = 0; j < 4; ++j) {
+      // Some share roots: the polynomial itself, or its derivative at a repeated root.
+      const Integers derivative = {c[1], 2 * c[2], 3 * c[3], 0};
+      const Integers d = j == 0 && degree <= 2 ? c : j == 1 ? derivative : random_coefficients(2, rng);
+      const auto q = fixed<2 * Limbs, 2>(d);
+      const auto q_exact = to_exact(q);
+      INFO("the sign of " << d[0] << ", " << d[1] << ", " << d[2] << " at root " << i);
+      const int sign = near[i].sign_at(q);
+      if (doubtful(doubt, tally)) continue;
+      tally.zeros += sign == 0;
+      REQUIRE(sign == real[i].sign_at(q_exact));
+      const int after = near[i].sign_after(q), before = near[i].sign_before(q);
+      if (doubtful(doubt, tally)) continue;
+      REQUIRE(after == real[i].sign_after(q_exact));
+      REQUIRE(before == real[i].sign_before(q_exact));
+    }
+  }
+  Integers other = random_coefficients(2, rng);
+  if (degree <= 2 && rng.one_in(2)) {
+    for (std::size_t i = 0; i < 4; ++i) other[i] = 3 * c[i];
+  }
+  const auto o = fixed<3 * Limbs, 3>(other);
+  if (is_zero(o)) return;
+  const NearRoots<Limbs> others(o, 1, doubt);
+  if (doubtful(doubt, tally)) return;
+  const RootList others_real = isolate_roots(to_exact(o), Exact(1));
+  for (int i = 0; i < near.size(); ++i) {
+    for (int j = 0; j < others.size(); ++j) {
+      const int order = near[i].compare(others[j]);
+      if (!doubtful(doubt, tally)) REQUIRE(order == real[i].compare(others_real[j]));
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("near roots and signs there are the exact ones") {
+  tests::Rng rng(2026);
+  Tally tally;
+  const std::size_t polynomials = tests::effort(12000);
+  for (std::size_t i = 0; i < polynomials; ++i) {
+    const int degree = rng.between(1, 3);
+    const Integers c = random_coefficients(degree, rng);
+    if (c == Integers{}) continue;
+    const int shift = rng.one_in(3) ? rng.between(0, 100) : 0;
+    const double limit = rng.one_in(4) ? rng.between(0, 64) / 64.0 : 1;
+    i % 2 == 0 ? check_polynomial<1>(c, degree, shift, limit, rng, tally)
+               : check_polynomial<2>(c, degree, shift, limit, rng, tally);
+  }
+  std::printf("%ld roots, %ld signs of zero, %ld doubts\n", tally.roots, tally.zeros, tally.doubts);
+  CHECK(static_cast<std::size_t>(tally.roots) > polynomials / 2);
+  CHECK(static_cast<std::size_t>(tally.zeros) > polynomials / 10);
+  CHECK(static_cast<std::size_t>(tally.doubts) * 500 < polynomials);
+}
+
+TEST_CASE("a near root that is a double, or beside one, has the right neighbours") {
+  Doubt doubt;
+  // t - 1/2 and t - 1/2 - 2^-54, whose root lies half way to the next double.
+  const NearRoots<1> half(Polynomial<FixedInt<3>, 3>{{fixed<3>(-1, 0), fixed<3>(2, 0)}}, 1, doubt);
+  REQUIRE(half.size() == 1);
+  CHECK(half[0].lower() == 0.5);
+  CHECK(half[0].upper() == 0.5);
+  const std::int64_t unit = std::int64_t{1} << 54;
+  const Integers beside = {-(unit / 2 + 1), unit, 0, 0};
+  const NearRoots<1> next(fixed<3, 3>(beside), 1, doubt);
+  REQUIRE(next.size() == 1);
+  CHECK(next[0].lower() == 0.5);
+  CHECK(next[0].upper() == 0.5 + 0x1p-53);
+  CHECK(next[0].compare(half[0]) > 0);
+  CHECK(next[0].compare(0.5) > 0);
+  CHECK_FALSE(doubt.raised());
+}
+
+TEST_CASE("what the numbers of near roots do not hold raises a doubt") {
+  Doubt doubt;
+  (void)numbers::NearRoot<1>::at_double(0x1p-61, 1, doubt);
+  CHECK(doubt.raised());
+}
