@@ -15,5 +15,7 @@ void define_proofs(py::module_& module);
 void define_fuzzing(py::module_& module);
 /// `page`, which is None in a build without the view layer.
 void define_pages(py::module_& module);
+/// `mesh_page`, which is None there, too.
+void define_mesh_pages(py::module_& module);
 
 }  // namespace touchstone::python

@@ -30,7 +30,8 @@ PYBIND11_MODULE(_core, module) {
   python::define_fuzzing(module);
 #ifdef TOUCHSTONE_PYTHON_WITH_PAGES
   python::define_pages(module);
+  python::define_mesh_pages(module);
 #else
-  module.attr("page") = pybind11::none();
+  module.attr("page") = module.attr("mesh_page") = pybind11::none();
 #endif
 }

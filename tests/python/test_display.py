@@ -4,6 +4,7 @@ from html import unescape
 from html.parser import HTMLParser
 
 import numpy as np
+import pytest
 import queries
 import touchstone as ts
 
@@ -70,6 +71,31 @@ def test_mesh_results():
     edges = ts.Mesh(5, faces=[[0, 1, 2]], edges=[[3, 4]])
     pierced = ts.intersections(edges, [[0, 0, 0], [1, 0, 0], [0, 1, 0], [.25, .25, -1], [.25, .25, 1]])
     assert "edge 0" in page(pierced).text and "pierces" in page(pierced).text
+
+
+def test_a_step_of_a_mesh_is_a_page_with_its_contacts_and_intersections():
+    mesh = ts.Mesh(4, [[0, 1, 2]])
+    x0 = np.array([[-9., -9, 0], [9, -9, 0], [0, 9, 0], [0, 0, 1]])
+    x1 = x0.copy()
+    x1[3, 2] = -1
+    shown = ts.show_mesh(mesh, x0, x1)
+    x1[3, 2] = 5  # what is shown is what was asked
+    assert shown.first_contact.toi == 0.5 and shown.x1[3, 2] == -1
+    whole = shown.page()
+    assert whole.startswith("<!doctype html>") and "http://" not in whole.replace("http://www.w3.org", "")
+    assert "the contact of 1 begins first" in whole and "vertex 3 and face 0 (0-1-2)" in whole
+    assert "0.5" in page(shown).text and "<iframe" in shown._repr_html_()
+    assert "The step is free of contact." in ts.show_mesh(mesh, x0, x0).page()
+    flat = ts.show_mesh(ts.Mesh(3, edges=[[0, 1]], dimension=2), [[0, 0], [2, 0], [1, 1]], [[0, 0], [2, 0], [1, -1]])
+    assert "the contact of 1 begins first" in flat.page()
+    edges = ts.Mesh(5, faces=[[0, 1, 2]], edges=[[3, 4]])
+    x = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [.25, .25, -1], [.25, .25, 1]]
+    pierced = ts.show_mesh(edges, x, x).page()
+    assert "1 intersections at t = 0, and 1 at t = 1" in pierced and "pierces" in pierced
+    late = ts.show_mesh(mesh, x0, shown.x1, t_max=0.25)
+    assert late.first_contact.free and "The step is free of contact." in late.page()
+    with pytest.raises(ValueError, match="x1 has the shape"):
+        ts.show_mesh(mesh, x0, x0[:3])
 
 
 def test_a_query_is_a_page_that_reaches_nothing():

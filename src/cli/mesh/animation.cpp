@@ -18,6 +18,7 @@
 #include "view/animation_page.hpp"
 #include "view/html.hpp"
 #include "view/story_html.hpp"
+#include "view/touched_point.hpp"
 
 namespace touchstone::cli {
 namespace {
@@ -56,20 +57,6 @@ Triple at(const frames::Frame& frame, std::uint64_t vertex) {
   const auto dimension = static_cast<std::size_t>(frame.topology->dimension);
   const double* const x = &frame.positions[dimension * vertex];
   return {x[0], x[1], dimension == 3 ? x[2] : 0};
-}
-
-/// Where the first element is touched, in doubles: for drawing.
-Triple touched_point(const Query& query, const Answer& answer) {
-  Triple point{};
-  const std::size_t corners = query.kind == Kind::edge_edge ? 2 : 1;
-  for (std::size_t c = 0; c < corners; ++c) {
-    const Vec3 &from = query.start[c], &to = query.end[c];
-    const double weight = corners == 1 ? 1 : answer.weights_a[c], t = answer.toi;
-    point[0] += weight * ((1 - t) * from.x + t * to.x);
-    point[1] += weight * ((1 - t) * from.y + t * to.y);
-    point[2] += weight * ((1 - t) * from.z + t * to.z);
-  }
-  return point;
 }
 
 /// Where an edge meets the plane of a face, about: for drawing. Its middle without a plane or along one.
@@ -126,7 +113,7 @@ void MeshAnimation::add_contacts(const std::vector<sequence::PairContact>& pairs
   for (const sequence::PairContact& contact : pairs) {
     const Query query = sequence::query_of(contact, before, after);
     const Answer answer = solve(query, separation_);
-    const Triple point = touched_point(query, answer);
+    const Triple point = view::touched_point(query, answer);
     const auto pair = animation_.pair({element(contact.first), element(contact.second)});
     animation_.add_mark({time, point, pair, view::MarkSort::contact});
     if (!animation_.has_room(view::MarkSort::contact)) continue;

@@ -38,12 +38,12 @@ from ._fuzzing import fuzz
 from ._judging import Certificate, Verdict, certify
 from ._meshes import all_contacts, candidates, first_contact, free_step, intersections
 from ._proofs import Checked, Proofs, check, prove
-from ._display import Shown, show
+from ._display import Shown, ShownMesh, show, show_mesh
 
 __all__ = [
     "Answer", "Answers", "Certificate", "Checked", "CurvedQueries", "Distance", "Distances", "ExactTime", "Feature",
     "Finding", "FirstContact", "FreeStep", "FuzzReport", "Intersections", "Level", "Mesh", "Nature", "OnBody",
-    "OnCurves", "Pairs", "Proofs", "Shown", "Trend", "Verdict", "all_contacts", "candidates", "certify", "check",
-    "contact_normal", "contact_times", "distance", "first_contact", "free_step", "fuzz", "intersections", "prove",
-    "show", "solve", "solve_any"
+    "OnCurves", "Pairs", "Proofs", "Shown", "ShownMesh", "Trend", "Verdict", "all_contacts", "candidates",
+    "certify", "check", "contact_normal", "contact_times", "distance", "first_contact", "free_step", "fuzz",
+    "intersections", "prove", "show", "show_mesh", "solve", "solve_any"
 ]

@@ -8,8 +8,8 @@ from typing import Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _core, _queries
-from ._core import Answer, Answers, Finding, FirstContact, FreeStep, FuzzReport, Intersections, Pairs
+from . import _core, _meshes, _queries
+from ._core import Answer, Answers, Finding, FirstContact, FreeStep, FuzzReport, Intersections, Mesh, Pairs
 from ._judging import Certificate, Verdict
 from ._names import Feature, Level, Nature
 from ._queries import Kind, Metric
@@ -54,6 +54,12 @@ def _frame(page):
             'style="border: 0"></iframe>')
 
 
+def _there(page):
+    if page is None:
+        raise RuntimeError("this module was built without pages: fmt or nlohmann-json was not found then")
+    return page
+
+
 def _page(kind, start, end, t_max, separation, metric, title):
     if _core.page is None:
         return None
@@ -86,10 +92,8 @@ class Shown:
 
     def page(self) -> str:
         """The text of an HTML file: the page that `touchstone view` writes. Raises RuntimeError in a build without."""
-        page = _page(self.kind, self.start, self.end, self.t_max, self.separation, self.metric, f"{self.kind} query")
-        if page is None:
-            raise RuntimeError("this module was built without pages: fmt or nlohmann-json was not found then")
-        return page
+        return _there(_page(self.kind, self.start, self.end, self.t_max, self.separation, self.metric,
+                            f"{self.kind} query"))
 
     def _repr_html_(self):
         return (_table(f"{self.kind} query", ("corner", "at t = 0", "at t = 1"),
@@ -117,6 +121,47 @@ def show(kind: Kind, start: ArrayLike, end: ArrayLike, t_max: float = 1.0, separ
         raise ValueError("start has many queries; show takes one, of shape (corners, 3) or (corners, 2)")
     return Shown(kind.replace("_", "-"), np.array(start, float), np.array(end, float), answer, float(t_max),
                  float(separation), metric)
+
+
+@dataclass(frozen=True)
+class ShownMesh:
+    """A step of a mesh with its first contact: a moving picture in a notebook, and text elsewhere.
+
+    mesh, x0, x1      the mesh, and its positions at t = 0 and at t = 1
+    first_contact     the FirstContact of the step
+    t_max             what was asked
+    """
+
+    mesh: Mesh
+    x0: NDArray
+    x1: NDArray
+    first_contact: FirstContact
+    t_max: float = 1.0
+
+    def _page(self):
+        return None if _core.mesh_page is None else _core.mesh_page(self.mesh, self.x0, self.x1, self.t_max, 0)
+
+    def page(self) -> str:
+        """The text of an HTML file: the animation of the step, with its first contact and the intersections at both
+        ends marked. Raises RuntimeError in a build without pages."""
+        return _there(self._page())
+
+    def _repr_html_(self):
+        return _show_contact(self.first_contact) + _frame(self._page())
+
+    def __repr__(self):
+        return f"{self.mesh!r} {self.first_contact!r}"
+
+
+def show_mesh(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, threads: int = 0) -> ShownMesh:
+    """A step of a mesh with its first contact, to look at in a notebook. Arguments and errors: see `first_contact`.
+
+    >>> import touchstone
+    >>> touchstone.show_mesh(touchstone.Mesh(2), [[0, 0, 0], [2, 0, 0]], [[4, 0, 0], [2, 0, 0]])
+    <Mesh: 2 vertices, 0 faces, 0 edges, 2 loose points> <FirstContact: toi 0.5, 1 first, 0 at the start>
+    """
+    found = _meshes.first_contact(mesh, x0, x1, t_max, threads)
+    return ShownMesh(mesh, np.array(x0), np.array(x1), found, float(t_max))
 
 
 def _show_answers(answers: Union[Answers, NDArray]):
