@@ -8,7 +8,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "filters/curved_entry.hpp"
 #include "filters/curved_frame.hpp"
+#include "filters/curved_time.hpp"
 #include "filters/curved_walk.hpp"
 #include "filters/step_frame.hpp"
 
@@ -302,21 +304,6 @@ Finding Search::decide_at_root(const ScalarForm& p, const Part& part) noexcept {
   return side == Side::unknown ? Finding::uncertain : refine(slope, part, t, reach);
 }
 
-/// The doubles beside x > 0.
-double after(double x) noexcept { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
-double before(double x) noexcept { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) - 1); }
-
-/// a / b in [0, 1], b > 0, within 2^-51; NaN where that is not certain.
-double quotient(const BoundedPair& a, const BoundedPair& b) noexcept {
-  // a / b is off by at most (x + y) / (B - y), for a and b off by x and y, and a / b in [0, 1]. The rest is for 2
-  // roundings.
-  constexpr double kLeastShare = 0x1p-52;
-  if (!(a.error + b.error <= kLeastShare * b.value.high)) return std::nan("");
-  const double first = a.value.high / b.value.high;
-  const BoundedPair rest = a - numbers::exact_pair(first) * b;
-  return std::clamp(first + rest.value.high / b.value.high, 0.0, 1.0);
-}
-
 BoundedPair Search::value(const FrameAt& frame) const noexcept {
   if (kind_ == Kind::point_point) return frame.between[component_];
   if (kind_ == Kind::point_edge) return geometry::cross_component(frame.between, frame.w, component_);
@@ -349,16 +336,9 @@ Search::Time Search::time_of(const ScalarForm& slope, const Part& part, double t
     t = nearest;
     radius = (1 + 0x1p-50) * (std::fabs(time.root.value.low) + off);
   }
-  const double nearest = time.root.value.high, rest = time.root.value.low;
-  if (!(std::fabs(rest) + off < nearest - before(nearest))) return {};
-  int later = rest > off ? 1 : rest < -off ? -1 : 0;  // than the nearest double
-  if (later == 0) {
-    const int sign = value(frame_at(query_, numbers::exact_pair(nearest))).sign();
-    if (sign == 0) return {};
-    later = (sign > 0) == (part.b[0] > 0) ? 1 : -1;
-  }
-  time.lower = later > 0 ? nearest : before(nearest);
-  time.known = true;
+  time.known = double_below(
+      time.root, [&](double at) { return value(frame_at(query_, numbers::exact_pair(at))).sign(); }, part.b[0] > 0,
+      time.lower);
   return time;
 }
 
@@ -440,10 +420,11 @@ Finding decide_in_brackets(const CurvedQuery& query, double t_max, Answer& answe
   return certainly_farther_in_parts(query, frame, Separation(), t_max) ? Finding::no_contact : Finding::uncertain;
 }
 
-Finding decide_in_brackets(const CurvedQuery& query, const Separation& separation, double t_max) noexcept {
+Finding decide_in_brackets(const CurvedQuery& query, const Separation& separation, double t_max,
+                           Answer& answer) noexcept {
   const CurvedFrame frame = curved_frame(query);
   if (!frame.known) return Finding::uncertain;
-  return certainly_farther_in_parts(query, frame, separation, t_max) ? Finding::no_contact : Finding::uncertain;
+  return decide_entry(query, frame, separation, t_max, answer);
 }
 
 }  // namespace touchstone::filters

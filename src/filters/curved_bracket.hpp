@@ -17,7 +17,9 @@ namespace touchstone::filters {
 /// complete; otherwise it is untouched.
 Finding decide_in_brackets(const CurvedQuery& query, double t_max, Answer& answer) noexcept;
 
-/// The same with a separation > 0: it only decides that the elements do not come within it.
-Finding decide_in_brackets(const CurvedQuery& query, const Separation& separation, double t_max) noexcept;
+/// The same with a separation > 0, for an ordinary entry into it and for elements that are within it from the start on;
+/// the closest points are then the only ones.
+Finding decide_in_brackets(const CurvedQuery& query, const Separation& separation, double t_max,
+                           Answer& answer) noexcept;
 
 }  // namespace touchstone::filters

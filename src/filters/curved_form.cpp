@@ -126,19 +126,27 @@ ScalarForm cross_component(const VectorForm& a, const VectorForm& b, Index axis)
 // With p's coefficients b_k in the Bernstein basis, those of its derivative are n (b_(k+1) - b_k). Times binomial(n -
 // 1, k) this is (k + 1) c_(k+1) - (n - k) c_k. Each product is at most binomial(n - 1, k) n size, and it is rounded; so
 // is their difference: 4 e n size.
-ScalarForm derivative_of(const ScalarForm& p) noexcept {
-  ScalarForm result;
+template <Index Dim>
+CurvedForm<Dim> derivative_of(const CurvedForm<Dim>& p) noexcept {
+  CurvedForm<Dim> result;
   const double n = p.degree;
-  if (p.degree == 0) return constant(0);
+  if (p.degree == 0) {
+    for (auto& c : result.c) c[0] = 0;
+    return result;
+  }
   result.degree = p.degree - 1;
-  for (Index k = 0; k < size_of(result.degree); ++k) {
-    const double at = static_cast<double>(k);
-    result.c[0][k] = (at + 1) * p.c[0][k + 1] - (n - at) * p.c[0][k];
+  for (Index axis = 0; axis < Dim; ++axis) {
+    for (Index k = 0; k < size_of(result.degree); ++k) {
+      const double at = static_cast<double>(k);
+      result.c[axis][k] = (at + 1) * p.c[axis][k + 1] - (n - at) * p.c[axis][k];
+    }
   }
   result.measure();
   result.error = n * (2 * p.error + 4 * kRounding * p.size) + kUnderflow;
   return result;
 }
+template ScalarForm derivative_of(const ScalarForm&) noexcept;
+template VectorForm derivative_of(const VectorForm&) noexcept;
 
 template <Index Dim>
 double slope_of(const CurvedForm<Dim>& p) noexcept {

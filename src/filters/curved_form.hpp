@@ -68,8 +68,9 @@ ScalarForm dot(const VectorForm& a, const VectorForm& b) noexcept;
 VectorForm cross(const VectorForm& a, const VectorForm& b) noexcept;
 ScalarForm cross_component(const VectorForm& a, const VectorForm& b, std::size_t axis) noexcept;
 
-/// The derivative of p.
-ScalarForm derivative_of(const ScalarForm& p) noexcept;
+/// The derivatives of p.
+template <std::size_t Dim>
+CurvedForm<Dim> derivative_of(const CurvedForm<Dim>& p) noexcept;
 
 /// A bound on the absolute slopes of the polynomials that the coefficients have as computed.
 template <std::size_t Dim>

@@ -2,11 +2,9 @@
 #include "filters/curved_walk.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 
-#include "filters/separating_direction.hpp"
+#include "filters/facet.hpp"
 
 namespace touchstone::filters {
 namespace {
@@ -19,36 +17,16 @@ using Index = std::size_t;
 // projection sums 3 products, with at most 3 roundings each. It is off by 3 x + 9 e size and second-order terms.
 constexpr double kProjectionErrors = 3;
 constexpr double kProjectionRoundings = 10;
+// A product of a projection, at most 3 size, and a whole number, and the sum of two: 2 roundings more.
+constexpr double kTurningRoundings = kProjectionRoundings + 7;
 // Points within a distance d of each other differ by at most |n| d along n, and in the metric max by at most (|n_x| +
-// |n_y| + |n_z|) d: 5 roundings of the length, and one each of its products with d and with the scale.
+// |n_y| + |n_z|) d: 5 roundings of the length, and one each of its products with d and with the scale. The products
+// with whole numbers and the sum of two have 2 more.
 constexpr double kReach = 1 + 8 * kRounding;
 
-constexpr int kMostDegree = 6;
-constexpr Index kSize = kMostDegree + 1;
-
-/// The corners of the second element minus those of the first, and the scale that they are multiplied by, over a part
-/// of the step, in the Bernstein basis.
-struct Part {
-  double low, high;
-  std::array<std::array<std::array<double, kSize>, 3>, 4> pairs;  // B - A first
-  std::array<double, kSize> scale;
-  double error;  // of the pairs
-  double scale_error;
-};
-
-struct Walk {
-  Kind kind;
-  int degree = 0;
-  Index pairs = 0;
-  double size = 0;        // of the pairs' coefficients
-  double scale_size = 0;  // of the scale's
-  double distance = 0;    // times the frame's factor
-  Metric metric;
-};
-
 /// Bernstein coefficients over [0, 1]: a quotient's rounding each.
-template <Index Dim>
-double copy(const CurvedForm<Dim>& form, std::array<std::array<double, kSize>, Dim>& to) noexcept {
+template <Index Dim, Index Size>
+double copy(const CurvedForm<Dim>& form, std::array<std::array<double, Size>, Dim>& to) noexcept {
   const auto& b = kBinomial[static_cast<Index>(form.degree)];
   for (Index axis = 0; axis < Dim; ++axis) {
     for (Index k = 0; k <= static_cast<Index>(form.degree); ++k) to[axis][k] = form.c[axis][k] / b[k];
@@ -56,45 +34,10 @@ double copy(const CurvedForm<Dim>& form, std::array<std::array<double, kSize>, D
   return form.error + kRounding * form.size;
 }
 
-/// False for a degree that there is no room for.
-bool start(const CurvedQuery& query, const CurvedFrame& frame, Walk& walk, Part& part) noexcept {
-  std::array<VectorForm, 4> forms;
-  forms[0] = frame.between;
-  walk.pairs = 1;
-  if (query.kind != Kind::point_point) {
-    const VectorForm w = frame.second_multiplier * frame.w;
-    forms[walk.pairs++] = sum(frame.between, w, 1);
-    if (query.kind == Kind::vertex_face) {
-      forms[walk.pairs++] = sum(frame.between, frame.second_multiplier * frame.u, 1);
-    } else if (query.kind == Kind::edge_edge) {
-      const VectorForm u = frame.first_multiplier * frame.u;
-      forms[walk.pairs++] = sum(frame.between, u, -1);
-      forms[walk.pairs++] = sum(forms[1], u, -1);
-    }
-  }
-  ScalarForm scale = frame.first_multiplier * frame.second_multiplier;
-  walk.degree = scale.degree;
-  for (Index i = 0; i < walk.pairs; ++i) walk.degree = std::max(walk.degree, forms[i].degree);
-  if (walk.degree > kMostDegree) return false;
-  scale = elevated(scale, walk.degree);
-  std::array<std::array<double, kSize>, 1> scale_part;
-  part.low = 0;
-  part.high = 1;
-  part.scale_error = copy(scale, scale_part);
-  part.scale = scale_part[0];
-  part.error = 0;
-  walk.scale_size = scale.size;
-  for (Index i = 0; i < walk.pairs; ++i) {
-    const VectorForm form = elevated(forms[i], walk.degree);
-    part.error = std::max(part.error, copy(form, part.pairs[i]));
-    walk.size = std::max(walk.size, form.size);
-  }
-  return true;
-}
-
 /// The coefficients over both sides of a place in (0, 1). In each of n rounds, a coefficient has at most 3 roundings of
 /// products and sums, 1 - place counted: 3 e times the size. The errors before are averaged.
-void cut(std::array<double, kSize>& left, std::array<double, kSize>& right, int degree, double place) noexcept {
+template <Index Size>
+void cut_at(std::array<double, Size>& left, std::array<double, Size>& right, int degree, double place) noexcept {
   const Index size = static_cast<Index>(degree) + 1;
   for (Index round = 0; round < size; ++round) {
     left[round] = right[0];
@@ -103,122 +46,232 @@ void cut(std::array<double, kSize>& left, std::array<double, kSize>& right, int 
 }
 constexpr double kCutRoundings = 3;
 
-/// `right` is all of a part at first.
-void cut(const Walk& walk, Part& left, Part& right, double place) noexcept {
-  for (Index i = 0; i < walk.pairs; ++i) {
-    for (Index axis = 0; axis < 3; ++axis) cut(left.pairs[i][axis], right.pairs[i][axis], walk.degree, place);
+/// The difference of two points as r - s u - q w, from the pairs of corners.
+Place place_of(Kind kind, const std::array<Vector, 4>& pairs) noexcept {
+  Place place = {};
+  place.r = pairs[0];
+  if (kind == Kind::point_point) return place;
+  const Vector w = pairs[0] - pairs[1];
+  if (kind == Kind::point_edge) {
+    place.u = w;
+  } else {
+    place.u = pairs[0] - pairs[2];
+    place.w = w;
   }
-  cut(left.scale, right.scale, walk.degree, place);
-  left.error = right.error = right.error + walk.size * (kCutRoundings * walk.degree * kRounding) + numbers::kUnderflow;
+  return place;
+}
+
+/// n divided by its largest coordinate; false for none.
+bool unite(Vector& n) noexcept {
+  const double largest = largest_of(n);
+  if (!(largest > 0)) return false;
+  n = {{n[0] / largest, n[1] / largest, n[2] / largest}};
+  return true;
+}
+
+double projection(const Vector& n, const std::array<std::array<double, 7>, 3>& x, Index k) noexcept {
+  return n[0] * x[0][k] + n[1] * x[1][k] + n[2] * x[2][k];
+}
+
+}  // namespace
+
+CurvedWalk::CurvedWalk(const CurvedQuery& query, const CurvedFrame& frame, const Separation& separation) noexcept
+    : kind_(query.kind), metric_(separation.metric), distance_(frame.factor * separation.distance) {
+  if (!(distance_ / frame.factor == separation.distance)) return;
+  std::array<VectorForm, 4> forms;
+  forms[0] = frame.between;
+  pairs_ = 1;
+  if (query.kind != Kind::point_point) {
+    const VectorForm w = frame.second_multiplier * frame.w;
+    forms[pairs_++] = sum(frame.between, w, 1);
+    if (query.kind == Kind::vertex_face) {
+      forms[pairs_++] = sum(frame.between, frame.second_multiplier * frame.u, 1);
+    } else if (query.kind == Kind::edge_edge) {
+      const VectorForm u = frame.first_multiplier * frame.u;
+      forms[pairs_++] = sum(frame.between, u, -1);
+      forms[pairs_++] = sum(forms[1], u, -1);
+    }
+  }
+  ScalarForm scale = frame.first_multiplier * frame.second_multiplier;
+  degree_ = scale.degree;
+  for (Index i = 0; i < pairs_; ++i) degree_ = std::max(degree_, forms[i].degree);
+  if (degree_ > kMostDegree) return;
+  scale = elevated(scale, degree_);
+  std::array<std::array<double, kSize>, 1> scale_part;
+  whole_.low = 0;
+  whole_.high = 1;
+  whole_.scale_error = copy(scale, scale_part);
+  whole_.scale = scale_part[0];
+  whole_.error = 0;
+  scale_size_ = scale.size;
+  for (Index i = 0; i < pairs_; ++i) {
+    const VectorForm form = elevated(forms[i], degree_);
+    whole_.error = std::max(whole_.error, copy(form, whole_.pairs[i]));
+    size_ = std::max(size_, form.size);
+  }
+  known_ = true;
+}
+
+/// `right` is all of a part at first.
+void CurvedWalk::cut(Part& left, Part& right, double place) const noexcept {
+  for (Index i = 0; i < pairs_; ++i) {
+    for (Index axis = 0; axis < 3; ++axis) cut_at(left.pairs[i][axis], right.pairs[i][axis], degree_, place);
+  }
+  cut_at(left.scale, right.scale, degree_, place);
+  left.error = right.error = right.error + size_ * (kCutRoundings * degree_ * kRounding) + numbers::kUnderflow;
   left.scale_error = right.scale_error =
-      right.scale_error + walk.scale_size * (kCutRoundings * walk.degree * kRounding) + numbers::kUnderflow;
+      right.scale_error + scale_size_ * (kCutRoundings * degree_ * kRounding) + numbers::kUnderflow;
   left.low = right.low;
   left.high = right.low = right.low + place * (right.high - right.low);
 }
 
-/// A vector between about the closest points where the pairs are `pairs[i]`, from the first element to the second.
-Vector between_elements(const Walk& walk, const std::array<Vector, 4>& pairs) noexcept {
-  RelativeCorners corners;
-  corners.count = corner_count(walk.kind);
-  corners.first_count = walk.kind == Kind::edge_edge ? 2 : 1;
-  std::array<Vector, 4> at = {};  // A is the origin
-  switch (walk.kind) {
-    case Kind::edge_edge: at = {Vector{}, pairs[0] - pairs[2], pairs[0], pairs[1]}; break;
-    case Kind::vertex_face: at = {Vector{}, pairs[0], pairs[2], pairs[1]}; break;
-    case Kind::point_edge: at = {Vector{}, pairs[0], pairs[1], Vector{}}; break;
-    case Kind::point_point: at = {Vector{}, pairs[0], Vector{}, Vector{}}; break;
+CurvedWalk::Pairs CurvedWalk::pairs_at(const Part& part, Index k) const noexcept {
+  Pairs pairs = {};
+  for (Index i = 0; i < pairs_; ++i) {
+    for (Index axis = 0; axis < 3; ++axis) pairs[i][axis] = part.pairs[i][axis][k];
   }
-  corners.start = corners.end = at;
-  Vector n = between_closest_points(corners, walk.kind);
-  if (geometry::dot(n, pairs[0]) < 0) n = {{-n[0], -n[1], -n[2]}};
-  return n;
-}
-
-/// Whether the direction shows that the elements are farther apart over the part.
-bool separates(const Walk& walk, const Part& part, const Vector& direction) noexcept {
-  const double largest = std::max({std::fabs(direction[0]), std::fabs(direction[1]), std::fabs(direction[2])});
-  if (!(largest > 0)) return false;
-  const Vector n = {{direction[0] / largest, direction[1] / largest, direction[2] / largest}};
-  const double length =
-      walk.metric == Metric::max ? std::fabs(n[0]) + std::fabs(n[1]) + std::fabs(n[2]) : std::sqrt(geometry::dot(n, n));
-  const double reach = kReach * (length * walk.distance);
-  const double error =
-      kProjectionErrors * part.error + kProjectionRoundings * kRounding * walk.size + numbers::kUnderflow;
-  for (Index k = 0; k <= static_cast<Index>(walk.degree); ++k) {
-    const double kept = kBoundSlack * (error + kReach * (reach * (std::max(part.scale[k], 0.0) + part.scale_error)));
-    for (Index i = 0; i < walk.pairs; ++i) {
-      const auto& x = part.pairs[i];
-      if (!(n[0] * x[0][k] + n[1] * x[1][k] + n[2] * x[2][k] > kept)) return false;
-    }
-  }
-  return true;
+  return pairs;
 }
 
 /// About the part's middle.
-std::array<Vector, 4> mean(const Walk& walk, const Part& part) noexcept {
-  std::array<Vector, 4> result = {};
-  const double share = 1 / (walk.degree + 1.0);
-  for (Index i = 0; i < walk.pairs; ++i) {
+CurvedWalk::Pairs CurvedWalk::mean(const Part& part) const noexcept {
+  Pairs result = {};
+  const double share = 1 / (degree_ + 1.0);
+  for (Index i = 0; i < pairs_; ++i) {
     for (Index axis = 0; axis < 3; ++axis) {
-      for (Index k = 0; k <= static_cast<Index>(walk.degree); ++k) result[i][axis] += share * part.pairs[i][axis][k];
+      for (Index k = 0; k <= static_cast<Index>(degree_); ++k) result[i][axis] += share * part.pairs[i][axis][k];
     }
   }
   return result;
 }
 
-bool separates_somehow(const Walk& walk, const Part& part) noexcept {
-  const std::array<Vector, 4> about = mean(walk, part);
-  if (separates(walk, part, between_elements(walk, about))) return true;
-  if (walk.metric != Metric::max) return false;
+/// About the direction that keeps the elements farthest apart where the pairs are these, and the distance along it.
+CurvedWalk::Best CurvedWalk::best(const Pairs& pairs) const noexcept {
+  const Place place = place_of(kind_, pairs);
+  const Domain domain = domain_of(kind_);
+  if (metric_ == Metric::max) {
+    const auto [facet, distance] = FacetSearch(domain, place).best();
+    if (!(distance > 0)) return {{{0, 0, 0}}, 0};
+    return {normal_of(facet, place.u, place.w, 0.0, 1.0), distance};
+  }
+  const Parameters p = closest(domain, place.r, place.u, place.w);
+  const Vector c = combined(place.r, place.u, place.w, p.s, p.q);
+  return {c, std::sqrt(dot(c, c))};
+}
+
+/// Whether the direction shows that the elements are farther apart over the part.
+bool CurvedWalk::separates(const Part& part, Vector n) const noexcept {
+  if (!unite(n)) return false;
+  const double reach = kReach * (dual_norm(n, metric_) * distance_);
+  const double error = kProjectionErrors * part.error + kProjectionRoundings * kRounding * size_ + numbers::kUnderflow;
+  for (Index k = 0; k <= static_cast<Index>(degree_); ++k) {
+    const double kept = kBoundSlack * (error + kReach * (reach * (std::max(part.scale[k], 0.0) + part.scale_error)));
+    for (Index i = 0; i < pairs_; ++i) {
+      if (!(projection(n, part.pairs[i], k) > kept)) return false;
+    }
+  }
+  return true;
+}
+
+/// The same for a direction that goes evenly from `m` to `n` over the part. Its length is at most what goes evenly from
+/// |m| to |n|. So the difference of a projection and what it must exceed is at least a polynomial of degree 1 more than
+/// the pairs have. Its Bernstein coefficients, times that degree, are what is compared here.
+bool CurvedWalk::separates_in_turning(const Part& part, Vector m, Vector n) const noexcept {
+  if (!unite(m) || !unite(n)) return false;
+  const double m_reach = kReach * (dual_norm(m, metric_) * distance_);
+  const double n_reach = kReach * (dual_norm(n, metric_) * distance_);
+  const double degree = degree_ + 1;
+  const double error =
+      degree * (kProjectionErrors * part.error + kTurningRoundings * kRounding * size_) + numbers::kUnderflow;
+  const auto scale = [&](Index k) { return std::max(part.scale[k], 0.0) + part.scale_error; };
+  for (Index k = 0; k <= static_cast<Index>(degree_) + 1; ++k) {
+    const double later = static_cast<double>(k), earlier = degree - later;
+    const bool has_m = k <= static_cast<Index>(degree_), has_n = k > 0;
+    const double of_m = has_m ? earlier * (m_reach * scale(k)) : 0, of_n = has_n ? later * (n_reach * scale(k - 1)) : 0;
+    const double kept = kBoundSlack * (error + kReach * (of_m + of_n));
+    for (Index i = 0; i < pairs_; ++i) {
+      const auto& x = part.pairs[i];
+      const double first = has_m ? earlier * projection(m, x, k) : 0;
+      const double last = has_n ? later * projection(n, x, k - 1) : 0;
+      if (!(first + last > kept)) return false;
+    }
+  }
+  return true;
+}
+
+bool CurvedWalk::separates_somehow(const Part& part) const noexcept {
+  const Pairs about = mean(part);
+  if (separates(part, best(about).direction)) return true;
+  if (metric_ != Metric::max) return false;
   for (Index axis = 0; axis < 3; ++axis) {
     Vector n = {};
     n[axis] = about[0][axis] < 0 ? -1 : 1;
-    if (separates(walk, part, n)) return true;
+    if (separates(part, n)) return true;
   }
   return false;
 }
 
-/// Whether they are within the distance of each other at the part's start; a hint.
-bool seem_near_at_start(const Walk& walk, const Part& part) noexcept {
-  std::array<Vector, 4> pairs = {};
-  for (Index i = 0; i < walk.pairs; ++i) {
-    for (Index axis = 0; axis < 3; ++axis) pairs[i][axis] = part.pairs[i][axis][0];
-  }
-  const Vector n = between_elements(walk, pairs);
-  // The gap along n, which for a face's normal is not the vector between the closest points.
-  double gap = geometry::dot(n, pairs[0]);
-  for (Index i = 1; i < walk.pairs; ++i) gap = std::min(gap, geometry::dot(n, pairs[i]));
-  return !(gap > std::sqrt(geometry::dot(n, n)) * (walk.distance * part.scale[0]));
+/// Whether they are within the distance of each other at the part's start or, for k the degree, at its end; a hint.
+bool CurvedWalk::seem_near(const Part& part, Index k) const noexcept {
+  return !(best(pairs_at(part, k)).distance > distance_ * part.scale[k]);
 }
 
-}  // namespace
-
-bool certainly_farther_in_parts(const CurvedQuery& query, const CurvedFrame& frame, const Separation& separation,
-                                double t_max) noexcept {
-  Walk walk;
-  walk.kind = query.kind;
-  walk.metric = separation.metric;
-  walk.distance = frame.factor * separation.distance;
-  if (!(walk.distance / frame.factor == separation.distance)) return false;
+CurvedWalk::Result CurvedWalk::walk(double t_max) const noexcept {
   constexpr Index kMostCuts = 10;
   constexpr int kMostParts = 48;
   std::array<Part, kMostCuts + 1> parts;  // still to come, the first one last
-  if (!start(query, frame, walk, parts[0])) return false;
-  if (seem_near_at_start(walk, parts[0])) return false;
+  parts[0] = whole_;
+  if (seem_near(whole_, 0)) return {WalkEnd::start, 0, 0};
   if (t_max < 1) {
-    Part whole = parts[0];
-    cut(walk, parts[0], whole, t_max);
+    Part whole = whole_;
+    cut(parts[0], whole, t_max);
   }
+  const Index last = static_cast<Index>(degree_);
   Index count = 1;
   for (int looked_at = 0; count > 0; ++looked_at) {
     Part& part = parts[count - 1];
-    if (separates_somehow(walk, part)) {
+    if (separates_somehow(part)) {
+      --count;
+      continue;
+    }
+    if (count == parts.size() || looked_at >= kMostParts) {
+      return {seem_near(part, last) ? WalkEnd::near : WalkEnd::lost, part.low, part.high};
+    }
+    Part& left = parts[count];
+    cut(left, part, 0.5);
+    if (seem_near(part, 0)) return {WalkEnd::near, left.low, left.high};
+    ++count;
+  }
+  return {WalkEnd::clear, t_max, t_max};
+}
+
+bool CurvedWalk::farther_between(double low, double high) const noexcept {
+  // Products and quotients of times are off by a few e: the part is a little longer.
+  constexpr double kLonger = 0x1p-48;
+  constexpr Index kMostCuts = 16;
+  constexpr int kMostParts = 32;
+  std::array<Part, kMostCuts + 1> parts;
+  Part rest = whole_;
+  high = std::min(high * (1 + kLonger), 1.0);
+  if (!(high > 0)) return false;
+  if (high < 1) {
+    cut(parts[0], rest, high);
+  } else {
+    parts[0] = whole_;
+  }
+  const double start = low / high * (1 - kLonger);
+  if (start > 0) cut(rest, parts[0], start);
+  const Index last = static_cast<Index>(degree_);
+  Index count = 1;
+  for (int looked_at = 0; count > 0; ++looked_at) {
+    Part& part = parts[count - 1];
+    const Vector first = best(pairs_at(part, 0)).direction, second = best(pairs_at(part, last)).direction;
+    if (separates_in_turning(part, first, second) || separates(part, second)) {
       --count;
       continue;
     }
     if (count == parts.size() || looked_at >= kMostParts) return false;
-    cut(walk, parts[count], part, 0.5);
-    if (seem_near_at_start(walk, part)) return false;
+    cut(parts[count], part, 0.5);
     ++count;
   }
   return true;

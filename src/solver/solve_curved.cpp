@@ -71,8 +71,9 @@ Answer answer(const CurvedQuery& query, const Separation& separation, Method met
     Answer apart;
     apart.level = Level::filter;
     if (filters::certainly_farther(query, separation)) return apart;
-    apart.level = Level::bracket;
-    if (filters::decide_in_brackets(query, separation, t_max) == filters::Finding::no_contact) return apart;
+    Answer answer;
+    answer.level = Level::bracket;
+    if (filters::decide_in_brackets(query, separation, t_max, answer) != filters::Finding::uncertain) return answer;
   }
   return by_cgal ? oracle::decide_by_oracle(query, t_max, separation) : exact::decide_exactly(query, t_max, separation);
 }
