@@ -68,6 +68,14 @@ enum class Level : std::uint8_t {
   oracle    ///< CGAL's number types and algebraic kernel
 };
 
+/// What a caller wants to know of a contact. Each value leaves out more than the one before, and costs less.
+enum class Wanted : std::uint8_t {
+  all,       ///< everything
+  features,  ///< all but the weights
+  time,      ///< toi, toi_upper and starts_within
+  contact    ///< whether there is one
+};
+
 /// The nature's name in files and on the command line: "crossing", "grazing", "sustained", "isolated" or "entering".
 /// Empty for none.
 std::string_view nature_name(Nature nature) noexcept;
@@ -83,7 +91,8 @@ std::string_view trend_name(Trend trend) noexcept;
 
 /// The answer to one query. With a separation d > 0, `touch` below means to be within d, the touched features are those
 /// that hold the closest points, and the weights are those of the closest points. Without contact only `contact` and
-/// `level` have a meaning; both times are then +infinity.
+/// `level` have a meaning; both times are then +infinity. Of a contact, what was not wanted is as without contact, except
+/// that unwanted times are NaN.
 struct Answer {
   bool contact = false;               ///< Whether the elements touch at any time in [0, t_max].
   Level level = Level::exact;         ///< Which level decided.

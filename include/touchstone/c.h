@@ -57,6 +57,14 @@ enum touchstone_distance_metric {
   TOUCHSTONE_METRIC_MAX = 1        /**< its largest absolute coordinate */
 };
 
+/** What is wanted of contacts. Each value leaves out more than the one before, and costs less. */
+enum touchstone_what_is_wanted {
+  TOUCHSTONE_WANTED_ALL = 0,      /**< everything */
+  TOUCHSTONE_WANTED_FEATURES = 1, /**< all but the weights */
+  TOUCHSTONE_WANTED_TIME = 2,     /**< toi, toi_upper and starts_within */
+  TOUCHSTONE_WANTED_CONTACT = 3   /**< whether there is one */
+};
+
 /** The options of queries. A null pointer in place of options means TOUCHSTONE_OPTIONS_INIT. */
 struct touchstone_options {
   size_t size;     /**< sizeof(struct touchstone_options) */
@@ -72,11 +80,15 @@ struct touchstone_options {
 
   /** Of touchstone_free_step: the fraction of its distance that each pair keeps, in [0, 1). */
   double kept_fraction;
+
+  /** Of touchstone_solve and batches: one of touchstone_what_is_wanted. What is not wanted of a contact is as without
+   *  contact, except that unwanted times are NaN. */
+  int32_t wanted;
 };
 
 /** The options by default: the whole step, touching, one thread. */
 #define TOUCHSTONE_OPTIONS_INIT \
-  { sizeof(struct touchstone_options), 1.0, 1, 0, 0.0, NULL, 0, 0.0 }
+  { sizeof(struct touchstone_options), 1.0, 1, 0, 0.0, NULL, 0, 0.0, TOUCHSTONE_WANTED_ALL }
 
 /** The answer to one query. Without contact both times are infinity, and only `contact` and `level` have a meaning.
  *  Names for the numbers: touchstone_nature_name and the other functions that end in _name. */

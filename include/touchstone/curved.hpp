@@ -44,6 +44,13 @@ Answer solve(const CurvedQuery& query, const Separation& separation, double t_ma
 /// The same by the method of your choice.
 Answer solve(const CurvedQuery& query, const Separation& separation, Method method, double t_max = 1.0);
 
+/// The same as solve(query, t_max), without what is not wanted of a contact: see solve(Query, Wanted, double).
+/// @throws InvalidQuery  also for a value that is none of Wanted's
+Answer solve(const CurvedQuery& query, Wanted wanted, double t_max = 1.0);
+
+/// The same as solve(query, separation, t_max), without what is not wanted of a contact.
+Answer solve(const CurvedQuery& query, const Separation& separation, Wanted wanted, double t_max = 1.0);
+
 /// Whether the two elements touch at any t in [0, t_max]: the `contact` of solve(query, t_max).
 /// @throws InvalidQuery  as solve(query, t_max)
 bool solve_any(const CurvedQuery& query, double t_max = 1.0);

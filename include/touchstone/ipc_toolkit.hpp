@@ -157,7 +157,7 @@ class ExactNarrowPhaseCCD : public detail::WithRescaling<ipc::NarrowPhaseCCD> {
   /// The toi of elements that come into contact in [0, 1].
   double time_before_contact(const Query& query, const Separation& separation) const {
     if (compare_distance(query, 0, separation) <= 0) return 0;
-    double time = solve(query, Separation{kept_distance(query, separation.distance)}).toi;
+    double time = solve(query, Separation{kept_distance(query, separation.distance)}, Wanted::time).toi;
     if (time > 0 && compare_distance(query, time, separation) <= 0) time = std::nextafter(time, 0.0);
     // A gap of a few units in the last place is smaller than the rounding of the positions.
     while (time > 0 && solve_any(rounded_step(query, time), separation)) time /= 2;

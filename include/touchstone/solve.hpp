@@ -84,6 +84,19 @@ Answer solve(const RationalQuery& query, const Separation& separation, double t_
 /// The same for rational coordinates, by the method of your choice.
 Answer solve(const RationalQuery& query, const Separation& separation, Method method, double t_max = 1.0);
 
+/// The same as solve(query, t_max), without what is not wanted of a contact. Of a degenerate contact, the time alone takes
+/// about five sixths of the time of all; of an ordinary one, the same. Without its time, an ordinary one takes about
+/// five sevenths.
+/// @param query   the two elements and their motion
+/// @param wanted  what is computed
+/// @param t_max   the end of the time range, 0 <= t_max <= 1
+/// @return the answer; what is not wanted is as without contact, except that unwanted times are NaN
+/// @throws InvalidQuery  as solve(query, t_max); also for a value that is none of Wanted's
+Answer solve(const Query& query, Wanted wanted, double t_max = 1.0);
+
+/// The same as solve(query, separation, t_max), without what is not wanted of a contact.
+Answer solve(const Query& query, const Separation& separation, Wanted wanted, double t_max = 1.0);
+
 /// Whether the two elements touch at any t in [0, t_max]: the `contact` of solve(query, t_max). It is cheaper than
 /// `solve`, because it does not compute the time.
 /// @param query  the two elements and their motion
@@ -133,6 +146,9 @@ struct BatchOptions {
   /// thickness. Null, or the first of distance_count doubles; the metric is separation.metric.
   const double* distances = nullptr;
   std::size_t distance_count = 0;  ///< the number of distances: that of the queries, or 0 without distances
+
+  /// What is computed of contacts. The rest of each answer is as without contact; unwanted times are NaN.
+  Wanted wanted = Wanted::all;
 };
 
 /// The answers to many queries, in input order.

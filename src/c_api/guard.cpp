@@ -58,6 +58,16 @@ Metric metric_of(int metric) {
   }
 }
 
+Wanted wanted_of(int wanted) {
+  switch (wanted) {
+    case TOUCHSTONE_WANTED_ALL: return Wanted::all;
+    case TOUCHSTONE_WANTED_FEATURES: return Wanted::features;
+    case TOUCHSTONE_WANTED_TIME: return Wanted::time;
+    case TOUCHSTONE_WANTED_CONTACT: return Wanted::contact;
+    default: throw InvalidArgument("what is wanted is " + std::to_string(wanted) + "; it must be in [0, 3]");
+  }
+}
+
 }  // namespace touchstone::c_api
 
 using namespace touchstone;

@@ -96,4 +96,7 @@ Kind kind_of(int kind);
 /// @throws InvalidArgument  for a number that is none of touchstone_distance_metric
 Metric metric_of(int metric);
 
+/// @throws InvalidArgument  for a number that is none of touchstone_what_is_wanted
+Wanted wanted_of(int wanted);
+
 }  // namespace touchstone::c_api

@@ -109,6 +109,7 @@ touchstone_options mesh_options(const touchstone_options* given) {
     throw InvalidArgument("a mesh has its own separations; those of the options must be 0 and null");
   }
   metric_of(options.metric);
+  wanted_of(options.wanted);
   return options;
 }
 

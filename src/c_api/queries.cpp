@@ -45,6 +45,7 @@ BatchOptions batch_options(const touchstone_options* given) {
   batch.separation = separation_of(options);
   batch.distances = array(options.separations, options.separation_count, 1, "separations");
   batch.distance_count = options.separation_count;
+  batch.wanted = wanted_of(options.wanted);
   return batch;
 }
 
@@ -110,7 +111,8 @@ int touchstone_solve(int kind, const double* start, const double* end, const tou
   return guarded([&] {
     const Query query = query_of(kind, start, end);
     const touchstone_options options = single_options(given);
-    required(answer, "answer") = c_answer(solve(query, separation_of(options), options.t_max));
+    required(answer, "answer") =
+        c_answer(solve(query, separation_of(options), wanted_of(options.wanted), options.t_max));
   });
 }
 

@@ -108,40 +108,45 @@ bool touching_after(const Elements& elements, const Root& root) {
   return elements.touching(MomentOf<Root>::just_after(root), ignored);
 }
 
-template <class Elements, class Root>
-Answer contact_at(const Elements& elements, const Root& root, const SideSigns& found, Nature nature) {
+/// nature() is asked only where it is wanted.
+template <class Elements, class Root, class NatureOf>
+Answer contact_at(const Elements& elements, const Root& root, const SideSigns& found, Wanted wanted,
+                  const NatureOf& nature) {
   Answer answer;
   answer.contact = true;
-  answer.nature = nature;
+  if (wanted == Wanted::contact) return answer;
   answer.toi = root.lower();
   answer.toi_upper = root.upper();
+  if (wanted == Wanted::time) return answer;
+  answer.nature = nature();
   elements.locate(root, found, answer);
   return answer;
 }
 
 template <class Elements, class Range>
-Answer first_contact(const Elements& elements, const Range& range, Story* story) {
+Answer first_contact(const Elements& elements, const Range& range, Wanted wanted, Story* story) {
   SideSigns found;
   if (const auto* cubic = nonzero_cubic(elements)) {
     const auto roots = range.roots(*cubic);
     for (int i = 0; i < roots.size(); ++i) {
       const auto& root = roots[i];
       if (touching_at(elements, root, new_chapter(story, root, root.multiplicity()), found)) {
-        return contact_at(elements, root, found, root.multiplicity() % 2 == 1 ? Nature::crossing : Nature::grazing);
+        const auto nature = [&] { return root.multiplicity() % 2 == 1 ? Nature::crossing : Nature::grazing; };
+        return contact_at(elements, root, found, wanted, nature);
       }
     }
     return Answer();
   }
-  const auto nature_at = [&](const auto& root) {
-    const bool lasts = !range.ends_at(root) && touching_after(elements, root);
-    return lasts ? Nature::sustained : Nature::isolated;
+  const auto contact_from = [&](const auto& root) {
+    return contact_at(elements, root, found, wanted, [&] {
+      const bool lasts = !range.ends_at(root) && touching_after(elements, root);
+      return lasts ? Nature::sustained : Nature::isolated;
+    });
   };
   const auto start = range.start();
-  if (story == nullptr && touching_at(elements, start, nullptr, found))
-    return contact_at(elements, start, found, nature_at(start));
+  if (story == nullptr && touching_at(elements, start, nullptr, found)) return contact_from(start);
   for (const auto* time : CandidateTimes(elements, range)) {
-    if (touching_at(elements, *time, new_chapter(story, *time, 0), found))
-      return contact_at(elements, *time, found, nature_at(*time));
+    if (touching_at(elements, *time, new_chapter(story, *time, 0), found)) return contact_from(*time);
   }
   return Answer();
 }
@@ -196,24 +201,24 @@ Story tell(const Q& query, double t_max) {
   return with_elements<N>(query, [&](const auto& elements) {
     Story story;
     describe(elements, story);
-    story.answer = first_contact(elements, ExactRange(t_max), &story);
+    story.answer = first_contact(elements, ExactRange(t_max), Wanted::all, &story);
     return story;
   });
 }
 
 template <class N, class Q>
-Answer first_contact_in(const Q& query, double t_max) {
+Answer first_contact_in(const Q& query, double t_max, Wanted wanted = Wanted::all) {
   const ExactRange range(t_max);
-  return with_elements<N>(query, [&](const auto& elements) { return first_contact(elements, range, nullptr); });
+  return with_elements<N>(query, [&](const auto& elements) { return first_contact(elements, range, wanted, nullptr); });
 }
 
 /// Nothing where a doubt is left.
 template <int Limbs>
-std::optional<Answer> near_first_contact(const Query& query, double t_max) {
+std::optional<Answer> near_first_contact(const Query& query, double t_max, Wanted wanted) {
   numbers::Doubt doubt;
   const NearRange<Limbs> range(t_max, doubt);
   std::optional<Answer> answer = with_elements<Near<Limbs>>(
-      query, [&](const auto& elements) { return std::optional(first_contact(elements, range, nullptr)); });
+      query, [&](const auto& elements) { return std::optional(first_contact(elements, range, wanted, nullptr)); });
   if (doubt.raised()) answer.reset();
   return answer;
 }
@@ -223,33 +228,35 @@ std::vector<RootInterval> touching_times_of_any(const Q& query, double t_max) {
   return with_elements<N>(query, [&](const auto& elements) { return all_contacts(elements, ExactRange(t_max)); });
 }
 
-}  // namespace
-
-Answer decide_exactly(const Query& query, double t_max) {
+Answer decide_by_size(const Query& query, double t_max, Wanted wanted) {
   const numbers::LimbScratch scratch;  // no number outlives the decision
   const int bits = coordinate_span(query).bits();
-  if (bits <= kMostBits<1>) return first_contact_in<Short>(query, t_max);
-  if (bits <= kMostBits<2>) return first_contact_in<Medium>(query, t_max);
-  if (bits <= kMostBits<3>) return first_contact_in<Long>(query, t_max);
-  return first_contact_in<Exact>(query, t_max);
+  if (bits <= kMostBits<1>) return first_contact_in<Short>(query, t_max, wanted);
+  if (bits <= kMostBits<2>) return first_contact_in<Medium>(query, t_max, wanted);
+  if (bits <= kMostBits<3>) return first_contact_in<Long>(query, t_max, wanted);
+  return first_contact_in<Exact>(query, t_max, wanted);
 }
+
+}  // namespace
+
+Answer decide_exactly(const Query& query, double t_max) { return decide_by_size(query, t_max, Wanted::all); }
 Answer decide_exactly(const RationalQuery& query, double t_max) { return first_contact_in<Exact>(query, t_max); }
 Answer decide_exactly(const CurvedQuery& query, double t_max) {
   const numbers::LimbScratch scratch;
   return first_contact_in<AnyDegree>(query, t_max);
 }
 
-std::optional<Answer> decide_nearby(const Query& query, double t_max) {
+std::optional<Answer> decide_nearby(const Query& query, double t_max, Wanted wanted) {
   int bits = 0;
   for (const BitSpan& span : axis_spans(query)) bits = std::max(bits, span.bits());
-  if (bits <= kMostBits<1>) return near_first_contact<1>(query, t_max);
-  if (bits <= kMostBits<2>) return near_first_contact<2>(query, t_max);
+  if (bits <= kMostBits<1>) return near_first_contact<1>(query, t_max, wanted);
+  if (bits <= kMostBits<2>) return near_first_contact<2>(query, t_max, wanted);
   return std::nullopt;
 }
 
-Answer decide_sooner(const Query& query, double t_max) {
-  if (const std::optional<Answer> answer = decide_nearby(query, t_max)) return *answer;
-  return decide_exactly(query, t_max);
+Answer decide_sooner(const Query& query, double t_max, Wanted wanted) {
+  if (const std::optional<Answer> answer = decide_nearby(query, t_max, wanted)) return *answer;
+  return decide_by_size(query, t_max, wanted);
 }
 
 Story explain(const Query& query, double t_max) { return tell<Exact>(query, t_max); }

@@ -21,11 +21,12 @@ Answer decide_exactly(const RationalQuery& query, double t_max);
 Answer decide_exactly(const CurvedQuery& query, double t_max);
 
 /// The same answer, but for the last bits of its weights, in less time: in integers of fixed sizes and with times in
-/// double-doubles. Nothing where these leave a doubt, or where the coordinates have too many bits.
-std::optional<Answer> decide_nearby(const Query& query, double t_max);
+/// double-doubles. Nothing where these leave a doubt, or where the coordinates have too many bits. Of a contact it may
+/// leave out what is not wanted.
+std::optional<Answer> decide_nearby(const Query& query, double t_max, Wanted wanted = Wanted::all);
 
 /// decide_nearby, and decide_exactly where it finds nothing.
-Answer decide_sooner(const Query& query, double t_max);
+Answer decide_sooner(const Query& query, double t_max, Wanted wanted);
 
 /// The same for contact within a separation > 0.
 Answer decide_exactly(const Query& query, double t_max, const Separation& separation);

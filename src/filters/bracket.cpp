@@ -104,7 +104,7 @@ struct Search {
 /// Decides at the one root between p and q. `no_contact` says that the elements do not touch there within [0, t_max].
 /// Nothing where the root could not be told apart from others or from the ends of the range.
 std::optional<Finding> decide_at_root(const Search& s, double p, double q, Answer& answer) {
-  const auto& [query, t_max, exact_value, contact_only] = s.question;
+  const auto& [query, t_max, exact_value, wanted] = s.question;
   const BernsteinCubic::Root root = s.cubic.root_between(p, q);
   if (!root.certain) return std::nullopt;
   if (root.t - root.radius > t_max || root.t + root.radius < 0) return Finding::no_contact;
@@ -115,7 +115,10 @@ std::optional<Finding> decide_at_root(const Search& s, double p, double q, Answe
   if (side == Side::unknown) return Finding::uncertain;
   const bool inside = side == Side::inside;
   const bool in_time = root.t - root.radius > 0 && root.t + root.radius < t_max;
-  if (contact_only && inside && in_time) return Finding::contact;
+  if (wanted == Wanted::contact && inside && in_time) {
+    answer.contact = true;
+    return Finding::contact;
+  }
   const RefinedRoot refined = refine_root(s.question, {root.t, root.radius, root.slope, s.cubic.slope_error(),
                                                        s.cubic.curvature(), s.magnitudes, values.axis, inside});
   if (refined.finding == Finding::contact) {

@@ -24,7 +24,7 @@ Decision decide_by_filters(const Question& question, Answer& answer) {
   if (has_cubic(query.kind)) {
     finding = decide_in_brackets(question, answer);
   } else if (const std::optional<Query> edges = as_crossing_edges(query)) {
-    finding = decide_in_brackets({*edges, question.t_max, question.exact_value, question.contact_only}, answer);
+    finding = decide_in_brackets({*edges, question.t_max, question.exact_value, question.wanted}, answer);
     if (finding == Finding::contact) name_point_and_edge(answer);
   }
   if (finding != Finding::uncertain) {
@@ -39,7 +39,7 @@ Decision decide_by_filters(const Question& question, Answer& answer) {
   if (!scaled) return {};
   if (same_side(*scaled)) return {Finding::no_contact, Test::same_side};
   // A rescaled query is of ordinary size, so it is not rescaled again.
-  return decide_by_filters({*scaled, question.t_max, question.exact_value, question.contact_only}, answer);
+  return decide_by_filters({*scaled, question.t_max, question.exact_value, question.wanted}, answer);
 }
 
 Finding decide_by_filters(const Query& query, const Separation& separation, double t_max, Answer& answer) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include <touchstone/answer.hpp>
 #include <touchstone/query.hpp>
 
 namespace touchstone::filters {
@@ -17,7 +18,7 @@ struct Question {
   const Query& query;
   double t_max;
   ExactValue exact_value;
-  bool contact_only = false;  ///< the time and the rest of the answer are not needed
+  Wanted wanted = Wanted::all;  ///< of a contact; more of the answer may be written
 };
 
 /// The knowledge of contact: in [0, t_max], or at one root of V.

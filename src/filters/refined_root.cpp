@@ -148,7 +148,7 @@ class NeighbouringDoubles {
 }  // namespace
 
 RefinedRoot refine_root(const Question& question, const SimpleRoot& root) {
-  const auto& [query, t_max, exact_value, contact_only] = question;
+  const auto& [query, t_max, exact_value, wanted] = question;
   const auto& [u, w, r] = root.magnitudes;
   const bool edges = query.kind == Kind::edge_edge;
   const ContactValues at = contact_values(query, root.t, root.axis);
@@ -173,6 +173,8 @@ RefinedRoot refine_root(const Question& question, const SimpleRoot& root) {
   RefinedRoot refined = NeighbouringDoubles(root, offset, value_at).find();
   if (refined.finding != Finding::contact) return refined;
   if (refined.toi > t_max || (refined.toi == t_max && refined.toi < refined.toi_upper)) return {Finding::no_contact};
+
+  if (wanted != Wanted::all) return refined;
 
   // A weight f = a / n in [0, 1], of components off by A and N, is off by at most (A + N) / |n|, here at most 2.75 e;
   // by two roundings in each of a and n, 4 e; and by one of the quotient and one of 1 - f, e / 2 each. In all 7.75 e of

@@ -128,7 +128,7 @@ FirstContact find_first(const Mesh::Impl& mesh, const Motion& motion, const Cont
                            [&](Kind kind, const broad_phase::Pair* pairs, std::size_t count) {
                              check_stop(search.stop);
                              const double t_max = earliest.until().load(std::memory_order_relaxed);
-                             for_each_contact(mesh, motion, distances, kind, pairs, count, t_max, tell);
+                             for_each_contact(mesh, motion, distances, kind, pairs, count, t_max, Wanted::time, tell);
                            });
   FirstContact result;
   result.contact = !earliest.first().empty();
@@ -151,11 +151,11 @@ std::vector<MeshContact> find_all(const Mesh::Impl& mesh, const Motion& motion, 
   };
   broad_phase::PairSearch all_pairs;
   all_pairs.threads = search.threads;
-  for_each_candidate_block(mesh, motion, reach, all_pairs,
-                           [&](Kind kind, const broad_phase::Pair* pairs, std::size_t count) {
-                             check_stop(search.stop);
-                             for_each_contact(mesh, motion, distances, kind, pairs, count, search.t_max, tell);
-                           });
+  for_each_candidate_block(
+      mesh, motion, reach, all_pairs, [&](Kind kind, const broad_phase::Pair* pairs, std::size_t count) {
+        check_stop(search.stop);
+        for_each_contact(mesh, motion, distances, kind, pairs, count, search.t_max, Wanted::all, tell);
+      });
   std::sort(contacts.begin(), contacts.end(), [](const MeshContact& a, const MeshContact& b) {
     return std::tie(a.answer.toi, a.answer.toi_upper, a.pair) < std::tie(b.answer.toi, b.answer.toi_upper, b.pair);
   });

@@ -107,7 +107,7 @@ TOUCHSTONE_BEHIND_GUARD std::vector<Intersection> find_intersections(const Mesh:
       const auto columns = std::make_unique<ColumnBlock>(kind_of_query(pass.second));
       std::array<Pair, ColumnBlock::kQueries> asked;
       const auto ask = [&] {
-        columns->solve(1, Metric::euclidean, nullptr);
+        columns->solve(1, Wanted::all, Metric::euclidean, nullptr);
         for (std::size_t i = 0; i < columns->size(); ++i) {
           if (!columns->answers()[i].contact) continue;
           const Intersection found = from_answer(pass, asked[i], columns->answers()[i]);

@@ -36,9 +36,10 @@ ColumnBlock::ColumnBlock(Kind kind) {
   }
 }
 
-void ColumnBlock::solve(double t_max, Metric metric, const double* distances) {
+void ColumnBlock::solve(double t_max, Wanted wanted, Metric metric, const double* distances) {
   BatchOptions options;
   options.t_max = t_max;
+  options.wanted = wanted;
   options.separation.metric = metric;
   if (distances != nullptr) {
     options.distances = distances;
@@ -77,7 +78,8 @@ double KeptDistances::exact(const MeshPair& pair, const std::array<Index, 4>& co
 }
 
 void for_each_contact(const Mesh::Impl& mesh, const Motion& motion, const KeptDistances& distances, Kind kind,
-                      const broad_phase::Pair* pairs, std::size_t count, double t_max, const ContactConsumer& contact) {
+                      const broad_phase::Pair* pairs, std::size_t count, double t_max, Wanted wanted,
+                      const ContactConsumer& contact) {
   const auto workspace = std::make_unique<Workspace>(kind);
   ColumnBlock& columns = workspace->columns;
   const bool without_distances = distances.are_zero();
@@ -92,7 +94,7 @@ void for_each_contact(const Mesh::Impl& mesh, const Motion& motion, const KeptDi
       if (!without_distances) workspace->distances[i] = distances.bound(pair, corners);
       columns.finish_query();
     }
-    columns.solve(t_max, distances.metric(), without_distances ? nullptr : workspace->distances);
+    columns.solve(t_max, wanted, distances.metric(), without_distances ? nullptr : workspace->distances);
     for (std::size_t i = 0; i < size; ++i) {
       const Answer& answer = columns.answers()[i];
       if (!answer.contact) continue;
@@ -102,8 +104,8 @@ void for_each_contact(const Mesh::Impl& mesh, const Motion& motion, const KeptDi
         continue;
       }
       const double distance = distances.exact(pair, workspace->corners[i]);
-      const Answer own =
-          touchstone::solve(query_of(motion, kind, workspace->corners[i]), {distance, distances.metric()}, t_max);
+      const Query query = query_of(motion, kind, workspace->corners[i]);
+      const Answer own = touchstone::solve(query, {distance, distances.metric()}, wanted, t_max);
       if (own.contact) contact(pair, distance, own);
     }
   }

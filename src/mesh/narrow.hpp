@@ -46,9 +46,10 @@ class KeptDistances {
 using ContactConsumer = std::function<void(const MeshPair& pair, double distance, const Answer& answer)>;
 
 /// Asks about `count` pairs of a kind, and calls contact for those that come nearer than they are to keep, or as near,
-/// in [0, t_max]. The answers are those of solve(query, separation, t_max).
+/// in [0, t_max]. The answers are those of solve(query, separation, wanted, t_max).
 void for_each_contact(const Mesh::Impl& mesh, const Motion& motion, const KeptDistances& distances, Kind kind,
-                      const broad_phase::Pair* pairs, std::size_t count, double t_max, const ContactConsumer& contact);
+                      const broad_phase::Pair* pairs, std::size_t count, double t_max, Wanted wanted,
+                      const ContactConsumer& contact);
 
 /// Columns of queries of one kind, filled one query after another.
 class ColumnBlock {
@@ -76,7 +77,7 @@ class ColumnBlock {
   void finish_query() noexcept { ++columns_.count; }
 
   /// answers()[i] for the i-th query since clear(). @param distances  one for each query, or null
-  void solve(double t_max, Metric metric, const double* distances);
+  void solve(double t_max, Wanted wanted, Metric metric, const double* distances);
   const Answer* answers() const noexcept { return answers_; }
 
  private:

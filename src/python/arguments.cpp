@@ -57,6 +57,12 @@ Method method_of(py::handle name) {
   return value_of(name, "method", kMethods);
 }
 
+Wanted wanted_of(py::handle name) {
+  static constexpr std::array<std::pair<std::string_view, Wanted>, 4> kWanted = {
+      {{"all", Wanted::all}, {"features", Wanted::features}, {"time", Wanted::time}, {"contact", Wanted::contact}}};
+  return value_of(name, "wanted", kWanted);
+}
+
 int threads_of(py::handle threads) {
   constexpr long kMost = 1024;
   int too_long = 0;

@@ -25,6 +25,7 @@ namespace py = pybind11;
 Kind kind_of(py::handle name);
 Metric metric_of(py::handle name);
 Method method_of(py::handle name);
+Wanted wanted_of(py::handle name);
 
 /// A whole number of threads. @throws  also outside [0, 1024]
 int threads_of(py::handle threads);

@@ -122,17 +122,24 @@ class Batch {
 void check_options(const Separation& separation, double t_max) { solve(Query(), separation, t_max); }
 
 py::object solve_arrays(py::handle kind, py::handle start, py::handle end, py::handle t_max, py::handle separation,
-                        py::handle metric, py::handle threads, py::handle method) {
+                        py::handle metric, py::handle threads, py::handle method, py::handle wanted) {
   const QueryArrays queries(kind, start, end);
   const SeparationArgument kept = separation_of(separation, metric, queries.count(), queries.is_single());
   BatchOptions options;
   options.t_max = number_of(t_max, "t_max");
   options.threads = threads_of(threads);
   options.method = method_of(method);
+  options.wanted = wanted_of(wanted);
   options.separation = kept.separation;
   if (queries.is_single()) {
     const Query query = queries.at(0);
-    return py::cast(unlocked([&] { return solve(query, kept.separation, options.method, options.t_max); }));
+    return py::cast(unlocked([&] {
+      if (options.wanted == Wanted::all) return solve(query, kept.separation, options.method, options.t_max);
+      options.threads = 1;
+      Answer answer;
+      solve_batch(&query, 1, &answer, options);
+      return answer;
+    }));
   }
   check_options(kept.separation, options.t_max);
   std::vector<Answer> answers(queries.count());

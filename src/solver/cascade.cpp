@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "solver/cascade.hpp"
 
+#include <limits>
+
 #include "exact/exact.hpp"
 #include "filters/filters.hpp"
 #include "oracle/oracle.hpp"
@@ -12,54 +14,76 @@ namespace {
 /// The arithmetic without error below the filters and the bracket level.
 struct ExactArithmetic {
   filters::ExactValue coplanarity_at;
-  Answer (*decide)(const Query& query, double t_max);
+  Answer (*decide)(const Query& query, double t_max, Wanted wanted);
 };
+
+Answer decide_by_oracle(const Query& query, double t_max, Wanted) { return oracle::decide_by_oracle(query, t_max); }
+
 /// Contact at exactly t = 0 is a fact that no level below needs.
 void complete(Answer& answer) noexcept { answer.starts_within = answer.contact && answer.toi_upper == 0; }
 
 constexpr ExactArithmetic kOwn = {exact::coplanarity_at, exact::decide_sooner};
-constexpr ExactArithmetic kCgal = {oracle::coplanarity_at, oracle::decide_by_oracle};
+constexpr ExactArithmetic kCgal = {oracle::coplanarity_at, decide_by_oracle};
 
 }  // namespace
 
-Answer answer(const Query& query, Method method, double t_max) {
+Answer trimmed(const Answer& answer, Wanted wanted) noexcept {
+  Answer result = answer;
+  if (!answer.contact || wanted == Wanted::all) return result;
+  const Answer none;
+  result.weights_a = none.weights_a;
+  result.weights_b = none.weights_b;
+  if (wanted == Wanted::features) return result;
+  result.nature = none.nature;
+  result.trend = none.trend;
+  result.feature_a = none.feature_a;
+  result.feature_b = none.feature_b;
+  if (wanted == Wanted::time) return result;
+  result.toi = result.toi_upper = std::numeric_limits<double>::quiet_NaN();
+  result.starts_within = none.starts_within;
+  return result;
+}
+
+Answer answer(const Query& query, Method method, double t_max, Wanted wanted) {
   Answer result;  // the one object that is returned everywhere, so that none is copied
   if (method != Method::fast && method != Method::fast_cgal) {
     validate_method(method);
     validate(query, t_max);
     result = method == Method::oracle ? oracle::decide_by_oracle(query, t_max) : exact::decide_exactly(query, t_max);
     complete(result);
-    return result;
+    return trimmed(result, wanted);
   }
   result.level = Level::filter;
   // The first test also proves that the query is valid. So most queries are read only once.
   if (is_time(t_max) && filters::same_side(query)) return result;
   validate(query, t_max);
   const ExactArithmetic& below = method == Method::fast ? kOwn : kCgal;
-  const filters::Decision decision = filters::decide_by_filters({query, t_max, below.coplanarity_at}, result);
-  if (decision.finding == filters::Finding::uncertain) result = below.decide(query, t_max);
+  const filters::Decision decision = filters::decide_by_filters({query, t_max, below.coplanarity_at, wanted}, result);
+  if (decision.finding == filters::Finding::uncertain) result = below.decide(query, t_max, wanted);
   complete(result);
-  return result;
+  return wanted == Wanted::all ? result : trimmed(result, wanted);
 }
 
 bool any_contact(const Query& query, double t_max) {
   if (is_time(t_max) && filters::same_side(query)) return false;
   validate(query, t_max);
   Answer ignored;
-  const filters::Question question = {query, t_max, exact::coplanarity_at, true};
+  const filters::Question question = {query, t_max, exact::coplanarity_at, Wanted::contact};
   const filters::Finding finding = filters::decide_by_filters(question, ignored).finding;
   if (finding != filters::Finding::uncertain) return finding == filters::Finding::contact;
-  return exact::decide_sooner(query, t_max).contact;
+  return exact::decide_sooner(query, t_max, Wanted::contact).contact;
 }
 
-Answer answer(const Query& query, const Separation& separation, Method method, double t_max) {
-  if (separation.distance == 0) return answer(query, method, t_max);
+Answer answer(const Query& query, const Separation& separation, Method method, double t_max, Wanted wanted) {
+  if (separation.distance == 0) return answer(query, method, t_max, wanted);
   Answer result;
   if (method == Method::fast || method == Method::fast_cgal) {
     result.level = Level::filter;
     if (is_time(t_max) && filters::clear_all_along(query, separation)) return result;
     validate(query, t_max);
-    if (filters::decide_by_filters(query, separation, t_max, result) != filters::Finding::uncertain) return result;
+    if (filters::decide_by_filters(query, separation, t_max, result) != filters::Finding::uncertain) {
+      return trimmed(result, wanted);
+    }
   } else {
     validate_method(method);
     validate(query, t_max);
@@ -67,11 +91,12 @@ Answer answer(const Query& query, const Separation& separation, Method method, d
   const bool by_cgal = method == Method::oracle || method == Method::fast_cgal;
   result =
       by_cgal ? oracle::decide_by_oracle(query, t_max, separation) : exact::decide_exactly(query, t_max, separation);
-  return result;
+  return trimmed(result, wanted);
 }
 
 bool any_contact(const Query& query, const Separation& separation, double t_max) {
-  return separation.distance == 0 ? any_contact(query, t_max) : answer(query, separation, Method::fast, t_max).contact;
+  if (separation.distance == 0) return any_contact(query, t_max);
+  return answer(query, separation, Method::fast, t_max, Wanted::contact).contact;
 }
 
 }  // namespace touchstone::solver

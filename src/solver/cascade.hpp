@@ -17,22 +17,27 @@
 
 namespace touchstone::solver {
 
+/// The answer without what is not wanted of a contact, which the levels may have written.
+Answer trimmed(const Answer& answer, Wanted wanted) noexcept;
+
 /// Validates a query and answers it, in the default floating-point environment. `query.kind` says which corners count.
 /// @throws InvalidQuery  naming the method, the kind, t_max or the first coordinate that is not finite
-TOUCHSTONE_BEHIND_GUARD Answer answer(const Query& query, Method method, double t_max);
+TOUCHSTONE_BEHIND_GUARD Answer answer(const Query& query, Method method, double t_max, Wanted wanted = Wanted::all);
 
 /// answer(query, Method::fast, t_max).contact. @throws InvalidQuery the same
 TOUCHSTONE_BEHIND_GUARD bool any_contact(const Query& query, double t_max);
 
 /// The same for contact within a separation, which is valid. @throws InvalidQuery the same
-TOUCHSTONE_BEHIND_GUARD Answer answer(const Query& query, const Separation& separation, Method method, double t_max);
+TOUCHSTONE_BEHIND_GUARD Answer answer(const Query& query, const Separation& separation, Method method, double t_max,
+                                      Wanted wanted = Wanted::all);
 TOUCHSTONE_BEHIND_GUARD bool any_contact(const Query& query, const Separation& separation, double t_max);
 
 /// The same for curved queries. @throws InvalidQuery  also naming the first corner or motion without meaning
-TOUCHSTONE_BEHIND_GUARD Answer answer(const CurvedQuery& query, Method method, double t_max);
+TOUCHSTONE_BEHIND_GUARD Answer answer(const CurvedQuery& query, Method method, double t_max,
+                                      Wanted wanted = Wanted::all);
 TOUCHSTONE_BEHIND_GUARD bool any_contact(const CurvedQuery& query, double t_max);
 TOUCHSTONE_BEHIND_GUARD Answer answer(const CurvedQuery& query, const Separation& separation, Method method,
-                                      double t_max);
+                                      double t_max, Wanted wanted = Wanted::all);
 TOUCHSTONE_BEHIND_GUARD bool any_contact(const CurvedQuery& query, const Separation& separation, double t_max);
 
 }  // namespace touchstone::solver

@@ -41,6 +41,13 @@ Answer solve(const Query& query, const Separation& separation, double t_max) {
   return solve(query, separation, Method::fast, t_max);
 }
 
+Answer solve(const Query& query, const Separation& separation, Wanted wanted, double t_max) {
+  const numbers::DefaultFloatEnvironment environment;
+  solver::validate_wanted(wanted);
+  solver::validate(separation);
+  return solver::answer(query, separation, Method::fast, t_max, wanted);
+}
+
 bool solve_any(const Query& query, const Separation& separation, double t_max) {
   const numbers::DefaultFloatEnvironment environment;
   solver::validate(separation);
@@ -77,6 +84,12 @@ Answer solve(const EdgeEdge& query, double t_max) { return solve(Query(query), M
 Answer solve(const VertexFace& query, double t_max) { return solve(Query(query), Method::fast, t_max); }
 Answer solve(const PointEdge& query, double t_max) { return solve(Query(query), Method::fast, t_max); }
 Answer solve(const PointPoint& query, double t_max) { return solve(Query(query), Method::fast, t_max); }
+
+Answer solve(const Query& query, Wanted wanted, double t_max) {
+  const numbers::DefaultFloatEnvironment environment;
+  solver::validate_wanted(wanted);
+  return solver::answer(query, Method::fast, t_max, wanted);
+}
 
 bool solve_any(const Query& query, double t_max) {
   const numbers::DefaultFloatEnvironment environment;

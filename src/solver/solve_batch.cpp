@@ -29,6 +29,7 @@ bool is_set(double distance) noexcept { return (std::bit_cast<std::uint64_t>(dis
 void validate_options(const BatchOptions& options) {
   threads::validate_threads(options.threads);
   solver::validate_method(options.method);
+  solver::validate_wanted(options.wanted);
   solver::validate_vector_width(options.vectors);
   solver::validate_t_max(options.t_max);
   solver::validate(options.separation);
@@ -110,9 +111,9 @@ void solve_list(const AnyQuery* queries, std::size_t count, Answer* answers, con
   const bool with_separation = has_separation(options);
   answer_all(count, options, query_at, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      answers[i] = with_separation
-                       ? solver::answer(queries[i], separation_of(options, i), options.method, options.t_max)
-                       : solver::answer(queries[i], options.method, options.t_max);
+      answers[i] = with_separation ? solver::answer(queries[i], separation_of(options, i), options.method,
+                                                    options.t_max, options.wanted)
+                                   : solver::answer(queries[i], options.method, options.t_max, options.wanted);
     }
   });
 }
@@ -140,8 +141,9 @@ void solve_batch(const QueryColumns& queries, Answer* answers, const BatchOption
   const auto query_at = [&queries](std::size_t i) { return queries[i]; };
   const bool with_separation = has_separation(options);
   const auto answer_one = [&](std::size_t i) {
-    return with_separation ? solver::answer(queries[i], separation_of(options, i), options.method, options.t_max)
-                           : solver::answer(queries[i], options.method, options.t_max);
+    return with_separation
+               ? solver::answer(queries[i], separation_of(options, i), options.method, options.t_max, options.wanted)
+               : solver::answer(queries[i], options.method, options.t_max, options.wanted);
   };
   filters::Columns columns;
   for (std::size_t i = 0; i < 4; ++i) {

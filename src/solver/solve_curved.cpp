@@ -40,18 +40,18 @@ bool decided_by_filters(const CurvedQuery& query, double t_max, Answer& answer) 
 
 }  // namespace
 
-Answer answer(const CurvedQuery& query, Method method, double t_max) {
+Answer answer(const CurvedQuery& query, Method method, double t_max, Wanted wanted) {
   validate_method(method);
   validate(query, t_max);
   const bool by_cgal = method == Method::oracle || method == Method::fast_cgal;
   if (method == Method::fast || method == Method::fast_cgal) {
-    if (const std::optional<Query> same = straight(query)) return answer(*same, method, t_max);
+    if (const std::optional<Query> same = straight(query)) return answer(*same, method, t_max, wanted);
     Answer answer;
-    if (decided_by_filters(query, t_max, answer)) return answer;
+    if (decided_by_filters(query, t_max, answer)) return trimmed(answer, wanted);
   }
   Answer answer = by_cgal ? oracle::decide_by_oracle(query, t_max) : exact::decide_exactly(query, t_max);
   answer.starts_within = answer.contact && answer.toi_upper == 0;
-  return answer;
+  return trimmed(answer, wanted);
 }
 
 bool any_contact(const CurvedQuery& query, double t_max) {
@@ -61,13 +61,13 @@ bool any_contact(const CurvedQuery& query, double t_max) {
   return decided_by_filters(query, t_max, answer) ? answer.contact : exact::decide_exactly(query, t_max).contact;
 }
 
-Answer answer(const CurvedQuery& query, const Separation& separation, Method method, double t_max) {
-  if (separation.distance == 0) return answer(query, method, t_max);
+Answer answer(const CurvedQuery& query, const Separation& separation, Method method, double t_max, Wanted wanted) {
+  if (separation.distance == 0) return answer(query, method, t_max, wanted);
   validate_method(method);
   validate(query, t_max);
   const bool by_cgal = method == Method::oracle || method == Method::fast_cgal;
   if (method == Method::fast || method == Method::fast_cgal) {
-    if (const std::optional<Query> same = straight(query)) return answer(*same, separation, method, t_max);
+    if (const std::optional<Query> same = straight(query)) return answer(*same, separation, method, t_max, wanted);
     Answer apart;
     apart.level = Level::filter;
     if (filters::certainly_farther(query, separation)) return apart;
@@ -75,11 +75,14 @@ Answer answer(const CurvedQuery& query, const Separation& separation, Method met
     answer.level = Level::bracket;
     if (filters::decide_in_brackets(query, separation, t_max, answer) != filters::Finding::uncertain) return answer;
   }
-  return by_cgal ? oracle::decide_by_oracle(query, t_max, separation) : exact::decide_exactly(query, t_max, separation);
+  return trimmed(
+      by_cgal ? oracle::decide_by_oracle(query, t_max, separation) : exact::decide_exactly(query, t_max, separation),
+      wanted);
 }
 
 bool any_contact(const CurvedQuery& query, const Separation& separation, double t_max) {
-  return separation.distance == 0 ? any_contact(query, t_max) : answer(query, separation, Method::fast, t_max).contact;
+  if (separation.distance == 0) return any_contact(query, t_max);
+  return answer(query, separation, Method::fast, t_max, Wanted::contact).contact;
 }
 
 }  // namespace solver
@@ -99,6 +102,17 @@ Answer solve(const CurvedQuery& query, const Separation& separation, Method meth
 
 Answer solve(const CurvedQuery& query, const Separation& separation, double t_max) {
   return solve(query, separation, Method::fast, t_max);
+}
+
+Answer solve(const CurvedQuery& query, const Separation& separation, Wanted wanted, double t_max) {
+  const numbers::DefaultFloatEnvironment environment;
+  solver::validate_wanted(wanted);
+  solver::validate(separation);
+  return solver::answer(query, separation, Method::fast, t_max, wanted);
+}
+
+Answer solve(const CurvedQuery& query, Wanted wanted, double t_max) {
+  return solve(query, Separation(), wanted, t_max);
 }
 
 bool solve_any(const CurvedQuery& query, const Separation& separation, double t_max) {

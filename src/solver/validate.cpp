@@ -121,6 +121,12 @@ void validate_method(Method method) {
                      std::to_string(static_cast<int>(Method::fast_cgal)) + ": fast, exact, oracle or fast_cgal");
 }
 
+void validate_wanted(Wanted wanted) {
+  if (wanted <= Wanted::contact) return;
+  throw InvalidQuery("what is wanted is " + std::to_string(static_cast<int>(wanted)) + "; it must be one of 0 to " +
+                     std::to_string(static_cast<int>(Wanted::contact)) + ": all, features, time or contact");
+}
+
 void validate_vector_width(VectorWidth width) {
   if (width > VectorWidth::bits_512) {
     throw InvalidQuery("the SIMD width is " + std::to_string(static_cast<int>(width)) + "; it must be one of 0 to " +

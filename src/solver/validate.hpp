@@ -47,6 +47,9 @@ void validate(const Separation& separation);
 /// @throws InvalidQuery  naming the method's number, unless it is one of Method's
 void validate_method(Method method);
 
+/// @throws InvalidQuery  naming its number, unless it is one of Wanted's
+void validate_wanted(Wanted wanted);
+
 /// @throws InvalidQuery  unless the width is one of VectorWidth's, and this machine has it
 void validate_vector_width(VectorWidth width);
 

@@ -118,6 +118,42 @@ TEST_CASE("one query, rows and columns give the answers of C++") {
   }
 }
 
+TEST_CASE("what is not wanted is left out, and a program that knew no such option gets everything") {
+  const Rows rows(Kind::edge_edge, 200, 9);
+  std::vector<touchstone_answer> answers(rows.count());
+  touchstone_options options = default_options();
+  int contacts = 0;
+  for (const int wanted : {TOUCHSTONE_WANTED_ALL, TOUCHSTONE_WANTED_FEATURES, TOUCHSTONE_WANTED_TIME}) {
+    options.wanted = wanted;
+    REQUIRE(touchstone_solve_rows(0, rows.count(), rows.start.data(), rows.end.data(), &options, answers.data()) ==
+            TOUCHSTONE_OK);
+    for (std::size_t q = 0; q < rows.count(); ++q) {
+      CAPTURE(wanted, q);
+      const Answer expected = touchstone::solve(rows[q], static_cast<touchstone::Wanted>(wanted));
+      contacts += expected.contact;
+      CHECK(same(expected, answers[q]));
+      touchstone_answer one;
+      const double *start = &rows.start[q * rows.width], *end = &rows.end[q * rows.width];
+      REQUIRE(touchstone_solve(0, start, end, &options, &one) == TOUCHSTONE_OK);
+      CHECK(same(expected, one));
+      options.wanted = TOUCHSTONE_WANTED_CONTACT;
+      REQUIRE(touchstone_solve(0, start, end, &options, &one) == TOUCHSTONE_OK);
+      CHECK((one.contact != 0) == expected.contact);
+      CHECK(std::isnan(one.toi) == expected.contact);
+      options.size = offsetof(touchstone_options, wanted);  // the structure of an older program
+      REQUIRE(touchstone_solve(0, start, end, &options, &one) == TOUCHSTONE_OK);
+      CHECK(same(touchstone::solve(rows[q]), one));
+      options.size = sizeof options;
+      options.wanted = wanted;
+    }
+  }
+  CHECK(contacts > 0);
+  options.wanted = 4;
+  CHECK(touchstone_solve_rows(0, 1, rows.start.data(), rows.end.data(), &options, answers.data()) ==
+        TOUCHSTONE_INVALID_ARGUMENT);
+  CHECK(message_has("what is wanted is 4"));
+}
+
 TEST_CASE("many rows, on any number of threads, are the columns' answers, and an error counts from the first row") {
   const Rows rows(Kind::point_point, 5000, 8);
   std::vector<Query> queries;
@@ -222,7 +258,7 @@ TEST_CASE("what has no meaning is a status and a message") {
   options = default_options();
   options.threads = -1;
   CHECK(touchstone_solve_rows(0, 2, start, end, &options, answers.data()) == TOUCHSTONE_INVALID_QUERY);
-  for (const std::size_t size : {std::size_t{0}, sizeof options - 1, sizeof options + 1, kHuge}) {
+  for (const std::size_t size : {std::size_t{0}, offsetof(touchstone_options, wanted) - 1, sizeof options + 1, kHuge}) {
     options = default_options();
     options.size = size;
     CHECK(touchstone_contact(0, start, end, &options, &contact) == TOUCHSTONE_INVALID_ARGUMENT);

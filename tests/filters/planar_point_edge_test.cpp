@@ -50,7 +50,7 @@ Count compare(double coordinate(Rng&), int count) {
     Answer answer;
     const auto decision = filters::decide_by_filters({query, t_max, exact::coplanarity_at}, answer);
     Answer ignored;
-    const auto any = filters::decide_by_filters({query, t_max, exact::coplanarity_at, true}, ignored);
+    const auto any = filters::decide_by_filters({query, t_max, exact::coplanarity_at, Wanted::contact}, ignored);
     CAPTURE(i, t_max, tests::describe(exact));
     if (decision.finding == Finding::uncertain) continue;
     REQUIRE((any.finding == decision.finding && any.test == decision.test));

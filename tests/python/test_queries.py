@@ -89,6 +89,24 @@ def test_methods_agree():
                 assert np.array_equal(getattr(fast, name), getattr(other, name)), (kind, method, name)
 
 
+def test_what_is_not_wanted_is_left_out():
+    times, features = ["toi", "toi_upper", "starts_within"], ["nature", "feature_a", "feature_b", "trend"]
+    for kind in queries.KINDS:
+        start, end = queries.both(kind, 200)
+        whole = ts.solve(kind, start, end)
+        for wanted, kept in (("features", times + features), ("time", times), ("contact", [])):
+            some = ts.solve(kind, start, end, wanted=wanted)
+            assert np.array_equal(some.contact, whole.contact)
+            for name in kept:
+                assert np.array_equal(getattr(some, name), getattr(whole, name)), (kind, wanted, name)
+            for name in set(features) - set(kept):
+                assert not getattr(some, name).any()
+            assert not some.weights_a[some.contact].any() and not some.weights_b[some.contact].any()
+            one = ts.solve(kind, start[0], end[0], wanted=wanted)
+            assert one.contact == some.contact[0] and np.array_equal(one.toi, some.toi[0], equal_nan=True)
+        assert np.isnan(some.toi[some.contact]).all() and np.isinf(some.toi[~some.contact]).all()
+
+
 def test_separations():
     start, end = queries.both("vertex-face", 300)
     distances = np.abs(np.random.default_rng(5).standard_normal(300)).astype(np.float32)
@@ -237,6 +255,8 @@ def test_options_without_meaning_are_refused():
         ts.solve("edge-edge", start, end, metric="l2")
     with pytest.raises(ValueError, match="'fast', 'exact'"):
         ts.solve("edge-edge", start, end, method="quick")
+    with pytest.raises(ValueError, match="wanted is 'toi'.*'time'"):
+        ts.solve("edge-edge", start, end, wanted="toi")
     with pytest.raises(TypeError):
         ts.solve("edge-edge", start)
     for t in (-1, 2, math.nan):

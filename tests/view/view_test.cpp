@@ -21,6 +21,7 @@
 using namespace touchstone;
 using nlohmann::json;
 using tests::effort;
+using tests::whole_effort;
 
 namespace {
 

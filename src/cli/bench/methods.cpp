@@ -28,6 +28,18 @@ Method method_of(BenchMethod method) {
   }
 }
 
+Wanted wanted_by(BenchMethod method) {
+  if (method == BenchMethod::contact) return Wanted::contact;
+  return method == BenchMethod::time ? Wanted::time : Wanted::all;
+}
+
+/// Of the solver itself, which takes a method or what is wanted.
+template <class AnyQuery>
+Answer answer_by(BenchMethod method, const AnyQuery& query, const Separation& separation) {
+  const Wanted wanted = wanted_by(method);
+  return wanted == Wanted::all ? solve(query, separation, method_of(method)) : solve(query, separation, wanted);
+}
+
 /// Kinds without a V have fewer corners, and zeros in place of the others: the cost is the same.
 void ask_floor(const Query& query) {
   report::do_not_optimize(filters::coplanarity_coefficients(filters::frame_of(query)));
@@ -62,7 +74,7 @@ void ask(BenchMethod method, const Query& query, const Separation& separation, A
     return;
   }
   if (separation.distance > 0 && method != BenchMethod::floor) {
-    answer = solve(query, separation, method_of(method));
+    answer = answer_by(method, query, separation);
     return;
   }
   switch (method) {
@@ -71,6 +83,8 @@ void ask(BenchMethod method, const Query& query, const Separation& separation, A
     case BenchMethod::touchstone:
     case BenchMethod::batch:
     case BenchMethod::columns: answer = solve(query); return;
+    case BenchMethod::contact: answer = solve(query, Wanted::contact); return;
+    case BenchMethod::time: answer = solve(query, Wanted::time); return;
     case BenchMethod::cgal: answer = solve(query, Method::fast_cgal); return;
     case BenchMethod::exact: answer = solve(query, Method::exact); return;
     case BenchMethod::oracle: answer = solve(query, Method::oracle); return;
@@ -87,6 +101,8 @@ std::string_view bench_method_name(BenchMethod method) noexcept {
     case BenchMethod::floor: return "floor";
     case BenchMethod::straight: return "straight";
     case BenchMethod::touchstone: return "touchstone";
+    case BenchMethod::contact: return "touchstone_contact";
+    case BenchMethod::time: return "touchstone_time";
     case BenchMethod::batch: return "touchstone_batch";
     case BenchMethod::columns: return "touchstone_columns";
     case BenchMethod::cgal: return "touchstone_cgal";
@@ -100,7 +116,7 @@ std::string_view bench_method_name(BenchMethod method) noexcept {
 }
 
 bool takes(BenchMethod method, bool curved, const Separation& separation) noexcept {
-  if (curved) return !is_baseline(method) && method != BenchMethod::columns;
+  if (curved) return !is_baseline(method) && method != BenchMethod::columns && wanted_by(method) == Wanted::all;
   if (method == BenchMethod::straight) return false;
   return !is_baseline(method) || (separation.distance > 0 && separation.metric == Metric::euclidean);
 }
@@ -129,8 +145,7 @@ void ask_all_apart(BenchMethod method, const std::vector<Query>& queries, const 
   } else if (method == BenchMethod::prove) {
     for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = answer_and_proof(queries[i], separation);
   } else {
-    const Method ours = method_of(method);
-    for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = solve(queries[i], separation, ours);
+    for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = answer_by(method, queries[i], separation);
   }
 }
 
@@ -151,6 +166,12 @@ void ask_all(BenchMethod method, const std::vector<Query>& queries, const QueryC
     case BenchMethod::straight:
     case BenchMethod::touchstone:
       for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = solve(queries[i]);
+      break;
+    case BenchMethod::contact:
+      for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = solve(queries[i], Wanted::contact);
+      break;
+    case BenchMethod::time:
+      for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = solve(queries[i], Wanted::time);
       break;
     case BenchMethod::batch: solve_batch(queries.data(), queries.size(), answers.data()); break;
     case BenchMethod::columns: solve_batch(columns, answers.data()); break;
@@ -177,8 +198,7 @@ void ask_all(BenchMethod method, const std::vector<CurvedQuery>& queries, const 
   } else if (method == BenchMethod::prove) {
     for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = answer_and_proof(queries[i], separation);
   } else {
-    const Method ours = method_of(method);
-    for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = solve(queries[i], separation, ours);
+    for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = answer_by(method, queries[i], separation);
   }
   report::do_not_optimize(answers);
 }
@@ -186,8 +206,7 @@ void ask_all(BenchMethod method, const std::vector<CurvedQuery>& queries, const 
 namespace {
 
 void ask(BenchMethod method, const CurvedQuery& query, const Separation& separation, Answer& answer) {
-  answer =
-      method == BenchMethod::prove ? answer_and_proof(query, separation) : solve(query, separation, method_of(method));
+  answer = method == BenchMethod::prove ? answer_and_proof(query, separation) : answer_by(method, query, separation);
 }
 
 template <class AnyQuery>

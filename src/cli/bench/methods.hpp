@@ -20,6 +20,8 @@ enum class BenchMethod : std::uint8_t {
   floor,              ///< reads the query and computes V's four Bernstein coefficients in doubles; decides nothing
   straight,           ///< solve of the straight twins, for curved queries only
   touchstone,         ///< solve
+  contact,            ///< solve with Wanted::contact
+  time,               ///< solve with Wanted::time
   batch,              ///< solve_batch on one thread
   columns,            ///< the same with the coordinates in columns
   cgal,               ///< solve with Method::fast_cgal
@@ -29,9 +31,11 @@ enum class BenchMethod : std::uint8_t {
   thick_polynomial,   ///< the baseline of that name, for a Euclidean separation > 0
   thick_advancement,  ///< the same
 };
-inline constexpr std::array<BenchMethod, 11> kBenchMethods{BenchMethod::floor,
+inline constexpr std::array<BenchMethod, 13> kBenchMethods{BenchMethod::floor,
                                                            BenchMethod::straight,
                                                            BenchMethod::touchstone,
+                                                           BenchMethod::contact,
+                                                           BenchMethod::time,
                                                            BenchMethod::batch,
                                                            BenchMethod::columns,
                                                            BenchMethod::cgal,
