@@ -154,7 +154,9 @@ class ShownMesh:
 
 
 def show_mesh(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, threads: int = 0) -> ShownMesh:
-    """A step of a mesh with its first contact, to look at in a notebook. Arguments and errors: see `first_contact`.
+    """A step of a mesh with its first contact, to look at in a notebook.
+
+    Arguments and errors are those of `first_contact`.
 
     >>> import touchstone
     >>> touchstone.show_mesh(touchstone.Mesh(2), [[0, 0, 0], [2, 0, 0]], [[4, 0, 0], [2, 0, 0]])
