@@ -1,8 +1,10 @@
 // The reader of query files. Any bytes are queries or an error that names a row, and the pieces do not matter; queries
 // that were read can be written and read again. The first byte chooses the kind and the size of the pieces, and
-// whether the first row of a file of curved queries is put before the text.
+// whether the first row of a file of curved queries is put before the text. Bytes that start as a binary query file or
+// an .npy array are read as one.
 // SPDX-License-Identifier: MIT
 #include <cstring>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -21,7 +23,7 @@ namespace {
 
 struct Record {
   io::FileQuery query;
-  bool truth;
+  std::optional<bool> truth;
   std::uint64_t number, first_row, last_row;
 };
 
@@ -39,7 +41,7 @@ Outcome read(std::string_view text, Kind kind, std::size_t chunk_bytes) {
       io::QueryRecord record;
       while (parser.next(record)) {
         outcome.records.push_back({record.query, record.truth, record.number, record.first_row, record.last_row});
-        if (!chunk->curved()) io::query_as_given(kind, record.text);
+        if (!chunk->curved()) io::query_as_given(record);
       }
     }
   } catch (const FileError& error) {
@@ -122,12 +124,14 @@ void fuzz_query_file(Bytes input) {
   std::string written;
   if (io::holds_curved_queries(text)) written = std::string(io::kCurvedHeader) + "\n";
   for (const Record& record : whole.records) {
-    std::visit([&](const auto& query) { io::append_query(written, query, record.truth); }, record.query);
+    std::visit([&](const auto& query) { io::append_query(written, query, record.truth.value_or(false)); },
+               record.query);
   }
   const Outcome again = read(written, kind, io::kChunkBytes);
   bool kept = again.error.empty() && again.records.size() == whole.records.size();
   for (std::size_t i = 0; kept && i < whole.records.size(); ++i) {
-    kept = same(whole.records[i].query, again.records[i].query) && whole.records[i].truth == again.records[i].truth;
+    kept = same(whole.records[i].query, again.records[i].query) &&
+           whole.records[i].truth.value_or(false) == again.records[i].truth;
   }
   if (!kept) throw Finding("what was read is not what is read after writing it: " + again.error);
 }

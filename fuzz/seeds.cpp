@@ -2,6 +2,7 @@
 #include "seeds.hpp"
 
 #include "families/families.hpp"
+#include "io/query_array.hpp"
 #include "io/query_writer.hpp"
 #include "pipes/protocol.hpp"
 #include "query_bytes.hpp"
@@ -45,6 +46,11 @@ std::vector<std::string> query_file_seeds() {
   seeds.push_back("\x21# a comment\n\nquery,0\r\n" + turn +
                   "motion,3,1,2,0,-1,3,0,1,1,1,2,3,-4,0,7\nbody,3, 1 ,2,3\nbody,0,1,1,1\nbody,0,1,2,1\ncurve,0,0,0\n");
   seeds.push_back("\3touchstone-curved,1\nquery,0\ncurve,0,0,0\ncurve,1,0,0,2,0,0,3,0,0,4,4,4\nquery,1\n");
+  const std::string zeros(2 * 2 * 3 * sizeof(double), '\0');
+  seeds.push_back(std::string(1, '\3') +
+                  io::BinaryHeader{Kind::point_point, 3, 1, true, Separation{0.25, Metric::max}}.bytes() + zeros +
+                  "\1");
+  seeds.push_back(std::string(1, '\7') + io::npy_query_header(Kind::point_point, 1) + zeros);
   return seeds;
 }
 

@@ -14,6 +14,7 @@
 
 #include "cli/bench/bench.hpp"
 #include "cli/certify/certify.hpp"
+#include "cli/convert.hpp"
 #include "cli/describe/describe.hpp"
 #include "cli/doctor/doctor.hpp"
 #include "cli/explain/explain.hpp"
@@ -97,7 +98,9 @@ int parse_and_run(int argc, const char* const* argv) {
       "with\n"
       "the rows query,truth; motion,index,q0,q1,p0,p1; body,index,x,y,z; curve,x,y,z,...: solve, certify and explain "
       "read\n"
-      "it, and docs/program.md defines it.\n\n"
+      "it, and docs/program.md defines it.\n"
+      "Binary query files and .npy arrays of shape (n, 2, corners, 3) are read as well, by what they start with;\n"
+      "convert writes each format.\n\n"
       "Exit status: 0 done and every claim holds, 1 some claim is refuted, 2 bad usage or bad input.");
   Command command;
   add_solve(program, command);
@@ -105,6 +108,7 @@ int parse_and_run(int argc, const char* const* argv) {
   add_explain(program, command);
   add_view(program, command);
   add_prove(program, command);
+  add_convert(program, command);
   add_generate(program, command);
   add_bench(program, command);
   add_report(program, command);

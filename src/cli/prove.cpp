@@ -52,7 +52,7 @@ int run_prove(const ProveOptions& options) {
       [&](ProveItem& item) {
         out.add(item.input, options.separation.separation, item.proved);
         counts.merge(item.counts);
-        progress.add(item.chunk.text().size(), item.counts.queries);
+        progress.add(item.chunk.size(), item.counts.queries);
       });
   out.finish();
   if (options.out == "-") return kAllHold;

@@ -60,7 +60,7 @@ int run_solve(const SolveOptions& options) {
       [&](SolveItem& item) {
         out.write(item.rows);
         counts.merge(item.counts);
-        progress.add(item.chunk.text().size(), item.counts.queries);
+        progress.add(item.chunk.size(), item.counts.queries);
       });
   out.commit();
   if (to_standard_output) return kAllHold;

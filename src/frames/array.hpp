@@ -23,9 +23,6 @@ struct ArrayShape {
 ArrayShape shape_of_positions(const std::string& file, const std::string& name,
                               const std::vector<std::uint64_t>& extents);
 
-/// "(2, 5, 3)".
-std::string shape_text(const std::vector<std::uint64_t>& extents);
-
 /// The positions of one frame of an array.
 struct ArrayFrame {
   ArrayShape shape;

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <optional>
 
-#include "frames/bytes.hpp"
 #include "frames/formats.hpp"
 #include "frames/text_scanner.hpp"
+#include "io/bytes.hpp"
 #include "io/fail.hpp"
 
 namespace touchstone::frames {
@@ -29,12 +29,12 @@ double value_at(const char* at, Type type, std::endian order) {
   switch (type) {
     case Type::int8: return static_cast<std::int8_t>(*at);
     case Type::uint8: return static_cast<std::uint8_t>(*at);
-    case Type::int16: return static_cast<std::int16_t>(unsigned_at<std::uint16_t>(at, order));
-    case Type::uint16: return unsigned_at<std::uint16_t>(at, order);
-    case Type::int32: return static_cast<std::int32_t>(unsigned_at<std::uint32_t>(at, order));
-    case Type::uint32: return unsigned_at<std::uint32_t>(at, order);
-    case Type::float32: return float_at(at, order);
-    case Type::float64: return double_at(at, order);
+    case Type::int16: return static_cast<std::int16_t>(io::unsigned_at<std::uint16_t>(at, order));
+    case Type::uint16: return io::unsigned_at<std::uint16_t>(at, order);
+    case Type::int32: return static_cast<std::int32_t>(io::unsigned_at<std::uint32_t>(at, order));
+    case Type::uint32: return io::unsigned_at<std::uint32_t>(at, order);
+    case Type::float32: return io::float_at(at, order);
+    case Type::float64: return io::double_at(at, order);
   }
   return 0;
 }

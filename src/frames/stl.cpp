@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "frames/bytes.hpp"
 #include "frames/formats.hpp"
 #include "frames/text_scanner.hpp"
+#include "io/bytes.hpp"
 #include "io/fail.hpp"
 
 namespace touchstone::frames {
@@ -63,7 +63,7 @@ constexpr std::size_t kHeader = 84;
 constexpr std::size_t kFacet = 50;
 
 std::uint64_t binary_size(std::string_view content) {
-  return kHeader + kFacet * std::uint64_t{unsigned_at<std::uint32_t>(content.data() + 80, std::endian::little)};
+  return kHeader + kFacet * std::uint64_t{io::unsigned_at<std::uint32_t>(content.data() + 80, std::endian::little)};
 }
 
 MeshFile read_binary(std::string_view file, std::string_view content) {
@@ -78,7 +78,7 @@ MeshFile read_binary(std::string_view file, std::string_view content) {
     for (MeshIndex& number : corners) {
       Corner corner;
       for (double& x : corner) {
-        x = float_at(at, std::endian::little);
+        x = io::float_at(at, std::endian::little);
         at += 4;
         if (!std::isfinite(x)) io::fail(file, "facet " + std::to_string(facet) + " has a corner that is not finite");
       }

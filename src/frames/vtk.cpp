@@ -6,9 +6,9 @@
 #include <cmath>
 #include <optional>
 
-#include "frames/bytes.hpp"
 #include "frames/formats.hpp"
 #include "frames/text_scanner.hpp"
+#include "io/bytes.hpp"
 #include "io/fail.hpp"
 
 namespace touchstone::frames {
@@ -164,7 +164,7 @@ class VtkReader {
         continue;
       }
       const char* const at = scanner_.raw_bytes(size).data();
-      positions.push_back(is_double ? double_at(at, std::endian::big) : float_at(at, std::endian::big));
+      positions.push_back(is_double ? io::double_at(at, std::endian::big) : io::float_at(at, std::endian::big));
       if (!std::isfinite(positions.back())) {
         io::fail(file_, "point " + std::to_string(i / 3) + " has a coordinate that is not finite");
       }
@@ -347,8 +347,8 @@ class VtkReader {
     if (!is_binary_) return scanner_.next_integer("an integer");
     if (scanner_.remaining() < size) io::fail(file_, "ends within its cells");
     const char* const at = scanner_.raw_bytes(size).data();
-    return size == 4 ? static_cast<std::int32_t>(unsigned_at<std::uint32_t>(at, std::endian::big))
-                     : static_cast<std::int64_t>(unsigned_at<std::uint64_t>(at, std::endian::big));
+    return size == 4 ? static_cast<std::int32_t>(io::unsigned_at<std::uint32_t>(at, std::endian::big))
+                     : static_cast<std::int64_t>(io::unsigned_at<std::uint64_t>(at, std::endian::big));
   }
 
   MeshIndex read_corner(std::size_t size) {

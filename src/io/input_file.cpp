@@ -2,6 +2,7 @@
 #include "io/input_file.hpp"
 
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -85,12 +86,14 @@ void InputFile::skip(std::uint64_t count) {
 InputFile::InputFile(InputFile&& other) noexcept
     : name_(std::move(other.name_)),
       descriptor_(std::exchange(other.descriptor_, -1)),
+      whole_(other.whole_),
       content_(other.content_),
       checkpoint_(other.checkpoint_) {}
 
 InputFile& InputFile::operator=(InputFile&& other) noexcept {
   std::swap(name_, other.name_);
   std::swap(descriptor_, other.descriptor_);
+  std::swap(whole_, other.whole_);
   std::swap(content_, other.content_);
   std::swap(checkpoint_, other.checkpoint_);
   return *this;
@@ -98,6 +101,28 @@ InputFile& InputFile::operator=(InputFile&& other) noexcept {
 
 InputFile::~InputFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+FileBytes::FileBytes(const InputFile& file) {
+  if (file.descriptor_ < 0) {
+    view_ = file.whole_;
+    return;
+  }
+  struct stat status {};
+  if (::fstat(file.descriptor_, &status) != 0) fail(file.name(), "cannot be read: " + system_reason(errno));
+  if (!S_ISREG(status.st_mode)) {
+    fail(file.name(), "is a pipe or device; a binary query file or an .npy file is read from the disk");
+  }
+  const auto size = static_cast<std::size_t>(status.st_size);
+  if (size == 0) return;
+  void* const start = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.descriptor_, 0);
+  if (start == MAP_FAILED) fail(file.name(), "cannot be mapped into memory: " + system_reason(errno));
+  view_ = {static_cast<const char*>(start), size};
+  mapped_ = true;
+}
+
+FileBytes::~FileBytes() {
+  if (mapped_) ::munmap(const_cast<char*>(view_.data()), view_.size());
 }
 
 }  // namespace touchstone::io

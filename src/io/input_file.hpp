@@ -42,13 +42,33 @@ class InputFile {
   ~InputFile();
 
  private:
+  friend class FileBytes;
   InputFile(std::string name, int descriptor, std::string_view content, Checkpoint checkpoint)
-      : name_(std::move(name)), descriptor_(descriptor), content_(content), checkpoint_(checkpoint) {}
+      : name_(std::move(name)), descriptor_(descriptor), whole_(content), content_(content), checkpoint_(checkpoint) {}
 
   std::string name_;
-  int descriptor_;  ///< -1: reads content_
-  std::string_view content_;
+  int descriptor_;            ///< -1: reads content_
+  std::string_view whole_;    ///< of text in memory
+  std::string_view content_;  ///< what is left of it
   Checkpoint checkpoint_;
+};
+
+/// All bytes of a file, mapped into memory: they are read from the disk when they are used, and take no memory of their
+/// own. If another program shortens the file meanwhile, the operating system ends this process (SIGBUS).
+class FileBytes {
+ public:
+  /// The bytes from the file's beginning, however far it was read. @throws FileError  for a pipe or device
+  explicit FileBytes(const InputFile& file);
+
+  std::string_view view() const noexcept { return view_; }
+
+  FileBytes(const FileBytes&) = delete;
+  FileBytes& operator=(const FileBytes&) = delete;
+  ~FileBytes();
+
+ private:
+  std::string_view view_;
+  bool mapped_ = false;
 };
 
 }  // namespace touchstone::io

@@ -18,7 +18,8 @@ QueryChunkReader::QueryChunkReader(InputFile file, Kind kind, std::size_t chunk_
       motions_(motions) {}
 
 std::optional<QueryChunk> QueryChunkReader::next() {
-  if (!started_) skip_byte_order_mark();
+  if (!started_) start();
+  if (array_ != nullptr) return next_of_array();
   for (;;) {
     if (!error_.empty()) fail(*name_, error_row_, error_);
     if (at_end_ && buffer_.empty()) {
@@ -56,11 +57,31 @@ void QueryChunkReader::fill() {
   buffer_.resize(size);
 }
 
-void QueryChunkReader::skip_byte_order_mark() {
+/// Tells a file of doubles from text, whose byte order mark is skipped.
+void QueryChunkReader::start() {
   constexpr std::string_view kMark = "\xEF\xBB\xBF";
   started_ = true;
-  while (!at_end_ && buffer_.size() < kMark.size()) fill();
-  if (buffer_.starts_with(kMark)) buffer_.erase(0, kMark.size());
+  while (!at_end_ && buffer_.size() < kBinaryMagic.size()) fill();
+  if (starts_query_array(buffer_)) {
+    array_ = std::make_shared<const QueryArray>(file_);
+    if (const std::string fault = array_->fault_of_kind(kind_); !fault.empty()) fail(*name_, fault);
+    buffer_ = std::string();
+  } else if (buffer_.starts_with(kMark)) {
+    buffer_.erase(0, kMark.size());
+  }
+}
+
+std::optional<QueryChunk> QueryChunkReader::next_of_array() {
+  if (next_query_ == array_->count()) return std::nullopt;
+  const std::uint64_t most = std::max<std::uint64_t>(chunk_bytes_ / array_->bytes_per_query(), 1);
+  QueryChunk chunk;
+  chunk.file = name_;
+  chunk.kind = kind_;
+  chunk.first_query = next_query_;
+  chunk.query_count = static_cast<std::size_t>(std::min(most, array_->count() - next_query_));
+  chunk.array = array_;
+  next_query_ += chunk.query_count;
+  return chunk;
 }
 
 /// Cuts buffer_ into lines as far as it goes, and counts rows and whole queries.

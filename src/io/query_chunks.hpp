@@ -12,6 +12,7 @@
 #include <touchstone/query.hpp>
 
 #include "io/input_file.hpp"
+#include "io/query_array.hpp"
 
 namespace touchstone::io {
 
@@ -33,17 +34,25 @@ inline bool is_row(std::string_view line) noexcept {
 /// tells which it is.
 enum class Motions : std::uint8_t { straight, any };
 
-/// Whole queries of one file, as text.
+/// Whole queries of one file: as text, or, of a file of doubles, as a range of the array that the file is.
 struct QueryChunk {
   std::shared_ptr<const std::string> file;  ///< its name, for messages
   Kind kind = Kind::edge_edge;
   std::uint64_t first_query = 0;  ///< number of the first query, counted from 0 within the file
-  std::uint64_t first_row = 1;    ///< line number of the first line, counted from 1
+  std::uint64_t first_row = 1;    ///< of text: line number of the first line, counted from 1
   std::size_t query_count = 0;
   bool truncated = false;        ///< the file ends in the middle of a query, whose rows follow the whole ones
   std::uint64_t header_row = 0;  ///< in a file of curved queries the line of its first row, which is no query's; else 0
 
+  std::shared_ptr<const QueryArray> array;  ///< of a file of doubles; then there is no text
+  std::uint64_t array_start = 0;            ///< the number of the array's first query
+
   bool curved() const noexcept { return header_row != 0; }
+
+  /// The number of bytes that these queries take in the file.
+  std::uint64_t size() const noexcept {
+    return array != nullptr ? query_count * array->bytes_per_query() : text().size();
+  }
 
   std::string_view text() const noexcept { return std::string_view(bytes).substr(0, bytes.size() - kPadding); }
 
@@ -60,13 +69,14 @@ class QueryChunkReader {
                    Motions motions = Motions::straight);
 
   /// The next queries, or nothing at the end of the file.
-  /// @throws FileError  for a file without a query, a line that is too long, or what the system cannot read;
-  ///                    only after every whole query before it was handed out
+  /// @throws FileError  for a file without a query, a line that is too long, the header of a file of doubles, or what
+  ///                    the system cannot read; only after every whole query before it was handed out
   std::optional<QueryChunk> next();
 
  private:
   void fill();
-  void skip_byte_order_mark();
+  void start();
+  std::optional<QueryChunk> next_of_array();
   void scan();
   bool too_long(std::size_t end);
   bool scan_line(std::size_t end);
@@ -84,6 +94,7 @@ class QueryChunkReader {
   std::uint64_t header_row_ = 0;  ///< as in the chunks
   bool at_end_ = false;
   bool started_ = false;
+  std::shared_ptr<const QueryArray> array_;
 
   std::string buffer_;  ///< starts at line first_row_
   std::uint64_t first_row_ = 1;

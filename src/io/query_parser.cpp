@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/query_parser.hpp"
 
+#include <array>
+#include <cmath>
 #include <cstring>
 #include <optional>
 #include <string>
@@ -8,6 +10,8 @@
 #include "io/curved_rows.hpp"
 #include "io/fail.hpp"
 #include "io/query_row.hpp"
+#include "io/query_writer.hpp"
+#include "io/separation_text.hpp"
 #include "numbers/fraction.hpp"
 
 namespace touchstone::io {
@@ -25,6 +29,23 @@ std::optional<double> double_of(const Fraction& fraction) {
   return numbers::exact_double(fraction.numerator, fraction.denominator);
 }
 
+/// The first coordinate that is not finite.
+std::string fault_of_numbers(const Query& query) {
+  for (const bool at_end : {false, true}) {
+    for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+      const Vec3& x = at_end ? query.end[i] : query.start[i];
+      const std::array<double, 3> values = {x.x, x.y, x.z};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (std::isfinite(values[axis])) continue;
+        return std::string(1, "xyz"[axis]) + " of " + std::string(corner_name(query.kind, i)) +
+               " at t = " + (at_end ? "1" : "0") + " is " +
+               (std::isnan(values[axis]) ? "no number (NaN)" : "infinite") + "; a coordinate must be a finite number";
+      }
+    }
+  }
+  return {};
+}
+
 std::string an(std::string_view kind) { return (kind.front() == 'e' ? "an " : "a ") + std::string(kind); }
 
 }  // namespace
@@ -37,6 +58,7 @@ QueryParser::QueryParser(const QueryChunk& chunk)
       query_(chunk.first_query) {}
 
 bool QueryParser::next(QueryRecord& record) {
+  if (chunk_.array != nullptr) return next_of_array(record);
   if (chunk_.curved()) return next_curved(record);
   skip_to_row();
   if (at_ == end_) return false;
@@ -107,6 +129,32 @@ bool QueryParser::next_curved(QueryRecord& record) {
   return true;
 }
 
+bool QueryParser::next_of_array(QueryRecord& record) {
+  const QueryArray& array = *chunk_.array;
+  if (query_ == chunk_.first_query + chunk_.query_count) return false;
+  if (!std::holds_alternative<Query>(record.query)) record.query.emplace<Query>();
+  auto& query = std::get<Query>(record.query);
+  query.kind = chunk_.kind;
+  record.number = query_++;
+  const std::uint64_t place = record.number - chunk_.array_start;
+  array.read(place, query);
+  const std::uint64_t rows = rows_per_query(chunk_.kind);
+  record.first_row = record.number * rows + 1;
+  record.last_row = record.first_row + rows - 1;
+  record.text = {};
+  for (std::size_t i = 0; i < corner_count(chunk_.kind); ++i) {
+    const Vec3 &x0 = query.start[i], &x1 = query.end[i];
+    // The difference of a number with itself is 0, unless it is infinite or no number.
+    if ((x0.x - x0.x) + (x0.y - x0.y) + (x0.z - x0.z) + (x1.x - x1.x) + (x1.y - x1.y) + (x1.z - x1.z) == 0) continue;
+    fail(*chunk_.file, "query " + std::to_string(record.number) + ": " + fault_of_numbers(query));
+  }
+  record.truth = array.claim(place);
+  if (array.has_claims() && !record.truth) {
+    fail(*chunk_.file, "query " + std::to_string(record.number) + ": the byte of its claim is neither 0 nor 1");
+  }
+  return true;
+}
+
 std::string_view QueryParser::line_at(const char* start) const noexcept {
   const auto* const end = static_cast<const char*>(std::memchr(start, '\n', static_cast<std::size_t>(end_ - start)));
   return {start, static_cast<std::size_t>((end == nullptr ? end_ : end) - start)};
@@ -158,6 +206,24 @@ RationalQuery query_as_given(Kind kind, std::string_view text) {
     ++row;
   }
   return query;
+}
+
+RationalQuery query_as_given(const QueryRecord& record) {
+  if (const auto* const rational = std::get_if<RationalQuery>(&record.query)) return *rational;
+  const Query& query = std::get<Query>(record.query);
+  if (!record.text.empty()) return query_as_given(query.kind, record.text);
+  RationalQuery given;
+  given.kind = query.kind;
+  const auto fractions = [](const Vec3& x) { return std::array{fraction_of(x.x), fraction_of(x.y), fraction_of(x.z)}; };
+  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+    given.start[i] = fractions(query.start[i]);
+    given.end[i] = fractions(query.end[i]);
+  }
+  return given;
+}
+
+std::optional<Separation> stated_separation(const QueryChunk& first_chunk) {
+  return first_chunk.array != nullptr ? first_chunk.array->separation() : separation_of_comments(first_chunk.text());
 }
 
 }  // namespace touchstone::io

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <variant>
 
@@ -19,11 +20,11 @@ using FileQuery = std::variant<Query, RationalQuery, CurvedQuery>;
 /// One query of a file, with the claim of its truth column.
 struct QueryRecord {
   FileQuery query;
-  bool truth = false;           ///< the file's truth column
+  std::optional<bool> truth;    ///< the file's truth column; nothing in a file of doubles without claims
   std::uint64_t number = 0;     ///< counted from 0 within the file
-  std::uint64_t first_row = 0;  ///< line number of its first row, counted from 1
+  std::uint64_t first_row = 0;  ///< line number of its first row, counted from 1; a file of doubles counts as CSV rows
   std::uint64_t last_row = 0;
-  std::string_view text;  ///< its rows as they stand in the chunk, which must outlive it
+  std::string_view text;  ///< its rows as they stand in the chunk, which must outlive it; empty in a file of doubles
 };
 
 class QueryParser {
@@ -40,6 +41,7 @@ class QueryParser {
   void skip_line(std::string_view line) noexcept;
   void skip_to_row() noexcept;
   bool next_curved(QueryRecord& record);
+  bool next_of_array(QueryRecord& record);
   void check_truth(QueryRecord& record, std::size_t row, bool truth) const;
   [[noreturn]] void refuse_truncated(std::size_t rows) const;
 
@@ -52,5 +54,11 @@ class QueryParser {
 
 /// All corners of a straight motion as the file gives them, for reports. @param text  QueryRecord::text
 RationalQuery query_as_given(Kind kind, std::string_view text);
+
+/// The same; the doubles of a file of doubles are fractions in lowest terms.
+RationalQuery query_as_given(const QueryRecord& record);
+
+/// What the truth column of a file is about, as its first chunk says; nothing when it does not say it.
+std::optional<Separation> stated_separation(const QueryChunk& first_chunk);
 
 }  // namespace touchstone::io

@@ -47,9 +47,10 @@ TEST_CASE("the program says what it is and how it is used") {
 
 TEST_CASE("bad usage ends with status 2 and one line") {
   check_refused({}, "subcommand");
-  check_refused({"juggle"},
-                "juggle is no subcommand; they are solve, certify, explain, view, prove, generate, bench, report, "
-                "fuzz, stress, simulate, mesh, merge and doctor");
+  check_refused(
+      {"juggle"},
+      "juggle is no subcommand; they are solve, certify, explain, view, prove, convert, generate, bench, report, "
+      "fuzz, stress, simulate, mesh, merge and doctor");
   check_refused({"certify", "a.csv", "--level", "fast", "--level", "exact"}, "--level");
   check_refused({"explain", "--query", "99999999999999999999", "a.csv"}, "--query");
   check_refused({"solve"}, "FILE");

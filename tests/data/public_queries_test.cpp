@@ -45,9 +45,9 @@ void read_file(const fs::path& root, const fs::path& path, std::vector<KnownQuer
     while (parser.next(record)) {
       const std::string name = fs::relative(path, root).string() + " query " + std::to_string(record.number);
       if (const auto* const doubles = std::get_if<Query>(&record.query)) {
-        queries.push_back({name, *doubles, record.truth});
+        queries.push_back({name, *doubles, record.truth.value()});
       } else {
-        queries.push_back({name, std::get<RationalQuery>(record.query), record.truth});
+        queries.push_back({name, std::get<RationalQuery>(record.query), record.truth.value()});
       }
     }
   }

@@ -92,9 +92,9 @@ Verdict verdict_on(const Claim& claim, const io::FileQuery& query, const Answer&
   return std::visit([&](const auto& given) { return judge(claim, given, answer, separation); }, query);
 }
 
-std::variant<RationalQuery, CurvedQuery> as_given(Kind kind, const io::QueryRecord& record) {
+std::variant<RationalQuery, CurvedQuery> as_given(const io::QueryRecord& record) {
   if (const auto* const curved = std::get_if<CurvedQuery>(&record.query)) return *curved;
-  return io::query_as_given(kind, record.text);
+  return io::query_as_given(record);
 }
 
 void judge_queries(CertifyItem& item, const CertifyOptions& options, const std::vector<Input>& inputs) {
@@ -104,8 +104,11 @@ void judge_queries(CertifyItem& item, const CertifyOptions& options, const std::
   io::QueryRecord record;
   for (std::size_t i = 0; parser.next(record); ++i) {
     if (from_file && i == item.claims.size()) break;  // item.error says why
+    if (!from_file && !record.truth) {
+      io::fail(*item.chunk.file, "has no claims to judge; name a file of claims (--claims)");
+    }
     const auto& [claim, separation] =
-        from_file ? item.claims[i] : StatedClaim{{record.truth, std::nullopt}, item.truth_separation};
+        from_file ? item.claims[i] : StatedClaim{{*record.truth, std::nullopt}, item.truth_separation};
     item.questions.add(separation);
     const Answer answer = answer_to(record.query, options.method, separation);
     const Verdict verdict = verdict_on(claim, record.query, answer, separation);
@@ -113,8 +116,8 @@ void judge_queries(CertifyItem& item, const CertifyOptions& options, const std::
     if (!options.proofs.empty()) item.proved.add(inputs[item.input], record, answer, separation);
     if (verdict == Verdict::holds) continue;
     certify::RefutedClaim refuted{
-        inputs[item.input].name,           record.number, record.first_row, record.last_row, claim, verdict, answer,
-        as_given(item.chunk.kind, record), separation};
+        inputs[item.input].name, record.number, record.first_row, record.last_row, claim, verdict, answer,
+        as_given(record),        separation};
     if (!options.report.empty()) item.refuted_json += kClaimSeparator + refuted_claim_json(refuted);
     if (item.first_refuted.size() < kShownClaims) item.first_refuted.push_back(std::move(refuted));
   }
@@ -128,7 +131,7 @@ class TruthSeparation {
   /// @param item  the items of the run in their order. @throws FileError when the file says another than the option
   Separation of(const QueryItem& item) {
     if (item.chunk.first_query != 0) return current_;
-    const auto said = io::separation_of_comments(item.chunk.text());
+    const auto said = io::stated_separation(item.chunk);
     if (option_.given && said && !io::same_question(*said, option_.separation)) {
       io::fail(*item.chunk.file, fmt::format("its truth column is about {}; --separation and --metric ask for {}",
                                              separation_for_person(*said), separation_for_person(option_.separation)));
@@ -241,7 +244,7 @@ int run_certify(const CertifyOptions& options) {
           const bool stated = !item.claims.empty();
           proofs->add(item.input, stated ? item.claims.front().separation : item.truth_separation, item.proved);
         }
-        progress.add(item.chunk.text().size(), item.tally.verdicts.claims());
+        progress.add(item.chunk.size(), item.tally.verdicts.claims());
       });
   const double seconds = progress.seconds();
 

@@ -42,9 +42,9 @@ int run_explain(const ExplainOptions& options) {
   if (found->truth_separation && !io::same_question(*found->truth_separation, separation)) {
     console.write(
         fmt::format("the file's truth column is about {}\n", separation_for_person(*found->truth_separation)));
-  } else if (options.query.t_max == 1) {
-    console.write(fmt::format("the file's truth column says {}: {}\n", record.truth ? 1 : 0,
-                              verdict_name(judge({record.truth, std::nullopt}, explanation.story.answer))));
+  } else if (record.truth && options.query.t_max == 1) {
+    console.write(fmt::format("the file's truth column says {}: {}\n", *record.truth ? 1 : 0,
+                              verdict_name(judge({*record.truth, std::nullopt}, explanation.story.answer))));
   }
   if (!options.html.empty()) write_query_page(options.html, input, record, explanation, options.query);
   console.commit();

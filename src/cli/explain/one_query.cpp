@@ -43,7 +43,7 @@ Explanation explained(const AQuery& query, const io::QueryRecord& record, const 
   if constexpr (kCurved) {
     corners = curves_for_person(query);
   } else {
-    corners = corners_for_person(record.query, io::query_as_given(query.kind, record.text));
+    corners = corners_for_person(record.query, io::query_as_given(record));
   }
   std::string text = story_for_person(query.kind, kCurved, story, options.t_max, separation, normal);
   if constexpr (kCurved) text += times_for_person(contact_times(query, separation, options.t_max));
@@ -58,7 +58,7 @@ std::unique_ptr<FoundQuery> find_query(const Input& input, std::uint64_t number)
   auto found = std::make_unique<FoundQuery>();
   while (auto chunk = reader.next()) {
     throw_if_interrupted();
-    if (chunk->first_query == 0) found->truth_separation = io::separation_of_comments(chunk->text());
+    if (chunk->first_query == 0) found->truth_separation = io::stated_separation(*chunk);
     count += chunk->query_count;
     if (number >= count && !chunk->truncated) continue;
     found->chunk = std::move(*chunk);

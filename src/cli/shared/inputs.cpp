@@ -10,6 +10,7 @@
 #include "io/curved_rows.hpp"
 #include "io/fail.hpp"
 #include "io/kind_of_file.hpp"
+#include "io/query_array.hpp"
 #include "io/separation_text.hpp"
 
 namespace touchstone::cli {
@@ -49,7 +50,7 @@ std::vector<Input> find_inputs(const std::vector<std::string>& names, std::optio
     Input input;
     input.name = name;
     input.bytes = io::InputFile::check(name);
-    input.kind = io::kind_of_file(name, kind);
+    input.kind = io::kind_of_queries(name, kind);
     inputs.push_back(std::move(input));
   }
   return inputs;

@@ -30,7 +30,7 @@ struct Input {
 };
 
 /// The files of these names. Each is checked to exist; a name that is no file may be the name of a bundled file.
-/// @param kind  the kind of their queries; by default each file's folder names it
+/// @param kind  the kind of their queries; by default a file of doubles states it, and else a file's folder names it
 /// @throws FileError
 std::vector<Input> find_inputs(const std::vector<std::string>& names, std::optional<Kind> kind);
 

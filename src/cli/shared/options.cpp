@@ -48,7 +48,8 @@ void add_kind_option(CLI::App& subcommand, std::optional<Kind>& kind) {
   subcommand
       .add_option_function<std::string>(
           "--kind", [&kind](const std::string& name) { kind = io::kind_from_name(name); },
-          "The kind of the files' queries: " + io::kind_names() + " (default: the name of each file's folder)")
+          "The kind of the files' queries: " + io::kind_names() +
+              " (default: that of a binary file, or else the name of each file's folder)")
       ->type_name("KIND")
       ->check(kind_check());
 }

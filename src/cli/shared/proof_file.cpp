@@ -38,6 +38,9 @@ std::string section_of(const Input& input, const Separation& separation) {
 
 void ProvedQueries::add(const Input& input, const io::QueryRecord& record, const Answer& answer,
                         const Separation& separation) {
+  if (record.text.empty()) {
+    io::fail(input.name, "is a file of doubles, and touchstone-check reads CSV; touchstone convert writes it as CSV");
+  }
   try {
     std::visit([&](const auto& query) { proofs::append_proof_of(text_, record.number, query, answer, separation); },
                record.query);

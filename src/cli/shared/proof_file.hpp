@@ -20,7 +20,7 @@ namespace touchstone::cli {
 class ProvedQueries {
  public:
   /// Appends the proof of one answer.
-  /// @throws FileError  that names the query, when the answer has no proof: then it is wrong
+  /// @throws FileError  that names the query, when the answer has no proof: then it is wrong; for a file of doubles
   void add(const Input& input, const io::QueryRecord& record, const Answer& answer, const Separation& separation);
 
  private:

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace touchstone::frames {
+namespace touchstone::io {
 
 /// The unsigned integer of sizeof(Unsigned) bytes at `from`.
 template <std::unsigned_integral Unsigned>
@@ -29,4 +29,4 @@ inline double double_at(const char* from, std::endian order) noexcept {
   return std::bit_cast<double>(unsigned_at<std::uint64_t>(from, order));
 }
 
-}  // namespace touchstone::frames
+}  // namespace touchstone::io

@@ -1,0 +1,41 @@
+// The header of NumPy's .npy files.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/input_file.hpp"
+
+namespace touchstone::io {
+
+/// The first bytes of every .npy file.
+inline constexpr std::string_view kNpyMagic = "\x93NUMPY";
+
+struct NpyHeader {
+  char kind = 'f';  ///< 'f', 'i' or 'u'
+  std::size_t size = 8;
+  std::endian order = std::endian::little;
+  bool fortran = false;
+  std::vector<std::uint64_t> extents;
+  std::uint64_t values = 1;       ///< the product of the extents
+  std::uint64_t header_size = 0;  ///< the number of bytes before the first value
+};
+
+/// Reads the header of an array of floats or integers, and checks that the file is as long as the header says.
+/// @param file_size  the size of the whole file in bytes
+/// @param example_shape  a shape that is right, for messages: "(100, 3)"
+/// @throws FileError
+NpyHeader read_npy_header(InputFile& file, std::uint64_t file_size, std::string_view example_shape);
+
+/// Reads exactly `count` bytes. @throws FileError  where the file ends before
+void read_exactly(InputFile& file, char* to, std::size_t count);
+
+/// "(2, 5, 3)".
+std::string shape_text(const std::vector<std::uint64_t>& extents);
+
+}  // namespace touchstone::io

@@ -1,0 +1,156 @@
+// touchstone convert: from each format to each other and back, and what is refused.
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/run_program.hpp"
+#include "cli/sample_files.hpp"
+#include "support/catch.hpp"
+
+using namespace touchstone;
+using namespace touchstone::tests;
+
+namespace {
+
+Run convert(const std::string& from, const std::string& to, std::vector<std::string> more = {}) {
+  more.insert(more.begin(), {"convert", from, to});
+  return run_program(more);
+}
+
+void check_refused(const Run& run, const std::string& reason) {
+  CAPTURE(run.err, reason);
+  CHECK(run.status == 2);
+  CHECK(run.out == "");
+  CHECK(occurrences(run.err, "\n") == 1);
+  CHECK(occurrences(run.err, reason) == 1);
+}
+
+/// An answers file without its first column, the file's name.
+std::string answers(const std::string& file, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> arguments = {"solve", file};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Run run = run_program(arguments);
+  CAPTURE(run.err);
+  REQUIRE(run.status == 0);
+  std::string text;
+  for (const std::string& line : lines_of(run.out)) text += line.substr(line.find(',')) + "\n";
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("every way through the formats and back to CSV gives the same bytes, for any number of threads") {
+  const TemporaryFolder folder;
+  for (const Kind kind : kKinds) {
+    const std::string name(kind_name(kind));
+    CAPTURE(name);
+    const std::string csv = folder.write(name + "/a.csv", sample_file(kind, 11, 12).text);
+    const auto path = [&](const std::string& file) { return folder.path(std::string(name).append("/").append(file)); };
+    REQUIRE(convert(csv, path("b.tsq")).status == 0);
+    REQUIRE(convert(path("b.tsq"), path("c.csv"), {"--to", "hexfloat"}).status == 0);
+    REQUIRE(convert(path("c.csv"), path("d.tsq"), {"--threads", "2"}).status == 0);
+    REQUIRE(convert(path("d.tsq"), path("e.csv")).status == 0);
+    CHECK(folder.read(name + "/b.tsq") == folder.read(name + "/d.tsq"));
+    CHECK(folder.read(name + "/e.csv") == folder.read(name + "/a.csv"));
+
+    REQUIRE(convert(path("b.tsq"), path("f.npy"), {"--claims", "drop"}).status == 0);
+    REQUIRE(convert(path("f.npy"), path("g.csv"), {"--claims", "solve", "--threads", "1"}).status == 0);
+    CHECK(folder.read(name + "/g.csv") == folder.read(name + "/a.csv"));
+
+    const std::string expected = answers(csv);
+    for (const std::string file : {"b.tsq", "f.npy", "e.csv"}) {
+      for (const std::string threads : {"1", "2"}) {
+        CAPTURE(file, threads);
+        CHECK(answers(path(file), {"--threads", threads}) == expected);
+      }
+    }
+  }
+}
+
+TEST_CASE("a binary file is certified, explained and asked like the CSV file that it was") {
+  const TemporaryFolder folder;
+  const std::string csv = folder.write("point-point/a.csv", "# separation 0x1p-2 max\n" + two_point_queries());
+  const std::string binary = folder.path("a.tsq");  // the file itself says its kind
+  const Run run = convert(csv, binary);
+  CHECK(run.status == 0);
+  CHECK(run.out == "2 queries of " + csv + " written to " + binary + " (binary, point-point, with claims)\n");
+  const Run certified = run_program({"certify", binary});
+  CHECK(certified.status == 0);
+  CHECK(occurrences(certified.out, "separation 0x1p-2 (0.25), max") == 1);
+  const Run explained = run_program({"explain", "--query", "0", "--separation", "0.25", "--metric", "max", binary});
+  CHECK(explained.status == 0);
+  CHECK(occurrences(explained.out, "(rows 1 to 4)") == 1);
+  CHECK(occurrences(explained.out, "truth column says 1: holds") == 1);
+
+  const std::string array = folder.path("a.npy");
+  CHECK(convert(binary, array, {"--claims", "drop"}).status == 0);
+  check_refused(run_program({"certify", array}), "a.npy: has no claims to judge; name a file of claims (--claims)");
+  const Run without_claims = run_program({"explain", "--query", "0", array});
+  CHECK(without_claims.status == 0);
+  CHECK(occurrences(without_claims.out, "truth column") == 0);
+  CHECK(run_program({"solve", "--out", folder.path("answers.csv"), array}).status == 0);
+  CHECK(run_program({"certify", "--claims", folder.path("answers.csv"), array}).status == 0);
+  check_refused(run_program({"prove", "--out", folder.path("proofs.txt"), binary}),
+                "a.tsq: is a file of doubles, and touchstone-check reads CSV; touchstone convert writes it as CSV");
+}
+
+TEST_CASE("convert refuses what a format does not hold, and leaves no file") {
+  const TemporaryFolder folder;
+  const std::string csv = folder.write("point-point/a.csv", two_point_queries() +
+                                                                "0,1,1,3,0,1,0\n0,1,0,1,0,1,0\n"
+                                                                "0,1,0,1,0,1,0\n0,1,0,1,0,1,0\n");
+  const auto files = [&] {
+    std::size_t count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path("."))) count += entry.is_regular_file();
+    return count;
+  };
+  check_refused(convert(csv, folder.path("b.tsq")),
+                "a.csv:9: y_num,y_den (y of p at t = 0 in query 2) is 1/3, which is no double; binary holds doubles");
+  check_refused(convert(csv, folder.path("b.npy")), "npy has no room for claims; --claims drop leaves them out");
+  check_refused(convert(csv, folder.path("b.npy"), {"--claims", "drop"}), "a.csv:9: y_num,y_den");
+  check_refused(convert(csv, folder.path("b")), "in which format? Its name ends in none of .csv, .tsq and .npy");
+  check_refused(convert(csv, csv), "is also an input");
+  check_refused(convert(csv, folder.path("b.csv"), {"--claims", "drop"}), "csv has a claim for each query");
+  check_refused(convert(csv, folder.path("b.tsq"), {"--to", "yaml"}), "yaml");
+  check_refused(convert(folder.write("empty.csv", ""), folder.path("b.tsq"), {"--kind", "edge-edge"}),
+                "holds no query");
+  CHECK(files() == 1);  // empty.csv
+  // csv holds every fraction.
+  CHECK(convert(csv, folder.path("same.csv")).status == 0);
+  CHECK(folder.read("same.csv") == folder.read("point-point/a.csv"));
+}
+
+TEST_CASE("minus zero goes through every format but fractions") {
+  const TemporaryFolder folder;
+  const std::string text =
+      folder.write("point-point/a.csv",
+                   "touchstone-curved,1\nquery,1\ncurve,-0x0p+0,0x0p+0,0x0p+0,0x0p+0,-0x0p+0,0x0p+0\n"
+                   "curve,0x1p+0,0x0p+0,0x0p+0,-0x1p+0,0x0p+0,0x0p+0\n");
+  const std::string binary = folder.path("a.tsq"), back = folder.path("b.csv");
+  REQUIRE(convert(text, binary).status == 0);
+  REQUIRE(convert(binary, back, {"--to", "hexfloat"}).status == 0);
+  CHECK(folder.read("b.csv") == folder.read("point-point/a.csv"));
+  check_refused(convert(binary, folder.path("c.csv")),
+                "a.tsq:1: x of p at t = 0 in query 0 is -0, and a fraction has no sign of zero");
+  REQUIRE(convert(binary, folder.path("c.csv"), {"--unsigned-zeros"}).status == 0);
+  CHECK(folder.read("c.csv") == "0,1,0,1,0,1,1\n1,1,0,1,0,1,1\n0,1,0,1,0,1,1\n-1,1,0,1,0,1,1\n");
+}
+
+TEST_CASE("a binary file that is cut off or damaged is refused by every command that reads queries") {
+  const TemporaryFolder folder;
+  const std::string csv = folder.write("point-point/a.csv", two_point_queries());
+  REQUIRE(convert(csv, folder.path("a.tsq")).status == 0);
+  const std::string whole = folder.read("a.tsq");
+  const std::string cut = folder.write("cut.tsq", whole.substr(0, whole.size() - 1));
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"solve"}, {"certify"}, {"explain", "--query", "0"}, {"prove", "--out", "-"}}) {
+    std::vector<std::string> arguments = command;
+    arguments.push_back(cut);
+    check_refused(run_program(arguments), "the header promises 2 queries of 97 bytes, and the file has 193 bytes");
+  }
+  check_refused(run_program({"solve", "--kind", "edge-edge", folder.path("a.tsq")}),
+                "its queries are of the kind point-point; edge-edge was asked for");
+  check_refused(convert(cut, folder.path("b.csv")), "it is cut off or damaged");
+}
