@@ -23,10 +23,12 @@ constexpr bool is_power_of_two(std::uint64_t value) { return value != 0 && (valu
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Whether the eight characters in `word` are digits: no high nibble but 3, and none of them above 9.
-constexpr bool are_digits(std::uint64_t word) {
-  return ((word & 0xF0F0F0F0F0F0F0F0u) | (((word + 0x0606060606060606u) & 0xF0F0F0F0F0F0F0F0u) >> 4)) ==
-         0x3333333333333333u;
+/// The number of digits at the front of eight characters, the first in the lowest byte.
+constexpr std::size_t count_digits(std::uint64_t word) {
+  const std::uint64_t t = word ^ 0x3030303030303030u;  // a digit's byte becomes its value
+  // A byte above 9 sets its high bit; no byte carries into the next.
+  const std::uint64_t others = (((t & 0x7F7F7F7F7F7F7F7Fu) + 0x7676767676767676u) | t) & 0x8080808080808080u;
+  return others == 0 ? 8 : static_cast<std::size_t>(std::countr_zero(others)) / 8;
 }
 
 /// The number that eight digits spell, the first in the lowest byte: pairs, then fours, then all eight are joined.
@@ -36,24 +38,75 @@ constexpr std::uint64_t value_of_digits(std::uint64_t word) {
   return (word & 0x0000FFFF0000FFFFu) * 42949672960001u >> 32;
 }
 
+constexpr std::size_t kDigitsOf64Bits = 19;
+
+constexpr auto kPowersOfTen = [] {
+  std::array<std::uint64_t, kDigitsOf64Bits + 1> powers{};
+  powers[0] = 1;
+  for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = powers[i - 1] * 10;
+  return powers;
+}();
+
 /// Reads digits into `value`, which must have room for them; at most `most` (else the result is not at a separator).
 const char* read_digits(const char* text, std::size_t most, std::uint64_t& value) noexcept {
   const char* const stop = text + most;
   if constexpr (std::endian::native == std::endian::little) {
-    std::uint64_t word;
-    while (stop - text >= 8 && (std::memcpy(&word, text, 8), are_digits(word))) {
-      value = value * 100'000'000 + value_of_digits(word);
-      text += 8;
+    while (stop - text >= 8) {
+      std::uint64_t word;
+      std::memcpy(&word, text, 8);
+      const std::size_t count = count_digits(word);
+      if (count == 0) return text;
+      // Shifted to the end, as if zeros stood before them.
+      value = value * kPowersOfTen[count] + value_of_digits(word << 8 * (8 - count));
+      text += count;
+      if (count < 8) return text;
     }
   }
   while (text < stop && is_digit(*text)) value = value * 10 + static_cast<std::uint64_t>(*text++ - '0');
   return text;
 }
 
-constexpr std::size_t kDigitsOf64Bits = 19;
+/// The powers of two of 9 to 16 digits, as text. The leading digit tells the powers of one length apart.
+struct WrittenPower {
+  std::uint64_t first = 0, last = 0;  ///< the first eight characters, and the others with zero bytes after them
+  int exponent = -1;
+};
+constexpr std::size_t kLeastWritten = 9, kMostWritten = 16;
+constexpr auto kWrittenPowers = [] {
+  std::array<std::array<WrittenPower, 10>, kMostWritten - kLeastWritten + 1> powers{};
+  for (int exponent = 0; exponent < 54; ++exponent) {
+    std::array<std::uint64_t, kMostWritten> digits{};
+    std::size_t count = 0;
+    for (std::uint64_t rest = std::uint64_t{1} << exponent; rest > 0; rest /= 10) digits[count++] = rest % 10;
+    if (count < kLeastWritten) continue;
+    WrittenPower& power = powers[count - kLeastWritten][digits[count - 1]];
+    power.exponent = exponent;
+    for (std::size_t i = 0; i < count; ++i) {
+      (i < 8 ? power.first : power.last) |= ('0' + digits[count - 1 - i]) << (8 * (i % 8));
+    }
+  }
+  return powers;
+}();
+
+/// The exponent of a denominator 2^k of 9 to 16 digits that ends at a comma, or -1: it may be another one.
+int read_written_power(const char*& text) noexcept {
+  std::uint64_t first, last;
+  std::memcpy(&first, text, 8);
+  if (count_digits(first) < 8) return -1;
+  std::memcpy(&last, text + 8, 8);
+  const std::size_t count = count_digits(last);
+  if (count == 0 || text[8 + count] != ',') return -1;
+  const WrittenPower& power = kWrittenPowers[8 + count - kLeastWritten][first & 0xF];
+  if (first != power.first || last << 8 * (8 - count) != power.last << 8 * (8 - count)) return -1;
+  text += 8 + count + 1;
+  return power.exponent;
+}
 
 /// The exponent of a denominator 2^k that ends at a comma, or -1.
 int read_power_of_two(const char*& text) noexcept {
+  if constexpr (std::endian::native == std::endian::little) {
+    if (const int exponent = read_written_power(text); exponent >= 0) return exponent;
+  }
   std::uint64_t high = 0;
   const char* end = read_digits(text, kDigitsOf64Bits, high);
   if (*end == ',') {
@@ -63,12 +116,6 @@ int read_power_of_two(const char*& text) noexcept {
   }
   // 20 to 38 digits: high * 10^k + low < 10^38 < 2^127.
   __extension__ using Wide = unsigned __int128;
-  constexpr auto kPowersOfTen = [] {
-    std::array<std::uint64_t, kDigitsOf64Bits + 1> powers{};
-    powers[0] = 1;
-    for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = powers[i - 1] * 10;
-    return powers;
-  }();
   std::uint64_t low = 0;
   const char* const last = read_digits(end, kDigitsOf64Bits, low);
   if (*last != ',') return -1;
