@@ -33,6 +33,7 @@ Vector3 turn_of(const Pose& from, const Pose& to) { return turn_between(from.q, 
 }  // namespace
 
 bool BodyResponse::Attempt::begin() {
+  const PhaseClock clock(result_.times.integration);
   const double h = step_->h;
   free_ = start_->bodies;
   system_->accelerate(free_, h);
@@ -69,6 +70,7 @@ bool BodyResponse::Attempt::begin() {
 
 /// Those that come within the thickness if nothing answers them.
 void BodyResponse::Attempt::find_contacts() {
+  const PhaseClock clock(result_.times.response);
   const double h = step_->h, thickness = r_->thickness_;
   const auto pairs = r_->colliders_->candidates(motions(), thickness);
   double fastest = 0;
@@ -235,18 +237,27 @@ BodyResult::Outcome BodyResponse::Attempt::settle(double restitution) {
   merged_.clear();
   for (int pass = 0;; ++pass) {
     if (!contacts_.empty()) {
+      const PhaseClock clock(result_.times.contacts);
       set_targets();
       solve(restitution);
       move();
     }
     if (system_->most_turn(result_.end.bodies, step_->h) > 2 * kMostTurn) return Outcome::too_fast;
-    found = touches();
+    double asking = 0;
+    {
+      const PhaseClock clock(asking);
+      found = touches();
+    }
+    (found.found.empty() ? result_.times.proof : result_.times.response) += asking;
     result_.counts.contacts += found.found.size();
     if (found.found.empty()) {
       result_.counts.pairs = found.pairs;
       result_.counts.proof = found.levels;
       result_.counts.separations = found.separations;
-      if (!contacts_.empty()) restore_angular_momentum();
+      if (!contacts_.empty()) {
+        const PhaseClock clock(result_.times.contacts);
+        restore_angular_momentum();
+      }
       return Outcome::done;
     }
     count_asked(found);
@@ -254,6 +265,7 @@ BodyResult::Outcome BodyResponse::Attempt::settle(double restitution) {
     ++result_.counts.passes;
     answer_touches(found);
   }
+  const PhaseClock clock(result_.times.response);
   if (step_->may_merge && merge(found)) {
     restore_angular_momentum();
     return Outcome::done;

@@ -7,6 +7,7 @@
 
 #include "body_contact/contact_solver.hpp"
 #include "contact/narrow_phase.hpp"
+#include "contact/phase_times.hpp"
 
 namespace touchstone::sim {
 
@@ -75,6 +76,7 @@ struct BodyResult {
   BodyCounts counts;
   BodyFlows flows;
   std::vector<BodyContact> contacts;  ///< with keep_contacts: those that push
+  PhaseTimes times;
 };
 
 class BodyResponse {

@@ -30,7 +30,7 @@ struct Plan {
 
 struct Plans {
   Plan hoop;
-  std::vector<Plan> cable_drop, whip, twist;
+  std::vector<Plan> cable_drop, whip, twist, link_chain;
 };
 
 /// The layers of cable-drop fall for five steps and then lie on each other, and its time is that of their contacts; the
@@ -41,12 +41,14 @@ Plans plans(bool quick) {
     return {{"hoop", 200, 75, 2},
             {{"cable-drop", 200, 12, 1}, {"cable-drop", 800, 12, 4}},
             {{"whip", 100, 10, 1}, {"whip", 400, 10, 4}},
-            {{"twist", 100, 10, 1}, {"twist", 400, 10, 4}}};
+            {{"twist", 100, 10, 1}, {"twist", 400, 10, 4}},
+            {{"link-chain", 3, 100, 1}, {"link-chain", 12, 100, 4}}};
   }
   return {{"hoop", 560, 600, 3},
           {{"cable-drop", 5'000, 24, 5}, {"cable-drop", 50'000, 24, 58}},
           {{"whip", 1'000, 30, 0.5}, {"whip", 10'000, 30, 5}},
-          {{"twist", 1'000, 10, 0.5}, {"twist", 5'000, 10, 2}, {"twist", 20'000, 10, 15}}};
+          {{"twist", 1'000, 10, 0.5}, {"twist", 5'000, 10, 2}, {"twist", 20'000, 10, 15}},
+          {{"link-chain", 12, 800, 0.5}, {"link-chain", 50, 800, 2}}};
 }
 
 double weight(const std::vector<Plan>& plans) {
@@ -70,10 +72,14 @@ Counts count(const Plan& plan, const ScenePulse& pulse) {
   sim::Simulation simulation(std::move(scene), {});
   Counts counts{};
   counts.edges = simulation.colliders().edges().size();
+  if (simulation.bodies() != nullptr) {
+    for (const sim::ElementSet& surface : simulation.bodies()->colliders().surfaces())
+      counts.edges += surface.edges.size();
+  }
   for (std::uint64_t i = 0; i < plan.steps; ++i) {
     pulse(static_cast<double>(i) / static_cast<double>(plan.steps));
     for (const auto& record : simulation.step()) {
-      counts.contacts += record.response.contacts;
+      counts.contacts += record.response.contacts + record.bodies.close;
       counts.crossings += record.proof.crossings;
     }
   }
@@ -99,7 +105,7 @@ SceneRun run_scene(const Plan& plan, const Plan& small, const ScenePulse& pulse)
 template <class Use>
 void for_each_run(const SceneRuns& runs, const Use& use) {
   use(runs.hoop);
-  for (const SceneSeries* series : {&runs.cable_drop, &runs.whip, &runs.twist}) {
+  for (const SceneSeries* series : {&runs.cable_drop, &runs.whip, &runs.twist, &runs.link_chain}) {
     for (const SceneRun& run : *series) use(run);
   }
 }
@@ -114,7 +120,8 @@ double exponent(const SceneSeries& series) {
 
 SceneRuns run_scenes(bool quick, const ScenePulse& pulse) {
   const Plans all = plans(quick), small = plans(true);
-  const double total = all.hoop.weight + weight(all.cable_drop) + weight(all.whip) + weight(all.twist);
+  const double total =
+      all.hoop.weight + weight(all.cable_drop) + weight(all.whip) + weight(all.twist) + weight(all.link_chain);
   double done = 0;
   const auto run = [&](const Plan& plan, const Plan& before) {
     SceneRun result = run_scene(plan, before, [&](double share) { pulse((done + share * plan.weight) / total); });
@@ -126,6 +133,7 @@ SceneRuns run_scenes(bool quick, const ScenePulse& pulse) {
   for (const Plan& plan : all.cable_drop) runs.cable_drop.push_back(run(plan, small.cable_drop.front()));
   for (const Plan& plan : all.whip) runs.whip.push_back(run(plan, small.whip.front()));
   for (const Plan& plan : all.twist) runs.twist.push_back(run(plan, small.twist.front()));
+  for (const Plan& plan : all.link_chain) runs.link_chain.push_back(run(plan, small.link_chain.front()));
   return runs;
 }
 
@@ -149,21 +157,24 @@ std::string scene_runs_section(const SceneRuns& runs) {
       "`hoop` makes {:.0f} steps a second of processor time. The time of a step of "
       "`cable-drop`, in which most steps have contacts, grows with the number of edges to the power of {:.2f}, and of "
       "`whip`, a cable at 100 m/s, to the power of {:.2f}; that of `twist`, a sheet that is wrung, to the power of "
-      "{:.2f}. *Collision* is the share of broad phase, narrow phase, "
-      "response and proof. *Memory* is by how much the resident memory of a process that does nothing else grew until "
+      "{:.2f}, and of `link-chain`, rigid links of 100 edges, to the power of {:.2f}. *Collision* is the share of "
+      "broad "
+      "phase, narrow phase, response and proof. *Memory* is by how much the resident memory of a process that does "
+      "nothing else grew until "
       "its peak, with the scene and with what the allocator holds back, but without the code.\n\n"
-      "| scene | edges | steps | contacts | crossings | ms a step | collision | memory | bytes an edge |\n"
-      "|---|---:|---:|---:|---:|---:|---:|---:|---:|\n",
-      1 / runs.hoop.seconds_per_step(), exponent(runs.cable_drop), exponent(runs.whip), exponent(runs.twist));
+      "| scene | edges | steps | contacts | crossings | ms a step | steps a second | collision | memory | bytes an "
+      "edge |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n",
+      1 / runs.hoop.seconds_per_step(), exponent(runs.cable_drop), exponent(runs.whip), exponent(runs.twist),
+      exponent(runs.link_chain));
   for_each_run(runs, [&](const SceneRun& run) {
     std::string memory = "unknown", an_edge;
     if (run.memory) {
       memory = fmt::format("{:.1f} MB", 1e-6 * static_cast<double>(*run.memory));
       an_edge = fmt::format("{:.0f}", static_cast<double>(*run.memory) / static_cast<double>(run.edges));
     }
-    text += fmt::format("| {} {} | {} | {} | {} | {} | {:.4g} | {} | {} | {} |\n", run.scene, run.size, run.edges,
-                        run.steps, run.contacts, run.crossings, 1e3 * run.seconds_per_step(),
-                        percent(run.collision_share), memory, an_edge);
+    text += fmt::format("| {} {} | {} | {} | {} | {} | {:.4g} | {:.3g} | {} | {} | {} |\n", run.scene, run.size,
+                        run.edges, run.steps, run.contacts, run.crossings, 1e3 * run.seconds_per_step(),
+                        1 / run.seconds_per_step(), percent(run.collision_share), memory, an_edge);
   });
   return text + "\n";
 }

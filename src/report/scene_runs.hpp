@@ -16,10 +16,11 @@ struct SceneRun {
   std::uint64_t size = 0;   ///< as requested
   std::uint64_t edges = 0;  ///< that can collide
   std::uint64_t steps = 0;
-  std::uint64_t contacts = 0;           ///< found by the narrow phase
-  std::uint64_t crossings = 0;          ///< found by the proofs
-  double seconds = 0;                   ///< of processor time, for all steps
-  double collision_share = 0;           ///< fraction of the time: broad and narrow phase, response and proof
+  std::uint64_t contacts = 0;   ///< found by the narrow phase; of bodies, those that are answered
+  std::uint64_t crossings = 0;  ///< found by the proofs
+  double seconds = 0;           ///< of processor time, for all steps
+  double collision_share =
+      0;  ///< fraction of the time: broad and narrow phase, response and proof, but not the solver of bodies' impulses
   std::optional<std::uint64_t> memory;  ///< bytes, of run_in_own_process; includes making the scene
 
   double seconds_per_step() const noexcept { return seconds / static_cast<double>(steps); }
@@ -33,7 +34,7 @@ double exponent(const SceneSeries& series);
 
 struct SceneRuns {
   SceneRun hoop;
-  SceneSeries cable_drop, whip, twist;
+  SceneSeries cable_drop, whip, twist, link_chain;
 };
 
 /// Called before each step with the fraction of all work that is done.

@@ -6,7 +6,7 @@
 
 #include "contact/contact_finder.hpp"
 #include "dynamics/stepper.hpp"
-#include "sim/phase_times.hpp"
+#include "contact/phase_times.hpp"
 #include "sim/response_model.hpp"
 
 namespace touchstone::sim {

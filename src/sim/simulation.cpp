@@ -233,10 +233,10 @@ std::variant<SubstepRecord, Refusal> Simulation::try_substep(double h, double en
 
   BodyResult bodies;
   if (kBodies && bodies_) {
-    const PhaseClock clock(times_.response);
     // Bodies that do not come apart in a short substep are merged for it.
     const bool may_merge = h <= scene_.settings.time_step / kMostSubstepsForEnergy;
     bodies = bodies_->step(state_, h, end_time, may_merge, system_, next);
+    times_ += bodies.times;
     const bool gained = bodies.outcome == BodyResult::Outcome::gained_energy;
     if (bodies.outcome != BodyResult::Outcome::done && (!gained || may_be_halved)) return bodies_->refusal_of(bodies);
     contacts_gained |= gained;

@@ -15,7 +15,7 @@
 #include "linear/cancellation.hpp"
 #include "sim/body_part.hpp"
 #include "sim/contact_mark.hpp"
-#include "sim/phase_times.hpp"
+#include "contact/phase_times.hpp"
 #include "sim/refusal.hpp"
 #include "sim/response.hpp"
 

@@ -167,7 +167,8 @@ void check_scene_runs(const std::vector<Row>& rows) {
     CHECK(number(row, "edges") > edges[scene]);
     edges[scene] = number(row, "edges");
   }
-  CHECK(runs == std::map<std::string, long>{{"cable-drop", 2}, {"hoop", 1}, {"twist", 2}, {"whip", 2}});
+  CHECK(runs ==
+        std::map<std::string, long>{{"cable-drop", 2}, {"hoop", 1}, {"link-chain", 2}, {"twist", 2}, {"whip", 2}});
 }
 
 /// A file of queries that never touch: a set without any time to compare.

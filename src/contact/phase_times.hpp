@@ -9,9 +9,9 @@ namespace touchstone::sim {
 /// Seconds of all threads.
 struct PhaseTimes {
   double integration = 0;  ///< substeps without contacts
-  double contacts = 0;     ///< substeps that are solved again with contacts in their potential
-  double response = 0;     ///< broad and narrow phase, impulses and impact zones
-  double proof = 0;
+  double contacts = 0;  ///< substeps that are solved again with contacts in their potential, or of bodies, by impulses
+  double response = 0;  ///< broad and narrow phase, impulses and impact zones of particles
+  double proof = 0;     ///< of bodies: the answers about the motion that is taken
 
   double total() const noexcept { return integration + contacts + response + proof; }
   double collision() const noexcept { return response + proof; }
