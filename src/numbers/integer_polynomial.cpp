@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "numbers/integer_polynomial.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
-#include "numbers/gmp_conversions.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace touchstone::numbers {
 namespace {
@@ -48,14 +50,22 @@ Integers exact_quotient(Integers a, const Integers& b) {
 }  // namespace
 
 Integers primitive_integers(Coefficients p) {
-  mpz_class denominator = 1;
-  std::vector<mpq_class> rationals;
+  // All times one power of two, that of the least exponent.
+  int least = std::numeric_limits<int>::max();
   for (int i = 0; i < p.size; ++i) {
-    rationals.push_back(to_rational(p.c[i]));
-    denominator = lcm(denominator, rationals.back().get_den());
+    if (!is_zero(p.c[i])) least = std::min(least, p.c[i].limb_exponent());
   }
-  Integers result;
-  for (const mpq_class& x : rationals) result.push_back(x.get_num() * (denominator / x.get_den()));
+  Integers result(static_cast<std::size_t>(p.size));
+  std::vector<Exact::Limb> limbs;
+  for (int i = 0; i < p.size; ++i) {
+    const Exact& x = p.c[i];
+    if (is_zero(x)) continue;
+    limbs.assign(static_cast<std::size_t>(x.limb_exponent() - least), 0);
+    for (int k = 0; k < x.limb_count(); ++k) limbs.push_back(x.limb(k));
+    mpz_class& integer = result[static_cast<std::size_t>(i)];
+    mpz_import(integer.get_mpz_t(), limbs.size(), -1, sizeof(Exact::Limb), 0, 0, limbs.data());
+    if (x.sign() < 0) mpz_neg(integer.get_mpz_t(), integer.get_mpz_t());
+  }
   make_primitive(result);
   return result;
 }

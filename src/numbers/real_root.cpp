@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "numbers/coprime.hpp"
 #include "numbers/gmp_conversions.hpp"
 #include "numbers/integer_polynomial.hpp"
 
@@ -26,6 +27,19 @@ int sign_at_rational(Coefficients q, const Exact& numerator, const Exact& denomi
     if (i > 0) power = power * denominator;
   }
   return sign_of(value);
+}
+
+/// Whether q is a constant times p, which is not zero.
+bool is_multiple_of(Coefficients p, Coefficients q) {
+  int size = q.size;
+  while (size > 0 && is_zero(q.c[size - 1])) --size;
+  if (size != p.size) return false;
+  const Exact &of_p = p.c[size - 1], &of_q = q.c[size - 1];
+  for (int i = size - 2; i >= 0; --i) {
+    if (is_zero(p.c[i]) != is_zero(q.c[i])) return false;
+    if (p.c[i] * of_q != q.c[i] * of_p) return false;
+  }
+  return true;
 }
 
 /// A polynomial whose leading coefficient is not zero; empty for the zero polynomial.
@@ -291,6 +305,8 @@ void RealRoot::find_small_integers() {
 /// Whether q has the isolated root: then it is one of their greatest common divisor, which has no other between low and
 /// high and changes its sign there, as p does.
 bool RealRoot::vanishes_at_isolated(Coefficients q) const {
+  if (certainly_coprime(polynomial(), q)) return false;
+  if (is_multiple_of(polynomial(), q)) return true;  // mostly p itself
   constexpr int kLow = 6;
   if (degree_ > kLow || q.size > kLow + 1) {
     // Without the division of common factors, the coefficients' lengths grow exponentially with the degree.
