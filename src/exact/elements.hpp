@@ -171,6 +171,9 @@ class MomentOf {
   static MomentOf just_after(const Root& root) { return MomentOf(root, 1, nullptr); }
   static MomentOf just_before(const Root& root) { return MomentOf(root, -1, nullptr); }
 
+  const Root& root() const { return root_; }
+  bool is_at_root() const { return side_ == 0; }
+
   /// The sign of q at this moment. The name and the axis are for the record.
   template <class R, int D>
   int sign(const numbers::Polynomial<R, D>& q, const char* name, int axis = -1) const {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,7 +42,7 @@ class MaxLevel final : public DistanceLevel {
  public:
   // With edges' directions divided by their element's multiplier m, s and t are multiplied by it: s + t <= m and so on.
   // d is multiplied by what the corners are multiplied by.
-  MaxLevel(Kind kind, const AnyCorners& corners, const Ratio& level) : kind_(kind), corners_(corners) {
+  MaxLevel(Kind kind, const AnyCorners& corners, const Ratio& level) : kind_(kind), corners_(corners), level_(level) {
     const Form zero, one(Exact(1)), minus_one(Exact(-1));
     const bool edges = kind == Kind::edge_edge;
     // The difference is r - s u - t w. For edges it is b0 + t (b1 - b0) - a0 - s u, for a face v - f0 - s u - t w, for
@@ -133,7 +134,8 @@ class MaxLevel final : public DistanceLevel {
     // The least d of a linear programme in s, t and d: three of its borders meet there in one point.
     const Moment moment = Moment::at(time);
     const Ratio at = {time.numerator(), time.denominator()};
-    const MaxLevel ground(kind_, corners_, {Exact(0), Exact(1)});
+    const AnyCorners corners = is_dyadic(time) ? corners_at(time) : corners_;
+    const MaxLevel ground(kind_, corners, {Exact(0), Exact(1)});
     std::vector<Ratio> candidates;
     for (std::size_t i = 0; i < kAxes; ++i) {
       for (std::size_t j = i + 1; j < count_; ++j) {
@@ -151,7 +153,7 @@ class MaxLevel final : public DistanceLevel {
     std::sort(candidates.begin(), candidates.end(),
               [](const Ratio& a, const Ratio& b) { return exact::compare(a, b) < 0; });
     return *std::partition_point(candidates.begin(), candidates.end(),
-                                 [&](const Ratio& d) { return with_level(d)->compare(moment) > 0; });
+                                 [&](const Ratio& d) { return MaxLevel(kind_, corners, d).compare(moment) > 0; });
   }
 
   std::unique_ptr<DistanceLevel> with_level(const Ratio& level) const override {
@@ -194,6 +196,44 @@ class MaxLevel final : public DistanceLevel {
     });
   }
 
+  static bool is_dyadic(const RealRoot& time) { return time.denominator() == Exact(1); }
+
+  /// The corners at a dyadic time, at rest.
+  AnyCorners corners_at(const RealRoot& time) const {
+    const Ratio at = {time.numerator(), time.denominator()};
+    AnyCorners result = corners_;
+    const auto fix = [&](Form& p) { p = Form(homogeneous_value(p, at)); };
+    for (std::size_t i = 0; i < result.corners.size(); ++i) {
+      for (Form& p : result.corners[i].c) fix(p);
+      for (Form& p : result.own[i].c) fix(p);
+    }
+    for (Form& p : result.multipliers) fix(p);
+    fix(result.scale);
+    return result;
+  }
+
+  /// The same elements and level at rest, as they are at a dyadic time; null for another time. Polynomials in full are
+  /// only needed where their values there are zero.
+  const MaxLevel* at_rest(const Moment& moment) const {
+    const RealRoot& time = moment.root();
+    if (!is_dyadic(time)) return nullptr;
+    if (!at_rest_ || time.numerator() != rest_time_) {
+      at_rest_ = std::make_unique<MaxLevel>(kind_, corners_at(time), level_);
+      rest_time_ = time.numerator();
+    }
+    return at_rest_.get();
+  }
+  template <class... Index>
+  int sign_of_determinant(const Moment& moment, Index... rows) const {
+    if (corners_.scale.size() > 1 || half_planes_[0].constant.size() > 1) {
+      if (const MaxLevel* const rest = at_rest(moment)) {
+        const int sign = numbers::sign_of(rest->determinant(rows...)[0]);
+        if (sign != 0 || moment.is_at_root()) return sign;
+      }
+    }
+    return moment.sign(determinant(rows...));
+  }
+
   /// Half-plane m's value at the meeting point of i and j, times determinant(i, j).
   const Form& value_at(std::size_t i, std::size_t j, std::size_t m, bool& negative) const {
     // Sorting the rows changes the determinant's sign with each exchange.
@@ -201,9 +241,10 @@ class MaxLevel final : public DistanceLevel {
     return m < i ? determinant(m, i, j) : m < j ? determinant(i, m, j) : determinant(i, j, m);
   }
   int sign_at(const Vertex& vertex, std::size_t m, const Moment& moment) const {
-    bool negative = false;
-    const int sign = moment.sign(value_at(vertex.i, vertex.j, m, negative));
-    return negative ? -sign : sign;
+    const auto [i, j, tight] = vertex;
+    if (m < i) return sign_of_determinant(moment, m, i, j);
+    if (m > j) return sign_of_determinant(moment, i, j, m);
+    return -sign_of_determinant(moment, i, m, j);
   }
 
   /// Calls f with each vertex until it returns false.
@@ -211,7 +252,7 @@ class MaxLevel final : public DistanceLevel {
   void for_each_vertex(const Moment& moment, const F& f) const {
     for (std::size_t j = count_ - 1; j > 0; --j) {  // vertices on the elements' borders first: they are cheaper
       for (std::size_t i = j; i-- > 0;) {
-        const int orientation = moment.sign(determinant(i, j));
+        const int orientation = sign_of_determinant(moment, i, j);
         if (orientation == 0) continue;
         Vertex vertex = {i, j, bit(i) | bit(j)};
         bool inside = true;
@@ -342,6 +383,9 @@ class MaxLevel final : public DistanceLevel {
 
   Kind kind_;
   AnyCorners corners_;
+  Ratio level_;
+  mutable std::unique_ptr<MaxLevel> at_rest_;
+  mutable Exact rest_time_;
   std::array<HalfPlane, kMost> half_planes_;
   std::size_t count_ = 0;
   mutable std::array<Lazy<Form>, kMost*(kMost - 1) / 2> pairs_;
