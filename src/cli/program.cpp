@@ -14,7 +14,7 @@
 
 #include "cli/bench/bench.hpp"
 #include "cli/certify/certify.hpp"
-#include "cli/convert.hpp"
+#include "cli/convert/convert.hpp"
 #include "cli/describe/describe.hpp"
 #include "cli/doctor/doctor.hpp"
 #include "cli/explain/explain.hpp"

@@ -1,95 +1,16 @@
-// HDF5: positions of frames, through libhdf5. The one file that includes it.
+// HDF5: positions of frames, through libhdf5.
 // SPDX-License-Identifier: MIT
-#include <hdf5.h>
-
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <mutex>
 #include <utility>
 
 #include "frames/array.hpp"
+#include "frames/hdf5_handles.hpp"
 #include "io/fail.hpp"
 
 namespace touchstone::frames {
 namespace {
-
-/// libhdf5 is mostly built without support for threads.
-std::mutex& library_mutex() {
-  static std::mutex mutex;
-  return mutex;
-}
-
-/// An object of libhdf5, closed at the end.
-class Handle {
- public:
-  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
-  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
-  Handle& operator=(Handle&& other) noexcept {
-    std::swap(id_, other.id_);
-    std::swap(close_, other.close_);
-    return *this;
-  }
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  ~Handle() {
-    if (id_ >= 0) close_(id_);
-  }
-
-  hid_t id() const noexcept { return id_; }
-  bool is_open() const noexcept { return id_ >= 0; }
-
- private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
-
-/// Keeps libhdf5 from printing its errors, as long as it lives.
-class Silence {
- public:
-  Silence() {
-    H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-  ~Silence() {
-    H5Eclear2(H5E_DEFAULT);
-    H5Eset_auto2(H5E_DEFAULT, function_, data_);
-  }
-
- private:
-  H5E_auto2_t function_ = nullptr;
-  void* data_ = nullptr;
-};
-
-/// The reason that libhdf5 gives for the last failure: that of the innermost function.
-std::string library_reason() {
-  std::string reason;
-  const auto keep = [](unsigned, const H5E_error2_t* error, void* to) -> herr_t {
-    if (error->desc != nullptr) *static_cast<std::string*>(to) = error->desc;
-    return 0;
-  };
-  H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, keep, &reason);
-  return reason.empty() ? "libhdf5 gives no reason" : io::with_short_words(reason);
-}
-
-std::vector<std::uint64_t> extents_of(const Handle& dataset) {
-  const Handle space(H5Dget_space(dataset.id()), H5Sclose);
-  const int rank = space.is_open() ? H5Sget_simple_extent_ndims(space.id()) : -1;
-  if (rank <= 0) return {};
-  std::vector<hsize_t> extents(static_cast<std::size_t>(rank));
-  if (H5Sget_simple_extent_dims(space.id(), extents.data(), nullptr) < 0) return {};
-  return {extents.begin(), extents.end()};
-}
-
-/// Whether the values are of a type that converts to doubles without rounding.
-bool holds_floats(const Handle& dataset) {
-  const Handle type(H5Dget_type(dataset.id()), H5Tclose);
-  if (!type.is_open() || H5Tget_class(type.id()) != H5T_FLOAT) return false;
-  const std::array<hid_t, 4> known = {H5T_IEEE_F32LE, H5T_IEEE_F32BE, H5T_IEEE_F64LE, H5T_IEEE_F64BE};
-  return std::any_of(known.begin(), known.end(), [&](hid_t other) { return H5Tequal(type.id(), other) > 0; });
-}
 
 bool has_fitting_shape(const std::vector<std::uint64_t>& extents) {
   return (extents.size() == 2 || extents.size() == 3) && (extents.back() == 2 || extents.back() == 3);
@@ -129,31 +50,6 @@ struct OpenDataset {
   std::size_t rank = 2;
 };
 
-/// A file of few bytes does not hold much. Filters compress, deflate to a 1032nd at best. Without this check a few
-/// bytes could ask for any amount of memory.
-void check_storage(const std::string& file, const OpenDataset& open, std::uint64_t file_size) {
-  constexpr std::uint64_t kMostCompression = 1100;
-  const std::uint64_t stored = std::min<std::uint64_t>(H5Dget_storage_size(open.dataset.id()), file_size);
-  const std::uint64_t most = stored * kMostCompression / sizeof(float);
-  if (stored == 0) io::fail(file, open.name + "no values are stored");
-  const auto is_too_large = [&](std::initializer_list<std::uint64_t> extents) {
-    std::uint64_t room = most;
-    for (const std::uint64_t extent : extents) room /= std::max<std::uint64_t>(extent, 1);
-    return room == 0;
-  };
-  bool too_large = is_too_large({open.shape.vertices, open.shape.dimension});
-  const Handle plan(H5Dget_create_plist(open.dataset.id()), H5Pclose);
-  if (plan.is_open() && H5Pget_layout(plan.id()) == H5D_CHUNKED) {
-    std::array<hsize_t, 3> chunk{};
-    if (H5Pget_chunk(plan.id(), static_cast<int>(open.rank), chunk.data()) < 0) io::fail(file, library_reason());
-    too_large = too_large || is_too_large({chunk[0], chunk[1], open.rank == 3 ? chunk[2] : 1});
-  }
-  if (too_large) {
-    io::fail(file, open.name + "its shape asks for more values than its " + std::to_string(stored) +
-                       " stored bytes can hold");
-  }
-}
-
 /// The caller holds the mutex, and errors are silent.
 OpenDataset open_dataset(const std::string& name, const ReadOptions& options) {
   const auto size = io::InputFile::check(name);
@@ -183,20 +79,20 @@ OpenDataset open_dataset(const std::string& name, const ReadOptions& options) {
   const std::vector<std::uint64_t> extents = extents_of(dataset);
   const ArrayShape shape = shape_of_positions(name, shown, extents);
   OpenDataset open{std::move(file), std::move(dataset), std::move(shown), shape, extents.size()};
-  check_storage(name, open, *size);
+  check_storage(name, open.name, open.dataset, *size, {shape.vertices, shape.dimension}, sizeof(float));
   return open;
 }
 
 }  // namespace
 
 ArrayShape hdf5_shape(const std::string& file, const ReadOptions& options) {
-  const std::lock_guard lock(library_mutex());
+  const std::lock_guard lock(hdf5_mutex());
   const Silence silence;
   return open_dataset(file, options).shape;
 }
 
 ArrayFrame read_hdf5_frame(const std::string& file, std::size_t index, const ReadOptions& options) {
-  const std::lock_guard lock(library_mutex());
+  const std::lock_guard lock(hdf5_mutex());
   const Silence silence;
   const OpenDataset open = open_dataset(file, options);
   const ArrayShape& shape = open.shape;

@@ -114,8 +114,7 @@ std::string place(const QueryRecord& record, Kind kind, std::size_t row, std::si
     if (!is_minus_zero(x)) return;
     fail(source, line_of_row(record, row),
          place(record, query.kind, row, axis) +
-             " is -0, and a fraction has no sign of zero; hexfloat, binary and npy hold it, or --unsigned-zeros writes "
-             "0");
+             " is -0, and a fraction has no sign of zero; the other formats hold it, or --unsigned-zeros writes 0");
   });
   fail(source, record.first_row, "the query has a coordinate -0");
 }
@@ -128,6 +127,7 @@ std::string_view format_name(QueryFormat format) noexcept {
     case QueryFormat::hexfloat: return "hexfloat";
     case QueryFormat::binary: return "binary";
     case QueryFormat::npy: return "npy";
+    case QueryFormat::hdf5: return "hdf5";
   }
   return "";
 }
@@ -140,6 +140,7 @@ std::optional<QueryFormat> format_of_name(std::string_view path) {
   if (ending == "csv") return QueryFormat::csv;
   if (ending == "tsq") return QueryFormat::binary;
   if (ending == "npy") return QueryFormat::npy;
+  if (ending == "h5" || ending == "hdf5") return QueryFormat::hdf5;
   return std::nullopt;
 }
 
@@ -151,12 +152,15 @@ std::string fault_of_written_file(const WrittenFile& file) {
   if (is_text(file.format) && !file.with_claims) {
     return name + " has a claim for each query; --claims solve computes them";
   }
+  if (file.format == QueryFormat::hdf5 && file.separation) {
+    return "hdf5 has no room for the separation that the claims are about; --claims drop leaves the claims out";
+  }
   return {};
 }
 
 EncodedQueries::EncodedQueries(const WrittenFile& file) : file_(file) {
   const std::size_t columns = 6 * corner_count(file.kind);
-  parts_.resize(file.format == QueryFormat::binary ? columns + 1 : 1);
+  parts_.resize(file.format == QueryFormat::binary ? columns + 1 : file.format == QueryFormat::hdf5 ? 2 : 1);
 }
 
 void EncodedQueries::add_doubles(const Query& query) {
@@ -192,6 +196,7 @@ void EncodedQueries::add(const std::string& source, const QueryRecord& record, s
       return;
     case QueryFormat::hexfloat: append_query(parts_[0], on_curves(*straight), claim); return;
     case QueryFormat::binary:
+    case QueryFormat::hdf5:
       add_doubles(*straight);
       if (file_.with_claims) parts_.back() += claim ? '\1' : '\0';
       return;

@@ -22,15 +22,16 @@ enum class QueryFormat : std::uint8_t {
   csv,       ///< rows of fractions
   hexfloat,  ///< the rows of curved queries, with hexfloats
   binary,    ///< a header and columns of doubles
-  npy        ///< NumPy's array of doubles of shape (n, 2, corners, 3)
+  npy,       ///< NumPy's array of doubles of shape (n, 2, corners, 3)
+  hdf5       ///< rows of doubles and results, as the public benchmark packs them; QueryFileWriter does not write it
 };
-inline constexpr std::array<QueryFormat, 4> kQueryFormats = {QueryFormat::csv, QueryFormat::hexfloat,
-                                                             QueryFormat::binary, QueryFormat::npy};
+inline constexpr std::array<QueryFormat, 5> kQueryFormats = {QueryFormat::csv, QueryFormat::hexfloat,
+                                                             QueryFormat::binary, QueryFormat::npy, QueryFormat::hdf5};
 
-/// "csv", "hexfloat", "binary", "npy"
+/// "csv", "hexfloat", "binary", "npy", "hdf5"
 std::string_view format_name(QueryFormat format) noexcept;
 
-/// The format that the ending of the name says: .csv, .tsq or .npy, in upper or lower case; else nothing.
+/// The format that the ending of the name says: .csv, .tsq, .npy, .h5 or .hdf5, in upper or lower case; else nothing.
 std::optional<QueryFormat> format_of_name(std::string_view path);
 
 /// What holds for all queries of a file that is written.
@@ -54,13 +55,17 @@ class EncodedQueries {
   /// @throws FileError  naming `source`, the row and the column of a coordinate that the format does not hold
   void add(const std::string& source, const QueryRecord& record, std::optional<bool> truth);
 
+  /// One for text and for .npy; of the binary format one for each column and then the claims; of HDF5 the doubles, in the
+  /// order of .npy, and the claims.
+  const std::vector<std::string>& parts() const noexcept { return parts_; }
+
  private:
   friend class QueryFileWriter;
   void add_doubles(const Query& query);
 
   WrittenFile file_;
   std::uint64_t count_ = 0;
-  std::vector<std::string> parts_;  ///< one for text and for .npy; of the binary format one for each column
+  std::vector<std::string> parts_;
 };
 
 /// A file that appears when all of its queries are written.

@@ -110,7 +110,8 @@ TEST_CASE("convert refuses what a format does not hold, and leaves no file") {
                 "a.csv:9: y_num,y_den (y of p at t = 0 in query 2) is 1/3, which is no double; binary holds doubles");
   check_refused(convert(csv, folder.path("b.npy")), "npy has no room for claims; --claims drop leaves them out");
   check_refused(convert(csv, folder.path("b.npy"), {"--claims", "drop"}), "a.csv:9: y_num,y_den");
-  check_refused(convert(csv, folder.path("b")), "in which format? Its name ends in none of .csv, .tsq and .npy");
+  check_refused(convert(csv, folder.path("b")),
+                "in which format? Its name ends in none of .csv, .tsq, .npy, .h5 and .hdf5");
   check_refused(convert(csv, csv), "is also an input");
   check_refused(convert(csv, folder.path("b.csv"), {"--claims", "drop"}), "csv has a claim for each query");
   check_refused(convert(csv, folder.path("b.tsq"), {"--to", "yaml"}), "yaml");
@@ -136,6 +137,36 @@ TEST_CASE("minus zero goes through every format but fractions") {
                 "a.tsq:1: x of p at t = 0 in query 0 is -0, and a fraction has no sign of zero");
   REQUIRE(convert(binary, folder.path("c.csv"), {"--unsigned-zeros"}).status == 0);
   CHECK(folder.read("c.csv") == "0,1,0,1,0,1,1\n1,1,0,1,0,1,1\n0,1,0,1,0,1,1\n-1,1,0,1,0,1,1\n");
+}
+
+TEST_CASE("HDF5 as the public benchmark packs it is written and read, where the program can") {
+  const TemporaryFolder folder;
+  const std::string csv = folder.write("vertex-face/a.csv", sample_file(Kind::vertex_face, 12, 8).text);
+  const auto path = [&](const std::string& name) { return folder.path("vertex-face/" + name); };
+  const Run written = convert(csv, path("b.h5"));
+  if (written.status != 0) {
+    check_refused(written, "HDF5 files cannot be written: touchstone was built without HDF5");
+    CHECK_FALSE(std::filesystem::exists(path("b.h5")));
+    return;
+  }
+  CHECK(convert(path("b.h5"), path("c.csv")).status == 0);
+  CHECK(folder.read("vertex-face/c.csv") == folder.read("vertex-face/a.csv"));
+  CHECK(convert(path("b.h5"), path("d.tsq"), {"--group", "/rounded"}).status == 0);
+  CHECK(convert(csv, path("e.tsq")).status == 0);
+  CHECK(folder.read("vertex-face/d.tsq") == folder.read("vertex-face/e.tsq"));
+  CHECK(convert(path("b.h5"), path("f.hdf5"), {"--claims", "drop"}).status == 0);
+  CHECK(convert(path("f.hdf5"), path("g.tsq"), {"--claims", "solve", "--threads", "2"}).status == 0);
+  CHECK(folder.read("vertex-face/g.tsq") == folder.read("vertex-face/e.tsq"));
+
+  check_refused(convert(path("b.h5"), path("h.tsq"), {"--group", "shifted"}), "has no data set 'shifted/points'");
+  check_refused(convert(csv, path("h.tsq"), {"--group", "shifted"}), "is no HDF5 file, and has no groups");
+  check_refused(convert(path("f.hdf5"), path("h.csv")), "csv has a claim for each query; --claims solve");
+  check_refused(run_program({"solve", path("b.h5")}), "is an HDF5 file; touchstone convert makes");
+  const std::string about = folder.write("point-point/a.csv", "# separation 0x1p-2 max\n" + two_point_queries());
+  check_refused(convert(about, folder.path("i.h5")), "hdf5 has no room for the separation");
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(path("."))) files += entry.is_regular_file();
+  CHECK(files == 7);  // a to g: nothing is left behind
 }
 
 TEST_CASE("a binary file that is cut off or damaged is refused by every command that reads queries") {

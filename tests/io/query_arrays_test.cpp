@@ -378,8 +378,8 @@ TEST_CASE("what a format does not hold is refused, with its row and column") {
   CHECK(refusal(io::QueryFormat::csv, third) == "");
   const std::string zero = "touchstone-curved,1\nquery,0\ncurve,0,0,0,1,1,-0x0p+0\ncurve,1,1,1\n";
   CHECK(refusal(io::QueryFormat::csv, zero) ==
-        "a.csv:4: z of p at t = 1 in query 0 is -0, and a fraction has no sign of zero; hexfloat, binary and npy hold "
-        "it, or --unsigned-zeros writes 0");
+        "a.csv:4: z of p at t = 1 in query 0 is -0, and a fraction has no sign of zero; the other formats hold it, or "
+        "--unsigned-zeros writes 0");
   CHECK(refusal(io::QueryFormat::binary, zero) == "");
   const std::string parabola = "touchstone-curved,1\nquery,0\ncurve,0,0,0,1,1,1,2,0,0\ncurve,1,1,1\n";
   for (const io::QueryFormat format : {io::QueryFormat::csv, io::QueryFormat::binary, io::QueryFormat::npy}) {

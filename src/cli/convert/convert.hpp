@@ -24,7 +24,8 @@ struct ConvertOptions {
   std::optional<Kind> kind;
   Claims claims = Claims::keep;
   bool unsigned_zeros = false;
-  int threads = 0;                            ///< 0: all that the machine has
+  std::string group;  ///< of an HDF5 file that is read; empty: the benchmark's, or else the root
+  int threads = 0;    ///< 0: all that the machine has
   std::size_t chunk_bytes = io::kChunkBytes;  ///< for tests: no result depends on it
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/convert.hpp"
+#include "cli/convert/convert.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +10,7 @@
 
 #include <touchstone/error.hpp>
 
+#include "cli/convert/hdf5_files.hpp"
 #include "cli/shared/inputs.hpp"
 #include "cli/shared/options.hpp"
 #include "cli/shared/pipeline.hpp"
@@ -32,7 +33,7 @@ struct ConvertItem : QueryItem {
 io::QueryFormat format_to_write(const ConvertOptions& options) {
   if (options.format) return *options.format;
   if (const auto format = io::format_of_name(options.to)) return *format;
-  throw Error(fmt::format("{}: in which format? Its name ends in none of .csv, .tsq and .npy; --to says it",
+  throw Error(fmt::format("{}: in which format? Its name ends in none of .csv, .tsq, .npy, .h5 and .hdf5; --to says it",
                           options.to == "-" ? "standard output" : io::printable(options.to)));
 }
 
@@ -47,6 +48,40 @@ io::WrittenFile file_to_write(const ConvertOptions& options, const QueryItem& fi
   if (const std::string fault = io::fault_of_written_file(file); !fault.empty()) io::fail(options.to, fault);
   return file;
 }
+
+/// The queries of a file of any format.
+class Source {
+ public:
+  Source(const std::vector<Input>& inputs, const ConvertOptions& options)
+      : stream_(inputs, options.chunk_bytes, io::Motions::any) {
+    const bool hdf5 = is_hdf5(inputs.front());
+    if (hdf5) hdf5_.emplace(inputs.front(), options.group, options.chunk_bytes);
+    if (!hdf5 && !options.group.empty()) io::fail(options.from, "is no HDF5 file, and has no groups (--group)");
+  }
+  bool next(QueryItem& item) { return hdf5_ ? hdf5_->next(item) : stream_.next(item); }
+
+ private:
+  QueryStream stream_;
+  std::optional<Hdf5Stream> hdf5_;
+};
+
+/// A file that is written in any format.
+class Sink {
+ public:
+  Sink(const std::string& path, const io::WrittenFile& file) {
+    if (file.format == io::QueryFormat::hdf5) {
+      hdf5_.emplace(path, file);
+    } else {
+      file_.emplace(path, file);
+    }
+  }
+  void write(const io::EncodedQueries& queries) { hdf5_ ? hdf5_->write(queries) : file_->write(queries); }
+  void commit() { hdf5_ ? hdf5_->commit() : file_->commit(); }
+
+ private:
+  std::optional<io::QueryFileWriter> file_;
+  std::optional<Hdf5Output> hdf5_;
+};
 
 void encode_queries(ConvertItem& item, const ConvertOptions& options, const io::WrittenFile& file) {
   if (item.chunk.file == nullptr) return;  // reading failed
@@ -68,13 +103,13 @@ void encode_queries(ConvertItem& item, const ConvertOptions& options, const io::
 int run_convert(const ConvertOptions& options) {
   const std::vector<Input> inputs = find_inputs({options.from}, options.kind);
   refuse_to_overwrite(options.to, {options.from});
-  QueryStream stream(inputs, options.chunk_bytes, io::Motions::any);
+  Source stream(inputs, options);
   QueryItem first;
   stream.next(first);  // an input without a query is an error
   const io::WrittenFile file = file_to_write(options, first);
   bool first_is_used = false;
 
-  io::QueryFileWriter out(options.to, file);
+  Sink out(options.to, file);
   std::uint64_t queries = 0;
   QueryProgress progress(inputs);
   run_in_order<ConvertItem>(
@@ -104,8 +139,8 @@ int run_convert(const ConvertOptions& options) {
 
 void add_convert(CLI::App& program, Command& command) {
   const auto options = std::make_shared<ConvertOptions>();
-  CLI::App* const subcommand =
-      program.add_subcommand("convert", "Write a query file in another format, exactly: CSV, binary or NumPy's .npy");
+  CLI::App* const subcommand = program.add_subcommand(
+      "convert", "Write a query file in another format, exactly: CSV, binary, NumPy's .npy or HDF5");
   subcommand->add_option("IN", options->from, "The query file to read; its content tells its format")
       ->required()
       ->type_name("");
@@ -123,10 +158,11 @@ void add_convert(CLI::App& program, Command& command) {
             }
           },
           "The format of OUT. csv: fractions. hexfloat: CSV with hexfloats, the format of curved motion. binary: a "
-          "header and columns of doubles. npy: NumPy's array of shape (n, 2, corners, 3) (default: as the name of OUT "
-          "ends: .csv, .tsq for binary, .npy)")
+          "header and columns of doubles. npy: NumPy's array of shape (n, 2, corners, 3). hdf5: the data sets "
+          "rounded/points and rounded/result (default: as the name of OUT ends: .csv, .tsq for binary, .npy, .h5, "
+          ".hdf5)")
       ->type_name("FORMAT")
-      ->check(CLI::IsMember({"csv", "hexfloat", "binary", "npy"}));
+      ->check(CLI::IsMember({"csv", "hexfloat", "binary", "npy", "hdf5"}));
   subcommand
       ->add_option_function<std::string>(
           "--claims",
@@ -139,6 +175,11 @@ void add_convert(CLI::App& program, Command& command) {
       ->check(CLI::IsMember({"keep", "drop", "solve"}));
   subcommand->add_flag("--unsigned-zeros", options->unsigned_zeros,
                        "Write -0 as 0 to csv, whose fractions have no sign of zero. Without it, csv refuses -0");
+  subcommand
+      ->add_option("--group", options->group,
+                   "The group of an HDF5 file IN whose data sets points and result are read (default: rounded, or else "
+                   "the root)")
+      ->type_name("GROUP");
   subcommand->add_option("--threads", options->threads, "The number of threads (default: all that the machine has)")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
@@ -146,7 +187,9 @@ void add_convert(CLI::App& program, Command& command) {
       "Every number in OUT equals that in IN, bit for bit. What the format of OUT does not hold is refused, with its "
       "row\n"
       "and column: fractions that are no doubles in all but csv, curved motion in all but hexfloat, claims in npy.\n"
-      "Comments are not kept, but for the separation that the claims are about, which npy cannot hold.");
+      "Comments are not kept, but for the separation that the claims are about, which npy and hdf5 do not hold.\n"
+      "HDF5 is as the public benchmark packs it: GROUP/points has a row x, y, z for each corner at t = 0 and then for\n"
+      "each at t = 1, and GROUP/result a byte, 0 or 1, for each query.");
   subcommand->callback([options, &command] { command = [options] { return run_convert(*options); }; });
 }
 
