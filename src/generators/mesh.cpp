@@ -83,6 +83,20 @@ Mesh chain_mesh(std::size_t n) {
   return mesh;
 }
 
+Mesh box_mesh() {
+  Mesh mesh;
+  mesh.corner_count = 8;
+  // Of each side, four corners in order around it, seen from outside.
+  static constexpr std::array<std::array<Index, 4>, 6> kSides{
+      {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+  for (const auto& side : kSides) {
+    mesh.faces.push_back({side[0], side[1], side[2]});
+    mesh.faces.push_back({side[0], side[2], side[3]});
+  }
+  mesh.edges = edges_of(mesh.faces);
+  return mesh;
+}
+
 Sphere sphere_mesh(std::size_t n) {
   Sphere sphere;
   const int count = static_cast<int>(n);

@@ -38,6 +38,9 @@ Mesh sheet_mesh(std::size_t n);
 /// A chain of n edges; corner i, 0 <= i <= n, has number i.
 Mesh chain_mesh(std::size_t n);
 
+/// A box of 12 triangles. Corner i has its greater x, y and z where bit 0, 1 and 2 of i is set.
+Mesh box_mesh();
+
 /// An octahedron whose faces are cut into n^2 triangles each: 12 n^2 edges, 8 n^2 faces.
 struct Sphere {
   Mesh mesh;

@@ -20,21 +20,30 @@ enum class SceneName : std::uint8_t {
   cloth,   ///< a cloth that is draped over a deforming, turning sphere and slides on it
   sheets,  ///< two crumpled sheets, pressed together and sliding along each other
   cables,  ///< two bundles of whipping cables, one across the other; no faces
-  drape    ///< a cloth that waves above a deforming sphere; no two elements ever meet
+  drape,   ///< a cloth that waves above a deforming sphere; no two elements ever meet
+  boxes,   ///< layers of cubes that slide on each other
+  bricks,  ///< a wall of bricks, at rest
+  plane,   ///< two bundles of cables that bend within the plane z = 0, one across the other; no faces
+  grid,    ///< two plates on a grid, in one plane, one sliding over the other
+  lying    ///< a cloth that lies on a box and hangs down on both sides, at rest
 };
 
 /// The scenes in which elements meet.
 inline constexpr std::array<SceneName, 3> kScenes{SceneName::cloth, SceneName::sheets, SceneName::cables};
-/// Those, and the one in which none do.
-inline constexpr std::array<SceneName, 4> kAllScenes{SceneName::cloth, SceneName::sheets, SceneName::cables,
-                                                     SceneName::drape};
+/// The scenes along the axes: elements meet in them, too, in common planes, and most coordinates have few bits.
+inline constexpr std::array<SceneName, 5> kAlignedScenes{SceneName::boxes, SceneName::bricks, SceneName::plane,
+                                                         SceneName::grid, SceneName::lying};
+/// All of them, and the one in which no elements meet.
+inline constexpr std::array<SceneName, 9> kAllScenes{SceneName::cloth, SceneName::sheets, SceneName::cables,
+                                                     SceneName::drape, SceneName::boxes,  SceneName::bricks,
+                                                     SceneName::plane, SceneName::grid,   SceneName::lying};
 
-std::string_view scene_name(SceneName scene) noexcept;  ///< "cloth", "sheets", "cables", "drape"
+std::string_view scene_name(SceneName scene) noexcept;  ///< "cloth", "sheets", ...
 std::optional<SceneName> scene_from_name(std::string_view name) noexcept;
 bool has_faces(SceneName scene) noexcept;
 
-/// A mesh whose corners are closed formulas of time. They move at about one unit of length a unit of time, within a
-/// ball of radius 2 around the origin. There is no contact response: in kScenes, elements in contact pass through each
+/// A mesh whose corners are closed formulas of time. They move at about one unit of length a unit of time, or rest,
+/// within a ball of radius 2 around the origin. There is no contact response: in kScenes, elements in contact pass through each
 /// other. So there is as much contact at the end as at the start.
 class MovingMesh {
  public:
@@ -60,12 +69,22 @@ inline constexpr std::size_t kFewestEdges = 100;
 inline constexpr std::size_t kMostEdges = 2'000'000;
 
 /// @param edges  the approximate number of edges, in [kFewestEdges, kMostEdges]
-std::unique_ptr<MovingMesh> make_moving_mesh(SceneName scene, std::uint64_t seed, std::size_t edges);
+/// @param is_turned  by a rotation that depends on the seed. Other scenes than kAlignedScenes have one already.
+std::unique_ptr<MovingMesh> make_moving_mesh(SceneName scene, std::uint64_t seed, std::size_t edges,
+                                             bool is_turned = false);
 
 // One function for each SceneName.
 std::unique_ptr<MovingMesh> make_cloth(std::uint64_t seed, std::size_t edges);
 std::unique_ptr<MovingMesh> make_sheets(std::uint64_t seed, std::size_t edges);
 std::unique_ptr<MovingMesh> make_cables(std::uint64_t seed, std::size_t edges);
 std::unique_ptr<MovingMesh> make_drape(std::uint64_t seed, std::size_t edges);
+std::unique_ptr<MovingMesh> make_boxes(std::uint64_t seed, std::size_t edges);
+std::unique_ptr<MovingMesh> make_bricks(std::uint64_t seed, std::size_t edges);
+std::unique_ptr<MovingMesh> make_plane(std::uint64_t seed, std::size_t edges);
+std::unique_ptr<MovingMesh> make_grid(std::uint64_t seed, std::size_t edges);
+std::unique_ptr<MovingMesh> make_lying(std::uint64_t seed, std::size_t edges);
+
+/// The scene, turned by a random rotation.
+std::unique_ptr<MovingMesh> turned(std::unique_ptr<MovingMesh> scene, std::uint64_t seed);
 
 }  // namespace touchstone::generators

@@ -18,8 +18,9 @@ namespace touchstone::generators {
 
 class Step {
  public:
-  /// The scene before its first step. @param speed, separation  as in CandidateOptions
-  Step(SceneName scene, std::uint64_t seed, std::size_t edges, double speed, double separation = 0);
+  /// The scene before its first step. @param speed, separation, is_turned  as in CandidateOptions
+  Step(SceneName scene, std::uint64_t seed, std::size_t edges, double speed, double separation = 0,
+       bool is_turned = false);
 
   /// The next step; it starts where this one ends.
   void advance();

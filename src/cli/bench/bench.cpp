@@ -208,7 +208,9 @@ void add_bench(CLI::App& program, Command& command) {
       ->type_name("FILE");
   subcommand->footer(
       "SOURCE is simulation (candidate pairs of the three scenes of touchstone generate), random (doubles), bundled\n"
-      "(degenerate queries) or files; or of curved motion link-chain and nut-and-bolt (candidate pairs of these\n"
+      "(degenerate queries) or files; a scene of touchstone generate along the axes, boxes, bricks, plane, grid or\n"
+      "lying, or the same turned, boxes-turned and so on; or of curved motion link-chain and nut-and-bolt (candidate "
+      "pairs of these\n"
       "scenes of touchstone simulate), bundled-curved or files-curved. PART is all, hits (with contact) or misses.\n\n"
       "METHOD is floor (reads the query, of a curved set the straight one, and computes the coplanarity cubic's four\n"
       "Bernstein coefficients, deciding nothing), straight (curved sets only: solve of the same pairs, moving "

@@ -31,19 +31,24 @@ std::vector<AnyQuery>& of_kind(AnyByKind<AnyQuery>& queries, Kind kind) {
   return queries[static_cast<std::size_t>(kind)];
 }
 
+void add_candidates(generators::CandidateOptions options, std::size_t count, const Separation& separation,
+                    ByKind& queries) {
+  options.seed = kSeed;
+  options.count = count;
+  options.separation = separation.distance;
+  generators::for_each_batch(options, [&](const generators::Batch& batch) {
+    throw_if_interrupted();
+    auto& all = of_kind(queries, batch.kind);
+    all.insert(all.end(), batch.queries.begin(), batch.queries.end());
+  });
+}
+
 ByKind simulation_queries(std::size_t count, const Separation& separation) {
   ByKind queries;
   for (const auto scene : generators::kScenes) {
     generators::CandidateOptions options;
     options.scene = scene;
-    options.seed = kSeed;
-    options.count = count;
-    options.separation = separation.distance;
-    generators::for_each_batch(options, [&](const generators::Batch& batch) {
-      throw_if_interrupted();
-      auto& all = of_kind(queries, batch.kind);
-      all.insert(all.end(), batch.queries.begin(), batch.queries.end());
-    });
+    add_candidates(options, count, separation, queries);
   }
   return queries;
 }
@@ -108,6 +113,23 @@ void append_sets(const std::string& source, const ByKind& queries, const Separat
   }
 }
 
+/// The scenes along the axes, and each of them turned, as "boxes" and "boxes-turned".
+void append_aligned_sets(std::size_t count, const Separation& separation,
+                         const std::function<bool(const std::string&)>& wanted, std::vector<BenchSet>& sets) {
+  for (const auto scene : generators::kAlignedScenes) {
+    for (const bool is_turned : {false, true}) {
+      const std::string source = std::string(generators::scene_name(scene)) + (is_turned ? "-turned" : "");
+      if (!wanted(source)) continue;
+      generators::CandidateOptions options;
+      options.scene = scene;
+      options.is_turned = is_turned;
+      ByKind queries;
+      add_candidates(options, count, separation, queries);
+      append_sets(source, queries, separation, sets);
+    }
+  }
+}
+
 void append_curved_sets(const std::string& source, const CurvedByKind& queries, const Separation& separation,
                         std::vector<BenchSet>& sets) {
   for (const Kind kind : io::kKinds) {
@@ -154,6 +176,7 @@ std::vector<BenchSet> bench_sets(const BenchOptions& options, const std::functio
   append_sets("random", random_queries(options.count), separation, sets);
   append_sets("bundled", queries_of<Query>(bundled_touching_inputs()), separation, sets);
   append_sets("files", queries_of<Query>(given), separation, sets);
+  append_aligned_sets(options.count, separation, wanted, sets);
   append_body_pairs(options.count, separation, wanted, sets);
   append_curved_sets("bundled-curved", queries_of<CurvedQuery>(bundled_touching_inputs(io::Motions::any)), separation,
                      sets);

@@ -32,12 +32,21 @@ void add_scene_option(CLI::App& subcommand, GenerateOptions& options) {
           },
           "The moving scene: cloth, draped over a deforming sphere; sheets, two crumpled ones that slide along each "
           "other; cables, two bundles that whip across each other; drape, a cloth that waves above a deforming sphere "
-          "and meets nothing (default: cloth, sheets and cables; with --meshes: drape; may be given more than once)")
+          "and meets nothing; or, along the axes: boxes, layers of cubes that slide on each other; bricks, a wall at "
+          "rest; plane, cables that bend within one plane; grid, a plate that slides over another one in its plane; "
+          "lying, a cloth on a box, at rest (default: cloth, sheets and cables; with --meshes: drape; may be given "
+          "more "
+          "than once)")
       ->type_name("NAME")
       ->check([](const std::string& name) {
         return generators::scene_from_name(name) ? std::string()
-                                                 : name + " is no scene; it must be cloth, sheets, cables or drape";
+                                                 : name +
+                                                       " is no scene; it must be cloth, sheets, cables, drape, "
+                                                       "boxes, bricks, plane, grid or lying";
       });
+  subcommand.add_flag(
+      "--turned", options.candidates.is_turned,
+      "Turn the whole scene by a rotation that depends on the seed, so that nothing lies along the axes");
 }
 
 /// --meshes and --crossing. Options that are about queries are refused beside them.
@@ -105,7 +114,8 @@ void add_family_options(CLI::App& subcommand, GenerateOptions& options) {
                                   });
   curved->excludes(family);
   for (CLI::Option* const option : {curved, family}) {
-    for (const char* of_scenes : {"--scene", "--size", "--steps", "--speed", "--shared-corners", "--meshes"}) {
+    for (const char* of_scenes :
+         {"--scene", "--turned", "--size", "--steps", "--speed", "--shared-corners", "--meshes"}) {
       option->excludes(subcommand.get_option(of_scenes));
     }
   }
