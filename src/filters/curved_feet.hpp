@@ -57,7 +57,7 @@ struct Feet {
   std::array<N, 3> units;
   /// If all of these are positive, the points are the only closest ones of the elements: free parameters are inside,
   /// and the others are at an end from which c becomes longer. |c|^2 is convex.
-  std::array<N, 9> conditions;
+  std::array<N, 10> conditions;
   std::size_t count = 0;
 
   void require(const N& x) noexcept { conditions[count++] = x; }
@@ -181,7 +181,8 @@ N signed_by(double sign, const N& x) noexcept {
 }
 
 /// See max_entry.cpp: where the facet's direction keeps the elements farthest apart, their distance is gap / measure,
-/// and c is the level along the axes that count.
+/// and c is the level along the axes that count. A gap that is not positive would be of the opposite direction, or of
+/// elements that touch.
 /// @param level  null for the elements' own distance
 template <class N>
 Feet<N> feet_of(Domain domain, const SignedFacet& hint, const PointDifferences<N>& x,
@@ -209,6 +210,7 @@ Feet<N> feet_of(Domain domain, const SignedFacet& hint, const PointDifferences<N
     feet.measure = feet.measure + size;
     if (facet.sort != Sort::face) feet.require(size);
   }
+  feet.require(feet.gap);
   const LevelOf<N> own = {feet.gap, feet.measure};
   const auto& [top, bottom] = level != nullptr ? *level : own;
   // Other corners have greater n . c.

@@ -73,7 +73,8 @@ Answer answer(const CurvedQuery& query, const Separation& separation, Method met
     if (filters::certainly_farther(query, separation)) return apart;
     Answer answer;
     answer.level = Level::bracket;
-    if (filters::decide_in_brackets(query, separation, t_max, answer) != filters::Finding::uncertain) return answer;
+    const filters::Finding finding = filters::decide_in_brackets(query, separation, t_max, answer);
+    if (finding != filters::Finding::uncertain) return trimmed(answer, wanted);
   }
   return trimmed(
       by_cgal ? oracle::decide_by_oracle(query, t_max, separation) : exact::decide_exactly(query, t_max, separation),
