@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "contact/contact_finder.hpp"
-#include "dynamics/stepper.hpp"
 #include "contact/phase_times.hpp"
+#include "dynamics/stepper.hpp"
 #include "sim/response_model.hpp"
 
 namespace touchstone::sim {

@@ -10,12 +10,12 @@
 #include <variant>
 #include <vector>
 
+#include "contact/phase_times.hpp"
 #include "dynamics/energy_budget.hpp"
 #include "dynamics/stepper.hpp"
 #include "linear/cancellation.hpp"
 #include "sim/body_part.hpp"
 #include "sim/contact_mark.hpp"
-#include "contact/phase_times.hpp"
 #include "sim/refusal.hpp"
 #include "sim/response.hpp"
 
