@@ -40,18 +40,19 @@ TEST_CASE("bench prints every method beside the floor") {
   CHECK(run.status == 0);
   CHECK(run.err == "");
   CHECK(occurrences(run.out, "simulation/edge-edge/all: 180 queries, ") == 1);  // 60 of each scene
-  for (const char* method : {"  floor ", "  touchstone ", "  touchstone_batch ", "  touchstone_columns ",
-                             "  touchstone_cgal ", "  exact ", "  oracle (20 of them) ", "  prove "}) {
+  for (const char* method :
+       {"  floor ", "  touchstone ", "  touchstone_contact ", "  touchstone_time ", "  touchstone_batch ",
+        "  touchstone_columns ", "  touchstone_cgal ", "  exact ", "  oracle (20 of them) ", "  prove "}) {
     CHECK(occurrences(run.out, method) == 1);
   }
   CHECK(occurrences(run.out, "simulation/vertex-face") == 0);
 
   const std::string csv = folder.read("b.csv");
   CHECK(csv.starts_with("set,method,queries,set_queries,set_contacts,median_ns,least_ns,greatest_ns,ratio_to_floor,"));
-  CHECK(occurrences(csv, "\n") == 9);
+  CHECK(occurrences(csv, "\n") == 11);
   CHECK(occurrences(csv, "simulation/edge-edge/all,floor,180,180,") == 1);
   const auto json = nlohmann::json::parse(folder.read("b.json"));
-  REQUIRE(json["results"].size() == 8);
+  REQUIRE(json["results"].size() == 10);
   for (const auto& result : json["results"]) {
     CHECK(result["repetitions_ns"].size() == 2);
     CHECK(result["median_ns"] > 0);
@@ -149,5 +150,5 @@ TEST_CASE("bench with a separation measures the baselines that take one, in the 
   const auto json = nlohmann::json::parse(folder.read("b.json"));
   CHECK(json["separation"] == "0x1.47ae147ae147bp-7");
   CHECK(json["metric"] == "euclidean");
-  CHECK(json["results"].size() == 10);
+  CHECK(json["results"].size() == 12);
 }

@@ -116,7 +116,7 @@ TEST_CASE("bad options end with status 2, one line, and nothing written") {
   const std::string out = folder.path("a/b");
   check_refused({"generate"}, "--out");
   check_refused({"generate", "--out", out, "--scene", "kitchen"},
-                "kitchen is no scene; it must be cloth, sheets, cables or drape");
+                "kitchen is no scene; it must be cloth, sheets, cables, drape, boxes");
   check_refused({"generate", "--out", out, "--kind", "point-edge"}, "--kind point-edge: the scenes have edge-edge and");
   check_refused({"generate", "--out", out, "--kind", "edge"}, "--kind");
   check_refused({"generate", "--out", out, "--curved", "--scene", "cloth"}, "--scene excludes --curved");
