@@ -91,8 +91,8 @@ std::string_view trend_name(Trend trend) noexcept;
 
 /// The answer to one query. With a separation d > 0, `touch` below means to be within d, the touched features are those
 /// that hold the closest points, and the weights are those of the closest points. Without contact only `contact` and
-/// `level` have a meaning; both times are then +infinity. Of a contact, what was not wanted is as without contact, except
-/// that unwanted times are NaN.
+/// `level` have a meaning; both times are then +infinity. Of a contact, what was not wanted is as without contact,
+/// except that unwanted times are NaN.
 struct Answer {
   bool contact = false;               ///< Whether the elements touch at any time in [0, t_max].
   Level level = Level::exact;         ///< Which level decided.

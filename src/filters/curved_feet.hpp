@@ -74,6 +74,33 @@ void require_end(Feet<N>& feet, double end, const N& slope) noexcept {
   feet.require(end == 1 ? slope : -slope);
 }
 
+/// At the corner (s, q) of a triangle.
+template <class N>
+void require_corner(Feet<N>& feet, double s, double q, const N& u, const N& w) noexcept {
+  if (s == 0 && q == 0) {
+    feet.require(-u);
+    feet.require(-w);
+  } else {
+    feet.require(s == 1 ? u : w);
+    feet.require(s == 1 ? u - w : w - u);
+  }
+}
+
+/// With both parameters free, over units that are multiples of `size`: the third weight, and that all are inside.
+template <class N>
+void require_inside(Feet<N>& feet, Domain domain, const N& size) noexcept {
+  feet.weights[2] = feet.units[0] - feet.weights[0] - feet.weights[1];
+  feet.require(size);
+  feet.require(feet.weights[0]);
+  feet.require(feet.weights[1]);
+  if (domain == Domain::square) {
+    feet.require(feet.units[0] - feet.weights[0]);
+    feet.require(feet.units[1] - feet.weights[1]);
+  } else {
+    feet.require(feet.weights[2]);
+  }
+}
+
 /// With one free parameter x: c = p - x unit e.
 template <class N>
 geometry::Vector<N> foot_on_edge(Feet<N>& feet, const geometry::Vector<N>& p, const geometry::Vector<N>& e,
@@ -111,12 +138,8 @@ Feet<N> feet_of(Domain domain, Free free, const Parameters& p, const PointDiffer
       if (domain == Domain::square) {
         require_end(feet, p.s, u);
         require_end(feet, p.q, w);
-      } else if (p.s == 0 && p.q == 0) {
-        feet.require(-u);
-        feet.require(-w);
       } else {
-        feet.require(p.s == 1 ? u : w);
-        feet.require(p.s == 1 ? u - w : w - u);
+        require_corner(feet, p.s, p.q, u, w);
       }
       break;
     }
@@ -145,16 +168,7 @@ Feet<N> feet_of(Domain domain, Free free, const Parameters& p, const PointDiffer
       feet.weights[0] = dot(geometry::cross(x.r, x.w), n);
       feet.weights[1] = dot(geometry::cross(x.u, x.r), n);
       feet.units = {x.first * feet.measure, x.second * feet.measure, x.second * feet.measure};
-      feet.weights[2] = feet.units[0] - feet.weights[0] - feet.weights[1];
-      feet.require(feet.measure);
-      feet.require(feet.weights[0]);
-      feet.require(feet.weights[1]);
-      if (domain == Domain::square) {
-        feet.require(feet.units[0] - feet.weights[0]);
-        feet.require(feet.units[1] - feet.weights[1]);
-      } else {
-        feet.require(feet.weights[2]);
-      }
+      require_inside(feet, domain, feet.measure);
       break;
     }
   }
@@ -229,12 +243,8 @@ Feet<N> feet_of(Domain domain, const SignedFacet& hint, const PointDifferences<N
         feet.require(-u);
       } else if (facet.free == Free::sum) {
         feet.require(u);
-      } else if (facet.s == 0 && facet.q == 0) {
-        feet.require(-u);
-        feet.require(-w);
       } else {
-        feet.require(facet.s == 1 ? u : w);
-        feet.require(facet.s == 1 ? u - w : w - u);
+        require_corner(feet, facet.s, facet.q, u, w);
       }
     }
   }
@@ -267,16 +277,7 @@ Feet<N> feet_of(Domain domain, const SignedFacet& hint, const PointDifferences<N
     feet.weights[0] = signed_by(hint.sign, geometry::cross_component(a, x.w, axis));
     feet.weights[1] = signed_by(hint.sign, geometry::cross_component(x.u, a, axis));
     feet.units = {x.first * size, x.second * size, x.second * size};
-    feet.weights[2] = feet.units[0] - feet.weights[0] - feet.weights[1];
-    feet.require(size);
-    feet.require(feet.weights[0]);
-    feet.require(feet.weights[1]);
-    if (domain == Domain::square) {
-      feet.require(feet.units[0] - feet.weights[0]);
-      feet.require(feet.units[1] - feet.weights[1]);
-    } else {
-      feet.require(feet.weights[2]);
-    }
+    require_inside(feet, domain, size);
   }
   return feet;
 }

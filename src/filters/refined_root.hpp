@@ -32,8 +32,8 @@ struct SimpleRoot {
 struct RefinedRoot {
   Finding finding = Finding::uncertain;
   double toi = 0, toi_upper = 0;  ///< the neighbouring doubles around a contact's time
-  /// Of a contact whose weights are wanted. Edge-edge: f1, f2 and 0, the fractions along the first and the second edge. Vertex-face: the weights
-  /// of f0, f1 and f2.
+  /// Of a contact whose weights are wanted. Edge-edge: f1, f2 and 0, the fractions along the first and the second
+  /// edge. Vertex-face: the weights of f0, f1 and f2.
   std::array<double, 3> weights{};
 };
 

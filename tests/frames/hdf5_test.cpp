@@ -10,6 +10,7 @@
 #include <touchstone/error.hpp>
 
 #include "frames/frame.hpp"
+#include "frames/hdf5_dataset.hpp"
 #include "frames/samples.hpp"
 #include "io/temporary_folder.hpp"
 #include "support/catch.hpp"
@@ -28,22 +29,7 @@ void add(const std::string& file, const std::string& name, const std::vector<hsi
   const bool is_new = !std::filesystem::exists(file);
   const hid_t id = is_new ? H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)
                           : H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
-  const hid_t links = H5Pcreate(H5P_LINK_CREATE);
-  H5Pset_create_intermediate_group(links, 1);
-  const hid_t plan = H5Pcreate(H5P_DATASET_CREATE);
-  if (!chunk.empty()) {
-    H5Pset_chunk(plan, static_cast<int>(chunk.size()), chunk.data());
-    H5Pset_shuffle(plan);
-    if (H5Zfilter_avail(H5Z_FILTER_DEFLATE) > 0) H5Pset_deflate(plan, 9);
-  }
-  const hid_t space = H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr);
-  const hid_t set = H5Dcreate2(id, name.c_str(), type, space, links, plan, H5P_DEFAULT);
-  REQUIRE(set >= 0);
-  if (!values.empty()) REQUIRE(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0);
-  H5Dclose(set);
-  H5Sclose(space);
-  H5Pclose(plan);
-  H5Pclose(links);
+  add_dataset(id, name, extents, values, type, chunk);
   REQUIRE(H5Fclose(id) >= 0);
 }
 

@@ -33,8 +33,8 @@ class Hdf5Stream {
   std::uint64_t next_ = 0;
 };
 
-/// An HDF5 file that appears when all of its queries are written. libhdf5 writes a file beside it first, whose bytes are
-/// then copied.
+/// An HDF5 file that appears when all of its queries are written. libhdf5 writes a file beside it first, whose bytes
+/// are then copied.
 class Hdf5Output {
  public:
   Hdf5Output(const std::string& path, const io::WrittenFile& file);  ///< @throws FileError

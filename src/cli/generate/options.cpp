@@ -35,8 +35,7 @@ void add_scene_option(CLI::App& subcommand, GenerateOptions& options) {
           "and meets nothing; or, along the axes: boxes, layers of cubes that slide on each other; bricks, a wall at "
           "rest; plane, cables that bend within one plane; grid, a plate that slides over another one in its plane; "
           "lying, a cloth on a box, at rest (default: cloth, sheets and cables; with --meshes: drape; may be given "
-          "more "
-          "than once)")
+          "more than once)")
       ->type_name("NAME")
       ->check([](const std::string& name) {
         return generators::scene_from_name(name) ? std::string()
