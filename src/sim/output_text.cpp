@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <initializer_list>
 
 namespace touchstone::sim {
 
@@ -126,15 +125,15 @@ std::string proof_row(const Simulation& simulation, const SubstepRecord& r) {
                      r.proof.crossings, r.proof.crossings == 0 ? 1 : 0);
 }
 
-std::string energy_header(std::optional<Index> follow) {
+std::string energy_header(const std::optional<Followed>& follow) {
   return std::string(
              "step,time,kinetic,stretch,bend,twist,load,total,parts,close,contacts,pairs,driven,drag,damping,friction,"
              "impacts,corrections,numerical") +
-         (follow ? ",x,y,z" : "") + "\n";
+         (follow ? header_of(*follow) : "") + "\n";
 }
 
 std::string energy_row(const Simulation& simulation, const std::vector<SubstepRecord>& records,
-                       std::optional<Index> follow) {
+                       const std::optional<Followed>& follow) {
   const Energies e = simulation.energies();
   std::uint64_t close = 0, contacts = 0, pairs = 0;
   EnergyFlows flows;
@@ -147,16 +146,13 @@ std::string energy_row(const Simulation& simulation, const std::vector<SubstepRe
     numerical += record.numerical;
   }
   std::string row = fmt::format("{},{:.9g}", simulation.steps(), simulation.state().time);
-  const auto add = [&row](std::initializer_list<double> numbers) {
+  const auto add = [&row](const std::vector<double>& numbers) {
     for (const double number : numbers) row += fmt::format(",{:.9g}", number);
   };
   add({e.kinetic, e.stretch, e.bend, e.twist, e.load, e.total()});
   row += fmt::format(",{},{},{},{}", records.size(), close, contacts, pairs);
   add({flows.driven, flows.drag, flows.damping, flows.friction, flows.impacts, flows.corrections, numerical});
-  if (follow) {
-    const Vector3 at = position(simulation.state().q, *follow);
-    add({at.x(), at.y(), at.z()});
-  }
+  if (follow) add(values_of(simulation, *follow));
   return row + "\n";
 }
 

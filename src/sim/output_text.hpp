@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/followed.hpp"
 #include "sim/simulation.hpp"
 
 namespace touchstone::sim {
@@ -27,11 +28,11 @@ std::string vtk_series(const std::vector<SeriesFrame>& frames);
 std::string proof_header(const Simulation& simulation);
 std::string proof_row(const Simulation& simulation, const SubstepRecord& record);
 
-/// @param follow  a particle whose position is in the last three columns
-std::string energy_header(std::optional<Index> follow);
+/// @param follow  whose position is in the last columns
+std::string energy_header(const std::optional<Followed>& follow);
 /// @param records  of the step that led to the state of the simulation; none at the start
 std::string energy_row(const Simulation& simulation, const std::vector<SubstepRecord>& records,
-                       std::optional<Index> follow);
+                       const std::optional<Followed>& follow);
 
 /// "step 12, 0.2034 s: edge 3-4 and edge 10-11 at (0.1, -0.2, 1.5) (crossing)".
 std::string crossing_for_person(const Simulation& simulation, const Crossing& crossing);

@@ -127,6 +127,34 @@ TEST_CASE("a run that is resumed writes what an uninterrupted one does, on any n
   CHECK(folder.read("two.json") == folder.read("whole.json"));
 }
 
+TEST_CASE("the table of energies follows a body, a vertex of it, or a particle") {
+  const TemporaryFolder folder;
+  const auto last_columns = [&](const std::vector<std::string>& scene, const std::string& followed) {
+    std::vector<std::string> arguments = {"simulate"};
+    arguments.insert(arguments.end(), scene.begin(), scene.end());
+    for (const char* more : {"--steps", "2", "--energies"}) arguments.emplace_back(more);
+    arguments.push_back(folder.path("energies.csv"));
+    arguments.insert(arguments.end(), {"--follow", followed});
+    const Run run = run_program(arguments);
+    CAPTURE(run.err);
+    REQUIRE(run.status == 0);
+    const auto rows = lines_of(folder.read("energies.csv"));
+    REQUIRE(rows.size() == 4);
+    for (const auto& row : rows) REQUIRE(cells_of(row).size() == cells_of(rows[0]).size());
+    return std::pair(rows[0].substr(rows[0].find("numerical")), cells_of(rows[1]));
+  };
+  // A box of half a metre stands on a plane: see `stack`.
+  const auto [body, body_start] = last_columns({"stack", "--size", "1"}, "body:1");
+  CHECK(body == "numerical,x,y,z,qw,qx,qy,qz");
+  CHECK(std::vector<std::string>(body_start.end() - 4, body_start.end()) ==
+        std::vector<std::string>{"1", "0", "0", "0"});
+  const auto [vertex, vertex_start] = last_columns({"stack", "--size", "1"}, "body:1:0");
+  CHECK(vertex == "numerical,x,y,z");
+  CHECK(vertex_start.end()[-1] != body_start.end()[-5]);
+  const auto [particle, particle_start] = last_columns({"two-edges"}, "0");
+  CHECK(particle == "numerical,x,y,z");
+}
+
 TEST_CASE("the candidates that it writes certify") {
   const TemporaryFolder folder;
   CHECK(run_program({"simulate", "hoop", "--size", "200", "--steps", "30", "--queries", folder.path("q")}).status == 0);
@@ -321,6 +349,14 @@ TEST_CASE("bad usage and bad scenes end with status 2, one line, and nothing wri
   check_refused({"simulate", "two-edges", "--proof", folder.path("no/proof.csv")}, "cannot be written");
   check_refused({"simulate", "two-edges", "--checkpoint", folder.path("no/state.json")}, "cannot be written");
   check_refused({"simulate", "--resume", "x", "--size", "9"}, "--size: a checkpoint has its size");
+  const std::string energies = folder.path("energies.csv");
+  check_refused({"simulate", "stack", "--follow", "body:0"}, "neither is given");
+  check_refused({"simulate", "stack", "--energies", energies, "--follow", "box"}, "--follow: neither the number of a");
+  check_refused({"simulate", "stack", "--energies", energies, "--follow", "body:99"},
+                "--follow: there is no such body");
+  check_refused({"simulate", "hoop", "--energies", energies, "--follow", "body:0"}, "no such body: there are 0");
+  check_refused({"simulate", "stack", "--energies", energies, "--follow", "body:1:8"}, "the body has 8");
+  check_refused({"simulate", "hoop", "--energies", energies, "--follow", "99999"}, "there is no such particle");
   CHECK(folder.names() == std::set<std::string>{"bad.json", "near.json"});
 
   const std::string scene = folder.path("scene.json");

@@ -40,9 +40,14 @@ void add_simulate(CLI::App& program, Command& command) {
                    "are cut until they keep it. 0: no step is cut for it")
       ->type_name("M");
   subcommand
-      ->add_option("--follow", options->follow,
-                   "Add the position of this particle to the table of energies, as the columns x, y and z")
-      ->type_name("PARTICLE");
+      ->add_option_function<std::string>(
+          "--follow", [options](const std::string& text) { options->follow = sim::followed_from(text); },
+          "Add the position of this particle to the table of energies, as the columns x, y and z. body:3 is the centre "
+          "of mass of body 3, with its orientation in four columns more, and body:3:7 is the body's vertex 7")
+      ->type_name("PARTICLE")
+      ->check([](const std::string& text) {
+        return sim::followed_from(text) ? "" : "neither the number of a particle nor body:B nor body:B:VERTEX";
+      });
   subcommand
       ->add_option("--out", options->out, "The folder for frames (VTK, a series for ParaView), energies and their plot")
       ->type_name("FOLDER");

@@ -122,9 +122,9 @@ int run_simulate(const SimulateOptions& options) {
   if (options.time_step) scene.settings.time_step = *options.time_step;
   if (options.integrator) scene.settings.integrator = *options.integrator;
   if (options.tolerance) scene.settings.tolerance = *options.tolerance;
-  if (options.follow && *options.follow >= scene.particles.size()) {
-    throw Error(
-        fmt::format("--follow {}: there is no such particle: there are {}", *options.follow, scene.particles.size()));
+  if (options.follow) {
+    const std::string missing = sim::missing_in(scene, *options.follow);
+    if (!missing.empty()) throw Error("--follow: " + missing);
   }
   if (!options.scene_out.empty()) {
     write_whole(options.scene_out, sim::scene_to_json(scene));

@@ -9,6 +9,7 @@
 #include "cli/shared/command.hpp"
 #include "contact/narrow_phase.hpp"
 #include "scene/scene.hpp"
+#include "sim/followed.hpp"
 
 namespace touchstone::cli {
 
@@ -19,9 +20,9 @@ struct SimulateOptions {
   std::string out;                             ///< a folder for frames, tables and plots
   std::optional<double> time_step, tolerance;  ///< in place of the scene's
   std::optional<sim::Integrator> integrator;
-  std::optional<sim::Index> follow;  ///< a particle whose positions are in the table of energies
-  std::uint64_t frame_every = 2;     ///< steps
-  std::string html;                  ///< the page to write; empty: none
+  std::optional<sim::Followed> follow;  ///< whose positions are in the table of energies
+  std::uint64_t frame_every = 2;        ///< steps
+  std::string html;                     ///< the page to write; empty: none
   std::string proof, prove, energies, queries, checkpoint, resume, scene_out;
   bool explain = false;
   sim::NarrowPhase narrow_phase = sim::NarrowPhase::exact;
