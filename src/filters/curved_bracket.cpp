@@ -10,6 +10,7 @@
 
 #include "filters/curved_entry.hpp"
 #include "filters/curved_frame.hpp"
+#include "filters/curved_projection.hpp"
 #include "filters/curved_time.hpp"
 #include "filters/curved_walk.hpp"
 #include "filters/step_frame.hpp"
@@ -239,20 +240,16 @@ Finding Search::decide(const ScalarForm& p, Index component) noexcept {
       continue;
     }
     if (part.cuts == kMostCuts || looked_at >= kMostParts) return Finding::uncertain;
-    // De Casteljau's algorithm. A coefficient has at most 2 e times the size of rounding errors in each of n rounds;
-    // the errors before them are averaged. A cut in the middle is often at a root of a query that people make.
+    // A cut in the middle is often at a root of a query that people make.
     Part& right = part;
     Part& left = parts[count];
     ++count;
-    const double error = part.error + p.size * (2 * p.degree * kRounding) + numbers::kUnderflow;
+    const double error = part.error + exact_cut_error(p.degree, p.size);
     const std::array<double, kMostCurvedDegree + 1> whole = part.b;
     double cut = 0;
     for (const double place : {0.5, 0.4375, 0.59375}) {
       right.b = whole;
-      for (Index round = 0; round < size; ++round) {
-        left.b[round] = right.b[0];
-        for (Index i = 0; i + round + 1 < size; ++i) right.b[i] = (1 - place) * right.b[i] + place * right.b[i + 1];
-      }
+      cut_at(left.b, right.b, p.degree, place);
       cut = right.low + place * (right.high - right.low);  // exact: at most 5 more digits
       if (std::fabs(right.b[0]) > numbers::kBoundSlack * error) break;
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filters/curved_projection.hpp"
 #include "filters/facet.hpp"
 
 namespace touchstone::filters {
@@ -13,12 +14,6 @@ using numbers::kBoundSlack;
 using numbers::kRounding;
 using Index = std::size_t;
 
-// Bounds, with e = 2^-53, for a direction whose largest coordinate is 1 and for points up to a size and off by x: a
-// projection sums 3 products, with at most 3 roundings each. It is off by 3 x + 9 e size and second-order terms.
-constexpr double kProjectionErrors = 3;
-constexpr double kProjectionRoundings = 10;
-// A product of a projection, at most 3 size, and a whole number, and the sum of two: 2 roundings more.
-constexpr double kTurningRoundings = kProjectionRoundings + 7;
 // Points within a distance d of each other differ by at most |n| d along n, and in the metric max by at most (|n_x| +
 // |n_y| + |n_z|) d: 5 roundings of the length, and one each of its products with d and with the scale. The products
 // with whole numbers and the sum of two have 2 more.
@@ -33,18 +28,6 @@ double copy(const CurvedForm<Dim>& form, std::array<std::array<double, Size>, Di
   }
   return form.error + kRounding * form.size;
 }
-
-/// The coefficients over both sides of a place in (0, 1). In each of n rounds, a coefficient has at most 3 roundings of
-/// products and sums, 1 - place counted: 3 e times the size. The errors before are averaged.
-template <Index Size>
-void cut_at(std::array<double, Size>& left, std::array<double, Size>& right, int degree, double place) noexcept {
-  const Index size = static_cast<Index>(degree) + 1;
-  for (Index round = 0; round < size; ++round) {
-    left[round] = right[0];
-    for (Index i = 0; i + round + 1 < size; ++i) right[i] = (1 - place) * right[i] + place * right[i + 1];
-  }
-}
-constexpr double kCutRoundings = 3;
 
 /// The difference of two points as r - s u - q w, from the pairs of corners.
 Place place_of(Kind kind, const std::array<Vector, 4>& pairs) noexcept {
@@ -67,10 +50,6 @@ bool unite(Vector& n) noexcept {
   if (!(largest > 0)) return false;
   n = {{n[0] / largest, n[1] / largest, n[2] / largest}};
   return true;
-}
-
-double projection(const Vector& n, const std::array<std::array<double, 7>, 3>& x, Index k) noexcept {
-  return n[0] * x[0][k] + n[1] * x[1][k] + n[2] * x[2][k];
 }
 
 }  // namespace
@@ -118,9 +97,8 @@ void CurvedWalk::cut(Part& left, Part& right, double place) const noexcept {
     for (Index axis = 0; axis < 3; ++axis) cut_at(left.pairs[i][axis], right.pairs[i][axis], degree_, place);
   }
   cut_at(left.scale, right.scale, degree_, place);
-  left.error = right.error = right.error + size_ * (kCutRoundings * degree_ * kRounding) + numbers::kUnderflow;
-  left.scale_error = right.scale_error =
-      right.scale_error + scale_size_ * (kCutRoundings * degree_ * kRounding) + numbers::kUnderflow;
+  left.error = right.error = right.error + cut_error(degree_, size_);
+  left.scale_error = right.scale_error = right.scale_error + cut_error(degree_, scale_size_);
   left.low = right.low;
   left.high = right.low = right.low + place * (right.high - right.low);
 }
@@ -163,7 +141,7 @@ CurvedWalk::Best CurvedWalk::best(const Pairs& pairs) const noexcept {
 bool CurvedWalk::separates(const Part& part, Vector n) const noexcept {
   if (!unite(n)) return false;
   const double reach = kReach * (dual_norm(n, metric_) * distance_);
-  const double error = kProjectionErrors * part.error + kProjectionRoundings * kRounding * size_ + numbers::kUnderflow;
+  const double error = projection_error(part.error, size_);
   for (Index k = 0; k <= static_cast<Index>(degree_); ++k) {
     const double kept = kBoundSlack * (error + kReach * (reach * (std::max(part.scale[k], 0.0) + part.scale_error)));
     for (Index i = 0; i < pairs_; ++i) {
@@ -181,8 +159,7 @@ bool CurvedWalk::separates_in_turning(const Part& part, Vector m, Vector n) cons
   const double m_reach = kReach * (dual_norm(m, metric_) * distance_);
   const double n_reach = kReach * (dual_norm(n, metric_) * distance_);
   const double degree = degree_ + 1;
-  const double error =
-      degree * (kProjectionErrors * part.error + kTurningRoundings * kRounding * size_) + numbers::kUnderflow;
+  const double error = turning_error(degree, part.error, size_);
   const auto scale = [&](Index k) { return std::max(part.scale[k], 0.0) + part.scale_error; };
   for (Index k = 0; k <= static_cast<Index>(degree_) + 1; ++k) {
     const double later = static_cast<double>(k), earlier = degree - later;
