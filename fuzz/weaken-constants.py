@@ -132,7 +132,8 @@ SEPARATION_FAULTS = [
 
 # Of curved queries: the fuzzer and the checker of proofs know none of these, only tests/curved does.
 #
-# Without a line below, as another test is uncertain, too: a certain sign at a part's start, in curved_bracket.cpp.
+# Without a line below: a certain sign at a part's start, in curved_bracket.cpp, as another test is uncertain, too; and
+# kStretched of curved_chords.cpp, which the bulge of any turn hides that makes quaternions' lengths matter.
 CURVED_FAULTS = [
     ("size of a separation along a direction", "filters/curved_paths.cpp", " + reach(direction, separation)", ""),
     ("guard of a direction that overflows", "filters/curved_paths.cpp", "if (!(sum <= kMostSum)) return false;", ""),
@@ -155,6 +156,11 @@ CURVED_FAULTS = [
     ("slope of a value", "filters/curved_form.cpp", "+ slope * radius +", "+ slope / 16 * radius +"),
     ("roundings of a derivative", "filters/curved_form.cpp", "4 * kRounding * p.size) + kUnderflow",
      "4 / 16.0 * kRounding * p.size) + kUnderflow"),
+    ("bulge of a chord", "filters/curved_chords.cpp", "kBulge = 0.97;", "kBulge = 0.97 / 16;"),
+    ("kPlaceError of chords", "filters/curved_chords.cpp", "kPlaceError = 4 *", "kPlaceError = 4 / 16.0 *"),
+    ("quaternions of other lengths", "filters/curved_chords.cpp", " && std::fabs(n1 - n0) <= kMostStretch * n0", ""),
+    ("deviation of chords beside a separation", "filters/curved_chords.cpp", "separation.distance + chords.deviation",
+     "separation.distance"),
     ("roundings of a product of polynomials", "filters/curved_form.cpp", "(roundings * kRounding)",
      "(roundings / 16 * kRounding)"),
     ("errors of a product's factors", "filters/curved_form.cpp", "(a.size * b.error + a.error * (b.size + b.error)",
@@ -184,6 +190,7 @@ CURVED_FAULTS = [
 # The tests of tests/curved that search for faults of a file. They come first, so that most faults are found in seconds.
 CURVED_SEARCHES = {
     "numbers/bounded.hpp": "curved bounds: the slack*,curved bracket: what numbers*,curved bracket: no sign*",
+    "filters/curved_chords.cpp": "the filter's chords*",
     "filters/curved_form.cpp": "curved bounds: *,curved bracket: polynomials*",
     "filters/curved_frame.cpp": "curved bracket: polynomials*,curved bracket: the frame*",
     "filters/curved_projection.hpp": "curved bounds: *",

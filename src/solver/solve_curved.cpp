@@ -7,6 +7,7 @@
 
 #include "exact/exact.hpp"
 #include "filters/curved_bracket.hpp"
+#include "filters/curved_chords.hpp"
 #include "filters/curved_paths.hpp"
 #include "numbers/float_environment.hpp"
 #include "oracle/oracle.hpp"
@@ -19,11 +20,14 @@ namespace {
 
 /// The same as a straight query, if it is one: all corners are on curves of degree 0 or 1.
 std::optional<Query> straight(const CurvedQuery& query) {
+  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+    if (query.corners[i].motion != CurvedCorner::kOnCurve) return std::nullopt;
+  }
   Query result;
   result.kind = query.kind;
   for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
     const CurvedCorner& corner = query.corners[i];
-    if (corner.motion != CurvedCorner::kOnCurve || corner.control_points > 2) return std::nullopt;
+    if (corner.control_points > 2) return std::nullopt;
     result.start[i] = corner.points[0];
     result.end[i] = corner.points[static_cast<std::size_t>(corner.control_points - 1)];
   }
@@ -33,7 +37,7 @@ std::optional<Query> straight(const CurvedQuery& query) {
 /// Whether the filters decide a valid query. If so, the answer is complete.
 bool decided_by_filters(const CurvedQuery& query, double t_max, Answer& answer) {
   answer.level = Level::filter;
-  if (filters::certainly_apart(query)) return true;
+  if (filters::chords_certainly_farther(query, Separation()) || filters::certainly_apart(query)) return true;
   answer.level = Level::bracket;
   return filters::decide_in_brackets(query, t_max, answer) != filters::Finding::uncertain;
 }
@@ -70,7 +74,9 @@ Answer answer(const CurvedQuery& query, const Separation& separation, Method met
     if (const std::optional<Query> same = straight(query)) return answer(*same, separation, method, t_max, wanted);
     Answer apart;
     apart.level = Level::filter;
-    if (filters::certainly_farther(query, separation)) return apart;
+    if (filters::chords_certainly_farther(query, separation) || filters::certainly_farther(query, separation)) {
+      return apart;
+    }
     Answer answer;
     answer.level = Level::bracket;
     const filters::Finding finding = filters::decide_in_brackets(query, separation, t_max, answer);
