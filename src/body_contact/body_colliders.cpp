@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include <touchstone/solve.hpp>
 
@@ -38,13 +39,6 @@ constexpr double kWidened = 1 + 0x1p-40;
 
 double largest(const Vector3& x) { return x.lpNorm<Eigen::Infinity>(); }
 
-/// Where the corners of a body or of the particles are at both ends, and by how much their paths leave the lines
-/// between.
-struct Sweep {
-  std::vector<Vector3> start, end;
-  double margin = 0;
-};
-
 broad_phase::Box around(const std::vector<Vector3>& at, const Index* corners, std::size_t count, double margin) {
   broad_phase::Box box = broad_phase::empty_box();
   for (std::size_t c = 0; c < count; ++c) {
@@ -55,18 +49,63 @@ broad_phase::Box around(const std::vector<Vector3>& at, const Index* corners, st
   return box;
 }
 
+/// Where the corners of a body or of the particles are at both ends, and by how much their paths leave the lines
+/// between. The corners of a body are placed when they are needed: most of them lie in clusters that meet nothing.
+class Sweep {
+ public:
+  /// @param margin  beside what rounding and the bulge of arcs need
+  Sweep(const RigidBody& body, const Pose& start, const Pose& end, double margin)
+      : points_(&body.points),
+        turns_{matrix_of(start.q), matrix_of(end.q)},
+        places_{start.p, end.p},
+        start_(body.points.size()),
+        end_(body.points.size()),
+        placed_(body.points.size(), 0),
+        rounding_(kPlacing * (body.reach + std::max(largest(start.p), largest(end.p)))),
+        margin_(margin + bulge(start.q, end.q, body.reach) + rounding_) {}
+  Sweep(std::vector<Vector3> start, std::vector<Vector3> end)
+      : start_(std::move(start)), end_(std::move(end)), placed_(start_.size(), 1) {}
+
+  template <class Element>
+  MovingBox box_of(const Element& element, double radius) {
+    for (const Index corner : element) {
+      if (placed_[corner]) continue;
+      placed_[corner] = 1;
+      start_[corner] = turns_[0] * (*points_)[corner] + places_[0];
+      end_[corner] = turns_[1] * (*points_)[corner] + places_[1];
+    }
+    const double margin = margin_ + kWidened * radius;
+    return {around(start_, element.data(), element.size(), margin),
+            around(end_, element.data(), element.size(), margin)};
+  }
+
+  /// A box that the boxes of all elements of a body's cluster are in. Their corners are rounded, and so is its centre.
+  MovingBox box_of(const Cluster& cluster) const {
+    const double margin = cluster.radius + margin_ + 2 * rounding_;
+    const auto at = [&](std::size_t end) {
+      const Vector3 centre = turns_[end] * cluster.centre + places_[end];
+      broad_phase::Box box = broad_phase::empty_box();
+      broad_phase::extend(box, {centre.x(), centre.y(), centre.z()});
+      broad_phase::grow(box, margin);
+      return box;
+    };
+    return {at(0), at(1)};
+  }
+
+ private:
+  const std::vector<Vector3>* points_ = nullptr;
+  std::array<Matrix3, 2> turns_;
+  std::array<Vector3, 2> places_;
+  std::vector<Vector3> start_, end_;
+  std::vector<char> placed_;
+  double rounding_ = 0, margin_ = 0;
+};
+
 /// Boxes of some elements, with their numbers.
 struct Boxes {
   std::vector<Index> numbers;
   std::vector<MovingBox> boxes;
 };
-
-template <class Element>
-MovingBox box_of(const Sweep& sweep, const Element& element, double radius) {
-  const double margin = sweep.margin + kWidened * radius;
-  return {around(sweep.start, element.data(), element.size(), margin),
-          around(sweep.end, element.data(), element.size(), margin)};
-}
 
 bool is_of_particles(const BodyPair& pair) { return pair.a.body == kParticles && pair.b.body == kParticles; }
 Pair particle_pair(const BodyPair& pair) { return {pair.kind, pair.a.number, pair.b.number}; }
@@ -75,16 +114,23 @@ constexpr auto kAll = [](Index) { return true; };
 constexpr auto kThin = [](Index) { return 0.0; };
 
 /// Of those elements that meet the other's box. @param radius  by which they are wider, beside the sweep's margin
+/// @param clusters  of a body: of all these elements; of the particles: none
 template <class Element, class Wanted, class Radius>
-Boxes boxes_near(const Sweep& sweep, const std::vector<Element>& elements, const MovingBox& other, Wanted wanted,
-                 Radius radius) {
+Boxes boxes_near(Sweep& sweep, const std::vector<Element>& elements, const std::vector<Cluster>& clusters,
+                 const MovingBox& other, Wanted wanted, Radius radius) {
   Boxes near;
-  for (Index i = 0; i < elements.size(); ++i) {
-    if (!wanted(i)) continue;
-    const MovingBox box = box_of(sweep, elements[i], radius(i));
-    if (!broad_phase::meet(box, other)) continue;
-    near.numbers.push_back(i);
-    near.boxes.push_back(box);
+  const auto look_at = [&](Index first, Index last) {
+    for (Index i = first; i < last; ++i) {
+      if (!wanted(i)) continue;
+      const MovingBox box = sweep.box_of(elements[i], radius(i));
+      if (!broad_phase::meet(box, other)) continue;
+      near.numbers.push_back(i);
+      near.boxes.push_back(box);
+    }
+  };
+  if (clusters.empty()) look_at(0, static_cast<Index>(elements.size()));
+  for (const Cluster& cluster : clusters) {
+    if (broad_phase::meet(sweep.box_of(cluster), other)) look_at(cluster.first, cluster.last);
   }
   return near;
 }
@@ -94,6 +140,18 @@ std::vector<std::array<Index, 1>> singles(const std::vector<Index>& vertices) {
   for (const Index v : vertices) all.push_back({v});
   return all;
 }
+
+BodyColliders::Clusters all_clusters(const std::vector<Vector3>& points, const ElementSet& surface) {
+  BodyColliders::Clusters clusters;
+  clusters.singles = singles(surface.vertices);
+  clusters.vertices = clusters_of(points, clusters.singles);
+  clusters.edges = clusters_of(points, surface.edges);
+  clusters.faces = clusters_of(points, surface.faces);
+  return clusters;
+}
+
+// So many vertices have a box of their own, and more of them have one around those of their clusters.
+constexpr std::size_t kFewVertices = 32;
 
 }  // namespace
 
@@ -112,11 +170,13 @@ BodyColliders::BodyColliders(const Scene& scene, const System& system, const Col
     moves_.push_back(particles.can_move(p) ? 1 : 0);
   }
   particles_ = ElementSet(system.particle_count(), std::move(colliding), particles.edges(), particles.faces());
+  no_clusters_.singles = singles(particles_.vertices);
   shortest_ = std::numeric_limits<double>::infinity();
   for (const Body& body : scene.bodies) {
     std::vector<Index> vertices(body.vertices.size());
     std::iota(vertices.begin(), vertices.end(), Index{0});
     surfaces_.emplace_back(body.vertices.size(), std::move(vertices), all_edges(body.edges, body.faces), body.faces);
+    clusters_.push_back(all_clusters(bodies.bodies()[surfaces_.size() - 1].points, surfaces_.back()));
     radii_.push_back(body.radius);
     has_separations_ |= body.radius > 0;
     if (body.motion == BodyMotion::fixed) continue;
@@ -192,22 +252,19 @@ CurvedQuery BodyColliders::query(const BodyPair& pair, const BodyMotions& motion
 
 std::vector<BodyPair> BodyColliders::candidates(const BodyMotions& motions, double margin) const {
   const std::size_t count = surfaces_.size();
-  std::vector<Sweep> sweeps(count);
+  std::vector<Sweep> sweeps;
+  sweeps.reserve(count);
   std::vector<MovingBox> whole(count);
   for (Index b = 0; b < count; ++b) {
-    const RigidBody& body = bodies_->bodies()[b];
-    const Pose &from = (*motions.start)[b].pose, &to = (*motions.end)[b].pose;
-    Sweep& sweep = sweeps[b];
-    sweep.margin = margin + kWidened * radii_[b] + bulge(from.q, to.q, body.reach) +
-                   kPlacing * (body.reach + std::max(largest(from.p), largest(to.p)));
-    const Matrix3 turn_from = matrix_of(from.q), turn_to = matrix_of(to.q);
-    for (const Vector3& x : body.points) {
-      sweep.start.emplace_back(turn_from * x + from.p);
-      sweep.end.emplace_back(turn_to * x + to.p);
-    }
+    Sweep& sweep = sweeps.emplace_back(bodies_->bodies()[b], (*motions.start)[b].pose, (*motions.end)[b].pose,
+                                       margin + kWidened * radii_[b]);
     const std::vector<Index>& vertices = surfaces_[b].vertices;
-    whole[b] = {around(sweep.start, vertices.data(), vertices.size(), sweep.margin),
-                around(sweep.end, vertices.data(), vertices.size(), sweep.margin)};
+    if (vertices.size() <= kFewVertices) {
+      whole[b] = sweep.box_of(vertices, 0);
+      continue;
+    }
+    whole[b] = broad_phase::empty_moving_box();
+    for (const Cluster& cluster : clusters_[b].vertices) broad_phase::join(whole[b], sweep.box_of(cluster));
   }
 
   std::vector<BodyPair> pairs;
@@ -219,9 +276,10 @@ std::vector<BodyPair> BodyColliders::candidates(const BodyMotions& motions, doub
       pairs.push_back({kind, {of_a, first}, {of_b, b.numbers[j]}});
     });
   };
-  const auto between_surfaces = [&](Index a, const Sweep& sweep_a, const MovingBox& box_a, Index b,
-                                    const Sweep& sweep_b, const MovingBox& box_b) {
+  const auto between_surfaces = [&](Index a, Sweep& sweep_a, const MovingBox& box_a, Index b, Sweep& sweep_b,
+                                    const MovingBox& box_b) {
     const ElementSet &first = surface(a), &second = surface(b);
+    const Clusters &of_a = a == kParticles ? no_clusters_ : clusters_[a], &of_b = clusters_[b];
     // The radius of a body is in its sweep's margin.
     const auto edge_radius = [&](Index of) {
       return [this, of](Index e) { return of == kParticles ? of_particles_->radius_of_edge(e) : 0.0; };
@@ -234,37 +292,38 @@ std::vector<BodyPair> BodyColliders::candidates(const BodyMotions& motions, doub
         return of == kParticles ? of_particles_->radius_of_particle(vertices[i]) : 0.0;
       };
     };
-    const auto edges_a = boxes_near(sweep_a, first.edges, box_b, kAll, edge_radius(a));
-    meet_all(edges_a, boxes_near(sweep_b, second.edges, box_a, kAll, edge_radius(b)), Kind::edge_edge, a, b, nullptr);
+    const auto edges_a = boxes_near(sweep_a, first.edges, of_a.edges, box_b, kAll, edge_radius(a));
+    meet_all(edges_a, boxes_near(sweep_b, second.edges, of_b.edges, box_a, kAll, edge_radius(b)), Kind::edge_edge, a, b,
+             nullptr);
     if (!second.faces.empty()) {
-      meet_all(boxes_near(sweep_a, singles(first.vertices), box_b, kAll, vertex_radius(a, first.vertices)),
-               boxes_near(sweep_b, second.faces, box_a, kAll, face_radius(b)), Kind::vertex_face, a, b,
+      meet_all(boxes_near(sweep_a, of_a.singles, of_a.vertices, box_b, kAll, vertex_radius(a, first.vertices)),
+               boxes_near(sweep_b, second.faces, of_b.faces, box_a, kAll, face_radius(b)), Kind::vertex_face, a, b,
                &first.vertices);
     }
     if (!first.faces.empty()) {
-      meet_all(boxes_near(sweep_b, singles(second.vertices), box_a, kAll, vertex_radius(b, second.vertices)),
-               boxes_near(sweep_a, first.faces, box_b, kAll, face_radius(a)), Kind::vertex_face, b, a,
+      meet_all(boxes_near(sweep_b, of_b.singles, of_b.vertices, box_a, kAll, vertex_radius(b, second.vertices)),
+               boxes_near(sweep_a, first.faces, of_a.faces, box_b, kAll, face_radius(a)), Kind::vertex_face, b, a,
                &second.vertices);
     }
     // A particle in no edge meets the edges of wire frames. Those of faces are parts of the faces.
     if (a == kParticles && !first.points.empty()) {
       const auto bare = [&](Index e) { return second.bare[e] != 0; };
-      meet_all(boxes_near(sweep_a, singles(first.points), box_b, kAll, vertex_radius(a, first.points)),
-               boxes_near(sweep_b, second.edges, box_a, bare, kThin), Kind::point_edge, a, b, &first.points);
+      meet_all(boxes_near(sweep_a, singles(first.points), {}, box_b, kAll, vertex_radius(a, first.points)),
+               boxes_near(sweep_b, second.edges, of_b.edges, box_a, bare, kThin), Kind::point_edge, a, b,
+               &first.points);
     }
   };
   broad_phase::for_each_pair(whole, [&](Index a, Index b) {
     if (can_move(a) || can_move(b)) between_surfaces(a, sweeps[a], whole[a], b, sweeps[b], whole[b]);
   });
   if (particles_.vertices.empty()) return pairs;
-  Sweep particles;
+  std::vector<Vector3> starts, ends;
   for (Index p = 0; p < particles_.around.size(); ++p) {
-    particles.start.push_back(position(*motions.x0, p));
-    particles.end.push_back(position(*motions.x1, p));
+    starts.push_back(position(*motions.x0, p));
+    ends.push_back(position(*motions.x1, p));
   }
-  const double widest = kWidened * of_particles_->largest_radius();
-  const MovingBox all = {around(particles.start, particles_.vertices.data(), particles_.vertices.size(), widest),
-                         around(particles.end, particles_.vertices.data(), particles_.vertices.size(), widest)};
+  Sweep particles(std::move(starts), std::move(ends));
+  const MovingBox all = particles.box_of(particles_.vertices, of_particles_->largest_radius());
   for (Index b = 0; b < count; ++b) {
     if (!broad_phase::meet(all, whole[b])) continue;
     const std::size_t before = pairs.size();
@@ -301,20 +360,18 @@ std::string BodyColliders::first_intersection(const BodyStates& states, const Ve
   if (!particles_.edges.empty()) all.push_back(kParticles);
   std::vector<Sweep> sweeps;
   std::vector<MovingBox> whole;
+  std::vector<std::vector<Vector3>> places;
   for (const Index b : all) {
-    Sweep& sweep = sweeps.emplace_back();
-    for (Index v = 0; v < surface(b).around.size(); ++v) sweep.start.push_back(at({b, v}, states, x));
-    sweep.end = sweep.start;
-    const std::vector<Index>& vertices = surface(b).vertices;
-    whole.push_back({around(sweep.start, vertices.data(), vertices.size(), 0),
-                     around(sweep.end, vertices.data(), vertices.size(), 0)});
+    std::vector<Vector3>& at_rest = places.emplace_back();
+    for (Index v = 0; v < surface(b).around.size(); ++v) at_rest.push_back(at({b, v}, states, x));
+    whole.push_back(sweeps.emplace_back(at_rest, at_rest).box_of(surface(b).vertices, 0));
   }
   std::string found;
   const auto look = [&](Index i, Index j) {
     const ElementSet &first = surface(all[i]), &second = surface(all[j]);
     if (!found.empty() || second.faces.empty()) return;
-    const Boxes edges = boxes_near(sweeps[i], first.edges, whole[j], kAll, kThin);
-    const Boxes faces = boxes_near(sweeps[j], second.faces, whole[i], kAll, kThin);
+    const Boxes edges = boxes_near(sweeps[i], first.edges, {}, whole[j], kAll, kThin);
+    const Boxes faces = boxes_near(sweeps[j], second.faces, {}, whole[i], kAll, kThin);
     if (edges.boxes.empty() || faces.boxes.empty()) return;
     broad_phase::for_each_pair(edges.boxes, faces.boxes, [&](Index e, Index f) {
       if (!found.empty()) return;
@@ -322,7 +379,7 @@ std::string BodyColliders::first_intersection(const BodyStates& states, const Ve
       const Edge& edge = first.edges[edges.numbers[e]];
       const Face& face = second.faces[faces.numbers[f]];
       const auto corner = [&](std::size_t of, Index v) {
-        const Vector3& p = sweeps[of].start[v];
+        const Vector3& p = places[of][v];
         return Vec3{p.x(), p.y(), p.z()};
       };
       Query query;

@@ -9,6 +9,7 @@
 #include <touchstone/curved_query.hpp>
 
 #include "body_contact/body_system.hpp"
+#include "body_contact/clusters.hpp"
 #include "body_contact/element_set.hpp"
 #include "contact/colliders.hpp"
 
@@ -85,6 +86,12 @@ class BodyColliders {
   double shortest_edge() const noexcept { return shortest_; }  ///< m, of bodies
   Vector3 at(const OfBody& corner, const BodyStates& states, const VectorX& x) const noexcept;
 
+  /// Of a body. The particles have no clusters, as they move against each other.
+  struct Clusters {
+    std::vector<std::array<Index, 1>> singles;  ///< its vertices, as elements of one corner
+    std::vector<Cluster> vertices, edges, faces;
+  };
+
  private:
   double separation_of(const BodyPair& pair) const noexcept;
 
@@ -92,7 +99,9 @@ class BodyColliders {
   const Colliders* of_particles_;
   ElementSet particles_;
   std::vector<ElementSet> surfaces_;
-  std::vector<char> moves_;  // by particle
+  std::vector<Clusters> clusters_;  // by body
+  Clusters no_clusters_;            // of the particles
+  std::vector<char> moves_;         // by particle
   double shortest_ = 0;
   std::vector<double> radii_;  // of bodies
   bool has_separations_ = false;

@@ -8,6 +8,7 @@
 #include <touchstone/curved.hpp>
 
 #include "bodies_support.hpp"
+#include "scene/shipped_scenes.hpp"
 #include "support/catch.hpp"
 #include "support/slow_build.hpp"
 
@@ -124,4 +125,41 @@ TEST_CASE("bodies that touch on strongly bent ways are among the candidates") {
     }
   }
   if (whole_effort("rods that touch")) CHECK(touching > 50);
+}
+
+TEST_CASE("links of many edges that touch are candidates, whatever clusters their edges are in") {
+  Random random;
+  std::size_t touching = 0, pairs = 0;
+  for (std::size_t trial = 0; trial < effort(60); ++trial) {
+    Scene scene;
+    scene.bodies = make_link_chain(2).bodies;
+    const System system(scene);
+    const Colliders particles(scene, system);
+    const BodySystem bodies(scene);
+    const BodyColliders colliders(scene, system, particles, bodies);
+    BodyStates from = bodies.initial(), to = from;
+    for (std::size_t i = 0; i < 2; ++i) {
+      from[i].pose = {rotation_by(0.3 * random.vector()), from[i].pose.p + 0.02 * random.vector()};
+      to[i].pose = {product(rotation_by(0.2 * random.vector()), from[i].pose.q),
+                    from[i].pose.p + 0.02 * random.vector()};
+      if (dot(from[i].pose.q, to[i].pose.q) < 0) to[i].pose.q = negated(to[i].pose.q);
+    }
+    const VectorX none;
+    const BodyMotions motions{&from, &to, &none, &none};
+    const auto candidates = colliders.candidates(motions, 0);
+    pairs += candidates.size();
+    const auto edges = static_cast<Index>(colliders.surface(0).edges.size());
+    REQUIRE(edges == 100);
+    for (Index a = 0; a < edges; ++a) {
+      for (Index b = 0; b < edges; ++b) {
+        const BodyPair pair{touchstone::Kind::edge_edge, {0, a}, {1, b}};
+        if (!solve_any(colliders.query(pair, motions))) continue;
+        ++touching;
+        REQUIRE(std::find(candidates.begin(), candidates.end(), pair) != candidates.end());
+      }
+    }
+  }
+  if (!whole_effort("links that touch")) return;
+  CHECK(touching > 60);
+  CHECK(pairs < 60 * 3000);  // of 10,000 each
 }
