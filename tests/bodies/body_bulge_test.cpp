@@ -160,6 +160,6 @@ TEST_CASE("links of many edges that touch are candidates, whatever clusters thei
     }
   }
   if (!whole_effort("links that touch")) return;
-  CHECK(touching > 50);
+  CHECK(touching > 10);
   CHECK(pairs < 200 * 3000);  // of 10,000 each
 }

@@ -73,7 +73,8 @@ CurvedQuery some_query(Rng& rng, const Plan& plan) {
   // Coordinates of one size: there the bound on the length by the largest one is tight.
   const double x = rng.one_in(2) ? 1 : -1, y = rng.one_in(2) ? 1 : -1;
   query.corners[0] = CurvedCorner::on_body(0, rng.one_in(2) ? Vec3{x, y, 1} : point(1));
-  for (std::size_t i = 1; i < 4; ++i) query.corners[i] = CurvedCorner::on_body(1, plan.far > 1 ? point(1) : Vec3{0, 0, 0});
+  for (std::size_t i = 1; i < 4; ++i)
+    query.corners[i] = CurvedCorner::on_body(1, plan.far > 1 ? point(1) : Vec3{0, 0, 0});
   return query;
 }
 
