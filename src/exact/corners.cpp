@@ -41,7 +41,7 @@ typename Forms<N>::Corners integer_corners(const Query& query) {
 template <int Limbs>
 typename Forms<Near<Limbs>>::Corners near_corners(const Query& query) {
   const std::array<BitSpan, 3> spans = axis_spans(query);
-  return integer_corners<numbers::FixedInt<Limbs>>(query, {spans[0].low, spans[1].low, spans[2].low});
+  return integer_corners<typename Near<Limbs>::Integer>(query, {spans[0].low, spans[1].low, spans[2].low});
 }
 
 }  // namespace
@@ -59,6 +59,11 @@ Forms<Medium>::Corners moving_corners<Medium>(const Query& query) {
 template <>
 Forms<Long>::Corners moving_corners<Long>(const Query& query) {
   return integer_corners<Long>(query);
+}
+
+template <>
+Forms<Near<0>>::Corners moving_corners<Near<0>>(const Query& query) {
+  return near_corners<0>(query);
 }
 
 template <>

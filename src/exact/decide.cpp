@@ -35,17 +35,17 @@ class ExactRange {
 };
 
 /// The same with times in double-doubles.
-template <int Limbs>
+template <class Root>
 class NearRange {
  public:
   NearRange(double t_max, numbers::Doubt& doubt) : end_(t_max), doubt_(doubt) {}
 
-  numbers::NearRoot<Limbs> start() const { return numbers::NearRoot<Limbs>::at_double(0, 1, doubt_); }
-  numbers::NearRoot<Limbs> end() const { return numbers::NearRoot<Limbs>::at_double(end_, 1, doubt_); }
-  bool ends_at(const numbers::NearRoot<Limbs>& root) const { return root.compare(end_) >= 0; }
+  Root start() const { return Root::at_double(0, 1, doubt_); }
+  Root end() const { return Root::at_double(end_, 1, doubt_); }
+  bool ends_at(const Root& root) const { return root.compare(end_) >= 0; }
   template <class P>
-  numbers::NearRoots<Limbs> roots(const P& p) const {
-    return numbers::NearRoots<Limbs>(p, end_, doubt_);
+  typename Root::List roots(const P& p) const {
+    return typename Root::List(p, end_, doubt_);
   }
 
  private:
@@ -216,7 +216,7 @@ Answer first_contact_in(const Q& query, double t_max, Wanted wanted = Wanted::al
 template <int Limbs>
 std::optional<Answer> near_first_contact(const Query& query, double t_max, Wanted wanted) {
   numbers::Doubt doubt;
-  const NearRange<Limbs> range(t_max, doubt);
+  const NearRange<Time<Near<Limbs>>> range(t_max, doubt);
   std::optional<Answer> answer = with_elements<Near<Limbs>>(
       query, [&](const auto& elements) { return std::optional(first_contact(elements, range, wanted, nullptr)); });
   if (doubt.raised()) answer.reset();
@@ -249,6 +249,7 @@ Answer decide_exactly(const CurvedQuery& query, double t_max) {
 std::optional<Answer> decide_nearby(const Query& query, double t_max, Wanted wanted) {
   int bits = 0;
   for (const BitSpan& span : axis_spans(query)) bits = std::max(bits, span.bits());
+  if (bits <= kMostBits<0>) return near_first_contact<0>(query, t_max, wanted);
   if (bits <= kMostBits<1>) return near_first_contact<1>(query, t_max, wanted);
   if (bits <= kMostBits<2>) return near_first_contact<2>(query, t_max, wanted);
   return std::nullopt;

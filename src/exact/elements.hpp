@@ -21,6 +21,7 @@
 #include "numbers/fixed_int.hpp"
 #include "numbers/near_root.hpp"
 #include "numbers/real_root.hpp"
+#include "numbers/small_int.hpp"
 
 namespace touchstone::exact {
 
@@ -71,11 +72,20 @@ struct Forms<AnyDegree> {
   using Corners = AnyCorners;
 };
 
-/// In place of a number type: coordinates of type FixedInt<Limbs>, whose times are known as numbers::NearRoot.
+/// In place of a number type: coordinates of type FixedInt<Limbs>, or SmallInt for no limbs, whose times are known as
+/// numbers::NearRoot.
 template <int Limbs>
-struct Near {};
+struct Near {
+  using Integer = numbers::FixedInt<Limbs>;
+  using Time = numbers::NearRoot<Limbs>;
+};
+template <>
+struct Near<0> {
+  using Integer = numbers::SmallInt;
+  using Time = numbers::NearRoot<1>;
+};
 template <int Limbs>
-struct Forms<Near<Limbs>> : Forms<numbers::FixedInt<Limbs>> {};
+struct Forms<Near<Limbs>> : Forms<typename Near<Limbs>::Integer> {};
 
 /// The type of times over numbers of type N.
 template <class N>
@@ -84,7 +94,7 @@ struct TimeOf {
 };
 template <int Limbs>
 struct TimeOf<Near<Limbs>> {
-  using Type = numbers::NearRoot<Limbs>;
+  using Type = typename Near<Limbs>::Time;
 };
 template <class N>
 using Time = typename TimeOf<N>::Type;
@@ -124,6 +134,7 @@ using Long = numbers::FixedInt<3>;
   template class Template<Short>;                 \
   template class Template<Medium>;                \
   template class Template<Long>;                  \
+  template class Template<Near<0>>;               \
   template class Template<Near<1>>;               \
   template class Template<Near<2>>;               \
   template class Template<Exact>;                 \
@@ -141,6 +152,9 @@ constexpr int kMostBits = (64 * 3 * Limbs - 1 - 13) / 3;
 static_assert(kMostBits<1> + 2 < 64 && 2 * kMostBits<1> + 9 < 128 && kMostBits<2> + 2 < 128 &&
               2 * kMostBits<2> + 9 < 256);
 static_assert(kMostBits<3> + 2 < 192 && 2 * kMostBits<3> + 9 < 384);
+template <>
+constexpr int kMostBits<0> = (63 - 13) / 3;  ///< for SmallInt, where all of them have one size
+static_assert(2 * kMostBits<0> + 9 <= numbers::NearRoot<1>::kMostSmallBits && 3 * kMostBits<0> + 10 < 60);
 
 /// Polynomials whose roots contain all times at which touching may begin or end: at most two for each of the four pairs
 /// of a corner and the other edge.
@@ -241,6 +255,9 @@ class PointOnEdge {
   using Names = PointOnEdgeNames;
   PointOnEdge(const Point& p, const Point& x, const Point& y, Names names);
 
+  /// Whether some axis shows that they never touch: the point is always before both ends along it, or after both.
+  bool always_beside() const;
+
   bool touching(const MomentOf<Time<N>>& moment) const;
 
   /// The position on the edge of a touching point: 0 at x, 1 at y, 2 between. x wins where both coincide.
@@ -253,8 +270,11 @@ class PointOnEdge {
   void append_events(Events<N>& events) const;
 
  private:
+  using Cross = geometry::Vector<typename Forms<N>::Quadratic>;
+  const Cross& cross() const;
+
   Point from_x_, from_y_, edge_;
-  geometry::Vector<typename Forms<N>::Quadratic> cross_;
+  mutable Lazy<Cross> cross_;
   Names names_;
 };
 

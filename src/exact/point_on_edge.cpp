@@ -12,12 +12,28 @@ void keep_sign(std::vector<CandidateStory::Condition>& record, int sign, const c
 
 template <class N>
 PointOnEdge<N>::PointOnEdge(const Point& p, const Point& x, const Point& y, Names names)
-    : from_x_(p - x), from_y_(p - y), edge_(y - x), cross_(geometry::cross(from_x_, edge_)), names_(names) {}
+    : from_x_(p - x), from_y_(p - y), edge_(y - x), names_(names) {}
+
+template <class N>
+auto PointOnEdge<N>::cross() const -> const Cross& {
+  return cross_.value_or_make([&] { return geometry::cross(from_x_, edge_); });
+}
+
+template <class N>
+bool PointOnEdge<N>::always_beside() const {
+  if constexpr (!std::is_same_v<N, AnyDegree>) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto &x = from_x_[k], &y = from_y_[k];
+      if (sign_of(x[0]) == sign_of(y[0]) && numbers::has_no_root(x) && numbers::has_no_root(y)) return true;
+    }
+  }
+  return false;
+}
 
 template <class N>
 bool PointOnEdge<N>::touching(const MomentOf<Time<N>>& moment) const {
   for (int k = 0; k < 3; ++k) {
-    if (moment.sign(cross_[static_cast<std::size_t>(k)], names_.cross, k) != 0) return false;
+    if (moment.sign(cross()[static_cast<std::size_t>(k)], names_.cross, k) != 0) return false;
   }
   return moment.sign(geometry::dot(from_x_, from_y_), names_.dot) <= 0;
 }
@@ -39,7 +55,7 @@ std::array<double, 3> PointOnEdge<N>::weights(const Time<N>& root) const {
 template <class N>
 void PointOnEdge<N>::append_events(Events<N>& events) const {
   // Touching needs all three components to vanish: the roots of one that is not identically zero contain those times.
-  for (const auto& component : cross_.c) {
+  for (const auto& component : cross().c) {
     if (!is_zero(component)) {
       events.add(component);
       return;

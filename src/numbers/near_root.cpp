@@ -38,6 +38,11 @@ BoundedPair bounded(const FixedInt<Limbs>& x) noexcept {
   return {sum, top == 0 ? 0 : kRelative * std::fabs(sum.high)};
 }
 
+BoundedPair bounded(SmallInt x) noexcept {
+  const std::int64_t low = x.value() & 0xFFFFFFFF;
+  return {two_sum(static_cast<double>(x.value() - low), static_cast<double>(low)), 0};
+}
+
 Bounded rounded(const BoundedPair& x) noexcept { return {x.value.high, std::fabs(x.value.low) + x.error}; }
 
 BoundedPair value_at(const BoundedPair* c, int size, const BoundedPair& t) noexcept {
@@ -123,13 +128,31 @@ int sign_at_quotient(const Polynomial<FixedInt<C>, 2>& q, const FixedInt<N>& num
   return sign_of((q[0] * denominator + q[1] * numerator) * denominator + q[2] * numerator * numerator);
 }
 
-/// Whether 0 <= x < limit.
+/// Whether x < limit, for x >= 0.
+bool small(SmallInt x, std::int64_t limit) noexcept { return x.value() < limit; }
 template <int N>
 bool small(const FixedInt<N>& x, std::int64_t limit) noexcept {
   for (int i = 1; i < N; ++i) {
     if (x.limb(i) != 0) return false;
   }
   return x.limb(0) < static_cast<std::uint64_t>(limit);
+}
+
+std::int64_t low_limb(SmallInt x) noexcept { return x.value(); }
+template <int N>
+std::int64_t low_limb(const FixedInt<N>& x) noexcept {
+  return static_cast<std::int64_t>(x.limb(0));
+}
+
+template <int Limbs>
+Polynomial<FixedInt<3 * Limbs>, 3> widened_cubic(const Polynomial<FixedInt<3 * Limbs>, 3>& p) noexcept {
+  return p;
+}
+template <int Limbs>
+Polynomial<FixedInt<3 * Limbs>, 3> widened_cubic(const Polynomial<SmallInt, 3>& p) noexcept {
+  Polynomial<FixedInt<3 * Limbs>, 3> result;
+  for (int i = 0; i <= 3; ++i) result[i] = p[i].template widened<3 * Limbs>();
+  return result;
 }
 
 template <int Q, int C>
@@ -346,7 +369,7 @@ void NearRoots<Limbs>::push_quotient(const N& numerator, const N& denominator, i
   Root root;
   constexpr std::int64_t kSmall = std::int64_t{1} << 61;
   if (small(d, kSmall)) {
-    root.exact_ = typename Root::Fraction{static_cast<std::int64_t>(n.limb(0)), static_cast<std::int64_t>(d.limb(0))};
+    root.exact_ = typename Root::Fraction{low_limb(n), low_limb(d)};
   } else {
     root.exact_ = typename Root::Quotient{n.template widened<6 * Limbs>(), d.template widened<6 * Limbs>()};
   }
@@ -358,13 +381,14 @@ void NearRoots<Limbs>::push_quotient(const N& numerator, const N& denominator, i
 }
 
 template <int Limbs>
-void NearRoots<Limbs>::push_simple(const Cubic& p, int size, double low, double high, int sign_low) {
+template <class P>
+void NearRoots<Limbs>::push_simple(const P& p, int size, double low, double high, int sign_low) {
   Pairs c;
   for (int i = 0; i < size; ++i) c[static_cast<std::size_t>(i)] = bounded(p[i]);
   const auto located = locate(c.data(), size, low, high, sign_low);
   if (!located) return doubt_.raise();
   Root root;
-  root.exact_ = typename Root::Isolated{p, size - 1, located->reach};
+  root.exact_ = typename Root::Isolated{widened_cubic<Limbs>(p), size - 1, located->reach};
   root.near_ = located->near;
   root.doubt_ = &doubt_;
   root.settle();
@@ -372,13 +396,24 @@ void NearRoots<Limbs>::push_simple(const Cubic& p, int size, double low, double 
 }
 
 template <int Limbs>
-void NearRoots<Limbs>::isolate(Cubic p) {
+void NearRoots<Limbs>::isolate(const Cubic& p) {
+  isolate_all(p);
+}
+template <int Limbs>
+void NearRoots<Limbs>::isolate(const SmallCubic& p) {
+  isolate_all(p);
+}
+
+template <int Limbs>
+template <class P>
+void NearRoots<Limbs>::isolate_all(P p) {
+  using Number = typename decltype(p.c)::value_type;
   int size = 4;
   while (p[size - 1].is_zero()) --size;
   int at_zero = 0;
   while (p[0].is_zero()) {
     for (int i = 0; i + 1 < size; ++i) p[i] = p[i + 1];
-    p[--size] = typename Root::Long();
+    p[--size] = Number();
     ++at_zero;
   }
   if (at_zero > 0) push_double(0, at_zero);
@@ -391,7 +426,7 @@ void NearRoots<Limbs>::isolate(Cubic p) {
   while (size > 1 && at_one().is_zero()) {  // synthetic division by t - 1
     for (int i = size - 2; i > 0; --i) p[i] = p[i] + p[i + 1];
     for (int i = 0; i + 1 < size; ++i) p[i] = p[i + 1];
-    p[--size] = typename Root::Long();
+    p[--size] = Number();
     ++ones;
   }
   isolate_inside(p, size);
@@ -400,7 +435,8 @@ void NearRoots<Limbs>::isolate(Cubic p) {
 
 /// Of a polynomial that vanishes neither at 0 nor at 1.
 template <int Limbs>
-void NearRoots<Limbs>::isolate_inside(const Cubic& p, int size) {
+template <class P>
+void NearRoots<Limbs>::isolate_inside(const P& p, int size) {
   if (size == 1) return;
   if (size == 2) return push_quotient(-p[0], p[1], 1);
   const auto twice = p[0] + p[0];
@@ -421,10 +457,11 @@ void NearRoots<Limbs>::isolate_inside(const Cubic& p, int size) {
 
 /// With two variations: it has the leading coefficient's sign at both ends, and its vertex lies inside.
 template <int Limbs>
-void NearRoots<Limbs>::isolate_quadratic(const Cubic& p) {
-  const auto product = p[0] * p[2];
+template <class P>
+void NearRoots<Limbs>::isolate_quadratic(const P& p) {
+  const auto product = wide_product(p[0], p[2]);
   const auto twice = product + product;
-  const int discriminant = (p[1] * p[1] - (twice + twice)).sign();
+  const int discriminant = (wide_product(p[1], p[1]) - (twice + twice)).sign();
   if (discriminant < 0) return;
   if (discriminant == 0) return push_quotient(-p[1], p[2] + p[2], 2);
   const BoundedPair c[] = {bounded(p[0]), bounded(p[1]), bounded(p[2])};
@@ -448,7 +485,8 @@ std::array<int, 4> bernstein_signs(const BoundedPair* c, double low, double high
 
 /// With two or three variations.
 template <int Limbs>
-void NearRoots<Limbs>::isolate_cubic(const Cubic& p) {
+template <class P>
+void NearRoots<Limbs>::isolate_cubic(const P& p) {
   Pairs c;
   for (int i = 0; i < 4; ++i) c[static_cast<std::size_t>(i)] = bounded(p[i]);
   // Between its critical points and its inflection a cubic is monotone and convex or concave.
@@ -478,7 +516,7 @@ void NearRoots<Limbs>::isolate_cubic(const Cubic& p) {
     const bool none = certain && signs[0] == signs[3] && signs[1] == signs[0] && signs[2] == signs[0];
     // From one sign to the other with at most one turn, whatever the uncertain one is.
     const bool single = certain && signs[0] != signs[3] && (signs[1] == signs[0] || signs[2] == signs[3]);
-    if (!none && !single) return push_repeated(p);
+    if (!none && !single) return push_repeated(widened_cubic<Limbs>(p));
     if (single) one[i] = signs[0];
   }
   for (std::size_t i = 0; i + 1 < count; ++i) {

@@ -8,12 +8,14 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <tuple>
 #include <variant>
 
 #include "numbers/bounded.hpp"
 #include "numbers/fixed_int.hpp"
 #include "numbers/polynomial.hpp"
 #include "numbers/real_root.hpp"
+#include "numbers/small_int.hpp"
 
 namespace touchstone::numbers {
 
@@ -31,7 +33,9 @@ template <int Limbs>
 class NearRoots;
 
 /// A root of a polynomial with coefficients |c| < 2^(192 Limbs - 3), where other polynomials of degree at most 2, with
-/// coefficients |c| < 2^(128 Limbs - 3), have signs and quotients. The doubt outlives the root.
+/// coefficients |c| < 2^(128 Limbs - 3), have signs and quotients. Coefficients are FixedInt of at most so many limbs,
+/// or SmallInt: then |c| < 2^60, and those of the other polynomials are below 2^kMostSmallBits. The doubt outlives the
+/// root.
 template <int Limbs>
 class NearRoot {
  public:
@@ -39,6 +43,7 @@ class NearRoot {
   using Long = FixedInt<3 * Limbs>;
   using Quadratic = Polynomial<Short, 2>;
   using Cubic = Polynomial<Long, 3>;
+  using List = NearRoots<Limbs>;
 
   /// The double `time` in [0, 1], as a root of this multiplicity.
   static NearRoot at_double(double time, int multiplicity, Doubt& doubt);
@@ -49,10 +54,12 @@ class NearRoot {
   double lower() const noexcept { return lower_; }
   double upper() const noexcept { return upper_; }
 
+  static constexpr int kMostSmallBits = 44;
+
   /// The sign of q at the root.
-  template <int Q, int D>
-  int sign_at(const Polynomial<FixedInt<Q>, D>& q) const {
-    static_assert(Q <= 2 * Limbs && D <= 2);
+  template <class R, int D>
+  int sign_at(const Polynomial<R, D>& q) const {
+    static_assert(D <= 2);
     if (const Fraction* fraction = std::get_if<Fraction>(&exact_)) return sign_at_fraction(q, *fraction);
     std::array<double, D + 1> c;
     for (std::size_t i = 0; i < c.size(); ++i) c[i] = to_double(q.c[i]);
@@ -63,12 +70,12 @@ class NearRoot {
   }
 
   /// The sign of q just after the root, or just before it. Zero only for q == 0.
-  template <int Q, int D>
-  int sign_after(const Polynomial<FixedInt<Q>, D>& q) const {
+  template <class R, int D>
+  int sign_after(const Polynomial<R, D>& q) const {
     return sign_beside(q, 1);
   }
-  template <int Q, int D>
-  int sign_before(const Polynomial<FixedInt<Q>, D>& q) const {
+  template <class R, int D>
+  int sign_before(const Polynomial<R, D>& q) const {
     return sign_beside(q, -1);
   }
 
@@ -78,8 +85,8 @@ class NearRoot {
 
   /// numerator(root) / denominator(root) within an absolute error of 2^-50.5, given that the quotient lies in [0, 1]
   /// and the denominator is not zero at the root.
-  template <int Q>
-  double quotient(const Polynomial<FixedInt<Q>, 2>& numerator, const Polynomial<FixedInt<Q>, 2>& denominator) const {
+  template <class R>
+  double quotient(const Polynomial<R, 2>& numerator, const Polynomial<R, 2>& denominator) const {
     return close_quotient(widened(numerator), widened(denominator));
   }
 
@@ -103,8 +110,8 @@ class NearRoot {
 
   NearRoot() = default;
 
-  template <int Q, int D>
-  static Quadratic widened(const Polynomial<FixedInt<Q>, D>& q) {
+  template <class R, int D>
+  static Quadratic widened(const Polynomial<R, D>& q) {
     Quadratic result;
     for (int i = 0; i <= D; ++i) result[i] = q[i].template widened<2 * Limbs>();
     return result;
@@ -117,7 +124,22 @@ class NearRoot {
       if constexpr (D == 1) return sign_of(q[0] + q[1]);
       if constexpr (D == 2) return sign_of(q[0] + q[1] + q[2]);
     }
-    const auto n = FixedInt<1>::integer(at.numerator), d = FixedInt<1>::integer(at.denominator);
+    return sign_at_quotient_of(q, FixedInt<1>::integer(at.numerator), FixedInt<1>::integer(at.denominator));
+  }
+  template <int D>
+  static int sign_at_fraction(const Polynomial<SmallInt, D>& q, const Fraction& at) {
+    // The terms are below 2^(kMostSmallBits + 2 * 8), and there are three of them.
+    constexpr std::int64_t kLittle = std::int64_t{1} << 8;
+    if (at.denominator <= kLittle) {
+      return sign_at_quotient_of(q, SmallInt::integer(at.numerator), SmallInt::integer(at.denominator));
+    }
+    Polynomial<FixedInt<1>, D> wide;
+    for (int i = 0; i <= D; ++i) wide[i] = q[i].template widened<1>();
+    return sign_at_fraction(wide, at);
+  }
+  template <class P, class N>
+  static int sign_at_quotient_of(const P& q, const N& n, const N& d) {
+    constexpr int D = static_cast<int>(std::tuple_size_v<decltype(q.c)>) - 1;
     const auto linear = q[0] * d + q[1] * n;
     if constexpr (D == 1) {
       return sign_of(linear);
@@ -126,14 +148,14 @@ class NearRoot {
     }
   }
 
-  template <int Q, int D>
-  int sign_beside(const Polynomial<FixedInt<Q>, D>& q, int side) const {
+  template <class R, int D>
+  int sign_beside(const Polynomial<R, D>& q, int side) const {
     const int sign = sign_at(q);
     if (sign != 0) return sign;
     if constexpr (D == 1) {
       return side * sign_of(q[1]);
     } else {
-      return side * sign_beside(Polynomial<FixedInt<Q>, 1>{{q[1], q[2] + q[2]}}, side);
+      return side * sign_beside(Polynomial<R, 1>{{q[1], q[2] + q[2]}}, side);
     }
   }
 
@@ -165,12 +187,19 @@ class NearRoots {
  public:
   using Root = NearRoot<Limbs>;
 
-  /// Of p, which is not identically zero. Sums of 6 of its coefficients are below 2^(192 Limbs - 3), too.
+  /// Of p, which is not identically zero. Sums of 6 of its coefficients are below the limit of NearRoot, too.
   template <int Q, int D>
   NearRoots(const Polynomial<FixedInt<Q>, D>& p, double limit, Doubt& doubt) : limit_(limit), doubt_(doubt) {
     if (has_no_root(p)) return;
-    typename Root::Cubic cubic;
+    Cubic cubic;
     for (int i = 0; i <= D; ++i) cubic[i] = p[i].template widened<3 * Limbs>();
+    isolate(cubic);
+  }
+  template <int D>
+  NearRoots(const Polynomial<SmallInt, D>& p, double limit, Doubt& doubt) : limit_(limit), doubt_(doubt) {
+    if (has_no_root(p)) return;
+    SmallCubic cubic;
+    for (int i = 0; i <= D; ++i) cubic[i] = p[i];
     isolate(cubic);
   }
   NearRoots(const NearRoots&) = delete;
@@ -181,17 +210,25 @@ class NearRoots {
 
  private:
   using Cubic = typename Root::Cubic;
+  using SmallCubic = Polynomial<SmallInt, 3>;
   using Pairs = std::array<BoundedPair, 4>;
 
-  void isolate(Cubic p);
-  void isolate_inside(const Cubic& p, int size);
-  void isolate_quadratic(const Cubic& p);
-  void isolate_cubic(const Cubic& p);
+  void isolate(const Cubic& p);
+  void isolate(const SmallCubic& p);
+  template <class P>
+  void isolate_all(P p);
+  template <class P>
+  void isolate_inside(const P& p, int size);
+  template <class P>
+  void isolate_quadratic(const P& p);
+  template <class P>
+  void isolate_cubic(const P& p);
   void push_repeated(const Cubic& p);
   void push_double(double time, int multiplicity);
   template <class N>
   void push_quotient(const N& numerator, const N& denominator, int multiplicity);
-  void push_simple(const Cubic& p, int size, double low, double high, int sign_low);
+  template <class P>
+  void push_simple(const P& p, int size, double low, double high, int sign_low);
   void push(Root&& root);
 
   double limit_;
