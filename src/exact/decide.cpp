@@ -108,6 +108,29 @@ bool touching_after(const Elements& elements, const Root& root) {
   return elements.touching(MomentOf<Root>::just_after(root), ignored);
 }
 
+/// The first time after 0 in the range at which the touching of a border begins, if there is one. At each such time the
+/// border has an event. So the first event of a border at which the border touches is the only one that counts.
+template <class Elements, class Range>
+auto first_touch_of_borders(const Elements& elements, const Range& range) -> std::optional<Time<typename Elements::Number>> {
+  using N = typename Elements::Number;
+  std::optional<Time<N>> first;
+  elements.for_each_border([&](const auto& border) {
+    if (border.always_beside()) return;
+    Events<N> events;
+    border.append_events(events);
+    for (const auto& event : events) {
+      const auto roots = range.roots(event);
+      for (int i = 0; i < roots.size(); ++i) {
+        if (first && first->compare(roots[i]) <= 0) break;
+        if (!border.touching(MomentOf<Time<N>>::at(roots[i]))) continue;
+        first = roots[i];
+        break;
+      }
+    }
+  });
+  return first;
+}
+
 /// nature() is asked only where it is wanted.
 template <class Elements, class Root, class NatureOf>
 Answer contact_at(const Elements& elements, const Root& root, const SideSigns& found, Wanted wanted,
@@ -143,8 +166,12 @@ Answer first_contact(const Elements& elements, const Range& range, Wanted wanted
       return lasts ? Nature::sustained : Nature::isolated;
     });
   };
-  const auto start = range.start();
-  if (story == nullptr && touching_at(elements, start, nullptr, found)) return contact_from(start);
+  if (story == nullptr) {
+    const auto start = range.start();
+    if (touching_at(elements, start, nullptr, found)) return contact_from(start);
+    const auto first = first_touch_of_borders(elements, range);
+    return first && touching_at(elements, *first, nullptr, found) ? contact_from(*first) : Answer();
+  }
   for (const auto* time : CandidateTimes(elements, range)) {
     if (touching_at(elements, *time, new_chapter(story, *time, 0), found)) return contact_from(*time);
   }

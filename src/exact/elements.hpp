@@ -297,6 +297,13 @@ class EdgeEdgeElements {
   void locate(const Time<N>& root, const SideSigns& found, Answer& answer) const;
   void append_events(Events<N>& events) const;  ///< complete when the corners are always coplanar
 
+  /// Calls f with each border: a PointOnEdge. When the corners are always coplanar, touching begins only where touching
+  /// of a border begins.
+  template <class F>
+  void for_each_border(F&& f) const {
+    for (const Pair which : {a0_on_b, a1_on_b, b0_on_a, b1_on_a}) f(pair(which));
+  }
+
  private:
   enum Pair { a0_on_b, a1_on_b, b0_on_a, b1_on_a };
   const PointOnEdge<N>& pair(Pair which) const;
@@ -326,6 +333,10 @@ class VertexFaceElements {
   bool touching(const MomentOf<Time<N>>& moment, SideSigns& found) const;
   void locate(const Time<N>& root, const SideSigns& found, Answer& answer) const;
   void append_events(Events<N>& events) const;
+  template <class F>
+  void for_each_border(F&& f) const {
+    for (std::size_t i = 0; i < 3; ++i) f(side(i));
+  }
 
  private:
   const PointOnEdge<N>& side(std::size_t which) const;  // f01, f12, f20
@@ -353,6 +364,10 @@ class PointEdgeElements {
   bool touching(const MomentOf<Time<N>>& moment, SideSigns&) const { return point_.touching(moment); }
   void locate(const Time<N>& root, const SideSigns& found, Answer& answer) const;
   void append_events(Events<N>& events) const;
+  template <class F>
+  void for_each_border(F&& f) const {
+    f(point_);
+  }
 
  private:
   PointOnEdge<N> point_;
@@ -370,9 +385,15 @@ class PointPointElements {
   static constexpr bool kHasCubic = false;
   explicit PointPointElements(const typename Forms<N>::Corners& corners);
 
-  bool touching(const MomentOf<Time<N>>& moment, SideSigns& found) const;
+  bool touching(const MomentOf<Time<N>>& moment) const;
+  bool touching(const MomentOf<Time<N>>& moment, SideSigns&) const { return touching(moment); }
   void locate(const Time<N>& root, const SideSigns& found, Answer& answer) const;
+  bool always_beside() const { return false; }
   void append_events(Events<N>& events) const;
+  template <class F>
+  void for_each_border(F&& f) const {
+    f(*this);
+  }
 
  private:
   Point difference_;

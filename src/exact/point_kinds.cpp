@@ -28,7 +28,7 @@ PointPointElements<N>::PointPointElements(const typename Forms<N>::Corners& corn
     : difference_(corners[0] - corners[1]) {}
 
 template <class N>
-bool PointPointElements<N>::touching(const MomentOf<Time<N>>& moment, SideSigns&) const {
+bool PointPointElements<N>::touching(const MomentOf<Time<N>>& moment) const {
   return nonzero_axis(difference_, moment, "(p - q)").axis < 0;
 }
 
