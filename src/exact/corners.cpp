@@ -20,16 +20,20 @@ typename Forms<N>::Point moving(const std::array<N, 3>& start, const std::array<
   return point;
 }
 
-template <class N>
-typename Forms<N>::Corners integer_corners(const Query& query, const std::array<int, 3>& low) {
-  const auto integers = [&low](const Vec3& x) {
-    return std::array<N, 3>{N::scaled(x.x, low[0]), N::scaled(x.y, low[1]), N::scaled(x.z, low[2])};
-  };
-  typename Forms<N>::Corners corners;
+template <class Corners, class ToIntegers>
+Corners corners_of(const Query& query, const ToIntegers& integers) {
+  Corners corners;
   for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
     corners[i] = moving(integers(query.start[i]), integers(query.end[i]));
   }
   return corners;
+}
+
+template <class N>
+typename Forms<N>::Corners integer_corners(const Query& query, const std::array<int, 3>& low) {
+  return corners_of<typename Forms<N>::Corners>(query, [&low](const Vec3& x) {
+    return std::array<N, 3>{N::scaled(x.x, low[0]), N::scaled(x.y, low[1]), N::scaled(x.z, low[2])};
+  });
 }
 
 template <class N>
@@ -39,9 +43,20 @@ typename Forms<N>::Corners integer_corners(const Query& query) {
 }
 
 template <int Limbs>
-typename Forms<Near<Limbs>>::Corners near_corners(const Query& query) {
-  const std::array<BitSpan, 3> spans = axis_spans(query);
-  return integer_corners<typename Near<Limbs>::Integer>(query, {spans[0].low, spans[1].low, spans[2].low});
+typename Forms<Near<Limbs>>::Corners near_corners(const Query& query, const std::array<BitSpan, 3>& spans) {
+  using Integer = typename Near<Limbs>::Integer;
+  if constexpr (Limbs == 0) {
+    // The power of two and the product are exact: the product is a small integer.
+    const auto is_ordinary = [](const BitSpan& span) { return span.low > -1000 && span.low < 1000; };
+    if (is_ordinary(spans[0]) && is_ordinary(spans[1]) && is_ordinary(spans[2])) {
+      const Vec3 unit = {std::ldexp(1, -spans[0].low), std::ldexp(1, -spans[1].low), std::ldexp(1, -spans[2].low)};
+      const auto integer = [](double x) { return Integer::integer(static_cast<std::int64_t>(x)); };
+      return corners_of<typename Forms<Near<0>>::Corners>(query, [&](const Vec3& x) {
+        return std::array<Integer, 3>{integer(x.x * unit.x), integer(x.y * unit.y), integer(x.z * unit.z)};
+      });
+    }
+  }
+  return integer_corners<Integer>(query, {spans[0].low, spans[1].low, spans[2].low});
 }
 
 }  // namespace
@@ -62,18 +77,18 @@ Forms<Long>::Corners moving_corners<Long>(const Query& query) {
 }
 
 template <>
-Forms<Near<0>>::Corners moving_corners<Near<0>>(const Query& query) {
-  return near_corners<0>(query);
+Forms<Near<0>>::Corners moving_corners<Near<0>>(const Query& query, const std::array<BitSpan, 3>& spans) {
+  return near_corners<0>(query, spans);
 }
 
 template <>
-Forms<Near<1>>::Corners moving_corners<Near<1>>(const Query& query) {
-  return near_corners<1>(query);
+Forms<Near<1>>::Corners moving_corners<Near<1>>(const Query& query, const std::array<BitSpan, 3>& spans) {
+  return near_corners<1>(query, spans);
 }
 
 template <>
-Forms<Near<2>>::Corners moving_corners<Near<2>>(const Query& query) {
-  return near_corners<2>(query);
+Forms<Near<2>>::Corners moving_corners<Near<2>>(const Query& query, const std::array<BitSpan, 3>& spans) {
+  return near_corners<2>(query, spans);
 }
 
 ScaledCorners scaled_corners(const Query& query) {

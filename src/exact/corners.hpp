@@ -3,18 +3,19 @@
 #pragma once
 
 #include <array>
+#include <utility>
 
 #include <touchstone/curved_query.hpp>
 #include <touchstone/query.hpp>
 
+#include "exact/common_scale.hpp"
 #include "exact/elements.hpp"
 
 namespace touchstone::exact {
 
 /// The corners of a query, all multiplied by one positive number, which changes no touching time, nature, feature or
 /// weight. For integer types, that number makes all coordinates integers; the caller makes sure that they have at most
-/// kMostBits. For Exact, it makes the largest coordinate of ordinary size. For Near, each axis has such a number of its
-/// own, which changes none of these either: touching and weights are affine, and signs along one axis keep theirs.
+/// kMostBits. For Exact, it makes the largest coordinate of ordinary size.
 template <class N>
 typename Forms<N>::Corners moving_corners(const Query& query);
 template <class N>
@@ -42,17 +43,25 @@ struct HomogeneousCorners {
 };
 HomogeneousCorners homogeneous_corners(const CurvedQuery& query);
 
-/// Calls f with the elements of the query's kind, over numbers of type N.
-template <class N, class Q, class F>
-auto with_elements(const Q& query, F&& f) {
-  const typename Forms<N>::Corners corners = moving_corners<N>(query);
-  switch (query.kind) {
+/// The same for Near, from the spans of the query's coordinates along each axis: each has such a number of its own,
+/// which changes none of these either: touching and weights are affine, and signs along one axis keep theirs.
+template <class N>
+typename Forms<N>::Corners moving_corners(const Query& query, const std::array<BitSpan, 3>& spans);
+
+/// Calls f with the elements of a kind, over numbers of type N.
+template <class N, class F>
+auto with_elements_of(Kind kind, const typename Forms<N>::Corners& corners, F&& f) {
+  switch (kind) {
     case Kind::edge_edge: return f(EdgeEdgeElements<N>(corners));
     case Kind::vertex_face: return f(VertexFaceElements<N>(corners));
     case Kind::point_edge: return f(PointEdgeElements<N>(corners));
     case Kind::point_point: break;
   }
   return f(PointPointElements<N>(corners));
+}
+template <class N, class Q, class F>
+auto with_elements(const Q& query, F&& f) {
+  return with_elements_of<N>(query.kind, moving_corners<N>(query), std::forward<F>(f));
 }
 
 }  // namespace touchstone::exact

@@ -1,6 +1,7 @@
 // The first contact, all contacts, and the record of how they are found.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -111,7 +112,8 @@ bool touching_after(const Elements& elements, const Root& root) {
 /// The first time after 0 in the range at which the touching of a border begins, if there is one. At each such time the
 /// border has an event. So the first event of a border at which the border touches is the only one that counts.
 template <class Elements, class Range>
-auto first_touch_of_borders(const Elements& elements, const Range& range) -> std::optional<Time<typename Elements::Number>> {
+auto first_touch_of_borders(const Elements& elements, const Range& range)
+    -> std::optional<Time<typename Elements::Number>> {
   using N = typename Elements::Number;
   std::optional<Time<N>> first;
   elements.for_each_border([&](const auto& border) {
@@ -241,11 +243,13 @@ Answer first_contact_in(const Q& query, double t_max, Wanted wanted = Wanted::al
 
 /// Nothing where a doubt is left.
 template <int Limbs>
-std::optional<Answer> near_first_contact(const Query& query, double t_max, Wanted wanted) {
+std::optional<Answer> near_first_contact(const Query& query, const std::array<BitSpan, 3>& spans, double t_max,
+                                         Wanted wanted) {
   numbers::Doubt doubt;
   const NearRange<Time<Near<Limbs>>> range(t_max, doubt);
-  std::optional<Answer> answer = with_elements<Near<Limbs>>(
-      query, [&](const auto& elements) { return std::optional(first_contact(elements, range, wanted, nullptr)); });
+  std::optional<Answer> answer = with_elements_of<Near<Limbs>>(
+      query.kind, moving_corners<Near<Limbs>>(query, spans),
+      [&](const auto& elements) { return std::optional(first_contact(elements, range, wanted, nullptr)); });
   if (doubt.raised()) answer.reset();
   return answer;
 }
@@ -275,10 +279,11 @@ Answer decide_exactly(const CurvedQuery& query, double t_max) {
 
 std::optional<Answer> decide_nearby(const Query& query, double t_max, Wanted wanted) {
   int bits = 0;
-  for (const BitSpan& span : axis_spans(query)) bits = std::max(bits, span.bits());
-  if (bits <= kMostBits<0>) return near_first_contact<0>(query, t_max, wanted);
-  if (bits <= kMostBits<1>) return near_first_contact<1>(query, t_max, wanted);
-  if (bits <= kMostBits<2>) return near_first_contact<2>(query, t_max, wanted);
+  const std::array<BitSpan, 3> spans = axis_spans(query);
+  for (const BitSpan& span : spans) bits = std::max(bits, span.bits());
+  if (bits <= kMostBits<0>) return near_first_contact<0>(query, spans, t_max, wanted);
+  if (bits <= kMostBits<1>) return near_first_contact<1>(query, spans, t_max, wanted);
+  if (bits <= kMostBits<2>) return near_first_contact<2>(query, spans, t_max, wanted);
   return std::nullopt;
 }
 

@@ -56,6 +56,13 @@ BoundedPair value_at(const BoundedPair* c, int size, const BoundedPair& t) noexc
 double hint(const BoundedPair* c, int size, double low, double high, int sign_low, bool closely) noexcept {
   if (size == 2) return -c[0].value.high / c[1].value.high;
   double t = 0.5 * (low + high);
+  if (size == 3) {
+    const double c0 = c[0].value.high, c1 = c[1].value.high, c2 = c[2].value.high;
+    const double sum = -0.5 * (c1 + std::copysign(std::sqrt(std::max(0.0, c1 * c1 - 4 * c0 * c2)), c1));
+    for (const double root : {sum / c2, c0 / sum}) {
+      if (root > low && root < high) t = root;
+    }
+  }
   constexpr int kIterations = 60;
   for (int i = 0; i < kIterations; ++i) {
     double value = c[size - 1].value.high;
@@ -68,7 +75,7 @@ double hint(const BoundedPair* c, int size, double low, double high, int sign_lo
     ((value < 0) == (sign_low < 0) ? low : high) = t;
     double next = t - value / slope;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
-    const bool converged = std::fabs(next - t) <= 0x1p-52 * t;
+    const bool converged = std::fabs(next - t) <= 0x1p-49 * t;
     t = next;
     if (converged) break;
   }
@@ -245,30 +252,40 @@ void NearRoot<Limbs>::settle() {
 }
 
 template <int Limbs>
-BoundedPair NearRoot<Limbs>::value_of(const Quadratic& q) const {
+template <class P>
+BoundedPair NearRoot<Limbs>::value_of(const P& q) const {
   const BoundedPair c[] = {bounded(q[0]), bounded(q[1]), bounded(q[2])};
   return value_at(c, 3, near_);
 }
 
 template <int Limbs>
-int NearRoot<Limbs>::close_sign_at(const Quadratic& q) const {
+template <class P>
+int NearRoot<Limbs>::sign_of_close(const P& q) const {
   if (is_zero(q)) return 0;
   const int sign = value_of(q).sign();
   if (sign != 0) return sign;
+  const Quadratic wide = widened(q);
   if (const Quotient* quotient = std::get_if<Quotient>(&exact_)) {
-    return sign_at_quotient(q, quotient->numerator, quotient->denominator);
+    return sign_at_quotient(wide, quotient->numerator, quotient->denominator);
   }
-  return certainly_vanishes(q, std::get<Isolated>(exact_)) ? 0 : raise_doubt();
+  return certainly_vanishes(wide, std::get<Isolated>(exact_)) ? 0 : raise_doubt();
+}
+template <int Limbs>
+int NearRoot<Limbs>::close_sign_at(const Quadratic& q) const {
+  return sign_of_close(q);
+}
+template <int Limbs>
+int NearRoot<Limbs>::close_sign_at(const SmallQuadratic& q) const {
+  return sign_of_close(q);
 }
 
 // Sizes in bits for L limbs, with C = 192 L - 3 of p and Q = 128 L - 3 of q, or Q + 1 of q's derivative. A linear q:
 // C + 3 (Q + 1) + 2 <= 576 L - 4. Otherwise s is below Q + C + 1 <= 320 L - 5; l below Q + 320 L - 5 + 1 <= 448 L - 7;
-// the last sum below 2 (448 L - 7) + Q + 2 <= 1024 L - 15. Each has its limbs.
+// the last sum below 2 (448 L - 7) + Q + 2 <= 1024 L - 15. Each has its limbs. For two quadratics s has the role of l.
 template <int Limbs>
 bool NearRoot<Limbs>::certainly_vanishes(const Quadratic& q, const Isolated& root) const {
   const auto& p = root.p;
   if (q[2].is_zero() && q[1].is_zero()) return false;
-  if (root.degree == 2 && (equal(q, p) || equal(Quadratic{{-q[0], -q[1], -q[2]}}, p))) return true;
   const auto here = [&](double numerator, double denominator) {
     // Of a root of p: is it this one? The quotient of two doubles within 2^-51 is off by less than 2^-49 of itself, and
     // the root by 2^-53 from the first of its two doubles. What 2^-20 took off the reach covers the rounding here.
@@ -281,6 +298,16 @@ bool NearRoot<Limbs>::certainly_vanishes(const Quadratic& q, const Isolated& roo
     return common && here(to_double(n), to_double(d));
   }
   // Remainders of p by q, times powers of q's leading coefficient: s = q2 p - p3 t q, then l = q2 s - s2 q.
+  // A quadratic p leaves s = q2 p - p2 q at once, which is zero where p and q are proportional.
+  const auto common = [&](const auto& l0, const auto& l1) {
+    const auto n = -l0;
+    return ((q[0] * l1 + q[1] * n) * l1 + q[2] * n * n).is_zero() && here(to_double(n), to_double(l1));
+  };
+  if (p[3].is_zero()) {
+    const auto s0 = q[2] * p[0] - p[2] * q[0];
+    const auto s1 = q[2] * p[1] - p[2] * q[1];
+    return s1.is_zero() ? s0.is_zero() : common(s0, s1);
+  }
   const auto s0 = q[2] * p[0];
   const auto s1 = q[2] * p[1] - p[3] * q[0];
   const auto s2 = q[2] * p[2] - p[3] * q[1];
@@ -289,17 +316,16 @@ bool NearRoot<Limbs>::certainly_vanishes(const Quadratic& q, const Isolated& roo
   if (l1.is_zero()) {
     if (!l0.is_zero()) return false;  // no common root
     // q divides p. The root that p has besides is p3's t = q1 / q2 - p2 / p3 = (q1 p3 - q2 p2) / (q2 p3).
-    if (p[3].is_zero()) return true;
     const BoundedPair q2 = bounded(q[2]), p3 = bounded(p[3]);
     const BoundedPair besides = bounded(q[1]) * p3 - q2 * bounded(p[2]) - near_ * (q2 * p3);
     return besides.sign() != 0;
   }
-  const auto n = -l0;
-  return ((q[0] * l1 + q[1] * n) * l1 + q[2] * n * n).is_zero() && here(to_double(n), to_double(l1));
+  return common(l0, l1);
 }
 
 template <int Limbs>
-double NearRoot<Limbs>::close_quotient(const Quadratic& numerator, const Quadratic& denominator) const {
+template <class P>
+double NearRoot<Limbs>::quotient_of(const P& numerator, const P& denominator) const {
   // For n and d off by a and b, n / d is off by at most (a + |n / d| b) / (|d| - b); |n / d| is at most about 1.
   constexpr double kGreatestError = 0x1p-52;
   constexpr double kSlack = 1 + 0x1p-20;
@@ -308,6 +334,14 @@ double NearRoot<Limbs>::close_quotient(const Quadratic& numerator, const Quadrat
   const double error = kSlack * (n.error + std::fabs(quotient) * d.error);
   if (!(error <= kGreatestError * (size - kSlack * d.error))) doubt_->raise();
   return quotient > 0 ? std::min(quotient, 1.0) : 0.0;  // never -0
+}
+template <int Limbs>
+double NearRoot<Limbs>::close_quotient(const Quadratic& numerator, const Quadratic& denominator) const {
+  return quotient_of(numerator, denominator);
+}
+template <int Limbs>
+double NearRoot<Limbs>::close_quotient(const SmallQuadratic& numerator, const SmallQuadratic& denominator) const {
+  return quotient_of(numerator, denominator);
 }
 
 template <int Limbs>

@@ -42,6 +42,7 @@ class NearRoot {
   using Short = FixedInt<2 * Limbs>;
   using Long = FixedInt<3 * Limbs>;
   using Quadratic = Polynomial<Short, 2>;
+  using SmallQuadratic = Polynomial<SmallInt, 2>;
   using Cubic = Polynomial<Long, 3>;
   using List = NearRoots<Limbs>;
 
@@ -66,7 +67,7 @@ class NearRoot {
     const ValueNear value = value_near(c.data(), D + 1, lower_);
     if (value.value > value.error) return 1;
     if (value.value < -value.error) return -1;
-    return close_sign_at(widened(q));
+    return close_sign_at(as_quadratic(q));
   }
 
   /// The sign of q just after the root, or just before it. Zero only for q == 0.
@@ -87,7 +88,7 @@ class NearRoot {
   /// and the denominator is not zero at the root.
   template <class R>
   double quotient(const Polynomial<R, 2>& numerator, const Polynomial<R, 2>& denominator) const {
-    return close_quotient(widened(numerator), widened(denominator));
+    return close_quotient(as_quadratic(numerator), as_quadratic(denominator));
   }
 
  private:
@@ -159,11 +160,29 @@ class NearRoot {
     }
   }
 
+  template <int Q, int D>
+  static Quadratic as_quadratic(const Polynomial<FixedInt<Q>, D>& q) {
+    return widened(q);
+  }
+  template <int D>
+  static SmallQuadratic as_quadratic(const Polynomial<SmallInt, D>& q) {
+    SmallQuadratic result;
+    for (int i = 0; i <= D; ++i) result[i] = q[i];
+    return result;
+  }
+
   /// This root as a quotient, when it is held as one.
   std::optional<Quotient> rational() const;
-  BoundedPair value_of(const Quadratic& q) const;
+  template <class P>
+  BoundedPair value_of(const P& q) const;
+  template <class P>
+  int sign_of_close(const P& q) const;
   int close_sign_at(const Quadratic& q) const;
+  int close_sign_at(const SmallQuadratic& q) const;
+  template <class P>
+  double quotient_of(const P& numerator, const P& denominator) const;
   double close_quotient(const Quadratic& numerator, const Quadratic& denominator) const;
+  double close_quotient(const SmallQuadratic& numerator, const SmallQuadratic& denominator) const;
   /// Whether q certainly has this isolated root. Its value there is too small for doubles.
   bool certainly_vanishes(const Quadratic& q, const Isolated& root) const;
   /// Finds lower_ and upper_; a root that is a double becomes a Fraction.

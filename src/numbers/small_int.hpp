@@ -54,8 +54,6 @@ template <int Limbs>
 FixedInt<2 * Limbs> wide_product(const FixedInt<Limbs>& a, const FixedInt<Limbs>& b) noexcept {
   return a * b;
 }
-inline FixedInt<2> wide_product(SmallInt a, SmallInt b) noexcept {
-  return a.widened<1>() * b.widened<1>();
-}
+inline FixedInt<2> wide_product(SmallInt a, SmallInt b) noexcept { return a.widened<1>() * b.widened<1>(); }
 
 }  // namespace touchstone::numbers

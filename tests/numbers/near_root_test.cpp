@@ -6,6 +6,7 @@
 
 #include "numbers/near_root.hpp"
 #include "numbers/real_root.hpp"
+#include "numbers/small_int.hpp"
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
 #include "support/slow_build.hpp"
@@ -17,6 +18,7 @@ using numbers::FixedInt;
 using numbers::NearRoots;
 using numbers::Polynomial;
 using numbers::RootList;
+using numbers::SmallInt;
 
 namespace {
 
@@ -58,6 +60,25 @@ Polynomial<FixedInt<Limbs>, Degree> fixed(const Integers& c, int shift = 0) {
   return p;
 }
 
+/// The types of coefficients that near roots take: FixedInt of any number of limbs, and SmallInt.
+template <int Limbs>
+struct Fixed {
+  using Roots = NearRoots<Limbs>;
+  static auto cubic(const Integers& c, int shift) { return fixed<3 * Limbs, 3>(c, shift); }
+  static auto quadratic(const Integers& c) { return fixed<2 * Limbs, 2>(c); }
+};
+struct Small {
+  using Roots = NearRoots<1>;
+  template <int Degree>
+  static Polynomial<SmallInt, Degree> polynomial(const Integers& c) {
+    Polynomial<SmallInt, Degree> p;
+    for (int i = 0; i <= Degree; ++i) p[i] = SmallInt::integer(c[static_cast<std::size_t>(i)]);
+    return p;
+  }
+  static auto cubic(const Integers& c, int) { return polynomial<3>(c); }
+  static auto quadratic(const Integers& c) { return polynomial<2>(c); }
+};
+
 struct Tally {
   long roots = 0, zeros = 0, doubts = 0;
 };
@@ -70,13 +91,12 @@ bool doubtful(Doubt& doubt, Tally& tally) {
   return raised;
 }
 
-template <int Limbs>
+template <class Type>
 void check_polynomial(const Integers& c, int degree, int shift, double limit, tests::Rng& rng, Tally& tally) {
-  const auto p = fixed<3 * Limbs, 3>(c, shift);
   Doubt doubt;
-  const NearRoots<Limbs> near(p, limit, doubt);
+  const typename Type::Roots near(Type::cubic(c, shift), limit, doubt);
   if (doubtful(doubt, tally)) return;
-  const RootList real = isolate_roots(to_exact(p), Exact(limit));
+  const RootList real = isolate_roots(to_exact(fixed<6, 3>(c, shift)), Exact(limit));
   INFO(c[0] << ", " << c[1] << ", " << c[2] << ", " << c[3] << " times 2^" << shift << " up to " << limit);
   REQUIRE(near.size() == real.size());
   for (int i = 0; i < near.size(); ++i) {
@@ -88,8 +108,8 @@ void check_polynomial(const Integers& c, int degree, int shift, double limit, te
       // Some share roots: the polynomial itself, or its derivative at a repeated root.
       const Integers derivative = {c[1], 2 * c[2], 3 * c[3], 0};
       const Integers d = j == 0 && degree <= 2 ? c : j == 1 ? derivative : random_coefficients(2, rng);
-      const auto q = fixed<2 * Limbs, 2>(d);
-      const auto q_exact = to_exact(q);
+      const auto q = Type::quadratic(d);
+      const auto q_exact = to_exact(fixed<4, 2>(d));
       INFO("the sign of " << d[0] << ", " << d[1] << ", " << d[2] << " at root " << i);
       const int sign = near[i].sign_at(q);
       if (doubtful(doubt, tally)) continue;
@@ -105,11 +125,11 @@ void check_polynomial(const Integers& c, int degree, int shift, double limit, te
   if (degree <= 2 && rng.one_in(2)) {
     for (std::size_t i = 0; i < 4; ++i) other[i] = 3 * c[i];
   }
-  const auto o = fixed<3 * Limbs, 3>(other);
+  const auto o = Type::cubic(other, 0);
   if (is_zero(o)) return;
-  const NearRoots<Limbs> others(o, 1, doubt);
+  const typename Type::Roots others(o, 1, doubt);
   if (doubtful(doubt, tally)) return;
-  const RootList others_real = isolate_roots(to_exact(o), Exact(1));
+  const RootList others_real = isolate_roots(to_exact(fixed<6, 3>(other)), Exact(1));
   for (int i = 0; i < near.size(); ++i) {
     for (int j = 0; j < others.size(); ++j) {
       const int order = near[i].compare(others[j]);
@@ -123,15 +143,18 @@ void check_polynomial(const Integers& c, int degree, int shift, double limit, te
 TEST_CASE("near roots and signs there are the exact ones") {
   tests::Rng rng(2026);
   Tally tally;
-  const std::size_t polynomials = tests::effort(12000);
+  const std::size_t polynomials = tests::effort(18000);
   for (std::size_t i = 0; i < polynomials; ++i) {
     const int degree = rng.between(1, 3);
     const Integers c = random_coefficients(degree, rng);
     if (c == Integers{}) continue;
     const int shift = rng.one_in(3) ? rng.between(0, 100) : 0;
     const double limit = rng.one_in(4) ? rng.between(0, 64) / 64.0 : 1;
-    i % 2 == 0 ? check_polynomial<1>(c, degree, shift, limit, rng, tally)
-               : check_polynomial<2>(c, degree, shift, limit, rng, tally);
+    switch (i % 3) {
+      case 0: check_polynomial<Small>(c, degree, 0, limit, rng, tally); break;
+      case 1: check_polynomial<Fixed<1>>(c, degree, shift, limit, rng, tally); break;
+      default: check_polynomial<Fixed<2>>(c, degree, shift, limit, rng, tally); break;
+    }
   }
   std::printf("%ld roots, %ld signs of zero, %ld doubts\n", tally.roots, tally.zeros, tally.doubts);
   CHECK(static_cast<std::size_t>(tally.roots) > polynomials / 2);
