@@ -9,7 +9,6 @@
 #include "checker/motion.hpp"
 
 namespace checker {
-namespace {
 
 enum class Metric { none, euclidean, max };
 struct Separation {
@@ -122,22 +121,21 @@ class Checker {
   }
 
   void check_proof(std::uint64_t number) {
-    if (words_.size() < 2 || words_[0] != std::to_string(number)) {
+    const bool is_none = words_.size() == 2 && words_[1] == "none";
+    if ((!is_none && (words_.size() != 4 || words_[1] != "contact")) || words_[0] != std::to_string(number)) {
       throw expected("\"" + std::to_string(number) + " none\" or \"" + std::to_string(number) + " contact T U\"");
     }
     corners_.set(query_, separation_.distance);
-    if (words_.size() == 2 && words_[1] == "none") {
+    if (is_none) {
       next();
       toi_ = {1, 0};
       return check_pieces(false);
     }
-    if (words_.size() != 4 || words_[1] != "contact") throw expected("the answer \"none\" or \"contact T U\"");
     ++contacts_;
-    read_number(words_[2], toi_, lines_);
-    read_number(words_[3], upper_, lines_);
+    read_time(words_[2], toi_, lines_);
+    read_time(words_[3], upper_, lines_);
     const bool is_double = compare(toi_, upper_) == 0;
-    Number neighbour;
-    const bool are_neighbours = next_double(toi_, neighbour) && (is_double || compare(upper_, neighbour) == 0);
+    const bool are_neighbours = next_double(toi_, neighbour_) && (is_double || compare(upper_, neighbour_) == 0);
     require(are_neighbours && compare(upper_, {1, 0}) <= 0,
             "the times must be one double, or two neighbouring ones, in [0, 1]");
     next();
@@ -152,7 +150,7 @@ class Checker {
       last = words_.size() < 3 || words_[words_.size() - 2] != "to";
       to_ = toi_;
       if (!last) {
-        read_number(words_.back(), to_, lines_);
+        read_time(words_.back(), to_, lines_);
         words_.resize(words_.size() - 2);
         require(compare(from_, to_) < 0 && compare(to_, toi_) < 0,
                 "the number after \"to\" must be between the start of its piece and the end of the last one");
@@ -247,6 +245,7 @@ class Checker {
     } else {
       read_root();
     }
+    remove_factor(root_[0]);
     read_weights();
     for (std::size_t e = 0; e < 2; ++e) {
       sums_[e].clear();
@@ -280,8 +279,8 @@ class Checker {
     Number low = toi_, high = upper_;
     const std::size_t size = words_.size();
     if (size > 4 && words_[size - 3] == "between") {
-      read_number(words_[size - 2], low, lines_);
-      read_number(words_[size - 1], high, lines_);
+      read_time(words_[size - 2], low, lines_);
+      read_time(words_[size - 1], high, lines_);
       words_.resize(size - 3);
     }
     require(compare(low, toi_) >= 0 && compare(low, high) < 0 && compare(high, upper_) <= 0,
@@ -302,8 +301,7 @@ class Checker {
     for (std::vector<Number>& numbers : numbers_) numbers.clear();
     for (; !words_.empty() && words_[0] == "w"; next()) {
       std::uint32_t i = 0;
-      const auto last = static_cast<std::uint32_t>(query_.kind.corners - 1);
-      require(words_.size() >= 3 && read_count(words_[1], last, i) && numbers_[i].empty(),
+      require(words_.size() >= 3 && read_count(words_[1], query_.kind.corners - 1, i) && numbers_[i].empty(),
               "here must be \"w\", a corner that has no weight yet, and the coefficients of a polynomial");
       read_coefficients(words_, 2, 1, numbers_[i], lines_);
     }
@@ -340,7 +338,7 @@ class Checker {
 
   // Of the query. The numbers keep their memory from one query to the next.
   Query query_;
-  Number toi_, upper_, from_, to_;
+  Number toi_, upper_, neighbour_, from_, to_;
   Corners corners_;
   Interval interval_;
   std::array<std::vector<Number>, 4> numbers_;
@@ -352,7 +350,6 @@ class Checker {
   std::array<Vector, 2> points_;
 };
 
-}  // namespace
 }  // namespace checker
 
 int main(int argc, char** argv) {

@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <limits>
@@ -110,18 +112,12 @@ inline bool read_integer(std::string_view text, mpz_class& value) {
   const bool negative = text.substr(0, 1) == "-";
   if (negative) text.remove_prefix(1);
   if (text.empty() || text.size() > kMostDigits) return false;
-  value = 0;
-  while (!text.empty()) {  // as many digits at once as an unsigned long has for sure
-    const std::string_view digits = text.substr(0, std::numeric_limits<unsigned long>::digits10);
-    unsigned long number = 0, unit = 1;
-    for (const char c : digits) {
-      if (!is_digit(c)) return false;
-      number = 10 * number + static_cast<unsigned long>(c - '0');
-      unit *= 10;
-    }
-    value *= unit;
-    value += number;
-    text.remove_prefix(digits.size());
+  unsigned long small = 0;  // most integers are, and this is faster
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), small);
+  value = small;
+  if (end != text.data() + text.size() || error != std::errc()) {
+    if (!std::all_of(text.begin(), text.end(), is_digit)) return false;
+    value.set_str(std::string(text), 10);
   }
   if (negative) mpz_neg(value.get_mpz_t(), value.get_mpz_t());
   return true;
@@ -148,9 +144,9 @@ inline Number operator+(const Number& a, const Number& b) {
 inline int compare(const Number& a, const Number& b) {
   static mpz_class shifted;  // it keeps its memory
   if (a.e == b.e) return cmp(a.m, b.m);
-  if (a.e > b.e) return -compare(b, a);
-  shifted = b.m << static_cast<unsigned long>(b.e - a.e);
-  return cmp(a.m, shifted);
+  const bool is_a = a.e > b.e;
+  shifted = (is_a ? a.m : b.m) << static_cast<unsigned long>(std::abs(a.e - b.e));
+  return is_a ? cmp(shifted, b.m) : cmp(a.m, shifted);
 }
 
 /// m 2^e or m 10^e of hexadecimal or decimal digits with at most one point, and a power behind one of the marks.
@@ -187,6 +183,14 @@ inline void read_number(std::string_view word, Number& x, const Lines& lines) {
   }
   if (is_hex && negative) mpz_neg(x.m.get_mpz_t(), x.m.get_mpz_t());
 }
+/// A number that is a time; its m is odd, or 0. The cost of a check grows with the places of times: they have a limit.
+inline void read_time(std::string_view word, Number& x, const Lines& lines) {
+  read_number(word, x, lines);
+  const mp_bitcnt_t zeros = sign(x) == 0 ? 0 : mpz_scan1(x.m.get_mpz_t(), 0);
+  x.m >>= zeros;
+  x.e += static_cast<long>(zeros);
+  lines.require(x.e >= -kMostExponent, "a time must be a multiple of 2^-20,000");
+}
 
 /// The greatest m 2^e that is at most numerator / denominator, with integers |m| < 2^53 and e >= -1074. The denominator
 /// is positive. `rest` is positive where the quotient is nearer to (m + 1) 2^e, and zero in the middle.
@@ -204,15 +208,13 @@ inline Number rounded_down(const mpz_class& numerator, const mpz_class& denomina
   return x;
 }
 
-/// Whether x is a double, and not negative. With 53 bits of m, or e = -1074, the next double is (m + 1) 2^e.
+/// Whether the time x is a double, and not negative. With 53 bits of m, or e = -1074, the next double is (m + 1) 2^e.
 inline bool next_double(const Number& x, Number& next) {
-  static mpz_class unit, rest;
-  unit = mpz_class(1) << static_cast<unsigned long>(std::max(-x.e, 0L));
-  next = {0, -1074};
-  if (sign(x) > 0) next = rounded_down(x.m << static_cast<unsigned long>(std::max(x.e, 0L)), unit, rest);
-  const bool is_double = compare(x, next) == 0;
-  ++next.m;
-  return is_double;
+  const auto bits = static_cast<long>(mpz_sizeinbase(x.m.get_mpz_t(), 2));
+  next.e = sign(x) == 0 ? -1074 : std::max(x.e + bits - 53, -1074L);
+  if (sign(x) < 0 || x.e < next.e) return false;
+  next.m = (x.m << static_cast<unsigned long>(x.e - next.e)) + 1;
+  return true;
 }
 
 /// The double that is nearest to a decimal or a hexfloat; of two, the one with an even significand.

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <numeric>
-#include <unordered_map>
-#include <unordered_set>
+#include <set>
 
 #include "checker/queries.hpp"
 
@@ -34,7 +34,7 @@ class MotionFile {
       throw expected("\"vertices N\" with N below 2^30");
     }
     while (lines_.next(words_) && words_[0] != "frame") read_element();
-    std::unordered_set<std::uint32_t> on_edge;
+    std::set<std::uint32_t> on_edge;
     for (const Element& edge : elements_[1]) on_edge.insert({edge.vertices[0], edge.vertices[1]});
     for (const Element& point : elements_[0]) {
       if (on_edge.count(point.vertices[0]) == 0) elements_[5].push_back(point);
@@ -253,11 +253,11 @@ class MotionFile {
   /// At the start and at the end: the numbers of each body's pose, and three for each vertex, which are its point if it
   /// is on a body; and, with bodies, the ends of the boxes of vertices in the same places.
   std::array<std::vector<Number>, 2> frames_, ends_;
-  std::unordered_map<std::uint32_t, std::pair<std::uint32_t, std::array<Number, 3>>> on_bodies_;  ///< by vertex
-  std::unordered_set<std::uint32_t> still_;  ///< bodies that have fixed vertices
+  std::map<std::uint32_t, std::pair<std::uint32_t, std::array<Number, 3>>> on_bodies_;  ///< by vertex
+  std::set<std::uint32_t> still_;  ///< bodies that have fixed vertices
   /// Points, edges, faces, vertices that are fixed and on bodies, and points that are corners of no edge.
   std::array<std::vector<Element>, 6> elements_;
-  std::array<std::unordered_set<std::uint32_t>, 5> single_;  ///< the vertices that have a line of each sort
+  std::array<std::set<std::uint32_t>, 5> single_;  ///< the vertices that have a line of each sort
   Query query_;
   Corners corners_;
   Polynomial x_, w_;

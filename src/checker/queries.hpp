@@ -95,22 +95,18 @@ struct Interval {
 /// the sum of the c_j s^j ((1 - s) + s)^(d - j). This is a polynomial of s and 1 - s: s^i (1 - s)^(d - i) has the
 /// coefficient sum over j <= i of C(d - j, i - j) c_j, which is C(d, i) b_i.
 inline void set_bernstein(Polynomial& b, const Polynomial& p, const Interval& on) {
-  static mpz_class power;
+  static mpz_class term;
   const std::size_t size = p.size();
   b.clear();
   b.extend(size);
-  for (std::size_t i = 0; i < size; ++i) {  // p as a polynomial of 2^shift t
-    mpz_mul_2exp(b[i].get_mpz_t(), p[i].get_mpz_t(), on.shift * (size - 1 - i));
-  }
-  for (std::size_t k = 1; k < size; ++k) {  // by Horner's scheme, as a polynomial of 2^shift t - low
-    for (std::size_t i = size - 1; i >= k; --i) {
-      mpz_addmul(b[i - 1].get_mpz_t(), b[i].get_mpz_t(), on.low.get_mpz_t());
+  for (std::size_t k = 0; k < size; ++k) {  // by Horner's scheme: b times low + width s, and the next coefficient
+    for (std::size_t i = k; i > 0; --i) {
+      b[i] *= on.low;
+      mpz_addmul(b[i].get_mpz_t(), b[i - 1].get_mpz_t(), on.width.get_mpz_t());
     }
-  }
-  power = 1;
-  for (std::size_t i = 1; i < size; ++i) {  // as a polynomial of s
-    power *= on.width;
-    b[i] *= power;
+    b[0] *= on.low;
+    term = p[size - 1 - k] << (on.shift * k);
+    b[0] += term;
   }
   // Also by Horner's scheme: the first k coefficients are those of a polynomial of 1 - s and s, times (1 - s) + s.
   for (std::size_t k = 1; k < size; ++k) {
@@ -128,16 +124,23 @@ inline bool have_sign(const Polynomial& bernstein, int sign, std::size_t zeros_f
 }
 constexpr std::size_t kNoZeros = std::numeric_limits<std::size_t>::max();
 
-/// Whether g divides p, over the rational numbers. g's leading coefficient is not zero.
+/// Divides the coefficients, which are not all zero, by their greatest common factor.
+inline void remove_factor(Polynomial& p) {
+  mpz_class factor;
+  for (std::size_t i = 0; i < p.size(); ++i) factor = gcd(factor, p[i]);
+  for (std::size_t i = 0; i < p.size(); ++i) mpz_divexact(p[i].get_mpz_t(), p[i].get_mpz_t(), factor.get_mpz_t());
+}
+/// Whether g divides p, over the rational numbers. g has no common factor, and its leading coefficient is not zero. So
+/// the quotient has integer coefficients, by Gauss's lemma.
 inline bool divides(const Polynomial& g, const Polynomial& p) {
   static Polynomial rest;
   rest.clear();
   add(rest, p, 1);
   const mpz_class& lead = g[g.size() - 1];
   for (std::size_t size = rest.size(); size >= g.size(); --size) {
-    // lead rest - top g t^(size - g.size()), whose last coefficient is zero and not looked at any more
-    const mpz_class& top = rest[size - 1];
-    for (std::size_t i = 0; i + 1 < size; ++i) rest[i] *= lead;
+    mpz_class& top = rest[size - 1];
+    if (!mpz_divisible_p(top.get_mpz_t(), lead.get_mpz_t())) return false;
+    mpz_divexact(top.get_mpz_t(), top.get_mpz_t(), lead.get_mpz_t());
     for (std::size_t i = 0; i + 1 < g.size(); ++i) rest[size - g.size() + i] -= top * g[i];
   }
   for (std::size_t i = 0; i < std::min(rest.size(), g.size() - 1); ++i) {
@@ -148,7 +151,7 @@ inline bool divides(const Polynomial& g, const Polynomial& p) {
 
 struct Kind {
   std::string_view name;
-  std::size_t corners, first;  ///< of both elements, of the first one
+  std::uint32_t corners, first;  ///< of both elements, of the first one
 };
 constexpr std::array<Kind, 4> kKinds = {Kind{"edge-edge", 4, 2}, Kind{"vertex-face", 4, 1}, Kind{"point-edge", 3, 1},
                                         Kind{"point-point", 2, 1}};
@@ -212,10 +215,8 @@ struct Corners {
       for (std::size_t c = 0; c < corner.size; ++c) enlarge(scale, corner.points[c]);
       if (corner.motion == Corner::kOnCurve) continue;
       const Motion& body = query.motions[corner.motion];
-      for (std::size_t end = 0; end < 2; ++end) {
-        enlarge(scale, body.p[end]);
-        enlarge(turn_scale, body.q[end]);
-      }
+      for (const auto& p : body.p) enlarge(scale, p);
+      for (const auto& q : body.q) enlarge(turn_scale, q);
     }
     set_scaled(separation, d, scale);
     for (std::size_t i = 0; i < query.kind.corners; ++i) {

@@ -44,6 +44,20 @@ TEST_CASE("proofs are in input order, file by file, and the number of threads ch
   CHECK(proofs.substr(proofs.size() - end.size()) == end);
 }
 
+TEST_CASE("a name that spaces begin, or of spaces alone, is a path that begins with a dot") {
+  const TemporaryFolder folder;
+  RunOptions options;
+  options.folder = folder.path(".");
+  for (const std::string name : {"  ", " a b"}) {
+    const std::string file = folder.write(name, two_point_queries());
+    const Run run = run_program({"prove", "--kind", "point-point", "--out", "proofs.txt", name}, options);
+    CAPTURE(name, run.err);
+    REQUIRE(run.status == 0);
+    CHECK(occurrences(folder.read("proofs.txt"), " ./" + name + "\n") == 1);
+    CHECK(run_checker(folder.path("proofs.txt"), {file}).status == 0);
+  }
+}
+
 TEST_CASE("prove refuses what it cannot read, and leaves no file") {
   const TemporaryFolder folder;
   const std::string bad = folder.write("point-point/bad.csv", "0,1,0,1,0,1,1\n");

@@ -94,11 +94,11 @@ class Lines:
 
 def read_number(word, lines):
     """A number of a proof: a pair (m, e) with the value m 2^e. m is odd, or m = e = 0."""
-    match = NUMBER.fullmatch(word) if len(word) <= MAX_HEX_DIGITS + 20 else None
+    match = NUMBER.fullmatch(word) if len(word) <= MAX_HEX_DIGITS + MAX_DIGITS + 6 else None
     if not match:
         raise BadInput(f"{lines.place()}: not a number, or too long: {ascii(word[:40].decode('latin-1'))}")
     sign, decimal, whole, fraction, exponent = match.groups(default=b"")
-    digits, power = decimal or whole + fraction, int(exponent or 0)
+    digits, power = decimal or whole + fraction, power_of(exponent)
     most = MAX_DIGITS if decimal else MAX_HEX_DIGITS
     if len(digits) > most or abs(power) > MAX_EXPONENT:
         raise BadInput(f"{lines.place()}: more than {most} digits, or an exponent beyond {MAX_EXPONENT}")
@@ -107,6 +107,18 @@ def read_number(word, lines):
         return 0, 0
     zeros = (value & -value).bit_length() - 1
     return (-value if sign else value) >> zeros, power - 4 * len(fraction) + zeros
+
+
+def power_of(exponent):
+    """The exponent of a number, which may have none; beyond the limit if it has too many digits."""
+    return int(exponent or 0) if len(exponent.lstrip(b"+-")) <= MAX_DIGITS else MAX_EXPONENT + 1
+
+
+def read_time(word, lines):
+    m, e = read_number(word, lines)
+    if e < -MAX_EXPONENT:
+        raise BadInput(f"{lines.place()}: a time that is no multiple of 2^-{MAX_EXPONENT}")
+    return m, e
 
 
 def to_integers(numbers):
@@ -274,15 +286,15 @@ def read_query(lines, kind, metric, separation):
 
 def read_double(word, lines):
     """The double that is nearest to a number of a file of curved queries, as (m, e)."""
-    match = CURVED_NUMBER.fullmatch(word) if len(word) <= MAX_QUERY_DIGITS else None
+    match = CURVED_NUMBER.fullmatch(word) if len(word) <= MAX_QUERY_DIGITS + MAX_DIGITS + 6 else None
     if not match:
         raise BadInput(f"{lines.place()}: not a number, or too long: {ascii(word[:40].decode('latin-1'))}")
     sign, *groups = match.groups(default=b"")
     whole, fraction, exponent = groups[:3] if groups[0] or groups[1] else groups[3:]
     base, step, digit = (16, 2, 4) if groups[0] or groups[1] else (10, 10, 1)
-    power = int(exponent or 0)
-    if abs(power) > MAX_EXPONENT:
-        raise BadInput(f"{lines.place()}: an exponent beyond {MAX_EXPONENT}")
+    power = power_of(exponent)
+    if len(whole + fraction) > MAX_QUERY_DIGITS or abs(power) > MAX_EXPONENT:
+        raise BadInput(f"{lines.place()}: more than {MAX_QUERY_DIGITS} digits, or an exponent beyond {MAX_EXPONENT}")
     power -= digit * len(fraction)
     top, bottom = int(whole + fraction, base) * step ** max(power, 0), step ** max(-power, 0)
     # The greatest e of those for which top / (bottom 2^e) has 53 bits before the point, or -1074.
@@ -638,7 +650,7 @@ def read_piece(query, lines):
     words = lines.words()
     end = None
     if words[-2:-1] == [b"to"]:
-        end = read_number(words[-1], lines)
+        end = read_time(words[-1], lines)
         words = words[:-2]
     if words[:1] == [b"d"]:
         coefficients, _ = to_integers(read_numbers(words[1:], lines, 3))
@@ -697,7 +709,7 @@ def check_meeting(query, lines, early, late):
     if early != late:
         words = lines.words()
         if words[-3:-2] == [b"between"]:
-            low, high = (read_number(word, lines) for word in words[-2:])
+            low, high = (read_time(word, lines) for word in words[-2:])
             words = words[:-3]
         require(words[:1] == [b"root"], "expected a root")
         inside = not less(low, early) and less(low, high) and not less(late, high)
@@ -753,7 +765,7 @@ def check_query(query, number, lines):
         check_pieces(query, lines, (1, 0), False)
         return False
     require(len(words) == 4 and words[1] == b"contact", "the answer is neither none nor contact T U")
-    early, late = (read_number(word, lines) for word in words[2:])
+    early, late = (read_time(word, lines) for word in words[2:])
     doubles = is_double(early) and is_double(late) and not less((1, 0), late)
     require(doubles and late in (early, next_double(early)), "the times are not one double or two neighbours in [0, 1]")
     lines.advance()

@@ -235,6 +235,8 @@ TEST_CASE("a contact between two neighbouring doubles") {
   const std::string end =
       rows({{"0", "0", "0"}, {"-2", "0", "0"}, {"-3", "0", "0"}}, {{"0", "0", "0"}, {"1", "0", "0"}, {"-3", "0", "0"}});
   accept("point-edge", end, start + Lines{"root -2 3"} + Lines{"w 0 1", "w 1 1", "w 2 2 -3"});
+  accept("point-edge", end, start + Lines{"root -6 9"} + Lines{"w 0 1", "w 1 1", "w 2 2 -3"});
+  accept("point-edge", end, start + Lines{"root -0x3p-3 0x9p-4"} + Lines{"w 0 1", "w 1 1", "w 2 0x2p-9 -0x3p-9"});
   reject("corner 2 may be negative", "point-edge", end,
          start + Lines{"root -2 3"} + Lines{"w 0 1", "w 1 1", "w 2 2 -4"});
 }
@@ -429,6 +431,19 @@ TEST_CASE("exponents and lines have limits") {
   for (const char* const rest : {"x", "xx", "x\r", "x and more"}) {
     call_bad("2^20 bytes", kPoints, kApart, {"0 none", full + rest, "d 1 0 0"});
     call_bad("2^20 bytes", kPoints, full + rest + "\n" + kApart, {"0 none", "d 1 0 0"});
+  }
+}
+
+TEST_CASE("times have few places, however they are written") {
+  const std::string zeros(100, '0');
+  accept(kPoints, kApart, {"0 none", "d 1 0 0 to 0x1." + zeros + "p-20000", "d 1 0 0"});
+  accept(kPoints, kMeeting, Lines{"0 contact 0x1." + zeros + "p-1 0x1" + zeros + "p-401", "d -1 0 0"} + kWeights);
+  const std::string beyond = "multiple of 2^-20,000", tiny = "0x0.8p-20000";
+  call_bad(beyond, kPoints, kApart, {"0 none", "d 1 0 0 to " + tiny, "d 1 0 0"});
+  call_bad(beyond, kPoints, kMeeting, Lines{"0 contact " + tiny + " 0x1p-1", "d -1 0 0"} + kWeights);
+  call_bad(beyond, kPoints, kMeeting, Lines{"0 contact 0x1p-1 " + tiny, "d -1 0 0"} + kWeights);
+  for (const std::string& ends : {"0x1.5555555555555p-1 " + tiny, tiny + " 1"}) {
+    call_bad(beyond, kPoints, kPassing, Lines{kTwoThirds, "d -1 0 0", "root -2 3 between " + ends} + kWeights);
   }
 }
 

@@ -168,6 +168,17 @@ def point_point_cases():
         case("zero at the end of a piece before another direction", 1, "max 1", along_x(-2, 0, y=2),
              "0 none", f"{WEST} to 0x1p-1", "d 0 1 0"),
         case("another NUMBER", 1, "max 0x1p-1", apart, "1 none", WEST),
+        case("an end of a piece with as many places as there may be", 0, "max 0x1p-1", apart, "0 none",
+             f"{WEST} to 0x1.000p-20000", WEST),
+        case("an end of a piece with more places", 2, "max 0x1p-1", apart, "0 none", f"{WEST} to 0x.8p-20000", WEST),
+        case("T with more places than there may be", 2, "max 1", apart, "0 contact 0x.8p-20000 1", WEST, *BOTH),
+        case("U with more places than there may be", 2, "max 1", apart, "0 contact 0 0x.8p-20000", WEST, *BOTH),
+        case("LOW with more places than there may be", 2, "euclidean 1", soon, f"0 {at_once}", WEST,
+             root + " between 0x.8p-20000 0x1p-1074", *BOTH),
+        case("HIGH with more places than there may be", 2, "euclidean 1", soon, f"0 {at_once}", WEST,
+             root + " between 0 0x.8p-20000", *BOTH),
+        case("LOW with as many places as there may be", 0, "euclidean 1", soon, f"0 {at_once}", WEST,
+             root + " between 0x1p-20000 0x1p-1074", *BOTH),
         case("NUMBER with a leading zero", 1, "max 0x1p-1", apart, "00 none", WEST),
         case("none, three pieces", 0, "euclidean 0x1p-1", over, "0 none", *pieces),
         case("none, three pieces, max", 0, "max 0x1p-1", over, "0 none", *pieces),
@@ -255,6 +266,9 @@ def line_cases():
         ("an exponent beyond the limits", 2, "separation max 0x1p-20001"),
         ("as many digits as there may be", 0, f"separation max 0x{4095 * '0'}8p-4"),
         ("more digits than there may be", 2, f"separation max 0x{16384 * '0'}8p-4"),
+        ("as many digits and digits of the exponent as there may be", 0,
+         f"separation max 0x.{16383 * '0'}1p+{4096 * '0'}"),
+        ("more digits of the exponent than there may be", 2, f"separation max 0x.1p+{4097 * '0'}"),
     ]]
     touching = still(ORIGIN, (-HALF, 0, 0))
     blocks = ("max 0x1p-1", "point-point", none), ("", "point-point", none)
@@ -582,7 +596,8 @@ def curved_cases():
                ("0x", 2), ("0xp1", 2), ("1e+-0", 2), ("1e-+0", 2), ("--1", 2), ("1.0.0", 2), ("1 0", 2), ("0x1p", 2),
                ("nan", 2), ("inf", 2), ("1e400", 2), ("1e-400", 2), ("0x1p1024", 2), ("0x1p-1075", 2), ("1p0", 2),
                ("0x1p-1074", 1), ("0x1.fffffffffffff8p1023", 2), ("0x1e0", 1), ("1" + "0" * 4096 + "e-4096", 2),
-               ("1e20001", 2)]
+               ("1e20001", 2), ("1." + "0" * 4095, 0), ("1." + "0" * 4096, 2), ("0x1." + "0" * 4095, 0),
+               ("0x1." + "0" * 4096, 2), ("1e" + "0" * 4096, 0), ("1e" + "0" * 4097, 2)]
     late = ["0 contact 1 1"] + TURN_PROOF[1:]
     motion = "motion,0,1,0,0,0,0,0,0,1,0,0,0,0,0,0\n"
     body = "body,0,1,0,0\n"

@@ -22,6 +22,37 @@ TEST_CASE("every source file includes only what its layer may use") {
   }
 }
 
+namespace {
+
+/// The functions of a source file whose bodies call a function of the same name, by itself: not that of an object or of
+/// a namespace.
+std::vector<std::string> recursive_functions(const std::string& text) {
+  const std::regex head(R"((\w+)\([^;{}]*\)( const)? \{)");
+  const std::vector<std::string> no_names = {"if", "for", "while", "switch", "catch", "return"};
+  std::vector<std::string> found;
+  for (std::sregex_iterator function(text.begin(), text.end(), head), none; function != none; ++function) {
+    const std::string name = (*function)[1];
+    if (std::find(no_names.begin(), no_names.end(), name) != no_names.end()) continue;
+    const auto begin = static_cast<std::size_t>(function->position() + function->length());
+    std::size_t end = begin;
+    for (int depth = 1; depth > 0 && end < text.size(); ++end)
+      depth += text[end] == '{' ? 1 : text[end] == '}' ? -1 : 0;
+    const std::regex call("(^|[^.>:\\w])" + name + "\\(");
+    if (std::regex_search(text.substr(begin, end - begin), call)) found.push_back(name);
+  }
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("a planted function that calls itself is found") {
+  using Names = std::vector<std::string>;
+  CHECK(recursive_functions("int f(int n) {\n  if (n > 0) {\n    return 1 + f(n - 1);\n  }\n  return 0;\n}\n") ==
+        Names{"f"});
+  CHECK(recursive_functions("struct S {\n  void g() const { return g(); }\n};\n") == Names{"g"});
+  CHECK(recursive_functions("void g() { lines.g(); std::g(); a_g(); }\nvoid h() { g(); }\n").empty());
+}
+
 TEST_CASE(
     "the checker of proofs includes nothing of the project, computes with integers, and is short enough to read") {
   constexpr std::size_t kMostLines = 500;  // of a file
@@ -40,6 +71,8 @@ TEST_CASE(
     CHECK(lines > 100);
     CHECK(lines <= kMostLines);
     CHECK_FALSE(std::regex_search(text, floating_point));
+    CHECK(text.find("unordered_") == std::string::npos);  // its load factors are floating-point numbers
+    CHECK(lines_of(recursive_functions(text)).empty());
     total += lines;
     ++files;
   }

@@ -31,7 +31,10 @@ std::string digest_of(const Input& input) {
 std::string section_of(const Input& input, const Separation& separation) {
   std::string text;
   proofs::append_separation(text, separation);
-  return text + fmt::format("file {} {} {}\n", kind_name(input.kind), digest_of(input), io::printable(input.name));
+  // Spaces before a word do not count, and a name of spaces alone would be no word.
+  const char* const folder = input.name.rfind(' ', 0) == 0 ? "./" : "";
+  return text +
+         fmt::format("file {} {} {}{}\n", kind_name(input.kind), digest_of(input), folder, io::printable(input.name));
 }
 
 }  // namespace
