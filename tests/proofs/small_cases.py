@@ -141,6 +141,7 @@ def point_point_cases():
         case("contact at 0, claimed at 1", 1, "max 1", apart, "0 contact 1 1", WEST, *BOTH),
         case("contact at 0, with a piece", 1, "max 1", apart, "0 contact 0 0", WEST, *BOTH),
         case("contact before the least double", 0, "euclidean 1", soon, f"0 {at_once}", WEST, root, *BOTH),
+        case("T is zero with an exponent", 0, "euclidean 1", soon, "0 contact 0x0p-2000 0x1p-1074", WEST, root, *BOTH),
         case("contact before the least double, max", 0, "max 1", soon, f"0 {at_once}", WEST, root, *BOTH),
         case("contact before the least double, no piece", 1, "max 1", soon, f"0 {at_once}", root, *BOTH),
         case("none", 0, f"euclidean {word(1 - TINY)}", apart, "0 none", WEST),
