@@ -114,8 +114,8 @@ double worst_share(std::uint64_t seed, const Plan& plan) {
 }  // namespace
 
 TEST_CASE("the filter's chords: no corner leaves them by more than their bound, and some nearly by as much") {
-  const double turning = worst_share(kSeed, {0.5, 0, 1});
-  worst_share(kSeed + 1, {0.5, 0x1p-41, 1});  // lengths differ by as much as they may
+  const double turning = worst_share(kSeed, {1, 0, 1});
+  worst_share(kSeed + 1, {1, 0x1p-41, 1});  // lengths differ by as much as they may
   const double far = worst_share(kSeed + 2, {1e-9, 0, 0x1p20});
   std::printf("corners leave their chords by up to %.2g of the bound, far from the origin by rounding %.2g\n", turning,
               far);
@@ -142,6 +142,24 @@ TEST_CASE("the filter's chords: unknown for bodies that turn far, for lengths th
   CHECK(filters::chords_of(curve).known);
   curve.corners[2] = CurvedCorner::on_curve({{0, 0, 0}, {1, 1, 0}, {2, 0, 0}});
   CHECK_FALSE(filters::chords_of(curve).known);
+}
+
+TEST_CASE("the filter's chords: an arc that reaches past its chord") {
+  // A point turns about z, from 30 degrees before the x axis to 30 degrees after it: its chord is at x = 0.866.
+  RigidMotion turn;
+  turn.q0 = {0.9659258262890683, 0, 0, -0.25881904510252074};
+  turn.q1 = {0.9659258262890683, 0, 0, 0.25881904510252074};
+  const auto wall = [&](double x) {
+    return curved(Kind::vertex_face, {body(0, {1, 0, 0}), rest({x, -9, -9}), rest({x, 9, -9}), rest({x, 0, 9})},
+                  {turn});
+  };
+  REQUIRE(filters::chords_of(wall(0.9)).known);
+  for (const double x : {0.87, 0.9, 0.99, 0.9999}) {
+    REQUIRE(solve(wall(x), Method::exact).contact);
+    CHECK_FALSE(filters::chords_certainly_farther(wall(x), Separation()));
+  }
+  CHECK(filters::chords_certainly_farther(wall(1.2), Separation()));
+  CHECK_FALSE(filters::chords_certainly_farther(wall(1.2), {0.3, Metric::euclidean}));
 }
 
 TEST_CASE("the filter's chords never deny a contact, and show most misses of bodies that turn a little") {
