@@ -69,6 +69,7 @@ nlohmann::json data_of(const Animation& animation, const AnimationWords& words, 
   data["number"] = words.number;
   data["centre"] = view.centre;
   data["radius"] = view.radius;
+  data["reach"] = view.reach;
   data["planar"] = view.planar;
   data["basis"] = view.basis;
   data["exact"] = animation.has_exact();

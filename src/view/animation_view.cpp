@@ -12,9 +12,16 @@
 #include "view/html.hpp"
 
 namespace touchstone::view {
+
+double drawn_coordinate(const AnimationFrame& frame, std::size_t vertex, std::size_t axis) noexcept {
+  return frame.drawn.origin[axis] +
+         std::ldexp(static_cast<double>(frame.drawn.steps[3 * vertex + axis]), frame.drawn.exponent);
+}
+
 namespace {
 
 constexpr std::size_t kMostDrawn = 5000;  // elements of the still picture
+constexpr double kMuchLarger = 3;         // what is at rest is cut off, like a floor, if all is so many times larger
 
 struct Box {
   Triple low, high;
@@ -25,6 +32,10 @@ struct Box {
   void add(double x, std::size_t axis) {
     low[axis] = std::min(low[axis], x);
     high[axis] = std::max(high[axis], x);
+  }
+  Triple centre() const { return {low[0] / 2 + high[0] / 2, low[1] / 2 + high[1] / 2, low[2] / 2 + high[2] / 2}; }
+  double radius() const {
+    return std::hypot(high[0] / 2 - low[0] / 2, high[1] / 2 - low[1] / 2, high[2] / 2 - low[2] / 2);
   }
 };
 
@@ -39,6 +50,29 @@ std::size_t frame_of_still(const Animation& animation) {
     if (frames[i].time >= time) return i;
   }
   return frames.size() - 1;
+}
+
+Triple drawn_place(const AnimationFrame& frame, std::size_t vertex) {
+  return {drawn_coordinate(frame, vertex, 0), drawn_coordinate(frame, vertex, 1), drawn_coordinate(frame, vertex, 2)};
+}
+
+/// In all frames, of the vertices that are chosen.
+Box box_of(const Animation& animation, const std::vector<char>& chosen) {
+  Box box;
+  for (const AnimationFrame& frame : animation.frames()) {
+    for (std::size_t i = 0; i < frame.drawn.steps.size(); ++i) {
+      if (chosen[i / 3] != 0) box.add(drawn_coordinate(frame, i / 3, i % 3), i % 3);
+    }
+  }
+  if (!(box.low[0] <= box.high[0])) box.low = box.high = {};
+  return box;
+}
+
+/// In units of the view's radius.
+Triple from_centre(const AnimationView& view, const Triple& x) {
+  Triple d;
+  for (std::size_t k = 0; k < 3; ++k) d[k] = (x[k] - view.centre[k]) / view.radius;
+  return d;
 }
 
 /// By vertex: whether it leaves its first place by more than the rounding.
@@ -60,33 +94,18 @@ double height_of(double x, double low, double high) { return high > low ? 100 - 
 
 }  // namespace
 
-double drawn_coordinate(const AnimationFrame& frame, std::size_t vertex, std::size_t axis) noexcept {
-  return frame.drawn.origin[axis] +
-         std::ldexp(static_cast<double>(frame.drawn.steps[3 * vertex + axis]), frame.drawn.exponent);
-}
-
 AnimationView view_of(const Animation& animation) {
-  // What moves is to be seen at large. A floor may be cut off.
   const std::vector<char> moves = moving_vertices(animation);
+  const std::vector<char> all(moves.size(), 1);
   const bool any = std::count(moves.begin(), moves.end(), 1) > 0;
-  Box box, all;
-  for (const AnimationFrame& frame : animation.frames()) {
-    for (std::size_t i = 0; i < frame.drawn.steps.size(); ++i) {
-      const double x = drawn_coordinate(frame, i / 3, i % 3);
-      all.add(x, i % 3);
-      if (!any || moves[i / 3]) box.add(x, i % 3);
-    }
-  }
+  const Box of_all = box_of(animation, all), of_moving = any ? box_of(animation, moves) : of_all;
+  const bool whole = of_all.radius() <= kMuchLarger * of_moving.radius();
+  const Box& box = whole ? of_all : of_moving;
   AnimationView view;
-  if (!(box.low[0] <= box.high[0])) box.low = box.high = {};
-  Triple half{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    view.centre[k] = box.low[k] / 2 + box.high[k] / 2;
-    half[k] = box.high[k] / 2 - box.low[k] / 2;
-  }
-  view.radius = std::hypot(half[0], half[1], half[2]);
+  view.centre = box.centre();
+  view.radius = box.radius();
   if (!(view.radius > 0)) view.radius = 1;
-  view.planar = !(all.low[2] < all.high[2]);
+  view.planar = !(of_all.low[2] < of_all.high[2]);
   if (view.planar) {
     view.basis = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   } else {
@@ -96,25 +115,31 @@ AnimationView view_of(const Animation& animation) {
     view.basis[2] = {std::cos(above) * std::sin(right), -std::cos(above) * std::cos(right), std::sin(above)};
     view.basis[1] = {-std::sin(above) * std::sin(right), std::sin(above) * std::cos(right), std::cos(above)};
   }
+  for (const AnimationFrame& frame : animation.frames()) {
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+      if (!whole && moves[i] == 0) continue;
+      const Triple d = from_centre(view, drawn_place(frame, i));
+      for (std::size_t k = 0; k < 2; ++k) view.reach[k] = std::max(view.reach[k], std::abs(product(d, view.basis[k])));
+    }
+  }
   return view;
 }
 
 std::string still_of(const Animation& animation, const AnimationView& view) {
   const std::size_t shown = frame_of_still(animation);
   const AnimationFrame& frame = animation.frames()[shown];
+  const double scale = 0.92 * std::min(320 / std::max(view.reach[0], 0.1), 200 / std::max(view.reach[1], 0.1));
   const auto place = [&](const Triple& x) {
-    Triple d;
-    for (std::size_t k = 0; k < 3; ++k) d[k] = (x[k] - view.centre[k]) / view.radius;
-    return fmt::format("{:.1f} {:.1f}", 320 + 190 * product(d, view.basis[0]), 200 - 190 * product(d, view.basis[1]));
+    const Triple d = from_centre(view, x);
+    return fmt::format("{:.1f} {:.1f}", 320 + scale * product(d, view.basis[0]),
+                       200 - scale * product(d, view.basis[1]));
   };
   const AnimationShape& shape = animation.shape();
   std::string path;
   const auto draw = [&](const auto& corners, const char* end) {
     const char* command = "M";
     for (const std::uint32_t vertex : corners) {
-      path += fmt::format("{}{}", command,
-                          place({drawn_coordinate(frame, vertex, 0), drawn_coordinate(frame, vertex, 1),
-                                 drawn_coordinate(frame, vertex, 2)}));
+      path += fmt::format("{}{}", command, place(drawn_place(frame, vertex)));
       command = "L";
     }
     path += end;

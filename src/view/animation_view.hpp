@@ -11,10 +11,11 @@ namespace touchstone::view {
 
 /// Where an animation is in space.
 struct AnimationView {
-  Triple centre{};                ///< of all frames, but for what never moves
-  double radius = 1;              ///< no vertex that moves is farther from the centre
+  Triple centre{};                ///< of what it holds in all frames: what moves, and all of it if not much larger
+  double radius = 1;              ///< no vertex that it holds is farther from the centre
   bool planar = false;            ///< all vertices are at one height z
   std::array<Triple, 3> basis{};  ///< unit vectors to the right, up and towards the reader
+  std::array<double, 2> reach{};  ///< how far those vertices are from the centre to the right and up, by the radius
 };
 AnimationView view_of(const Animation& animation);
 

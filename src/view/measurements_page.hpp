@@ -37,7 +37,8 @@ struct ErrorPanel {
 
 struct Measurements {
   std::string title, subtitle;
-  std::string summary;  ///< several lines
+  std::string summary;
+  std::string how_to_read;  ///< what the words mean, several lines, folded at first
   std::string time_axis;
   std::vector<ErrorPanel> panels;
   std::vector<std::string> columns;  ///< the names of the cells

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 #include <utility>
 
 #include "view/html.hpp"
@@ -56,7 +58,7 @@ std::string scatter_svg(const std::vector<ScatterPoint>& points, const ScatterAx
   if (most == 0) least = most = 1;
   const double zero = kBottom - 12;  // the line of no error
   const Axis across(fastest / 1.3, slowest * 1.6, kLeft, kRight), up(least, most, kBottom - 40, kTop);
-  std::string grid, dots, labels;
+  std::string grid, dots, own_dots, labels;
   for (int e = across.low(); e <= across.high(); e += across.step()) {
     const double x = across.at(std::pow(10.0, e));
     grid += fmt::format("<path class=\"grid\" d=\"M{:.1f} {}V{}\"/>\n", x, kTop, kBottom);
@@ -71,31 +73,33 @@ std::string scatter_svg(const std::vector<ScatterPoint>& points, const ScatterAx
   grid += text_at(kLeft - 6, zero + 4, "end", "0");
   std::vector<std::pair<double, double>> taken;
   for (const ScatterPoint& p : points) taken.emplace_back(across.at(p.x), p.y > 0 ? up.at(p.y) : zero);
-  const std::size_t count = points.size();
-  for (std::size_t i = 0; i < count; ++i) {
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  // Labels that find no room are left out: our own point comes first.
+  std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return points[i].own; });
+  for (const std::size_t i : order) {
     const ScatterPoint& p = points[i];
     const auto [x, y] = taken[i];
-    dots += fmt::format(
+    (p.own ? own_dots : dots) += fmt::format(
         "<circle class=\"dot{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" tabindex=\"0\" data-row=\"{}\">"
         "<title>{}</title></circle>\n",
         p.own ? " own" : "", x, y, p.own ? 7 : 5.5, escaped(p.row), escaped(p.told));
     const double width = 6.2 * static_cast<double>(p.label.size());
-    const double left = x - width / 2, above = y - 10;
-    const bool free = left > kLeft && left + width < kRight &&
-                      std::none_of(taken.begin(), taken.end(), [&, x = x, y = y](const auto& other) {
-                        const bool same = other.first == x && other.second == y;
-                        return !same && other.first > left - 8 && other.first < left + width + 8 &&
-                               std::abs(other.second - above + 4) < 14;
-                      });
+    const double left = std::max(kLeft + 4, std::min(kRight - width - 4, x - width / 2)), above = y - 10;
+    const bool free = std::none_of(taken.begin(), taken.end(), [&, x = x, y = y](const auto& other) {
+      const bool same = other.first == x && other.second == y;
+      return !same && other.first > left - 8 && other.first < left + width + 8 &&
+             std::abs(other.second - above + 4) < 14;
+    });
     if (!free) continue;
-    labels += text_at(x, above, "middle", escaped(p.label));
+    labels += text_at(left + width / 2, above, "middle", escaped(p.label));
     taken.emplace_back(left + 4, above - 4);
-    taken.emplace_back(x, above - 4);
+    taken.emplace_back(left + width / 2, above - 4);
     taken.emplace_back(left + width - 4, above - 4);
   }
   return fmt::format("<svg class=\"scatter\" viewBox=\"0 0 560 320\" role=\"img\" aria-label=\"{} against {}\">\n",
                      escaped(axes.title), escaped(axes.x)) +
-         text_at(kLeft, 16, "start", escaped(axes.title + " [" + axes.y + "]")) + grid + dots + labels +
+         text_at(kLeft, 16, "start", escaped(axes.title + " [" + axes.y + "]")) + grid + dots + own_dots + labels +
          text_at((kLeft + kRight) / 2, 312, "middle", escaped(axes.x)) + "</svg>\n";
 }
 

@@ -156,6 +156,14 @@ class Browser:
                          y=start[1] + (end[1] - start[1]) * i / 5, button="left", buttons=1)
         self.command("Input.dispatchMouseEvent", type="mouseReleased", x=end[0], y=end[1], button="left", clickCount=1)
 
+    def touch(self, *steps):
+        """Fingers on the page: each step has the place of every finger, and each finger stays until the last step."""
+        points = [[{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(step)] for step in steps]
+        self.command("Input.dispatchTouchEvent", type="touchStart", touchPoints=points[0])
+        for step in points[1:]:
+            self.command("Input.dispatchTouchEvent", type="touchMove", touchPoints=step)
+        self.command("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+
     def key(self, key, text=""):
         self.command("Input.dispatchKeyEvent", type="keyDown", key=key, text=text)
         self.command("Input.dispatchKeyEvent", type="keyUp", key=key)

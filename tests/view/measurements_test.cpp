@@ -32,10 +32,10 @@ std::vector<double> numbers_after(const std::string& svg, const std::string& nam
 }  // namespace
 
 TEST_CASE("points stand in the order of their numbers, inside the picture, and no error is the lowest of all") {
-  const std::string svg = scatter_svg({{0.05, 0, "a", "", "r0", true},
+  const std::string svg = scatter_svg({{0.05, 0, "a", "", "r0", false},
                                        {0.5, 1e-4, "b", "", "r1", false},
                                        {5, 3, "c", "", "r2", false},
-                                       {5000, 4.5e15, "d", "", "r3", false}},
+                                       {5000, 4.5e15, "d", "", "r3", true}},
                                       {"title", "x", "y"});
   const auto x = numbers_after(svg, "cx"), y = numbers_after(svg, "cy");
   REQUIRE(x.size() == 4);
@@ -48,6 +48,16 @@ TEST_CASE("points stand in the order of their numbers, inside the picture, and n
   CHECK(occurrences_of(svg, "class=\"dot own\"") == 1);
   CHECK(occurrences_of(scatter_svg({}, {"title", "x", "y"}), "<circle") == 0);
   CHECK(numbers_after(scatter_svg({{1, 0, "a", "", "", false}}, {"t", "x", "y"}), "cy").size() == 1);
+}
+
+TEST_CASE("our own point has its label, and lies over the others") {
+  std::vector<ScatterPoint> points;
+  for (int i = 0; i < 10; ++i) points.push_back({1 + 0.001 * i, 0, "other", "", "", false});
+  points.insert(points.begin() + 4, {1.0005, 0, "a long name of our own", "", "", true});
+  points.push_back({100, 1, "other", "", "", false});
+  const std::string svg = scatter_svg(points, {"title", "x", "y"});
+  CHECK(occurrences_of(svg, ">a long name of our own</text>") == 1);
+  CHECK(svg.rfind("<circle") == svg.find("<circle class=\"dot own\""));
 }
 
 TEST_CASE("labels that would lie on one another are left out, and all points stay") {
@@ -63,7 +73,7 @@ TEST_CASE("labels that would lie on one another are left out, and all points sta
 TEST_CASE("a page of measurements shows names as text, and numbers to sort by") {
   const std::string name = "<script>alert(1)</script>\"'&";
   Measurements all;
-  all.title = all.subtitle = all.summary = all.time_axis = name;
+  all.title = all.subtitle = all.summary = all.how_to_read = all.time_axis = name;
   all.panels = {{name, name}};
   all.columns = {name};
   MeasuredSet set;

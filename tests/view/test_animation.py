@@ -215,6 +215,29 @@ class Animations(pages.Pages):
         self.assertIn("b", self.pixels())  # the cross
         self.check_quiet(url)
 
+    def test_the_first_view_holds_the_whole_scene(self):
+        frames = [obj(0.25), obj(-0.75)]
+        for width, height in ((1280, 720), (390, 844), (700, 500)):
+            self.page.window(width, height)
+            self.page_of_frames(frames)
+            left, top, box_width, box_height = self.box(".stage canvas")
+            self.page.evaluate("%s.focus()" % CANVAS)
+            places = []
+            for key in ("Home", "End"):
+                self.page.key(key)
+                places += [self.place(vertex) for vertex in range(6)]
+            for x, y in places:
+                self.assertTrue(left < x < left + box_width and top < y < top + box_height, (x, y, width, height))
+            size = [(max(axis) - min(axis)) / of for axis, of in zip(zip(*places), (box_width, box_height))]
+            self.assertGreater(max(size), 0.6)  # and at large
+        self.page.window(1280, 720)
+        # A floor that is a hundred times larger than what moves is cut off.
+        self.page_of_frames([text.replace("v -1 -1 0", "v -100 -100 0").replace("v 1 -1 0", "v 100 -100 0")
+                             for text in frames])
+        box = self.box(".stage canvas")
+        self.assertLess(self.place(0)[0], box[0])
+        self.assertTrue(all(box[1] < self.place(vertex)[1] < box[1] + box[3] for vertex in (3, 4, 5)))
+
     def test_frames_at_rest_and_in_the_plane(self):
         flat = "v 0 0\nv 1 0\nv 0 1\nv %r 0.2\nv 3 1\nv 3 2\nf 1 2 3\nf 4 5 6\n"
         flat = flat.replace("v 0 0\n", "v 0 0 0\n").replace("v 1 0\n", "v 1 0 0\n").replace("v 0 1\n", "v 0 1 0\n")

@@ -37,6 +37,13 @@ class Reports(pages.Pages):
             self.assertGreaterEqual(dots, rows)  # the first picture has all methods
         # The text and the table say the same as the other files of the report.
         self.assertIn("is wrong on 0 of", self.text("main"))
+        self.assertNotIn("*", self.text("main"))  # no mark of a Markdown file
+        self.page.evaluate("document.querySelector('details').open = true")
+        self.assertIn("Missed: contact denied though there is one", self.text("details"))
+        # Each picture names our own method.
+        named = self.page.evaluate("[...document.querySelectorAll('svg')].map((s) => "
+                                   "[...s.querySelectorAll('text')].some((t) => t.textContent === 'touchstone'))")
+        self.assertTrue(all(named), named)
         cells = self.page.evaluate("[...document.querySelector('table.sorts tr.own').children].map((c) => "
                                    "c.textContent)")
         self.assertIn("| touchstone | | %s |" % " | ".join(cells[1:6]), report.replace("|  |", "| |"))

@@ -137,6 +137,22 @@ class Queries(pages.Pages):
         self.assertGreater(text.count("b"), 100)
         self.check_quiet(url)
 
+    def test_fingers_turn_and_zoom(self):
+        self.page.window(390, 844, touch=True)
+        url = self.page_of("a.csv", falling(2), 1)
+        basis = "JSON.stringify(window.touchstoneViewer.camera.basis)"
+        before = self.page.evaluate(basis)
+        self.page.touch([(200, 300)], [(230, 310)], [(260, 320)])
+        turned = self.page.evaluate(basis)
+        self.assertNotEqual(before, turned)
+        self.assertEqual(self.page.evaluate("window.touchstoneViewer.zoom"), 0)
+        self.page.touch([(180, 300), (210, 300)], [(120, 300), (270, 300)], [(80, 300), (320, 300)])
+        zoom = self.page.evaluate("window.touchstoneViewer.zoom")
+        self.assertAlmostEqual(zoom, 3, delta=0.01)  # the fingers are 8 times as far apart
+        self.assertEqual(self.page.evaluate(basis), turned)
+        self.assertEqual(self.page.evaluate("[window.scrollY, window.visualViewport.scale]"), [0, 1])
+        self.check_quiet(url)
+
     def test_without_webgl_the_still_picture_stays(self):
         self.page_of("a.csv", falling(2), 1)
         with browser.Browser("--disable-3d-apis") as plain:

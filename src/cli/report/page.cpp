@@ -19,9 +19,10 @@ namespace {
 
 using Cell = view::MeasuredMethod::Cell;
 
-/// Text of a Markdown file without its marks for code.
+/// Text of a Markdown file without its marks for code and for stress.
 std::string without_marks(std::string text) {
-  std::erase(text, '`');
+  std::erase_if(text, [](char c) { return c == '`' || c == '*'; });
+  text.erase(text.find_last_not_of('\n') + 1);
   return text;
 }
 
@@ -59,8 +60,9 @@ std::string report_page(const report::Report& report) {
   all.subtitle = fmt::format("version {}, {}, {}; seed {}{}{}", version(), report::machine_name(),
                              report::compiler_name(), report.size.seed, report.size.quick ? ", quick" : "",
                              report::separation_arguments(report.size.separation));
-  all.summary = without_marks(report::summary(report) + report::kHowToRead);
-  all.summary += "Point at a method to see its numbers. A click on a column's name sorts by it.";
+  all.summary = without_marks(report::summary(report)) +
+                " Point at a method to see its numbers. A click on a column's name sorts by it.";
+  all.how_to_read = without_marks(report::kHowToRead);
   all.time_axis = "us a query";
   all.panels = {{"Wrong answers: missed, phantom or late", "% of the queries"}, {"Greatest time error", "ulps"}};
   all.columns = {"queries", "mean us", "missed", "phantom", "late", "time error, median ulps", "earliest", "latest"};

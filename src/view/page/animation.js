@@ -179,7 +179,8 @@ class AnimationViewer {
   }
 
   view() {
-    const size = Math.min(this.canvas.width, this.canvas.height * 1.3) * 0.46;
+    const [right, up] = this.data.reach.map((reach) => Math.max(reach, 0.1));
+    const size = Math.min(this.canvas.width / right, this.canvas.height / up) * 0.46;
     return {
       pixels: size / this.data.radius * Math.pow(2, this.zoom),
       centre: this.centre,
@@ -245,6 +246,6 @@ class AnimationViewer {
   } catch (error) {
     parent.classList.remove('live');
     parent.querySelectorAll('canvas, .controls').forEach((node) => node.remove());
-    parent.append(element('p', {class: 'note'}, `A still picture: this browser has no WebGL 2 (${error.message}).`));
+    parent.append(element('p', {class: 'note'}, `A still picture: ${error.message}.`));
   }
 })();

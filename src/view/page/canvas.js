@@ -44,7 +44,7 @@ class ShapeCanvas {
   constructor(canvas) {
     this.canvas = canvas;
     this.gl = canvas.getContext('webgl2', {antialias: true, alpha: true, preserveDrawingBuffer: true});
-    if (!this.gl) throw new Error('no WebGL 2');
+    if (!this.gl) throw new Error('this browser has no WebGL 2');
     const gl = this.gl;
     this.program = programOf(gl, kVertexShader, kFragmentShader);
     this.array = gl.createVertexArray();

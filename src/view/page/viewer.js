@@ -262,8 +262,7 @@ function startViewer(parent, picture) {
     return new Viewer(parent, picture);
   } catch (error) {
     removeControls(parent);
-    parent.append(
-        element('p', {class: 'note'}, 'A still picture: this browser has no WebGL 2 (' + error.message + ').'));
+    parent.append(element('p', {class: 'note'}, 'A still picture: ' + error.message + '.'));
     return null;
   }
 }
