@@ -32,6 +32,6 @@ PYBIND11_MODULE(_core, module) {
   python::define_pages(module);
   python::define_mesh_pages(module);
 #else
-  module.attr("page") = module.attr("mesh_page") = pybind11::none();
+  for (const char* name : {"page", "claims_page", "mesh_page"}) module.attr(name) = pybind11::none();
 #endif
 }

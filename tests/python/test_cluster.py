@@ -70,6 +70,38 @@ def test_processes_without_dask():
         assert cluster.steps(pool, {"vertices": 3}, frame, 10, parts=50) == sequence
 
 
+def early_half(kind, start, end):
+    """Misses every contact in the second half of the step."""
+    return ts.solve_any(kind, start, end, t_max=0.5)
+
+
+def dying_solver(marker, kind, start, end):
+    """The same; but the first worker that is asked is killed before it answers."""
+    dying(None, marker)
+    return early_half(kind, start, end)
+
+
+def test_fuzzing_in_parts():
+    options = {"kinds": ["point-edge", "point-point"], "findings": 100}
+    with ThreadPoolExecutor(3) as pool:
+        found = cluster.fuzz(pool, early_half, 600, parts=3, seed=5, **options)
+        assert found == cluster.fuzz(pool, early_half, 600, parts=3, seed=5, **options)
+        alone = [ts.fuzz(early_half, 200, seed=5 + i, **options) for i in range(3)]
+        assert found["queries"] == 600 and found["failures"] == sum(one.failures for one in alone) > 0
+        assert sum(f["count"] for f in found["findings"]) == sum(f.count for one in alone for f in one.findings)
+        for f in found["findings"]:
+            start, end = ([[float.fromhex(x) for x in corner] for corner in f[name]] for name in ("start", "end"))
+            truth = ts.solve(f["kind"], start, end)
+            assert f["failure"] == "missed" and truth.contact and truth.toi.hex() == f["exact"]["toi"]
+            assert f["claim"] == {"contact": False, "toi": None} and not early_half(f["kind"], start, end)
+        assert json.loads(json.dumps(found)) == found
+        assert cluster.fuzz(pool, early_half, 2, parts=50)["queries"] == 2
+        with pytest.raises(ValueError, match="part 0: .*none-such"):
+            cluster.fuzz(pool, early_half, 10, families=["none-such"])
+        with pytest.raises(ValueError, match="cases is 0"):
+            cluster.fuzz(pool, early_half, 0)
+
+
 def test_errors_name_the_part_and_the_row():
     start, end, *_ = claims(100)
     end[73, 1, 1] = np.nan
@@ -121,3 +153,12 @@ def test_sequences_on_dask(dask_client):
     with ThreadPoolExecutor(1) as pool:
         wanted = cluster.steps(pool, {"vertices": 3}, frame, 20, parts=1)
         assert cluster.steps(dask_client, {"vertices": 3}, frame, 20, parts=7) == wanted
+
+
+def test_fuzzing_on_dask_loses_nothing_with_a_killed_worker(dask_client, tmp_path):
+    marker = tmp_path / "fuzz"
+    options = {"cases": 400, "parts": 4, "kinds": ["point-point"]}
+    with ThreadPoolExecutor(1) as pool:
+        wanted = json.dumps(cluster.fuzz(pool, early_half, **options))
+    found = cluster.fuzz(dask_client, partial(dying_solver, str(marker)), **options)
+    assert marker.exists() and json.dumps(found) == wanted

@@ -58,6 +58,51 @@ def test_claims():
     assert f"{truth.contact.sum()} missed" in found.text and "30 more" in found.text
 
 
+def test_refuted_claims_are_a_page(tmp_path):
+    start, end = queries.both("vertex-face", 200)
+    truth = ts.solve("vertex-face", start, end)
+    claim, toi = truth.contact.copy(), np.where(truth.contact, truth.toi, np.nan)
+    hit, miss = np.flatnonzero(truth.contact)[:2], np.flatnonzero(~truth.contact)[:1]
+    claim[hit[0]], toi[hit[1]], claim[miss[0]], toi[miss[0]] = False, 1.5, True, 0.25
+    found = ts.certify("vertex-face", start, end, claim, toi)
+    before = found.page()
+    start[:] = 7  # what is shown is what was judged
+    assert found.page() == before and before.startswith("<!doctype html>")
+    assert before.count('<article class="card">') == 3 and "3 of 200 claims are refuted" in before
+    for row, verdict in ((hit[0], "missed"), (hit[1], "late"), (miss[0], "phantom")):
+        assert f"query {row}: {verdict}, vertex-face" in before
+    assert "contact at 0.25" in before and "contact at 1.5" in before
+    file = tmp_path / "a <script> name.html"
+    file.write_text("what was there")
+    assert ts.save_page(found, file) == file and file.read_text(encoding="utf-8") == before
+    assert [path.name for path in tmp_path.iterdir()] == [file.name]
+    start, end = queries.both("edge-edge", 300)
+    many = ts.certify("edge_edge", start, end, ~ts.solve("edge-edge", start, end).contact, separation=[0] * 300)
+    assert many.page().count('<article class="card">') == 32 and "shown: 32 of 300" in many.page()
+    right = ts.certify("edge-edge", start, end, ts.solve("edge-edge", start, end).contact)
+    assert "0 of 300 claims are refuted" in right.page()
+    flat = ts.certify("point-point", [[[0, 0], [2, 0]]], [[[4, 0], [2, 0]]], [False], t_max=0.75, separation=0.25)
+    assert "contact at 0.4375" in flat.page()
+
+
+def test_pages_of_findings_and_what_has_none(tmp_path):
+    report = ts.fuzz(lambda *query: 1 // 0 if query[0] == "point-edge" else False, 400, findings=5)
+    whole = report.page()
+    assert whole.count('<article class="card">') == len(report.findings) == 5
+    assert "none: it crashed" in whole and "ZeroDivisionError" in whole
+    name = ts.save_page(report.findings[0], str(tmp_path / "one.html"))
+    assert name.read_text(encoding="utf-8").startswith("<!doctype html>")
+    with pytest.raises(TypeError, match="int has no page"):
+        ts.save_page(3, tmp_path / "none.html")
+    with pytest.raises(OSError):
+        ts.save_page(report, tmp_path / "no-folder" / "page.html")
+    with pytest.raises(OSError):
+        ts.save_page(report, tmp_path)
+    assert [path.name for path in tmp_path.iterdir()] == ["one.html"]
+    with pytest.raises(ValueError, match="put together from parts"):
+        ts.Certificate(np.zeros(1, np.uint8), None, np.zeros(1)).page()
+
+
 def test_mesh_results():
     mesh = ts.Mesh(4, [[0, 1, 2]])
     x0 = np.array([[-9., -9, 0], [9, -9, 0], [0, 9, 0], [0, 0, 1]])

@@ -25,11 +25,12 @@ def test_the_programs_print_what_the_page_shows(tmp_path):
         for name in re.findall(r"~/python/(\w+\.py)", commands):
             path = tmp_path / name
             path.write_text(dict(programs)[name])
-            done = subprocess.run([sys.executable, path], capture_output=True, text=True, env=environment)
+            done = subprocess.run([sys.executable, path], capture_output=True, text=True, env=environment, cwd=tmp_path)
             assert done.returncode == 0, done.stderr
             printed += done.stdout
             ran.append(name)
         assert printed == shown
+    assert (tmp_path / "refuted.html").read_text(encoding="utf-8").count('<article class="card">') == 32
     assert sorted(ran) == sorted(name for name, _ in programs)
 
 

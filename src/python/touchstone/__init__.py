@@ -39,11 +39,12 @@ from ._judging import Certificate, Verdict, certify
 from ._meshes import all_contacts, candidates, first_contact, free_step, intersections
 from ._proofs import Checked, Proofs, check, prove
 from ._display import Shown, ShownMesh, show, show_mesh
+from ._pages import save_page
 
 __all__ = [
     "Answer", "Answers", "Certificate", "Checked", "CurvedQueries", "Distance", "Distances", "ExactTime", "Feature",
     "Finding", "FirstContact", "FreeStep", "FuzzReport", "Intersections", "Level", "Mesh", "Nature", "OnBody",
     "OnCurves", "Pairs", "Proofs", "Shown", "ShownMesh", "Trend", "Verdict", "all_contacts", "candidates",
     "certify", "check", "contact_normal", "contact_times", "distance", "first_contact", "free_step", "fuzz",
-    "intersections", "prove", "show", "show_mesh", "solve", "solve_any"
+    "intersections", "prove", "save_page", "show", "show_mesh", "solve", "solve_any"
 ]

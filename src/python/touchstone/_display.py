@@ -12,6 +12,7 @@ from . import _core, _meshes, _queries
 from ._core import Answer, Answers, Finding, FirstContact, FreeStep, FuzzReport, Intersections, Mesh, Pairs
 from ._judging import Certificate, Verdict
 from ._names import Feature, Level, Nature
+from ._pages import there
 from ._queries import Kind, Metric
 
 _CORNERS = {"edge-edge": ("a0", "a1", "b0", "b1"), "vertex-face": ("v", "f0", "f1", "f2"),
@@ -54,12 +55,6 @@ def _frame(page):
             'style="border: 0"></iframe>')
 
 
-def _there(page):
-    if page is None:
-        raise RuntimeError("this module was built without pages: fmt or nlohmann-json was not found then")
-    return page
-
-
 def _page(kind, start, end, t_max, separation, metric, title):
     if _core.page is None:
         return None
@@ -92,8 +87,8 @@ class Shown:
 
     def page(self) -> str:
         """The text of an HTML file: the page that `touchstone view` writes. Raises RuntimeError in a build without."""
-        return _there(_page(self.kind, self.start, self.end, self.t_max, self.separation, self.metric,
-                            f"{self.kind} query"))
+        return there(_page(self.kind, self.start, self.end, self.t_max, self.separation, self.metric,
+                           f"{self.kind} query"))
 
     def _repr_html_(self):
         return (_table(f"{self.kind} query", ("corner", "at t = 0", "at t = 1"),
@@ -144,7 +139,7 @@ class ShownMesh:
     def page(self) -> str:
         """The text of an HTML file: the animation of the step, with its first contact and the intersections at both
         ends marked. Raises RuntimeError in a build without pages."""
-        return _there(self._page())
+        return there(self._page())
 
     def _repr_html_(self):
         return _show_contact(self.first_contact) + _frame(self._page())
@@ -216,6 +211,24 @@ def _show_finding(found):
                          f"{found.failure}, {found.kind}")))
 
 
+def _finding_page(found):
+    return there(_page(found.kind, found.start, found.end, 1.0, found.separation, found.metric,
+                       f"{found.failure}, {found.kind}"))
+
+
+def _report_page(report):
+    """Cards of all findings, as `touchstone fuzz --html` writes them."""
+    cards = []
+    for found in report.findings:
+        times = f" {found.count} times" if found.count > 1 else ""
+        cards.append((found.kind, found.start, found.end, 1.0, found.separation, found.metric,
+                      None if found.failure == "crash" else found.contact, found.toi,
+                      f"{found.failure}{times}, {found.kind}", found.degeneracy, found.detail))
+    return there(_core.claims_page)(
+        "findings about a solver", f"{report.failures} of {report.queries} replies are wrong, in "
+        f"{report.kinds_of_failure} ways; shown: {len(cards)}", cards)
+
+
 def _show_report(report):
     rows = [(f.failure, f.kind, f.degeneracy, f.count) for f in report.findings[:_MOST_ROWS]]
     return _table(f"{report.failures} of {report.queries} replies are wrong",
@@ -227,3 +240,5 @@ for _class, _shown in ((Answer, lambda answer: _facts("answer", _answer_facts(an
                        (FirstContact, _show_contact), (FreeStep, _show_step), (Intersections, _show_intersections),
                        (Certificate, _show_certificate), (Finding, _show_finding), (FuzzReport, _show_report)):
     setattr(_class, "_repr_html_", _shown)
+setattr(Finding, "page", _finding_page)
+setattr(FuzzReport, "page", _report_page)

@@ -1,14 +1,16 @@
 """Judging a solver's claims. SPDX-License-Identifier: MIT"""
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Optional
+from dataclasses import dataclass, field
+from typing import List, Optional, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from . import _core
 from ._core import Answer, Answers
 from ._names import _Named
+from ._pages import there
 from ._queries import Kind, Metric, solve
 
 
@@ -25,6 +27,9 @@ class Verdict(_Named):
     late = 3
 
 
+_MOST_SHOWN = 32
+
+
 @dataclass(frozen=True)
 class Certificate:
     """The verdicts on n claims.
@@ -37,6 +42,7 @@ class Certificate:
     verdict: NDArray
     truth: Answers
     early: NDArray
+    _shown: Optional[List[Tuple]] = field(default=None, repr=False, compare=False)  # the cards of page()
 
     @property
     def holds(self) -> bool:
@@ -52,8 +58,34 @@ class Certificate:
         """The number of claims with this verdict."""
         return int((self.verdict == verdict).sum())
 
+    def page(self) -> str:
+        """The text of an HTML file: the first 32 refuted claims, each with its moving picture and the exact answer.
+
+        Raises RuntimeError in a build without pages, and ValueError for a Certificate of `touchstone.cluster`, which
+        has no queries.
+        """
+        if self._shown is None:
+            raise ValueError("this certificate was put together from parts, and has no queries to show; certify the "
+                             "refuted ones by touchstone.certify")
+        counts = ", ".join(f"{self.count(verdict)} {verdict}" for verdict in Verdict)
+        return there(_core.claims_page)(
+            f"{len(self.refuted)} of {len(self.verdict)} claims are refuted",
+            f"{counts}; shown: {len(self._shown)} of {len(self.refuted)} that do not hold", self._shown)
+
     def __repr__(self):
         return f"<Certificate: {', '.join(f'{self.count(verdict)} {verdict}' for verdict in Verdict)}>"
+
+
+def _cards(kind, asked, claimed, times, verdict):
+    """The first refuted claims, as claims_page takes them. Copies: the caller may change its arrays."""
+    rows = np.flatnonzero(verdict)[:_MOST_SHOWN]
+    if not rows.size:
+        return []
+    start, end, t_max, separation, metric = asked
+    start, end = (np.array(np.asarray(corners)[rows], float) for corners in (start, end))
+    return [(kind, start[k], end[k], float(t_max), float(separation[i]), metric, bool(claimed[i]),
+             None if np.isnan(times[i]) else float(times[i]),
+             f"query {i}: {Verdict(verdict[i])}, {kind.replace('_', '-')}", "", "") for k, i in enumerate(rows)]
 
 
 def certify(kind: Kind, start: ArrayLike, end: ArrayLike, contact: ArrayLike, toi: Optional[ArrayLike] = None,
@@ -66,8 +98,9 @@ def certify(kind: Kind, start: ArrayLike, end: ArrayLike, contact: ArrayLike, to
              Times of claims without contact are not read
     The other arguments are those of `solve`, with n queries.
 
-    Returns a Certificate with the attributes verdict, truth, early, holds and refuted. Raises what `solve` raises, and
-    ValueError for claims that are not n, or a claimed time that is infinite.
+    Returns a Certificate with the attributes verdict, truth, early, holds and refuted; `save_page` makes a page of the
+    refuted claims. Raises what `solve` raises, and ValueError for claims that are not n, or a claimed time that is
+    infinite.
 
     >>> import numpy as np, touchstone
     >>> start, end = np.zeros((3, 2, 3)), np.zeros((3, 2, 3))
@@ -105,4 +138,5 @@ def certify(kind: Kind, start: ArrayLike, end: ArrayLike, contact: ArrayLike, to
     verdict[both & (times > truth.toi)] = Verdict.late
     with np.errstate(invalid="ignore"):
         early = np.where(both & (times <= truth.toi), truth.toi - times, np.nan)
-    return Certificate(verdict, truth, early)
+    asked = (start, end, t_max, np.broadcast_to(np.asarray(separation, float), verdict.shape), metric)
+    return Certificate(verdict, truth, early, _cards(kind, asked, claimed, times, verdict))

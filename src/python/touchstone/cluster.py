@@ -18,7 +18,7 @@ from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _judging, _meshes, _queries
+from . import _fuzzing, _judging, _meshes, _queries
 from ._core import Mesh
 from ._judging import Certificate, Verdict
 from ._names import Nature
@@ -175,6 +175,59 @@ def certify_report(client: Any, kind: str, parts: Sequence, **options: Any) -> s
         counts = [a + b for a, b in zip(counts, part_counts)]
         before += sum(part_counts)
     return _text(counts, refuted)
+
+
+_WORST_FIRST = ("crash", "malformed", "missed", "late", "nan", "phantom", "early")
+
+
+def _hex(x):
+    return None if x is None else float(x).hex()
+
+
+def fuzz_part(solver: Callable, cases: int, seed: int, **options: Any) -> Dict:
+    """`touchstone.fuzz` with one seed, as `fuzz` describes it. Arguments and errors are those of `touchstone.fuzz`."""
+    report_ = _fuzzing.fuzz(solver, cases, seed=seed, **options)
+    findings = [{"failure": found.failure, "kind": found.kind, "degeneracy": found.degeneracy, "count": found.count,
+                 "start": [list(map(_hex, corner)) for corner in found.start.tolist()],
+                 "end": [list(map(_hex, corner)) for corner in found.end.tolist()],
+                 "claim": {"contact": found.contact, "toi": _hex(found.toi)},
+                 "exact": {"contact": found.truth.contact, "toi": _hex(found.truth.toi)},
+                 "detail": found.detail, "case": found.case_name, "separation": found.separation,
+                 "metric": found.metric} for found in report_.findings]
+    return {"queries": report_.queries, "failures": report_.failures, "findings": findings}
+
+
+def fuzz(client: Any, solver: Callable, cases: int = 10_000, parts: int = 16, seed: int = 1, **options: Any) -> Dict:
+    """`touchstone.fuzz` over `parts` parts, each with a seed of its own: seed, seed + 1 and so on.
+
+    solver   the function of `touchstone.fuzz`; it runs on the workers and can be sent there
+    cases    how many queries to make in all
+    options  those of `touchstone.fuzz`; `findings` is how many each part shrinks
+
+    Returns a dict: queries, failures, and findings, worst first. A finding is a dict: failure, kind, degeneracy, count,
+    start, end, claim, exact, detail, case (for `touchstone fuzz --case`), separation and metric; coordinates and times
+    are hexfloats. Of failures of one sort on queries that are degenerate in one way, it has the query of the first part
+    that lists one, and the count of all that do. Raises what `touchstone.fuzz` raises, with the number of the part.
+
+    >>> from concurrent.futures import ThreadPoolExecutor
+    >>> found = fuzz(ThreadPoolExecutor(2), lambda kind, start, end: False, 400, parts=2, kinds=['point-point'])
+    >>> found["queries"], sorted({finding["failure"] for finding in found["findings"]})
+    (400, ['missed'])
+    """
+    if cases < 1 or parts < 1:
+        raise ValueError(f"cases is {cases} and parts {parts}; they must be at least 1")
+    ends = [cases * i // parts for i in range(parts + 1)]
+    asked = [(b - a, seed + i) for i, (a, b) in enumerate(zip(ends, ends[1:])) if a < b]
+    queries = failures = 0
+    findings: Dict[Tuple[str, str, str], Dict] = {}
+    for part in _run(client, partial(fuzz_part, solver, **options), asked):
+        queries += part["queries"]
+        failures += part["failures"]
+        for found in part["findings"]:
+            first = findings.setdefault((found["failure"], found["kind"], found["degeneracy"]), {**found, "count": 0})
+            first["count"] += found["count"]
+    ordered = sorted(findings.values(), key=lambda found: (_WORST_FIRST.index(found["failure"]), -found["count"]))
+    return {"queries": queries, "failures": failures, "findings": ordered}
 
 
 @lru_cache(maxsize=4)
