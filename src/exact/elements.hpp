@@ -147,14 +147,14 @@ using Long = numbers::FixedInt<3>;
 ///   them and dot products 2 B + 7; their Bernstein coefficients 2 B + 9;
 /// - V's coefficients 3 B + 10, sums of 3 such products with B + 1 and 3 with B + 2; its Bernstein coefficients, below
 ///   6 times more, 3 B + 13.
+/// SmallInt, with no limbs, has one word for all of them.
 template <int Limbs>
-constexpr int kMostBits = (64 * 3 * Limbs - 1 - 13) / 3;
+constexpr int kMostBits = (64 * (Limbs > 0 ? 3 * Limbs : 1) - 1 - 13) / 3;
 static_assert(kMostBits<1> + 2 < 64 && 2 * kMostBits<1> + 9 < 128 && kMostBits<2> + 2 < 128 &&
               2 * kMostBits<2> + 9 < 256);
 static_assert(kMostBits<3> + 2 < 192 && 2 * kMostBits<3> + 9 < 384);
-template <>
-constexpr int kMostBits<0> = (63 - 13) / 3;  ///< for SmallInt, where all of them have one size
-static_assert(2 * kMostBits<0> + 9 <= numbers::NearRoot<1>::kMostSmallBits && 3 * kMostBits<0> + 10 < 60);
+static_assert(kMostBits<0> == 16 && 2 * kMostBits<0> + 9 <= numbers::NearRoot<1>::kMostSmallBits &&
+              3 * kMostBits<0> + 10 < 60);
 
 /// Polynomials whose roots contain all times at which touching may begin or end: at most two for each of the four pairs
 /// of a corner and the other edge.
