@@ -219,13 +219,4 @@ void BlockMatrix::apply_inverse(Vector& x) const {
   if (singles > 0) alone_.apply_inverse(numbers(x).segment(FourDoubles::kCount * fours, singles));
 }
 
-void BlockMatrix::times(const Vector& x, Vector& y) const {
-  const Eigen::Index fours = fours_.matrix.rows(), singles = alone_.matrix.rows();
-  y.head(fours) = fours_.matrix.selfadjointView<Eigen::Upper>() * x.head(fours);
-  numbers(y).segment(FourDoubles::kCount * fours, singles) =
-      alone_.matrix.selfadjointView<Eigen::Upper>() * numbers(x).segment(FourDoubles::kCount * fours, singles);
-  const Eigen::Index known = FourDoubles::kCount * fours + singles;
-  numbers(y).tail(numbers(y).size() - known).setZero();
-}
-
 }  // namespace touchstone::linear

@@ -58,7 +58,6 @@ class BlockMatrix {
   int place(int unknown) const { return where_[static_cast<std::size_t>(unknown)]; }  ///< among a vector's numbers
 
   void apply_inverse(Vector& x) const;
-  void times(const Vector& x, Vector& y) const;
 
  private:
   struct BlockPlace {

@@ -56,7 +56,7 @@ struct SparseSolver::Impl {
 
   bool fits(const Corners& unknowns, std::size_t a, std::size_t b);
   void take_contacts(const std::vector<Corners>& contacts);
-  void times(const Vector& in, Vector& out) const;
+  void add_ties_times(const Vector& in, Vector& out) const;
   void iterate(Vector& right) const;
 
   bool absent(const Tie& tie, std::size_t corner) const {
@@ -126,9 +126,8 @@ void SparseSolver::Impl::take_contacts(const std::vector<Corners>& contacts) {
   contact_first.push_back(contact_places.size());
 }
 
-/// y = the whole matrix times x.
-void SparseSolver::Impl::times(const Vector& in, Vector& out) const {
-  matrix.times(in, out);
+/// y += the contacts' blocks that are beside the pattern, times x.
+void SparseSolver::Impl::add_ties_times(const Vector& in, Vector& out) const {
   const double* const x = in.data()->each.data();
   double* const y = out.data()->each.data();
   for (const Tie& tie : ties) {
@@ -150,18 +149,21 @@ void SparseSolver::Impl::times(const Vector& in, Vector& out) const {
   y[size] = 0;
 }
 
-/// Conjugate gradients, with the factor of the matrix of the pattern as preconditioner.
+/// Conjugate gradients, with the factor of the matrix of the pattern as preconditioner. That matrix times z is r, so that
+/// its product with a direction follows from that with the direction before, as the direction does. Such a product is as
+/// far off as the factor's solution z is, which is the error that a direct solve would have.
 void SparseSolver::Impl::iterate(Vector& right) const {
   const auto numbers = [](auto& v) { return BlockMatrix::numbers(v); };
   Vector x = matrix.zero(), z = right;
   auto& r = right;
   matrix.apply_inverse(z);
-  Vector p = z, hp = x;
+  Vector p = z, mp = r, hp = x;  // mp: the matrix of the pattern times p; hp: the whole matrix times p
   double rz = numbers(r).dot(numbers(z));
   const double enough = kResidual * kResidual * rz;
   for (int i = 0; i < kMostIterations && rz > enough; ++i) {
     cancel->check();
-    times(p, hp);
+    hp = mp;
+    add_ties_times(p, hp);
     const double curvature = numbers(p).dot(numbers(hp));
     if (!(curvature > 0)) {
       // The whole matrix need not be positive definite where that of the pattern is. The iterate so far leads down. In
@@ -177,6 +179,7 @@ void SparseSolver::Impl::iterate(Vector& right) const {
     const double before = rz;
     rz = numbers(r).dot(numbers(z));
     numbers(p) = numbers(z) + rz / before * numbers(p);
+    numbers(mp) = numbers(r) + rz / before * numbers(mp);
   }
   right = std::move(x);
 }
