@@ -9,6 +9,8 @@
 
 #include <touchstone/error.hpp>
 
+#include "dynamics/energy_budget.hpp"
+
 namespace touchstone::sim {
 namespace {
 
@@ -56,9 +58,16 @@ BodyResult BodyPart::step(const State& start, double h, double end_time, bool ma
   if (result.outcome == BodyResult::Outcome::too_fast || result.x1.size() == 0) return result;
   if ((result.x1.array() == next.q.head(count).array()).all()) return result;
   const VectorX before = next.q;
+  const Energies unpushed = sim::energies(system, next);
   next.q.head(count) = result.x1;
   next.v.head(count) += result.velocity_change;
   next.frames = system.transported(next.frames, before, next.q);
+  const Energies pushed = sim::energies(system, next);
+  const BodyEnergies from = energies(), to = system_.energies(result.end.bodies);
+  // A push moves a particle and none of its neighbours: what that stores must come from somewhere.
+  const double gained = (pushed.total() - unpushed.total()) + (to.kinetic - from.kinetic) + (to.load - from.load);
+  const double given = std::max(result.flows.driven, 0.0) + std::max(result.flows.corrections, 0.0);
+  result.strains_gain = gained > given + energy_tolerance(unpushed, pushed);
   return result;
 }
 

@@ -32,6 +32,10 @@ constexpr int kMostSubsteps = 20'000;
 // times in which the elements and contacts answer; a shorter one is better taken than halved for ever.
 constexpr double kMostSubstepsForEnergy = 100;
 
+// The same for what bodies store in springs, cables and cloth when they push particles. Fewer: the stiff ones answer in
+// times that are shorter than any substep.
+constexpr double kMostSubstepsForStrains = 8;
+
 // The error that a substep may make, over what the tolerance allows, is estimated by steps of two lengths. At times in
 // which an error passes through zero, the estimate is too low for the whole motion: so it counts for more.
 constexpr double kErrorSafety = 4;
@@ -239,7 +243,10 @@ std::variant<SubstepRecord, Refusal> Simulation::try_substep(double h, double en
     times_ += bodies.times;
     const bool gained = bodies.outcome == BodyResult::Outcome::gained_energy;
     if (bodies.outcome != BodyResult::Outcome::done && (!gained || may_be_halved)) return bodies_->refusal_of(bodies);
-    contacts_gained |= gained;
+    if (bodies.strains_gain && h > scene_.settings.time_step / kMostSubstepsForStrains) {
+      return refused_for(Cause::gained_energy);
+    }
+    contacts_gained |= gained || bodies.strains_gain;
   }
   if (kCloth && !within_stretch_limits(system_, next.q)) return refused_for(Cause::overstretched);
 
