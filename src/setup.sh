@@ -28,18 +28,29 @@ readonly -a touchstone_needs=(
   'catch.h|catch2/catch.hpp catch2/catch_all.hpp|catch2|catch-devel|catch2'
 )
 
-# Optional tools and libraries: the set-up installs them where it can, and goes on where it cannot. Without them the
-# program draws no plots and reads no HDF5 files, there is no Python module, and the tests that need them are skipped.
+# Optional libraries and tools: the set-up installs them where it can, and goes on where it cannot. Without them the
+# program draws no plots and reads no HDF5 files, and there is no Python module.
 readonly -a touchstone_tools=(
   'gnuplot|gnuplot|gnuplot-nox|gnuplot|gnuplot'
-  'valgrind|valgrind|valgrind|valgrind|valgrind'
   'python3|python3|python3|python3|python'
   'hdf5.h|hdf5.h hdf5/serial/hdf5.h|libhdf5-dev|hdf5-devel|hdf5'
   'python.h|python3.9/Python.h python3.10/Python.h python3.11/Python.h python3.12/Python.h python3.13/Python.h python3.14/Python.h|python3-dev|python3-devel|python'
   'pybind11.h|pybind11/pybind11.h|pybind11-dev|pybind11-devel|pybind11'
   'f2py|f2py3 f2py|python3-numpy|python3-numpy-f2py|python-numpy'  # it comes with NumPy
-  'pytest|pytest-3 pytest py.test-3|python3-pytest|python3-pytest|python-pytest'
+)
+
+# Optional tools of the tests: without them the tests that need them are skipped. The set-up of the tests alone
+# installs them.
+readonly -a touchstone_test_tools=(
+  'valgrind|valgrind|valgrind|valgrind|valgrind'
   'gappa|gappa|gappa|gappa| '  # Arch Linux has no package of it
+  'pytest|pytest-3 pytest py.test-3|python3-pytest|python3-pytest|python-pytest'
+  'pip|pip3 pip|python3-pip python3-setuptools python3-wheel|python3-pip python3-setuptools python3-wheel|python-pip python-setuptools python-wheel'
+  'dpkg-dev|dpkg-shlibdeps|dpkg-dev|dpkg-dev|dpkg'
+  'file|file|file|file|file'
+  'parallel|parallel|parallel|parallel|parallel'
+  'groff|groff|groff-base|groff|groff'
+  'zsh|zsh|zsh|zsh|zsh'
 )
 
 compiler() {
@@ -158,7 +169,8 @@ try_to_install() {
   esac
 }
 
-# install_missing [fuzz]: what the build needs, what fuzzing needs when asked, and the optional tools.
+# install_missing [fuzz|tests]: what the build needs, what fuzzing needs when asked, and the optional tools, those of the
+# tests when asked.
 install_missing() {
   local -a needs missing
   local manager trouble='still missing after the install'
@@ -176,6 +188,7 @@ install_missing() {
   fi
 
   needs=("${touchstone_tools[@]}")
+  [[ ${1:-} != tests ]] || needs+=("${touchstone_test_tools[@]}")
   mapfile -t missing < <(missing_needs)
   if ((${#missing[@]})); then
     ! try_to_install "${missing[@]}" || trouble='still missing after the install'

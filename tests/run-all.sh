@@ -13,6 +13,6 @@ fi
 # shellcheck source-path=SCRIPTDIR source=../src/setup.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/../src/setup.sh"
 
-install_missing
+install_missing tests
 build_preset ci all "-DTOUCHSTONE_QUERY_DATA=${TOUCHSTONE_QUERY_DATA:-}"
 exec ctest --preset ci --parallel "$(core_count)" "$@"
