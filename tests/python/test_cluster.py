@@ -124,7 +124,8 @@ def test_errors_name_the_part_and_the_row():
 def dask_client():
     distributed = pytest.importorskip("distributed", reason="Dask is missing (Debian: python3-distributed)")
     import dask
-    dask.config.set({"distributed.worker.memory.terminate": False})
+    # A cluster of Dask closes what restarts a worker that is not back in time: 15 s are too few on a busy machine.
+    dask.config.set({"distributed.worker.memory.terminate": False, "distributed.deploy.lost-worker-timeout": "1 hour"})
     with distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as workers:
         with distributed.Client(workers) as client:
             yield client
