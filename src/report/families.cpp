@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "families/families.hpp"
 #include "generators/candidates.hpp"
@@ -98,27 +99,57 @@ Query near_query(Kind kind, Rng& random) {
   return query;
 }
 
+/// What all scenes of a family have in common.
+struct SceneOptions {
+  std::uint64_t seed;
+  SceneSize size;
+  double separation;
+  bool is_turned;
+};
+
+/// Appends candidates of each scene to the set of edge-edge queries, the first of the two, and to that of vertex-face.
+template <std::size_t N>
+void append_candidates(const std::array<generators::SceneName, N>& scenes, const SceneOptions& common,
+                       std::vector<QuerySet>& sets) {
+  for (const generators::SceneName scene : scenes) {
+    generators::CandidateOptions options;
+    options.scene = scene;
+    options.seed = common.seed;
+    options.count = common.size.count;
+    options.edges = common.size.edges;
+    options.steps = common.size.steps;
+    options.separation = common.separation;
+    options.is_turned = common.is_turned;
+    generators::for_each_batch(options, [&](const generators::Batch& batch) {
+      auto& all = sets[batch.kind == Kind::edge_edge ? 0 : 1].queries;
+      all.insert(all.end(), batch.queries.begin(), batch.queries.end());
+    });
+  }
+}
+
 }  // namespace
 
-std::vector<QuerySet> simulation_sets(std::uint64_t seed, std::size_t count, std::size_t edges, std::size_t steps,
-                                      double separation) {
+std::vector<QuerySet> simulation_sets(std::uint64_t seed, const SceneSize& size, double separation) {
   const std::string about =
       "Candidate pairs (boxes around the whole step overlap) of the scenes cloth, sheets and "
       "cables of touchstone generate";
   std::vector<QuerySet> sets{empty_set("simulation", Kind::edge_edge, about),
                              empty_set("simulation", Kind::vertex_face, about)};
-  for (const auto scene : generators::kScenes) {
-    generators::CandidateOptions options;
-    options.scene = scene;
-    options.seed = seed;
-    options.count = count;
-    options.edges = edges;
-    options.steps = steps;
-    options.separation = separation;
-    generators::for_each_batch(options, [&](const generators::Batch& batch) {
-      auto& all = sets[batch.kind == Kind::edge_edge ? 0 : 1].queries;
-      all.insert(all.end(), batch.queries.begin(), batch.queries.end());
-    });
+  append_candidates(generators::kScenes, {seed, size, separation, false}, sets);
+  return sets;
+}
+
+std::vector<QuerySet> aligned_sets(std::uint64_t seed, const SceneSize& size, double separation) {
+  std::vector<QuerySet> sets;
+  for (const bool is_turned : {false, true}) {
+    std::string about =
+        "Candidate pairs of the scenes boxes, bricks, plane, grid and lying of touchstone generate, which lie along "
+        "the axes";
+    if (is_turned) about += ", turned by a generic rotation";
+    const std::string family = is_turned ? "aligned-turned" : "aligned";
+    std::vector<QuerySet> both{empty_set(family, Kind::edge_edge, about), empty_set(family, Kind::vertex_face, about)};
+    append_candidates(generators::kAlignedScenes, {seed, size, separation, is_turned}, both);
+    std::move(both.begin(), both.end(), std::back_inserter(sets));
   }
   return sets;
 }

@@ -14,11 +14,20 @@
 
 namespace touchstone::report {
 
-/// Candidate pairs of the three moving scenes of the generators, one set a kind; at most `count` a kind and scene.
-/// @param edges, steps  how large a scene is and for how long it moves
+/// How many candidates are taken of a scene.
+struct SceneSize {
+  std::size_t count;  ///< at most so many of each kind
+  std::size_t edges;  ///< about how many the scene has
+  std::size_t steps;  ///< how long it moves
+};
+
+/// Candidate pairs of the three moving scenes of the generators, one set a kind.
 /// @param separation  candidates come that near
-std::vector<QuerySet> simulation_sets(std::uint64_t seed, std::size_t count, std::size_t edges, std::size_t steps,
-                                      double separation = 0);
+std::vector<QuerySet> simulation_sets(std::uint64_t seed, const SceneSize& size, double separation = 0);
+
+/// Candidate pairs of the scenes along the axes, one set a kind, and of the same scenes turned.
+/// @param separation  candidates come that near
+std::vector<QuerySet> aligned_sets(std::uint64_t seed, const SceneSize& size, double separation = 0);
 
 /// Corners anywhere in a cube of side 2 at both ends. Edge-edge and vertex-face only: a random point never meets a
 /// random edge.

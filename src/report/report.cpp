@@ -27,7 +27,7 @@ constexpr double kMeasuring = 0.5;   ///< the rest is drawing
 
 /// Numbers of queries, and seconds.
 struct Amounts {
-  std::size_t simulation, edges, steps;  ///< candidates a scene and kind; how large and long the scenes are
+  SceneSize simulation, aligned;
   std::size_t random, near, scale;
   BodyPairOptions bodies;
   std::size_t curved;  ///< cases of each family and kind
@@ -35,8 +35,9 @@ struct Amounts {
 };
 
 Amounts amounts(bool quick) {
-  if (quick) return {300, 1000, 4, 200, 300, 60, {200}, 4, {0.01, 3, 0.0002, 2}, {0.003, 3, 0.0002, 2}};
-  return {6000, 4000, 20, 4000, 4000, 1000, {4000}, 40, {0.3, 7, 0.01, 3}, {0.1, 5, 0.01, 3}};
+  if (quick)
+    return {{300, 1000, 4}, {100, 1000, 2}, 200, 300, 60, {200}, 4, {0.01, 3, 0.0002, 2}, {0.003, 3, 0.0002, 2}};
+  return {{6000, 4000, 20}, {2000, 4000, 4}, 4000, 4000, 1000, {4000}, 40, {0.3, 7, 0.01, 3}, {0.1, 5, 0.01, 3}};
 }
 
 std::vector<QuerySet> scale_sets(std::uint64_t seed, std::size_t count) {
@@ -80,8 +81,7 @@ Report make_report(const Size& size, std::vector<QuerySet> given, const Progress
   report.scene_runs = run_scenes(size.quick, [&](double share) { progress("simulating", kSimulating * share); });
 
   progress("generating", kSimulating);
-  std::vector<QuerySet> sets =
-      simulation_sets(size.seed, amount.simulation, amount.edges, amount.steps, size.separation.distance);
+  std::vector<QuerySet> sets = simulation_sets(size.seed, amount.simulation, size.separation.distance);
   BodyPairOptions of_bodies = amount.bodies;
   of_bodies.separation = size.separation.distance;
   const auto generating = [&] { progress("generating", kSimulating); };
@@ -89,6 +89,7 @@ Report make_report(const Size& size, std::vector<QuerySet> given, const Progress
     std::move(more.begin(), more.end(), std::back_inserter(sets));
   };
   append(std::move(given));
+  append(aligned_sets(size.seed, amount.aligned, size.separation.distance));
   append(random_sets(size.seed, amount.random));
   append(near_sets(size.seed, amount.near));
   for (const auto scene : kBodyScenes) append(body_pair_sets(scene, of_bodies, generating));

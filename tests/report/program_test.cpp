@@ -185,7 +185,7 @@ std::set<std::string> set_names() {
     for (const char* source : {"curved", "bundled-curved"}) sets.insert(std::string(source) + "/" + kind);
   }
   for (const char* kind : {"edge-edge", "vertex-face"}) {
-    for (const char* family : {"simulation", "bundled", "random", "near"})
+    for (const char* family : {"simulation", "bundled", "aligned", "aligned-turned", "random", "near"})
       sets.insert(std::string(family) + "/" + kind);
   }
   return sets;
