@@ -46,9 +46,17 @@ class BuildWithCMake(build_py):
             "TOUCHSTONE_BUILD_PROGRAM": "OFF", "TOUCHSTONE_BUILD_TESTS": "OFF", "TOUCHSTONE_BUILD_FUZZ": "OFF",
             "TOUCHSTONE_BUILD_TIGHT_INCLUSION": "OFF", "BUILD_SHARED_LIBS": "OFF"
         }
-        self.cmake("-S", ROOT, "-B", folder, *(f"-D{name}={value}" for name, value in options.items()),
+        self.cmake("-S", ROOT, "-B", folder, *self.generator(folder),
+                   *(f"-D{name}={value}" for name, value in options.items()),
                    *shlex.split(os.environ.get("CMAKE_ARGS", "")))
         self.cmake("--build", folder, "--target", "touchstone_python", "--parallel", str(os.cpu_count() or 1))
+
+    def generator(self, folder):
+        """Ninja where it is there: CMake's own choice is make, which need not be. The user's choice goes first."""
+        chosen = "CMAKE_GENERATOR" in os.environ or re.search(r"(^|\s)-G", os.environ.get("CMAKE_ARGS", ""))
+        if chosen or (folder / "CMakeCache.txt").exists() or not (shutil.which("ninja") or shutil.which("ninja-build")):
+            return []
+        return ["-G", "Ninja"]
 
     def cmake(self, *arguments):
         subprocess.run(["cmake", *map(str, arguments)], check=True)

@@ -1,5 +1,6 @@
 """pip installs the package from the sources, with the module of this build. SPDX-License-Identifier: MIT"""
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -14,6 +15,39 @@ def sources():
     """All files of the project but those of builds."""
     folders = [path for path in ROOT.iterdir() if path.name != ".git" and not path.name.startswith("build")]
     return {path for folder in folders for path in [folder, *folder.rglob("*")]}
+
+
+def program(path, text):
+    path.write_text("#!/bin/sh\n" + text)
+    path.chmod(0o755)
+
+
+def generator_of(tmp_path, tools, **environment):
+    """The arguments that the build gives to CMake in a new folder, where PATH has these tools alone."""
+    pytest.importorskip("setuptools")
+    path = tmp_path / "bin"
+    shutil.rmtree(path, ignore_errors=True)
+    path.mkdir()
+    program(path / "cmake", f'echo "$*" >> "{path}/arguments"\n')
+    for tool in tools:
+        program(path / tool, "exit 1\n")
+    script = ("import pathlib, sys; sys.path.insert(0, sys.argv[1]); import cmake_build as c; "
+              "c.BuildWithCMake.build(c.BuildWithCMake.__new__(c.BuildWithCMake), pathlib.Path(sys.argv[2]))")
+    subprocess.run([sys.executable, "-c", script, ROOT / "src/python", tmp_path / "build"], check=True,
+                   env={**os.environ, "PATH": str(path), **environment})
+    configure, build = (path / "arguments").read_text().splitlines()
+    assert configure.startswith("-S ") and build.startswith("--build ")
+    return "-G Ninja" in configure
+
+
+def test_the_build_needs_no_make_where_there_is_ninja(tmp_path):
+    assert generator_of(tmp_path, ["ninja"]) and generator_of(tmp_path, ["ninja-build"])
+    assert not generator_of(tmp_path, ["make"])
+    assert not generator_of(tmp_path, ["ninja"], CMAKE_GENERATOR="Unix Makefiles")
+    assert not generator_of(tmp_path, ["ninja"], CMAKE_ARGS="-DX=1 -G'Unix Makefiles'")
+    (tmp_path / "build").mkdir()
+    (tmp_path / "build/CMakeCache.txt").write_text("")
+    assert not generator_of(tmp_path, ["ninja"])
 
 
 def test_pip_installs_the_package(tmp_path):
