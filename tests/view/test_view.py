@@ -108,6 +108,12 @@ class Queries(pages.Pages):
         self.page_of("a.csv", falling(ONE_ULP_SHORT), 0)
         self.assertIn("at the closest approach; the marked points are 1.1e-16 apart", self.readout())
 
+    def test_elements_that_coincide_are_both_seen(self):
+        self.page_of("a.csv", 4 * [(-1, 0, 0), (1, 0, 0)], 1)
+        text = "".join(self.page.pixels(CANVAS))
+        self.assertGreater(text.count("a"), 100)
+        self.assertGreater(text.count("b"), 100)
+
     def test_names_are_text(self):
         name = "<script>window.hacked=1<!--<img src=x onerror=hacked=1>&amp;'\".csv"
         url = self.page_of(name, falling(2), 1)

@@ -17,13 +17,13 @@ function reachOf(from, offset) {
   return most;
 }
 
-/** What is drawn wide lies before what is drawn thin. */
-function liftOf(width) { return width * 4e-4; }
+/** How lines and corners of an element are drawn: what is drawn wide lies before what is drawn thin. */
+function penOf(width) { return {width, corner: 1.3 * width, lift: 4e-4 * width}; }
 
 /** Draws the segment from a point to its end, relative to the point, as far as it is near the view. */
-function drawRay(canvas, from, offset, width, colour, alpha) {
+function drawRay(canvas, from, offset, pen, colour, alpha) {
   if (from.some((x) => Math.abs(x) > kReach)) return;
-  canvas.line(from, added(from, times(offset, reachOf(from, offset))), width, colour, alpha, liftOf(width));
+  canvas.line(from, added(from, times(offset, reachOf(from, offset))), pen.width, colour, alpha, pen.lift);
 }
 
 /** The polygon without its part beyond the limit of a coordinate. */
@@ -50,28 +50,29 @@ function drawPart(canvas, from, a, b, colour, alpha) {
 }
 
 /**
- * Draws a point, an edge or a face. foot: a point of it. corners: relative to the foot.
+ * Draws a point, an edge or a face. foot: a point of it. corners: relative to the foot. pen: the width of its lines,
+ * the size of its corners, both in pixels, and the lift of both, as of canvas.line.
  */
-function drawElement(canvas, foot, corners, width, colour, alpha) {
+function drawElement(canvas, foot, corners, pen, colour, alpha) {
   const reachable = foot.every((x) => Math.abs(x) <= kReach);
   if (corners.length === 2) {
-    for (const corner of corners) drawRay(canvas, foot, corner, width, colour, alpha);
+    for (const corner of corners) drawRay(canvas, foot, corner, pen, colour, alpha);
   } else if (corners.length === 3) {
     corners.forEach((corner, i) => {
       const next = corners[(i + 1) % 3];
       if (reachable) drawPart(canvas, foot, corner, next, colour, 0.25 * alpha);
       const a = added(foot, corner), b = added(foot, next);
-      drawBorder(canvas, a, b, width, colour, alpha);
+      drawBorder(canvas, a, b, pen, colour, alpha);
     });
   }
   corners.forEach((corner) => {
     const p = added(foot, corner);
-    if (p.every((x) => Math.abs(x) <= kReach)) canvas.dot(p, width * 1.3, colour, alpha, liftOf(width) + 1e-3);
+    if (p.every((x) => Math.abs(x) <= kReach)) canvas.dot(p, pen.corner, colour, alpha, pen.lift + 1e-3);
   });
 }
 
 /** Draws a segment between two points, as far as it is near the view. */
-function drawBorder(canvas, a, b, width, colour, alpha) {
+function drawBorder(canvas, a, b, pen, colour, alpha) {
   let polygon = [a, b, b];
   for (let k = 0; k < 3; ++k) polygon = cutPolygon(cutPolygon(polygon, k, 1), k, -1);
   if (polygon.length < 2) return;
@@ -79,5 +80,5 @@ function drawBorder(canvas, a, b, width, colour, alpha) {
   for (const r of polygon) {
     if (Math.hypot(r[0] - p[0], r[1] - p[1]) > Math.hypot(q[0] - p[0], q[1] - p[1])) q = r;
   }
-  canvas.line(p, q, width, colour, alpha, liftOf(width));
+  canvas.line(p, q, pen.width, colour, alpha, pen.lift);
 }

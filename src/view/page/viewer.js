@@ -155,10 +155,13 @@ class Viewer {
     this.say(gap, pixels);
   }
 
+  /** The second element has thinner lines, and lies before the first one: where they coincide, both are seen. */
   drawElements(view, place, foot, s, width, colours, alpha) {
     const first = this.picture.first, corners = this.picture.corners.map((_, i) => view(this.motion.corner(i, s)));
-    drawElement(this.canvas, place(foot), corners.slice(0, first), width, colours.a, alpha);
-    drawElement(this.canvas, place(added(foot, this.motion.gap(s))), corners.slice(first), width, colours.b, alpha);
+    const pen = penOf(width), thin = {...pen, width: 0.6 * width, lift: pen.lift + 4e-4};
+    drawElement(this.canvas, place(foot), corners.slice(0, first), pen, colours.a, alpha);
+    const b = place(added(foot, this.motion.gap(s)));
+    drawElement(this.canvas, b, corners.slice(first), thin, colours.b, alpha);
   }
 
   drawPaths(place, shift, share, colours) {
@@ -170,7 +173,7 @@ class Viewer {
       const s = motion.start + (motion.end - motion.start) * i / steps;
       const foot = added(times(motion.carrier(s), share), shift);
       const now = motion.places(s).map((p) => place(added(p, foot)));
-      if (before) now.forEach((p, k) => drawBorder(this.canvas, before[k], p, 1.5, colours.soft, 0.9));
+      if (before) now.forEach((p, k) => drawBorder(this.canvas, before[k], p, penOf(1.5), colours.soft, 0.9));
       before = now;
     }
   }
@@ -181,7 +184,7 @@ class Viewer {
     for (let i = 0; i <= 24; ++i) {
       const s = this.timeline.low + (this.timeline.high - this.timeline.low) * i / 24;
       const now = place(added(this.motion.gap(s), shift));
-      if (before) drawBorder(this.canvas, before, now, 1.5, colours.soft, 0.9);
+      if (before) drawBorder(this.canvas, before, now, penOf(1.5), colours.soft, 0.9);
       before = now;
     }
   }
