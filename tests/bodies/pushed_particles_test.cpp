@@ -79,7 +79,8 @@ TEST_CASE("a frame that falls on strings presses them on the floor, and not thro
     CHECK(result.contacts > 0);
     CHECK(result.highest > 0);
     CHECK(result.highest < 0.05);
-    CHECK(result.substeps < 8 * steps);
+    // At rest, what pushes store is what the integrator released, and no substep is cut for it.
+    CHECK(result.substeps < (solid ? 8 * steps : steps + steps / 4));
   }
 }
 
