@@ -7,7 +7,6 @@
 #   touchstone bench --filter '(simulation|bundled)/' --csv bench.csv
 #   touchstone stress --out stress
 #   touchstone bench --filter '^(link-chain|nut-and-bolt|bundled-curved)/' --csv curved-bench.csv
-# curved-report.csv has the header and the rows of curved motion of a later run of the first command.
 # SPDX-License-Identifier: MIT
 set -euo pipefail
 root=$1
@@ -57,7 +56,7 @@ table_errors() {
   printf '| queries | method | us a query | missed | phantom | late | greatest time error [ulps] |\n'
   printf '|---|---|---:|---:|---:|---:|---:|\n'
   rows report.csv <<'END'
-    get("set") !~ /^(simulation|random|near|bundled)\// || get("queries") == 0 { next }
+    get("set") !~ /^(simulation|random|near|bundled|aligned)\// || get("queries") == 0 { next }
     get("method") !~ /^(closed_form|exact_only|touchstone|touchstone_cgal)$/ && get("method") get("tolerance") !~ /^newton(1e-06|1e-6)$/ { next }
     {
       shown = get("set") == last ? "" : get("set")
@@ -122,17 +121,11 @@ table_cgal() {
 END
 }
 
-table_curvedmachine() {
-  rows curved-report.csv <<'END'
-    NR == 2 { printf "%s, %s, touchstone %s.\n", get("machine"), get("compiler"), get("version") }
-END
-}
-
 table_curvederrors() {
   printf '| queries | method | us a query | missed | phantom | late | greatest time error [ulps] |\n'
   printf '|---|---|---:|---:|---:|---:|---:|\n'
-  rows curved-report.csv <<'END'
-    get("queries") == 0 || get("method") == "touchstone_cgal" { next }
+  rows report.csv <<'END'
+    get("set") !~ /curved|^(link-chain|nut-and-bolt)\// || get("queries") == 0 || get("method") == "touchstone_cgal" { next }
     get("tolerance") != "" && get("tolerance") !~ /^(1e-06|1e-6)$/ { next }
     {
       shown = get("set") == last ? "" : get("set")

@@ -206,7 +206,7 @@ void add_report(CLI::App& program, Command& command) {
       "  FOLDER/report.csv   every number, with version, machine and compiler\n"
       "  FOLDER/simulation.csv  how fast scenes are simulated, and in how much memory\n"
       "  FOLDER/plots/       NAME.svg, NAME.png, and their gnuplot script NAME.gp\n"
-      "in about three minutes. Plots need gnuplot at run time: gnuplot-nox on Debian and Ubuntu, gnuplot on Fedora "
+      "in about four minutes. Plots need gnuplot at run time: gnuplot-nox on Debian and Ubuntu, gnuplot on Fedora "
       "and\n"
       "Arch. Without gnuplot only the scripts are written, and can be drawn later.\n\n"
       "Examples\n"
