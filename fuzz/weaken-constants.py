@@ -32,7 +32,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 # - the tests of `within_radius` in refined_root.cpp: a step from a root that BernsteinCubic certified ends within its
 #   radius, but perhaps after a second step, by a few e where V is steep; they are there for what SimpleRoot promises;
 # - in near_root.cpp the steadiness of the slope, the gap beside a root, which root two polynomials share, the root that
-#   a divisor leaves and the uncertain signs of a part: the search and the interval that it starts from make them hold.
+#   a divisor leaves, the uncertain signs of a part and the reach of Newton iteration: the search and the interval that
+#   it starts from make them hold; nor the error of the time that this iteration ends with: it is far below a double's.
 
 # name, file below src, text there (exactly once), what it becomes
 FAULTS = [
@@ -97,7 +98,10 @@ FAULTS = [
     ("error of a near root", "numbers/near_root.cpp", "kSlack * ((1 + 2 * q) * (v.error + q * std::fabs(v.value)) / steep",
      "kSlack / 256 * ((1 + 2 * q) * (v.error + q * std::fabs(v.value)) / steep"),
     ("a near root that is a double", "numbers/near_root.cpp", "if (side == 0) side = sign_of_rest(nearest);", ""),
-    ("doubt of a sign at a near root", "numbers/near_root.cpp", "? 0 : raise_doubt();\n}\n\n// Sizes", "? 0 : 1;\n}\n\n// Sizes"),
+    ("doubt of a sign at a near root", "numbers/near_root.cpp", "return sign != 0 ? sign : raise_doubt();\n}\n\ntemplate <int Limbs>\nvoid NearRoot<Limbs>::settle()",
+     "return sign != 0 ? sign : 1;\n}\n\ntemplate <int Limbs>\nvoid NearRoot<Limbs>::settle()"),
+    ("error of a sign at a fine time", "numbers/near_root.cpp", "value.error += kSlack * slope",
+     "value.error += 0x1p-20 * kSlack * slope"),
     ("error of a near quotient", "numbers/near_root.cpp", "kGreatestError = 0x1p-52", "kGreatestError = 0x1p-38"),
 ]
 

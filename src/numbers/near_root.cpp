@@ -236,14 +236,95 @@ int NearRoot<Limbs>::sign_of_rest(double time) const {
   return slope != 0 ? -sign * slope : raise_doubt();
 }
 
+/// p at n / 2^bits, times 2^(bits degree), `one` being 2^bits.
+template <int C>
+FixedInt<C + 6> fine_value(const Polynomial<FixedInt<C>, 3>& p, const FixedInt<2>& n, const FixedInt<2>& one) noexcept {
+  return ((p[3] * n + p[2] * one) * n + p[1] * one * one) * n + p[0] * one * one * one;
+}
+template <int C>
+FixedInt<C + 4> fine_value(const Polynomial<FixedInt<C>, 2>& p, const FixedInt<2>& n, const FixedInt<2>& one) noexcept {
+  return (p[2] * n + p[1] * one) * n + p[0] * one * one;
+}
+
+/// Where two roots are close to each other, or a polynomial is almost zero at a root, double-doubles lose too many bits.
+/// This is Newton iteration with exact values of p. Only p's signs on both sides prove that the root is between them:
+/// there is no other root within reach. Sizes in bits: 192 L - 3 of p's coefficients and little more than 126 of n, so
+/// that the sum of four terms is below 192 L - 3 + 3 * 126 + 3 <= 192 L + 383. Of q there are 128 L - 2 + 2 * 126 + 2.
+template <int Limbs>
+auto NearRoot<Limbs>::fine(const Isolated& root) const -> std::optional<Fine> {
+  constexpr double kPerUnit = 1 / kFineUnit, kLeast = 0x1p-60, kFarthest = 0x1p100, kSlack = 1 + 0x1p-20;
+  if (!(near_.value.high >= kLeast && near_.value.high < 1)) return std::nullopt;
+  const auto integer = [](double x) { return FineTime::scaled(std::nearbyint(x), 0); };
+  const FineTime one = integer(kPerUnit);
+  const auto& p = root.p;
+  const BoundedPair slope[] = {bounded(p[1]), bounded(p[2]) * exact_pair(2), bounded(p[3]) * exact_pair(3)};
+  FineTime n = integer(near_.value.high * kPerUnit) + integer(near_.value.low * kPerUnit);
+  double units = 1;  // of the way from near_; two roundings
+  constexpr int kSteps = 6;
+  for (int i = 0; i < kSteps; ++i) {
+    const double value = bounded(fine_value(p, n, one)).value.high * (kFineUnit * kFineUnit * kFineUnit);
+    const double steepness = value_at(slope, 3, bounded(n) * exact_pair(kFineUnit)).value.high;
+    const double step = std::nearbyint(-value / steepness * kPerUnit);
+    if (!(std::fabs(step) < kFarthest)) return std::nullopt;
+    n = n + integer(step);
+    units += std::fabs(step);
+    if (std::fabs(step) <= 2) break;
+  }
+  const double moved = kSlack * units * kFineUnit;
+  if (!(moved + kSlack * kFineReach * kFineUnit < root.reach)) return std::nullopt;
+  const FineTime reach = FineTime::integer(kFineReach);
+  const bool inside = fine_value(p, n - reach, one).sign() * fine_value(p, n + reach, one).sign() < 0;
+  return inside ? std::optional(Fine{n, moved}) : std::nullopt;
+}
+
+template <int Limbs>
+BoundedPair NearRoot<Limbs>::as_pair(const Fine& fine) {
+  constexpr double kSlack = 1 + 0x1p-20;
+  BoundedPair time = bounded(fine.n) * exact_pair(kFineUnit);
+  time.error = kSlack * (time.error + kFineReach * kFineUnit);
+  return time;
+}
+
+/// Makes near_ as good as a double-double allows, if it can.
+template <int Limbs>
+void NearRoot<Limbs>::sharpen() {
+  Isolated* const root = std::get_if<Isolated>(&exact_);
+  const auto closer = root != nullptr ? fine(*root) : std::nullopt;
+  if (!closer) return;
+  near_ = as_pair(*closer);
+  root->reach -= closer->moved;
+}
+
+/// q at the root differs from q at the fine time by at most the bound on its slope in [0, 1] times the way. What both
+/// times are beyond 1 counts in the factor.
+template <int Limbs>
+int NearRoot<Limbs>::fine_sign_at(const Quadratic& q, const Isolated& root) const {
+  constexpr double kSlack = 1 + 0x1p-20;
+  const auto closer = fine(root);
+  if (!closer) return raise_doubt();
+  const FineTime one = FineTime::scaled(1, -kFineBits);
+  BoundedPair value = bounded(fine_value(q, closer->n, one)) * exact_pair(kFineUnit * kFineUnit);
+  const double slope = std::fabs(to_double(q[1])) + 2 * std::fabs(to_double(q[2]));
+  value.error += kSlack * slope * kFineReach * kFineUnit;
+  const int sign = value.sign();
+  return sign != 0 ? sign : raise_doubt();
+}
+
 template <int Limbs>
 void NearRoot<Limbs>::settle() {
-  const double nearest = near_.value.high, rest = near_.value.low;
   constexpr double kLeast = 0x1p-800;
+  const auto lies_between_neighbours = [&] {
+    const double nearest = near_.value.high, rest = near_.value.low;
+    if (!(nearest >= kLeast && nearest <= 1)) return false;
+    const double gap = rest > near_.error ? after(nearest) - nearest : nearest - before(nearest);
+    return std::fabs(rest) + near_.error < gap;
+  };
+  if (!lies_between_neighbours()) {
+    sharpen();
+    if (!lies_between_neighbours()) return doubt_->raise();
+  }
+  const double nearest = near_.value.high, rest = near_.value.low;
   lower_ = upper_ = nearest;
-  if (!(nearest >= kLeast && nearest <= 1)) return doubt_->raise();
-  const double gap = rest > near_.error ? after(nearest) - nearest : nearest - before(nearest);
-  if (!(std::fabs(rest) + near_.error < gap)) return doubt_->raise();
   int side = rest > near_.error ? 1 : rest < -near_.error ? -1 : 0;
   if (side == 0) side = sign_of_rest(nearest);
   if (side < 0) lower_ = before(nearest);
@@ -253,22 +334,23 @@ void NearRoot<Limbs>::settle() {
 
 template <int Limbs>
 template <class P>
-BoundedPair NearRoot<Limbs>::value_of(const P& q) const {
+BoundedPair NearRoot<Limbs>::value_of(const P& q, const BoundedPair& time) const {
   const BoundedPair c[] = {bounded(q[0]), bounded(q[1]), bounded(q[2])};
-  return value_at(c, 3, near_);
+  return value_at(c, 3, time);
 }
 
 template <int Limbs>
 template <class P>
 int NearRoot<Limbs>::sign_of_close(const P& q) const {
   if (is_zero(q)) return 0;
-  const int sign = value_of(q).sign();
+  const int sign = value_of(q, near_).sign();
   if (sign != 0) return sign;
   const Quadratic wide = widened(q);
   if (const Quotient* quotient = std::get_if<Quotient>(&exact_)) {
     return sign_at_quotient(wide, quotient->numerator, quotient->denominator);
   }
-  return certainly_vanishes(wide, std::get<Isolated>(exact_)) ? 0 : raise_doubt();
+  const Isolated& root = std::get<Isolated>(exact_);
+  return certainly_vanishes(wide, root) ? 0 : fine_sign_at(wide, root);
 }
 template <int Limbs>
 int NearRoot<Limbs>::close_sign_at(const Quadratic& q) const {
@@ -329,10 +411,19 @@ double NearRoot<Limbs>::quotient_of(const P& numerator, const P& denominator) co
   // For n and d off by a and b, n / d is off by at most (a + |n / d| b) / (|d| - b); |n / d| is at most about 1.
   constexpr double kGreatestError = 0x1p-52;
   constexpr double kSlack = 1 + 0x1p-20;
-  const BoundedPair n = value_of(numerator), d = value_of(denominator);
-  const double size = std::fabs(d.value.high), quotient = n.value.high / d.value.high;
-  const double error = kSlack * (n.error + std::fabs(quotient) * d.error);
-  if (!(error <= kGreatestError * (size - kSlack * d.error))) doubt_->raise();
+  double quotient = 0;
+  const auto is_good = [&](const BoundedPair& time) {
+    const BoundedPair n = value_of(numerator, time), d = value_of(denominator, time);
+    const double size = std::fabs(d.value.high);
+    quotient = n.value.high / d.value.high;
+    const double error = kSlack * (n.error + std::fabs(quotient) * d.error);
+    return error <= kGreatestError * (size - kSlack * d.error);
+  };
+  if (!is_good(near_)) {
+    const Isolated* const root = std::get_if<Isolated>(&exact_);
+    const auto closer = root != nullptr ? fine(*root) : std::nullopt;
+    if (!closer || !is_good(as_pair(*closer))) doubt_->raise();
+  }
   return quotient > 0 ? std::min(quotient, 1.0) : 0.0;  // never -0
 }
 template <int Limbs>
@@ -523,6 +614,12 @@ template <class P>
 void NearRoots<Limbs>::isolate_cubic(const P& p) {
   Pairs c;
   for (int i = 0; i < 4; ++i) c[static_cast<std::size_t>(i)] = bounded(p[i]);
+  // Without a root of its derivative it is monotone, even where the three roots almost coincide.
+  if ((c[2] * c[2] - exact_pair(3) * c[1] * c[3]).sign() < 0) {
+    const int sign = p[0].sign();
+    if ((p[0] + p[1] + p[2] + p[3]).sign() != sign) push_simple(p, 4, 0, 1, sign);
+    return;
+  }
   // Between its critical points and its inflection a cubic is monotone and convex or concave.
   const double c1 = c[1].value.high, c2 = c[2].value.high, c3 = c[3].value.high;
   std::array<double, 5> ends = {0, 1, 1, 1, 1};

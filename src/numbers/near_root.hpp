@@ -171,10 +171,24 @@ class NearRoot {
     return result;
   }
 
+  /// A time n / 2^kFineBits near an isolated root, which is certainly less than kFineReach / 2^kFineBits away.
+  using FineTime = FixedInt<2>;
+  static constexpr int kFineBits = 126;
+  static constexpr double kFineUnit = 0x1p-126;
+  static constexpr int kFineReach = 16;
+  struct Fine {
+    FineTime n;
+    double moved;  ///< at least its distance from near_
+  };
+  std::optional<Fine> fine(const Isolated& root) const;
+  static BoundedPair as_pair(const Fine& fine);
+  void sharpen();
+  int fine_sign_at(const Quadratic& q, const Isolated& root) const;
+
   /// This root as a quotient, when it is held as one.
   std::optional<Quotient> rational() const;
   template <class P>
-  BoundedPair value_of(const P& q) const;
+  BoundedPair value_of(const P& q, const BoundedPair& time) const;
   template <class P>
   int sign_of_close(const P& q) const;
   int close_sign_at(const Quadratic& q) const;

@@ -3,6 +3,9 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
+
+#include <gmpxx.h>
 
 #include "numbers/near_root.hpp"
 #include "numbers/real_root.hpp"
@@ -160,6 +163,81 @@ TEST_CASE("near roots and signs there are the exact ones") {
   CHECK(static_cast<std::size_t>(tally.roots) > polynomials / 2);
   CHECK(static_cast<std::size_t>(tally.zeros) > polynomials / 10);
   CHECK(static_cast<std::size_t>(tally.doubts) * 500 < polynomials);
+}
+
+namespace {
+
+template <int Limbs>
+FixedInt<Limbs> fixed(const mpz_class& integer) {
+  FixedInt<Limbs> magnitude;
+  for (int limb = 0; limb < Limbs; ++limb) {
+    magnitude.set_limb(limb, mpz_getlimbn(integer.get_mpz_t(), limb));
+  }
+  return sgn(integer) < 0 ? -magnitude : magnitude;
+}
+
+}  // namespace
+
+TEST_CASE("signs that are almost zero, at roots that almost coincide, are the exact ones or in doubt") {
+  // (2^k t - n)^2 = 2 s^2, perhaps times t + 1: the roots are (n +- s sqrt(2)) / 2^k. Each q vanishes at a root but for
+  // the bits of sqrt(2) that it leaves out. With s^2 in place of 2 s^2 the roots are doubles.
+  tests::Rng rng(2027);
+  Tally tally;
+  long signs = 0, weights = 0;
+  const std::size_t polynomials = tests::effort(4000);
+  for (std::size_t i = 0; i < polynomials; ++i) {
+    const int k = rng.between(20, 52), m = rng.between(30, 90), s = rng.between(1, 9);
+    const mpz_class power = mpz_class(1) << k;
+    const mpz_class n = (power >> 8) + mpz_class(static_cast<unsigned long>(rng.bits() >> 2)) % (power - (power >> 7));
+    const bool is_cubic = rng.one_in(2);
+    const int square = (rng.one_in(4) ? 1 : 2) * s * s;
+    const mpz_class c0 = n * n - square, c1 = -2 * power * n, c2 = power * power;
+    Polynomial<FixedInt<6>, 3> p;
+    p[0] = fixed<6>(c0);
+    p[1] = fixed<6>(is_cubic ? mpz_class(c1 + c0) : c1);
+    p[2] = fixed<6>(is_cubic ? mpz_class(c2 + c1) : c2);
+    if (is_cubic) p[3] = fixed<6>(c2);
+    Doubt doubt;
+    const NearRoots<2> near(p, 1, doubt);
+    if (doubtful(doubt, tally)) continue;
+    const RootList real = isolate_roots(to_exact(p), Exact(1));
+    REQUIRE(near.size() == real.size());
+    const mpz_class bits = sqrt(mpz_class(square) << (2 * m));
+    for (int j = 0; j < near.size(); ++j) {
+      INFO(p[0].limb(0) << "..., k = " << k << ", m = " << m << ", s = " << s << ", root " << j << " at "
+                        << real[j].lower());
+      REQUIRE(near[j].lower() == real[j].lower());
+      REQUIRE(near[j].upper() == real[j].upper());
+      for (const int side : {-1, 1}) {
+        for (const int missing : {-1, 0, 1}) {
+          // 2^(k + m) t - 2^m n -+ floor(2^m s sqrt(2)) + missing, perhaps times 1 + t.
+          const mpz_class slope = power << m, rest = -(n << m) - side * bits + missing;
+          Polynomial<FixedInt<4>, 2> q;
+          q[0] = fixed<4>(rest);
+          q[1] = fixed<4>(is_cubic ? mpz_class(slope + rest) : slope);
+          if (is_cubic) q[2] = fixed<4>(slope);
+          const int sign = near[j].sign_at(q);
+          if (doubtful(doubt, tally)) continue;
+          ++signs;
+          REQUIRE(sign == real[j].sign_at(to_exact(q)));
+        }
+      }
+      // 1 / (1 + t), but for factors that are small at the root.
+      Polynomial<FixedInt<4>, 2> numerator, denominator;
+      numerator[0] = fixed<4>(-n + 3 * s);
+      numerator[1] = fixed<4>(power);
+      denominator[0] = fixed<4>(-n + 3 * s);
+      denominator[1] = fixed<4>(mpz_class(power - n + 3 * s));
+      denominator[2] = fixed<4>(power);
+      const double quotient = near[j].quotient(numerator, denominator);
+      if (doubtful(doubt, tally)) continue;
+      ++weights;
+      REQUIRE(std::abs(quotient - real[j].quotient(numerator, denominator)) <= 0x1p-49);
+    }
+  }
+  std::printf("%ld signs, %ld weights, %ld doubts\n", signs, weights, tally.doubts);
+  CHECK(static_cast<std::size_t>(signs) > 8 * polynomials);
+  CHECK(static_cast<std::size_t>(weights) > polynomials);
 }
 
 TEST_CASE("a near root that is a double, or beside one, has the right neighbours") {
