@@ -136,8 +136,7 @@ SEPARATION_FAULTS = [
 
 # Of curved queries: the fuzzer and the checker of proofs know none of these, only tests/curved does.
 #
-# Without a line below: a certain sign at a part's start, in curved_bracket.cpp, as another test is uncertain, too; and
-# kStretched of curved_chords.cpp, which the bulge of any turn hides that makes quaternions' lengths matter.
+# Without a line below: a certain sign at a part's start, in curved_bracket.cpp, as another test is uncertain, too.
 CURVED_FAULTS = [
     ("size of a separation along a direction", "filters/curved_paths.cpp", " + reach(direction, separation)", ""),
     ("guard of a direction that overflows", "filters/curved_paths.cpp", "if (!(sum <= kMostSum)) return false;", ""),
@@ -161,6 +160,7 @@ CURVED_FAULTS = [
     ("roundings of a derivative", "filters/curved_form.cpp", "4 * kRounding * p.size) + kUnderflow",
      "4 / 16.0 * kRounding * p.size) + kUnderflow"),
     ("bulge of a chord", "filters/curved_chords.cpp", "kBulge = 0.97;", "kBulge = 0.97 / 16;"),
+    ("kTurnedError of chords", "filters/curved_chords.cpp", "kTurnedError = 46 *", "kTurnedError = 46 / 16.0 *"),
     ("kPlaceError of chords", "filters/curved_chords.cpp", "kPlaceError = 4 *", "kPlaceError = 4 / 16.0 *"),
     ("quaternions of other lengths", "filters/curved_chords.cpp", " && std::fabs(n1 - n0) <= kMostStretch * n0", ""),
     ("deviation of chords beside a separation", "filters/curved_chords.cpp", "separation.distance + chords.deviation",

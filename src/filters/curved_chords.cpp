@@ -20,12 +20,14 @@ using EndsVector = geometry::Vector<Ends>;
 
 // A corner X of a body that turns leaves its chord, the straight motion between the ends of its path, by at most 0.55
 // d^2 |X|, where d is the distance of the quaternions q0 / |q0| and q1 / |q1|: see body_colliders.cpp, whose bound is
-// for quaternions of length 1 with d^2 <= 2. Here |q1 - q0|^2 / |q0|^2 stands for d^2. For |q1| = (1 + r) |q0| it is (1
-// + r) d^2 + r^2: not less but by a relative r. Then the body is at t' in place of t on its arc, with |t' - t| <= r /
-// 4, up to second order. It turns by at most 4 rad in a unit of time, so that X is off by at most r |X|. The lengths'
-// squares are within kMostStretch of each other, relatively: r < 2^-40. With L the largest coordinate of X, |X| <=
-// 1.7321 L.
-constexpr double kBulge = 0.97;  // 0.56 * 1.7321; the rest is for the rounding of d^2
+// for quaternions of length 1 with d^2 <= 2. With L the largest coordinate of X, |X| <= 1.7321 L.
+//
+// Here the lengths differ: |q1| = (1 + r) |q0|, and |q1 - q0|^2 / |q0|^2, which is (1 + r) d^2 + r^2, stands for d^2: it
+// is not less but by a relative r. At the time t the body is where quaternions of length 1 are at t', with |t' - t| <= r
+// / 4, up to second order. The chord moves by 2 d |X| at most, and by r d |X| / 2 from t to t': that is at most 0.866 r
+// d L <= 0.008 d^2 L + 24 r^2 L. The lengths' squares are within kMostStretch of each other, relatively: r < 2^-40, and
+// 24 r^2 < 2^-75.
+constexpr double kBulge = 0.97;  // 0.55 * 1.7321 + 0.008; the rest is for the rounding of d^2
 constexpr double kMostDistance = 1;
 constexpr double kMostStretch = 0x1p-40;
 
@@ -33,9 +35,9 @@ constexpr double kMostStretch = 0x1p-40;
 // 3 of them times a coordinate, at most n |X| in all: off by 9 e n L for the entries and 3 e n |X| for the products and
 // sums, 14.2 e n L together. n is off by 3 e n, its inverse by 4 e relatively, the product by 5 e: 8.7 e L. Positions
 // relative to the origin are rounded once: with P the largest, e P, and the sum e (1.8 L + P). In all 25 e L + 2 e P
-// along an axis, and 44 e L + 3.5 e P in length. The part of L is far below r |X|. The rest is for second-order terms
-// and the rounding of the bound.
-constexpr double kStretched = 0x1p-39;
+// along an axis, and 44 e L + 3.5 e P in length. The rest is for 24 r^2, terms of second order, and the rounding of the
+// bound.
+constexpr double kTurnedError = 46 * 0x1p-53;
 constexpr double kPlaceError = 4 * 0x1p-53;
 
 // Then nothing underflows by more than the rest above allows, and nothing overflows.
@@ -75,7 +77,7 @@ bool make_turns(const RigidMotion& motion, const EndsVector& origin, Turns& turn
   const double apart = (square(b[0] - a[0]) + square(b[1] - a[1])) + (square(b[2] - a[2]) + square(b[3] - a[3]));
   const double distance = apart * turns.per_square.v[0];
   if (!(distance <= kMostDistance)) return false;
-  turns.bulge = kBulge * distance + kStretched;
+  turns.bulge = kBulge * distance + kTurnedError;
   const Ends xy = x * y, xz = x * z, yz = y * z, wx = w * x, wy = w * y, wz = w * z;
   turns.rows = {{{{(ww + xx) - (yy + zz), 2.0 * (xy - wz), 2.0 * (xz + wy)}},
                  {{2.0 * (xy + wz), (ww + yy) - (xx + zz), 2.0 * (yz - wx)}},

@@ -115,11 +115,12 @@ double worst_share(std::uint64_t seed, const Plan& plan) {
 
 TEST_CASE("the filter's chords: no corner leaves them by more than their bound, and some nearly by as much") {
   const double turning = worst_share(kSeed, {1, 0, 1});
-  worst_share(kSeed + 1, {1, 0x1p-41, 1});  // lengths differ by as much as they may
-  const double far = worst_share(kSeed + 2, {1e-9, 0, 0x1p20});
-  std::printf("corners leave their chords by up to %.2g of the bound, far from the origin by rounding %.2g\n", turning,
-              far);
+  for (const double turn : {1.0, 0x1p-20, 0x1p-40}) worst_share(kSeed + 1, {turn, 0x1p-41, 1});  // the most stretch
+  const double near = worst_share(kSeed + 3, {1e-9, 0x1p-41, 0x1p-20}), far = worst_share(kSeed + 2, {1e-9, 0, 0x1p20});
+  std::printf("corners leave their chords by up to %.2g of the bound, by rounding %.2g, far from the origin %.2g\n",
+              turning, near, far);
   CHECK(turning > 0.125);
+  CHECK(near > 0.125);
   CHECK(far > 0.125);
 }
 
