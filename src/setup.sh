@@ -170,8 +170,8 @@ try_to_install() {
   esac
 }
 
-# install_missing [fuzz|tests]: what the build needs, what fuzzing needs when asked, and the optional tools, those of the
-# tests when asked.
+# install_missing [fuzz|tests]: what the build needs, what fuzzing needs when asked, and the optional tools, those of
+# the tests when asked.
 install_missing() {
   local -a needs missing
   local manager trouble='still missing after the install'

@@ -149,9 +149,9 @@ void SparseSolver::Impl::add_ties_times(const Vector& in, Vector& out) const {
   y[size] = 0;
 }
 
-/// Conjugate gradients, with the factor of the matrix of the pattern as preconditioner. That matrix times z is r, so that
-/// its product with a direction follows from that with the direction before, as the direction does. Such a product is as
-/// far off as the factor's solution z is, which is the error that a direct solve would have.
+/// Conjugate gradients, with the factor of the matrix of the pattern as preconditioner. That matrix times z is r, so
+/// that its product with a direction follows from that with the direction before, as the direction does. Such a product
+/// is as far off as the factor's solution z is, which is the error that a direct solve would have.
 void SparseSolver::Impl::iterate(Vector& right) const {
   const auto numbers = [](auto& v) { return BlockMatrix::numbers(v); };
   Vector x = matrix.zero(), z = right;

@@ -246,10 +246,11 @@ FixedInt<C + 4> fine_value(const Polynomial<FixedInt<C>, 2>& p, const FixedInt<2
   return (p[2] * n + p[1] * one) * n + p[0] * one * one;
 }
 
-/// Where two roots are close to each other, or a polynomial is almost zero at a root, double-doubles lose too many bits.
-/// This is Newton iteration with exact values of p. Only p's signs on both sides prove that the root is between them:
-/// there is no other root within reach. Sizes in bits: 192 L - 3 of p's coefficients and little more than 126 of n, so
-/// that the sum of four terms is below 192 L - 3 + 3 * 126 + 3 <= 192 L + 383. Of q there are 128 L - 2 + 2 * 126 + 2.
+/// Where two roots are close to each other, or a polynomial is almost zero at a root, double-doubles lose too many
+/// bits. This is Newton iteration with exact values of p. Only p's signs on both sides prove that the root is between
+/// them: there is no other root within reach. Sizes in bits: 192 L - 3 of p's coefficients and little more than 126 of
+/// n, so that the sum of four terms is below 192 L - 3 + 3 * 126 + 3 <= 192 L + 383. Of q there are 128 L - 2 + 2 * 126
+/// + 2.
 template <int Limbs>
 auto NearRoot<Limbs>::fine(const Isolated& root) const -> std::optional<Fine> {
   constexpr double kPerUnit = 1 / kFineUnit, kLeast = 0x1p-60, kFarthest = 0x1p100, kSlack = 1 + 0x1p-20;

@@ -131,7 +131,8 @@ TEST_CASE("a large system with contacts is solved to a hundredth, in the measure
   linear::PatternCache cache;
   // Corners from two elements that are apart; and along a chain, whose pattern has some of their blocks and not others.
   const bool chain = GENERATE(false, true);
-  // The solver's residual follows from products that it does not make: stiff blocks show whether it leaves the true one.
+  // The solver's residual follows from products that it does not make: stiff blocks show whether it leaves the true
+  // one.
   const double stiffness = GENERATE(1.0, 1e6, 1e12);
   CAPTURE(chain, stiffness);
   linear::Blocks blocks;
