@@ -8,8 +8,11 @@ namespace touchstone::sim {
 NewtonMatrix::NewtonMatrix(const System& system, linear::PatternCache& cache, const linear::Cancellation& cancel)
     : free_(static_cast<std::size_t>(system.size()), -1), joint_offset_(system.stretch_elements.size()) {
   int count = 0;
+  std::vector<int> coordinates;
   for (std::size_t i = 0; i < free_.size(); ++i) {
-    if (!system.fixed[i]) free_[i] = count++;
+    if (system.fixed[i]) continue;
+    free_[i] = count++;
+    coordinates.push_back(i < 3 * system.particle_count() ? static_cast<int>(i) : -1);
   }
   linear::Blocks cliques;
   for (const StretchElement& element : system.stretch_elements) {
@@ -41,7 +44,7 @@ NewtonMatrix::NewtonMatrix(const System& system, linear::PatternCache& cache, co
   add_cliques(system.cloth.membranes);
   hinge_offset_ = cliques.size();
   add_cliques(system.cloth.hinges);
-  solver_ = std::make_unique<linear::SparseSolver>(count, std::move(cliques), cache, cancel);
+  solver_ = std::make_unique<linear::SparseSolver>(count, std::move(cliques), std::move(coordinates), cache, cancel);
 }
 
 void NewtonMatrix::set_contacts(std::span<const ContactTerm> contacts) {
@@ -82,7 +85,7 @@ void NewtonMatrix::hinge(std::size_t element, const HingeMatrix& block) {
   solver_->add(hinge_offset_ + element, block.data());
 }
 
-VectorX NewtonMatrix::direction(const VectorX& gradient) const {
+VectorX NewtonMatrix::direction(const VectorX& gradient) {
   VectorX right(solver_->size());
   for (std::size_t i = 0; i < free_.size(); ++i) {
     if (free_[i] >= 0) right[free_[i]] = -gradient[static_cast<Eigen::Index>(i)];

@@ -32,11 +32,11 @@ class NewtonMatrix final : public BlockSink {
     solver_->add_contact(number, term.omega, block);
   }
 
-  /// False when the matrix is not positive definite.
+  /// False when the matrix is known not to be positive definite.
   bool factorise() { return solver_->factorise(); }
 
-  /// -H^-1 gradient, zero in the fixed coordinates.
-  VectorX direction(const VectorX& gradient) const;
+  /// -H^-1 gradient, zero in the fixed coordinates; approximate where SparseSolver::solve is.
+  VectorX direction(const VectorX& gradient);
 
  private:
   std::vector<int> free_;  // the unknown of each coordinate, -1 for a fixed one

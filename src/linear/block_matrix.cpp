@@ -11,6 +11,9 @@ namespace {
 
 constexpr int kNone = -1;
 
+// Unknowns of a component whose factor fills up, from which on multigrid takes less time than the factor.
+constexpr int kLeastSheet = 3000;
+
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 template <class Number>
@@ -72,10 +75,12 @@ void Diagonal<Number>::assemble(const Patterns& patterns) {
   }
   analysed = false;
   dense = nullptr;
-  if constexpr (lanes<Number> == 1) {
-    if (std::any_of(patterns.begin(), patterns.end(), [](const auto& pattern) { return pattern->fills_up; }))
-      dense = std::make_unique<SupernodalFactor>(size, matrix.outerIndexPtr(), matrix.innerIndexPtr());
-  }
+}
+
+template <class Number>
+void Diagonal<Number>::take_dense() {
+  const auto size = static_cast<int>(matrix.rows());
+  dense = std::make_unique<SupernodalFactor>(size, matrix.outerIndexPtr(), matrix.innerIndexPtr());
 }
 
 template <class Number>
@@ -109,7 +114,7 @@ void Diagonal<Number>::apply_inverse(Vector&& x) const {
   x = factor.solve(x);
 }
 
-void BlockMatrix::take_pattern(int size, const Blocks& all, PatternCache* cache) {
+void BlockMatrix::take_pattern(int size, const Blocks& all, const std::vector<int>& coordinates, PatternCache* cache) {
   const Components components = components_of(size, all);
   const std::size_t count = components.sizes.size();
   std::vector<Blocks> local_blocks(count);
@@ -136,18 +141,31 @@ void BlockMatrix::take_pattern(int size, const Blocks& all, PatternCache* cache)
     if (fresh) groups.emplace_back();
     groups[found->second].push_back(c);
   }
+  std::vector<bool> of_points(count, !coordinates.empty());  // each component: whether its unknowns are coordinates
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    if (coordinates[i] < 0) of_points[at(components.of[i])] = false;
+  }
   struct Slot {
     int unknown = 0, entry = 0, lane = kNone;
+    bool sheet = false;
   };
   std::vector<Slot> places(count);
-  std::vector<std::shared_ptr<const SparsePattern>> by_four, by_one;
-  Slot four{0, 0, 0}, one;
+  std::vector<std::shared_ptr<const SparsePattern>> by_four, by_one, in_sheets;
+  Slot four{0, 0, 0, false}, one, sheet{0, 0, kNone, true};
   const auto next = [](Slot& place, const SparsePattern& pattern) {
     place.unknown += pattern.size;
     place.entry += static_cast<int>(pattern.row.size());
   };
   for (const auto& group : groups) {
     const auto& pattern = patterns_[group[0]];
+    if (pattern->fills_up && pattern->size >= kLeastSheet && of_points[group[0]]) {
+      for (const std::size_t c : group) {
+        places[c] = sheet;
+        in_sheets.push_back(pattern);
+        next(sheet, *pattern);
+      }
+      continue;
+    }
     const std::size_t in_fours = pattern->fills_up ? 0 : group.size() - group.size() % FourDoubles::kCount;
     for (std::size_t i = 0; i < in_fours; ++i) {
       four.lane = static_cast<int>(i % FourDoubles::kCount);
@@ -164,12 +182,17 @@ void BlockMatrix::take_pattern(int size, const Blocks& all, PatternCache* cache)
   }
   fours_.assemble(by_four);
   alone_.assemble(by_one);
+  if (std::any_of(by_one.begin(), by_one.end(), [](const auto& pattern) { return pattern->fills_up; }))
+    alone_.take_dense();
+  sheets_.assemble(in_sheets);
+  const int first_alone = FourDoubles::kCount * four.unknown, first_of_sheets = first_alone + one.unknown;
   where_.resize(at(size));
   for (std::size_t i = 0; i < where_.size(); ++i) {
     const std::size_t c = at(components.of[i]);
     const int number = places[c].unknown + patterns_[c]->numbers[at(components.local[i])];
-    where_[i] = places[c].lane == kNone ? FourDoubles::kCount * four.unknown + number
-                                        : FourDoubles::kCount * number + places[c].lane;
+    where_[i] = places[c].sheet           ? first_of_sheets + number
+                : places[c].lane == kNone ? first_alone + number
+                                          : FourDoubles::kCount * number + places[c].lane;
   }
   blocks_.assign(all.size(), {});
   for (std::size_t b = 0; b < all.size(); ++b) {
@@ -179,23 +202,43 @@ void BlockMatrix::take_pattern(int size, const Blocks& all, PatternCache* cache)
     BlockPlace& own = blocks_[b];
     own.places = patterns_[c]->places.data() + patterns_[c]->place_first[at(block_number[b])];
     own.stride = place.lane == kNone ? 1 : FourDoubles::kCount;
-    own.values = place.lane == kNone ? alone_.matrix.valuePtr() + place.entry
-                                     : fours_.matrix.valuePtr()[place.entry].each.data() + place.lane;
+    own.values = place.sheet           ? sheets_.matrix.valuePtr() + place.entry
+                 : place.lane == kNone ? alone_.matrix.valuePtr() + place.entry
+                                       : fours_.matrix.valuePtr()[place.entry].each.data() + place.lane;
   }
+  grid_ = nullptr;
+  if (in_sheets.empty()) return;
+  std::vector<int> coordinates_there(at(sheet.unknown));
+  for (std::size_t i = 0; i < where_.size(); ++i) {
+    if (where_[i] >= first_of_sheets) coordinates_there[at(where_[i] - first_of_sheets)] = coordinates[i];
+  }
+  Blocks blocks_there;
+  for (std::size_t b = 0; b < all.size(); ++b) {
+    if (component_of_block[b] == kNone || !places[at(component_of_block[b])].sheet) continue;
+    blocks_there.push_back(all[b]);
+    for (int& i : blocks_there.back()) {
+      if (i >= 0) i = where_[at(i)] - first_of_sheets;
+    }
+  }
+  grid_ = std::make_unique<Multigrid>(coordinates_there, blocks_there, sheets_.matrix.outerIndexPtr(),
+                                      sheets_.matrix.innerIndexPtr());
 }
 
 double* BlockMatrix::entry(int unknown, int other) {
   const int first_alone = FourDoubles::kCount * static_cast<int>(fours_.matrix.rows());
-  const int a = place(unknown), b = place(other);
-  if (a >= first_alone && b >= first_alone) return alone_.entry(a - first_alone, b - first_alone);
-  if (a >= first_alone || b >= first_alone || a % FourDoubles::kCount != b % FourDoubles::kCount) return nullptr;
-  double* const found = fours_.entry(a / FourDoubles::kCount, b / FourDoubles::kCount);
-  return found == nullptr ? nullptr : found + a % FourDoubles::kCount;
+  const int first_of_sheets = first_alone + static_cast<int>(alone_.matrix.rows());
+  const auto [low, high] = std::minmax({place(unknown), place(other)});
+  if (low >= first_of_sheets) return sheets_.entry(low - first_of_sheets, high - first_of_sheets);
+  if (low >= first_alone && high < first_of_sheets) return alone_.entry(low - first_alone, high - first_alone);
+  if (high >= first_alone || low % FourDoubles::kCount != high % FourDoubles::kCount) return nullptr;
+  double* const found = fours_.entry(low / FourDoubles::kCount, high / FourDoubles::kCount);
+  return found == nullptr ? nullptr : found + low % FourDoubles::kCount;
 }
 
 void BlockMatrix::clear() {
   fours_.matrix.coeffs().setConstant(0);
   alone_.matrix.coeffs().setConstant(0);
+  sheets_.matrix.coeffs().setConstant(0);
 }
 
 void BlockMatrix::add(std::size_t block, const std::vector<int>& unknowns, const double* column_major) {
@@ -211,12 +254,33 @@ void BlockMatrix::add(std::size_t block, const std::vector<int>& unknowns, const
   }
 }
 
-bool BlockMatrix::factorise() { return fours_.factorise() && alone_.factorise(); }
+bool BlockMatrix::factorise() {
+  approximate_ = grid_ != nullptr;
+  return fours_.factorise() && alone_.factorise() && (grid_ == nullptr || grid_->set(sheets_.matrix.valuePtr()));
+}
+
+bool BlockMatrix::factorise_sheets() {
+  if (!sheets_.dense) sheets_.take_dense();
+  approximate_ = false;
+  return sheets_.factorise();
+}
 
 void BlockMatrix::apply_inverse(Vector& x) const {
-  const Eigen::Index fours = fours_.matrix.rows(), singles = alone_.matrix.rows();
+  const Eigen::Index fours = fours_.matrix.rows(), singles = alone_.matrix.rows(), in_sheets = sheets_.matrix.rows();
+  auto others = numbers(x).segment(FourDoubles::kCount * fours, singles + in_sheets);
   if (fours > 0) fours_.apply_inverse(x.head(fours));
-  if (singles > 0) alone_.apply_inverse(numbers(x).segment(FourDoubles::kCount * fours, singles));
+  if (singles > 0) alone_.apply_inverse(others.head(singles));
+  if (in_sheets == 0) return;
+  if (approximate_) {
+    grid_->apply_inverse(others.tail(in_sheets));
+  } else {
+    sheets_.apply_inverse(others.tail(in_sheets));
+  }
+}
+
+void BlockMatrix::multiply_sheets(const Vector& x, Vector& out) const {
+  const Eigen::Index begin = FourDoubles::kCount * fours_.matrix.rows() + alone_.matrix.rows();
+  grid_->multiply(numbers(x).segment(begin, sheets_.matrix.rows()), numbers(out).segment(begin, sheets_.matrix.rows()));
 }
 
 }  // namespace touchstone::linear

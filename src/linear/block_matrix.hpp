@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "linear/four_doubles.hpp"
+#include "linear/multigrid.hpp"
 #include "linear/sparse_pattern.hpp"
 #include "linear/supernodal_factor.hpp"
 
@@ -20,6 +21,7 @@ template <class Number>
 struct Diagonal {
   using Patterns = std::vector<std::shared_ptr<const SparsePattern>>;
   void assemble(const Patterns& patterns);
+  void take_dense();
   double* entry(int row, int column);  ///< null when there is none
   bool factorise();                    ///< false when it is not positive definite
   template <class Vector>
@@ -33,21 +35,24 @@ struct Diagonal {
 
 class BlockMatrix {
  public:
-  /// @param cache  null when this pattern will not come again
-  void take_pattern(int size, const Blocks& blocks, PatternCache* cache);
+  /// @param coordinates  of each unknown: 3 * point + axis, or -1 for an unknown that is no coordinate of a point; may
+  ///   be empty
+  /// @param cache        null when this pattern will not come again
+  void take_pattern(int size, const Blocks& blocks, const std::vector<int>& coordinates, PatternCache* cache);
 
   /// The entry of these two unknowns; null when there is none.
   double* entry(int unknown, int other);
   void clear();
   /// @param unknowns  of this block, as they were given
   void add(std::size_t block, const std::vector<int>& unknowns, const double* column_major);
-  bool factorise();  ///< false when it is not positive definite
+  bool factorise();  ///< false when it is known not to be positive definite
 
-  /// The numbers of all unknowns: first those of components that are solved four by four, then the others. Numbers past
-  /// `size` are 0 and mean nothing.
+  /// The numbers of all unknowns: first those of components that are solved four by four, then the others, and last
+  /// those of large sheets. Numbers past `size` are 0 and mean nothing.
   using Vector = Eigen::Matrix<FourDoubles, Eigen::Dynamic, 1>;
   Vector zero() const {
-    return Vector::Constant(fours_.matrix.rows() + alone_.matrix.rows() / FourDoubles::kCount + 1, 0);
+    const Eigen::Index singles = alone_.matrix.rows() + sheets_.matrix.rows();
+    return Vector::Constant(fours_.matrix.rows() + singles / FourDoubles::kCount + 1, 0);
   }
   static Eigen::Map<Eigen::VectorXd> numbers(Vector& v) {
     return {v.data()->each.data(), FourDoubles::kCount * v.size()};
@@ -57,7 +62,15 @@ class BlockMatrix {
   }
   int place(int unknown) const { return where_[static_cast<std::size_t>(unknown)]; }  ///< among a vector's numbers
 
+  /// x becomes the solution for the right-hand side x; of large sheets an approximate one, while is_approximate().
   void apply_inverse(Vector& x) const;
+  bool is_approximate() const noexcept { return approximate_; }
+
+  /// Sets the numbers of large sheets to those of the matrix times x.
+  void multiply_sheets(const Vector& x, Vector& out) const;
+
+  /// Factorises large sheets, too, until the next factorise(). False when the matrix is not positive definite.
+  bool factorise_sheets();
 
  private:
   struct BlockPlace {
@@ -66,7 +79,9 @@ class BlockMatrix {
     int stride = 1;               // between them
   };
   Diagonal<FourDoubles> fours_;
-  Diagonal<double> alone_;
+  Diagonal<double> alone_, sheets_;
+  std::unique_ptr<Multigrid> grid_;  // of sheets_; null when there are none
+  bool approximate_ = false;         // whether grid_ stands for the factor of sheets_
   std::vector<int> where_;
   std::vector<BlockPlace> blocks_;
   std::vector<std::shared_ptr<const SparsePattern>> patterns_;  // of each component

@@ -22,6 +22,8 @@ constexpr double kResidual = 1e-2;
 
 // Of conjugate gradients.
 constexpr int kMostIterations = 400;
+// Of those with multigrid. They take about as long as the factor of a sheet does, which comes then.
+constexpr int kMostOfMultigrid = 50;
 
 using Vector = BlockMatrix::Vector;
 
@@ -43,6 +45,7 @@ Vector3 gathered(const Tie& tie, std::size_t corner, const double* x) {
 struct SparseSolver::Impl {
   int size = 0;
   Blocks blocks;
+  std::vector<int> coordinates;
   PatternCache* cache = nullptr;
   const Cancellation* cancel = nullptr;
   bool with_contacts = false;  // whether the pattern has entries that only contacts need
@@ -57,7 +60,7 @@ struct SparseSolver::Impl {
   bool fits(const Corners& unknowns, std::size_t a, std::size_t b);
   void take_contacts(const std::vector<Corners>& contacts);
   void add_ties_times(const Vector& in, Vector& out) const;
-  void iterate(Vector& right) const;
+  void iterate(Vector& right);
 
   bool absent(const Tie& tie, std::size_t corner) const {
     const int* const place = tie.at.data() + 3 * corner;
@@ -151,8 +154,9 @@ void SparseSolver::Impl::add_ties_times(const Vector& in, Vector& out) const {
 
 /// Conjugate gradients, with the factor of the matrix of the pattern as preconditioner. That matrix times z is r, so
 /// that its product with a direction follows from that with the direction before, as the direction does. Such a product
-/// is as far off as the factor's solution z is, which is the error that a direct solve would have.
-void SparseSolver::Impl::iterate(Vector& right) const {
+/// is as far off as the factor's solution z is, which is the error that a direct solve would have. For a sheet that is
+/// not factorised, z is an approximation, and products are taken.
+void SparseSolver::Impl::iterate(Vector& right) {
   const auto numbers = [](auto& v) { return BlockMatrix::numbers(v); };
   Vector x = matrix.zero(), z = right;
   auto& r = right;
@@ -162,6 +166,15 @@ void SparseSolver::Impl::iterate(Vector& right) const {
   const double enough = kResidual * kResidual * rz;
   for (int i = 0; i < kMostIterations && rz > enough; ++i) {
     cancel->check();
+    if (matrix.is_approximate() && i == kMostOfMultigrid) {
+      if (!matrix.factorise_sheets()) break;
+      z = r;
+      matrix.apply_inverse(z);
+      p = z;
+      mp = r;
+      rz = numbers(r).dot(numbers(z));
+    }
+    if (matrix.is_approximate()) matrix.multiply_sheets(p, mp);
     hp = mp;
     add_ties_times(p, hp);
     const double curvature = numbers(p).dot(numbers(hp));
@@ -184,13 +197,15 @@ void SparseSolver::Impl::iterate(Vector& right) const {
   right = std::move(x);
 }
 
-SparseSolver::SparseSolver(int size, Blocks blocks, PatternCache& cache, const Cancellation& cancel)
+SparseSolver::SparseSolver(int size, Blocks blocks, std::vector<int> coordinates, PatternCache& cache,
+                           const Cancellation& cancel)
     : impl_(std::make_unique<Impl>()) {
   impl_->size = size;
   impl_->blocks = std::move(blocks);
+  impl_->coordinates = std::move(coordinates);
   impl_->cache = &cache;
   impl_->cancel = &cancel;
-  impl_->matrix.take_pattern(size, impl_->blocks, &cache);
+  impl_->matrix.take_pattern(size, impl_->blocks, impl_->coordinates, &cache);
 }
 
 SparseSolver::~SparseSolver() = default;
@@ -198,13 +213,13 @@ SparseSolver::~SparseSolver() = default;
 void SparseSolver::set_contacts(const std::vector<Corners>& contacts) {
   Impl& own = *impl_;
   // The pattern may still have entries of earlier contacts.
-  if (own.with_contacts) own.matrix.take_pattern(own.size, own.blocks, own.cache);
+  if (own.with_contacts) own.matrix.take_pattern(own.size, own.blocks, own.coordinates, own.cache);
   own.take_contacts(contacts);
   own.with_contacts = own.beside && own.size <= kLargestDirect;
   if (!own.with_contacts) return;
   Blocks all = own.blocks;
   for (const Corners& corners : contacts) all.emplace_back(corners.begin(), corners.end());
-  own.matrix.take_pattern(own.size, all, nullptr);
+  own.matrix.take_pattern(own.size, all, own.coordinates, nullptr);
   own.take_contacts(contacts);
 }
 
@@ -241,12 +256,12 @@ void SparseSolver::add_contact(std::size_t contact, const std::array<double, 4>&
 
 bool SparseSolver::factorise() { return impl_->matrix.factorise(); }
 
-Eigen::VectorXd SparseSolver::solve(const Eigen::VectorXd& right) const {
-  const Impl& own = *impl_;
+Eigen::VectorXd SparseSolver::solve(const Eigen::VectorXd& right) {
+  Impl& own = *impl_;
   Vector vector = own.matrix.zero();
   auto x = BlockMatrix::numbers(vector);
   for (int i = 0; i < own.size; ++i) x[own.matrix.place(i)] = right[i];
-  if (own.beside) {
+  if (own.beside || own.matrix.is_approximate()) {
     own.iterate(vector);
   } else {
     own.matrix.apply_inverse(vector);

@@ -1,5 +1,5 @@
 // Symmetric positive definite systems: sums of small dense blocks, whose pattern never changes, and of contacts, which
-// come and go. Eigen's sparse Cholesky factorises them.
+// come and go. Eigen's sparse Cholesky factorises them; those of large sheets are solved by multigrid.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -16,8 +16,11 @@ namespace touchstone::linear {
 
 class SparseSolver {
  public:
-  /// @param cancel  is checked in each iteration of conjugate gradients, and lives as long as this
-  SparseSolver(int size, Blocks blocks, PatternCache& cache, const Cancellation& cancel = Cancellation::never());
+  /// @param coordinates  of each unknown: 3 * point + axis, or -1 for an unknown that is no coordinate of a point. Empty
+  ///   means that all of them are -1: then no sheet is known as one
+  /// @param cancel       is checked in each iteration of conjugate gradients, and lives as long as this
+  SparseSolver(int size, Blocks blocks, std::vector<int> coordinates, PatternCache& cache,
+               const Cancellation& cancel = Cancellation::never());
   ~SparseSolver();
   SparseSolver(const SparseSolver&) = delete;
   SparseSolver& operator=(const SparseSolver&) = delete;
@@ -36,9 +39,11 @@ class SparseSolver {
   /// once for a contact between calls of clear().
   void add_contact(std::size_t contact, const std::array<double, 4>& omega, const Eigen::Matrix3d& block);
 
-  /// False when the matrix is not positive definite.
+  /// False when the matrix is known not to be positive definite.
   bool factorise();
-  Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
+  /// By conjugate gradients where there are large sheets, or contacts that do not fit the pattern. Where these find that
+  /// the matrix is not positive definite, the solution is a direction along which x^T A x / 2 - right^T x decreases.
+  Eigen::VectorXd solve(const Eigen::VectorXd& right);
 
  private:
   struct Impl;

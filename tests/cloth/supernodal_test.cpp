@@ -156,7 +156,7 @@ TEST_CASE("the factor of a sheet fills up, and that of a cable does not") {
     }
   }
   PatternCache cache;
-  SparseSolver solver(5 * size, five, cache);
+  SparseSolver solver(5 * size, five, {}, cache);
   solver.clear();
   Rng random(3);
   Eigen::VectorXd right(5 * size);

@@ -97,7 +97,7 @@ TEST_CASE("the sparse solver solves what it was given, components side by side o
     }
   }
   linear::PatternCache cache;
-  linear::SparseSolver solver(kSize, blocks, cache);
+  linear::SparseSolver solver(kSize, blocks, {}, cache);
   // One contact after both: the pattern of the two contacts does not outlast them.
   for (const std::size_t contacts : {0, 2, 1, 2, 0}) {
     CAPTURE(contacts);
@@ -137,7 +137,7 @@ TEST_CASE("a large system with contacts is solved to a hundredth, in the measure
   CAPTURE(chain, stiffness);
   linear::Blocks blocks;
   for (int i = 0; i + 6 <= kSize; i += chain ? 3 : 6) blocks.push_back({i, i + 1, i + 2, i + 3, i + 4, i + 5});
-  linear::SparseSolver solver(kSize, blocks, cache);
+  linear::SparseSolver solver(kSize, blocks, {}, cache);
   std::vector<linear::SparseSolver::Corners> corners;
   for (int i = 0; i + 36 < kSize; i += 6) {
     const int k = chain ? i + 6 : i + 30;
@@ -291,7 +291,7 @@ TEST_CASE(
     "where contacts make a large system indefinite beside its pattern, the answer still leads down, and is not zero") {
   constexpr int kSize = 600;
   linear::PatternCache cache;
-  linear::SparseSolver solver(kSize, {}, cache);
+  linear::SparseSolver solver(kSize, {}, {}, cache);
   solver.set_contacts({{0, 1, 2, 30, 31, 32, -1, -1, -1, -1, -1, -1}});
   solver.clear();
   // A contact resists that its two corners come closer; that they move together, only the pattern's diagonal would.
