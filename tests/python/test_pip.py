@@ -22,8 +22,8 @@ def program(path, text):
     path.chmod(0o755)
 
 
-def generator_of(tmp_path, tools, **environment):
-    """The arguments that the build gives to CMake in a new folder, where PATH has these tools alone."""
+def takes_ninja(tmp_path, tools, **environment):
+    """Whether the build asks CMake for Ninja in a new folder, where PATH has these tools alone."""
     pytest.importorskip("setuptools")
     path = tmp_path / "bin"
     shutil.rmtree(path, ignore_errors=True)
@@ -33,21 +33,22 @@ def generator_of(tmp_path, tools, **environment):
         program(path / tool, "exit 1\n")
     script = ("import pathlib, sys; sys.path.insert(0, sys.argv[1]); import cmake_build as c; "
               "c.BuildWithCMake.build(c.BuildWithCMake.__new__(c.BuildWithCMake), pathlib.Path(sys.argv[2]))")
+    own = {name: value for name, value in os.environ.items() if name not in ("CMAKE_ARGS", "CMAKE_GENERATOR")}
     subprocess.run([sys.executable, "-c", script, ROOT / "src/python", tmp_path / "build"], check=True,
-                   env={**os.environ, "PATH": str(path), **environment})
+                   env={**own, "PATH": str(path), **environment})
     configure, build = (path / "arguments").read_text().splitlines()
     assert configure.startswith("-S ") and build.startswith("--build ")
     return "-G Ninja" in configure
 
 
 def test_the_build_needs_no_make_where_there_is_ninja(tmp_path):
-    assert generator_of(tmp_path, ["ninja"]) and generator_of(tmp_path, ["ninja-build"])
-    assert not generator_of(tmp_path, ["make"])
-    assert not generator_of(tmp_path, ["ninja"], CMAKE_GENERATOR="Unix Makefiles")
-    assert not generator_of(tmp_path, ["ninja"], CMAKE_ARGS="-DX=1 -G'Unix Makefiles'")
+    assert takes_ninja(tmp_path, ["ninja"]) and takes_ninja(tmp_path, ["ninja-build"])
+    assert not takes_ninja(tmp_path, ["make"])
+    assert not takes_ninja(tmp_path, ["ninja"], CMAKE_GENERATOR="Unix Makefiles")
+    assert not takes_ninja(tmp_path, ["ninja"], CMAKE_ARGS="-DX=1 -G'Unix Makefiles'")
     (tmp_path / "build").mkdir()
     (tmp_path / "build/CMakeCache.txt").write_text("")
-    assert not generator_of(tmp_path, ["ninja"])
+    assert not takes_ninja(tmp_path, ["ninja"])
 
 
 def test_pip_installs_the_package(tmp_path):
