@@ -16,8 +16,8 @@ namespace touchstone::linear {
 
 class SparseSolver {
  public:
-  /// @param coordinates  of each unknown: 3 * point + axis, or -1 for an unknown that is no coordinate of a point. Empty
-  ///   means that all of them are -1: then no sheet is known as one
+  /// @param coordinates  of each unknown: 3 * point + axis, or -1 for an unknown that is no coordinate of a point.
+  ///   Empty means that all of them are -1: then no sheet is known as one
   /// @param cancel       is checked in each iteration of conjugate gradients, and lives as long as this
   SparseSolver(int size, Blocks blocks, std::vector<int> coordinates, PatternCache& cache,
                const Cancellation& cancel = Cancellation::never());
@@ -41,8 +41,9 @@ class SparseSolver {
 
   /// False when the matrix is known not to be positive definite.
   bool factorise();
-  /// By conjugate gradients where there are large sheets, or contacts that do not fit the pattern. Where these find that
-  /// the matrix is not positive definite, the solution is a direction along which x^T A x / 2 - right^T x decreases.
+  /// By conjugate gradients where there are large sheets, or contacts that do not fit the pattern. Where these find
+  /// that the matrix is not positive definite, the solution is a direction along which x^T A x / 2 - right^T x
+  /// decreases.
   Eigen::VectorXd solve(const Eigen::VectorXd& right);
 
  private:

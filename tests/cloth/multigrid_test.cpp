@@ -180,7 +180,7 @@ TEST_CASE("multigrid multiplies by its matrix, and its inverse is linear, symmet
       CHECK((applied - inverse * x).norm() < 1e-13 * applied.norm());
       grid.multiply(x, product);
       CHECK((product - scale * matrix * x).norm() < 1e-14 * product.norm());
-      // Every sweep lessens the error in the matrix's norm, so that the eigenvalues of the inverse times A are in (0, 1].
+      // Every sweep lessens the error in the matrix's norm: the eigenvalues of the inverse times A are in (0, 1].
       const Matrix root = Eigen::SelfAdjointEigenSolver<Matrix>(scale * Matrix(matrix)).operatorSqrt();
       const Vector values_of_product =
           Eigen::SelfAdjointEigenSolver<Matrix>(root * inverse * root, Eigen::EigenvaluesOnly).eigenvalues();
