@@ -148,7 +148,7 @@ Scene make_hoop(Index edges) {
 Scene make_hoop_rim(Index edges) {
   Scene scene;
   set_hoop_settings(scene.settings);
-  scene.settings.time_step = 1.0 / 240;
+  scene.settings.time_step = 1.0 / 480;
   scene.settings.duration = 4;
   const HoopSize size = hoop_size(edges);
   // The net hangs on hooks, just below the rim and inside of it.

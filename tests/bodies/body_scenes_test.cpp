@@ -108,7 +108,7 @@ TEST_CASE("a ball of springs bounces off a board and a rigid rim, and goes throu
   constexpr double kNetEnd = 1.2, kRim = 0.225;  // m: height of the net's lower end, radius of the rim
   bool met_board = false;
   std::uint64_t after_board = 0;  // contacts with the rim, above the net
-  const std::size_t steps = effort(480);
+  const std::size_t steps = effort(960);
   for (std::size_t i = 0; i < steps && position(simulation.state().q, middle).z() > kNetEnd; ++i) {
     const double before = position(simulation.state().v, middle).x();
     for (const auto& record : simulation.step()) {
