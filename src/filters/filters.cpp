@@ -13,12 +13,11 @@
 
 namespace touchstone::filters {
 
-Decision decide_by_filters(const Question& question, Answer& answer) {
-  const Query& query = question.query;
-  answer.level = Level::filter;
-  if (touch_in_shared_corner(query, question.t_max, answer)) return {Finding::contact, Test::shared_corner};
-  if (boxes_disjoint(query)) return {Finding::no_contact, Test::boxes};
+namespace {
 
+/// What the shared corner and the boxes, which are tests at any scale, leave open.
+Decision decide_by_products(const Question& question, Answer& answer) {
+  const Query& query = question.query;
   // Before the separating directions: most queries that come so far touch, or have a root and pass each other by.
   Finding finding = Finding::uncertain;
   if (has_cubic(query.kind)) {
@@ -34,12 +33,25 @@ Decision decide_by_filters(const Question& question, Answer& answer) {
 
   const Test separation = test_that_separates(query);
   if (separation != Test::none) return {Finding::no_contact, separation};
+  return {};
+}
 
+}  // namespace
+
+Decision decide_by_filters(const Question& question, Answer& answer) {
+  const Query& query = question.query;
+  answer.level = Level::filter;
+  if (touch_in_shared_corner(query, question.t_max, answer)) return {Finding::contact, Test::shared_corner};
+  if (boxes_disjoint(query)) return {Finding::no_contact, Test::boxes};
+  if (!seems_extreme(query)) {
+    const Decision decision = decide_by_products(question, answer);
+    if (decision.finding != Finding::uncertain) return decision;
+    answer.level = Level::filter;
+  }
   const std::optional<Query> scaled = rescaled(query);
-  if (!scaled) return {};
+  if (!scaled) return seems_extreme(query) ? decide_by_products(question, answer) : Decision();
   if (same_side(*scaled)) return {Finding::no_contact, Test::same_side};
-  // A rescaled query is of ordinary size, so it is not rescaled again.
-  return decide_by_filters({*scaled, question.t_max, question.exact_value, question.wanted}, answer);
+  return decide_by_products({*scaled, question.t_max, question.exact_value, question.wanted}, answer);
 }
 
 Finding decide_by_filters(const Query& query, const Separation& separation, double t_max, Answer& answer) {

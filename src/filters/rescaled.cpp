@@ -2,30 +2,77 @@
 #include "filters/rescaled.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace touchstone::filters {
+namespace {
+
+// Beyond these, products of coordinates may be out of the range of the filters' bounds.
+constexpr double kLeast = 0x1p-150;
+constexpr double kGreatest = 0x1p150;
+
+// The filters' bounds are for the largest coordinate along any axis. Where that is so many times the largest one along
+// another axis, they are mostly too large to decide.
+constexpr double kGreatestRatio = 0x1p20;
+
+/// One axis of a query, times a power of two that makes the largest coordinate about 1.
+class Scale {
+ public:
+  explicit Scale(double largest) noexcept {
+    constexpr int kGreatestExponent = 1023;  // so that both powers are doubles, and none is rounded
+    const int exponent = std::clamp(std::ilogb(largest), -kGreatestExponent, kGreatestExponent);
+    down_ = std::ldexp(1, -exponent);
+    up_ = std::ldexp(1, exponent);
+  }
+  Scale() noexcept = default;  ///< for zeros
+
+  double operator()(double x) const noexcept { return x * down_; }
+  /// Whether x was not rounded. Where the product rounds, it underflows, and so the way back up is exact.
+  bool is_exact(double x) const noexcept { return x * down_ * up_ == x; }
+
+ private:
+  double down_ = 1, up_ = 1;
+};
+
+}  // namespace
+
+bool seems_extreme(const Query& query) noexcept {
+  double largest = 0;
+  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+    const Vec3& x = query.start[i];
+    largest = std::max({largest, std::fabs(x.x), std::fabs(x.y), std::fabs(x.z)});
+  }
+  return largest > kGreatest || (largest < kLeast && largest > 0);
+}
 
 std::optional<Query> rescaled(const Query& query) noexcept {
-  // Beyond these, products of coordinates may be out of the range of the filters' bounds.
-  constexpr double kLeast = 0x1p-150;
-  constexpr double kGreatest = 0x1p150;
   const std::size_t count = corner_count(query.kind);
-  double largest = 0;
+  Vec3 largest = {0, 0, 0};
   for (std::size_t i = 0; i < count; ++i) {
     for (const Vec3* x : {&query.start[i], &query.end[i]}) {
-      largest = std::max({largest, std::fabs(x->x), std::fabs(x->y), std::fabs(x->z)});
+      largest.x = std::max(largest.x, std::fabs(x->x));
+      largest.y = std::max(largest.y, std::fabs(x->y));
+      largest.z = std::max(largest.z, std::fabs(x->z));
     }
   }
-  if (largest == 0 || (largest >= kLeast && largest <= kGreatest)) return std::nullopt;
-  const int exponent = std::ilogb(largest);
+  double least = std::numeric_limits<double>::infinity(), greatest = 0;
+  for (const double x : {largest.x, largest.y, largest.z}) {
+    if (x == 0) continue;
+    least = std::min(least, x);
+    greatest = std::max(greatest, x);
+  }
+  if (greatest == 0 || (least >= kLeast && greatest <= kGreatest && greatest <= kGreatestRatio * least)) {
+    return std::nullopt;
+  }
+  const auto scale = [](double x) { return x == 0 ? Scale() : Scale(x); };
+  const Scale along_x = scale(largest.x), along_y = scale(largest.y), along_z = scale(largest.z);
   bool exact = true;
   const auto scaled = [&](const Vec3& x) {
-    const Vec3 y = {std::ldexp(x.x, -exponent), std::ldexp(x.y, -exponent), std::ldexp(x.z, -exponent)};
-    exact = exact && std::ldexp(y.x, exponent) == x.x && std::ldexp(y.y, exponent) == x.y &&
-            std::ldexp(y.z, exponent) == x.z;
-    return y;
+    exact = exact && along_x.is_exact(x.x) && along_y.is_exact(x.y) && along_z.is_exact(x.z);
+    return Vec3{along_x(x.x), along_y(x.y), along_z(x.z)};
   };
   std::optional<Query> result(std::in_place);
   result->kind = query.kind;
