@@ -1,131 +1,15 @@
+// Signs, quotients and comparisons at a near root. near_root_isolation.cpp finds the roots.
 // SPDX-License-Identifier: MIT
 #include "numbers/near_root.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <utility>
+
+#include "numbers/bounded_integers.hpp"
 
 namespace touchstone::numbers {
 namespace {
-
-/// x as a double-double. Limbs from the third on count as long as they reach the 106 bits of one: with a top limb of
-/// one bit, the next two have 128. What is left out is below 2^-127 |x|. Each of the four sums behind the second half
-/// rounds low parts, which are below 5 * 2^-53 |x|, to at most 14 * 2^-106 |x| in all; the bound is below 2^-101 |x|.
-/// One limb is exact.
-template <int Limbs>
-BoundedPair bounded(const FixedInt<Limbs>& x) noexcept {
-  constexpr double kRelative = 0x1p-101;
-  const bool negative = x.sign() < 0;
-  const FixedInt<Limbs> magnitude = negative ? -x : x;
-  int top = Limbs - 1;
-  while (top > 0 && magnitude.limb(top) == 0) --top;
-  const auto half = [](std::uint64_t limb, bool high) {
-    return static_cast<double>(static_cast<std::uint32_t>(high ? limb >> 32 : limb));
-  };
-  double unit = 1;  // of the limb
-  for (int i = 0; i < top; ++i) unit *= 0x1p64;
-  DoubleDouble sum = two_sum(half(magnitude.limb(top), true) * 0x1p32 * unit, half(magnitude.limb(top), false) * unit);
-  for (int i = top - 1; i >= 0 && i >= top - 2; --i) {
-    unit *= 0x1p-64;
-    for (const bool high : {true, false}) {
-      const double part = half(magnitude.limb(i), high) * (high ? 0x1p32 * unit : unit);
-      sum = sum + DoubleDouble{part, 0};
-    }
-  }
-  sum = normalised(sum);
-  if (negative) sum = {-sum.high, -sum.low};
-  return {sum, top == 0 ? 0 : kRelative * std::fabs(sum.high)};
-}
-
-BoundedPair bounded(SmallInt x) noexcept {
-  const std::int64_t low = x.value() & 0xFFFFFFFF;
-  return {two_sum(static_cast<double>(x.value() - low), static_cast<double>(low)), 0};
-}
-
-Bounded rounded(const BoundedPair& x) noexcept { return {x.value.high, std::fabs(x.value.low) + x.error}; }
-
-BoundedPair value_at(const BoundedPair* c, int size, const BoundedPair& t) noexcept {
-  BoundedPair value = c[size - 1];
-  for (int i = size - 2; i >= 0; --i) value = value * t + c[i];
-  return value;
-}
-
-/// A double near the one root of a polynomial in (low, high), by safeguarded Newton iteration; only a hint. A flat
-/// polynomial needs its value in double-doubles.
-double hint(const BoundedPair* c, int size, double low, double high, int sign_low, bool closely) noexcept {
-  if (size == 2) return -c[0].value.high / c[1].value.high;
-  double t = 0.5 * (low + high);
-  if (size == 3) {
-    const double c0 = c[0].value.high, c1 = c[1].value.high, c2 = c[2].value.high;
-    const double sum = -0.5 * (c1 + std::copysign(std::sqrt(std::max(0.0, c1 * c1 - 4 * c0 * c2)), c1));
-    for (const double root : {sum / c2, c0 / sum}) {
-      if (root > low && root < high) t = root;
-    }
-  }
-  constexpr int kIterations = 60;
-  for (int i = 0; i < kIterations; ++i) {
-    double value = c[size - 1].value.high;
-    double slope = (size - 1) * value;
-    for (int k = size - 2; k >= 0; --k) {
-      value = value * t + c[k].value.high;
-      if (k > 0) slope = slope * t + k * c[k].value.high;
-    }
-    if (closely) value = value_at(c, size, exact_pair(t)).value.high;
-    ((value < 0) == (sign_low < 0) ? low : high) = t;
-    double next = t - value / slope;
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
-    const bool converged = std::fabs(next - t) <= 0x1p-49 * t;
-    t = next;
-    if (converged) break;
-  }
-  return t;
-}
-
-struct Located {
-  BoundedPair near;
-  double reach;  ///< the polynomial has no other root so close to `near`
-};
-
-/// The one root of a polynomial in (low, high) inside [0, 1], a simple one; `sign_low` is the polynomial's sign at low,
-/// and the other one is its sign at high. Nothing where the bounds are not good enough.
-///
-/// At t, a hint, p has the value v, off by at most e, and the slope s, off by at most f. In [-1, 2], p' changes by at
-/// most `bend` times the way, bend = 2 |c2| + 12 |c3| >= |p''|. Let d = 2 (|v| + e) / |s|. If f + bend d <= |s| / 4,
-/// then p' keeps its sign within d of t and is at least 3/4 |s|: on the way d, p changes by more than |v| + e, so that
-/// exactly one root lies within d. It is the one in (low, high): t lies there; and where `high` is within d of t, p has
-/// the sign at `high` that it takes after that root, when s has this sign. Likewise for `low`. The root is at
-/// t - V / S, with V the true value and S a mean of p' on the way, off by at most q |s| for q = (f + bend d) / |s|.
-/// With 1 / (1 - q) <= 1 + 2 q for q <= 1/2, the offset -v / s is off by at most (1 + 2 q) (e + q |v|) / |s| and its
-/// own rounding; the rounding of v to a double counts in e. The factor is for the rounding of these lines. Where
-/// f + bend w <= |s| / 2, p' keeps its sign within w of t, so that no other root is there; `reach` is w less d.
-std::optional<Located> locate_from(double t, const BoundedPair* c, int size, int sign_low) noexcept {
-  constexpr double kSlack = 1 + 0x1p-20;
-  const Bounded v = rounded(value_at(c, size, exact_pair(t)));
-  Bounded slope = {0, 0};
-  for (int k = size - 1; k > 0; --k) {
-    slope = slope * Bounded{t, 0} + Bounded{static_cast<double>(k), 0} * rounded(c[k]);
-  }
-  const auto magnitude = [&](int k) { return k < size ? std::fabs(c[k].value.high) : 0; };
-  const double bend = kSlack * (2 * magnitude(2) + 12 * magnitude(3));
-  const double steep = std::fabs(slope.value);
-  const double distance = kSlack * 2 * (std::fabs(v.value) + v.error) / steep;
-  const double q = kSlack * (slope.error + bend * distance) / steep;
-  if (!(q <= 0.25 && distance <= 1 && slope.value * sign_low < 0)) return std::nullopt;
-  const double offset = -v.value / slope.value;
-  const double error =
-      kSlack * ((1 + 2 * q) * (v.error + q * std::fabs(v.value)) / steep + kRounding * std::fabs(offset)) + kUnderflow;
-  const double reach = bend > 0 ? std::min(1.0, (0.5 * steep - slope.error) / (kSlack * bend)) : 1.0;
-  return Located{{two_sum(t, offset), error}, (reach - distance) / kSlack};
-}
-
-std::optional<Located> locate(const BoundedPair* c, int size, double low, double high, int sign_low) noexcept {
-  constexpr double kGoodError = 0x1p-60;
-  const auto located = locate_from(hint(c, size, low, high, sign_low, false), c, size, sign_low);
-  if (located && located->near.error <= kGoodError * located->near.value.high) return located;
-  const auto closer = locate_from(hint(c, size, low, high, sign_low, true), c, size, sign_low);
-  return closer ? closer : located;
-}
 
 /// value * numerator^i * denominator^(size - 1 - i) summed over the coefficients: the sign of the polynomial at the
 /// quotient, whose denominator is positive.
@@ -133,33 +17,6 @@ template <int C, int N>
 int sign_at_quotient(const Polynomial<FixedInt<C>, 2>& q, const FixedInt<N>& numerator,
                      const FixedInt<N>& denominator) noexcept {
   return sign_of((q[0] * denominator + q[1] * numerator) * denominator + q[2] * numerator * numerator);
-}
-
-/// Whether x < limit, for x >= 0.
-bool small(SmallInt x, std::int64_t limit) noexcept { return x.value() < limit; }
-template <int N>
-bool small(const FixedInt<N>& x, std::int64_t limit) noexcept {
-  for (int i = 1; i < N; ++i) {
-    if (x.limb(i) != 0) return false;
-  }
-  return x.limb(0) < static_cast<std::uint64_t>(limit);
-}
-
-std::int64_t low_limb(SmallInt x) noexcept { return x.value(); }
-template <int N>
-std::int64_t low_limb(const FixedInt<N>& x) noexcept {
-  return static_cast<std::int64_t>(x.limb(0));
-}
-
-template <int Limbs>
-Polynomial<FixedInt<3 * Limbs>, 3> widened_cubic(const Polynomial<FixedInt<3 * Limbs>, 3>& p) noexcept {
-  return p;
-}
-template <int Limbs>
-Polynomial<FixedInt<3 * Limbs>, 3> widened_cubic(const Polynomial<SmallInt, 3>& p) noexcept {
-  Polynomial<FixedInt<3 * Limbs>, 3> result;
-  for (int i = 0; i <= 3; ++i) result[i] = p[i].template widened<3 * Limbs>();
-  return result;
 }
 
 template <int Q, int C>
@@ -193,6 +50,18 @@ std::optional<Dyadic> dyadic(double x) noexcept {
   return Dyadic{static_cast<std::int64_t>(significand >> zeros), std::int64_t{1} << shift};
 }
 
+/// The same for lesser doubles, such as times just after 0.
+struct SmallDyadic {
+  FixedInt<4> numerator, denominator;
+};
+
+std::optional<SmallDyadic> small_dyadic(double x) noexcept {
+  constexpr double kLeast = 0x1p-190;  // its last bit is at least 2^-242
+  if (!(x >= kLeast && x <= 1)) return std::nullopt;
+  const int shift = 52 - std::ilogb(x);
+  return SmallDyadic{FixedInt<4>::scaled(x, -shift), FixedInt<4>::scaled(1, -shift)};
+}
+
 }  // namespace
 
 template <int Limbs>
@@ -204,6 +73,9 @@ NearRoot<Limbs> NearRoot<Limbs>::at_double(double time, int multiplicity, Doubt&
   root.lower_ = root.upper_ = time;
   if (const auto exact = dyadic(time)) {
     root.exact_ = Fraction{exact->numerator, exact->denominator};
+  } else if (const auto small = small_dyadic(time)) {
+    root.exact_ =
+        Quotient{small->numerator.template widened<6 * Limbs>(), small->denominator.template widened<6 * Limbs>()};
   } else {
     doubt.raise();
     root.exact_ = Fraction{0, 1};
@@ -223,9 +95,15 @@ auto NearRoot<Limbs>::rational() const -> std::optional<Quotient> {
 /// The sign of (root - time) for a double close by; 0 in doubt, too.
 template <int Limbs>
 int NearRoot<Limbs>::sign_of_rest(double time) const {
-  const auto exact = dyadic(time);
-  if (!exact) return raise_doubt();
-  const auto n = FixedInt<1>::integer(exact->numerator), d = FixedInt<1>::integer(exact->denominator);
+  if (const auto exact = dyadic(time)) {
+    return sign_of_rest(FixedInt<1>::integer(exact->numerator), FixedInt<1>::integer(exact->denominator));
+  }
+  const auto small = small_dyadic(time);
+  return small ? sign_of_rest(small->numerator, small->denominator) : raise_doubt();
+}
+template <int Limbs>
+template <class N>
+int NearRoot<Limbs>::sign_of_rest(const N& n, const N& d) const {
   if (const auto quotient = rational()) return sign_of(quotient->numerator * d - quotient->denominator * n);
   const auto& [p, degree, reach] = std::get<Isolated>(exact_);
   if (!(std::fabs(near_.value.low) + near_.error < reach)) return raise_doubt();
@@ -471,234 +349,7 @@ int NearRoot<Limbs>::compare(const NearRoot& other) const {
   return same ? 0 : raise_doubt();
 }
 
-template <int Limbs>
-void NearRoots<Limbs>::push(Root&& root) {
-  if (doubt_.raised() || root.compare(limit_) > 0) return;
-  roots_[static_cast<std::size_t>(size_++)] = std::move(root);
-}
-
-template <int Limbs>
-void NearRoots<Limbs>::push_double(double time, int multiplicity) {
-  push(Root::at_double(time, multiplicity, doubt_));
-}
-
-/// When it lies in (0, 1).
-template <int Limbs>
-template <class N>
-void NearRoots<Limbs>::push_quotient(const N& numerator, const N& denominator, int multiplicity) {
-  const bool negative = denominator.sign() < 0;
-  const N n = negative ? -numerator : numerator, d = negative ? -denominator : denominator;
-  if (n.sign() <= 0 || (n - d).sign() >= 0) return;
-  const BoundedPair c[] = {bounded(-n), bounded(d)};
-  const auto located = locate(c, 2, 0, 1, -1);
-  if (!located) return doubt_.raise();
-  Root root;
-  constexpr std::int64_t kSmall = std::int64_t{1} << 61;
-  if (small(d, kSmall)) {
-    root.exact_ = typename Root::Fraction{low_limb(n), low_limb(d)};
-  } else {
-    root.exact_ = typename Root::Quotient{n.template widened<6 * Limbs>(), d.template widened<6 * Limbs>()};
-  }
-  root.near_ = located->near;
-  root.multiplicity_ = multiplicity;
-  root.doubt_ = &doubt_;
-  root.settle();
-  push(std::move(root));
-}
-
-template <int Limbs>
-template <class P>
-void NearRoots<Limbs>::push_simple(const P& p, int size, double low, double high, int sign_low) {
-  Pairs c;
-  for (int i = 0; i < size; ++i) c[static_cast<std::size_t>(i)] = bounded(p[i]);
-  const auto located = locate(c.data(), size, low, high, sign_low);
-  if (!located) return doubt_.raise();
-  Root root;
-  root.exact_ = typename Root::Isolated{widened_cubic<Limbs>(p), size - 1, located->reach};
-  root.near_ = located->near;
-  root.doubt_ = &doubt_;
-  root.settle();
-  push(std::move(root));
-}
-
-template <int Limbs>
-void NearRoots<Limbs>::isolate(const Cubic& p) {
-  isolate_all(p);
-}
-template <int Limbs>
-void NearRoots<Limbs>::isolate(const SmallCubic& p) {
-  isolate_all(p);
-}
-
-template <int Limbs>
-template <class P>
-void NearRoots<Limbs>::isolate_all(P p) {
-  using Number = typename decltype(p.c)::value_type;
-  int size = 4;
-  while (p[size - 1].is_zero()) --size;
-  int at_zero = 0;
-  while (p[0].is_zero()) {
-    for (int i = 0; i + 1 < size; ++i) p[i] = p[i + 1];
-    p[--size] = Number();
-    ++at_zero;
-  }
-  if (at_zero > 0) push_double(0, at_zero);
-  const auto at_one = [&] {
-    auto sum = p[0];
-    for (int i = 1; i < size; ++i) sum = sum + p[i];
-    return sum;
-  };
-  int ones = 0;
-  while (size > 1 && at_one().is_zero()) {  // synthetic division by t - 1
-    for (int i = size - 2; i > 0; --i) p[i] = p[i] + p[i + 1];
-    for (int i = 0; i + 1 < size; ++i) p[i] = p[i + 1];
-    p[--size] = Number();
-    ++ones;
-  }
-  isolate_inside(p, size);
-  if (ones > 0) push_double(1, ones);
-}
-
-/// Of a polynomial that vanishes neither at 0 nor at 1.
-template <int Limbs>
-template <class P>
-void NearRoots<Limbs>::isolate_inside(const P& p, int size) {
-  if (size == 1) return;
-  if (size == 2) return push_quotient(-p[0], p[1], 1);
-  const auto twice = p[0] + p[0];
-  const auto thrice = twice + p[0];
-  const int signs[4] = {p[0].sign(), size == 3 ? (twice + p[1]).sign() : (thrice + p[1]).sign(),
-                        size == 3 ? 0 : (thrice + p[1] + p[1] + p[2]).sign(), (p[0] + p[1] + p[2] + p[3]).sign()};
-  int variations = 0;
-  int previous = signs[0];
-  for (const int sign : signs) {
-    variations += sign == -previous && sign != 0;
-    if (sign != 0) previous = sign;
-  }
-  if (variations == 0) return;
-  if (variations == 1) return push_simple(p, size, 0, 1, signs[0]);
-  if (size == 3) return isolate_quadratic(p);
-  isolate_cubic(p);
-}
-
-/// With two variations: it has the leading coefficient's sign at both ends, and its vertex lies inside.
-template <int Limbs>
-template <class P>
-void NearRoots<Limbs>::isolate_quadratic(const P& p) {
-  const auto product = wide_product(p[0], p[2]);
-  const auto twice = product + product;
-  const int discriminant = (wide_product(p[1], p[1]) - (twice + twice)).sign();
-  if (discriminant < 0) return;
-  if (discriminant == 0) return push_quotient(-p[1], p[2] + p[2], 2);
-  const BoundedPair c[] = {bounded(p[0]), bounded(p[1]), bounded(p[2])};
-  const double vertex = c[1].value.high / (-2 * c[2].value.high);
-  const int sign = p[0].sign();
-  if (!(vertex > 0 && vertex < 1) || value_at(c, 3, exact_pair(vertex)).sign() != -sign) return doubt_.raise();
-  push_simple(p, 3, 0, vertex, sign);
-  push_simple(p, 3, vertex, 1, -sign);
-}
-
-/// The signs of three times the Bernstein coefficients of c over [low, high], that is of the blossom's values; 0 where
-/// uncertain.
-std::array<int, 4> bernstein_signs(const BoundedPair* c, double low, double high) noexcept {
-  const BoundedPair three = exact_pair(3);
-  const auto blossom = [&](double x, double y, double z) {
-    const BoundedPair a = exact_pair(x), b = exact_pair(y), d = exact_pair(z);
-    return (three * c[0] + c[1] * (a + b + d) + c[2] * (a * b + b * d + d * a) + three * c[3] * (a * b * d)).sign();
-  };
-  return {blossom(low, low, low), blossom(low, low, high), blossom(low, high, high), blossom(high, high, high)};
-}
-
-/// With two or three variations.
-template <int Limbs>
-template <class P>
-void NearRoots<Limbs>::isolate_cubic(const P& p) {
-  Pairs c;
-  for (int i = 0; i < 4; ++i) c[static_cast<std::size_t>(i)] = bounded(p[i]);
-  // Without a root of its derivative it is monotone, even where the three roots almost coincide.
-  if ((c[2] * c[2] - exact_pair(3) * c[1] * c[3]).sign() < 0) {
-    const int sign = p[0].sign();
-    if ((p[0] + p[1] + p[2] + p[3]).sign() != sign) push_simple(p, 4, 0, 1, sign);
-    return;
-  }
-  // Between its critical points and its inflection a cubic is monotone and convex or concave.
-  const double c1 = c[1].value.high, c2 = c[2].value.high, c3 = c[3].value.high;
-  std::array<double, 5> ends = {0, 1, 1, 1, 1};
-  std::size_t count = 1;
-  const double discriminant = c2 * c2 - 3 * c1 * c3;
-  if (discriminant > 0) {
-    const double root = std::sqrt(discriminant), sum = -(c2 + std::copysign(root, c2));
-    double first = sum / (3 * c3), second = c1 / sum;
-    if (first > second) std::swap(first, second);
-    for (const double point : {first, second}) {
-      if (point > ends[count - 1] && point < 1) ends[count++] = point;
-    }
-  } else if (const double inflection = -c2 / (3 * c3); inflection > 0 && inflection < 1) {
-    ends[count++] = inflection;
-  }
-  ends[count++] = 1;
-
-  const int at_one = (p[0] + p[1] + p[2] + p[3]).sign();
-  std::array<int, 5> one{};  // the sign at the start of a part with one root; 0: without a root
-  for (std::size_t i = 0; i + 1 < count; ++i) {
-    std::array<int, 4> signs = bernstein_signs(c.data(), ends[i], ends[i + 1]);
-    if (i == 0) signs[0] = p[0].sign();
-    if (i + 2 == count) signs[3] = at_one;
-    const bool certain = signs[0] != 0 && signs[3] != 0;
-    const bool none = certain && signs[0] == signs[3] && signs[1] == signs[0] && signs[2] == signs[0];
-    // From one sign to the other with at most one turn, whatever the uncertain one is.
-    const bool single = certain && signs[0] != signs[3] && (signs[1] == signs[0] || signs[2] == signs[3]);
-    if (!none && !single) return push_repeated(widened_cubic<Limbs>(p));
-    if (single) one[i] = signs[0];
-  }
-  for (std::size_t i = 0; i + 1 < count; ++i) {
-    if (one[i] != 0) push_simple(p, 4, ends[i], ends[i + 1], one[i]);
-  }
-}
-
-/// When it certainly has a repeated root; otherwise its roots are in doubt. The discriminant is
-/// (4 (b^2 - 3ac)(c^2 - 3bd) - (bc - 9ad)^2) / 3. A double root is (9ad - bc) / (2 (b^2 - 3ac)), a triple one -b / 3a.
-///
-/// Sizes in bits, with C = 192 L - 3 of the coefficients: b^2 - 3ac and c^2 - 3bd below 2 C + 2 = 384 L - 4, bc - 9ad
-/// below 2 C + 4 = 384 L - 2, the products below (768 L - 8) + 2 and 768 L - 4. Each has its limbs.
-template <int Limbs>
-void NearRoots<Limbs>::push_repeated(const Cubic& p) {
-  const auto thrice = [](const auto& x) { return x + x + x; };
-  const auto &d = p[0], &c = p[1], &b = p[2], &a = p[3];
-  const auto b2_3ac = b * b - thrice(a * c);
-  const auto c2_3bd = c * c - thrice(b * d);
-  const auto ad9_bc = thrice(thrice(a * d)) - b * c;
-  const auto product = b2_3ac * c2_3bd;
-  const auto twice = product + product;
-  if (!(twice + twice - ad9_bc * ad9_bc).is_zero()) return doubt_.raise();
-  if (b2_3ac.is_zero()) return push_quotient(-b, thrice(a), 3);
-
-  // The other root is in (0, 1) iff p's signs at 0 and at 1 differ, and then it is the one where p changes its sign.
-  const int sign = d.sign();
-  const bool other_inside = (a + b + c + d).sign() != sign;
-  const auto denominator = b2_3ac + b2_3ac;
-  if (!other_inside) return push_quotient(ad9_bc, denominator, 2);
-  const double repeated = to_double(ad9_bc) / to_double(denominator);
-  const double other = -to_double(b) / to_double(a) - 2 * repeated;
-  const double middle = 0.5 * (repeated + other);
-  const bool other_first = other < repeated;
-  if (!(middle > 0 && middle < 1)) {  // the repeated root is far outside
-    const int side = (bounded(ad9_bc) - exact_pair(other_first ? 1 : 0) * bounded(denominator)).sign();
-    if (side * denominator.sign() != (other_first ? 1 : -1)) return doubt_.raise();
-    return push_simple(p, 4, 0, 1, sign);
-  }
-  const int side = (bounded(ad9_bc) - exact_pair(middle) * bounded(denominator)).sign() * denominator.sign();
-  const BoundedPair pairs[] = {bounded(d), bounded(c), bounded(b), bounded(a)};
-  const int at_middle = value_at(pairs, 4, exact_pair(middle)).sign();
-  if (side != (other_first ? 1 : -1) || at_middle != (other_first ? -sign : sign)) return doubt_.raise();
-  if (other_first) push_simple(p, 4, 0, middle, sign);
-  push_quotient(ad9_bc, denominator, 2);
-  if (!other_first) push_simple(p, 4, middle, 1, sign);
-}
-
 template class NearRoot<1>;
 template class NearRoot<2>;
-template class NearRoots<1>;
-template class NearRoots<2>;
 
 }  // namespace touchstone::numbers

@@ -19,14 +19,24 @@
 
 namespace touchstone::numbers {
 
-/// Raised where a root or a sign stays open. What was computed with them is worth nothing then.
+/// Raised where a root, a sign or a quotient stays open. What was computed with them is worth nothing then.
 class Doubt {
  public:
+  Doubt() noexcept = default;
+  /// Without quotients, which are all 0 then.
+  static Doubt without_quotients() noexcept {
+    Doubt doubt;
+    doubt.quotients_ = false;
+    return doubt;
+  }
+
   void raise() noexcept { raised_ = true; }
   bool raised() const noexcept { return raised_; }
+  bool quotients() const noexcept { return quotients_; }
 
  private:
   bool raised_ = false;
+  bool quotients_ = true;
 };
 
 template <int Limbs>
@@ -88,6 +98,7 @@ class NearRoot {
   /// and the denominator is not zero at the root.
   template <class R>
   double quotient(const Polynomial<R, 2>& numerator, const Polynomial<R, 2>& denominator) const {
+    if (!doubt_->quotients()) return 0;
     return close_quotient(as_quadratic(numerator), as_quadratic(denominator));
   }
 
@@ -202,6 +213,8 @@ class NearRoot {
   /// Finds lower_ and upper_; a root that is a double becomes a Fraction.
   void settle();
   int sign_of_rest(double time) const;
+  template <class N>
+  int sign_of_rest(const N& numerator, const N& denominator) const;
   int raise_doubt() const {
     doubt_->raise();
     return 0;
@@ -255,7 +268,11 @@ class NearRoots {
   template <class P>
   void isolate_quadratic(const P& p);
   template <class P>
+  void push_close(const P& p, const BoundedPair& middle, double apart);
+  template <class P>
   void isolate_cubic(const P& p);
+  template <class P>
+  bool isolate_beside_double(const P& p);
   void push_repeated(const Cubic& p);
   void push_double(double time, int multiplicity);
   template <class N>

@@ -240,6 +240,68 @@ TEST_CASE("signs that are almost zero, at roots that almost coincide, are the ex
   CHECK(static_cast<std::size_t>(weights) > polynomials);
 }
 
+TEST_CASE("three roots that almost coincide, one of them a double, are the exact ones") {
+  // With s = 2^k t - n: m s (2^j s^2 + e), or the same plus 1, where no root is a double.
+  tests::Rng rng(2028);
+  Tally tally;
+  long roots = 0, doubts = 0;
+  const std::size_t polynomials = tests::effort(3000);
+  for (std::size_t i = 0; i < polynomials; ++i) {
+    const int k = rng.between(1, 7), j = rng.between(1, 100), m = rng.between(-3, 3), n = rng.between(1, (1 << k) - 1);
+    const int e = rng.between(-9, 9), rest = rng.one_in(4) ? 1 : 0;
+    if (m == 0) continue;
+    const mpz_class d = mpz_class(1) << k, square = mpz_class(1) << j;
+    const mpz_class c[] = {m * (-n * square * n * n - e * n) + rest, m * (3 * square * d * n * n + e * d),
+                           m * (-3 * square * d * d * n), m * square * d * d * d};
+    Polynomial<FixedInt<6>, 3> p;
+    for (int term = 0; term < 4; ++term) p[term] = fixed<6>(c[term]);
+    Doubt doubt;
+    const NearRoots<2> near(p, 1, doubt);
+    if (doubt.raised()) {
+      doubts += rest == 0;
+      continue;
+    }
+    const RootList real = isolate_roots(to_exact(p), Exact(1));
+    INFO("k = " << k << ", j = " << j << ", m = " << m << ", n = " << n << ", e = " << e << ", rest " << rest);
+    REQUIRE(near.size() == real.size());
+    for (int root = 0; root < near.size(); ++root) {
+      ++roots;
+      REQUIRE(near[root].lower() == real[root].lower());
+      REQUIRE(near[root].upper() == real[root].upper());
+      REQUIRE(near[root].multiplicity() == real[root].multiplicity());
+      for (int other = 0; other < near.size(); ++other) {
+        const int order = near[root].compare(near[other]);
+        if (!doubtful(doubt, tally)) REQUIRE(order == real[root].compare(real[other]));
+      }
+    }
+  }
+  std::printf("%ld roots, %ld doubts\n", roots, doubts);
+  CHECK(static_cast<std::size_t>(roots) > polynomials);
+  CHECK(static_cast<std::size_t>(doubts) * 10 < polynomials);
+}
+
+TEST_CASE("a near root just after 0 has the right neighbours") {
+  // 2^k t - n and, with a root beside it, (2^k t - n) 2^j + 1.
+  tests::Rng rng(2029);
+  for (int i = 0; i < 1000; ++i) {
+    const int k = rng.between(60, 180), n = rng.between(1, 9), j = rng.one_in(2) ? 0 : rng.between(1, 120);
+    const mpz_class slope = mpz_class(1) << (k + j), rest = -(mpz_class(n) << j) + (j > 0 ? 1 : 0);
+    Polynomial<FixedInt<6>, 3> p;
+    p[0] = fixed<6>(rest);
+    p[1] = fixed<6>(slope);
+    Doubt doubt;
+    const NearRoots<2> near(p, 1, doubt);
+    INFO("k = " << k << ", n = " << n << ", j = " << j);
+    REQUIRE_FALSE(doubt.raised());
+    const RootList real = isolate_roots(to_exact(p), Exact(1));
+    REQUIRE(near.size() == real.size());
+    for (int root = 0; root < near.size(); ++root) {
+      REQUIRE(near[root].lower() == real[root].lower());
+      REQUIRE(near[root].upper() == real[root].upper());
+    }
+  }
+}
+
 TEST_CASE("a near root that is a double, or beside one, has the right neighbours") {
   Doubt doubt;
   // t - 1/2 and t - 1/2 - 2^-54, whose root lies half way to the next double.
@@ -260,6 +322,8 @@ TEST_CASE("a near root that is a double, or beside one, has the right neighbours
 
 TEST_CASE("what the numbers of near roots do not hold raises a doubt") {
   Doubt doubt;
-  (void)numbers::NearRoot<1>::at_double(0x1p-61, 1, doubt);
+  (void)numbers::NearRoot<1>::at_double(0x1p-190, 1, doubt);
+  CHECK_FALSE(doubt.raised());
+  (void)numbers::NearRoot<1>::at_double(0x1p-191, 1, doubt);
   CHECK(doubt.raised());
 }
