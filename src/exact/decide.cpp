@@ -12,6 +12,7 @@
 #include "exact/elements.hpp"
 #include "exact/exact.hpp"
 #include "exact/exact_times.hpp"
+#include "exact/gap.hpp"
 #include "numbers/limb_scratch.hpp"
 #include "numbers/near_root.hpp"
 
@@ -244,13 +245,22 @@ Answer first_contact_in(const Q& query, double t_max, Wanted wanted = Wanted::al
 /// Nothing where a doubt is left.
 template <int Limbs>
 std::optional<Answer> near_first_contact(const Query& query, const std::array<BitSpan, 3>& spans, double t_max,
-                                         Wanted wanted) {
-  numbers::Doubt doubt;
+                                         Wanted wanted, numbers::Doubt doubt = {}) {
   const NearRange<Time<Near<Limbs>>> range(t_max, doubt);
   std::optional<Answer> answer = with_elements_of<Near<Limbs>>(
       query.kind, moving_corners<Near<Limbs>>(query, spans),
       [&](const auto& elements) { return std::optional(first_contact(elements, range, wanted, nullptr)); });
   if (doubt.raised()) answer.reset();
+  return answer;
+}
+
+/// Over [0, 1].
+std::optional<Answer> decide_across_gap(const Query& query, Wanted wanted) {
+  const std::optional<Gap> gap = Gap::of(query);
+  if (!gap) return std::nullopt;
+  std::optional<Answer> answer = near_first_contact<2>(gap->narrowed(), axis_spans(gap->narrowed()), 1, wanted,
+                                                       numbers::Doubt::without_quotients());
+  if (answer && !gap->restore(*answer, wanted)) answer.reset();
   return answer;
 }
 
@@ -284,7 +294,7 @@ std::optional<Answer> decide_nearby(const Query& query, double t_max, Wanted wan
   if (bits <= kMostBits<0>) return near_first_contact<0>(query, spans, t_max, wanted);
   if (bits <= kMostBits<1>) return near_first_contact<1>(query, spans, t_max, wanted);
   if (bits <= kMostBits<2>) return near_first_contact<2>(query, spans, t_max, wanted);
-  return std::nullopt;
+  return t_max == 1 ? decide_across_gap(query, wanted) : std::nullopt;
 }
 
 Answer decide_sooner(const Query& query, double t_max, Wanted wanted) {
