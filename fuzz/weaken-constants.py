@@ -10,7 +10,7 @@
 # told apart. Only a fault that changes an answer or a proof can be found so, and nobody steers these queries towards a
 # bound: so the bounds are 4,096 times too small instead.
 #
-#   fuzz/weaken-constants.py [--only PART_OF_A_NAME] [--layer filters|numbers|separation|curved] [--seconds 60]
+#   fuzz/weaken-constants.py [--only PART_OF_A_NAME] [--layer filters|numbers|exact|separation|curved] [--seconds 60]
 #                            [--jobs N] [--quick] [--proofs] [--list]
 # SPDX-License-Identifier: MIT
 import argparse
@@ -33,7 +33,10 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 #   radius, but perhaps after a second step, by a few e where V is steep; they are there for what SimpleRoot promises;
 # - in near_root.cpp the steadiness of the slope, the gap beside a root, which root two polynomials share, the root that
 #   a divisor leaves, the uncertain signs of a part and the reach of Newton iteration: the search and the interval that
-#   it starts from make them hold; nor the error of the time that this iteration ends with: it is far below a double's.
+#   it starts from make them hold; nor the error of the time that this iteration ends with, or of the middle of two close
+#   roots: it is far below a double's;
+# - in gap.cpp the way of a root across a gap: where it is not below a double's distance, the coordinates mostly have few
+#   enough bits to need no gap, or the root is in doubt.
 
 # name, file below src, text there (exactly once), what it becomes
 FAULTS = [
@@ -95,7 +98,14 @@ FAULTS = [
     ("kDegreeBound of signs at a root", "numbers/real_root.cpp", "kDegreeBound = 3 *", "kDegreeBound = 3 / 16.0 *"),
     ("underflow guard of signs at a root", "numbers/real_root.cpp",
      "sum >= kLeast ? bound * sum : std::numeric_limits<double>::quiet_NaN()", "bound * sum"),
-    ("error of a near root", "numbers/near_root.cpp", "kSlack * ((1 + 2 * q) * (v.error + q * std::fabs(v.value)) / steep",
+    ("coordinates that rescaling would round", "filters/rescaled.cpp", "if (!exact) result.reset();", ""),
+    ("factor of a cubic beside a double", "numbers/near_root_isolation.cpp", "if (!divides) return false;",
+     "if (false && !divides) return false;"),
+    ("error of close roots", "numbers/near_root_isolation.cpp", "root.near_.error += 0x1p-49 * apart;",
+     "root.near_.error = 0;"),
+    ("width of a gap", "exact/gap.cpp", "const int narrow = enough;", "const int narrow = enough / 8;"),
+    ("error of a weight across a gap", "exact/gap.cpp", "if (!(error <=", "if (error < 0 && !(error <="),
+    ("error of a near root", "numbers/near_root_isolation.cpp", "kSlack * ((1 + 2 * q) * (v.error + q * std::fabs(v.value)) / steep",
      "kSlack / 256 * ((1 + 2 * q) * (v.error + q * std::fabs(v.value)) / steep"),
     ("a near root that is a double", "numbers/near_root.cpp", "if (side == 0) side = sign_of_rest(nearest);", ""),
     ("doubt of a sign at a near root", "numbers/near_root.cpp", "return sign != 0 ? sign : raise_doubt();\n}\n\ntemplate <int Limbs>\nvoid NearRoot<Limbs>::settle()",
@@ -313,6 +323,8 @@ def attacks(build, layer, seconds, jobs, quick, file=None):
         fuzz += ["--separation", "each"]
         # The long tests of that folder compare what the fuzzer compares.
         searches = [tests("filters", 0.3, "[separation]"), tests("separation", 0.2, "*entries near*,patches*")]
+    elif layer == "exact":
+        searches = [tests("exact", 0.5, "a gap*,decide_nearby*")]
     elif layer == "curved":
         nearest = CURVED_SEARCHES.get(file)
         searches = ([tests("curved", 0.5, nearest)] if nearest else []) + [tests("curved", 1, ALL_CURVED_SEARCHES)]
@@ -391,7 +403,7 @@ def coarser(fault):
 def main():
     parser = argparse.ArgumentParser(description="Weakens the filters' bounds one by one and sees who notices.")
     parser.add_argument("--only", default="", help="only faults whose name holds this")
-    parser.add_argument("--layer", choices=("filters", "numbers", "separation", "curved"), help="only faults of this one")
+    parser.add_argument("--layer", choices=("filters", "numbers", "exact", "separation", "curved"), help="only faults of this one")
     parser.add_argument("--seconds", type=float, default=60, help="for the searches, of each fault (default: 60)")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--quick", action="store_true", help="the searches of the tests only")
