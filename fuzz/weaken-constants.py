@@ -27,8 +27,8 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 # Without a line below, as no query is likely to show them missing:
-# - the rounding that `minus` of bracket.cpp adds: at a border, where it would matter, it is at most the slack of 1 e in
-#   `spread` and some e^2, so that a wrong side needs every rounding of a component at its worst at once;
+# - the rounding that `minus` of root_sides.hpp adds: at a border, where it would matter, it is at most the slack of 1 e
+#   in `spread` and some e^2, so that a wrong side needs every rounding of a component at its worst at once;
 # - the tests of `within_radius` in refined_root.cpp: a step from a root that BernsteinCubic certified ends within its
 #   radius, but perhaps after a second step, by a few e where V is steep; they are there for what SimpleRoot promises;
 # - in near_root.cpp the steadiness of the slope, the gap beside a root, which root two polynomials share, the root that
@@ -56,21 +56,25 @@ FAULTS = [
      "below = least[0] - greatest[1]"),
     ("margin of a gap", "filters/separating_direction.cpp", "3 * bound}", "3 / 16.0 * bound}"),
     ("kPartBound", "filters/bernstein_cubic.cpp", "kPartBound = 70 *", "kPartBound = 70 / 16.0 *"),
-    ("kValueBound", "filters/bernstein_cubic.cpp", "kValueBound = 60 *", "kValueBound = 60 / 16.0 *"),
-    ("kSlopeBound", "filters/bernstein_cubic.cpp", "kSlopeBound = 366 *", "kSlopeBound = 366 / 16.0 *"),
-    ("curvature", "filters/bernstein_cubic.cpp", "(2 + 0x1p-17) *", "(2 + 0x1p-17) / 16 *"),
-    ("radius of a root", "filters/bernstein_cubic.cpp", "radius = 2.0625 *", "radius = 2.0625 / 16 *"),
-    ("greatest radius of a root", "filters/bernstein_cubic.cpp", "radius <= kGreatestRadius && ", ""),
-    ("kGreatestRadius", "filters/bernstein_cubic.hpp", "kGreatestRadius = 0x1p-10", "kGreatestRadius = 0x1p-6"),
-    ("steadiness of the slope at a root", "filters/bernstein_cubic.cpp", "<= 0.484375 * steepness", "<= 7.75 * steepness"),
-    ("root after its part's start", "filters/bernstein_cubic.cpp", "t - radius > p && ", ""),
-    ("root before its part's end", "filters/bernstein_cubic.cpp", " && t + radius < q;", ";"),
-    ("root exact to one", "filters/bernstein_cubic.cpp", "s = 1 - next;\n    t = 1 - s;", "s = 1 - next;\n    t = next;"),
-    ("rounding of side conditions", "filters/bracket.cpp", "17 * kUnit +", "17 / 16.0 * kUnit +"),
-    ("reach of side conditions", "filters/bracket.cpp", "(8 + 0x1p-10) * h", "(8 + 0x1p-10) / 16 * h"),
-    ("guard of a vanishing n", "filters/bracket.cpp", "if (!(normal.value > normal.error))", "if (false)"),
-    ("underflow guard of the bracket level", "filters/bracket.cpp", "std::min({m.u, m.w, m.r}) >= kLeast && ", ""),
-    ("overflow guard of the bracket level", "filters/bracket.cpp", " && std::max({m.u, m.w, m.r}) <= kGreatest", ""),
+    ("kValueBound", "filters/step_cubic.hpp", "kValueBound = 60 *", "kValueBound = 60 / 16.0 *"),
+    ("kSlopeBound", "filters/step_cubic.hpp", "kSlopeBound = 366 *", "kSlopeBound = 366 / 16.0 *"),
+    ("curvature", "filters/step_cubic.hpp", "(2 + 0x1p-17) *", "(2 + 0x1p-17) / 16 *"),
+    ("radius of a root", "filters/step_cubic.hpp", "radius = 2.0625 *", "radius = 2.0625 / 16 *"),
+    ("greatest radius of a root", "filters/step_cubic.hpp", "where & (radius <= kGreatestRadius)", "where"),
+    ("kGreatestRadius", "filters/step_cubic.hpp", "kGreatestRadius = 0x1p-10", "kGreatestRadius = 0x1p-6"),
+    ("steadiness of the slope at a root", "filters/step_cubic.hpp", "<= 0.484375 * steepness", "<= 7.75 * steepness"),
+    ("root after its part's start", "filters/step_cubic.hpp", "(t - radius > p)", "where"),
+    ("root before its part's end", "filters/step_cubic.hpp", "(t + radius < q);", "where;"),
+    ("root exact to one", "filters/step_cubic.hpp", "s = chosen(active, 1 - next, s);\n    t = 1 - s;",
+     "s = chosen(active, 1 - next, s);\n    t = chosen(active, next, t);"),
+    ("rounding of side conditions", "filters/root_sides.hpp", "17 * kUnit +", "17 / 16.0 * kUnit +"),
+    ("reach of side conditions", "filters/root_sides.hpp", "(8 + 0x1p-10) * h", "(8 + 0x1p-10) / 16 * h"),
+    ("guard of a vanishing n", "filters/root_sides.hpp", "known = normal.value > normal.error;",
+     "known = normal.value >= 0.0;"),
+    ("underflow guard of the bracket level", "filters/root_sides.hpp",
+     "(smaller(smaller(m.u, m.w), m.r) >= kLeastMagnitude) & ", ""),
+    ("overflow guard of the bracket level", "filters/root_sides.hpp",
+     " & (larger(larger(m.u, m.w), m.r) <= kGreatestMagnitude)", ""),
     ("kCoplanarityError", "filters/contact_values.hpp", "kCoplanarityError = 281 *", "kCoplanarityError = 281 / 16.0 *"),
     ("kComponentError", "filters/contact_values.hpp", "kComponentError = 103 *", "kComponentError = 103 / 16.0 *"),
     ("slope of a component at a root", "filters/refined_root.cpp", "(1 + away / kUnit)", "(1 + away / 16 / kUnit)"),

@@ -6,6 +6,7 @@
 #include <touchstone/answer.hpp>
 
 #include "filters/question.hpp"
+#include "filters/refined_root.hpp"
 
 namespace touchstone::filters {
 
@@ -14,5 +15,8 @@ namespace touchstone::filters {
 /// doubles cannot tell. On `contact` the answer is complete (nature, features, times, weights) except for its level, or
 /// untouched where only contact is asked for. Otherwise the answer is untouched.
 Finding decide_in_brackets(const Question& question, Answer& answer);
+
+/// The last step of this level: decides at the one root of V in the step. The answer is as that of decide_in_brackets.
+Finding decide_refined(const Question& question, const SimpleRoot& root, Answer& answer);
 
 }  // namespace touchstone::filters

@@ -104,12 +104,24 @@ inline double magnitude(double x) noexcept { return std::fabs(x); }
 /// x, or -x where s is negative.
 inline double flipped(double x, double s) noexcept { return x * std::copysign(1.0, s); }
 inline double larger(double a, double b) noexcept { return a > b ? a : b; }
+inline double smaller(double a, double b) noexcept { return a < b ? a : b; }
+inline double chosen(bool mask, double a, double b) noexcept { return mask ? a : b; }
 
 /// The largest absolute coordinate of both, where no coordinate is NaN.
 template <class N>
 TOUCHSTONE_INLINE N largest(const geometry::Vector<N>& a, const geometry::Vector<N>& b) noexcept {
   return larger(larger(larger(magnitude(a[0]), magnitude(b[0])), larger(magnitude(a[1]), magnitude(b[1]))),
                 larger(magnitude(a[2]), magnitude(b[2])));
+}
+
+/// Bounds on the coordinates of the frame over the step: U, W, R of the derivations.
+template <class N>
+struct MagnitudesOf {
+  N u, w, r;
+};
+template <class N>
+TOUCHSTONE_INLINE MagnitudesOf<N> magnitudes_of(const StepFrame<N>& f) noexcept {
+  return {largest(f.start.u, f.end.u), largest(f.start.w, f.end.w), largest(f.start.r, f.end.r)};
 }
 
 /// Bounds on the absolute errors of the coefficients: `ends` for b0 and b3, `middle` for 3 b1 and 3 b2. They hold only

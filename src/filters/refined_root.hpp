@@ -5,14 +5,12 @@
 #include <array>
 #include <cstddef>
 
+#include "filters/coplanarity_form.hpp"
 #include "filters/question.hpp"
 
 namespace touchstone::filters {
 
-/// Bounds on the coordinates of the frame over the step: U, W, R of the derivations.
-struct Magnitudes {
-  double u, w, r;
-};
+using Magnitudes = MagnitudesOf<double>;
 
 /// A simple root of V in plain numbers. It lies in [t - radius, t + radius], where V' keeps the sign of `slope` and is
 /// at least half of it (see BernsteinCubic::Root). At h away from t, h at most the radius, V' differs from `slope` by

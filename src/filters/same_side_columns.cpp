@@ -22,16 +22,12 @@ bool has_kernel(VectorWidth width) noexcept {
   return false;
 }
 
-namespace {
-
 VectorWidth narrowed(VectorWidth width) noexcept {
   if (width != VectorWidth::widest) return width;
   return has_kernel(VectorWidth::bits_512)   ? VectorWidth::bits_512
          : has_kernel(VectorWidth::bits_256) ? VectorWidth::bits_256
                                              : VectorWidth::bits_128;
 }
-
-}  // namespace
 
 SameSideKernel same_side_kernel(Kind kind, VectorWidth width) noexcept {
   width = narrowed(width);

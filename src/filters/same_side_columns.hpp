@@ -29,6 +29,9 @@ using ClearanceKernel = void (*)(const Columns& columns, const double* distances
 /// Whether the machine has vectors of that width, and the compiler that built the library could use them.
 bool has_kernel(VectorWidth width) noexcept;
 
+/// The width itself, or the widest that the machine has in place of `widest`.
+VectorWidth narrowed(VectorWidth width) noexcept;
+
 /// The kernel for queries of a kind that has a cubic, with vectors of that width; null where has_kernel is false.
 SameSideKernel same_side_kernel(Kind kind, VectorWidth width) noexcept;
 ClearanceKernel clearance_kernel(Kind kind, Metric metric, VectorWidth width) noexcept;

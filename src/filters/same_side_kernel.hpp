@@ -4,7 +4,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstring>
 #include <type_traits>
 
 #include "filters/coplanarity_form.hpp"
@@ -18,25 +17,19 @@ using numbers::Pack;
 
 template <int Width, bool Edges>
 TOUCHSTONE_INLINE StepFrame<Pack<Width>> frame_of_columns(const Columns& columns, std::size_t first) {
+  using Lanes = numbers::Lanes<Pack<Width>>;
   const auto corner = [&columns, first](int side, std::size_t i) {
-    geometry::Vector<Pack<Width>> x;
-    for (std::size_t k = 0; k < 3; ++k) {
-      std::memcpy(&x.c[k].v, (side == 0 ? columns.start : columns.end)[i][k] + first, sizeof x.c[k].v);
-    }
-    return x;
+    const auto& x = (side == 0 ? columns.start : columns.end)[i];
+    return geometry::Vector<Pack<Width>>{
+        {Lanes::loaded(x[0] + first), Lanes::loaded(x[1] + first), Lanes::loaded(x[2] + first)}};
   };
   return step_frame<Pack<Width>>(Edges, corner);
-}
-
-template <class Mask>
-void store(const Mask& mask, std::int64_t* proved) {
-  std::memcpy(proved, &mask, sizeof mask);
 }
 
 template <int Width, bool Edges>
 void same_side_pack(const Columns& columns, std::size_t first, std::int64_t* proved) {
   const StepFrame<Pack<Width>> frame = frame_of_columns<Width, Edges>(columns, first);
-  store(certain_same_side(frame, coplanarity_coefficients(frame)), proved);
+  numbers::Lanes<Pack<Width>>::store(certain_same_side(frame, coplanarity_coefficients(frame)), proved);
 }
 
 /// Whole packs; the rest one by one.
@@ -52,9 +45,9 @@ void clearance(const Columns& columns, const double* distances, std::size_t firs
                std::int64_t* proved) {
   const auto prove = [&](auto width, std::size_t i) {
     constexpr int kWidth = decltype(width)::value;
-    Pack<kWidth> distance;
-    std::memcpy(&distance.v, distances + i, sizeof distance.v);
-    store(certain_clearance<Euclidean>(frame_of_columns<kWidth, Edges>(columns, first + i), distance), proved + i);
+    using Lanes = numbers::Lanes<Pack<kWidth>>;
+    const StepFrame<Pack<kWidth>> frame = frame_of_columns<kWidth, Edges>(columns, first + i);
+    Lanes::store(certain_clearance<Euclidean>(frame, Lanes::loaded(distances + i)), proved + i);
   };
   std::size_t i = 0;
   for (; i + Width <= count; i += Width) prove(std::integral_constant<int, Width>(), i);

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "exact/exact.hpp"
+#include "filters/bracket.hpp"
 #include "filters/filters.hpp"
 #include "oracle/oracle.hpp"
 #include "solver/validate.hpp"
@@ -44,6 +45,20 @@ Answer trimmed(const Answer& answer, Wanted wanted) noexcept {
   return result;
 }
 
+namespace {
+
+/// What follows the first test, by a method with filters.
+inline void answer_after_same_side(const Query& query, Method method, double t_max, Wanted wanted, Answer& result) {
+  validate(query, t_max);
+  const ExactArithmetic& below = method == Method::fast ? kOwn : kCgal;
+  const filters::Decision decision = filters::decide_by_filters({query, t_max, below.coplanarity_at, wanted}, result);
+  if (decision.finding == filters::Finding::uncertain) result = below.decide(query, t_max, wanted);
+  complete(result);
+  if (wanted != Wanted::all) result = trimmed(result, wanted);
+}
+
+}  // namespace
+
 Answer answer(const Query& query, Method method, double t_max, Wanted wanted) {
   Answer result;  // the one object that is returned everywhere, so that none is copied
   if (method != Method::fast && method != Method::fast_cgal) {
@@ -56,10 +71,29 @@ Answer answer(const Query& query, Method method, double t_max, Wanted wanted) {
   result.level = Level::filter;
   // The first test also proves that the query is valid. So most queries are read only once.
   if (is_time(t_max) && filters::same_side(query)) return result;
-  validate(query, t_max);
-  const ExactArithmetic& below = method == Method::fast ? kOwn : kCgal;
-  const filters::Decision decision = filters::decide_by_filters({query, t_max, below.coplanarity_at, wanted}, result);
-  if (decision.finding == filters::Finding::uncertain) result = below.decide(query, t_max, wanted);
+  answer_after_same_side(query, method, t_max, wanted, result);
+  return result;
+}
+
+Answer answer_after_same_side(const Query& query, Method method, double t_max, Wanted wanted) {
+  Answer result;
+  result.level = Level::filter;
+  answer_after_same_side(query, method, t_max, wanted, result);
+  return result;
+}
+
+Answer answer_at_root(const Query& query, const filters::SimpleRoot& root, bool inside_step, Method method,
+                      double t_max, Wanted wanted) {
+  Answer result;
+  result.level = Level::bracket;
+  if (wanted == Wanted::contact && root.inside && inside_step) {
+    result.contact = true;
+  } else {
+    const ExactArithmetic& below = method == Method::fast ? kOwn : kCgal;
+    const filters::Finding finding =
+        filters::decide_refined({query, t_max, below.coplanarity_at, wanted}, root, result);
+    if (finding == filters::Finding::uncertain) return answer_after_same_side(query, method, t_max, wanted);
+  }
   complete(result);
   return wanted == Wanted::all ? result : trimmed(result, wanted);
 }

@@ -7,6 +7,8 @@
 #include <touchstone/query.hpp>
 #include <touchstone/solve.hpp>
 
+#include "filters/refined_root.hpp"
+
 // A function that is not inlined and reads its operands from memory: the compiler cannot move its operations out of the
 // caller's environment guard.
 #if defined(__GNUC__)
@@ -23,6 +25,14 @@ Answer trimmed(const Answer& answer, Wanted wanted) noexcept;
 /// Validates a query and answers it, in the default floating-point environment. `query.kind` says which corners count.
 /// @throws InvalidQuery  naming the method, the kind, t_max or the first coordinate that is not finite
 TOUCHSTONE_BEHIND_GUARD Answer answer(const Query& query, Method method, double t_max, Wanted wanted = Wanted::all);
+
+/// The same by a method with filters, for a query that the first of them, same_side, leaves.
+TOUCHSTONE_BEHIND_GUARD Answer answer_after_same_side(const Query& query, Method method, double t_max, Wanted wanted);
+
+/// The same for such a query that is valid, and of which the bracket level has found the one root. `inside_step`: the
+/// root certainly lies inside [0, t_max].
+TOUCHSTONE_BEHIND_GUARD Answer answer_at_root(const Query& query, const filters::SimpleRoot& root, bool inside_step,
+                                              Method method, double t_max, Wanted wanted);
 
 /// answer(query, Method::fast, t_max).contact. @throws InvalidQuery the same
 TOUCHSTONE_BEHIND_GUARD bool any_contact(const Query& query, double t_max);

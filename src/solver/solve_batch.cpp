@@ -14,6 +14,7 @@
 #include "filters/same_side_columns.hpp"
 #include "numbers/float_environment.hpp"
 #include "solver/cascade.hpp"
+#include "solver/survivors.hpp"
 #include "solver/validate.hpp"
 #include "threads/for_each_range.hpp"
 
@@ -69,17 +70,23 @@ bool has_separation(const BatchOptions& options) {
 }
 
 /// Answers queries [first, last), at most kBlock of which kernel(first, count, proved) tests at a time. Where it proves
-/// nothing, answer_one(i) answers query i.
-template <class Kernel, class AnswerOne>
+/// nothing, answer_later(i) takes query i.
+template <class Kernel, class AnswerLater>
 void answer_columns(const Kernel& kernel, std::size_t first, std::size_t last, Answer* answers,
-                    const AnswerOne& answer_one) {
+                    const AnswerLater& answer_later) {
   Answer no_contact;
   no_contact.level = Level::filter;
   std::int64_t proved[kBlock];
   for (std::size_t begin = first; begin < last; begin += kBlock) {
     const std::size_t size = std::min(kBlock, last - begin);
     kernel(begin, size, proved);
-    for (std::size_t i = 0; i < size; ++i) answers[begin + i] = proved[i] != 0 ? no_contact : answer_one(begin + i);
+    for (std::size_t i = 0; i < size; ++i) {
+      if (proved[i] != 0) {
+        answers[begin + i] = no_contact;
+      } else {
+        answer_later(begin + i);
+      }
+    }
   }
 }
 
@@ -162,13 +169,15 @@ void solve_batch(const QueryColumns& queries, Answer* answers, const BatchOption
       const auto prove = [&](std::size_t begin, std::size_t size, std::int64_t* proved) {
         kernel(columns, options.distances == nullptr ? same : options.distances + begin, begin, size, proved);
       };
-      answer_columns(prove, first, last, answers, answer_one);
+      answer_columns(prove, first, last, answers, [&](std::size_t i) { answers[i] = answer_one(i); });
     } else {
       const auto kernel = filters::same_side_kernel(queries.kind, options.vectors);
       const auto prove = [&](std::size_t begin, std::size_t size, std::int64_t* proved) {
         kernel(columns, begin, size, proved);
       };
-      answer_columns(prove, first, last, answers, answer_one);
+      solver::Survivors survivors(queries, columns, options, answers);
+      answer_columns(prove, first, last, answers, [&](std::size_t i) { survivors.add(i); });
+      survivors.answer_waiting();
     }
   });
 }

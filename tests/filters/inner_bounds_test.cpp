@@ -1,16 +1,15 @@
 // The bounds of the cubic and of the side conditions under search, one by one. The bracket level is rarely near its
 // bounds, so a wrong one would seldom show in an answer.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <string>
 
 #include "filters/frame_case.hpp"
+#include "filters/root_sides.hpp"
 #include "support/catch.hpp"
-
-// The functions under test are private to this file, which is compiled here a second time.
-#include "filters/bracket.cpp"  // NOLINT(bugprone-suspicious-include)
 
 using namespace touchstone;
 using namespace touchstone::tests;
@@ -18,7 +17,7 @@ using filters::BernsteinCubic;
 
 namespace {
 
-filters::Magnitudes magnitudes(const FrameCase& s) { return {s.size.u, s.size.w, s.size.r}; }
+filters::MagnitudesOf<double> magnitudes(const FrameCase& s) { return {s.size.u, s.size.w, s.size.r}; }
 bool in_range(const FrameCase& s) { return filters::within_range(magnitudes(s)); }
 
 }  // namespace
@@ -78,11 +77,11 @@ TEST_CASE("the side conditions near a root are within their bounds") {
   for (const double h : kDistances) {
     const auto search = searched(85, 1, 5000, in_range, [h](const FrameCase& s, const std::vector<double>& x) {
       const double t = time_from(x[24]);
-      const filters::SideValues at = filters::side_values(true, s.frame, magnitudes(s), t, h);
+      const auto at = filters::side_values(true, s.frame, magnitudes(s), t, h);
       double worst = 0;
       for (const double side : {-h, h}) {
         const Exact time = Exact(std::clamp(t + side, 0.0, 1.0));
-        const Exact sign(at.sign);
+        const Exact sign(std::copysign(1.0, at.signed_normal));
         worst = std::max({worst, over(sign * s.cross(0, 1, at.axis, time) - Exact(at.normal.value), at.normal.error),
                           over(sign * s.cross(2, 1, at.axis, time) - Exact(at.first.value), at.first.error),
                           over(sign * s.cross(2, 0, at.axis, time) - Exact(at.second.value), at.second.error)});
@@ -110,9 +109,9 @@ TEST_CASE("no side is certain where n may be zero") {
       }
     }
     const FrameCase s(x);
-    const filters::SideValues found = filters::side_values(true, s.frame, magnitudes(s), 0, 0);
-    const filters::Side side = filters::side_of(true, found);
-    ++(side == filters::Side::unknown ? unknown : known);
+    const auto found = filters::side_values(true, s.frame, magnitudes(s), 0.0, 0.0);
+    const auto sides = filters::sides_of(true, found);
+    ++(sides.unknown ? unknown : known);
     const Exact at(0);
     Exact n = s.cross(0, 1, found.axis, at), first = s.cross(2, 1, found.axis, at),
           second = s.cross(2, 0, found.axis, at);
@@ -123,8 +122,8 @@ TEST_CASE("no side is certain where n may be zero") {
     }
     const bool outside = first.sign() < 0 || second.sign() < 0 || (n - first).sign() < 0 || (n - second).sign() < 0;
     CAPTURE(i);
-    if (side == filters::Side::outside) REQUIRE(outside);
-    if (side == filters::Side::inside) REQUIRE(!outside);
+    if (sides.outside) REQUIRE(outside);
+    if (sides.inside) REQUIRE(!outside);
   }
   CHECK(unknown > 1000);
   CHECK(known > 1000);

@@ -1,18 +1,18 @@
-# kValueBound and kPartBound of bernstein_cubic.cpp: the value of the cubic, and its coefficients over a part. The
-# coefficients c are off by what ends_bound.g and middle_bound.g prove without their reserve.
+# kValueBound of step_cubic.hpp and kPartBound of bernstein_cubic.cpp: the value of the cubic, and its coefficients over
+# a part. The coefficients c are off by what ends_bound.g and middle_bound.g prove without their reserve.
 # SPDX-License-Identifier: MIT
 # constant kUnit src/filters/coplanarity_form.hpp
-# constant kValueBound src/filters/bernstein_cubic.cpp
+# constant kValueBound src/filters/step_cubic.hpp
 # constant kPartBound src/filters/bernstein_cubic.cpp
-# constant kMargin src/filters/bernstein_cubic.hpp
-# constant kLeast src/filters/bracket.cpp
+# constant kMargin src/filters/step_cubic.hpp
+# constant kLeastMagnitude src/filters/root_sides.hpp
 # not with kValueBound: 59 * kUnit
 # not with kPartBound: 68 * kUnit
 # not with kMargin: 0x1p-6
-# not with kLeast: 0x1p-350
+# not with kLeastMagnitude: 0x1p-350
 
 e = @kUnit@;
-tiny = 0x1p-1074 / (@kLeast@ * @kLeast@ * @kLeast@);
+tiny = 0x1p-1074 / (@kLeastMagnitude@ * @kLeastMagnitude@ * @kLeastMagnitude@);
 
 # In units of P. Weights are products of s and t with s + t = 1, whose absolute values sum to at most span^n. A "mix" is
 # such a sum of numbers of at most 1, divided by span^n: at most 1.

@@ -3,19 +3,19 @@
 # constant kUnit src/filters/coplanarity_form.hpp
 # constant kUnitSquared src/filters/contact_values.hpp
 # constant kComponentError src/filters/contact_values.hpp
-# constant kMargin src/filters/bernstein_cubic.hpp
-# constant kLeast src/filters/bracket.cpp
+# constant kMargin src/filters/step_cubic.hpp
+# constant kLeastMagnitude src/filters/root_sides.hpp
 # not with kUnitSquared: 0x1p-107
 # not with kComponentError: 101.9 * kUnitSquared
 # not with kMargin: 0x1p-6
-# not with kLeast: 0x1p-480
+# not with kLeastMagnitude: 0x1p-480
 
 # Sums, differences and products of two doubles are exact pairs whose low part is at most e times the high part (Dekker,
 # Knuth). So a double-double is high + e low here, and the low parts' roundings are what counts. Differences of corners
 # are exact: high + e low with |low| <= 1, in units of the vector's bound.
 e = @kUnit@;
 # Two products of low parts underflow, and a product's low part may.
-tiny = 0x1p-1072 / (@kLeast@ * @kLeast@ * e * e);
+tiny = 0x1p-1072 / (@kLeastMagnitude@ * @kLeastMagnitude@ * e * e);
 span = 1 + 2 * @kMargin@;
 
 # s times a pair: the product's low part s a_high y_a; s times the low part; the sum of these. The mixes are sums

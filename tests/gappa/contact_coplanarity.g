@@ -3,17 +3,17 @@
 # constant kUnit src/filters/coplanarity_form.hpp
 # constant kUnitSquared src/filters/contact_values.hpp
 # constant kCoplanarityError src/filters/contact_values.hpp
-# constant kMargin src/filters/bernstein_cubic.hpp
-# constant kLeast src/filters/bracket.cpp
+# constant kMargin src/filters/step_cubic.hpp
+# constant kLeastMagnitude src/filters/root_sides.hpp
 # not with kCoplanarityError: 280 * kUnitSquared
 # not with kMargin: 0x1p-10
-# not with kLeast: 0x1p-350
+# not with kLeastMagnitude: 0x1p-350
 
 # The lemma is that of ends_bound.g.
 
 # As in contact_components.g, a double-double is high + e low, and the high parts' sums and products are exact pairs.
 e = @kUnit@;
-tiny = 0x1p-1072 / (@kLeast@ * @kLeast@ * @kLeast@ * e * e);
+tiny = 0x1p-1072 / (@kLeastMagnitude@ * @kLeastMagnitude@ * @kLeastMagnitude@ * e * e);
 span = 1 + 2 * @kMargin@;
 
 # The coordinates are off by 8.0001 e e (contact_components.g), each weighed by a determinant of at most 4.

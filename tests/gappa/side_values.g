@@ -1,18 +1,18 @@
-# The bound on side conditions in bracket.cpp: components of n, f1, f2 at a time t, and their change over a time h. In
-# units of the vectors' bounds.
+# The bound on side conditions in root_sides.hpp: components of n, f1, f2 at a time t, and their change over a time h.
+# In units of the vectors' bounds.
 # SPDX-License-Identifier: MIT
 # constant kUnit src/filters/coplanarity_form.hpp
-# constant kMargin src/filters/bernstein_cubic.hpp
-# constant kLeast src/filters/bracket.cpp
-# between kRounding src/filters/bracket.cpp |const double spread = | + (|
-# between kReach src/filters/bracket.cpp |* kUnit + (|) * h;|
+# constant kMargin src/filters/step_cubic.hpp
+# constant kLeastMagnitude src/filters/root_sides.hpp
+# between kRounding src/filters/root_sides.hpp |const N spread = | + (|
+# between kReach src/filters/root_sides.hpp |* kUnit + (|) * h;|
 # not with kRounding: 15.9 * kUnit
 # not with kReach: 8
 # not with kMargin: 0x1p-5
-# not with kLeast: 0x1p-600
+# not with kLeastMagnitude: 0x1p-600
 
 e = @kUnit@;
-tiny = 0x1p-1074 / (@kLeast@ * @kLeast@);
+tiny = 0x1p-1074 / (@kLeastMagnitude@ * @kLeastMagnitude@);
 span = 1 + 2 * @kMargin@;
 # A coordinate at t, of a computed difference a and b at the ends. The mixes are sums weighted by s and t of numbers of
 # at most 1, divided by span.

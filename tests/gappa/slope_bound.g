@@ -1,19 +1,19 @@
-# kSlopeBound of bernstein_cubic.cpp: the slope of the cubic, with the share of the curvature's error.
+# kSlopeBound of step_cubic.hpp: the slope of the cubic, with the share of the curvature's error.
 # SPDX-License-Identifier: MIT
 # constant kUnit src/filters/coplanarity_form.hpp
-# constant kSlopeBound src/filters/bernstein_cubic.cpp
-# constant kMargin src/filters/bernstein_cubic.hpp
-# constant kGreatestRadius src/filters/bernstein_cubic.hpp
-# between kCurvature src/filters/bernstein_cubic.cpp |curvature_ = (|) * std::max(|
-# constant kLeast src/filters/bracket.cpp
+# constant kSlopeBound src/filters/step_cubic.hpp
+# constant kMargin src/filters/step_cubic.hpp
+# constant kGreatestRadius src/filters/step_cubic.hpp
+# between kCurvature src/filters/step_cubic.hpp |curvature_ = (|) * larger(|
+# constant kLeastMagnitude src/filters/root_sides.hpp
 # not with kSlopeBound: 365 * kUnit
 # not with kMargin: 0x1p-7
 # not with kGreatestRadius: 0x1p-6
 # not with kCurvature: 2
-# not with kLeast: 0x1p-350
+# not with kLeastMagnitude: 0x1p-350
 
 e = @kUnit@;
-tiny = 0x1p-1074 / (@kLeast@ * @kLeast@ * @kLeast@);
+tiny = 0x1p-1074 / (@kLeastMagnitude@ * @kLeastMagnitude@ * @kLeastMagnitude@);
 span = 1 + 2 * @kMargin@;
 size = (1 - e) * (1 - e) * (1 - e);
 

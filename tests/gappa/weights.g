@@ -4,7 +4,7 @@
 # constant kUnit src/filters/coplanarity_form.hpp
 # constant kUnitSquared src/filters/contact_values.hpp
 # constant kComponentError src/filters/contact_values.hpp
-# constant kMargin src/filters/bernstein_cubic.hpp
+# constant kMargin src/filters/step_cubic.hpp
 # constant kWeightError src/filters/refined_root.cpp
 # between kFactor src/filters/refined_root.cpp |return (|) * (kComponentError * (1|
 # between kWeight src/filters/refined_root.cpp |(1 + away / kUnit) + | * (reach * reach|
