@@ -10,15 +10,15 @@
 namespace touchstone::filters {
 namespace {
 
-// Beyond these, products of coordinates may be out of the range of the filters' bounds.
+// Beyond these, products of differences of coordinates may be out of the range of the filters' bounds.
 constexpr double kLeast = 0x1p-150;
 constexpr double kGreatest = 0x1p150;
 
-// The filters' bounds are for the largest coordinate along any axis. Where that is so many times the largest one along
+// The filters' bounds are for the largest difference along any axis. Where that is so many times the largest one along
 // another axis, they are mostly too large to decide.
 constexpr double kGreatestRatio = 0x1p20;
 
-/// One axis of a query, times a power of two that makes the largest coordinate about 1.
+/// One axis of a query, times a power of two that makes the largest difference about 1.
 class Scale {
  public:
   explicit Scale(double largest) noexcept {
@@ -50,12 +50,13 @@ bool seems_extreme(const Query& query) noexcept {
 
 std::optional<Query> rescaled(const Query& query) noexcept {
   const std::size_t count = corner_count(query.kind);
+  const Vec3& origin = query.start[0];
   Vec3 largest = {0, 0, 0};
   for (std::size_t i = 0; i < count; ++i) {
     for (const Vec3* x : {&query.start[i], &query.end[i]}) {
-      largest.x = std::max(largest.x, std::fabs(x->x));
-      largest.y = std::max(largest.y, std::fabs(x->y));
-      largest.z = std::max(largest.z, std::fabs(x->z));
+      largest.x = std::max(largest.x, std::fabs(x->x - origin.x));
+      largest.y = std::max(largest.y, std::fabs(x->y - origin.y));
+      largest.z = std::max(largest.z, std::fabs(x->z - origin.z));
     }
   }
   double least = std::numeric_limits<double>::infinity(), greatest = 0;
