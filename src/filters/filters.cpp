@@ -15,25 +15,21 @@ namespace touchstone::filters {
 
 namespace {
 
-/// What the shared corner and the boxes, which are tests at any scale, leave open.
-Decision decide_by_products(const Question& question, Answer& answer) {
-  const Query& query = question.query;
-  // Before the separating directions: most queries that come so far touch, or have a root and pass each other by.
+Finding decide_in_any_brackets(const Question& question, Answer& answer) {
   Finding finding = Finding::uncertain;
-  if (has_cubic(query.kind)) {
+  if (has_cubic(question.query.kind)) {
     finding = decide_in_brackets(question, answer);
-  } else if (const std::optional<Query> edges = as_crossing_edges(query)) {
+  } else if (const std::optional<Query> edges = as_crossing_edges(question.query)) {
     finding = decide_in_brackets({*edges, question.t_max, question.exact_value, question.wanted}, answer);
     if (finding == Finding::contact) name_point_and_edge(answer);
   }
-  if (finding != Finding::uncertain) {
-    answer.level = Level::bracket;
-    return {finding, Test::bracket};
-  }
+  answer.level = finding == Finding::uncertain ? Level::filter : Level::bracket;
+  return finding;
+}
 
+Decision decide_by_directions(const Query& query) {
   const Test separation = test_that_separates(query);
-  if (separation != Test::none) return {Finding::no_contact, separation};
-  return {};
+  return separation != Test::none ? Decision{Finding::no_contact, separation} : Decision();
 }
 
 }  // namespace
@@ -43,15 +39,20 @@ Decision decide_by_filters(const Question& question, Answer& answer) {
   answer.level = Level::filter;
   if (touch_in_shared_corner(query, question.t_max, answer)) return {Finding::contact, Test::shared_corner};
   if (boxes_disjoint(query)) return {Finding::no_contact, Test::boxes};
-  if (!seems_extreme(query)) {
-    const Decision decision = decide_by_products(question, answer);
+
+  // Before the separating directions: most queries that come so far touch, or have a root and pass each other by.
+  const Finding finding = decide_in_any_brackets(question, answer);
+  if (finding != Finding::uncertain) return {finding, Test::bracket};
+  const bool extreme = seems_extreme(query);  // then directions are tried once, on the rescaled query
+  if (!extreme) {
+    const Decision decision = decide_by_directions(query);
     if (decision.finding != Finding::uncertain) return decision;
-    answer.level = Level::filter;
   }
   const std::optional<Query> scaled = rescaled(query);
-  if (!scaled) return seems_extreme(query) ? decide_by_products(question, answer) : Decision();
+  if (!scaled) return extreme ? decide_by_directions(query) : Decision();
   if (same_side(*scaled)) return {Finding::no_contact, Test::same_side};
-  return decide_by_products({*scaled, question.t_max, question.exact_value, question.wanted}, answer);
+  const Finding now = decide_in_any_brackets({*scaled, question.t_max, question.exact_value, question.wanted}, answer);
+  return now != Finding::uncertain ? Decision{now, Test::bracket} : decide_by_directions(*scaled);
 }
 
 Finding decide_by_filters(const Query& query, const Separation& separation, double t_max, Answer& answer) {
