@@ -277,7 +277,9 @@ void Multigrid::take_product(const Level& fine, Level& coarse) {
 
 bool Multigrid::invert_diagonal(Level& level) {
   for (std::size_t i = 0; i < level.diagonal.size(); ++i) {
-    const Eigen::LLT<Block> factor(level.values[at(level.diagonal[i])]);
+    const Block& own = level.values[at(level.diagonal[i])];
+    if (!own.allFinite()) return false;  // the inverse of infinity would be 0
+    const Eigen::LLT<Block> factor(own);
     level.inverse_diagonal[i] = factor.solve(Block::Identity());
     if (factor.info() != Eigen::Success || !level.inverse_diagonal[i].allFinite()) return false;
   }

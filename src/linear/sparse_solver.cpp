@@ -2,7 +2,9 @@
 #include "linear/sparse_solver.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "linear/block_matrix.hpp"
@@ -163,6 +165,11 @@ void SparseSolver::Impl::iterate(Vector& right) {
   matrix.apply_inverse(z);
   Vector p = z, mp = r, hp = x;  // mp: the matrix of the pattern times p; hp: the whole matrix times p
   double rz = numbers(r).dot(numbers(z));
+  if (!std::isfinite(rz)) {
+    // No iteration would be taken, and a step of length zero would look like convergence.
+    numbers(right).setConstant(std::numeric_limits<double>::quiet_NaN());
+    return;
+  }
   const double enough = kResidual * kResidual * rz;
   for (int i = 0; i < kMostIterations && rz > enough; ++i) {
     cancel->check();

@@ -43,7 +43,7 @@ class SparseSolver {
   bool factorise();
   /// By conjugate gradients where there are large sheets, or contacts that do not fit the pattern. Where these find
   /// that the matrix is not positive definite, the solution is a direction along which x^T A x / 2 - right^T x
-  /// decreases.
+  /// decreases. Where numbers overflow, the solution is not finite.
   Eigen::VectorXd solve(const Eigen::VectorXd& right);
 
  private:

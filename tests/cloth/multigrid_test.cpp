@@ -239,7 +239,8 @@ TEST_CASE("multigrid refuses what shows itself as not positive definite, and wor
   const Net net = random_net(random, 14, 0.5, 0.1);
   const Eigen::SparseMatrix<double> matrix = net.matrix(), part = upper(matrix);
   Multigrid grid(net.coordinates, net.blocks, part.outerIndexPtr(), part.innerIndexPtr());
-  for (const double bad : {-1.0, 0.0, std::numeric_limits<double>::quiet_NaN()}) {
+  using Limits = std::numeric_limits<double>;
+  for (const double bad : {-1.0, 0.0, Limits::quiet_NaN(), Limits::infinity()}) {
     std::vector<double> values(part.valuePtr(), part.valuePtr() + part.nonZeros());
     values[static_cast<std::size_t>(part.outerIndexPtr()[net.size() / 2 + 1] - 1)] = bad;  // on the diagonal
     CHECK(!grid.set(values.data()));
@@ -329,4 +330,17 @@ TEST_CASE("a sheet for which multigrid needs too many iterations is factorised")
     const Vector residual = right - matrix * solver.solve(right);
     CHECK(residual.dot(factor.solve(residual)) < 1e-12 * right.dot(factor.solve(right)));  // a factor's, not 1e-4
   }
+}
+
+TEST_CASE("where the right-hand side of a large sheet is out of range, the solution is not zero but not finite") {
+  Rng random(29);
+  const Net net = random_net(random, 34, 0.1, 0);
+  PatternCache cache;
+  SparseSolver solver(net.size(), net.blocks, net.coordinates, cache);
+  fill(solver, net);
+  REQUIRE(solver.factorise());
+  const Vector right = random_vector(random, net.size());
+  CHECK(solver.solve(1e140 * right).allFinite());
+  for (const double scale : {1e160, std::numeric_limits<double>::infinity()})
+    CHECK(!solver.solve(scale * right).allFinite());
 }
