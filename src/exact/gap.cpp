@@ -24,12 +24,13 @@
 // it: V_0(t0 + x) = x^m (g_m + g_(m+1) x + ...), and the g_i are integers over 2^(3 f). So it is at least
 // |x|^m / 2^(3 f + 1) for |x| <= 2^-12, where |g_m| exceeds twice the sum of the later |g_i| 2^-12. Where this exceeds
 // d v, V has no root at t0 + x. Hence:
-// - for the narrowed d, and all smaller ones, no root is at t0 +- 2^-12. The root of the contact, which is continuous in
-//   d, stays between these.
+// - for the narrowed d, and all smaller ones, no root is at t0 +- 2^-12. The root of the contact, which is continuous
+//   in d, stays between these.
 // - for the query's d, no root is farther from t0 than x with |x|^m > 2^(3 f + 1) d v, and closer than 2^-12. So the
 //   root of the contact is that close to t0: much closer than the next double.
-// - V at t0 is a polynomial in d with integer coefficients over 2^(3 f) and a norm of at most v: it has one sign for all
-//   d up to the narrowed one, or is zero for all. So the root is before t0, at t0 or after it as in the narrowed query.
+// - V at t0 is a polynomial in d with integer coefficients over 2^(3 f) and a norm of at most v: it has one sign for
+//   all d up to the narrowed one, or is zero for all. So the root is before t0, at t0 or after it as in the narrowed
+//   query.
 //
 // The weights are quotients of the base at t0, unless the denominator is too small there. Numerators and denominators
 // change by at most twice their norm times the way to the root, and by d times their norm.

@@ -13,8 +13,8 @@
 namespace touchstone::numbers {
 namespace {
 
-/// n / d = q + (n - q d) / d for a double q near it. The rest r is off by r.error, and its low part is left out; d's high
-/// part is off by less than 2^-51 of itself, and the division rounds.
+/// n / d = q + (n - q d) / d for a double q near it. The rest r is off by r.error, and its low part is left out; d's
+/// high part is off by less than 2^-51 of itself, and the division rounds.
 BoundedPair quotient_of(const BoundedPair& n, const BoundedPair& d) noexcept {
   constexpr double kSlack = 1 + 0x1p-20;
   const double q = n.value.high / d.value.high;
@@ -241,8 +241,8 @@ void NearRoots<Limbs>::isolate_inside(const P& p, int size) {
   isolate_cubic(p);
 }
 
-/// The two roots of a quadratic, middle -+ apart. The discriminant is exact, so that `apart` is off by less than 2^-49 of
-/// itself, from the conversion, the root and the division: the closer the roots, the better they are known.
+/// The two roots of a quadratic, middle -+ apart. The discriminant is exact, so that `apart` is off by less than 2^-49
+/// of itself, from the conversion, the root and the division: the closer the roots, the better they are known.
 template <int Limbs>
 template <class P>
 void NearRoots<Limbs>::push_close(const P& p, const BoundedPair& middle, double apart) {
@@ -317,8 +317,8 @@ FixedInt<N> times_integer(const FixedInt<N>& x, std::int64_t n) noexcept {
 
 /// Of a cubic whose roots almost coincide, where one of them is a double of few bits, n / 2^k, for n odd. Then
 /// 2^k t - n divides p, and the quotient a has integer coefficients (Gauss's lemma): a2 = p3 / 2^k,
-/// a1 = (p2 + n a2) / 2^k, a0 = (p1 + n a1) / 2^k and p0 + n a0 = 0. The divisions leave no remainder where the last one
-/// holds. Without it nothing is used, so that the sums need no room beyond p's.
+/// a1 = (p2 + n a2) / 2^k, a0 = (p1 + n a1) / 2^k and p0 + n a0 = 0. The divisions leave no remainder where the last
+/// one holds. Without it nothing is used, so that the sums need no room beyond p's.
 template <int Limbs>
 template <class P>
 bool NearRoots<Limbs>::isolate_beside_double(const P& p) {
