@@ -2,9 +2,9 @@
 //
 //     benchmark_columns [REPETITIONS]
 //
-// The queries are candidate pairs of the scenes of `touchstone generate`, mixed so that the first test leaves so many of
-// them. A line has medians of processor time in nanoseconds a query, on one thread: `solve` in turn with `solve_batch`
-// in columns, with vectors of each width that the machine has; and the ratio of the first to the widest.
+// The queries are candidate pairs of the scenes of `touchstone generate`, mixed so that the first test leaves so many
+// of them. A line has medians of processor time in nanoseconds a query, on one thread: `solve` in turn with
+// `solve_batch` in columns, with vectors of each width that the machine has; and the ratio of the first to the widest.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstdio>
