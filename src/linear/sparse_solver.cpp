@@ -26,6 +26,9 @@ constexpr double kResidual = 1e-2;
 constexpr int kMostIterations = 400;
 // Of those with multigrid. They take about as long as the factor of a sheet does, which comes then.
 constexpr int kMostOfMultigrid = 50;
+// The same with contacts beside the pattern. These are in neither the factor nor multigrid, so that the factor would
+// save few iterations, and each costs several times as much with it.
+constexpr int kMostWithContacts = 200;
 
 using Vector = BlockMatrix::Vector;
 
@@ -170,10 +173,11 @@ void SparseSolver::Impl::iterate(Vector& right) {
     numbers(right).setConstant(std::numeric_limits<double>::quiet_NaN());
     return;
   }
+  const int most_of_multigrid = beside ? kMostWithContacts : kMostOfMultigrid;
   const double enough = kResidual * kResidual * rz;
   for (int i = 0; i < kMostIterations && rz > enough; ++i) {
     cancel->check();
-    if (matrix.is_approximate() && i == kMostOfMultigrid) {
+    if (matrix.is_approximate() && i == most_of_multigrid) {
       if (!matrix.factorise_sheets()) break;
       z = r;
       matrix.apply_inverse(z);
