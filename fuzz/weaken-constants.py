@@ -34,9 +34,10 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 # - in near_root.cpp the steadiness of the slope, the gap beside a root, which root two polynomials share, the root that
 #   a divisor leaves, the uncertain signs of a part and the reach of Newton iteration: the search and the interval that
 #   it starts from make them hold; nor the error of the time that this iteration ends with, or of the middle of two close
-#   roots: it is far below a double's;
-# - in gap.cpp the way of a root across a gap: where it is not below a double's distance, the coordinates mostly have few
-#   enough bits to need no gap, or the root is in doubt.
+#   roots: it is far below a double's; nor the reach of a remainder's root, which is where the root of p is whenever it
+#   is near;
+# - in gap.cpp the signs on both sides of a root that is followed across a gap: without them no double is found where V
+#   changes its sign; nor the signs around a simple root of V_0, which is far steeper there than d.
 
 # name, file below src, text there (exactly once), what it becomes
 FAULTS = [
@@ -109,13 +110,20 @@ FAULTS = [
      "root.near_.error = 0;"),
     ("width of a gap", "exact/gap.cpp", "const int narrow = enough;", "const int narrow = enough / 8;"),
     ("error of a weight across a gap", "exact/gap.cpp", "if (!(error <=", "if (error < 0 && !(error <="),
+    ("distance of a root across a gap", "exact/gap.cpp", "+ std::ilogb(leading)", "+ 30 + std::ilogb(leading)"),
+    ("what a sum leaves below its last bit", "exact/gap.cpp", "rest ? 1 : 0;", "0;"),
+    ("a root across a gap that stays at a double", "exact/gap.cpp",
+     "if (answer.toi == t0 && answer.toi_upper == t0) return numbers::exact_pair(t0);", ""),
+    ("doubt of a root beside a double across a gap", "exact/gap.cpp", "std::fabs(rest) > time.error &&", ""),
+    ("distance of a remainder's root", "numbers/near_root.cpp", "if (way - error > distance) return",
+     "if (way + error > distance / 16) return"),
     ("error of a near root", "numbers/near_root_isolation.cpp", "kSlack * ((1 + 2 * q) * (v.error + q * std::fabs(v.value)) / steep",
      "kSlack / 256 * ((1 + 2 * q) * (v.error + q * std::fabs(v.value)) / steep"),
     ("a near root that is a double", "numbers/near_root.cpp", "if (side == 0) side = sign_of_rest(nearest);", ""),
     ("doubt of a sign at a near root", "numbers/near_root.cpp", "return sign != 0 ? sign : raise_doubt();\n}\n\ntemplate <int Limbs>\nvoid NearRoot<Limbs>::settle()",
      "return sign != 0 ? sign : 1;\n}\n\ntemplate <int Limbs>\nvoid NearRoot<Limbs>::settle()"),
     ("error of a sign at a fine time", "numbers/near_root.cpp", "value.error += kSlack * slope",
-     "value.error += 0x1p-20 * kSlack * slope"),
+     "value.error += 0x1p-130 * slope"),
     ("error of a near quotient", "numbers/near_root.cpp", "kGreatestError = 0x1p-52", "kGreatestError = 0x1p-38"),
 ]
 

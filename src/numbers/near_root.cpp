@@ -229,6 +229,7 @@ int NearRoot<Limbs>::sign_of_close(const P& q) const {
     return sign_at_quotient(wide, quotient->numerator, quotient->denominator);
   }
   const Isolated& root = std::get<Isolated>(exact_);
+  if (const auto exact = sign_by_remainder(wide, root)) return *exact;
   return certainly_vanishes(wide, root) ? 0 : fine_sign_at(wide, root);
 }
 template <int Limbs>
@@ -282,6 +283,54 @@ bool NearRoot<Limbs>::certainly_vanishes(const Quadratic& q, const Isolated& roo
     return besides.sign() != 0;
   }
   return common(l0, l1);
+}
+
+// Let x be this root of p, and y the only root of q near it, a simple one. The sign of q(x) tells on which side of y x
+// is, and so does the sign of p(y), as x is p's only root near y. With s the sign of p' at x and r that of q' near y:
+//   p(y) has the sign s of (y - x), and q(x) the sign r of (x - y): q(x) has the sign -r s of p(y).
+// A linear q has y = n / d, where p's sign is exact. Otherwise p(y) is, but for a positive factor, a linear remainder
+// l0 + l1 y as in certainly_vanishes, with the sign of l1 (y - z) for z = -l0 / l1; and q(z) has the sign r of (z - y)
+// if z is near, too. No number of bits is too many for that, whatever the distance of x and y.
+//
+// "Near" is proved at c, the double-double of x: q has the value v there, off by at most e, and the slope h, off by at
+// most f. In [c - w, c + w], with f + |q''| w <= |h| / 2, q' keeps its sign. In [c - d, c + d], with
+// d = 2 (|v| + e) / |h| and f + |q''| d <= |h| / 4, q changes by more than |v| + e on either side: y is there.
+template <int Limbs>
+std::optional<int> NearRoot<Limbs>::sign_by_remainder(const Quadratic& q, const Isolated& root) const {
+  constexpr double kSlack = 1 + 0x1p-20;
+  const auto& p = root.p;
+  const BoundedPair c = {near_.value, 0};
+  const BoundedPair q_slope[] = {bounded(q[1]), bounded(q[2]) * exact_pair(2)};
+  const BoundedPair p_slope[] = {bounded(p[1]), bounded(p[2]) * exact_pair(2), bounded(p[3]) * exact_pair(3)};
+  const Bounded v = rounded(value_of(q, c)), h = rounded(value_at(q_slope, 2, c));
+  const int p_sign = value_at(p_slope, 3, near_).sign(), q_sign = h.sign();
+  const double steep = std::fabs(h.value), bend = kSlack * 2 * std::fabs(to_double(q[2]));
+  const double reach = bend > 0 ? (0.5 * steep - kSlack * h.error) / (kSlack * bend) : 1;
+  const double distance = kSlack * 2 * (std::fabs(v.value) + v.error) / steep;
+  if (p_sign == 0 || q_sign == 0 || !(kSlack * (h.error + bend * distance) <= 0.25 * steep)) return std::nullopt;
+  if (!(kSlack * near_.error <= reach && distance < root.reach)) return std::nullopt;
+
+  if (q[2].is_zero()) {
+    const auto n = -q[0], d = q[1];
+    return -q_sign * p_sign * d.sign() * sign_of(((p[0] * d + p[1] * n) * d + p[2] * n * n) * d + p[3] * n * n * n);
+  }
+  const auto by_linear = [&](const auto& l0, const auto& l1) -> std::optional<int> {
+    if (l1.is_zero()) return -q_sign * p_sign * l0.sign();
+    const auto n = -l0;
+    const double z = to_double(n) / to_double(l1), near = near_.value.high, way = std::fabs(z - near);
+    const double error = 0x1p-49 * std::fabs(z) + 0x1p-51 * near;
+    if (way - error > distance) return -q_sign * p_sign * l1.sign() * (near > z ? 1 : -1);
+    if (!(way + error <= reach)) return std::nullopt;
+    return p_sign * l1.sign() * sign_of((q[0] * l1 + q[1] * n) * l1 + q[2] * n * n);
+  };
+  if (p[3].is_zero()) {
+    const auto sign = by_linear(q[2] * p[0] - p[2] * q[0], q[2] * p[1] - p[2] * q[1]);
+    return sign ? std::optional(q[2].sign() * *sign) : std::nullopt;
+  }
+  const auto s0 = q[2] * p[0];
+  const auto s1 = q[2] * p[1] - p[3] * q[0];
+  const auto s2 = q[2] * p[2] - p[3] * q[1];
+  return by_linear(q[2] * s0 - s2 * q[0], q[2] * s1 - s2 * q[1]);
 }
 
 template <int Limbs>

@@ -208,6 +208,8 @@ class NearRoot {
   double quotient_of(const P& numerator, const P& denominator) const;
   double close_quotient(const Quadratic& numerator, const Quadratic& denominator) const;
   double close_quotient(const SmallQuadratic& numerator, const SmallQuadratic& denominator) const;
+  /// The sign of q at this isolated root, exact however small the value is. Nothing where q has two roots close to it.
+  std::optional<int> sign_by_remainder(const Quadratic& q, const Isolated& root) const;
   /// Whether q certainly has this isolated root. Its value there is too small for doubles.
   bool certainly_vanishes(const Quadratic& q, const Isolated& root) const;
   /// Finds lower_ and upper_; a root that is a double becomes a Fraction.
