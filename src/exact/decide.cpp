@@ -254,12 +254,20 @@ std::optional<Answer> near_first_contact(const Query& query, const std::array<Bi
   return answer;
 }
 
+int most_bits(const std::array<BitSpan, 3>& spans) noexcept {
+  return std::max({spans[0].bits(), spans[1].bits(), spans[2].bits()});
+}
+
 /// Over [0, 1].
 std::optional<Answer> decide_across_gap(const Query& query, Wanted wanted) {
   const std::optional<Gap> gap = Gap::of(query);
   if (!gap) return std::nullopt;
-  std::optional<Answer> answer = near_first_contact<2>(gap->narrowed(), axis_spans(gap->narrowed()), 1, wanted,
-                                                       numbers::Doubt::without_quotients());
+  const Query& narrowed = gap->narrowed();
+  const std::array<BitSpan, 3> spans = axis_spans(narrowed);
+  const auto doubt = numbers::Doubt::without_quotients();
+  std::optional<Answer> answer = most_bits(spans) <= kMostBits<1>
+                                     ? near_first_contact<1>(narrowed, spans, 1, wanted, doubt)
+                                     : near_first_contact<2>(narrowed, spans, 1, wanted, doubt);
   if (answer && !gap->restore(*answer, wanted)) answer.reset();
   return answer;
 }
@@ -288,9 +296,8 @@ Answer decide_exactly(const CurvedQuery& query, double t_max) {
 }
 
 std::optional<Answer> decide_nearby(const Query& query, double t_max, Wanted wanted) {
-  int bits = 0;
   const std::array<BitSpan, 3> spans = axis_spans(query);
-  for (const BitSpan& span : spans) bits = std::max(bits, span.bits());
+  const int bits = most_bits(spans);
   if (bits <= kMostBits<0>) return near_first_contact<0>(query, spans, t_max, wanted);
   if (bits <= kMostBits<1>) return near_first_contact<1>(query, spans, t_max, wanted);
   if (bits <= kMostBits<2>) return near_first_contact<2>(query, spans, t_max, wanted);

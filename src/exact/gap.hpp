@@ -27,9 +27,9 @@ class Gap {
   bool restore(Answer& answer, Wanted wanted) const;
 
  private:
-  Query base_, narrowed_;
-  std::array<double, 3> size_ = {1, 1, 1};  ///< along each axis, of the integers; at least 1
-  int spread_ = 0;                          ///< s of the query
+  Query base_, low_, narrowed_;             ///< in base_ and low_, the integers h and l, and 0 for the others
+  std::array<double, 3> norm_ = {1, 1, 1};  ///< along each axis, of differences of corners; at least 1
+  int spread_ = 0, narrow_ = 0;             ///< s of the query and of the narrowed query
 };
 
 }  // namespace touchstone::exact
