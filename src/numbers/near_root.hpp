@@ -117,6 +117,7 @@ class NearRoot {
   struct Isolated {
     Cubic p;
     int degree;
+    int sign_after;  ///< of p, just after the root
     double reach;
   };
 
@@ -209,7 +210,9 @@ class NearRoot {
   double close_quotient(const Quadratic& numerator, const Quadratic& denominator) const;
   double close_quotient(const SmallQuadratic& numerator, const SmallQuadratic& denominator) const;
   /// The sign of q at this isolated root, exact however small the value is. Nothing where q has two roots close to it.
-  std::optional<int> sign_by_remainder(const Quadratic& q, const Isolated& root) const;
+  /// @param value  of q at near_, within its bound
+  template <class Q>
+  std::optional<int> sign_by_remainder(const Q& q, const BoundedPair& value, const Isolated& root) const;
   /// Whether q certainly has this isolated root. Its value there is too small for doubles.
   bool certainly_vanishes(const Quadratic& q, const Isolated& root) const;
   /// Finds lower_ and upper_; a root that is a double becomes a Fraction.

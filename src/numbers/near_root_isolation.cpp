@@ -174,7 +174,7 @@ void NearRoots<Limbs>::push_simple(const P& p, int size, double low, double high
   const auto located = locate(c.data(), size, low, high, sign_low);
   if (!located) return doubt_.raise();
   Root root;
-  root.exact_ = typename Root::Isolated{widened_cubic<Limbs>(p), size - 1, located->reach};
+  root.exact_ = typename Root::Isolated{widened_cubic<Limbs>(p), size - 1, -sign_low, located->reach};
   root.near_ = located->near;
   root.doubt_ = &doubt_;
   root.settle();
@@ -250,7 +250,9 @@ void NearRoots<Limbs>::push_close(const P& p, const BoundedPair& middle, double 
     Root root;
     root.near_ = middle + exact_pair(way);
     root.near_.error += 0x1p-49 * apart;
-    root.exact_ = typename Root::Isolated{widened_cubic<Limbs>(p), 2, (2 - 0x1p-20) * apart - root.near_.error};
+    const int sign_after = way < 0 ? -p[2].sign() : p[2].sign();
+    root.exact_ =
+        typename Root::Isolated{widened_cubic<Limbs>(p), 2, sign_after, (2 - 0x1p-20) * apart - root.near_.error};
     root.doubt_ = &doubt_;
     root.settle();
     push(std::move(root));
@@ -284,15 +286,17 @@ void NearRoots<Limbs>::isolate_quadratic(const P& p) {
   push_simple(p, 3, vertex, 1, -sign);
 }
 
-/// The signs of three times the Bernstein coefficients of c over [low, high], that is of the blossom's values; 0 where
-/// uncertain.
-std::array<int, 4> bernstein_signs(const BoundedPair* c, double low, double high) noexcept {
-  const BoundedPair three = exact_pair(3);
-  const auto blossom = [&](double x, double y, double z) {
-    const BoundedPair a = exact_pair(x), b = exact_pair(y), d = exact_pair(z);
-    return (three * c[0] + c[1] * (a + b + d) + c[2] * (a * b + b * d + d * a) + three * c[3] * (a * b * d)).sign();
+/// The sign of three times the blossom of the cubic c at x, y, z, or 0 where it is uncertain: its Bernstein coefficients
+/// over [low, high] are the blossoms at low and high. Doubles mostly suffice.
+int blossom_sign(const BoundedPair* c, double x, double y, double z) noexcept {
+  const auto blossom = [&](auto exact, auto coefficient) {
+    const auto a = exact(x), b = exact(y), d = exact(z), three = exact(3);
+    return (three * coefficient(0) + coefficient(1) * (a + b + d) + coefficient(2) * (a * b + b * d + d * a) +
+            three * coefficient(3) * (a * b * d))
+        .sign();
   };
-  return {blossom(low, low, low), blossom(low, low, high), blossom(low, high, high), blossom(high, high, high)};
+  const int sign = blossom([](double t) { return Bounded{t, 0}; }, [&](int i) { return rounded(c[i]); });
+  return sign != 0 ? sign : blossom(exact_pair, [&](int i) { return c[i]; });
 }
 
 SmallInt halved(SmallInt x, int times) noexcept { return SmallInt::integer(x.value() >> times); }
@@ -386,12 +390,14 @@ void NearRoots<Limbs>::isolate_cubic(const P& p) {
   }
   ends[count++] = 1;
 
-  const int at_one = (p[0] + p[1] + p[2] + p[3]).sign();
   std::array<int, 5> one{};  // the sign at the start of a part with one root; 0: without a root
+  int before = p[0].sign();
   for (std::size_t i = 0; i + 1 < count; ++i) {
-    std::array<int, 4> signs = bernstein_signs(c.data(), ends[i], ends[i + 1]);
-    if (i == 0) signs[0] = p[0].sign();
-    if (i + 2 == count) signs[3] = at_one;
+    const double low = ends[i], high = ends[i + 1];
+    const int after = i + 2 == count ? (p[0] + p[1] + p[2] + p[3]).sign() : blossom_sign(c.data(), high, high, high);
+    const std::array<int, 4> signs = {before, blossom_sign(c.data(), low, low, high),
+                                      blossom_sign(c.data(), low, high, high), after};
+    before = after;
     const bool certain = signs[0] != 0 && signs[3] != 0;
     const bool none = certain && signs[0] == signs[3] && signs[1] == signs[0] && signs[2] == signs[0];
     // From one sign to the other with at most one turn, whatever the uncertain one is.
