@@ -27,7 +27,7 @@ BoundedPair quotient_of(const BoundedPair& n, const BoundedPair& d) noexcept {
 }
 
 /// A double near the one root of a polynomial in (low, high), by safeguarded Newton iteration; only a hint. A flat
-/// polynomial needs its value in double-doubles.
+/// polynomial needs its value in double-doubles, and small steps do not show that its root is near.
 double hint(const BoundedPair* c, int size, double low, double high, int sign_low, bool closely) noexcept {
   if (size == 2) return -c[0].value.high / c[1].value.high;
   double t = 0.5 * (low + high);
@@ -35,10 +35,13 @@ double hint(const BoundedPair* c, int size, double low, double high, int sign_lo
     const double c0 = c[0].value.high, c1 = c[1].value.high, c2 = c[2].value.high;
     const double sum = -0.5 * (c1 + std::copysign(std::sqrt(std::max(0.0, c1 * c1 - 4 * c0 * c2)), c1));
     for (const double root : {sum / c2, c0 / sum}) {
-      if (root > low && root < high) t = root;
+      if (!(root > low && root < high)) continue;
+      if (!closely) return root;
+      t = root;
     }
   }
   constexpr int kIterations = 60;
+  const double enough = closely ? 0x1p-49 : 0x1p-36;
   for (int i = 0; i < kIterations; ++i) {
     double value = c[size - 1].value.high;
     double slope = (size - 1) * value;
@@ -50,7 +53,7 @@ double hint(const BoundedPair* c, int size, double low, double high, int sign_lo
     ((value < 0) == (sign_low < 0) ? low : high) = t;
     double next = t - value / slope;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
-    const bool converged = std::fabs(next - t) <= 0x1p-49 * t;
+    const bool converged = std::fabs(next - t) <= enough * t;
     t = next;
     if (converged) break;
   }
@@ -286,8 +289,8 @@ void NearRoots<Limbs>::isolate_quadratic(const P& p) {
   push_simple(p, 3, vertex, 1, -sign);
 }
 
-/// The sign of three times the blossom of the cubic c at x, y, z, or 0 where it is uncertain: its Bernstein coefficients
-/// over [low, high] are the blossoms at low and high. Doubles mostly suffice.
+/// The sign of three times the blossom of the cubic c at x, y, z, or 0 where it is uncertain. Its Bernstein
+/// coefficients over [low, high] are the blossoms at low and high. Doubles mostly suffice.
 int blossom_sign(const BoundedPair* c, double x, double y, double z) noexcept {
   const auto blossom = [&](auto exact, auto coefficient) {
     const auto a = exact(x), b = exact(y), d = exact(z), three = exact(3);
