@@ -66,11 +66,15 @@ void EdgeEdgeElements<N>::locate(const Time<N>& root, const SideSigns& found, An
       return {0, 1, 0};
     }
     feature = names[2];
-    const double weight = root.quotient(Quadratic(numerator()), completed(corners_, element, n_[axis]));
+    const auto along = [&](std::size_t k) {
+      return std::pair(Quadratic(numerator(k)), Quadratic(completed(corners_, element, n_[k])));
+    };
+    const double weight =
+        quotient_along(root, Quadratic(numerator(axis)), completed(corners_, element, n_[axis]), axis, along);
     return {1 - weight, weight, 0};
   };
-  const auto f1 = [&] { return first_numerator(frame_, axis); };
-  const auto f2 = [&] { return second_numerator(kEdges, frame_, axis); };
+  const auto f1 = [&](std::size_t k) { return first_numerator(frame_, k); };
+  const auto f2 = [&](std::size_t k) { return second_numerator(kEdges, frame_, k); };
   answer.weights_a = locate_on(0, f1, {Feature::a0, Feature::a1, Feature::a}, answer.feature_a);
   answer.weights_b = locate_on(1, f2, {Feature::b0, Feature::b1, Feature::b}, answer.feature_b);
 }

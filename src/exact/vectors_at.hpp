@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <type_traits>
+#include <utility>
 
 #include "exact/elements.hpp"
 
@@ -33,6 +35,28 @@ NonzeroAxis nonzero_axis(const geometry::Vector<P>& v, const MomentOf<Root>& mom
     if (sign != 0) return {k, sign};
   }
   return {};
+}
+
+/// A quotient of two components along an axis, numerator / denominator at the root, in [0, 1]. The denominator is not
+/// zero there. along(other axis) is the quotient of the same value from those along another axis, as a std::pair.
+template <class Root, class P, class D, class Along>
+double quotient_along(const Root& root, const P& numerator, const D& denominator, std::size_t, const Along&) {
+  return root.quotient(numerator, denominator);
+}
+/// A near root may know the quotient along another axis only. That is rare: a function of its own keeps it out of the way.
+template <int Limbs, class Along>
+[[gnu::noinline]] double quotient_elsewhere(const numbers::NearRoot<Limbs>& root, std::size_t axis,
+                                            const Along& along) {
+  const auto [n, d] = along((axis + 1) % 3);
+  if (const auto quotient = root.known_quotient(n, d)) return *quotient;
+  const auto [n2, d2] = along((axis + 2) % 3);
+  return root.quotient(n2, d2);
+}
+template <int Limbs, class P, class D, class Along>
+double quotient_along(const numbers::NearRoot<Limbs>& root, const P& numerator, const D& denominator, std::size_t axis,
+                      const Along& along) {
+  const auto quotient = root.known_quotient(numerator, denominator);
+  return quotient ? *quotient : quotient_elsewhere(root, axis, along);
 }
 
 /// Appends a polynomial whose roots contain the isolated times at which a moving difference vanishes.

@@ -48,10 +48,16 @@ void VertexFaceElements<N>::locate(const Time<N>& root, const SideSigns& found, 
   answer.weights_a = {1, 0, 0};
   if (found.axis < 0) return locate_flat(root, answer);
   const std::size_t axis = static_cast<std::size_t>(found.axis);
-  const Quadratic w1 = first_numerator(frame_, axis);
-  const Quadratic w2 = second_numerator(kEdges, frame_, axis);
-  const Quadratic n = completed(corners_, 1, n_[axis]);
-  const Quadratic weights[3] = {n - w1 - w2, w1, w2};
+  struct Components {
+    Quadratic n;
+    std::array<Quadratic, 3> weights;  // times n
+  };
+  const auto components = [&](std::size_t k) -> Components {
+    const Quadratic n = completed(corners_, 1, n_[k]);
+    const Quadratic w1 = first_numerator(frame_, k), w2 = second_numerator(kEdges, frame_, k);
+    return {n, {n - w1 - w2, w1, w2}};
+  };
+  const Components own = components(axis);
   unsigned support = 0;  // bit i: weight i is positive
   for (unsigned i = 0; i < 3; ++i) {
     if (found.sign[i] != 0) support |= 1U << i;
@@ -61,7 +67,11 @@ void VertexFaceElements<N>::locate(const Time<N>& root, const SideSigns& found, 
   answer.feature_b = by_support[support];
   for (unsigned i = 0; i < 3; ++i) {
     if ((support & (1U << i)) != 0) {
-      answer.weights_b[i] = support == 1U << i ? 1.0 : root.quotient(weights[i], n);
+      const auto along = [&](std::size_t k) {
+        const Components other = components(k);
+        return std::pair(other.weights[i], other.n);
+      };
+      answer.weights_b[i] = support == 1U << i ? 1.0 : quotient_along(root, own.weights[i], own.n, axis, along);
     }
   }
 }

@@ -351,7 +351,7 @@ std::optional<int> NearRoot<Limbs>::sign_by_remainder(const Q& given, const Boun
 
 template <int Limbs>
 template <class P>
-double NearRoot<Limbs>::quotient_of(const P& numerator, const P& denominator) const {
+std::optional<double> NearRoot<Limbs>::quotient_of(const P& numerator, const P& denominator) const {
   // For n and d off by a and b, n / d is off by at most (a + |n / d| b) / (|d| - b); |n / d| is at most about 1.
   constexpr double kGreatestError = 0x1p-52;
   constexpr double kSlack = 1 + 0x1p-20;
@@ -366,16 +366,17 @@ double NearRoot<Limbs>::quotient_of(const P& numerator, const P& denominator) co
   if (!is_good(near_)) {
     const Isolated* const root = std::get_if<Isolated>(&exact_);
     const auto closer = root != nullptr ? fine(*root) : std::nullopt;
-    if (!closer || !is_good(as_pair(*closer))) doubt_->raise();
+    if (!closer || !is_good(as_pair(*closer))) return std::nullopt;
   }
   return quotient > 0 ? std::min(quotient, 1.0) : 0.0;  // never -0
 }
 template <int Limbs>
-double NearRoot<Limbs>::close_quotient(const Quadratic& numerator, const Quadratic& denominator) const {
+std::optional<double> NearRoot<Limbs>::close_quotient(const Quadratic& numerator, const Quadratic& denominator) const {
   return quotient_of(numerator, denominator);
 }
 template <int Limbs>
-double NearRoot<Limbs>::close_quotient(const SmallQuadratic& numerator, const SmallQuadratic& denominator) const {
+std::optional<double> NearRoot<Limbs>::close_quotient(const SmallQuadratic& numerator,
+                                                      const SmallQuadratic& denominator) const {
   return quotient_of(numerator, denominator);
 }
 

@@ -95,11 +95,17 @@ class NearRoot {
   int compare(double value) const noexcept { return upper_ <= value ? (lower_ == value ? 0 : -1) : 1; }
 
   /// numerator(root) / denominator(root) within an absolute error of 2^-50.5, given that the quotient lies in [0, 1]
-  /// and the denominator is not zero at the root.
+  /// where the denominator is not zero at the root. Nothing where it is zero, or too small.
   template <class R>
-  double quotient(const Polynomial<R, 2>& numerator, const Polynomial<R, 2>& denominator) const {
+  std::optional<double> known_quotient(const Polynomial<R, 2>& numerator, const Polynomial<R, 2>& denominator) const {
     if (!doubt_->quotients()) return 0;
     return close_quotient(as_quadratic(numerator), as_quadratic(denominator));
+  }
+  /// The same, with a doubt in place of nothing.
+  template <class R>
+  double quotient(const Polynomial<R, 2>& numerator, const Polynomial<R, 2>& denominator) const {
+    const std::optional<double> quotient = known_quotient(numerator, denominator);
+    return quotient ? *quotient : raise_doubt();
   }
 
  private:
@@ -206,9 +212,9 @@ class NearRoot {
   int close_sign_at(const Quadratic& q) const;
   int close_sign_at(const SmallQuadratic& q) const;
   template <class P>
-  double quotient_of(const P& numerator, const P& denominator) const;
-  double close_quotient(const Quadratic& numerator, const Quadratic& denominator) const;
-  double close_quotient(const SmallQuadratic& numerator, const SmallQuadratic& denominator) const;
+  std::optional<double> quotient_of(const P& numerator, const P& denominator) const;
+  std::optional<double> close_quotient(const Quadratic& numerator, const Quadratic& denominator) const;
+  std::optional<double> close_quotient(const SmallQuadratic& numerator, const SmallQuadratic& denominator) const;
   /// The sign of q at this isolated root, exact however small the value is. Nothing where q has two roots close to it.
   /// @param value  of q at near_, within its bound
   template <class Q>
