@@ -2,8 +2,9 @@
 //
 // Let the norm of a polynomial in t and d be the sum of the absolute values of its coefficients; the norm of a product
 // is at most the product of the norms. Along axis k, let the difference of any two moving corners have a norm of at most
-// L_k, an integer. So the components of cross products have norms of at most 2 L_i L_j, sums of three of them 6 L_i L_j,
-// and V has 6 L_x L_y L_z.
+// L_k, an integer. So the components of cross products of two differences have norms of at most 2 L_i L_j. The weights'
+// numerators are such ones, too: n - (r x w) = (u - r) x w for edges, n - (r x w) - (u x r) = (u - r) x (w - r) for a
+// face. V has at most the sum of the six products of a norm of u, one of w and one of r along three axes.
 //
 // Whether, when and in which features two elements touch in [0, 1] is told by the signs of V, of such components and
 // sums, and of differences of coordinates, at and between their roots, and by where 0 and 1 lie among these. (The sign
@@ -65,25 +66,23 @@ namespace {
 constexpr int kTimeBits = 6;         // f
 constexpr int kMostVolumeBits = 40;  // of v: V_0 at t0 and its derivatives, times 2^(3 f + 3), fit one word
 constexpr int kLeastGap = 32;        // a narrower one is no gap
-constexpr double kVolumeNorm = 6, kQuadraticNorm = 6;
+constexpr double kQuadraticNorm = 2;
+constexpr double kSlack = 1 + 0x1p-20;  // for the rounding of bounds
 
 /// The least n with x <= 2^n, for x >= 1; or one more.
 int bits_of(double x) noexcept { return std::ilogb(x) + 1; }
 
-/// The greatest norm of a difference of two corners along an axis, h and l d being the coordinates; at least 1.
-double greatest_norm(const std::array<Query, 2>& parts, double Vec3::*axis) noexcept {
-  double greatest = 1;
-  for (std::size_t i = 0; i < corner_count(parts[0].kind); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      double norm = 0;
-      for (const Query& part : parts) {
-        const double at_start = part.start[i].*axis - part.start[j].*axis;
-        norm += std::fabs(at_start) + std::fabs(part.end[i].*axis - part.end[j].*axis - at_start);
-      }
-      greatest = std::max(greatest, norm);
-    }
+/// The norm of the difference of two corners along each axis, h and l d being the coordinates.
+geometry::Vector<double> difference_norm(const std::array<Query, 2>& parts, std::size_t i, std::size_t j) noexcept {
+  geometry::Vector<double> norm = {{0, 0, 0}};
+  for (const Query& part : parts) {
+    const Vec3 &start_i = part.start[i], &start_j = part.start[j], &end_i = part.end[i], &end_j = part.end[j];
+    const Vec3 at_start = {start_i.x - start_j.x, start_i.y - start_j.y, start_i.z - start_j.z};
+    norm[0] += std::fabs(at_start.x) + std::fabs(end_i.x - end_j.x - at_start.x);
+    norm[1] += std::fabs(at_start.y) + std::fabs(end_i.y - end_j.y - at_start.y);
+    norm[2] += std::fabs(at_start.z) + std::fabs(end_i.z - end_j.z - at_start.z);
   }
-  return greatest;
+  return norm;
 }
 
 /// The coordinates along one axis: multiples of 2^unit, and lesser ones, multiples of 2^least, below a gap.
@@ -146,6 +145,20 @@ Sum shifted_down(const Sum& x, int bits, bool& lost) noexcept {
 
 using SmallCubic = Forms<Near<0>>::Cubic;
 
+/// 2^(3 f) p(n / 2^f), for n / 2^f <= 1.
+std::int64_t value_at(const SmallCubic& p, std::int64_t n) noexcept {
+  constexpr int kOne = 1 << kTimeBits;
+  return ((p[0].value() * kOne + p[1].value() * n) * kOne + p[2].value() * n * n) * kOne + p[3].value() * n * n * n;
+}
+
+/// g[0], g[1], g[2], g[3]: 2^(3 f) p(n / 2^f + x) = g[0] + g[1] x + ...
+std::array<std::int64_t, 4> around(const SmallCubic& p, std::int64_t n) noexcept {
+  constexpr int kOne = 1 << kTimeBits;
+  const std::int64_t c1 = p[1].value(), c2 = p[2].value(), c3 = p[3].value();
+  return {value_at(p, n), ((c1 * kOne + 2 * c2 * n) * kOne + 3 * c3 * n * n) * kOne,
+          (c2 * kOne + 3 * c3 * n) * kOne * kOne, c3 * kOne * kOne * kOne};
+}
+
 /// V as a polynomial in t and d, or V divided by times t - t0: [i] holds the coefficient of d^i.
 class Volume {
  public:
@@ -155,17 +168,7 @@ class Volume {
 
   /// 2^(3 f) V_i(n / 2^f), for n / 2^f <= 1.
   std::int64_t term_at(int i, std::int64_t n) const noexcept {
-    constexpr int kOne = 1 << kTimeBits;
-    const SmallCubic& c = by_power_[static_cast<std::size_t>(i)];
-    return ((c[0].value() * kOne + c[1].value() * n) * kOne + c[2].value() * n * n) * kOne + c[3].value() * n * n * n;
-  }
-
-  /// g[0], g[1], g[2], g[3]: 2^(3 f) V_0(n / 2^f + x) = g[0] + g[1] x + ...
-  std::array<std::int64_t, 4> around(std::int64_t n) const noexcept {
-    constexpr int kOne = 1 << kTimeBits;
-    const std::int64_t c1 = base()[1].value(), c2 = base()[2].value(), c3 = base()[3].value();
-    return {term_at(0, n), ((c1 * kOne + 2 * c2 * n) * kOne + 3 * c3 * n * n) * kOne,
-            (c2 * kOne + 3 * c3 * n) * kOne * kOne, c3 * kOne * kOne * kOne};
+    return value_at(by_power_[static_cast<std::size_t>(i)], n);
   }
 
   /// The least k > 0 with V_k(n / 2^f) != 0; 4 if there is none.
@@ -237,8 +240,6 @@ struct Change {
   int narrow, spread;
 };
 
-constexpr double kSlack = 1 + 0x1p-20;  // for the rounding of bounds
-
 /// The root of the contact where V_0 has one simple root close to it, known as a double-double. Makes the answer's time
 /// the query's.
 std::optional<BoundedPair> root_near(const SmallCubic& base, const Change& change, Answer& answer) {
@@ -295,10 +296,13 @@ std::optional<std::array<double, 2>> neighbours_of_root(const Volume& volume, in
   return std::nullopt;
 }
 
-/// The root of the contact where V_0 has a root t0 = n / 2^f beside it. Makes the answer's time the query's.
-std::optional<BoundedPair> root_beside(Volume volume, std::int64_t n, const Change& change, Answer& answer) {
+/// The root of the contact where V_0 has a root t0 = n / 2^f beside it. Makes the answer's time the query's. V is made
+/// where it is needed.
+template <class MakeVolume>
+std::optional<BoundedPair> root_beside(const SmallCubic& base, std::int64_t n, const Change& change,
+                                       const MakeVolume& make_volume, Answer& answer) {
   const double t0 = std::ldexp(static_cast<double>(n), -kTimeBits);
-  const std::array<std::int64_t, 4> g = volume.around(n);
+  const std::array<std::int64_t, 4> g = around(base, n);
   std::size_t m = 0;
   while (m < 4 && g[m] == 0) ++m;
   if (m == 0 || m == 4) return std::nullopt;
@@ -324,13 +328,14 @@ std::optional<BoundedPair> root_beside(Volume volume, std::int64_t n, const Chan
     answer.toi_upper = before ? t0 : std::nextafter(t0, 2.0);
     return time;
   }
+  Volume volume = make_volume();
   int k = volume.lowest_term_at(n);
   for (; k == 4 && m > 1; k = volume.lowest_term_at(n)) {
     volume = volume.without(n);
     --m;
   }
   if (k == 4 || m > 2) return std::nullopt;
-  const std::int64_t at_t0 = volume.term_at(k, n), beyond = volume.around(n)[m];
+  const std::int64_t at_t0 = volume.term_at(k, n), beyond = around(volume.base(), n)[m];
   const bool opposite = (at_t0 > 0) != (beyond > 0);
   if (m == 1 ? opposite == before : !opposite) return std::nullopt;
   const double size = std::fabs(static_cast<double>(at_t0) / static_cast<double>(beyond));
@@ -405,7 +410,7 @@ std::optional<Gap> Gap::of(const Query& query) {
   gap->base_.kind = gap->low_.kind = gap->narrowed_.kind = query.kind;
   std::array<Query, 2> parts;  // the integers: h and l
   parts[0].kind = parts[1].kind = query.kind;
-  constexpr double kGreatest = 0x1p20;
+  constexpr int kGreatestBits = 20;
   int high_bits = 1;
   for (std::size_t k = 0; k < 3; ++k) {
     const double border = std::ldexp(1, splits[k].unit);
@@ -414,9 +419,12 @@ std::optional<Gap> Gap::of(const Query& query) {
       for (const bool at_end : {false, true}) {
         const double x = (at_end ? query.end : query.start)[i].*axes[k];
         const bool is_low = std::fabs(x) < border;
-        const double integer = std::ldexp(x, (is_low ? spread : 0) - splits[k].unit);
+        const int unit = splits[k].unit - (is_low ? spread : 0);
+        BitSpan span;
+        span.add(x);
+        if (span.bits() > 0 && span.high - unit > kGreatestBits) return std::nullopt;
+        const double integer = static_cast<double>(numbers::SmallInt::scaled(x, unit).value());
         const double size = std::fabs(integer);
-        if (size > kGreatest) return std::nullopt;
         if (!is_low) high = std::max(high, size);
         for (const bool part : {false, true}) {
           (at_end ? parts[part].end : parts[part].start)[i].*axes[k] = part == is_low ? integer : 0;
@@ -424,17 +432,31 @@ std::optional<Gap> Gap::of(const Query& query) {
       }
     }
     if (splits[k].gapped) high_bits = std::max(high_bits, bits_of(high));
-    gap->norm_[k] = greatest_norm(parts, axes[k]);
   }
-  const auto& norm = gap->norm_;
-  const double least = std::min({norm[0], norm[1], norm[2]});
-  const int v = bits_of(kVolumeNorm * norm[0] * norm[1] * norm[2]);
-  const int q = bits_of(kQuadraticNorm * norm[0] * norm[1] * norm[2] / least);
-  const int l = bits_of(std::max({norm[0], norm[1], norm[2]}));
-  if (v > kMostVolumeBits) return std::nullopt;
-  constexpr int kDiscriminantBits = 2;  // 2.7 < 2^2
-  const int enough = 1 + std::max({kDiscriminantBits + 4 * v, 2 * v + 3 * q, 4 * q, v + 3 * l, v + 3 * kTimeBits + 2});
+  auto& norm = gap->norm_;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const geometry::Vector<double> between = difference_norm(parts, i, j);
+      for (std::size_t k = 0; k < 3; ++k) norm[k] = std::max(norm[k], between[k]);
+    }
+  }
+  const auto [u, w, r] = geometry::frame_of(query.kind == Kind::edge_edge,
+                                            [&](std::size_t i, std::size_t j) { return difference_norm(parts, i, j); });
+  double v = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    v += u[k] * (w[i] * r[j] + w[j] * r[i]);
+  }
+  constexpr double kLeastVolume = 4;
+  v = std::max(v, kLeastVolume);
+  if (bits_of(v) > kMostVolumeBits) return std::nullopt;
+  const double l = std::max({norm[0], norm[1], norm[2]});
+  const double q = kQuadraticNorm * norm[0] * norm[1] * norm[2] / std::min({norm[0], norm[1], norm[2]});
+  const double greatest = std::max(
+      {2.7 * v * v * v * v, v * v * q * q * q, q * q * q * q, v * l * l * l, std::ldexp(v, 3 * kTimeBits + 2)});
+  const int enough = 1 + bits_of(kSlack * greatest);
   const int narrow = enough;
+  gap->volume_norm_ = v;
   if (narrow + high_bits > kMostBits<2> || spread <= narrow) return std::nullopt;
   gap->narrow_ = narrow;
   gap->base_.start = parts[0].start;
@@ -506,10 +528,10 @@ bool Gap::restore(Answer& answer, Wanted wanted) const {
     time = numbers::exact_pair(answer.toi);
   } else {
     const SmallCubic base = geometry::dot(normal, frame.r);
-    const Change change = {kVolumeNorm * norm_[0] * norm_[1] * norm_[2], narrow_, spread_};
+    const Change change = {volume_norm_, narrow_, spread_};
     const auto n = static_cast<std::int64_t>(std::nearbyint(std::ldexp(answer.toi, kTimeBits)));
-    const Volume volume = volume_of(base, base_, low_);
-    time = volume.term_at(0, n) == 0 ? root_beside(volume, n, change, answer) : root_near(base, change, answer);
+    const auto volume = [&] { return volume_of(base, base_, low_); };
+    time = value_at(base, n) == 0 ? root_beside(base, n, change, volume, answer) : root_near(base, change, answer);
   }
   if (!time || wanted == Wanted::time) return time.has_value();
   const double d = std::ldexp(1.0, -std::min(spread_, 900));

@@ -29,6 +29,7 @@ class Gap {
  private:
   Query base_, low_, narrowed_;             ///< in base_ and low_, the integers h and l, and 0 for the others
   std::array<double, 3> norm_ = {1, 1, 1};  ///< along each axis, of differences of corners; at least 1
+  double volume_norm_ = 0;                  ///< of V
   int spread_ = 0, narrow_ = 0;             ///< s of the query and of the narrowed query
 };
 
