@@ -106,6 +106,8 @@ FAULTS = [
     ("coordinates that rescaling would round", "filters/rescaled.cpp", "if (!exact) result.reset();", ""),
     ("factor of a cubic beside a double", "numbers/near_root_isolation.cpp", "if (!divides) return false;",
      "if (false && !divides) return false;"),
+    ("three real roots that almost coincide", "numbers/near_root_isolation.cpp",
+     "if (discriminant > 0) return doubt_.raise();", "if (discriminant > 0) return;"),
     ("error of close roots", "numbers/near_root_isolation.cpp", "root.near_.error += 0x1p-49 * apart;",
      "root.near_.error = 0;"),
     ("width of a gap", "exact/gap.cpp", "const int narrow = enough;", "const int narrow = enough / 8;"),

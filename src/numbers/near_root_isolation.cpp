@@ -413,7 +413,7 @@ void NearRoots<Limbs>::isolate_cubic(const P& p) {
   }
 }
 
-/// When it certainly has a repeated root; otherwise its roots are in doubt. The discriminant is
+/// When it has a repeated root, or a single real one; three roots that almost coincide are in doubt. The discriminant is
 /// (4 (b^2 - 3ac)(c^2 - 3bd) - (bc - 9ad)^2) / 3. A double root is (9ad - bc) / (2 (b^2 - 3ac)), a triple one -b / 3a.
 ///
 /// Sizes in bits, with C = 192 L - 3 of the coefficients: b^2 - 3ac and c^2 - 3bd below 2 C + 2 = 384 L - 4, bc - 9ad
@@ -427,12 +427,18 @@ void NearRoots<Limbs>::push_repeated(const Cubic& p) {
   const auto ad9_bc = thrice(thrice(a * d)) - b * c;
   const auto product = b2_3ac * c2_3bd;
   const auto twice = product + product;
-  if (!(twice + twice - ad9_bc * ad9_bc).is_zero()) return doubt_.raise();
-  if (b2_3ac.is_zero()) return push_quotient(-b, thrice(a), 3);
-
-  // The other root is in (0, 1) iff p's signs at 0 and at 1 differ, and then it is the one where p changes its sign.
+  const int discriminant = (twice + twice - ad9_bc * ad9_bc).sign();
+  if (discriminant > 0) return doubt_.raise();
+  // Of a repeated root and another one, and of a single real root, p changes its sign at the latter only. It is in (0, 1)
+  // iff p's signs at 0 and at 1 differ.
   const int sign = d.sign();
   const bool other_inside = (a + b + c + d).sign() != sign;
+  if (discriminant < 0) {
+    if (other_inside) push_simple(p, 4, 0, 1, sign);
+    return;
+  }
+  if (b2_3ac.is_zero()) return push_quotient(-b, thrice(a), 3);
+
   const auto denominator = b2_3ac + b2_3ac;
   if (!other_inside) return push_quotient(ad9_bc, denominator, 2);
   const double repeated = to_double(ad9_bc) / to_double(denominator);

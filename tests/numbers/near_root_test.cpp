@@ -248,6 +248,39 @@ TEST_CASE("signs that are almost zero, at roots that almost coincide, are the ex
   CHECK(static_cast<std::size_t>(weights) > polynomials);
 }
 
+TEST_CASE("a cubic with two roots that almost coincide, or almost are real, has the exact number of roots") {
+  // ((2^k t - n)^2 + e) (b t - c), whose first factor has a real root for e <= 0 only.
+  tests::Rng rng(2030);
+  long decided = 0, without = 0;
+  const std::size_t polynomials = tests::effort(4000);
+  for (std::size_t i = 0; i < polynomials; ++i) {
+    const int k = rng.between(30, 60), e = rng.between(-4, 8), b = rng.between(1, 9), c = rng.between(-3, 12);
+    const mpz_class power = mpz_class(1) << k;
+    const mpz_class n = mpz_class(static_cast<unsigned long>(rng.bits() >> 2)) % power;
+    const mpz_class q0 = n * n + e, q1 = -2 * power * n, q2 = power * power;
+    Polynomial<FixedInt<6>, 3> p;
+    p[0] = fixed<6>(mpz_class(-c * q0));
+    p[1] = fixed<6>(mpz_class(b * q0 - c * q1));
+    p[2] = fixed<6>(mpz_class(b * q1 - c * q2));
+    p[3] = fixed<6>(mpz_class(b * q2));
+    Doubt doubt;
+    const NearRoots<2> near(p, 1, doubt);
+    if (doubt.raised()) continue;
+    ++decided;
+    without += e > 0;
+    const RootList real = isolate_roots(to_exact(p), Exact(1));
+    INFO("k = " << k << ", n = " << n << ", e = " << e << ", b = " << b << ", c = " << c);
+    REQUIRE(near.size() == real.size());
+    for (int root = 0; root < near.size(); ++root) {
+      REQUIRE(near[root].lower() == real[root].lower());
+      REQUIRE(near[root].upper() == real[root].upper());
+      REQUIRE(near[root].multiplicity() == real[root].multiplicity());
+    }
+  }
+  std::printf("%ld decided, %ld without two of the roots\n", decided, without);
+  CHECK(static_cast<std::size_t>(without) * 2 > polynomials);
+}
+
 TEST_CASE("three roots that almost coincide, one of them a double, are the exact ones") {
   // With s = 2^k t - n: m s (2^j s^2 + e), or the same plus 1, where no root is a double.
   tests::Rng rng(2028);
