@@ -64,12 +64,16 @@ std::optional<Finding> decide_over(const Search& s, double low, double high, Ans
 
 Finding decide_refined(const Question& question, const SimpleRoot& root, Answer& answer) {
   const RefinedRoot refined = refine_root(question, root);
-  if (refined.finding != Finding::contact) return refined.finding;
+  if (refined.finding == Finding::contact) write_contact(question.query.kind, refined, answer);
+  return refined.finding;
+}
+
+void write_contact(Kind kind, const RefinedRoot& refined, Answer& answer) noexcept {
   answer.contact = true;
   answer.nature = Nature::crossing;
   answer.toi = refined.toi;
   answer.toi_upper = refined.toi_upper;
-  if (question.query.kind == Kind::edge_edge) {
+  if (kind == Kind::edge_edge) {
     answer.feature_a = Feature::a;
     answer.feature_b = Feature::b;
     answer.weights_a = {1 - refined.weights[0], refined.weights[0], 0};
@@ -80,7 +84,6 @@ Finding decide_refined(const Question& question, const SimpleRoot& root, Answer&
     answer.weights_a = {1, 0, 0};
     answer.weights_b = refined.weights;
   }
-  return Finding::contact;
 }
 
 Finding decide_in_brackets(const Question& question, Answer& answer) {

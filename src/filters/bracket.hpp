@@ -19,4 +19,7 @@ Finding decide_in_brackets(const Question& question, Answer& answer);
 /// The last step of this level: decides at the one root of V in the step. The answer is as that of decide_in_brackets.
 Finding decide_refined(const Question& question, const SimpleRoot& root, Answer& answer);
 
+/// Writes a contact of that kind at a root into an untouched answer.
+void write_contact(Kind kind, const RefinedRoot& refined, Answer& answer) noexcept;
+
 }  // namespace touchstone::filters

@@ -4,32 +4,13 @@
 
 #include "filters/boxes.hpp"
 #include "filters/bracket_columns.hpp"
+#include "filters/gathered_corners.hpp"
 #include "filters/root_sides.hpp"
 #include "filters/step_cubic.hpp"
 #include "numbers/pack.hpp"
 
 namespace touchstone::filters {
 namespace {
-
-/// The corners of the queries of one pack.
-template <int Width>
-struct GatheredCorners {
-  using Corner = geometry::Vector<numbers::Pack<Width>>;
-  Corner start[4], end[4];
-
-  GatheredCorners(const Columns& columns, const std::size_t* which) noexcept {
-    const auto gathered = [which](const double* const(&x)[3]) {
-      using Lanes = numbers::Lanes<numbers::Pack<Width>>;
-      return Corner{{Lanes::gathered(x[0], which), Lanes::gathered(x[1], which), Lanes::gathered(x[2], which)}};
-    };
-    for (std::size_t i = 0; i < 4; ++i) {
-      start[i] = gathered(columns.start[i]);
-      end[i] = gathered(columns.end[i]);
-    }
-  }
-
-  const Corner& at(int side, std::size_t i) const noexcept { return (side == 0 ? start : end)[i]; }
-};
 
 /// The tests of one pack, in the order of decide_by_filters.
 template <int Width, bool Edges>

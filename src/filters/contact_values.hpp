@@ -9,19 +9,26 @@
 namespace touchstone::filters {
 
 /// A polynomial's value at a time, rounded from double-double, and its slope in doubles.
-struct ValueAndSlope {
-  double value;
-  double slope;
+template <class N>
+struct ValueAndSlopeOf {
+  N value;
+  N slope;
+};
+using ValueAndSlope = ValueAndSlopeOf<double>;
+
+/// Along an axis, the components whose signs and quotients tell where the elements meet: see geometry/frame.hpp.
+template <class N>
+struct ComponentsAt {
+  ValueAndSlopeOf<N> normal;  ///< n
+  ValueAndSlopeOf<N> first;   ///< f1, geometry::first_numerator
+  ValueAndSlopeOf<N> second;  ///< f2, geometry::second_numerator
+  ValueAndSlopeOf<N> third;   ///< n - f1 for edges, n - f1 - f2 for a face
+  ValueAndSlopeOf<N> fourth;  ///< n - f2 for edges; for a face the same as `third`
 };
 
-/// V and, along an axis, the components whose signs and quotients tell where the elements meet: see geometry/frame.hpp.
-struct ContactValues {
+/// V and these components.
+struct ContactValues : ComponentsAt<double> {
   double coplanarity;
-  ValueAndSlope normal;  ///< n
-  ValueAndSlope first;   ///< f1, geometry::first_numerator
-  ValueAndSlope second;  ///< f2, geometry::second_numerator
-  ValueAndSlope third;   ///< n - f1 for edges, n - f1 - f2 for a face
-  ValueAndSlope fourth;  ///< n - f2 for edges; for a face the same as `third`
 };
 
 // Errors of the values, in e^2 = 2^-106, for coordinates of u bounded by U (likewise w, r). They come from the

@@ -1,72 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "filters/refined_root.hpp"
 
-#include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 
 #include "filters/contact_values.hpp"
-#include "filters/coplanarity_form.hpp"
+#include "filters/refined_root_steps.hpp"
 #include "numbers/double_double.hpp"
 
 namespace touchstone::filters {
 namespace {
-
-/// The root as an offset from a double.
-struct Offset {
-  double value;
-  double error;  ///< the true offset is off by at most this
-};
-
-/// The root's offset from `time`, within the root's radius, where V is `value`, off by at most `value_error` before it
-/// was rounded to a double.
-///
-/// It is -V / S, with S the mean of V' from there to the root. |S| is at least half of |slope| (see SimpleRoot), so the
-/// offset is at most 2 (|value| + value_error) / |slope|. S differs from V'(t) by at most the curvature times the mean
-/// distance from t in between. Let q be the bound on the relative difference of S from the slope;
-/// 1 / S <= (1 + 2 q) / slope. Then -value / slope is off by at most (1 + 2 q) (value_error + q |value|) / slope, its
-/// own rounding and the value's. The factor has slack for the rounding of these lines and of sums with the result.
-Offset offset_of(const SimpleRoot& root, double time, double value, double value_error) noexcept {
-  const double per_slope = 1 / std::fabs(root.slope);
-  const double distance = std::fabs(time - root.t) + (std::fabs(value) + value_error) * per_slope;
-  const double q = (root.slope_error + root.curvature * distance) * per_slope;
-  const double missing = (1 + 2 * q) * (value_error + q * std::fabs(value)) + 2 * kUnit * std::fabs(value);
-  return {-value / root.slope, (1 + 0x1p-20) * missing * per_slope};
-}
-
-/// A bound on the error of value + slope * offset, for a component of n, f1 or f2 at the root or a difference of them.
-/// It is in units of M, the product of the bounds of its vectors (or the sum of such products).
-///
-/// The value before rounding is off by kComponentError M = 103 e^2 M.
-/// The slope is at most 8 M. In a component it sums 4 products of two factors that are off by 4 e and 1 e times their
-/// bounds: (4 + 2 + 2) e M each; 4 e M, 4 e M and 8 e M for their sums; and 8 e M and 8 e M more for differences:
-/// 64 e M. The product of slope and offset is rounded, and so is the value, which is at most the sum of that product
-/// and the result: 8 e M |offset| each, 80 e M |offset| in all, which kComponentError / e covers.
-/// The second derivative is at most 16 M. The offset's error weighs 8 M.
-/// Where t lies up to kMargin = 2^-20 outside of [0, 1], coordinates are larger by 2^-19 of their bounds, and so is the
-/// slope, 8 M (1 + 2^-19). For the rounding errors, 103 has room for that beside 102 and 80. For the offset's weight,
-/// the factor has; it also has slack for the rounding of the result and of these lines.
-double component_spread(const Offset& offset) noexcept {
-  const double away = std::fabs(offset.value);
-  const double reach = away + offset.error;
-  return (1 + 0x1p-18) * (kComponentError * (1 + away / kUnit) + 8 * (reach * reach + offset.error));
-}
-
-double at_root(const ValueAndSlope& component, const Offset& offset) noexcept {
-  return component.value + component.slope * offset.value;
-}
-
-/// The sign of a component at the root, known to within `error`; 0 when uncertain.
-int sign_at_root(const ValueAndSlope& component, const Offset& offset, double error) noexcept {
-  const double value = at_root(component, offset);
-  return value > error ? 1 : value < -error ? -1 : 0;
-}
-
-/// The doubles beside x > 0.
-double after(double x) noexcept { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
-double before(double x) noexcept { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) - 1); }
 
 /// A bound on the error of an ExactValue: 2^-50 of it, and less than 2^-1074 where it underflows. The terms of
 /// offset_of may underflow too.
@@ -125,12 +68,9 @@ class NeighbouringDoubles {
 
   /// The times of a root in (0, 1); nothing where the offset is not good enough to tell.
   std::optional<RefinedRoot> settled() {
-    const numbers::DoubleDouble sum = numbers::two_sum(base_, offset_.value);
-    const double nearest = sum.high;
-    const double rest = sum.low;  // the root is nearest + rest, up to the offset's error
-    if (!(nearest > 0 && nearest <= 1)) return std::nullopt;
-    if (!(std::fabs(rest) + offset_.error < nearest - before(nearest))) return std::nullopt;
-    int side = rest > offset_.error ? 1 : rest < -offset_.error ? -1 : 0;
+    const auto [nearest, near, earlier, later] = nearest_double(base_, offset_);
+    if (!near) return std::nullopt;
+    int side = later ? 1 : earlier ? -1 : 0;
     if (side == 0) {
       if (!within_radius(nearest)) return std::nullopt;
       side = look_from(nearest);
@@ -154,42 +94,20 @@ RefinedRoot refine_root(const Question& question, const SimpleRoot& root) {
   const ContactValues at = contact_values(query, root.t, root.axis);
   const Offset offset = offset_of(root, root.t, at.coplanarity, kCoplanarityError * (u * w * r));
   const double spread = component_spread(offset);
-
-  const double uw = u * w;
-  const double rw = r * w;
-  const double ru = r * u;
   if (!root.inside) {
-    const int s = at.normal.value > 0 ? 1 : -1;
-    const int signs[4] = {s * sign_at_root(at.first, offset, spread * rw),
-                          s * sign_at_root(at.second, offset, spread * ru),
-                          s * sign_at_root(at.third, offset, spread * (edges ? uw + rw : uw + rw + ru)),
-                          edges ? s * sign_at_root(at.fourth, offset, spread * (uw + ru)) : 1};
-    const int least = std::min({signs[0], signs[1], signs[2], signs[3]});
-    if (least < 0) return {Finding::no_contact};
-    if (least == 0) return {Finding::uncertain};
+    const SidesAtRoot<double> sides = sides_at_root(edges, at, root.magnitudes, offset, spread);
+    if (sides.outside) return {Finding::no_contact};
+    if (!sides.inside) return {Finding::uncertain};
   }
 
   const auto value_at = [&question](double time) { return question.exact_value(question.query, time); };
   RefinedRoot refined = NeighbouringDoubles(root, offset, value_at).find();
   if (refined.finding != Finding::contact) return refined;
-  if (refined.toi > t_max || (refined.toi == t_max && refined.toi < refined.toi_upper)) return {Finding::no_contact};
-
+  if (is_late(refined.toi, refined.toi_upper, t_max)) return {Finding::no_contact};
   if (wanted != Wanted::all) return refined;
-
-  // A weight f = a / n in [0, 1], of components off by A and N, is off by at most (A + N) / |n|, here at most 2.75 e;
-  // by two roundings in each of a and n, 4 e; and by one of the quotient and one of 1 - f, e / 2 each. In all 7.75 e of
-  // the promised 8 e = 2^-50.
-  const double normal = at_root(at.normal, offset);
-  constexpr double kWeightError = 2.75 * kUnit;
-  if (!(spread * (2 * uw + rw + ru) <= kWeightError * std::fabs(normal))) return {Finding::uncertain};
-  const auto weight = [&](const ValueAndSlope& numerator) {
-    return std::clamp(at_root(numerator, offset) / normal, 0.0, 1.0);
-  };
-  if (edges) {
-    refined.weights = {weight(at.first), weight(at.second), 0};
-  } else {
-    refined.weights = {weight(at.third), weight(at.first), weight(at.second)};
-  }
+  const WeightsAtRoot<double> found = weights_at_root(edges, at, root.magnitudes, offset, spread);
+  if (!found.certain) return {Finding::uncertain};
+  refined.weights = found.weights;
   return refined;
 }
 

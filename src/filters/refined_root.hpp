@@ -7,6 +7,7 @@
 
 #include "filters/coplanarity_form.hpp"
 #include "filters/question.hpp"
+#include "numbers/lanes.hpp"
 
 namespace touchstone::filters {
 
@@ -15,16 +16,18 @@ using Magnitudes = MagnitudesOf<double>;
 /// A simple root of V in plain numbers. It lies in [t - radius, t + radius], where V' keeps the sign of `slope` and is
 /// at least half of it (see BernsteinCubic::Root). At h away from t, h at most the radius, V' differs from `slope` by
 /// at most slope_error + curvature h.
-struct SimpleRoot {
-  double t;  ///< 1 - t is a double
-  double radius;
-  double slope;
-  double slope_error;
-  double curvature;
-  Magnitudes magnitudes{};
-  std::size_t axis = 0;  ///< along which n is certainly not zero at the root
-  bool inside = false;   ///< the side conditions are known to hold; otherwise refine_root decides them
+template <class N>
+struct SimpleRootOf {
+  N t;  ///< 1 - t is a double
+  N radius;
+  N slope;
+  N slope_error;
+  N curvature;
+  MagnitudesOf<N> magnitudes{};
+  typename numbers::Lanes<N>::Axis axis{};    ///< along which n is certainly not zero at the root
+  typename numbers::Lanes<N>::Mask inside{};  ///< the side conditions are known to hold; otherwise refine_root decides
 };
+using SimpleRoot = SimpleRootOf<double>;
 
 /// The result of a closer look at a root: whether the elements touch there within [0, t_max].
 struct RefinedRoot {

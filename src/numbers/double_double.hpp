@@ -2,7 +2,8 @@
 // for doubles and for packs of them. Everything assumes round to nearest, one IEEE operation per operator, and no
 // underflow in products (see the guards of the callers). Nothing is contracted; where a file is compiled for a
 // processor with fused multiply-add, the low part of a product, which is exact either way, comes from one. The inline
-// namespace keeps functions of such files apart from those of the others.
+// namespace keeps functions of such files apart from those of the others. All are inlined: packs of several coordinates
+// would go through memory otherwise.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -24,7 +25,7 @@ using DoubleDouble = DoubleDoubleOf<double>;
 
 /// a + b exactly.
 template <class N>
-DoubleDoubleOf<N> two_sum(N a, N b) noexcept {
+[[gnu::always_inline]] inline DoubleDoubleOf<N> two_sum(N a, N b) noexcept {
   const N sum = a + b;
   const N b_part = sum - a;
   return {sum, (a - (sum - b_part)) + (b - b_part)};
@@ -32,7 +33,7 @@ DoubleDoubleOf<N> two_sum(N a, N b) noexcept {
 
 /// a - b exactly.
 template <class N>
-DoubleDoubleOf<N> two_difference(N a, N b) noexcept {
+[[gnu::always_inline]] inline DoubleDoubleOf<N> two_difference(N a, N b) noexcept {
   const N difference = a - b;
   const N b_part = a - difference;
   return {difference, (a - (difference + b_part)) + (b_part - b)};
@@ -40,7 +41,7 @@ DoubleDoubleOf<N> two_difference(N a, N b) noexcept {
 
 /// a * b exactly; |a|, |b| < 2^996 and the product either 0 or at least 2^-969.
 template <class N>
-DoubleDoubleOf<N> two_product(N a, N b) noexcept {
+[[gnu::always_inline]] inline DoubleDoubleOf<N> two_product(N a, N b) noexcept {
   const N product = a * b;
 #ifdef __FMA__
   return {product, multiply_subtract(a, b, product)};
@@ -58,7 +59,7 @@ DoubleDoubleOf<N> two_product(N a, N b) noexcept {
 
 /// The same number with the smallest low part: at most half a unit in the last place of the high part.
 template <class N>
-DoubleDoubleOf<N> normalised(const DoubleDoubleOf<N>& a) noexcept {
+[[gnu::always_inline]] inline DoubleDoubleOf<N> normalised(const DoubleDoubleOf<N>& a) noexcept {
   return two_sum(a.high, a.low);
 }
 
@@ -66,30 +67,36 @@ DoubleDoubleOf<N> normalised(const DoubleDoubleOf<N>& a) noexcept {
 // for that.
 
 template <class N>
-DoubleDoubleOf<N> operator+(const DoubleDoubleOf<N>& a, const DoubleDoubleOf<N>& b) noexcept {
+[[gnu::always_inline]] inline DoubleDoubleOf<N> operator+(const DoubleDoubleOf<N>& a,
+                                                          const DoubleDoubleOf<N>& b) noexcept {
   const DoubleDoubleOf<N> high = two_sum(a.high, b.high);
   return {high.high, high.low + (a.low + b.low)};
 }
 
 template <class N>
-DoubleDoubleOf<N> operator-(const DoubleDoubleOf<N>& a, const DoubleDoubleOf<N>& b) noexcept {
+[[gnu::always_inline]] inline DoubleDoubleOf<N> operator-(const DoubleDoubleOf<N>& a,
+                                                          const DoubleDoubleOf<N>& b) noexcept {
   const DoubleDoubleOf<N> high = two_difference(a.high, b.high);
   return {high.high, high.low + (a.low - b.low)};
 }
 
 template <class N>
-DoubleDoubleOf<N> operator*(const DoubleDoubleOf<N>& a, const DoubleDoubleOf<N>& b) noexcept {
+[[gnu::always_inline]] inline DoubleDoubleOf<N> operator*(const DoubleDoubleOf<N>& a,
+                                                          const DoubleDoubleOf<N>& b) noexcept {
   const DoubleDoubleOf<N> high = two_product(a.high, b.high);
   return {high.high, high.low + (a.high * b.low + a.low * b.high)};
 }
 
 template <class N>
-DoubleDoubleOf<N> operator*(const N& a, const DoubleDoubleOf<N>& b) noexcept {
+[[gnu::always_inline]] inline DoubleDoubleOf<N> operator*(const N& a, const DoubleDoubleOf<N>& b) noexcept {
   const DoubleDoubleOf<N> high = two_product(a, b.high);
   return {high.high, high.low + a * b.low};
 }
 
-inline double rounded(const DoubleDouble& a) noexcept { return a.high + a.low; }
+template <class N>
+[[gnu::always_inline]] inline N rounded(const DoubleDoubleOf<N>& a) noexcept {
+  return a.high + a.low;
+}
 
 }  // namespace fused, unfused
 }  // namespace touchstone::numbers

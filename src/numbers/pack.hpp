@@ -40,11 +40,13 @@ struct Pack {
   friend Pack operator*(Pack a, Pack b) { return {a.v * b.v}; }
   friend Pack operator*(double a, Pack b) { return {a * b.v}; }
   friend Pack operator/(Pack a, Pack b) { return {a.v / b.v}; }
+  friend Pack operator/(double a, Pack b) { return {a / b.v}; }
   friend Pack operator+(double a, Pack b) { return {a + b.v}; }
   friend Pack operator-(double a, Pack b) { return {a - b.v}; }
   friend auto operator>(Pack a, Pack b) { return a.v > b.v; }
   friend auto operator<(Pack a, Pack b) { return a.v < b.v; }
   friend auto operator<=(Pack a, Pack b) { return a.v <= b.v; }
+  friend auto operator>=(Pack a, Pack b) { return a.v >= b.v; }
   friend auto operator>(Pack a, double b) { return a.v > b; }
   friend auto operator<(Pack a, double b) { return a.v < b; }
   friend auto operator>=(Pack a, double b) { return a.v >= b; }
@@ -57,6 +59,10 @@ struct Pack {
   friend Pack magnitude(Pack a) { return from_bits(a.bits() & INT64_MAX); }
   /// a, or -a where s is negative.
   friend Pack flipped(Pack a, Pack s) { return from_bits(a.bits() ^ (s.bits() & INT64_MIN)); }
+
+  /// The doubles beside a > 0.
+  friend Pack after(Pack a) { return from_bits(a.bits() + 1); }
+  friend Pack before(Pack a) { return from_bits(a.bits() - 1); }
 
   friend Pack square_root(Pack a) {
     for (int i = 0; i < Width; ++i) a.v[i] = __builtin_sqrt(a.v[i]);
@@ -81,6 +87,11 @@ struct PackLanes {
   }
   static Pack<Width> gathered(const double* from, const std::size_t* which) {
     return gathered(from, which, std::make_index_sequence<Width>());
+  }
+  static Mask gathered(const std::int64_t* from, const std::size_t* which) {
+    Mask a;
+    for (int i = 0; i < Width; ++i) a[i] = from[which[i]];
+    return a;
   }
   static void store(Pack<Width> a, double* to) {
     *reinterpret_cast<typename VectorTypes<Width>::DoublesInArray*>(to) = a.v;
@@ -149,7 +160,11 @@ Pack<4> shuffled(Pack<4> a) {
 
 #ifdef __FMA__
 /// a b - c with one rounding.
+inline Pack<2> multiply_subtract(Pack<2> a, Pack<2> b, Pack<2> c) { return {_mm_fmsub_pd(a.v, b.v, c.v)}; }
 inline Pack<4> multiply_subtract(Pack<4> a, Pack<4> b, Pack<4> c) { return {_mm256_fmsub_pd(a.v, b.v, c.v)}; }
+#ifdef __AVX512F__
+inline Pack<8> multiply_subtract(Pack<8> a, Pack<8> b, Pack<8> c) { return {_mm512_fmsub_pd(a.v, b.v, c.v)}; }
+#endif
 #endif
 
 }  // namespace

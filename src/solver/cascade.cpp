@@ -98,6 +98,15 @@ Answer answer_at_root(const Query& query, const filters::SimpleRoot& root, bool 
   return wanted == Wanted::all ? result : trimmed(result, wanted);
 }
 
+Answer answer_at_refined_root(Kind kind, const filters::RefinedRoot& root, Wanted wanted) {
+  Answer result;
+  result.level = Level::bracket;
+  if (root.finding == filters::Finding::no_contact) return result;
+  filters::write_contact(kind, root, result);
+  complete(result);
+  return wanted == Wanted::all ? result : trimmed(result, wanted);
+}
+
 bool any_contact(const Query& query, double t_max) {
   if (is_time(t_max) && filters::same_side(query)) return false;
   validate(query, t_max);

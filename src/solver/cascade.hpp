@@ -34,6 +34,9 @@ TOUCHSTONE_BEHIND_GUARD Answer answer_after_same_side(const Query& query, Method
 TOUCHSTONE_BEHIND_GUARD Answer answer_at_root(const Query& query, const filters::SimpleRoot& root, bool inside_step,
                                               Method method, double t_max, Wanted wanted);
 
+/// The same where the root is refined, too: a contact or none.
+TOUCHSTONE_BEHIND_GUARD Answer answer_at_refined_root(Kind kind, const filters::RefinedRoot& root, Wanted wanted);
+
 /// answer(query, Method::fast, t_max).contact. @throws InvalidQuery the same
 TOUCHSTONE_BEHIND_GUARD bool any_contact(const Query& query, double t_max);
 

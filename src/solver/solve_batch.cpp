@@ -14,6 +14,7 @@
 #include "filters/same_side_columns.hpp"
 #include "numbers/float_environment.hpp"
 #include "solver/cascade.hpp"
+#include "solver/columns_of.hpp"
 #include "solver/survivors.hpp"
 #include "solver/validate.hpp"
 #include "threads/for_each_range.hpp"
@@ -152,11 +153,7 @@ void solve_batch(const QueryColumns& queries, Answer* answers, const BatchOption
                ? solver::answer(queries[i], separation_of(options, i), options.method, options.t_max, options.wanted)
                : solver::answer(queries[i], options.method, options.t_max, options.wanted);
   };
-  filters::Columns columns;
-  for (std::size_t i = 0; i < 4; ++i) {
-    std::copy_n(queries.start[i].begin(), 3, columns.start[i]);
-    std::copy_n(queries.end[i].begin(), 3, columns.end[i]);
-  }
+  const filters::Columns columns = solver::columns_of(queries);
   const bool filters_first = options.method == Method::fast || options.method == Method::fast_cgal;
   const bool with_kernel = filters_first && filters::has_cubic(queries.kind);
   answer_all(queries.count, options, query_at, [&](std::size_t first, std::size_t last) {

@@ -8,11 +8,12 @@
 #include <touchstone/solve.hpp>
 
 #include "filters/bracket_columns.hpp"
+#include "filters/refined_columns.hpp"
 
 namespace touchstone::solver {
 
 /// Collects queries of a kind that has a cubic, after same_side has left them, and answers several of them at a time by
-/// a method with filters: the bracket level in vectors, and one by one what it leaves. The answers are the same bit for
+/// a method with filters: the bracket level in vectors, its roots in vectors, too, and one by one what they leave. The answers are the same bit for
 /// bit as those of `answer`. The arguments outlive the object.
 class Survivors {
  public:
@@ -28,15 +29,19 @@ class Survivors {
 
  private:
   void answer_one(std::size_t i);
+  void answer_hits();
 
   const QueryColumns& queries_;
   const filters::Columns& columns_;
   const BatchOptions& options_;
   filters::BracketKernel kernel_;
+  filters::RefineKernel refine_;  // null where kernel_ is
   Answer* answers_;
   std::size_t count_ = 0;
   std::size_t waiting_[filters::kMostBracketed];
   filters::BracketedRoots roots_;  // of those that wait
+  filters::RootsToRefine hits_ = {roots_, waiting_, {}};
+  filters::RefinedRoots refined_;
 };
 
 }  // namespace touchstone::solver

@@ -13,7 +13,9 @@
 #include "filters/bracket.hpp"
 #include "filters/bracket_columns.hpp"
 #include "filters/filters.hpp"
+#include "filters/refined_columns.hpp"
 #include "filters/root_sides.hpp"
+#include "solver/columns_of.hpp"
 #include "solver/owned_columns.hpp"
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
@@ -51,17 +53,6 @@ std::vector<Query> queries_of_every_family(Kind kind, std::uint64_t of_each) {
     queries.push_back(query);
   }
   return queries;
-}
-
-filters::Columns columns_of(const QueryColumns& queries) {
-  filters::Columns columns;
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      columns.start[i][k] = queries.start[i][k];
-      columns.end[i][k] = queries.end[i][k];
-    }
-  }
-  return columns;
 }
 
 /// The facts of one query, and its root, by the steps that take one query.
@@ -106,7 +97,7 @@ TEST_CASE("the bracket level in vectors of every width is the bracket level one 
   for (const Kind kind : {Kind::edge_edge, Kind::vertex_face}) {
     const std::vector<Query> queries = queries_of_every_family(kind, 32);
     const solver::OwnedColumns owned(queries);
-    const filters::Columns columns = columns_of(owned.view());
+    const filters::Columns columns = solver::columns_of(owned.view());
     for (const double t_max : {1.0, 0.4375, 0.0}) {
       std::vector<Expected> expected;
       std::size_t seen[32] = {};
@@ -154,7 +145,7 @@ TEST_CASE("facts of the bracket level in columns are decisions of the filters") 
   for (const Kind kind : {Kind::edge_edge, Kind::vertex_face}) {
     const std::vector<Query> queries = queries_of_every_family(kind, 16);
     const solver::OwnedColumns owned(queries);
-    const filters::Columns columns = columns_of(owned.view());
+    const filters::Columns columns = solver::columns_of(owned.view());
     const auto kernel = filters::bracket_kernel(kind, VectorWidth::widest);
     REQUIRE(kernel != nullptr);
     std::size_t decided = 0, refined_ones = 0;
@@ -188,10 +179,131 @@ TEST_CASE("facts of the bracket level in columns are decisions of the filters") 
   }
 }
 
+namespace {
+
+/// What refine_root finds; nothing where it needs an exact value, or is uncertain.
+filters::RefinedRoot refined_one_by_one(const Query& query, const filters::SimpleRoot& root, double t_max,
+                                        Wanted wanted) {
+  static bool asked = false;
+  asked = false;
+  const filters::ExactValue ask = [](const Query& q, double t) {
+    asked = true;
+    return exact::coplanarity_at(q, t);
+  };
+  const filters::RefinedRoot refined = filters::refine_root({query, t_max, ask, wanted}, root);
+  return asked ? filters::RefinedRoot{} : refined;
+}
+
+bool same_bits(const filters::RefinedRoot& a, const filters::RefinedRoot& b, bool with_weights) {
+  const auto same = [](double x, double y) { return std::memcmp(&x, &y, sizeof x) == 0; };
+  if (a.finding != b.finding) return false;
+  if (a.finding != filters::Finding::contact) return true;
+  if (!same(a.toi, b.toi) || !same(a.toi_upper, b.toi_upper)) return false;
+  return !with_weights ||
+         (same(a.weights[0], b.weights[0]) && same(a.weights[1], b.weights[1]) && same(a.weights[2], b.weights[2]));
+}
+
+/// Queries of every family with a root to refine, in an order of its own, and their roots.
+struct RootsOfQueries {
+  std::vector<Query> queries;
+  std::vector<filters::SimpleRoot> roots;
+};
+
+RootsOfQueries roots_of_every_family(Kind kind, double t_max) {
+  RootsOfQueries result;
+  std::vector<Query> queries = queries_of_every_family(kind, 160);
+  Rng rng(96);
+  for (std::size_t i = queries.size(); i > 1; --i) std::swap(queries[i - 1], queries[rng.below(i)]);
+  for (const Query& query : queries) {
+    const Expected one = one_by_one(query, t_max);
+    if ((one.facts & filters::kOneRoot) == 0) continue;
+    filters::SimpleRoot root = one.root;
+    // Some that lie inside are looked at as if that was not known, and some with less knowledge of their slopes: then
+    // doubts remain.
+    if (rng.below(4) == 0) root.inside = false;
+    if (rng.below(8) == 0) root.slope_error *= 0x1p40;
+    if (rng.below(8) == 0) root.curvature *= 0x1p20;
+    result.queries.push_back(query);
+    result.roots.push_back(root);
+  }
+  return result;
+}
+
+void put(const filters::SimpleRoot& root, std::size_t k, BracketedRoots& roots) {
+  roots.facts[k] = filters::kOneRoot | (root.inside ? filters::kInsideElements : 0);
+  roots.t[k] = root.t;
+  roots.radius[k] = root.radius;
+  roots.slope[k] = root.slope;
+  roots.slope_error[k] = root.slope_error;
+  roots.curvature[k] = root.curvature;
+  roots.u[k] = root.magnitudes.u;
+  roots.w[k] = root.magnitudes.w;
+  roots.r[k] = root.magnitudes.r;
+  roots.axis[k] = static_cast<std::int64_t>(root.axis);
+}
+
+}  // namespace
+
+TEST_CASE("roots refined in vectors of every width are those refined one by one") {
+  for (const Kind kind : {Kind::edge_edge, Kind::vertex_face}) {
+    for (const double t_max : {1.0, 0.4375}) {
+      const auto [queries, roots] = roots_of_every_family(kind, t_max);
+      const solver::OwnedColumns owned(queries);
+      const filters::Columns columns = solver::columns_of(owned.view());
+      for (const Wanted wanted : {Wanted::all, Wanted::time}) {
+        const bool with_weights = wanted == Wanted::all;
+        std::vector<filters::RefinedRoot> expected;
+        std::size_t seen[3] = {};
+        for (std::size_t i = 0; i < queries.size(); ++i) {
+          expected.push_back(refined_one_by_one(queries[i], roots[i], t_max, wanted));
+          ++seen[static_cast<std::size_t>(expected.back().finding)];
+        }
+        CAPTURE(kind_name(kind), t_max, with_weights);
+        CHECK(seen[static_cast<std::size_t>(filters::Finding::contact)] > (t_max == 1 ? 200u : 80u));
+        CHECK(seen[static_cast<std::size_t>(filters::Finding::no_contact)] > 5);
+        CHECK(seen[static_cast<std::size_t>(filters::Finding::uncertain)] > 20);
+        for (const VectorWidth width : kWidths) {
+          const auto kernel = filters::refine_kernel(kind, width);
+          if (kernel == nullptr) {
+            WARN("this machine has no vectors of width " << static_cast<int>(width) << ": left out");
+            continue;
+          }
+          // In blocks of every size. Only some roots of a block are asked for, as its queries come.
+          std::size_t size = 1;
+          for (std::size_t first = 0; first < queries.size(); first += size, size = size % kMostBracketed + 1) {
+            const std::size_t count = std::min(size, queries.size() - first);
+            BracketedRoots block;
+            poison(block);
+            std::vector<std::size_t> at(count);
+            std::iota(at.begin(), at.end(), first);
+            filters::RootsToRefine asked = {block, at.data(), {}};
+            for (std::size_t k = 0; k < count; ++k) {
+              put(roots[first + k], k, block);
+              if ((first + k) % 3 != 0 || size % 2 == 0) asked.which[asked.count++] = k;
+            }
+            filters::RefinedRoots found;
+            std::memset(&found, 0x55, sizeof found);
+            kernel(columns, asked, t_max, with_weights, found);
+            for (std::size_t j = 0; j < asked.count; ++j) {
+              const std::size_t i = first + asked.which[j];
+              INFO("width " << static_cast<int>(width) << ", " << j << " of " << asked.count << "\n"
+                            << cpp_initializer(queries[i]));
+              REQUIRE(same_bits(found.root(j, with_weights), expected[i], with_weights));
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("no width is no bracket kernel, and every width that the machine has is one") {
   for (const Kind kind : {Kind::edge_edge, Kind::vertex_face}) {
     CHECK(filters::bracket_kernel(kind, VectorWidth::none) == nullptr);
-    for (const VectorWidth width : kWidths)
+    CHECK(filters::refine_kernel(kind, VectorWidth::none) == nullptr);
+    for (const VectorWidth width : kWidths) {
       CHECK((filters::bracket_kernel(kind, width) != nullptr) == filters::has_kernel(width));
+      CHECK((filters::refine_kernel(kind, width) != nullptr) == filters::has_kernel(width));
+    }
   }
 }

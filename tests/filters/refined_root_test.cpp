@@ -41,8 +41,8 @@ double component_ratio(const FrameCase& sample, double t, double distance, doubl
     slip = -slip;
   }
   const std::size_t k = 2;
-  const auto w = filters::moving_difference(sample.query, 3, 2, t),
-             r = filters::moving_difference(sample.query, 2, 0, t);
+  const auto corners = filters::corners_of(sample.query);
+  const auto w = filters::moving_difference(corners, 3, 2, t), r = filters::moving_difference(corners, 2, 0, t);
   const filters::Component first = filters::cross_component(r, w, k);
   const Exact truth = sample.cross(2, 1, k, Exact(t) + Exact(distance) + Exact(slip));
   // The same component less its true value, as two doubles: its errors stay.

@@ -6,6 +6,7 @@
 
 #include "filters/filters.hpp"
 #include "filters/same_side_columns.hpp"
+#include "solver/columns_of.hpp"
 #include "solver/owned_columns.hpp"
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
@@ -18,21 +19,10 @@ namespace {
 constexpr VectorWidth kWidths[] = {VectorWidth::none, VectorWidth::bits_128, VectorWidth::bits_256,
                                    VectorWidth::bits_512, VectorWidth::widest};
 
-filters::Columns columns_of(const QueryColumns& queries) {
-  filters::Columns columns;
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      columns.start[i][k] = queries.start[i][k];
-      columns.end[i][k] = queries.end[i][k];
-    }
-  }
-  return columns;
-}
-
 /// Checks every width that the machine has; returns how many queries the filter proves.
 std::size_t check_all_widths(const std::vector<Query>& queries) {
   const solver::OwnedColumns owned(queries);
-  const filters::Columns columns = columns_of(owned.view());
+  const filters::Columns columns = solver::columns_of(owned.view());
   std::vector<bool> proved;
   for (const Query& query : queries) proved.push_back(filters::same_side(query));
   for (const VectorWidth width : kWidths) {
