@@ -130,6 +130,14 @@ FAULTS = [
     ("error of a sign at a fine time", "numbers/near_root.cpp", "value.error += kSlack * slope",
      "value.error += 0x1p-130 * slope"),
     ("error of a near quotient", "numbers/near_root.cpp", "kGreatestError = 0x1p-52", "kGreatestError = 0x1p-38"),
+    ("greatest integers of a fraction in doubles", "numbers/near_root_isolation.cpp",
+     "kExactlyDoubles = std::int64_t{1} << 53", "kExactlyDoubles = std::int64_t{1} << 57"),
+    ("greatest denominator of a small quotient", "numbers/near_root.hpp",
+     "kLittle = std::int64_t{1} << 8", "kLittle = std::int64_t{1} << 10"),
+    ("a root at the end of a range without one", "numbers/near_root.hpp",
+     "(first + slope + coefficient(2) * exact(limit) * exact(limit)).sign() == sign", "true"),
+    ("multiples of a root's quadratic", "numbers/near_root.cpp",
+     "(q[2] * p[1] - p[2] * q[1]).is_zero() && ", ""),
 ]
 
 

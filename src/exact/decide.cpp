@@ -28,6 +28,10 @@ class ExactRange {
   RealRoot end() const { return RealRoot::rational(end_, Exact(1), 1); }
   bool ends_at(const RealRoot& root) const { return root.compare(end_) >= 0; }
   template <class P>
+  bool none_until(const RealRoot&, const P&) const {
+    return false;
+  }
+  template <class P>
   numbers::RootList roots(const P& p) const {
     return numbers::isolate_roots(p, end_);
   }
@@ -45,6 +49,11 @@ class NearRange {
   Root start() const { return Root::at_double(0, 1, doubt_); }
   Root end() const { return Root::at_double(end_, 1, doubt_); }
   bool ends_at(const Root& root) const { return root.compare(end_) >= 0; }
+  /// Whether it is plain that p has no root up to this one.
+  template <class P>
+  bool none_until(const Root& root, const P& p) const {
+    return numbers::certainly_without_root(p, root.upper());
+  }
   template <class P>
   typename Root::List roots(const P& p) const {
     return typename Root::List(p, end_, doubt_);
@@ -122,6 +131,7 @@ auto first_touch_of_borders(const Elements& elements, const Range& range)
     Events<N> events;
     border.append_events(events);
     for (const auto& event : events) {
+      if (first && range.none_until(*first, event)) continue;
       const auto roots = range.roots(event);
       for (int i = 0; i < roots.size(); ++i) {
         if (first && first->compare(roots[i]) <= 0) break;

@@ -255,7 +255,8 @@ class PointOnEdge {
   using Names = PointOnEdgeNames;
   PointOnEdge(const Point& p, const Point& x, const Point& y, Names names);
 
-  /// Whether some axis shows that they never touch: the point is always before both ends along it, or after both.
+  /// Whether it is plain that they never touch: along some axis the point is always before both ends, or after both, or
+  /// it sees them at less than a right angle all along.
   bool always_beside() const;
 
   bool touching(const MomentOf<Time<N>>& moment) const;
@@ -271,10 +272,13 @@ class PointOnEdge {
 
  private:
   using Cross = geometry::Vector<typename Forms<N>::Quadratic>;
+  using Product = typename Forms<N>::Quadratic;
   const Cross& cross() const;
+  const Product& product() const;  ///< (p - x) . (p - y)
 
   Point from_x_, from_y_, edge_;
   mutable Lazy<Cross> cross_;
+  mutable Lazy<Product> product_;
   Names names_;
 };
 

@@ -20,12 +20,18 @@ auto PointOnEdge<N>::cross() const -> const Cross& {
 }
 
 template <class N>
+auto PointOnEdge<N>::product() const -> const Product& {
+  return product_.value_or_make([&] { return geometry::dot(from_x_, from_y_); });
+}
+
+template <class N>
 bool PointOnEdge<N>::always_beside() const {
   if constexpr (!std::is_same_v<N, AnyDegree>) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto &x = from_x_[k], &y = from_y_[k];
       if (sign_of(x[0]) == sign_of(y[0]) && numbers::has_no_root(x) && numbers::has_no_root(y)) return true;
     }
+    return sign_of(product()[0]) > 0 && numbers::has_no_root(product());
   }
   return false;
 }
@@ -33,7 +39,7 @@ bool PointOnEdge<N>::always_beside() const {
 template <class N>
 bool PointOnEdge<N>::touching(const MomentOf<Time<N>>& moment) const {
   // The product's sign is rarely zero, and zeros take the longest to prove.
-  if (moment.sign(geometry::dot(from_x_, from_y_), names_.dot) > 0) return false;
+  if (moment.sign(product(), names_.dot) > 0) return false;
   for (int k = 0; k < 3; ++k) {
     if (moment.sign(cross()[static_cast<std::size_t>(k)], names_.cross, k) != 0) return false;
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include "numbers/bounded_integers.hpp"
@@ -46,6 +47,12 @@ std::pair<Polynomial<FixedInt<1>, 2>, Polynomial<FixedInt<1>, 3>> in_fewest_limb
   for (int i = 0; i <= 2; ++i) result.first[i] = q[i].widened<1>();
   for (int i = 0; i <= 3; ++i) result.second[i].set_limb(0, p[i].limb(0));
   return result;
+}
+
+/// Whether q is a multiple of p, of degree 2: where q is not zero, p's roots are q's.
+template <int Q, int C>
+bool proportional(const Polynomial<FixedInt<Q>, 2>& q, const Polynomial<FixedInt<C>, 3>& p) noexcept {
+  return (q[2] * p[1] - p[2] * q[1]).is_zero() && (q[2] * p[0] - p[2] * q[0]).is_zero();
 }
 
 double after(double x) noexcept { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
@@ -235,6 +242,14 @@ template <int Limbs>
 template <class P>
 int NearRoot<Limbs>::sign_of_close(const P& q) const {
   if (is_zero(q)) return 0;
+  if constexpr (std::is_same_v<P, SmallQuadratic>) {
+    // Corners in one plane: what vanishes at the root is mostly a multiple of the root's own quadratic.
+    const Isolated* const own = std::get_if<Isolated>(&exact_);
+    if (own != nullptr && own->degree == 2) {
+      const auto& [small, p] = in_fewest_limbs(q, own->p);
+      if (proportional(small, p)) return 0;
+    }
+  }
   const BoundedPair value = value_of(q, near_);
   const int sign = value.sign();
   if (sign != 0) return sign;
@@ -377,6 +392,16 @@ std::optional<double> NearRoot<Limbs>::close_quotient(const Quadratic& numerator
 template <int Limbs>
 std::optional<double> NearRoot<Limbs>::close_quotient(const SmallQuadratic& numerator,
                                                       const SmallQuadratic& denominator) const {
+  // At a fraction of few bits both values are small integers: each rounds to a double, and then the quotient does, in
+  // all by less than 2^-51.
+  if (const Fraction* fraction = std::get_if<Fraction>(&exact_); fraction && fraction->denominator <= kLittle) {
+    const auto at = SmallInt::integer(fraction->numerator), one = SmallInt::integer(fraction->denominator);
+    const double n = to_double(value_at_quotient(numerator, at, one)),
+                 d = to_double(value_at_quotient(denominator, at, one));
+    if (d == 0) return std::nullopt;
+    const double quotient = n / d;
+    return quotient > 0 ? std::min(quotient, 1.0) : 0.0;  // never -0
+  }
   return quotient_of(numerator, denominator);
 }
 

@@ -145,10 +145,11 @@ class NearRoot {
     }
     return sign_at_quotient_of(q, FixedInt<1>::integer(at.numerator), FixedInt<1>::integer(at.denominator));
   }
+  /// With denominators so small, the terms of a small polynomial's value at a fraction are below
+  /// 2^(kMostSmallBits + 2 * 8), and there are three of them.
+  static constexpr std::int64_t kLittle = std::int64_t{1} << 8;
   template <int D>
   static int sign_at_fraction(const Polynomial<SmallInt, D>& q, const Fraction& at) {
-    // The terms are below 2^(kMostSmallBits + 2 * 8), and there are three of them.
-    constexpr std::int64_t kLittle = std::int64_t{1} << 8;
     if (at.denominator <= kLittle) {
       return sign_at_quotient_of(q, SmallInt::integer(at.numerator), SmallInt::integer(at.denominator));
     }
@@ -156,15 +157,20 @@ class NearRoot {
     for (int i = 0; i <= D; ++i) wide[i] = q[i].template widened<1>();
     return sign_at_fraction(wide, at);
   }
+  /// q at n / d, times d to the power of its degree.
   template <class P, class N>
-  static int sign_at_quotient_of(const P& q, const N& n, const N& d) {
+  static auto value_at_quotient(const P& q, const N& n, const N& d) {
     constexpr int D = static_cast<int>(std::tuple_size_v<decltype(q.c)>) - 1;
     const auto linear = q[0] * d + q[1] * n;
     if constexpr (D == 1) {
-      return sign_of(linear);
+      return linear;
     } else {
-      return sign_of(linear * d + q[2] * n * n);
+      return linear * d + q[2] * n * n;
     }
+  }
+  template <class P, class N>
+  static int sign_at_quotient_of(const P& q, const N& n, const N& d) {
+    return sign_of(value_at_quotient(q, n, d));
   }
 
   template <class R, int D>
@@ -238,6 +244,24 @@ class NearRoot {
   Doubt* doubt_ = nullptr;
 };
 
+/// Whether a polynomial certainly has no root in [0, limit], 0 <= limit <= 1: in doubles, its Bernstein coefficients over
+/// that range have one sign.
+inline bool certainly_without_root(const Polynomial<SmallInt, 2>& p, double limit) noexcept {
+  const auto exact = [](double x) { return Bounded{x, 0}; };
+  const auto coefficient = [&p](int i) {  // its conversion may round
+    const double c = to_double(p[i]);
+    return Bounded{c, kRounding * std::fabs(c)};
+  };
+  const Bounded first = coefficient(0), slope = coefficient(1) * exact(limit);
+  const int sign = first.sign();
+  return sign != 0 && (exact(2) * first + slope).sign() == sign &&
+         (first + slope + coefficient(2) * exact(limit) * exact(limit)).sign() == sign;
+}
+template <int Q>
+bool certainly_without_root(const Polynomial<FixedInt<Q>, 2>&, double) noexcept {
+  return false;
+}
+
 /// The distinct roots, ascending, in [0, limit], 0 <= limit <= 1, each with its multiplicity.
 template <int Limbs>
 class NearRoots {
@@ -286,6 +310,7 @@ class NearRoots {
   bool isolate_beside_double(const P& p);
   void push_repeated(const Cubic& p);
   void push_double(double time, int multiplicity);
+  void push_fraction(std::int64_t n, std::int64_t d, int multiplicity);
   template <class N>
   void push_quotient(const N& numerator, const N& denominator, int multiplicity);
   template <class P>

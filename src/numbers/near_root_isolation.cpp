@@ -105,6 +105,22 @@ std::optional<Located> locate(const BoundedPair* c, int size, double low, double
   return closer ? closer : located;
 }
 
+/// n / d for 0 < n < d < 2^53 as a double-double, and between which doubles it lies. What the rounded quotient leaves,
+/// n - quotient d, is a double, and so its sign is exact; divided by d it rounds once.
+struct Divided {
+  BoundedPair near;
+  double lower, upper;
+};
+Divided divided(double n, double d) noexcept {
+  const double quotient = n / d, rest = std::fma(-quotient, d, n), low = rest / d;
+  const auto neighbour = [&](int way) {
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(quotient) + static_cast<std::uint64_t>(way));
+  };
+  return {{two_sum(quotient, low), 2 * kRounding * std::fabs(low)},
+          rest < 0 ? neighbour(-1) : quotient,
+          rest > 0 ? neighbour(1) : quotient};
+}
+
 /// Whether x < limit, for x >= 0.
 bool small(SmallInt x, std::int64_t limit) noexcept { return x.value() < limit; }
 template <int N>
@@ -145,6 +161,22 @@ void NearRoots<Limbs>::push_double(double time, int multiplicity) {
   push(Root::at_double(time, multiplicity, doubt_));
 }
 
+/// For 0 < n < d < 2^53. The powers of two that both have leave the fraction in smaller integers.
+template <int Limbs>
+void NearRoots<Limbs>::push_fraction(std::int64_t n, std::int64_t d, int multiplicity) {
+  const auto [near, lower, upper] = divided(static_cast<double>(n), static_cast<double>(d));
+  if (lower == upper) return push_double(lower, multiplicity);
+  const int twos = std::countr_zero(static_cast<std::uint64_t>(n | d));
+  Root root;
+  root.exact_ = typename Root::Fraction{n >> twos, d >> twos};
+  root.near_ = near;
+  root.lower_ = lower;
+  root.upper_ = upper;
+  root.multiplicity_ = multiplicity;
+  root.doubt_ = &doubt_;
+  push(std::move(root));
+}
+
 /// When it lies in (0, 1).
 template <int Limbs>
 template <class N>
@@ -152,6 +184,8 @@ void NearRoots<Limbs>::push_quotient(const N& numerator, const N& denominator, i
   const bool negative = denominator.sign() < 0;
   const N n = negative ? -numerator : numerator, d = negative ? -denominator : denominator;
   if (n.sign() <= 0 || (n - d).sign() >= 0) return;
+  constexpr std::int64_t kExactlyDoubles = std::int64_t{1} << 53;
+  if (small(d, kExactlyDoubles)) return push_fraction(low_limb(n), low_limb(d), multiplicity);
   const BoundedPair c[] = {bounded(-n), bounded(d)};
   const auto located = locate(c, 2, 0, 1, -1);
   if (!located) return doubt_.raise();

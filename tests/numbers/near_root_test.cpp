@@ -1,6 +1,8 @@
 // Roots in double-doubles against exact ones: their number, times, multiplicities, order, and signs there.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -359,6 +361,95 @@ TEST_CASE("a near root that is a double, or beside one, has the right neighbours
   CHECK(next[0].compare(half[0]) > 0);
   CHECK(next[0].compare(0.5) > 0);
   CHECK_FALSE(doubt.raised());
+}
+
+TEST_CASE("fractions around the greatest integers that doubles hold have the right neighbours") {
+  tests::Rng rng(2030);
+  for (int i = 0; i < 3000; ++i) {
+    // d t - n with d of 50 to 57 bits
+    const std::int64_t greatest = std::int64_t{1} << rng.between(50, 57);
+    const std::int64_t d = greatest - 1 - rng.between(0, 1000), n = d - 1 - rng.between(0, 1 << 30) * (d >> 31);
+    const Integers c = {-n, d, 0, 0};
+    INFO(n << " / " << d);
+    Doubt doubt;
+    const NearRoots<1> near(Small::cubic(c, 0), 1, doubt);
+    const RootList real = isolate_roots(to_exact(fixed<6, 3>(c)), Exact(1));
+    REQUIRE_FALSE(doubt.raised());
+    REQUIRE(near.size() == real.size());
+    for (int root = 0; root < near.size(); ++root) {
+      REQUIRE(near[root].lower() == real[root].lower());
+      REQUIRE(near[root].upper() == real[root].upper());
+    }
+  }
+}
+
+TEST_CASE("a quotient at a fraction of few bits is as good as is said") {
+  // At 1 - 2^-k or 1/3, of coefficients up to the greatest that are small.
+  tests::Rng rng(2031);
+  double worst = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const std::int64_t limit = std::int64_t{1}
+                               << (rng.one_in(2) ? NearRoots<1>::Root::kMostSmallBits : rng.between(4, 43));
+    const auto random = [&] {
+      return limit - 1 - rng.between(0, static_cast<int>(std::min<std::int64_t>(limit / 4, 1 << 20)));
+    };
+    const Integers top = {random() / 2, random() / 4, random() / 8, 0}, bottom = {random(), random(), random(), 0};
+    const std::int64_t d = rng.one_in(2) ? std::int64_t{1} << rng.between(8, 10) : 3, n = d == 3 ? 1 : d - 1;
+    Doubt doubt;
+    const NearRoots<1> near(Small::cubic({-n, d, 0, 0}, 0), 1, doubt);
+    REQUIRE(near.size() == 1);
+    const double quotient = near[0].quotient(Small::quadratic(top), Small::quadratic(bottom));
+    const auto value = [&](const Integers& q) -> mpz_class {
+      return mpz_class(q[0]) * (d * d) + mpz_class(q[1]) * (n * d) + mpz_class(q[2]) * (n * n);
+    };
+    const mpq_class error = mpq_class(quotient) - mpq_class(value(top), value(bottom));
+    worst = std::max(worst, std::fabs(error.get_d()));
+    REQUIRE_FALSE(doubt.raised());
+  }
+  CHECK(worst <= 0x1p-51);
+}
+
+TEST_CASE("a polynomial that is said to have no root up to a time has none") {
+  tests::Rng rng(2032);
+  int without = 0;
+  for (int i = 0; i < 20000; ++i) {
+    // (d t - n) (e t - m), whose first root is a border case of the range; sometimes a little more
+    const std::int64_t d = rng.between(1, 1 << 20), n = rng.between(0, 1 << 20), e = rng.between(-9, 9),
+                       m = rng.between(-9, 9);
+    const Integers c = {n * m + (rng.one_in(2) ? rng.between(-1, 1) : 0), -(d * m + n * e), d * e, 0};
+    const double root = static_cast<double>(n) / static_cast<double>(d);
+    const double limit = root <= 1 && rng.one_in(2) ? root : rng.between(0, 64) / 64.0;
+    const auto q = Small::quadratic(c);
+    if (is_zero(q) || !certainly_without_root(q, limit)) continue;
+    ++without;
+    INFO(c[0] << ", " << c[1] << ", " << c[2] << " up to " << limit);
+    REQUIRE(isolate_roots(to_exact(fixed<6, 3>(c)), Exact(limit)).size() == 0);
+  }
+  CHECK(without > 1000);
+}
+
+TEST_CASE("a multiple of a root's quadratic vanishes there, and what is almost one does not") {
+  tests::Rng rng(2033);
+  int zeros = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Integers c = {rng.between(-1000, 1000), rng.between(-1000, 1000), rng.between(-1000, 1000), 0};
+    if (c == Integers{}) continue;
+    Doubt doubt;
+    const NearRoots<1> near(Small::cubic(c, 0), 1, doubt);
+    const RootList real = isolate_roots(to_exact(fixed<6, 3>(c)), Exact(1));
+    const std::int64_t factor = (std::int64_t{1} << 33) - rng.between(0, 1000);
+    Integers multiple = {factor * c[0], factor * c[1], factor * c[2], 0};
+    if (rng.one_in(2)) multiple[static_cast<std::size_t>(rng.between(0, 2))] += rng.between(-1, 1);
+    for (int root = 0; root < near.size(); ++root) {
+      const int sign = near[root].sign_at(Small::quadratic(multiple));
+      INFO(c[0] << ", " << c[1] << ", " << c[2] << " against " << multiple[0] << ", " << multiple[1] << ", "
+                << multiple[2]);
+      REQUIRE_FALSE(doubt.raised());
+      REQUIRE(sign == real[root].sign_at(to_exact(fixed<4, 2>(multiple))));
+      zeros += sign == 0;
+    }
+  }
+  CHECK(zeros > 500);
 }
 
 TEST_CASE("what the numbers of near roots do not hold raises a doubt") {
