@@ -32,13 +32,14 @@
 // |g_m| |x|^m / 2. Let R be at most 2^-4, and this exceed 2 d v at |x| = R for the narrowed d. Then there for all lesser
 // d, too, so that V has as many complex roots within R of t0 as V_0, m (Rouche's theorem), and the root of the contact
 // stays among them. For the query's d, a root has |x|^m <= 4 d v / |g_m|. V at t0 is a polynomial in d with integer
-// coefficients over 2^(3 f) and a norm of at most v, or of 3 v where it lacks a factor t - t0, and d <= 2^-(v + 3 f + 3)
-// makes its lowest term V_k(t0) d^k exceed the others: it has one sign, or is zero, for all d up to the narrowed one. So
-// the root is before t0, at t0 or after it as in the narrowed query. If |x| is certainly less than to the next double,
-// that is all. Otherwise the root is followed, for m <= 2. If V is zero at t0 for all d, it is a root of V / (t - t0),
-// with m - 1 in place of m. For m = 1 it is the only root within R. For m = 2 it is the only one on its side of t0 if V
-// has opposite signs at t0 and at the distance R, those of V_k(t0) and g_2. So two neighbouring doubles there at which V
-// has opposite signs enclose it. Their first guess is |x|^m = |V_k(t0) d^k / g_m|.
+// coefficients over 2^(3 f) and a norm of at most v; over 2^(2 f) and 3 v where it lacks a factor t - t0, and over 2^f
+// and 9 v where it lacks two. d <= 2^-(v + 3 f + 3) makes its lowest term V_k(t0) d^k exceed the others: it has one sign,
+// or is zero, for all d up to the narrowed one. So the root is before t0, at t0 or after it as in the narrowed query. If
+// |x| is certainly less than to the next double, that is all. Otherwise the root is followed, for m <= 2. If V is zero at
+// t0 for all d, it is a root of V / (t - t0), with m - 1 in place of m. For m = 1 it is the only root within R. For m = 2
+// it is the only one on its side of t0 if V has opposite signs at t0 and at the distance R, those of V_k(t0) and g_2. So
+// two neighbouring doubles there at which V has opposite signs enclose it. Their first guess is
+// |x|^m = |V_k(t0) d^k / g_m|.
 //
 // V at a double n / 2^e is a sum of 16 integers times powers of two, c_ij n^j 2^-(e j + s i), of |c_ij| <= 9 v <= 2^44
 // and n < 2^53: each is below 2^203. Their sum, from the least power on, needs one bit to tell that what was shifted out
