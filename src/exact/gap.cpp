@@ -1,10 +1,11 @@
 // Why a narrower gap changes nothing but times and weights.
 //
 // Let the norm of a polynomial in t and d be the sum of the absolute values of its coefficients; the norm of a product
-// is at most the product of the norms. Along axis k, let the difference of any two moving corners have a norm of at most
-// L_k, an integer. So the components of cross products of two differences have norms of at most 2 L_i L_j. The weights'
-// numerators are such ones, too: n - (r x w) = (u - r) x w for edges, n - (r x w) - (u x r) = (u - r) x (w - r) for a
-// face. V has at most the sum of the six products of a norm of u, one of w and one of r along three axes.
+// is at most the product of the norms. Along axis k, let the difference of any two moving corners have a norm of at
+// most L_k, an integer. So the components of cross products of two differences have norms of at most 2 L_i L_j. The
+// weights' numerators are such ones, too: n - (r x w) = (u - r) x w for edges, and for a face
+// n - (r x w) - (u x r) = (u - r) x (w - r). V has at most the sum of the six products of a norm of u, one of w and one
+// of r along three axes.
 //
 // Whether, when and in which features two elements touch in [0, 1] is told by the signs of V, of such components and
 // sums, and of differences of coordinates, at and between their roots, and by where 0 and 1 lie among these. (The sign
@@ -15,35 +16,35 @@
 // elimination for real closed fields by cylindrical algebraic decomposition", 1975). Each of them is a polynomial in d
 // with integer coefficients: a determinant whose norm is at most the product of the norms of its rows. With v, q and l
 // the norms of V, of quadratics and of differences, the largest are that of V's discriminant, v^2 q^3 of V and a
-// quadratic, q^4 of two quadratics, and v l^3. The discriminant b^2 c^2 - 4 a c^3 - 4 b^3 d - 27 a^2 d^2 + 18 a b c d, for
-// coefficients whose norms add up to v, has (16 + 108 + 108 + 432 + 18) v^4 / 256 < 2.7 v^4, more than the other
-// subresultant's 9 v^3, as v >= 6. Let 2^(S - 1) be at least all of these. Where d <= 2^-S, the lowest
-// coefficient that is not zero, an integer, exceeds the sum of all later terms: such a polynomial is zero or has one
-// sign for all d in (0, 2^-S].
+// quadratic, q^4 of two quadratics, and v l^3. The discriminant b^2 c^2 - 4 a c^3 - 4 b^3 d - 27 a^2 d^2 + 18 a b c d,
+// for coefficients whose norms add up to v, has (16 + 108 + 108 + 432 + 18) v^4 / 256 < 2.7 v^4, more than the other
+// subresultant's 9 v^3, as v >= 6. Let 2^(S - 1) be at least all of these. Where d <= 2^-S, the lowest coefficient that
+// is not zero, an integer, exceeds the sum of all later terms: such a polynomial is zero or has one sign for all d in
+// (0, 2^-S].
 //
 // The time. At a time t in [0, 1], V differs from the base's V_0 by at most d v, and where |t| <= 1 + 2^-4 by at most
 // 2 d v, for complex t, too. A first contact at exactly 0 or 1 stays there. Let V_0 have
 // opposite signs at two times and differ from zero there by more than 2 d v, for the narrowed d. Then the root of the
-// contact, which is continuous in d, stays between them. If V_0's slope is steeper than h between them, V_0 has one root
-// there, and the root of the contact is at most 2 d v / h from it; as far from a time t as (|V_0(t)| + 2 d v) / h.
+// contact, which is continuous in d, stays between them. If V_0's slope is steeper than h between them, V_0 has one
+// root there, and the root of the contact is at most 2 d v / h from it; as far from a time t as (|V_0(t)| + 2 d v) / h.
 //
 // Otherwise V_0 has a root t0 = n / 2^f of multiplicity m close to the time: V_0(t0 + x) = x^m (g_m + g_(m+1) x + ...),
-// and the g_i are integers over 2^(3 f). For |x| <= R, with |g_m| >= 2 R times the sum of the later |g_i|, it is at least
-// |g_m| |x|^m / 2. Let R be at most 2^-4, and this exceed 2 d v at |x| = R for the narrowed d. Then there for all lesser
-// d, too, so that V has as many complex roots within R of t0 as V_0, m (Rouche's theorem), and the root of the contact
-// stays among them. For the query's d, a root has |x|^m <= 4 d v / |g_m|. V at t0 is a polynomial in d with integer
-// coefficients over 2^(3 f) and a norm of at most v; over 2^(2 f) and 3 v where it lacks a factor t - t0, and over 2^f
-// and 9 v where it lacks two. d <= 2^-(v + 3 f + 3) makes its lowest term V_k(t0) d^k exceed the others: it has one sign,
-// or is zero, for all d up to the narrowed one. So the root is before t0, at t0 or after it as in the narrowed query. If
-// |x| is certainly less than to the next double, that is all. Otherwise the root is followed, for m <= 2. If V is zero at
-// t0 for all d, it is a root of V / (t - t0), with m - 1 in place of m. For m = 1 it is the only root within R. For m = 2
-// it is the only one on its side of t0 if V has opposite signs at t0 and at the distance R, those of V_k(t0) and g_2. So
-// two neighbouring doubles there at which V has opposite signs enclose it. Their first guess is
-// |x|^m = |V_k(t0) d^k / g_m|.
+// and the g_i are integers over 2^(3 f). For |x| <= R, with |g_m| >= 2 R times the sum of the later |g_i|, it is at
+// least |g_m| |x|^m / 2. Let R be at most 2^-4, and this exceed 2 d v at |x| = R for the narrowed d. Then there for all
+// lesser d, too, so that V has as many complex roots within R of t0 as V_0, m (Rouche's theorem), and the root of the
+// contact stays among them. For the query's d, a root has |x|^m <= 4 d v / |g_m|. V at t0 is a polynomial in d with
+// integer coefficients over 2^(3 f) and a norm of at most v; over 2^(2 f) and 3 v where it lacks a factor t - t0, and
+// over 2^f and 9 v where it lacks two. d <= 2^-(v + 3 f + 3) makes its lowest term V_k(t0) d^k exceed the others: it
+// has one sign, or is zero, for all d up to the narrowed one. So the root is before t0, at t0 or after it as in the
+// narrowed query. If |x| is certainly less than to the next double, that is all. Otherwise the root is followed, for
+// m <= 2. If V is zero at t0 for all d, it is a root of V / (t - t0), with m - 1 in place of m. For m = 1 it is the
+// only root within R. For m = 2 it is the only one on its side of t0 if V has opposite signs at t0 and at the distance
+// R, those of V_k(t0) and g_2. So two neighbouring doubles there at which V has opposite signs enclose it. Their first
+// guess is |x|^m = |V_k(t0) d^k / g_m|.
 //
 // V at a double n / 2^e is a sum of 16 integers times powers of two, c_ij n^j 2^-(e j + s i), of |c_ij| <= 9 v <= 2^44
-// and n < 2^53: each is below 2^203. Their sum, from the least power on, needs one bit to tell that what was shifted out
-// is not zero.
+// and n < 2^53: each is below 2^203. Their sum, from the least power on, needs one bit to tell that what was shifted
+// out is not zero.
 //
 // The weights are quotients of the base at t0 or, without t0, at a root of V_0 that is known as a double-double, unless
 // the denominator is too small there. The root of the contact is near it, and d changes numerators and denominators by

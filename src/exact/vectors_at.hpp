@@ -43,7 +43,8 @@ template <class Root, class P, class D, class Along>
 double quotient_along(const Root& root, const P& numerator, const D& denominator, std::size_t, const Along&) {
   return root.quotient(numerator, denominator);
 }
-/// A near root may know the quotient along another axis only. That is rare: a function of its own keeps it out of the way.
+/// A near root may know the quotient along another axis only. That is rare: a function of its own keeps it out of the
+/// way.
 template <int Limbs, class Along>
 [[gnu::noinline]] double quotient_elsewhere(const numbers::NearRoot<Limbs>& root, std::size_t axis,
                                             const Along& along) {

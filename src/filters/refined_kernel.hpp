@@ -1,4 +1,5 @@
-// The text of the refinement kernels. It is compiled for several widths: see same_side_kernel.hpp for what that forbids.
+// The text of the refinement kernels. It is compiled for several widths: see same_side_kernel.hpp for what that
+// forbids.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -244,8 +244,8 @@ class NearRoot {
   Doubt* doubt_ = nullptr;
 };
 
-/// Whether a polynomial certainly has no root in [0, limit], 0 <= limit <= 1: in doubles, its Bernstein coefficients over
-/// that range have one sign.
+/// Whether a polynomial certainly has no root in [0, limit], 0 <= limit <= 1: in doubles, its Bernstein coefficients
+/// over that range have one sign.
 inline bool certainly_without_root(const Polynomial<SmallInt, 2>& p, double limit) noexcept {
   const auto exact = [](double x) { return Bounded{x, 0}; };
   const auto coefficient = [&p](int i) {  // its conversion may round

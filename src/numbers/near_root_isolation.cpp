@@ -447,8 +447,9 @@ void NearRoots<Limbs>::isolate_cubic(const P& p) {
   }
 }
 
-/// When it has a repeated root, or a single real one; three roots that almost coincide are in doubt. The discriminant is
-/// (4 (b^2 - 3ac)(c^2 - 3bd) - (bc - 9ad)^2) / 3. A double root is (9ad - bc) / (2 (b^2 - 3ac)), a triple one -b / 3a.
+/// When it has a repeated root, or a single real one; three roots that almost coincide are in doubt. The discriminant
+/// is (4 (b^2 - 3ac)(c^2 - 3bd) - (bc - 9ad)^2) / 3. A double root is (9ad - bc) / (2 (b^2 - 3ac)), a triple one -b /
+/// 3a.
 ///
 /// Sizes in bits, with C = 192 L - 3 of the coefficients: b^2 - 3ac and c^2 - 3bd below 2 C + 2 = 384 L - 4, bc - 9ad
 /// below 2 C + 4 = 384 L - 2, the products below (768 L - 8) + 2 and 768 L - 4. Each has its limbs.
@@ -463,8 +464,8 @@ void NearRoots<Limbs>::push_repeated(const Cubic& p) {
   const auto twice = product + product;
   const int discriminant = (twice + twice - ad9_bc * ad9_bc).sign();
   if (discriminant > 0) return doubt_.raise();
-  // Of a repeated root and another one, and of a single real root, p changes its sign at the latter only. It is in (0, 1)
-  // iff p's signs at 0 and at 1 differ.
+  // Of a repeated root and another one, and of a single real root, p changes its sign at the latter only. It is in (0,
+  // 1) iff p's signs at 0 and at 1 differ.
   const int sign = d.sign();
   const bool other_inside = (a + b + c + d).sign() != sign;
   if (discriminant < 0) {
