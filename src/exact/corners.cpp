@@ -91,6 +91,11 @@ Forms<Near<2>>::Corners moving_corners<Near<2>>(const Query& query, const std::a
   return near_corners<2>(query, spans);
 }
 
+template <>
+Forms<Near<kSparse>>::Corners moving_corners<Near<kSparse>>(const Query& query, const std::array<BitSpan, 3>& spans) {
+  return near_corners<kSparse>(query, spans);
+}
+
 ScaledCorners scaled_corners(const Query& query) {
   const std::size_t count = corner_count(query.kind);
   OrdinarySize size;

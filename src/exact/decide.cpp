@@ -255,7 +255,7 @@ Answer first_contact_in(const Q& query, double t_max, Wanted wanted = Wanted::al
 /// Nothing where a doubt is left.
 template <int Limbs>
 std::optional<Answer> near_first_contact(const Query& query, const std::array<BitSpan, 3>& spans, double t_max,
-                                         Wanted wanted, numbers::Doubt doubt = {}) {
+                                         Wanted wanted, numbers::Doubt& doubt) {
   const NearRange<Time<Near<Limbs>>> range(t_max, doubt);
   std::optional<Answer> answer = with_elements_of<Near<Limbs>>(
       query.kind, moving_corners<Near<Limbs>>(query, spans),
@@ -274,7 +274,7 @@ std::optional<Answer> decide_across_gap(const Query& query, Wanted wanted) {
   if (!gap) return std::nullopt;
   const Query& narrowed = gap->narrowed();
   const std::array<BitSpan, 3> spans = axis_spans(narrowed);
-  const auto doubt = numbers::Doubt::without_quotients();
+  auto doubt = numbers::Doubt::without_quotients();
   std::optional<Answer> answer = most_bits(spans) <= kMostBits<1>
                                      ? near_first_contact<1>(narrowed, spans, 1, wanted, doubt)
                                      : near_first_contact<2>(narrowed, spans, 1, wanted, doubt);
@@ -308,10 +308,20 @@ Answer decide_exactly(const CurvedQuery& query, double t_max) {
 std::optional<Answer> decide_nearby(const Query& query, double t_max, Wanted wanted) {
   const std::array<BitSpan, 3> spans = axis_spans(query);
   const int bits = most_bits(spans);
-  if (bits <= kMostBits<0>) return near_first_contact<0>(query, spans, t_max, wanted);
-  if (bits <= kMostBits<1>) return near_first_contact<1>(query, spans, t_max, wanted);
-  if (bits <= kMostBits<2>) return near_first_contact<2>(query, spans, t_max, wanted);
-  return t_max == 1 ? decide_across_gap(query, wanted) : std::nullopt;
+  numbers::Doubt doubt;
+  if (bits <= kMostBits<0>) return near_first_contact<0>(query, spans, t_max, wanted, doubt);
+  if (bits <= kMostBits<1>) return near_first_contact<1>(query, spans, t_max, wanted, doubt);
+  if (bits <= kMostBits<2>) return near_first_contact<2>(query, spans, t_max, wanted, doubt);
+  if (t_max == 1) {
+    if (const std::optional<Answer> answer = decide_across_gap(query, wanted)) return answer;
+  }
+  return decide_sparsely(query, t_max, wanted);
+}
+
+std::optional<Answer> decide_sparsely(const Query& query, double t_max, Wanted wanted) {
+  numbers::Doubt doubt;
+  const numbers::SparseScratch scratch(doubt);
+  return near_first_contact<kSparse>(query, axis_spans(query), t_max, wanted, doubt);
 }
 
 Answer decide_sooner(const Query& query, double t_max, Wanted wanted) {

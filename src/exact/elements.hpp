@@ -22,6 +22,7 @@
 #include "numbers/near_root.hpp"
 #include "numbers/real_root.hpp"
 #include "numbers/small_int.hpp"
+#include "numbers/sparse_root.hpp"
 
 namespace touchstone::exact {
 
@@ -84,6 +85,13 @@ struct Near<0> {
   using Integer = numbers::SmallInt;
   using Time = numbers::NearRoot<1>;
 };
+/// For coordinates of any span and few bits.
+constexpr int kSparse = -1;
+template <>
+struct Near<kSparse> {
+  using Integer = numbers::Sparse;
+  using Time = numbers::SparseRoot;
+};
 template <int Limbs>
 struct Forms<Near<Limbs>> : Forms<typename Near<Limbs>::Integer> {};
 
@@ -137,6 +145,7 @@ using Long = numbers::FixedInt<3>;
   template class Template<Near<0>>;               \
   template class Template<Near<1>>;               \
   template class Template<Near<2>>;               \
+  template class Template<Near<kSparse>>;         \
   template class Template<Exact>;                 \
   template class Template<AnyDegree>
 // NOLINTEND(bugprone-macro-parentheses)

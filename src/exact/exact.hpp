@@ -25,6 +25,9 @@ Answer decide_exactly(const CurvedQuery& query, double t_max);
 /// leave out what is not wanted.
 std::optional<Answer> decide_nearby(const Query& query, double t_max, Wanted wanted = Wanted::all);
 
+/// The last part of it, for any query: in sparse numbers, which suit coordinates of any span and few bits.
+std::optional<Answer> decide_sparsely(const Query& query, double t_max, Wanted wanted = Wanted::all);
+
 /// decide_nearby, and decide_exactly where it finds nothing.
 Answer decide_sooner(const Query& query, double t_max, Wanted wanted);
 

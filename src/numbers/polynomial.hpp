@@ -30,6 +30,12 @@ Polynomial<R, D> operator-(const Polynomial<R, D>& p, const Polynomial<R, D>& q)
   return difference;
 }
 
+/// a b + c; a number type may have a better one.
+template <class A, class B, class C>
+C multiply_add(const A& a, const B& b, const C& c) {
+  return c + a * b;
+}
+
 template <class R, class S, int D, int E>
 auto operator*(const Polynomial<R, D>& p, const Polynomial<S, E>& q) {
   Polynomial<decltype(p[0] * q[0]), D + E> product;
@@ -37,7 +43,7 @@ auto operator*(const Polynomial<R, D>& p, const Polynomial<S, E>& q) {
     const int first = k > E ? k - E : 0;
     const int last = k < D ? k : D;
     product[k] = p[first] * q[k - first];
-    for (int i = first + 1; i <= last; ++i) product[k] = product[k] + p[i] * q[k - i];
+    for (int i = first + 1; i <= last; ++i) product[k] = multiply_add(p[i], q[k - i], product[k]);
   }
   return product;
 }

@@ -1,0 +1,121 @@
+// Queries of wildly different magnitudes: decided in sparse numbers as the exact level decides them.
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "exact/exact.hpp"
+#include "support/answer_check.hpp"
+#include "support/catch.hpp"
+#include "support/report.hpp"
+
+namespace touchstone::tests {
+namespace {
+
+constexpr std::array<double Vec3::*, 3> kAxes = {&Vec3::x, &Vec3::y, &Vec3::z};
+
+/// Coordinates of few bits times powers of two from a pool, at rest in part, in a plane, or with a contact at a time
+/// that is known.
+Query wild(Kind kind, Rng& rng) {
+  Query query;
+  query.kind = kind;
+  std::array<int, 4> pool{};
+  const int reach = rng.one_in(4) ? 60 : rng.one_in(3) ? 130 : 1000;
+  for (int& exponent : pool) exponent = rng.between(-reach, reach);
+  if (rng.one_in(2)) pool[1] = pool[2] = pool[0];
+  const int style = rng.between(0, 3);
+  const auto coordinate = [&] {
+    const double significand = style == 0 ? rng.symmetric() : rng.between(-style, style);
+    return std::ldexp(significand, rng.pick(pool));
+  };
+  for (std::size_t i = 0; i < corner_count(kind); ++i) {
+    for (const auto axis : kAxes) {
+      query.start[i].*axis = coordinate();
+      query.end[i].*axis = rng.one_in(4) ? query.start[i].*axis : coordinate();
+    }
+  }
+  const std::size_t last = corner_count(kind) - 1;
+  switch (rng.between(0, 9)) {
+    case 0:
+      for (std::size_t i = 0; i <= last; ++i) query.start[i].z = query.end[i].z = 0;
+      break;
+    case 1: query.end[last] = query.end[0]; break;
+    case 2: query.start[last] = query.start[0]; break;
+    case 3:  // a plane at half time
+      for (std::size_t i = 0; i <= last; ++i) query.end[i].z = -query.start[i].z;
+      break;
+    case 4:  // almost a common plane
+      for (std::size_t i = 1; i <= last; ++i) {
+        query.start[i].x = query.start[0].x;
+        query.end[i].x = rng.one_in(2) ? query.end[0].x : coordinate();
+      }
+      break;
+    default: break;
+  }
+  return query;
+}
+
+double t_max_of(std::uint64_t index, const Answer& whole) {
+  if (index % 3 != 1 || !whole.contact) return 1;
+  const double times[] = {whole.toi, whole.toi_upper, std::nextafter(whole.toi, 0.0),
+                          std::fmin(1, std::nextafter(whole.toi_upper, 2.0))};
+  return times[index / 3 % 4];
+}
+
+struct Count {
+  std::size_t decided = 0, all = 0, wrong = 0, contacts = 0;
+};
+
+std::string difference(const Answer& answer, const Answer& expected) {
+  const std::string decision = decision_difference(answer, expected);
+  return decision.empty() ? weight_difference(answer, expected) : decision;
+}
+
+void compare(const Query& query, double t_max, Count& count) {
+  ++count.all;
+  const std::optional<Answer> answer = exact::decide_sparsely(query, t_max);
+  if (!answer) return;
+  ++count.decided;
+  const Answer expected = exact::decide_exactly(query, t_max);
+  count.contacts += expected.contact;
+  const std::string wrong = difference(*answer, expected);
+  if (!wrong.empty() && ++count.wrong <= 5) std::printf("%s\n", wrong.c_str());
+  if (expected.contact) {
+    const std::optional<Answer> time = exact::decide_sparsely(query, t_max, Wanted::time);
+    count.wrong += !time || time->toi != expected.toi || time->toi_upper != expected.toi_upper;
+  }
+}
+
+}  // namespace
+
+TEST_CASE("sparse numbers decide queries of wild magnitudes as decide_exactly does, and most of them") {
+  Rng rng(61);
+  Count count;
+  for (std::size_t i = 0; i < effort(60000); ++i) {
+    const Query query = wild(kKinds[i % 4], rng);
+    compare(query, t_max_of(i / 4, exact::decide_exactly(query, 1)), count);
+  }
+  std::printf("%zu of %zu decided, %zu contacts, %zu wrong\n", count.decided, count.all, count.contacts, count.wrong);
+  CHECK(count.wrong == 0);
+  CHECK(count.contacts * 10 > count.all);
+  CHECK(count.decided * 100 > count.all * 97);
+}
+
+TEST_CASE("sparse numbers decide every family as decide_exactly does") {
+  Report report;
+  std::size_t decided = 0;
+  for_each_case(
+      62, 300, [](const FamilyInfo&, Kind) { return true; },
+      [&](const CaseId& id) {
+        const Query query = make(id);
+        const double t_max = t_max_of(id.index, exact::decide_exactly(query, 1));
+        const std::optional<Answer> answer = exact::decide_sparsely(query, t_max);
+        decided += answer.has_value();
+        report.add(id, query, answer ? difference(*answer, exact::decide_exactly(query, t_max)) : "");
+      });
+  std::printf("%zu of %zu queries decided\n", decided, report.checked());
+  CHECK(decided * 100 > report.checked() * 90);
+  report.finish();
+}
+
+}  // namespace touchstone::tests
