@@ -130,7 +130,7 @@ std::array<Both, 4> random_coefficients(int degree, tests::Rng& rng, const std::
 }
 
 struct RootReport {
-  int roots = 0, doubts = 0, wrong = 0, polynomials = 0;
+  int roots = 0, doubts = 0, wrong = 0, polynomials = 0, quotients = 0;
 };
 
 template <int Degree>
@@ -168,6 +168,21 @@ void compare_roots(tests::Rng& rng, RootReport& report) {
                       roots[i].multiplicity() == expected[i].multiplicity() && signs[0] == exact_signs[0] &&
                       signs[1] == exact_signs[1] && signs[2] == exact_signs[2] && order == 1;
     report.wrong += !same;
+    const auto d = as_polynomials<2>(random_coefficients(2, rng, pool));
+    const int sign = expected[i].sign_at(d.exact);
+    if (sign == 0 || sign * exact_signs[0] < 0 || sign * expected[i].sign_at(d.exact - q.exact) < 0) continue;
+    const double quotient = roots[i].quotient(q.sparse, d.sparse);
+    if (doubt.raised()) return;
+    ++report.quotients;
+    report.wrong += !(std::fabs(quotient - expected[i].quotient(q.exact, d.exact)) <= 0x1p-50);
+    if constexpr (Degree == 2) {  // (d + 2^k p) / 2 d is 1/2 at the root alone
+      const Sparse factor = Sparse::scaled(1, -rng.between(0, 120));
+      Polynomial<Sparse, 2> beside = d.sparse;
+      for (int k = 0; k <= 2; ++k) beside[k] = d.sparse[k] + p.sparse[k] * factor;
+      const double half = roots[i].quotient(beside, d.sparse + d.sparse);
+      if (doubt.raised()) return;
+      report.wrong += !(std::fabs(half - 0.5) <= 0x1p-50);
+    }
   }
 }
 
@@ -240,6 +255,7 @@ TEST_CASE("sparse roots are those of real_root") {
   CHECK(report.wrong == 0);
   CHECK(report.roots > report.polynomials / 3);
   CHECK(report.doubts * 50 < report.polynomials);
+  CHECK(report.quotients * 20 > report.roots);
 }
 
 TEST_CASE("work without end raises the doubt") {
