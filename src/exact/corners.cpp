@@ -2,7 +2,8 @@
 #include "exact/corners.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
+#include <cstdint>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -49,7 +50,10 @@ typename Forms<Near<Limbs>>::Corners near_corners(const Query& query, const std:
     // The power of two and the product are exact: the product is a small integer.
     const auto is_ordinary = [](const BitSpan& span) { return span.low > -1000 && span.low < 1000; };
     if (is_ordinary(spans[0]) && is_ordinary(spans[1]) && is_ordinary(spans[2])) {
-      const Vec3 unit = {std::ldexp(1, -spans[0].low), std::ldexp(1, -spans[1].low), std::ldexp(1, -spans[2].low)};
+      const auto power = [](int exponent) {
+        return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
+      };
+      const Vec3 unit = {power(-spans[0].low), power(-spans[1].low), power(-spans[2].low)};
       const auto integer = [](double x) { return Integer::integer(static_cast<std::int64_t>(x)); };
       return corners_of<typename Forms<Near<0>>::Corners>(query, [&](const Vec3& x) {
         return std::array<Integer, 3>{integer(x.x * unit.x), integer(x.y * unit.y), integer(x.z * unit.z)};

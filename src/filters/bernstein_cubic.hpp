@@ -18,6 +18,9 @@ class BernsteinCubic : public StepCubic<double> {
  public:
   using StepCubic::StepCubic;
 
+  /// Whether all coefficients are zero as computed: then no sign is certain anywhere.
+  bool is_zero() const noexcept { return c_[0] == 0 && c_[1] == 0 && c_[2] == 0 && c_[3] == 0; }
+
   /// The sign variations of the Bernstein coefficients over [p, q], the values at both ends being certainly not zero:
   /// `one` proves exactly one root there, a simple one inside; `none` proves that there is none.
   enum class Variations : std::uint8_t { none, one, uncertain };

@@ -92,6 +92,7 @@ Finding decide_in_brackets(const Question& question, Answer& answer) {
   const Magnitudes m = magnitudes_of(frame);
   if (!within_range(m)) return Finding::uncertain;
   const BernsteinCubic cubic(coplanarity_coefficients(frame), m.u * m.w * m.r);
+  if (cubic.is_zero()) return Finding::uncertain;  // as in a plane that all corners share
   const Search search = {question, frame, m, cubic};
   std::optional<Finding> finding = decide_over(search, 0, 1, answer);
   if (!finding) {

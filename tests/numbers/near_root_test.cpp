@@ -323,6 +323,16 @@ TEST_CASE("three roots that almost coincide, one of them a double, are the exact
   CHECK(static_cast<std::size_t>(doubts) * 10 < polynomials);
 }
 
+TEST_CASE("a quadratic that a cubic begins with does not vanish at the cubic's root") {
+  // At t near 2^-12 it is -t^3, which doubles do not tell from zero.
+  const Integers cubic = {-(std::int64_t{1} << 30), std::int64_t{1} << 42, 5, 1};
+  Doubt doubt;
+  const NearRoots<1> roots(Small::cubic(cubic, 0), 1, doubt);
+  REQUIRE(roots.size() == 1);
+  CHECK(roots[0].sign_at(Small::quadratic(cubic)) == -1);
+  CHECK_FALSE(doubt.raised());
+}
+
 TEST_CASE("a near root just after 0 has the right neighbours") {
   // 2^k t - n and, with a root beside it, (2^k t - n) 2^j + 1.
   tests::Rng rng(2029);
