@@ -252,14 +252,22 @@ Answer first_contact_in(const Q& query, double t_max, Wanted wanted = Wanted::al
   return with_elements<N>(query, [&](const auto& elements) { return first_contact(elements, range, wanted, nullptr); });
 }
 
+/// Of sparse digits, where the corners are coplanar at all times. What takes more takes less time in exact numbers: the
+/// events are quadratics, without V.
+constexpr int kProductsInPlane = 1500;
+
 /// Nothing where a doubt is left.
 template <int Limbs>
 std::optional<Answer> near_first_contact(const Query& query, const std::array<BitSpan, 3>& spans, double t_max,
                                          Wanted wanted, numbers::Doubt& doubt) {
   const NearRange<Time<Near<Limbs>>> range(t_max, doubt);
   std::optional<Answer> answer = with_elements_of<Near<Limbs>>(
-      query.kind, moving_corners<Near<Limbs>>(query, spans),
-      [&](const auto& elements) { return std::optional(first_contact(elements, range, wanted, nullptr)); });
+      query.kind, moving_corners<Near<Limbs>>(query, spans), [&](const auto& elements) -> std::optional<Answer> {
+        if constexpr (Limbs == kSparse) {
+          if (nonzero_cubic(elements) == nullptr) numbers::SparseScratch::allow_at_most(kProductsInPlane);
+        }
+        return first_contact(elements, range, wanted, nullptr);
+      });
   if (doubt.raised()) answer.reset();
   return answer;
 }

@@ -114,6 +114,11 @@ class SparseScratch {
   SparseScratch(const SparseScratch&) = delete;
   SparseScratch& operator=(const SparseScratch&) = delete;
 
+  /// Allows this thread's numbers at most so many more products of digits, or what is left of theirs.
+  static void allow_at_most(int products) noexcept {
+    current_->most_products_ = std::min(current_->most_products_, current_->products_ + products);
+  }
+
   /// Gives the memory of all numbers back that are made while it lives.
   class Rewind {
    public:
@@ -143,7 +148,7 @@ class SparseScratch {
   SparseScratch* previous_;
   Doubt& doubt_;
   int used_ = 0;
-  int products_ = 0;
+  int products_ = 0, most_products_ = kProducts;
   struct Delete {
     void operator()(Sparse::Digit* digits) const noexcept { ::operator delete(digits); }
   };

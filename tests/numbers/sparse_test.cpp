@@ -266,3 +266,15 @@ TEST_CASE("work without end raises the doubt") {
   for (int i = 0; i < 30 && !doubt.raised(); ++i) x = x * x;
   CHECK(doubt.raised());
 }
+
+TEST_CASE("products beyond those allowed raise the doubt") {
+  Doubt doubt;
+  const SparseScratch scratch(doubt);
+  const Sparse x = Sparse::scaled(3, -900) + Sparse::scaled(1, 900);  // two digits
+  SparseScratch::allow_at_most(4);
+  SparseScratch::allow_at_most(1000);  // no more than before
+  REQUIRE((x * x).sign() == 1);
+  CHECK(!doubt.raised());
+  CHECK((x * x).is_zero());
+  CHECK(doubt.raised());
+}
