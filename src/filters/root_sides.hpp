@@ -15,7 +15,8 @@ constexpr double kGreatestMagnitude = 0x1p250;
 
 template <class N>
 TOUCHSTONE_INLINE typename numbers::Lanes<N>::Mask within_range(const MagnitudesOf<N>& m) noexcept {
-  return (smaller(smaller(m.u, m.w), m.r) >= kLeastMagnitude) & (larger(larger(m.u, m.w), m.r) <= kGreatestMagnitude);
+  const N least = smaller(smaller(m.u, m.w), m.r), greatest = larger(larger(m.u, m.w), m.r);
+  return (least >= kLeastMagnitude) & (greatest <= kGreatestMagnitude);
 }
 
 /// Whether all of a bracket is outside of [0, t_max], and whether all of it is inside.
@@ -99,13 +100,15 @@ TOUCHSTONE_INLINE Sides<N> sides_of(bool edges, const SideValues<N>& values) noe
   const auto above = [](const WithError<N>& a) { return Mask(a.value > a.error); };
   const WithError<N> without_first = minus(normal, first);
   const WithError<N> third = edges ? without_first : minus(without_first, second);
-  Mask outside = below(first) | below(second) | below(third);
-  Mask inside = above(first) & above(second) & above(third);
-  if (edges) {
-    const WithError<N> fourth = minus(normal, second);
-    outside = outside | below(fourth);
-    inside = inside & above(fourth);
-  }
+  Mask outside = below(first), inside = above(first);
+  const auto take = [&](const WithError<N>& next) {
+    const Mask is_below = below(next), is_above = above(next);
+    outside = outside | is_below;
+    inside = inside & is_above;
+  };
+  take(second);
+  take(third);
+  if (edges) take(minus(normal, second));
   return {Mask(known == 0), Mask(known & outside), Mask(known & inside)};
 }
 

@@ -74,7 +74,9 @@ bool clear_all_along(const Query& query, double distance) noexcept {
 bool same_side(const Query& query) noexcept {
   if (!has_cubic(query.kind)) return false;
   const PackedForm form = form_of(query);
-  return products_in_range(form.uw, form.uwr) & exceed(form, kEndsBound * form.uwr, kMiddleBound * form.uwr);
+  const bool in_range = products_in_range(form.uw, form.uwr);
+  const bool exceeds = exceed(form, kEndsBound * form.uwr, kMiddleBound * form.uwr);
+  return in_range & exceeds;
 }
 
 bool clear_all_along(const Query& query, const Separation& separation) noexcept {

@@ -38,7 +38,8 @@ struct SignVariations {
 template <class N>
 TOUCHSTONE_INLINE SignVariations<N> variations_of(const std::array<N, 4>& b, const N& ends, const N& middle) noexcept {
   using Mask = typename numbers::Lanes<N>::Mask;
-  const Mask certain_ends = (magnitude(b[0]) > ends) & (magnitude(b[3]) > ends);
+  const N at_start = magnitude(b[0]), at_end = magnitude(b[3]);
+  const Mask certain_ends = (at_start > ends) & (at_end > ends);
   const N second = flipped(b[1], b[0]), third = flipped(b[2], b[0]), last = flipped(b[3], b[0]);
   // One variation whatever the uncertain signs are, unless the middle ones may change sign twice.
   return {Mask(certain_ends & (last > 0) & (second > middle) & (third > middle)),
