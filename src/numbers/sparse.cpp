@@ -105,13 +105,14 @@ Sparse::Part Sparse::leading(int digits) const noexcept {
   return {part, long{kDigitBits} * part.digits_[0].index};
 }
 
-/// Each sum is below 2^60 + 1, and the carry is -1, 0 or 1.
+/// Each sum is below 2^60 + 1, and the carry is -1, 0 or 1. Two digits make at most one and a carry, and so does one that
+/// becomes 2^59, the negative of a digit of b, or with a carry.
 Sparse Sparse::sum(const Sparse& a, const Sparse& b, int sign) noexcept {
   if (b.size_ == 0) return a;
   if (a.size_ == 0 && sign > 0) return b;
   Sparse result;
   SparseScratch& scratch = *SparseScratch::current_;
-  Digit* const digits = scratch.room(a.size_ + b.size_ + 2);
+  Digit* const digits = scratch.room(a.size_ + (sign > 0 ? 1 : 2) * b.size_);
   if (digits == nullptr) return result;
   const Digit *x = a.digits_, *const x_end = x + a.size_, *y = b.digits_, *const y_end = y + b.size_;
   std::int64_t carry = 0;

@@ -258,6 +258,27 @@ TEST_CASE("sparse roots are those of real_root") {
   CHECK(report.quotients * 20 > report.roots);
 }
 
+TEST_CASE("negatives stay within the memory, wherever it ends") {
+  // A digit of -2^59 has no negative: that is 2^60 - 2^59, two digits. All sizes of what is in use cover both ends.
+  constexpr int kDigits = 20, kLeast = 1200, kMost = 7040;
+  int raised = 0;
+  for (int used = kLeast; used < kMost; ++used) {
+    Doubt doubt;
+    const SparseScratch scratch(doubt);
+    Sparse x, other;
+    for (int i = 0; i < kDigits; ++i) x = x + Sparse::scaled(-1, -(59 + 120 * i));
+    for (int i = 0; i < used; ++i) other = Sparse(1);
+    const Sparse negative = -x;
+    if (doubt.raised()) {
+      ++raised;
+    } else {
+      REQUIRE((negative + x).is_zero());
+      REQUIRE(sign_of(negative) == 1);
+    }
+  }
+  CHECK(raised > 0);
+}
+
 TEST_CASE("work without end raises the doubt") {
   Doubt doubt;
   const SparseScratch scratch(doubt);
