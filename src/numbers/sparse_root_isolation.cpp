@@ -193,18 +193,22 @@ void SparseRoots::isolate_between_critical_points(const Coefficients& p) {
     const int sign = ascending * (first == last ? first : point.sign_at(Polynomial<Sparse, 1>{rest(Sparse())}));
     if (sign == 0 && point.multiplicity() == 2) return push_quotient(point.low_, point.divisor_, 3);
     if (sign == 0) {
+      // p = a (t - n / d)^2 (t - s), s = -b / a - 2 n / d. s is after n / d where p has the sign of -a before that.
       const auto linear = rest(Sparse());
-      push_quotient(linear[0], -linear[1], 2);
-    } else if (sign != sign_low) {
+      const Sparse n = linear[0], d = -linear[1];
+      push_quotient(n, d, 2);
+      if (sign_low != ascending) push_quotient(-(p[2] * d + p[3] * (n + n)), p[3] * d, 1);
+      return;
+    }
+    if (sign != sign_low) {
       if (!point.narrow_until(p, sign, true)) return doubt_.raise();
       push_between(point.low_, point.divisor_);
     }
-    // The sign just after the point, or a little later.
-    const int after_point = sign != 0 ? sign : sign_low;
-    if (!point.narrow_until(p, after_point, false)) return doubt_.raise();
+    // Just after the point, or a little later.
+    if (!point.narrow_until(p, sign, false)) return doubt_.raise();
     low = point.high_;
     divisor = point.divisor_;
-    sign_low = after_point;
+    sign_low = sign;
   }
   if (value_at<Sparse>(p.data(), 4, Sparse(1), Sparse(1)).sign() == -sign_low) push_between(Sparse(1), Sparse(1));
 }

@@ -258,6 +258,33 @@ TEST_CASE("sparse roots are those of real_root") {
   CHECK(report.quotients * 20 > report.roots);
 }
 
+TEST_CASE("double roots at doubles leave no doubt") {
+  // (t - r)^2 (6 t - k), with r a double and the third root before it, at it, after it or outside [0, 1].
+  const double doubles[] = {0x1p-1, 0x3p-3, 0x1p-900, 1 - 0x1p-40};
+  int before = 0, after = 0;
+  for (const double r : doubles) {
+    for (int k = -6; k <= 12; ++k) {
+      Doubt doubt;
+      const SparseScratch scratch(doubt);
+      std::array<Both, 4> c = {term(k % 2 == 0 ? 1 : -1, 700)};
+      for (int i = 0; i < 2; ++i) c = times_factor(c, term(r, 0), term(1, 0));
+      const auto p = as_polynomials<3>(times_factor(c, term(k, 0), term(6, 0)));
+      const numbers::SparseRoots roots(p.sparse, 1, doubt);
+      const numbers::RootList expected = numbers::isolate_roots(p.exact, Exact(1));
+      REQUIRE(!doubt.raised());
+      REQUIRE(roots.size() == expected.size());
+      for (int i = 0; i < roots.size(); ++i) {
+        REQUIRE(roots[i].lower() == expected[i].lower());
+        REQUIRE(roots[i].upper() == expected[i].upper());
+        REQUIRE(roots[i].multiplicity() == expected[i].multiplicity());
+      }
+      if (roots.size() == 2) ++(roots[0].multiplicity() == 2 ? after : before);
+    }
+  }
+  CHECK(before > 0);
+  CHECK(after > 0);
+}
+
 TEST_CASE("negatives stay within the memory, wherever it ends") {
   // A digit of -2^59 has no negative: that is 2^60 - 2^59, two digits. All sizes of what is in use cover both ends.
   constexpr int kDigits = 20, kLeast = 1200, kMost = 7040;
