@@ -105,8 +105,8 @@ Sparse::Part Sparse::leading(int digits) const noexcept {
   return {part, long{kDigitBits} * part.digits_[0].index};
 }
 
-/// Each sum is below 2^60 + 1, and the carry is -1, 0 or 1. Two digits make at most one and a carry, and so does one that
-/// becomes 2^59, the negative of a digit of b, or with a carry.
+/// Each sum is below 2^60 + 1, and the carry is -1, 0 or 1. Two digits make at most one and a carry, and so does one
+/// that becomes 2^59, the negative of a digit of b, or with a carry.
 Sparse Sparse::sum(const Sparse& a, const Sparse& b, int sign) noexcept {
   if (b.size_ == 0) return a;
   if (a.size_ == 0 && sign > 0) return b;
