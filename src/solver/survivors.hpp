@@ -13,8 +13,8 @@
 namespace touchstone::solver {
 
 /// Collects queries of a kind that has a cubic, after same_side has left them, and answers several of them at a time by
-/// a method with filters: the bracket level in vectors, its roots in vectors, too, and one by one what they leave. The answers are the same bit for
-/// bit as those of `answer`. The arguments outlive the object.
+/// a method with filters: the bracket level in vectors, its roots in vectors, too, and one by one what they leave. The
+/// answers are the same bit for bit as those of `answer`. The arguments outlive the object.
 class Survivors {
  public:
   /// @param columns  of the same queries
