@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "numbers/bounded_integers.hpp"
+#include "numbers/neighbours.hpp"
 
 namespace touchstone::numbers {
 namespace {
@@ -54,9 +55,6 @@ template <int Q, int C>
 bool proportional(const Polynomial<FixedInt<Q>, 2>& q, const Polynomial<FixedInt<C>, 3>& p) noexcept {
   return (q[2] * p[1] - p[2] * q[1]).is_zero() && (q[2] * p[0] - p[2] * q[0]).is_zero();
 }
-
-double after(double x) noexcept { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
-double before(double x) noexcept { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) - 1); }
 
 /// A double in [0, 1] as numerator / 2^k with k <= 60; the numerator is at most 2^60.
 struct Dyadic {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "numbers/bounded_integers.hpp"
+#include "numbers/neighbours.hpp"
 
 namespace touchstone::numbers {
 namespace {
@@ -113,12 +114,9 @@ struct Divided {
 };
 Divided divided(double n, double d) noexcept {
   const double quotient = n / d, rest = std::fma(-quotient, d, n), low = rest / d;
-  const auto neighbour = [&](int way) {
-    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(quotient) + static_cast<std::uint64_t>(way));
-  };
   return {{two_sum(quotient, low), 2 * kRounding * std::fabs(low)},
-          rest < 0 ? neighbour(-1) : quotient,
-          rest > 0 ? neighbour(1) : quotient};
+          rest < 0 ? before(quotient) : quotient,
+          rest > 0 ? after(quotient) : quotient};
 }
 
 /// Whether x < limit, for x >= 0.

@@ -1,9 +1,9 @@
 // Brackets of sparse roots: found from a wide one, narrowed, and placed between doubles.
 // SPDX-License-Identifier: MIT
-#include <bit>
 #include <cmath>
 #include <optional>
 
+#include "numbers/neighbours.hpp"
 #include "numbers/sparse_root.hpp"
 #include "numbers/sparse_values.hpp"
 
@@ -11,9 +11,6 @@ namespace touchstone::numbers {
 namespace {
 
 using Rewind = SparseScratch::Rewind;
-
-double after(double x) noexcept { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
-double before(double x) noexcept { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) - 1); }
 
 /// The value at x / divisor and the slope there by x, both times divisor^(size - 1).
 template <class N>
@@ -165,6 +162,8 @@ bool SparseRoot::narrow_around(const Sparse& x) const {
     slope = approximate(both[1]);
   }
   if (value.significand == 0) {
+    // Beside the bracket it would be another root of p.
+    if ((x - low_).sign() <= 0 || (high_ - x).sign() <= 0) return false;
     become_exact(x, divisor_);
     return true;
   }
@@ -191,7 +190,8 @@ bool SparseRoot::narrow_around(const Sparse& x) const {
   }
   return false;
 }
-/// Narrows until q, a cubic that has this sign at the root or next to it, has it at the low end too, or at the high one.
+/// Narrows until q, a cubic that has this sign at the root or next to it, has it at the low end too, or at the high
+/// one.
 bool SparseRoot::narrow_until(const Coefficients& q, int sign, bool at_low) const {
   for (int round = 0; round < kRounds; ++round) {
     if (sign_of_value(q.data(), 4, at_low ? low_ : high_, divisor_) == sign) return true;
