@@ -47,20 +47,46 @@ inline BitSpan coordinate_span(const Query& query) noexcept {
   return span;
 }
 
-/// The same along each axis.
-inline std::array<BitSpan, 3> axis_spans(const Query& query) noexcept {
-  std::array<BitSpan, 3> spans;
-  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
-    for (const Vec3* x : {&query.start[i], &query.end[i]}) {
-      spans[0].add(x->x);
-      spans[1].add(x->y);
-      spans[2].add(x->z);
+/// The same along one axis. Where the coordinates are multiples of 2^-51 of the largest one, as most are where this is
+/// asked, they are so many units of a power of two, exactly: it is less work to look at these integers than at each
+/// significand.
+inline BitSpan span_along(const Query& query, double Vec3::*axis) noexcept {
+  const std::size_t count = corner_count(query.kind);
+  double largest = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    largest = std::max({largest, std::fabs(query.start[i].*axis), std::fabs(query.end[i].*axis)});
+  }
+  BitSpan span = {0, 0};
+  if (largest == 0) return span;
+  constexpr int kBits = 52;
+  constexpr double kLeast = 0x1p-900, kGreatest = 0x1p900;  // so that both powers are ordinary
+  if (largest > kLeast && largest < kGreatest) {
+    const int high = static_cast<int>(std::bit_cast<std::uint64_t>(largest) >> 52) - 1022;  // largest < 2^high
+    const auto power = [](int exponent) {
+      return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
+    };
+    const double unit = power(high - kBits), per_unit = power(kBits - high);
+    std::int64_t any = 0;
+    bool whole = true;
+    for (std::size_t i = 0; i < count; ++i) {
+      for (const double x : {query.start[i].*axis, query.end[i].*axis}) {
+        const auto integer = static_cast<std::int64_t>(x * per_unit);
+        any |= integer;
+        whole = whole && static_cast<double>(integer) * unit == x;  // not where the product underflows to 0, either
+      }
     }
+    if (whole) return {high - kBits + std::countr_zero(static_cast<std::uint64_t>(any)), high};
   }
-  for (BitSpan& span : spans) {
-    if (span.bits() == 0) span.low = span.high = 0;
+  span = {};
+  for (std::size_t i = 0; i < count; ++i) {
+    span.add(query.start[i].*axis);
+    span.add(query.end[i].*axis);
   }
-  return spans;
+  return span;
+}
+
+inline std::array<BitSpan, 3> axis_spans(const Query& query) noexcept {
+  return {span_along(query, &Vec3::x), span_along(query, &Vec3::y), span_along(query, &Vec3::z)};
 }
 
 /// The power of two that makes the largest of some doubles of ordinary size; 0 where it is of ordinary size already.
