@@ -18,35 +18,38 @@ struct Search {
   const BernsteinCubic& cubic;
 };
 
+constexpr BracketFinding kNone = {Finding::no_contact};
+
 /// Decides at the one root between p and q. `no_contact` says that the elements do not touch there within [0, t_max].
 /// Nothing where the root could not be told apart from others or from the ends of the range.
-std::optional<Finding> decide_at_root(const Search& s, double p, double q, Answer& answer) {
+std::optional<BracketFinding> decide_at_root(const Search& s, double p, double q, Answer& answer) {
   const auto& [query, t_max, exact_value, wanted] = s.question;
   const BernsteinCubic::Root root = s.cubic.root_between(p, q);
   if (!root.certain) return std::nullopt;
   const RootTime<double> time = time_of<double>(root, t_max);
-  if (time.outside) return Finding::no_contact;
+  if (time.outside) return kNone;
   const SideValues<double> values =
       side_values(query.kind == Kind::edge_edge, s.frame, s.magnitudes, root.t, root.radius);
   const Sides<double> sides = sides_of(query.kind == Kind::edge_edge, values);
-  if (sides.outside) return Finding::no_contact;
-  if (sides.unknown) return Finding::uncertain;
+  if (sides.outside) return kNone;
+  if (sides.unknown) return BracketFinding{};
   if (wanted == Wanted::contact && sides.inside && time.inside) {
     answer.contact = true;
-    return Finding::contact;
+    return BracketFinding{Finding::contact};
   }
-  return decide_refined(s.question,
-                        {root.t, root.radius, root.slope, s.cubic.slope_error(), s.cubic.curvature(), s.magnitudes,
-                         values.axis, sides.inside},
-                        answer);
+  const Finding finding = decide_refined(s.question,
+                                         {root.t, root.radius, root.slope, s.cubic.slope_error(), s.cubic.curvature(),
+                                          s.magnitudes, values.axis, sides.inside},
+                                         answer);
+  return BracketFinding{finding, finding == Finding::uncertain};
 }
 
 /// Decides from the cubic's roots in [low, high], of which [0, 1] is a part. Nothing where roots could not be told
 /// apart from each other or from the ends of the range.
-std::optional<Finding> decide_over(const Search& s, double low, double high, Answer& answer) {
+std::optional<BracketFinding> decide_over(const Search& s, double low, double high, Answer& answer) {
   using Variations = BernsteinCubic::Variations;
   const Variations whole = s.cubic.variations(low, high);
-  if (whole == Variations::none) return Finding::no_contact;
+  if (whole == Variations::none) return kNone;
   double split[4] = {low, high};
   const int segments = whole == Variations::one ? 1 : s.cubic.split_points(low, high, split);
   // A root that lies after t_max ends the loop, since its segment ends after it.
@@ -54,10 +57,10 @@ std::optional<Finding> decide_over(const Search& s, double low, double high, Ans
     const Variations variations = segments == 1 ? whole : s.cubic.variations(split[i], split[i + 1]);
     if (variations == Variations::none) continue;
     if (variations == Variations::uncertain) return std::nullopt;
-    const std::optional<Finding> finding = decide_at_root(s, split[i], split[i + 1], answer);
-    if (finding != Finding::no_contact) return finding;
+    const std::optional<BracketFinding> found = decide_at_root(s, split[i], split[i + 1], answer);
+    if (!found || found->finding != Finding::no_contact) return found;
   }
-  return Finding::no_contact;
+  return kNone;
 }
 
 }  // namespace
@@ -86,20 +89,20 @@ void write_contact(Kind kind, const RefinedRoot& refined, Answer& answer) noexce
   }
 }
 
-Finding decide_in_brackets(const Question& question, Answer& answer) {
+BracketFinding decide_in_brackets(const Question& question, Answer& answer) {
   // The first test has computed these already. Keeping them would slow down the many queries that it settles.
   const StepFrame<double> frame = frame_of(question.query);
   const Magnitudes m = magnitudes_of(frame);
-  if (!within_range(m)) return Finding::uncertain;
+  if (!within_range(m)) return {};
   const BernsteinCubic cubic(coplanarity_coefficients(frame), m.u * m.w * m.r);
-  if (cubic.is_zero()) return Finding::uncertain;  // as in a plane that all corners share
+  if (cubic.is_zero()) return {};  // as in a plane that all corners share
   const Search search = {question, frame, m, cubic};
-  std::optional<Finding> finding = decide_over(search, 0, 1, answer);
-  if (!finding) {
+  std::optional<BracketFinding> found = decide_over(search, 0, 1, answer);
+  if (!found) {
     // A root may lie at an end of the step, where no sign of V is certain. A little beyond the end it is.
-    finding = decide_over(search, -BernsteinCubic::kMargin, 1 + BernsteinCubic::kMargin, answer);
+    found = decide_over(search, -BernsteinCubic::kMargin, 1 + BernsteinCubic::kMargin, answer);
   }
-  return finding.value_or(Finding::uncertain);
+  return found.value_or(BracketFinding{});
 }
 
 }  // namespace touchstone::filters

@@ -15,16 +15,16 @@ namespace touchstone::filters {
 
 namespace {
 
-Finding decide_in_any_brackets(const Question& question, Answer& answer) {
-  Finding finding = Finding::uncertain;
+BracketFinding decide_in_any_brackets(const Question& question, Answer& answer) {
+  BracketFinding found;
   if (has_cubic(question.query.kind)) {
-    finding = decide_in_brackets(question, answer);
+    found = decide_in_brackets(question, answer);
   } else if (const std::optional<Query> edges = as_crossing_edges(question.query)) {
-    finding = decide_in_brackets({*edges, question.t_max, question.exact_value, question.wanted}, answer);
-    if (finding == Finding::contact) name_point_and_edge(answer);
+    found = decide_in_brackets({*edges, question.t_max, question.exact_value, question.wanted}, answer);
+    if (found.finding == Finding::contact) name_point_and_edge(answer);
   }
-  answer.level = finding == Finding::uncertain ? Level::filter : Level::bracket;
-  return finding;
+  answer.level = found.finding == Finding::uncertain ? Level::filter : Level::bracket;
+  return found;
 }
 
 Decision decide_by_directions(const Query& query) {
@@ -41,18 +41,20 @@ Decision decide_by_filters(const Question& question, Answer& answer) {
   if (boxes_disjoint(query)) return {Finding::no_contact, Test::boxes};
 
   // Before the separating directions: most queries that come so far touch, or have a root and pass each other by.
-  const Finding finding = decide_in_any_brackets(question, answer);
-  if (finding != Finding::uncertain) return {finding, Test::bracket};
+  const BracketFinding found = decide_in_any_brackets(question, answer);
+  if (found.finding != Finding::uncertain) return {found.finding, Test::bracket};
   const bool extreme = seems_extreme(query);  // then directions are tried once, on the rescaled query
-  if (!extreme) {
+  if (!extreme && !found.close) {
     const Decision decision = decide_by_directions(query);
     if (decision.finding != Finding::uncertain) return decision;
   }
   const std::optional<Query> scaled = rescaled(query);
   if (!scaled) return extreme ? decide_by_directions(query) : Decision();
   if (same_side(*scaled)) return {Finding::no_contact, Test::same_side};
-  const Finding now = decide_in_any_brackets({*scaled, question.t_max, question.exact_value, question.wanted}, answer);
-  return now != Finding::uncertain ? Decision{now, Test::bracket} : decide_by_directions(*scaled);
+  const BracketFinding now =
+      decide_in_any_brackets({*scaled, question.t_max, question.exact_value, question.wanted}, answer);
+  if (now.finding != Finding::uncertain) return {now.finding, Test::bracket};
+  return now.close ? Decision() : decide_by_directions(*scaled);
 }
 
 Finding decide_by_filters(const Query& query, const Separation& separation, double t_max, Answer& answer) {

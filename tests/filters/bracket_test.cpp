@@ -8,10 +8,12 @@
 #include "exact/exact.hpp"
 #include "filters/bernstein_cubic.hpp"
 #include "filters/bracket.hpp"
+#include "filters/separating_direction.hpp"
 #include "filters/step_frame.hpp"
 #include "numbers/exact_number.hpp"
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
+#include "support/report.hpp"
 
 using namespace touchstone;
 using namespace touchstone::tests;
@@ -143,7 +145,7 @@ TEST_CASE("a root just outside of the step is not taken for the one inside") {
       if (reversed) std::swap(query.start, query.end);
       CAPTURE(k, reversed);
       Answer answer;
-      const Finding finding = filters::decide_in_brackets({query, 1, exact::coplanarity_at}, answer);
+      const Finding finding = filters::decide_in_brackets({query, 1, exact::coplanarity_at}, answer).finding;
       CHECK(finding != Finding::no_contact);
       if (finding != Finding::contact) continue;
       ++decided;
@@ -176,6 +178,21 @@ TEST_CASE("a root just outside of a part is not taken for the one inside") {
   CHECK(certain > 50);
 }
 
+TEST_CASE("no direction separates elements that are close at a root") {
+  int close = 0;
+  for_each_case(
+      37, 300, [](const FamilyInfo&, Kind kind) { return filters::has_cubic(kind); },
+      [&](const CaseId& id) {
+        const Query query = make(id);
+        Answer answer;
+        if (!filters::decide_in_brackets({query, 1, exact::coplanarity_at}, answer).close) return;
+        ++close;
+        INFO(case_name(id));
+        CHECK(filters::test_that_separates(query) == filters::Test::none);
+      });
+  CHECK(close > 1000);
+}
+
 TEST_CASE("contacts at, before and after the ends of the step, against exact arithmetic") {
   int decided = 0;
   int at_an_end = 0;
@@ -185,7 +202,7 @@ TEST_CASE("contacts at, before and after the ends of the step, against exact ari
         const CaseId id{family, kind, 31, i};
         const Query query = make(id);
         Answer answer;
-        const Finding finding = filters::decide_in_brackets({query, 1, exact::coplanarity_at}, answer);
+        const Finding finding = filters::decide_in_brackets({query, 1, exact::coplanarity_at}, answer).finding;
         if (finding == Finding::uncertain) continue;
         INFO(case_name(id));
         const Answer truth = exact::decide_exactly(query, 1);
