@@ -304,6 +304,8 @@ class NearRoots {
   void isolate_quadratic(const P& p);
   template <class P>
   void push_close(const P& p, const BoundedPair& middle, double apart);
+  bool isolate_rational_quadratic(const SmallCubic& p);
+  bool isolate_rational_cubic(const SmallCubic& p);
   template <class P>
   void isolate_cubic(const P& p);
   template <class P>
@@ -316,6 +318,7 @@ class NearRoots {
   template <class P>
   void push_simple(const P& p, int size, double low, double high, int sign_low);
   void push(Root&& root);
+  void sort_last();
 
   double limit_;
   Doubt& doubt_;

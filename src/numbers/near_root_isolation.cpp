@@ -10,6 +10,7 @@
 
 #include "numbers/bounded_integers.hpp"
 #include "numbers/neighbours.hpp"
+#include "numbers/rational_roots.hpp"
 
 namespace touchstone::numbers {
 namespace {
@@ -27,38 +28,67 @@ BoundedPair quotient_of(const BoundedPair& n, const BoundedPair& d) noexcept {
   return {two_sum(q, rest), error};
 }
 
-/// A double near the one root of a polynomial in (low, high), by safeguarded Newton iteration; only a hint. A flat
-/// polynomial needs its value in double-doubles, and small steps do not show that its root is near.
-double hint(const BoundedPair* c, int size, double low, double high, int sign_low, bool closely) noexcept {
-  if (size == 2) return -c[0].value.high / c[1].value.high;
-  double t = 0.5 * (low + high);
-  if (size == 3) {
-    const double c0 = c[0].value.high, c1 = c[1].value.high, c2 = c[2].value.high;
-    const double sum = -0.5 * (c1 + std::copysign(std::sqrt(std::max(0.0, c1 * c1 - 4 * c0 * c2)), c1));
-    for (const double root : {sum / c2, c0 / sum}) {
-      if (!(root > low && root < high)) continue;
-      if (!closely) return root;
-      t = root;
-    }
+/// From t to a root of a cubic, by Laguerre's method: as near as a cubic gets with its three roots almost together, and
+/// cubically convergent elsewhere. Newton's step where that is not real.
+double laguerre_step(const BoundedPair* c, double t, double value, double slope) noexcept {
+  const double half_bend = c[2].value.high + 3 * c[3].value.high * t;
+  const double square = 4 * slope * slope - 12 * value * half_bend;
+  return 3 * value / (slope + (square > 0 ? std::copysign(std::sqrt(square), slope) : 2 * slope));
+}
+
+/// A double near one of a cubic's roots, if all are real the first one after 0; only a hint.
+double hint_of_first(const Polynomial<SmallInt, 3>& p) noexcept {
+  BoundedPair c[4];
+  for (int i = 0; i < 4; ++i) c[i] = exact_pair(to_double(p[i]));
+  constexpr int kIterations = 8;
+  double t = 0;
+  for (int i = 0; i < kIterations; ++i) {
+    const double c1 = c[1].value.high, c2 = c[2].value.high, c3 = c[3].value.high;
+    const double value = ((c3 * t + c2) * t + c1) * t + c[0].value.high;
+    const double step = laguerre_step(c, t, value, (3 * c3 * t + 2 * c2) * t + c1);
+    t -= step;
+    if (!(std::fabs(step) > 0x1p-24 * t)) break;
   }
+  return t;
+}
+
+/// A double near the one root of a polynomial in (low, high), from one inside by safeguarded iteration; only a hint. A
+/// flat polynomial needs its value in double-doubles, `closely`, and small steps do not show that its root is near.
+double hint(const BoundedPair* c, int size, double low, double high, int sign_low, double t, bool closely) noexcept {
   constexpr int kIterations = 60;
   const double enough = closely ? 0x1p-49 : 0x1p-36;
   for (int i = 0; i < kIterations; ++i) {
-    double value = c[size - 1].value.high;
+    double value = c[size - 1].value.high, terms = std::fabs(value);
     double slope = (size - 1) * value;
     for (int k = size - 2; k >= 0; --k) {
       value = value * t + c[k].value.high;
+      terms = terms * t + std::fabs(c[k].value.high);
       if (k > 0) slope = slope * t + k * c[k].value.high;
     }
     if (closely) value = value_at(c, size, exact_pair(t)).value.high;
+    if (!closely && std::fabs(value) <= kRounding * terms) break;  // noise
     ((value < 0) == (sign_low < 0) ? low : high) = t;
-    double next = t - value / slope;
+    double next = t - (size == 4 ? laguerre_step(c, t, value, slope) : value / slope);
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     const bool converged = std::fabs(next - t) <= enough * t;
     t = next;
     if (converged) break;
   }
   return t;
+}
+
+/// The same from scratch, in doubles.
+double first_hint(const BoundedPair* c, int size, double low, double high, int sign_low) noexcept {
+  const double c0 = c[0].value.high, c1 = c[1].value.high;
+  if (size == 2) return -c0 / c1;
+  if (size == 3) {
+    const double c2 = c[2].value.high;
+    const double sum = -0.5 * (c1 + std::copysign(std::sqrt(std::max(0.0, c1 * c1 - 4 * c0 * c2)), c1));
+    for (const double root : {sum / c2, c0 / sum}) {
+      if (root > low && root < high) return root;
+    }
+  }
+  return hint(c, size, low, high, sign_low, 0.5 * (low + high), false);
 }
 
 struct Located {
@@ -98,11 +128,13 @@ std::optional<Located> locate_from(double t, const BoundedPair* c, int size, int
   return Located{{two_sum(t, offset), error}, (reach - distance) / kSlack};
 }
 
-std::optional<Located> locate(const BoundedPair* c, int size, double low, double high, int sign_low) noexcept {
+/// @param near  its hint
+std::optional<Located> locate(const BoundedPair* c, int size, double low, double high, int sign_low,
+                              double near) noexcept {
   constexpr double kGoodError = 0x1p-60;
-  const auto located = locate_from(hint(c, size, low, high, sign_low, false), c, size, sign_low);
+  const auto located = locate_from(near, c, size, sign_low);
   if (located && located->near.error <= kGoodError * located->near.value.high) return located;
-  const auto closer = locate_from(hint(c, size, low, high, sign_low, true), c, size, sign_low);
+  const auto closer = locate_from(hint(c, size, low, high, sign_low, near, true), c, size, sign_low);
   return closer ? closer : located;
 }
 
@@ -128,6 +160,8 @@ bool small(const FixedInt<N>& x, std::int64_t limit) noexcept {
   }
   return x.limb(0) < static_cast<std::uint64_t>(limit);
 }
+
+SmallInt halved(SmallInt x, int times) noexcept { return SmallInt::integer(x.value() >> times); }
 
 std::int64_t low_limb(SmallInt x) noexcept { return x.value(); }
 template <int N>
@@ -159,14 +193,14 @@ void NearRoots<Limbs>::push_double(double time, int multiplicity) {
   push(Root::at_double(time, multiplicity, doubt_));
 }
 
-/// For 0 < n < d < 2^53. The powers of two that both have leave the fraction in smaller integers.
+/// For 0 < n < d < 2^53.
 template <int Limbs>
 void NearRoots<Limbs>::push_fraction(std::int64_t n, std::int64_t d, int multiplicity) {
   const auto [near, lower, upper] = divided(static_cast<double>(n), static_cast<double>(d));
   if (lower == upper) return push_double(lower, multiplicity);
-  const int twos = std::countr_zero(static_cast<std::uint64_t>(n | d));
+  const std::int64_t divisor = std::gcd(n, d);
   Root root;
-  root.exact_ = typename Root::Fraction{n >> twos, d >> twos};
+  root.exact_ = typename Root::Fraction{n / divisor, d / divisor};
   root.near_ = near;
   root.lower_ = lower;
   root.upper_ = upper;
@@ -185,7 +219,7 @@ void NearRoots<Limbs>::push_quotient(const N& numerator, const N& denominator, i
   constexpr std::int64_t kExactlyDoubles = std::int64_t{1} << 53;
   if (small(d, kExactlyDoubles)) return push_fraction(low_limb(n), low_limb(d), multiplicity);
   const BoundedPair c[] = {bounded(-n), bounded(d)};
-  const auto located = locate(c, 2, 0, 1, -1);
+  const auto located = locate(c, 2, 0, 1, -1, first_hint(c, 2, 0, 1, -1));
   if (!located) return doubt_.raise();
   Root root;
   constexpr std::int64_t kSmall = std::int64_t{1} << 61;
@@ -206,7 +240,18 @@ template <class P>
 void NearRoots<Limbs>::push_simple(const P& p, int size, double low, double high, int sign_low) {
   Pairs c;
   for (int i = 0; i < size; ++i) c[static_cast<std::size_t>(i)] = bounded(p[i]);
-  const auto located = locate(c.data(), size, low, high, sign_low);
+  const double near = first_hint(c.data(), size, low, high, sign_low);
+  if constexpr (std::is_same_v<P, SmallCubic>) {
+    if (size == 4 && has_few_bits(p)) {
+      const auto root = rational_root_near(p, near);
+      const double time = root ? static_cast<double>(root->n) / static_cast<double>(root->d) : 0;
+      // It is the root inside if it certainly is inside: a quotient rounds by less than 2^-52 of itself.
+      if (time * (1 - 0x1p-50) > low && time * (1 + 0x1p-50) < high && divided(p, *root)) {
+        return push_fraction(root->n, root->d, 1);
+      }
+    }
+  }
+  const auto located = locate(c.data(), size, low, high, sign_low, near);
   if (!located) return doubt_.raise();
   Root root;
   root.exact_ = typename Root::Isolated{widened_cubic<Limbs>(p), size - 1, -sign_low, located->reach};
@@ -222,7 +267,12 @@ void NearRoots<Limbs>::isolate(const Cubic& p) {
 }
 template <int Limbs>
 void NearRoots<Limbs>::isolate(const SmallCubic& p) {
-  isolate_all(p);
+  std::uint64_t any = 0;
+  for (const SmallInt c : p.c) any |= static_cast<std::uint64_t>(c.value());
+  const int zeros = std::countr_zero(any);  // a power of two that all coefficients have
+  SmallCubic reduced;
+  for (int i = 0; i <= 3; ++i) reduced[i] = halved(p[i], zeros);
+  isolate_all(reduced);
 }
 
 template <int Limbs>
@@ -271,9 +321,66 @@ void NearRoots<Limbs>::isolate_inside(const P& p, int size) {
     if (sign != 0) previous = sign;
   }
   if (variations == 0) return;
+  if constexpr (std::is_same_v<P, SmallCubic>) {
+    if (size == 3 ? isolate_rational_quadratic(p) : variations > 1 && isolate_rational_cubic(p)) return;
+  }
   if (variations == 1) return push_simple(p, size, 0, 1, signs[0]);
   if (size == 3) return isolate_quadratic(p);
   isolate_cubic(p);
+}
+
+/// Of a quadratic whose discriminant is a square.
+template <int Limbs>
+bool NearRoots<Limbs>::isolate_rational_quadratic(const SmallCubic& p) {
+  const auto product = wide_product(p[0], p[2]);
+  const auto twice = product + product;
+  const auto root = exact_root(wide_product(p[1], p[1]) - (twice + twice));
+  if (!root) return false;
+  const SmallInt apart = SmallInt::integer(p[2].sign() < 0 ? -*root : *root), twice_leading = p[2] + p[2];
+  if (*root == 0) {
+    push_quotient(-p[1], twice_leading, 2);
+  } else {
+    push_quotient(-p[1] - apart, twice_leading, 1);
+    push_quotient(-p[1] + apart, twice_leading, 1);
+  }
+  return true;
+}
+
+/// Of a cubic of few bits that has a rational root inside, if one is found. A repeated root is a root of p', too, and
+/// is rational: the discriminant of p' is a square then.
+template <int Limbs>
+bool NearRoots<Limbs>::isolate_rational_cubic(const SmallCubic& p) {
+  if (!has_few_bits(p)) return false;
+  const auto solve_beside = [&](double near) {
+    const auto root = rational_root_near(p, near);
+    auto rest = root ? divided(p, *root) : std::nullopt;
+    if (!rest) return false;
+    int multiplicity = 1;
+    while (const auto next = divided(*rest, *root)) {
+      rest = next;
+      ++multiplicity;
+    }
+    isolate_inside(*rest, 4 - multiplicity);
+    push_fraction(root->n, root->d, multiplicity);
+    sort_last();
+    return true;
+  };
+  const auto square = wide_product(p[2], p[2]) - wide_product(p[1] + p[1] + p[1], p[3]);
+  if (const auto apart = exact_root(square)) {
+    const double middle = -to_double(p[2]), leading = 3 * to_double(p[3]), way = static_cast<double>(*apart);
+    if (solve_beside((middle - way) / leading) || (*apart != 0 && solve_beside((middle + way) / leading))) return true;
+  }
+  return solve_beside(hint_of_first(p));
+}
+
+/// Puts the last root, which was just pushed, in its place.
+template <int Limbs>
+void NearRoots<Limbs>::sort_last() {
+  for (int i = size_ - 1; i > 0; --i) {
+    auto &root = roots_[static_cast<std::size_t>(i)], &before = roots_[static_cast<std::size_t>(i - 1)];
+    if (before->compare(*root) < 0) break;
+    std::swap(root, before);
+  }
 }
 
 /// The two roots of a quadratic, middle -+ apart. The discriminant is exact, so that `apart` is off by less than 2^-49
@@ -334,7 +441,6 @@ int blossom_sign(const BoundedPair* c, double x, double y, double z) noexcept {
   return sign != 0 ? sign : blossom(exact_pair, [&](int i) { return c[i]; });
 }
 
-SmallInt halved(SmallInt x, int times) noexcept { return SmallInt::integer(x.value() >> times); }
 template <int N>
 FixedInt<N> halved(const FixedInt<N>& x, int times) noexcept {
   FixedInt<N> result;
@@ -385,11 +491,7 @@ bool NearRoots<Limbs>::isolate_beside_double(const P& p) {
   if (((wide(a[0]) * d + wide(a[1]) * m) * d + wide(a[2]) * m * m).is_zero()) return false;
   isolate_inside(a, 3);
   push_double(time, 1);
-  for (int i = size_ - 1; i > 0; --i) {
-    auto &root = roots_[static_cast<std::size_t>(i)], &before = roots_[static_cast<std::size_t>(i - 1)];
-    if (before->compare(time) < 0) break;
-    std::swap(root, before);
-  }
+  sort_last();
   return true;
 }
 

@@ -167,6 +167,34 @@ TEST_CASE("near roots and signs there are the exact ones") {
   CHECK(static_cast<std::size_t>(tally.doubts) * 500 < polynomials);
 }
 
+TEST_CASE("rational roots of polynomials of few bits, and what is almost one, are the exact ones") {
+  const std::size_t count = tests::effort(20000);
+  tests::Rng rng(29);
+  Tally tally;
+  for (std::size_t i = 0; i < count; ++i) {
+    const int degree = rng.between(2, 3);
+    const int bits = rng.between(1, 12);
+    Integers c = {1, 0, 0, 0};
+    std::int64_t n = 0, d = 1;
+    for (int factor = 0; factor < degree; ++factor) {  // times d t - n, often the same one
+      if (factor == 0 || !rng.one_in(3)) {
+        d = rng.between(1, 1 << bits);
+        n = rng.one_in(6) ? rng.between(-2 << bits, 2 << bits) : rng.between(0, static_cast<int>(d));
+      }
+      Integers product{};
+      for (std::size_t k = 0; k < 4; ++k) product[k] = (k > 0 ? d * c[k - 1] : 0) - n * c[k];
+      c = product;
+    }
+    if (rng.one_in(3)) c[static_cast<std::size_t>(rng.between(0, degree))] += rng.between(-1, 1);
+    const int factor = rng.between(1, 5);
+    for (std::int64_t& coefficient : c) coefficient *= rng.one_in(2) ? factor : 1;  // some are no such product
+    check_polynomial<Small>(c, degree, 0, rng.one_in(4) ? 0.5 : 1, rng, tally);
+  }
+  std::printf("few bits: %ld roots, %ld signs that are zero, %ld doubts\n", tally.roots, tally.zeros, tally.doubts);
+  CHECK(static_cast<std::size_t>(tally.roots) > count / 2);
+  CHECK(static_cast<std::size_t>(tally.doubts) * 500 < count);
+}
+
 namespace {
 
 template <int Limbs>
