@@ -116,7 +116,7 @@ FAULTS = [
     ("a square that is a root's discriminant", "numbers/rational_roots.hpp",
      "if (!(root * root - square).is_zero()) return std::nullopt;", ""),
     ("coordinates in whole units", "exact/common_scale.hpp", "static_cast<double>(integer) * unit == x;",
-     "static_cast<double>(integer) == x * per_unit;"),
+     "static_cast<double>(integer) * unit == x * per_unit * unit;"),
     ("three real roots that almost coincide", "numbers/near_root_isolation.cpp",
      "if (discriminant > 0) return doubt_.raise();", "if (discriminant > 0) return;"),
     ("error of close roots", "numbers/near_root_isolation.cpp", "root.near_.error += 0x1p-49 * apart;",
