@@ -232,6 +232,9 @@ void NearRoot<Limbs>::settle() {
 template <int Limbs>
 template <class P>
 BoundedPair NearRoot<Limbs>::value_of(const P& q, const BoundedPair& time) const {
+  // Resting contact is mostly asked about at the ends of the step.
+  if (lower_ == upper_ && lower_ == 0) return bounded(q[0]);
+  if (lower_ == upper_ && lower_ == 1) return bounded(q[0] + q[1] + q[2]);
   const BoundedPair c[] = {bounded(q[0]), bounded(q[1]), bounded(q[2])};
   return value_at(c, 3, time);
 }

@@ -188,6 +188,7 @@ TEST_CASE("rational roots of polynomials of few bits, and what is almost one, ar
     if (rng.one_in(3)) c[static_cast<std::size_t>(rng.between(0, degree))] += rng.between(-1, 1);
     const int factor = rng.between(1, 5);
     for (std::int64_t& coefficient : c) coefficient *= rng.one_in(2) ? factor : 1;  // some are no such product
+    if (c == Integers{}) continue;
     check_polynomial<Small>(c, degree, 0, rng.one_in(4) ? 0.5 : 1, rng, tally);
   }
   std::printf("few bits: %ld roots, %ld signs that are zero, %ld doubts\n", tally.roots, tally.zeros, tally.doubts);
