@@ -161,7 +161,40 @@ bool small(const FixedInt<N>& x, std::int64_t limit) noexcept {
   return x.limb(0) < static_cast<std::uint64_t>(limit);
 }
 
+/// x / 2^times, rounded down; times < 64.
 SmallInt halved(SmallInt x, int times) noexcept { return SmallInt::integer(x.value() >> times); }
+template <int N>
+FixedInt<N> halved(const FixedInt<N>& x, int times) noexcept {
+  FixedInt<N> result;
+  if (times == 0) return x;
+  for (int i = 0; i < N; ++i) {
+    const std::uint64_t above = i + 1 < N ? x.limb(i + 1) : x.sign_mask();
+    result.set_limb(i, x.limb(i) >> times | above << (64 - times));
+  }
+  return result;
+}
+
+/// The polynomial without the power of two that all its coefficients have, where that leaves less than 60 bits of each.
+template <int N>
+std::optional<Polynomial<SmallInt, 3>> narrowed(const Polynomial<FixedInt<N>, 3>& p) noexcept {
+  constexpr std::int64_t kLimit = std::int64_t{1} << 60;
+  int limb = 0;
+  std::uint64_t any = 0;
+  for (; any == 0; ++limb) {
+    for (const FixedInt<N>& c : p.c) any |= c.limb(limb);
+  }
+  --limb;
+  Polynomial<SmallInt, 3> result;
+  for (int i = 0; i <= 3; ++i) {
+    FixedInt<N> upper;
+    for (int k = 0; k < N; ++k) upper.set_limb(k, limb + k < N ? p[i].limb(limb + k) : p[i].sign_mask());
+    const FixedInt<N> reduced = halved(upper, std::countr_zero(any));
+    const auto low = static_cast<std::int64_t>(reduced.limb(0));
+    if (low <= -kLimit || low >= kLimit || !(FixedInt<N>::integer(low) - reduced).is_zero()) return std::nullopt;
+    result[i] = SmallInt::integer(low);
+  }
+  return result;
+}
 
 std::int64_t low_limb(SmallInt x) noexcept { return x.value(); }
 template <int N>
@@ -263,13 +296,14 @@ void NearRoots<Limbs>::push_simple(const P& p, int size, double low, double high
 
 template <int Limbs>
 void NearRoots<Limbs>::isolate(const Cubic& p) {
+  if (const auto small = narrowed(p)) return isolate_all(*small);
   isolate_all(p);
 }
 template <int Limbs>
 void NearRoots<Limbs>::isolate(const SmallCubic& p) {
   std::uint64_t any = 0;
   for (const SmallInt c : p.c) any |= static_cast<std::uint64_t>(c.value());
-  const int zeros = std::countr_zero(any);  // a power of two that all coefficients have
+  const int zeros = std::countr_zero(any);
   SmallCubic reduced;
   for (int i = 0; i <= 3; ++i) reduced[i] = halved(p[i], zeros);
   isolate_all(reduced);
@@ -441,16 +475,6 @@ int blossom_sign(const BoundedPair* c, double x, double y, double z) noexcept {
   return sign != 0 ? sign : blossom(exact_pair, [&](int i) { return c[i]; });
 }
 
-template <int N>
-FixedInt<N> halved(const FixedInt<N>& x, int times) noexcept {
-  FixedInt<N> result;
-  if (times == 0) return x;
-  for (int i = 0; i < N; ++i) {
-    const std::uint64_t above = i + 1 < N ? x.limb(i + 1) : x.sign_mask();
-    result.set_limb(i, x.limb(i) >> times | above << (64 - times));
-  }
-  return result;
-}
 SmallInt times_integer(SmallInt x, std::int64_t n) noexcept { return x * SmallInt::integer(n); }
 template <int N>
 FixedInt<N> times_integer(const FixedInt<N>& x, std::int64_t n) noexcept {
