@@ -36,7 +36,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 #   it starts from make them hold; nor the error of the time that this iteration ends with, or of the middle of two close
 #   roots: it is far below a double's; nor the reach of a remainder's root, which is where the root of p is whenever it
 #   is near;
-# - in gap.cpp the signs on both sides of a root that is followed across a gap: without them no double is found where V
+# - in gap_answer.cpp the signs on both sides of a root that is followed across a gap: without them no double is found where V
 #   changes its sign; nor the signs around a simple root of V_0, which is far steeper there than d.
 
 # name, file below src, text there (exactly once), what it becomes
@@ -122,12 +122,12 @@ FAULTS = [
     ("error of close roots", "numbers/near_root_isolation.cpp", "root.near_.error += 0x1p-49 * apart;",
      "root.near_.error = 0;"),
     ("width of a gap", "exact/gap.cpp", "const int narrow = enough;", "const int narrow = enough / 8;"),
-    ("error of a weight across a gap", "exact/gap.cpp", "if (!(error <=", "if (error < 0 && !(error <="),
-    ("distance of a root across a gap", "exact/gap.cpp", "+ std::ilogb(leading)", "+ 30 + std::ilogb(leading)"),
-    ("what a sum leaves below its last bit", "exact/gap.cpp", "rest ? 1 : 0;", "0;"),
-    ("a root across a gap that stays at a double", "exact/gap.cpp",
+    ("error of a weight across a gap", "exact/gap_answer.cpp", "if (!(error <=", "if (error < 0 && !(error <="),
+    ("distance of a root across a gap", "exact/gap_answer.cpp", "+ std::ilogb(leading)", "+ 30 + std::ilogb(leading)"),
+    ("what a sum leaves below its last bit", "exact/gap_answer.cpp", "rest ? 1 : 0;", "0;"),
+    ("a root across a gap that stays at a double", "exact/gap_answer.cpp",
      "if (answer.toi == t0 && answer.toi_upper == t0) return numbers::exact_pair(t0);", ""),
-    ("doubt of a root beside a double across a gap", "exact/gap.cpp", "std::fabs(rest) > time.error &&", ""),
+    ("doubt of a root beside a double across a gap", "exact/gap_answer.cpp", "std::fabs(rest) > time.error &&", ""),
     ("distance of a remainder's root", "numbers/near_root.cpp", "if (way - error > distance) return",
      "if (way + error > distance / 16) return"),
     ("error of a near root", "numbers/near_root_isolation.cpp", "kSlack * ((1 + 2 * q) * (v.error + q * std::fabs(v.value)) / steep",
