@@ -283,9 +283,10 @@ std::optional<Answer> decide_across_gap(const Query& query, Wanted wanted) {
   const Query& narrowed = gap->narrowed();
   const std::array<BitSpan, 3> spans = axis_spans(narrowed);
   auto doubt = numbers::Doubt::without_quotients();
+  const Wanted needed = wanted == Wanted::time ? Wanted::features : wanted;  // they tell which root the time is
   std::optional<Answer> answer = most_bits(spans) <= kMostBits<1>
-                                     ? near_first_contact<1>(narrowed, spans, 1, wanted, doubt)
-                                     : near_first_contact<2>(narrowed, spans, 1, wanted, doubt);
+                                     ? near_first_contact<1>(narrowed, spans, 1, needed, doubt)
+                                     : near_first_contact<2>(narrowed, spans, 1, needed, doubt);
   if (answer && !gap->restore(*answer, wanted)) answer.reset();
   return answer;
 }

@@ -141,13 +141,12 @@ std::optional<Gap> Gap::of(const Query& query) {
     const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
     v += u[k] * (w[i] * r[j] + w[j] * r[i]);
   }
-  constexpr double kLeastVolume = 4;
   v = std::max(v, kLeastVolume);
   if (bits_of(v) > kMostVolumeBits) return std::nullopt;
   const double l = std::max({norm[0], norm[1], norm[2]});
   const double q = kQuadraticNorm * norm[0] * norm[1] * norm[2] / std::min({norm[0], norm[1], norm[2]});
-  const double greatest = std::max(
-      {2.7 * v * v * v * v, v * v * q * q * q, q * q * q * q, v * l * l * l, std::ldexp(v, 3 * kTimeBits + 2)});
+  const double greatest = std::max({2.7 * v * v * v * v, v * v * q * q * q, q * q * q * q, v * l * l * l,
+                                    std::ldexp(std::max(v, q), 3 * kTimeBits + 2)});
   const int enough = 1 + bits_of(kSlack * greatest);
   const int narrow = enough;
   gap->volume_norm_ = v;

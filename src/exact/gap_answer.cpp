@@ -25,6 +25,11 @@
 // and n < 2^53: each is below 2^203. Their sum, from the least power on, needs one bit to tell that what was shifted
 // out is not zero.
 //
+// Where V is zero for all t and d, the root of the contact is followed as one of another of these polynomials: where a
+// corner P touches an edge X Y, of a component of (P - X) x (Y - X), or if these are zero for all t and d of P - X for a
+// corner X that P touches. Its norm, at most 2 L_i L_j or L_k, takes the place of v. Where V_0, or this one's, is zero
+// for all t, the polynomial is divided by a power of d, which leaves its norm and, for d > 0, its roots.
+//
 // The weights are quotients of the base at t0 or, without t0, at a root of V_0 that is known as a double-double, unless
 // the denominator is too small there. The root of the contact is near it, and d changes numerators and denominators by
 // at most d times their norm.
@@ -48,6 +53,7 @@ namespace {
 using numbers::Bounded;
 using numbers::bounded;
 using numbers::BoundedPair;
+using Corners = Forms<Near<0>>::Corners;
 using Point = Forms<Near<0>>::Point;
 using SmallQuadratic = Forms<Near<0>>::Quadratic;
 
@@ -83,12 +89,25 @@ std::array<std::int64_t, 4> around(const SmallCubic& p, std::int64_t n) noexcept
           (c2 * kOne + 3 * c3 * n) * kOne * kOne, c3 * kOne * kOne * kOne};
 }
 
-/// V as a polynomial in t and d, or V divided by times t - t0: [i] holds the coefficient of d^i.
-class Volume {
+/// V, or what is followed in its place, as a polynomial in t and d, or that divided by times t - t0: [i] holds the
+/// coefficient of d^i.
+class Followed {
  public:
-  explicit Volume(const std::array<SmallCubic, 4>& by_power) : by_power_(by_power) {}
+  explicit Followed(const std::array<SmallCubic, 4>& by_power) : by_power_(by_power) {}
 
   const SmallCubic& base() const noexcept { return by_power_[0]; }
+  bool is_zero() const {
+    return std::all_of(by_power_.begin(), by_power_.end(), [](const SmallCubic& p) { return numbers::is_zero(p); });
+  }
+
+  /// Divided by the greatest power of d; not of zero.
+  Followed without_power() const {
+    std::size_t power = 0;
+    while (numbers::is_zero(by_power_[power])) ++power;
+    std::array<SmallCubic, 4> rest = {};
+    for (std::size_t i = power; i < 4; ++i) rest[i - power] = by_power_[i];
+    return Followed(rest);
+  }
 
   /// 2^(3 f) V_i(n / 2^f), for n / 2^f <= 1.
   std::int64_t term_at(int i, std::int64_t n) const noexcept {
@@ -104,7 +123,7 @@ class Volume {
 
   /// V / (2^z t - o) for n / 2^f = o / 2^z in lowest terms, where V is zero for all d: the quotients are integers
   /// (Gauss's lemma), of at most three times V's norm.
-  Volume without(std::int64_t n) const noexcept {
+  Followed without(std::int64_t n) const noexcept {
     const int zeros = n == 0 ? kTimeBits : std::min(kTimeBits, std::countr_zero(static_cast<std::uint64_t>(n)));
     const std::int64_t o = n >> zeros, power = std::int64_t{1} << (kTimeBits - zeros);
     std::array<SmallCubic, 4> quotients = {};
@@ -115,7 +134,7 @@ class Volume {
         quotients[i][j] = numbers::SmallInt::integer(above);
       }
     }
-    return Volume(quotients);
+    return Followed(quotients);
   }
 
   /// The sign of V at a time in [0, 2) for d = 2^-spread.
@@ -202,7 +221,7 @@ std::optional<BoundedPair> root_near(const SmallCubic& base, const Change& chang
 
 /// The neighbouring doubles around V's only root on one side (-1, 1) of t0 and less than `reach` from it, or the double
 /// that it is; `way` is a guess of its distance.
-std::optional<std::array<double, 2>> neighbours_of_root(const Volume& volume, int spread, double t0, int side,
+std::optional<std::array<double, 2>> neighbours_of_root(const Followed& volume, int spread, double t0, int side,
                                                         int sign_at_t0, double way, double reach) {
   if (!(way < 0.5 * reach)) return std::nullopt;
   const double away = side > 0 ? 2 : -1;
@@ -252,7 +271,7 @@ std::optional<BoundedPair> root_beside(const SmallCubic& base, std::int64_t n, c
     answer.toi_upper = before ? t0 : std::nextafter(t0, 2.0);
     return time;
   }
-  Volume volume = make_volume();
+  Followed volume = make_volume();
   int k = volume.lowest_term_at(n);
   for (; k == 4 && m > 1; k = volume.lowest_term_at(n)) {
     volume = volume.without(n);
@@ -273,18 +292,79 @@ std::optional<BoundedPair> root_beside(const SmallCubic& base, std::int64_t n, c
   return time;
 }
 
-/// The weights within 2^-51, at a time of the base. False where they stay open.
-bool weigh(Kind kind, const geometry::Frame<Point>& frame, const geometry::Vector<SmallQuadratic>& normal,
-           const std::array<double, 3>& norm, const BoundedPair& time, double d, Answer& answer) {
+constexpr std::array<BitSpan, 3> kSmallSpans = [] {
+  BitSpan span;
+  span.low = 0;
+  span.high = kMostBits<0>;
+  return std::array<BitSpan, 3>{span, span, span};
+}();
+
+Vec3 sum(const Vec3& h, const Vec3& l, int factor) noexcept {
+  return {h.x + factor * l.x, h.y + factor * l.y, h.z + factor * l.z};
+}
+
+Corners corners_of(const Query& query) { return moving_corners<Near<0>>(query, kSmallSpans); }
+geometry::Frame<Point> frame_of(Kind kind, const Corners& corners) {
+  return geometry::frame_of(kind == Kind::edge_edge,
+                            [&](std::size_t i, std::size_t j) { return difference(corners, i, j); });
+}
+
+/// A contact at the border of an element: of corner p and the edge x y, or of p and the corner x.
+struct Touching {
+  std::size_t p, x, y;
+  bool at_x;
+};
+std::optional<Touching> touching(Kind kind, Feature a, Feature b) {
+  if (kind == Kind::edge_edge) {
+    const bool corner_a = a == Feature::a0 || a == Feature::a1, corner_b = b == Feature::b0 || b == Feature::b1;
+    const std::size_t on_a = a == Feature::a1 ? 1 : 0, on_b = b == Feature::b1 ? 3 : 2;
+    if (corner_a) return Touching{on_a, on_b, 5 - on_b, corner_b};
+    if (corner_b) return Touching{on_b, 0, 1, false};
+    return std::nullopt;
+  }
+  switch (b) {
+    case Feature::f0: return Touching{0, 1, 2, true};
+    case Feature::f1: return Touching{0, 2, 3, true};
+    case Feature::f2: return Touching{0, 3, 1, true};
+    case Feature::f01: return Touching{0, 1, 2, false};
+    case Feature::f12: return Touching{0, 2, 3, false};
+    case Feature::f20: return Touching{0, 3, 1, false};
+    default: return std::nullopt;
+  }
+}
+
+// Of weights: |n / d - N / D| <= (|n - N| + |d - D|) / (|D| - |d - D|) for 0 <= n / d <= 1, and so below 2^-52.
+constexpr double kGreatestError = 0x1p-55;
+
+double weight_of(const BoundedPair& numerator, const BoundedPair& denominator) noexcept {
+  const double quotient = numerator.value.high / denominator.value.high;
+  return quotient > 0 ? std::min(quotient, 1.0) : 0.0;  // never -0
+}
+
+/// The weight of corner y, within 2^-51, where corner p touches the edge x y at a time of the base.
+std::optional<double> weight_on_edge(const Corners& corners, std::size_t p, std::size_t x, std::size_t y,
+                                     const std::array<double, 3>& norm, const BoundedPair& time, double d) {
+  const Point way = difference(corners, p, x), edge = difference(corners, y, x);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto value = [&](const Forms<Near<0>>::Linear& q) {
+      BoundedPair result = bounded(q[1]) * time + bounded(q[0]);
+      result.error += 2 * d * norm[k];
+      return result;
+    };
+    const BoundedPair numerator = value(way[k]), denominator = value(edge[k]);
+    const double error = 2 * std::max(numerator.error, denominator.error);
+    if (error <= kGreatestError * std::fabs(denominator.value.high)) return weight_of(numerator, denominator);
+  }
+  return std::nullopt;
+}
+
+/// The weights of a point inside both edges or inside the face, within 2^-51, at a time of the base. False where they
+/// stay open.
+bool weigh_inside(Kind kind, const Corners& corners, const std::array<double, 3>& norm, const BoundedPair& time,
+                  double d, Answer& answer) {
   const bool edges = kind == Kind::edge_edge;
-  if (answer.feature_a == Feature::overlap) return false;
-  const bool inside_a = answer.feature_a == Feature::a;
-  const bool inside_b =
-      edges ? answer.feature_b == Feature::b
-            : answer.feature_b != Feature::f0 && answer.feature_b != Feature::f1 && answer.feature_b != Feature::f2;
-  if (!inside_a && !inside_b) return true;  // corners
-  // |n / d - N / D| <= (|n - N| + |d - D|) / (|D| - |d - D|) for 0 <= n / d <= 1, and so below 2^-52.
-  constexpr double kGreatestError = 0x1p-55;
+  const geometry::Frame<Point> frame = frame_of(kind, corners);
+  const auto normal = geometry::normal(frame);
   for (std::size_t k = 0; k < 3; ++k) {
     const double change = 2 * d * kQuadraticNorm * norm[(k + 1) % 3] * norm[(k + 2) % 3];
     const auto value = [&](const SmallQuadratic& q) {
@@ -298,45 +378,50 @@ bool weigh(Kind kind, const geometry::Frame<Point>& frame, const geometry::Vecto
     const BoundedPair third = edges ? BoundedPair() : value(normal[k] - f1 - f2);
     const double error = 2 * std::max({denominator.error, first.error, second.error, third.error});
     if (!(error <= kGreatestError * std::fabs(denominator.value.high))) continue;
-    const auto weight = [&](const BoundedPair& numerator) {
-      const double quotient = numerator.value.high / denominator.value.high;
-      return quotient > 0 ? std::min(quotient, 1.0) : 0.0;  // never -0
-    };
+    const auto weight = [&](const BoundedPair& numerator) { return weight_of(numerator, denominator); };
     if (edges) {
       const double a = weight(first), b = weight(second);
-      if (inside_a) answer.weights_a = {1 - a, a, 0};
-      if (inside_b) answer.weights_b = {1 - b, b, 0};
-      return true;
+      answer.weights_a = {1 - a, a, 0};
+      answer.weights_b = {1 - b, b, 0};
+    } else {
+      answer.weights_b = {weight(third), weight(first), weight(second)};
     }
-    const Feature face = answer.feature_b;
-    answer.weights_b = {face == Feature::f12 ? 0 : weight(third), face == Feature::f20 ? 0 : weight(first),
-                        face == Feature::f01 ? 0 : weight(second)};
     return true;
   }
   return false;
 }
 
-constexpr std::array<BitSpan, 3> kSmallSpans = [] {
-  BitSpan span;
-  span.low = 0;
-  span.high = kMostBits<0>;
-  return std::array<BitSpan, 3>{span, span, span};
-}();
-
-Vec3 sum(const Vec3& h, const Vec3& l, int factor) noexcept {
-  return {h.x + factor * l.x, h.y + factor * l.y, h.z + factor * l.z};
+/// The weights within 2^-51, at a time of the base. Those of corners are known. False where others stay open.
+bool weigh(Kind kind, const Corners& corners, const std::array<double, 3>& norm, const BoundedPair& time, double d,
+           Answer& answer) {
+  if (kind == Kind::edge_edge && answer.feature_a == Feature::overlap) {
+    // The answer has the weights of the corner that ends the overlap; its place on the other edge gives the others.
+    const bool of_a = answer.weights_a[1] == 1;
+    const std::size_t p = of_a ? 1 : answer.weights_b[1] == 1 ? 3 : 2, x = of_a ? 2 : 0;
+    const auto weight = weight_on_edge(corners, p, x, x + 1, norm, time, d);
+    if (weight) (of_a ? answer.weights_b : answer.weights_a) = {1 - *weight, *weight, 0};
+    return weight.has_value();
+  }
+  const auto on_border = touching(kind, answer.feature_a, answer.feature_b);
+  if (!on_border) return weigh_inside(kind, corners, norm, time, d, answer);
+  const auto [p, x, y, at_x] = *on_border;
+  if (at_x) return true;
+  const auto weight = weight_on_edge(corners, p, x, y, norm, time, d);
+  if (!weight) return false;
+  if (kind == Kind::edge_edge) {
+    (x == 2 ? answer.weights_b : answer.weights_a) = {1 - *weight, *weight, 0};
+  } else {
+    answer.weights_b = {0, 0, 0};
+    answer.weights_b[x - 1] = 1 - *weight;
+    answer.weights_b[y - 1] = *weight;
+  }
+  return true;
 }
 
-geometry::Frame<Point> frame_of(const Query& query) {
-  const auto corners = moving_corners<Near<0>>(query, kSmallSpans);
-  return geometry::frame_of(query.kind == Kind::edge_edge,
-                            [&](std::size_t i, std::size_t j) { return difference(corners, i, j); });
-}
-SmallCubic volume_of(const geometry::Frame<Point>& frame) { return geometry::dot(geometry::normal(frame), frame.r); }
-
-/// From V at d = 0, 1, -1 and, for the coefficient of d^3, the low parts alone. Each coordinate is h or l d, so that no
-/// sum is greater.
-Volume volume_of(const SmallCubic& base, const Query& high, const Query& low) {
+/// Of a polynomial of corners that is of at most degree 3 in d, or 2. From its values at d = 0, 1, -1 and, for the
+/// coefficient of d^3, those of the low parts alone. Each coordinate is h or l d, so that no sum is greater.
+template <class Of>
+Followed followed(const Of& polynomial, int degree, const SmallCubic& base, const Query& high, const Query& low) {
   std::array<SmallCubic, 2> at;  // 1, -1
   for (const int sign : {1, -1}) {
     Query query = high;
@@ -344,37 +429,94 @@ Volume volume_of(const SmallCubic& base, const Query& high, const Query& low) {
       query.start[i] = sum(high.start[i], low.start[i], sign);
       query.end[i] = sum(high.end[i], low.end[i], sign);
     }
-    at[sign > 0 ? 0 : 1] = volume_of(frame_of(query));
+    at[sign > 0 ? 0 : 1] = polynomial(corners_of(query));
   }
-  std::array<SmallCubic, 4> by_power = {base, {}, {}, volume_of(frame_of(low))};
+  std::array<SmallCubic, 4> by_power = {base, {}, {}, {}};
+  if (degree == 3) by_power[3] = polynomial(corners_of(low));
   for (int j = 0; j < 4; ++j) {
     const std::int64_t odd = (at[0][j].value() - at[1][j].value()) / 2,
                        even = (at[0][j].value() + at[1][j].value()) / 2;
     by_power[1][j] = numbers::SmallInt::integer(odd - by_power[3][j].value());
     by_power[2][j] = numbers::SmallInt::integer(even - base[j].value());
   }
-  return Volume(by_power);
+  return Followed(by_power);
+}
+
+/// The root of the contact, which is one of a polynomial's. Makes the answer's time the query's. Nothing where the root
+/// stays open, or where the polynomial is zero for all t and d.
+struct Root {
+  std::optional<BoundedPair> time;
+  bool is_zero = false;
+};
+template <class Of>
+Root root_of(const Of& polynomial, int degree, const Query& high, const Query& low, const Change& change,
+             Answer& answer) {
+  const auto n = static_cast<std::int64_t>(std::nearbyint(std::ldexp(answer.toi, kTimeBits)));
+  const auto find = [&](const SmallCubic& base, const auto& make) {
+    return value_at(base, n) == 0 ? root_beside(base, n, change, make, answer) : root_near(base, change, answer);
+  };
+  const SmallCubic base = polynomial(corners_of(high));
+  const auto make = [&] { return followed(polynomial, degree, base, high, low); };
+  if (!numbers::is_zero(base)) return {find(base, make)};
+  const Followed all = make();
+  if (all.is_zero()) return {std::nullopt, true};
+  const Followed rest = all.without_power();
+  return {find(rest.base(), [&] { return rest; })};
+}
+
+/// A polynomial of degree 3 that is one of a lesser degree.
+template <int D>
+SmallCubic as_cubic(const numbers::Polynomial<numbers::SmallInt, D>& p) {
+  SmallCubic result = {};
+  for (int i = 0; i <= D; ++i) result[i] = p[i];
+  return result;
+}
+
+/// root_of for V that is zero for all t and d.
+std::optional<BoundedPair> root_of_border(const Query& high, const Query& low, const std::array<double, 3>& norm,
+                                          Change change, Answer& answer) {
+  const bool overlap = answer.feature_a == Feature::overlap;  // then all corners are on one line
+  const auto found = overlap ? Touching{0, 2, 3, false} : touching(high.kind, answer.feature_a, answer.feature_b);
+  if (!found) return std::nullopt;
+  const auto [p, x, y, at_x] = *found;
+  // The narrowed d was chosen for their norms, too.
+  const auto is_small = [&change] { return bits_of(change.norm) <= kMostVolumeBits; };
+  bool on_line = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    change.norm = std::max(kLeastVolume, kQuadraticNorm * norm[(k + 1) % 3] * norm[(k + 2) % 3]);
+    if (!is_small()) return std::nullopt;
+    const auto component = [&, p = p, x = x, y = y](const Corners& c) {
+      return as_cubic(geometry::cross_component(difference(c, p, x), difference(c, y, x), k));
+    };
+    const Root root = root_of(component, 2, high, low, change, answer);
+    if (root.time) return root.time;
+    on_line = on_line && root.is_zero;
+  }
+  for (std::size_t k = 0; k < 3 && on_line && at_x; ++k) {
+    change.norm = std::max(kLeastVolume, norm[k]);
+    const auto component = [&, p = p, x = x](const Corners& c) { return as_cubic(difference(c, p, x)[k]); };
+    if (!is_small()) return std::nullopt;
+    if (const Root root = root_of(component, 2, high, low, change, answer); root.time) return root.time;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
 bool Gap::restore(Answer& answer, Wanted wanted) const {
   if (!answer.contact || wanted == Wanted::contact) return true;
-  const auto frame = frame_of(base_);
-  const auto normal = geometry::normal(frame);
   std::optional<BoundedPair> time;
   if (answer.toi == answer.toi_upper && (answer.toi == 0 || answer.toi == 1)) {
     time = numbers::exact_pair(answer.toi);
   } else {
-    const SmallCubic base = geometry::dot(normal, frame.r);
     const Change change = {volume_norm_, narrow_, spread_};
-    const auto n = static_cast<std::int64_t>(std::nearbyint(std::ldexp(answer.toi, kTimeBits)));
-    const auto volume = [&] { return volume_of(base, base_, low_); };
-    time = value_at(base, n) == 0 ? root_beside(base, n, change, volume, answer) : root_near(base, change, answer);
+    const auto volume = [kind = base_.kind](const Corners& c) { return geometry::coplanarity(frame_of(kind, c)); };
+    const Root root = root_of(volume, 3, base_, low_, change, answer);
+    time = root.is_zero ? root_of_border(base_, low_, norm_, change, answer) : root.time;
   }
-  if (!time || wanted == Wanted::time) return time.has_value();
+  if (!time || wanted != Wanted::all) return time.has_value();
   const double d = std::ldexp(1.0, -std::min(spread_, 900));
-  return weigh(base_.kind, frame, normal, norm_, *time, d, answer);
+  return weigh(base_.kind, corners_of(base_), norm_, *time, d, answer);
 }
 
 }  // namespace touchstone::exact

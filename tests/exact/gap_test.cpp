@@ -30,8 +30,20 @@ Query gapped(Kind kind, Rng& rng) {
     query.start[i] = small_integers(rng, reach);
     query.end[i] = rng.one_in(4) ? query.start[i] : small_integers(rng, reach);
   }
-  if (rng.one_in(4)) {
-    for (std::size_t i = 0; i < corner_count(kind); ++i) query.start[i].z = query.end[i].z = 0;
+  if (rng.one_in(3)) {  // a common plane, or line
+    const bool line = rng.one_in(4);
+    for (std::size_t i = 0; i < corner_count(kind); ++i) {
+      query.start[i].z = query.end[i].z = 0;
+      if (line) query.start[i].y = query.end[i].y = 0;
+    }
+  }
+  if (rng.one_in(8)) {  // an edge without length, or a flat face
+    query.start[1] = query.start[0];
+    query.end[1] = query.end[0];
+  }
+  if (rng.one_in(8)) {
+    query.start[3] = query.start[2];
+    query.end[3] = query.end[2];
   }
   if (rng.one_in(4)) query.start[2] = query.start[0];
   if (rng.one_in(8)) query.end[2] = query.end[0];
