@@ -117,6 +117,7 @@ FAULTS = [
      "if (!(root * root - square).is_zero()) return std::nullopt;", ""),
     ("coordinates in whole units", "exact/common_scale.hpp", "static_cast<double>(integer) * unit == x;",
      "static_cast<double>(integer) * unit == x * per_unit * unit;"),
+    ("limbs that near roots do not hold", "numbers/fixed_int.hpp", "return above == 0 ?", "return above == 0 || D > 0 ?"),
     ("three real roots that almost coincide", "numbers/near_root_isolation.cpp",
      "if (discriminant > 0) return doubt_.raise();", "if (discriminant > 0) return;"),
     ("error of close roots", "numbers/near_root_isolation.cpp", "root.near_.error += 0x1p-49 * apart;",

@@ -96,6 +96,18 @@ Forms<Near<2>>::Corners moving_corners<Near<2>>(const Query& query, const std::a
 }
 
 template <>
+Forms<Near<kUnevenMedium>>::Corners moving_corners<Near<kUnevenMedium>>(const Query& query,
+                                                                        const std::array<BitSpan, 3>& spans) {
+  return near_corners<kUnevenMedium>(query, spans);
+}
+
+template <>
+Forms<Near<kUnevenLong>>::Corners moving_corners<Near<kUnevenLong>>(const Query& query,
+                                                                    const std::array<BitSpan, 3>& spans) {
+  return near_corners<kUnevenLong>(query, spans);
+}
+
+template <>
 Forms<Near<kSparse>>::Corners moving_corners<Near<kSparse>>(const Query& query, const std::array<BitSpan, 3>& spans) {
   return near_corners<kSparse>(query, spans);
 }

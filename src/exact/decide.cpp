@@ -276,6 +276,14 @@ int most_bits(const std::array<BitSpan, 3>& spans) noexcept {
   return std::max({spans[0].bits(), spans[1].bits(), spans[2].bits()});
 }
 
+/// Whether V and the components of cross products have so few bits that times of NearRoot<Limbs> hold them, for
+/// coordinates of more. See kMostBits: each of their terms has a factor along each axis, or along each of two.
+bool is_uneven(const std::array<BitSpan, 3>& spans, int limbs) noexcept {
+  constexpr int kSpare = 6;  // of what fits, as numbers::shortened has it
+  const int x = spans[0].bits(), y = spans[1].bits(), z = spans[2].bits();
+  return x + y + z + 10 <= 192 * limbs - kSpare && x + y + z - std::min({x, y, z}) + 5 <= 128 * limbs - kSpare;
+}
+
 /// Over [0, 1].
 std::optional<Answer> decide_across_gap(const Query& query, Wanted wanted) {
   const std::optional<Gap> gap = Gap::of(query);
@@ -320,9 +328,20 @@ std::optional<Answer> decide_nearby(const Query& query, double t_max, Wanted wan
   numbers::Doubt doubt;
   if (bits <= kMostBits<0>) return near_first_contact<0>(query, spans, t_max, wanted, doubt);
   if (bits <= kMostBits<1>) return near_first_contact<1>(query, spans, t_max, wanted, doubt);
-  if (bits <= kMostBits<2>) return near_first_contact<2>(query, spans, t_max, wanted, doubt);
+  if (bits <= kMostBits<2>) {
+    if (is_uneven(spans, 1)) {
+      numbers::Doubt uneven;
+      const auto answer = near_first_contact<kUnevenMedium>(query, spans, t_max, wanted, uneven);
+      if (answer) return answer;
+    }
+    return near_first_contact<2>(query, spans, t_max, wanted, doubt);
+  }
   if (t_max == 1) {
     if (const std::optional<Answer> answer = decide_across_gap(query, wanted)) return answer;
+  }
+  if (bits <= kMostBits<3> && is_uneven(spans, 2)) {
+    const auto answer = near_first_contact<kUnevenLong>(query, spans, t_max, wanted, doubt);
+    if (answer) return answer;
   }
   return decide_sparsely(query, t_max, wanted);
 }

@@ -92,6 +92,19 @@ struct Near<kSparse> {
   using Integer = numbers::Sparse;
   using Time = numbers::SparseRoot;
 };
+/// For coordinates of many bits along one axis and of few along the others. V has few bits for these limbs then, and so
+/// have most quadratics; those that have not raise the doubt.
+constexpr int kUnevenMedium = -2, kUnevenLong = -3;
+template <>
+struct Near<kUnevenMedium> {
+  using Integer = numbers::FixedInt<2>;
+  using Time = numbers::NearRoot<1>;
+};
+template <>
+struct Near<kUnevenLong> {
+  using Integer = numbers::FixedInt<3>;
+  using Time = numbers::NearRoot<2>;
+};
 template <int Limbs>
 struct Forms<Near<Limbs>> : Forms<typename Near<Limbs>::Integer> {};
 
@@ -145,6 +158,8 @@ using Long = numbers::FixedInt<3>;
   template class Template<Near<0>>;               \
   template class Template<Near<1>>;               \
   template class Template<Near<2>>;               \
+  template class Template<Near<kUnevenMedium>>;   \
+  template class Template<Near<kUnevenLong>>;     \
   template class Template<Near<kSparse>>;         \
   template class Template<Exact>;                 \
   template class Template<AnyDegree>

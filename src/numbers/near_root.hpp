@@ -44,8 +44,8 @@ class NearRoots;
 
 /// A root of a polynomial with coefficients |c| < 2^(192 Limbs - 3), where other polynomials of degree at most 2, with
 /// coefficients |c| < 2^(128 Limbs - 3), have signs and quotients. Coefficients are FixedInt of at most so many limbs,
-/// or SmallInt: then |c| < 2^60, and those of the other polynomials are below 2^kMostSmallBits. The doubt outlives the
-/// root.
+/// or SmallInt: then |c| < 2^60, and those of the other polynomials are below 2^kMostSmallBits. Where a polynomial of
+/// more limbs has greater coefficients, it raises the doubt, which outlives the root.
 template <int Limbs>
 class NearRoot {
  public:
@@ -185,8 +185,14 @@ class NearRoot {
   }
 
   template <int Q, int D>
-  static Quadratic as_quadratic(const Polynomial<FixedInt<Q>, D>& q) {
-    return widened(q);
+  Quadratic as_quadratic(const Polynomial<FixedInt<Q>, D>& q) const {
+    if constexpr (Q <= 2 * Limbs) {
+      return widened(q);
+    } else {
+      const auto shorter = shortened<2 * Limbs>(q);
+      if (!shorter) raise_doubt();
+      return shorter ? widened(*shorter) : Quadratic();
+    }
   }
   template <int D>
   static SmallQuadratic as_quadratic(const Polynomial<SmallInt, D>& q) {
@@ -271,10 +277,16 @@ class NearRoots {
   /// Of p, which is not identically zero. Sums of 6 of its coefficients are below the limit of NearRoot, too.
   template <int Q, int D>
   NearRoots(const Polynomial<FixedInt<Q>, D>& p, double limit, Doubt& doubt) : limit_(limit), doubt_(doubt) {
-    if (has_no_root(p)) return;
-    Cubic cubic;
-    for (int i = 0; i <= D; ++i) cubic[i] = p[i].template widened<3 * Limbs>();
-    isolate(cubic);
+    constexpr int kLimbs = (D <= 2 ? 2 : 3) * Limbs;  // those of a quadratic may be those of another's root
+    if constexpr (Q > kLimbs) {
+      if (const auto shorter = shortened<kLimbs>(p)) {
+        isolate_in_cubic(*shorter);
+      } else if (!has_no_root(p)) {
+        doubt_.raise();
+      }
+    } else {
+      isolate_in_cubic(p);
+    }
   }
   template <int D>
   NearRoots(const Polynomial<SmallInt, D>& p, double limit, Doubt& doubt) : limit_(limit), doubt_(doubt) {
@@ -294,6 +306,13 @@ class NearRoots {
   using SmallCubic = Polynomial<SmallInt, 3>;
   using Pairs = std::array<BoundedPair, 4>;
 
+  template <int Q, int D>
+  void isolate_in_cubic(const Polynomial<FixedInt<Q>, D>& p) {
+    if (has_no_root(p)) return;
+    Cubic cubic;
+    for (int i = 0; i <= D; ++i) cubic[i] = p[i].template widened<3 * Limbs>();
+    isolate(cubic);
+  }
   void isolate(const Cubic& p);
   void isolate(const SmallCubic& p);
   template <class P>

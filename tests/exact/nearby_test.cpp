@@ -1,7 +1,11 @@
 // The level with near times against the exact level, on every family of hard queries.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <optional>
+#include <string>
 
 #include "exact/exact.hpp"
 #include "support/answer_check.hpp"
@@ -18,6 +22,37 @@ double t_max_of(std::uint64_t index, const Answer& whole) {
   const double times[] = {whole.toi, whole.toi_upper, std::nextafter(whole.toi, 0.0),
                           std::fmin(1, std::nextafter(whole.toi_upper, 2.0))};
   return times[index / 3 % 4];
+}
+
+/// Small integers, often in a plane, with a shared corner or at rest in part; along one axis they are times many powers
+/// of two or have many bits, up to `spread` in all.
+Query uneven(Kind kind, int spread, Rng& rng) {
+  static constexpr double Vec3::*members[] = {&Vec3::x, &Vec3::y, &Vec3::z};
+  Query query;
+  query.kind = kind;
+  const int reach = 1 << rng.between(0, rng.one_in(4) ? 20 : 3);
+  const int wide = rng.between(0, 2), flat = rng.one_in(4) ? (wide + rng.between(1, 2)) % 3 : -1;
+  const int rarity = rng.between(1, 6);
+  const bool fine = rng.one_in(3);
+  const auto corner = [&] {
+    Vec3 x;
+    for (int k = 0; k < 3; ++k) {
+      double& coordinate = x.*members[k];
+      coordinate = k == flat ? 0 : rng.between(-reach, reach);
+      if (k == wide && rng.one_in(rarity)) {
+        if (fine) coordinate += std::ldexp(rng.between(-7, 7), rng.between(-40, 0));
+        coordinate = std::ldexp(coordinate, rng.between(std::min(0, 25 - spread), 0));
+      }
+    }
+    return x;
+  };
+  for (std::size_t i = 0; i < corner_count(kind); ++i) {
+    query.start[i] = corner();
+    query.end[i] = rng.one_in(4) ? query.start[i] : corner();
+  }
+  if (rng.one_in(4)) query.start[2] = query.start[0];
+  if (rng.one_in(4)) query.end[2] = query.end[0];
+  return query;
 }
 
 }  // namespace
@@ -49,6 +84,31 @@ TEST_CASE("decide_nearby answers as decide_exactly does, or not at all") {
               few_bits);
   CHECK(answers_of_few * 100 > few_bits * 95);
   report.finish();
+}
+
+TEST_CASE("decide_nearby answers as decide_exactly does where one axis has many bits, or not at all") {
+  constexpr int kQueries = 15000;
+  Rng rng(29);
+  int answers = 0, contacts = 0;
+  for (const Kind kind : {Kind::edge_edge, Kind::vertex_face, Kind::point_edge}) {
+    for (int n = 0; n < kQueries; ++n) {
+      const Query query = uneven(kind, rng.between(60, 190), rng);
+      const Answer expected = exact::decide_exactly(query, 1);
+      const double t_max = t_max_of(static_cast<std::uint64_t>(n), expected);
+      const Answer until = t_max == 1 ? expected : exact::decide_exactly(query, t_max);
+      const std::optional<Answer> nearby = exact::decide_nearby(query, t_max);
+      if (!nearby) continue;
+      ++answers;
+      contacts += until.contact;
+      std::string wrong = decision_difference(*nearby, until);
+      if (wrong.empty()) wrong = weight_difference(*nearby, until);
+      INFO(cpp_initializer(query) << " up to " << t_max << "\n" << describe(*nearby) << "\n" << describe(until));
+      REQUIRE(wrong == "");
+    }
+  }
+  std::printf("%d of %d queries decided, %d contacts\n", answers, 3 * kQueries, contacts);
+  CHECK(answers * 100 > 3 * kQueries * 95);
+  CHECK(contacts > 5000);
 }
 
 }  // namespace touchstone::tests
