@@ -124,6 +124,8 @@ FAULTS = [
      "root.near_.error = 0;"),
     ("width of a gap", "exact/gap.cpp", "const int narrow = enough;", "const int narrow = enough / 8;"),
     ("error of a weight across a gap", "exact/gap_answer.cpp", "if (!(error <=", "if (error < 0 && !(error <="),
+    ("error of a weight on a border across a gap", "exact/gap_answer.cpp", "if (error <= kGreatestError *",
+     "if (error <= 0x1p1000 *"),
     ("distance of a root across a gap", "exact/gap_answer.cpp", "+ std::ilogb(leading)", "+ 30 + std::ilogb(leading)"),
     ("what a sum leaves below its last bit", "exact/gap_answer.cpp", "rest ? 1 : 0;", "0;"),
     ("a root across a gap that stays at a double", "exact/gap_answer.cpp",
