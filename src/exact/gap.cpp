@@ -89,7 +89,6 @@ Split split_along(const Query& query, double Vec3::*axis) {
 }  // namespace
 
 std::optional<Gap> Gap::of(const Query& query) {
-  if (query.kind != Kind::edge_edge && query.kind != Kind::vertex_face) return std::nullopt;
   static constexpr double Vec3::*axes[] = {&Vec3::x, &Vec3::y, &Vec3::z};
   std::array<Split, 3> splits;
   int spread = 0;
@@ -128,20 +127,23 @@ std::optional<Gap> Gap::of(const Query& query) {
     if (splits[k].gapped) high_bits = std::max(high_bits, bits_of(high));
   }
   auto& norm = gap->norm_;
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const geometry::Vector<double> between = difference_norm(parts, i, j);
       for (std::size_t k = 0; k < 3; ++k) norm[k] = std::max(norm[k], between[k]);
     }
   }
-  const auto [u, w, r] = geometry::frame_of(query.kind == Kind::edge_edge,
-                                            [&](std::size_t i, std::size_t j) { return difference_norm(parts, i, j); });
-  double v = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    v += u[k] * (w[i] * r[j] + w[j] * r[i]);
+  double v = kLeastVolume;
+  if (query.kind == Kind::edge_edge || query.kind == Kind::vertex_face) {
+    const auto [u, w, r] = geometry::frame_of(
+        query.kind == Kind::edge_edge, [&](std::size_t i, std::size_t j) { return difference_norm(parts, i, j); });
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+      sum += u[k] * (w[i] * r[j] + w[j] * r[i]);
+    }
+    v = std::max(v, sum);
   }
-  v = std::max(v, kLeastVolume);
   if (bits_of(v) > kMostVolumeBits) return std::nullopt;
   const double l = std::max({norm[0], norm[1], norm[2]});
   const double q = kQuadraticNorm * norm[0] * norm[1] * norm[2] / std::min({norm[0], norm[1], norm[2]});

@@ -26,8 +26,7 @@
 // out is not zero.
 //
 // Where V is zero for all t and d, the root of the contact is followed as one of another of these polynomials: where a
-// corner P touches an edge X Y, of a component of (P - X) x (Y - X), or if these are zero for all t and d of P - X for a
-// corner X that P touches. Its norm, at most 2 L_i L_j or L_k, takes the place of v. Where V_0, or this one's, is zero
+// corner P touches an edge X Y, of a component of (P - X) x (Y - X), or of P - X for a corner X that P touches. Its norm, at most 2 L_i L_j or L_k, takes the place of v. Where V_0, or this one's, is zero
 // for all t, the polynomial is divided by a power of d, which leaves its norm and, for d > 0, its roots.
 //
 // The weights are quotients of the base at t0 or, without t0, at a root of V_0 that is known as a double-double, unless
@@ -309,7 +308,8 @@ geometry::Frame<Point> frame_of(Kind kind, const Corners& corners) {
                             [&](std::size_t i, std::size_t j) { return difference(corners, i, j); });
 }
 
-/// A contact at the border of an element: of corner p and the edge x y, or of p and the corner x.
+/// A contact at the border of an element: of corner p and the edge x y, or of p and the corner x. Two points touch
+/// without an edge: then y is x.
 struct Touching {
   std::size_t p, x, y;
   bool at_x;
@@ -323,6 +323,10 @@ std::optional<Touching> touching(Kind kind, Feature a, Feature b) {
     return std::nullopt;
   }
   switch (b) {
+    case Feature::q: return Touching{0, 1, 1, true};
+    case Feature::e0: return Touching{0, 1, 2, true};
+    case Feature::e1: return Touching{0, 2, 1, true};
+    case Feature::e: return Touching{0, 1, 2, false};
     case Feature::f0: return Touching{0, 1, 2, true};
     case Feature::f1: return Touching{0, 2, 3, true};
     case Feature::f2: return Touching{0, 3, 1, true};
@@ -408,8 +412,8 @@ bool weigh(Kind kind, const Corners& corners, const std::array<double, 3>& norm,
   if (at_x) return true;
   const auto weight = weight_on_edge(corners, p, x, y, norm, time, d);
   if (!weight) return false;
-  if (kind == Kind::edge_edge) {
-    (x == 2 ? answer.weights_b : answer.weights_a) = {1 - *weight, *weight, 0};
+  if (kind != Kind::vertex_face) {
+    (kind == Kind::edge_edge && x == 0 ? answer.weights_a : answer.weights_b) = {1 - *weight, *weight, 0};
   } else {
     answer.weights_b = {0, 0, 0};
     answer.weights_b[x - 1] = 1 - *weight;
@@ -472,7 +476,7 @@ SmallCubic as_cubic(const numbers::Polynomial<numbers::SmallInt, D>& p) {
   return result;
 }
 
-/// root_of for V that is zero for all t and d.
+/// root_of for V that is zero for all t and d, or for a kind without V.
 std::optional<BoundedPair> root_of_border(const Query& high, const Query& low, const std::array<double, 3>& norm,
                                           Change change, Answer& answer) {
   const bool overlap = answer.feature_a == Feature::overlap;  // then all corners are on one line
@@ -481,18 +485,15 @@ std::optional<BoundedPair> root_of_border(const Query& high, const Query& low, c
   const auto [p, x, y, at_x] = *found;
   // The narrowed d was chosen for their norms, too.
   const auto is_small = [&change] { return bits_of(change.norm) <= kMostVolumeBits; };
-  bool on_line = true;
   for (std::size_t k = 0; k < 3; ++k) {
     change.norm = std::max(kLeastVolume, kQuadraticNorm * norm[(k + 1) % 3] * norm[(k + 2) % 3]);
     if (!is_small()) return std::nullopt;
     const auto component = [&, p = p, x = x, y = y](const Corners& c) {
       return as_cubic(geometry::cross_component(difference(c, p, x), difference(c, y, x), k));
     };
-    const Root root = root_of(component, 2, high, low, change, answer);
-    if (root.time) return root.time;
-    on_line = on_line && root.is_zero;
+    if (const Root root = root_of(component, 2, high, low, change, answer); root.time) return root.time;
   }
-  for (std::size_t k = 0; k < 3 && on_line && at_x; ++k) {
+  for (std::size_t k = 0; k < 3 && at_x; ++k) {
     change.norm = std::max(kLeastVolume, norm[k]);
     const auto component = [&, p = p, x = x](const Corners& c) { return as_cubic(difference(c, p, x)[k]); };
     if (!is_small()) return std::nullopt;
@@ -511,7 +512,8 @@ bool Gap::restore(Answer& answer, Wanted wanted) const {
   } else {
     const Change change = {volume_norm_, narrow_, spread_};
     const auto volume = [kind = base_.kind](const Corners& c) { return geometry::coplanarity(frame_of(kind, c)); };
-    const Root root = root_of(volume, 3, base_, low_, change, answer);
+    const bool has_volume = base_.kind == Kind::edge_edge || base_.kind == Kind::vertex_face;
+    const Root root = has_volume ? root_of(volume, 3, base_, low_, change, answer) : Root{std::nullopt, true};
     time = root.is_zero ? root_of_border(base_, low_, norm_, change, answer) : root.time;
   }
   if (!time || wanted != Wanted::all) return time.has_value();
