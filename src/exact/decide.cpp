@@ -329,6 +329,11 @@ std::optional<Answer> decide_nearby(const Query& query, double t_max, Wanted wan
   if (bits <= kMostBits<0>) return near_first_contact<0>(query, spans, t_max, wanted, doubt);
   if (bits <= kMostBits<1>) return near_first_contact<1>(query, spans, t_max, wanted, doubt);
   if (bits <= kMostBits<2>) {
+    // A gap beside so few bits is worth it: the narrowed query mostly has few enough for times of one limb.
+    constexpr int kFewBits = 6;
+    if (t_max == 1 && spans[0].bits() + spans[1].bits() + spans[2].bits() - bits <= kFewBits) {
+      if (const std::optional<Answer> answer = decide_across_gap(query, wanted)) return answer;
+    }
     if (is_uneven(spans, 1)) {
       numbers::Doubt uneven;
       const auto answer = near_first_contact<kUnevenMedium>(query, spans, t_max, wanted, uneven);
