@@ -25,45 +25,6 @@ std::array<N, 2> value_and_slope(const Sparse* c, int size, const Sparse& x, con
   return {value, slope};
 }
 
-/// The coefficients of a polynomial in x - base, for numerators x over the divisor.
-template <class N>
-std::array<N, 4> shifted(const std::array<Sparse, 4>& p, int size, const Sparse& base, const Sparse& divisor) noexcept {
-  std::array<N, 4> c;
-  for (std::size_t i = 0; i < c.size(); ++i) c[i] = N(p[i]);
-  if (!divisor.is_one()) {
-    N power(divisor);
-    for (int i = size - 2; i >= 0; --i) {
-      c[static_cast<std::size_t>(i)] = c[static_cast<std::size_t>(i)] * power;
-      power = power * N(divisor);
-    }
-  }
-  if (base.is_zero()) return c;
-  const N by(base);
-  for (int k = 0; k < size - 1; ++k) {
-    for (int i = size - 2; i >= k; --i) {
-      const auto at = static_cast<std::size_t>(i);
-      c[at] = base.is_one() ? c[at] + c[at + 1] : multiply_add(c[at + 1], by, c[at]);
-    }
-  }
-  return c;
-}
-/// The fraction n / d of small numbers that is close to x, in (0, 1], if there is one.
-struct SmallFraction {
-  double numerator, denominator;
-};
-std::optional<SmallFraction> small_fraction(double x) noexcept {
-  constexpr double kClose = 0x1p-40, kGreatest = 1024;
-  double rest = x, n0 = 0, d0 = 1, n1 = 1, d1 = 0;
-  for (;;) {
-    const double whole = std::floor(rest);
-    const double n = whole * n1 + n0, d = whole * d1 + d0;
-    if (!(d <= kGreatest)) return std::nullopt;
-    if (std::fabs(n - x * d) <= kClose * d) return SmallFraction{n, d};
-    n0 = n1, d0 = d1, n1 = n, d1 = d;
-    rest = 1 / (rest - whole);
-  }
-}
-
 /// About the least positive root of the polynomial with these coefficients, which is below 2^most and the only one
 /// there: significand 2^exponent, 1/2 <= significand <= 1. Only a hint.
 struct Hint {
@@ -129,6 +90,7 @@ SparseRoot SparseRoot::at_double(double time, int multiplicity, Doubt& doubt) {
   root.multiplicity_ = multiplicity;
   root.become_exact(sparse(time), Sparse(1));
   root.lower_ = root.upper_ = time;
+  root.settled_ = true;
   return root;
 }
 
@@ -136,6 +98,7 @@ void SparseRoot::become_exact(const Sparse& numerator, const Sparse& divisor) co
   low_ = high_ = numerator;
   divisor_ = divisor;
   exact_ = true;
+  near_.reset();
 }
 
 /// Where p's sign at x / divisor_, between low_ and high_, tells on which side of it the root is. False where x is not
@@ -200,11 +163,12 @@ bool SparseRoot::narrow_until(const Coefficients& q, int sign, bool at_low) cons
   return false;
 }
 
-bool SparseRoot::narrow() const { return exact_ || narrow_around((low_ + high_) * sparse(0.5)); }
+bool SparseRoot::narrow() const { return exact_ || rebase() || narrow_around((low_ + high_) * sparse(0.5)); }
 
 /// Finds a narrow bracket of the root in the wide one: from the end that is closer to the root, as a root that is close
 /// to it is known best by its distance.
 bool SparseRoot::locate() {
+  if (locate_widely()) return true;
   const Sparse middle = (low_ + high_) * sparse(0.5);
   if (!keep_side(middle)) return false;
   if (exact_) return true;
@@ -223,11 +187,11 @@ bool SparseRoot::locate() {
         if (i % 2 == 1) near[at].significand *= direction;
       }
     };
-    const auto c = shifted<More>(p_, size_, base, divisor_);
+    const auto c = shifted<More>(p_.data(), size_, base, divisor_);
     if (std::all_of(c.begin(), c.begin() + size_, [](const More& x) { return x.sign() != 0; })) {
       coefficients(c);
     } else {
-      coefficients(shifted<Sparse>(p_, size_, base, divisor_));
+      coefficients(shifted<Sparse>(p_.data(), size_, base, divisor_));
     }
   }
   const Hint hint = least_root(near, size_, approximate(high_ - low_).exponent);
@@ -247,7 +211,15 @@ bool SparseRoot::locate() {
   return narrow_around(base + sparse(direction * hint.significand, hint.exponent));
 }
 
-void SparseRoot::settle() {
+void SparseRoot::settle() const {
+  if (settled_) return;
+  settled_ = true;
+  const auto is_wide = [&] {  // for the distance of doubles
+    const Rewind rewind;
+    constexpr long kBits = 55;
+    return !exact_ && (high_ - low_).bits() > high_.bits() - divisor_.bits() - kBits;
+  };
+  if (is_wide()) rebase();
   Approximation at = approximate(low_) / approximate(divisor_);
   double time = scaled(at, 0);
   constexpr int kSteps = 8;

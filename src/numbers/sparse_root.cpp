@@ -15,7 +15,13 @@ int SparseRoot::sign_at(const Sparse* q, int size) const {
   if (size == 1) return q[0].sign();
   if (exact_) return sign_of_value(q, size, low_, divisor_);
   for (int round = 0; round < kRounds; ++round) {
-    {
+    if (near_) {
+      if (const int sign = sign_near(q, size); sign != 0) return sign;
+      if (round == 0 && is_near_zero() && narrow()) {
+        if (exact_) break;
+        continue;
+      }
+    } else {
       const Rewind rewind;
       if (const int sign = value_near<Few>(q, size, 0).sign(); sign != 0) return sign;
     }
@@ -26,10 +32,9 @@ int SparseRoot::sign_at(const Sparse* q, int size) const {
     }
     // Between its ends, a monotone q has none but the sign that it has at both of them, or at one.
     if (first * last >= 0 && is_monotone(q, size)) return first != 0 ? first : last;
-    if (!narrow()) break;
-    if (exact_) return sign_of_value(q, size, low_, divisor_);
+    if (!narrow() || exact_) break;
   }
-  return raise_doubt();
+  return exact_ ? sign_of_value(q, size, low_, divisor_) : raise_doubt();
 }
 
 /// In the bracket; q's size is 2 or 3.
@@ -102,6 +107,8 @@ std::optional<int> SparseRoot::close_sign_at(const Sparse* q, int size, int sign
 }
 
 int SparseRoot::compare(const SparseRoot& other) const {
+  settle();
+  other.settle();
   if (lower_ == upper_ || other.lower_ == other.upper_ || lower_ != other.lower_) {
     return lower_ != other.lower_ ? (lower_ < other.lower_ ? -1 : 1)
                                   : (upper_ > other.upper_) - (upper_ < other.upper_);
@@ -126,6 +133,7 @@ double SparseRoot::quotient(const Polynomial<Sparse, 2>& numerator, const Polyno
     quotient = scaled(approximate(n.value) / approximate(d.value), 0);
     return true;
   };
+  if (is_near_zero()) narrow();
   for (int round = 0; round < kRounds; ++round) {
     if (is_good(Few()) || is_good(More())) return quotient > 0 ? std::min(quotient, 1.0) : 0.0;  // never -0
     if (exact_ || !narrow()) break;

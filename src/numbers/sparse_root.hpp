@@ -10,6 +10,7 @@
 #include "numbers/near_root.hpp"
 #include "numbers/polynomial.hpp"
 #include "numbers/sparse.hpp"
+#include "numbers/wide_polynomial.hpp"
 
 namespace touchstone::numbers {
 
@@ -24,8 +25,14 @@ class SparseRoot {
   static SparseRoot at_double(double time, int multiplicity, Doubt& doubt);
 
   int multiplicity() const noexcept { return multiplicity_; }
-  double lower() const noexcept { return lower_; }
-  double upper() const noexcept { return upper_; }
+  double lower() const {
+    settle();
+    return lower_;
+  }
+  double upper() const {
+    settle();
+    return upper_;
+  }
 
   /// The sign of q at the root.
   template <int D>
@@ -46,7 +53,7 @@ class SparseRoot {
 
   /// The sign of (this - other), of (this - value).
   int compare(const SparseRoot& other) const;
-  int compare(double value) const noexcept { return upper_ <= value ? (lower_ == value ? 0 : -1) : 1; }
+  int compare(double value) const { return upper() <= value ? (lower_ == value ? 0 : -1) : 1; }
 
   /// As NearRoot's.
   double quotient(const Polynomial<Sparse, 2>& numerator, const Polynomial<Sparse, 2>& denominator) const;
@@ -75,13 +82,23 @@ class SparseRoot {
 
   void become_exact(const Sparse& numerator, const Sparse& divisor) const;
   bool locate();
+
+  // sparse_root_near.cpp
+  std::optional<WidePoint> point_at(const Sparse& x) const;
+  bool locate_widely();
+  bool is_near_zero() const noexcept { return near_ && near_->base.is_zero(); }
+  void take(Sparse base, int side, const WideBracket& bracket) const;
+  bool rebase() const;
+  bool rebase_at(Sparse base) const;
+  int sign_near(const Sparse* q, int size) const;
+
   bool narrow_around(const Sparse& x) const;
   /// How often a bracket is narrowed at most where it is too wide. Each time adds some 90 bits.
   static constexpr int kRounds = 8;
   bool narrow() const;
   bool narrow_until(const Coefficients& q, int sign, bool at_low) const;
   bool keep_side(const Sparse& x) const;
-  void settle();
+  void settle() const;
   int raise_doubt() const {
     doubt_->raise();
     return 0;
@@ -95,7 +112,17 @@ class SparseRoot {
   mutable Sparse low_, high_, divisor_;
   mutable bool exact_ = false;
   int sign_low_ = 0;
-  double lower_ = 0, upper_ = 0;
+
+  /// The root, not an exact one, is (base + side x) / divisor_, with x within the slack of the distance.
+  struct Near {
+    Sparse base;
+    int side;
+    WidePoint distance;
+  };
+  mutable std::optional<Near> near_;
+
+  mutable bool settled_ = false;
+  mutable double lower_ = 0, upper_ = 0;
   int multiplicity_ = 1;
   Doubt* doubt_ = nullptr;
 };
@@ -123,7 +150,8 @@ class SparseRoots {
   using Coefficients = SparseRoot::Coefficients;
 
   void isolate(Coefficients p, int size);
-  void isolate_inside(const Coefficients& p, int size);
+  static std::array<int, 4> exact_bernstein_signs(const Coefficients& p, int size);
+  void isolate_inside(const Coefficients& p, int size, const std::array<int, 4>& signs);
   void isolate_quadratic(const Coefficients& p);
   void isolate_cubic(const Coefficients& p);
   void isolate_between_critical_points(const Coefficients& p);

@@ -11,7 +11,7 @@ namespace touchstone::numbers {
 using Rewind = SparseScratch::Rewind;
 
 void SparseRoots::push(SparseRoot&& root) {
-  if (doubt_.raised() || root.compare(limit_) > 0) return;
+  if (doubt_.raised() || (limit_ < 1 && root.compare(limit_) > 0)) return;
   roots_[static_cast<std::size_t>(size_++)] = std::move(root);
 }
 
@@ -28,7 +28,6 @@ void SparseRoots::push_quotient(const Sparse& numerator, const Sparse& denominat
   root.doubt_ = &doubt_;
   root.multiplicity_ = multiplicity;
   root.become_exact(n, d);
-  root.settle();
   push(std::move(root));
 }
 
@@ -43,7 +42,6 @@ void SparseRoots::push_simple(const Coefficients& p, int size, const Sparse& low
   root.sign_low_ = sign_low;
   root.doubt_ = &doubt_;
   if (!root.locate()) return doubt_.raise();
-  root.settle();
   push(std::move(root));
 }
 
@@ -56,6 +54,11 @@ void SparseRoots::isolate(Coefficients p, int size) {
     ++at_zero;
   }
   if (at_zero > 0) push_double(0, at_zero);
+  if (size <= 1) return;
+  const std::array<int, 4> signs = WidePolynomial(p.data(), size).bernstein_signs(std::nullopt, WidePoint());
+  if (std::none_of(signs.begin(), signs.end(), [](int sign) { return sign == 0; })) {
+    return isolate_inside(p, size, signs);
+  }
   int ones = 0;
   while (size > 1 && value_at<Sparse>(p.data(), size, Sparse(1), Sparse(1)).is_zero()) {  // synthetic division by t - 1
     for (int i = size - 2; i > 0; --i) {
@@ -65,16 +68,16 @@ void SparseRoots::isolate(Coefficients p, int size) {
     p[static_cast<std::size_t>(--size)] = Sparse();
     ++ones;
   }
-  if (size > 1) isolate_inside(p, size);
+  if (size > 1) isolate_inside(p, size, exact_bernstein_signs(p, size));
   if (ones > 0) push_double(1, ones);
 }
 
-/// Of a polynomial that vanishes neither at 0 nor at 1.
-void SparseRoots::isolate_inside(const Coefficients& p, int size) {
-  const Sparse zero, one(1);
+/// Over [0, 1], of degree 3.
+std::array<int, 4> SparseRoots::exact_bernstein_signs(const Coefficients& p, int size) {
+  const Rewind rewind;
   const Sparse twice = p[0] + p[0], thrice = twice + p[0];
   const int first = p[0].sign();
-  int signs[4] = {first, first, first, first};
+  std::array<int, 4> signs = {first, first, first, first};
   if (size == 2) signs[3] = (p[0] + p[1]).sign();
   if (size == 3) {
     signs[2] = (twice + p[1]).sign();
@@ -85,6 +88,13 @@ void SparseRoots::isolate_inside(const Coefficients& p, int size) {
     signs[2] = (thrice + p[1] + p[1] + p[2]).sign();
     signs[3] = (p[0] + p[1] + p[2] + p[3]).sign();
   }
+  return signs;
+}
+
+/// Of a polynomial that vanishes neither at 0 nor at 1, from the signs of its Bernstein coefficients.
+void SparseRoots::isolate_inside(const Coefficients& p, int size, const std::array<int, 4>& signs) {
+  const Sparse zero, one(1);
+  const int first = signs[0];
   int variations = 0;
   int previous = first;
   for (const int sign : signs) {
@@ -138,10 +148,13 @@ void SparseRoots::isolate_cubic(const Coefficients& p) {
   const Approximation a = approximate(p[3]) * normalised(3, 0), b = approximate(p[2]), c = approximate(p[1]);
   const Approximation discriminant = b * b + -(a * c);
   std::array<Sparse, 4> ends = {Sparse(), Sparse(1), Sparse(1), Sparse(1)};
+  std::array<WidePoint, 4> points;  // the same, but for the first
   std::size_t count = 1;
   const auto add = [&](const Approximation& point) {
     const Sparse x = sparse(point);
-    if ((x - ends[count - 1]).sign() > 0 && (Sparse(1) - x).sign() > 0) ends[count++] = x;
+    if ((x - ends[count - 1]).sign() <= 0 || (Sparse(1) - x).sign() <= 0) return;
+    ends[count] = x;
+    points[count++] = {point.significand, point.exponent, 0};
   };
   if (discriminant.significand > 0) {
     const Approximation root = root_of(discriminant);
@@ -155,11 +168,18 @@ void SparseRoots::isolate_cubic(const Coefficients& p) {
   }
   ends[count++] = Sparse(1);
   std::array<int, 4> one{};  // the sign at the start of a part with one root; 0: without a root
+  const WidePolynomial wide(p.data(), 4);
   for (std::size_t i = 0; i + 1 < count; ++i) {
-    const std::array<int, 4> signs = bernstein_signs(p, ends[i], ends[i + 1]);
-    const bool certain = signs[0] != 0 && signs[3] != 0;
-    const bool none = certain && signs[0] == signs[3] && signs[1] == signs[0] && signs[2] == signs[0];
-    const bool single = certain && signs[0] != signs[3] && (signs[1] == signs[0] || signs[2] == signs[3]);
+    bool none = false, single = false;
+    std::array<int, 4> signs{};
+    const auto look_at = [&](const std::array<int, 4>& known) {
+      signs = known;
+      const bool certain = signs[0] != 0 && signs[3] != 0;
+      none = certain && signs[0] == signs[3] && signs[1] == signs[0] && signs[2] == signs[0];
+      single = certain && signs[0] != signs[3] && (signs[1] == signs[0] || signs[2] == signs[3]);
+    };
+    look_at(wide.bernstein_signs(i > 0 ? std::optional(points[i]) : std::nullopt, points[i + 1]));
+    if (!none && !single) look_at(bernstein_signs(p, ends[i], ends[i + 1]));
     if (!none && !single) return isolate_between_critical_points(p);
     if (single) one[i] = signs[0];
   }

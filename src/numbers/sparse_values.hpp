@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "numbers/exact_number.hpp"
 #include "numbers/sparse.hpp"
@@ -56,6 +57,46 @@ N value_at(const Sparse* c, int size, const Sparse& x, const Sparse& divisor) no
     if (i > 0 && !divisor.is_one()) power = power * N(divisor);
   }
   return value;
+}
+
+/// The coefficients of a polynomial in x - base, for numerators x over the divisor.
+template <class N>
+std::array<N, 4> shifted(const Sparse* p, int size, const Sparse& base, const Sparse& divisor) noexcept {
+  std::array<N, 4> c;
+  for (int i = 0; i < size; ++i) c[static_cast<std::size_t>(i)] = N(p[i]);
+  if (!divisor.is_one()) {
+    N power(divisor);
+    for (int i = size - 2; i >= 0; --i) {
+      c[static_cast<std::size_t>(i)] = c[static_cast<std::size_t>(i)] * power;
+      power = power * N(divisor);
+    }
+  }
+  if (base.is_zero()) return c;
+  const N by(base);
+  for (int k = 0; k < size - 1; ++k) {
+    for (int i = size - 2; i >= k; --i) {
+      const auto at = static_cast<std::size_t>(i);
+      c[at] = base.is_one() ? c[at] + c[at + 1] : multiply_add(c[at + 1], by, c[at]);
+    }
+  }
+  return c;
+}
+
+/// The fraction n / d of small numbers that is close to x, in (0, 1], if there is one.
+struct SmallFraction {
+  double numerator, denominator;
+};
+inline std::optional<SmallFraction> small_fraction(double x) noexcept {
+  constexpr double kClose = 0x1p-40, kGreatest = 1024;
+  double rest = x, n0 = 0, d0 = 1, n1 = 1, d1 = 0;
+  for (;;) {
+    const double whole = std::floor(rest);
+    const double n = whole * n1 + n0, d = whole * d1 + d0;
+    if (!(d <= kGreatest)) return std::nullopt;
+    if (std::fabs(n - x * d) <= kClose * d) return SmallFraction{n, d};
+    n0 = n1, d0 = d1, n1 = n, d1 = d;
+    rest = 1 / (rest - whole);
+  }
 }
 
 // Leading digits decide most signs, and the numbers themselves the others.

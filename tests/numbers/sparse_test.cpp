@@ -158,13 +158,14 @@ void compare_roots(tests::Rng& rng, RootReport& report) {
     ++report.roots;
     const int signs[] = {roots[i].sign_at(q.sparse), roots[i].sign_after(q.sparse), roots[i].sign_before(q.sparse)};
     const int order = i > 0 ? roots[i].compare(roots[i - 1]) : 1;
+    const double lower = roots[i].lower(), upper = roots[i].upper();
     if (doubt.raised()) {
       ++report.doubts;
       return;
     }
     const int exact_signs[] = {expected[i].sign_at(q.exact), expected[i].sign_after(q.exact),
                                expected[i].sign_before(q.exact)};
-    const bool same = roots[i].lower() == expected[i].lower() && roots[i].upper() == expected[i].upper() &&
+    const bool same = lower == expected[i].lower() && upper == expected[i].upper() &&
                       roots[i].multiplicity() == expected[i].multiplicity() && signs[0] == exact_signs[0] &&
                       signs[1] == exact_signs[1] && signs[2] == exact_signs[2] && order == 1;
     report.wrong += !same;
