@@ -97,12 +97,6 @@ class FixedInt {
       product.set_limb(1, static_cast<Limb>(static_cast<Wide>(both) >> 64));
       return product;
     }
-    if constexpr (Limbs > 1 &&
-                  Others > 1) {  // where one axis has many more bits than the others, most factors are short
-      if (a.is_short() && b.is_short()) {
-        return (FixedInt<1>::integer(a.low()) * FixedInt<1>::integer(b.low())).template widened<Limbs + Others>();
-      }
-    }
     for (int i = 0; i < Limbs; ++i) {
       Limb carry = 0;
       for (int j = 0; j < Others; ++j) {
@@ -129,14 +123,6 @@ class FixedInt {
 
   Limb limb(int i) const noexcept { return limbs_[i]; }
   void set_limb(int i, Limb value) noexcept { limbs_[i] = value; }
-  std::int64_t low() const noexcept { return static_cast<std::int64_t>(limbs_[0]); }
-  /// Whether the upper limbs only extend the sign of the lowest one.
-  bool is_short() const noexcept {
-    const Limb sign = static_cast<Limb>(low() >> 63);
-    Limb other = 0;
-    for (int i = 1; i < Limbs; ++i) other |= limbs_[i] ^ sign;
-    return other == 0;
-  }
   Limb sign_mask() const noexcept { return static_cast<Limb>(static_cast<std::int64_t>(limbs_[Limbs - 1]) >> 63); }
 
  private:
