@@ -132,14 +132,31 @@ int NearRoot<Limbs>::sign_of_rest(const N& n, const N& d) const {
   return -sign_after * sign_of(((p[0] * d + p[1] * n) * d + p[2] * n * n) * d + p[3] * n * n * n);
 }
 
-/// p at n / 2^bits, times 2^(bits degree), `one` being 2^bits.
+/// x 2^126: two limbs and back by two bits.
 template <int C>
-FixedInt<C + 6> fine_value(const Polynomial<FixedInt<C>, 3>& p, const FixedInt<2>& n, const FixedInt<2>& one) noexcept {
-  return ((p[3] * n + p[2] * one) * n + p[1] * one * one) * n + p[0] * one * one * one;
+FixedInt<C + 2> over_fine(const FixedInt<C>& x) noexcept {
+  FixedInt<C + 2> result;
+  for (int i = 1; i < C + 2; ++i) {
+    const std::uint64_t low = i >= 2 ? x.limb(i - 2) >> 2 : 0, high = i <= C ? x.limb(i - 1) : x.sign_mask();
+    result.set_limb(i, low | high << 62);
+  }
+  return result;
+}
+
+/// p at n / 2^126, times 2^(126 degree).
+template <int C>
+FixedInt<C + 4> fine_value(const FixedInt<C>& p0, const FixedInt<C>& p1, const FixedInt<C>& p2,
+                           const FixedInt<2>& n) noexcept {
+  return (p2 * n + over_fine(p1)) * n + over_fine(over_fine(p0));
 }
 template <int C>
-FixedInt<C + 4> fine_value(const Polynomial<FixedInt<C>, 2>& p, const FixedInt<2>& n, const FixedInt<2>& one) noexcept {
-  return (p[2] * n + p[1] * one) * n + p[0] * one * one;
+FixedInt<C + 4> fine_value(const Polynomial<FixedInt<C>, 2>& p, const FixedInt<2>& n) noexcept {
+  return fine_value(p[0], p[1], p[2], n);
+}
+template <int C>
+FixedInt<C + 6> fine_value(const Polynomial<FixedInt<C>, 3>& p, const FixedInt<2>& n) noexcept {
+  if (p[3].is_zero()) return over_fine(fine_value(p[0], p[1], p[2], n));
+  return fine_value(p[1], p[2], p[3], n) * n + over_fine(over_fine(over_fine(p[0])));
 }
 
 /// Where two roots are close to each other, or a polynomial is almost zero at a root, double-doubles lose too many
@@ -151,15 +168,15 @@ template <int Limbs>
 auto NearRoot<Limbs>::fine(const Isolated& root) const -> std::optional<Fine> {
   constexpr double kPerUnit = 1 / kFineUnit, kLeast = 0x1p-60, kFarthest = 0x1p100, kSlack = 1 + 0x1p-20;
   if (!(near_.value.high >= kLeast && near_.value.high < 1)) return std::nullopt;
+  static_assert(kFineBits == 126, "as fine_value has it");
   const auto integer = [](double x) { return FineTime::scaled(std::nearbyint(x), 0); };
-  const FineTime one = integer(kPerUnit);
   const auto& p = root.p;
   const BoundedPair slope[] = {bounded(p[1]), bounded(p[2]) * exact_pair(2), bounded(p[3]) * exact_pair(3)};
   FineTime n = integer(near_.value.high * kPerUnit) + integer(near_.value.low * kPerUnit);
   double units = 1;  // of the way from near_; two roundings
   constexpr int kSteps = 6;
   for (int i = 0; i < kSteps; ++i) {
-    const double value = bounded(fine_value(p, n, one)).value.high * (kFineUnit * kFineUnit * kFineUnit);
+    const double value = bounded(fine_value(p, n)).value.high * (kFineUnit * kFineUnit * kFineUnit);
     const double steepness = value_at(slope, 3, bounded(n) * exact_pair(kFineUnit)).value.high;
     const double step = std::nearbyint(-value / steepness * kPerUnit);
     if (!(std::fabs(step) < kFarthest)) return std::nullopt;
@@ -170,7 +187,7 @@ auto NearRoot<Limbs>::fine(const Isolated& root) const -> std::optional<Fine> {
   const double moved = kSlack * units * kFineUnit;
   if (!(moved + kSlack * kFineReach * kFineUnit < root.reach)) return std::nullopt;
   const FineTime reach = FineTime::integer(kFineReach);
-  const bool inside = fine_value(p, n - reach, one).sign() * fine_value(p, n + reach, one).sign() < 0;
+  const bool inside = fine_value(p, n - reach).sign() * fine_value(p, n + reach).sign() < 0;
   return inside ? std::optional(Fine{n, moved}) : std::nullopt;
 }
 
@@ -199,8 +216,7 @@ int NearRoot<Limbs>::fine_sign_at(const Quadratic& q, const Isolated& root) cons
   constexpr double kSlack = 1 + 0x1p-20;
   const auto closer = fine(root);
   if (!closer) return raise_doubt();
-  const FineTime one = FineTime::scaled(1, -kFineBits);
-  BoundedPair value = bounded(fine_value(q, closer->n, one)) * exact_pair(kFineUnit * kFineUnit);
+  BoundedPair value = bounded(fine_value(q, closer->n)) * exact_pair(kFineUnit * kFineUnit);
   const double slope = std::fabs(to_double(q[1])) + 2 * std::fabs(to_double(q[2]));
   value.error += kSlack * slope * kFineReach * kFineUnit;
   const int sign = value.sign();
