@@ -26,8 +26,9 @@
 // out is not zero.
 //
 // Where V is zero for all t and d, the root of the contact is followed as one of another of these polynomials: where a
-// corner P touches an edge X Y, of a component of (P - X) x (Y - X), or of P - X for a corner X that P touches. Its norm, at most 2 L_i L_j or L_k, takes the place of v. Where V_0, or this one's, is zero
-// for all t, the polynomial is divided by a power of d, which leaves its norm and, for d > 0, its roots.
+// corner P touches an edge X Y, of a component of (P - X) x (Y - X), or of P - X for a corner X that P touches. Its
+// norm, at most 2 L_i L_j or L_k, takes the place of v. Where V_0, or this one's, is zero for all t, the polynomial is
+// divided by a power of d, which leaves its norm and, for d > 0, its roots.
 //
 // The weights are quotients of the base at t0 or, without t0, at a root of V_0 that is known as a double-double, unless
 // the denominator is too small there. The root of the contact is near it, and d changes numerators and denominators by

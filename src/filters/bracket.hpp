@@ -10,8 +10,8 @@
 
 namespace touchstone::filters {
 
-/// What this level finds. `close`: it is uncertain at a root where the elements touch, or where doubles cannot tell that
-/// they are apart. Then no direction separates them in doubles.
+/// What this level finds. `close`: it is uncertain at a root where the elements touch, or where doubles cannot tell
+/// that they are apart. Then no direction separates them in doubles.
 struct BracketFinding {
   Finding finding = Finding::uncertain;
   bool close = false;

@@ -110,8 +110,8 @@ int WidePolynomial::sign_at(const WidePoint& x) const noexcept {
 /// With x and y, 0 <= x < y <= 1, for the ends: three times the blossom's values, c0 + c1 (a + b + d) / 3 + c2 (a b +
 /// a d + b d) / 3 + c3 a b d at (x, x, x), (x, x, y), (x, y, y) and (y, y, y). All sums but the last one are of terms
 /// that are not negative. Each of the four products is off by at most 7 roundings, and the last sum by 3 more: less
-/// than 2^-49 of the sum of the products' sizes. An x below 2^kLeastExponent is taken as 0, which counts as left out. For
-/// a small x, all products may be less than a c0 that is left out.
+/// than 2^-49 of the sum of the products' sizes. An x below 2^kLeastExponent is taken as 0, which counts as left out.
+/// For a small x, all products may be less than a c0 that is left out.
 std::array<int, 4> WidePolynomial::bernstein_signs(const std::optional<WidePoint>& low,
                                                    const WidePoint& high) const noexcept {
   const Window w = window(high.exponent);

@@ -58,14 +58,14 @@ class WidePolynomial {
   /// The sign at all x that the point stands for; 0 when uncertain.
   int sign_at(const WidePoint& x) const noexcept;
 
-  /// The signs of the four Bernstein coefficients of a cubic over [low, high], each 0 when uncertain. `low` is 0 without
-  /// a point, and below `high`. Neither has a slack.
+  /// The signs of the four Bernstein coefficients of a cubic over [low, high], each 0 when uncertain. `low` is 0
+  /// without a point, and below `high`. Neither has a slack.
   std::array<int, 4> bernstein_signs(const std::optional<WidePoint>& low, const WidePoint& high) const noexcept;
 
   /// A narrow bracket of a root between low, 0 without a point, and high: the polynomial certainly has the sign
-  /// `sign_low` at its low end, and the other one at its high end, unless these are `low` and `high` themselves. Nothing
-  /// where the signs are uncertain, or where there is a root but not within the reach of doubles. Neither point has a
-  /// slack.
+  /// `sign_low` at its low end, and the other one at its high end, unless these are `low` and `high` themselves.
+  /// Nothing where the signs are uncertain, or where there is a root but not within the reach of doubles. Neither point
+  /// has a slack.
   std::optional<WideBracket> bracket(const std::optional<WidePoint>& low, const WidePoint& high,
                                      int sign_low) const noexcept;
 

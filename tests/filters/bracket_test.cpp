@@ -179,18 +179,19 @@ TEST_CASE("a root just outside of a part is not taken for the one inside") {
 }
 
 TEST_CASE("no direction separates elements that are close at a root") {
-  int close = 0;
+  int asked = 0, close = 0;
   for_each_case(
       37, 300, [](const FamilyInfo&, Kind kind) { return filters::has_cubic(kind); },
       [&](const CaseId& id) {
         const Query query = make(id);
         Answer answer;
+        ++asked;
         if (!filters::decide_in_brackets({query, 1, exact::coplanarity_at}, answer).close) return;
         ++close;
         INFO(case_name(id));
         CHECK(filters::test_that_separates(query) == filters::Test::none);
       });
-  CHECK(close > 1000);
+  CHECK(close * 20 > asked);
 }
 
 TEST_CASE("contacts at, before and after the ends of the step, against exact arithmetic") {
