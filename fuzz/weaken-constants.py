@@ -36,8 +36,9 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 #   it starts from make them hold; nor the error of the time that this iteration ends with, or of the middle of two close
 #   roots: it is far below a double's; nor the reach of a remainder's root, which is where the root of p is whenever it
 #   is near;
-# - in gap_answer.cpp the signs on both sides of a root that is followed across a gap: without them no double is found where V
-#   changes its sign; nor the signs around a simple root of V_0, which is far steeper there than d.
+# - in gap_answer.cpp the signs on both sides of a root that is followed across a gap: without them no double is found
+#   where V changes its sign; nor the signs around a simple root of V_0, which is far steeper there than d;
+# - in wide_polynomial.cpp the rounding of values, or that of coefficients: each bound covers the other's error.
 
 # name, file below src, text there (exactly once), what it becomes
 FAULTS = [
@@ -156,6 +157,9 @@ FAULTS = [
     ("a remainder's root in a sparse bracket", "numbers/sparse_root.cpp",
      "if (first == last) return before(factor * first);", "return before(factor * first);"),
     ("error of a sparse quotient", "numbers/sparse_root.cpp", "kGreatestError = -58", "kGreatestError = -30"),
+    ("slack of a point in wide doubles", "numbers/wide_polynomial.cpp", "+ 1.02 * slack * (slope * x)",
+     "+ 0.5 * slack * (slope * x)"),
+    ("what wide doubles leave out", "numbers/wide_polynomial.cpp", "0x1p-49 * size) + kLeftOut)", "0x1p-49 * size))"),
     ("greatest integers of a fraction in doubles", "numbers/near_root_isolation.cpp",
      "kExactlyDoubles = std::int64_t{1} << 53", "kExactlyDoubles = std::int64_t{1} << 57"),
     ("greatest denominator of a small quotient", "numbers/near_root.hpp",
