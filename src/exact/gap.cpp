@@ -18,7 +18,7 @@
 // the norms of V, of quadratics and of differences, the largest are that of V's discriminant, v^2 q^3 of V and a
 // quadratic, q^4 of two quadratics, and v l^3. The discriminant b^2 c^2 - 4 a c^3 - 4 b^3 d - 27 a^2 d^2 + 18 a b c d,
 // for coefficients whose norms add up to v, has (16 + 108 + 108 + 432 + 18) v^4 / 256 < 2.7 v^4, more than the other
-// subresultant's 9 v^3, as v >= 6. Let 2^(S - 1) be at least all of these. Where d <= 2^-S, the lowest coefficient that
+// subresultant's 9 v^3, as v >= 4. Let 2^(S - 1) be at least all of these. Where d <= 2^-S, the lowest coefficient that
 // is not zero, an integer, exceeds the sum of all later terms: such a polynomial is zero or has one sign for all d in
 // (0, 2^-S].
 // SPDX-License-Identifier: MIT

@@ -13,7 +13,7 @@
 // lesser d, too, so that V has as many complex roots within R of t0 as V_0, m (Rouche's theorem), and the root of the
 // contact stays among them. For the query's d, a root has |x|^m <= 4 d v / |g_m|. V at t0 is a polynomial in d with
 // integer coefficients over 2^(3 f) and a norm of at most v; over 2^(2 f) and 3 v where it lacks a factor t - t0, and
-// over 2^f and 9 v where it lacks two. d <= 2^-(v + 3 f + 3) makes its lowest term V_k(t0) d^k exceed the others: it
+// over 2^f and 9 v where it lacks two. d v <= 2^-(3 f + 3) makes its lowest term V_k(t0) d^k exceed the others: it
 // has one sign, or is zero, for all d up to the narrowed one. So the root is before t0, at t0 or after it as in the
 // narrowed query. If |x| is certainly less than to the next double, that is all. Otherwise the root is followed, for
 // m <= 2. If V is zero at t0 for all d, it is a root of V / (t - t0), with m - 1 in place of m. For m = 1 it is the

@@ -83,17 +83,17 @@ std::array<N, 4> shifted(const Sparse* p, int size, const Sparse& base, const Sp
 }
 
 /// The fraction n / d of small numbers that is close to x, in (0, 1], if there is one.
-struct SmallFraction {
+struct CloseFraction {
   double numerator, denominator;
 };
-inline std::optional<SmallFraction> small_fraction(double x) noexcept {
+inline std::optional<CloseFraction> small_fraction(double x) noexcept {
   constexpr double kClose = 0x1p-40, kGreatest = 1024;
   double rest = x, n0 = 0, d0 = 1, n1 = 1, d1 = 0;
   for (;;) {
     const double whole = std::floor(rest);
     const double n = whole * n1 + n0, d = whole * d1 + d0;
     if (!(d <= kGreatest)) return std::nullopt;
-    if (std::fabs(n - x * d) <= kClose * d) return SmallFraction{n, d};
+    if (std::fabs(n - x * d) <= kClose * d) return CloseFraction{n, d};
     n0 = n1, d0 = d1, n1 = n, d1 = d;
     rest = 1 / (rest - whole);
   }
