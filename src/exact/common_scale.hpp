@@ -47,9 +47,8 @@ inline BitSpan coordinate_span(const Query& query) noexcept {
   return span;
 }
 
-/// The same along one axis. Where the coordinates are multiples of 2^-51 of the largest one, as most are where this is
-/// asked, they are so many units of a power of two, exactly: it is less work to look at these integers than at each
-/// significand.
+/// The same along one axis. Where all coordinates there are multiples of 2^(high - 52), as most are where this is
+/// asked, they are integers of 52 bits in that unit: it is less work to look at these than at each significand.
 inline BitSpan span_along(const Query& query, double Vec3::*axis) noexcept {
   const std::size_t count = corner_count(query.kind);
   double largest = 0;
@@ -85,6 +84,7 @@ inline BitSpan span_along(const Query& query, double Vec3::*axis) noexcept {
   return span;
 }
 
+/// The same along each axis.
 inline std::array<BitSpan, 3> axis_spans(const Query& query) noexcept {
   return {span_along(query, &Vec3::x), span_along(query, &Vec3::y), span_along(query, &Vec3::z)};
 }

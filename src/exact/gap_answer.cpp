@@ -46,6 +46,7 @@
 #include "exact/gap_bounds.hpp"
 #include "numbers/bounded.hpp"
 #include "numbers/bounded_integers.hpp"
+#include "numbers/rational_roots.hpp"
 
 namespace touchstone::exact {
 namespace {
@@ -127,13 +128,7 @@ class Followed {
     const int zeros = n == 0 ? kTimeBits : std::min(kTimeBits, std::countr_zero(static_cast<std::uint64_t>(n)));
     const std::int64_t o = n >> zeros, power = std::int64_t{1} << (kTimeBits - zeros);
     std::array<SmallCubic, 4> quotients = {};
-    for (std::size_t i = 0; i < 4; ++i) {
-      std::int64_t above = 0;
-      for (int j = 2; j >= 0; --j) {
-        above = (by_power_[i][j + 1].value() + o * above) / power;
-        quotients[i][j] = numbers::SmallInt::integer(above);
-      }
-    }
+    for (std::size_t i = 0; i < 4; ++i) quotients[i] = *numbers::divided(by_power_[i], {o, power});
     return Followed(quotients);
   }
 

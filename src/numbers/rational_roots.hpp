@@ -13,7 +13,7 @@
 
 namespace touchstone::numbers {
 
-/// n / d in lowest terms with 0 < n < d.
+/// n / d in lowest terms with 0 <= n <= d.
 struct SmallFraction {
   std::int64_t n, d;
 };
@@ -28,8 +28,8 @@ inline bool has_few_bits(const Polynomial<SmallInt, 3>& p) noexcept {
 }
 
 /// p / (d t - n), where that divides a polynomial of degree 1 to 3. By Gauss's lemma the quotient a has integer
-/// coefficients then: d a2 = p3, d a1 = p2 + n a2, d a0 = p1 + n a1 and 0 = p0 + n a0. With n < d each sum below is
-/// less than the sum of the |c| before it, so that there is room.
+/// coefficients then: d a2 = p3, d a1 = p2 + n a2, d a0 = p1 + n a1 and 0 = p0 + n a0. With n <= d each sum below is at
+/// most the sum of the |c| up to it, so that there is room.
 inline std::optional<Polynomial<SmallInt, 3>> divided(const Polynomial<SmallInt, 3>& p,
                                                       const SmallFraction& root) noexcept {
   Polynomial<SmallInt, 3> quotient = {};
