@@ -13,6 +13,7 @@
 #include "exact/exact.hpp"
 #include "exact/exact_times.hpp"
 #include "exact/gap.hpp"
+#include "exact/wide_contact.hpp"
 #include "numbers/limb_scratch.hpp"
 #include "numbers/near_root.hpp"
 
@@ -144,12 +145,17 @@ auto first_touch_of_borders(const Elements& elements, const Range& range)
   return first;
 }
 
+Answer contact_only() {
+  Answer answer;
+  answer.contact = true;
+  return answer;
+}
+
 /// nature() is asked only where it is wanted.
 template <class Elements, class Root, class NatureOf>
 Answer contact_at(const Elements& elements, const Root& root, const SideSigns& found, Wanted wanted,
                   const NatureOf& nature) {
-  Answer answer;
-  answer.contact = true;
+  Answer answer = contact_only();
   if (wanted == Wanted::contact) return answer;
   answer.toi = root.lower();
   answer.toi_upper = root.upper();
@@ -299,6 +305,41 @@ std::optional<Answer> decide_across_gap(const Query& query, Wanted wanted) {
   return answer;
 }
 
+/// The ends of the part that it has found.
+std::array<numbers::Sparse, 2> ends_of_part(const WideLook& look) {
+  std::array<numbers::Sparse, 2> ends = {numbers::Sparse(), numbers::Sparse(1)};
+  for (std::size_t i = 0; i < look.steps_taken; ++i) {
+    const WideLook::Step& step = look.steps[i];
+    const numbers::Sparse distance = (ends[1] - ends[0]) * numbers::Sparse::scaled(1, step.exponent);
+    ends[step.after ? 0 : 1] = step.from_end ? ends[1] - distance : ends[0] + distance;
+  }
+  return ends;
+}
+
+/// In sparse numbers, where `look` tells that they touch and where.
+std::optional<Answer> decide_at_contact(const Query& query, double t_max, Wanted wanted, const WideLook& look) {
+  if (wanted == Wanted::contact && t_max == 1) return contact_only();
+  using N = Near<kSparse>;
+  numbers::Doubt doubt;
+  const numbers::SparseScratch scratch(doubt);
+  const auto corners = moving_corners<N>(query, axis_spans(query));
+  std::optional<Answer> answer =
+      with_elements_of<N>(query.kind, corners, [&](const auto& elements) -> std::optional<Answer> {
+        if constexpr (std::remove_cvref_t<decltype(elements)>::kHasCubic) {
+          const auto [low, high] = ends_of_part(look);
+          const auto root =
+              numbers::SparseRoot::between(low, high, elements.coplanarity(), look.sign_at_start, doubt);
+          if (!root) return std::nullopt;
+          if (root->compare(t_max) > 0) return Answer();
+          const SideSigns sides = {look.axis, {1, 1, 1, 1}};
+          return contact_at(elements, *root, sides, wanted, [] { return Nature::crossing; });
+        }
+        return std::nullopt;
+      });
+  if (doubt.raised()) answer.reset();
+  return answer;
+}
+
 template <class N, class Q>
 std::vector<RootInterval> touching_times_of_any(const Q& query, double t_max) {
   return with_elements<N>(query, [&](const auto& elements) { return all_contacts(elements, ExactRange(t_max)); });
@@ -348,6 +389,9 @@ std::optional<Answer> decide_nearby(const Query& query, double t_max, Wanted wan
     const auto answer = near_first_contact<kUnevenLong>(query, spans, t_max, wanted, doubt);
     if (answer) return answer;
   }
+  const WideLook look = look_widely(query);
+  if (look.verdict == WideLook::Verdict::apart) return Answer();
+  if (look.verdict == WideLook::Verdict::touching) return decide_at_contact(query, t_max, wanted, look);
   return decide_sparsely(query, t_max, wanted);
 }
 

@@ -34,20 +34,21 @@ const PointOnEdge<N>& EdgeEdgeElements<N>::pair(Pair which) const {
 
 template <class N>
 bool EdgeEdgeElements<N>::touching(const MomentOf<Time<N>>& moment, SideSigns& found) const {
-  const auto [k, s] = nonzero_axis(n_, moment, "n");
-  if (k < 0) {  // parallel or of zero length: they touch exactly when some corner lies on the other edge
+  FactorSigns along(n_, moment);
+  found.axis = along.axis();
+  if (found.axis < 0) {  // parallel or of zero length: they touch exactly when some corner lies on the other edge
     return pair(a0_on_b).touching(moment) || pair(a1_on_b).touching(moment) || pair(b0_on_a).touching(moment) ||
            pair(b1_on_a).touching(moment);
   }
   // The lines meet at f1 = (r x w)_k / n_k on the first edge and f2 = (r x u)_k / n_k on the second; each in [0, 1].
-  const std::size_t axis = static_cast<std::size_t>(k);
-  found.axis = k;
-  const Quadratic f1 = first_numerator(frame_, axis);
-  if ((found.sign[0] = s * moment.sign(f1, "(r x w)", k)) < 0) return false;
-  if ((found.sign[1] = s * moment.sign(completed(corners_, 0, n_[axis]) - f1, "n - (r x w)", k)) < 0) return false;
-  const Quadratic f2 = second_numerator(kEdges, frame_, axis);
-  if ((found.sign[2] = s * moment.sign(f2, "(r x u)", k)) < 0) return false;
-  return (found.sign[3] = s * moment.sign(completed(corners_, 1, n_[axis]) - f2, "n - (r x u)", k)) >= 0;
+  const auto f1 = [&](std::size_t k) { return Quadratic(first_numerator(frame_, k)); };
+  if ((found.sign[0] = along.of(f1, "(r x w)")) < 0) return false;
+  const auto rest1 = [&](std::size_t k) { return Quadratic(completed(corners_, 0, n_[k]) - f1(k)); };
+  if ((found.sign[1] = along.of(rest1, "n - (r x w)")) < 0) return false;
+  const auto f2 = [&](std::size_t k) { return Quadratic(second_numerator(kEdges, frame_, k)); };
+  if ((found.sign[2] = along.of(f2, "(r x u)")) < 0) return false;
+  const auto rest2 = [&](std::size_t k) { return Quadratic(completed(corners_, 1, n_[k]) - f2(k)); };
+  return (found.sign[3] = along.of(rest2, "n - (r x u)")) >= 0;
 }
 
 template <class N>

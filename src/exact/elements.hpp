@@ -226,6 +226,15 @@ class MomentOf {
     return sign;
   }
 
+  /// Whether roots know many signs at much less cost than all of them.
+  static constexpr bool kHasQuickSigns = std::is_same_v<Root, numbers::SparseRoot>;
+
+  /// The sign where the root knows it at little cost; else 0.
+  template <class Q>
+  int quick_sign(const Q& q) const {
+    return side_ == 0 ? root_.quick_sign_at(q) : 0;
+  }
+
   /// The same for a polynomial of any formal degree, without a record.
   int sign(numbers::Coefficients q) const {
     const int sign = root_.quick_sign_at(q);

@@ -30,16 +30,16 @@ const PointOnEdge<N>& VertexFaceElements<N>::side(std::size_t which) const {
 
 template <class N>
 bool VertexFaceElements<N>::touching(const MomentOf<Time<N>>& moment, SideSigns& found) const {
-  const auto [k, s] = nonzero_axis(n_, moment, "n");
-  if (k < 0) return side(0).touching(moment) || side(1).touching(moment) || side(2).touching(moment);
+  FactorSigns along(n_, moment);
+  found.axis = along.axis();
+  if (found.axis < 0) return side(0).touching(moment) || side(1).touching(moment) || side(2).touching(moment);
   // r = w1 u + w2 w with w1 = (r x w)_k / n_k and w2 = (u x r)_k / n_k; inside iff w1, w2 and 1 - w1 - w2 are >= 0.
-  const std::size_t axis = static_cast<std::size_t>(k);
-  found.axis = k;
-  const Quadratic w1 = first_numerator(frame_, axis);
-  if ((found.sign[1] = s * moment.sign(w1, "(r x w)", k)) < 0) return false;
-  const Quadratic w2 = second_numerator(kEdges, frame_, axis);
-  if ((found.sign[2] = s * moment.sign(w2, "(u x r)", k)) < 0) return false;
-  return (found.sign[0] = s * moment.sign(completed(corners_, 1, n_[axis]) - w1 - w2, "n - (r x w) - (u x r)", k)) >= 0;
+  const auto w1 = [&](std::size_t k) { return Quadratic(first_numerator(frame_, k)); };
+  if ((found.sign[1] = along.of(w1, "(r x w)")) < 0) return false;
+  const auto w2 = [&](std::size_t k) { return Quadratic(second_numerator(kEdges, frame_, k)); };
+  if ((found.sign[2] = along.of(w2, "(u x r)")) < 0) return false;
+  const auto rest = [&](std::size_t k) { return Quadratic(completed(corners_, 1, n_[k]) - w1(k) - w2(k)); };
+  return (found.sign[0] = along.of(rest, "n - (r x w) - (u x r)")) >= 0;
 }
 
 template <class N>

@@ -94,6 +94,27 @@ SparseRoot SparseRoot::at_double(double time, int multiplicity, Doubt& doubt) {
   return root;
 }
 
+std::optional<SparseRoot> SparseRoot::simple(const Coefficients& p, int size, const Sparse& low, const Sparse& high,
+                                             const Sparse& divisor, int sign_low, Doubt& doubt) {
+  SparseRoot root;
+  root.p_ = p;
+  root.size_ = size;
+  root.low_ = low;
+  root.high_ = high;
+  root.divisor_ = divisor;
+  root.sign_low_ = sign_low;
+  root.doubt_ = &doubt;
+  if (root.locate()) return root;
+  doubt.raise();
+  return std::nullopt;
+}
+
+std::optional<SparseRoot> SparseRoot::between(const Sparse& low, const Sparse& high, const Polynomial<Sparse, 3>& p,
+                                              int sign_low, Doubt& doubt) {
+  const int size = actual_size(p.c.data(), 4);
+  return simple(p.c, size, low, high, Sparse(1), sign_low, doubt);
+}
+
 void SparseRoot::become_exact(const Sparse& numerator, const Sparse& divisor) const {
   low_ = high_ = numerator;
   divisor_ = divisor;

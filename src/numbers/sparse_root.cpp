@@ -37,6 +37,14 @@ int SparseRoot::sign_at(const Sparse* q, int size) const {
   return exact_ ? sign_of_value(q, size, low_, divisor_) : raise_doubt();
 }
 
+int SparseRoot::quick_sign_at(const Polynomial<Sparse, 2>& q) const {
+  const int size = actual_size(q.c.data(), 3);
+  if (size <= 1) return size == 0 ? 0 : q[0].sign();
+  const Rewind rewind;
+  if (near_) return sign_near(q.c.data(), size);
+  return exact_ ? 0 : value_near<Few>(q.c.data(), size, 0).sign();
+}
+
 /// In the bracket; q's size is 2 or 3.
 bool SparseRoot::is_monotone(const Sparse* q, int size) const {
   if (size == 2) return true;

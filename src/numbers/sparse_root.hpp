@@ -24,6 +24,11 @@ class SparseRoot {
   /// The double `time` in [0, 1], as a root of this multiplicity.
   static SparseRoot at_double(double time, int multiplicity, Doubt& doubt);
 
+  /// The root of p between low and high, where p has one, a simple one, and the sign `sign_low` next to low. Nothing,
+  /// and a doubt, where it is not found.
+  static std::optional<SparseRoot> between(const Sparse& low, const Sparse& high, const Polynomial<Sparse, 3>& p,
+                                           int sign_low, Doubt& doubt);
+
   int multiplicity() const noexcept { return multiplicity_; }
   double lower() const {
     settle();
@@ -40,6 +45,9 @@ class SparseRoot {
     static_assert(D <= 2);
     return sign_at(q.c.data(), D + 1);
   }
+
+  /// The same where it takes little; else 0.
+  int quick_sign_at(const Polynomial<Sparse, 2>& q) const;
 
   /// The sign of q just after the root, or just before it. Zero only for q == 0.
   template <int D>
@@ -80,6 +88,8 @@ class SparseRoot {
     }
   }
 
+  static std::optional<SparseRoot> simple(const Coefficients& p, int size, const Sparse& low, const Sparse& high,
+                                          const Sparse& divisor, int sign_low, Doubt& doubt);
   void become_exact(const Sparse& numerator, const Sparse& divisor) const;
   bool locate();
 

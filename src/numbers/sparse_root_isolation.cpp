@@ -33,16 +33,8 @@ void SparseRoots::push_quotient(const Sparse& numerator, const Sparse& denominat
 
 void SparseRoots::push_simple(const Coefficients& p, int size, const Sparse& low, const Sparse& high,
                               const Sparse& divisor, int sign_low) {
-  SparseRoot root;
-  root.p_ = p;
-  root.size_ = size;
-  root.low_ = low;
-  root.high_ = high;
-  root.divisor_ = divisor;
-  root.sign_low_ = sign_low;
-  root.doubt_ = &doubt_;
-  if (!root.locate()) return doubt_.raise();
-  push(std::move(root));
+  auto root = SparseRoot::simple(p, size, low, high, divisor, sign_low, doubt_);
+  if (root) push(std::move(*root));
 }
 
 void SparseRoots::isolate(Coefficients p, int size) {

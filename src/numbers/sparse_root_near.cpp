@@ -31,9 +31,10 @@ bool SparseRoot::locate_widely() {
   {
     const Rewind rewind;
     const auto low = point_at(low_), high = point_at(high_);
-    if (!low || !high) return false;
-    const WidePolynomial p(p_.data(), size_);
-    bracket = p.bracket(low->significand == 0 ? std::nullopt : low, *high, sign_low_);
+    if (low && high) {
+      const WidePolynomial p(p_.data(), size_);
+      bracket = p.bracket(low->significand == 0 ? std::nullopt : low, *high, sign_low_);
+    }
   }
   if (bracket) take(Sparse(), 1, *bracket);
   return bracket || rebase_at(high_) || rebase_at(low_);
