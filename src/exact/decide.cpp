@@ -258,22 +258,14 @@ Answer first_contact_in(const Q& query, double t_max, Wanted wanted = Wanted::al
   return with_elements<N>(query, [&](const auto& elements) { return first_contact(elements, range, wanted, nullptr); });
 }
 
-/// Of sparse digits, where the corners are coplanar at all times. What takes more takes less time in exact numbers: the
-/// events are quadratics, without V.
-constexpr int kProductsInPlane = 1500;
-
 /// Nothing where a doubt is left.
 template <int Limbs>
 std::optional<Answer> near_first_contact(const Query& query, const std::array<BitSpan, 3>& spans, double t_max,
                                          Wanted wanted, numbers::Doubt& doubt) {
   const NearRange<Time<Near<Limbs>>> range(t_max, doubt);
   std::optional<Answer> answer = with_elements_of<Near<Limbs>>(
-      query.kind, moving_corners<Near<Limbs>>(query, spans), [&](const auto& elements) -> std::optional<Answer> {
-        if constexpr (Limbs == kSparse) {
-          if (nonzero_cubic(elements) == nullptr) numbers::SparseScratch::allow_at_most(kProductsInPlane);
-        }
-        return first_contact(elements, range, wanted, nullptr);
-      });
+      query.kind, moving_corners<Near<Limbs>>(query, spans),
+      [&](const auto& elements) -> std::optional<Answer> { return first_contact(elements, range, wanted, nullptr); });
   if (doubt.raised()) answer.reset();
   return answer;
 }
@@ -310,7 +302,7 @@ std::array<numbers::Sparse, 2> ends_of_part(const WideLook& look) {
   std::array<numbers::Sparse, 2> ends = {numbers::Sparse(), numbers::Sparse(1)};
   for (std::size_t i = 0; i < look.steps_taken; ++i) {
     const WideLook::Step& step = look.steps[i];
-    const numbers::Sparse distance = (ends[1] - ends[0]) * numbers::Sparse::scaled(1, step.exponent);
+    const numbers::Sparse distance = (ends[1] - ends[0]) * numbers::Sparse::scaled(step.distance, step.exponent);
     ends[step.after ? 0 : 1] = step.from_end ? ends[1] - distance : ends[0] + distance;
   }
   return ends;
@@ -327,8 +319,7 @@ std::optional<Answer> decide_at_contact(const Query& query, double t_max, Wanted
       with_elements_of<N>(query.kind, corners, [&](const auto& elements) -> std::optional<Answer> {
         if constexpr (std::remove_cvref_t<decltype(elements)>::kHasCubic) {
           const auto [low, high] = ends_of_part(look);
-          const auto root =
-              numbers::SparseRoot::between(low, high, elements.coplanarity(), look.sign_at_start, doubt);
+          const auto root = numbers::SparseRoot::between(low, high, elements.coplanarity(), look.sign_at_start, doubt);
           if (!root) return std::nullopt;
           if (root->compare(t_max) > 0) return Answer();
           const SideSigns sides = {look.axis, {1, 1, 1, 1}};

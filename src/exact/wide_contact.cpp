@@ -29,12 +29,8 @@ using Linear = std::array<WideDouble, 2>;
 using Quadratic = std::array<WideDouble, 3>;
 using Cubic = std::array<WideDouble, 4>;
 
-Quadratic operator+(const Quadratic& a, const Quadratic& b) noexcept {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-Quadratic operator-(const Quadratic& a, const Quadratic& b) noexcept {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
+Quadratic operator+(const Quadratic& a, const Quadratic& b) noexcept { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+Quadratic operator-(const Quadratic& a, const Quadratic& b) noexcept { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 /// a b - c d.
 Quadratic difference_of_products(const Linear& a, const Linear& b, const Linear& c, const Linear& d) noexcept {
@@ -165,7 +161,7 @@ WideLook::Step step_towards_root(const Cubic& v) noexcept {
   constexpr long kClose = 3, kMargin = 2, kFarthest = 1L << 20;
   for (const bool from_end : {false, true}) {
     const long exponent = crossing_exponent(v, from_end);
-    if (exponent >= kClose && exponent <= kFarthest) return {exponent - kMargin, from_end, false};
+    if (exponent >= kClose && exponent <= kFarthest) return {1, exponent - kMargin, from_end, false};
   }
   return {};
 }
@@ -173,7 +169,8 @@ WideLook::Step step_towards_root(const Cubic& v) noexcept {
 /// Nothing for the middle.
 std::optional<Point> point_of(const WideLook::Step& step) noexcept {
   if (step.exponent == 1) return std::nullopt;
-  const WideDouble distance = WideDouble::power(-step.exponent), rest = WideDouble(1) - distance;
+  const WideDouble distance = WideDouble(step.distance) * WideDouble::power(-step.exponent);
+  const WideDouble rest = WideDouble(1) - distance;
   return step.from_end ? Point{rest, distance} : Point{distance, rest};
 }
 
@@ -215,8 +212,15 @@ class Search {
     std::array<Part, 2> parts;
     WideLook::Step& step = look_.steps[steps];
     step = step_towards_root(part.coplanarity);
-    const std::optional<Point> at = point_of(step);
+    std::optional<Point> at = point_of(step);
     split(part.coplanarity, at, parts[0].coplanarity, parts[1].coplanarity);
+    if (parts[1].coplanarity[0].sign() == 0) {            // most likely a root
+      constexpr double kUnlikely = 0x1.5bf0a8b145769p-1;  // e / 4
+      step.distance = kUnlikely;
+      if (step.exponent == 1) step.exponent = 0;
+      at = point_of(step);
+      split(part.coplanarity, at, parts[0].coplanarity, parts[1].coplanarity);
+    }
     for (Part& each : parts) each.axis = part.axis;
     for (std::size_t k = 0; k < 3 && part.axis < 0; ++k) {
       for (std::size_t i = 0; i < 4; ++i) split(part.minors[k][i], at, parts[0].minors[k][i], parts[1].minors[k][i]);

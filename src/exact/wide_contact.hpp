@@ -17,9 +17,10 @@ struct WideLook {
     open
   };
 
-  /// From a part of [0, 1] to one of its two parts, before or after a point 2^-exponent of its length from its start,
-  /// or from its end.
+  /// From a part of [0, 1] to one of its two parts, before or after the point that is distance 2^-exponent of the
+  /// part's length from its start, or from its end.
   struct Step {
+    double distance = 1;
     long exponent = 1;
     bool from_end = false, after = false;
   };

@@ -45,7 +45,7 @@ Sparse::Digit* SparseScratch::room(int digits) noexcept {
 
 bool SparseScratch::spend(int products) noexcept {
   products_ += products;
-  if (products_ <= most_products_) return true;
+  if (products_ <= kMostProducts) return true;
   raise();
   return false;
 }

@@ -114,11 +114,6 @@ class SparseScratch {
   SparseScratch(const SparseScratch&) = delete;
   SparseScratch& operator=(const SparseScratch&) = delete;
 
-  /// Allows this thread's numbers at most so many more products of digits, or what is left of theirs.
-  static void allow_at_most(int products) noexcept {
-    current_->most_products_ = std::min(current_->most_products_, current_->products_ + products);
-  }
-
   /// Gives the memory of all numbers back that are made while it lives.
   class Rewind {
    public:
@@ -135,7 +130,7 @@ class SparseScratch {
   friend class Sparse;
   friend Sparse multiply_add(const Sparse& a, const Sparse& b, const Sparse& c) noexcept;
   static constexpr int kDigits = 1536, kMoreDigits = 5464;
-  static constexpr int kProducts = 40000;
+  static constexpr int kMostProducts = 40000;
 
   /// Room for so many digits, of which `keep` takes those that are used; null without room.
   Sparse::Digit* room(int digits) noexcept;
@@ -148,7 +143,7 @@ class SparseScratch {
   SparseScratch* previous_;
   Doubt& doubt_;
   int used_ = 0;
-  int products_ = 0, most_products_ = kProducts;
+  int products_ = 0;
   struct Delete {
     void operator()(Sparse::Digit* digits) const noexcept { ::operator delete(digits); }
   };

@@ -8,19 +8,12 @@
 
 namespace touchstone::numbers {
 
-/// 2^exponent; 0 below 2^kLeastWidePower. The exponent is at most 0.
-constexpr long kLeastWidePower = -900;
-inline double wide_power(long exponent) noexcept {
-  return exponent < kLeastWidePower ? 0 : std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
-}
-
-/// A number within error 2^exponent of value 2^exponent, where |value| + error <= 2^12. It never becomes smaller than
-/// its exponent tells by more than that of what cancels: so sums of a few products of coordinates stay in the range of
-/// doubles.
+/// A number within error 2^exponent of value 2^exponent, where |value| + error <= 2^12, and much less than the exponent
+/// tells only where products cancel: so sums of a few products of coordinates stay in the range of doubles.
 ///
 /// A sum or a product is off by a relative 2^-52 of its value at most, in any rounding mode. The bound's own roundings,
 /// at most 6 of terms that are not negative, lose less than a relative 2^-49 of it. What underflows, and a term that is
-/// left out of a sum, are below kLeftOut: 2^12 2^kLeastWidePower and 2^-1022.
+/// left out of a sum, are below kLeftOut: 2^12 2^kLeast, and 2^-1022.
 class WideDouble {
  public:
   WideDouble() noexcept = default;  ///< 0
@@ -32,6 +25,10 @@ class WideDouble {
     exponent_ = static_cast<long>(bits >> 52 & 0x7FF) - (subnormal ? 1023 + 64 : 1023);
     value_ = std::bit_cast<double>((bits & 0x800FFFFFFFFFFFFF) | 0x3FF0000000000000);
   }
+
+  double value() const noexcept { return value_; }
+  double error() const noexcept { return error_; }
+  long exponent() const noexcept { return exponent_; }
 
   /// 0 when uncertain.
   int sign() const noexcept { return value_ > error_ ? 1 : value_ < -error_ ? -1 : 0; }
@@ -68,7 +65,9 @@ class WideDouble {
   WideDouble(double value, double error, long exponent) noexcept : value_(value), error_(error), exponent_(exponent) {}
 
   static WideDouble sum(const WideDouble& greater, const WideDouble& other, double sign, double sign_other) noexcept {
-    const double unit = wide_power(other.exponent_ - greater.exponent_);
+    const long difference = other.exponent_ - greater.exponent_;
+    const double unit =
+        difference < kLeast ? 0 : std::bit_cast<double>(static_cast<std::uint64_t>(1023 + difference) << 52);
     const double value = sign * greater.value_ + sign_other * unit * other.value_;
     return {value, bound(greater.error_ + unit * other.error_, value), greater.exponent_};
   }
@@ -77,6 +76,7 @@ class WideDouble {
     return (1 + 0x1p-48) * (error + kRounding * std::fabs(value)) + kLeftOut;
   }
 
+  static constexpr long kLeast = -900;
   static constexpr long kExponentOfZero = -(1L << 24);  // leaves room to add to it
 
   double value_ = 0, error_ = 0;

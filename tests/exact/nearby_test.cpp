@@ -11,6 +11,7 @@
 #include "support/answer_check.hpp"
 #include "support/catch.hpp"
 #include "support/report.hpp"
+#include "support/wild_query.hpp"
 
 namespace touchstone::tests {
 namespace {
@@ -84,6 +85,34 @@ TEST_CASE("decide_nearby answers as decide_exactly does, or not at all") {
               few_bits);
   CHECK(answers_of_few * 100 > few_bits * 95);
   report.finish();
+}
+
+TEST_CASE("decide_nearby answers queries of wild magnitudes as decide_exactly does, and nearly all of them") {
+  Rng rng(31);
+  std::size_t answers = 0, contacts = 0, queries = 0;
+  for (std::size_t i = 0; i < effort(40000); ++i) {
+    const Query query = wild_query(kKinds[i % 4], rng);
+    const double t_max = t_max_of(i / 4, exact::decide_exactly(query, 1));
+    const Answer expected = exact::decide_exactly(query, t_max);
+    const std::optional<Answer> nearby = exact::decide_nearby(query, t_max);
+    ++queries;
+    if (!nearby) continue;
+    ++answers;
+    contacts += expected.contact;
+    INFO(i);
+    REQUIRE(decision_difference(*nearby, expected) == "");
+    REQUIRE(weight_difference(*nearby, expected) == "");
+    for (const Wanted wanted : {Wanted::contact, Wanted::time, Wanted::features}) {
+      const std::optional<Answer> less = exact::decide_nearby(query, t_max, wanted);
+      REQUIRE(less);
+      REQUIRE(less->contact == expected.contact);
+      if (wanted == Wanted::contact) continue;
+      REQUIRE(less->toi == expected.toi);
+      REQUIRE(less->toi_upper == expected.toi_upper);
+    }
+  }
+  CHECK(answers * 1000 > queries * 998);
+  CHECK(contacts * 10 > queries * 2);
 }
 
 TEST_CASE("decide_nearby answers as decide_exactly does where one axis has many bits, or not at all") {

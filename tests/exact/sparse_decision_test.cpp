@@ -1,6 +1,5 @@
 // Queries of wildly different magnitudes: decided in sparse numbers as the exact level decides them.
 // SPDX-License-Identifier: MIT
-#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -8,52 +7,10 @@
 #include "support/answer_check.hpp"
 #include "support/catch.hpp"
 #include "support/report.hpp"
+#include "support/wild_query.hpp"
 
 namespace touchstone::tests {
 namespace {
-
-constexpr std::array<double Vec3::*, 3> kAxes = {&Vec3::x, &Vec3::y, &Vec3::z};
-
-/// Coordinates of few bits times powers of two from a pool, at rest in part, in a plane, or with a contact at a time
-/// that is known.
-Query wild(Kind kind, Rng& rng) {
-  Query query;
-  query.kind = kind;
-  std::array<int, 4> pool{};
-  const int reach = rng.one_in(4) ? 60 : rng.one_in(3) ? 130 : 1000;
-  for (int& exponent : pool) exponent = rng.between(-reach, reach);
-  if (rng.one_in(2)) pool[1] = pool[2] = pool[0];
-  const int style = rng.between(0, 3);
-  const auto coordinate = [&] {
-    const double significand = style == 0 ? rng.symmetric() : rng.between(-style, style);
-    return std::ldexp(significand, rng.pick(pool));
-  };
-  for (std::size_t i = 0; i < corner_count(kind); ++i) {
-    for (const auto axis : kAxes) {
-      query.start[i].*axis = coordinate();
-      query.end[i].*axis = rng.one_in(4) ? query.start[i].*axis : coordinate();
-    }
-  }
-  const std::size_t last = corner_count(kind) - 1;
-  switch (rng.between(0, 9)) {
-    case 0:
-      for (std::size_t i = 0; i <= last; ++i) query.start[i].z = query.end[i].z = 0;
-      break;
-    case 1: query.end[last] = query.end[0]; break;
-    case 2: query.start[last] = query.start[0]; break;
-    case 3:  // a plane at half time
-      for (std::size_t i = 0; i <= last; ++i) query.end[i].z = -query.start[i].z;
-      break;
-    case 4:  // almost a common plane
-      for (std::size_t i = 1; i <= last; ++i) {
-        query.start[i].x = query.start[0].x;
-        query.end[i].x = rng.one_in(2) ? query.end[0].x : coordinate();
-      }
-      break;
-    default: break;
-  }
-  return query;
-}
 
 double t_max_of(std::uint64_t index, const Answer& whole) {
   if (index % 3 != 1 || !whole.contact) return 1;
@@ -92,7 +49,7 @@ TEST_CASE("sparse numbers decide queries of wild magnitudes as decide_exactly do
   Rng rng(61);
   Count count;
   for (std::size_t i = 0; i < effort(60000); ++i) {
-    const Query query = wild(kKinds[i % 4], rng);
+    const Query query = wild_query(kKinds[i % 4], rng);
     compare(query, t_max_of(i / 4, exact::decide_exactly(query, 1)), count);
   }
   std::printf("%zu of %zu decided, %zu contacts, %zu wrong\n", count.decided, count.all, count.contacts, count.wrong);
