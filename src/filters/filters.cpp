@@ -50,7 +50,6 @@ Decision decide_by_filters(const Question& question, Answer& answer) {
   }
   const std::optional<Query> scaled = rescaled(query);
   if (!scaled) return extreme ? decide_by_directions(query) : Decision();
-  if (same_side(*scaled)) return {Finding::no_contact, Test::same_side};
   const BracketFinding now =
       decide_in_any_brackets({*scaled, question.t_max, question.exact_value, question.wanted}, answer);
   if (now.finding != Finding::uncertain) return {now.finding, Test::bracket};

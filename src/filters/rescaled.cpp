@@ -2,9 +2,10 @@
 #include "filters/rescaled.hpp"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 namespace touchstone::filters {
@@ -22,10 +23,11 @@ constexpr double kGreatestRatio = 0x1p20;
 class Scale {
  public:
   explicit Scale(double largest) noexcept {
-    constexpr int kGreatestExponent = 1023;  // so that both powers are doubles, and none is rounded
-    const int exponent = std::clamp(std::ilogb(largest), -kGreatestExponent, kGreatestExponent);
-    down_ = std::ldexp(1, -exponent);
-    up_ = std::ldexp(1, exponent);
+    constexpr std::uint64_t kOne = 1023, kMost = 2 * kOne;  // the biased exponent of 1, and the greatest one
+    // Both powers are normal doubles.
+    const std::uint64_t biased = std::clamp<std::uint64_t>(std::bit_cast<std::uint64_t>(largest) >> 52, 1, kMost - 1);
+    down_ = std::bit_cast<double>((kMost - biased) << 52);
+    up_ = std::bit_cast<double>(biased << 52);
   }
   Scale() noexcept = default;  ///< for zeros
 
@@ -72,7 +74,7 @@ std::optional<Query> rescaled(const Query& query) noexcept {
   const Scale along_x = scale(largest.x), along_y = scale(largest.y), along_z = scale(largest.z);
   bool exact = true;
   const auto scaled = [&](const Vec3& x) {
-    exact = exact && along_x.is_exact(x.x) && along_y.is_exact(x.y) && along_z.is_exact(x.z);
+    exact = exact & along_x.is_exact(x.x) & along_y.is_exact(x.y) & along_z.is_exact(x.z);
     return Vec3{along_x(x.x), along_y(x.y), along_z(x.z)};
   };
   std::optional<Query> result(std::in_place);
