@@ -134,7 +134,7 @@ FAULTS = [
     ("doubt of a root beside a double across a gap", "exact/gap_answer.cpp", "std::fabs(rest) > time.error &&", ""),
     ("distance of a remainder's root", "numbers/near_root.cpp", "if (way - error > distance) return",
      "if (way + error > distance / 16) return"),
-    ("error of a near root", "numbers/near_root_isolation.cpp", "kSlack * ((1 + 2 * q) * (v.error + q * std::fabs(v.value)) / steep",
+    ("error of a near root", "numbers/located_root.cpp", "kSlack * ((1 + 2 * q) * (v.error + q * std::fabs(v.value)) / steep",
      "kSlack / 256 * ((1 + 2 * q) * (v.error + q * std::fabs(v.value)) / steep"),
     ("a near root that is a double", "numbers/near_root.cpp", "if (side == 0) side = sign_of_rest(nearest);", ""),
     ("doubt of a sign at a near root", "numbers/near_root.cpp", "return sign != 0 ? sign : raise_doubt();\n}\n\ntemplate <int Limbs>\nvoid NearRoot<Limbs>::settle()",
