@@ -5,6 +5,7 @@
 #include <string>
 
 #include "exact/exact.hpp"
+#include "exact/exact_times.hpp"
 #include "exact/wide_contact.hpp"
 #include "numbers/exact_number.hpp"
 #include "support/catch.hpp"
@@ -46,7 +47,11 @@ std::string mistake(const Query& query, const WideLook& look) {
   const Part part = part_of(look);
   if ((Exact(expected.toi_upper) - part.start).sign() <= 0) return "the part starts after the contact";
   if ((part.end - Exact(expected.toi)).sign() <= 0) return "the part ends before the contact";
-  return "";
+  int contacts = 0;  // at all roots of V in the part, as the side conditions hold there
+  for (const auto& time : exact::touching_times(query, 1)) {
+    contacts += time.first.compare(part.start) > 0 && time.first.compare(part.end) < 0;
+  }
+  return contacts == 1 ? "" : "not one root in the part";
 }
 
 struct Count {

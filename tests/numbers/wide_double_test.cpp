@@ -86,7 +86,7 @@ TEST_CASE("sums of products in wide doubles are within their error, and certain 
     const Both a = number(), b = number(), c = number(), d = number(), e = number(), f = number();
     const Both p = a * b - c * d, q = rng.one_in(2) ? a * d - b * c : e * f + a * b;
     const Both r = p - (rng.one_in(3) ? a * b : q), s = (r + q) * e;
-    for (const Both& x : {p, q, r, s, s - p * f, (s + q * f) * d}) check(x, tally);
+    for (const Both& x : {p, q, r, s, s - p * f, (s + q * f) * d, p * q, e * (r - q)}) check(x, tally);
     const Both halved = {half(s.wide), s.exact * numbers::power_of_two(-1)};
     const Both doubled = {twice(s.wide), s.exact + s.exact};
     check(halved, tally);
@@ -108,8 +108,7 @@ TEST_CASE("the error in wide doubles is small where nothing cancels") {
   }
 }
 
-/// What is left out of a sum decides its sign where all else cancels.
-TEST_CASE("a term far below the others leaves a sign open, and no wrong one") {
+TEST_CASE("a term far below the others in wide doubles leaves a sign open, and no wrong one") {
   int open = 0;
   for (int exponent = -2100; exponent <= 0; ++exponent) {
     const Both one = both(1), tiny = both(std::ldexp(1, exponent / 2)) * both(std::ldexp(1, exponent - exponent / 2));
@@ -119,4 +118,18 @@ TEST_CASE("a term far below the others leaves a sign open, and no wrong one") {
     open += sum.wide.sign() == 0;
   }
   CHECK(open > 2000);
+}
+
+TEST_CASE("what a sum of wide doubles leaves out may exceed what is left of it") {
+  const double x = 1.9;
+  for (const int shift : {0, 40}) {
+    const Both nothing = both(std::ldexp(1, shift)) - both(std::ldexp(1, shift));
+    const Both kept = nothing + both(std::ldexp(1, shift - 899));
+    const Both tiny = (both(x) * both(x) + both(x) * both(x)) * both(std::ldexp(1, shift - 901));
+    const Both sum = kept - tiny;
+    REQUIRE(sum.exact.sign() < 0);
+    REQUIRE(sum.wide.exponent() == shift);
+    REQUIRE(holds(sum));
+    REQUIRE(sum.wide.sign() <= 0);
+  }
 }
