@@ -8,12 +8,12 @@
 
 namespace touchstone::numbers {
 
-/// A number within error 2^exponent of value 2^exponent, where |value| + error <= 2^12, and much less than the exponent
-/// tells only where products cancel: so sums of a few products of coordinates stay in the range of doubles.
+/// A number within error 2^exponent of value 2^exponent. Coordinates have 1 <= |value| < 2; whoever computes with them
+/// keeps |value| + error <= 2^64.
 ///
 /// A sum or a product is off by a relative 2^-52 of its value at most, in any rounding mode. The bound's own roundings,
 /// at most 6 of terms that are not negative, lose less than a relative 2^-49 of it. What underflows, and a term that is
-/// left out of a sum, are below kLeftOut: 2^12 2^kLeast, and 2^-1022.
+/// left out of a sum, are below kLeftOut: 2^64 2^kLeast, and 2^-1022.
 class WideDouble {
  public:
   WideDouble() noexcept = default;  ///< 0
@@ -76,7 +76,7 @@ class WideDouble {
     return (1 + 0x1p-48) * (error + kRounding * std::fabs(value)) + kLeftOut;
   }
 
-  static constexpr long kLeast = -900;
+  static constexpr long kLeast = -960;
   static constexpr long kExponentOfZero = -(1L << 24);  // leaves room to add to it
 
   double value_ = 0, error_ = 0;
