@@ -173,6 +173,8 @@ FAULTS = [
      "return first * last < 0 && (v[1].sign() == first || v[2].sign() == last);", "return first * last < 0;"),
     ("an earlier part that wide doubles leave open", "exact/wide_contact.cpp", "if (verdict != Verdict::apart) return verdict;",
      "if (verdict == Verdict::touching) return verdict;"),
+    ("a point behind an edge in wide doubles", "exact/wide_contact.cpp", "if (certain_sign(part[3]) > 0) return true;",
+     "if (certain_sign(part[3]) != 0) return true;"),
     ("a contact of wide doubles after t_max", "exact/decide.cpp", "if (root->compare(t_max) > 0) return Answer();", ""),
     ("greatest integers of a fraction in doubles", "numbers/near_root_isolation.cpp",
      "kExactlyDoubles = std::int64_t{1} << 53", "kExactlyDoubles = std::int64_t{1} << 57"),

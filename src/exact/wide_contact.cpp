@@ -9,6 +9,9 @@
 //   a line as seen along k, and all s_i w_i are a multiple of D_i. As w_i >= 0, no two of s_i D_i differ in sign.
 // - If all s_i D_i have one sign and V is zero, they touch, with weights |D_i|.
 //
+// A point p and an edge x y are seen as three corners: they touch only where the determinant of their rows is zero along
+// each axis, and where (p - x) . (p - y) <= 0.
+//
 // No term of D and of V is the product of two coordinates of one corner, which would cancel. This is what sets these
 // formulas apart from those of geometry/frame.hpp: a corner that is much farther away than the others does no harm.
 // SPDX-License-Identifier: MIT
@@ -36,6 +39,10 @@ Quadratic operator-(const Quadratic& a, const Quadratic& b) noexcept { return {a
 Quadratic difference_of_products(const Linear& a, const Linear& b, const Linear& c, const Linear& d) noexcept {
   return {a[0] * b[0] - c[0] * d[0], half((a[0] * b[1] - c[0] * d[1]) + (a[1] * b[0] - c[1] * d[0])),
           a[1] * b[1] - c[1] * d[1]};
+}
+
+Quadratic product(const Linear& a, const Linear& b) noexcept {
+  return {a[0] * b[0], half(a[0] * b[1] + a[1] * b[0]), a[1] * b[1]};
 }
 
 /// The sign that all values on the part certainly have; else 0.
@@ -70,7 +77,7 @@ void split(std::array<WideDouble, Size> p, const std::optional<Point>& at, std::
 class Corners {
  public:
   explicit Corners(const Query& query) noexcept {
-    for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
       const Vec3 &s = query.start[i], &e = query.end[i];
       at_[i] = {Linear{WideDouble(s.x), WideDouble(e.x)}, Linear{WideDouble(s.y), WideDouble(e.y)},
                 Linear{WideDouble(s.z), WideDouble(e.z)}};
@@ -79,13 +86,21 @@ class Corners {
 
   /// (-1)^i D_i along an axis.
   std::array<Quadratic, 4> minors(std::size_t axis) const noexcept {
-    const std::size_t y = (axis + 1) % 3, z = (axis + 2) % 3;
-    const auto pair = [&](std::size_t i, std::size_t j) {
-      return difference_of_products(at_[i][y], at_[j][z], at_[j][y], at_[i][z]);
-    };
-    const Quadratic p01 = pair(0, 1), p02 = pair(0, 2), p03 = pair(0, 3);
-    const Quadratic p12 = pair(1, 2), p13 = pair(1, 3), p23 = pair(2, 3);
+    const Quadratic p01 = pair(axis, 0, 1), p02 = pair(axis, 0, 2), p03 = pair(axis, 0, 3);
+    const Quadratic p12 = pair(axis, 1, 2), p13 = pair(axis, 1, 3), p23 = pair(axis, 2, 3);
     return {p23 - p13 + p12, p23 - p03 + p02, p13 - p03 + p01, p12 - p02 + p01};
+  }
+
+  /// The determinant of the rows of the first three.
+  Quadratic determinant(std::size_t axis) const noexcept {
+    return pair(axis, 1, 2) - pair(axis, 0, 2) + pair(axis, 0, 1);
+  }
+
+  /// The first one minus the second, times the first one minus the third.
+  Quadratic dot_from_first() const noexcept {
+    std::array<Quadratic, 3> terms;
+    for (std::size_t k = 0; k < 3; ++k) terms[k] = product(difference(k, 1), difference(k, 2));
+    return terms[0] + terms[1] + terms[2];
   }
 
   /// 3 sum D_i x_i, from the minors along the first axis.
@@ -98,6 +113,15 @@ class Corners {
   }
 
  private:
+  /// y_i z_j - y_j z_i.
+  Quadratic pair(std::size_t axis, std::size_t i, std::size_t j) const noexcept {
+    const std::size_t y = (axis + 1) % 3, z = (axis + 2) % 3;
+    return difference_of_products(at_[i][y], at_[j][z], at_[j][y], at_[i][z]);
+  }
+  Linear difference(std::size_t k, std::size_t i) const noexcept {
+    return {at_[0][k][0] - at_[i][k][0], at_[0][k][1] - at_[i][k][1]};
+  }
+
   /// 3 x_i q.
   Cubic times(std::size_t i, const Quadratic& q) const noexcept {
     const WideDouble three(3);
@@ -137,15 +161,16 @@ bool has_one_root(const Cubic& v) noexcept {
   return first * last < 0 && (v[1].sign() == first || v[2].sign() == last);
 }
 
-/// Where V first changes its sign after the start of the part, or before its end: at about 2^-exponent of it. Only a
+/// Where p first changes its sign after the start of the part, or before its end: at about 2^-exponent of it. Only a
 /// hint. It is where, of two terms with different signs, the later one overtakes the earlier one as the greatest.
-long crossing_exponent(const Cubic& v, bool from_end) noexcept {
-  const auto term = [&](std::size_t i) -> const WideDouble& { return v[from_end ? 3 - i : i]; };
+template <std::size_t Size>
+long crossing_exponent(const std::array<WideDouble, Size>& p, bool from_end) noexcept {
+  const auto term = [&](std::size_t i) -> const WideDouble& { return p[from_end ? Size - 1 - i : i]; };
   std::size_t i = 0;
-  while (i < 3) {
+  while (i + 1 < Size) {
     std::size_t next = 0;
     long least = 0;
-    for (std::size_t j = i + 1; j < 4; ++j) {
+    for (std::size_t j = i + 1; j < Size; ++j) {
       const long overtakes = (term(i).bits() - term(j).bits()) / static_cast<long>(j - i);
       if (next != 0 && overtakes > least) continue;
       next = j;
@@ -157,11 +182,12 @@ long crossing_exponent(const Cubic& v, bool from_end) noexcept {
   return 0;
 }
 
-/// To the parts before and after a point next to where V changes its sign close to an end, or else the middle.
-WideLook::Step step_towards_root(const Cubic& v) noexcept {
+/// To the parts before and after a point next to where p changes its sign close to an end, or else the middle.
+template <std::size_t Size>
+WideLook::Step step_towards_root(const std::array<WideDouble, Size>& p) noexcept {
   constexpr long kClose = 3, kMargin = 2, kFarthest = 1L << 20;
   for (const bool from_end : {false, true}) {
-    const long exponent = crossing_exponent(v, from_end);
+    const long exponent = crossing_exponent(p, from_end);
     if (exponent >= kClose && exponent <= kFarthest) return {1, exponent - kMargin, from_end, false};
   }
   return {};
@@ -174,6 +200,27 @@ std::optional<Point> point_of(const WideLook::Step& step) noexcept {
   const WideDouble rest = WideDouble(1) - distance;
   return step.from_end ? Point{rest, distance} : Point{distance, rest};
 }
+
+/// Splits p near a root, and says where.
+template <std::size_t Size>
+std::optional<Point> split_near_root(const std::array<WideDouble, Size>& p, WideLook::Step& step,
+                                     std::array<WideDouble, Size>& before,
+                                     std::array<WideDouble, Size>& after) noexcept {
+  step = step_towards_root(p);
+  std::optional<Point> at = point_of(step);
+  split(p, at, before, after);
+  if (after[0].sign() == 0) {                           // most likely a root
+    constexpr double kUnlikely = 0x1.5bf0a8b145769p-1;  // e / 4
+    step.distance = kUnlikely;
+    if (step.exponent == 1) step.exponent = 0;
+    at = point_of(step);
+    split(p, at, before, after);
+  }
+  return at;
+}
+
+/// How many parts are split at most.
+constexpr int kMostParts = 16;
 
 class Search {
  public:
@@ -212,16 +259,7 @@ class Search {
     if (steps == WideLook::kMostSteps || --parts_left_ < 0) return Verdict::open;
     std::array<Part, 2> parts;
     WideLook::Step& step = look_.steps[steps];
-    step = step_towards_root(part.coplanarity);
-    std::optional<Point> at = point_of(step);
-    split(part.coplanarity, at, parts[0].coplanarity, parts[1].coplanarity);
-    if (parts[1].coplanarity[0].sign() == 0) {            // most likely a root
-      constexpr double kUnlikely = 0x1.5bf0a8b145769p-1;  // e / 4
-      step.distance = kUnlikely;
-      if (step.exponent == 1) step.exponent = 0;
-      at = point_of(step);
-      split(part.coplanarity, at, parts[0].coplanarity, parts[1].coplanarity);
-    }
+    const auto at = split_near_root(part.coplanarity, step, parts[0].coplanarity, parts[1].coplanarity);
     for (Part& each : parts) each.axis = part.axis;
     for (std::size_t k = 0; k < 3 && part.axis < 0; ++k) {
       for (std::size_t i = 0; i < 4; ++i) split(part.minors[k][i], at, parts[0].minors[k][i], parts[1].minors[k][i]);
@@ -238,14 +276,57 @@ class Search {
   Corners corners_;
   Kind kind_;
   WideLook look_;
-  int parts_left_ = 16;  // that are split, at most
+  int parts_left_ = kMostParts;
+};
+
+/// Of a point and an edge.
+class PointEdgeSearch {
+ public:
+  explicit PointEdgeSearch(const Query& query) noexcept : corners_(query) {}
+
+  bool apart() noexcept {
+    Conditions all;
+    for (std::size_t k = 0; k < 3; ++k) {
+      all[k] = corners_.determinant(k);
+      if (certain_sign(all[k]) != 0) return true;
+    }
+    all[3] = corners_.dot_from_first();
+    return apart(all, 0);
+  }
+
+ private:
+  /// The determinants along the axes, and the dot product.
+  using Conditions = std::array<Quadratic, 4>;
+
+  bool apart(const Conditions& part, std::size_t steps) noexcept {
+    if (certain_sign(part[3]) > 0) return true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (certain_sign(part[k]) != 0) return true;
+    }
+    if (steps == WideLook::kMostSteps || --parts_left_ < 0) return false;
+    // Along the first axis along which something is known.
+    std::size_t first = 0;
+    while (first < 3 && part[first][0].sign() == 0 && part[first][2].sign() == 0) ++first;
+    Conditions before, after;
+    WideLook::Step step;
+    const auto at = split_near_root(part[first], step, before[first], after[first]);
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (i != first) split(part[i], at, before[i], after[i]);
+    }
+    return apart(before, steps + 1) && apart(after, steps + 1);
+  }
+
+  Corners corners_;
+  int parts_left_ = kMostParts;
 };
 
 }  // namespace
 
 WideLook look_widely(const Query& query) noexcept {
-  if (query.kind != Kind::edge_edge && query.kind != Kind::vertex_face) return WideLook();
-  return Search(query).found();
+  if (query.kind == Kind::edge_edge || query.kind == Kind::vertex_face) return Search(query).found();
+  WideLook look;
+  if (query.kind == Kind::point_edge && PointEdgeSearch(query).apart()) look.verdict = Verdict::apart;
+  return look;
 }
 
 }  // namespace touchstone::exact

@@ -35,7 +35,7 @@ struct WideLook {
   int sign_at_start = 0;  ///< V's, at the start of the part
 };
 
-/// For edge-edge and vertex-face queries; open for the others.
+/// A point and an edge are apart or open, two points always open.
 WideLook look_widely(const Query& query) noexcept;
 
 }  // namespace touchstone::exact
