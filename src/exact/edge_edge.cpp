@@ -41,14 +41,20 @@ bool EdgeEdgeElements<N>::touching(const MomentOf<Time<N>>& moment, SideSigns& f
            pair(b1_on_a).touching(moment);
   }
   // The lines meet at f1 = (r x w)_k / n_k on the first edge and f2 = (r x u)_k / n_k on the second; each in [0, 1].
+  const auto axis = static_cast<std::size_t>(found.axis);
+  const auto n = [&](std::size_t element, std::size_t k) -> decltype(auto) {
+    return completed(corners_, element, n_[k]);
+  };
   const auto f1 = [&](std::size_t k) { return Quadratic(first_numerator(frame_, k)); };
-  if ((found.sign[0] = along.of(f1, "(r x w)")) < 0) return false;
-  const auto rest1 = [&](std::size_t k) { return Quadratic(completed(corners_, 0, n_[k]) - f1(k)); };
-  if ((found.sign[1] = along.of(rest1, "n - (r x w)")) < 0) return false;
+  const Quadratic own1 = f1(axis);
+  if ((found.sign[0] = along.of(own1, f1, "(r x w)")) < 0) return false;
+  const auto rest1 = [&](std::size_t k) { return Quadratic(n(0, k) - f1(k)); };
+  if ((found.sign[1] = along.of(n(0, axis) - own1, rest1, "n - (r x w)")) < 0) return false;
   const auto f2 = [&](std::size_t k) { return Quadratic(second_numerator(kEdges, frame_, k)); };
-  if ((found.sign[2] = along.of(f2, "(r x u)")) < 0) return false;
-  const auto rest2 = [&](std::size_t k) { return Quadratic(completed(corners_, 1, n_[k]) - f2(k)); };
-  return (found.sign[3] = along.of(rest2, "n - (r x u)")) >= 0;
+  const Quadratic own2 = f2(axis);
+  if ((found.sign[2] = along.of(own2, f2, "(r x u)")) < 0) return false;
+  const auto rest2 = [&](std::size_t k) { return Quadratic(n(1, k) - f2(k)); };
+  return (found.sign[3] = along.of(n(1, axis) - own2, rest2, "n - (r x u)")) >= 0;
 }
 
 template <class N>

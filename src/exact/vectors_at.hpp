@@ -59,17 +59,18 @@ class FactorSigns {
   /// One along which n is not zero; -1: none.
   int axis() const noexcept { return axis_.axis; }
 
-  /// component(k) is c_k.
-  template <class Component>
-  int of(const Component& component, const char* name) {
+  /// `own` is c_k along the axis, component(k) along any.
+  template <class Own, class Component>
+  int of(const Own& own, const Component& component, const char* name) {
     if constexpr (kQuick) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (quick_sign_of_n(k) == 0) continue;
-        if (const int sign = moment_.quick_sign(component(k)); sign != 0) return sign * *quick_[k];
+      if (const int sign = moment_.quick_sign(own); sign != 0) return sign * axis_.sign;
+      for (int k = 0; k < 3; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        if (k == axis_.axis || quick_sign_of_n(at) == 0) continue;
+        if (const int sign = moment_.quick_sign(component(at)); sign != 0) return sign * *quick_[at];
       }
     }
-    const auto k = static_cast<std::size_t>(axis_.axis);
-    return axis_.sign * moment_.sign(component(k), name, axis_.axis);
+    return axis_.sign * moment_.sign(own, name, axis_.axis);
   }
 
  private:
@@ -82,7 +83,7 @@ class FactorSigns {
   const geometry::Vector<P>& n_;
   const MomentOf<Root>& moment_;
   NonzeroAxis axis_;
-  std::array<std::optional<int>, 3> quick_;
+  std::array<std::optional<int>, kQuick ? 3 : 0> quick_;
 };
 template <class P, class Root>
 FactorSigns(const geometry::Vector<P>&, const MomentOf<Root>&) -> FactorSigns<P, Root>;
