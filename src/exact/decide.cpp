@@ -297,7 +297,7 @@ std::optional<Answer> decide_across_gap(const Query& query, Wanted wanted) {
   return answer;
 }
 
-/// The ends of the part that it has found.
+/// The ends of the part that it has found. Sparse::scaled divides by the power of two, as a step does.
 std::array<numbers::Sparse, 2> ends_of_part(const WideLook& look) {
   std::array<numbers::Sparse, 2> ends = {numbers::Sparse(), numbers::Sparse(1)};
   for (std::size_t i = 0; i < look.steps_taken; ++i) {
@@ -382,7 +382,9 @@ std::optional<Answer> decide_nearby(const Query& query, double t_max, Wanted wan
   }
   const WideLook look = look_widely(query);
   if (look.verdict == WideLook::Verdict::apart) return Answer();
-  if (look.verdict == WideLook::Verdict::touching) return decide_at_contact(query, t_max, wanted, look);
+  if (look.verdict == WideLook::Verdict::touching) {
+    if (const auto answer = decide_at_contact(query, t_max, wanted, look)) return answer;
+  }
   return decide_sparsely(query, t_max, wanted);
 }
 

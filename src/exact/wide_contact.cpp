@@ -1,8 +1,9 @@
 // Contact in doubles of any exponent: signs of polynomials on parts of [0, 1].
 //
 // Seen along axis k, where corner i is at (y_i, z_i), let D_i be the determinant of the other three corners' rows
-// (y, z, 1), times (-1)^i: then sum D_i = 0, sum D_i y_i = 0 and sum D_i z_i = 0. With the corners' x, sum D_i x_i is
-// +-V. Elements touch where V is zero and sum s_i w_i (x_i, y_i, z_i, 1) = 0 for weights w_i >= 0, not all of them 0,
+// (y, z, 1), times (-1)^i: then sum D_i = 0, sum D_i y_i = 0 and sum D_i z_i = 0. With the corners' x, sum D_i x_i is V,
+// the determinant of the rows (x, y, z, 1): that of u, w and r for both kinds, once the row of corner 0 is taken off the
+// others. Elements touch where V is zero and sum s_i w_i (x_i, y_i, z_i, 1) = 0 for weights w_i >= 0, not all of them 0,
 // with s_i = 1 for the first element's corners and -1 for the second's.
 //
 // - If two of s_i D_i have opposite signs, the elements do not touch: D is not zero then, so the corners do not lie on
@@ -155,7 +156,8 @@ Verdict verdict_along(Kind kind, const std::array<Quadratic, 4>& minors) noexcep
   return positive + negative == 4 ? Verdict::touching : Verdict::open;
 }
 
-/// Whether V has opposite signs at the ends, and one variation of signs whatever the uncertain ones are.
+/// Whether V has opposite signs at the ends, and one variation of signs whatever the uncertain ones are: + + ? - or
+/// + ? - -, or the same negated.
 bool has_one_root(const Cubic& v) noexcept {
   const int first = v[0].sign(), last = v[3].sign();
   return first * last < 0 && (v[1].sign() == first || v[2].sign() == last);

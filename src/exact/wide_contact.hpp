@@ -18,7 +18,7 @@ struct WideLook {
   };
 
   /// From a part of [0, 1] to one of its two parts, before or after the point that is distance 2^-exponent of the
-  /// part's length from its start, or from its end.
+  /// part's length from its start, or from its end. As it stands here, that is the middle.
   struct Step {
     double distance = 1;
     long exponent = 1;
@@ -32,7 +32,7 @@ struct WideLook {
   std::array<Step, kMostSteps> steps{};  ///< from [0, 1] to the part; the contact is inside it
   std::size_t steps_taken = 0;
   int axis = -1;          ///< along which n and all side conditions have certain signs: the contact is no border's
-  int sign_at_start = 0;  ///< V's, at the start of the part
+  int sign_at_start = 0;  ///< V's, at the start of the part, with the sign that geometry/frame.hpp gives to V
 };
 
 /// A point and an edge are apart or open, two points always open.

@@ -111,6 +111,15 @@ TEST_CASE("V has the sign at the start of the part that wide doubles tell") {
   CHECK(look.sign_at_start == expected);
   std::swap(query.start, query.end);
   CHECK(look_widely(query).sign_at_start == -expected);
+
+  // A vertex falls through a face.
+  query.kind = Kind::vertex_face;
+  query.start = {{{0.25, 0.25, 1}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  query.end = {{{0.25, 0.25, -1}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  CHECK(look_widely(query).verdict == Verdict::touching);
+  CHECK(look_widely(query).sign_at_start == (exact::coplanarity_at(query, 0) > 0 ? 1 : -1));
+  std::swap(query.start, query.end);
+  CHECK(look_widely(query).sign_at_start == (exact::coplanarity_at(query, 0) > 0 ? 1 : -1));
 }
 
 TEST_CASE("wide doubles tell nearly all points and edges of wild magnitudes apart that do not touch") {
