@@ -74,7 +74,8 @@ std::optional<Query> rescaled(const Query& query) noexcept {
   const Scale along_x = scale(largest.x), along_y = scale(largest.y), along_z = scale(largest.z);
   bool exact = true;
   const auto scaled = [&](const Vec3& x) {
-    exact = exact & along_x.is_exact(x.x) & along_y.is_exact(x.y) & along_z.is_exact(x.z);
+    const bool exact_x = along_x.is_exact(x.x), exact_y = along_y.is_exact(x.y), exact_z = along_z.is_exact(x.z);
+    exact = exact & exact_x & exact_y & exact_z;
     return Vec3{along_x(x.x), along_y(x.y), along_z(x.z)};
   };
   std::optional<Query> result(std::in_place);
