@@ -39,8 +39,8 @@ NonzeroAxis nonzero_axis(const geometry::Vector<P>& v, const MomentOf<Root>& mom
   return {};
 }
 
-/// The signs of factors c / n at a moment, for vectors c that are multiples of n there: those of c_k n_k along any axis k
-/// with n_k != 0. Where roots know most signs at little cost, an axis is taken along which this one does.
+/// The signs of factors c / n at a moment, for vectors c that are multiples of n there: those of c_k n_k along any axis
+/// k with n_k != 0. Where roots know most signs at little cost, an axis is taken along which this one does.
 template <class P, class Root>
 class FactorSigns {
  public:

@@ -1,17 +1,17 @@
 // Contact in doubles of any exponent: signs of polynomials on parts of [0, 1].
 //
 // Seen along axis k, where corner i is at (y_i, z_i), let D_i be the determinant of the other three corners' rows
-// (y, z, 1), times (-1)^i: then sum D_i = 0, sum D_i y_i = 0 and sum D_i z_i = 0. With the corners' x, sum D_i x_i is V,
-// the determinant of the rows (x, y, z, 1): that of u, w and r for both kinds, once the row of corner 0 is taken off the
-// others. Elements touch where V is zero and sum s_i w_i (x_i, y_i, z_i, 1) = 0 for weights w_i >= 0, not all of them 0,
-// with s_i = 1 for the first element's corners and -1 for the second's.
+// (y, z, 1), times (-1)^i: then sum D_i = 0, sum D_i y_i = 0 and sum D_i z_i = 0. With the corners' x, sum D_i x_i is
+// V, the determinant of the rows (x, y, z, 1): that of u, w and r for both kinds, once the row of corner 0 is taken off
+// the others. Elements touch where V is zero and sum s_i w_i (x_i, y_i, z_i, 1) = 0 for weights w_i >= 0, not all of
+// them 0, with s_i = 1 for the first element's corners and -1 for the second's.
 //
 // - If two of s_i D_i have opposite signs, the elements do not touch: D is not zero then, so the corners do not lie on
 //   a line as seen along k, and all s_i w_i are a multiple of D_i. As w_i >= 0, no two of s_i D_i differ in sign.
 // - If all s_i D_i have one sign and V is zero, they touch, with weights |D_i|.
 //
-// A point p and an edge x y are seen as three corners: they touch only where the determinant of their rows is zero along
-// each axis, and where (p - x) . (p - y) <= 0.
+// A point p and an edge x y are seen as three corners: they touch only where the determinant of their rows is zero
+// along each axis, and where (p - x) . (p - y) <= 0.
 //
 // No term of D and of V is the product of two coordinates of one corner, which would cancel. This is what sets these
 // formulas apart from those of geometry/frame.hpp: a corner that is much farther away than the others does no harm.

@@ -23,7 +23,7 @@ constexpr double kGreatestRatio = 0x1p20;
 class Scale {
  public:
   explicit Scale(double largest) noexcept {
-    constexpr std::uint64_t kOne = 1023, kMost = 2 * kOne;  // the biased exponent of 1, and the greatest one
+    constexpr std::uint64_t kMost = 2046;  // the greatest biased exponent, twice that of 1
     // Both powers are normal doubles.
     const std::uint64_t biased = std::clamp<std::uint64_t>(std::bit_cast<std::uint64_t>(largest) >> 52, 1, kMost - 1);
     down_ = std::bit_cast<double>((kMost - biased) << 52);

@@ -17,6 +17,7 @@ double hint_of_first(const Polynomial<SmallInt, 3>& p) noexcept;
 /// high; only a hint.
 double hint_between(const BoundedPair* c, int size, double low, double high, int sign_low) noexcept;
 
+/// A root, and how far it is from others at least.
 struct Located {
   BoundedPair near;
   double reach;  ///< the polynomial has no other root so close to `near`

@@ -15,15 +15,10 @@ int SparseRoot::sign_at(const Sparse* q, int size) const {
   if (size == 1) return q[0].sign();
   if (exact_) return sign_of_value(q, size, low_, divisor_);
   for (int round = 0; round < kRounds; ++round) {
-    if (near_) {
-      if (const int sign = sign_near(q, size); sign != 0) return sign;
-      if (round == 0 && is_near_zero() && narrow()) {
-        if (exact_) break;
-        continue;
-      }
-    } else {
-      const Rewind rewind;
-      if (const int sign = value_near<Few>(q, size, 0).sign(); sign != 0) return sign;
+    if (const int sign = quick_sign(q, size); sign != 0) return sign;
+    if (round == 0 && is_near_zero() && narrow()) {
+      if (exact_) break;
+      continue;
     }
     const int first = sign_of_value(q, size, low_, divisor_), last = sign_of_value(q, size, high_, divisor_);
     if (first * last < 0) {
@@ -40,9 +35,13 @@ int SparseRoot::sign_at(const Sparse* q, int size) const {
 int SparseRoot::quick_sign_at(const Polynomial<Sparse, 2>& q) const {
   const int size = actual_size(q.c.data(), 3);
   if (size <= 1) return size == 0 ? 0 : q[0].sign();
+  return exact_ ? 0 : quick_sign(q.c.data(), size);
+}
+
+int SparseRoot::quick_sign(const Sparse* q, int size) const {
+  if (near_) return sign_near(q, size);
   const Rewind rewind;
-  if (near_) return sign_near(q.c.data(), size);
-  return exact_ ? 0 : value_near<Few>(q.c.data(), size, 0).sign();
+  return value_near<Few>(q, size, 0).sign();
 }
 
 /// In the bracket; q's size is 2 or 3.

@@ -73,6 +73,8 @@ class SparseRoot {
   SparseRoot() = default;
 
   int sign_at(const Sparse* q, int size) const;
+  /// At a root that is not exact, from leading digits; 0 where these do not tell.
+  int quick_sign(const Sparse* q, int size) const;
   template <class N>
   N value_near(const Sparse* q, int size, int bits) const;
   bool is_monotone(const Sparse* q, int size) const;

@@ -1,8 +1,9 @@
 // What doubles of any exponent tell about a query is what the exact level decides.
 // SPDX-License-Identifier: MIT
+#include <cstddef>
 #include <cstdio>
-#include <optional>
 #include <string>
+#include <utility>
 
 #include "exact/exact.hpp"
 #include "exact/exact_times.hpp"

@@ -1,6 +1,5 @@
 // Doubles of any exponent, against exact numbers: the true one is within the error.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -31,7 +30,7 @@ Both operator*(const Both& a, const Both& b) { return {a.wide * b.wide, a.exact 
 
 Exact magnitude(const Exact& x) { return x.sign() < 0 ? -x : x; }
 
-/// How far the true number is, of the error: at most 1.
+/// Whether the true number is within the error.
 bool holds(const Both& x) {
   const Exact unit = numbers::power_of_two(x.wide.exponent());
   const Exact off = magnitude(x.exact - Exact(x.wide.value()) * unit);
