@@ -118,6 +118,9 @@ FAULTS = [
      "if (!(root * root - square).is_zero()) return std::nullopt;", ""),
     ("coordinates in whole units", "exact/common_scale.hpp", "static_cast<double>(integer) * unit == x;",
      "static_cast<double>(integer) * unit == x * per_unit * unit;"),
+    ("bits of V in doubles", "exact/coplanarity_at.cpp", "+ 3 <= 53 &&", "+ 3 <= 57 &&"),
+    ("bits of a time of V in doubles", "exact/coplanarity_at.cpp", "span.bits() - time.low)", "span.bits())"),
+    ("range of V in doubles", "exact/coplanarity_at.cpp", " && span.low > -kFar", ""),
     ("limbs that near roots do not hold", "numbers/fixed_int.hpp", "return above == 0 ?", "return above == 0 || D > 0 ?"),
     ("three real roots that almost coincide", "numbers/near_root_isolation.cpp",
      "if (discriminant > 0) return doubt_.raise();", "if (discriminant > 0) return;"),
@@ -395,7 +398,7 @@ def attacks(build, layer, seconds, jobs, quick, file=None):
         # The long tests of that folder compare what the fuzzer compares.
         searches = [tests("filters", 0.3, "[separation]"), tests("separation", 0.2, "*entries near*,patches*")]
     elif layer == "exact":
-        searches = [tests("exact", 0.5, "a gap*,decide_nearby*")]
+        searches = [tests("exact", 0.5, "a gap*,decide_nearby*,V at a time*")]
     elif layer == "curved":
         nearest = CURVED_SEARCHES.get(file)
         searches = ([tests("curved", 0.5, nearest)] if nearest else []) + [tests("curved", 1, ALL_CURVED_SEARCHES)]

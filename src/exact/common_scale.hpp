@@ -33,21 +33,7 @@ struct BitSpan {
   }
 };
 
-/// Over all coordinates of a query; no bits when all are zero.
-inline BitSpan coordinate_span(const Query& query) noexcept {
-  BitSpan span;
-  for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
-    for (const Vec3* x : {&query.start[i], &query.end[i]}) {
-      span.add(x->x);
-      span.add(x->y);
-      span.add(x->z);
-    }
-  }
-  if (span.bits() == 0) span.low = span.high = 0;
-  return span;
-}
-
-/// The same along one axis. Where all coordinates there are multiples of 2^(high - 52), as most are where this is
+/// Over a query's coordinates along one axis; no bits where all are zero. Where all are multiples of 2^(high - 52), as most are where this is
 /// asked, they are integers of 52 bits in that unit: it is less work to look at these than at each significand.
 inline BitSpan span_along(const Query& query, double Vec3::*axis) noexcept {
   const std::size_t count = corner_count(query.kind);
@@ -87,6 +73,15 @@ inline BitSpan span_along(const Query& query, double Vec3::*axis) noexcept {
 /// The same along each axis.
 inline std::array<BitSpan, 3> axis_spans(const Query& query) noexcept {
   return {span_along(query, &Vec3::x), span_along(query, &Vec3::y), span_along(query, &Vec3::z)};
+}
+
+/// Over all coordinates; no bits where all are zero.
+inline BitSpan coordinate_span(const Query& query) noexcept {
+  BitSpan span;
+  for (const BitSpan& axis : axis_spans(query)) {
+    if (axis.bits() > 0) span = {std::min(span.low, axis.low), std::max(span.high, axis.high)};
+  }
+  return span.bits() == 0 ? BitSpan{0, 0} : span;
 }
 
 /// The power of two that makes the largest of some doubles of ordinary size; 0 where it is of ordinary size already.

@@ -72,6 +72,23 @@ double value_in_any_size(const Query& query, double t) {
   return scaled(significand, static_cast<int>(exponent));
 }
 
+/// For coordinates and a time of few bits: every sum and product is then an integer of at most 53 bits times a power of
+/// two, and exact.
+double value_in_doubles(const Query& query, double t) {
+  std::array<geometry::Vector<double>, 4> positions;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec3 &from = query.start[i], &to = query.end[i];
+    const auto along = [&](double Vec3::*axis) { return (1 - t) * from.*axis + t * to.*axis; };
+    positions[i] = {{along(&Vec3::x), along(&Vec3::y), along(&Vec3::z)}};
+  }
+  return coplanarity_of(query.kind == Kind::edge_edge, positions);
+}
+/// The same bits as above, for positions of so many bits; and far from where products overflow or underflow.
+bool is_exact_in_doubles(const BitSpan& span, int position_bits) noexcept {
+  constexpr int kFar = 300;
+  return 3 * (position_bits + 1) + 3 <= 53 && span.low > -kFar && span.high < kFar;
+}
+
 /// How many limbs hold so many bits and 3 to spare; 3 stands for more than two.
 int limbs_for(int bits) noexcept { return bits <= 64 - 3 ? 1 : bits <= 128 - 3 ? 2 : 3; }
 
@@ -79,15 +96,16 @@ int limbs_for(int bits) noexcept { return bits <= 64 - 3 ? 1 : bits <= 128 - 3 ?
 
 double coplanarity_at(const Query& query, double t) {
   const BitSpan span = coordinate_span(query);
+  BitSpan time;
+  time.add(1.0);
+  time.add(t);
+  if (is_exact_in_doubles(span, span.bits() - time.low)) return value_in_doubles(query, t);
   const int limbs = limbs_for(span.bits() + 1);
   if (t == 0 || t == 1) {
     if (limbs == 1) return value_at_end<1>(query, span, t == 0);
     if (limbs == 2) return value_at_end<2>(query, span, t == 0);
     return value_in_any_size(query, t);
   }
-  BitSpan time;
-  time.add(1.0);
-  time.add(t);
   const int time_limbs = limbs_for(1 - time.low);
   if (limbs == 1 && time_limbs == 1) return value_between<1, 1>(query, span, t, time.low);
   if (limbs == 1 && time_limbs == 2) return value_between<1, 2>(query, span, t, time.low);

@@ -4,28 +4,27 @@
 namespace touchstone::filters {
 
 #ifdef TOUCHSTONE_X86_VECTORS
-ContactValues contact_values_fused(const Query& query, double t, std::size_t axis);
+extern const ContactValuesFunctions kFusedContactValues;
 #endif
 
-namespace {
-ContactValues contact_values_plain(const Query& query, double t, std::size_t axis) {
-  return rounded(precise_values(query, t, axis));
-}
-}  // namespace
-
-ContactValuesFunction contact_values_function(bool fused) noexcept {
-  if (!fused) return contact_values_plain;
+const ContactValuesFunctions* contact_values_functions(bool fused) noexcept {
+  if (!fused) return &kContactValues;
 #ifdef TOUCHSTONE_X86_VECTORS
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return contact_values_fused;
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return &kFusedContactValues;
 #endif
   return nullptr;
 }
 
-ContactValues contact_values(const Query& query, double t, std::size_t axis) noexcept {
-#ifdef TOUCHSTONE_X86_VECTORS
-  if (const auto fused = contact_values_function(true)) return fused(query, t, axis);
-#endif
-  return contact_values_plain(query, t, axis);
+namespace {
+const ContactValuesFunctions& fastest() noexcept {
+  const ContactValuesFunctions* const fused = contact_values_functions(true);
+  return fused != nullptr ? *fused : kContactValues;
 }
+}  // namespace
+
+ContactValues contact_values(const Query& query, double t, std::size_t axis) noexcept {
+  return fastest().all(query, t, axis);
+}
+double coplanarity_value(const Query& query, double t) noexcept { return fastest().coplanarity(query, t); }
 
 }  // namespace touchstone::filters

@@ -56,14 +56,20 @@ constexpr double kCoplanarityError = 281 * kUnitSquared;
 /// Of components and their differences, times M, before rounding.
 constexpr double kComponentError = 103 * kUnitSquared;
 
+struct ContactValuesFunctions {
+  ContactValues (*all)(const Query& query, double t, std::size_t axis);
+  double (*coplanarity)(const Query& query, double t);
+};
+
 /// The values at t of an edge-edge or vertex-face query; t in [0, 1] or a little beyond, and exact_to_one (see
 /// bernstein_cubic.hpp).
 ContactValues contact_values(const Query& query, double t, std::size_t axis) noexcept;
+/// contact_values(query, t, axis).coplanarity, and no more.
+double coplanarity_value(const Query& query, double t) noexcept;
 
-/// The functions that contact_values chooses from. Their results are the same bit for bit, except where a product's low
+/// The functions that these choose from. Their results are the same bit for bit, except where a product's low
 /// part underflows. `fused`: for processors with AVX2 and fused multiply-add, null on others. Not `fused`: for every
 /// processor.
-using ContactValuesFunction = ContactValues (*)(const Query& query, double t, std::size_t axis);
-ContactValuesFunction contact_values_function(bool fused) noexcept;
+const ContactValuesFunctions* contact_values_functions(bool fused) noexcept;
 
 }  // namespace touchstone::filters

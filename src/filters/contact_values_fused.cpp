@@ -4,10 +4,7 @@
 
 namespace touchstone::filters {
 
-ContactValues contact_values_fused(const Query& query, double t, std::size_t axis);
-
-ContactValues contact_values_fused(const Query& query, double t, std::size_t axis) {
-  return rounded(precise_values(query, t, axis));
-}
+extern const ContactValuesFunctions kFusedContactValues;
+const ContactValuesFunctions kFusedContactValues = kContactValues;
 
 }  // namespace touchstone::filters

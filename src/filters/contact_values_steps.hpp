@@ -228,10 +228,13 @@ inline auto corners_of(const Query& query) noexcept {
   return [&query](int side, std::size_t i) { return coordinates((side == 0 ? query.start : query.end)[i]); };
 }
 
+inline MovingFrame<Coordinates> moving_frame(const Query& query, double t) noexcept {
+  return moving_frame(query.kind == Kind::edge_edge, corners_of(query), t);
+}
+
 inline PreciseValues precise_values(const Query& query, double t, std::size_t k) {
-  const bool edges = query.kind == Kind::edge_edge;
-  const auto frame = moving_frame(edges, corners_of(query), t);
-  return {precise_components(edges, frame, k), precise_coplanarity(frame)};
+  const auto frame = moving_frame(query, t);
+  return {precise_components(query.kind == Kind::edge_edge, frame, k), precise_coplanarity(frame)};
 }
 
 template <class N>
@@ -242,6 +245,11 @@ TOUCHSTONE_INLINE ComponentsAt<N> rounded(const PreciseComponents<N>& at) noexce
 inline ContactValues rounded(const PreciseValues& at) noexcept {
   return {rounded<double>(at), numbers::rounded(at.coplanarity)};
 }
+
+/// As the including file is compiled.
+constexpr ContactValuesFunctions kContactValues = {
+    [](const Query& query, double t, std::size_t axis) { return rounded(precise_values(query, t, axis)); },
+    [](const Query& query, double t) { return numbers::rounded(precise_coplanarity(moving_frame(query, t))); }};
 
 }  // namespace
 }  // namespace touchstone::filters

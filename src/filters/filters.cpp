@@ -27,9 +27,8 @@ BracketFinding decide_in_any_brackets(const Question& question, Answer& answer) 
   return found;
 }
 
-Decision decide_by_directions(const Query& query) {
-  const Test separation = test_that_separates(query);
-  return separation != Test::none ? Decision{Finding::no_contact, separation} : Decision();
+Decision decide_by_direction(const Query& query) {
+  return separated(query) ? Decision{Finding::no_contact, Test::separated} : Decision();
 }
 
 }  // namespace
@@ -40,20 +39,20 @@ Decision decide_by_filters(const Question& question, Answer& answer) {
   if (touch_in_shared_corner(query, question.t_max, answer)) return {Finding::contact, Test::shared_corner};
   if (boxes_disjoint(query)) return {Finding::no_contact, Test::boxes};
 
-  // Before the separating directions: most queries that come so far touch, or have a root and pass each other by.
+  // Before the separating direction: most queries that come so far touch, or have a root and pass each other by.
   const BracketFinding found = decide_in_any_brackets(question, answer);
   if (found.finding != Finding::uncertain) return {found.finding, Test::bracket};
-  const bool extreme = seems_extreme(query);  // then directions are tried once, on the rescaled query
+  const bool extreme = seems_extreme(query);  // then the direction is tried once, on the rescaled query
   if (!extreme && !found.close) {
-    const Decision decision = decide_by_directions(query);
+    const Decision decision = decide_by_direction(query);
     if (decision.finding != Finding::uncertain) return decision;
   }
   const std::optional<Query> scaled = rescaled(query);
-  if (!scaled) return extreme ? decide_by_directions(query) : Decision();
+  if (!scaled) return extreme ? decide_by_direction(query) : Decision();
   const BracketFinding now =
       decide_in_any_brackets({*scaled, question.t_max, question.exact_value, question.wanted}, answer);
   if (now.finding != Finding::uncertain) return {now.finding, Test::bracket};
-  return now.close ? Decision() : decide_by_directions(*scaled);
+  return now.close ? Decision() : decide_by_direction(*scaled);
 }
 
 Finding decide_by_filters(const Query& query, const Separation& separation, double t_max, Answer& answer) {

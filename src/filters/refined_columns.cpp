@@ -12,7 +12,7 @@ RefineKernel refine_kernel(Kind kind, VectorWidth width) noexcept {
   if (width == VectorWidth::none || !has_kernel(width)) return nullptr;
 #ifdef TOUCHSTONE_X86_VECTORS
   // Where contact_values is fused, so are these: a low part that underflows is not the same otherwise.
-  if (contact_values_function(true) != nullptr) {
+  if (contact_values_functions(true) != nullptr) {
     if (width == VectorWidth::bits_512) return refine_kernel_512_fused(kind);
     if (width == VectorWidth::bits_256) return refine_kernel_256_fused(kind);
     return refine_kernel_128_fused(kind);

@@ -102,11 +102,11 @@ bool separates_by(const RelativeCorners& corners, const Vector& direction, const
   return gap.value > least;
 }
 
-Test test_that_separates(const Query& query) noexcept {
+bool separated(const Query& query) noexcept {
   const RelativeCorners corners = relative_corners(query);
-  if (separates(corners, between_closest_points(corners, query.kind))) return Test::closest_points;
-  if (has_cubic(query.kind) && separates(corners, normal_at_mid_step(corners, query.kind))) return Test::normal;
-  return separates(corners, between_centres(corners)) ? Test::centres : Test::none;
+  const Vector direction = between_closest_points(corners, query.kind);
+  const bool touch_at_mid_step = direction[0] == 0 && direction[1] == 0 && direction[2] == 0;
+  return !touch_at_mid_step && separates(corners, direction);
 }
 
 }  // namespace touchstone::filters

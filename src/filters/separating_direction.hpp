@@ -8,7 +8,6 @@
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
-#include "filters/question.hpp"
 #include "filters/step_frame.hpp"
 
 namespace touchstone::filters {
@@ -43,8 +42,8 @@ bool separates(const RelativeCorners& corners, const Vector& direction) noexcept
 /// True proves that the distance of the elements is greater than the separation at all times in [0, 1].
 bool separates_by(const RelativeCorners& corners, const Vector& direction, const Separation& separation) noexcept;
 
-/// Which direction separates the elements of a valid query; Test::none when none does.
-Test test_that_separates(const Query& query) noexcept;
+/// Whether the direction between the closest points at mid-step separates the elements of a valid query.
+bool separated(const Query& query) noexcept;
 
 /// Directions that often separate, from the positions at mid-step. They are only a hint: any direction is sound.
 Vector between_closest_points(const RelativeCorners& corners, Kind kind) noexcept;

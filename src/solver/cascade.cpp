@@ -28,21 +28,16 @@ constexpr ExactArithmetic kCgal = {oracle::coplanarity_at, decide_by_oracle};
 
 }  // namespace
 
-Answer trimmed(const Answer& answer, Wanted wanted) noexcept {
-  Answer result = answer;
-  if (!answer.contact || wanted == Wanted::all) return result;
-  const Answer none;
-  result.weights_a = none.weights_a;
-  result.weights_b = none.weights_b;
-  if (wanted == Wanted::features) return result;
-  result.nature = none.nature;
-  result.trend = none.trend;
-  result.feature_a = none.feature_a;
-  result.feature_b = none.feature_b;
-  if (wanted == Wanted::time) return result;
-  result.toi = result.toi_upper = std::numeric_limits<double>::quiet_NaN();
-  result.starts_within = none.starts_within;
-  return result;
+void trim(Answer& answer, Wanted wanted) noexcept {
+  if (!answer.contact || wanted == Wanted::all) return;
+  answer.weights_a = answer.weights_b = {};
+  if (wanted == Wanted::features) return;
+  answer.nature = Nature::none;
+  answer.trend = Trend::none;
+  answer.feature_a = answer.feature_b = Feature::none;
+  if (wanted == Wanted::time) return;
+  answer.toi = answer.toi_upper = std::numeric_limits<double>::quiet_NaN();
+  answer.starts_within = false;
 }
 
 namespace {
@@ -54,7 +49,7 @@ inline void answer_after_same_side(const Query& query, Method method, double t_m
   const filters::Decision decision = filters::decide_by_filters({query, t_max, below.coplanarity_at, wanted}, result);
   if (decision.finding == filters::Finding::uncertain) result = below.decide(query, t_max, wanted);
   complete(result);
-  if (wanted != Wanted::all) result = trimmed(result, wanted);
+  trim(result, wanted);
 }
 
 }  // namespace
@@ -66,7 +61,8 @@ Answer answer(const Query& query, Method method, double t_max, Wanted wanted) {
     validate(query, t_max);
     result = method == Method::oracle ? oracle::decide_by_oracle(query, t_max) : exact::decide_exactly(query, t_max);
     complete(result);
-    return trimmed(result, wanted);
+    trim(result, wanted);
+    return result;
   }
   result.level = Level::filter;
   // The first test also proves that the query is valid. So most queries are read only once.
@@ -95,7 +91,8 @@ Answer answer_at_root(const Query& query, const filters::SimpleRoot& root, bool 
     if (finding == filters::Finding::uncertain) return answer_after_same_side(query, method, t_max, wanted);
   }
   complete(result);
-  return wanted == Wanted::all ? result : trimmed(result, wanted);
+  trim(result, wanted);
+  return result;
 }
 
 Answer answer_at_refined_root(Kind kind, const filters::RefinedRoot& root, Wanted wanted) {
@@ -104,7 +101,8 @@ Answer answer_at_refined_root(Kind kind, const filters::RefinedRoot& root, Wante
   if (root.finding == filters::Finding::no_contact) return result;
   filters::write_contact(kind, root, result);
   complete(result);
-  return wanted == Wanted::all ? result : trimmed(result, wanted);
+  trim(result, wanted);
+  return result;
 }
 
 bool any_contact(const Query& query, double t_max) {
@@ -125,7 +123,8 @@ Answer answer(const Query& query, const Separation& separation, Method method, d
     if (is_time(t_max) && filters::clear_all_along(query, separation)) return result;
     validate(query, t_max);
     if (filters::decide_by_filters(query, separation, t_max, result) != filters::Finding::uncertain) {
-      return trimmed(result, wanted);
+      trim(result, wanted);
+      return result;
     }
   } else {
     validate_method(method);
@@ -134,7 +133,8 @@ Answer answer(const Query& query, const Separation& separation, Method method, d
   const bool by_cgal = method == Method::oracle || method == Method::fast_cgal;
   result =
       by_cgal ? oracle::decide_by_oracle(query, t_max, separation) : exact::decide_exactly(query, t_max, separation);
-  return trimmed(result, wanted);
+  trim(result, wanted);
+  return result;
 }
 
 bool any_contact(const Query& query, const Separation& separation, double t_max) {

@@ -19,8 +19,8 @@
 
 namespace touchstone::solver {
 
-/// The answer without what is not wanted of a contact, which the levels may have written.
-Answer trimmed(const Answer& answer, Wanted wanted) noexcept;
+/// Takes out of the answer what is not wanted of a contact, which the levels may have written.
+void trim(Answer& answer, Wanted wanted) noexcept;
 
 /// Validates a query and answers it, in the default floating-point environment. `query.kind` says which corners count.
 /// @throws InvalidQuery  naming the method, the kind, t_max or the first coordinate that is not finite

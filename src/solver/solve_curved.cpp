@@ -51,11 +51,15 @@ Answer answer(const CurvedQuery& query, Method method, double t_max, Wanted want
   if (method == Method::fast || method == Method::fast_cgal) {
     if (const std::optional<Query> same = straight(query)) return answer(*same, method, t_max, wanted);
     Answer answer;
-    if (decided_by_filters(query, t_max, answer)) return trimmed(answer, wanted);
+    if (decided_by_filters(query, t_max, answer)) {
+      trim(answer, wanted);
+      return answer;
+    }
   }
   Answer answer = by_cgal ? oracle::decide_by_oracle(query, t_max) : exact::decide_exactly(query, t_max);
   answer.starts_within = answer.contact && answer.toi_upper == 0;
-  return trimmed(answer, wanted);
+  trim(answer, wanted);
+  return answer;
 }
 
 bool any_contact(const CurvedQuery& query, double t_max) {
@@ -80,11 +84,15 @@ Answer answer(const CurvedQuery& query, const Separation& separation, Method met
     Answer answer;
     answer.level = Level::bracket;
     const filters::Finding finding = filters::decide_in_brackets(query, separation, t_max, answer);
-    if (finding != filters::Finding::uncertain) return trimmed(answer, wanted);
+    if (finding != filters::Finding::uncertain) {
+      trim(answer, wanted);
+      return answer;
+    }
   }
-  return trimmed(
-      by_cgal ? oracle::decide_by_oracle(query, t_max, separation) : exact::decide_exactly(query, t_max, separation),
-      wanted);
+  Answer answer =
+      by_cgal ? oracle::decide_by_oracle(query, t_max, separation) : exact::decide_exactly(query, t_max, separation);
+  trim(answer, wanted);
+  return answer;
 }
 
 bool any_contact(const CurvedQuery& query, const Separation& separation, double t_max) {
