@@ -118,7 +118,7 @@ FAULTS = [
      "if (!(root * root - square).is_zero()) return std::nullopt;", ""),
     ("coordinates in whole units", "exact/common_scale.hpp", "static_cast<double>(integer) * unit == x;",
      "static_cast<double>(integer) * unit == x * per_unit * unit;"),
-    ("bits of V in doubles", "exact/coplanarity_at.cpp", "+ 3 <= 53 &&", "+ 3 <= 57 &&"),
+    ("bits of V in doubles", "exact/coplanarity_at.cpp", "+ 3 <= 53 &&", "+ 3 <= 61 &&"),
     ("bits of a time of V in doubles", "exact/coplanarity_at.cpp", "span.bits() - time.low)", "span.bits())"),
     ("range of V in doubles", "exact/coplanarity_at.cpp", " && span.low > -kFar", ""),
     ("limbs that near roots do not hold", "numbers/fixed_int.hpp", "return above == 0 ?", "return above == 0 || D > 0 ?"),

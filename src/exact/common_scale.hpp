@@ -33,8 +33,9 @@ struct BitSpan {
   }
 };
 
-/// Over a query's coordinates along one axis; no bits where all are zero. Where all are multiples of 2^(high - 52), as most are where this is
-/// asked, they are integers of 52 bits in that unit: it is less work to look at these than at each significand.
+/// Over a query's coordinates along one axis; no bits where all are zero. Where all are multiples of 2^(high - 62), as
+/// most are where this is asked, they are integers of 62 bits in that unit: it is less work to look at these than at
+/// each significand.
 inline BitSpan span_along(const Query& query, double Vec3::*axis) noexcept {
   const std::size_t count = corner_count(query.kind);
   double largest = 0;
@@ -43,7 +44,7 @@ inline BitSpan span_along(const Query& query, double Vec3::*axis) noexcept {
   }
   BitSpan span = {0, 0};
   if (largest == 0) return span;
-  constexpr int kBits = 52;
+  constexpr int kBits = 62;
   constexpr double kLeast = 0x1p-900, kGreatest = 0x1p900;  // so that both powers are ordinary
   if (largest > kLeast && largest < kGreatest) {
     const int high = static_cast<int>(std::bit_cast<std::uint64_t>(largest) >> 52) - 1022;  // largest < 2^high

@@ -91,10 +91,18 @@ class FixedInt {
   template <int Others>
   friend FixedInt<Limbs + Others> operator*(const FixedInt& a, const FixedInt<Others>& b) noexcept {
     FixedInt<Limbs + Others> product;
-    if constexpr (Limbs == 1 && Others == 1) {
-      const SignedWide both = SignedWide{static_cast<std::int64_t>(a.limb(0))} * static_cast<std::int64_t>(b.limb(0));
-      product.set_limb(0, static_cast<Limb>(both));
-      product.set_limb(1, static_cast<Limb>(static_cast<Wide>(both) >> 64));
+    if constexpr (Limbs <= 2 && Others == 1) {
+      // The highest limb alone has a sign; the totals are in (-2^127, 2^127). GCC 12 compiles the same as a loop over
+      // any number of limbs to wrong code (-ftree-loop-vectorize).
+      const auto signed_limb = [](Limb limb) { return SignedWide{static_cast<std::int64_t>(limb)}; };
+      const SignedWide factor = signed_limb(b.limb(0));
+      SignedWide total = factor * (Limbs == 1 ? signed_limb(a.limb(0)) : SignedWide{a.limb(0)});
+      product.set_limb(0, static_cast<Limb>(total));
+      if constexpr (Limbs == 2) {
+        total = factor * signed_limb(a.limb(1)) + (total >> 64);
+        product.set_limb(1, static_cast<Limb>(total));
+      }
+      product.set_limb(Limbs, static_cast<Limb>(total >> 64));
       return product;
     }
     for (int i = 0; i < Limbs; ++i) {
