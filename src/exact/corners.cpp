@@ -46,8 +46,9 @@ typename Forms<N>::Corners integer_corners(const Query& query) {
 template <int Limbs>
 typename Forms<Near<Limbs>>::Corners near_corners(const Query& query, const std::array<BitSpan, 3>& spans) {
   using Integer = typename Near<Limbs>::Integer;
-  if constexpr (Limbs == 0) {
-    // The power of two and the product are exact: the product is a small integer.
+  if constexpr (Limbs == 0 || Limbs == 1) {
+    static_assert(kMostBits<Limbs> < 63);
+    // The power of two and the product are exact: the product is an integer of at most so many bits.
     const auto is_ordinary = [](const BitSpan& span) { return span.low > -1000 && span.low < 1000; };
     if (is_ordinary(spans[0]) && is_ordinary(spans[1]) && is_ordinary(spans[2])) {
       const auto power = [](int exponent) {
@@ -55,7 +56,7 @@ typename Forms<Near<Limbs>>::Corners near_corners(const Query& query, const std:
       };
       const Vec3 unit = {power(-spans[0].low), power(-spans[1].low), power(-spans[2].low)};
       const auto integer = [](double x) { return Integer::integer(static_cast<std::int64_t>(x)); };
-      return corners_of<typename Forms<Near<0>>::Corners>(query, [&](const Vec3& x) {
+      return corners_of<typename Forms<Near<Limbs>>::Corners>(query, [&](const Vec3& x) {
         return std::array<Integer, 3>{integer(x.x * unit.x), integer(x.y * unit.y), integer(x.z * unit.z)};
       });
     }

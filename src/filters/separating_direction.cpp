@@ -55,7 +55,11 @@ double projection_bound(const RelativeCorners& corners, const Vector& direction)
   return kProjectionBound * product;
 }
 
-Gap gap_along(const RelativeCorners& corners, const Vector& direction) noexcept {
+namespace {
+
+/// gap_along for elements of so many corners.
+template <std::size_t FirstCount, std::size_t Count>
+Gap gap_of(const RelativeCorners& corners, const Vector& direction) noexcept {
   const double bound = projection_bound(corners, direction);
   constexpr double inf = std::numeric_limits<double>::infinity();
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -66,8 +70,8 @@ Gap gap_along(const RelativeCorners& corners, const Vector& direction) noexcept 
   for (const auto* at : {&corners.start, &corners.end}) {
     double least[2] = {inf, inf};
     double greatest[2] = {-inf, -inf};
-    for (std::size_t i = 0; i < corners.count; ++i) {
-      const std::size_t element = i < corners.first_count ? 0 : 1;
+    for (std::size_t i = 0; i < Count; ++i) {
+      const std::size_t element = i < FirstCount ? 0 : 1;
       const double projection = geometry::dot(direction, (*at)[i]);
       // A NaN comes from a direction that is not finite. std::min would drop it.
       if (!(std::fabs(projection) < inf)) return {nan, nan};
@@ -80,6 +84,15 @@ Gap gap_along(const RelativeCorners& corners, const Vector& direction) noexcept 
   // Each of the two projections is off by at most `bound`. A third `bound` covers the rounding of their difference: e
   // times a value of at most 6 D M (1 + 4 e).
   return {std::max(above, below), 3 * bound};
+}
+
+}  // namespace
+
+Gap gap_along(const RelativeCorners& corners, const Vector& direction) noexcept {
+  if (corners.count == 4) {
+    return corners.first_count == 2 ? gap_of<2, 4>(corners, direction) : gap_of<1, 4>(corners, direction);
+  }
+  return corners.count == 3 ? gap_of<1, 3>(corners, direction) : gap_of<1, 2>(corners, direction);
 }
 
 bool separates(const RelativeCorners& corners, const Vector& direction) noexcept {
