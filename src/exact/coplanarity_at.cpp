@@ -72,8 +72,14 @@ double value_in_any_size(const Query& query, double t) {
   return scaled(significand, static_cast<int>(exponent));
 }
 
-/// For coordinates and a time of few bits: every sum and product is then an integer of at most 53 bits times a power of
-/// two, and exact.
+/// Whether every sum and product of V is an integer of at most 53 bits times a power of two, for positions of so many
+/// bits, and none overflows or underflows.
+bool is_exact_in_doubles(const BitSpan& span, int position_bits) noexcept {
+  constexpr int kFar = 300;
+  return 3 * (position_bits + 1) + 3 <= 53 && span.low > -kFar && span.high < kFar;
+}
+
+/// V where is_exact_in_doubles.
 double value_in_doubles(const Query& query, double t) {
   std::array<geometry::Vector<double>, 4> positions;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -82,11 +88,6 @@ double value_in_doubles(const Query& query, double t) {
     positions[i] = {{along(&Vec3::x), along(&Vec3::y), along(&Vec3::z)}};
   }
   return coplanarity_of(query.kind == Kind::edge_edge, positions);
-}
-/// The same bits as above, for positions of so many bits; and far from where products overflow or underflow.
-bool is_exact_in_doubles(const BitSpan& span, int position_bits) noexcept {
-  constexpr int kFar = 300;
-  return 3 * (position_bits + 1) + 3 <= 53 && span.low > -kFar && span.high < kFar;
 }
 
 /// How many limbs hold so many bits and 3 to spare; 3 stands for more than two.

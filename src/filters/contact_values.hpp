@@ -56,6 +56,7 @@ constexpr double kCoplanarityError = 281 * kUnitSquared;
 /// Of components and their differences, times M, before rounding.
 constexpr double kComponentError = 103 * kUnitSquared;
 
+/// contact_values and coplanarity_value for one sort of processor.
 struct ContactValuesFunctions {
   ContactValues (*all)(const Query& query, double t, std::size_t axis);
   double (*coplanarity)(const Query& query, double t);
@@ -67,9 +68,8 @@ ContactValues contact_values(const Query& query, double t, std::size_t axis) noe
 /// contact_values(query, t, axis).coplanarity, and no more.
 double coplanarity_value(const Query& query, double t) noexcept;
 
-/// The functions that these choose from. Their results are the same bit for bit, except where a product's low
-/// part underflows. `fused`: for processors with AVX2 and fused multiply-add, null on others. Not `fused`: for every
-/// processor.
+/// The functions that these choose from. Their results are the same bit for bit, except where a product's low part
+/// underflows. `fused`: for processors with AVX2 and fused multiply-add, null on others. Not `fused`: for every one.
 const ContactValuesFunctions* contact_values_functions(bool fused) noexcept;
 
 }  // namespace touchstone::filters

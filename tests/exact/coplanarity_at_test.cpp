@@ -1,5 +1,5 @@
-// V at a time of few bits, against determinants of integers. Corners that lie almost in a plane leave only the last bits
-// of V's sums: so every rounded bit shows.
+// V at a time of few bits, against determinants of integers. Corners that almost lie in a plane leave only the last
+// bits of V's sums: so every rounded bit shows.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
