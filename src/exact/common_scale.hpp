@@ -33,9 +33,9 @@ struct BitSpan {
   }
 };
 
-/// Over a query's coordinates along one axis; no bits where all are zero. Where all are multiples of 2^(high - 62), as
-/// most are where this is asked, they are integers of 62 bits in that unit: it is less work to look at these than at
-/// each significand.
+/// Over a query's coordinates along one axis; no bits where all are zero. Let all be below 2^high. Where all are
+/// multiples of 2^(high - 62), as most are where this is asked, they are integers of 62 bits in that unit: it is less
+/// work to look at these integers than at each significand.
 inline BitSpan span_along(const Query& query, double Vec3::*axis) noexcept {
   const std::size_t count = corner_count(query.kind);
   double largest = 0;

@@ -48,7 +48,7 @@ typename Forms<Near<Limbs>>::Corners near_corners(const Query& query, const std:
   using Integer = typename Near<Limbs>::Integer;
   if constexpr (Limbs == 0 || Limbs == 1) {
     static_assert(kMostBits<Limbs> < 63);
-    // The power of two and the product are exact: the product is an integer of at most so many bits.
+    // The power of two and the product are exact: the product is an integer of at most kMostBits bits.
     const auto is_ordinary = [](const BitSpan& span) { return span.low > -1000 && span.low < 1000; };
     if (is_ordinary(spans[0]) && is_ordinary(spans[1]) && is_ordinary(spans[2])) {
       const auto power = [](int exponent) {

@@ -91,9 +91,9 @@ RefinedRoot refine_root(const Question& question, const SimpleRoot& root) {
   const auto& [query, t_max, exact_value, wanted] = question;
   const auto& [u, w, r] = root.magnitudes;
   const bool edges = query.kind == Kind::edge_edge;
-  const bool time_alone = root.inside && wanted != Wanted::all;
+  const bool no_components = root.inside && wanted != Wanted::all;
   const ContactValues at =
-      time_alone ? ContactValues{{}, coplanarity_value(query, root.t)} : contact_values(query, root.t, root.axis);
+      no_components ? ContactValues{{}, coplanarity_value(query, root.t)} : contact_values(query, root.t, root.axis);
   const Offset offset = offset_of(root, root.t, at.coplanarity, kCoplanarityError * (u * w * r));
   const double spread = component_spread(offset);
   if (!root.inside) {

@@ -92,8 +92,8 @@ class FixedInt {
   friend FixedInt<Limbs + Others> operator*(const FixedInt& a, const FixedInt<Others>& b) noexcept {
     FixedInt<Limbs + Others> product;
     if constexpr (Limbs <= 2 && Others == 1) {
-      // The highest limb alone has a sign; the totals are in (-2^127, 2^127). GCC 12 compiles the same as a loop over
-      // any number of limbs to wrong code (-ftree-loop-vectorize).
+      // The highest limb alone has a sign; the totals are in (-2^127, 2^127). As one loop over any number of limbs,
+      // GCC 12.2 made wrong products of this in near_root_test.cpp at -O3, though not with -fno-tree-loop-vectorize.
       const auto signed_limb = [](Limb limb) { return SignedWide{static_cast<std::int64_t>(limb)}; };
       const SignedWide factor = signed_limb(b.limb(0));
       SignedWide total = factor * (Limbs == 1 ? signed_limb(a.limb(0)) : SignedWide{a.limb(0)});
