@@ -10,7 +10,7 @@
 # told apart. Only a fault that changes an answer or a proof can be found so, and nobody steers these queries towards a
 # bound: so the bounds are 4,096 times too small instead.
 #
-#   fuzz/weaken-constants.py [--only PART_OF_A_NAME] [--layer filters|numbers|exact|separation|curved] [--seconds 60]
+#   fuzz/weaken-constants.py [--only PART_OF_A_NAME] [--layer filters|numbers|exact|separation|mesh|curved] [--seconds 60]
 #                            [--jobs N] [--quick] [--proofs] [--list]
 # SPDX-License-Identifier: MIT
 import argparse
@@ -221,6 +221,13 @@ SEPARATION_FAULTS = [
     ("parameters' distance from a border", "filters/entry.cpp", "if (!strictly_closest(", "if (false && !strictly_closest("),
 ]
 
+# Of elements that share a vertex: only tests/mesh knows these.
+MESH_FAULTS = [
+    ("determinant of neighbours", "mesh/folds.cpp", "16 * 0x1p-53 * size", "0x1p-53 * size"),
+    ("neighbours on the other side", "mesh/folds.cpp", "if (!certainly_above({{-n", "if (false && !certainly_above({{-n"),
+    ("neighbours on this side", "mesh/folds.cpp", "if (!certainly_above(n, along)) return false;", ""),
+]
+
 # Of curved queries: the fuzzer and the checker of proofs know none of these, only tests/curved does.
 #
 # Without a line below: a certain sign at a part's start, in curved_bracket.cpp, as another test is uncertain, too.
@@ -402,6 +409,9 @@ def attacks(build, layer, seconds, jobs, quick, file=None):
         searches = [tests("filters", 0.3, "[separation]"), tests("separation", 0.2, "*entries near*,patches*")]
     elif layer == "exact":
         searches = [tests("exact", 0.5, "a gap*,decide_nearby*,V at a time*")]
+    elif layer == "mesh":
+        searches = [tests("mesh", 1, "neighbours that*")]
+        quick = True
     elif layer == "curved":
         nearest = CURVED_SEARCHES.get(file)
         searches = ([tests("curved", 0.5, nearest)] if nearest else []) + [tests("curved", 1, ALL_CURVED_SEARCHES)]
@@ -480,21 +490,21 @@ def coarser(fault):
 def main():
     parser = argparse.ArgumentParser(description="Weakens the filters' bounds one by one and sees who notices.")
     parser.add_argument("--only", default="", help="only faults whose name holds this")
-    parser.add_argument("--layer", choices=("filters", "numbers", "exact", "separation", "curved"), help="only faults of this one")
+    parser.add_argument("--layer", choices=("filters", "numbers", "exact", "separation", "mesh", "curved"), help="only faults of this one")
     parser.add_argument("--seconds", type=float, default=60, help="for the searches, of each fault (default: 60)")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--quick", action="store_true", help="the searches of the tests only")
     parser.add_argument("--proofs", action="store_true", help="no tests: the checker of proofs judges")
     parser.add_argument("--list", action="store_true", help="the faults, and no more")
     options = parser.parse_args()
-    known = FAULTS + SEPARATION_FAULTS + ([] if options.proofs else CURVED_FAULTS)
+    known = FAULTS + SEPARATION_FAULTS + ([] if options.proofs else MESH_FAULTS + CURVED_FAULTS)
     chosen = [fault for fault in known
               if options.only in fault[0] and (options.layer is None or layer_of(fault) == options.layer)]
     if options.proofs:
         chosen = [coarser(fault) for fault in chosen]
     if not chosen:
         stop(f"no fault is called '{options.only}'" if options.only else "no such fault")
-    for fault in FAULTS + SEPARATION_FAULTS + CURVED_FAULTS:  # before minutes are spent
+    for fault in FAULTS + SEPARATION_FAULTS + MESH_FAULTS + CURVED_FAULTS:  # before minutes are spent
         faulty((ROOT / "src" / fault[1]).read_text(), fault)
     if options.list:
         print("\n".join(fault[0] for fault in chosen))

@@ -84,11 +84,17 @@ struct touchstone_options {
   /** Of touchstone_solve and batches: one of touchstone_what_is_wanted. What is not wanted of a contact is as without
    *  contact, except that unwanted times are NaN. */
   int32_t wanted;
+  int32_t reserved; /**< of no meaning */
+
+  /** Of touchstone_mesh_first_contact and touchstone_mesh_free_step: 1 to ask also whether the mesh intersects itself at
+   *  the start, 0 to leave that out. A step is about a start that is free: where one element passes through another at
+   *  the start, and no pair touches, no contact need follow. */
+  int32_t check_start;
 };
 
 /** The options by default: the whole step, touching, one thread. */
 #define TOUCHSTONE_OPTIONS_INIT \
-  { sizeof(struct touchstone_options), 1.0, 1, 0, 0.0, NULL, 0, 0.0, TOUCHSTONE_WANTED_ALL }
+  { sizeof(struct touchstone_options), 1.0, 1, 0, 0.0, NULL, 0, 0.0, TOUCHSTONE_WANTED_ALL, 0, 0 }
 
 /** The answer to one query. Without contact both times are infinity, and only `contact` and `level` have a meaning.
  *  Names for the numbers: touchstone_nature_name and the other functions that end in _name. */
@@ -246,7 +252,10 @@ int touchstone_mesh_edge(const touchstone_mesh* mesh, size_t edge, uint32_t corn
 /** When the elements of a mesh first come into contact. */
 struct touchstone_first_contact {
   int32_t contact;  /**< 1 when two elements that are apart at the start come into contact in [0, t_max], otherwise 0 */
-  int32_t free;     /**< 1 when there is no contact at all, at the start neither, otherwise 0 */
+
+  /** 1 when there is no contact at all, at the start neither, and, with check_start of the options, no intersection at the
+   *  start; otherwise 0. Without check_start a start that intersects itself may be free. */
+  int32_t free;
   double toi;       /**< the largest double <= the exact first time of such a contact; infinity without one */
   double toi_upper; /**< the smallest double >= this time; infinity without contact */
 };
@@ -298,14 +307,22 @@ enum touchstone_element {
   TOUCHSTONE_ELEMENT_FACE = 2    /**< a face */
 };
 
-/** Two elements of a mesh that share a point at rest. */
+/** How two elements meet at rest. touchstone/mesh.hpp has the definitions. */
+enum touchstone_intersection_sort {
+  TOUCHSTONE_TOUCHES = 0, /**< they share a point, and no vertex */
+  TOUCHSTONE_PIERCES = 1, /**< the edge passes through */
+  TOUCHSTONE_FOLDS = 2,   /**< they share a vertex, and also a point that is no shared vertex */
+  TOUCHSTONE_INSIDE = 3   /**< the vertex's closed surface lies wholly inside that of the face; they share no point */
+};
+
+/** Two elements of a mesh that share a point at rest, or of which one is inside the other's surface. */
 struct touchstone_intersection {
   int32_t first_element;    /**< one of touchstone_element */
   uint32_t first;           /**< its number */
   int32_t second_element;   /**< one of touchstone_element */
   uint32_t second;          /**< its number */
-  int32_t pierces;          /**< 1 when an edge passes through, 0 when the elements touch */
-  int32_t reserved;         /**< of no meaning */
+  int32_t pierces;          /**< 1 when an edge passes through, otherwise 0 */
+  int32_t sort;             /**< one of touchstone_intersection_sort */
   double weights_first[3];  /**< a common point: barycentric coordinates on the first element */
   double weights_second[3]; /**< the same on the second element */
 };
@@ -339,7 +356,8 @@ enum touchstone_step_outcome {
   TOUCHSTONE_STEP_WHOLE = 0,           /**< the whole step is free: the positions are x1, bit for bit */
   TOUCHSTONE_STEP_SHORTENED = 1,       /**< the step was shortened, and some vertex moves */
   TOUCHSTONE_STEP_NO_ROOM = 2,         /**< every step that moves a vertex to another double ends in a contact */
-  TOUCHSTONE_STEP_CONTACT_AT_START = 3 /**< some pair is in contact at the start; the positions are x0 */
+  TOUCHSTONE_STEP_CONTACT_AT_START = 3, /**< some pair is in contact at the start; the positions are x0 */
+  TOUCHSTONE_STEP_INTERSECTS_AT_START = 4 /**< with check_start: the mesh intersects itself at the start; they are x0 */
 };
 
 /** The longest step that is proved free of contact, and the rounded positions after it: the path from x0 to these was

@@ -99,7 +99,7 @@ struct MeshElements {
 
 /// A mesh whose elements were checked. It is immutable, and several threads may use one object. A copy is cheap.
 ///
-/// It holds 12 bytes for each face, 8 for each edge, 4 for each edge that is in no face, 4 for each vertex that
+/// It holds 12 bytes for each face, 8 for each edge, 16 for each edge that is in no face, 4 for each vertex that
 /// collides and 4 for each loose point, besides the rules and the radii. While it is made, it needs at most 40 bytes
 /// more for each face, 28 for each edge that is given, and 8 for each vertex.
 class Mesh {
@@ -125,13 +125,16 @@ class Mesh {
   Metric metric() const noexcept;                                       ///< how distances are measured
 
   /// Whether the pair is one that first_contact and the other functions ask about. In three dimensions these are two
-  /// edges, a vertex and a face, a loose point and an edge that is in no face, and two loose points. In two dimensions
-  /// they are a vertex and an edge, and two loose points. Two elements that share a vertex, or that the rules exclude,
-  /// never collide. Vertices that are neither in an edge nor a loose point never collide.
+  /// edges, a vertex and a face, a loose point and an edge that is in no face, the end of an edge that is in no face and
+  /// another such edge at its other end, and two loose points. In two dimensions they are a vertex and an edge, and two
+  /// loose points. Two elements that share a vertex, or that the rules exclude, never collide. Vertices that are neither
+  /// in an edge nor a loose point never collide. Where two elements that share a vertex fold onto each other, a corner
+  /// of one comes to lie in the other, or an edge meets the other's opposite edge: a pair that may collide.
   /// @throws InvalidMesh  for an element that does not exist
   bool may_collide(const MeshPair& pair) const;
 
-  /// The separation of a pair. @throws InvalidMesh  for an element that does not exist
+  /// The separation of a pair. In three dimensions it is 0 for a vertex in an edge, and an edge: neighbours along a wire
+  /// only fold onto each other. @throws InvalidMesh  for an element that does not exist
   Separation separation(const MeshPair& pair) const;
 
   /// The vertices of a pair in the order of a query's corners; those past corner_count(kind) are 0.
@@ -182,7 +185,7 @@ class Stopped : public Error {
   using Error::Error;
 };
 
-/// How a mesh's questions are answered. No option but t_max changes an answer.
+/// How a mesh's questions are answered. No option but t_max and check_start changes an answer.
 struct MeshOptions {
   double t_max = 1.0;  ///< the end of the time range, 0 <= t_max <= 1; only first_contact and all_contacts use it
   int threads = 1;     ///< the number of threads, 1 to 1024; 0 takes as many as the machine has
@@ -190,6 +193,10 @@ struct MeshOptions {
   /// Null, or a flag that another thread may set to end the call early, within about a tenth of a second. The call then
   /// throws Stopped.
   const std::atomic<bool>* stop = nullptr;
+
+  /// Whether first_contact also asks `intersections` about the start. A step is about a start that is free: where one
+  /// element passes through another at t = 0, and no pair touches, no contact need follow.
+  bool check_start = false;
 };
 
 /// Two elements in contact.
@@ -197,6 +204,54 @@ struct MeshContact {
   MeshPair pair;          ///< the elements
   Separation separation;  ///< the separation that the contact is about
   Answer answer;          ///< that of `solve` for this pair and this separation
+};
+
+/// A sort of element.
+enum class MeshElement : std::uint8_t {
+  vertex,  ///< a vertex
+  edge,    ///< an edge
+  face     ///< a face
+};
+
+/// The element's name in a message: "vertex", "edge" or "face". Empty for a value that is none of them.
+std::string_view mesh_element_name(MeshElement element) noexcept;
+
+/// How two elements of a mesh meet at rest.
+enum class IntersectionSort : std::uint8_t {
+  /// They share a point, and no vertex: in a corner or border, or lying in each other.
+  touches,
+  /// The edge passes through: its interior and the other element's interior share a single point, with the ends of the
+  /// edge strictly on both sides.
+  pierces,
+  /// They share a vertex, and also a point that is no shared vertex: an edge lies in a face that it grows from, or along
+  /// another edge. Two faces that lie folded onto each other have such an edge.
+  folds,
+  /// The vertex is the least one of a closed surface that lies wholly inside the closed surface of the face, which is the
+  /// least one there, and both surfaces have the same orientation. They share no point.
+  inside
+};
+
+/// The sort's name: "touches", "pierces", "folds" or "inside". Empty for a value that is none of them.
+std::string_view intersection_sort_name(IntersectionSort sort) noexcept;
+
+/// The verb between both elements in a message: "touches", "pierces", "folds onto" or "is inside the closed surface of".
+std::string_view intersection_verb(IntersectionSort sort) noexcept;
+
+/// Two elements of a mesh that share a point at rest, or of which one is inside the other's surface.
+struct Intersection {
+  MeshElement first_element = MeshElement::edge;   ///< an edge, or a vertex that is a loose point or inside
+  MeshIndex first = 0;                             ///< its number
+  MeshElement second_element = MeshElement::face;  ///< a face, an edge or a vertex
+  MeshIndex second = 0;                            ///< its number
+
+  IntersectionSort sort = IntersectionSort::touches;  ///< how they meet
+
+  /// A common point: barycentric coordinates on the first element, (e0, e1, 0) for an edge and (1, 0, 0) for a vertex,
+  /// and on the second one. Each is within 2^-50 of its true value. Of several common points it is one that is nearest
+  /// to the edge's first corner; of elements that fold, to its corner that is not shared. Elements that are inside have
+  /// no common point, and zeros.
+  std::array<double, 3> weights_first{};
+  std::array<double, 3> weights_second{};  ///< the same on the second element
 };
 
 /// The first contact of a mesh in a step.
@@ -216,13 +271,20 @@ struct FirstContact {
   /// Every pair in contact at t = 0, in ascending order. Their later contacts are not told.
   std::vector<MeshContact> at_start;
 
-  /// Whether there is no contact at all in the step.
-  bool free() const noexcept { return !contact && at_start.empty(); }
+  /// Whether the start was asked about, by MeshOptions::check_start.
+  bool start_checked = false;
+
+  /// Where the mesh intersects itself at the start; empty when that was not asked.
+  std::vector<Intersection> start_intersections;
+
+  /// Whether there is no contact at all in the step, and no intersection at the start, if that was asked about.
+  bool free() const noexcept { return !contact && at_start.empty() && start_intersections.empty(); }
 };
 
 /// The first contact while each vertex moves on a straight line from its position in x0 to that in x1, over all pairs
 /// for which Mesh::may_collide is true: the same as by `solve` of each of them. A pair of which one element passes
-/// through the other at the start, but no pair touches, is not in contact: `intersections` finds it.
+/// through the other at the start, but no pair touches, is not in contact: `intersections` finds it, and
+/// MeshOptions::check_start asks for that.
 ///
 /// The result is the same for every number of threads, byte for byte. The call needs 48 bytes for each vertex, and less
 /// than 240 bytes for each edge, or for each face and each vertex that collides, whichever is more: a closed surface of
@@ -252,39 +314,14 @@ std::vector<MeshPair> candidates(const Mesh& mesh, const Positions& x0, const Po
 /// @throws InvalidMesh  for an element that does not exist
 Query query_of(const Mesh& mesh, const MeshPair& pair, const Positions& x0, const Positions& x1);
 
-/// A sort of element.
-enum class MeshElement : std::uint8_t {
-  vertex,  ///< a vertex
-  edge,    ///< an edge
-  face     ///< a face
-};
-
-/// The element's name in a message: "vertex", "edge" or "face". Empty for a value that is none of them.
-std::string_view mesh_element_name(MeshElement element) noexcept;
-
-/// Two elements of a mesh that share a point at rest.
-struct Intersection {
-  MeshElement first_element = MeshElement::edge;   ///< an edge, or a vertex that is a loose point
-  MeshIndex first = 0;                             ///< its number
-  MeshElement second_element = MeshElement::face;  ///< a face, an edge or a vertex
-  MeshIndex second = 0;                            ///< its number
-
-  /// Whether the edge passes through: its interior and the other element's interior share a single point, with the ends
-  /// of the edge strictly on both sides. Otherwise the elements touch: in a corner or border, or lying in each other.
-  bool pierces = false;
-
-  /// A common point: barycentric coordinates on the first element, (e0, e1, 0) for an edge and (1, 0, 0) for a vertex,
-  /// and on the second one. Each is within 2^-50 of its true value. Of several common points it is one that is nearest
-  /// to the edge's first corner.
-  std::array<double, 3> weights_first{};
-  std::array<double, 3> weights_second{};  ///< the same on the second element
-};
-
 /// Where the mesh intersects itself at the positions x, exactly; separations do not count. In three dimensions these
 /// are edges and faces, two edges one of which is in no face, a loose point and a face, a loose point and an edge that
 /// is in no face, and two loose points. In two dimensions they are two edges, a loose point and an edge, and two loose
-/// points. Elements that share a vertex are left out, and those of which no two vertices may collide by the rules. The
-/// list of element pairs in the rules counts for those pairs that are its kinds.
+/// points. Two elements that share a vertex intersect when they fold onto each other; the edges of one face are not
+/// asked about. A closed surface inside another one is found too: a set of faces that are connected by vertices, and
+/// pass each of their edges as often in one direction as in the other. Elements of which no two vertices may collide by
+/// the rules are left out; vertices that the elements share do not count for that, and of two surfaces the two elements
+/// that would be reported. The list of element pairs in the rules counts for those pairs that are its kinds.
 /// @param mesh     the mesh
 /// @param x        the positions
 /// @param options  how the question is answered
@@ -294,10 +331,14 @@ std::vector<Intersection> intersections(const Mesh& mesh, const Positions& x, co
 
 /// How a step was shortened.
 enum class StepOutcome : std::uint8_t {
-  whole,            ///< the whole step is free: the length is 1, and the positions are x1, bit for bit
-  shortened,        ///< the step was shortened, and some vertex moves
-  no_room,          ///< the start is free, but every step that moves a vertex to another double ends in a contact
-  contact_at_start  ///< some pair is in contact at the start; the length is 0, and the positions are x0
+  whole,      ///< the whole step is free: the length is 1, and the positions are x1, bit for bit
+  shortened,  ///< the step was shortened, and some vertex moves
+  no_room,  ///< no pair is in contact at the start, but every step that moves a vertex to another double ends in a contact
+  contact_at_start,  ///< some pair is in contact at the start; the length is 0, and the positions are x0
+
+  /// The mesh intersects itself at the start, which was asked about, and no pair is in contact there; the length is 0,
+  /// and the positions are x0.
+  intersects_at_start
 };
 
 /// The options of free_step.
@@ -310,6 +351,8 @@ struct FreeStepOptions {
   double kept_fraction = 0;
 
   const std::atomic<bool>* stop = nullptr;  ///< as in MeshOptions
+
+  bool check_start = false;  ///< as in MeshOptions
 };
 
 /// A step that is free of contact.
@@ -326,7 +369,8 @@ struct FreeStep {
   /// vertex as the mesh has dimensions: x y z x y z ...
   std::vector<double> positions;
 
-  /// The first contact of the whole step, about the distances that the step is to keep.
+  /// The first contact of the whole step, about the distances that the step is to keep. It says whether the start was
+  /// asked about.
   FirstContact contact;
 
   /// The number of times that all pairs were asked about.

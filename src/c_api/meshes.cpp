@@ -37,6 +37,11 @@ static_assert(TOUCHSTONE_STEP_WHOLE == static_cast<int>(StepOutcome::whole));
 static_assert(TOUCHSTONE_STEP_SHORTENED == static_cast<int>(StepOutcome::shortened));
 static_assert(TOUCHSTONE_STEP_NO_ROOM == static_cast<int>(StepOutcome::no_room));
 static_assert(TOUCHSTONE_STEP_CONTACT_AT_START == static_cast<int>(StepOutcome::contact_at_start));
+static_assert(TOUCHSTONE_STEP_INTERSECTS_AT_START == static_cast<int>(StepOutcome::intersects_at_start));
+static_assert(TOUCHSTONE_TOUCHES == static_cast<int>(IntersectionSort::touches));
+static_assert(TOUCHSTONE_PIERCES == static_cast<int>(IntersectionSort::pierces));
+static_assert(TOUCHSTONE_FOLDS == static_cast<int>(IntersectionSort::folds));
+static_assert(TOUCHSTONE_INSIDE == static_cast<int>(IntersectionSort::inside));
 
 /// What version 1 of the structure had.
 constexpr std::size_t kFirstElementsSize =
@@ -110,6 +115,9 @@ touchstone_options mesh_options(const touchstone_options* given) {
   }
   metric_of(options.metric);
   wanted_of(options.wanted);
+  if (options.check_start != 0 && options.check_start != 1) {
+    throw InvalidArgument("check_start is " + std::to_string(options.check_start) + "; it must be 0 or 1");
+  }
   return options;
 }
 
@@ -170,8 +178,10 @@ int touchstone_mesh_first_contact(const touchstone_mesh* mesh, const double* x0,
     const Mesh& of = required(mesh, "mesh").mesh;
     const touchstone_options options = mesh_options(given);
     required(result, "result");
-    FirstContact contact = first_contact(of, positions_of(of, x0, value_count, "x0"),
-                                         positions_of(of, x1, value_count, "x1"), {options.t_max, options.threads});
+    MeshOptions asked{options.t_max, options.threads};
+    asked.check_start = options.check_start == 1;
+    FirstContact contact =
+        first_contact(of, positions_of(of, x0, value_count, "x0"), positions_of(of, x1, value_count, "x1"), asked);
     const touchstone_first_contact told{contact.contact ? 1 : 0, contact.free() ? 1 : 0, contact.toi,
                                         contact.toi_upper};
     std::unique_ptr<touchstone_contacts> first_list, start_list;
@@ -240,7 +250,8 @@ int touchstone_intersections_get(const touchstone_intersections* found, std::siz
     told.first = one.first;
     told.second_element = static_cast<int>(one.second_element);
     told.second = one.second;
-    told.pierces = one.pierces ? 1 : 0;
+    told.pierces = one.sort == IntersectionSort::pierces ? 1 : 0;
+    told.sort = static_cast<int>(one.sort);
     std::copy(one.weights_first.begin(), one.weights_first.end(), told.weights_first);
     std::copy(one.weights_second.begin(), one.weights_second.end(), told.weights_second);
     required(intersection, "intersection") = told;
@@ -256,8 +267,10 @@ int touchstone_mesh_free_step(const touchstone_mesh* mesh, const double* x0, con
     const touchstone_options options = mesh_options(given);
     if (!(options.t_max == 1)) throw InvalidArgument("a free step is over [0, 1]: t_max must be 1");
     array(positions, value_count, 1, "positions");
-    const FreeStep step = free_step(of, positions_of(of, x0, value_count, "x0"),
-                                    positions_of(of, x1, value_count, "x1"), {options.threads, options.kept_fraction});
+    FreeStepOptions asked{options.threads, options.kept_fraction};
+    asked.check_start = options.check_start == 1;
+    const FreeStep step =
+        free_step(of, positions_of(of, x0, value_count, "x0"), positions_of(of, x1, value_count, "x1"), asked);
     std::copy(step.positions.begin(), step.positions.end(), positions);
     if (length != nullptr) *length = step.length;
     if (outcome != nullptr) *outcome = static_cast<int>(step.outcome);

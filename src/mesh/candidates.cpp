@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "mesh/contacts.hpp"
+#include "mesh/folds.hpp"
 #include "mesh/pair_distance.hpp"
 #include "numbers/float_environment.hpp"
 #include "solver/cascade.hpp"
@@ -111,6 +112,17 @@ void find(const Mesh::Impl& mesh, const Boxes& boxes, Kind kind, const ListA& a,
   compare(boxes, a, b, search, keep, [&](const Pair* pairs, std::size_t count) { take(kind, pairs, count); });
 }
 
+/// The same for ends of wires, and the wires beside them.
+void find_beside(const Mesh::Impl& mesh, const Boxes& boxes, const Vertices& ends, const Wires& wires,
+                 const broad_phase::PairSearch& search, const CandidateConsumer& take) {
+  const auto keep = [&](Index i, Index j) {
+    const Index end = ends.number(i);
+    return is_beside(mesh, end, wires.corners(j)) && rules_allow(mesh, {Kind::point_edge, end, wires.number(j)});
+  };
+  compare(boxes, ends, &wires, search, keep,
+          [&](const Pair* pairs, std::size_t count) { take(Kind::point_edge, pairs, count); });
+}
+
 /// The greatest distance of a vertex from its start, or a little more.
 double displacement(const MovingVertex& vertex) noexcept {
   return std::hypot(vertex.end.x - vertex.start.x, vertex.end.y - vertex.start.y, vertex.end.z - vertex.start.z);
@@ -162,6 +174,7 @@ void for_each_candidate_block(const Mesh::Impl& mesh, const Motion& motion, cons
     find(mesh, boxes, Kind::vertex_face, vertices, &faces, search, take);
     const Wires wires{mesh};
     find(mesh, boxes, Kind::point_edge, points, &wires, search, take);
+    find_beside(mesh, boxes, Vertices{mesh.wire_ends}, wires, search, take);
   } else {
     find(mesh, boxes, Kind::point_edge, vertices, &edges, search, take);
   }
@@ -180,15 +193,11 @@ void for_each_resting_block(const Mesh::Impl& mesh, const Motion& motion, const 
   const All<3> faces{mesh.faces};
   const Wires wires{mesh};
   const auto run = [&](const auto& a, const auto& b) {
-    const auto keep = [&](Index i, Index j) {
-      return !share_vertex(a.corners(i), b.corners(j)) && corners_may_collide(mesh, a.corners(i), b.corners(j));
-    };
+    const auto keep = [&](Index i, Index j) { return may_intersect(mesh, motion, a.corners(i), b.corners(j)); };
     compare(boxes, a, &b, search, keep, take);
   };
   const auto run_alone = [&](const auto& a) {
-    const auto keep = [&](Index i, Index j) {
-      return !share_vertex(a.corners(i), a.corners(j)) && corners_may_collide(mesh, a.corners(i), a.corners(j));
-    };
+    const auto keep = [&](Index i, Index j) { return may_intersect(mesh, motion, a.corners(i), a.corners(j)); };
     compare<std::decay_t<decltype(a)>, std::decay_t<decltype(a)>>(boxes, a, nullptr, search, keep, take);
   };
   const auto run_first = [&](const auto& a) {

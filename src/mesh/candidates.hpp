@@ -39,7 +39,7 @@ struct RestingPass {
   bool only_wires_second = false;  ///< the same in the second place
 };
 
-/// Hands out, once, each pair of elements whose boxes at t = 0 touch, and that share no vertex.
+/// Hands out, once, each pair of elements whose boxes at t = 0 touch, and that may intersect.
 void for_each_resting_block(const Mesh::Impl& mesh, const Motion& motion, const RestingPass& pass, int threads,
                             const broad_phase::PairBlockConsumer& take);
 

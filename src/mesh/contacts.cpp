@@ -12,6 +12,7 @@
 #include <touchstone/solve.hpp>
 
 #include "mesh/candidates.hpp"
+#include "mesh/intersections.hpp"
 #include "mesh/narrow.hpp"
 #include "numbers/float_environment.hpp"
 #include "solver/cascade.hpp"
@@ -137,6 +138,8 @@ FirstContact find_first(const Mesh::Impl& mesh, const Motion& motion, const Cont
   result.first = with_answers(mesh, motion, earliest.first(), search);
   keep_exactly_first(mesh, motion, result.first, search.threads);
   result.at_start = with_answers(mesh, motion, earliest.at_start(), search);
+  result.start_checked = search.check_start;
+  if (search.check_start) result.start_intersections = find_intersections(mesh, motion, search.threads, search.stop);
   return result;
 }
 
@@ -166,7 +169,8 @@ namespace {
 
 TOUCHSTONE_BEHIND_GUARD FirstContact first_of(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1,
                                               const MeshOptions& options) {
-  return find_first(mesh, motion_of(mesh, x0, x1, options.threads), {options.t_max, options.threads, 0, options.stop});
+  return find_first(mesh, motion_of(mesh, x0, x1, options.threads),
+                    {options.t_max, options.threads, 0, options.stop, options.check_start});
 }
 
 TOUCHSTONE_BEHIND_GUARD std::vector<MeshContact> all_of(const Mesh::Impl& mesh, const Positions& x0,

@@ -17,9 +17,11 @@ struct Mesh::Impl {
   int dimension = 3;
   std::vector<std::array<MeshIndex, 3>> faces;
   std::vector<std::array<MeshIndex, 2>> edges;
-  std::vector<MeshIndex> points;    // in ascending order, as the next two
-  std::vector<MeshIndex> vertices;  // those in an edge, and the loose points
-  std::vector<MeshIndex> wires;     // the edges that are in no face; empty in two dimensions, where no one asks
+  std::vector<MeshIndex> points;      // in ascending order, as the next two
+  std::vector<MeshIndex> vertices;    // those in an edge, and the loose points
+  std::vector<MeshIndex> wires;       // the edges that are in no face; empty in two dimensions, where no one asks
+  std::vector<MeshIndex> wire_ends;   // the vertices from which a wire leads to another wire
+  std::vector<std::uint64_t> joined;  // the corners of each wire, as a pair of the rules
 
   Separation separation;
   std::vector<double> radii;
@@ -42,6 +44,10 @@ using Index = MeshIndex;
 
 inline std::uint64_t unordered(Index a, Index b) noexcept {
   return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+}
+
+inline bool is_in(const std::vector<Index>& sorted, Index number) noexcept {
+  return std::binary_search(sorted.begin(), sorted.end(), number);
 }
 
 template <std::size_t N>
@@ -74,6 +80,15 @@ bool corners_may_collide(const Mesh::Impl& mesh, const std::array<Index, N>& a,
     }
   }
   return false;
+}
+
+/// Whether a wire leads from the vertex to a corner of an edge, and the vertex is none of these.
+inline bool is_beside(const Mesh::Impl& mesh, Index vertex, const std::array<Index, 2>& edge) noexcept {
+  if (contains(edge, vertex)) return false;
+  const auto are_joined = [&](Index end) {
+    return std::binary_search(mesh.joined.begin(), mesh.joined.end(), unordered(vertex, end));
+  };
+  return are_joined(edge[0]) || are_joined(edge[1]);
 }
 
 /// `pair` with its lesser number first where both elements are of one sort.

@@ -153,13 +153,14 @@ bool is_in_contact(const Mesh::Impl& mesh, const Motion& step, const std::vector
 TOUCHSTONE_BEHIND_GUARD FreeStep find_step(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1,
                                            const FreeStepOptions& options) {
   const Motion step = motion_of(mesh, x0, x1, options.threads);
-  const ContactSearch search{1, options.threads, options.kept_fraction, options.stop};
+  const ContactSearch search{1, options.threads, options.kept_fraction, options.stop, options.check_start};
   FreeStep result;
   result.contact = find_first(mesh, step, search);
   result.proofs = 1;
-  if (!result.contact.at_start.empty()) {
-    const bool contact = is_in_contact(mesh, step, result.contact.at_start);
-    result.outcome = contact ? StepOutcome::contact_at_start : StepOutcome::no_room;
+  if (!result.contact.at_start.empty() || !result.contact.start_intersections.empty()) {
+    result.outcome = is_in_contact(mesh, step, result.contact.at_start) ? StepOutcome::contact_at_start
+                     : !result.contact.start_intersections.empty()      ? StepOutcome::intersects_at_start
+                                                                        : StepOutcome::no_room;
     result.length = 0;
     result.positions = packed(step, mesh.dimension, false);
     return result;

@@ -5,6 +5,7 @@
 #include <array>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -13,6 +14,9 @@
 
 #include "mesh/candidates.hpp"
 #include "mesh/contacts.hpp"
+#include "mesh/folds.hpp"
+#include "mesh/inside.hpp"
+#include "mesh/intersections.hpp"
 #include "mesh/narrow.hpp"
 #include "numbers/float_environment.hpp"
 #include "solver/cascade.hpp"
@@ -38,44 +42,82 @@ bool is_listed(const Mesh::Impl& mesh, const RestingPass& pass, const Pair& pair
   return pass.second == MeshElement::edge && is_excluded(mesh, {Kind::edge_edge, pair[0], pair[1]});
 }
 
-void fill(ColumnBlock& columns, const Mesh::Impl& mesh, const Motion& motion, const RestingPass& pass,
-          const Pair& pair) {
-  const auto at = [&](Index vertex) -> const Vec3& { return motion[vertex].start; };
-  if (pass.first == MeshElement::edge) {
-    columns.set(0, at(mesh.edges[pair[0]][0]), at(mesh.edges[pair[0]][1]));
+/// Two elements, of which an edge is traced from `from` to `to`: to a vertex that both have, where there is one.
+struct Asked {
+  Pair pair{};
+  Index from = 0, to = 0;
+  bool shared = false;
+};
+
+template <std::size_t N>
+void trace(Asked& asked, const std::array<Index, 2>& edge, const std::array<Index, N>& other) noexcept {
+  asked.shared = share_vertex(edge, other);
+  const bool backwards = asked.shared && contains(other, edge[0]);
+  asked.from = edge[backwards ? 1 : 0];
+  asked.to = edge[backwards ? 0 : 1];
+}
+
+Asked asked_of(const Mesh::Impl& mesh, const RestingPass& pass, const Pair& pair) noexcept {
+  Asked asked;
+  asked.pair = pair;
+  if (pass.first != MeshElement::edge) {
+    asked.from = asked.to = pair[0];
+  } else if (pass.second == MeshElement::edge) {
+    // A wire may come first, whatever its number is.
+    std::sort(asked.pair.begin(), asked.pair.end());
+    trace(asked, mesh.edges[asked.pair[0]], mesh.edges[asked.pair[1]]);
   } else {
-    columns.set(0, at(pair[0]), at(pair[0]));
+    trace(asked, mesh.edges[pair[0]], mesh.faces[pair[1]]);
   }
+  return asked;
+}
+
+void fill(ColumnBlock& columns, const Mesh::Impl& mesh, const Motion& motion, const RestingPass& pass,
+          const Asked& asked) {
+  const auto at = [&](Index vertex) -> const Vec3& { return motion[vertex].start; };
+  columns.set(0, at(asked.from), at(asked.to));
   const auto rest = [&](std::size_t c, Index vertex) { columns.set(c, at(vertex), at(vertex)); };
+  const Index second = asked.pair[1];
   switch (pass.second) {
-    case MeshElement::vertex: rest(1, pair[1]); break;
+    case MeshElement::vertex: rest(1, second); break;
     case MeshElement::edge:
-      for (std::size_t i = 0; i < 2; ++i) rest(1 + i, mesh.edges[pair[1]][i]);
+      for (std::size_t i = 0; i < 2; ++i) rest(1 + i, mesh.edges[second][i]);
       break;
     case MeshElement::face:
-      for (std::size_t i = 0; i < 3; ++i) rest(1 + i, mesh.faces[pair[1]][i]);
+      for (std::size_t i = 0; i < 3; ++i) rest(1 + i, mesh.faces[second][i]);
       break;
   }
   columns.finish_query();
 }
 
-Intersection from_answer(const RestingPass& pass, const Pair& pair, const Answer& answer) {
+/// The intersection that the answer shows, or nothing. An edge that is traced to a shared vertex touches the other
+/// element there, at the time 1: a first time before that is a point that is not shared.
+std::optional<Intersection> from_answer(const Mesh::Impl& mesh, const Motion& motion, const RestingPass& pass,
+                                        const Asked& asked, const Answer& answer) {
+  if (!answer.contact) return std::nullopt;
   Intersection found;
   found.first_element = pass.first;
-  found.first = pair[0];
+  found.first = asked.pair[0];
   found.second_element = pass.second;
-  found.second = pair[1];
+  found.second = asked.pair[1];
   found.weights_second = answer.weights_b;
   found.weights_first = {1, 0, 0};
   if (pass.first != MeshElement::edge) return found;
-  found.weights_first = {1 - answer.toi, answer.toi, 0};
+  const bool forwards = asked.from == mesh.edges[found.first][0];
+  found.weights_first[forwards ? 0 : 1] = 1 - answer.toi;
+  found.weights_first[forwards ? 1 : 0] = answer.toi;
+  if (asked.shared) {
+    if (!(answer.toi < 1) || same_place(motion[asked.from].start, motion[asked.to].start)) return std::nullopt;
+    found.sort = IntersectionSort::folds;
+    return found;
+  }
   const bool inside_edge = answer.toi_upper > 0 && answer.toi < 1;
   // The plane's side is a linear function of the fraction, so a crossing has the ends on both sides. Of two edges,
   // lines that are not parallel share a single point; on parallel ones the first common point is an end of an edge.
   const bool inside_second = pass.second == MeshElement::face
                                  ? answer.feature_b == Feature::f && answer.nature == Nature::crossing
                                  : answer.feature_b == Feature::e && answer.nature == Nature::isolated;
-  found.pierces = inside_edge && inside_second;
+  if (inside_edge && inside_second) found.sort = IntersectionSort::pierces;
   return found;
 }
 
@@ -95,41 +137,49 @@ bool comes_twice(const Mesh::Impl& mesh, const RestingPass& pass, const Pair& pa
          std::binary_search(mesh.wires.begin(), mesh.wires.end(), pair[1]);
 }
 
-TOUCHSTONE_BEHIND_GUARD std::vector<Intersection> find_intersections(const Mesh::Impl& mesh, const Positions& x,
-                                                                     const MeshOptions& options) {
-  const int threads = options.threads;
-  const Motion motion = motion_of(mesh, x, x, threads);
+}  // namespace
+
+std::vector<Intersection> find_intersections(const Mesh::Impl& mesh, const Motion& motion, int threads,
+                                             const std::atomic<bool>* stop) {
   std::vector<Intersection> all;
   std::mutex lock;
   for (const RestingPass& pass : passes_of(mesh)) {
     for_each_resting_block(mesh, motion, pass, threads, [&](const Pair* pairs, std::size_t count) {
-      check_stop(options.stop);
+      check_stop(stop);
       const auto columns = std::make_unique<ColumnBlock>(kind_of_query(pass.second));
-      std::array<Pair, ColumnBlock::kQueries> asked;
+      std::array<Asked, ColumnBlock::kQueries> asked;
       const auto ask = [&] {
         columns->solve(1, Wanted::all, Metric::euclidean, nullptr);
         for (std::size_t i = 0; i < columns->size(); ++i) {
-          if (!columns->answers()[i].contact) continue;
-          const Intersection found = from_answer(pass, asked[i], columns->answers()[i]);
+          const auto found = from_answer(mesh, motion, pass, asked[i], columns->answers()[i]);
+          if (!found) continue;
           const std::lock_guard<std::mutex> guard(lock);
-          all.push_back(found);
+          all.push_back(*found);
         }
         columns->clear();
       };
       for (std::size_t i = 0; i < count; ++i) {
         if (comes_twice(mesh, pass, pairs[i]) || is_listed(mesh, pass, pairs[i])) continue;
-        asked[columns->size()] = pairs[i];
-        fill(*columns, mesh, motion, pass, pairs[i]);
+        const Asked& next = asked[columns->size()] = asked_of(mesh, pass, pairs[i]);
+        fill(*columns, mesh, motion, pass, next);
         if (columns->is_full()) ask();
       }
       ask();
     });
   }
+  add_inside(mesh, motion, threads, stop, all);
   std::sort(all.begin(), all.end(), [](const Intersection& a, const Intersection& b) {
     return std::tie(a.first_element, a.second_element, a.first, a.second) <
            std::tie(b.first_element, b.second_element, b.first, b.second);
   });
   return all;
+}
+
+namespace {
+
+TOUCHSTONE_BEHIND_GUARD std::vector<Intersection> intersections_at(const Mesh::Impl& mesh, const Positions& x,
+                                                                   const MeshOptions& options) {
+  return find_intersections(mesh, motion_of(mesh, x, x, options.threads), options.threads, options.stop);
 }
 
 }  // namespace
@@ -139,7 +189,7 @@ namespace touchstone {
 
 std::vector<Intersection> intersections(const Mesh& mesh, const Positions& x, const MeshOptions& options) {
   const numbers::DefaultFloatEnvironment environment;
-  return mesh::find_intersections(mesh.impl(), x, options);
+  return mesh::intersections_at(mesh.impl(), x, options);
 }
 
 }  // namespace touchstone

@@ -117,6 +117,25 @@ void complete_edges(Mesh::Impl& mesh) {
   mesh.edges.shrink_to_fit();
 }
 
+/// Lists the vertices from which a wire leads to a vertex of another wire.
+void find_wire_ends(Mesh::Impl& mesh) {
+  if (mesh.wires.size() < 2) return;
+  std::vector<char> wires_at(mesh.vertex_count, 0);
+  for (const Index wire : mesh.wires) {
+    mesh.joined.push_back(mesh::unordered(mesh.edges[wire][0], mesh.edges[wire][1]));
+    for (const Index end : mesh.edges[wire]) wires_at[end] = wires_at[end] == 0 ? 1 : 2;  // 2: several
+  }
+  std::sort(mesh.joined.begin(), mesh.joined.end());
+  for (const Index wire : mesh.wires) {
+    const Edge& ends = mesh.edges[wire];
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (wires_at[ends[1 - i]] == 2) mesh.wire_ends.push_back(ends[i]);
+    }
+  }
+  std::sort(mesh.wire_ends.begin(), mesh.wire_ends.end());
+  mesh.wire_ends.erase(std::unique(mesh.wire_ends.begin(), mesh.wire_ends.end()), mesh.wire_ends.end());
+}
+
 void find_points(Mesh::Impl& mesh, const std::optional<std::vector<Index>>& given) {
   constexpr Index kNone = std::numeric_limits<Index>::max();
   std::vector<Index> edge_of(mesh.vertex_count, kNone);
@@ -253,10 +272,6 @@ void take_rules(Mesh::Impl& mesh, CollisionRules rules) {
   std::sort(mesh.element_pairs.begin(), mesh.element_pairs.end());
 }
 
-bool is_in(const std::vector<Index>& sorted, Index number) noexcept {
-  return std::binary_search(sorted.begin(), sorted.end(), number);
-}
-
 }  // namespace
 
 Mesh::Mesh() : impl_(std::make_shared<const Impl>()) {}
@@ -287,6 +302,7 @@ Mesh::Mesh(MeshElements elements) {
   check_duplicates("face", impl->faces);
   check_duplicates("edge", impl->edges);
   complete_edges(*impl);
+  find_wire_ends(*impl);
   find_points(*impl, elements.points);
   impl->separation = elements.separation;
   impl->radii = std::move(elements.radii);
@@ -311,14 +327,17 @@ bool Mesh::may_collide(const MeshPair& pair) const {
       if (!in_space) return false;
       break;
     case Kind::vertex_face:
-      if (!is_in(impl_->vertices, pair.first)) return false;
+      if (!mesh::is_in(impl_->vertices, pair.first)) return false;
       break;
     case Kind::point_edge:
-      if (in_space && !(is_in(impl_->points, pair.first) && is_in(impl_->wires, pair.second))) return false;
-      if (!is_in(impl_->vertices, pair.first)) return false;
+      if (!mesh::is_in(impl_->vertices, pair.first)) return false;
+      if (!in_space) break;
+      if (!mesh::is_in(impl_->wires, pair.second)) return false;
+      if (!mesh::is_in(impl_->points, pair.first) && !mesh::is_beside(*impl_, pair.first, impl_->edges[pair.second]))
+        return false;
       break;
     case Kind::point_point:
-      if (!is_in(impl_->points, pair.first) || !is_in(impl_->points, pair.second)) return false;
+      if (!mesh::is_in(impl_->points, pair.first) || !mesh::is_in(impl_->points, pair.second)) return false;
       break;
   }
   return mesh::rules_allow(*impl_, pair);
@@ -350,6 +369,24 @@ std::string Mesh::describe(const MeshPair& pair) const {
     case Kind::point_point: return "vertex " + text(pair.first) + " and vertex " + text(pair.second);
   }
   return {};
+}
+
+std::string_view intersection_sort_name(IntersectionSort sort) noexcept {
+  switch (sort) {
+    case IntersectionSort::touches: return "touches";
+    case IntersectionSort::pierces: return "pierces";
+    case IntersectionSort::folds: return "folds";
+    case IntersectionSort::inside: return "inside";
+  }
+  return {};
+}
+
+std::string_view intersection_verb(IntersectionSort sort) noexcept {
+  switch (sort) {
+    case IntersectionSort::folds: return "folds onto";
+    case IntersectionSort::inside: return "is inside the closed surface of";
+    default: return intersection_sort_name(sort);
+  }
 }
 
 std::string_view mesh_element_name(MeshElement element) noexcept {

@@ -27,6 +27,8 @@ inline double separation_of(const Mesh::Impl& mesh, const MeshPair& pair,
   if (!mesh.pair_separations.empty()) {
     if (const PairSeparation* listed = listed_separation(mesh, pair)) return listed->distance;
   }
+  // A vertex of a wire and a wire beside it are as near as their common neighbour lets them: only a fold counts.
+  if (pair.kind == Kind::point_edge && mesh.dimension == 3 && !is_in(mesh.points, pair.first)) return 0;
   if (mesh.radii.empty()) return mesh.separation.distance;
   double first = 0, second = 0;
   for (std::size_t c = 0; c < corner_count(pair.kind); ++c) {

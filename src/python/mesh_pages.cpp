@@ -149,7 +149,8 @@ class StepPage {
       if (!animation_.has_room(MarkSort::crossing)) continue;
       animation_.add_story(
           {time, point, pair, MarkSort::crossing,
-           animation_.name(first) + (one.pierces ? " pierces " : " touches ") + animation_.name(second), ""});
+           animation_.name(first) + " " + std::string(intersection_verb(one.sort)) + " " + animation_.name(second),
+           ""});
     }
     return all.size();
   }

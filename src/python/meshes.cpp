@@ -128,9 +128,11 @@ py::array rows_of(const std::vector<std::array<MeshIndex, N>>& rows, py::handle 
 /// A function of a mesh and of the positions at both ends of a step.
 template <class Function>
 auto of_step(const Function& function) {
-  return [function](const Mesh& mesh, py::handle x0, py::handle x1, py::handle t_max, py::handle threads) {
+  return [function](const Mesh& mesh, py::handle x0, py::handle x1, py::handle t_max, py::handle threads,
+                    bool check_start) {
     const PositionArray start(x0, mesh, "x0"), end(x1, mesh, "x1");
     MeshOptions options = options_of(t_max, threads);
+    options.check_start = check_start;
     return in_background(mesh.vertex_count(), [&](const std::atomic<bool>& stop) {
       options.stop = &stop;
       return function(mesh, start.view(), end.view(), options);
@@ -298,8 +300,24 @@ void define_intersections(py::module_& module) {
   };
   column("first", &Intersection::first, MeshIndex(), 0, "(n,) uint32: the numbers of the first elements");
   column("second", &Intersection::second, MeshIndex(), 0, "(n,) uint32: the numbers of the second elements");
-  column("pierces", &Intersection::pierces, bool(), 0,
-         "(n,) bool: whether the edge passes through; otherwise the elements touch");
+  found.def_property_readonly(
+      "sort",
+      [](const Intersections& self) {
+        py::list sorts;
+        for (const Intersection& one : self.all) sorts.append(std::string(intersection_sort_name(one.sort)));
+        return sorts;
+      },
+      "a list of 'touches', 'pierces', 'folds' or 'inside'");
+  found.def_property_readonly(
+      "pierces",
+      [](const Intersections& self) {
+        py::array_t<bool> pierces(static_cast<py::ssize_t>(self.all.size()));
+        bool* next = pierces.mutable_data();
+        for (const Intersection& one : self.all) *next++ = one.sort == IntersectionSort::pierces;
+        py::detail::array_proxy(pierces.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+        return pierces;
+      },
+      "(n,) bool: whether the edge passes through");
   column("weights_first", &Intersection::weights_first, double(), 3,
          "(n, 3) float64: a common point, as barycentric coordinates on the first element");
   column("weights_second", &Intersection::weights_second, double(), 3, "(n, 3) float64: on the second element");
@@ -311,7 +329,14 @@ void define_first_contact(py::module_& module) {
                     "whether elements that are not in contact at the start come into contact")
       .def_readonly("toi", &FirstContact::toi, "the largest double <= the exact first time of it; inf without one")
       .def_readonly("toi_upper", &FirstContact::toi_upper, "the smallest double >= it")
-      .def_property_readonly("free", &FirstContact::free, "whether there is no contact at all in the step")
+      .def_property_readonly("free", &FirstContact::free,
+                             "whether there is no contact at all in the step, and no intersection at the start, if "
+                             "start_checked")
+      .def_readonly("start_checked", &FirstContact::start_checked,
+                    "whether the start was asked about, by check_start=True")
+      .def_property_readonly(
+          "start_intersections", [](const FirstContact& self) { return Intersections{self.start_intersections}; },
+          "Intersections: where the mesh intersects itself at the start; empty when that was not asked")
       .def_property_readonly(
           "first", [](const FirstContact& self) { return pairs_of(self.first); },
           "Pairs: every pair whose contact begins at exactly that time")
@@ -319,7 +344,12 @@ void define_first_contact(py::module_& module) {
           "at_start", [](const FirstContact& self) { return pairs_of(self.at_start); },
           "Pairs: every pair in contact at t = 0")
       .def("__repr__", [](const FirstContact& self) {
-        if (self.free()) return std::string("<FirstContact: free>");
+        if (self.free()) {
+          return std::string(self.start_checked ? "<FirstContact: free>" : "<FirstContact: free, start not checked>");
+        }
+        if (!self.start_intersections.empty()) {
+          return "<FirstContact: " + std::to_string(self.start_intersections.size()) + " intersections at the start>";
+        }
         return "<FirstContact: toi " + std::string(py::repr(py::float_(self.toi))) + ", " +
                std::to_string(self.first.size()) + " first, " + std::to_string(self.at_start.size()) + " at the start>";
       });
@@ -331,6 +361,7 @@ const char* outcome_name(StepOutcome outcome) {
     case StepOutcome::shortened: return "shortened";
     case StepOutcome::no_room: return "no_room";
     case StepOutcome::contact_at_start: return "contact_at_start";
+    case StepOutcome::intersects_at_start: return "intersects_at_start";
   }
   return "";
 }
@@ -345,7 +376,7 @@ void define_free_step(py::module_& module) {
   py::class_<Step>(module, "FreeStep", "A step that is proved free of contact.")
       .def_property_readonly(
           "outcome", [](const Step& self) { return outcome_name(self.step.outcome); },
-          "'whole', 'shortened', 'no_room' or 'contact_at_start'")
+          "'whole', 'shortened', 'no_room', 'contact_at_start' or 'intersects_at_start'")
       .def_property_readonly(
           "length", [](const Step& self) { return self.step.length; }, "the fraction of the step, in [0, 1]")
       .def_property_readonly(
@@ -366,7 +397,8 @@ void define_free_step(py::module_& module) {
           "the number of times that all pairs were asked about")
       .def("__repr__", [](const Step& self) {
         return std::string("<FreeStep: ") + outcome_name(self.step.outcome) + ", length " +
-               std::string(py::repr(py::float_(self.step.length))) + ">";
+               std::string(py::repr(py::float_(self.step.length))) +
+               (self.step.contact.start_checked ? ">" : ", start not checked>");
       });
 }
 
@@ -396,17 +428,18 @@ void define_meshes(py::module_& module) {
       return Intersections{intersections(mesh, positions.view(), options)};
     });
   });
-  module.def("free_step",
-             [](const Mesh& mesh, py::handle x0, py::handle x1, py::handle kept_fraction, py::handle threads) {
-               const PositionArray start(x0, mesh, "x0"), end(x1, mesh, "x1");
-               FreeStepOptions options;
-               options.kept_fraction = number_of(kept_fraction, "kept_fraction");
-               options.threads = threads_of(threads);
-               return in_background(mesh.vertex_count(), [&](const std::atomic<bool>& stop) {
-                 options.stop = &stop;
-                 return Step{free_step(mesh, start.view(), end.view(), options), mesh.dimension()};
-               });
-             });
+  module.def("free_step", [](const Mesh& mesh, py::handle x0, py::handle x1, py::handle kept_fraction,
+                             py::handle threads, bool check_start) {
+    const PositionArray start(x0, mesh, "x0"), end(x1, mesh, "x1");
+    FreeStepOptions options;
+    options.kept_fraction = number_of(kept_fraction, "kept_fraction");
+    options.threads = threads_of(threads);
+    options.check_start = check_start;
+    return in_background(mesh.vertex_count(), [&](const std::atomic<bool>& stop) {
+      options.stop = &stop;
+      return Step{free_step(mesh, start.view(), end.view(), options), mesh.dimension()};
+    });
+  });
 }
 
 }  // namespace touchstone::python

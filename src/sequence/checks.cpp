@@ -146,7 +146,7 @@ std::vector<RestContact> named(const std::vector<Intersection>& found, ElementNa
   contacts.reserve(found.size());
   for (const Intersection& one : found) {
     contacts.push_back(
-        {names.element(one.first_element, one.first), names.element(one.second_element, one.second), one.pierces});
+        {names.element(one.first_element, one.first), names.element(one.second_element, one.second), one.sort});
   }
   return contacts;
 }

@@ -36,7 +36,7 @@ std::string pair_rows(const Result& result, std::string_view from, std::string_v
   for (const auto& pair : result.at_start) rows += pair_row(start, pair, 0, 0, "at_start");
   const std::string at_end = io::csv_field(result.step ? to : from) + ",";
   for (const auto& contact : result.intersections) {
-    rows += fmt::format("{},{},,{},{},,,,,,\n", at_end, contact.pierces ? "pierces" : "touches",
+    rows += fmt::format("{},{},,{},{},,,,,,\n", at_end, intersection_sort_name(contact.sort),
                         element_columns(contact.first), element_columns(contact.second));
   }
   return rows;

@@ -35,10 +35,10 @@ struct PairContact {
   Trend trend = Trend::none;  ///< with a separation only
 };
 
-/// Two elements that share a point at rest.
+/// Two elements that meet at rest.
 struct RestContact {
   NamedElement first, second;
-  bool pierces = false;
+  IntersectionSort sort = IntersectionSort::touches;
 };
 
 /// What was found about a frame at rest, or about the step from a frame to the next.

@@ -41,8 +41,8 @@ std::string json_of(const PairContact& pair) {
 }
 
 std::string json_of(const RestContact& contact) {
-  return fmt::format("{{\"first\":{},\"second\":{},\"pierces\":{}}}", json_of(contact.first), json_of(contact.second),
-                     contact.pierces);
+  return fmt::format("{{\"first\":{},\"second\":{},\"sort\":\"{}\"}}", json_of(contact.first), json_of(contact.second),
+                     intersection_sort_name(contact.sort));
 }
 
 template <class Item>
@@ -103,8 +103,9 @@ PairContact pair_from(const JsonNode& node) {
 }
 
 RestContact rest_from(const JsonNode& node) {
-  node.check_keys({"first", "second", "pierces"});
-  return {element_from(node.at("first")), element_from(node.at("second")), node.at("pierces").boolean()};
+  node.check_keys({"first", "second", "sort"});
+  return {element_from(node.at("first")), element_from(node.at("second")),
+          named_value(node.at("sort"), IntersectionSort::inside, intersection_sort_name)};
 }
 
 template <class Item, class From>

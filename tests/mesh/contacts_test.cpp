@@ -49,7 +49,7 @@ bool same_bytes(const std::vector<Intersection>& a, const std::vector<Intersecti
   };
   return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [&](const auto& x, const auto& y) {
            return x.first_element == y.first_element && x.first == y.first && x.second_element == y.second_element &&
-                  x.second == y.second && x.pierces == y.pierces && same(x.weights_first, y.weights_first) &&
+                  x.second == y.second && x.sort == y.sort && same(x.weights_first, y.weights_first) &&
                   same(x.weights_second, y.weights_second);
          });
 }
@@ -341,7 +341,7 @@ TEST_CASE("shuffled vertices and faces give the same time and the same pairs") {
         };
         add(found.first_element, found.first);
         add(found.second_element, found.second);
-        sets.insert({set, found.pierces});
+        sets.insert({set, found.sort == IntersectionSort::pierces});
       }
       return sets;
     };

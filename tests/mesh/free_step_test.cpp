@@ -80,11 +80,13 @@ TEST_CASE("the path of a free step is free by brute force, and ends at the round
       const Mesh mesh(scene.elements);
       FreeStepOptions options;
       options.threads = random.one_in(4) ? 2 : 1;
+      options.check_start = random.one_in(2);
       const FreeStep step = free_step(mesh, scene.start(), scene.end(), options);
       ++outcomes[step.outcome];
       most_proofs = std::max(most_proofs, step.proofs);
       CAPTURE(round, scene.name, step.length);
       REQUIRE(step.positions.size() == scene.x0.size());
+      REQUIRE(step.contact.start_checked == options.check_start);
       switch (step.outcome) {
         case StepOutcome::whole:
           REQUIRE(step.length == 1);
@@ -95,6 +97,13 @@ TEST_CASE("the path of a free step is free by brute force, and ends at the round
           REQUIRE(step.length == 0);
           REQUIRE(step.positions == scene.x0);
           REQUIRE_FALSE(path_is_free(scene, scene.x0));
+          break;
+        case StepOutcome::intersects_at_start:
+          REQUIRE(options.check_start);
+          REQUIRE(step.length == 0);
+          REQUIRE(step.positions == scene.x0);
+          REQUIRE(path_is_free(scene, scene.x0));
+          REQUIRE_FALSE(intersections(mesh, scene.start()).empty());
           break;
         case StepOutcome::no_room:
           REQUIRE(step.positions == scene.x0);
@@ -131,7 +140,8 @@ TEST_CASE("the path of a free step is free by brute force, and ends at the round
               outcomes[StepOutcome::contact_at_start], most_proofs);
   std::printf("time given away, in units of the rounding: median %.3g, 90 %% %.3g, 99 %% %.3g, most %.3g\n",
               quantile(0.5), quantile(0.9), quantile(0.99), lost.back());
-  for (const StepOutcome outcome : {StepOutcome::whole, StepOutcome::shortened, StepOutcome::contact_at_start}) {
+  for (const StepOutcome outcome :
+       {StepOutcome::whole, StepOutcome::shortened, StepOutcome::contact_at_start, StepOutcome::intersects_at_start}) {
     CHECK((outcomes[outcome] > 0 || !whole_effort("each outcome of a step is seen")));
   }
   CHECK(quantile(0.5) < 1);

@@ -161,6 +161,16 @@ inline std::vector<MeshIndex> corners_of(const MeshElements& elements, const Par
   return {i};
 }
 
+/// Whether a wire joins the vertex to the wire e, of which it is no corner: both may fold onto each other.
+inline bool is_beside(const Parts& parts, MeshIndex vertex, MeshIndex e) {
+  const auto has = [](const std::array<MeshIndex, 2>& edge, MeshIndex v) { return edge[0] == v || edge[1] == v; };
+  if (has(parts.edges[e], vertex)) return false;
+  return std::any_of(parts.wires.begin(), parts.wires.end(), [&](MeshIndex other) {
+    const auto& [a, b] = parts.edges[other];
+    return (a == vertex && has(parts.edges[e], b)) || (b == vertex && has(parts.edges[e], a));
+  });
+}
+
 /// Whether the rules and shared vertices let the pair collide.
 inline bool allowed(const MeshElements& elements, const Parts& parts, const MeshPair& pair) {
   const auto a = corners_of(elements, parts, pair, false), b = corners_of(elements, parts, pair, true);
@@ -204,8 +214,11 @@ inline std::vector<MeshPair> all_pairs(const MeshElements& elements) {
     for (const MeshIndex v : parts.vertices) {
       for (MeshIndex f = 0; f < elements.faces.size(); ++f) add(Kind::vertex_face, v, f);
     }
-    for (const MeshIndex p : parts.points) {
-      for (const MeshIndex e : parts.wires) add(Kind::point_edge, p, e);
+    for (const MeshIndex v : parts.vertices) {
+      const bool is_point = std::count(parts.points.begin(), parts.points.end(), v) != 0;
+      for (const MeshIndex e : parts.wires) {
+        if (is_point || is_beside(parts, v, e)) add(Kind::point_edge, v, e);
+      }
     }
   } else {
     for (const MeshIndex v : parts.vertices) {
@@ -240,6 +253,8 @@ inline double separation_between(const Scene& scene, const Parts& parts, const M
     const bool swapped = one_sort && listed.pair == MeshPair{pair.kind, pair.second, pair.first};
     if (listed.pair == pair || swapped) return listed.distance;
   }
+  const bool wires = pair.kind == Kind::point_edge && scene.elements.dimension == 3;
+  if (wires && std::count(parts.points.begin(), parts.points.end(), pair.first) == 0) return 0;  // beside each other
   if (scene.elements.radii.empty()) return scene.elements.separation.distance;
   double radius[2] = {0, 0};
   for (const bool of_second : {false, true}) {

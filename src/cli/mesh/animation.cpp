@@ -150,7 +150,7 @@ void MeshAnimation::add_intersections(const std::vector<sequence::RestContact>& 
     if (!animation_.has_room(view::MarkSort::crossing)) continue;
     animation_.add_story({time, point, pair, view::MarkSort::crossing,
                           fmt::format("frame {}: {} {} {}", number, element_for_person(contact.first),
-                                      contact.pierces ? "pierces" : "touches", element_for_person(contact.second)),
+                                      intersection_verb(contact.sort), element_for_person(contact.second)),
                           fmt::format("<pre>{}</pre>", corners)});
   }
 }

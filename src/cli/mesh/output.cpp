@@ -60,7 +60,7 @@ std::string intersection_lines(const std::vector<sequence::RestContact>& contact
   std::string text;
   for (std::size_t i = 0; i < std::min(kShownPairs, contacts.size()); ++i) {
     text += fmt::format("{}{} {} {}\n", indent, element_for_person(contacts[i].first),
-                        contacts[i].pierces ? "pierces" : "touches", element_for_person(contacts[i].second));
+                        intersection_verb(contacts[i].sort), element_for_person(contacts[i].second));
   }
   return text + more_line(contacts.size(), indent);
 }

@@ -175,9 +175,11 @@ def _show_pairs(pairs):
 
 def _show_contact(found):
     if found.free:
-        return _facts("the step is free of contact", [])
+        return _facts("the step is free of contact", [("start", "checked" if found.start_checked else "not checked")])
     facts = [("first time", f"[{_number(found.toi)}, {_number(found.toi_upper)}]")] if found.contact else []
     facts += [("pairs at that time", len(found.first)), ("in contact at the start", len(found.at_start))]
+    if found.start_checked:
+        facts.append(("intersections at the start", len(found.start_intersections)))
     return _facts("contact", facts) + (_show_pairs(found.first) if len(found.first) else "")
 
 
@@ -187,8 +189,8 @@ def _show_step(step):
 
 def _show_intersections(found):
     columns = zip(range(_MOST_ROWS), found.first_element, found.first.tolist(), found.second_element,
-                  found.second.tolist(), found.pierces.tolist())
-    rows = [(f"{a} {i}", f"{b} {j}", "pierces" if through else "touches") for _, a, i, b, j, through in columns]
+                  found.second.tolist(), found.sort)
+    rows = [(f"{a} {i}", f"{b} {j}", sort) for _, a, i, b, j, sort in columns]
     return _table(f"{len(found)} intersections", ("element", "element", "how"), rows, len(found) - len(rows))
 
 

@@ -7,17 +7,21 @@ from . import _core
 from ._core import FirstContact, FreeStep, Intersections, Mesh, Pairs
 
 
-def first_contact(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, threads: int = 0) -> FirstContact:
+def first_contact(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, threads: int = 0, *,
+                  check_start: bool = False) -> FirstContact:
     """The first contact while each vertex moves on a straight line from its position in x0 to that in x1.
 
     mesh     a Mesh of n vertices
     x0, x1   the positions at t = 0 and at t = 1, of shape (n, 3), or (n, 2) in the plane
     t_max    the end of the time range, 0 <= t_max <= 1
     threads  1 to 1024, or 0 for as many as the machine has; it changes nothing in the result
+    check_start  whether to ask also where the mesh intersects itself at x0. A step is about a start that is free: where
+                 one element passes through another there, and no pair touches, no contact need follow
 
-    Returns a FirstContact with the attributes contact, toi, toi_upper, first, at_start and free. `first` has every pair
-    whose contact begins at exactly that time, and `at_start` those in contact at t = 0, as Pairs with their answers.
-    Raises ValueError for positions that do not fit the mesh or are not finite, naming the vertex.
+    Returns a FirstContact with the attributes contact, toi, toi_upper, first, at_start, free, start_checked and
+    start_intersections. `first` has every pair whose contact begins at exactly that time, and `at_start` those in
+    contact at t = 0, as Pairs with their answers. Raises ValueError for positions that do not fit the mesh or are not
+    finite, naming the vertex.
 
     >>> import numpy as np, touchstone
     >>> mesh = touchstone.Mesh(4, faces=[[0, 1, 2]])  # vertex 3 is a loose point
@@ -28,7 +32,7 @@ def first_contact(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, 
     >>> found.toi, mesh.describe(found.first[0])
     (0.5, 'vertex 3 and face 0 (0-1-2)')
     """
-    return _core.first_contact(mesh, x0, x1, t_max, threads)
+    return _core.first_contact(mesh, x0, x1, t_max, threads, check_start)
 
 
 def all_contacts(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, threads: int = 0) -> Pairs:
@@ -42,7 +46,7 @@ def all_contacts(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, t
     >>> contacts[0], contacts.answers.toi.tolist()
     (('point-point', 0, 1), [0.5])
     """
-    return _core.all_contacts(mesh, x0, x1, t_max, threads)
+    return _core.all_contacts(mesh, x0, x1, t_max, threads, False)
 
 
 def candidates(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, threads: int = 0) -> Pairs:
@@ -54,14 +58,16 @@ def candidates(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, threads: int = 0) -> Pa
     >>> len(touchstone.candidates(touchstone.Mesh(2), [[0, 0, 0], [1, 0, 0]], [[0, 0, 0], [5, 0, 0]]))
     0
     """
-    return _core.candidates(mesh, x0, x1, 1.0, threads)
+    return _core.candidates(mesh, x0, x1, 1.0, threads, False)
 
 
 def intersections(mesh: Mesh, x: ArrayLike, threads: int = 0) -> Intersections:
     """Where the mesh intersects itself at the positions x, exactly; separations do not count.
 
-    Returns Intersections, whose attributes are first_element, first, second_element, second, pierces, weights_first and
-    weights_second. Elements that share a vertex are left out. Raises what `first_contact` raises.
+    Returns Intersections, whose attributes are first_element, first, second_element, second, sort, pierces,
+    weights_first and weights_second. A sort is 'touches', 'pierces', 'folds' (the elements share a vertex, and a point
+    that is no shared vertex) or 'inside' (a closed surface, of which the vertex is the least one, lies wholly inside
+    another one of the same orientation). Raises what `first_contact` raises.
 
     >>> import touchstone
     >>> mesh = touchstone.Mesh(5, faces=[[0, 1, 2]], edges=[[3, 4]])
@@ -72,11 +78,12 @@ def intersections(mesh: Mesh, x: ArrayLike, threads: int = 0) -> Intersections:
     return _core.intersections(mesh, x, threads)
 
 
-def free_step(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, kept_fraction: float = 0.0, threads: int = 0) -> FreeStep:
+def free_step(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, kept_fraction: float = 0.0, threads: int = 0, *,
+              check_start: bool = False) -> FreeStep:
     """The longest step from x0 towards x1 that is proved free of contact, to positions rounded as they are returned.
 
-    mesh, x0, x1, threads  as in `first_contact`
-    kept_fraction          in [0, 1): each pair keeps more than this fraction of its distance at the start
+    mesh, x0, x1, threads, check_start  as in `first_contact`
+    kept_fraction  in [0, 1): each pair keeps more than this fraction of its distance at the start
 
     Returns a FreeStep with the attributes outcome, length, positions, contact and proofs. Raises what `first_contact`
     raises.
@@ -86,4 +93,4 @@ def free_step(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, kept_fraction: float = 0
     >>> step.outcome, 0.249 < step.length < 0.25
     ('shortened', True)
     """
-    return _core.free_step(mesh, x0, x1, kept_fraction, threads)
+    return _core.free_step(mesh, x0, x1, kept_fraction, threads, check_start)
