@@ -137,6 +137,58 @@ TEST_CASE("a mesh answers as the one of C++") {
   }
 }
 
+TEST_CASE("the start of a step is asked about on request, and each sort of intersection arrives") {
+  // An edge through a face, and a face that lies folded onto that one over their common edge.
+  const std::vector<std::uint32_t> faces = {0, 1, 2, 0, 1, 3}, edges = {4, 5};
+  touchstone_mesh_elements elements = TOUCHSTONE_MESH_ELEMENTS_INIT;
+  elements.vertex_count = 6;
+  elements.faces = faces.data();
+  elements.face_count = 2;
+  elements.edges = edges.data();
+  elements.edge_count = 1;
+  std::vector<double> x = {0, 0, 0, 4, 0, 0, 0, 4, 0, 0, -4, 0, 1, 1, -1, 1, 1, 1};
+  touchstone_mesh* mesh = nullptr;
+  REQUIRE(touchstone_mesh_create(&elements, &mesh) == TOUCHSTONE_OK);
+  touchstone_options options = default_options();
+  touchstone_first_contact result;
+  double length = -1;
+  int outcome = -1;
+  std::vector<double> positions(18);
+  const auto ask = [&] {
+    REQUIRE(touchstone_mesh_first_contact(mesh, x.data(), x.data(), 18, &options, &result, nullptr, nullptr) ==
+            TOUCHSTONE_OK);
+    REQUIRE(touchstone_mesh_free_step(mesh, x.data(), x.data(), 18, &options, positions.data(), &length, &outcome) ==
+            TOUCHSTONE_OK);
+  };
+  ask();
+  CHECK(result.free == 1);
+  CHECK(outcome == TOUCHSTONE_STEP_WHOLE);
+  options.check_start = 1;
+  ask();
+  CHECK(result.contact == 0);
+  CHECK(result.free == 0);
+  CHECK(outcome == TOUCHSTONE_STEP_INTERSECTS_AT_START);
+  CHECK(length == 0);
+  options.check_start = 2;
+  CHECK(touchstone_mesh_first_contact(mesh, x.data(), x.data(), 18, &options, &result, nullptr, nullptr) ==
+        TOUCHSTONE_INVALID_ARGUMENT);
+  CHECK(message_has("check_start"));
+
+  x[9] = 1, x[10] = 1;  // the fold
+  touchstone_intersections* found = nullptr;
+  REQUIRE(touchstone_mesh_intersections(mesh, x.data(), 18, nullptr, &found) == TOUCHSTONE_OK);
+  int folds = 0, others = 0;
+  for (std::size_t i = 0; i < touchstone_intersections_count(found); ++i) {
+    touchstone_intersection told;
+    REQUIRE(touchstone_intersections_get(found, i, &told) == TOUCHSTONE_OK);
+    ++(told.sort == TOUCHSTONE_FOLDS ? folds : others);
+  }
+  CHECK(folds == 2);
+  CHECK(others > 0);
+  touchstone_intersections_destroy(found);
+  touchstone_mesh_destroy(mesh);
+}
+
 TEST_CASE("the rules of a mesh arrive") {
   FallingTriangle given;
   const auto contacts = [&] {

@@ -35,6 +35,31 @@ def test_first_contact_and_free_step():
     assert pierced.weights_second.sum(axis=1) == pytest.approx(1)
 
 
+def test_folds_surfaces_inside_and_the_start():
+    mesh = ts.Mesh(4, [[0, 1, 2], [0, 1, 3]])
+    folded = np.array([[0., 0, 0], [4, 0, 0], [0, 4, 0], [1, 1, 0]])
+    found = ts.intersections(mesh, folded)
+    assert found.sort == ["folds", "folds"] and not found.pierces.any()
+    open_ = folded.copy()
+    open_[3, 1] = -1
+    assert len(ts.intersections(mesh, open_)) == 0
+    assert ts.first_contact(mesh, open_, folded).toi == .5
+
+    corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], float)
+    box = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1],
+                    [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]])
+    boxes, x = ts.Mesh(16, np.vstack([box, box + 8])), np.vstack([3 * corners, corners])
+    inside = ts.intersections(boxes, x)
+    assert inside.sort == ["inside"] and (inside.first[0], inside.second[0]) == (8, 0)
+    step = ts.first_contact(boxes, x, x)
+    assert step.free and not step.start_checked and "start not checked" in repr(step)
+    step = ts.first_contact(boxes, x, x, check_start=True)
+    assert not step.free and step.start_checked and step.start_intersections.sort == ["inside"]
+    assert "intersections at the start" in repr(step)
+    assert ts.free_step(boxes, x, x).outcome == "whole"
+    assert ts.free_step(boxes, x, x, check_start=True).outcome == "intersects_at_start"
+
+
 def test_against_solve_of_all_candidates():
     faces, x0, x1 = cloud(120)
     mesh = ts.Mesh(x0, faces)

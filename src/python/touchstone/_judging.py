@@ -46,8 +46,8 @@ class Certificate:
 
     @property
     def holds(self) -> bool:
-        """Whether every claim holds."""
-        return not self.verdict.any()
+        """Whether there are claims, and every one of them holds."""
+        return len(self.verdict) > 0 and not self.verdict.any()
 
     @property
     def refuted(self) -> NDArray:
