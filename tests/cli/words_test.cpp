@@ -16,6 +16,8 @@ TEST_CASE("numbers are grouped and counted") {
   CHECK(counted(2, "query") == "2 queries");
   CHECK(counted(0, "file") == "0 files");
   CHECK(counted(1024, "thread") == "1,024 threads");
+  CHECK(counted(1, "vertex") == "1 vertex");
+  CHECK(counted(8, "vertex") == "8 vertices");
 }
 
 TEST_CASE("shares never round to all or nothing when it is not") {

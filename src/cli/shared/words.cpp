@@ -16,18 +16,6 @@ void print_error(const std::string& text) noexcept {
   std::fflush(stderr);
 }
 
-std::string grouped(std::uint64_t number) {
-  std::string text = std::to_string(number);
-  for (std::size_t end = text.size(); end > 3; end -= 3) text.insert(end - 3, 1, ',');
-  return text;
-}
-
-std::string counted(std::uint64_t number, std::string_view thing) {
-  const bool y = thing.ends_with('y');  // query, queries
-  if (number == 1) return fmt::format("1 {}", thing);
-  return fmt::format("{} {}{}", grouped(number), thing.substr(0, thing.size() - (y ? 1 : 0)), y ? "ies" : "s");
-}
-
 std::string percentage(std::uint64_t part, std::uint64_t whole) {
   const double percent = whole == 0 ? 0.0 : 100 * static_cast<double>(part) / static_cast<double>(whole);
   if (part > 0 && percent < 0.1) return "< 0.1 %";

@@ -13,10 +13,12 @@
 #include <touchstone/separation.hpp>
 #include <touchstone/solve.hpp>
 
+#include "io/counted.hpp"
+
 namespace touchstone::cli {
 
-std::string grouped(std::uint64_t number);                          ///< "1,000,000"
-std::string counted(std::uint64_t number, std::string_view thing);  ///< "1 file", "1,024 files"
+using io::counted;
+using io::grouped;
 
 /// "12.5 %" of a whole that may be zero. A part that is not zero but rounds to zero is "< 0.1 %".
 std::string percentage(std::uint64_t part, std::uint64_t whole);
