@@ -107,7 +107,8 @@ std::vector<MeshIndex> loose_points(const Topology& topology) {
 
 [[noreturn]] void refuse_change(const FrameName& before, const FrameName& after, const std::string& what) {
   io::fail(after.file, fmt::format("{} differs from {}: {}; all frames of a sequence must have the same vertices and "
-                                   "elements",
+                                   "elements. Parts of one scene belong in one file; --check --in-order asks about "
+                                   "each file by itself",
                                    after.label(), before.label(), what));
 }
 

@@ -127,6 +127,24 @@ std::string base_name(const std::string& file) {
   return io::printable(std::filesystem::path(file).filename().string());
 }
 
+/// Names that are no numbered sequence may be frames, or the parts of one scene, about which nothing would be asked.
+[[noreturn]] void ask_which(const std::vector<std::string>& files) {
+  const NameParts first = parts_of(files.front());
+  std::string fault = fmt::format("differs from {} in several numbers, which do not say the order of the frames",
+                                  base_name(files.front()));
+  std::size_t at = 1;
+  for (std::size_t i = 1; i < files.size(); ++i) {
+    const bool same = files[i] == files[0];
+    if (!same && parts_of(files[i]).texts == first.texts) continue;
+    at = i;
+    fault = same ? "is given twice" : fmt::format("differs from {} in more than numbers", base_name(files.front()));
+    break;
+  }
+  io::fail(files[at], fmt::format("the name {}. If these files are the frames of one animation, --in-order takes them "
+                                  "in the order given; if they are parts of one scene, join them into one file first",
+                                  fault));
+}
+
 void check_numbers(const std::vector<Numbered>& files) {
   for (std::size_t i = 1; i < files.size(); ++i) {
     if (files[i].number != files[i - 1].number) continue;
@@ -191,7 +209,7 @@ std::vector<std::string> expand_patterns(const std::vector<std::string>& argumen
 std::vector<std::string> in_order(std::vector<std::string> files, Gaps gaps) {
   if (files.size() < 2) return files;
   auto with_numbers = numbered(files);
-  if (!with_numbers) return files;
+  if (!with_numbers) ask_which(files);
   std::stable_sort(with_numbers->begin(), with_numbers->end(),
                    [](const Numbered& a, const Numbered& b) { return a.number < b.number; });
   if (gaps == Gaps::refused) {
@@ -199,6 +217,16 @@ std::vector<std::string> in_order(std::vector<std::string> files, Gaps gaps) {
     check_stride(*with_numbers);
   }
   for (std::size_t i = 0; i < files.size(); ++i) files[i] = std::move((*with_numbers)[i].file);
+  return files;
+}
+
+std::vector<std::string> as_given(const std::vector<std::string>& arguments) {
+  std::vector<std::string> files;
+  for (const auto& argument : arguments) {
+    std::vector<std::string> found = expand_patterns({argument});
+    if (numbered(found)) found = in_order(std::move(found), Gaps::allowed);
+    files.insert(files.end(), found.begin(), found.end());
+  }
   return files;
 }
 

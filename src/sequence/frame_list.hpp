@@ -31,13 +31,17 @@ std::vector<std::string> expand_patterns(const std::vector<std::string>& argumen
 /// What a missing number means.
 enum class Gaps : std::uint8_t { refused, allowed };
 
-/// The files in the order of their numbers, if their names differ in numbers only: cloth-2.obj comes before
-/// cloth-10.obj. Of several numbers, one counts that no two files have, and one with a constant stride before others:
-/// f-2-t0.2.obj comes before f-10-t0.10.obj. Other names keep their order, and so do names of which two such numbers
-/// give different orders.
-/// @throws FileError  for two files with the same number; with Gaps::refused also for a number that is missing from a
-///                    sequence with a constant stride
+/// The files in the order of their numbers: cloth-2.obj comes before cloth-10.obj. Of several numbers, one counts that
+/// no two files have, and one with a constant stride before others: f-2-t0.2.obj comes before f-10-t0.10.obj.
+/// @throws FileError  for names that differ in more than numbers, or of which two such numbers give different orders;
+///                    with Gaps::refused also for two files with the same number, and for a number that is missing from
+///                    a sequence with a constant stride
 std::vector<std::string> in_order(std::vector<std::string> files, Gaps gaps);
+
+/// The files of the arguments in the order of the arguments. A pattern has no order of its own: its files are in the
+/// order of their numbers where in_order would take them, else in that of their names.
+/// @throws FileError  for a pattern that matches nothing
+std::vector<std::string> as_given(const std::vector<std::string>& arguments);
 
 /// Every frame of the files, one file after the other. @throws FileError
 std::vector<FrameName> frames_of(const std::vector<std::string>& files, const frames::ReadOptions& options);

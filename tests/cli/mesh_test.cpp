@@ -209,7 +209,7 @@ TEST_CASE("the option --check asks about frames at rest, whatever their elements
   const TemporaryFolder folder;
   const auto files = write_needles(folder, "f", 5, 5, falling_tip);
   const std::string other = folder.write("g-9.obj", needle_frame(4, 1));
-  const Run run = mesh({"--check", files[4], other, files[0], "--report", folder.path("r.json")});
+  const Run run = mesh({"--check", "--in-order", files[4], other, files[0], "--report", folder.path("r.json")});
   CAPTURE(run.err);
   CHECK(run.status == 1);
   CHECK(run.out ==
@@ -274,7 +274,7 @@ TEST_CASE("frames that do not make a sequence are refused, and nothing is writte
   refused({files[0], files[1], folder.write("f-01.obj", "")}, "has the same number as f-1.obj");
   refused({files[0]}, "a step needs two frames, and there is only 1; --check asks about frames at rest");
   refused({folder.path("none-*.obj")}, "none-*.obj: is no file, and no file matches this pattern");
-  refused({files[0], folder.path("none.obj")}, "none.obj: cannot be opened: No such file or directory");
+  refused({"--in-order", files[0], folder.path("none.obj")}, "none.obj: cannot be opened: No such file or directory");
   refused({files[0], files[1], "--shard", "2/2"},
           "--shard 2/2: there is only 1 step, which at most 1 shard can divide");
   for (const char* shard : {"0/2", "3/2", "1", "1/", "/2", "1/0", "-1/2", "a/b", "1/2/3"}) {
@@ -282,8 +282,45 @@ TEST_CASE("frames that do not make a sequence are refused, and nothing is writte
   }
   std::string flat = needle_frame(4, 1);
   flat.replace(flat.find("f 2 6 5\n"), 8, "f 2 6 2\n");
-  refused({folder.write("flat.obj", flat), files[0]}, "flat.obj");
-  refused({folder.write("x.obj", "v 1 2\n"), files[0]}, "x.obj:1: ");
+  refused({"--in-order", folder.write("flat.obj", flat), files[0]}, "flat.obj: face 2 names vertex 2 twice");
+  refused({"--in-order", folder.write("x.obj", "v 1 2\n"), files[0]}, "x.obj:1: ");
+}
+
+TEST_CASE("the parts of one scene in several files do not pass for its frames") {
+  const TemporaryFolder folder;
+  // Two tetrahedra that pierce each other, each in a file of its own.
+  const std::string faces = "f 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n",
+                    rod = folder.write("rod.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\n" + faces),
+                    ring = folder.write("ring.obj", "v 1 1 -1\nv 5 1 -1\nv 1 5 -1\nv 1 1 3\n" + faces);
+  const std::string which =
+      "ring.obj: the name differs from rod.obj in more than numbers. If these files are the frames of one animation, "
+      "--in-order takes them in the order given; if they are parts of one scene, join them into one file first\n";
+  check_refused(mesh({rod, ring}), which);
+  check_refused(mesh({"--check", rod, ring}), which);
+  CHECK(mesh({"--in-order", "--check", ring, rod}).out.starts_with("ring.obj: no intersection\nrod.obj: no "));
+  const Run frames = mesh({"--in-order", ring, rod});
+  CHECK(frames.status == 0);
+  CHECK(occurrences(frames.out, "ring.obj -> rod.obj: free\n") == 1);
+
+  // Numbered names with other elements are no frames either.
+  const std::string one = folder.write("part-1.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\n"),
+                    two = folder.write("part-2.obj", "v 1 1 -1\nv 1 1 1\nl 1 2\n");
+  const Run parts = mesh({"--check", one, two});
+  CHECK(parts.status == 2);
+  CHECK(occurrences(parts.err, "part-2.obj: part-2.obj differs from part-1.obj: 2 vertices, not 3; all frames") == 1);
+  CHECK(occurrences(parts.err, "--check --in-order asks about each file by itself\n") == 1);
+  CHECK(mesh({"--check", "--in-order", one, two}).status == 0);
+}
+
+TEST_CASE("with --in-order numbers do not sort the files that are given, but those of a pattern") {
+  const TemporaryFolder folder;
+  const auto files = write_needles(folder, "f", 4, 11, rising_tip);
+  const Run given = mesh({"--in-order", files[10], files[2], files[2]});
+  CHECK(given.status == 0);
+  CHECK(given.out.starts_with("f-10.obj: no intersection\nf-10.obj -> f-2.obj: free\nf-2.obj -> f-2.obj: free\n"));
+  const Run pattern = mesh({"--in-order", folder.path("f-*.obj")});
+  CHECK(pattern.status == 0);
+  CHECK(occurrences(pattern.out, "f-2.obj -> f-3.obj: free\n") == 1);
 }
 
 TEST_CASE("a frame with other elements ends the run, and both frames are named") {
@@ -294,17 +331,17 @@ TEST_CASE("a frame with other elements ends the run, and both frames are named")
   std::string named = needle_frame(4, rising_tip(1));
   named.replace(named.find("o needle"), 8, "o other");
   const auto check = [&](const std::string& text, const std::string& part) {
-    const Run run = mesh({"--threads", "1", files[0], folder.write("other.obj", text)});
+    const Run run = mesh({"--threads", "1", "--in-order", files[0], folder.write("other.obj", text)});
     CAPTURE(run.err);
     CHECK(run.status == 2);
     CHECK(run.out == "f-0.obj: no intersection\n");
     CHECK(occurrences(run.err, "\n") == 1);
     CHECK(occurrences(run.err, "/other.obj: other.obj differs from f-0.obj: " + part) == 1);
   };
-  check(needle_frame(5, 1), "28 vertices, not 19; all frames of a sequence must have the same vertices and elements\n");
+  check(needle_frame(5, 1), "28 vertices, not 19; all frames of a sequence must have the same vertices and elements. ");
   check(turned, "face 2 has the vertices 2 5 6, not 2 6 5; ");
   check(needle_frame(4, 1) + "l 1 2\n", "1 edges, not 0; ");
-  CHECK(mesh({files[0], folder.write("other.obj", named)}).status == 0);  // only a name is another one
+  CHECK(mesh({"--in-order", files[0], folder.write("other.obj", named)}).status == 0);  // only a name is another one
 }
 
 TEST_CASE("files that would take each other's place are refused") {
@@ -331,7 +368,7 @@ TEST_CASE("names from files cannot write control characters to the console or br
     text.replace(text.find("o needle"), 8, "o \x1b[31mred\xff\"'");
     files.push_back(folder.write(tip > 0 ? "a.obj" : "b\xff\n.obj", text));
   }
-  const Run run = mesh(with({"--report", folder.path("r.json"), "--pairs", folder.path("p.csv")}, files));
+  const Run run = mesh(with({"--report", folder.path("r.json"), "--pairs", folder.path("p.csv"), "--in-order"}, files));
   CAPTURE(run.err);
   CHECK(run.status == 1);
   CHECK(run.out.find('\x1b') == std::string::npos);

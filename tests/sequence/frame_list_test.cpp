@@ -52,19 +52,44 @@ TEST_CASE("names that differ in several numbers are in the order of the one that
   CHECK(in_order({"t013-f3", "t007-f2", "t004-f1"}, Gaps::refused) == Names{"t004-f1", "t007-f2", "t013-f3"});
   CHECK(refusal_of({"f-1-t0.1", "f-2-t0.2", "f-4-t0.4"}).find("frame 3 is missing between f-2-t0.2") !=
         std::string::npos);
-  // No number is a frame's own.
-  const Names takes = {"take2-f1", "take1-f2", "take1-f1"};
-  CHECK(in_order(takes, Gaps::refused) == takes);
 }
 
-TEST_CASE("other names keep the order in which they are given") {
-  for (const Names& names : {Names{"b.obj", "a.obj"}, Names{"b2.obj", "a1.obj"}, Names{"b2-1", "b1-2", "b3-3"},
-                             Names{"x1.obj", "x1.ply"}, Names{"one.obj", "one.obj"}, Names{"c2", "c1", "c"}}) {
-    CHECK(in_order(names, Gaps::refused) == names);
+TEST_CASE("files of other names are frames or parts, and nothing is guessed") {
+  const std::string which =
+      ". If these files are the frames of one animation, --in-order takes them in the order given; if they are parts "
+      "of "
+      "one scene, join them into one file first";
+  for (const Gaps gaps : {Gaps::refused, Gaps::allowed}) {
+    CHECK(refusal_of({"d/gear.obj", "d/shaft.obj"}, gaps) ==
+          "d/shaft.obj: the name differs from gear.obj in more than numbers" + which);
+    CHECK(refusal_of({"f1.obj", "f2.obj", "g3.obj"}, gaps) ==
+          "g3.obj: the name differs from f1.obj in more than numbers" + which);
+    CHECK(refusal_of({"one.obj", "one.obj"}, gaps) == "one.obj: the name is given twice" + which);
+    for (const Names& names : {Names{"b2.obj", "a1.obj"}, Names{"x1.obj", "x1.ply"}, Names{"c2", "c1", "c"}}) {
+      CHECK(refusal_of(names, gaps).find("in more than numbers") != std::string::npos);
+    }
+    // No number is a frame's own, or two of them give different orders.
+    for (const Names& names : {Names{"take2-f1", "take1-f2", "take1-f1"}, Names{"b2-1", "b1-2", "b3-3"}}) {
+      CHECK(refusal_of(names, gaps) == names[1] + ": the name differs from " + names[0] +
+                                           " in several numbers, which do not say the order of the frames" + which);
+    }
+    // More digits than a number has are text.
+    CHECK_FALSE(refusal_of({"f12345678901234567892", "f12345678901234567891"}, gaps).empty());
   }
-  // More digits than a number has are text.
-  const Names long_names = {"f12345678901234567892", "f12345678901234567891"};
-  CHECK(in_order(long_names, Gaps::refused) == long_names);
+  CHECK(in_order({"gear.obj"}, Gaps::refused) == Names{"gear.obj"});
+}
+
+TEST_CASE("files can be taken as given; the files of one pattern have the order of their numbers") {
+  const TemporaryFolder folder;
+  for (const char* name : {"f-1.obj", "f-2.obj", "f-10.obj", "f-40.obj", "gear.obj", "shaft.obj"}) {
+    folder.write(name, "");
+  }
+  const std::string two = folder.path("f-2.obj"), ten = folder.path("f-10.obj"), gear = folder.path("gear.obj");
+  CHECK(as_given({ten, gear, two, two}) == Names{ten, gear, two, two});
+  CHECK(as_given({gear, folder.path("f-*.obj"), two}) ==
+        Names{gear, folder.path("f-1.obj"), two, ten, folder.path("f-40.obj"), two});
+  CHECK(as_given({folder.path("[gs]*.obj")}) == Names{gear, folder.path("shaft.obj")});
+  CHECK_THROWS_AS(as_given({folder.path("g-*.obj")}), FileError);
 }
 
 TEST_CASE("a number that is missing or there twice is named") {

@@ -34,7 +34,10 @@ using sequence::Question;
 
 std::vector<FrameName> frames_to_check(const MeshRunOptions& options, const frames::ReadOptions& reading) {
   const auto gaps = options.check ? sequence::Gaps::allowed : sequence::Gaps::refused;
-  auto names = sequence::frames_of(sequence::in_order(sequence::expand_patterns(options.files), gaps), reading);
+  auto names =
+      sequence::frames_of(options.in_order ? sequence::as_given(options.files)
+                                           : sequence::in_order(sequence::expand_patterns(options.files), gaps),
+                          reading);
   if (options.check && names.empty()) throw Error("there is no frame in these files");
   if (!options.check && names.size() < 2) {
     throw Error(fmt::format("a step needs two frames, and there {} only {}; --check asks about frames at rest",
@@ -157,7 +160,7 @@ class Checker {
   /// @param index  the frame's place in the sequence; they come in order
   void take(std::size_t index, std::shared_ptr<const Frame> frame) {
     const FrameName& name = names_[index];
-    if (question_ == Question::steps && before_ != nullptr) {
+    if (before_ != nullptr && (question_ == Question::steps || !options_.in_order)) {
       sequence::check_same_elements(*before_->topology, names_[index - 1], *frame->topology, name);
     }
     if (question_ == Question::rest && frame->topology != topology_) {

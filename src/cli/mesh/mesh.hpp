@@ -14,6 +14,7 @@ namespace touchstone::cli {
 
 struct MeshRunOptions {
   std::vector<std::string> files;  ///< as given; patterns are not expanded yet
+  bool in_order = false;           ///< the files are frames in the order given, whatever their names are
   bool check = false;              ///< asks about each frame at rest
   SeparationOption separation;
   int threads = 0;  ///< 0: all that the machine has

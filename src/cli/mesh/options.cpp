@@ -33,6 +33,9 @@ void add_mesh(CLI::App& program, Command& command) {
       ->type_name("");
   CLI::Option* const check = subcommand->add_flag(
       "--check", options->check, "Ask about each frame at rest: does the mesh intersect itself? Steps are not checked");
+  subcommand->add_flag("--in-order", options->in_order,
+                       "The files are the frames of one animation in the order given, whatever their names are. With "
+                       "--check, each file is a frame by itself, and their elements may differ");
   add_separation_options(*subcommand, options->separation, "The distance at which two elements are in contact");
   subcommand->get_option("--separation")->excludes(check);
   subcommand
@@ -89,14 +92,16 @@ void add_mesh(CLI::App& program, Command& command) {
   }
   subcommand->footer(
       "Vertices move on straight lines from each frame to the next. Files whose names differ in one number are sorted\n"
-      "by it, and a missing number is an error. All frames must have the same vertices and elements. The first frame\n"
-      "must not intersect itself. Decimal coordinates are taken as the nearest doubles, and those are compared "
-      "exactly.\n\n"
+      "by it, and a missing number is an error. Files of other names are frames with --in-order only: parts of one "
+      "scene\n"
+      "belong in one file. All frames must have the same vertices and elements. The first frame must not intersect\n"
+      "itself. Decimal coordinates are taken as the nearest doubles, and those are compared exactly.\n\n"
       "Examples\n"
       "  touchstone mesh cloth-*.obj\n"
       "  touchstone mesh --separation 1e-3 --report report.json --resume 'cloth-*.obj'\n"
       "  touchstone mesh --shard 2/4 --report part-2.json cloth-*.obj\n"
       "  touchstone mesh --check body.ply\n"
+      "  touchstone mesh --in-order rest.obj bent.obj\n"
       "  touchstone mesh --html cloth.html cloth-*.obj\n"
       "  touchstone mesh --prove proved cloth-*.obj && touchstone-check proved/proofs.txt proved/motion.txt\n\n"
       "Exit status: 0 every step is free and the first frame does not intersect itself (--check: no frame does), 1\n"
