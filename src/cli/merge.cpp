@@ -38,7 +38,7 @@ int run_merge(const MergeOptions& options) {
   const sequence::ResultCounts counts = sequence::counts_of(report);
   if (!to_standard_output) {
     auto console = io::OutputFile::standard_output();
-    console.write(counts_for_person(report.heading, counts));
+    console.write(counts_for_person(report.heading, report.frames, counts));
     console.commit();
   }
   return counts.all_free() ? kAllHold : kRefuted;

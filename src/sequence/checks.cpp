@@ -11,6 +11,7 @@
 #include <touchstone/error.hpp>
 
 #include "io/fail.hpp"
+#include "mesh/coinciding.hpp"
 #include "sequence/element_names.hpp"
 
 namespace touchstone::sequence {
@@ -198,10 +199,13 @@ void check_same_elements(const Topology& before, const FrameName& name_before, c
   }
 }
 
-std::vector<RestContact> intersections_of(const Mesh& mesh, const Frame& frame, int threads) {
-  const auto found = intersections(mesh, positions_of(frame), {1.0, threads});
+Result check_frame(const Mesh& mesh, const Frame& frame, std::size_t index, int threads) {
+  Result result;
+  result.frame = index;
   ElementNames names(mesh, *frame.topology);
-  return named(found, names);
+  result.intersections = named(intersections(mesh, positions_of(frame), {1.0, threads}), names);
+  if (!result.free()) result.coinciding = coinciding_vertices(mesh, positions_of(frame));
+  return result;
 }
 
 Result check_step(const Mesh& mesh, const Frame& before, const Frame& after, std::size_t index, int threads) {
@@ -217,6 +221,7 @@ Result check_step(const Mesh& mesh, const Frame& before, const Frame& after, std
   for (const MeshContact& one : contact.first) result.first.push_back(named(one, names));
   for (const MeshContact& one : contact.at_start) result.at_start.push_back(named(one, names));
   result.intersections = named(intersections(mesh, positions_of(after), options), names);
+  if (!contact.at_start.empty()) result.coinciding = coinciding_vertices(mesh, positions_of(before));
   return result;
 }
 

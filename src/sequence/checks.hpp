@@ -25,7 +25,8 @@ void check_same_elements(const frames::Topology& before, const FrameName& name_b
                          const FrameName& name_after);
 
 /// Where a frame intersects itself.
-std::vector<RestContact> intersections_of(const Mesh& mesh, const frames::Frame& frame, int threads);
+/// @param index  its place in the sequence
+Result check_frame(const Mesh& mesh, const frames::Frame& frame, std::size_t index, int threads);
 
 /// The contacts of a step. Numbers and names are those of the first frame. A step that is not free gets the
 /// intersections of its last frame too.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "io/sha256.hpp"
 #include "sequence/frame_list.hpp"
@@ -30,6 +31,15 @@ void append_elements(std::string& bytes, const Elements& elements) {
       for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(corner >> shift & 0xFF);
     }
   }
+}
+
+/// How many edges each vertex is in.
+std::vector<std::size_t> degrees_of(const Mesh& mesh) {
+  std::vector<std::size_t> degrees(mesh.vertex_count(), 0);
+  for (const auto& edge : mesh.edges()) {
+    for (const MeshIndex corner : edge) ++degrees[corner];
+  }
+  return degrees;
 }
 
 }  // namespace
@@ -124,8 +134,17 @@ MeshFacts facts_of(const Mesh& mesh, const frames::Topology& topology) {
   append_elements(bytes, topology.edges);
   append_number(bytes, mesh.points().size());
   for (const MeshIndex point : mesh.points()) append_number(bytes, point);
-  return {io::sha256(bytes),   mesh.dimension(),    mesh.vertex_count(),
-          mesh.faces().size(), mesh.edges().size(), mesh.points().size()};
+  MeshFacts facts{io::sha256(bytes),   mesh.dimension(),    mesh.vertex_count(),
+                  mesh.faces().size(), mesh.edges().size(), mesh.points().size()};
+  // A vertex and a face or, in the plane, a vertex and an edge; in space two edges, which share one vertex at most.
+  facts.neighbours = mesh.dimension() == 2 ? 2 * facts.edges : 3 * facts.faces;
+  std::size_t in_edges = 0;
+  for (const std::size_t degree : degrees_of(mesh)) {
+    in_edges += degree > 0 ? 1 : 0;
+    if (mesh.dimension() == 3 && degree > 1) facts.neighbours += degree * (degree - 1) / 2;
+  }
+  facts.idle = facts.vertices - in_edges - facts.points;
+  return facts;
 }
 
 }  // namespace touchstone::sequence

@@ -7,6 +7,7 @@
 #include "io/sealed_json.hpp"
 #include "io/times.hpp"
 #include "sequence/results_json.hpp"
+#include "sequence/scope.hpp"
 
 namespace touchstone::sequence {
 namespace {
@@ -22,9 +23,19 @@ std::string shown_separation(const Separation& separation) {
   return fmt::format("separation {}, {}", io::hexfloat(separation.distance), metric_name(separation.metric));
 }
 
-std::string shown_facts(const MeshFacts& facts) {
-  return fmt::format("a mesh of {} vertices and {} faces with the digest {}", facts.vertices, facts.faces,
-                     facts.digest.substr(0, 16));
+std::string shown_facts(const std::optional<MeshFacts>& facts) {
+  if (!facts) return "frames whose elements may differ";
+  return fmt::format("a mesh of {} vertices and {} faces with the digest {}", facts->vertices, facts->faces,
+                     facts->digest.substr(0, 16));
+}
+
+std::string json_of(const MeshFacts& facts) {
+  return fmt::format(
+      "\"mesh\": {{\"sha256\": \"{}\", \"dimension\": {}, \"vertices\": {}, \"faces\": {}, \"edges\": {}, \"points\": "
+      "{}, "
+      "\"idle_vertices\": {}, \"pairs_with_common_vertex\": {}}}",
+      facts.digest, facts.dimension, facts.vertices, facts.faces, facts.edges, facts.points, facts.idle,
+      facts.neighbours);
 }
 
 }  // namespace
@@ -41,19 +52,14 @@ ResultCounts counts_of(const Report& report) {
 
 std::string heading_json(const Heading& heading) {
   std::string text = fmt::format(
-      " \"touchstone_mesh\": 1,\n \"touchstone\": {},\n \"question\": \"{}\",\n \"separation\": \"{}\",\n"
+      " \"touchstone_mesh\": 2,\n \"touchstone\": {},\n \"question\": \"{}\",\n \"separation\": \"{}\",\n"
       " \"metric\": \"{}\",\n \"frame_count\": {},\n \"names_sha256\": \"{}\"",
       json_string(heading.program), question_name(heading.question), io::hexfloat(heading.separation.distance),
       metric_name(heading.separation.metric), heading.frame_count, heading.list_digest);
   if (const auto& shard = heading.shard) {
     text += fmt::format(",\n \"shard\": {{\"number\": {}, \"count\": {}}}", shard->number, shard->count);
   }
-  if (const auto& facts = heading.facts) {
-    text += fmt::format(
-        ",\n \"mesh\": {{\"sha256\": \"{}\", \"dimension\": {}, \"vertices\": {}, \"faces\": {}, \"edges\": {}, "
-        "\"points\": {}}}",
-        facts->digest, facts->dimension, facts->vertices, facts->faces, facts->edges, facts->points);
-  }
+  if (heading.facts) text += ",\n " + json_of(*heading.facts);
   return text;
 }
 
@@ -61,9 +67,9 @@ std::string report_text(const Report& report) {
   std::string text = fmt::format("{{{},\n \"frames\": [", heading_json(report.heading));
   const std::size_t first = range_of(report.heading).first;
   for (std::size_t i = 0; i < report.frames.size(); ++i) {
-    const auto& [label, digest] = report.frames[i];
-    text += fmt::format("{}\n  {{\"frame\": {}, \"name\": {}, \"sha256\": \"{}\"}}", i == 0 ? "" : ",", first + i,
-                        json_string(label), digest);
+    const auto& [label, digest, facts] = report.frames[i];
+    text += fmt::format("{}\n  {{\"frame\": {}, \"name\": {}, \"sha256\": \"{}\"{}}}", i == 0 ? "" : ",", first + i,
+                        json_string(label), digest, facts ? ", " + json_of(*facts) : std::string());
   }
   text += "\n ],\n \"results\": [";
   for (std::size_t i = 0; i < report.results.size(); ++i) {
@@ -74,7 +80,12 @@ std::string report_text(const Report& report) {
   text += fmt::format("\n ],\n \"counts\": {{\"{}\": {}, \"free\": {}, \"not_free\": {}", steps ? "steps" : "frames",
                       counts.results, counts.free, counts.results - counts.free);
   if (steps) text += fmt::format(", \"intersections_of_first_frame\": {}", counts.intersections);
-  return io::sealed_json(text + "}\n}\n");
+  if (steps) text += fmt::format(", \"free_from_intersecting_frame\": {}", counts.from_intersecting);
+  text += "},\n \"warnings\": [";
+  std::vector<std::string> warnings = warnings_of(report.heading, report.frames, counts);
+  if (const std::string cause = likely_cause(report.heading, counts); !cause.empty()) warnings.push_back(cause);
+  for (std::size_t i = 0; i < warnings.size(); ++i) text += (i == 0 ? "\n  " : ",\n  ") + json_string(warnings[i]);
+  return io::sealed_json(text + "\n ]\n}\n");
 }
 
 std::string difference_of(const Heading& a, const Heading& b, std::string_view other) {
@@ -97,7 +108,7 @@ std::string difference_of(const Heading& a, const Heading& b, std::string_view o
       (a.shard && (a.shard->number != b.shard->number || a.shard->count != b.shard->count))) {
     return differ(shown_shard(a.shard), shown_shard(b.shard));
   }
-  if (a.facts != b.facts && a.facts && b.facts) return differ(shown_facts(*a.facts), shown_facts(*b.facts));
+  if (a.facts != b.facts) return differ(shown_facts(a.facts), shown_facts(b.facts));
   return {};
 }
 

@@ -21,9 +21,11 @@ using json::JsonNode;
 
 constexpr std::uint64_t kMostFrames = 1'000'000'000'000;
 constexpr std::uint64_t kMostElements = std::uint64_t{1} << 40;
+constexpr std::uint64_t kMostPairs = std::uint64_t{1} << 63;
 
 MeshFacts facts_from(const JsonNode& node) {
-  node.check_keys({"sha256", "dimension", "vertices", "faces", "edges", "points"});
+  node.check_keys(
+      {"sha256", "dimension", "vertices", "faces", "edges", "points", "idle_vertices", "pairs_with_common_vertex"});
   const auto count = [&](const char* key) {
     return static_cast<std::size_t>(node.at(key).whole_number(0, kMostElements));
   };
@@ -34,6 +36,8 @@ MeshFacts facts_from(const JsonNode& node) {
   facts.faces = count("faces");
   facts.edges = count("edges");
   facts.points = count("points");
+  facts.idle = static_cast<std::size_t>(node.at("idle_vertices").whole_number(0, facts.vertices));
+  facts.neighbours = static_cast<std::size_t>(node.at("pairs_with_common_vertex").whole_number(0, kMostPairs));
   return facts;
 }
 
@@ -54,7 +58,7 @@ Shard shard_from(const JsonNode& node, std::uint64_t items) {
 }
 
 Heading heading_of(const JsonNode& root) {
-  root.at("touchstone_mesh").version(1);
+  root.at("touchstone_mesh").version(2);
   Heading heading;
   heading.program = root.at("touchstone").text();
   const std::string question = root.at("question").text();
@@ -67,7 +71,7 @@ Heading heading_of(const JsonNode& root) {
   if (const auto shard = root.find("shard")) {
     heading.shard = shard_from(*shard, item_count(heading.question, heading.frame_count));
   }
-  if (steps) heading.facts = facts_from(root.at("mesh"));
+  if (steps || root.has("mesh")) heading.facts = facts_from(root.at("mesh"));
   return heading;
 }
 
@@ -89,7 +93,7 @@ Report report_from(std::string_view text) {
   const json::JsonDocument document = json::parse_json(text);
   const JsonNode root(document.value(), "the report");
   root.check_keys({"sha256", "touchstone_mesh", "touchstone", "question", "separation", "metric", "frame_count",
-                   "names_sha256", "shard", "mesh", "frames", "results", "counts"});
+                   "names_sha256", "shard", "mesh", "frames", "results", "counts", "warnings"});
   Report report;
   report.heading = heading_of(root);
   const Question question = report.heading.question;
@@ -98,9 +102,10 @@ Report report_from(std::string_view text) {
   const auto frames = root.at("frames").items();
   check_count(root.at("frames"), frames.size(), range.last - range.first);
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    frames[i].check_keys({"frame", "name", "sha256"});
+    frames[i].check_keys({"frame", "name", "sha256", "mesh"});
     frames[i].at("frame").whole_number(range.first + i, range.first + i);
     report.frames.push_back({clean_text_from(frames[i].at("name")), digest_from(frames[i].at("sha256"))});
+    if (!report.heading.facts) report.frames.back().facts = facts_from(frames[i].at("mesh"));
   }
   const auto results = root.at("results").items();
   check_count(root.at("results"), results.size(), result_count(question, range));

@@ -54,6 +54,10 @@ struct Result {
   /// Where the frame intersects itself; for a step that is not free, where its last frame does.
   std::vector<RestContact> intersections;
 
+  /// Of a frame that intersects itself, and of the first frame of a step that starts in contact: how many vertices are
+  /// at exactly the position of another one.
+  std::size_t coinciding = 0;
+
   bool free() const noexcept { return first.empty() && at_start.empty() && intersections.empty(); }
 };
 
@@ -108,19 +112,33 @@ inline Result result_at(Question question, const Range& frames, std::size_t i) n
   return result;
 }
 
-/// One frame of a report.
-struct FrameEntry {
-  std::string label;   ///< FrameName::label
-  std::string digest;  ///< frames::Frame::digest
-};
-
 /// What a mesh has.
 struct MeshFacts {
   std::string digest;  ///< of its elements: 64 hexadecimal digits
   int dimension = 3;
   std::size_t vertices = 0, faces = 0, edges = 0, points = 0;
+  std::size_t idle = 0;        ///< the vertices that are in no edge and no loose points: they collide with nothing
+  std::size_t neighbours = 0;  ///< the pairs of elements that share a vertex, of the kinds that a step is asked about
+
+  /// Whether there are edges or faces.
+  bool has_elements() const noexcept { return edges > 0; }
+
+  /// Whether two elements that share no vertex could collide at all.
+  bool has_pairs() const noexcept {
+    const std::size_t colliding = vertices - idle;
+    if (points > 1 || (points == 1 && edges > 0)) return true;
+    if (dimension == 2) return edges > 0 && colliding > 2;
+    return (faces > 0 && colliding > 3) || edges * (edges - 1) / 2 > neighbours - 3 * faces;
+  }
 
   bool operator==(const MeshFacts& other) const = default;
+};
+
+/// One frame of a report.
+struct FrameEntry {
+  std::string label;                    ///< FrameName::label
+  std::string digest;                   ///< frames::Frame::digest
+  std::optional<MeshFacts> facts = {};  ///< where the frames may be different meshes
 };
 
 /// What a report is about. Two runs with the same heading differ in the content of their frames only.
@@ -131,7 +149,7 @@ struct Heading {
   std::size_t frame_count = 0;     ///< of the whole sequence
   std::string list_digest;         ///< digest_of the labels of all frames
   std::optional<Shard> shard;      ///< nothing for a whole run
-  std::optional<MeshFacts> facts;  ///< for steps: the mesh that all frames have
+  std::optional<MeshFacts> facts;  ///< the mesh that all frames have; nothing where they may have different ones
 };
 
 /// A report.
@@ -143,18 +161,25 @@ struct Report {
 
 /// The counts at the end of a report.
 struct ResultCounts {
-  std::size_t results = 0;        ///< steps, or frames at rest
-  std::size_t free = 0;           ///< of those, the free ones
-  std::size_t intersections = 0;  ///< of the first frame, when steps are asked about
+  std::size_t results = 0;            ///< steps, or frames at rest
+  std::size_t free = 0;               ///< of those, the free ones
+  std::size_t intersections = 0;      ///< of the first frame, when steps are asked about
+  std::size_t from_intersecting = 0;  ///< the free steps from a frame that intersects itself, as far as is known
+  std::size_t coinciding = 0;         ///< the greatest of Result::coinciding
+  bool ends_intersecting = false;     ///< whether the frame at the end of the last result is known to intersect itself
 
   bool all_free() const noexcept { return free == results && intersections == 0; }
   void add(Question question, const Result& result) noexcept {
+    coinciding = result.coinciding > coinciding ? result.coinciding : coinciding;
+    // A step without contact leaves a frame that intersects itself as it is.
+    if (question == Question::rest || !result.free()) ends_intersecting = !result.intersections.empty();
     if (question == Question::steps && !result.step) {
       intersections = result.intersections.size();
       return;
     }
     ++results;
     free += result.free() ? 1 : 0;
+    from_intersecting += result.step && result.free() && ends_intersecting ? 1 : 0;
   }
 };
 

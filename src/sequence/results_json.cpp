@@ -137,16 +137,19 @@ std::string result_json(const Result& result) {
     text += fmt::format(",\"toi\":{},\"toi_upper\":{},\"first\":{},\"at_start\":{}", time(result.toi),
                         time(result.toi_upper), list_json(result.first), list_json(result.at_start));
   }
-  return text + ",\"intersections\":" + list_json(result.intersections) + "}";
+  text += ",\"intersections\":" + list_json(result.intersections);
+  if (result.coinciding > 0) text += fmt::format(",\"coinciding_vertices\":{}", result.coinciding);
+  return text + "}";
 }
 
 Result result_from(const JsonNode& node) {
   Result result;
   result.step = node.has("from");
   if (result.step) {
-    node.check_keys({"from", "to", "free", "toi", "toi_upper", "first", "at_start", "intersections"});
+    node.check_keys(
+        {"from", "to", "free", "toi", "toi_upper", "first", "at_start", "intersections", "coinciding_vertices"});
   } else {
-    node.check_keys({"frame", "free", "intersections"});
+    node.check_keys({"frame", "free", "intersections", "coinciding_vertices"});
   }
   result.frame = node.at(result.step ? "from" : "frame").whole_number(0, kMostFrames);
   if (result.step) node.at("to").whole_number(result.frame + 1, result.frame + 1);
@@ -166,6 +169,7 @@ Result result_from(const JsonNode& node) {
   }
   result.intersections = list_from<RestContact>(node.at("intersections"), rest_from);
   if (result.free()) node.fail("is not free, without an intersection");
+  if (const auto count = node.find("coinciding_vertices")) result.coinciding = count->whole_number(1, kMostNumber);
   return result;
 }
 

@@ -28,6 +28,9 @@ std::vector<std::string> with(std::vector<std::string> arguments, const std::vec
   return arguments;
 }
 
+/// The last line.
+std::string verdict(const Run& run) { return run.out.empty() ? std::string() : lines_of(run.out).back(); }
+
 void check_refused(const Run& run, const std::string& part) {
   CAPTURE(run.err, part);
   CHECK(run.status == 2);
@@ -70,17 +73,98 @@ TEST_CASE("a sequence that is free: a line for each step, and status 0") {
   CAPTURE(run.err);
   CHECK(run.status == 0);
   CHECK(run.err == "");
-  CHECK(run.out == "r-0.obj: no intersection\nr-0.obj -> r-1.obj: free\nr-1.obj -> r-2.obj: free\n2 steps, all free\n");
+  CHECK(run.out.starts_with("r-0.obj: no intersection\nr-0.obj -> r-1.obj: free\nr-1.obj -> r-2.obj: free\n2 steps, "));
+  CHECK(verdict(run) == "2 steps, all free (19 vertices, 36 edges, 19 faces; 0 pairs with a common vertex left out)");
 }
 
-TEST_CASE("vertices that collide with nothing are counted") {
+TEST_CASE("vertices that collide with nothing are counted in the verdict and in the report") {
   const TemporaryFolder folder;
   const std::string one = folder.write("i-1.obj", needle_frame(4, 3) + "v 0 0 99\n"),
                     two = folder.write("i-2.obj", needle_frame(4, 2) + "v 0 0 -99\n");
-  const Run run = mesh({one, two});
+  const Run run = mesh({one, two, "--report", folder.path("r.json")});
   CHECK(run.status == 0);
-  CHECK(run.err == "touchstone: " + one + ": 1 vertex is in no face, edge or point, and collides with nothing\n");
-  CHECK(mesh({folder.write("c-1.obj", "v 0 0 0\n"), folder.write("c-2.obj", "v 0 0 1\n")}).err == "");
+  CHECK(run.err == "");
+  CHECK(verdict(run).starts_with("1 step, all free (20 vertices, 36 edges, 19 faces"));
+  CHECK(verdict(run).ends_with("); 1 vertex in no element was left out"));
+  const auto report = nlohmann::json::parse(folder.read("r.json"));
+  CHECK(report["mesh"]["idle_vertices"] == 1);
+  CHECK(report["warnings"] == nlohmann::json({"1 vertex in no element was left out"}));
+}
+
+TEST_CASE("positions without elements are loose points, and the verdict says that it is about nothing else") {
+  const TemporaryFolder folder;
+  // The needle goes through the cloth, and no vertex meets another one.
+  const std::vector<std::string> texts = {needle_frame(5, 0.5), needle_frame(5, -0.5)};
+  const std::string array = folder.write("run.npy", npy_of(texts, 28)), topology = folder.write("t.obj", texts[0]);
+  const std::string alone = "asked about 28 loose points alone: no file names edges or faces (for arrays: --topology)";
+  const Run run = mesh({array, "--report", folder.path("r.json")});
+  CHECK(run.status == 0);
+  CHECK(verdict(run) == "1 step, all free (28 vertices, 28 loose points); " + alone);
+  CHECK(nlohmann::json::parse(folder.read("r.json"))["warnings"] == nlohmann::json({alone}));
+  CHECK(verdict(mesh({"--check", array})) ==
+        "2 frames, each by itself: no intersection (28 vertices, 28 loose points); " + alone);
+  const Run page = mesh({array, "--html", folder.path("p.html")});
+  CHECK(occurrences(folder.read("p.html"), "asked about 28 loose points alone") >= 1);
+  const Run whole = mesh({"--topology", topology, array});
+  CHECK(whole.status == 1);
+  CHECK(occurrences(verdict(whole), "alone") == 0);
+
+  std::vector<std::string> points;
+  for (const char* name : {"p-1.obj", "p-2.obj"}) points.push_back(folder.write(name, "v 0 0 0\nv 1 0 0\nv 2 0 0\n"));
+  CHECK(occurrences(verdict(mesh(points)), "asked about 3 loose points alone: no file names") == 1);
+  // A frame of another mesh is counted apart.
+  const Run both = mesh({"--check", "--in-order", points[0], topology, "--report", folder.path("b.json")});
+  CHECK(
+      verdict(both).starts_with("2 frames, each by itself: no intersection (31 vertices, 59 edges, 33 faces, 3 loose "
+                                "points in all"));
+  CHECK(occurrences(verdict(both), "asked about 3 loose points alone in 1 of 2 frames") == 1);
+  CHECK(nlohmann::json::parse(folder.read("b.json"))["frames"][1]["mesh"]["faces"] == 33);
+}
+
+TEST_CASE("a mesh of which no two elements could meet is no proof of anything") {
+  const TemporaryFolder folder;
+  for (const char* text : {"v 0 0 0\n", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "v 0 0 0\nv 1 0 0\nl 1 2\n"}) {
+    const Run run = mesh({folder.write("c-1.obj", text), folder.write("c-2.obj", text)});
+    CAPTURE(text, run.out);
+    CHECK(run.status == 0);
+    CHECK(verdict(run).ends_with("); nothing was compared: there are no two elements without a common vertex"));
+  }
+}
+
+TEST_CASE("a shard without the first frame says that it did not ask whether it starts free") {
+  const TemporaryFolder folder;
+  const auto files = write_needles(folder, "f", 5, 6, falling_tip);
+  const std::string words = "whether the first frame of this shard intersects itself was not asked";
+  CHECK(occurrences(mesh(with({"--shard", "1/2"}, files)).out, words) == 0);
+  const Run second = mesh(with({"--shard", "2/2", "--report", folder.path("r.json")}, files));
+  CHECK(second.status == 0);  // the needle went through in the first part
+  CHECK(verdict(second).starts_with("shard 2/2: 2 steps, all free (28 vertices, "));
+  CHECK(verdict(second).ends_with("); " + words));
+  CHECK(nlohmann::json::parse(folder.read("r.json"))["warnings"] == nlohmann::json({words}));
+  CHECK(occurrences(mesh(with({"--check", "--shard", "2/2"}, files)).out, words) == 0);
+}
+
+TEST_CASE("vertices that lie on others are counted where contacts are found, and named as a likely cause") {
+  const TemporaryFolder folder;
+  // A square of two triangles that are not joined: 0 and -0 are one place. A vertex in no element lies there too.
+  const std::string split = "v 0 0 0\nv 1 0 -0\nv 0 1 0\nv 1 0 0\nv 1 1 0\nv -0 1 0\nv 0 1 0\nf 1 2 3\nf 4 5 6\n",
+                    one = folder.write("s-1.obj", split), two = folder.write("s-2.obj", split);
+  const std::string cause =
+      "4 of 7 vertices lie exactly on others: elements that meet there count as contacts; join such vertices before "
+      "(merge vertices by distance 0 in the program that wrote the file)";
+  const Run run = mesh({one, two, "--report", folder.path("r.json")});
+  CHECK(run.status == 1);
+  CHECK(occurrences(run.out, "s-1.obj: 6 intersections\n  4 vertices lie exactly on others\n") == 1);
+  CHECK(occurrences(run.out, "\n" + cause + "\n1 step: 0 free, 1 not free; the first frame has 6 ") == 1);
+  const auto report = nlohmann::json::parse(folder.read("r.json"));
+  CHECK(report["results"][0]["coinciding_vertices"] == 4);
+  CHECK(report["results"][1]["coinciding_vertices"] == 4);
+  CHECK(report["warnings"].back() == cause);
+  CHECK(occurrences(mesh({"--check", two}).out, cause) == 1);
+  // Joined, it is free, and a contact of another cause has no such words.
+  CHECK(mesh({"--check", folder.write("j.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n")}).status == 0);
+  const auto files = write_needles(folder, "f", 5, 5, falling_tip);
+  CHECK(occurrences(mesh(files).out, "exactly on others") == 0);
 }
 
 TEST_CASE("a planted crossing is named by frame, pair and exact time, in every file") {
@@ -91,12 +175,16 @@ TEST_CASE("a planted crossing is named by frame, pair and exact time, in every f
   CHECK(run.status == 1);
   CHECK(run.err == "");
   CHECK(occurrences(run.out, kPlanted) == 1);
-  CHECK(run.out.ends_with("f-4.obj -> f-5.obj: free\n5 steps: 4 free, 1 not free\n"));
+  // A step without contact from a frame in which the needle is through the cloth is told apart.
+  CHECK(occurrences(run.out, "f-4.obj -> f-5.obj: free of contact; its first frame intersects itself\n5 steps: ") == 1);
+  CHECK(verdict(run).starts_with("5 steps: 4 free, 1 not free (28 vertices, "));
+  CHECK(verdict(run).ends_with("); 2 free steps start from a frame that intersects itself"));
 
   const std::string report = folder.read("r.json");
   CHECK(io::seal_holds(report));
   const auto json = nlohmann::json::parse(report);
   CHECK(json["counts"]["not_free"] == 1);
+  CHECK(json["counts"]["free_from_intersecting_frame"] == 2);
   CHECK(json["frames"][3]["name"] == "f-3.obj");
   const auto& step = json["results"][3];
   CHECK(step["from"] == 2);
@@ -175,7 +263,8 @@ TEST_CASE("with a separation the contact is earlier, and pairs that start within
                     "  vertex 26 of needle and face 11 (7-8-12) of cloth: entering, v against f\n") == 1);
   CHECK(occurrences(run.out, "f-2.obj -> f-3.obj: ") == 1);
   CHECK(occurrences(run.out, "1 pair is in contact at the start") == 1);
-  CHECK(run.out.ends_with("3 steps: 1 free, 2 not free (separation 0x1p-2 (0.25), euclidean)\n"));
+  CHECK(verdict(run).starts_with("3 steps: 1 free, 2 not free (28 vertices, "));
+  CHECK(verdict(run).ends_with("; separation 0x1p-2 (0.25), euclidean)"));
   const std::string queries = folder.path("q/vertex-face/contacts.csv");
   CHECK(folder.read("q/vertex-face/contacts.csv").starts_with("# separation 0x1p-2 euclidean\n"));
   CHECK(run_program({"certify", queries}).status == 0);
@@ -190,7 +279,7 @@ TEST_CASE("a file may hold several frames, whose elements are in another file") 
   CAPTURE(whole.err, whole.out);
   CHECK(whole.status == 1);
   CHECK(occurrences(whole.out, "run.npy[2] -> run.npy[3]: first contact at t = 0x1p-1 (0.5), 1 pair\n") == 1);
-  CHECK(whole.out.ends_with("4 steps: 3 free, 1 not free\n"));
+  CHECK(verdict(whole).starts_with("4 steps: 3 free, 1 not free ("));
   for (const char* number : {"1", "2", "3"}) {
     CHECK(mesh({"--topology", topology, "--shard", std::string(number) + "/3", "--report",
                 folder.path(std::string("part-") + number + ".json"), run})
@@ -212,15 +301,16 @@ TEST_CASE("the option --check asks about frames at rest, whatever their elements
   const Run run = mesh({"--check", "--in-order", files[4], other, files[0], "--report", folder.path("r.json")});
   CAPTURE(run.err);
   CHECK(run.status == 1);
-  CHECK(run.out ==
-        "f-4.obj: 2 intersections\n"
-        "  edge 26-27 of needle pierces face 11 (7-8-12) of cloth\n"
-        "  edge 26-28 of needle pierces face 11 (7-8-12) of cloth\n"
-        "g-9.obj: no intersection\nf-0.obj: no intersection\n3 frames: 2 without intersections, 1 with\n");
+  CHECK(run.out.starts_with(
+      "f-4.obj: 2 intersections\n"
+      "  edge 26-27 of needle pierces face 11 (7-8-12) of cloth\n"
+      "  edge 26-28 of needle pierces face 11 (7-8-12) of cloth\n"
+      "g-9.obj: no intersection\nf-0.obj: no intersection\n3 frames, each by itself: 2 without intersections, 1 with "
+      "(75 vertices, 154 edges, 85 faces in all"));
   CHECK(nlohmann::json::parse(folder.read("r.json"))["results"][0]["intersections"].size() == 2);
   const Run free = mesh({"--check", files[1]});
   CHECK(free.status == 0);
-  CHECK(free.out == "f-1.obj: no intersection\n1 frame, no intersection\n");
+  CHECK(free.out.starts_with("f-1.obj: no intersection\n1 frame, no intersection (28 vertices, 59 edges, 33 faces"));
   check_refused(mesh({"--check", "--separation", "1", files[0]}), "excludes");
 }
 
@@ -231,7 +321,9 @@ TEST_CASE("a first frame that intersects itself is not free") {
   const Run run = mesh({one, two});
   CHECK(run.status == 1);
   CHECK(run.out.starts_with("x-1.obj: 2 intersections\n"));
-  CHECK(run.out.ends_with("x-1.obj -> x-2.obj: free\n1 step, all free; the first frame has 2 intersections\n"));
+  CHECK(occurrences(run.out, "x-1.obj -> x-2.obj: free of contact; its first frame intersects itself\n1 step, ") == 1);
+  CHECK(verdict(run).starts_with("1 step, all free; the first frame has 2 intersections (28 vertices, "));
+  CHECK(verdict(run).ends_with("); 1 free step starts from a frame that intersects itself"));
 }
 
 TEST_CASE("long lists are cut on the console, and not in the report") {

@@ -13,6 +13,7 @@
 #include <touchstone/error.hpp>
 #include <touchstone/solve.hpp>
 
+#include "mesh/coinciding.hpp"
 #include "seeded/rng.hpp"
 #include "sequence/element_names.hpp"
 #include "sequence/refusal.hpp"
@@ -183,6 +184,89 @@ TEST_CASE("a coordinate that is not finite is named") {
           check_positions(frame, {"x.obj", 0, false});
         }) == "x.obj: vertex 5 has y = nan; coordinates must be finite");
   CHECK(has(refusal_of([&] { check_positions(frame, {"x.npy", 3, true}); }), "x.npy: in frame 3, vertex 5"));
+}
+
+namespace {
+
+/// The pairs of a step's kinds: how many there are, and how many of them share a vertex.
+std::array<std::size_t, 2> all_pairs(const Mesh& mesh) {
+  std::array<std::size_t, 2> counts{};
+  const auto count = [&](const auto& a, const auto& b) {
+    ++counts[0];
+    counts[1] +=
+        std::any_of(a.begin(), a.end(), [&](MeshIndex v) { return std::find(b.begin(), b.end(), v) != b.end(); });
+  };
+  const auto& points = mesh.points();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) count(std::array{points[i]}, std::array{points[j]});
+  }
+  const auto in_edge = [&](MeshIndex v) {
+    return std::any_of(mesh.edges().begin(), mesh.edges().end(), [&](const auto& e) { return e[0] == v || e[1] == v; });
+  };
+  const auto in_face = [&](const std::array<MeshIndex, 2>& edge) {
+    return std::any_of(mesh.faces().begin(), mesh.faces().end(), [&](const auto& face) {
+      return std::count(face.begin(), face.end(), edge[0]) + std::count(face.begin(), face.end(), edge[1]) == 2;
+    });
+  };
+  for (MeshIndex v = 0; v < mesh.vertex_count(); ++v) {
+    const bool is_point = std::find(points.begin(), points.end(), v) != points.end();
+    if (!is_point && !in_edge(v)) continue;
+    for (const auto& face : mesh.faces()) count(std::array{v}, face);
+    for (const auto& edge : mesh.edges()) {
+      if (mesh.dimension() == 2 || (is_point && !in_face(edge))) count(std::array{v}, edge);
+    }
+  }
+  for (std::size_t i = 0; mesh.dimension() == 3 && i < mesh.edges().size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) count(mesh.edges()[i], mesh.edges()[j]);
+  }
+  return counts;
+}
+
+}  // namespace
+
+TEST_CASE("what a mesh leaves out is counted as by all pairs of elements") {
+  Rng rng(20260118);
+  int without_pairs = 0, with_idle = 0;
+  for (int round = 0; round < 400; ++round) {
+    Topology topology;
+    topology.dimension = rng.one_in(3) ? 2 : 3;
+    topology.vertex_count = 1 + rng.below(6);
+    const auto vertex = [&] { return static_cast<MeshIndex>(rng.below(topology.vertex_count)); };
+    const std::size_t faces = topology.dimension == 3 ? rng.below(3) : 0, edges = rng.below(3), points = rng.below(3);
+    for (std::size_t i = 0; i < faces; ++i) {
+      const MeshIndex a = vertex(), b = vertex(), c = vertex();
+      if (a != b && b != c && c != a) topology.faces.push_back({a, b, c});
+    }
+    for (std::size_t i = 0; i < edges; ++i) {
+      const MeshIndex a = vertex(), b = vertex();
+      if (a != b) topology.edges.push_back({a, b});
+    }
+    for (std::size_t i = 0; i < points; ++i) topology.points.push_back(vertex());
+    Mesh mesh;
+    if (!refusal_of([&] { mesh = mesh_of(topology, {}, "x"); }).empty()) continue;  // an element that is there twice
+    const MeshFacts facts = facts_of(mesh, topology);
+    const auto [all, sharing] = all_pairs(mesh);
+    CAPTURE(round, facts.vertices, facts.edges, facts.faces, facts.points, facts.idle);
+    CHECK(facts.neighbours == sharing);
+    CHECK(facts.has_pairs() == (all > sharing));
+    without_pairs += all > sharing ? 0 : 1;
+    with_idle += facts.idle > 0 ? 1 : 0;
+  }
+  CHECK(without_pairs >= 20);
+  CHECK(with_idle >= 20);
+}
+
+TEST_CASE("vertices at equal positions are counted exactly, and only those that collide") {
+  Topology topology = *triangles(2);
+  topology.vertex_count = 8;
+  const Mesh mesh = mesh_of(topology, {}, "x");
+  const double least = std::numeric_limits<double>::denorm_min();
+  std::vector<double> x = {0, 0, 0, 1, 0, 0, 0, 1, 0, -0.0, 0, -0.0, 1, least, 0, 0, 1, 0, 1, 0, 0, 1, 0, 0};
+  CHECK(coinciding_vertices(mesh, {x, 3}) == 4);  // 0 and 3, 2 and 5; not 1 and 4, and not 6 and 7
+  x[3 * 4 + 1] = -0.0;
+  CHECK(coinciding_vertices(mesh, {x, 3}) == 6);
+  for (std::size_t v = 0; v < 8; ++v) x[3 * v] = static_cast<double>(v);
+  CHECK(coinciding_vertices(mesh, {x, 3}) == 0);
 }
 
 TEST_CASE("the digest of a mesh is that of its elements alone") {

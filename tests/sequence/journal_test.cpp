@@ -119,7 +119,7 @@ TEST_CASE("the journal of another run is refused, and the message says what diff
             "about a whole sequence, and this run about shard 1/2"));
   CHECK(
       has(refused([](Heading& h) { h.program = "9"; }), "was made by touchstone 0.1.0, and this run by touchstone 9"));
-  CHECK(has(refused([](Heading& h) { h.facts->digest[3] = 'f'; }), "is about a mesh of 12 vertices"));
+  CHECK(has(refused([](Heading& h) { h.facts->digest[3] = 'f'; }), "is about a mesh of 13 vertices"));
 }
 
 TEST_CASE("a file that is no journal is left alone") {

@@ -63,8 +63,18 @@ TEST_CASE("a report is JSON that says everything, and is read back") {
   CHECK(io::seal_holds(text));
   CHECK(report_text(report_from(text)) == text);
   const auto json = nlohmann::json::parse(text);
-  CHECK(json["counts"] ==
-        nlohmann::json({{"steps", 6}, {"free", 4}, {"not_free", 2}, {"intersections_of_first_frame", 2}}));
+  CHECK(json["counts"] == nlohmann::json({{"steps", 6},
+                                          {"free", 4},
+                                          {"not_free", 2},
+                                          {"intersections_of_first_frame", 2},
+                                          {"free_from_intersecting_frame", 3}}));
+  CHECK(json["mesh"]["idle_vertices"] == 1);
+  CHECK(json["mesh"]["pairs_with_common_vertex"] == 24);
+  CHECK(json["results"][0]["coinciding_vertices"] == 5);
+  REQUIRE(json["warnings"].size() == 3);
+  CHECK(json["warnings"][0] == "1 vertex in no element was left out");
+  CHECK(json["warnings"][1] == "3 free steps start from a frame that intersects itself");
+  CHECK(has(json["warnings"][2], "5 of 13 vertices lie exactly on others: "));
   CHECK(json["separation"] == "0x1p-3");
   CHECK(json["frames"].size() == 7);
   CHECK(json["results"].size() == 7);
@@ -85,6 +95,33 @@ TEST_CASE("the table of pairs has a row for each pair, and every row has all col
   CHECK(has(table,
             "\nc-4.obj,c-5.obj,at_start,edge-edge,edge,4 5,,,edge,4 5,,,0x0p+0,0x0p+0,sustained,overlap,overlap,"
             "constant\n"));
+}
+
+TEST_CASE("a report about frames at rest has the one mesh of all frames, or that of each frame") {
+  Report report;
+  report.heading.question = Question::rest;
+  report.heading.program = "0.1.0";
+  report.heading.frame_count = 2;
+  report.heading.list_digest = std::string(64, 'b');
+  for (std::size_t i = 0; i < 2; ++i) {
+    report.frames.push_back({std::string("c-").append(std::to_string(i)), std::string(64, 'd')});
+    report.results.push_back(result_at(Question::rest, {0, 2}, i));
+  }
+  const MeshFacts triangle{std::string(64, 'a'), 3, 3, 1, 3, 0, 0, 6},
+      points{std::string(64, 'c'), 3, 9, 0, 0, 9, 0, 0};
+  Report each = report;
+  report.heading.facts = points;
+  each.frames[0].facts = triangle;
+  each.frames[1].facts = points;
+  for (const Report& one : {report, each}) CHECK(report_text(report_from(report_text(one))) == report_text(one));
+  CHECK(nlohmann::json::parse(report_text(each))["frames"][1]["mesh"]["points"] == 9);
+  CHECK(nlohmann::json::parse(report_text(each))["warnings"].size() == 2);
+  CHECK(
+      difference_of(each.heading, report.heading, "this run") ==
+      "is about frames whose elements may differ, and this run about a mesh of 9 vertices and 0 faces with the digest "
+      "cccccccccccccccc");
+  each.frames[1].facts.reset();
+  CHECK(has(refusal_of(report_text(each)), "frames[1]"));
 }
 
 TEST_CASE("shards divide the steps evenly, each step once, and neighbours share a frame") {
@@ -141,7 +178,7 @@ TEST_CASE("shards that do not fit together are refused, and the message says whi
   CHECK(has(refused(shards), "other: is about shard 3/5, and s1 about shard 1/4"));
   shards = all_shards(4);
   shards[2].report.heading.facts->digest[5] = 'c';
-  CHECK(has(refused(shards), "s3: is about a mesh of 12 vertices"));
+  CHECK(has(refused(shards), "s3: is about a mesh of 13 vertices"));
   shards = all_shards(4);
   shards[1].report.heading.list_digest[0] ^= 1;
   CHECK(has(refused(shards), "s2: is about frames of other names"));
@@ -175,7 +212,7 @@ TEST_CASE("a report with a right digest and wrong content is refused by its key"
     CAPTURE(from, to, refusal);
     CHECK(has(refusal, message));
   };
-  check("\"touchstone_mesh\": 1", "\"touchstone_mesh\": 2", "touchstone_mesh: must be 1");
+  check("\"touchstone_mesh\": 2", "\"touchstone_mesh\": 1", "touchstone_mesh: must be 2");
   check("\"frame_count\": 7", "\"frame_count\": 8", "frames: must have 8 items");
   check("\"frame_count\": 7", "\"frame_count\": 1", "frame_count: must be a whole number from 2");
   check("\"frame_count\": 7", "\"frame_count\": -7", "frame_count");
@@ -206,6 +243,10 @@ TEST_CASE("a report with a right digest and wrong content is refused by its key"
   check("\"counts\"", "\"count\"", "has no key 'count'");
   check("\"results\": [", "\"results\": {}, \"results\": [", "twice");
   check("\"dimension\": 3", "\"dimension\": 4", "mesh.dimension");
+  check("\"idle_vertices\": 1", "\"idle_vertices\": 14", "mesh.idle_vertices");
+  check("\"idle_vertices\": 1", "\"idle_vertices\": 0", "not as touchstone mesh writes it");
+  check("\"coinciding_vertices\":5", "\"coinciding_vertices\":0", "results[0].coinciding_vertices");
+  check("start from a frame", "start with a frame", "not as touchstone mesh writes it");
 }
 
 TEST_CASE("no sealed text crashes the reader, and what it takes is what it writes") {

@@ -18,7 +18,7 @@ inline sequence::Report sample_report() {
   report.heading.program = "0.1.0";
   report.heading.separation = {0.125, Metric::max};
   report.heading.frame_count = 7;
-  report.heading.facts = MeshFacts{std::string(64, 'a'), 3, 12, 4, 12, 0};
+  report.heading.facts = MeshFacts{std::string(64, 'a'), 3, 13, 4, 12, 0, 1, 24};
   std::vector<std::string> labels;
   for (std::size_t i = 0; i < 7; ++i) {
     labels.push_back(std::string("c-").append(std::to_string(i)).append(".obj"));
@@ -32,6 +32,7 @@ inline sequence::Report sample_report() {
     report.results.push_back(result_at(Question::steps, {0, 7}, i));
   }
   report.results[0].intersections = {{edge, face, true}, {vertex, face, false}};
+  report.results[0].coinciding = 5;
   Result& first = report.results[2];
   first.toi = 0x1.5555555555555p-2;
   first.toi_upper = 0x1.5555555555556p-2;

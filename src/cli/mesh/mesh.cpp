@@ -102,21 +102,12 @@ sequence::Heading heading_for(const MeshRunOptions& options, const std::vector<F
   return heading;
 }
 
+/// Whether the frames may be different meshes.
+bool may_differ(const MeshRunOptions& options) { return options.check && options.in_order; }
+
 /// The file that the elements of a frame come from.
 const std::string& elements_file(const MeshRunOptions& options, const FrameName& name) {
   return options.topology.empty() ? name.file : options.topology;
-}
-
-/// Says how many vertices collide with nothing, because a verdict "free" is not about them.
-void tell_idle_vertices(const Mesh& mesh, const std::string& file) {
-  std::vector<char> collides(mesh.vertex_count(), 0);
-  for (const auto& edge : mesh.edges()) collides[edge[0]] = collides[edge[1]] = 1;
-  for (const MeshIndex point : mesh.points()) collides[point] = 1;
-  const auto idle = static_cast<std::size_t>(std::count(collides.begin(), collides.end(), 0));
-  if (idle == 0) return;
-  print_error(fmt::format("touchstone: {}: {} {} no face, edge or point, and collide{} with nothing\n",
-                          io::printable(file), grouped(idle), idle == 1 ? "vertex is in" : "vertices are in",
-                          idle == 1 ? "s" : ""));
 }
 
 /// The elements of a motion. All of the mesh may move.
@@ -160,14 +151,16 @@ class Checker {
   /// @param index  the frame's place in the sequence; they come in order
   void take(std::size_t index, std::shared_ptr<const Frame> frame) {
     const FrameName& name = names_[index];
-    if (before_ != nullptr && (question_ == Question::steps || !options_.in_order)) {
+    if (before_ != nullptr && !may_differ(options_)) {
       sequence::check_same_elements(*before_->topology, names_[index - 1], *frame->topology, name);
     }
     if (question_ == Question::rest && frame->topology != topology_) {
       mesh_ = sequence::mesh_of(*frame->topology, separation_, elements_file(options_, name));
       topology_ = frame->topology;
     }
-    output_.add_frame({name.label(), frame->digest});
+    sequence::FrameEntry entry{name.label(), frame->digest};
+    if (may_differ(options_)) entry.facts = sequence::facts_of(mesh_, *topology_);
+    output_.add_frame(std::move(entry));
     const std::shared_ptr<const Frame> before = std::exchange(before_, frame);
     const bool rest = question_ == Question::rest || index == 0;
     if (rest) check(*frame, *frame);
@@ -191,7 +184,7 @@ class Checker {
     } else if (next.result.step) {
       next.result = sequence::check_step(mesh_, before, after, next.result.frame, threads_);
     } else {
-      next.result.intersections = sequence::intersections_of(mesh_, before, threads_);
+      next.result = sequence::check_frame(mesh_, before, next.result.frame, threads_);
     }
     ++results_;
     if (animation_ != nullptr) animation_->add_result(next.result, before, after);
@@ -248,8 +241,7 @@ int run_mesh(const MeshRunOptions& options) {
   // The first frame is read alone: the other ones share its elements.
   const auto first = read(names[range.first], reading, nullptr);
   Mesh mesh = sequence::mesh_of(*first->topology, separation, elements_file(options, names[range.first]));
-  tell_idle_vertices(mesh, elements_file(options, names[range.first]));
-  if (question == Question::steps) heading.facts = sequence::facts_of(mesh, *first->topology);
+  if (!may_differ(options)) heading.facts = sequence::facts_of(mesh, *first->topology);
   std::optional<MotionProofs> proofs;  // a folder that is refused is found before a journal is made
   if (!options.prove.empty()) proofs.emplace(options.prove, motion_elements(mesh), separation, threads);
   std::optional<io::OutputFile> page;

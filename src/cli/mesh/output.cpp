@@ -134,22 +134,23 @@ void MeshOutput::add(sequence::Finished finished, const frames::Frame& before, c
     console_.write(lines);
     console_.commit();  // a step may take minutes
   }
-  if (!options_.report.empty()) {
-    report_.results.push_back(std::move(finished.result));
-  } else {
-    counts_.add(report_.heading.question, finished.result);
-  }
+  counts_.add(report_.heading.question, result);
+  if (!options_.report.empty()) report_.results.push_back(std::move(finished.result));
 }
 
 std::string MeshOutput::lines_of(const sequence::Result& result, const frames::Frame& before,
                                  const frames::Frame& after) {
   if (!result.step) {
     if (result.free()) return label(result.frame) + ": no intersection\n";
-    return fmt::format("{}: {}\n", label(result.frame), counted(result.intersections.size(), "intersection")) +
-           intersection_lines(result.intersections, "  ");
+    std::string text =
+        fmt::format("{}: {}\n", label(result.frame), counted(result.intersections.size(), "intersection"));
+    if (result.coinciding > 0) text += fmt::format("  {} vertices lie exactly on others\n", grouped(result.coinciding));
+    return text + intersection_lines(result.intersections, "  ");
   }
   std::string text = label(result.frame) + " -> " + label(result.frame + 1) + ": ";
-  if (result.free()) return text + "free\n";
+  if (result.free()) {
+    return text + (counts_.ends_intersecting ? "free of contact; its first frame intersects itself\n" : "free\n");
+  }
   if (!result.first.empty()) {
     text += fmt::format("first contact at {}, {}\n", time_range(result.toi, result.toi_upper),
                         counted(result.first.size(), "pair"));
@@ -197,11 +198,7 @@ std::string MeshOutput::write_query(const sequence::PairContact& pair, const seq
   return explain_command(target->path, pair.kind, target->queries++, separation);
 }
 
-sequence::ResultCounts MeshOutput::all_counts() const {
-  return options_.report.empty() ? counts_ : sequence::counts_of(report_);
-}
-
-std::string MeshOutput::counts_summary() const { return counts_for_person(report_.heading, all_counts()); }
+std::string MeshOutput::counts_summary() const { return counts_for_person(report_.heading, report_.frames, counts_); }
 
 bool MeshOutput::finish() {
   if (pairs_file_) pairs_file_->commit();
@@ -217,7 +214,6 @@ bool MeshOutput::finish() {
     }
   }
   folders_.keep();
-  const sequence::ResultCounts counts = all_counts();
   if (report_file_) {
     report_file_->write(sequence::report_text(report_));
     report_file_->commit();
@@ -226,10 +222,10 @@ bool MeshOutput::finish() {
   if (options_.report == "-") {
     console_.write(sequence::report_text(report_));
   } else {
-    console_.write(counts_for_person(report_.heading, counts));
+    console_.write(counts_summary());
   }
   console_.commit();
-  return counts.all_free();
+  return counts_.all_free();
 }
 
 }  // namespace touchstone::cli

@@ -41,7 +41,7 @@ class MeshOutput {
   /// @param known   whether an earlier run found it
   void add(sequence::Finished finished, const frames::Frame& before, const frames::Frame& after, bool known);
 
-  /// The line about all results.
+  /// The lines about all results.
   std::string counts_summary() const;
 
   /// Writes what is left, and puts all files in their places. @returns whether every step is free
@@ -55,7 +55,6 @@ class MeshOutput {
   };
 
   void take_finished_report();
-  sequence::ResultCounts all_counts() const;
   std::string pair_lines(const std::vector<sequence::PairContact>& pairs, const sequence::Result& result,
                          const frames::Frame& before, const frames::Frame& after, const std::string& indent);
   std::string write_query(const sequence::PairContact& pair, const sequence::Result& result,
@@ -64,8 +63,8 @@ class MeshOutput {
   const std::string& label(std::size_t frame) const;
 
   const MeshRunOptions& options_;
-  sequence::Report report_;  ///< without --report, its results are only counted
-  sequence::ResultCounts counts_;
+  sequence::Report report_;        ///< without --report, its results are only counted
+  sequence::ResultCounts counts_;  ///< of the results so far
   std::size_t first_frame_;
   std::optional<sequence::Journal> journal_;
   std::vector<sequence::Finished> from_report_;  ///< of a report that is there already

@@ -5,6 +5,7 @@
 
 #include "cli/shared/separation.hpp"
 #include "cli/shared/words.hpp"
+#include "sequence/scope.hpp"
 
 namespace touchstone::cli {
 
@@ -20,21 +21,28 @@ std::string element_for_person(const sequence::NamedElement& element) {
   return text;
 }
 
-std::string counts_for_person(const sequence::Heading& heading, const sequence::ResultCounts& counts) {
+std::string counts_for_person(const sequence::Heading& heading, const std::vector<sequence::FrameEntry>& frames,
+                              const sequence::ResultCounts& counts) {
   const bool steps = heading.question == sequence::Question::steps;
   const std::size_t rest = counts.results - counts.free;
-  std::string text = heading.shard ? fmt::format("shard {}/{}: ", heading.shard->number, heading.shard->count) : "";
+  std::string text = sequence::likely_cause(heading, counts);
+  if (!text.empty()) text += "\n";
+  text += heading.shard ? fmt::format("shard {}/{}: ", heading.shard->number, heading.shard->count) : "";
   text += counted(counts.results, steps ? "step" : "frame");
   if (steps) {
     text += rest == 0 ? ", all free" : fmt::format(": {} free, {} not free", grouped(counts.free), grouped(rest));
   } else {
-    text += rest == 0 ? ", no intersection"
-                      : fmt::format(": {} without intersections, {} with", grouped(counts.free), grouped(rest));
+    if (heading.frame_count > 1) text += ", each by itself";
+    const std::string none = heading.frame_count > 1 ? ": no intersection" : ", no intersection";
+    text += rest == 0 ? none : fmt::format(": {} without intersections, {} with", grouped(counts.free), grouped(rest));
   }
   if (counts.intersections > 0) {
     text += fmt::format("; the first frame has {}", counted(counts.intersections, "intersection"));
   }
-  if (heading.separation.distance > 0) text += " (" + separation_for_person(heading.separation) + ")";
+  text += " (" + sequence::scope_of(heading, frames);
+  if (heading.separation.distance > 0) text += "; " + separation_for_person(heading.separation);
+  text += ")";
+  for (const std::string& warning : sequence::warnings_of(heading, frames, counts)) text += "; " + warning;
   return text + "\n";
 }
 

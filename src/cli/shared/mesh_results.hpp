@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "sequence/results.hpp"
 
@@ -11,7 +12,10 @@ namespace touchstone::cli {
 /// "face 7 (3-4-9) of sphere", in the numbers of the file.
 std::string element_for_person(const sequence::NamedElement& element);
 
-/// The last line of a run, with its end: "12 steps: 11 free, 1 not free".
-std::string counts_for_person(const sequence::Heading& heading, const sequence::ResultCounts& counts);
+/// The last lines of a run, with their ends. The last one has the verdict and all that it leaves out: "12 steps: 11
+/// free, 1 not free (8 vertices, ...); 1 vertex in no element was left out". A likely cause of contacts comes before it.
+/// @param frames  those of the report
+std::string counts_for_person(const sequence::Heading& heading, const std::vector<sequence::FrameEntry>& frames,
+                              const sequence::ResultCounts& counts);
 
 }  // namespace touchstone::cli

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "sequence/scope.hpp"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+
+#include "io/counted.hpp"
+#include "sequence/report.hpp"
+
+namespace touchstone::sequence {
+namespace {
+
+using io::counted;
+
+/// The meshes of a run: one, or that of each frame.
+struct Meshes {
+  MeshFacts sum;
+  std::size_t count = 0;
+  std::size_t without_pairs = 0, with_points_alone = 0;  ///< of the meshes
+  std::size_t points_alone = 0;                          ///< of the latter
+
+  void add(const MeshFacts& facts) {
+    ++count;
+    for (const auto member : {&MeshFacts::vertices, &MeshFacts::edges, &MeshFacts::faces, &MeshFacts::points,
+                              &MeshFacts::idle, &MeshFacts::neighbours}) {
+      sum.*member += facts.*member;
+    }
+    if (!facts.has_pairs()) {
+      ++without_pairs;
+    } else if (!facts.has_elements()) {
+      ++with_points_alone;
+      points_alone += facts.points;
+    }
+  }
+
+  /// "" or " in 2 of 3 frames".
+  std::string where(std::size_t some) const {
+    return count == 1 ? std::string() : fmt::format(" in {} of {} frames", io::grouped(some), io::grouped(count));
+  }
+};
+
+Meshes meshes_of(const Heading& heading, const std::vector<FrameEntry>& frames) {
+  Meshes meshes;
+  if (heading.facts) {
+    meshes.add(*heading.facts);
+    return meshes;
+  }
+  for (const FrameEntry& frame : frames) {
+    if (frame.facts) meshes.add(*frame.facts);
+  }
+  return meshes;
+}
+
+}  // namespace
+
+std::string scope_of(const Heading& heading, const std::vector<FrameEntry>& frames) {
+  const Meshes meshes = meshes_of(heading, frames);
+  std::string text = counted(meshes.sum.vertices, "vertex");
+  if (meshes.sum.edges > 0) text += ", " + counted(meshes.sum.edges, "edge");
+  if (meshes.sum.faces > 0) text += ", " + counted(meshes.sum.faces, "face");
+  if (meshes.sum.points > 0) text += ", " + counted(meshes.sum.points, "loose point");
+  if (meshes.count > 1) text += " in all";
+  if (meshes.sum.neighbours == 0) return text;
+  if (heading.question == Question::rest) return text + "; elements with a common vertex left out";
+  return text + "; " + counted(meshes.sum.neighbours, "pair") + " with a common vertex left out";
+}
+
+std::vector<std::string> warnings_of(const Heading& heading, const std::vector<FrameEntry>& frames,
+                                     const ResultCounts& counts) {
+  const Meshes meshes = meshes_of(heading, frames);
+  std::vector<std::string> warnings;
+  if (meshes.with_points_alone > 0) {
+    warnings.push_back(fmt::format("asked about {} alone{}: no file names edges or faces (for arrays: --topology)",
+                                   counted(meshes.points_alone, "loose point"),
+                                   meshes.where(meshes.with_points_alone)));
+  }
+  if (meshes.without_pairs > 0) {
+    warnings.push_back(fmt::format("nothing was compared{}: there are no two elements without a common vertex",
+                                   meshes.where(meshes.without_pairs)));
+  }
+  if (const std::size_t idle = meshes.sum.idle; idle > 0) {
+    warnings.push_back(
+        fmt::format("{} in no element {} left out", counted(idle, "vertex"), idle == 1 ? "was" : "were"));
+  }
+  if (heading.question == Question::steps && range_of(heading).first > 0) {
+    warnings.push_back("whether the first frame of this shard intersects itself was not asked");
+  }
+  if (const std::size_t steps = counts.from_intersecting; steps > 0) {
+    warnings.push_back(fmt::format("{} {} from a frame that intersects itself", counted(steps, "free step"),
+                                   steps == 1 ? "starts" : "start"));
+  }
+  return warnings;
+}
+
+std::string likely_cause(const Heading& heading, const ResultCounts& counts) {
+  if (counts.coinciding == 0) return {};
+  const std::string of = heading.facts ? " of " + io::grouped(heading.facts->vertices) : std::string();
+  return fmt::format(
+      "{}{} vertices lie exactly on others: elements that meet there count as contacts; join such vertices before "
+      "(merge vertices by distance 0 in the program that wrote the file)",
+      io::grouped(counts.coinciding), of);
+}
+
+}  // namespace touchstone::sequence
