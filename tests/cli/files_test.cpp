@@ -143,3 +143,17 @@ TEST_CASE("a pipe can be read") {
   CHECK(std::system(command.c_str()) == 0);
   CHECK(folder.read("out").rfind("all 2 claims hold", 0) == 0);
 }
+
+TEST_CASE("an output file beyond the size that the system allows is one line of error, and nothing is left of it") {
+  const TemporaryFolder folder;
+  std::string text;
+  for (int i = 0; i < 5000; ++i) text += two_point_queries();
+  const std::string file = folder.write("point-point/a.csv", text);
+  RunOptions limited;
+  limited.file_size = std::uint64_t{1} << 16;
+  const std::string out = folder.path("out.csv");
+  const Run run = run_program({"solve", "--out", out, file}, limited);
+  CHECK(run.status == 2);
+  CHECK(run.err == out + ": cannot be written: File too large\n");
+  CHECK(folder.names() == Names{"point-point"});
+}

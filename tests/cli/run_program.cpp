@@ -51,6 +51,10 @@ Run run_program(const std::vector<std::string>& arguments, const RunOptions& opt
       const rlimit limit{options.address_space, options.address_space};
       if (::setrlimit(RLIMIT_AS, &limit) != 0) ::_exit(126);
     }
+    if (options.file_size > 0) {
+      const rlimit limit{options.file_size, options.file_size};
+      if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) ::_exit(126);
+    }
     ::dup2(out_descriptor, STDOUT_FILENO);
     ::dup2(err_descriptor, STDERR_FILENO);
     ::execv(argv[0], argv.data());

@@ -25,6 +25,7 @@ struct RunOptions {
   bool closed_pipe = false;          ///< standard output is a pipe whose reader has gone
   std::string search_path = {};      ///< PATH; empty: the test's own
   std::uint64_t address_space = 0;   ///< bytes of address space that it gets; 0: no limit
+  std::uint64_t file_size = 0;       ///< bytes of the largest file that it may write; 0: no limit
   double interrupt_after = 0;        ///< seconds until it gets SIGINT; 0: never
   double kill_after = 0;             ///< seconds until it is killed, by SIGKILL; 0: never
   bool own_group = false;            ///< the program leads a process group, and SIGINT goes to the whole group, as

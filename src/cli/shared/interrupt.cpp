@@ -28,6 +28,7 @@ void watch_for_signals() {
     ::sigaction(signal, &action, nullptr);
   }
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 void occupy_closed_descriptors() {
