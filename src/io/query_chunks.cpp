@@ -7,6 +7,7 @@
 
 #include "io/curved_rows.hpp"
 #include "io/fail.hpp"
+#include "io/hdf5_layout.hpp"
 
 namespace touchstone::io {
 
@@ -60,14 +61,13 @@ void QueryChunkReader::fill() {
 /// Tells a file of doubles from text, whose byte order mark is skipped.
 void QueryChunkReader::start() {
   constexpr std::string_view kMark = "\xEF\xBB\xBF";
-  constexpr std::string_view kHdf5 = "\x89HDF\r\n\x1a\n";
   started_ = true;
   while (!at_end_ && buffer_.size() < kBinaryMagic.size()) fill();
   if (starts_query_array(buffer_)) {
     array_ = std::make_shared<const QueryArray>(file_);
     if (const std::string fault = array_->fault_of_kind(kind_); !fault.empty()) fail(*name_, fault);
     buffer_ = std::string();
-  } else if (buffer_.starts_with(kHdf5)) {
+  } else if (buffer_.starts_with(kHdf5Magic)) {
     fail(*name_, "is an HDF5 file; touchstone convert makes a binary query file of it");
   } else if (buffer_.starts_with(kMark)) {
     buffer_.erase(0, kMark.size());

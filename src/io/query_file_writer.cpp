@@ -9,6 +9,7 @@
 
 #include "io/curved_rows.hpp"
 #include "io/fail.hpp"
+#include "io/hdf5_layout.hpp"
 #include "io/query_array.hpp"
 #include "io/query_writer.hpp"
 #include "io/separation_text.hpp"
@@ -20,6 +21,15 @@ namespace {
 using Corners = std::array<Vec3, 4>;
 
 bool is_text(QueryFormat format) { return format == QueryFormat::csv || format == QueryFormat::hexfloat; }
+
+/// The pieces of a file that follow each other in it: see EncodedQueries.
+std::size_t part_count(const WrittenFile& file) {
+  switch (file.format) {
+    case QueryFormat::binary: return 6 * corner_count(file.kind) + 1;
+    case QueryFormat::hdf5: return 2;
+    default: return 1;
+  }
+}
 
 void append_double(std::string& out, double value) {
   auto bits = std::bit_cast<std::uint64_t>(value);
@@ -158,10 +168,7 @@ std::string fault_of_written_file(const WrittenFile& file) {
   return {};
 }
 
-EncodedQueries::EncodedQueries(const WrittenFile& file) : file_(file) {
-  const std::size_t columns = 6 * corner_count(file.kind);
-  parts_.resize(file.format == QueryFormat::binary ? columns + 1 : file.format == QueryFormat::hdf5 ? 2 : 1);
-}
+EncodedQueries::EncodedQueries(const WrittenFile& file) : file_(file) { parts_.resize(part_count(file)); }
 
 void EncodedQueries::add_doubles(const Query& query) {
   std::size_t column = 0;
@@ -211,8 +218,7 @@ QueryFileWriter::QueryFileWriter(const std::string& path, const WrittenFile& fil
     if (file.format == QueryFormat::hexfloat) out_.write(std::string(kCurvedHeader) + "\n");
     return;
   }
-  const std::size_t parts = file.format == QueryFormat::binary ? 6 * corner_count(file.kind) + 1 : 1;
-  for (std::size_t i = 0; i < parts; ++i) spools_.emplace_back(path);
+  for (std::size_t i = 0; i < part_count(file); ++i) spools_.emplace_back(path);
 }
 
 void QueryFileWriter::write(const EncodedQueries& queries) {
@@ -229,6 +235,8 @@ void QueryFileWriter::commit() {
     out_.write(BinaryHeader{file_.kind, 3, count_, file_.with_claims, file_.separation}.bytes());
   } else if (file_.format == QueryFormat::npy) {
     out_.write(npy_query_header(file_.kind, count_));
+  } else if (file_.format == QueryFormat::hdf5) {
+    out_.write(hdf5_query_header(file_.kind, count_, file_.with_claims));
   }
   for (SpoolFile& spool : spools_) spool.copy_to(out_);
   out_.commit();

@@ -23,7 +23,7 @@ enum class QueryFormat : std::uint8_t {
   hexfloat,  ///< the rows of curved queries, with hexfloats
   binary,    ///< a header and columns of doubles
   npy,       ///< NumPy's array of doubles of shape (n, 2, corners, 3)
-  hdf5       ///< rows of doubles and results, as the public benchmark packs them; QueryFileWriter does not write it
+  hdf5       ///< rows of doubles and results, as the public benchmark packs them
 };
 inline constexpr std::array<QueryFormat, 5> kQueryFormats = {QueryFormat::csv, QueryFormat::hexfloat,
                                                              QueryFormat::binary, QueryFormat::npy, QueryFormat::hdf5};
@@ -55,16 +55,14 @@ class EncodedQueries {
   /// @throws FileError  naming `source`, the row and the column of a coordinate that the format does not hold
   void add(const std::string& source, const QueryRecord& record, std::optional<bool> truth);
 
-  /// One for text and for .npy; of the binary format one for each column and then the claims; of HDF5 the doubles, in the
-  /// order of .npy, and the claims.
-  const std::vector<std::string>& parts() const noexcept { return parts_; }
-
  private:
   friend class QueryFileWriter;
   void add_doubles(const Query& query);
 
   WrittenFile file_;
   std::uint64_t count_ = 0;
+  /// One for text and for .npy; of the binary format one for each column and then the claims; of HDF5 the doubles, in the
+  /// order of .npy, and the claims.
   std::vector<std::string> parts_;
 };
 

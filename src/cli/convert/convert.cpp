@@ -65,24 +65,6 @@ class Source {
   std::optional<Hdf5Stream> hdf5_;
 };
 
-/// A file that is written in any format.
-class Sink {
- public:
-  Sink(const std::string& path, const io::WrittenFile& file) {
-    if (file.format == io::QueryFormat::hdf5) {
-      hdf5_.emplace(path, file);
-    } else {
-      file_.emplace(path, file);
-    }
-  }
-  void write(const io::EncodedQueries& queries) { hdf5_ ? hdf5_->write(queries) : file_->write(queries); }
-  void commit() { hdf5_ ? hdf5_->commit() : file_->commit(); }
-
- private:
-  std::optional<io::QueryFileWriter> file_;
-  std::optional<Hdf5Output> hdf5_;
-};
-
 void encode_queries(ConvertItem& item, const ConvertOptions& options, const io::WrittenFile& file) {
   if (item.chunk.file == nullptr) return;  // reading failed
   item.encoded.emplace(file);
@@ -109,7 +91,7 @@ int run_convert(const ConvertOptions& options) {
   const io::WrittenFile file = file_to_write(options, first);
   bool first_is_used = false;
 
-  Sink out(options.to, file);
+  io::QueryFileWriter out(options.to, file);
   std::uint64_t queries = 0;
   QueryProgress progress(inputs);
   run_in_order<ConvertItem>(

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "cli/convert/hdf5_files.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cerrno>
 #include <cstring>
-#include <filesystem>
-#include <utility>
 
 #include "cli/shared/interrupt.hpp"
-#include "io/fail.hpp"
+#include "io/hdf5_layout.hpp"
 #include "io/input_file.hpp"
 
 namespace touchstone::cli {
@@ -50,14 +45,14 @@ std::string binary_file_of(Kind kind, std::uint64_t count, const frames::Hdf5Que
 bool is_hdf5(const Input& input) {
   if (input.bundled || !input.bytes) return false;
   io::InputFile file = input.open();
-  std::array<char, frames::kHdf5Magic.size()> start;
+  std::array<char, io::kHdf5Magic.size()> start;
   std::size_t size = 0;
   while (size < start.size()) {
     const std::size_t count = file.read(start.data() + size, start.size() - size);
     if (count == 0) break;
     size += count;
   }
-  return std::string_view(start.data(), size) == frames::kHdf5Magic;
+  return std::string_view(start.data(), size) == io::kHdf5Magic;
 }
 
 Hdf5Stream::Hdf5Stream(const Input& input, const std::string& group, std::size_t chunk_bytes)
@@ -79,42 +74,6 @@ bool Hdf5Stream::next(QueryItem& item) {
   item.chunk.array = std::shared_ptr<const io::QueryArray>(held, &held->array);
   next_ += count;
   return true;
-}
-
-Hdf5Output::Scratch::Scratch(const std::string& target) {
-  std::error_code ignored;
-  const bool beside = !std::filesystem::exists(target, ignored) || std::filesystem::is_regular_file(target, ignored);
-  path = (beside && target != "-" ? target : (std::filesystem::temp_directory_path() / "touchstone").string()) +
-         ".hdf5-XXXXXX";
-  const int descriptor = ::mkstemp(path.data());
-  if (descriptor < 0) io::fail(target, "cannot be written: " + io::system_reason(errno));
-  ::close(descriptor);
-}
-
-Hdf5Output::Scratch::~Scratch() { ::unlink(path.c_str()); }
-
-Hdf5Output::Hdf5Output(const std::string& path, const io::WrittenFile& file)
-    : out_(path == "-" ? io::OutputFile::standard_output() : io::OutputFile(path)),
-      scratch_(path),
-      writer_(scratch_.path, corner_count(file.kind), file.with_claims) {}
-
-void Hdf5Output::write(const io::EncodedQueries& queries) {
-  const std::string &points = queries.parts()[0], &claims = queries.parts()[1];
-  frames::Hdf5Queries rows;
-  rows.points.resize(points.size() / sizeof(double));
-  std::memcpy(rows.points.data(), points.data(), points.size());
-  rows.result.assign(claims.begin(), claims.end());
-  writer_.append(rows);
-}
-
-void Hdf5Output::commit() {
-  writer_.close();
-  auto file = io::InputFile::open(scratch_.path, throw_if_interrupted);
-  std::string block(std::size_t{1} << 20, '\0');
-  for (std::size_t count; (count = file.read(block.data(), block.size())) > 0;) {
-    out_.write(std::string_view(block).substr(0, count));
-  }
-  out_.commit();
 }
 
 }  // namespace touchstone::cli

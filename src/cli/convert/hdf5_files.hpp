@@ -1,4 +1,4 @@
-// HDF5 files of queries, as convert reads and writes them.
+// HDF5 files of queries, as convert reads them.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -9,7 +9,6 @@
 
 #include "cli/shared/inputs.hpp"
 #include "frames/hdf5_queries.hpp"
-#include "io/query_file_writer.hpp"
 
 namespace touchstone::cli {
 
@@ -31,30 +30,6 @@ class Hdf5Stream {
   frames::Hdf5QueryReader reader_;
   std::uint64_t queries_per_chunk_;
   std::uint64_t next_ = 0;
-};
-
-/// An HDF5 file that appears when all of its queries are written. libhdf5 writes a file beside it first, whose bytes
-/// are then copied.
-class Hdf5Output {
- public:
-  Hdf5Output(const std::string& path, const io::WrittenFile& file);  ///< @throws FileError
-
-  void write(const io::EncodedQueries& queries);  ///< @throws FileError
-  void commit();                                  ///< @throws FileError
-
- private:
-  /// A file that is removed with the object.
-  struct Scratch {
-    explicit Scratch(const std::string& target);
-    ~Scratch();
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-    std::string path;
-  };
-
-  io::OutputFile out_;
-  Scratch scratch_;
-  frames::Hdf5QueryWriter writer_;
 };
 
 }  // namespace touchstone::cli
