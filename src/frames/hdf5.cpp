@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "frames/array.hpp"
 #include "frames/hdf5_handles.hpp"
+#include "frames/reading_process.hpp"
 #include "io/fail.hpp"
 
 namespace touchstone::frames {
@@ -50,14 +53,9 @@ struct OpenDataset {
   std::size_t rank = 2;
 };
 
-/// The caller holds the mutex, and errors are silent.
-OpenDataset open_dataset(const std::string& name, const ReadOptions& options) {
-  const auto size = io::InputFile::check(name);
-  if (!size) io::fail(name, "is a pipe or device; an HDF5 file is a file");
-  if (options.checkpoint != nullptr) options.checkpoint();
-  Handle file(H5Fopen(name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-  if (!file.is_open()) io::fail(name, "is no HDF5 file that can be read: " + library_reason());
-  std::string dataset_name = options.dataset;
+/// In the reading process.
+OpenDataset open_dataset(const std::string& name, std::string dataset_name, std::uint64_t file_size) {
+  Handle file = open_hdf5(name);
   if (dataset_name.empty()) {
     const Search search = find_datasets(file);
     if (search.fitting.empty()) {
@@ -79,40 +77,59 @@ OpenDataset open_dataset(const std::string& name, const ReadOptions& options) {
   const std::vector<std::uint64_t> extents = extents_of(dataset);
   const ArrayShape shape = shape_of_positions(name, shown, extents);
   OpenDataset open{std::move(file), std::move(dataset), std::move(shown), shape, extents.size()};
-  check_storage(name, open.name, open.dataset, *size, {shape.vertices, shape.dimension}, sizeof(float));
+  check_storage(name, open.name, open.dataset, file_size, {shape.vertices, shape.dimension}, sizeof(float));
   return open;
 }
 
-}  // namespace
-
-ArrayShape hdf5_shape(const std::string& file, const ReadOptions& options) {
-  const std::lock_guard lock(hdf5_mutex());
-  const Silence silence;
-  return open_dataset(file, options).shape;
-}
-
-ArrayFrame read_hdf5_frame(const std::string& file, std::size_t index, const ReadOptions& options) {
-  const std::lock_guard lock(hdf5_mutex());
-  const Silence silence;
-  const OpenDataset open = open_dataset(file, options);
+std::vector<double> read_positions(const std::string& file, const OpenDataset& open, std::size_t index) {
   const ArrayShape& shape = open.shape;
-  if (index >= shape.frames) {
-    io::fail(file, "has no frame " + std::to_string(index) + "; the last is " + std::to_string(shape.frames - 1));
-  }
   const bool one_frame = open.rank == 2;
   const std::array<hsize_t, 3> start = {one_frame ? 0 : index, 0, 0};
   const std::array<hsize_t, 3> count = one_frame ? std::array<hsize_t, 3>{shape.vertices, shape.dimension, 1}
                                                  : std::array<hsize_t, 3>{1, shape.vertices, shape.dimension};
   const Handle in_file(H5Dget_space(open.dataset.id()), H5Sclose);
   const Handle in_memory(H5Screate_simple(static_cast<int>(open.rank), count.data(), nullptr), H5Sclose);
-  ArrayFrame frame{shape, std::vector<double>(shape.vertices * shape.dimension)};
+  std::vector<double> positions(shape.vertices * shape.dimension);
   const bool is_read =
       in_file.is_open() && in_memory.is_open() &&
       H5Sselect_hyperslab(in_file.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr) >= 0 &&
-      H5Dread(open.dataset.id(), H5T_NATIVE_DOUBLE, in_memory.id(), in_file.id(), H5P_DEFAULT,
-              frame.positions.data()) >= 0;
+      H5Dread(open.dataset.id(), H5T_NATIVE_DOUBLE, in_memory.id(), in_file.id(), H5P_DEFAULT, positions.data()) >= 0;
   if (!is_read) io::fail(file, open.name + "cannot be read: " + library_reason());
+  return positions;
+}
+
+/// The shape, and if a frame is named its positions.
+ArrayFrame read(const std::string& file, std::optional<std::size_t> index, const ReadOptions& options) {
+  const std::uint64_t size = size_of_hdf5(file);
+  const auto serve = [&](const ReadingProcess::Line& line) {
+    const Silence silence;
+    const OpenDataset open = open_dataset(file, options.dataset, size);
+    if (index && *index >= open.shape.frames) {
+      io::fail(file,
+               "has no frame " + std::to_string(*index) + "; the last is " + std::to_string(open.shape.frames - 1));
+    }
+    line.reply(&open.shape, sizeof open.shape);
+    if (!index) return;
+    const std::vector<double> positions = read_positions(file, open, *index);
+    line.reply(positions.data(), positions.size() * sizeof(double));
+  };
+  ReadingProcess process(file, kHdf5Library, options.checkpoint, serve);
+  ArrayFrame frame;
+  process.take(&frame.shape, sizeof frame.shape);
+  if (!index) return frame;
+  frame.positions.resize(frame.shape.vertices * frame.shape.dimension);
+  process.take(frame.positions.data(), frame.positions.size() * sizeof(double));
   return frame;
+}
+
+}  // namespace
+
+ArrayShape hdf5_shape(const std::string& file, const ReadOptions& options) {
+  return read(file, std::nullopt, options).shape;
+}
+
+ArrayFrame read_hdf5_frame(const std::string& file, std::size_t index, const ReadOptions& options) {
+  return read(file, index, options);
 }
 
 }  // namespace touchstone::frames

@@ -5,12 +5,22 @@
 #include <array>
 
 #include "io/fail.hpp"
+#include "io/input_file.hpp"
 
 namespace touchstone::frames {
 
-std::mutex& hdf5_mutex() {
-  static std::mutex mutex;
-  return mutex;
+std::uint64_t size_of_hdf5(const std::string& file) {
+  const auto size = io::InputFile::check(file);
+  if (!size) io::fail(file, "is a pipe or device; an HDF5 file is a file");
+  static const bool prepared = H5open() >= 0;
+  static_cast<void>(prepared);
+  return *size;
+}
+
+Handle open_hdf5(const std::string& file) {
+  Handle handle(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  if (!handle.is_open()) io::fail(file, "is no HDF5 file that can be read: " + library_reason());
+  return handle;
 }
 
 std::string library_reason() {

@@ -5,15 +5,24 @@
 #include <hdf5.h>
 
 #include <cstdint>
-#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace touchstone::frames {
 
-/// libhdf5 is mostly built without support for threads: every call of it holds this mutex.
-std::mutex& hdf5_mutex();
+/// As messages about a crash name it.
+inline constexpr const char* kHdf5Library = "the HDF5 library";
+
+/// Checks that there is such a file, and prepares libhdf5, which a ReadingProcess then need not do again for each file.
+/// All other functions are for that process alone: libhdf5 is not made for damaged files, nor for threads.
+/// @returns its size in bytes. @throws FileError  also for a pipe or device
+std::uint64_t size_of_hdf5(const std::string& file);
+
+class Handle;
+
+/// @throws FileError
+Handle open_hdf5(const std::string& file);
 
 /// An object of libhdf5, closed at the end.
 class Handle {

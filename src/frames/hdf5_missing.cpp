@@ -1,7 +1,5 @@
 // The build without libhdf5.
 // SPDX-License-Identifier: MIT
-#include <touchstone/error.hpp>
-
 #include "frames/array.hpp"
 #include "frames/hdf5_queries.hpp"
 #include "io/fail.hpp"
@@ -22,20 +20,14 @@ constexpr const char* kMissing =
 }  // namespace
 
 struct Hdf5QueryReader::State {};
-struct Hdf5QueryWriter::State {};
 
-Hdf5QueryReader::Hdf5QueryReader(std::string file, std::string, std::size_t, io::InputFile::Checkpoint) { fail(file); }
+Hdf5QueryReader::Hdf5QueryReader(const std::string& file, const std::string&, std::size_t, io::InputFile::Checkpoint) {
+  fail(file);
+}
 Hdf5QueryReader::~Hdf5QueryReader() = default;
 std::uint64_t Hdf5QueryReader::count() const noexcept { return 0; }
 bool Hdf5QueryReader::has_results() const noexcept { return false; }
-Hdf5Queries Hdf5QueryReader::read(std::uint64_t, std::uint64_t) const { return {}; }
-
-Hdf5QueryWriter::Hdf5QueryWriter(std::string, std::size_t, bool) {
-  throw Error(std::string("HDF5 files cannot be written: ") + kMissing);
-}
-Hdf5QueryWriter::~Hdf5QueryWriter() = default;
-void Hdf5QueryWriter::append(const Hdf5Queries&) {}
-void Hdf5QueryWriter::close() {}
+Hdf5Queries Hdf5QueryReader::read(std::uint64_t, std::uint64_t) { return {}; }
 
 ArrayShape hdf5_shape(const std::string& file, const ReadOptions&) { fail(file); }
 ArrayFrame read_hdf5_frame(const std::string& file, std::size_t, const ReadOptions&) { fail(file); }

@@ -7,18 +7,11 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "io/input_file.hpp"
 
 namespace touchstone::frames {
-
-/// The first bytes of an HDF5 file.
-inline constexpr std::string_view kHdf5Magic = "\x89HDF\r\n\x1a\n";
-
-/// The group of the benchmark's coordinates that are doubles.
-inline constexpr std::string_view kHdf5Group = "rounded";
 
 /// Some queries of a file.
 struct Hdf5Queries {
@@ -26,12 +19,14 @@ struct Hdf5Queries {
   std::vector<unsigned char> result;  ///< one for each query, or none
 };
 
+/// Reads such a file, in a process of its own.
 class Hdf5QueryReader {
  public:
-  /// @param group  empty: kHdf5Group where the file has it, else the root
+  /// @param group  empty: io::kHdf5Group where the file has it, else the root
   /// @param corners  of a query
   /// @throws FileError  also in a build without HDF5
-  Hdf5QueryReader(std::string file, std::string group, std::size_t corners, io::InputFile::Checkpoint checkpoint);
+  Hdf5QueryReader(const std::string& file, const std::string& group, std::size_t corners,
+                  io::InputFile::Checkpoint checkpoint);
   ~Hdf5QueryReader();
   Hdf5QueryReader(const Hdf5QueryReader&) = delete;
   Hdf5QueryReader& operator=(const Hdf5QueryReader&) = delete;
@@ -40,24 +35,7 @@ class Hdf5QueryReader {
   bool has_results() const noexcept;
 
   /// Queries `first` to `first + count`, which must be there. @throws FileError
-  Hdf5Queries read(std::uint64_t first, std::uint64_t count) const;
-
- private:
-  struct State;
-  std::unique_ptr<State> state_;
-};
-
-/// Writes such a file of doubles, into the group kHdf5Group.
-class Hdf5QueryWriter {
- public:
-  /// @param file  is replaced. @throws FileError  also in a build without HDF5
-  Hdf5QueryWriter(std::string file, std::size_t corners, bool with_results);
-  ~Hdf5QueryWriter();
-  Hdf5QueryWriter(const Hdf5QueryWriter&) = delete;
-  Hdf5QueryWriter& operator=(const Hdf5QueryWriter&) = delete;
-
-  void append(const Hdf5Queries& queries);  ///< @throws FileError
-  void close();                             ///< @throws FileError
+  Hdf5Queries read(std::uint64_t first, std::uint64_t count);
 
  private:
   struct State;

@@ -1,4 +1,4 @@
-// Queries in HDF5 files as the public benchmark packs them, written here by libhdf5 and by the writer.
+// Queries in HDF5 files as the public benchmark packs them, written here by libhdf5 and as the layer io writes them.
 // SPDX-License-Identifier: MIT
 #include <hdf5.h>
 
@@ -12,6 +12,7 @@
 
 #include "frames/hdf5_dataset.hpp"
 #include "frames/hdf5_queries.hpp"
+#include "io/hdf5_layout.hpp"
 #include "io/temporary_folder.hpp"
 #include "support/catch.hpp"
 
@@ -51,7 +52,7 @@ constexpr std::size_t kCorners = 4, kNumbers = 24;  // of a query
 
 std::string error_of(const std::string& file, const std::string& group = "") {
   try {
-    const Hdf5QueryReader reader(file, group, kCorners, nullptr);
+    Hdf5QueryReader reader(file, group, kCorners, nullptr);
     const Hdf5Queries queries = reader.read(0, reader.count());
     CHECK(queries.points.size() == kNumbers * reader.count());
     return "";
@@ -64,27 +65,20 @@ std::string error_of(const std::string& file, const std::string& group = "") {
 
 TEST_CASE("HDF5 queries that were written are read, bit for bit, in pieces of any size") {
   const TemporaryFolder folder;
-  const std::string file = folder.path("a.h5");
   constexpr std::size_t kCount = 5000;
   std::vector<double> points = counting(kNumbers * kCount);
   points[0] = -0.0;
   points[1] = std::numeric_limits<double>::denorm_min();
   points[2] = -DBL_MAX;
   for (const bool with_results : {true, false}) {
-    Hdf5QueryWriter writer(file, kCorners, with_results);
     std::vector<unsigned char> results(with_results ? kCount : 0);
     for (std::size_t i = 0; i < results.size(); ++i) results[i] = i % 3 == 0;
-    for (std::size_t first = 0; first < kCount; first += 700) {
-      const auto from = [&](auto& values, std::size_t each) {
-        const std::size_t end = std::min(first + 700, kCount) * each;
-        return std::decay_t<decltype(values)>(values.begin() + static_cast<std::ptrdiff_t>(first * each),
-                                              values.begin() + static_cast<std::ptrdiff_t>(end));
-      };
-      writer.append({from(points, kNumbers), with_results ? from(results, 1) : results});
-    }
-    writer.close();
+    std::string content = io::hdf5_query_header(Kind::edge_edge, kCount, with_results);
+    content.append(reinterpret_cast<const char*>(points.data()), points.size() * sizeof(double));
+    content.append(results.begin(), results.end());
+    const std::string file = folder.write("a.h5", content);
 
-    const Hdf5QueryReader reader(file, "", kCorners, nullptr);
+    Hdf5QueryReader reader(file, "", kCorners, nullptr);
     REQUIRE(reader.count() == kCount);
     CHECK(reader.has_results() == with_results);
     std::vector<double> read;
@@ -97,6 +91,37 @@ TEST_CASE("HDF5 queries that were written are read, bit for bit, in pieces of an
     REQUIRE(read.size() == points.size());
     CHECK(std::memcmp(read.data(), points.data(), points.size() * sizeof(double)) == 0);
     CHECK(read_results == results);
+    CHECK_THAT(error_of(folder.write("b.h5", content.substr(0, content.size() - 1))), Contains("truncated file"));
+  }
+}
+
+TEST_CASE("a file of HDF5 queries has the types and extents that libhdf5 names, for every kind and number") {
+  const TemporaryFolder folder;
+  for (const Kind kind : {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point}) {
+    for (const std::uint64_t count : {1, 2, 3, 1000}) {
+      const std::uint64_t rows = 2 * corner_count(kind) * count;
+      std::string content = io::hdf5_query_header(kind, count, true);
+      CHECK(content == io::hdf5_query_header(kind, count, true));
+      const std::string file = folder.write("a.h5", content.append(rows * 24 + count, '\1'));
+      const hid_t open = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+      const hid_t points = H5Dopen2(open, "/rounded/points", H5P_DEFAULT);
+      const hid_t result = H5Dopen2(open, "/rounded/result", H5P_DEFAULT);
+      REQUIRE((open >= 0 && points >= 0 && result >= 0));
+      const auto check = [](hid_t dataset, hid_t type, const std::vector<hsize_t>& extents) {
+        const hid_t space = H5Dget_space(dataset), found = H5Dget_type(dataset);
+        std::vector<hsize_t> sizes(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
+        H5Sget_simple_extent_dims(space, sizes.data(), nullptr);
+        CHECK(sizes == extents);
+        CHECK(H5Tequal(found, type) > 0);
+        H5Tclose(found);
+        H5Sclose(space);
+      };
+      check(points, H5T_IEEE_F64LE, {rows, 3});
+      check(result, H5T_STD_U8LE, {count});
+      H5Dclose(points);
+      H5Dclose(result);
+      CHECK(H5Fclose(open) >= 0);
+    }
   }
 }
 
@@ -111,7 +136,7 @@ TEST_CASE("the group of HDF5 queries is the benchmark's, or the one that is name
     out.add("deep/shifted/points", {8, 3}, counting(24, 3), H5T_IEEE_F32BE, {3, 2});
   }
   const auto first = [&](const std::string& group) {
-    const Hdf5QueryReader reader(file, group, kCorners, nullptr);
+    Hdf5QueryReader reader(file, group, kCorners, nullptr);
     const Hdf5Queries queries = reader.read(reader.count() - 1, 1);
     return std::pair(queries.points.front(), queries.result);
   };

@@ -13,7 +13,9 @@
 #include "frames/hdf5_dataset.hpp"
 #include "frames/samples.hpp"
 #include "io/temporary_folder.hpp"
+#include "seeded/rng.hpp"
 #include "support/catch.hpp"
+#include "support/slow_build.hpp"
 
 using namespace touchstone;
 using namespace touchstone::tests;
@@ -94,6 +96,33 @@ TEST_CASE("a data set of an HDF5 file that is no positions is an error that says
   CHECK(read_frame(file, 0, dataset("b")).positions == counted(12));
   add(file, "empty", {4000, 4000, 3}, {}, H5T_IEEE_F64LE, {1, 4000, 3});
   CHECK_THROWS_WITH(read_frame(file, 0, dataset("empty")), Contains("no values are stored"));
+}
+
+TEST_CASE("a damaged HDF5 file is a frame or an error of one line, though libhdf5 crashes on some") {
+  const TemporaryFolder folder;
+  const std::string file = folder.path("a.h5");
+  add(file, "deep/x", {2, 40, 3}, counted(240), H5T_IEEE_F64LE, {1, 40, 3});
+  add(file, "deep/y", {2, 3}, counted(6));
+  const std::string content = folder.read("a.h5");
+  seeded::Rng rng(36);
+  int errors = 0;
+  for (std::size_t i = 0; i < effort(500); ++i) {
+    std::string changed = content;
+    for (int changes = rng.between(1, 4); changes > 0; --changes) {
+      const std::size_t at = rng.below(content.size());
+      changed[at] = static_cast<char>(rng.bits());
+    }
+    const std::string name = folder.write("b.h5", changed);
+    try {
+      read_frame(name, 0, dataset("deep/x"));
+    } catch (const FileError& error) {
+      const std::string what = error.what();
+      CHECK(what.find('\n') == std::string::npos);
+      CHECK(what.starts_with(name + ": "));
+      ++errors;
+    }
+  }
+  CHECK(errors > 0);
 }
 
 TEST_CASE("every cut of an HDF5 file is an error") {
