@@ -2,7 +2,6 @@
 #include "frames/content.hpp"
 
 #include <array>
-#include <cstring>
 #include <utility>
 
 #include "frames/text_scanner.hpp"
@@ -10,23 +9,10 @@
 
 namespace touchstone::frames {
 
-Content read_content(const std::string& file, io::InputFile::Checkpoint checkpoint) {
-  constexpr std::size_t kLeast = std::size_t{1} << 16;
-  std::size_t capacity = static_cast<std::size_t>(io::InputFile::check(file).value_or(kLeast)) + 1;
-  io::InputFile input = io::InputFile::open(file, checkpoint);
-  auto bytes = std::make_unique_for_overwrite<char[]>(capacity);
-  std::size_t size = 0;
-  for (;;) {
-    if (size == capacity) {
-      auto larger = std::make_unique_for_overwrite<char[]>(2 * capacity);
-      std::memcpy(larger.get(), bytes.get(), size);
-      bytes = std::move(larger);
-      capacity *= 2;
-    }
-    const std::size_t count = input.read(bytes.get() + size, capacity - size);
-    if (count == 0) return {std::move(bytes), size};
-    size += count;
-  }
+io::WholeFile read_content(const std::string& file, io::InputFile::Checkpoint checkpoint) {
+  io::FileLimits limits = kMeshLimits;
+  if (format_of(file) != Format::obj) limits.line = 0;  // bytes, or a list of numbers on one line
+  return io::WholeFile::read(file, limits, checkpoint);
 }
 
 Format format_of(const std::string& file) {

@@ -3,28 +3,20 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <string>
-#include <string_view>
 
-#include "io/input_file.hpp"
+#include "io/whole_file.hpp"
 
 namespace touchstone::frames {
 
-/// The whole content of a file.
-class Content {
- public:
-  Content(std::unique_ptr<char[]> bytes, std::size_t size) : bytes_(std::move(bytes)), size_(size) {}
+/// Of a mesh file or a topology file. An OBJ file of 64 GiB has about a billion faces; a line of 64 MiB would be a polygon
+/// of millions of corners.
+inline constexpr io::FileLimits kMeshLimits{std::uint64_t{1} << 36, std::uint64_t{1} << 30, std::uint64_t{1} << 26};
 
-  std::string_view bytes() const noexcept { return {bytes_.get(), size_}; }
-
- private:
-  std::unique_ptr<char[]> bytes_;
-  std::size_t size_;
-};
-
-/// Reads a file, pipe or device until its end. @throws FileError  where it cannot be read
-Content read_content(const std::string& file, io::InputFile::Checkpoint checkpoint);
+/// Reads a file, pipe or device whose name tells its format until its end.
+/// @throws FileError  where it cannot be read, and where it exceeds kMeshLimits; other formats than OBJ have no limit
+///                    of the length of a line
+io::WholeFile read_content(const std::string& file, io::InputFile::Checkpoint checkpoint);
 
 enum class Format : std::uint8_t { obj, ply, stl, vtk, npy, hdf5 };
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "frames/array.hpp"
+#include "frames/content.hpp"
 #include "io/bytes.hpp"
 #include "io/fail.hpp"
 #include "io/npy_header.hpp"
@@ -29,6 +30,10 @@ OpenArray open_positions(const std::string& name, const ReadOptions& options) {
   io::InputFile file = io::InputFile::open(name, options.checkpoint);
   const io::NpyHeader header = io::read_npy_header(file, *size, kExampleShape);
   if (header.kind != 'f') io::fail(name, "holds integers; positions have the type float64 or float32");
+  if (header.fortran && *size > kMeshLimits.file) {
+    io::fail(name, "is larger than " + io::size_text(kMeshLimits.file) +
+                       " and in Fortran order, in which each frame is spread over all of it; save it in C order");
+  }
   const ArrayShape shape = shape_of_positions(name, {}, header.extents);
   return {std::move(file), header, shape};
 }

@@ -57,7 +57,7 @@ FileState state_of(const std::string& name, bool triangulate, const ArrayShape& 
 
 SharedTopology read_topology(const ArrayShape& shape, const ReadOptions& options) {
   const std::string& file = options.topology_file;
-  const Content content = read_content(file, options.checkpoint);
+  const io::WholeFile content = read_content(file, options.checkpoint);
   return {std::make_shared<const Topology>(topology_from(file, content.bytes(), shape, options.triangulate)),
           io::sha256(content.bytes())};
 }
@@ -126,7 +126,7 @@ Frame read_frame(const std::string& file, std::size_t index, const ReadOptions& 
     frame = frame_of(file, index, read_hdf5_frame(file, index, options), options);
   } else {
     if (index != 0) io::fail(file, "has one frame, and no frame " + std::to_string(index));
-    const Content content = read_content(file, options.checkpoint);
+    const io::WholeFile content = read_content(file, options.checkpoint);
     MeshFile mesh = read_mesh(format, file, content.bytes(), options.triangulate);
     frame = {std::make_shared<const Topology>(std::move(mesh.topology)), std::move(mesh.positions),
              io::sha256(content.bytes())};

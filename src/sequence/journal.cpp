@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -17,6 +18,7 @@
 
 #include "io/fail.hpp"
 #include "io/sha256.hpp"
+#include "io/whole_file.hpp"
 #include "json/json_node.hpp"
 #include "sequence/report.hpp"
 #include "sequence/results_json.hpp"
@@ -63,11 +65,13 @@ Finished finished_from(const std::string& text, const Result& right) {
 std::string whole_text(int descriptor, const std::string& path) {
   std::string text;
   std::array<char, 1 << 16> block;
+  constexpr std::uint64_t kMost = io::kJsonLimits.file;
   for (;;) {
     const ssize_t count = ::pread(descriptor, block.data(), block.size(), static_cast<off_t>(text.size()));
     if (count == 0) return text;
     if (count > 0) {
       text.append(block.data(), static_cast<std::size_t>(count));
+      if (text.size() > kMost) io::fail(path, "is larger than " + io::size_text(kMost));
     } else if (errno != EINTR) {
       io::fail(path, "cannot be read: " + io::system_reason(errno));
     }

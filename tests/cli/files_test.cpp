@@ -6,8 +6,10 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "cli/run_program.hpp"
 #include "cli/sample_files.hpp"
@@ -156,4 +158,21 @@ TEST_CASE("an output file beyond the size that the system allows is one line of 
   CHECK(run.status == 2);
   CHECK(run.err == out + ": cannot be written: File too large\n");
   CHECK(folder.names() == Names{"point-point"});
+}
+
+TEST_CASE("a scene and a mesh without an end, or of a terabyte, are refused with the limit") {
+  const TemporaryFolder folder;
+  const std::string link = folder.path("zero.obj");
+  std::filesystem::create_symlink("/dev/zero", link);
+  const Run endless = run_program({"mesh", "--check", link});
+  CHECK(endless.status == 2);
+  CHECK(endless.err == link + ":1: a line of more than 64 MiB\n");
+  const std::string scene = folder.write("scene.json", "");
+  if (::truncate(scene.c_str(), off_t{1} << 40) != 0) skip("this file system has no sparse file of a terabyte");
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"simulate", scene}, {"simulate", "--resume", scene}, {"merge", scene}}) {
+    const Run run = run_program(arguments);
+    CHECK(run.status == 2);
+    CHECK(run.err == scene + ": is larger than 1 GiB\n");
+  }
 }

@@ -10,7 +10,7 @@
 
 namespace touchstone::cli {
 
-/// All bytes of a file, at most 1 GiB. @throws FileError; and Interrupted
+/// All bytes of a file within io::kJsonLimits. @throws FileError; and Interrupted
 std::string whole_file(const std::string& path);
 
 /// The result of `make`. Errors of `make` name the file `path`, which its result is made from. @throws FileError
