@@ -31,12 +31,16 @@ class Checker {
                      std::to_string(contacts_) + ", after the proofs of the last query file");
     }
     if (next()) throw expected("the end of the file, after the line \"end\"");
-    std::printf("%s checked: %s, %llu without contact\n", counted(queries_, "query", "queries").c_str(),
-                counted(contacts_, "contact", "contacts").c_str(), queries_ - contacts_);
+    const std::string answers =
+        counted(contacts_, "contact", "contacts") + ", " + std::to_string(queries_ - contacts_) + " without contact";
+    std::printf("%s checked: %s\n", counted(queries_, "query", "queries").c_str(),
+                queries_ > 0 ? answers.c_str() : kNoneNear);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw BadInput("standard output cannot be written");
   }
 
  private:
+  static constexpr char kNoneNear[] = "no two elements come near enough to need a proof";
+
   bool next() { return lines_.next(words_); }
   Rejected rejected(const std::string& reason) const { return Rejected(lines_.where() + reason); }
   Rejected expected(const std::string& what) const { return rejected("here must be " + what); }
@@ -59,7 +63,16 @@ class Checker {
     next();
     std::string text;
     if (kind == kKinds.end()) {
-      text = " in " + counted(check_motion(name), "step", "steps");
+      MotionFile motion(name);
+      text =
+          " in " + counted(check_motion(motion, name), "step", "steps") + separation_.text + ": " + motion.contents();
+      // Without a pair nothing is proved: the elements may be missing, or what the file says of them may leave none.
+      if (queries_ == before && !motion.has_pair()) {
+        throw BadInput(name + ": there is nothing to check: " + motion.contents() +
+                       ", but no two elements that share no vertex and are neither all fixed nor all on one body; a "
+                       "motion of at least two such elements was expected");
+      }
+      if (queries_ == before) text += std::string("; ") + kNoneNear;
     } else {
       QueryFile queries(name);
       if (queries.is_curved()) text = " with curved motion";
@@ -67,10 +80,14 @@ class Checker {
       for (std::uint64_t i = 0; queries.next(query_); ++i) {
         check_query(i, [&] { return name + ": query " + std::to_string(i); });
       }
+      if (queries_ == before) {
+        throw BadInput(name + ": there is nothing to check: the file has no query, and at least one was expected");
+      }
+      text += separation_.text;
     }
     // The proofs say which kind the queries are, and which separation they have, so a person must see both.
     const std::string count = counted(queries_ - before, kind_name + " query", kind_name + " queries");
-    std::printf("%s: %s%s%s\n", name.c_str(), count.c_str(), text.c_str(), separation_.text.c_str());
+    std::printf("%s: %s%s\n", name.c_str(), count.c_str(), text.c_str());
   }
 
   /// The separation of the next file, which is zero without a line of its own.
@@ -87,8 +104,7 @@ class Checker {
   }
 
   /// @returns the number of steps
-  std::size_t check_motion(const std::string& name) {
-    MotionFile motion(name);
+  std::size_t check_motion(MotionFile& motion, const std::string& name) {
     std::size_t step = 0;
     do {
       const std::string step_name = "step " + std::to_string(step);

@@ -10,12 +10,16 @@
 
 namespace checker {
 
+constexpr std::uint32_t kNoBody = kMostVertices;
+
 /// A point, an edge or a face, and its box during a step. Along each axis, the ends of the boxes of all vertices are
 /// sorted. `low` is the place of the box's least coordinate, and `reach` the number of the ends that are at most D
 /// above its greatest one. Boxes a and b are at most D apart if a.low < b.reach and b.low < a.reach.
 struct Element {
   std::array<std::uint32_t, 3> vertices{}, low{}, reach{};
   std::size_t size = 0, number = 0;  ///< of vertices; among the elements of its sort
+  bool is_fixed = false;             ///< all of its vertices are
+  std::uint32_t body = kNoBody;      ///< that all of its vertices are on
 };
 
 /// A mesh, and the two frames of a step.
@@ -24,7 +28,6 @@ class MotionFile {
   static constexpr std::array<std::string_view, 5> kSorts = {"point", "edge", "face", "fixed", "body"};
   static constexpr std::array<std::size_t, 5> kSizes = {1, 2, 3, 1, 1}, kWords = {2, 3, 4, 2, 6};
   static constexpr std::size_t kPose = 7;  ///< numbers: a quaternion and a position
-  static constexpr std::uint32_t kNoBody = kMostVertices;
 
   explicit MotionFile(const std::string& name) : lines_(name) {
     lines_.next(words_);
@@ -34,6 +37,7 @@ class MotionFile {
       throw expected("\"vertices N\" with N below 2^30");
     }
     while (lines_.next(words_) && words_[0] != "frame") read_element();
+    set_attachments();
     std::set<std::uint32_t> on_edge;
     for (const Element& edge : elements_[1]) on_edge.insert({edge.vertices[0], edge.vertices[1]});
     for (const Element& point : elements_[0]) {
@@ -72,11 +76,41 @@ class MotionFile {
   void for_each_pair(const Number& distance, const Function& function) {
     set_ends();
     for (std::size_t k = 0; k < 3; ++k) set_boxes(k, distance);
-    const auto& [points, edges, faces, fixed, on_bodies, lone] = elements_;
-    for_each_of(kKinds[0], edges, edges, function);
-    for_each_of(kKinds[1], points, faces, function);
-    for_each_of(kKinds[2], lone, edges, function);
-    for_each_of(kKinds[3], lone, lone, function);
+    for_each_sort(
+        [&](const Kind& kind, const auto& first, const auto& second) { for_each_of(kind, first, second, function); });
+  }
+
+  /// Whether two elements could meet in a step at all, however far apart they are: the rules leave a pair.
+  bool has_pair() const {
+    bool found = false;
+    for_each_sort([&](const Kind&, const auto& first, const auto& second) {
+      const auto all = [&](const auto& holds) {
+        return std::all_of(first.begin(), first.end(), holds) && std::all_of(second.begin(), second.end(), holds);
+      };
+      // Without a look at each pair: nothing moves, or nothing but one body.
+      if (found || first.empty() || all([](const Element& e) { return e.is_fixed; })) return;
+      const std::uint32_t body = first[0].body;
+      if (body != kNoBody && all([&](const Element& e) { return e.body == body; })) return;
+      found = std::any_of(first.begin(), first.end(), [&](const Element& a) {
+        return std::any_of(second.begin(), second.end(), [&](const Element& b) { return may_meet(a, b); });
+      });
+    });
+    return found;
+  }
+
+  /// "7 frames, 121 vertices, 121 points, 320 edges, 200 faces": what the proofs are about, as a person must see.
+  std::string contents() const {
+    std::string text = counted(frame_, "frame", "frames") + ", " + counted(count_, "vertex", "vertices");
+    for (std::size_t sort = 0; sort < 3; ++sort) {
+      const std::string one(kSorts[sort]);
+      text += ", " + counted(elements_[sort].size(), one, one + "s");
+    }
+    if (!elements_[3].empty()) text += ", " + counted(elements_[3].size(), "fixed vertex", "fixed vertices");
+    if (body_count_ > 0) {
+      text +=
+          ", " + counted(elements_[4].size(), "vertex", "vertices") + " on " + counted(body_count_, "body", "bodies");
+    }
+    return text;
   }
 
   /// Sets the query of a pair: the corners of the first element, then those of the second one.
@@ -144,6 +178,19 @@ class MotionFile {
     lines_.next(words_);
   }
 
+  /// Sets whether the elements are fixed, and the bodies that they are on.
+  void set_attachments() {
+    for (std::vector<Element>& elements : elements_) {
+      for (Element& e : elements) {
+        const auto end = e.vertices.begin() + static_cast<long>(e.size);
+        e.is_fixed = std::all_of(e.vertices.begin(), end, [&](std::uint32_t v) { return is_fixed(v); });
+        e.body = body_of(e.vertices[0]);
+        if (std::any_of(e.vertices.begin(), end, [&](std::uint32_t v) { return body_of(v) != e.body; }))
+          e.body = kNoBody;
+      }
+    }
+  }
+
   std::uint32_t body_of(std::uint32_t vertex) const {
     const auto found = on_bodies_.find(vertex);
     return found == on_bodies_.end() ? kNoBody : found->second.first;
@@ -204,6 +251,16 @@ class MotionFile {
     }
   }
 
+  /// Calls function(kind, first elements, second elements) for each sort of pairs, in the order of the proofs.
+  template <class Function>
+  void for_each_sort(const Function& function) const {
+    const auto& [points, edges, faces, fixed, on_bodies, lone] = elements_;
+    function(kKinds[0], edges, edges);
+    function(kKinds[1], points, faces);
+    function(kKinds[2], lone, edges);
+    function(kKinds[3], lone, lone);
+  }
+
   /// It holds the partners of one element at a time, not all pairs.
   template <class Function>
   void for_each_of(const Kind& kind, const std::vector<Element>& first, const std::vector<Element>& second,
@@ -230,20 +287,20 @@ class MotionFile {
     }
   }
 
-  bool is_pair(const Element& a, const Element& b) const {
+  /// Whether the boxes are near, and the rules leave the pair.
+  static bool is_pair(const Element& a, const Element& b) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (a.low[k] >= b.reach[k] || b.low[k] >= a.reach[k]) return false;
     }
-    bool all_fixed = true, on_one_body = body_count_ > 0;
+    return may_meet(a, b);
+  }
+  static bool may_meet(const Element& a, const Element& b) {
     for (std::size_t i = 0; i < a.size; ++i) {
       for (std::size_t j = 0; j < b.size; ++j) {
-        const std::uint32_t v = a.vertices[i], w = b.vertices[j];
-        if (v == w) return false;
-        all_fixed = all_fixed && is_fixed(v) && is_fixed(w);
-        on_one_body = on_one_body && body_of(v) != kNoBody && body_of(v) == body_of(w);
+        if (a.vertices[i] == b.vertices[j]) return false;
       }
     }
-    return !all_fixed && !on_one_body;
+    return !(a.is_fixed && b.is_fixed) && (a.body == kNoBody || a.body != b.body);
   }
 
   Lines lines_;

@@ -61,13 +61,68 @@ RigidMotion motion_of(std::uint32_t body, const MotionFrame& start, const Motion
   return {from.q, to.q, from.p, to.p};
 }
 
-/// The boxes of a step, and what makes a pair of them. The box of a vertex reaches from `start` to `end` along each
+/// What makes two elements a pair, wherever they are.
+class Rules {
+ public:
+  explicit Rules(const MotionElements& elements) : elements_(elements) {}
+
+  template <std::size_t N, std::size_t M>
+  bool may_meet(const std::array<Index, N>& a, const std::array<Index, M>& b) const noexcept {
+    if (share_vertex(a, b)) return false;
+    if (!elements_.fixed.empty() && all_fixed(a) && all_fixed(b)) return false;
+    return elements_.on_bodies.empty() || !on_one_body(a, b);
+  }
+
+  /// Whether there is a pair of elements of two lists, of which the first one may be the second one too.
+  template <class ListA, class ListB>
+  bool has_pair(const ListA& a, const ListB& b) const {
+    if (a.size() == 0 || b.size() == 0) return false;
+    const auto all = [&](const auto& holds) {
+      for (Index i = 0; i < a.size(); ++i) {
+        if (!holds(a.corners(i))) return false;
+      }
+      for (Index j = 0; j < b.size(); ++j) {
+        if (!holds(b.corners(j))) return false;
+      }
+      return true;
+    };
+    // Without a look at each pair: nothing moves, or nothing but one body.
+    if (!elements_.fixed.empty() && all([&](const auto& e) { return all_fixed(e); })) return false;
+    const auto first = a.corners(0);
+    if (!elements_.on_bodies.empty() && all([&](const auto& e) { return on_one_body(first, e); })) return false;
+    for (Index i = 0; i < a.size(); ++i) {
+      for (Index j = 0; j < b.size(); ++j) {
+        if (may_meet(a.corners(i), b.corners(j))) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  template <std::size_t N>
+  bool all_fixed(const std::array<Index, N>& corners) const noexcept {
+    return std::all_of(corners.begin(), corners.end(), [&](Index v) { return elements_.fixed[v] != 0; });
+  }
+
+  template <std::size_t N, std::size_t M>
+  bool on_one_body(const std::array<Index, N>& a, const std::array<Index, M>& b) const noexcept {
+    const std::size_t free = elements_.free_count();
+    const auto is_elsewhere = [&](Index v) {
+      return v < free || a[0] < free || elements_.on_bodies[v - free].body != elements_.on_bodies[a[0] - free].body;
+    };
+    return std::none_of(a.begin(), a.end(), is_elsewhere) && std::none_of(b.begin(), b.end(), is_elsewhere);
+  }
+
+  const MotionElements& elements_;
+};
+
+/// The boxes of a step, and its pairs. The box of a vertex reaches from `start` to `end` along each
 /// axis.
 class StepBoxes {
  public:
   StepBoxes(const MotionElements& elements, const MotionFrame& start, const MotionFrame& end, double distance,
             int threads)
-      : elements_(elements), start_(start), end_(end), distance_(distance), threads_(threads) {}
+      : rules_(elements), start_(start), end_(end), distance_(distance), threads_(threads) {}
 
   template <class List>
   BoxTree tree(const List& list) const {
@@ -129,25 +184,9 @@ class StepBoxes {
     return box;
   }
 
-  template <std::size_t N>
-  bool all_fixed(const std::array<Index, N>& corners) const noexcept {
-    return std::all_of(corners.begin(), corners.end(), [&](Index v) { return elements_.fixed[v] != 0; });
-  }
-
-  template <std::size_t N, std::size_t M>
-  bool on_one_body(const std::array<Index, N>& a, const std::array<Index, M>& b) const noexcept {
-    const std::size_t free = elements_.free_count();
-    const auto is_elsewhere = [&](Index v) {
-      return v < free || a[0] < free || elements_.on_bodies[v - free].body != elements_.on_bodies[a[0] - free].body;
-    };
-    return std::none_of(a.begin(), a.end(), is_elsewhere) && std::none_of(b.begin(), b.end(), is_elsewhere);
-  }
-
   template <std::size_t N, std::size_t M>
   bool is_pair(const std::array<Index, N>& a, const std::array<Index, M>& b) const noexcept {
-    if (share_vertex(a, b)) return false;
-    if (!elements_.fixed.empty() && all_fixed(a) && all_fixed(b)) return false;
-    if (!elements_.on_bodies.empty() && on_one_body(a, b)) return false;
+    if (!rules_.may_meet(a, b)) return false;
     const Box box_a = around(a), box_b = around(b);
     for (std::size_t k = 0; k < 3; ++k) {
       if (!at_most_apart(box_a.low[k], box_b.high[k], distance_)) return false;
@@ -156,7 +195,7 @@ class StepBoxes {
     return true;
   }
 
-  const MotionElements& elements_;
+  Rules rules_;
   const MotionFrame& start_;
   const MotionFrame& end_;
   double distance_;
@@ -205,6 +244,14 @@ StepProver::StepProver(MotionElements elements, const Separation& separation)
   for (Index i = 0; i < elements_.points.size(); ++i) {
     if (in_edge[elements_.points[i]] == 0) loose_.push_back(i);
   }
+}
+
+bool StepProver::has_pair() const {
+  const Rules rules(elements_);
+  const LoosePoints loose{elements_.points, loose_};
+  const Cells<2> edges{elements_.edges};
+  return rules.has_pair(edges, edges) || rules.has_pair(Points{elements_.points}, Cells<3>{elements_.faces}) ||
+         rules.has_pair(loose, edges) || rules.has_pair(loose, loose);
 }
 
 std::vector<MotionPair> StepProver::pairs(const MotionFrame& start, const MotionFrame& end, int threads) const {

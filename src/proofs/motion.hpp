@@ -69,6 +69,10 @@ class StepProver {
   const MotionElements& elements() const noexcept { return elements_; }
   const Separation& separation() const noexcept { return separation_; }
 
+  /// Whether two elements could meet in a step at all, however far apart they are. Without a pair, proofs show nothing,
+  /// and the checker refuses them.
+  bool has_pair() const;
+
   /// The pairs of the step between two frames, in the order of the proofs; the same for any number of threads.
   std::vector<MotionPair> pairs(const MotionFrame& start, const MotionFrame& end, int threads) const;
 

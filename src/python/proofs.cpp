@@ -36,6 +36,7 @@ ProvedFile prove_all(Kind kind, std::size_t count, std::string head, const Separ
                      const QueryAt& query_at) {
   constexpr std::size_t kAtATime = 16;
   solve(Query(), separation);  // whether it has a meaning, also for no query
+  if (count == 0) throw py::value_error("there is no query, so there is nothing to prove");
   std::string queries = std::move(head), proofs;
   std::vector<Answer> answers(count);
   std::size_t contacts = 0;

@@ -41,6 +41,8 @@ QUERY_NUMBER = re.compile(rb"-?[0-9]{1,%d}" % MAX_QUERY_DIGITS)
 CURVED_NUMBER = re.compile(rb"(-?)(?:0[xX](?=\.?[0-9A-Fa-f])([0-9A-Fa-f]*)(?:\.([0-9A-Fa-f]*))?(?:[pP]([+-]?[0-9]+))?|"
                            rb"(?=\.?[0-9])([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?)")
 
+NONE_NEAR = "no two elements come near enough to need a proof"
+
 # Newer versions of Python refuse decimal integers of more than 4,300 digits unless told otherwise.
 if hasattr(sys, "set_int_max_str_digits"):
     sys.set_int_max_str_digits(MAX_DIGITS + 20)
@@ -467,6 +469,7 @@ class Motion:
     """A motion file. Its frames are read one after another, so that two of them are in memory."""
 
     SIZES = {b"point": 1, b"edge": 2, b"face": 3, b"fixed": 1, b"body": 1}
+    PARTNERS = {b"point": (b"point", b"edge", b"face"), b"edge": (b"edge", b"point"), b"face": (b"point",)}
 
     def __init__(self, lines):
         self.lines = lines
@@ -594,6 +597,22 @@ class Motion:
         (start, _), (end, _) = frames
         return start[body][:4] + end[body][:4] + start[body][4:] + end[body][4:]
 
+    def has_pair(self):
+        """Whether the rules leave a pair, near or not."""
+        every = [(sort, *element) for sort, elements in self.elements.items() for element in enumerate(elements)]
+        return any(self.pair(*two) for two in itertools.combinations(every, 2) if two[1][0] in self.PARTNERS[two[0][0]])
+
+    def contents(self, frames):
+        counts = [counted(frames, "frame", "frames"), counted(self.count, "vertex", "vertices")]
+        for sort in (b"point", b"edge", b"face"):
+            counts.append(counted(len(self.elements[sort]), sort.decode(), sort.decode() + "s"))
+        if self.fixed:
+            counts.append(counted(len(self.fixed), "fixed vertex", "fixed vertices"))
+        if self.bodies:
+            on_bodies = counted(len(self.bodies), "vertex", "vertices")
+            counts.append(f"{on_bodies} on {counted(self.body_count, 'body', 'bodies')}")
+        return ", ".join(counts)
+
     def pairs(self, start, end, reach):
         """A sweep along the x axis: at each box, the boxes before it whose end is not yet left behind."""
         boxes = []
@@ -603,10 +622,9 @@ class Motion:
                 boxes.append(Box([min(axis) for axis in axes], [max(axis) for axis in axes], (sort, number, vertices)))
         boxes.sort(key=lambda box: box.low[0])
         before = {sort: [] for sort in self.elements}
-        partners = {b"point": (b"point", b"edge", b"face"), b"edge": (b"edge", b"point"), b"face": (b"point",)}
         for box in boxes:
             sort = box.element[0]
-            for other_sort in partners[sort]:
+            for other_sort in self.PARTNERS[sort]:
                 near = before[other_sort] = [b for b in before[other_sort] if b.high[0] + reach >= box.low[0]]
                 for other in near:
                     if all(box.low[c] - other.high[c] <= reach >= other.low[c] - box.high[c] for c in (1, 2)):
@@ -805,7 +823,7 @@ def check_queries(queries, lines, name):
     return number + 1, contacts
 
 
-def check(proofs, proofs_name, files, report=lambda *header: None):
+def check(proofs, proofs_name, files, report=lambda header: None):
     """Checks the proofs of a binary stream. `files` yields pairs of stream and name.
 
     Returns the numbers of queries and of contacts. Raises Rejected or BadInput.
@@ -818,7 +836,8 @@ def check(proofs, proofs_name, files, report=lambda *header: None):
     for stream, name in files:
         metric, separation_word, separation, kind = read_header(lines, name)
         rows = Lines(stream, name)
-        counts, curved = [], False
+        counts = []
+        with_separation = f" with separation {metric.decode()} {separation_word.decode()}" if metric else ""
         if kind == b"mesh":
             motion = Motion(rows)
             for step, frames in enumerate(motion.steps()):
@@ -827,12 +846,22 @@ def check(proofs, proofs_name, files, report=lambda *header: None):
                 lines.advance()
                 pairs = motion.queries(frames, metric, separation)
                 counts.append(check_queries(pairs, lines, f"{name}: step {step}"))
+            contents = motion.contents(len(counts) + 1)
+            about = f" in {counted(len(counts), 'step', 'steps')}{with_separation}: {contents}"
+            if not any(count for count, _ in counts):
+                if not motion.has_pair():
+                    raise BadInput(f"{name}: no two elements could meet: {contents}")
+                about += f"; {NONE_NEAR}"
         else:
             curved = is_curved_file(rows)
+            about = (" with curved motion" if curved else "") + with_separation
             read = read_curved_query if curved else read_query
             rest = iter(functools.partial(read, rows, kind, metric, separation), None)
             counts.append(check_queries(rest, lines, name))
-        report(name, kind, curved, counts, metric, separation_word)
+            if counts == [(0, 0)]:
+                raise BadInput(f"{name}: there is no query")
+        count = sum(count for count, _ in counts)
+        report(f"{name}: {counted(count, f'{kind.decode()} query', f'{kind.decode()} queries')}{about}")
         queries += sum(count for count, _ in counts)
         contacts += sum(count for _, count in counts)
     holds = lines.words() == [b"end", str(queries).encode(), str(contacts).encode()]
@@ -852,12 +881,9 @@ def counted(number, one, several):
     return f"{number} {one if number == 1 else several}"
 
 
-def print_header(name, kind, curved, counts, metric, separation):
-    steps = " in " + counted(len(counts), "step", "steps") if kind == b"mesh" else ""
-    steps += " with curved motion" if curved else ""
-    text = f" with separation {metric.decode()} {separation.decode()}" if metric else ""
-    count = counted(sum(queries for queries, _ in counts), f"{kind.decode()} query", f"{kind.decode()} queries")
-    print(f"{name}: {count}{steps}{text}")
+def verdict(queries, contacts):
+    answers = f"{counted(contacts, 'contact', 'contacts')}, {queries - contacts} without contact"
+    return f"{counted(queries, 'query', 'queries')} checked: {answers if queries else NONE_NEAR}"
 
 
 def main(arguments):
@@ -866,15 +892,14 @@ def main(arguments):
         return 2
     try:
         with open(arguments[0], "rb") as proofs:
-            queries, contacts = check(proofs, arguments[0], opened(arguments[1:]), print_header)
+            queries, contacts = check(proofs, arguments[0], opened(arguments[1:]), print)
     except Rejected as reason:
         print(f"rejected: {reason}", file=sys.stderr)
         return 1
     except (BadInput, OSError) as reason:
         print(f"check_proofs.py: {reason}", file=sys.stderr)
         return 2
-    print(f"{counted(queries, 'query', 'queries')} checked: {counted(contacts, 'contact', 'contacts')}, "
-          f"{queries - contacts} without contact")
+    print(verdict(queries, contacts))
     return 0
 
 

@@ -40,7 +40,12 @@ TEST_CASE("the lines of a file of proofs") {
   refuse_with(1, "\"end\"", first + file + proof + "1 none\nd 1 0 0\nend 2 0\n", {kApart});
   refuse_with(1, "file KIND", first + file + proof + end, {kApart, kApart});
   refuse_with(1, "\"end\"", first + file + proof + file + proof + "end 2 0\n", {kApart});
-  CHECK(check_texts(first + file + "end 0 0\n", {"# nothing\n"}).status == 0);
+  // Proofs of nothing say nothing.
+  for (const char* const nothing : {"", "# nothing\n", "\n"}) {
+    refuse_with(2, "there is nothing to check: the file has no query", first + file + "end 0 0\n", {nothing});
+    refuse_with(2, "file1: there is nothing to check", first + file + proof + file + "end 1 0\n", {kApart, nothing});
+  }
+  refuse_with(2, "the file has no query", first + file + "end 0 0\n", {"touchstone-curved,1\n"});
 }
 
 TEST_CASE("numbers of proofs") {

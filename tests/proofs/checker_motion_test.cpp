@@ -214,12 +214,13 @@ TEST_CASE("motions: a body's pose moves its elements") {
   call_bad("is no vertex", falls("body 4 0 0 0 0\n") + good);
   call_bad("body V B X Y Z", falls("body 2 0 0 0\n") + good);
   call_bad("is no number", falls("body 2 0 0 0 0.5\n") + good);
-  // All on one body, or fixed: no pair.
-  accept(falls("body 2 0 0 -1 0\nbody 3 0 0 1 0\n") + "frame\n1 0 0 0 0 0 1\nframe\n1 0 0 0 0 0 2\n", "step 0\n",
-         "0 0");
+  // All on one body, or fixed: no pair in any step, so that there is nothing to check.
+  call_bad("2 edges, 0 faces, 4 vertices on 1 body, but no two elements",
+           falls("body 2 0 0 -1 0\nbody 3 0 0 1 0\n") + "frame\n1 0 0 0 0 0 1\nframe\n1 0 0 0 0 0 2\n");
   const std::string still = "frame\n1 0 0 0 0 0 0\n" + rest;
   reject("pair 0", falls("fixed 2\nfixed 3\nfixed 0\n") + still + still, "step 0\n", "0 0");
-  accept(falls("fixed 2\nfixed 3\nfixed 0\nfixed 1\n") + still + still, "step 0\n", "0 0");
+  call_bad("4 fixed vertices, 2 vertices on 1 body, but no two elements",
+           falls("fixed 2\nfixed 3\nfixed 0\nfixed 1\n") + still + still);
 }
 
 TEST_CASE("motions: the box of a body's vertex is around the quotients of Bernstein coefficients, rounded outwards") {
@@ -248,17 +249,42 @@ TEST_CASE("motions: the report") {
   const CheckerRun run = check_texts(proofs_of("step 0\nstep 1\n", "0 0", "max 0x1p-2"), {crossing({"3", "2", "1"})});
   INFO(run.text);
   CHECK(run.status == 0);
-  CHECK(run.text.find(": 0 mesh queries in 2 steps with separation max 0x1p-2\n") != std::string::npos);
-  CHECK(run.text.find("\n0 queries checked: 0 contacts, 0 without contact\n") != std::string::npos);
+  const std::string none_near = "no two elements come near enough to need a proof\n";
+  CHECK(
+      run.text.find(": 0 mesh queries in 2 steps with separation max 0x1p-2: 3 frames, 4 vertices, 0 points, 2 edges, "
+                    "0 faces; " +
+                    none_near) != std::string::npos);
+  CHECK(run.text.find("\n0 queries checked: " + none_near) != std::string::npos);
+}
+
+TEST_CASE("motions: proofs of nothing are refused") {
+  const std::string frames = "frame\n0 0 0\n9 0 0\nframe\n0 0 0\n9 0 0\n";
+  const auto bad = [&](const std::string& elements) {
+    call_bad("there is nothing to check: 2 frames, 2 vertices, ", kFirst + "vertices 2\n" + elements + frames);
+  };
+  bad("");  // positions alone
+  bad("point 0\n");
+  bad("edge 0 1\npoint 0\n");
+  bad("edge 0 1\nedge 1 0\n");
+  bad("point 0\npoint 1\nfixed 0\nfixed 1\n");
+  accept(kFirst + "vertices 2\npoint 0\npoint 1\n" + frames, "step 0\n", "0 0");
+  accept(kFirst + "vertices 2\npoint 0\npoint 1\nfixed 0\n" + frames, "step 0\n", "0 0");
+  // Many elements on one body are no work.
+  std::string head = kFirst + "vertices 20000\n";
+  for (int v = 0; v < 20000; v += 2) {
+    head += "edge " + std::to_string(v) + " " + std::to_string(v + 1) + "\n";
+    for (const int w : {v, v + 1}) head += "body " + std::to_string(w) + " 0 " + std::to_string(w) + " 0 0\n";
+  }
+  call_bad("10000 edges, 0 faces, 20000 vertices on 1 body, but",
+           head + "frame\n1 0 0 0 0 0 0\nframe\n1 0 0 0 0 0 1\n");
 }
 
 TEST_CASE("motions: files with an error") {
   const std::string head = kFirst + "vertices 2\n", frame = "frame\n0 0 0\n1 0 0\n";
-  CHECK(check_texts(proofs_of("step 0\n", "0 0"), {head + frame + frame}).status == 0);
-  CHECK(
-      check_texts(proofs_of("step 0\n", "0 0"), {"# x\r\n" + head + "\n" + frame + " # y\r\n" + frame + "\n"}).status ==
-      0);
-  CHECK(check_texts(proofs_of("step 0\n", "0 0"), {kFirst + "vertices 0\nframe\nframe"}).status == 0);
+  const std::string points = "point 0\npoint 1\n";
+  accept(head + points + frame + frame, "step 0\n", "0 0");
+  accept("# x\r\n" + head + "\n" + points + frame + " # y\r\n" + frame + "\n", "step 0\n", "0 0");
+  call_bad("nothing to check", kFirst + "vertices 0\nframe\nframe");
   call_bad("touchstone-motion 1", "");
   call_bad("touchstone-motion 1", "touchstone-motion 2\nvertices 2\n" + frame + frame);
   call_bad("vertices N", kFirst);

@@ -411,10 +411,10 @@ def body_cases():
         ("a coordinate too few", 2, falls, falling("body 2 0 1 0\n")),
         ("a body with a leading zero", 2, falls, falling("body 2 00 1 0 0\n")),
         ("a body beyond the limit", 2, falls, falling(f"body 2 {(1 << 30) - 1} 1 0 0\n")),
-        ("all on one body", 0, nothing, falling(on_body, ("1 0 0 0 0 0 1", "1 0 0 0 0 0 -1"), "")),
+        ("all on one body", 2, nothing, falling(on_body, ("1 0 0 0 0 0 1", "1 0 0 0 0 0 -1"), "")),
         ("a fixed vertex of a body that moves", 2, falls, falling("fixed 0\n")),
         ("one vertex is not fixed", 1, nothing, falling("fixed 0\nfixed 2\nfixed 3\n", still)),
-        ("all vertices are fixed", 0, nothing, falling("fixed 0\nfixed 1\nfixed 2\nfixed 3\n", still)),
+        ("all vertices are fixed", 2, nothing, falling("fixed 0\nfixed 1\nfixed 2\nfixed 3\n", still)),
     ]
     # The box of a quarter turn of (1, 0, 0) is [0, 1] x [0, 1] x [0, 0].
     for other in ("2 1 0", "-1 0x1p-1 0", "1 2 0", "0x1p-1 -1 0", "0 0 1", "1 1 -1"):
@@ -428,6 +428,11 @@ def body_cases():
         cases.append((f"a rounded box, ({opposite})", status, nothing,
                       turning("-1 0 0", "-4 0 0 -2", opposite, "-7 0 0 0")))
     return [("body: " + name, status, proof, [text]) for name, status, proof, text in cases]
+
+
+def fan(elements):
+    """Four vertices at rest in three frames, the last one far away."""
+    return "touchstone-motion 1\nvertices 4\n" + elements + 3 * "frame\n0 0 0\n1 0 0\n0 1 0\n9 0 0\n"
 
 
 def motion_cases():
@@ -447,10 +452,13 @@ def motion_cases():
     swapped = FALL_PROOF.replace(first + PAIR, "0" + PAIR[1:] + other)
     last_frame = FALL[FALL.rindex("frame"):]
     empty = "touchstone-motion 1\nvertices 0\nframe\nframe\n"
+    bare = [line for line in FALL.splitlines(keepends=True) if line.split()[0] not in ("point", "edge", "face", "fixed")]
+    steps = proof_of(("", "mesh", ["step 0", "step 1"]), end="0 0")
     nothing = proof_of(("", "mesh", ["step 0"]), end="0 0")
     less = "euclidean " + word(1 - TINY)
     faces_last = CROWD_PAIRS[:1] + CROWD_PAIRS[3:] + CROWD_PAIRS[1:3]
     by_edge = CROWD_PAIRS[:3] + [CROWD_PAIRS[i] for i in (3, 5, 4, 6)] + CROWD_PAIRS[7:]
+    far = "touchstone-motion 1\nvertices 2\npoint 0\npoint 1\n" + 2 * "frame\n0 0 0\n5 0 0\n"
     query = rows([ORIGIN, (-2, 0, 0)], [ORIGIN, (1, 0, 0)])
     both = proof_of(("max 1", "point-point", ["0 none", WEST]), ("", "mesh", ["step 0"]), end="1 0")
     return [("motion: " + name, *rest) for name, *rest in [
@@ -513,7 +521,14 @@ def motion_cases():
         broken("a point of the face, which shares its vertex", "point 6", "point 6\npoint 0", 0),
         broken("two edges alike", "edge 4 5", "edge 4 5\nedge 5 4", 1),  # two pairs with the point
         broken("a fixed vertex that rests", "fixed 2\n", "fixed 2\nfixed 6\n", 0),
-        motion("nothing moves, nothing is there", empty, nothing, 0),
+        motion("nothing moves, nothing is there", empty, nothing),
+        motion("positions without elements", "".join(bare), steps),
+        motion("one point of them", "".join(bare[:2] + ["point 6\n"] + bare[2:]), steps),
+        motion("two points of them, far apart", "".join(bare[:2] + ["point 6\npoint 0\n"] + bare[2:]), steps, 0),
+        motion("two points of them, and one a corner", "".join(bare[:2] + ["point 6\nedge 6 0\n"] + bare[2:]), steps),
+        motion("edges and faces that share a vertex", fan("edge 0 1\nedge 0 2\npoint 0\nface 0 1 2\n"), steps),
+        motion("edges and faces that share a vertex, and a point far away",
+               fan("edge 0 1\nedge 0 2\npoint 0\nface 0 1 2\npoint 3\n"), steps, 0),
         motion("all kinds, boxes D apart", crowd(), crowd_proof(CROWD_PAIRS), 0),
         motion("all kinds, boxes more than D apart", crowd(), crowd_proof([], less), 0),
         motion("all kinds, pairs that are too far", crowd(), crowd_proof(CROWD_PAIRS, less), 1),
@@ -525,8 +540,13 @@ def motion_cases():
                crowd_proof(CROWD_PAIRS), 1),
         motion("one corner is not fixed", crowd("fixed 0\nfixed 1\nfixed 2\n"), crowd_proof(CROWD_PAIRS), 0),
         motion("a point that becomes a corner of an edge", crowd("edge 6 8\n"), crowd_proof(CROWD_PAIRS), 1),
-        ("after a query file", 0, both, [still(ORIGIN, (-2, 0, 0)), empty]),
-        ("files in another order", 2, both, [empty, still(ORIGIN, (-2, 0, 0))]),
+        ("after a query file", 0, both, [still(ORIGIN, (-2, 0, 0)), far]),
+        ("files in another order", 2, both, [far, still(ORIGIN, (-2, 0, 0))]),
+        ("a query file without a query", 2, proof_of(("", "point-point", []), end="0 0"), [""]),
+        ("a query file with a comment alone", 2, proof_of(("", "point-point", []), end="0 0"), ["# none\n"]),
+        ("a query file without a query after another file", 2, both.replace("file mesh", "file point-edge").replace(
+            "step 0\n", ""), [still(ORIGIN, (-2, 0, 0)), ""]),
+        ("no query file of the two", 1, both, [still(ORIGIN, (-2, 0, 0))]),
     ]]
 
 
@@ -627,7 +647,7 @@ def curved_cases():
         case("the first row twice", 2, "query", "touchstone-curved,1\nquery"),
         case("no end of line", 2, "curve,0,1,0\n", "curve,0,1,0"),
         case("carriage returns", 0, TURN, TURN.replace("\n", "\r\n")),
-        case("no queries", 1, TURN, "touchstone-curved,1\n"),
+        case("no queries", 2, TURN, "touchstone-curved,1\n"),
         case("a query more", 1, TURN, TURN + TURN[TURN.index("query"):]),
         case("truth 2", 2, "query,1", "query,2"),
         case("no truth", 2, "query,1", "query"),
@@ -677,8 +697,7 @@ def by_page(proof, files):
         return 1, str(reason)
     except check_proofs.BadInput as reason:
         return 2, str(reason)
-    counts = [check_proofs.counted(queries, "query", "queries"), check_proofs.counted(contacts, "contact", "contacts")]
-    return 0, f"{counts[0]} checked: {counts[1]}, {queries - contacts} without contact"
+    return 0, check_proofs.verdict(queries, contacts)
 
 
 def by_program(program, proof, files, folder):

@@ -48,12 +48,23 @@ fs::path empty_folder(NewFolders& folders, const fs::path& folder) {
   return folder;
 }
 
+/// @throws Error  when no two elements could meet: a proof of nothing is none, and the checker refuses it
+proofs::StepProver prover_of(proofs::MotionElements elements, const Separation& separation) {
+  proofs::StepProver prover(std::move(elements), separation);
+  if (prover.has_pair()) return prover;
+  const proofs::MotionElements& all = prover.elements();
+  throw Error(fmt::format(
+      "--prove: there is nothing to prove: of {}, {} and {} no two share no vertex and are neither "
+      "all fixed nor all on one body",
+      counted(all.points.size(), "point"), counted(all.edges.size(), "edge"), counted(all.faces.size(), "face")));
+}
+
 }  // namespace
 
 MotionProofs::MotionProofs(const fs::path& folder, proofs::MotionElements elements, const Separation& separation,
                            int threads)
-    : folder_(empty_folder(folders_, folder)),
-      prover_(std::move(elements), separation),
+    : prover_(prover_of(std::move(elements), separation)),
+      folder_(empty_folder(folders_, folder)),
       threads_(threads),
       motion_((folder_ / kMotionFile).string()),
       steps_((folder_ / kProofsFile).string()) {
@@ -126,8 +137,11 @@ void MotionProofs::commit() {
 }
 
 std::string MotionProofs::summary() const {
+  const std::string answer = pairs_ == 0      ? "no two elements come near enough to need a proof"
+                             : contacts_ == 0 ? "no contact"
+                                              : counted(contacts_, "contact");
   return fmt::format("{} in {} proved in {}: {}\n", counted(pairs_, "pair"), counted(frames_ - 1, "step"),
-                     io::printable(folder_.string()), contacts_ == 0 ? "no contact" : counted(contacts_, "contact"));
+                     io::printable(folder_.string()), answer);
 }
 
 }  // namespace touchstone::cli

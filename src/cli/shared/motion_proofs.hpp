@@ -23,7 +23,7 @@ class MotionProofs {
 
   /// @param folder   a new or an empty folder
   /// @param threads  how many prove the pairs of a step
-  /// @throws FileError
+  /// @throws FileError; Error  when no two elements could meet, so that nothing could be proved
   MotionProofs(const std::filesystem::path& folder, proofs::MotionElements elements, const Separation& separation,
                int threads);
 
@@ -38,15 +38,15 @@ class MotionProofs {
   /// Puts both files in their places.
   void commit();
 
-  /// "1,024 pairs in 12 steps proved in FOLDER: no contact", a line.
+  /// "1,024 pairs in 12 steps proved in FOLDER: no contact", a line. Without a pair it says why none needs a proof.
   std::string summary() const;
 
  private:
   void prove_step(const proofs::MotionFrame& end);
 
+  proofs::StepProver prover_;
   NewFolders folders_;
   std::filesystem::path folder_;
-  proofs::StepProver prover_;
   int threads_;
   io::OutputFile motion_;
   io::SpoolFile steps_;  ///< the proofs; the digest of the whole motion comes before them

@@ -55,7 +55,9 @@ void ProvedQueries::add(const Input& input, const io::QueryRecord& record, const
 }
 
 ProofFile::ProofFile(const std::string& path, const std::vector<Input>& inputs)
-    : out_(path == "-" ? io::OutputFile::standard_output() : io::OutputFile(path)), inputs_(inputs) {
+    : out_(path == "-" ? io::OutputFile::standard_output() : io::OutputFile(path)),
+      inputs_(inputs),
+      proved_(inputs.size()) {
   for (const Input& input : inputs) {
     if (!input.bundled) continue;
     io::fail(input.name,
@@ -68,11 +70,15 @@ ProofFile::ProofFile(const std::string& path, const std::vector<Input>& inputs)
 void ProofFile::add(std::size_t input, const Separation& separation, const ProvedQueries& proved) {
   for (; begun_ <= input; ++begun_) out_.write(section_of(inputs_[begun_], separation));
   out_.write(proved.text_);
+  proved_[input] += proved.queries_;
   queries_ += proved.queries_;
   contacts_ += proved.contacts_;
 }
 
 void ProofFile::finish() {
+  for (std::size_t i = 0; i < inputs_.size(); ++i) {
+    if (proved_[i] == 0) io::fail(inputs_[i].name, "has no query, so there is nothing to prove; leave it out");
+  }
   out_.write(fmt::format("end {} {}\n", queries_, contacts_));
   out_.commit();
 }

@@ -43,13 +43,15 @@ class ProofFile {
   /// @param separation  the one of all queries of that file
   void add(std::size_t input, const Separation& separation, const ProvedQueries& proved);
 
-  /// To be called after the last proofs: the file gets its last line and its name. @throws FileError
+  /// To be called after the last proofs: the file gets its last line and its name.
+  /// @throws FileError  also for an input without a query: the checker refuses proofs of nothing
   void finish();
 
  private:
   io::OutputFile out_;
   const std::vector<Input>& inputs_;
-  std::size_t begun_ = 0;  ///< files whose section has begun
+  std::vector<std::uint64_t> proved_;  ///< queries of each input
+  std::size_t begun_ = 0;              ///< files whose section has begun
   std::uint64_t queries_ = 0;
   std::uint64_t contacts_ = 0;
 };
