@@ -111,14 +111,21 @@ class Checker {
       if (words_ != Words{"step", std::to_string(step)}) throw expected("\"" + step_name + "\" of " + name);
       next();
       std::uint64_t number = 0;
-      motion.for_each_pair(separation_.distance, [&](const Kind& kind, const Element& a, const Element& b) {
+      bool touches_only = false;
+      const Separation of_file = separation_;
+      motion.for_each_pair(of_file.distance, [&](const Kind& kind, const Element& a, const Element& b) {
         motion.set(query_, kind, a, b);
+        if (kind.touches_only != touches_only) {
+          touches_only = kind.touches_only;
+          separation_ = touches_only ? Separation() : of_file;
+        }
         check_query(number, [&] {
           return name + ": " + step_name + ": pair " + std::to_string(number) + " (" + MotionFile::name(a) + " and " +
                  MotionFile::name(b) + ")";
         });
         ++number;
       });
+      separation_ = of_file;
       require(words_.empty() || !is_digit(words_[0][0]),
               "a proof too many: the step has no more pairs whose boxes are at most the separation apart");
       ++step;

@@ -27,6 +27,8 @@ class MotionFile {
  public:
   static constexpr std::array<std::string_view, 5> kSorts = {"point", "edge", "face", "fixed", "body"};
   static constexpr std::array<std::size_t, 5> kSizes = {1, 2, 3, 1, 1}, kWords = {2, 3, 4, 2, 6};
+  /// The fold of a wire: a point, and a wire that is joined to it by another one.
+  static constexpr Kind kFold = {"point-edge", 3, 1, true};
   static constexpr std::size_t kPose = 7;  ///< numbers: a quaternion and a position
 
   explicit MotionFile(const std::string& name) : lines_(name) {
@@ -38,10 +40,13 @@ class MotionFile {
     }
     while (lines_.next(words_) && words_[0] != "frame") read_element();
     set_attachments();
-    std::set<std::uint32_t> on_edge;
+    find_wires();
+    std::set<std::uint32_t> on_edge, on_wire;
     for (const Element& edge : elements_[1]) on_edge.insert({edge.vertices[0], edge.vertices[1]});
+    for (const Element& wire : elements_[7]) on_wire.insert({wire.vertices[0], wire.vertices[1]});
     for (const Element& point : elements_[0]) {
       if (on_edge.count(point.vertices[0]) == 0) elements_[5].push_back(point);
+      if (on_wire.count(point.vertices[0]) > 0) elements_[6].push_back(point);
     }
     for (const Element& vertex : elements_[3]) still_.insert(body_of(vertex.vertices[0]));
     if (!next_step()) throw expected("the line \"frame\" of frame 0");
@@ -83,7 +88,7 @@ class MotionFile {
   /// Whether two elements could meet in a step at all, however far apart they are: the rules leave a pair.
   bool has_pair() const {
     bool found = false;
-    for_each_sort([&](const Kind&, const auto& first, const auto& second) {
+    for_each_sort([&](const Kind& kind, const auto& first, const auto& second) {
       const auto all = [&](const auto& holds) {
         return std::all_of(first.begin(), first.end(), holds) && std::all_of(second.begin(), second.end(), holds);
       };
@@ -92,7 +97,7 @@ class MotionFile {
       const std::uint32_t body = first[0].body;
       if (body != kNoBody && all([&](const Element& e) { return e.body == body; })) return;
       found = std::any_of(first.begin(), first.end(), [&](const Element& a) {
-        return std::any_of(second.begin(), second.end(), [&](const Element& b) { return may_meet(a, b); });
+        return std::any_of(second.begin(), second.end(), [&](const Element& b) { return may_meet(kind, a, b); });
       });
     });
     return found;
@@ -191,6 +196,29 @@ class MotionFile {
     }
   }
 
+  static std::array<std::uint32_t, 2> side(std::uint32_t v, std::uint32_t w) {
+    return {std::min(v, w), std::max(v, w)};
+  }
+
+  /// Sets the edges that are no sides of faces, and the pairs of vertices that they join.
+  void find_wires() {
+    std::vector<std::array<std::uint32_t, 2>> sides;
+    for (const Element& face : elements_[2]) {
+      for (std::size_t k = 0; k < 3; ++k) sides.push_back(side(face.vertices[k], face.vertices[(k + 1) % 3]));
+    }
+    std::sort(sides.begin(), sides.end());
+    for (const Element& edge : elements_[1]) {
+      const auto ends = side(edge.vertices[0], edge.vertices[1]);
+      if (std::binary_search(sides.begin(), sides.end(), ends)) continue;
+      elements_[7].push_back(edge);
+      joined_.push_back(ends);
+    }
+    std::sort(joined_.begin(), joined_.end());
+  }
+  bool are_joined(std::uint32_t v, std::uint32_t w) const {
+    return std::binary_search(joined_.begin(), joined_.end(), side(v, w));
+  }
+
   std::uint32_t body_of(std::uint32_t vertex) const {
     const auto found = on_bodies_.find(vertex);
     return found == on_bodies_.end() ? kNoBody : found->second.first;
@@ -254,11 +282,12 @@ class MotionFile {
   /// Calls function(kind, first elements, second elements) for each sort of pairs, in the order of the proofs.
   template <class Function>
   void for_each_sort(const Function& function) const {
-    const auto& [points, edges, faces, fixed, on_bodies, lone] = elements_;
+    const auto& [points, edges, faces, fixed, on_bodies, lone, ends, wires] = elements_;
     function(kKinds[0], edges, edges);
     function(kKinds[1], points, faces);
     function(kKinds[2], lone, edges);
     function(kKinds[3], lone, lone);
+    function(kFold, ends, wires);
   }
 
   /// It holds the partners of one element at a time, not all pairs.
@@ -280,7 +309,7 @@ class MotionFile {
       // The boxes before this one end below a, and those behind the last one of the loop begin above it.
       const auto begin = std::upper_bound(farthest.begin(), farthest.end(), a.low[axis]) - farthest.begin();
       for (auto i = static_cast<std::size_t>(begin); i < row.size() && row[i].low[axis] < a.reach[axis]; ++i) {
-        if (is_pair(a, row[i]) && (&first != &second || a.number < row[i].number)) partners.push_back(&row[i]);
+        if (is_pair(kind, a, row[i]) && (&first != &second || a.number < row[i].number)) partners.push_back(&row[i]);
       }
       std::sort(partners.begin(), partners.end(), [](const auto* x, const auto* y) { return x->number < y->number; });
       for (const Element* b : partners) function(kind, a, *b);
@@ -288,17 +317,20 @@ class MotionFile {
   }
 
   /// Whether the boxes are near, and the rules leave the pair.
-  static bool is_pair(const Element& a, const Element& b) {
+  bool is_pair(const Kind& kind, const Element& a, const Element& b) const {
     for (std::size_t k = 0; k < 3; ++k) {
       if (a.low[k] >= b.reach[k] || b.low[k] >= a.reach[k]) return false;
     }
-    return may_meet(a, b);
+    return may_meet(kind, a, b);
   }
-  static bool may_meet(const Element& a, const Element& b) {
+  bool may_meet(const Kind& kind, const Element& a, const Element& b) const {
     for (std::size_t i = 0; i < a.size; ++i) {
       for (std::size_t j = 0; j < b.size; ++j) {
         if (a.vertices[i] == b.vertices[j]) return false;
       }
+    }
+    if (kind.touches_only && !are_joined(a.vertices[0], b.vertices[0]) && !are_joined(a.vertices[0], b.vertices[1])) {
+      return false;
     }
     return !(a.is_fixed && b.is_fixed) && (a.body == kNoBody || a.body != b.body);
   }
@@ -312,9 +344,11 @@ class MotionFile {
   std::array<std::vector<Number>, 2> frames_, ends_;
   std::map<std::uint32_t, std::pair<std::uint32_t, std::array<Number, 3>>> on_bodies_;  ///< by vertex
   std::set<std::uint32_t> still_;  ///< bodies that have fixed vertices
-  /// Points, edges, faces, vertices that are fixed and on bodies, and points that are corners of no edge.
-  std::array<std::vector<Element>, 6> elements_;
-  std::array<std::set<std::uint32_t>, 5> single_;  ///< the vertices that have a line of each sort
+  /// Points, edges, faces, vertices that are fixed and on bodies, points that are corners of no edge, points that are
+  /// corners of wires, and wires: edges that are no sides of faces.
+  std::array<std::vector<Element>, 8> elements_;
+  std::vector<std::array<std::uint32_t, 2>> joined_;  ///< the corners of wires, sorted
+  std::array<std::set<std::uint32_t>, 5> single_;     ///< the vertices that have a line of each sort
   Query query_;
   Corners corners_;
   Polynomial x_, w_;

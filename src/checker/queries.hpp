@@ -152,6 +152,7 @@ inline bool divides(const Polynomial& g, const Polynomial& p) {
 struct Kind {
   std::string_view name;
   std::uint32_t corners, first;  ///< of both elements, of the first one
+  bool touches_only = false;     ///< whether the separation of the file is zero for it
 };
 constexpr std::array<Kind, 4> kKinds = {Kind{"edge-edge", 4, 2}, Kind{"vertex-face", 4, 1}, Kind{"point-edge", 3, 1},
                                         Kind{"point-point", 2, 1}};

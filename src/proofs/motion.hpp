@@ -63,7 +63,7 @@ bool at_most_apart(double a, double b, double distance) noexcept;
 /// Finds the pairs of a step, and proves the answer to each.
 class StepProver {
  public:
-  /// @param separation  of all pairs
+  /// @param separation  of all pairs but folds, for which it is zero
   StepProver(MotionElements elements, const Separation& separation);
 
   const MotionElements& elements() const noexcept { return elements_; }
@@ -75,6 +75,10 @@ class StepProver {
 
   /// The pairs of the step between two frames, in the order of the proofs; the same for any number of threads.
   std::vector<MotionPair> pairs(const MotionFrame& start, const MotionFrame& end, int threads) const;
+
+  /// The separation that a pair's proof is about: zero for a fold, a point and a wire that another wire joins. Wires
+  /// are edges that are no sides of faces.
+  Separation separation_of(const MotionPair& pair) const noexcept;
 
   /// Of a pair without a vertex on a body.
   Query query_of(const MotionPair& pair, const MotionFrame& start, const MotionFrame& end) const;
@@ -91,7 +95,10 @@ class StepProver {
 
   MotionElements elements_;
   Separation separation_;
-  std::vector<std::uint32_t> loose_;  // the numbers of the points that are a corner of no edge
+  // Numbers of points that are a corner of no edge, of those that are corners of wires, and of the wires; and the pairs
+  // of vertices that wires join, sorted.
+  std::vector<std::uint32_t> loose_, wire_ends_, wires_;
+  std::vector<std::array<std::uint32_t, 2>> joined_;
 };
 
 /// The lines of a motion file before the first frame.

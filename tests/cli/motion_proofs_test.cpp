@@ -165,6 +165,70 @@ TEST_CASE("mesh: frames without contact; the plane; loose points; a part of the 
   check_folder(folder, "output", 1);
 }
 
+TEST_CASE("mesh --prove: a rod that folds onto its next segment has a contact, one that bends has none") {
+  const TemporaryFolder folder;
+  const auto rod = [&](const std::string& name, const char* end) {
+    return folder.write(name, std::string("v 0 0 0\nv 2 0 0\nv ") + end + "\nl 1 2\nl 2 3\n");
+  };
+  const std::string up = rod("r-0.obj", "1.5 1 0"), through = rod("r-1.obj", "1.5 -1 0"),
+                    bent = rod("r-2.obj", "1 0.25 0");
+  const Run folds = run_program({"mesh", "--prove", folder.path("folds"), up, through});
+  CAPTURE(folds.out, folds.err);
+  CHECK(folds.status == 1);
+  CHECK(occurrences(folds.out, "1 pair in 1 step proved in " + folder.path("folds") + ": 1 contact\n") == 1);
+  CHECK(occurrences(folder.read("folds/proofs.txt"), "\nstep 0\n0 contact 0x1p-1 0x1p-1\n") == 1);
+  check_folder(folder, "folds", 1);
+  // A separation does not count between neighbours along a wire.
+  const Run bends = run_program({"mesh", "--separation", "0.5", "--prove", folder.path("bends"), up, bent});
+  CAPTURE(bends.out, bends.err);
+  CHECK(bends.status == 0);
+  CHECK(occurrences(bends.out, " proved in " + folder.path("bends") + ": no contact\n") == 1);
+  CHECK(occurrences(folder.read("bends/proofs.txt"), "\nstep 0\n0 none\n") == 1);
+  check_folder(folder, "bends", 1);
+  // Without the pair the checker does not accept them.
+  std::string forged = folder.read("folds/proofs.txt");
+  forged = forged.substr(0, forged.find("0 contact")) + "end 0 0\n";
+  folder.write("folds/proofs.txt", forged);
+  const Run checked = check(folder, "folds");
+  CHECK(checked.status == 1);
+  CHECK(occurrences(checked.err, "step 0: pair 0 (point 2 and edge 0): ") == 1);
+}
+
+TEST_CASE("mesh --prove says that no pair needs a proof, and refuses a motion in which no two elements could meet") {
+  const TemporaryFolder folder;
+  const auto frame = [&](const std::string& name, const std::string& more) {
+    return folder.write(name, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" + more);
+  };
+  const std::string other = "v 9 0 0\nv 9 1 0\nv 9 0 1\nf 4 5 6\n";
+  const std::string before = frame("two-0.obj", other), after = frame("two-1.obj", other);
+  const Run far = run_program({"mesh", "--prove", folder.path("far"), before, after});
+  CAPTURE(far.out, far.err);
+  CHECK(far.status == 0);
+  const std::string none_near = ": no two elements come near enough to need a proof\n";
+  CHECK(occurrences(far.out, "0 pairs in 1 step proved in " + folder.path("far") + none_near) == 1);
+  check_folder(folder, "far", 1);
+  const Run checked = check(folder, "far");
+  CHECK(occurrences(checked.out, ": 2 frames, 6 vertices, 6 points, 6 edges, 2 faces; no two elements come near") == 1);
+  CHECK(occurrences(checked.out, "\n0 queries checked" + none_near) == 1);
+
+  const std::string one = frame("one-0.obj", ""), again = frame("one-1.obj", "");
+  const Run refused = run_program({"mesh", "--prove", folder.path("one"), one, again});
+  CHECK(refused.status == 2);
+  CHECK(occurrences(refused.err, "there is nothing to prove: of 3 points, 3 edges and 1 face no two ") == 1);
+  CHECK_FALSE(fs::exists(folder.path("one")));
+
+  // Proofs of the motion without its elements, under the old digest.
+  std::string bare;
+  for (const std::string& line : lines_of(folder.read("far/motion.txt"))) {
+    if (line.rfind("point ", 0) != 0 && line.rfind("edge ", 0) != 0 && line.rfind("face ", 0) != 0) bare += line + "\n";
+  }
+  folder.write("far/motion.txt", bare);
+  const Run nothing = check(folder, "far");
+  CHECK(nothing.status == 2);
+  CHECK(occurrences(nothing.err, "there is nothing to check: 2 frames, 6 vertices, 0 points, 0 edges, 0 faces, but") ==
+        1);
+}
+
 TEST_CASE("mesh --prove: folders and options that are refused, and runs that leave nothing") {
   const TemporaryFolder folder;
   const auto frames = write_needles(folder, "f", kSide, 3, rising_tip);

@@ -469,6 +469,7 @@ class Motion:
     """A motion file. Its frames are read one after another, so that two of them are in memory."""
 
     SIZES = {b"point": 1, b"edge": 2, b"face": 3, b"fixed": 1, b"body": 1}
+    FOLD = 4  # the place of folds among the kinds of pairs
     PARTNERS = {b"point": (b"point", b"edge", b"face"), b"edge": (b"edge", b"point"), b"face": (b"point",)}
 
     def __init__(self, lines):
@@ -491,7 +492,13 @@ class Motion:
             self.bodies[vertex] = words
         self.body_count = max([body + 1 for body, _ in self.bodies.values()], default=0)
         edge_vertices = {vertex for edge in self.elements[b"edge"] for vertex in edge}
+        sides = {frozenset(side) for face in self.elements[b"face"] for side in itertools.combinations(face, 2)}
+        self.wires = {frozenset(edge) for edge in self.elements[b"edge"]} - sides
         self.lone = [vertex not in edge_vertices for vertex, in self.elements[b"point"]]
+
+    def is_wire(self, ends):
+        """Whether some edge has these two vertices, and no face."""
+        return frozenset(ends) in self.wires
 
     def read_integer(self, word):
         if len(word) > MAX_DIGITS or not INTEGER.fullmatch(word):
@@ -569,6 +576,7 @@ class Motion:
         low, high, reach = self.boxes(frames, separation)
         for kind, first, second in sorted(self.pairs(low, high, reach)):
             corners, motions = [], {}
+            about = (None, (0, 0)) if kind == self.FOLD else (metric, separation)
             for vertex in first[1] + second[1]:
                 if vertex in self.bodies:
                     body, point = self.bodies[vertex]
@@ -576,7 +584,7 @@ class Motion:
                     corners.append((body, point))
                 else:
                     corners.append((None, frames[0][1][vertex] + frames[1][1][vertex]))
-            yield curved_query(motions, corners, len(first[1]), metric, separation)
+            yield curved_query(motions, corners, len(first[1]), *about)
 
     def boxes(self, frames, separation):
         """The boxes of all vertices, two lists of points, and the separation, as integers of one scale."""
@@ -646,7 +654,10 @@ class Motion:
         sorts = first[0], second[0]
         kind = [(b"edge", b"edge"), (b"point", b"face"), (b"point", b"edge"), (b"point", b"point")].index(sorts)
         if kind >= 2 and not all(self.lone[number] for sort, number, _ in (first, second) if sort == b"point"):
-            return None
+            (point,), ends = first[2], second[2]
+            if kind != 2 or not self.is_wire(ends) or not any(self.is_wire((point, end)) for end in ends):
+                return None
+            kind = self.FOLD
         return kind, first[1:], second[1:]
 
 

@@ -5,6 +5,7 @@ The truth comes from exact_judge.py, and all pairs of a motion's step are looked
 for proofs that a checker has accepted.
 """
 
+import collections
 import functools
 import itertools
 import math
@@ -66,13 +67,15 @@ def truths_of_file(kind, text, metric, separation):
     split, count = CORNERS[kind]
     if is_curved(text):
         try:
-            return [[first_contact_of(tuple(query), kind, metric, separation) for query in curved_queries(text)]]
+            queries = curved_queries(text)
+            answers = [first_contact_of(tuple(query), kind, metric, separation) for query in queries]
+            return [answers] if answers else None
         except (BadQuery, ValueError, IndexError, OverflowError):
             return None
     rows = [[int(x) for x in line.split(",")] for line in text.split("\n")
             if line.strip() and not line.strip().startswith("#")]
     points = [tuple(Fraction(row[c], row[c + 1]) for c in (0, 2, 4)) for row in rows]
-    if len(points) % (2 * count):
+    if not points or len(points) % (2 * count):
         return None
     queries = [points[i:i + 2 * count] for i in range(0, len(points), 2 * count)]
     return [[first_contact(tuple(query[:count]), tuple(query[count:]), split, metric, separation) for query in queries]]
@@ -290,17 +293,25 @@ def first_contact_of_bodies(motions, corners, split, metric, separation):
 
 
 def pairs_of(elements, bodies):
-    """All pairs of a motion, near or far, in the order of the proofs: the vertices of both elements."""
+    """All pairs of a motion, near or far, in the order of the proofs: the vertices of both elements, and whether the
+    pair is a fold, for which a separation does not count."""
     fixed = {v for v, in elements["fixed"]}
     corners = {v for edge in elements["edge"] for v in edge}
     alone = [point for point in elements["point"] if point[0] not in corners]
-    for pairs in (itertools.combinations(elements["edge"], 2), itertools.product(elements["point"], elements["face"]),
-                  itertools.product(alone, elements["edge"]), itertools.combinations(alone, 2)):
+    wires = [edge for edge in elements["edge"] if not any(set(edge) <= set(face) for face in elements["face"])]
+    neighbours = collections.defaultdict(set)
+    for v, w in wires:
+        neighbours[v].add(w)
+        neighbours[w].add(v)
+    folds = (((w,), wire) for w, in elements["point"] for wire in wires if neighbours[w] & set(wire))
+    kinds = [itertools.combinations(elements["edge"], 2), itertools.product(elements["point"], elements["face"]),
+             itertools.product(alone, elements["edge"]), itertools.combinations(alone, 2), folds]
+    for pairs in kinds:
         for first, second in pairs:
             on = {bodies[v][0] if v in bodies else None for v in first + second}
             on_one_body = len(on) == 1 and None not in on
             if not set(first) & set(second) and not fixed.issuperset(first + second) and not on_one_body:
-                yield first, second
+                yield first, second, pairs is folds
 
 
 def near(first, second, boxes, separation):
@@ -317,11 +328,14 @@ def truths_of_motion(text, metric, separation):
     try:
         motion = Motion(text)
         answers = []
+        pairs = list(pairs_of(motion.elements, motion.bodies))
+        if not pairs:
+            raise BadMotion
         for start, end in zip(motion.frames, motion.frames[1:]):
             boxes = motion.boxes(start, end)
-            answers.append([motion.first_contact(first + second, len(first), start, end, metric, separation)
-                            for first, second in pairs_of(motion.elements, motion.bodies)
-                            if near(first, second, boxes, separation)])
+            answers.append([motion.first_contact(first + second, len(first), start, end, metric,
+                                                 0 if is_fold else separation)
+                            for first, second, is_fold in pairs if near(first, second, boxes, separation)])
         return answers
     except (BadMotion, OverflowError):
         return None

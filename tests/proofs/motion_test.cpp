@@ -95,6 +95,20 @@ std::vector<MotionPair> all_pairs(const MotionElements& motion, const MotionFram
       if (!in_edge(points[i][0]) && !in_edge(points[j][0])) add(Kind::point_point, i, j, points[i], points[j]);
     }
   }
+  const auto is_wire = [&](std::uint32_t v, std::uint32_t w) {
+    const auto has = [](const Corners& corners, std::uint32_t x) {
+      return std::find(corners.begin(), corners.end(), x) != corners.end();
+    };
+    const auto has_both = [&](const Corners& corners) { return has(corners, v) && has(corners, w); };
+    return std::any_of(edges.begin(), edges.end(), has_both) && std::none_of(faces.begin(), faces.end(), has_both);
+  };
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t j = 0; j < edges.size(); ++j) {
+      const auto v = edges[j][0], w = edges[j][1];
+      const bool is_fold = is_wire(v, w) && (is_wire(points[i][0], v) || is_wire(points[i][0], w));
+      if (is_fold) add(Kind::point_edge, i, j, points[i], edges[j]);
+    }
+  }
   return pairs;
 }
 
@@ -179,7 +193,7 @@ TEST_CASE("at most apart is decided exactly") {
 
 TEST_CASE("the pairs of a step are those of the page: boxes that are just at the distance, or a last bit beyond it") {
   Rng random(11);
-  std::array<std::size_t, 4> kinds{};
+  std::array<std::size_t, 5> kinds{};  // the last: folds
   std::size_t wrong_in_doubles = 0;
   for (const double distance : {0.0, 1.0, 0.1, 1.0 / 3, 1e-300, kTiny, 3 * kTiny, 0x1p-1022, 1e300, kLargest / 2}) {
     const double step = distance > 0 ? distance : 0.7;
@@ -203,7 +217,10 @@ TEST_CASE("the pairs of a step are those of the page: boxes that are just at the
         if (difference.first != pairs.end()) UNSCOPED_INFO("first differs " << shown(*difference.first));
         if (difference.second != expected.end()) UNSCOPED_INFO("should be " << shown(*difference.second));
         REQUIRE((pairs == expected));
-        for (const MotionPair& pair : pairs) ++kinds[static_cast<std::size_t>(pair.kind)];
+        for (const MotionPair& pair : pairs) {
+          const bool is_fold = distance > 0 && prover.separation_of(pair).distance == 0;
+          ++kinds[is_fold ? 4 : static_cast<std::size_t>(pair.kind)];
+        }
         if (all_pairs<double>(elements, start, end, distance) != expected) ++wrong_in_doubles;
       }
     }
@@ -267,6 +284,69 @@ TEST_CASE("a pair's proof is that of its query, with the separation of the motio
     CHECK(text == expected);
     CHECK(text.rfind("before\n3 contact ", 0) == 0);
   }
+}
+
+TEST_CASE("a wire's fold has a proof that the elements touch, or do not, whatever the separation is") {
+  MotionElements elements;
+  elements.vertex_count = 3;
+  elements.points = {0, 1, 2};
+  elements.edges = {{0, 1}, {1, 2}};
+  const MotionFrame start = {{-2, 0, 0}, {0, 0, 0}, {-1, 1, 0}}, bent = {{-2, 0, 0}, {0, 0, 0}, {-1, 0.125, 0}};
+  MotionFrame folded = start;
+  folded[2].y = -1;
+  for (const double distance : {0.0, 0.5}) {
+    const proofs::StepProver prover(elements, {distance, Metric::max});
+    const MotionPair pair{Kind::point_edge, 2, 0};
+    const std::vector<MotionPair> expected = distance > 0 ? std::vector{pair} : std::vector<MotionPair>{};
+    CHECK((prover.pairs(start, bent, 1) == expected));
+    CHECK((prover.pairs(start, folded, 1) == std::vector{pair}));
+    CHECK(prover.separation_of(pair).distance == 0);
+    std::string text;
+    CHECK_FALSE(prover.append_proof(text, 0, pair, start, bent).contact);
+    const Answer answer = prover.append_proof(text, 0, pair, start, folded);
+    CHECK(answer.contact);
+    CHECK(answer.toi == 0.5);
+  }
+  elements.faces = {{0, 1, 2}};  // no wires
+  CHECK(proofs::StepProver(elements, {1, Metric::max}).pairs(start, folded, 1).empty());
+}
+
+TEST_CASE("a star of many wires has no folds where their boxes are apart") {
+  MotionElements elements;
+  constexpr std::uint32_t kWires = 3000;
+  elements.vertex_count = kWires + 1;
+  MotionFrame frame = {{0, 0, 0}};
+  for (std::uint32_t i = 1; i <= kWires; ++i) {
+    elements.points.push_back(i);
+    elements.edges.push_back({0, i});
+    const double x = std::ldexp(i, -20);  // on a falling curve: no end is in the box of another wire
+    frame.push_back({x, 1 - x, 0});
+  }
+  CHECK(proofs::StepProver(elements, {}).pairs(frame, frame, 2).empty());
+}
+
+TEST_CASE("whether any two elements could meet") {
+  const auto has_pair = [](const MotionElements& elements) { return proofs::StepProver(elements, {}).has_pair(); };
+  MotionElements elements;
+  elements.vertex_count = 5;
+  CHECK_FALSE(has_pair(elements));
+  elements.points = {0};
+  CHECK_FALSE(has_pair(elements));
+  elements.edges = {{0, 1}, {1, 2}, {1, 0}};
+  elements.faces = {{0, 1, 2}};
+  CHECK_FALSE(has_pair(elements));
+  elements.faces = {{0, 1, 3}};
+  CHECK_FALSE(has_pair(elements));
+  elements.points = {0, 2};
+  CHECK(has_pair(elements));  // point 2 and the face
+  elements.faces.clear();
+  CHECK(has_pair(elements));  // a fold
+  elements.fixed = {1, 1, 1, 0, 0};
+  CHECK_FALSE(has_pair(elements));
+  elements.fixed = {1, 1, 0, 0, 0};
+  CHECK(has_pair(elements));
+  elements.edges.clear();
+  CHECK(has_pair(elements));  // two points
 }
 
 TEST_CASE("the text of a motion: its elements, the vertices that are held, and frames with every bit") {

@@ -16,6 +16,7 @@ mutants. The exit status is 0 without a false acceptance.
 import argparse
 import collections
 import io
+import itertools
 import multiprocessing
 import os
 import random
@@ -830,11 +831,7 @@ def motion_cases_of(file, parts):
         chosen = set()
         for _, (kind, one, two) in rng.sample(near, min(len(near), rng.randrange(1, 4))):
             chosen |= {(SORTS[kind][0],) + one, (SORTS[kind][1],) + two}
-        # A point that is a corner of an edge must stay one.
-        for sort, _, vertices in list(chosen):
-            edges = [(b"edge", k, edge) for k, edge in enumerate(motion.elements[b"edge"]) if vertices[0] in edge]
-            if sort == b"point" and edges:
-                chosen.add(edges[0])
+        complete(chosen, motion)
         used = sorted({v for _, _, vertices in chosen for v in vertices})
         names = {v: str(k) for k, v in enumerate(used)}
         new_head = [["touchstone-motion", "1"], ["vertices", str(len(used))]]
@@ -858,8 +855,30 @@ def motion_cases_of(file, parts):
     return cases
 
 
+def complete(chosen, motion):
+    """Adds what makes the pairs of the chosen elements those of the whole motion: a point that is a corner of an edge
+    stays one, an edge of a face has a face, and a point and a wire that another one joins have this one."""
+    def add_first(sort, vertices):
+        found = [(sort, k, element) for k, element in enumerate(motion.elements[sort]) if set(vertices) <= set(element)]
+        chosen.update(found[:1])
+
+    before = 0
+    while len(chosen) > before:
+        before = len(chosen)
+        points = [vertices for sort, _, vertices in chosen if sort == b"point"]
+        edges = [vertices for sort, _, vertices in chosen if sort == b"edge"]
+        for point in points:
+            add_first(b"edge", point)
+        for edge in edges:
+            add_first(b"face", edge)
+        for (point,), edge in itertools.product(points, edges):
+            for end in edge if motion.is_wire(edge) else ():
+                if motion.is_wire((point, end)):
+                    add_first(b"edge", (point, end))
+
+
 # The sorts of both elements, for the kinds of pairs in their order.
-SORTS = [(b"edge", b"edge"), (b"point", b"face"), (b"point", b"edge"), (b"point", b"point")]
+SORTS = [(b"edge", b"edge"), (b"point", b"face"), (b"point", b"edge"), (b"point", b"point"), (b"point", b"edge")]
 
 
 class Checker:

@@ -435,6 +435,57 @@ def fan(elements):
     return "touchstone-motion 1\nvertices 4\n" + elements + 3 * "frame\n0 0 0\n1 0 0\n0 1 0\n9 0 0\n"
 
 
+def rod(end, head="", start="-1 1 0", points="point 2\npoint 0\npoint 1\n"):
+    """Wires from (-2, 0, 0) to the origin, and from there to a moving end; and two vertices far away."""
+    rest = "-2 0 0\n0 0 0\n"
+    far = "90 0 0\n91 0 0\n"
+    return (f"touchstone-motion 1\nvertices 5\n{points}edge 1 0\nedge 1 2\n{head}"
+            f"frame\n{rest}{start}\n{far}frame\n{rest}{end}\n{far}")
+
+
+def fold_cases():
+    folds = ["contact 0x1p-1 0x1p-1", "d 0 1 0", *(f"w {corner} 1" for corner in range(3))]
+    bends = ["none", "d 0 1 0"]
+    face = "face 0 1 2\n"
+
+    def proof(*pairs, separation=""):
+        return crowd_proof(pairs, separation)
+
+    swings, bent = "-1 -1 0", "-1 0x1p-1 0"
+    back = ["contact 0 0", "w 0 1", "w 1 1", "w 2 1"]
+    return [("fold: " + name, status, lines, [text]) for name, status, lines, text in [
+        ("the end of a rod swings through the next wire", 0, proof(folds), rod(swings)),
+        ("the end swings, denied", 1, proof(bends), rod(swings)),
+        ("the end swings, left out", 1, proof(), rod(swings)),
+        ("the end swings, with a separation", 0, proof(folds, ["none", "d 1 0 0"], separation="max 1"), rod(swings)),
+        ("the end swings, with a separation, one of both", 1, proof(folds, separation="max 1"), rod(swings)),
+        ("the end swings, left out with a separation", 1, proof(separation="max 1"), rod(swings)),
+        ("a bend", 0, proof(), rod(bent)),
+        ("a bend, with a pair that is none", 1, proof(bends), rod(bent)),
+        ("a bend nearer than the separation", 0, proof(bends, separation="euclidean 0x1p-1"), rod(bent)),
+        ("a bend nearer than the separation, left out", 1, proof(separation="euclidean 0x1p-1"), rod(bent)),
+        ("a bend nearer than the separation, as a contact", 1,
+         proof(["contact 0 0", "w 0 1", "w 1 1", "w 2 1"], separation="euclidean 1"), rod(bent, start=bent)),
+        ("a bend just below the separation", 0, proof(separation="max 0x1.fffffffffffffp-2"), rod(bent)),
+        ("a bend and both ends near", 0, proof(bends, ["none", "d 1 2 0"], separation="max 1"), rod(bent)),
+        ("no line for the end", 0, proof(), rod(swings, points="point 1\npoint 0\n")),
+        ("no line for the other end", 0, proof(folds), rod(swings, points="point 2\n")),
+        ("a doubled wire", 0, proof(folds), rod(swings, "edge 2 1\n")),
+        ("a doubled wire, the pair twice", 1, proof(folds, folds), rod(swings, "edge 2 1\n")),
+        ("two wires alike to fold on", 0, proof(folds, folds), rod(swings, "edge 0 1\n")),
+        ("a wire from the end to the far end too", 0, proof(folds), rod(swings, "edge 0 2\n")),
+        ("a lone point in its place", 0, proof(folds), rod(swings).replace("edge 1 2\n", "")),
+        ("the edges of a face", 2, proof(), rod(swings, face)),
+        ("one edge is in a face", 2, proof(), rod(swings, "face 1 3 2\n", points="point 2\n")),
+        ("the other edge is in a face", 2, proof(), rod(swings, "face 0 3 1\n", points="point 0\n")),
+        ("an edge beside a face", 0, proof(folds), rod(swings, "face 0 3 2\n", points="point 2\n")),
+        ("all is fixed", 2, proof(), rod("-1 1 0", "fixed 0\nfixed 1\nfixed 2\n")),
+        ("the end is free", 1, proof(), rod(swings, "fixed 0\nfixed 1\n")),
+        ("the end is free, proved", 0, proof(folds), rod(swings, "fixed 0\nfixed 1\n")),
+        ("it lies on the next wire from the start", 0, proof(back), rod("1 1 0", start="-1 0 0")),
+    ]]
+
+
 def motion_cases():
     def motion(name, text, proof=FALL_PROOF, status=2):
         return name, status, proof, [text]
@@ -685,7 +736,7 @@ def curved_cases():
 
 def all_cases():
     return (point_point_cases() + corner_cases() + line_cases() + row_cases() + curved_cases() + motion_cases() +
-            body_cases())
+            fold_cases() + body_cases())
 
 
 def by_page(proof, files):

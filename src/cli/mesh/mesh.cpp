@@ -273,7 +273,7 @@ int run_mesh(const MeshRunOptions& options) {
     if (next.valid()) frame = next.get();
   }
   if (proofs) proofs->commit();
-  const bool all_free = output.finish();
+  const bool all_free = output.finish() && (!proofs || proofs->contacts() == 0);
   std::string summary = proofs ? proofs->summary() : std::string();
   if (animation) {
     const std::uint64_t size =
