@@ -7,6 +7,7 @@
 #include <cstring>
 #include <utility>
 
+#include "io/answer_writer.hpp"
 #include "io/fail.hpp"
 #include "io/separation_text.hpp"
 #include "io/times.hpp"
@@ -43,7 +44,10 @@ bool AnswerReader::next(AnswerRow& row) {
   }
   row.row = record_row_;
   row.file = std::nullopt;
-  if (index_[kFile] != kAbsent) row.file = fields_[index_[kFile]];
+  if (index_[kFile] != kAbsent) {
+    row.file = fields_[index_[kFile]];
+    if (row.file->starts_with('\'') && begins_formula(*row.file)) row.file->remove_prefix(1);  // the one of csv_field
+  }
 
   const std::string_view query = fields_[index_[kQuery]];
   const auto [end, error] = std::from_chars(query.data(), query.data() + query.size(), row.query);

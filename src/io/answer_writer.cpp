@@ -5,9 +5,16 @@
 
 namespace touchstone::io {
 
+bool begins_formula(std::string_view text) noexcept {
+  constexpr std::string_view kMarks = "=+-@\t\r";
+  const std::size_t first = text.find_first_not_of('\'');
+  return first != std::string_view::npos && kMarks.find(text[first]) != std::string_view::npos;
+}
+
 std::string csv_field(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-  std::string field = "\"";
+  const std::string start = begins_formula(text) ? "'" : "";
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return start + std::string(text);
+  std::string field = "\"" + start;
   for (const char c : text) {
     if (c == '"') field += '"';
     field += c;

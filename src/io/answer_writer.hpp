@@ -19,8 +19,13 @@ inline constexpr std::string_view kAnswerHeader = "file,query,contact,toi,toi_up
 inline constexpr std::string_view kSeparationAnswerHeader =
     "file,query,contact,toi,toi_upper,nature,feature_a,feature_b,level,starts_within,trend,separation,metric\n";
 
+/// Whether a spreadsheet may run the text: after any number of apostrophes it begins with = + - @, a tab or a carriage
+/// return. With an apostrophe more it still does, so that readers can take away the one of csv_field.
+bool begins_formula(std::string_view text) noexcept;
+
 /// `text` as a CSV field by RFC 4180. If it contains a comma, a quote or a line end, it is in quotes and its quotes are
-/// doubled.
+/// doubled. A spreadsheet runs a text such as =1+1 as a formula, so texts of begins_formula have an apostrophe before
+/// them, also in quotes.
 std::string csv_field(std::string_view text);
 
 /// Appends one row. Without contact every column between `contact` and `level` is empty.

@@ -74,9 +74,23 @@ TEST_CASE("an answer is one row, empty where there is nothing to say") {
         "\"a,\"\"b\"\".csv\",13,0,,,,,,filter\n");
 }
 
+TEST_CASE("a field that a spreadsheet would run has an apostrophe before it") {
+  for (const char* const plain : {"", "a=1", "edge-edge/a.csv", "'", "'a", "1", " =1"})
+    CHECK(io::csv_field(plain) == plain);
+  CHECK(io::csv_field("=1+1") == "'=1+1");
+  CHECK(io::csv_field("+1") == "'+1");
+  CHECK(io::csv_field("-x") == "'-x");
+  CHECK(io::csv_field("@x") == "'@x");
+  CHECK(io::csv_field("\t=") == "'\t=");
+  CHECK(io::csv_field("\r=") == "\"'\r=\"");
+  CHECK(io::csv_field("=HYPERLINK(\"a\",1)") == "\"'=HYPERLINK(\"\"a\"\",1)\"");
+  CHECK(io::csv_field("'=1") == "''=1");  // so that a reader can take it away
+}
+
 TEST_CASE("written answers are read back as claims, whatever the files are called") {
-  const std::array<std::string, 8> names = {"edge-edge/a.csv", "",         "with, comma", "\"quoted\"",
-                                            "line\nend",       "cr\r\nlf", "\"",          " blank "};
+  const std::array<std::string, 13> names = {
+      "edge-edge/a.csv", "",     "with, comma", "\"quoted\"", "line\nend", "cr\r\nlf", "\"",
+      " blank ",         "=1+1", "'=1+1",       "''-a",       "'a",        "@\"b\""};
   constexpr std::uint64_t kSeed = 11;
   CAPTURE(kSeed);
   tests::Rng rng(kSeed);
