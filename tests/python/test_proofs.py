@@ -66,6 +66,8 @@ def test_what_is_wrong_is_named(tmp_path, monkeypatch):
         ts.prove("point-edge", start, start, separation=[1] * 5)
     with pytest.raises(ValueError, match="separation"):
         ts.prove("point-edge", start[:0], start[:0], separation=-1)
+    with pytest.raises(ValueError, match="there is no query, so there is nothing to prove"):
+        ts.prove("point-edge", start[:0], start[:0])
     monkeypatch.setenv("PATH", str(tmp_path))
     monkeypatch.delenv("TOUCHSTONE_CHECK", raising=False)
     with pytest.raises(FileNotFoundError, match="touchstone-check is not in PATH"):

@@ -87,7 +87,7 @@ def prove(kind: Kind, start: ArrayLike, end: ArrayLike, separation: float = 0.0,
 
     The arguments are those of `solve`; there is one separation for all queries, because a file of proofs has one.
     Returns Proofs, whose `write` makes files that touchstone-check or a checker of your own reads. Raises what `solve`
-    raises.
+    raises, and ValueError for no query: touchstone-check refuses proofs of nothing.
 
     >>> import touchstone
     >>> proved = touchstone.prove('point-point', [[[0, 0], [2, 0]]], [[[1, 0], [1, 0]]])
