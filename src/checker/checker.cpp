@@ -87,7 +87,7 @@ class Checker {
     }
     // The proofs say which kind the queries are, and which separation they have, so a person must see both.
     const std::string count = counted(queries_ - before, kind_name + " query", kind_name + " queries");
-    std::printf("%s: %s%s\n", name.c_str(), count.c_str(), text.c_str());
+    std::printf("%s: %s%s\n", printable(name).c_str(), count.c_str(), text.c_str());
   }
 
   /// The separation of the next file, which is zero without a line of its own.
@@ -381,7 +381,9 @@ int main(int argc, char** argv) {
     std::fputs(
         "usage: touchstone-check PROOFS FILE...\n"
         "Checks the proofs of `touchstone prove` against their query files or motion files, in their order.\n"
-        "Exit status: 0 every proof holds, 1 some proof does not, 2 bad usage or a file that cannot be read.\n",
+        "Exit status: 0 every proof holds, 1 some proof does not, 2 bad usage, a file that cannot be read, or nothing "
+        "to\n"
+        "check: no query, or a motion in which no two elements could meet.\n",
         help ? stdout : stderr);
     return help ? 0 : 2;
   }
@@ -389,10 +391,10 @@ int main(int argc, char** argv) {
     checker::Checker(argv[1]).run(std::vector<std::string>(argv + 2, argv + argc));
     return 0;
   } catch (const checker::Rejected& reason) {
-    std::fprintf(stderr, "rejected: %s\n", reason.what());
+    std::fprintf(stderr, "rejected: %s\n", checker::printable(reason.what()).c_str());
     return 1;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "touchstone-check: %s\n", error.what());
+    std::fprintf(stderr, "touchstone-check: %s\n", checker::printable(error.what()).c_str());
     return 2;
   }
 }

@@ -12,6 +12,7 @@
 #include "cli/shared/query_progress.hpp"
 #include "cli/shared/summary.hpp"
 #include "cli/shared/words.hpp"
+#include "io/fail.hpp"
 #include "io/output_file.hpp"
 #include "io/query_parser.hpp"
 
@@ -61,7 +62,7 @@ int run_prove(const ProveOptions& options) {
   const std::string about =
       options.separation.given ? " (" + separation_for_person(options.separation.separation) + ")" : std::string();
   console.write(fmt::format("{} in {} proved in {}{}\n", counted(counts.queries, "query"),
-                            counted(inputs.size(), "file"), options.out, about));
+                            counted(inputs.size(), "file"), io::printable(options.out), about));
   console.write(counts_for_person(counts));
   console.write(speed_for_person(counts.queries, progress.seconds(), threads));
   console.commit();
@@ -88,7 +89,7 @@ void add_prove(CLI::App& program, Command& command) {
       "The file appears when it is complete. The program touchstone-check reads the proofs and the query files and\n"
       "checks them:\n\n"
       "  touchstone prove --out proofs.txt edge-edge/a.csv && touchstone-check proofs.txt edge-edge/a.csv\n\n"
-      "Exit status: 0 done, 2 bad usage or bad input.");
+      "Exit status: 0 done, 2 bad usage or bad input; a file without a query has nothing to prove, and is bad input.");
   subcommand->callback([options, &command] { command = [options] { return run_prove(*options); }; });
 }
 

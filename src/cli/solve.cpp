@@ -13,6 +13,7 @@
 #include "cli/shared/summary.hpp"
 #include "cli/shared/words.hpp"
 #include "io/answer_writer.hpp"
+#include "io/fail.hpp"
 #include "io/output_file.hpp"
 #include "io/query_parser.hpp"
 
@@ -69,7 +70,7 @@ int run_solve(const SolveOptions& options) {
   const std::string about =
       options.separation.given ? " (" + separation_for_person(options.separation.separation) + ")" : std::string();
   console.write(fmt::format("{} in {} answered in {}{}\n", counted(counts.queries, "query"),
-                            counted(inputs.size(), "file"), options.out, about));
+                            counted(inputs.size(), "file"), io::printable(options.out), about));
   console.write(counts_for_person(counts));
   console.write(speed_for_person(counts.queries, progress.seconds(), threads));
   console.commit();

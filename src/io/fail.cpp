@@ -6,6 +6,8 @@
 
 #include <touchstone/error.hpp>
 
+#include "io/characters.hpp"
+
 namespace touchstone::io {
 namespace {
 
@@ -26,8 +28,6 @@ void append_escaped(std::string& out, unsigned char byte) {
 
 constexpr std::size_t kShown = 40;  // of a text that is too long for a message
 
-constexpr bool is_control(unsigned char byte) { return byte < 0x20 || byte == 0x7F; }
-
 }  // namespace
 
 void fail(std::string_view file, std::string_view reason) {
@@ -40,17 +40,21 @@ void fail(std::string_view file, std::uint64_t row, std::string_view reason) {
 
 std::string printable(std::string_view name) {
   constexpr std::size_t kLongestPath = 4096;  // a longer path names no file
+  const bool cut = name.size() > kLongestPath;
+  if (cut) name = name.substr(0, kShown);
   std::string out;
-  for (const char c : name.substr(0, name.size() > kLongestPath ? kShown : name.size())) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (is_control(byte)) {
-      append_escaped(out, byte);
+  for (std::size_t at = 0; at < name.size();) {
+    const Character character = character_at(name, at);
+    const std::size_t length = std::max<std::size_t>(character.length, 1);
+    const std::string_view bytes = name.substr(at, length);
+    if (character.length == 0 || is_control(character.code)) {
+      for (const char c : bytes) append_escaped(out, static_cast<unsigned char>(c));
     } else {
-      out += c;
+      out += bytes;
     }
+    at += length;
   }
-  if (name.size() > kLongestPath) out += "...";
-  return out;
+  return cut ? out + "..." : out;
 }
 
 std::string in_quotes(std::string_view text) { return std::string("'").append(shortened(text)).append("'"); }
@@ -59,7 +63,7 @@ std::string shortened(std::string_view text) {
   std::string out;
   for (const char c : text.substr(0, kShown)) {
     const auto byte = static_cast<unsigned char>(c);
-    if (is_control(byte) || byte >= 0x80) {
+    if (byte >= 0x80 || is_control(byte)) {
       append_escaped(out, byte);
     } else {
       out += c;

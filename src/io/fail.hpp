@@ -14,7 +14,8 @@ namespace touchstone::io {
 /// @throws FileError "FILE:ROW: reason"; rows are the file's lines, counted from 1
 [[noreturn]] void fail(std::string_view file, std::uint64_t row, std::string_view reason);
 
-/// `name` with its control characters escaped, so that a message stays one line.
+/// `name` as one line of valid UTF-8 that only shows: the bytes of control characters (io::is_control) and those that
+/// are no UTF-8 are written as \n, \r, \t or \x1b.
 std::string printable(std::string_view name);
 
 /// 'text' in quotes for a message: control characters and bytes past ASCII escaped, cut after 40 bytes.

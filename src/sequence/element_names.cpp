@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "io/fail.hpp"
 #include "io/sha256.hpp"
-#include "sequence/frame_list.hpp"
 
 namespace touchstone::sequence {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kLongestPart = 100;
 
 std::string shown_part(const std::string& name) {
-  return clean_text(name.size() > kLongestPart ? name.substr(0, kLongestPart) + "..." : name);
+  return io::printable(name.size() > kLongestPart ? name.substr(0, kLongestPart) + "..." : name);
 }
 
 void append_number(std::string& bytes, std::uint64_t number) {

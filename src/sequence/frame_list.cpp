@@ -9,7 +9,6 @@
 #include <cctype>
 #include <filesystem>
 #include <new>
-#include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -179,13 +178,8 @@ std::vector<std::string> matches_of(const std::string& pattern) {
 
 }  // namespace
 
-std::string clean_text(std::string_view text) {
-  const nlohmann::json json(io::printable(text));
-  return nlohmann::json::parse(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)).get<std::string>();
-}
-
 std::string FrameName::label() const {
-  std::string text = clean_text(std::filesystem::path(file).filename().string());
+  std::string text = io::printable(std::filesystem::path(file).filename().string());
   if (several) text += fmt::format("[{}]", index);
   return text;
 }

@@ -49,7 +49,4 @@ std::vector<FrameName> frames_of(const std::vector<std::string>& files, const fr
 /// The digest of the labels of all frames, in their order.
 std::string digest_of(const std::vector<std::string>& labels);
 
-/// `text` as one line of valid UTF-8: control characters are escaped, and bytes that are no UTF-8 become U+FFFD.
-std::string clean_text(std::string_view text);
-
 }  // namespace touchstone::sequence

@@ -8,8 +8,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "io/fail.hpp"
 #include "io/times.hpp"
-#include "sequence/frame_list.hpp"
 
 namespace touchstone::sequence {
 namespace {
@@ -175,7 +175,7 @@ Result result_from(const JsonNode& node) {
 
 std::string clean_text_from(const JsonNode& node) {
   std::string text = node.text();
-  if (text.empty() || clean_text(text) != text) node.fail("must be one line of text without control characters");
+  if (text.empty() || io::printable(text) != text) node.fail("must be one line of text without control characters");
   return text;
 }
 

@@ -19,7 +19,7 @@ std::string result_json(const Result& result);
 /// @throws Error  for anything that result_json does not write: it names the key
 Result result_from(const json::JsonNode& node);
 
-/// Text that clean_text leaves as it is, and that is not empty: it may be printed. @throws Error
+/// Text that io::printable leaves as it is, and that is not empty: it may be printed. @throws Error
 std::string clean_text_from(const json::JsonNode& node);
 
 /// 64 lower-case hexadecimal digits. @throws Error

@@ -4,29 +4,11 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include "io/characters.hpp"
 #include "view/page_files.hpp"
 
 namespace touchstone::view {
 namespace {
-
-/// The bytes of the UTF-8 character that starts at `at`, or 0 if none does.
-std::size_t length_of_character(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(at);
-  if (first < 0x80) return 1;
-  const std::size_t length = first >= 0xf0 && first <= 0xf4   ? 4
-                             : first >= 0xe0 && first <= 0xef ? 3
-                             : first >= 0xc2 && first <= 0xdf ? 2
-                                                              : 0;
-  if (length == 0 || at + length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(at + i) & 0xc0) != 0x80) return 0;
-  }
-  const unsigned char second = byte(at + 1);
-  const bool too_long = (first == 0xe0 && second < 0xa0) || (first == 0xf0 && second < 0x90);
-  const bool no_character = (first == 0xed && second >= 0xa0) || (first == 0xf4 && second >= 0x90);
-  return too_long || no_character ? 0 : length;
-}
 
 const std::string& file_of_page(const std::string& name) {
   for (const PageFile& file : page_files()) {
@@ -42,9 +24,9 @@ std::string escaped(std::string_view text) {
   std::string result;
   result.reserve(text.size());
   for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = length_of_character(text, at);
+    const auto [length, code] = io::character_at(text, at);
     const char c = text[at];
-    if (length == 0) {
+    if (length == 0 || (io::is_control(code) && c != '\n' && c != '\t')) {
       result += kReplacement;
     } else if (length > 1) {
       result += text.substr(at, length);
@@ -58,8 +40,6 @@ std::string escaped(std::string_view text) {
       result += "&quot;";
     } else if (c == '\'') {
       result += "&#39;";
-    } else if ((static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f) {
-      result += kReplacement;
     } else {
       result += c;
     }

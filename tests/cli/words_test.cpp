@@ -39,4 +39,5 @@ TEST_CASE("the explain command can be pasted into a shell") {
   CHECK(explain_command("-x/edge-edge/a.csv", Kind::edge_edge, 0) ==
         "touchstone explain --query 0 -- -x/edge-edge/a.csv");
   CHECK(shell_word("") == "''");
+  CHECK(shell_word("it's\\ \x1b[1m\n\xe2\x80\xae") == "$'it\\'s\\\\ \\x1b[1m\\n\\xe2\\x80\\xae'");
 }

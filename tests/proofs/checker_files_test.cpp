@@ -141,6 +141,37 @@ TEST_CASE("files that cannot be read, and a wrong call") {
         "touchstone-check: " + folder.path("") + ": cannot be read to its end: Is a directory\n");
 }
 
+TEST_CASE("names and words from files only show") {
+  const TemporaryFolder folder;
+  const std::string hostile = "a\x1b]0;b\x07\xe2\x80\xae\xc2\x9b\xff\xef\xbb\xbf \xc3\xa9";
+  const std::string shown = "a\\x1b]0;b\\x07\\xe2\\x80\\xae\\xc2\\x9b\\xff\\xef\\xbb\\xbf \xc3\xa9";
+  const std::string proofs = folder.write("proofs.txt", proofs_of(kPoints, {"0 none", "d 1 0 0"}));
+  const std::string queries = folder.write(hostile, kApart),
+                    bad = folder.write(hostile + ".bad", "x\x1b[1m\xe2\x80\xae\n");
+  const CheckerRun good = run_checker(proofs + " '" + queries + "'");
+  CHECK(good.status == 0);
+  CHECK(good.text == folder.path(shown) + ": 1 point-point query\n1 query checked: 0 contacts, 1 without contact\n");
+  const CheckerRun missing = run_checker("'" + queries + "x' " + queries);
+  CHECK(missing.text.find("touchstone-check: " + folder.path(shown) + "x: cannot be opened") == 0);
+  CHECK(run_checker(proofs + " '" + bad + "'").text.find(folder.path(shown) + ".bad:1: ") != std::string::npos);
+  call_bad("\"1\\x1b[1m\\xe2\\x80\\xae\"", kPoints, kApart, {"0 none", "d 1\x1b[1m\xe2\x80\xae 0 0"});
+  // What has no width or direction of its own is shown as it is; half a character, and a long form, are not.
+  for (const char* const plain : {"\xe2\x82\xac", "\xf0\x9f\x8e\x88", "\xd9\x85\xe2\x80\x8c\xd9\x85"}) {
+    call_bad(plain, kPoints, kApart, {"0 none", std::string("d ") + plain + " 0 0"});
+  }
+  for (const auto& [bytes, escaped] :
+       std::vector<std::pair<std::string, std::string>>{{"\xc0\xaf", "\\xc0\\xaf"},
+                                                        {"\xed\xa0\x80", "\\xed\\xa0\\x80"},
+                                                        {"\xe2\x82", "\\xe2\\x82"},
+                                                        {"\xf4\x90\x80\x80", "\\xf4\\x90\\x80\\x80"},
+                                                        {"\xe0\x82\xac", "\\xe0\\x82\\xac"},
+                                                        {"\xe2\x81\xa6", "\\xe2\\x81\\xa6"},
+                                                        {"\xe2\x80\x8f", "\\xe2\\x80\\x8f"},
+                                                        {"\x7f", "\\x7f"}}) {
+    call_bad("\"" + escaped + "\"", kPoints, kApart, {"0 none", "d " + bytes + " 0 0"});
+  }
+}
+
 TEST_CASE("a person who asks for help gets it on standard output") {
   for (const char* option : {"--help", "-h"}) {
     const CheckerRun run = run_checker(std::string(option) + " 2>/dev/null #");

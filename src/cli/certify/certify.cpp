@@ -148,7 +148,7 @@ class TruthSeparation {
 std::string what_was_judged(const CertifyOptions& options, const std::vector<Input>& inputs,
                             const Questions& questions) {
   std::string text = "claims of ";
-  text += options.claims.empty() ? "the truth column" : options.claims;
+  text += options.claims.empty() ? "the truth column" : io::printable(options.claims);
   if (!options.files.empty()) {
     text += ", " + counted(inputs.size(), "file");
   } else {
@@ -172,15 +172,16 @@ std::string summary(const CertifyOptions& options, const std::vector<Input>& inp
   text += counts_for_person({verdicts.claims(), tally.levels, tally.natures});
   text += early_for_person(tally.early);
   if (!options.proofs.empty()) {
-    text += summary_line("proofs", fmt::format("{} in {}", grouped(verdicts.claims()), options.proofs));
+    text += summary_line("proofs", fmt::format("{} in {}", grouped(verdicts.claims()), io::printable(options.proofs)));
   }
   text += speed_for_person(verdicts.claims(), seconds, threads);
   if (refuted == 0) return text;
   text += "\nrefuted:\n";
   for (const auto& claim : first_refuted) text += refuted_for_person(claim);
   if (refuted > first_refuted.size()) {
-    text += fmt::format("  and {} more; {}\n", grouped(refuted - first_refuted.size()),
-                        options.report.empty() ? "--report FILE lists them all" : options.report + " lists them all");
+    text += fmt::format(
+        "  and {} more; {}\n", grouped(refuted - first_refuted.size()),
+        options.report.empty() ? "--report FILE lists them all" : io::printable(options.report) + " lists them all");
   }
   return text;
 }

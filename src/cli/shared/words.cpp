@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "cli/shared/separation.hpp"
+#include "io/fail.hpp"
 #include "io/kind_of_file.hpp"
 #include "io/times.hpp"
 
@@ -54,6 +55,11 @@ std::string fault_of_number(std::string_view text) { return std::string(" ").app
 std::string shell_word(const std::string& word) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%";
   if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  if (io::printable(word) != word) {
+    std::string escaped;
+    for (const char c : word) escaped += c == '\\' || c == '\'' ? std::string{'\\', c} : std::string{c};
+    return "$'" + io::printable(escaped) + "'";
+  }
   std::string out = "'";
   for (const char c : word) {
     if (c == '\'') {

@@ -44,7 +44,7 @@ void print_error(const std::string& text) noexcept;
 /// Why an option's value is no double, for a message after the value: " is no finite number".
 std::string fault_of_number(std::string_view text);
 
-/// `word` as one word of a POSIX shell command.
+/// `word` as one word of a POSIX shell command; with control characters as $'\x1b', so that a terminal shows them.
 std::string shell_word(const std::string& word);
 
 /// The command that explains one query, for a separation and t in [0, t_max].
