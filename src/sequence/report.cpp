@@ -79,7 +79,9 @@ std::string report_text(const Report& report) {
   const bool steps = report.heading.question == Question::steps;
   text += fmt::format("\n ],\n \"counts\": {{\"{}\": {}, \"free\": {}, \"not_free\": {}", steps ? "steps" : "frames",
                       counts.results, counts.free, counts.results - counts.free);
-  if (steps) text += fmt::format(", \"intersections_of_first_frame\": {}", counts.intersections);
+  text +=
+      fmt::format(", \"intersections{0}\": {1}, \"folds{0}\": {2}, \"inside{0}\": {3}", steps ? "_of_first_frame" : "",
+                  counts.intersections.all, counts.intersections.folds, counts.intersections.inside);
   if (steps) text += fmt::format(", \"free_from_intersecting_frame\": {}", counts.from_intersecting);
   text += "},\n \"warnings\": [";
   std::vector<std::string> warnings = warnings_of(report.heading, report.frames, counts);

@@ -41,6 +41,20 @@ struct RestContact {
   IntersectionSort sort = IntersectionSort::touches;
 };
 
+/// How many intersections there are, and how many of them are of a sort that a reader may not expect.
+struct IntersectionCounts {
+  std::size_t all = 0;
+  std::size_t folds = 0, inside = 0;  ///< of these
+
+  void add(const std::vector<RestContact>& contacts) noexcept {
+    all += contacts.size();
+    for (const RestContact& contact : contacts) {
+      folds += contact.sort == IntersectionSort::folds ? 1 : 0;
+      inside += contact.sort == IntersectionSort::inside ? 1 : 0;
+    }
+  }
+};
+
 /// What was found about a frame at rest, or about the step from a frame to the next.
 struct Result {
   bool step = false;      ///< a step
@@ -123,13 +137,8 @@ struct MeshFacts {
   /// Whether there are edges or faces.
   bool has_elements() const noexcept { return edges > 0; }
 
-  /// Whether two elements that share no vertex could collide at all.
-  bool has_pairs() const noexcept {
-    const std::size_t colliding = vertices - idle;
-    if (points > 1 || (points == 1 && edges > 0)) return true;
-    if (dimension == 2) return edges > 0 && colliding > 2;
-    return (faces > 0 && colliding > 3) || edges * (edges - 1) / 2 > neighbours - 3 * faces;
-  }
+  /// Whether two elements could collide at all: there are more than one point, one edge or one face.
+  bool has_pairs() const noexcept { return points + edges > (faces > 0 ? 3u : 1u); }
 
   bool operator==(const MeshFacts& other) const = default;
 };
@@ -163,20 +172,18 @@ struct Report {
 struct ResultCounts {
   std::size_t results = 0;            ///< steps, or frames at rest
   std::size_t free = 0;               ///< of those, the free ones
-  std::size_t intersections = 0;      ///< of the first frame, when steps are asked about
+  IntersectionCounts intersections;   ///< of the first frame, when steps are asked about, else of all frames
   std::size_t from_intersecting = 0;  ///< the free steps from a frame that intersects itself, as far as is known
   std::size_t coinciding = 0;         ///< the greatest of Result::coinciding
   bool ends_intersecting = false;     ///< whether the frame at the end of the last result is known to intersect itself
 
-  bool all_free() const noexcept { return free == results && intersections == 0; }
+  bool all_free() const noexcept { return free == results && intersections.all == 0; }
   void add(Question question, const Result& result) noexcept {
     coinciding = result.coinciding > coinciding ? result.coinciding : coinciding;
     // A step without contact leaves a frame that intersects itself as it is.
     if (question == Question::rest || !result.free()) ends_intersecting = !result.intersections.empty();
-    if (question == Question::steps && !result.step) {
-      intersections = result.intersections.size();
-      return;
-    }
+    if (!result.step) intersections.add(result.intersections);
+    if (question == Question::steps && !result.step) return;
     ++results;
     free += result.free() ? 1 : 0;
     from_intersecting += result.step && result.free() && ends_intersecting ? 1 : 0;

@@ -61,9 +61,8 @@ std::string scope_of(const Heading& heading, const std::vector<FrameEntry>& fram
   if (meshes.sum.faces > 0) text += ", " + counted(meshes.sum.faces, "face");
   if (meshes.sum.points > 0) text += ", " + counted(meshes.sum.points, "loose point");
   if (meshes.count > 1) text += " in all";
-  if (meshes.sum.neighbours == 0) return text;
-  if (heading.question == Question::rest) return text + "; elements with a common vertex left out";
-  return text + "; " + counted(meshes.sum.neighbours, "pair") + " with a common vertex left out";
+  if (heading.separation.distance == 0 || meshes.sum.neighbours == 0) return text;
+  return text + "; " + counted(meshes.sum.neighbours, "pair") + " with a common vertex asked about folding alone";
 }
 
 std::vector<std::string> warnings_of(const Heading& heading, const std::vector<FrameEntry>& frames,
@@ -76,7 +75,7 @@ std::vector<std::string> warnings_of(const Heading& heading, const std::vector<F
                                    meshes.where(meshes.with_points_alone)));
   }
   if (meshes.without_pairs > 0) {
-    warnings.push_back(fmt::format("nothing was compared{}: there are no two elements without a common vertex",
+    warnings.push_back(fmt::format("nothing was compared{}: there are no two elements that could meet",
                                    meshes.where(meshes.without_pairs)));
   }
   if (const std::size_t idle = meshes.sum.idle; idle > 0) {

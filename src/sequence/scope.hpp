@@ -9,7 +9,7 @@
 
 namespace touchstone::sequence {
 
-/// What was asked about: "8 vertices, 18 edges, 12 faces; 102 pairs with a common vertex left out".
+/// What was asked about: "8 vertices, 18 edges, 12 faces".
 /// @param frames  those of the report
 std::string scope_of(const Heading& heading, const std::vector<FrameEntry>& frames);
 

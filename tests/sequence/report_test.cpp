@@ -66,7 +66,9 @@ TEST_CASE("a report is JSON that says everything, and is read back") {
   CHECK(json["counts"] == nlohmann::json({{"steps", 6},
                                           {"free", 4},
                                           {"not_free", 2},
-                                          {"intersections_of_first_frame", 2},
+                                          {"intersections_of_first_frame", 4},
+                                          {"folds_of_first_frame", 1},
+                                          {"inside_of_first_frame", 1},
                                           {"free_from_intersecting_frame", 3}}));
   CHECK(json["mesh"]["idle_vertices"] == 1);
   CHECK(json["mesh"]["pairs_with_common_vertex"] == 24);
@@ -87,10 +89,12 @@ TEST_CASE("a report is JSON that says everything, and is read back") {
 
 TEST_CASE("the table of pairs has a row for each pair, and every row has all columns") {
   const std::string table = pairs_table(sample_report());
-  CHECK(std::count(table.begin(), table.end(), '\n') == 1 + 2 + 2 + 2);
+  CHECK(std::count(table.begin(), table.end(), '\n') == 1 + 4 + 2 + 2);
   CHECK(has(table,
             "\nc-1.obj,c-2.obj,first,vertex-face,vertex,1,,\"a \"\"b\"\"\xc3\xa9\",face,4 5 6,17,\"c,d\","
             "0x1.5555555555555p-2,0x1.5555555555556p-2,entering,v,f01,approaching\n"));
+  CHECK(has(table, "\nc-0.obj,,folds,,edge,4 5,,,face,4 5 6,17,\"c,d\",,,,,,\n"));
+  CHECK(has(table, "\nc-0.obj,,inside,,vertex,1,,\"a \"\"b\"\"\xc3\xa9\",face,4 5 6,17,\"c,d\",,,,,,\n"));
   CHECK(has(table, "\nc-2.obj,,pierces,,edge,4 5,,,face,4 5 6,17,\"c,d\",,,,,,\n"));
   CHECK(has(table,
             "\nc-4.obj,c-5.obj,at_start,edge-edge,edge,4 5,,,edge,4 5,,,0x0p+0,0x0p+0,sustained,overlap,overlap,"
@@ -234,6 +238,8 @@ TEST_CASE("a report with a right digest and wrong content is refused by its key"
   check("\"feature_b\":\"f01\"", "\"feature_b\":5", "feature_b: must be a string");
   check("\"vertices\":[4,5,6]", "\"vertices\":[4,5]", "vertices: must have a number for each corner");
   check("\"vertices\":[4,5,6]", "\"vertices\":[4,5,99999999999]", "must be a whole number");
+  check("\"sort\":\"folds\"", "\"sort\":\"touches\"", "not as touchstone mesh writes it");
+  check("\"sort\":\"inside\"", "\"sort\":\"outside\"", "results[0].intersections[3].sort: is no name");
   check("\"not_free\": 2", "\"not_free\": 0", "not as touchstone mesh writes it");
   check("\"name\": \"c-0.obj\"", "\"name\": null", "frames[0].name: must be a string");
   check("\"name\": \"c-0.obj\"", "\"name\": \"c-0\\u001b[2J\"", "frames[0].name: must be one line of text");

@@ -31,13 +31,17 @@ inline sequence::Report sample_report() {
   for (std::size_t i = 0; i < result_count(Question::steps, {0, 7}); ++i) {
     report.results.push_back(result_at(Question::steps, {0, 7}, i));
   }
-  report.results[0].intersections = {{edge, face, true}, {vertex, face, false}};
+  using Sort = IntersectionSort;
+  report.results[0].intersections = {{edge, face, Sort::pierces},
+                                     {vertex, face, Sort::touches},
+                                     {edge, face, Sort::folds},
+                                     {vertex, face, Sort::inside}};
   report.results[0].coinciding = 5;
   Result& first = report.results[2];
   first.toi = 0x1.5555555555555p-2;
   first.toi_upper = 0x1.5555555555556p-2;
   first.first = {{Kind::vertex_face, vertex, face, Nature::entering, Feature::v, Feature::f01, Trend::approaching}};
-  first.intersections = {{edge, face, true}};
+  first.intersections = {{edge, face, Sort::pierces}};
   report.results[5].at_start = {
       {Kind::edge_edge, edge, edge, Nature::sustained, Feature::overlap, Feature::overlap, Trend::constant},
       {Kind::point_edge, vertex, edge, Nature::isolated, Feature::p, Feature::e, Trend::leaving}};

@@ -65,6 +65,12 @@ std::string intersection_lines(const std::vector<sequence::RestContact>& contact
   return text + more_line(contacts.size(), indent);
 }
 
+std::string intersections_of(const sequence::Result& result) {
+  sequence::IntersectionCounts counts;
+  counts.add(result.intersections);
+  return intersections_for_person(counts);
+}
+
 constexpr char kQueriesFile[] = "contacts.csv";  // in the folder of each kind
 
 std::string pairs_are(std::size_t count) {
@@ -142,8 +148,7 @@ std::string MeshOutput::lines_of(const sequence::Result& result, const frames::F
                                  const frames::Frame& after) {
   if (!result.step) {
     if (result.free()) return label(result.frame) + ": no intersection\n";
-    std::string text =
-        fmt::format("{}: {}\n", label(result.frame), counted(result.intersections.size(), "intersection"));
+    std::string text = fmt::format("{}: {}\n", label(result.frame), intersections_of(result));
     if (result.coinciding > 0) text += fmt::format("  {} vertices lie exactly on others\n", grouped(result.coinciding));
     return text + intersection_lines(result.intersections, "  ");
   }
@@ -161,8 +166,7 @@ std::string MeshOutput::lines_of(const sequence::Result& result, const frames::F
   }
   text += pair_lines(result.at_start, result, before, after, result.first.empty() ? "  " : "    ");
   if (!result.intersections.empty()) {
-    text += fmt::format("  {} then has {}\n", label(result.frame + 1),
-                        counted(result.intersections.size(), "intersection"));
+    text += fmt::format("  {} then has {}\n", label(result.frame + 1), intersections_of(result));
     text += intersection_lines(result.intersections, "    ");
   }
   return text;

@@ -21,6 +21,17 @@ std::string element_for_person(const sequence::NamedElement& element) {
   return text;
 }
 
+std::string intersections_for_person(const sequence::IntersectionCounts& counts) {
+  std::string text = counted(counts.all, "intersection");
+  if (counts.folds > 0)
+    text += fmt::format(", {} of them {}", grouped(counts.folds), counts.folds == 1 ? "a fold" : "folds");
+  if (counts.inside > 0) {
+    text += fmt::format(", {} of them {} inside another", grouped(counts.inside),
+                        counts.inside == 1 ? "a surface" : "surfaces");
+  }
+  return text;
+}
+
 std::string counts_for_person(const sequence::Heading& heading, const std::vector<sequence::FrameEntry>& frames,
                               const sequence::ResultCounts& counts) {
   const bool steps = heading.question == sequence::Question::steps;
@@ -34,10 +45,12 @@ std::string counts_for_person(const sequence::Heading& heading, const std::vecto
   } else {
     if (heading.frame_count > 1) text += ", each by itself";
     const std::string none = heading.frame_count > 1 ? ": no intersection" : ", no intersection";
-    text += rest == 0 ? none : fmt::format(": {} without intersections, {} with", grouped(counts.free), grouped(rest));
+    text += rest == 0 ? none
+                      : fmt::format(": {} without intersections, {} with {}", grouped(counts.free), grouped(rest),
+                                    intersections_for_person(counts.intersections));
   }
-  if (counts.intersections > 0) {
-    text += fmt::format("; the first frame has {}", counted(counts.intersections, "intersection"));
+  if (steps && counts.intersections.all > 0) {
+    text += fmt::format("; the first frame has {}", intersections_for_person(counts.intersections));
   }
   text += " (" + sequence::scope_of(heading, frames);
   if (heading.separation.distance > 0) text += "; " + separation_for_person(heading.separation);
