@@ -64,8 +64,8 @@ class Checker {
     std::string text;
     if (kind == kKinds.end()) {
       MotionFile motion(name);
-      text =
-          " in " + counted(check_motion(motion, name), "step", "steps") + separation_.text + ": " + motion.contents();
+      const std::size_t steps = check_motion(motion, name);
+      text = " in " + counted(steps, "step", "steps") + separation_.text + ": " + motion.contents();
       // Without a pair nothing is proved: the elements may be missing, or what the file says of them may leave none.
       if (queries_ == before && !motion.has_pair()) {
         throw BadInput(name + ": there is nothing to check: " + motion.contents() +
