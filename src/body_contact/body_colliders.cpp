@@ -9,8 +9,6 @@
 #include <numeric>
 #include <utility>
 
-#include <touchstone/solve.hpp>
-
 #include "broad_phase/box_tree.hpp"
 #include "numbers/rounded_sum.hpp"
 
@@ -352,52 +350,6 @@ std::vector<BodyPair> BodyColliders::particle_candidates(const BodyMotions& moti
     pairs.push_back({pair.kind, {kParticles, pair.i}, {kParticles, pair.j}});
   }
   return pairs;
-}
-
-std::string BodyColliders::first_intersection(const BodyStates& states, const VectorX& x) const {
-  std::vector<Index> all;
-  for (Index b = 0; b < surfaces_.size(); ++b) all.push_back(b);
-  if (!particles_.edges.empty()) all.push_back(kParticles);
-  std::vector<Sweep> sweeps;
-  std::vector<MovingBox> whole;
-  std::vector<std::vector<Vector3>> places;
-  for (const Index b : all) {
-    std::vector<Vector3>& at_rest = places.emplace_back();
-    for (Index v = 0; v < surface(b).around.size(); ++v) at_rest.push_back(at({b, v}, states, x));
-    whole.push_back(sweeps.emplace_back(at_rest, at_rest).box_of(surface(b).vertices, 0));
-  }
-  std::string found;
-  const auto look = [&](Index i, Index j) {
-    const ElementSet &first = surface(all[i]), &second = surface(all[j]);
-    if (!found.empty() || second.faces.empty()) return;
-    const Boxes edges = boxes_near(sweeps[i], first.edges, {}, whole[j], kAll, kThin);
-    const Boxes faces = boxes_near(sweeps[j], second.faces, {}, whole[i], kAll, kThin);
-    if (edges.boxes.empty() || faces.boxes.empty()) return;
-    broad_phase::for_each_pair(edges.boxes, faces.boxes, [&](Index e, Index f) {
-      if (!found.empty()) return;
-      // A point that runs along the edge meets the face if they have a point in common.
-      const Edge& edge = first.edges[edges.numbers[e]];
-      const Face& face = second.faces[faces.numbers[f]];
-      const auto corner = [&](std::size_t of, Index v) {
-        const Vector3& p = places[of][v];
-        return Vec3{p.x(), p.y(), p.z()};
-      };
-      Query query;
-      query.kind = Kind::vertex_face;
-      query.start = {corner(i, edge[0]), corner(j, face[0]), corner(j, face[1]), corner(j, face[2])};
-      query.end = query.start;
-      query.end[0] = corner(i, edge[1]);
-      if (!solve(query).contact) return;
-      const auto of = [](Index body) { return body == kParticles ? std::string() : fmt::format(" of body {}", body); };
-      found = fmt::format("edge {}-{}{} and face {}-{}-{}{}", edge[0], edge[1], of(all[i]), face[0], face[1], face[2],
-                          of(all[j]));
-    });
-  };
-  broad_phase::for_each_pair(whole, [&](Index i, Index j) {
-    look(i, j);
-    look(j, i);
-  });
-  return found;
 }
 
 std::string BodyColliders::describe(const BodyPair& pair) const {

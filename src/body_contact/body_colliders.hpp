@@ -66,11 +66,6 @@ class BodyColliders {
   /// @param moved  by particle
   std::vector<BodyPair> particle_candidates(const BodyMotions& motions, const std::vector<char>& moved) const;
 
-  /// An edge and a face of two different bodies, or of a body and particles, that pass through each other: described;
-  /// empty when there are none. Positions are rounded to doubles, and then decided exactly. Pairs whose boxes meet are
-  /// asked.
-  std::string first_intersection(const BodyStates& states, const VectorX& x) const;
-
   bool can_move(Index body) const noexcept;
 
   /// Whether a body has a radius, or an element of the particles.

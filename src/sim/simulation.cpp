@@ -79,6 +79,7 @@ Simulation::Simulation(Scene scene, const SimulationOptions& options)
       response_(colliders_, system_, scene_.settings, options.narrow_phase, options.threads, stepper_, cancel_),
       prover_(colliders_, NarrowPhase::exact, options.threads, cancel_),
       narrow_phase_(options.narrow_phase),
+      threads_(options.threads),
       keep_ends_(options.keep_ends),
       measures_flows_(options.measure_flows),
       keeps_contacts_(options.keep_contacts),
@@ -97,12 +98,12 @@ Simulation::Simulation(Scene scene, const SimulationOptions& options)
     if (keeps_contacts_) bodies_->keep_contacts();
   }
   if (keeps_contacts_) response_.keep_contacts();
-  check_start(state_, "the scene");
+  start_ = check_start(state_, bodies_ ? bodies_->state().bodies : BodyStates(), "the scene");
 }
 
 Simulation::~Simulation() = default;
 
-void Simulation::check_start(const State& state, std::string_view what) {
+StartFindings Simulation::check_start(const State& state, const BodyStates& bodies, std::string_view what) {
   const std::vector<Pair> pairs = colliders_.candidates(state.q, state.q, 0);
   prover_.contacts(pairs, state.q, state.q, [&](std::size_t i, const Answer&) {
     const Pair& pair = pairs[i];
@@ -115,6 +116,9 @@ void Simulation::check_start(const State& state, std::string_view what) {
         "smaller radii, or elements farther apart, would be right",
         what, colliders_.describe(pair), colliders_.distance(pair, state.q), separation));
   });
+  cancel_.check();
+  const BodyColliders* const of_bodies = bodies_ ? &bodies_->colliders() : nullptr;
+  return check_no_intersection({&colliders_, &state.q, scene_.particles.size(), of_bodies, &bodies}, what, threads_);
 }
 
 Energies Simulation::energies() const {
@@ -131,12 +135,12 @@ void Simulation::resume(State state, std::uint64_t steps, BodiesState bodies) {
   check_state(scene_, system_, state, steps);
   if (kCloth && !within_stretch_limits(system_, state.q))
     throw Error("q: the checkpoint's cloth is stretched to its strain_limit or beyond, which no run reaches");
-  check_start(state, "q: the checkpoint");
   if (bodies_) {
     bodies_->check_state(bodies, state.time);
     bodies_->check_start(bodies, state.q, "the checkpoint");
-    bodies_->take(std::move(bodies));
   }
+  start_ = check_start(state, bodies.bodies, "q: the checkpoint");
+  if (bodies_) bodies_->take(std::move(bodies));
   state_ = std::move(state);
   steps_ = steps;
 }

@@ -18,6 +18,7 @@
 #include "sim/contact_mark.hpp"
 #include "sim/refusal.hpp"
 #include "sim/response.hpp"
+#include "sim/start_check.hpp"
 
 namespace touchstone::sim {
 
@@ -76,8 +77,8 @@ struct SimulationOptions {
 
 class Simulation {
  public:
-  /// @throws Error for a scene that makes no sense, or in which elements touch at the start or are nearer than their
-  /// separation
+  /// @throws Error for a scene that makes no sense, or in which elements touch or intersect at the start or are nearer
+  /// than their separation
   Simulation(Scene scene, const SimulationOptions& options);
   ~Simulation();
   Simulation(const Simulation&) = delete;
@@ -98,6 +99,8 @@ class Simulation {
   const std::vector<Crossing>& crossings() const noexcept { return crossings_; }
   /// Whether radii of the scene are left aside, as the narrow phase knows no separation.
   bool ignores_radii() const noexcept { return ignores_radii_; }
+  /// Of the scene's start, or of the checkpoint's state.
+  const StartFindings& start() const noexcept { return start_; }
   /// Over the whole run.
   const RefusedCounts& refused() const noexcept { return refused_; }
   double thickness() const noexcept { return response_.thickness(); }
@@ -113,8 +116,8 @@ class Simulation {
   const BodyPart* bodies() const noexcept { return bodies_.get(); }
 
   /// Goes on from a state of the same scene.
-  /// @throws Error as check_state does, or when elements touch or are nearer than their separation. The simulation
-  /// stays at its own state then
+  /// @throws Error as check_state does, or when elements touch or intersect or are nearer than their separation. The
+  /// simulation stays at its own state then
   void resume(State state, std::uint64_t steps, BodiesState bodies = {});
 
   /// Sees every query of the proofs, with its answer.
@@ -122,7 +125,7 @@ class Simulation {
 
  private:
   double time_at(double steps) const noexcept { return steps * scene_.settings.time_step; }
-  void check_start(const State& state, std::string_view what);
+  StartFindings check_start(const State& state, const BodyStates& bodies, std::string_view what);
   /// @param before  set to the state before the step, once a substep may move it
   std::vector<SubstepRecord> make_substeps(std::optional<State>& before);
   /// Moves the state on by h seconds, unless the substep is refused.
@@ -143,10 +146,12 @@ class Simulation {
   Response response_;
   PairSolver prover_;
   NarrowPhase narrow_phase_;
+  int threads_;
   bool keep_ends_, measures_flows_, keeps_contacts_;
   bool ignores_radii_;
   std::unique_ptr<BodyPart> bodies_;
   State state_;
+  StartFindings start_;
   std::uint64_t steps_ = 0;
   std::vector<Crossing> crossings_;
   RefusedCounts refused_;

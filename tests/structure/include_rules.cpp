@@ -45,7 +45,7 @@ const LayerTable& layer_table() {
       {"body_contact",
        {"bodies", "broad_phase", "linear", "scene", "rods", "contact", "solver", "geometry", "numbers"}},
       {"dynamics", {"linear", "scene", "rods", "contact"}},
-      {"sim", {"bodies", "linear", "scene", "rods", "contact", "body_contact", "dynamics", "io", "json"}},
+      {"sim", {"bodies", "linear", "scene", "rods", "contact", "body_contact", "dynamics", "mesh", "io", "json"}},
       {"sequence", {"frames", "mesh", "geometry", "io", "json"}},
       {"report",
        {"solver", "certify", "baselines", "families", "generators", "io", "geometry", "seeded", "bodies",

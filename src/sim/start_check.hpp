@@ -1,0 +1,34 @@
+// Elements that pass through each other before a run begins. A pair that is pierced never touches, so that no step would
+// find it.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "body_contact/body_colliders.hpp"
+
+namespace touchstone::sim {
+
+/// The elements of particles and bodies at the start of a run, or at its checkpoint.
+struct StartPlaces {
+  const Colliders* colliders = nullptr;
+  const VectorX* q = nullptr;
+  std::size_t particles = 0;
+  const BodyColliders* bodies = nullptr;  ///< null in a scene without bodies
+  const BodyStates* states = nullptr;     ///< likewise
+};
+
+/// What is allowed at the start, and what a verdict tells.
+struct StartFindings {
+  std::size_t held = 0;        ///< pairs of elements that intersect and cannot move: no step asks about them
+  std::size_t enclosed = 0;    ///< connected parts wholly inside a closed body: their surfaces do not touch
+  std::string enclosed_first;  ///< of these: "particle 3 in body 0"
+};
+
+/// Asks `intersections` of all elements at once. Corners of bodies are rounded to doubles, and then decided exactly.
+/// @throws Error "WHAT begins with elements that pierce each other: edge 0-1 and face 2-3-4 at (x, y, z)", or that touch
+StartFindings check_no_intersection(const StartPlaces& places, std::string_view what, int threads);
+
+}  // namespace touchstone::sim
