@@ -60,7 +60,8 @@ bool BodyResponse::Attempt::begin() {
     }
     mover.velocity = body.is_free() ? to.velocity : Vector3((to.pose.p - from.pose.p) / h);
     const Vector3 turn = turn_of(from.pose, to.pose);
-    if (!body.is_free() && turn.norm() > kMostTurn) return false;
+    const double end = step_->end_time;
+    if (!body.is_free() && system_->prescribed_turn(i, end - h, end) > kMostTurn) return false;
     mover.spin = turn / h;
   }
   free_movers_.particles = (step_->x1 - *step_->x0) / h;

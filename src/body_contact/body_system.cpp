@@ -62,6 +62,19 @@ Pose BodySystem::prescribed(std::size_t i, double time) const {
   return {normalised(product(rotation_by(t * turn), from.pose.q)), (1 - t) * from.pose.p + t * to.pose.p};
 }
 
+double BodySystem::prescribed_turn(std::size_t i, double from, double to) const {
+  const RigidBody& body = bodies_[i];
+  if (body.motion == BodyMotion::fixed) return 0;
+  if (body.path.empty()) return (to - from) * body.angular_velocity.norm();
+  double sum = 0;
+  for (std::size_t k = 1; k < body.path.size(); ++k) {
+    const BodyWaypoint &a = body.path[k - 1], &b = body.path[k];
+    const double common = std::min(to, b.time) - std::max(from, a.time);
+    if (common > 0) sum += common / (b.time - a.time) * turn_between(a.pose.q, b.pose.q).norm();
+  }
+  return sum;
+}
+
 void BodySystem::accelerate(BodyStates& states, double h) const {
   const double kept = std::exp(-drag_ * h);
   // (1 - exp(-d h)) / d, which is h without drag.
