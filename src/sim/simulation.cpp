@@ -139,7 +139,7 @@ void Simulation::resume(State state, std::uint64_t steps, BodiesState bodies) {
     bodies_->check_state(bodies, state.time);
     bodies_->check_start(bodies, state.q, "the checkpoint");
   }
-  start_ = check_start(state, bodies.bodies, "q: the checkpoint");
+  start_ = check_start(state, bodies.bodies, bodies_ ? "the checkpoint" : "q: the checkpoint");
   if (bodies_) bodies_->take(std::move(bodies));
   state_ = std::move(state);
   steps_ = steps;

@@ -186,7 +186,8 @@ TEST_CASE("a checkpoint of bodies resumes to the last bit, and a changed one is 
   refused([](BodiesState& s) { s.bodies[1].pose.q[0] += 1e-3; }, "bodies[1].orientation");
   refused([](BodiesState& s) { s.bodies[2].velocity.x() = std::nan(""); }, "bodies[2].velocity");
   refused([](BodiesState& s) { s.bodies[0].pose.p.x() += 1e-9; }, "bodies[0].position");
-  refused([](BodiesState& s) { s.bodies[2].pose.p = s.bodies[1].pose.p; }, "begins with elements that touch");
+  refused([](BodiesState& s) { s.bodies[2].pose.p = s.bodies[1].pose.p; },
+          "begins with elements that pierce each other");
   refused([](BodiesState& s) { s.forces[0].pair.a.number = 12345; }, "contact_forces[0]");
   refused([](BodiesState& s) { s.forces.push_back(s.forces[0]); }, "contact_forces[");
 }
@@ -194,7 +195,7 @@ TEST_CASE("a checkpoint of bodies resumes to the last bit, and a changed one is 
 TEST_CASE("scenes with bodies that cannot be simulated are refused") {
   Scene scene = make_shipped_scene("stack", 2);
   scene.bodies[2].pose.p.z() -= 0.01;
-  CHECK_THROWS_WITH(Simulation(scene, {}), Catch::Contains("begins with elements that touch: ") &&
+  CHECK_THROWS_WITH(Simulation(scene, {}), Catch::Contains("begins with elements that pierce each other: ") &&
                                                Catch::Contains("of body 1") && Catch::Contains("of body 2"));
   scene = make_shipped_scene("stack", 1);
   SimulationOptions paper;

@@ -22,6 +22,12 @@ std::vector<std::string> cells_of(const std::string& line) {
 
 std::string last_line(const std::string& text) { return lines_of(text).back(); }
 
+/// The verdict without what was left out.
+std::string verdict(const std::string& text) {
+  const std::string line = last_line(text);
+  return line.substr(0, line.find(';'));
+}
+
 }  // namespace
 
 TEST_CASE("the hoop runs with a proof of each step, and the ball goes through the net") {
@@ -31,7 +37,7 @@ TEST_CASE("the hoop runs with a proof of each step, and the ball goes through th
   const Run run = run_program({"simulate", "hoop", "--size", "200", "--steps", "75", "--out", out, "--proof", proof});
   CAPTURE(run.out, run.err);
   CHECK(run.status == 0);
-  CHECK(last_line(run.out) == "75 steps, 0 crossings");
+  CHECK(verdict(run.out) == "75 steps, 0 crossings");
 
   const auto rows = lines_of(folder.read("proof.csv"));
   REQUIRE(rows.size() >= 76);
@@ -93,7 +99,7 @@ TEST_CASE("ten seconds of the hoop, every step certified, every other one a fram
   const TemporaryFolder folder;
   const Run run = run_program({"simulate", "hoop", "--out", folder.path("out"), "--proof", folder.path("proof.csv")});
   CHECK(run.status == 0);
-  CHECK(last_line(run.out) == "600 steps, 0 crossings");
+  CHECK(verdict(run.out) == "600 steps, 0 crossings");
   const auto rows = lines_of(folder.read("proof.csv"));
   REQUIRE(rows.size() >= 601);
   CHECK(rows.size() <= 603);  // a few steps may be cut
@@ -189,9 +195,9 @@ TEST_CASE("cable-drop proves that no two cables of radius r come nearer than 2 r
       {"simulate", "cable-drop", "--proof", path("proof.csv"), "--checkpoint", path("whole.json"), "--threads", "2"});
   CHECK(run.status == 0);
   const auto lines = lines_of(run.out);
-  REQUIRE(lines.size() >= 2);
-  CHECK(lines.back() == "120 steps, 0 crossings");
-  CHECK(lines[lines.size() - 2].rfind("every pair asked about stayed farther apart than its separation (", 0) == 0);
+  REQUIRE(lines.size() >= 3);
+  CHECK(lines.back() == "120 steps, 0 crossings; left out: pairs among 7 elements that cannot move");
+  CHECK(lines[lines.size() - 3].rfind("every pair asked about stayed farther apart than its separation (", 0) == 0);
   CHECK(occurrences(run.out, "with separations of up to 0.006 m)") == 1);
 
   const auto rows = lines_of(folder.read("proof.csv"));
@@ -242,7 +248,7 @@ TEST_CASE("with the paper's solver as narrow phase the ball's edges get through 
   CHECK(last_line(hoop.out).rfind("30 steps, ", 0) == 0);
   const Run same = run_program({"simulate", "hoop", "--steps", "30"});
   CHECK(same.status == 0);
-  CHECK(last_line(same.out) == "30 steps, 0 crossings");
+  CHECK(verdict(same.out) == "30 steps, 0 crossings");
 }
 
 TEST_CASE("the whip goes through the wire with the paper's solver, and not with ours") {
@@ -364,4 +370,49 @@ TEST_CASE("bad usage and bad scenes end with status 2, one line, and nothing wri
   const Run again = run_program({"simulate", scene, "--steps", "30"});
   CHECK(again.status == 0);
   CHECK(last_line(again.out) == "30 steps, 0 crossings");
+}
+
+TEST_CASE("a verdict says what was checked and what was left out") {
+  const TemporaryFolder folder;
+  const Run edges = run_program({"simulate", "two-edges", "--steps", "5"});
+  const auto lines = lines_of(edges.out);
+  REQUIRE(lines.size() >= 2);
+  CHECK(lines[lines.size() - 2] == "checked: no intersection at 0 s, and each step to 0.0833333333 s, of 2 edges");
+  CHECK(lines.back() == "5 steps, 0 crossings");
+  const Run hoop = run_program({"simulate", "hoop", "--size", "200", "--steps", "1"});
+  CHECK(occurrences(last_line(hoop.out), "1 steps, 0 crossings; left out: 1 particle and ") == 1);
+  CHECK(occurrences(last_line(hoop.out), " springs that do not collide") == 1);
+  const std::string state = folder.path("state.json");
+  CHECK(run_program({"simulate", "two-edges", "--steps", "5", "--checkpoint", state}).status == 0);
+  const Run rest = run_program({"simulate", "--resume", state, "--steps", "1"});
+  CHECK(occurrences(rest.out, "checked: no intersection at 0.0833333333 s, and each step to 0.1 s, of") == 1);
+  CHECK(last_line(run_program({"simulate", "two-edges", "--steps", "0"}).out) ==
+        "0 steps, 0 crossings; warning: only the start was asked about");
+  const std::string still = folder.write("still.json", R"({"touchstone_scene": 1, "particles": [
+      {"position": [0, 0, 0], "mass": 1, "collides": false}, {"position": [1, 0, 0], "mass": 1, "collides": false}],
+      "springs": [{"particles": [0, 1], "stiffness": 1, "collides": false}]})");
+  CHECK(last_line(run_program({"simulate", still, "--steps", "1"}).out) ==
+        "1 steps, 0 crossings; warning: nothing collides, so no pair was asked about; left out: 2 particles and 1 "
+        "spring that do not collide");
+}
+
+TEST_CASE("a scene that starts pierced is refused, with the file, the elements and the place") {
+  const TemporaryFolder folder;
+  const std::string particles = R"("particles": [{"position": [-1, -1, 0], "mass": 1},
+      {"position": [1, -1, 0], "mass": 1}, {"position": [0, 1, 0], "mass": 1}, {"position": [0, -0.25, -1], "mass": 1},
+      {"position": [0, -0.25, 1], "mass": 1}], "faces": [[0, 1, 2]])";
+  const std::string spring = R"("springs": [{"particles": [3, 4], "stiffness": 10}])";
+  const std::string cable = R"("cables": [{"particles": [3, 4], "radius": 0.01, "solid": true, "density": 1000,
+      "young": 1e6}])";
+  for (const std::string& through : {spring, cable}) {
+    const std::string file = folder.write("bad.json", "{\"touchstone_scene\": 1, " + particles + ", " + through + "}");
+    const Run run = run_program({"simulate", file, "--out", folder.path("out")});
+    CHECK(run.status == 2);
+    CHECK(run.out.empty());
+    CHECK(occurrences(run.err, "\n") == 1);
+    CHECK(occurrences(run.err,
+                      "bad.json: the scene begins with elements that pierce each other: edge 3-4 and face "
+                      "0-1-2 at (0, -0.25, 0); positions at which all elements are apart would be right") == 1);
+    CHECK(folder.names() == std::set<std::string>{"bad.json"});
+  }
 }

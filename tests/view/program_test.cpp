@@ -82,6 +82,10 @@ TEST_CASE("simulate writes its page whole, also when a run ends early, and refus
   CHECK(occurrences(text, "id=\"frame-40\"") == 1);
   CHECK(occurrences(text, "id=\"frame-41\"") == 0);
   CHECK(occurrences(text, "40 steps, 0 crossings") == 1);
+  for (const char* threads : {"1", "4"}) {
+    CHECK(run_program({"simulate", "two-edges", "--steps", "40", "--threads", threads, "--html", page}).status == 0);
+    CHECK((text_of(page) == text));
+  }
   CHECK(occurrences(text, "</html>") == 1);
   check_refused({"simulate", "two-edges", "--html", "-"}, "--html");
   check_refused({"simulate", "two-edges", "--html", ""}, "--html");

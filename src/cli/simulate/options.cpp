@@ -117,7 +117,8 @@ void add_simulate(CLI::App& program, Command& command) {
   subcommand->footer(
       "Scenes\n" + scenes +
       "\nUnits are SI. A step that would let two elements touch, or come within the sum of their radii, "
-      "is not\ntaken: it is tried again in shorter substeps. The last line is `N steps, 0 crossings`.\n\n"
+      "is not\ntaken: it is tried again in shorter substeps. The last line is `N steps, 0 crossings` and all that was "
+      "left out.\n\n"
       "Examples\n"
       "  touchstone simulate hoop --out hoop\n"
       "  touchstone simulate two-edges --html two-edges.html\n"

@@ -254,6 +254,18 @@ void SimulateOutput::finish_early() {
   attempts.end();
 }
 
+std::string SimulateOutput::proofs_summary() const {
+  if (!motion_) return {};
+  std::string text = motion_->summary();
+  if (simulation_->colliders().passes().joints) {
+    text += "not in the proofs: edges that could reach each other only by folding about a common end\n";
+  }
+  if (simulation_->has_separations()) {
+    text += "not in the proofs: the distances that radii ask for; they are about touching\n";
+  }
+  return text;
+}
+
 std::string SimulateOutput::page_summary() const {
   if (page_size_ == 0) return {};
   return fmt::format("animation in {}, {} bytes: open it in a browser\n", io::printable(options_->html),

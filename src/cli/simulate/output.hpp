@@ -25,15 +25,16 @@ class SimulateOutput {
 
   void step(const std::vector<sim::SubstepRecord>& records);
 
-  /// Writes all files except the plots. @param summary  of the run, for the page of --html
+  /// Writes all files except the plots. @param summary  of the run, for the page of --html: nothing in it is measured, so
+  /// that two runs of a scene write the same page
   /// @throws Error for the first file that cannot be written, after the others
   void finish(const std::string& summary);
 
   /// The same for a run that ends early, up to the last step that was taken.
   void finish_early();
 
-  /// A line about the proofs of --prove, after finish(); empty without them.
-  std::string proofs_summary() const { return motion_ ? motion_->summary() : std::string(); }
+  /// The proofs of --prove and what they leave out, after finish(); empty without them.
+  std::string proofs_summary() const;
 
   /// A line about the page of --html, after finish(); empty without it.
   std::string page_summary() const;

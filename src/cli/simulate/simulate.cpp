@@ -89,14 +89,14 @@ Run run_steps(sim::Simulation& simulation, std::uint64_t steps, SimulateOutput& 
 int simulate(sim::Simulation& simulation, const SimulateOptions& options, io::OutputFile& console) {
   SimulateOutput output(options, simulation);
   const Run run = run_steps(simulation, steps_to_make(options, simulation), output);
-  const std::string summary = simulation_for_person(simulation, run.totals, run.rate);
   std::exception_ptr unwritten;  // a file that cannot be written does not change the proofs made so far
   try {
-    output.finish(summary);
+    output.finish(simulation_for_person(simulation, run.totals, {}));
   } catch (const Error&) {
     unwritten = std::current_exception();
   }
-  console.write(output.proofs_summary() + output.page_summary() + summary);
+  console.write(output.proofs_summary() + output.page_summary() +
+                simulation_for_person(simulation, run.totals, run_times_for_person(simulation, run.rate)));
   console.commit();
   if (unwritten) std::rethrow_exception(unwritten);
   if (const std::string hint = output.draw(); !hint.empty()) print_error(fmt::format("touchstone: {}\n", hint));

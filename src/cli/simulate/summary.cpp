@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "cli/shared/words.hpp"
+#include "sim/left_out.hpp"
 #include "sim/output_text.hpp"
 
 namespace touchstone::cli {
@@ -22,7 +23,8 @@ void StepTotals::add(const std::vector<sim::SubstepRecord>& records) {
   }
 }
 
-std::string simulation_for_person(const sim::Simulation& simulation, const StepTotals& totals, double rate) {
+std::string simulation_for_person(const sim::Simulation& simulation, const StepTotals& totals,
+                                  std::string_view run_times) {
   std::string text;
   constexpr std::size_t kMostShown = 20;
   const auto& crossings = simulation.crossings();
@@ -53,15 +55,7 @@ std::string simulation_for_person(const sim::Simulation& simulation, const StepT
         fmt::format("{} of first order, by implicit-euler: the scene's integrator gained energy or did not converge\n",
                     counted(totals.first_order, "part"));
   }
-  if (const auto& times = simulation.times(); times.total() > 0) {
-    const auto percentage = [&](double seconds) { return 100 * seconds / times.total(); };
-    text += fmt::format(
-        "of {:.2f} s of processor time: integration {:.0f} %, solving with contacts {:.0f} %, finding and answering "
-        "contacts {:.0f} %, proof {:.0f} %\n",
-        times.total(), percentage(times.integration), percentage(times.contacts), percentage(times.response),
-        percentage(times.proof));
-  }
-  text += fmt::format("{:.1f} steps a second\n", rate);
+  text += run_times;
   if (simulation.ignores_radii()) {
     text += "the radii of the scene were left aside: the narrow phase of the paper knows no separation\n";
   } else if (simulation.has_separations()) {
@@ -72,7 +66,22 @@ std::string simulation_for_person(const sim::Simulation& simulation, const StepT
                       counted(totals.separated, "pair"), totals.largest_separation)
                 : "no pair with a separation came near enough to be asked about\n";
   }
-  return text + fmt::format("{} steps, {} crossings\n", totals.steps, crossings.size());
+  text += sim::checked_for_person(simulation, totals.steps);
+  return text + fmt::format("{} steps, {} crossings{}\n", totals.steps, crossings.size(),
+                            sim::left_out_for_person(simulation, totals.steps));
+}
+
+std::string run_times_for_person(const sim::Simulation& simulation, double rate) {
+  std::string text;
+  if (const auto& times = simulation.times(); times.total() > 0) {
+    const auto percentage = [&](double seconds) { return 100 * seconds / times.total(); };
+    text += fmt::format(
+        "of {:.2f} s of processor time: integration {:.0f} %, solving with contacts {:.0f} %, finding and answering "
+        "contacts {:.0f} %, proof {:.0f} %\n",
+        times.total(), percentage(times.integration), percentage(times.contacts), percentage(times.response),
+        percentage(times.proof));
+  }
+  return text + fmt::format("{:.1f} steps a second\n", rate);
 }
 
 }  // namespace touchstone::cli

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/simulation.hpp"
@@ -19,7 +20,13 @@ struct StepTotals {
   void add(const std::vector<sim::SubstepRecord>& records);
 };
 
-/// Crossings, refused substeps, processor time, separations, and "N steps, 0 crossings". @param rate  steps a second
-std::string simulation_for_person(const sim::Simulation& simulation, const StepTotals& totals, double rate);
+/// Crossings, refused substeps, separations, what was checked, and "N steps, 0 crossings" with all that was left out.
+/// @param run_times  lines that go in between: those of run_times_for_person, or nothing for a text that is the same for
+/// every run of a scene
+std::string simulation_for_person(const sim::Simulation& simulation, const StepTotals& totals,
+                                  std::string_view run_times);
+
+/// Processor time and steps a second, as they are measured. @param rate  steps a second
+std::string run_times_for_person(const sim::Simulation& simulation, double rate);
 
 }  // namespace touchstone::cli
