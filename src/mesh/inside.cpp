@@ -14,6 +14,7 @@
 #include "geometry/vector.hpp"
 #include "mesh/contacts.hpp"
 #include "mesh/elements.hpp"
+#include "mesh/ray_passes.hpp"
 #include "numbers/exact_number.hpp"
 
 namespace touchstone::mesh {
@@ -112,45 +113,20 @@ class Surfaces {
     return numbers::sign_of(volume);
   }
 
-  /// The winding number of a closed surface about a point that is not on it: how often a ray from the point along x
-  /// leaves through a face, less how often it enters. The ray starts from a place beside the point, infinitely near:
-  /// eps higher along y and eps^2 along z. So it passes no border, and its face has an area in the projection along x.
+  /// The winding number of a closed surface about a point that is not on it.
   int winding_about(Index i, const Vec3& place) const {
-    const Point point = exact(place);
-    int winding = 0;
+    RayPasses ray(place);
     for (const Index face : all_[i].faces) {
-      if (!may_pass(face, place)) continue;
-      const auto corners = corners_of_face(face);
-      const int side = side_beside(corners[0], corners[1], point);
-      if (side == 0 || side != side_beside(corners[1], corners[2], point)) continue;
-      if (side != side_beside(corners[2], corners[0], point)) continue;
-      const Point normal = geometry::cross(corners[1] - corners[0], corners[2] - corners[0]);
-      if (numbers::sign_of(geometry::dot(normal, point - corners[0])) == -side) winding += side;
+      const auto& f = mesh_.faces[face];
+      ray.add(motion_[f[0]].start, motion_[f[1]].start, motion_[f[2]].start);
     }
-    return winding;
+    return ray.sum();
   }
 
  private:
   std::array<Point, 3> corners_of_face(Index face) const {
     const auto& f = mesh_.faces[face];
     return {exact(motion_[f[0]].start), exact(motion_[f[1]].start), exact(motion_[f[2]].start)};
-  }
-
-  /// Whether the box of a face is in the way of the ray.
-  bool may_pass(Index face, const Vec3& from) const noexcept {
-    broad_phase::Box box = broad_phase::empty_box();
-    for (const Index corner : mesh_.faces[face]) broad_phase::extend(box, motion_[corner].start);
-    return box.high[0] >= from.x && box.low[1] <= from.y && box.high[1] >= from.y && box.low[2] <= from.z &&
-           box.high[2] >= from.z;
-  }
-
-  /// On which side of the line from a to b a place beside p is, in the projection along x: the sign of the cross product
-  /// of b - a and (p_y + eps - a_y, p_z + eps^2 - a_z). 0 if a and b are one point there.
-  static int side_beside(const Point& a, const Point& b, const Point& p) {
-    const Exact y = b[1] - a[1], z = b[2] - a[2];
-    if (const int sign = numbers::sign_of(y * (p[2] - a[2]) - z * (p[1] - a[1])); sign != 0) return sign;
-    if (const int sign = numbers::sign_of(z); sign != 0) return -sign;
-    return numbers::sign_of(y);
   }
 
   const Mesh::Impl& mesh_;

@@ -12,6 +12,7 @@
 #include <touchstone/error.hpp>
 #include <touchstone/mesh.hpp>
 
+#include "broad_phase/box.hpp"
 #include "sim/enclosed.hpp"
 
 namespace touchstone::sim {
@@ -87,23 +88,22 @@ class StartMesh {
   }
 
   /// Connected parts that are wholly inside a closed body, where nothing intersects.
-  void find_enclosed(const StartPlaces& places, int threads, StartFindings& findings) const {
+  void find_enclosed(const StartPlaces& places, StartFindings& findings) const {
     for (Index b = 0; places.bodies != nullptr && b < places.bodies->surfaces().size(); ++b) {
       const std::vector<Face>& faces = places.bodies->surface(b).faces;
       if (!is_closed(faces)) continue;
-      const auto begin = x_.begin() + static_cast<std::ptrdiff_t>(first_of_[b]);
-      const auto count = static_cast<std::ptrdiff_t>(places.bodies->surface(b).around.size());
-      std::vector<MeshIndex> others;
-      std::vector<Vec3> points;
-      for (const MeshIndex part : parts_) {
-        if (vertices_[part].of.body == b) continue;
-        others.push_back(part);
-        points.push_back(x_[part]);
+      const Vec3* const corners = &x_[first_of_[b]];
+      broad_phase::Box box = broad_phase::empty_box();
+      for (const Face& face : faces) {
+        for (const Index corner : face) broad_phase::extend(box, corners[corner]);
       }
-      const std::vector<char> inside = enclosed(faces, {begin, begin + count}, points, threads);
-      for (std::size_t i = 0; i < others.size(); ++i) {
-        if (inside[i] == 0 || findings.enclosed++ > 0) continue;
-        const OfBody& part = vertices_[others[i]].of;
+      for (const MeshIndex vertex : parts_) {
+        const OfBody& part = vertices_[vertex].of;
+        broad_phase::Box place = broad_phase::empty_box();
+        broad_phase::extend(place, x_[vertex]);
+        if (part.body == b || !broad_phase::overlap(box, place)) continue;
+        if (!is_enclosed(faces, corners, x_[vertex])) continue;
+        if (findings.enclosed++ > 0) continue;
         findings.enclosed_first = part.body == kParticles ? fmt::format("particle {} in body {}", part.number, b)
                                                           : fmt::format("body {} in body {}", part.body, b);
       }
@@ -118,7 +118,7 @@ class StartMesh {
       const Vec3& x = x_[corners[c]];
       point += found.weights_first[c] * Vector3(x.x, x.y, x.z);
     }
-    return fmt::format("{}: {} and {} at ({:.6g}, {:.6g}, {:.6g})", found.pierces ? "pierce each other" : "touch",
+    return fmt::format("{}: {} and {} at ({:.6g}, {:.6g}, {:.6g})", how(found.sort),
                        name(found.first_element, found.first), name(found.second_element, found.second), point.x(),
                        point.y(), point.z());
   }
@@ -141,6 +141,11 @@ class StartMesh {
       for (const Edge& edge : surface.edges) elements.edges.push_back({first + edge[0], first + edge[1]});
       add_once_each(surface.faces, first, elements.faces);
     }
+  }
+
+  static const char* how(IntersectionSort sort) noexcept {
+    if (sort == IntersectionSort::folds) return "fold onto each other";
+    return sort == IntersectionSort::pierces ? "pierce each other" : "touch";
   }
 
   std::vector<MeshIndex> corners_of(MeshElement element, MeshIndex number) const {
@@ -178,6 +183,7 @@ StartFindings check_no_intersection(const StartPlaces& places, std::string_view 
   std::size_t moving = 0;
   std::string first;
   for (const Intersection& found : mesh.intersections(threads)) {
+    if (found.sort == IntersectionSort::inside) continue;  // it may be right, and is counted below
     if (!mesh.can_move(found)) {
       ++findings.held;
     } else if (moving++ == 0) {
@@ -185,7 +191,7 @@ StartFindings check_no_intersection(const StartPlaces& places, std::string_view 
     }
   }
   if (moving == 0) {
-    mesh.find_enclosed(places, threads, findings);
+    mesh.find_enclosed(places, findings);
     return findings;
   }
   throw Error(fmt::format("{} begins with elements that {}{}; positions at which all elements are apart would be right",

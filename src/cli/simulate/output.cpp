@@ -257,9 +257,6 @@ void SimulateOutput::finish_early() {
 std::string SimulateOutput::proofs_summary() const {
   if (!motion_) return {};
   std::string text = motion_->summary();
-  if (simulation_->colliders().passes().joints) {
-    text += "not in the proofs: edges that could reach each other only by folding about a common end\n";
-  }
   if (simulation_->has_separations()) {
     text += "not in the proofs: the distances that radii ask for; they are about touching\n";
   }
