@@ -5,8 +5,12 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
+
+#include <touchstone/error.hpp>
 
 #include "numbers/float_environment.hpp"
 
@@ -24,7 +28,7 @@ void run_on_threads(std::size_t count, std::atomic<bool>& stop, const std::funct
     std::atomic<bool>& stop;
     ~StopAtEnd() { stop = true; }
   } const stop_at_end{stop};
-  for (std::size_t i = 0; i < count; ++i) {
+  const auto start = [&](std::size_t i) {
     threads.emplace_back([&, i] {
       std::exception_ptr mine;
       try {
@@ -39,6 +43,12 @@ void run_on_threads(std::size_t count, std::atomic<bool>& stop, const std::funct
       --running;
       done.notify_one();
     });
+  };
+  try {
+    for (std::size_t i = 0; i < count; ++i) start(i);
+  } catch (const std::system_error& fault) {
+    throw Error("only " + std::to_string(threads.size()) + " of " + std::to_string(count) +
+                " threads can be started: " + fault.code().message() + "; ask for fewer threads, such as 1");
   }
   bool watched = true;
   std::unique_lock lock(mutex);

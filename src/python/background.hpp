@@ -8,8 +8,8 @@
 #include <chrono>
 #include <cstddef>
 #include <future>
+#include <system_error>
 #include <thread>
-#include <utility>
 
 #include "python/chunks.hpp"
 
@@ -29,7 +29,13 @@ auto in_background(std::size_t size, const Work& work) {
   }
   std::packaged_task task([&] { return work(stop); });
   auto result = task.get_future();
-  const std::jthread thread(std::move(task));
+  std::jthread thread;
+  try {
+    thread = std::jthread([&] { task(); });
+  } catch (const std::system_error&) {  // no thread can be started: the work ends before Ctrl-C is heard
+    const pybind11::gil_scoped_release released;
+    task();
+  }
   while (true) {
     {
       const pybind11::gil_scoped_release released;

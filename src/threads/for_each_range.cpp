@@ -11,6 +11,7 @@
 #include <touchstone/error.hpp>
 
 #include "numbers/float_environment.hpp"
+#include "threads/startable.hpp"
 #include "threads/thread_handover.hpp"
 
 #ifdef TOUCHSTONE_WITH_TBB
@@ -85,6 +86,7 @@ void for_each_range(std::size_t count, std::size_t block, int threads,
   };
 #ifdef TOUCHSTONE_WITH_TBB
   if (threads == 0) threads = tbb::info::default_concurrency();
+  if (threads > 1 && count > block) threads = startable_threads(threads);
   if (threads > 1 && count > block) {
     const TakenArena arena(threads);
     ThreadHandover started, finished;

@@ -16,6 +16,7 @@
 #include "support/catch.hpp"
 #include "support/report.hpp"
 #include "support/skip.hpp"
+#include "support/slow_build.hpp"
 
 using namespace touchstone;
 using namespace touchstone::tests;
@@ -175,4 +176,27 @@ TEST_CASE("a scene and a mesh without an end, or of a terabyte, are refused with
     CHECK(run.status == 2);
     CHECK(run.err == scene + ": is larger than 1 GiB\n");
   }
+}
+
+TEST_CASE("where the system cannot start the threads, one does the work, or the error says how many there are") {
+#if TOUCHSTONE_SANITIZED
+  skip("sanitizers map terabytes: limits on memory are not tested");
+#else
+  const TemporaryFolder folder;
+  std::string text;
+  for (int i = 0; i < 100'000; ++i) text += two_point_queries();
+  const std::string file = folder.write("point-point/a.csv", text);
+  RunOptions tight;
+  tight.address_space = std::uint64_t{400} << 20;  // a stack takes 4 MiB or more
+  const Run few = run_program({"certify", "--threads", "1000", file}, tight);
+  const Run one = run_program({"certify", "--threads", "1", file});
+  CAPTURE(few.err);
+  CHECK(few.status == one.status);
+  CHECK(few.out == one.out);
+  const Run fuzz = run_program({"fuzz", "--threads", "1000", "--cases", "1000", "--out", folder.path("found")}, tight);
+  CAPTURE(fuzz.err);
+  CHECK(fuzz.status == 2);
+  CHECK(occurrences(fuzz.err, " of 1000 threads can be started: ") == 1);
+  CHECK(occurrences(fuzz.err, "; ask for fewer threads, such as 1\n") == 1);
+#endif
 }

@@ -261,7 +261,8 @@ int run_mesh(const MeshRunOptions& options) {
 
   // The next frame is read while the steps before it are checked. A oneTBB pipeline around both would keep its threads
   // from the check, which has most of the work.
-  const auto policy = threads > 1 ? std::launch::async : std::launch::deferred;
+  // Where no thread can be started, it is read when it is asked for.
+  const auto policy = threads > 1 ? std::launch::async | std::launch::deferred : std::launch::deferred;
   std::shared_ptr<const Frame> frame = first;
   for (std::size_t index = range.first; index < range.last; ++index) {
     throw_if_interrupted();

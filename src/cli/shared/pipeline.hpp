@@ -14,6 +14,7 @@
 #endif
 
 #include "cli/shared/interrupt.hpp"
+#include "threads/startable.hpp"
 #include "threads/thread_handover.hpp"
 
 namespace touchstone::cli {
@@ -70,6 +71,7 @@ void run_in_order(int threads, Read read, Work work, Write write) {
   };
 
 #if TOUCHSTONE_WITH_TBB
+  threads = threads::startable_threads(threads);
   if (threads > 1) {
     using ItemPointer = std::shared_ptr<Item>;
     const auto count = static_cast<std::size_t>(threads);
