@@ -1,0 +1,153 @@
+// touchstone mesh: what a verdict was asked about and leaves out, folds, and surfaces inside others.
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/mesh_runs.hpp"
+#include "sequence/needle.hpp"
+
+using namespace touchstone;
+using namespace touchstone::tests;
+
+TEST_CASE("vertices that collide with nothing are counted in the verdict and in the report") {
+  const TemporaryFolder folder;
+  const std::string one = folder.write("i-1.obj", needle_frame(4, 3) + "v 0 0 99\n"),
+                    two = folder.write("i-2.obj", needle_frame(4, 2) + "v 0 0 -99\n");
+  const Run run = mesh({one, two, "--report", folder.path("r.json")});
+  CHECK(run.status == 0);
+  CHECK(run.err == "");
+  CHECK(verdict(run).starts_with("1 step, all free (20 vertices, 36 edges, 19 faces"));
+  CHECK(verdict(run).ends_with("); 1 vertex in no element was left out"));
+  const auto report = nlohmann::json::parse(folder.read("r.json"));
+  CHECK(report["mesh"]["idle_vertices"] == 1);
+  CHECK(report["warnings"] == nlohmann::json({"1 vertex in no element was left out"}));
+}
+
+TEST_CASE("positions without elements are loose points, and the verdict says that it is about nothing else") {
+  const TemporaryFolder folder;
+  // The needle goes through the cloth, and no vertex meets another one.
+  const std::vector<std::string> texts = {needle_frame(5, 0.5), needle_frame(5, -0.5)};
+  const std::string array = folder.write("run.npy", npy_of(texts, 28)), topology = folder.write("t.obj", texts[0]);
+  const std::string alone = "asked about 28 loose points alone: no file names edges or faces (for arrays: --topology)";
+  const Run run = mesh({array, "--report", folder.path("r.json")});
+  CHECK(run.status == 0);
+  CHECK(verdict(run) == "1 step, all free (28 vertices, 28 loose points); " + alone);
+  CHECK(nlohmann::json::parse(folder.read("r.json"))["warnings"] == nlohmann::json({alone}));
+  CHECK(verdict(mesh({"--check", array})) ==
+        "2 frames, each by itself: no intersection (28 vertices, 28 loose points); " + alone);
+  const Run page = mesh({array, "--html", folder.path("p.html")});
+  CHECK(occurrences(folder.read("p.html"), "asked about 28 loose points alone") >= 1);
+  const Run whole = mesh({"--topology", topology, array});
+  CHECK(whole.status == 1);
+  CHECK(occurrences(verdict(whole), "alone") == 0);
+
+  std::vector<std::string> points;
+  for (const char* name : {"p-1.obj", "p-2.obj"}) points.push_back(folder.write(name, "v 0 0 0\nv 1 0 0\nv 2 0 0\n"));
+  CHECK(occurrences(verdict(mesh(points)), "asked about 3 loose points alone: no file names") == 1);
+  // A frame of another mesh is counted apart.
+  const Run both = mesh({"--check", "--in-order", points[0], topology, "--report", folder.path("b.json")});
+  CHECK(
+      verdict(both).starts_with("2 frames, each by itself: no intersection (31 vertices, 59 edges, 33 faces, 3 loose "
+                                "points in all"));
+  CHECK(occurrences(verdict(both), "asked about 3 loose points alone in 1 of 2 frames") == 1);
+  CHECK(nlohmann::json::parse(folder.read("b.json"))["frames"][1]["mesh"]["faces"] == 33);
+}
+
+TEST_CASE("a mesh of which no two elements could meet is no proof of anything") {
+  const TemporaryFolder folder;
+  for (const char* text : {"v 0 0 0\n", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "v 0 0 0\nv 1 0 0\nl 1 2\n"}) {
+    const Run run = mesh({folder.write("c-1.obj", text), folder.write("c-2.obj", text)});
+    CAPTURE(text, run.out);
+    CHECK(run.status == 0);
+    CHECK(verdict(run).ends_with("); nothing was compared: there are no two elements that could meet"));
+  }
+}
+
+TEST_CASE("a shard without the first frame says that it did not ask whether it starts free") {
+  const TemporaryFolder folder;
+  const auto files = write_needles(folder, "f", 5, 6, falling_tip);
+  const std::string words = "whether the first frame of this shard intersects itself was not asked";
+  CHECK(occurrences(mesh(with({"--shard", "1/2"}, files)).out, words) == 0);
+  const Run second = mesh(with({"--shard", "2/2", "--report", folder.path("r.json")}, files));
+  CHECK(second.status == 0);  // the needle went through in the first part
+  CHECK(verdict(second).starts_with("shard 2/2: 2 steps, all free (28 vertices, "));
+  CHECK(verdict(second).ends_with("); " + words));
+  CHECK(nlohmann::json::parse(folder.read("r.json"))["warnings"] == nlohmann::json({words}));
+  CHECK(occurrences(mesh(with({"--check", "--shard", "2/2"}, files)).out, words) == 0);
+}
+
+TEST_CASE("vertices that lie on others are counted where contacts are found, and named as a likely cause") {
+  const TemporaryFolder folder;
+  // A square of two triangles that are not joined: 0 and -0 are one place. A vertex in no element lies there too.
+  const std::string split = "v 0 0 0\nv 1 0 -0\nv 0 1 0\nv 1 0 0\nv 1 1 0\nv -0 1 0\nv 0 1 0\nf 1 2 3\nf 4 5 6\n",
+                    one = folder.write("s-1.obj", split), two = folder.write("s-2.obj", split);
+  const std::string cause =
+      "4 of 7 vertices lie exactly on others: elements that meet there count as contacts; join such vertices before "
+      "(merge vertices by distance 0 in the program that wrote the file)";
+  const Run run = mesh({one, two, "--report", folder.path("r.json")});
+  CHECK(run.status == 1);
+  CHECK(occurrences(run.out, "s-1.obj: 6 intersections\n  4 vertices lie exactly on others\n") == 1);
+  CHECK(occurrences(run.out, "\n" + cause + "\n1 step: 0 free, 1 not free; the first frame has 6 ") == 1);
+  const auto report = nlohmann::json::parse(folder.read("r.json"));
+  CHECK(report["results"][0]["coinciding_vertices"] == 4);
+  CHECK(report["results"][1]["coinciding_vertices"] == 4);
+  CHECK(report["warnings"].back() == cause);
+  CHECK(occurrences(mesh({"--check", two}).out, cause) == 1);
+  // Joined, it is free, and a contact of another cause has no such words.
+  CHECK(mesh({"--check", folder.write("j.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n")}).status == 0);
+  const auto files = write_needles(folder, "f", 5, 5, falling_tip);
+  CHECK(occurrences(mesh(files).out, "exactly on others") == 0);
+}
+
+TEST_CASE("elements that fold onto each other are named and counted, at rest and in a step") {
+  const TemporaryFolder folder;
+  // Two faces over the edge 1-2, the second one within the first; an edge that lies in a face; a path folded back.
+  const std::string face = "v 0 0 0\nv 4 0 0\nv 0 4 0\n",
+                    onto = folder.write("onto.obj", face + "v 1 1 0\nf 1 2 3\nf 1 2 4\n"),
+                    grown = folder.write("grown.obj", face + "v 1 2 0\nf 1 2 3\nl 1 4\n"),
+                    path = folder.write("path.obj", "v 0 0 0\nv 4 0 0\nv 1 0 0\nl 1 2\nl 2 3\n");
+  const Run two = mesh({"--check", onto, "--report", folder.path("r.json"), "--pairs", folder.path("p.csv")});
+  CAPTURE(two.out);
+  CHECK(two.status == 1);
+  CHECK(two.out.starts_with("onto.obj: 2 intersections, 2 of them folds\n  edge 1-4 folds onto face 1 (1-2-3)\n"));
+  CHECK(verdict(two).starts_with("1 frame: 0 without intersections, 1 with 2 intersections, 2 of them folds (4 vert"));
+  const auto report = nlohmann::json::parse(folder.read("r.json"));
+  CHECK(report["results"][0]["intersections"][0]["sort"] == "folds");
+  CHECK(report["counts"]["folds"] == 2);
+  CHECK(occurrences(folder.read("p.csv"), "onto.obj,,folds,,edge,1 4,,,face,1 2 3,1,,,,,,,\n") == 1);
+  CHECK(occurrences(mesh({"--check", grown}).out, "  edge 1-4 folds onto face 1 (1-2-3)\n") == 1);
+  CHECK(occurrences(mesh({"--check", path}).out, "path.obj: 1 intersection, 1 of them a fold\n") == 1);
+
+  // The end of a path swings through its own next segment.
+  const std::string up = folder.write("s-1.obj", "v 0 0 0\nv 4 0 0\nv 1 0 2\nl 1 2\nl 2 3\n"),
+                    down = folder.write("s-2.obj", "v 0 0 0\nv 4 0 0\nv 1 0 -2\nl 1 2\nl 2 3\n");
+  const Run swing = mesh({up, down, "--queries", folder.path("q")});
+  CAPTURE(swing.out, swing.err);
+  CHECK(swing.status == 1);
+  CHECK(occurrences(swing.out, "first contact at t = 0x1p-1 (0.5), 1 pair\n  vertex 3 and edge 1-2: ") == 1);
+  CHECK(run_program({"certify", folder.path("q/point-edge/contacts.csv")}).status == 0);
+  CHECK(mesh({"--check", onto, "--html", folder.path("o.html")}).status == 1);
+  CHECK(occurrences(folder.read("o.html"), "edge 1-4 folds onto face 1 (1-2-3)") >= 1);
+}
+
+TEST_CASE("a closed surface inside another one is named and counted") {
+  const TemporaryFolder folder;
+  const auto tetrahedron = [](const std::string& a, const std::string& b) {
+    return "v " + a + " " + a + " " + a + "\nv " + b + " " + a + " " + a + "\nv " + a + " " + b + " " + a + "\nv " + a +
+           " " + a + " " + b + "\n";
+  };
+  const std::string vertices = tetrahedron("0", "16") + tetrahedron("2", "4"),
+                    outer = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n",
+                    solid = folder.write("solid.obj", vertices + outer + "f 5 7 6\nf 5 6 8\nf 6 7 8\nf 7 5 8\n"),
+                    cavity = folder.write("cavity.obj", vertices + outer + "f 5 6 7\nf 5 8 6\nf 6 8 7\nf 7 8 5\n");
+  const Run run = mesh({"--check", solid, "--report", folder.path("r.json"), "--html", folder.path("i.html")});
+  CAPTURE(run.out, run.err);
+  CHECK(run.status == 1);
+  CHECK(
+      run.out.starts_with("solid.obj: 1 intersection, 1 of them a surface inside another\n"
+                          "  vertex 5 is inside the closed surface of face 1 (1-3-2)\n"));
+  CHECK(nlohmann::json::parse(folder.read("r.json"))["counts"]["inside"] == 1);
+  CHECK(occurrences(folder.read("i.html"), "vertex 5 is inside the closed surface of face 1") >= 1);
+  CHECK(mesh({"--check", cavity}).status == 0);
+}
