@@ -127,6 +127,9 @@ TEST_CASE("elements that fold onto each other are named and counted, at rest and
   CHECK(swing.status == 1);
   CHECK(occurrences(swing.out, "first contact at t = 0x1p-1 (0.5), 1 pair\n  vertex 3 and edge 1-2: ") == 1);
   CHECK(run_program({"certify", folder.path("q/point-edge/contacts.csv")}).status == 0);
+  // Neighbours along a wire are asked about touching alone, whatever the separation is.
+  CHECK(mesh({up, down, "--separation", "0.25", "--html", folder.path("s.html")}).status == 1);
+  CHECK(occurrences(folder.read("s.html"), "t = 0.5: vertex 3 and edge 1-2") >= 1);
   CHECK(mesh({"--check", onto, "--html", folder.path("o.html")}).status == 1);
   CHECK(occurrences(folder.read("o.html"), "edge 1-4 folds onto face 1 (1-2-3)") >= 1);
 }

@@ -112,18 +112,20 @@ void MeshAnimation::add_contacts(const std::vector<sequence::PairContact>& pairs
   contacts_ += pairs.size();
   for (const sequence::PairContact& contact : pairs) {
     const Query query = sequence::query_of(contact, before, after);
-    const Answer answer = solve(query, separation_);
+    // Neighbours along a wire are asked about touching alone; an answer about a separation has a trend.
+    const Separation separation = contact.trend == Trend::none ? Separation() : separation_;
+    const Answer answer = solve(query, separation);
     const Triple point = view::touched_point(query, answer);
     const auto pair = animation_.pair({element(contact.first), element(contact.second)});
     animation_.add_mark({time, point, pair, view::MarkSort::contact});
     if (!animation_.has_room(view::MarkSort::contact)) continue;
     const exact::Story story =
-        separation_.distance > 0 ? exact::explain(query, 1, separation_) : exact::explain(query, 1);
+        separation.distance > 0 ? exact::explain(query, 1, separation) : exact::explain(query, 1);
     animation_.add_story(
         {time, point, pair, view::MarkSort::contact,
          fmt::format("step {} to {}, t = {:.6g}: {} and {}", result.frame, result.frame + 1, answer.toi,
                      element_for_person(contact.first), element_for_person(contact.second)),
-         view::story_html(query.kind, false, story, 1, separation_) +
+         view::story_html(query.kind, false, story, 1, separation) +
              fmt::format("<pre>{}</pre>", exact_corners(query))});
   }
 }
