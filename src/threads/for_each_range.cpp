@@ -90,16 +90,16 @@ void for_each_range(std::size_t count, std::size_t block, int threads,
   if (threads > 1 && count > block) {
     const TakenArena arena(threads);
     ThreadHandover started, finished;
+    const TakesAtEnd waited(finished);
     started.give();
     arena->execute([&] {
       tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, block),
                         [&](const tbb::blocked_range<std::size_t>& range) {
                           started.take();
+                          const GivesAtEnd done(finished);
                           in_environment(range.begin(), range.end());
-                          finished.give();
                         });
     });
-    finished.take();
     return;
   }
 #else

@@ -32,4 +32,28 @@ class ThreadHandover {
 #endif
 };
 
+/// Gives where its scope ends, by an exception too.
+class GivesAtEnd {
+ public:
+  explicit GivesAtEnd(ThreadHandover& handover) noexcept : handover_(handover) {}
+  ~GivesAtEnd() { handover_.give(); }
+  GivesAtEnd(const GivesAtEnd&) = delete;
+  GivesAtEnd& operator=(const GivesAtEnd&) = delete;
+
+ private:
+  ThreadHandover& handover_;
+};
+
+/// Takes where its scope ends, by an exception too.
+class TakesAtEnd {
+ public:
+  explicit TakesAtEnd(ThreadHandover& handover) noexcept : handover_(handover) {}
+  ~TakesAtEnd() { handover_.take(); }
+  TakesAtEnd(const TakesAtEnd&) = delete;
+  TakesAtEnd& operator=(const TakesAtEnd&) = delete;
+
+ private:
+  ThreadHandover& handover_;
+};
+
 }  // namespace touchstone::threads
