@@ -188,6 +188,45 @@ TEST_CASE("bisection separates simple roots however near they are") {
   }
 }
 
+TEST_CASE("clusters of roots: near an end or inside, in clusters of their own, and beside complex pairs") {
+  tests::Rng rng(32);
+  std::size_t found = 0, complex_pairs = 0;
+  for (int i = 0; i < 150; ++i) {
+    // Dyadic roots of many digits, at centre + offset 2^-distance, all different.
+    std::vector<Exact> expected;
+    Coefs p = {Exact(1)};
+    const int groups = rng.between(1, 3);
+    for (int group = 0; group < groups; ++group) {
+      const int far = rng.between(20, 700);
+      const Exact centre = Exact(rng.between(1, 6) / 7.0) * numbers::power_of_two(rng.one_in(3) ? -far : 0);
+      const int distance = far + rng.between(20, 600);
+      const int size = rng.between(2, 3);
+      for (int k = 0; k < size; ++k) {
+        const Exact root = centre + Exact(2 * k + 1 + rng.between(0, 1)) * numbers::power_of_two(-distance);
+        expected.push_back(root);
+        p = p * Coefs{-root, Exact(1)};
+      }
+      if (!rng.one_in(3)) continue;
+      // (t - centre)^2 + 4^-distance
+      p = p * Coefs{centre * centre + numbers::power_of_two(-2 * distance), Exact(-2) * centre, Exact(1)};
+      ++complex_pairs;
+    }
+    std::sort(expected.begin(), expected.end());
+    const auto same = std::unique(expected.begin(), expected.end());
+    expected.erase(same, expected.end());
+    INFO("case " << i);
+    const RootList roots = roots_of(p);
+    REQUIRE(roots.size() == static_cast<int>(expected.size()));
+    for (int k = 0; k < roots.size(); ++k) {
+      REQUIRE(roots[k].compare(expected[static_cast<std::size_t>(k)]) == 0);
+      check_neighbours(roots[k]);
+      ++found;
+    }
+  }
+  CHECK(found > 500);
+  CHECK(complex_pairs > 30);
+}
+
 TEST_CASE("roots at the ends of the range count, and only up to the limit") {
   const Coefs ends = linear(0, 1) * linear(1, 1) * linear(1, 2);
   CHECK(roots_of(ends).size() == 3);
