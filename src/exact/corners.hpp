@@ -3,13 +3,14 @@
 #pragma once
 
 #include <array>
-#include <utility>
+#include <type_traits>
 
 #include <touchstone/curved_query.hpp>
 #include <touchstone/query.hpp>
 
 #include "exact/common_scale.hpp"
 #include "exact/elements.hpp"
+#include "exact/off_the_stack.hpp"
 
 namespace touchstone::exact {
 
@@ -48,20 +49,34 @@ HomogeneousCorners homogeneous_corners(const CurvedQuery& query);
 template <class N>
 typename Forms<N>::Corners moving_corners(const Query& query, const std::array<BitSpan, 3>& spans);
 
+/// Calls f with elements of this type. Those over polynomials of any degree are too large for a stack.
+template <class Elements, class Corners, class F>
+auto with_these_elements(const Corners& corners, const F& f) {
+  if constexpr (std::is_same_v<typename Elements::Number, AnyDegree>) {
+    return f(*off_the_stack([&] { return Elements(corners); }));
+  } else {
+    return f(Elements(corners));
+  }
+}
+
 /// Calls f with the elements of a kind, over numbers of type N.
 template <class N, class F>
-auto with_elements_of(Kind kind, const typename Forms<N>::Corners& corners, F&& f) {
+auto with_elements_of(Kind kind, const typename Forms<N>::Corners& corners, const F& f) {
   switch (kind) {
-    case Kind::edge_edge: return f(EdgeEdgeElements<N>(corners));
-    case Kind::vertex_face: return f(VertexFaceElements<N>(corners));
-    case Kind::point_edge: return f(PointEdgeElements<N>(corners));
+    case Kind::edge_edge: return with_these_elements<EdgeEdgeElements<N>>(corners, f);
+    case Kind::vertex_face: return with_these_elements<VertexFaceElements<N>>(corners, f);
+    case Kind::point_edge: return with_these_elements<PointEdgeElements<N>>(corners, f);
     case Kind::point_point: break;
   }
-  return f(PointPointElements<N>(corners));
+  return with_these_elements<PointPointElements<N>>(corners, f);
 }
 template <class N, class Q, class F>
-auto with_elements(const Q& query, F&& f) {
-  return with_elements_of<N>(query.kind, moving_corners<N>(query), std::forward<F>(f));
+auto with_elements(const Q& query, const F& f) {
+  if constexpr (std::is_same_v<N, AnyDegree>) {
+    return with_elements_of<N>(query.kind, *off_the_stack([&] { return moving_corners<N>(query); }), f);
+  } else {
+    return with_elements_of<N>(query.kind, moving_corners<N>(query), f);
+  }
 }
 
 }  // namespace touchstone::exact

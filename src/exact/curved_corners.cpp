@@ -7,11 +7,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "exact/common_scale.hpp"
 #include "exact/corners.hpp"
+#include "exact/off_the_stack.hpp"
 
 namespace touchstone::exact {
 namespace {
@@ -125,17 +127,17 @@ Forms<AnyDegree>::Corners moving_corners<AnyDegree>(const CurvedQuery& query) {
   const std::size_t count = corner_count(query.kind);
   const std::array<bool, 4> used = used_motions(query);
   const Scaled lengths(size_of(query));
-  std::array<Pose, 4> poses;
+  std::array<std::unique_ptr<const Pose>, 4> poses;
   std::vector<Form> weights;               // the different ones
   std::array<std::size_t, 4> weight_of{};  // of a motion
   for (std::size_t m = 0; m < used.size(); ++m) {
     if (!used[m]) continue;
     OrdinarySize size;  // of the quaternion, whose length does not matter
     add(query.motions[m], size);
-    poses[m] = pose_of(query.motions[m], lengths, Scaled(size));
-    const auto same = std::find(weights.begin(), weights.end(), poses[m].weight);
+    poses[m] = off_the_stack([&] { return pose_of(query.motions[m], lengths, Scaled(size)); });
+    const auto same = std::find(weights.begin(), weights.end(), poses[m]->weight);
     weight_of[m] = static_cast<std::size_t>(same - weights.begin());
-    if (same == weights.end()) weights.push_back(poses[m].weight);
+    if (same == weights.end()) weights.push_back(poses[m]->weight);
   }
 
   // The product of all weights, but for one.
@@ -163,7 +165,7 @@ Forms<AnyDegree>::Corners moving_corners<AnyDegree>(const CurvedQuery& query) {
       result.own[i] = times(on_curve(corner, lengths), Form(Exact(1)));
       result.corners[i] = times(result.own[i], result.scale);
     } else {
-      const Pose& pose = poses[motion_of(corner)];
+      const Pose& pose = *poses[motion_of(corner)];
       result.own[i] = turned(pose, corner.points[0], lengths);
       geometry::Vector<Form> position = pose.origin;
       for (std::size_t k = 0; k < 3; ++k) position[k] = position[k] + result.own[i][k];

@@ -166,6 +166,17 @@ Answer contact_at(const Elements& elements, const Root& root, const SideSigns& f
   return answer;
 }
 
+/// The first of all candidate times at which the elements touch, each told in the story. Its list of times is large on
+/// the stack: calls without a story do not have it in their frame.
+template <class Elements, class Range, class ContactFrom>
+[[gnu::noinline]] Answer first_contact_told(const Elements& elements, const Range& range, Story* story,
+                                            SideSigns& found, const ContactFrom& contact_from) {
+  for (const auto* time : CandidateTimes(elements, range)) {
+    if (touching_at(elements, *time, new_chapter(story, *time, 0), found)) return contact_from(*time);
+  }
+  return Answer();
+}
+
 template <class Elements, class Range>
 Answer first_contact(const Elements& elements, const Range& range, Wanted wanted, Story* story) {
   SideSigns found;
@@ -192,10 +203,7 @@ Answer first_contact(const Elements& elements, const Range& range, Wanted wanted
     const auto first = first_touch_of_borders(elements, range);
     return first && touching_at(elements, *first, nullptr, found) ? contact_from(*first) : Answer();
   }
-  for (const auto* time : CandidateTimes(elements, range)) {
-    if (touching_at(elements, *time, new_chapter(story, *time, 0), found)) return contact_from(*time);
-  }
-  return Answer();
+  return first_contact_told(elements, range, story, found, contact_from);
 }
 
 template <class Elements>
@@ -253,8 +261,9 @@ Story tell(const Q& query, double t_max) {
   });
 }
 
+/// A frame of its own for each number type: together they would be tens of kilobytes.
 template <class N, class Q>
-Answer first_contact_in(const Q& query, double t_max, Wanted wanted = Wanted::all) {
+[[gnu::noinline]] Answer first_contact_in(const Q& query, double t_max, Wanted wanted = Wanted::all) {
   const ExactRange range(t_max);
   return with_elements<N>(query, [&](const auto& elements) { return first_contact(elements, range, wanted, nullptr); });
 }

@@ -13,6 +13,7 @@
 
 #include "exact/distance_level.hpp"
 #include "exact/lazy.hpp"
+#include "exact/off_the_stack.hpp"
 #include "geometry/frame.hpp"
 
 namespace touchstone::exact {
@@ -134,13 +135,13 @@ class MaxLevel final : public DistanceLevel {
     // The least d of a linear programme in s, t and d: three of its borders meet there in one point.
     const Moment moment = Moment::at(time);
     const Ratio at = {time.numerator(), time.denominator()};
-    const AnyCorners corners = is_dyadic(time) ? corners_at(time) : corners_;
-    const MaxLevel ground(kind_, corners, {Exact(0), Exact(1)});
+    const auto corners = off_the_stack([&] { return is_dyadic(time) ? corners_at(time) : corners_; });
+    const auto ground = std::make_unique<const MaxLevel>(kind_, *corners, Ratio{Exact(0), Exact(1)});
     std::vector<Ratio> candidates;
     for (std::size_t i = 0; i < kAxes; ++i) {
       for (std::size_t j = i + 1; j < count_; ++j) {
         for (std::size_t k = j + 1; k < count_; ++k) {
-          const auto row = [&](std::size_t m) { return ground.row_at(m, at); };
+          const auto row = [&](std::size_t m) { return ground->row_at(m, at); };
           const std::array<std::array<Exact, 4>, 3> rows = {row(i), row(j), row(k)};
           const Exact slope = determinant_of(rows, 3);
           if (numbers::is_zero(slope)) continue;
@@ -152,8 +153,9 @@ class MaxLevel final : public DistanceLevel {
     }
     std::sort(candidates.begin(), candidates.end(),
               [](const Ratio& a, const Ratio& b) { return exact::compare(a, b) < 0; });
-    return *std::partition_point(candidates.begin(), candidates.end(),
-                                 [&](const Ratio& d) { return MaxLevel(kind_, corners, d).compare(moment) > 0; });
+    return *std::partition_point(candidates.begin(), candidates.end(), [&](const Ratio& d) {
+      return std::make_unique<const MaxLevel>(kind_, *corners, d)->compare(moment) > 0;
+    });
   }
 
   std::unique_ptr<DistanceLevel> with_level(const Ratio& level) const override {
@@ -218,7 +220,8 @@ class MaxLevel final : public DistanceLevel {
     const RealRoot& time = moment.root();
     if (!is_dyadic(time)) return nullptr;
     if (!at_rest_ || time.numerator() != rest_time_) {
-      at_rest_ = std::make_unique<MaxLevel>(kind_, corners_at(time), level_);
+      const auto corners = off_the_stack([&] { return corners_at(time); });
+      at_rest_ = std::make_unique<MaxLevel>(kind_, *corners, level_);
       rest_time_ = time.numerator();
     }
     return at_rest_.get();

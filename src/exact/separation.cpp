@@ -15,6 +15,7 @@
 #include "exact/distance_level.hpp"
 #include "exact/exact.hpp"
 #include "exact/exact_times.hpp"
+#include "exact/off_the_stack.hpp"
 #include "numbers/limb_scratch.hpp"
 
 namespace touchstone::exact {
@@ -40,10 +41,10 @@ AnyCorners any_corners(const Q& query) {
 
 template <class Q>
 std::unique_ptr<DistanceLevel> level_for(const Q& query, const Separation& separation) {
-  const AnyCorners corners = any_corners(query);
-  const Ratio level = level_of(Exact(separation.distance) * corners.factor, separation.metric);
+  const std::unique_ptr<const AnyCorners> corners = off_the_stack([&] { return any_corners(query); });
+  const Ratio level = level_of(Exact(separation.distance) * corners->factor, separation.metric);
   const auto make = separation.metric == Metric::euclidean ? euclidean_level : max_level;
-  return make(query.kind, corners, level);
+  return make(query.kind, *corners, level);
 }
 
 RealRoot time_at(double t) { return RealRoot::rational(Exact(t), Exact(1), 1); }
