@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <touchstone/solve.hpp>
@@ -95,17 +97,17 @@ std::vector<MotionPair> all_pairs(const MotionElements& motion, const MotionFram
       if (!in_edge(points[i][0]) && !in_edge(points[j][0])) add(Kind::point_point, i, j, points[i], points[j]);
     }
   }
-  const auto is_wire = [&](std::uint32_t v, std::uint32_t w) {
-    const auto has = [](const Corners& corners, std::uint32_t x) {
-      return std::find(corners.begin(), corners.end(), x) != corners.end();
+  std::set<std::pair<std::uint32_t, std::uint32_t>> wires;  // both ways
+  for (const Corners& edge : edges) {
+    const auto has_both = [&](const Corners& face) {
+      return std::count(face.begin(), face.end(), edge[0]) > 0 && std::count(face.begin(), face.end(), edge[1]) > 0;
     };
-    const auto has_both = [&](const Corners& corners) { return has(corners, v) && has(corners, w); };
-    return std::any_of(edges.begin(), edges.end(), has_both) && std::none_of(faces.begin(), faces.end(), has_both);
-  };
+    if (std::none_of(faces.begin(), faces.end(), has_both)) wires.insert({{edge[0], edge[1]}, {edge[1], edge[0]}});
+  }
   for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto joins = [&](std::uint32_t v) { return wires.count({points[i][0], v}) > 0; };
     for (std::size_t j = 0; j < edges.size(); ++j) {
-      const auto v = edges[j][0], w = edges[j][1];
-      const bool is_fold = is_wire(v, w) && (is_wire(points[i][0], v) || is_wire(points[i][0], w));
+      const bool is_fold = wires.count({edges[j][0], edges[j][1]}) > 0 && (joins(edges[j][0]) || joins(edges[j][1]));
       if (is_fold) add(Kind::point_edge, i, j, points[i], edges[j]);
     }
   }
