@@ -74,6 +74,15 @@ std::vector<Answer> solve_batch(const std::vector<CurvedQuery>& queries, const B
 /// @throws InvalidQuery  for options without meaning, or naming the index of the first query without meaning
 void solve_batch(const CurvedQuery* queries, std::size_t count, Answer* answers, const BatchOptions& options = {});
 
+/// Whether a body takes the longer of the two turns between its orientations: q0 . q1 < 0, decided exactly. q1 and -q1
+/// are the same orientation, and recorded poses often have the other sign by chance. The body then turns nearly once
+/// around, and a contact on that way is one of another motion than was meant.
+bool takes_longer_turn(const RigidMotion& motion);
+
+/// The same poses at both ends with the shorter turn between them: q1 has the other sign where the body takes the
+/// longer one.
+RigidMotion with_shorter_turn(const RigidMotion& motion);
+
 /// The unit normal at the first contact, as contact_normal(Query) defines it. Its distance from the true unit vector is
 /// less than 2^-49.
 /// @return the normal; nothing without a contact, and where contact_normal(Query) gives nothing

@@ -1,4 +1,4 @@
-// Where a vector that moves on a straight line is zero.
+// Two quaternions that a motion goes between on a straight line: where it is zero, and which way round it turns.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -11,5 +11,8 @@ namespace touchstone::numbers {
 /// @param a, b  finite and not zero
 /// @return nothing when it is never zero: unless b is a times a negative number
 std::optional<double> zero_between(const std::array<double, 4>& a, const std::array<double, 4>& b);
+
+/// Whether a . b < 0, decided exactly. False where a component is not finite.
+bool obtuse(const std::array<double, 4>& a, const std::array<double, 4>& b);
 
 }  // namespace touchstone::numbers

@@ -10,6 +10,7 @@
 #include "filters/curved_chords.hpp"
 #include "filters/curved_paths.hpp"
 #include "numbers/float_environment.hpp"
+#include "numbers/vanishing.hpp"
 #include "oracle/oracle.hpp"
 #include "solver/cascade.hpp"
 #include "solver/validate.hpp"
@@ -101,6 +102,16 @@ bool any_contact(const CurvedQuery& query, const Separation& separation, double 
 }
 
 }  // namespace solver
+
+bool takes_longer_turn(const RigidMotion& motion) { return numbers::obtuse(motion.q0, motion.q1); }
+
+RigidMotion with_shorter_turn(const RigidMotion& motion) {
+  RigidMotion shorter = motion;
+  if (takes_longer_turn(motion)) {
+    for (double& component : shorter.q1) component = -component;
+  }
+  return shorter;
+}
 
 Answer solve(const CurvedQuery& query, Method method, double t_max) {
   const numbers::DefaultFloatEnvironment environment;

@@ -181,6 +181,37 @@ TEST_CASE("the same at every scale of lengths and of quaternions") {
   }
 }
 
+TEST_CASE("which of two turns a body takes is decided exactly, and the shorter one keeps both poses") {
+  const RigidMotion longer = {{1, 0, 0, 0}, {-1, 0, 0, -0.25}, {1, 2, 3}, {4, 5, 6}};
+  CHECK(takes_longer_turn(longer));
+  const RigidMotion shorter = with_shorter_turn(longer);
+  CHECK_FALSE(takes_longer_turn(shorter));
+  CHECK(shorter.q0 == longer.q0);
+  CHECK(shorter.q1 == std::array<double, 4>{1, 0, 0, 0.25});
+  CHECK(shorter.p1.z == 6);
+  CHECK(with_shorter_turn(shorter).q1 == shorter.q1);
+  // A wall that the longer turn meets.
+  const auto tip = [](const RigidMotion& motion) {
+    return curved(Kind::vertex_face,
+                  {body(0, {1, 0, 0}), rest({-2, -0.5, -1}), rest({2, -0.5, -1}), rest({0, -0.5, 2})}, {motion});
+  };
+  RigidMotion turn = longer;
+  turn.p0 = turn.p1 = {};
+  CHECK(solve(tip(turn)).contact);
+  CHECK_FALSE(solve(tip(with_shorter_turn(turn))).contact);
+  // A right angle is no longer turn, and products of doubles overflow, vanish or are rounded.
+  const auto takes = [](const std::array<double, 4>& q0, const std::array<double, 4>& q1) {
+    return takes_longer_turn({q0, q1, {}, {}});
+  };
+  CHECK_FALSE(takes({1, 0, 0, 0}, {0, 0, 0, -1}));
+  CHECK(takes({0x1p-600, 0, 0, 0}, {-0x1p-600, 0, 0, 1}));
+  CHECK_FALSE(takes({0x1p-600, 0, 0, 0}, {0x1p-600, 0, 0, 1}));
+  CHECK(takes({0x1p1000, 0x1p1000, 0, 0}, {0x1p1000, -0x1.0000000000001p1000, 0, 0}));
+  CHECK(takes({1, 1, 1, 0}, {0x1p60, -1, -0x1p60, 0}));
+  CHECK_FALSE(takes({1, 1, 1, 0}, {0x1p60, 1, -0x1p60, 0}));
+  CHECK_FALSE(takes({std::numeric_limits<double>::quiet_NaN(), 0, 0, 0}, {-1, 0, 0, 0}));
+}
+
 TEST_CASE("the caller's rounding mode changes no curved answer, and stays") {
   const CurvedQuery wall = tip_against(kQuarterTurn, {0, 1, -8}, {16, 1, -8}, {0, 1, 8});
   const CurvedQuery apart = tip_against(kQuarterTurn, {0, 9, -8}, {16, 9, -8}, {0, 9, 8});
