@@ -152,7 +152,7 @@ TEST_CASE("stack: questions about curves and bodies") {
   Depths depths;
   for (const FamilyInfo& family : curved_families()) {
     for (const Kind kind : kKinds) {
-      for (std::uint64_t index = 0; index < effort(2); ++index) {
+      for (std::uint64_t index = 0; index < effort(1); ++index) {
         const CaseId id{family.family, kind, kSeed, index};
         const CurvedSample sample = make_curved(id);
         const CurvedQuery& query = sample.query;
