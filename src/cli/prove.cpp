@@ -11,6 +11,7 @@
 #include "cli/shared/proof_file.hpp"
 #include "cli/shared/query_progress.hpp"
 #include "cli/shared/summary.hpp"
+#include "cli/shared/turns.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
 #include "io/output_file.hpp"
@@ -18,6 +19,10 @@
 
 namespace touchstone::cli {
 namespace {
+
+constexpr const char* kProofsAreOfTheFile =
+    "a proof is about the file's own queries: convert --shorter-turn --claims solve writes a file with the shorter "
+    "ones";
 
 struct ProveItem : QueryItem {
   ProvedQueries proved;
@@ -30,6 +35,7 @@ void prove_queries(ProveItem& item, const std::vector<Input>& inputs, const Prov
   io::QueryParser parser(item.chunk);
   io::QueryRecord record;
   while (parser.next(record)) {
+    item.longer_turns.merge(record.longer_turns);
     const Answer answer = answer_to(record.query, options.method, separation);
     item.proved.add(inputs[item.input], record, answer, separation);
     item.counts.add(answer);
@@ -46,6 +52,7 @@ int run_prove(const ProveOptions& options) {
 
   QueryStream stream(inputs, options.chunk_bytes, io::Motions::any);
   Counts counts;
+  TurnNotes turns(inputs, io::Turns::as_given, kProofsAreOfTheFile);
   QueryProgress progress(inputs);
   run_in_order<ProveItem>(
       threads, [&](ProveItem& item) { return stream.next(item); },
@@ -53,9 +60,12 @@ int run_prove(const ProveOptions& options) {
       [&](ProveItem& item) {
         out.add(item.input, options.separation.separation, item.proved);
         counts.merge(item.counts);
+        turns.add(item.input, item.longer_turns);
         progress.add(item.chunk.size(), item.counts.queries);
       });
   out.finish();
+  progress.wipe();
+  turns.tell();
   if (options.out == "-") return kAllHold;
 
   auto console = io::OutputFile::standard_output();

@@ -11,6 +11,7 @@
 #include "cli/shared/pipeline.hpp"
 #include "cli/shared/query_progress.hpp"
 #include "cli/shared/summary.hpp"
+#include "cli/shared/turns.hpp"
 #include "cli/shared/words.hpp"
 #include "io/answer_writer.hpp"
 #include "io/fail.hpp"
@@ -28,9 +29,10 @@ struct SolveItem : QueryItem {
 void solve_queries(SolveItem& item, const std::vector<Input>& inputs, const SolveOptions& options) {
   if (item.chunk.file == nullptr) return;  // reading failed
   const std::string file = io::csv_field(inputs[item.input].name);
-  io::QueryParser parser(item.chunk);
+  io::QueryParser parser(item.chunk, options.turns);
   io::QueryRecord record;
   while (parser.next(record)) {
+    item.longer_turns.merge(record.longer_turns);
     const Separation& separation = options.separation.separation;
     const Answer answer = answer_to(record.query, options.method, separation);
     if (options.separation.given) {
@@ -53,6 +55,7 @@ int run_solve(const SolveOptions& options) {
 
   QueryStream stream(inputs, options.chunk_bytes, io::Motions::any);
   Counts counts;
+  TurnNotes turns(inputs, options.turns);
   QueryProgress progress(inputs);
   out.write(options.separation.given ? io::kSeparationAnswerHeader : io::kAnswerHeader);
   run_in_order<SolveItem>(
@@ -61,9 +64,12 @@ int run_solve(const SolveOptions& options) {
       [&](SolveItem& item) {
         out.write(item.rows);
         counts.merge(item.counts);
+        turns.add(item.input, item.longer_turns);
         progress.add(item.chunk.size(), item.counts.queries);
       });
   out.commit();
+  progress.wipe();
+  turns.tell();
   if (to_standard_output) return kAllHold;
 
   auto console = io::OutputFile::standard_output();

@@ -199,6 +199,12 @@ std::string CurvedRows::add_motion(const Columns& columns, std::uint64_t line) {
     return "the quaternion in columns " + std::to_string(column + 1) + " to " + std::to_string(column + 4) +
            " is zero; an orientation needs a component that is not 0";
   }
+  if (numbers::obtuse(motion.q0, motion.q1)) {
+    longer_turns_.merge({1, line});
+    if (turns_ == Turns::shorter) {
+      for (double& component : motion.q1) component = -component;
+    }
+  }
   if (const auto time = numbers::zero_between(motion.q0, motion.q1)) {
     return "columns 7 to 10 (q1) are columns 3 to 6 (q0) times a negative number, so that (1 - t) q0 + t q1 is zero "
            "near t = " +

@@ -27,10 +27,26 @@ bool holds_curved_queries(std::string_view text) noexcept;
 /// Whether this row starts a query: its first column is "query".
 bool starts_curved_query(std::string_view row) noexcept;
 
+/// Which of the two turns between its orientations a body takes where the file says the longer one, q0 . q1 < 0: q1 and
+/// -q1 are the same orientation.
+enum class Turns : std::uint8_t { as_given, shorter };
+
+/// The motions of a file that say the longer turn.
+struct LongerTurns {
+  std::uint64_t count = 0;
+  std::uint64_t first_row = 0;  ///< the line of the first one
+
+  /// @param later  those of a later part of the file
+  void merge(const LongerTurns& later) noexcept {
+    if (count == 0) first_row = later.first_row;
+    count += later.count;
+  }
+};
+
 /// One query, row by row.
 class CurvedRows {
  public:
-  explicit CurvedRows(Kind kind) { query_.kind = kind; }
+  explicit CurvedRows(Kind kind, Turns turns = Turns::as_given) : turns_(turns) { query_.kind = kind; }
 
   /// Takes in the row in line `line` of the file. @returns why it is refused, or an empty text
   std::string add(std::string_view row, std::uint64_t line);
@@ -43,6 +59,7 @@ class CurvedRows {
 
   const CurvedQuery& query() const noexcept { return query_; }
   bool truth() const noexcept { return truth_; }
+  const LongerTurns& longer_turns() const noexcept { return longer_turns_; }
 
  private:
   struct Columns;
@@ -52,6 +69,8 @@ class CurvedRows {
   std::string add_curve(const Columns& columns);
   std::string check_room() const;
 
+  Turns turns_;
+  LongerTurns longer_turns_;
   CurvedQuery query_;
   bool truth_ = false;
   std::size_t corners_ = 0;

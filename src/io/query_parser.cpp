@@ -7,7 +7,6 @@
 #include <optional>
 #include <string>
 
-#include "io/curved_rows.hpp"
 #include "io/fail.hpp"
 #include "io/query_row.hpp"
 #include "io/query_writer.hpp"
@@ -50,8 +49,9 @@ std::string an(std::string_view kind) { return (kind.front() == 'e' ? "an " : "a
 
 }  // namespace
 
-QueryParser::QueryParser(const QueryChunk& chunk)
+QueryParser::QueryParser(const QueryChunk& chunk, Turns turns)
     : chunk_(chunk),
+      turns_(turns),
       at_(chunk.text().data()),
       end_(at_ + chunk.text().size()),
       row_(chunk.first_row),
@@ -114,7 +114,7 @@ bool QueryParser::next_curved(QueryRecord& record) {
   const char* const start = at_;
   record.first_row = row_;
   record.number = query_++;
-  CurvedRows rows(chunk_.kind);
+  CurvedRows rows(chunk_.kind, turns_);
   for (; at_ != end_; skip_to_row()) {
     const std::string_view line = line_at(at_);
     if (row_ != record.first_row && starts_curved_query(line)) break;
@@ -126,6 +126,7 @@ bool QueryParser::next_curved(QueryRecord& record) {
   if (const std::string fault = rows.finish(); !fault.empty()) fail(*chunk_.file, rows.fault_line(), fault);
   record.query = rows.query();
   record.truth = rows.truth();
+  record.longer_turns = rows.longer_turns();
   return true;
 }
 

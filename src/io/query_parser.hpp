@@ -10,6 +10,7 @@
 #include <touchstone/curved_query.hpp>
 #include <touchstone/query.hpp>
 
+#include "io/curved_rows.hpp"
 #include "io/query_chunks.hpp"
 
 namespace touchstone::io {
@@ -24,13 +25,15 @@ struct QueryRecord {
   std::uint64_t number = 0;     ///< counted from 0 within the file
   std::uint64_t first_row = 0;  ///< line number of its first row, counted from 1; a file of doubles counts as CSV rows
   std::uint64_t last_row = 0;
-  std::string_view text;  ///< its rows as they stand in the chunk, which must outlive it; empty in a file of doubles
+  LongerTurns longer_turns;  ///< of a curved query, as the file has it
+  std::string_view text;     ///< its rows as they stand in the chunk, which must outlive it; empty in a file of doubles
 };
 
 class QueryParser {
  public:
   /// The chunk must outlive the parser.
-  explicit QueryParser(const QueryChunk& chunk);
+  /// @param turns  of the bodies of curved queries
+  explicit QueryParser(const QueryChunk& chunk, Turns turns = Turns::as_given);
 
   /// The next query into `record`. @returns false after the last one
   /// @throws FileError  naming the row of the query's first fault; no query can be read after that
@@ -46,6 +49,7 @@ class QueryParser {
   [[noreturn]] void refuse_truncated(std::size_t rows) const;
 
   const QueryChunk& chunk_;
+  Turns turns_;
   const char* at_;  ///< the start of a line
   const char* end_;
   std::uint64_t row_;  ///< the line number of at_

@@ -109,6 +109,67 @@ TEST_CASE("solve answers curved files beside straight ones, as the library does"
   CHECK(run_program({"certify", "--kind", "point-edge", other}).status == 0);
 }
 
+TEST_CASE("longer turns are told once a file, and --shorter-turn takes the shorter ones") {
+  const TemporaryFolder folder;
+  // The tip turns by 5.7 degrees. With the other sign of q1 it goes nearly once around, through a wall.
+  const auto query = [](const char* q1) {
+    return "query,0\nmotion,0,1,0,0,0," + std::string(q1) +
+           ",0,0,0,0,0,0\nbody,0,1,0,0\ncurve,-2,-0.5,-1\ncurve,2,-0.5,-1\ncurve,0,-0.5,2\n";
+  };
+  const std::string shorter = query("1,0,0,0.05"), longer = query("-1,0,0,-0.05");
+  const std::string file = folder.write("vertex-face/a.csv", kHeader + shorter + longer + longer);
+  const std::string one = folder.write("vertex-face/one.csv", kHeader + longer);
+  const std::string none = folder.write("vertex-face/none.csv", kHeader + shorter);
+  const std::string told =
+      "touchstone: " + file +
+      ": warning: 2 motions, the first in row 9, take the longer of two turns (q0 . q1 < 0), as recorded poses with "
+      "the other sign do; --shorter-turn takes the shorter ones\n";
+  for (const char* threads : {"1", "3"}) {
+    const Run run = run_program({"solve", "--threads", threads, file, none, one});
+    CHECK(run.status == 0);
+    CHECK(run.err == told + "touchstone: " + one +
+                         ": warning: the motion in row 3 takes the longer of two turns (q0 . q1 < 0), as recorded "
+                         "poses with the other sign do; --shorter-turn takes the shorter ones\n");
+    CHECK(occurrences(run.out, ",1,0x1.") == 3);
+  }
+  const Run solved = run_program({"solve", "--shorter-turn", file});
+  CHECK(occurrences(solved.out, ",1,0x1.") == 0);
+  CHECK(solved.err == "touchstone: " + file +
+                          ": q1 of 2 motions, the first in row 9, has got the other sign, for the shorter turn\n");
+  CHECK(run_program({"solve", none}).err.empty());
+  // certify, and the command that it names.
+  const Run judged = run_program({"certify", file});
+  CHECK(judged.status == 1);
+  CHECK(judged.err == told);
+  const Run holds = run_program({"certify", "--shorter-turn", file});
+  CHECK(holds.status == 0);
+  const std::string claims = folder.write("claims.csv", "query,contact\n0,0\n1,1\n2,0\n");
+  const Run refuted = run_program({"certify", "--shorter-turn", "--claims", claims, file});
+  CHECK(occurrences(refuted.out, "    touchstone explain --query 1 " + file + " --shorter-turn\n") == 1);
+  const Run proofs = run_program({"certify", "--shorter-turn", "--proofs", folder.path("p.txt"), file});
+  CHECK(proofs.status == 2);
+  CHECK(occurrences(proofs.err, "touchstone-check reads the queries as the file has them") == 1);
+  // explain: of the one query alone.
+  CHECK(run_program({"explain", "--query", "0", file}).err.empty());
+  const Run explained = run_program({"explain", "--query", "1", file});
+  CHECK(occurrences(explained.err, ": warning: the motion in row 9 takes the longer of two turns") == 1);
+  CHECK(occurrences(explained.out, "\nanswer: no contact") == 0);
+  CHECK(occurrences(run_program({"explain", "--query", "1", "--shorter-turn", file}).out, "\nanswer: no contact") == 1);
+  // prove, which is about the file as it is, and convert, which makes another.
+  const Run proved = run_program({"prove", file});
+  CHECK(proved.status == 0);
+  CHECK(occurrences(proved.err, "convert --shorter-turn --claims solve writes a file with the shorter ones\n") == 1);
+  const std::string other = folder.path("vertex-face/other.csv");
+  CHECK(run_program({"convert", file, other, "--to", "hexfloat"}).err == told);
+  const Run kept = run_program({"convert", "--shorter-turn", file, other, "--to", "hexfloat"});
+  CHECK(kept.status == 2);
+  CHECK(occurrences(kept.err, "--claims solve") == 1);
+  CHECK(run_program({"convert", "--shorter-turn", "--claims", "solve", file, other, "--to", "hexfloat"}).status == 0);
+  const Run again = run_program({"certify", other});
+  CHECK(again.status == 0);
+  CHECK(again.err.empty());
+}
+
 TEST_CASE("every level answers a curved file alike") {
   const TemporaryFolder folder;
   const std::string file = folder.write("vertex-face/a.csv", text_of(some_queries(Kind::vertex_face, effort(30))));

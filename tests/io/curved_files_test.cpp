@@ -1,10 +1,13 @@
 // Files of curved queries: what is written reads back bit for bit, for any size of chunks and any layout, and damaged
 // files are refused with the line, the column and what would be right.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "io/curved_rows.hpp"
@@ -283,6 +286,33 @@ TEST_CASE("a quaternion that is zero at an end or between is refused") {
       kHeader + "query,1\nmotion,0,1,0,-2,0,-3,0,0x1.8000000000001p+2,0,0,0,0,0,0,0\nbody,0,1,2,3\ncurve,0,0,0\n",
       Kind::point_point, 64, io::Motions::any);
   CHECK(near.error == "");
+}
+
+TEST_CASE("longer turns are counted, and the shorter ones are of the same poses") {
+  const std::string text = kHeader + "query,1\nmotion,0,1,0,0,0,-1,0,0,-2,0,0,0,0,0,0\nbody,0,1,2,3\ncurve,0,0,0\n" +
+                           "query,1\nmotion,1,1,0,0,0,1,0,0,-2,0,0,0,0,0,0\nbody,1,1,2,3\ncurve,0,0,0\n" +
+                           "query,1\nmotion,3,1,0,-2,0,-3,0,6,0,0,0,0,0,0,0\nbody,3,1,2,3\ncurve,0,0,0\n";
+  io::QueryChunkReader reader(io::InputFile::from_memory("q.csv", text), Kind::point_point, 1 << 16, io::Motions::any);
+  const auto chunk = reader.next();
+  REQUIRE(chunk);
+  io::QueryParser parser(*chunk, io::Turns::shorter);
+  io::QueryRecord record;
+  std::vector<std::uint64_t> counts;
+  io::LongerTurns all;
+  std::vector<CurvedQuery> queries;
+  while (parser.next(record)) {
+    counts.push_back(record.longer_turns.count);
+    all.merge(record.longer_turns);
+    queries.push_back(std::get<CurvedQuery>(record.query));
+  }
+  CHECK(counts == std::vector<std::uint64_t>{1, 0, 1});
+  CHECK(all.count == 2);
+  CHECK(all.first_row == static_cast<std::uint64_t>(std::count(kHeader.begin(), kHeader.end(), '\n')) + 2);
+  REQUIRE(queries.size() == 3);
+  CHECK(queries[0].motions[0].q1 == std::array<double, 4>{1, 0, 0, 2});
+  CHECK(queries[1].motions[1].q1 == std::array<double, 4>{1, 0, 0, -2});
+  // As it is given, this one is refused.
+  CHECK(queries[2].motions[3].q1 == std::array<double, 4>{3, 0, -6, 0});
 }
 
 TEST_CASE("what could exhaust memory in a file of curved queries is refused") {

@@ -20,6 +20,7 @@
 #include "cli/shared/proof_file.hpp"
 #include "cli/shared/query_progress.hpp"
 #include "cli/shared/summary.hpp"
+#include "cli/shared/turns.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
 #include "io/output_file.hpp"
@@ -100,9 +101,10 @@ std::variant<RationalQuery, CurvedQuery> as_given(const io::QueryRecord& record)
 void judge_queries(CertifyItem& item, const CertifyOptions& options, const std::vector<Input>& inputs) {
   if (item.chunk.file == nullptr) return;  // reading failed
   const bool from_file = !options.claims.empty();
-  io::QueryParser parser(item.chunk);
+  io::QueryParser parser(item.chunk, options.turns);
   io::QueryRecord record;
   for (std::size_t i = 0; parser.next(record); ++i) {
+    item.longer_turns.merge(record.longer_turns);
     if (from_file && i == item.claims.size()) break;  // item.error says why
     if (!from_file && !record.truth) {
       io::fail(*item.chunk.file, "has no claims to judge; name a file of claims (--claims)");
@@ -177,7 +179,7 @@ std::string summary(const CertifyOptions& options, const std::vector<Input>& inp
   text += speed_for_person(verdicts.claims(), seconds, threads);
   if (refuted == 0) return text;
   text += "\nrefuted:\n";
-  for (const auto& claim : first_refuted) text += refuted_for_person(claim);
+  for (const auto& claim : first_refuted) text += refuted_for_person(claim, options.turns);
   if (refuted > first_refuted.size()) {
     text += fmt::format(
         "  and {} more; {}\n", grouped(refuted - first_refuted.size()),
@@ -194,6 +196,11 @@ int run_certify(const CertifyOptions& options) {
     throw Error(
         "--separation goes with files or --claims; the truth column of each bundled file is about a separation of its "
         "own");
+  }
+  if (!options.proofs.empty() && options.turns == io::Turns::shorter) {
+    throw Error(
+        "--proofs goes without --shorter-turn: touchstone-check reads the queries as the file has them. convert "
+        "--shorter-turn --claims solve writes a file with the shorter turns");
   }
   const std::vector<Input> inputs =
       options.files.empty() ? bundled_inputs(io::Motions::any) : find_inputs(options.files, options.kind);
@@ -221,6 +228,7 @@ int run_certify(const CertifyOptions& options) {
   TruthSeparation truth_separation(options.separation);
   Questions questions;
   QueryStream stream(inputs, options.chunk_bytes, io::Motions::any);
+  TurnNotes turns(inputs, options.turns);
   QueryProgress progress(inputs);
   run_in_order<CertifyItem>(
       threads,
@@ -235,6 +243,7 @@ int run_certify(const CertifyOptions& options) {
       [&](CertifyItem& item) {
         tally.merge(item.tally);
         questions.merge(item.questions);
+        turns.add(item.input, item.longer_turns);
         files[item.input].verdicts.merge(item.tally.verdicts);
         const std::size_t room = kShownClaims - first_refuted.size();
         const std::size_t shown = std::min(room, item.first_refuted.size());
@@ -254,6 +263,8 @@ int run_certify(const CertifyOptions& options) {
     report->finish(report_begin({std::string(method_name(options.method)), source, questions.only()}, tally, files));
   }
   if (proofs) proofs->finish();
+  progress.wipe();
+  turns.tell();
   if (options.report != "-" && options.proofs != "-") {
     auto console = io::OutputFile::standard_output();
     console.write(summary(options, inputs, questions, tally, first_refuted, seconds, threads));

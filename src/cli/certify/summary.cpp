@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "cli/shared/summary.hpp"
+#include "cli/shared/turns.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
 #include "numbers/written_number.hpp"
@@ -42,7 +43,7 @@ std::string early_for_person(const certify::EarlyTally& early) {
                                       early.most_time(), range(early.median_time(), time)));
 }
 
-std::string refuted_for_person(const certify::RefutedClaim& refuted) {
+std::string refuted_for_person(const certify::RefutedClaim& refuted, io::Turns turns) {
   const Claim& claim = refuted.claim;
   std::string claimed = claim.contact ? "contact" : "no contact";
   const std::string& written = claim.toi_as_written;
@@ -55,10 +56,10 @@ std::string refuted_for_person(const certify::RefutedClaim& refuted) {
   const std::string truth =
       answer.contact ? fmt::format("contact at {}, {}", time_for_person(answer.toi), contact_for_person(answer))
                      : "no contact";
-  return fmt::format("  {} query {} (rows {} to {}): {}\n    claim: {}\n    exact: {}\n    {}\n",
-                     io::printable(refuted.file), refuted.query, refuted.first_row, refuted.last_row,
-                     verdict_name(refuted.verdict), claimed, truth,
-                     explain_command(refuted.file, refuted.kind(), refuted.query, refuted.separation));
+  return fmt::format(
+      "  {} query {} (rows {} to {}): {}\n    claim: {}\n    exact: {}\n    {}{}\n", io::printable(refuted.file),
+      refuted.query, refuted.first_row, refuted.last_row, verdict_name(refuted.verdict), claimed, truth,
+      explain_command(refuted.file, refuted.kind(), refuted.query, refuted.separation), turns_argument(turns));
 }
 
 }  // namespace touchstone::cli

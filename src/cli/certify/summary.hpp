@@ -5,6 +5,7 @@
 #include <string>
 
 #include "certify/tally.hpp"
+#include "io/curved_rows.hpp"
 
 namespace touchstone::cli {
 
@@ -12,7 +13,7 @@ namespace touchstone::cli {
 std::string verdicts_for_person(const certify::VerdictCounts& verdicts);
 std::string early_for_person(const certify::EarlyTally& early);  ///< empty when no claim had a toi
 
-/// One refuted claim and the command that explains its query.
-std::string refuted_for_person(const certify::RefutedClaim& refuted);
+/// One refuted claim and the command that explains its query. @param turns  with which it was judged
+std::string refuted_for_person(const certify::RefutedClaim& refuted, io::Turns turns);
 
 }  // namespace touchstone::cli

@@ -15,6 +15,7 @@
 #include "cli/shared/options.hpp"
 #include "cli/shared/pipeline.hpp"
 #include "cli/shared/query_progress.hpp"
+#include "cli/shared/turns.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
 #include "io/output_file.hpp"
@@ -68,9 +69,10 @@ class Source {
 void encode_queries(ConvertItem& item, const ConvertOptions& options, const io::WrittenFile& file) {
   if (item.chunk.file == nullptr) return;  // reading failed
   item.encoded.emplace(file);
-  io::QueryParser parser(item.chunk);
+  io::QueryParser parser(item.chunk, options.turns);
   io::QueryRecord record;
   while (parser.next(record)) {
+    item.longer_turns.merge(record.longer_turns);
     std::optional<bool> claim = record.truth;
     if (options.claims == Claims::solve) {
       claim = answer_to(record.query, Method::fast, file.separation.value_or(Separation())).contact;
@@ -85,6 +87,9 @@ void encode_queries(ConvertItem& item, const ConvertOptions& options, const io::
 int run_convert(const ConvertOptions& options) {
   const std::vector<Input> inputs = find_inputs({options.from}, options.kind);
   refuse_to_overwrite(options.to, {options.from});
+  if (options.turns == io::Turns::shorter && options.claims == Claims::keep) {
+    throw Error("--shorter-turn goes with --claims solve: with another turn the claims of IN may be wrong");
+  }
   Source stream(inputs, options);
   QueryItem first;
   stream.next(first);  // an input without a query is an error
@@ -93,6 +98,7 @@ int run_convert(const ConvertOptions& options) {
 
   io::QueryFileWriter out(options.to, file);
   std::uint64_t queries = 0;
+  TurnNotes turns(inputs, options.turns);
   QueryProgress progress(inputs);
   run_in_order<ConvertItem>(
       thread_count(options.threads),
@@ -106,9 +112,12 @@ int run_convert(const ConvertOptions& options) {
         if (item.error) return;  // it is thrown now, and nothing is written
         out.write(*item.encoded);
         queries += item.queries;
+        turns.add(item.input, item.longer_turns);
         progress.add(item.chunk.size(), item.queries);
       });
   out.commit();
+  progress.wipe();
+  turns.tell();
   if (options.to == "-") return kAllHold;
 
   auto console = io::OutputFile::standard_output();
@@ -155,6 +164,7 @@ void add_convert(CLI::App& program, Command& command) {
           "that IN states or else to touching")
       ->type_name("CLAIMS")
       ->check(CLI::IsMember({"keep", "drop", "solve"}));
+  add_shorter_turn_option(*subcommand, options->turns);
   subcommand->add_flag("--unsigned-zeros", options->unsigned_zeros,
                        "Write -0 as 0 to csv, whose fractions have no sign of zero. Without it, csv refuses -0");
   subcommand

@@ -10,6 +10,7 @@
 #include <touchstone/query.hpp>
 
 #include "cli/shared/command.hpp"
+#include "io/curved_rows.hpp"
 #include "io/query_chunks.hpp"
 #include "io/query_file_writer.hpp"
 
@@ -24,8 +25,9 @@ struct ConvertOptions {
   std::optional<Kind> kind;
   Claims claims = Claims::keep;
   bool unsigned_zeros = false;
-  std::string group;  ///< of an HDF5 file that is read; empty: the benchmark's, or else the root
-  int threads = 0;    ///< 0: all that the machine has
+  io::Turns turns = io::Turns::as_given;  ///< of the bodies of curved queries
+  std::string group;                      ///< of an HDF5 file that is read; empty: the benchmark's, or else the root
+  int threads = 0;                        ///< 0: all that the machine has
   std::size_t chunk_bytes = io::kChunkBytes;  ///< for tests: no result depends on it
 };
 

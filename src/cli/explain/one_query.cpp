@@ -17,6 +17,7 @@
 #include "cli/explain/story.hpp"
 #include "cli/shared/interrupt.hpp"
 #include "cli/shared/options.hpp"
+#include "cli/shared/turns.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
 #include "io/output_file.hpp"
@@ -52,7 +53,8 @@ Explanation explained(const AQuery& query, const io::QueryRecord& record, const 
 
 }  // namespace
 
-std::unique_ptr<FoundQuery> find_query(const Input& input, std::uint64_t number) {
+std::unique_ptr<FoundQuery> find_query(const Input& input, const OneQuery& options) {
+  const std::uint64_t number = options.query;
   io::QueryChunkReader reader(input.open(), input.kind, io::kChunkBytes, io::Motions::any);
   std::uint64_t count = 0;
   auto found = std::make_unique<FoundQuery>();
@@ -62,9 +64,14 @@ std::unique_ptr<FoundQuery> find_query(const Input& input, std::uint64_t number)
     count += chunk->query_count;
     if (number >= count && !chunk->truncated) continue;
     found->chunk = std::move(*chunk);
-    io::QueryParser parser(found->chunk);
+    io::QueryParser parser(found->chunk, options.turns);
     while (parser.next(found->record)) {
-      if (found->record.number == number) return found;
+      if (found->record.number != number) continue;
+      const std::vector<Input> inputs = {input};
+      TurnNotes turns(inputs, options.turns);
+      turns.add(0, found->record.longer_turns);
+      turns.tell();
+      return found;
     }
   }
   io::fail(input.name, fmt::format("has no query {}; it has {}, counted from 0", number, counted(count, "query")));
@@ -83,7 +90,8 @@ std::string heading(const Input& input, const io::QueryRecord& record) {
 std::uint64_t write_query_page(const std::string& path, const Input& input, const io::QueryRecord& record,
                                const Explanation& explanation, const OneQuery& options) {
   const std::string about =
-      explain_command(input.name, input.kind, record.number, options.separation.separation, options.t_max);
+      explain_command(input.name, input.kind, record.number, options.separation.separation, options.t_max) +
+      turns_argument(options.turns);
   const view::QueryToShow shown{heading(input, record), about,         explanation.corners,          record.query,
                                 explanation.story,      options.t_max, options.separation.separation};
   const std::string page = view::page_text(view::query_page(shown));
@@ -102,6 +110,7 @@ void add_one_query_options(CLI::App& subcommand, OneQuery& options) {
         return check_whole_number(text).empty() ? std::string() : text + " must be a number counted from 0";
       });
   add_kind_option(subcommand, options.kind);
+  add_shorter_turn_option(subcommand, options.turns);
   subcommand
       .add_option_function<std::string>(
           "--t-max", [&options](const std::string& text) { options.t_max = io::parse_finite_double(text).value_or(1); },

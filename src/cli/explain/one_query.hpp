@@ -25,6 +25,7 @@ struct OneQuery {
   std::uint64_t query = 0;
   double t_max = 1;
   SeparationOption separation;
+  io::Turns turns = io::Turns::as_given;  ///< of the bodies of a curved query
 };
 
 /// The options of both commands. They are written into `options`, which must outlive the parser.
@@ -37,8 +38,8 @@ struct FoundQuery {
   io::QueryRecord record;
 };
 
-/// @throws FileError  for a file that has no such query
-std::unique_ptr<FoundQuery> find_query(const Input& input, std::uint64_t number);
+/// Tells of the longer turn of a body, too. @throws FileError  for a file that has no such query
+std::unique_ptr<FoundQuery> find_query(const Input& input, const OneQuery& options);
 
 struct Explanation {
   std::string corners;  ///< whole lines

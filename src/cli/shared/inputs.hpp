@@ -44,7 +44,8 @@ std::vector<Input> bundled_touching_inputs(io::Motions motions = io::Motions::st
 struct QueryItem {
   std::size_t input = 0;  ///< index into the inputs
   io::QueryChunk chunk;
-  std::exception_ptr error;  ///< the error that came after the readable queries of this item
+  io::LongerTurns longer_turns;  ///< of the queries that were parsed
+  std::exception_ptr error;      ///< the error that came after the readable queries of this item
 };
 
 /// The chunks of several files, one file after the other.

@@ -14,6 +14,7 @@
 #include <touchstone/error.hpp>
 
 #include "cli/shared/kind_check.hpp"
+#include "cli/shared/turns.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
 #include "io/kind_of_file.hpp"
@@ -80,6 +81,7 @@ void add_query_options(CLI::App& subcommand, QueryOptions& options) {
           "uncertain")
       ->type_name("LEVEL")
       ->check(CLI::IsMember({"fast", "exact", "oracle", "fast-cgal"}));
+  add_shorter_turn_option(subcommand, options.turns);
   subcommand.add_option("--threads", options.threads, "The number of threads (default: all that the machine has)")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));

@@ -24,6 +24,7 @@ struct QueryOptions {
   std::optional<Kind> kind;
   Method method = Method::fast;
   SeparationOption separation;
+  io::Turns turns = io::Turns::as_given;      ///< of the bodies of curved queries
   int threads = 0;                            ///< 0: all that the machine has
   std::size_t chunk_bytes = io::kChunkBytes;  ///< for tests: no result depends on it
 };

@@ -18,8 +18,11 @@ constexpr const char* kWipe = "\r\033[K";  // to the start of the line, and eras
 
 ProgressLine::ProgressLine() : visible_(::isatty(STDERR_FILENO) == 1) {}
 
-ProgressLine::~ProgressLine() {
+ProgressLine::~ProgressLine() { wipe(); }
+
+void ProgressLine::wipe() {
   if (drawn_) print_error(kWipe);
+  drawn_ = false;
 }
 
 void ProgressLine::draw(const std::function<std::string()>& text) {

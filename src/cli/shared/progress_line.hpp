@@ -20,6 +20,9 @@ class ProgressLine {
   /// Call this from one thread at a time.
   void draw(const std::function<std::string()>& text);
 
+  /// Wipes the line until it is drawn again, so that other lines may follow.
+  void wipe();
+
   double seconds() const noexcept;  ///< since construction
 
  private:

@@ -21,6 +21,9 @@ class QueryProgress {
   /// Adds work that has just been done, and draws the line. Call this from one thread at a time.
   void add(std::size_t bytes, std::uint64_t queries);
 
+  /// Wipes the line, so that other lines may follow.
+  void wipe() { line_.wipe(); }
+
   double seconds() const noexcept { return line_.seconds(); }  ///< since construction
 
  private:
