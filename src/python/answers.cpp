@@ -67,7 +67,7 @@ void column(py::class_<Answers>& answers, const char* name, Member Answer::*memb
 }
 
 void define_answer(py::module_& module) {
-  py::class_<Answer>(module, "Answer", "The answer to one query. Without contact only contact and level count.")
+  define_class<Answer>(module, "Answer", "The answer to one query. Without contact only contact and level count.")
       .def_readonly("contact", &Answer::contact, "whether the elements touch at any time in [0, t_max]")
       .def_readonly("toi", &Answer::toi, "the largest double <= the exact first time; inf without contact")
       .def_readonly("toi_upper", &Answer::toi_upper, "the smallest double >= the exact first time")
@@ -103,9 +103,10 @@ py::object name_object(Trend trend) { return member(all_names().trends, trend); 
 
 void define_answers(py::module_& module) {
   define_answer(module);
-  py::class_<Answers> answers(module, "Answers",
-                              "The answers to n queries, in their order: arrays without copies that cannot be written\n"
-                              "to. answers[i] is an Answer.");
+  py::class_<Answers> answers =
+      define_class<Answers>(module, "Answers",
+                            "The answers to n queries, in their order: arrays without copies that cannot be written\n"
+                            "to. answers[i] is an Answer.");
   answers.def("__len__", [](const Answers& self) { return self.all().size(); })
       .def("__getitem__", &item)
       .def("__repr__", [](const Answers& self) { return text_of(self); });

@@ -11,6 +11,8 @@
 
 #include <touchstone/answer.hpp>
 
+#include "python/bound.hpp"
+
 namespace touchstone::python {
 
 namespace py = pybind11;
@@ -33,6 +35,8 @@ py::array column_of(const std::vector<Structure>& structures, const void* first,
 /// The answers to many queries. It never changes.
 class Answers {
  public:
+  using BoundToPython = void;
+
   explicit Answers(std::vector<Answer> answers) : answers_(std::move(answers)) {}
   const std::vector<Answer>& all() const noexcept { return answers_; }
 

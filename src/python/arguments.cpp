@@ -35,6 +35,9 @@ py::object array_helper(const char* name) { return py::module_::import("touchsto
 
 py::dtype of_doubles() { return py::dtype::of<double>(); }
 
+/// Whether an array is of NumPy's own type, not of a subclass.
+bool is_plain(py::handle array) { return Py_TYPE(array.ptr()) == py::detail::npy_api::get().PyArray_Type_; }
+
 }  // namespace
 
 Kind kind_of(py::handle name) {
@@ -93,7 +96,8 @@ double number_of(py::handle number, const char* what) {
 std::string shape_text(const py::array& array) { return std::string(py::str(py::object(array.attr("shape")))); }
 
 py::array exact_array(py::handle values, const char* what) {
-  if (py::isinstance<py::array>(values)) {
+  // Subclasses go the other way: a masked array has elements that do not count.
+  if (py::isinstance<py::array>(values) && is_plain(values)) {
     const auto array = py::reinterpret_borrow<py::array>(values);
     const py::dtype type = array.dtype();
     if (type.is(of_doubles())) return array;

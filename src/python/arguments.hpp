@@ -16,6 +16,8 @@
 #include <touchstone/separation.hpp>
 #include <touchstone/solve.hpp>
 
+#include "python/bound.hpp"
+
 namespace touchstone::python {
 
 namespace py = pybind11;

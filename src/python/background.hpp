@@ -16,7 +16,7 @@
 namespace touchstone::python {
 
 /// The result of work(stop), which runs without the GIL. If a signal handler throws, as that of Ctrl-C does, `stop`
-/// becomes true, and the handler's exception is thrown when the work has ended.
+/// becomes true, and the handler's exception is thrown when the work has ended. The work may set it, too.
 /// @param size  of the problem: with few vertices the work is short, and needs no thread of its own
 template <class Work>
 auto in_background(std::size_t size, const Work& work) {

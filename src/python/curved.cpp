@@ -126,7 +126,18 @@ class Element {
   std::vector<std::string> names_;
 };
 
-CurvedQueries curved_queries(py::handle kind_name, const py::tuple& first, const py::tuple& second) {
+/// Gives the bodies of a query the shorter turns. @returns whether one had the longer
+bool shorten_turns(CurvedQuery& query) {
+  bool longer = false;
+  for (RigidMotion& motion : query.motions) {
+    if (!takes_longer_turn(motion)) continue;
+    motion = with_shorter_turn(motion);
+    longer = true;
+  }
+  return longer;
+}
+
+CurvedQueries curved_queries(py::handle kind_name, const py::tuple& first, const py::tuple& second, bool shorter) {
   CurvedQueries queries;
   queries.kind = kind_of(kind_name);
   const std::size_t corners = queries.kind == Kind::edge_edge ? 2 : 1;
@@ -141,6 +152,10 @@ CurvedQueries curved_queries(py::handle kind_name, const py::tuple& first, const
     queries.all[i].kind = queries.kind;
     a.put(i, queries.all[i], 0, 0);
     b.put(i, queries.all[i], corners, 1);
+    CurvedQuery shortened = queries.all[i];
+    if (!shorten_turns(shortened)) continue;
+    if (queries.longer_turns++ == 0) queries.first_longer_turn = i;
+    if (shorter) queries.all[i] = shortened;
   }
   return queries;
 }
@@ -211,10 +226,12 @@ py::list contact_times_curved(const CurvedQueries& queries, py::handle t_max_num
 }  // namespace
 
 void define_curved(py::module_& module) {
-  py::class_<CurvedQueries>(module, "CurvedArrays", "The queries of a CurvedQueries.")
+  define_class<CurvedQueries>(module, "CurvedArrays", "The queries of a CurvedQueries.")
       .def("__len__", [](const CurvedQueries& queries) { return queries.all.size(); })
       .def_property_readonly("kind", [](const CurvedQueries& queries) { return std::string(kind_name(queries.kind)); })
       .def_readonly("single", &CurvedQueries::single)
+      .def_readonly("longer_turns", &CurvedQueries::longer_turns)
+      .def_readonly("first_longer_turn", &CurvedQueries::first_longer_turn)
       .def("solve", &solve_curved)
       .def("solve_any", &solve_any_curved)
       .def("contact_times", &contact_times_curved);

@@ -10,9 +10,15 @@
 namespace touchstone::python {
 
 struct CurvedQueries {
+  using BoundToPython = void;
+
   Kind kind = Kind::edge_edge;
   std::vector<CurvedQuery> all;
   bool single = false;  ///< one query, whose answer is no array
+
+  // Of those with a body that takes the longer of two turns, as it was given:
+  std::size_t longer_turns = 0;       ///< how many
+  std::size_t first_longer_turn = 0;  ///< the row of the first one
 };
 
 }  // namespace touchstone::python

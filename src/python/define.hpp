@@ -4,6 +4,8 @@
 
 #include <pybind11/pybind11.h>
 
+#include "python/bound.hpp"
+
 namespace touchstone::python {
 
 namespace py = pybind11;

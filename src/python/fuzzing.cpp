@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <exception>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -64,16 +65,39 @@ Claim claim_of(const py::object& reply) {
   return {true, time_of(reply)};
 }
 
-/// Asks the function. What it throws becomes an exception that holds nothing of Python.
-Claim ask(const py::object& solver, const Query& query) {
-  const py::gil_scoped_acquire locked;
-  try {
-    return claim_of(solver(std::string(kind_name(query.kind)), corners_array(query.kind, query.start),
-                           corners_array(query.kind, query.end)));
-  } catch (py::error_already_set& error) {
-    throw std::runtime_error(error.what());
+/// The function under test.
+class AskedFunction {
+ public:
+  /// @param stop  becomes true when the function ends the run
+  AskedFunction(const py::object& solver, std::atomic<bool>& stop) : solver_(solver), stop_(stop) {}
+
+  /// What the function throws becomes an exception that holds nothing of Python. Of a finding it is the text. What is
+  /// no `Exception`, such as KeyboardInterrupt, ends the run.
+  Claim operator()(const Query& query) {
+    if (ending_) throw std::runtime_error("the run has ended");
+    const py::gil_scoped_acquire locked;
+    try {
+      return claim_of(solver_(std::string(kind_name(query.kind)), corners_array(query.kind, query.start),
+                              corners_array(query.kind, query.end)));
+    } catch (py::error_already_set& error) {
+      if (!error.matches(PyExc_Exception)) {
+        ending_ = std::current_exception();
+        stop_ = true;
+      }
+      throw std::runtime_error(error.what());
+    }
   }
-}
+
+  /// Throws what ended the run, if something did.
+  void rethrow() const {
+    if (ending_) std::rethrow_exception(ending_);
+  }
+
+ private:
+  const py::object& solver_;
+  std::atomic<bool>& stop_;
+  std::exception_ptr ending_;
+};
 
 template <class Number>
 std::optional<Number> number_or_none(py::handle value) {
@@ -100,15 +124,19 @@ FuzzReport fuzz(const py::object& solver, py::handle kinds, py::handle families,
   }
   if (!families.is_none()) options.families = families.cast<std::vector<std::string>>();
   // The function runs under the lock: more threads than one would only wait for each other.
-  return in_background(std::numeric_limits<std::size_t>::max(), [&](const std::atomic<bool>& stop) {
+  std::optional<AskedFunction> asked;
+  FuzzReport report = in_background(std::numeric_limits<std::size_t>::max(), [&](std::atomic<bool>& stop) {
     options.stop = &stop;
-    return fuzz_solver([&solver](const Query& query) { return ask(solver, query); }, options);
+    asked.emplace(solver, stop);
+    return fuzz_solver([&asked](const Query& query) { return (*asked)(query); }, options);
   });
+  asked->rethrow();
+  return report;
 }
 
 void define_finding(py::module_& module) {
-  py::class_<FuzzFinding>(module, "Finding",
-                          "All failures of one sort on queries that are degenerate in one way, with the simplest one.")
+  define_class<FuzzFinding>(
+      module, "Finding", "All failures of one sort on queries that are degenerate in one way, with the simplest one.")
       .def_property_readonly(
           "failure", [](const FuzzFinding& found) { return std::string(fuzz_failure_name(found.failure)); },
           "'crash', 'malformed', 'missed', 'late', 'nan', 'phantom' or 'early'")
@@ -148,7 +176,7 @@ void define_finding(py::module_& module) {
 
 void define_fuzzing(py::module_& module) {
   define_finding(module);
-  py::class_<FuzzReport>(module, "FuzzReport", "What fuzz found.")
+  define_class<FuzzReport>(module, "FuzzReport", "What fuzz found.")
       .def_readonly("queries", &FuzzReport::queries, "how many queries were asked and judged")
       .def_readonly("failures", &FuzzReport::failures, "how many replies were wrong")
       .def_readonly("kinds_of_failure", &FuzzReport::kinds_of_failure, "how many findings there are in all")

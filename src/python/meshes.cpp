@@ -22,6 +22,8 @@ namespace {
 
 /// Pairs of elements and, of contacts, the answers to their queries.
 struct Pairs {
+  using BoundToPython = void;
+
   std::vector<MeshPair> pairs;
   std::vector<double> separations;
   std::vector<Answer> answers;
@@ -141,6 +143,8 @@ auto of_step(const Function& function) {
 }
 
 struct Intersections {
+  using BoundToPython = void;
+
   std::vector<Intersection> all;
 };
 
@@ -174,7 +178,7 @@ message names the element.
 <Mesh: 7 vertices, 2 faces, 6 edges, 1 loose points>)";
 
 void define_mesh(py::module_& module) {
-  py::class_<Mesh>(module, "Mesh", kMeshHelp)
+  define_class<Mesh>(module, "Mesh", kMeshHelp)
       .def(py::init([](py::object vertices, py::object faces, py::object edges, py::object points,
                        py::object separation, py::object metric, py::object radii, py::object dimension,
                        py::object excluded_vertices, py::object excluded_pairs, py::object groups,
@@ -235,8 +239,8 @@ void define_mesh(py::module_& module) {
 }
 
 void define_pairs(py::module_& module) {
-  py::class_<Pairs> pairs(module, "Pairs",
-                          "Pairs of elements: arrays that cannot be written to. pairs[i] is (kind, first, second).");
+  py::class_<Pairs> pairs = define_class<Pairs>(
+      module, "Pairs", "Pairs of elements: arrays that cannot be written to. pairs[i] is (kind, first, second).");
   pairs.def("__len__", [](const Pairs& self) { return self.pairs.size(); })
       .def("__getitem__", [](const Pairs& self, py::ssize_t i) { return tuple_of(pair_at(self, i)); })
       .def("__repr__", [](const Pairs& self) { return "<Pairs: " + std::to_string(self.pairs.size()) + ">"; })
@@ -275,8 +279,8 @@ void define_pairs(py::module_& module) {
 }
 
 void define_intersections(py::module_& module) {
-  py::class_<Intersections> found(module, "Intersections",
-                                  "Where a mesh intersects itself: arrays that cannot be written to.");
+  py::class_<Intersections> found = define_class<Intersections>(
+      module, "Intersections", "Where a mesh intersects itself: arrays that cannot be written to.");
   found.def("__len__", [](const Intersections& self) { return self.all.size(); })
       .def("__repr__",
            [](const Intersections& self) { return "<Intersections: " + std::to_string(self.all.size()) + ">"; });
@@ -324,7 +328,7 @@ void define_intersections(py::module_& module) {
 }
 
 void define_first_contact(py::module_& module) {
-  py::class_<FirstContact>(module, "FirstContact", "The first contact of a mesh in a step.")
+  define_class<FirstContact>(module, "FirstContact", "The first contact of a mesh in a step.")
       .def_readonly("contact", &FirstContact::contact,
                     "whether elements that are not in contact at the start come into contact")
       .def_readonly("toi", &FirstContact::toi, "the largest double <= the exact first time of it; inf without one")
@@ -368,12 +372,14 @@ const char* outcome_name(StepOutcome outcome) {
 
 /// A free step, and how many coordinates a vertex has.
 struct Step {
+  using BoundToPython = void;
+
   FreeStep step;
   int dimension;
 };
 
 void define_free_step(py::module_& module) {
-  py::class_<Step>(module, "FreeStep", "A step that is proved free of contact.")
+  define_class<Step>(module, "FreeStep", "A step that is proved free of contact.")
       .def_property_readonly(
           "outcome", [](const Step& self) { return outcome_name(self.step.outcome); },
           "'whole', 'shortened', 'no_room', 'contact_at_start' or 'intersects_at_start'")

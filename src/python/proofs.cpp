@@ -23,6 +23,8 @@ namespace {
 
 /// A query file, the proofs of its answers, and these.
 struct ProvedFile {
+  using BoundToPython = void;
+
   std::string queries, proofs;
   Answers answers{{}};
 };
@@ -87,7 +89,7 @@ ProvedFile prove_curved(const CurvedQueries& queries, py::handle distance, py::h
 }  // namespace
 
 void define_proofs(py::module_& module) {
-  py::class_<ProvedFile>(module, "ProvedFile", "The texts of a query file and of the proofs of its answers.")
+  define_class<ProvedFile>(module, "ProvedFile", "The texts of a query file and of the proofs of its answers.")
       .def_property_readonly("queries", [](const ProvedFile& file) { return py::bytes(file.queries); })
       .def_property_readonly("proofs", [](const ProvedFile& file) { return py::bytes(file.proofs); })
       .def_readonly("answers", &ProvedFile::answers);

@@ -189,6 +189,8 @@ py::list contact_times_arrays(py::handle kind, py::handle start, py::handle end,
 
 /// The distances of many queries.
 struct Distances {
+  using BoundToPython = void;
+
   std::vector<Distance> all;
 };
 
@@ -257,7 +259,7 @@ auto comparison(const Holds& holds) {
 }
 
 void define_times(py::module_& module) {
-  py::class_<ExactTime>(
+  define_class<ExactTime>(
       module, "ExactTime",
       "An exact time in [0, 1]: a rational or algebraic number. Comparisons with another one, an int,\n"
       "a float or a fractions.Fraction are exact. str() gives '1/3', or the polynomial whose root it "
@@ -278,7 +280,7 @@ void define_times(py::module_& module) {
 
 void define_distances(py::module_& module) {
   const auto weights = [](const std::array<double, 3>& w) { return py::make_tuple(w[0], w[1], w[2]); };
-  py::class_<Distance>(module, "Distance", "The distance of two elements at one instant, and their closest points.")
+  define_class<Distance>(module, "Distance", "The distance of two elements at one instant, and their closest points.")
       .def_readonly("value", &Distance::value, "the double nearest to the exact distance")
       .def_property_readonly("feature_a", [](const Distance& d) { return name_object(d.feature_a); })
       .def_property_readonly("feature_b", [](const Distance& d) { return name_object(d.feature_b); })
@@ -290,7 +292,8 @@ void define_distances(py::module_& module) {
                ", feature_a=" + std::string(feature_name(d.feature_a)) +
                ", feature_b=" + std::string(feature_name(d.feature_b)) + ")";
       });
-  py::class_<Distances> distances(module, "Distances", "The distances of n queries: arrays that cannot be written to.");
+  py::class_<Distances> distances =
+      define_class<Distances>(module, "Distances", "The distances of n queries: arrays that cannot be written to.");
   distances.def("__len__", [](const Distances& d) { return d.all.size(); });
   const auto column = [&](const char* name, auto member, auto number, std::size_t width, const char* help) {
     const auto get = [member, number, width](const py::object& self) {

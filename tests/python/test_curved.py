@@ -2,6 +2,7 @@
 import csv
 import os
 import subprocess
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -119,9 +120,36 @@ def test_what_is_wrong_is_named():
         with pytest.raises(error, match=words):
             CurvedQueries(kind, first, second)
     opposite = np.array([[1., 0, 0, 0], [-2, 0, 0, 0]])
-    with pytest.raises(ValueError, match="row 1: .*q1"):
+    with pytest.warns(UserWarning), pytest.raises(ValueError, match="row 1: .*q1"):
         CurvedQueries("point-edge", OnBody([[0, 0, 0]], q1=opposite), edge).solve()
     with pytest.raises(ValueError, match="row 0"):
         CurvedQueries("point-point", OnBody([[[np.nan, 0, 0]]]), point).solve_any()
     with pytest.raises(ValueError, match="t_max"):
         CurvedQueries("point-point", point, point).solve(t_max=2)
+
+
+WALL = OnBody([[-2, -.5, -1], [2, -.5, -1], [0, -.5, 2]])
+TURN = np.array([np.cos(.05), 0, 0, np.sin(.05)])
+
+
+def test_a_longer_turn_is_told_once_and_shortened_on_demand():
+    signs = np.array([1., -1, 1, -1, -1])
+    tips = OnBody([[1, 0, 0]], q1=signs[:, None] * TURN)
+    with pytest.warns(UserWarning, match=r"3 of 5 queries have .* first in row 1: q0 . q1 < 0") as told:
+        longer = CurvedQueries("vertex-face", tips, WALL)
+    assert len(told) == 1 and told[0].filename == __file__
+    assert longer.solve_any().tolist() == (signs < 0).tolist()
+    with pytest.warns(UserWarning, match="1 of 1 queries has a body .* shorter_turn=True"):
+        CurvedQueries("vertex-face", OnBody([[1, 0, 0]], q1=-TURN), WALL)
+    with pytest.warns(UserWarning, match="2 of 2 queries"):  # of either element
+        CurvedQueries("point-point", OnBody([[1, 0, 0]]), OnBody(np.ones((2, 1, 3)), q1=-TURN))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        shorter = CurvedQueries("vertex-face", tips, WALL, shorter_turn=True)
+        assert not shorter.solve_any().any()
+        assert not CurvedQueries("vertex-face", OnBody([[1, 0, 0]], q1=TURN), WALL).solve_any()
+        # As it is given, a turn to the opposite quaternion has no meaning.
+        still = CurvedQueries("vertex-face", OnBody([[1, 0, 0]], q1=[-1, 0, 0, 0]), WALL, shorter_turn=True)
+        assert not still.solve_any()
+    with pytest.raises(TypeError, match="shorter_turn is of type int"):
+        CurvedQueries("vertex-face", tips, WALL, shorter_turn=1)

@@ -92,3 +92,30 @@ def test_a_separation_is_what_the_solver_was_asked():
 def test_options_without_meaning(arguments, error, words):
     with pytest.raises(error, match=words):
         ts.fuzz(**{"solver": half, **arguments})
+
+
+@pytest.mark.parametrize("error", [KeyboardInterrupt, SystemExit, GeneratorExit])
+def test_what_is_no_exception_ends_the_run_and_reaches_the_caller(error):
+    calls = []
+
+    def interrupted(kind, start, end):
+        calls.append(kind)
+        if len(calls) == 50:
+            raise error("no further")
+        return exact(kind, start, end)
+
+    with pytest.raises(error, match="no further"):
+        ts.fuzz(interrupted, 100_000)
+    assert len(calls) == 50
+    # While a query is shrunk, too.
+    calls.clear()
+
+    def failing(kind, start, end):
+        calls.append(kind)
+        if len(calls) == 400:
+            raise error("no further")
+        return not exact(kind, start, end)[0]
+
+    with pytest.raises(error, match="no further"):
+        ts.fuzz(failing, 300)
+    assert len(calls) == 400

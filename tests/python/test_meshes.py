@@ -155,3 +155,54 @@ def test_an_empty_mesh():
     assert ts.first_contact(mesh, nothing, nothing).free and len(ts.candidates(mesh, nothing, nothing)) == 0
     assert ts.free_step(mesh, nothing, nothing).positions.shape == (0, 3)
     assert len(ts.intersections(mesh, nothing)) == 0 and mesh.faces.shape == (0, 3)
+
+
+def test_masked_positions_and_indices_are_refused():
+    mesh = ts.Mesh(7, np.ma.array(FACES))
+    masked = np.ma.array(X1)
+    masked[3, 0] = np.ma.masked
+    with pytest.raises(ValueError, match=r"x1\[3, 0\] is masked"):
+        ts.first_contact(mesh, X0, masked)
+    assert ts.first_contact(mesh, np.ma.array(X0), np.ma.array(X1)).contact
+    with pytest.raises(ValueError, match=r"faces\[1, 2\] is masked"):
+        ts.Mesh(7, np.ma.array(FACES, mask=[[0, 0, 0], [0, 0, 1]]))
+    with pytest.raises(ValueError, match=r"radii\[0\] is masked"):
+        ts.Mesh(7, FACES, radii=np.ma.array(np.ones(7), mask=[1, 0, 0, 0, 0, 0, 0]))
+
+
+BOUND = [bound for bound in vars(ts._core).values() if isinstance(bound, type)]
+
+
+@pytest.mark.parametrize("bound", BOUND, ids=[bound.__name__ for bound in BOUND])
+def test_an_object_without_a_value_is_refused(bound):
+    made = bound.__new__(bound)
+    tried = 0
+    for name, member in vars(bound).items():
+        if isinstance(member, property):
+            calls = [lambda: getattr(made, name)]
+        elif name in ("__repr__", "__str__", "__len__", "__float__", "__iter__", "__bool__", "page"):
+            calls = [lambda: getattr(made, name)()]
+        elif name in ("__getitem__", "__eq__", "__lt__"):
+            calls = [lambda: getattr(made, name)(0)]
+        else:
+            continue
+        for call in calls:
+            tried += 1
+            with pytest.raises(TypeError, match="no value"):
+                call()
+    assert tried > 0
+
+
+def test_a_mesh_without_a_value_is_refused_by_the_functions():
+    class Mine(ts.Mesh):
+        pass
+
+    for mesh in (ts.Mesh.__new__(ts.Mesh), Mine.__new__(Mine)):
+        for call in (ts.first_contact, ts.all_contacts, ts.candidates, ts.free_step):
+            with pytest.raises(TypeError, match="no value"):
+                call(mesh, X0, X1)
+        with pytest.raises(TypeError, match="no value"):
+            ts.intersections(mesh, X0)
+        mesh.__init__(7, FACES)
+        assert ts.first_contact(mesh, X0, X1).contact
+    assert len(BOUND) >= 13

@@ -280,3 +280,32 @@ def test_names():
     assert ts.Nature.names(np.array([[1, 2], [5, 0]], np.uint8)).tolist() == [["crossing", "grazing"],
                                                                               ["entering", "none"]]
     assert str(ts.Feature.f01) == "f01" and ts.Level(2) == ts.Level.exact
+
+
+def test_masked_elements_are_refused():
+    start, end = (x[:6] for x in queries.both("edge-edge", 6))
+    wanted = ts.solve("edge-edge", start, end)
+    whole = np.ma.array(start, mask=False)
+    for unmasked in (whole, np.ma.array(start), np.ma.array(start.astype(np.float32).astype(float)), list(whole)):
+        assert len(ts.solve("edge-edge", unmasked, end)) == 6
+    assert queries.same(ts.solve("edge-edge", whole, np.ma.array(end)), wanted)
+    masked = whole.copy()
+    masked[4, 1, 2] = np.ma.masked
+    for call in (ts.solve, ts.solve_any, ts.contact_times):
+        with pytest.raises(ValueError, match=r"start\[4, 1, 2\] is masked"):
+            call("edge-edge", masked, end)
+        with pytest.raises(ValueError, match=r"end\[4, 1, 2\] is masked"):
+            call("edge-edge", start, list(masked))
+    with pytest.raises(ValueError, match=r"end\[4, 1, 2\] is masked"):
+        ts.solve("edge-edge", start, masked.astype(np.float32))
+    with pytest.raises(ValueError, match=r"start\[0, 0, 0\] is masked"):
+        ts.solve("point-point", [[[np.ma.masked, 0, 0], [1, 0, 0]]], np.zeros((1, 2, 3)))
+    with pytest.raises(ValueError, match=r"separation\[1\] is masked"):
+        ts.solve("edge-edge", start, end, separation=np.ma.array(np.ones(6), mask=[0, 1, 0, 0, 0, 0]))
+    hidden = np.ma.array(np.zeros(6, bool), mask=[0, 0, 1, 0, 0, 0])
+    with pytest.raises(ValueError, match=r"contact\[2\] is masked"):
+        ts.certify("edge-edge", start, end, hidden)
+    with pytest.raises(ValueError, match=r"toi\[2\] is masked"):
+        ts.certify("edge-edge", start, end, np.ones(6, bool), np.ma.array(np.zeros(6), mask=hidden.mask))
+    mapped = start.view(type("Mapped", (np.ndarray,), {}))  # another subclass, such as np.memmap
+    assert queries.same(ts.solve("edge-edge", mapped, end), wanted)

@@ -4,10 +4,34 @@ import numpy as np
 _EXACT_BELOW = 2**53  # every whole number up to this one is a double
 
 
+def _masked(values):
+    """The place of the first masked element, as a tuple; None without one."""
+    if isinstance(values, np.ma.MaskedArray):
+        places = np.argwhere(np.ma.getmaskarray(values))
+        return tuple(map(int, places[0])) if len(places) else None
+    if isinstance(values, (list, tuple)):
+        for i, value in enumerate(values):
+            place = _masked(value) if isinstance(value, (list, tuple, np.ma.MaskedArray)) else None
+            if place is not None:
+                return (i, *place)
+    return None
+
+
+def unmasked(values, name):
+    """np.asarray(values), which forgets the masks of masked arrays. Raises ValueError for a masked element."""
+    place = _masked(values)
+    if place is not None:
+        at = "[" + ", ".join(map(str, place)) + "]" if place else ""
+        raise ValueError(f"{name}{at} is masked; leave its row out, or fill it in with numpy.ma's filled")
+    return np.asarray(values)
+
+
 def _array(values, name):
     try:
-        array = np.asarray(values)
+        array = unmasked(values, name)
     except ValueError as error:  # rows of different lengths
+        if _masked(values) is not None:
+            raise
         raise ValueError(f"{name} is no array: {error}") from None
     if array.dtype.kind == "O":  # rows of different lengths too, for an old NumPy
         for item in array.flat:
@@ -20,11 +44,13 @@ def _array(values, name):
 
 
 def exact_doubles(values, name):
-    """The numbers as an array of float64 with the same values.
+    """The numbers as an array of float64, or as the array of float32 that they are, with the same values.
 
     Raises TypeError for what is no real number, and ValueError naming the first element that no double equals.
     """
     array = _array(values, name)
+    if array.dtype.kind == "f" and array.dtype.itemsize in (4, 8) and array.dtype.isnative:
+        return array  # as it is, without a copy: a memory-mapped file is one of these
     if array.dtype.kind == "f" and array.dtype.itemsize <= 8 or array.dtype.kind in "iu" and array.dtype.itemsize <= 4:
         return array.astype(np.float64)
     if array.dtype.kind in "iu" and (array.size == 0 or (array.max() <= _EXACT_BELOW and array.min() >= -_EXACT_BELOW)):
@@ -47,7 +73,7 @@ def exact_doubles(values, name):
 
 def indices(values, name, columns):
     """Whole numbers in [0, 2^32 - 2] as uint32 of shape (rows, columns), or (rows,) for 0 columns, without gaps."""
-    array = np.asarray(values)
+    array = unmasked(values, name)
     if array.size == 0 and array.ndim <= 2:
         array = np.empty((0, columns) if columns else (0,), np.uint32)
     if array.dtype.kind not in "iu":

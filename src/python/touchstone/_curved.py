@@ -1,9 +1,11 @@
 """Queries about bodies that turn and corners on curves. SPDX-License-Identifier: MIT"""
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 from typing import List, Optional, Union
 
+import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
@@ -24,7 +26,8 @@ class OnBody:
 
     Over the step the quaternion is (1 - t) q0 + t q1, and the position (1 - t) p0 + t p1. Both ends are met exactly.
     The body turns about one axis, at a pace that differs a little from that of slerp. With q0 . q1 >= 0 it takes the
-    shorter turn; q1 must not be q0 times a negative number.
+    shorter turn, otherwise the longer one, of which CurvedQueries warns: q1 and -q1 are the same orientation, and
+    recorded poses often have the other sign. q1 must not be q0 times a negative number.
     """
 
     corners: ArrayLike
@@ -58,6 +61,8 @@ class CurvedQueries:
     kind           as in `solve`
     first, second  the elements, in the kind's order: each an OnBody or OnCurves. Single elements and n of them may be
                    mixed; where both are single there is one query
+    shorter_turn   True: where q0 . q1 < 0, a body takes the shorter of the two turns to the same orientation, by -q1.
+                   False: it takes the longer one, and a UserWarning says so, once for all queries
 
     The methods solve, solve_any, contact_times and prove are the functions of these names. Raises TypeError for another
     element, and ValueError for shapes that do not fit.
@@ -78,12 +83,22 @@ class CurvedQueries:
     (0.5, 'isolated')
     """
 
-    def __init__(self, kind: Kind, first: Union[OnBody, OnCurves], second: Union[OnBody, OnCurves]):
+    def __init__(self, kind: Kind, first: Union[OnBody, OnCurves], second: Union[OnBody, OnCurves], *,
+                 shorter_turn: bool = False):
         for name, element in (("first", first), ("second", second)):
             if not isinstance(element, (OnBody, OnCurves)):
                 found = type(element).__name__
                 raise TypeError(f"{name} is of type {found}; it must be touchstone.OnBody or touchstone.OnCurves")
-        self._core = _core.curved_queries(kind, first._parts(), second._parts())
+        if not isinstance(shorter_turn, (bool, np.bool_)):
+            raise TypeError(f"shorter_turn is of type {type(shorter_turn).__name__}; it must be a bool")
+        self._core = _core.curved_queries(kind, first._parts(), second._parts(), bool(shorter_turn))
+        longer = self._core.longer_turns
+        if longer and not shorter_turn:
+            first_row = "" if self._core.single else f", the first in row {self._core.first_longer_turn}"
+            warnings.warn(
+                f"{longer} of {len(self)} queries {'has' if longer == 1 else 'have'} a body that takes the longer of "
+                f"two turns{first_row}: q0 . q1 < 0. q1 and -q1 are the same orientation, and recorded poses often "
+                "have the other sign; shorter_turn=True takes the shorter turn", stacklevel=2)
 
     @property
     def kind(self) -> str:

@@ -45,7 +45,8 @@ def fuzz(solver: Callable[[str, NDArray[np.float64], NDArray[np.float64]], Any],
 
     solver       a function of (kind, start, end): a word and two float64 arrays of shape (corners, 3). It returns
                  whether there is contact for t in [0, 1], a bool; or the time of contact, a float; or None for no
-                 contact; or a tuple (contact, toi), where toi may be None. What it raises is a finding
+                 contact; or a tuple (contact, toi), where toi may be None. An Exception that it raises is a finding;
+                 KeyboardInterrupt, SystemExit and the like end the run, and reach the caller
     cases        how many queries to make, in equal parts for all families and kinds
     kinds        the kinds of query, or one; all by default
     families     the families of queries, as `touchstone fuzz --help` lists them; all by default

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from ._arrays import unmasked
 from ._core import Answer, Answers
 from ._names import _Named
 from ._pages import there
@@ -113,14 +114,14 @@ def certify(kind: Kind, start: ArrayLike, end: ArrayLike, contact: ArrayLike, to
     truth = solve(kind, start, end, t_max, separation, metric, threads)
     if isinstance(truth, Answer):
         raise ValueError("start has a single query; certify takes arrays of shape (n, corners, 3), and n claims")
-    claimed = np.asarray(contact)
+    claimed = unmasked(contact, "contact")
     if claimed.dtype.kind != "b":
         raise TypeError(f"contact has elements of type {claimed.dtype}; they must be bool")
     if claimed.shape != (len(truth),):
         raise ValueError(f"contact has the shape {claimed.shape}; it must be ({len(truth)},), a claim for each query")
     times = np.full(len(truth), np.nan)
     if toi is not None:
-        given = np.asarray(toi)
+        given = unmasked(toi, "toi")
         if given.dtype.kind not in "fiu" or given.dtype.itemsize > 8:
             raise TypeError(f"toi has elements of type {given.dtype}; they must be doubles")
         if given.shape != times.shape:

@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _fuzzing, _judging, _meshes, _queries
+from ._arrays import unmasked
 from ._core import Mesh
 from ._judging import Certificate, Verdict
 from ._names import Nature
@@ -238,7 +239,7 @@ def _mesh_of(key):
 
 def _key_of(mesh):
     """The arguments of a Mesh as a key: an array as its bytes, type and shape."""
-    arrays = {name: value if np.isscalar(value) else np.asarray(value) for name, value in mesh.items()}
+    arrays = {name: value if np.isscalar(value) else unmasked(value, name) for name, value in mesh.items()}
     return tuple((name, (value.tobytes(), value.dtype.str, value.shape) if isinstance(value, np.ndarray) else value)
                  for name, value in sorted(arrays.items()))
 

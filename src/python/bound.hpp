@@ -1,0 +1,57 @@
+// Classes of the library as Python sees them. An object that `__new__` alone has made has no value: pybind11 hands out
+// memory that nothing was written to. Here it is refused.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <concepts>
+#include <string>
+#include <utility>
+
+#include <touchstone/answer.hpp>
+#include <touchstone/contact_times.hpp>
+#include <touchstone/fuzz.hpp>
+#include <touchstone/mesh.hpp>
+#include <touchstone/separation.hpp>
+
+namespace touchstone::python {
+
+namespace py = pybind11;
+
+template <class T, class... Others>
+concept one_of = (std::same_as<T, Others> || ...);
+
+/// A class that Python has. Those of this folder name it by `using BoundToPython = void`.
+template <class T>
+concept Bound = one_of<T, Answer, Distance, ExactTime, FirstContact, FuzzFinding, FuzzReport, Mesh> || requires {
+  typename T::BoundToPython;
+};
+
+/// Defines a class.
+template <Bound T>
+py::class_<T> define_class(py::module_& module, const char* name, const char* help) {
+  return py::class_<T>(module, name, help);
+}
+
+}  // namespace touchstone::python
+
+namespace pybind11::detail {
+
+template <touchstone::python::Bound T>
+class type_caster<T> : public type_caster_base<T> {
+ public:
+  bool load(handle given, bool convert) { return this->template load_impl<type_caster>(given, convert); }
+
+  void load_value(value_and_holder&& held) {  // NOLINT(readability-identifier-naming): pybind11 calls it
+    if (held.value_ptr() == nullptr) {
+      const std::string its_class = Py_TYPE(reinterpret_cast<PyObject*>(held.inst))->tp_name;
+      throw type_error("this " + its_class +
+                       " has no value: __new__ alone has made it. Objects come from a call of the class, or from the "
+                       "module's functions");
+    }
+    type_caster_base<T>::load_value(std::move(held));
+  }
+};
+
+}  // namespace pybind11::detail
