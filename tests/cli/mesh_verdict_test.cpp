@@ -1,5 +1,6 @@
 // touchstone mesh: what a verdict was asked about and leaves out, folds, and surfaces inside others.
 // SPDX-License-Identifier: MIT
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -128,6 +129,9 @@ TEST_CASE("elements that fold onto each other are named and counted, at rest and
   CHECK(occurrences(swing.out, "first contact at t = 0x1p-1 (0.5), 1 pair\n  vertex 3 and edge 1-2: ") == 1);
   CHECK(run_program({"certify", folder.path("q/point-edge/contacts.csv")}).status == 0);
   // Neighbours along a wire are asked about touching alone, whatever the separation is.
+  CHECK(mesh({up, down, "--separation", "0.25", "--queries", folder.path("apart")}).status == 1);
+  CHECK(run_program({"certify", folder.path("apart/point-edge/folds.csv")}).status == 0);
+  CHECK_FALSE(std::filesystem::exists(folder.path("apart/point-edge/contacts.csv")));
   CHECK(mesh({up, down, "--separation", "0.25", "--html", folder.path("s.html")}).status == 1);
   CHECK(occurrences(folder.read("s.html"), "t = 0.5: vertex 3 and edge 1-2") >= 1);
   CHECK(mesh({"--check", onto, "--html", folder.path("o.html")}).status == 1);

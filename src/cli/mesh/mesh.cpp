@@ -71,7 +71,9 @@ void check_files(const MeshRunOptions& options, const std::vector<FrameName>& na
   for (const Kind kind : {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point}) {
     if (options.queries.empty()) break;
     const auto folder = std::filesystem::path(options.queries) / kind_name(kind);
-    outputs.emplace_back("--queries", (folder / "contacts.csv").string());
+    for (const char* name : {"contacts.csv", "folds.csv"}) {
+      outputs.emplace_back("--queries", (folder / name).string());
+    }
   }
   if (!options.prove.empty()) {
     for (const char* name : {MotionProofs::kMotionFile, MotionProofs::kProofsFile}) {

@@ -71,7 +71,8 @@ std::string intersections_of(const sequence::Result& result) {
   return intersections_for_person(counts);
 }
 
-constexpr char kQueriesFile[] = "contacts.csv";  // in the folder of each kind
+// In the folder of each kind: the pairs that the run's separation is about, and ends of wires with wires beside them.
+constexpr const char* kQueriesFiles[] = {"contacts.csv", "folds.csv"};
 
 std::string pairs_are(std::size_t count) {
   return count == 1 ? "1 pair is in contact at the start" : counted(count, "pair") + " are in contact at the start";
@@ -186,12 +187,14 @@ std::string MeshOutput::pair_lines(const std::vector<sequence::PairContact>& pai
 
 std::string MeshOutput::write_query(const sequence::PairContact& pair, const sequence::Result& result,
                                     const frames::Frame& before, const frames::Frame& after) {
-  const Separation& separation = report_.heading.separation;
-  auto& target = queries_[static_cast<std::size_t>(pair.kind)];
+  // Neighbours along a wire are asked about touching alone; an answer about a separation has a trend.
+  const bool fold = report_.heading.separation.distance > 0 && pair.trend == Trend::none;
+  const Separation separation = fold ? Separation() : report_.heading.separation;
+  auto& target = queries_[static_cast<std::size_t>(pair.kind)][fold ? 1 : 0];
   if (!target) {
     const fs::path folder = fs::path(options_.queries) / kind_name(pair.kind);
     folders_.make(folder);
-    const std::string path = (folder / kQueriesFile).string();
+    const std::string path = (folder / kQueriesFiles[fold ? 1 : 0]).string();
     target.emplace(QueryFile{io::OutputFile(path), path});
     if (separation.distance > 0) target->file.write(io::separation_comment(separation));
   }
@@ -207,14 +210,16 @@ std::string MeshOutput::counts_summary() const { return counts_for_person(report
 bool MeshOutput::finish() {
   if (pairs_file_) pairs_file_->commit();
   for (const Kind kind : io::kKinds) {
-    auto& queries = queries_[static_cast<std::size_t>(kind)];
-    if (queries) {
-      queries->file.commit();
-    } else if (!options_.queries.empty()) {
-      // A file of an earlier run would pass for one of this run.
-      const fs::path file = fs::path(options_.queries) / kind_name(kind) / kQueriesFile;
-      std::error_code ignored;
-      if (fs::is_regular_file(file, ignored)) fs::remove(file, ignored);
+    for (std::size_t i = 0; i < std::size(kQueriesFiles); ++i) {
+      auto& queries = queries_[static_cast<std::size_t>(kind)][i];
+      if (queries) {
+        queries->file.commit();
+      } else if (!options_.queries.empty()) {
+        // A file of an earlier run would pass for one of this run.
+        const fs::path file = fs::path(options_.queries) / kind_name(kind) / kQueriesFiles[i];
+        std::error_code ignored;
+        if (fs::is_regular_file(file, ignored)) fs::remove(file, ignored);
+      }
     }
   }
   folders_.keep();

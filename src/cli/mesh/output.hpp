@@ -71,7 +71,7 @@ class MeshOutput {
   std::string finished_file_;
   std::optional<io::OutputFile> report_file_, pairs_file_;
   NewFolders folders_;
-  std::array<std::optional<QueryFile>, 4> queries_;  ///< by Kind
+  std::array<std::array<std::optional<QueryFile>, 2>, 4> queries_;  ///< by Kind, then contacts and folds
   io::OutputFile console_;
 };
 
