@@ -25,8 +25,8 @@ struct QueryRecord {
   std::uint64_t number = 0;     ///< counted from 0 within the file
   std::uint64_t first_row = 0;  ///< line number of its first row, counted from 1; a file of doubles counts as CSV rows
   std::uint64_t last_row = 0;
-  LongerTurns longer_turns;  ///< of a curved query, as the file has it
-  std::string_view text;     ///< its rows as they stand in the chunk, which must outlive it; empty in a file of doubles
+  std::string_view text;  ///< its rows as they are in the chunk, which must outlive it; empty in a file of doubles
+  LongerTurns longer_turns = {};  ///< of a curved query, as the file has it
 };
 
 class QueryParser {

@@ -122,7 +122,7 @@ TEST_CASE("a mesh answers as the one of C++") {
       CHECK(told.second_element == static_cast<int>(one.second_element));
       CHECK(told.first == one.first);
       CHECK(told.second == one.second);
-      CHECK(told.pierces == (one.sort == IntersectionSort::pierces ? 1 : 0));
+      CHECK(told.pierces == (one.sort == touchstone::IntersectionSort::pierces ? 1 : 0));
       CHECK(told.sort == static_cast<int>(one.sort));
       CHECK(std::equal(one.weights_first.begin(), one.weights_first.end(), told.weights_first));
       CHECK(std::equal(one.weights_second.begin(), one.weights_second.end(), told.weights_second));
