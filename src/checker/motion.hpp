@@ -115,6 +115,19 @@ class MotionFile {
       text +=
           ", " + counted(elements_[4].size(), "vertex", "vertices") + " on " + counted(body_count_, "body", "bodies");
     }
+    std::set<std::uint32_t> corners;  // of edges and faces, without a line of their own, and sides of faces likewise
+    std::set<std::array<std::uint32_t, 2>> sides;
+    for (const std::size_t sort : {1, 2}) {
+      for (const Element& e : elements_[sort]) {
+        for (std::size_t k = 0; k < e.size; ++k) {
+          if (single_[0].count(e.vertices[k]) == 0) corners.insert(e.vertices[k]);
+          if (sort == 2) sides.insert(side(e.vertices[k], e.vertices[(k + 1) % 3]));
+        }
+      }
+    }
+    for (const Element& edge : elements_[1]) sides.erase(side(edge.vertices[0], edge.vertices[1]));
+    if (!corners.empty()) text += ", " + counted(corners.size(), "corner is no point", "corners are no points");
+    if (!sides.empty()) text += ", " + counted(sides.size(), "side is no edge", "sides are no edges");
     return text;
   }
 
@@ -279,7 +292,7 @@ class MotionFile {
     }
   }
 
-  /// Calls function(kind, first elements, second elements) for each sort of pairs, in the order of the proofs.
+  /// Calls the function for each sort of pairs, in the order of the proofs: its kind, first and second elements.
   template <class Function>
   void for_each_sort(const Function& function) const {
     const auto& [points, edges, faces, fixed, on_bodies, lone, ends, wires] = elements_;

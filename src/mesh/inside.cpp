@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <mutex>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -205,26 +206,32 @@ void add_inside(const Mesh::Impl& mesh, const Motion& motion, int threads, const
     const Index inner = nested[i][0];
     const Surface& surface = surfaces[inner];
     std::vector<std::pair<Index, int>> around;  // a surface, and its winding number about the inner one
+    std::optional<Index> outermost;
     int sum = 0;
     for (; i < nested.size() && nested[i][0] == inner; ++i) {
       check_stop(stop);
       const Index outer = nested[i][1];
       if (!surface.closed || !surfaces[outer].closed) continue;
       if (met.count({std::min(inner, outer), std::max(inner, outer)}) != 0) continue;
-      around.emplace_back(outer, surfaces.winding_about(outer, motion[surface.vertex].start));
-      sum += around.back().second;
+      const Index face = surfaces[outer].faces.front();
+      if (mesh.has_rules() && !corners_may_collide(mesh, std::array{surface.vertex}, mesh.faces[face])) continue;
+      const int winding = surfaces.winding_about(outer, motion[surface.vertex].start);
+      if (winding == 0) continue;
+      around.emplace_back(outer, winding);
+      sum += winding;
+      if (!outermost || surfaces[outer].box.low[0] < surfaces[*outermost].box.low[0]) outermost = outer;
     }
-    const int sign = sum == 0 ? 0 : surfaces.sign_of_volume(inner);
-    if (sum * sign <= 0) continue;
+    if (around.empty()) continue;
+    const int sign = surfaces.sign_of_volume(inner);
+    const bool in_room = surfaces.sign_of_volume(*outermost) < 0;
+    if (sign == 0 || (sign > 0 ? sum + (in_room ? 1 : 0) <= 0 : sum >= 0)) continue;
     const auto outer =
         std::find_if(around.begin(), around.end(), [&](const auto& one) { return one.second * sign > 0; });
-    const Index face = surfaces[outer->first].faces.front();
-    if (mesh.has_rules() && !corners_may_collide(mesh, std::array{surface.vertex}, mesh.faces[face])) continue;
     Intersection found;
     found.first_element = MeshElement::vertex;
     found.first = surface.vertex;
     found.second_element = MeshElement::face;
-    found.second = face;
+    found.second = surfaces[outer->first].faces.front();
     found.sort = IntersectionSort::inside;
     all.push_back(found);
   }

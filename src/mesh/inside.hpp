@@ -15,9 +15,12 @@ namespace touchstone::mesh {
 ///
 /// A surface is the set of faces that are connected by common vertices. It is closed if its faces pass each of their
 /// edges as often in one direction as in the other. So its winding number about a point beside it is a whole number. A
-/// surface that none of `all` says to meet B has one winding number about all of B. B is inside if the sum of these
-/// numbers, over all other closed surfaces, has the sign of B's own volume. So a solid in a solid counts, and two
-/// cavities in each other; a cavity in a solid does not, and neither does a solid in a cavity or in a room.
+/// surface that none of `all` says to meet B has one winding number about all of B. Let `sum` be the sum of these numbers
+/// over the closed surfaces with which the rules let B collide. If the outermost surface around B has its normals inwards,
+/// it may be a room, which is a cavity of all space: then one is added for solids. B is inside if its normals are outwards
+/// and there is material around it, or if they are inwards and `sum` is negative. So a solid in a solid counts, in a room
+/// too, and a body in a body whose normals are all inwards; a cavity in a solid does not, and neither does a solid in a
+/// cavity or in a room.
 /// @param all  the other intersections of the mesh
 void add_inside(const Mesh::Impl& mesh, const Motion& motion, int threads, const std::atomic<bool>* stop,
                 std::vector<Intersection>& all);

@@ -96,7 +96,8 @@ std::string nothing_asked(const Simulation& simulation) {
 
 std::string checked_for_person(const Simulation& simulation, std::uint64_t steps) {
   const double first = static_cast<double>(simulation.steps() - steps) * simulation.scene().settings.time_step;
-  return fmt::format("checked: no intersection at {:.9g} s, and each step to {:.9g} s, of {}\n", first,
+  const char* const what = simulation.start().held > 0 ? " of anything that can move" : "";
+  return fmt::format("checked: no intersection{} at {:.9g} s, and each step to {:.9g} s, of {}\n", what, first,
                      simulation.state().time, elements_of(simulation));
 }
 

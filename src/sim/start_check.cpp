@@ -191,7 +191,7 @@ StartFindings check_no_intersection(const StartPlaces& places, std::string_view 
     }
   }
   if (moving == 0) {
-    mesh.find_enclosed(places, findings);
+    if (findings.held == 0) mesh.find_enclosed(places, findings);  // where surfaces meet, a part is neither in nor out
     return findings;
   }
   throw Error(fmt::format("{} begins with elements that {}{}; positions at which all elements are apart would be right",

@@ -116,6 +116,23 @@ TEST_CASE("orientation tells a solid in a solid from a cavity and from a room") 
   CHECK(count({{4, false}, {2, true}}) == 0);  // furniture in a room
   CHECK(count({{4, false}, {2, false}}) == 1);
   CHECK(count({{8, true}, {4, true}, {2, true}}) == 2);
+  CHECK(count({{8, false}, {4, true}, {2, true}}) == 1);   // a solid in the furniture of a room
+  CHECK(count({{8, false}, {4, true}, {2, false}}) == 0);  // a cavity of it
+  CHECK(count({{8, false}, {4, true}, {2, false}, {1, true}}) == 0);
+  CHECK(count({{8, false}, {4, true}, {2, false}, {1, false}}) == 1);
+
+  // Rules: a surface that the inner one may not collide with does not count, whatever its number is.
+  for (const MeshIndex excluded : {0, 1}) {
+    Parts parts;
+    parts.add_cube(0.25, 8);
+    parts.add_cube(0.125, 4);
+    parts.add_cube(0, 2);
+    for (MeshIndex v = 0; v < 24; ++v) parts.elements.rules.groups.push_back(v / 8);
+    parts.elements.rules.group_pairs = {{0, 1}, {excluded, 2}};
+    const auto found = inside_of(parts.all());
+    REQUIRE(found.size() == 1);
+    CHECK(*found.begin() == std::pair<MeshIndex, MeshIndex>{16, excluded == 0 ? 12 : 0});
+  }
 }
 
 // The ray from a vertex of the inner box goes along x: here it meets edges, corners and faces that lie along it.

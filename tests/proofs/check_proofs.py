@@ -619,6 +619,14 @@ class Motion:
         if self.bodies:
             on_bodies = counted(len(self.bodies), "vertex", "vertices")
             counts.append(f"{on_bodies} on {counted(self.body_count, 'body', 'bodies')}")
+        corners = {vertex for sort in (b"edge", b"face") for element in self.elements[sort] for vertex in element}
+        corners -= {vertex for vertex, in self.elements[b"point"]}
+        sides = {frozenset(side) for face in self.elements[b"face"] for side in itertools.combinations(face, 2)}
+        sides -= {frozenset(edge) for edge in self.elements[b"edge"]}
+        if corners:
+            counts.append(counted(len(corners), "corner is no point", "corners are no points"))
+        if sides:
+            counts.append(counted(len(sides), "side is no edge", "sides are no edges"))
         return ", ".join(counts)
 
     def pairs(self, start, end, reach):

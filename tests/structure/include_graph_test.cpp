@@ -76,7 +76,7 @@ TEST_CASE(
     total += lines;
     ++files;
   }
-  constexpr std::size_t kMostOfAll = 1460;
+  constexpr std::size_t kMostOfAll = 1475;
   CHECK(files == 4);
   CHECK(total <= kMostOfAll);
 }
