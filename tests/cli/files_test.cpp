@@ -170,8 +170,9 @@ TEST_CASE("a scene and a mesh without an end, or of a terabyte, are refused with
   CHECK(endless.err == link + ":1: a line of more than 64 MiB\n");
   const std::string scene = folder.write("scene.json", "");
   if (::truncate(scene.c_str(), off_t{1} << 40) != 0) skip("this file system has no sparse file of a terabyte");
-  for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"simulate", scene}, {"simulate", "--resume", scene}, {"merge", scene}}) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"simulate", scene},
+                                                    {"simulate", "--resume", scene},
+                                                    {"merge", "--out", folder.path("merged.json"), scene}}) {
     const Run run = run_program(arguments);
     CHECK(run.status == 2);
     CHECK(run.err == scene + ": is larger than 1 GiB\n");
@@ -192,7 +193,8 @@ TEST_CASE("where the system cannot start the threads, one does the work, or the 
   const Run one = run_program({"certify", "--threads", "1", file});
   CAPTURE(few.err);
   CHECK(few.status == one.status);
-  CHECK(few.out == one.out);
+  const auto verdict = [](const Run& run) { return run.out.substr(0, run.out.find("  time ")); };
+  CHECK(verdict(few) == verdict(one));
   const Run fuzz = run_program({"fuzz", "--threads", "1000", "--cases", "1000", "--out", folder.path("found")}, tight);
   CAPTURE(fuzz.err);
   CHECK(fuzz.status == 2);

@@ -215,11 +215,11 @@ TEST_CASE("motions: a body's pose moves its elements") {
   call_bad("body V B X Y Z", falls("body 2 0 0 0\n") + good);
   call_bad("is no number", falls("body 2 0 0 0 0.5\n") + good);
   // All on one body, or fixed: no pair in any step, so that there is nothing to check.
-  call_bad("2 edges, 0 faces, 4 vertices on 1 body, but no two elements",
+  call_bad("2 edges, 0 faces, 4 vertices on 1 body, 4 corners are no points, but no two elements",
            falls("body 2 0 0 -1 0\nbody 3 0 0 1 0\n") + "frame\n1 0 0 0 0 0 1\nframe\n1 0 0 0 0 0 2\n");
   const std::string still = "frame\n1 0 0 0 0 0 0\n" + rest;
   reject("pair 0", falls("fixed 2\nfixed 3\nfixed 0\n") + still + still, "step 0\n", "0 0");
-  call_bad("4 fixed vertices, 2 vertices on 1 body, but no two elements",
+  call_bad("4 fixed vertices, 2 vertices on 1 body, 4 corners are no points, but no two elements",
            falls("fixed 2\nfixed 3\nfixed 0\nfixed 1\n") + still + still);
 }
 
@@ -252,7 +252,7 @@ TEST_CASE("motions: the report") {
   const std::string none_near = "no two elements come near enough to need a proof\n";
   CHECK(
       run.text.find(": 0 mesh queries in 2 steps with separation max 0x1p-2: 3 frames, 4 vertices, 0 points, 2 edges, "
-                    "0 faces; " +
+                    "0 faces, 4 corners are no points; " +
                     none_near) != std::string::npos);
   CHECK(run.text.find("\n0 queries checked: " + none_near) != std::string::npos);
 }
@@ -275,7 +275,7 @@ TEST_CASE("motions: proofs of nothing are refused") {
     head += "edge " + std::to_string(v) + " " + std::to_string(v + 1) + "\n";
     for (const int w : {v, v + 1}) head += "body " + std::to_string(w) + " 0 " + std::to_string(w) + " 0 0\n";
   }
-  call_bad("10000 edges, 0 faces, 20000 vertices on 1 body, but",
+  call_bad("10000 edges, 0 faces, 20000 vertices on 1 body, 20000 corners are no points, but",
            head + "frame\n1 0 0 0 0 0 0\nframe\n1 0 0 0 0 0 1\n");
 }
 
