@@ -251,7 +251,7 @@ int touchstone_mesh_edge(const touchstone_mesh* mesh, size_t edge, uint32_t corn
 
 /** When the elements of a mesh first come into contact. */
 struct touchstone_first_contact {
-  int32_t contact;  /**< 1 when two elements that are apart at the start come into contact in [0, t_max], otherwise 0 */
+  int32_t contact; /**< 1 when two elements that are apart at the start come into contact in [0, t_max], otherwise 0 */
 
   /** 1 when there is no contact at all, at the start neither, and, with check_start of the options, no intersection at the
    *  start; otherwise 0. Without check_start a start that intersects itself may be free. */
@@ -353,10 +353,10 @@ void touchstone_intersections_destroy(touchstone_intersections* intersections);
 
 /** How a step was shortened. */
 enum touchstone_step_outcome {
-  TOUCHSTONE_STEP_WHOLE = 0,           /**< the whole step is free: the positions are x1, bit for bit */
-  TOUCHSTONE_STEP_SHORTENED = 1,       /**< the step was shortened, and some vertex moves */
-  TOUCHSTONE_STEP_NO_ROOM = 2,         /**< every step that moves a vertex to another double ends in a contact */
-  TOUCHSTONE_STEP_CONTACT_AT_START = 3, /**< some pair is in contact at the start; the positions are x0 */
+  TOUCHSTONE_STEP_WHOLE = 0,              /**< the whole step is free: the positions are x1, bit for bit */
+  TOUCHSTONE_STEP_SHORTENED = 1,          /**< the step was shortened, and some vertex moves */
+  TOUCHSTONE_STEP_NO_ROOM = 2,            /**< every step that moves a vertex to another double ends in a contact */
+  TOUCHSTONE_STEP_CONTACT_AT_START = 3,   /**< some pair is in contact at the start; the positions are x0 */
   TOUCHSTONE_STEP_INTERSECTS_AT_START = 4 /**< with check_start: the mesh intersects itself at the start; they are x0 */
 };
 
