@@ -125,16 +125,16 @@ class Mesh {
   Metric metric() const noexcept;                                       ///< how distances are measured
 
   /// Whether the pair is one that first_contact and the other functions ask about. In three dimensions these are two
-  /// edges, a vertex and a face, a loose point and an edge that is in no face, the end of an edge that is in no face and
-  /// another such edge at its other end, and two loose points. In two dimensions they are a vertex and an edge, and two
-  /// loose points. Two elements that share a vertex, or that the rules exclude, never collide. Vertices that are neither
-  /// in an edge nor a loose point never collide. Where two elements that share a vertex fold onto each other, a corner
-  /// of one comes to lie in the other, or an edge meets the other's opposite edge: a pair that may collide.
+  /// edges, a vertex and a face, a loose point and an edge that is in no face, the end of an edge that is in no face
+  /// and another such edge at its other end, and two loose points. In two dimensions they are a vertex and an edge, and
+  /// two loose points. Two elements that share a vertex, or that the rules exclude, never collide. Vertices that are
+  /// neither in an edge nor a loose point never collide. Where two elements that share a vertex fold onto each other, a
+  /// corner of one comes to lie in the other, or an edge meets the other's opposite edge: a pair that may collide.
   /// @throws InvalidMesh  for an element that does not exist
   bool may_collide(const MeshPair& pair) const;
 
-  /// The separation of a pair. In three dimensions it is 0 for a vertex in an edge, and an edge: neighbours along a wire
-  /// only fold onto each other. @throws InvalidMesh  for an element that does not exist
+  /// The separation of a pair. In three dimensions it is 0 for a vertex in an edge, and an edge: neighbours along a
+  /// wire only fold onto each other. @throws InvalidMesh  for an element that does not exist
   Separation separation(const MeshPair& pair) const;
 
   /// The vertices of a pair in the order of a query's corners; those past corner_count(kind) are 0.
@@ -223,18 +223,19 @@ enum class IntersectionSort : std::uint8_t {
   /// The edge passes through: its interior and the other element's interior share a single point, with the ends of the
   /// edge strictly on both sides.
   pierces,
-  /// They share a vertex, and also a point that is no shared vertex: an edge lies in a face that it grows from, or along
-  /// another edge. Two faces that lie folded onto each other have such an edge.
+  /// They share a vertex, and also a point that is no shared vertex: an edge lies in a face that it grows from, or
+  /// along another edge. Two faces that lie folded onto each other have such an edge.
   folds,
-  /// The vertex is the least one of a closed surface that lies wholly inside the closed surface of the face, which is the
-  /// least one there, and both surfaces have the same orientation. They share no point.
+  /// The vertex is the least one of a closed surface that lies wholly inside the closed surface of the face, which is
+  /// the least one there, and both surfaces have the same orientation. They share no point.
   inside
 };
 
 /// The sort's name: "touches", "pierces", "folds" or "inside". Empty for a value that is none of them.
 std::string_view intersection_sort_name(IntersectionSort sort) noexcept;
 
-/// The verb between both elements in a message: "touches", "pierces", "folds onto" or "is inside the closed surface of".
+/// The verb between both elements in a message: "touches", "pierces", "folds onto" or "is inside the closed surface
+/// of".
 std::string_view intersection_verb(IntersectionSort sort) noexcept;
 
 /// Two elements of a mesh that share a point at rest, or of which one is inside the other's surface.
