@@ -27,10 +27,10 @@ struct Row {
   bool operator==(const Row&) const = default;
 };
 
-struct Outcome {
+struct ReadAnswers {
   std::vector<Row> rows;
   std::string error;
-  bool operator==(const Outcome&) const = default;
+  bool operator==(const ReadAnswers&) const = default;
 };
 
 /// The time as it is written has an exact value, and where that is a double, it is `toi`.
@@ -41,8 +41,8 @@ void check_written(const io::AnswerRow& row) {
   if (exact && *exact != *row.toi) throw Finding("another double than is written: " + std::string(row.toi_as_written));
 }
 
-Outcome read(std::string_view text, std::size_t chunk_bytes) {
-  Outcome outcome;
+ReadAnswers read(std::string_view text, std::size_t chunk_bytes) {
+  ReadAnswers outcome;
   try {
     io::AnswerReader reader(io::InputFile::from_memory("fuzz.csv", text), chunk_bytes);
     io::AnswerRow row;
@@ -67,7 +67,7 @@ void fuzz_answers_file(Bytes input) {
   if (input.empty()) return;
   const std::size_t piece = std::size_t{1} << (input[0] & 7);
   const std::string_view text = as_text(input.subspan(1));
-  const Outcome whole = read(text, io::kChunkBytes);
+  const ReadAnswers whole = read(text, io::kChunkBytes);
   if (whole != read(text, piece)) {
     throw Finding("read in pieces of " + std::to_string(piece) +
                   " bytes it is another file; as a whole: " + whole.error);

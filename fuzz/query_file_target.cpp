@@ -27,13 +27,13 @@ struct Record {
   std::uint64_t number, first_row, last_row;
 };
 
-struct Outcome {
+struct ReadQueries {
   std::vector<Record> records;
   std::string error;
 };
 
-Outcome read(std::string_view text, Kind kind, std::size_t chunk_bytes) {
-  Outcome outcome;
+ReadQueries read(std::string_view text, Kind kind, std::size_t chunk_bytes) {
+  ReadQueries outcome;
   try {
     io::QueryChunkReader reader(io::InputFile::from_memory("fuzz.csv", text), kind, chunk_bytes, io::Motions::any);
     while (auto chunk = reader.next()) {
@@ -90,7 +90,7 @@ bool same(const io::FileQuery& one, const io::FileQuery& other) {
   return same(std::get<RationalQuery>(one), std::get<RationalQuery>(other));
 }
 
-bool same(const Outcome& one, const Outcome& other) {
+bool same(const ReadQueries& one, const ReadQueries& other) {
   if (one.error != other.error || one.records.size() != other.records.size()) return false;
   for (std::size_t i = 0; i < one.records.size(); ++i) {
     const Record &a = one.records[i], &b = other.records[i];
@@ -110,7 +110,7 @@ void fuzz_query_file(Bytes input) {
   const std::size_t piece = std::size_t{1} << (input[0] >> 2 & 7);
   std::string text((input[0] & 32) != 0 ? std::string(io::kCurvedHeader) + "\n" : std::string());
   text += as_text(input.subspan(1));
-  const Outcome whole = read(text, kind, io::kChunkBytes);
+  const ReadQueries whole = read(text, kind, io::kChunkBytes);
   if (!same(whole, read(text, kind, piece))) {
     throw Finding("read in pieces of " + std::to_string(piece) +
                   " bytes it is another file; as a whole: " + whole.error);
@@ -127,7 +127,7 @@ void fuzz_query_file(Bytes input) {
     std::visit([&](const auto& query) { io::append_query(written, query, record.truth.value_or(false)); },
                record.query);
   }
-  const Outcome again = read(written, kind, io::kChunkBytes);
+  const ReadQueries again = read(written, kind, io::kChunkBytes);
   bool kept = again.error.empty() && again.records.size() == whole.records.size();
   for (std::size_t i = 0; kept && i < whole.records.size(); ++i) {
     kept = same(whole.records[i].query, again.records[i].query) &&

@@ -48,7 +48,7 @@ Particles particles_of(const Query& query) {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-struct Roots {
+struct CubicRoots {
   std::array<double, 3> t{kNever, kNever, kNever};
   std::size_t count = 0;
 
@@ -61,8 +61,8 @@ struct Roots {
   }
 };
 
-Roots quadratic_roots(double a, double b, double c) {
-  Roots roots;
+CubicRoots quadratic_roots(double a, double b, double c) {
+  CubicRoots roots;
   if (a == 0) {
     if (b != 0) roots.add(-c / b);
     return roots;
@@ -75,7 +75,7 @@ Roots quadratic_roots(double a, double b, double c) {
   return roots;
 }
 
-Roots cubic_roots(double a, double b, double c, double d) {
+CubicRoots cubic_roots(double a, double b, double c, double d) {
   if (a == 0) return quadratic_roots(b, c, d);
   b /= a;
   c /= a;
@@ -85,7 +85,7 @@ Roots cubic_roots(double a, double b, double c, double d) {
   const double Q = p / 3;
   const double R = q / 2;
   const double G = Q * Q * Q + R * R;
-  Roots roots;
+  CubicRoots roots;
   if (G >= 0) {
     const double S = std::cbrt(R + std::sqrt(G));
     const double T = std::cbrt(R - std::sqrt(G));
@@ -106,7 +106,7 @@ Roots cubic_roots(double a, double b, double c, double d) {
 
 /// When the four particles are coplanar: (2) and (3), with p and r the positions and velocities relative to the first
 /// one.
-Roots coplanar_times(const Particles& x) {
+CubicRoots coplanar_times(const Particles& x) {
   std::array<Vector, 3> p;
   std::array<Vector, 3> r;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -117,7 +117,7 @@ Roots coplanar_times(const Particles& x) {
   const double b = determinant(p[0], r[1], r[2]) + determinant(r[0], p[1], r[2]) + determinant(r[0], r[1], p[2]);
   const double c = determinant(p[0], p[1], r[2]) + determinant(p[0], r[1], p[2]) + determinant(r[0], p[1], p[2]);
   const double d = determinant(p[0], p[1], p[2]);
-  Roots roots = cubic_roots(a, b, c, d);
+  CubicRoots roots = cubic_roots(a, b, c, d);
   roots.sort();
   return roots;
 }
@@ -149,7 +149,7 @@ Result solve_paper(const Query& query, double t_max, double) {
                        std::string(kind_name(query.kind)));
   }
   const Particles particles = particles_of(query);
-  const Roots times = coplanar_times(particles);
+  const CubicRoots times = coplanar_times(particles);
   for (const double t : times.t) {
     if (t >= 0 && t <= t_max && intersects(particles, query.kind, t)) return {true, t};
   }

@@ -17,7 +17,7 @@ using geometry::dot;
 namespace {
 
 // Slack of the inside tests, as a fraction of an element.
-constexpr double kSlack = 1e-9;
+constexpr double kWeightSlack = 1e-9;
 
 // A stationary value within this fraction of the sum of the coefficients' sizes is a double root.
 constexpr double kDoubleRoot = 1e-15;
@@ -78,12 +78,12 @@ using Linear = geometry::Vector<Polynomial<1>>;
 
 bool inside(double numerator, double denominator) {
   const double f = numerator / denominator;
-  return f >= -kSlack && f <= 1 + kSlack;
+  return f >= -kWeightSlack && f <= 1 + kWeightSlack;
 }
 
-class Search {
+class FirstWithin {
  public:
-  Search(double separation, double t_max) : squared_(separation * separation), t_max_(t_max), first_(t_max + 1) {}
+  FirstWithin(double separation, double t_max) : squared_(separation * separation), t_max_(t_max), first_(t_max + 1) {}
 
   /// Calls holds(t) at the roots of p, and keeps the first one at which it holds.
   template <std::size_t D, class F>
@@ -149,7 +149,7 @@ Result solve_thick_polynomial(const Query& query, double separation, double t_ma
   const double apart = std::scalbn(separation, -frame.exponent);
   if (distance_at(frame, 0) <= apart) return {true, 0};
   const auto& [kind, u, w, r, exponent, box] = frame;
-  Search search(apart, t_max);
+  FirstWithin search(apart, t_max);
   search.add_points(r);
   switch (kind) {
     case Kind::edge_edge:

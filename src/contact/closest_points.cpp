@@ -10,8 +10,6 @@ namespace {
 // lines are nearest, and any point is as good.
 constexpr double kParallelSquare = 1e-14;
 
-double clamped(double x) { return std::clamp(x, 0.0, 1.0); }
-
 }  // namespace
 
 std::array<double, 2> closest_on_segments(const Vector3& p0, const Vector3& p1, const Vector3& q0, const Vector3& q1) {

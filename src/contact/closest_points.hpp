@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "scene/scene.hpp"
 
 namespace touchstone::sim {
+
+inline double clamped(double x) { return std::clamp(x, 0.0, 1.0); }
 
 /// The parameters in [0, 1] of the closest points of segments p0 p1 and q0 q1 (Ericson, "Real-Time Collision
 /// Detection", 5.1.9).

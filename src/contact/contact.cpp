@@ -26,8 +26,6 @@ constexpr double kGrazing = 1e-9;
 // contact would never be at rest.
 constexpr double kMissing = 1e-3;
 
-double clamped(double x) { return std::clamp(x, 0.0, 1.0); }
-
 std::array<double, 4> signed_weights(Kind kind, const std::array<double, 3>& a, const std::array<double, 3>& b) {
   switch (kind) {
     case Kind::edge_edge: return {-a[0], -a[1], b[0], b[1]};

@@ -33,9 +33,6 @@ constexpr int kSkipped = 5;
 // Tolerances: a step of up to this many of them ends the search where rounding hides its decrease.
 constexpr double kFlat = 1000;
 
-// m: the change of an angle counts as the way of a point at this distance from the axis.
-constexpr double kLever = 0.01;
-
 struct PotentialValue {
   double value = 0;  // J
   double noise = 0;  // J: the part that may be rounding

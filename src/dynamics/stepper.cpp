@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dynamics/energy_budget.hpp"
+#include "dynamics/rounding.hpp"
 
 namespace touchstone::sim {
 namespace {
@@ -16,9 +17,6 @@ constexpr double kFirstOrderBelow = 0.125;
 
 // m/s, of Newton's method with contacts: their springs are no more exact than this.
 constexpr double kContactTolerance = 1e-3;
-
-// m: the error of an angle counts as that of a point at this distance from the axis.
-constexpr double kLever = 0.01;
 
 // Times the work of driven coordinates that is measured at the substep's end: the second-order methods take their
 // forces from all over the substep.

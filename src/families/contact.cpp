@@ -27,7 +27,7 @@ Moving grid_motion(Rng& rng, int bits) {
 }
 
 // Exact when time is a small dyadic and the corners lie on a lattice.
-Vec3 position(const Moving& corner, double time) { return corner.start + time * (corner.end - corner.start); }
+Vec3 moving_point(const Moving& corner, double time) { return corner.start + time * (corner.end - corner.start); }
 
 // Barycentric coordinates in eighths, one of which (returned second) is a power of two.
 struct Weights {
@@ -87,7 +87,7 @@ Sample prescribed(Kind kind, Rng& rng, double time, Where where) {
     corners[i] = grid_motion(rng, bits);
     if (i == solved) continue;
     const double weight = i < sizes.a ? -wa.value[i] : wb.value[i - sizes.a];
-    difference = difference + weight * position(corners[i], time);
+    difference = difference + weight * moving_point(corners[i], time);
   }
   const Vec3 target = (1 / wa.value[solved]) * difference;
   const Vec3 velocity = rng.one_in(4) ? Vec3{} : grid_point(rng, bits);

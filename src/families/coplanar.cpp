@@ -5,8 +5,6 @@
 namespace touchstone::families::makers {
 namespace {
 
-double small(Rng& rng, int reach) { return rng.between(-reach, reach); }
-
 Linear linear(Rng& rng, int reach) {
   const double start = small(rng, reach);
   return {start, small(rng, reach)};

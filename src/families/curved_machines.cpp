@@ -10,8 +10,6 @@ namespace {
 
 constexpr std::size_t kY = 1, kZ = 2;
 
-double small(Rng& rng, int reach) { return rng.between(-reach, reach); }
-
 Vec3 flat_point(Rng& rng, int reach) {
   Vec3 point = lattice_point(rng, reach);
   point.z = 0;

@@ -41,7 +41,7 @@ CurvedQuery lattice_bodies(Kind kind, Rng& rng, int reach) {
 }
 
 /// A query of ordinary magnitude, most often one that touches.
-CurvedSample base(Kind kind, Rng& rng) {
+CurvedSample curved_base(Kind kind, Rng& rng) {
   static constexpr std::array<Family, 14> bases{Family::curved_lattice, Family::gears,         Family::rod_tip,
                                                 Family::screw,          Family::coin,          Family::turn_meets_half,
                                                 Family::turn_meets_end, Family::pythagorean,   Family::near_meeting,
@@ -180,7 +180,7 @@ CurvedSample tiny_turn(Kind kind, Rng& rng) {
 }
 
 CurvedSample long_quaternion(Kind kind, Rng& rng) {
-  CurvedSample sample = base(kind, rng);
+  CurvedSample sample = curved_base(kind, rng);
   const int way = rng.between(0, 3);
   bool exact = true;
   for_each_motion(sample.query, [&](RigidMotion& motion) {
@@ -204,7 +204,7 @@ CurvedSample long_quaternion(Kind kind, Rng& rng) {
 }
 
 CurvedSample curved_scale(Kind kind, Rng& rng) {
-  CurvedSample sample = base(kind, rng);
+  CurvedSample sample = curved_base(kind, rng);
   const int way = rng.between(0, 4);
   const int all = any_exponent(rng, 1060);
   std::array<int, 4> pool{};

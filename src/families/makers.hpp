@@ -9,6 +9,8 @@
 
 namespace touchstone::families::makers {
 
+/// A whole number from -reach to reach.
+inline double small(Rng& rng, int reach) { return rng.between(-reach, reach); }
 Vec3 lattice_point(Rng& rng, int reach);
 Moving lattice_motion(Rng& rng, int reach);
 

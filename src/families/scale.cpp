@@ -24,7 +24,7 @@ int telling_exponent(Rng& rng) {
 }
 
 // A query of ordinary magnitude, most often one that touches by construction.
-Sample base(Kind kind, Rng& rng) {
+Sample base_sample(Kind kind, Rng& rng) {
   static constexpr std::array<Family, 24> bases{
       Family::lattice2, Family::lattice4,       Family::planar_general, Family::moving_plane, Family::shared_corner,
       Family::parallel, Family::sliding,        Family::flat,           Family::prescribed,   Family::prescribed,
@@ -58,13 +58,13 @@ Sample scaled(Sample sample, const std::array<int, 3>& exponents) {
 }  // namespace
 
 Sample uniform_scale(Kind kind, Rng& rng) {
-  const Sample sample = base(kind, rng);
+  const Sample sample = base_sample(kind, rng);
   const int exponent = telling_exponent(rng);
   return scaled(sample, {exponent, exponent, exponent});
 }
 
 Sample axis_scale(Kind kind, Rng& rng) {
-  const Sample sample = base(kind, rng);
+  const Sample sample = base_sample(kind, rng);
   const int x = any_exponent(rng);
   const int y = any_exponent(rng);
   return scaled(sample, {x, y, any_exponent(rng)});
@@ -75,7 +75,7 @@ Query subnormal(Kind kind, Rng& rng) {
     case 0: return scaled({lattice(kind, rng, 4), {}}, {-1074, -1074, -1074}).query;
     case 1: {
       const int exponent = rng.between(-1074, -1020);
-      return scaled(base(kind, rng), {exponent, exponent, exponent}).query;
+      return scaled(base_sample(kind, rng), {exponent, exponent, exponent}).query;
     }
     case 2: {  // 52 random bits, some of them leading zeros
       Query query = lattice(kind, rng, 4);
@@ -102,7 +102,7 @@ Query huge(Kind kind, Rng& rng) {
   static constexpr std::array<double, 8> extremes{kMax, -kMax, kMax, -kMax, 0, 1, kMax / 2, -kMax / 2};
   switch (rng.between(0, 3)) {
     case 0: return scaled({query, {}}, {1021, 1021, 1021}).query;
-    case 1: return scaled(base(kind, rng), {1015, 1015, 1015}).query;
+    case 1: return scaled(base_sample(kind, rng), {1015, 1015, 1015}).query;
     case 2: for_each_coordinate(query, [&](double& x) { x = rng.pick(extremes); }); break;
     default: for_each_coordinate(query, [&](double& x) { x = std::ldexp(rng.symmetric(), 1023); }); break;
   }
@@ -110,7 +110,7 @@ Query huge(Kind kind, Rng& rng) {
 }
 
 Query corner_scale(Kind kind, Rng& rng) {
-  Query query = rng.one_in(2) ? lattice(kind, rng, 2) : base(kind, rng).query;
+  Query query = rng.one_in(2) ? lattice(kind, rng, 2) : base_sample(kind, rng).query;
   for (std::size_t i = 0; i < corner_count(kind); ++i) {
     const int exponent = any_exponent(rng);
     for (std::size_t axis = 0; axis < 3; ++axis) {

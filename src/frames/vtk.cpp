@@ -14,13 +14,13 @@
 namespace touchstone::frames {
 namespace {
 
-struct Type {
+struct ScalarType {
   std::string_view name;
   std::size_t size;
 };
 
 /// The types of arrays that may come before or between the elements, with their sizes in binary files.
-constexpr std::array<Type, 17> kTypes = {{{"char", 1},
+constexpr std::array<ScalarType, 17> kTypes = {{{"char", 1},
                                           {"signed_char", 1},
                                           {"unsigned_char", 1},
                                           {"vtktypeint8", 1},
@@ -309,7 +309,7 @@ class VtkReader {
       const std::uint64_t components = read_count("a number of components");
       const std::uint64_t tuples = read_count("a number of tuples");
       const std::string_view type = scanner_.word();
-      const auto found = std::find_if(kTypes.begin(), kTypes.end(), [&](const Type& t) { return is(type, t.name); });
+      const auto found = std::find_if(kTypes.begin(), kTypes.end(), [&](const ScalarType& t) { return is(type, t.name); });
       if (found == kTypes.end())
         scanner_.fail("an array of FIELD has the type " + io::in_quotes(type) + ", which is not read");
       end_keyword("the type of an array");

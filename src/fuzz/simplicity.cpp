@@ -33,7 +33,7 @@ std::int64_t difficulty(double x) noexcept {
   return sign + 1 + kDigit * (length + last_place);
 }
 
-bool same(const Vec3& a, const Vec3& b) noexcept {
+bool same_bits(const Vec3& a, const Vec3& b) noexcept {
   const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
   return bits(a.x) == bits(b.x) && bits(a.y) == bits(b.y) && bits(a.z) == bits(b.z);
 }
@@ -41,7 +41,7 @@ bool same(const Vec3& a, const Vec3& b) noexcept {
 std::int64_t of_corner(const std::array<Vec3, 4>& corners, std::size_t i) noexcept {
   const std::int64_t own = difficulty(corners[i].x) + difficulty(corners[i].y) + difficulty(corners[i].z);
   for (std::size_t j = 0; j < i; ++j) {
-    if (same(corners[i], corners[j])) return std::min(own, kRepeatedCorner);
+    if (same_bits(corners[i], corners[j])) return std::min(own, kRepeatedCorner);
   }
   return own;
 }
@@ -54,7 +54,7 @@ std::int64_t difficulty(const Query& query) noexcept {
   std::size_t count = 0;
   for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
     sum += of_corner(query.start, i);
-    if (!same(query.start[i], query.end[i])) sum += kMovingCorner + of_corner(query.end, i);
+    if (!same_bits(query.start[i], query.end[i])) sum += kMovingCorner + of_corner(query.end, i);
     for (const Vec3& corner : {query.start[i], query.end[i]}) {
       for (const double x : {corner.x, corner.y, corner.z}) values[count++] = std::fabs(x);
     }
@@ -77,7 +77,7 @@ std::int64_t difficulty(const CurvedQuery& query) {
       bool repeated = query.corners[j].motion == corner.motion && query.corners[j].control_points == points;
       for (std::size_t k = 0; k < corner.points.size(); ++k) {
         repeated =
-            repeated && (k >= static_cast<std::size_t>(points) || same(query.corners[j].points[k], corner.points[k]));
+            repeated && (k >= static_cast<std::size_t>(points) || same_bits(query.corners[j].points[k], corner.points[k]));
       }
       if (repeated) own = std::min(own, kRepeatedCorner);
     }
@@ -85,7 +85,7 @@ std::int64_t difficulty(const CurvedQuery& query) {
   }
   CurvedQuery read = query;
   families::for_each_motion(read, [&](const RigidMotion& motion) {
-    sum += kMovingCorner + of(motion.p0) + (same(motion.p0, motion.p1) ? 0 : kMovingCorner + of(motion.p1));
+    sum += kMovingCorner + of(motion.p0) + (same_bits(motion.p0, motion.p1) ? 0 : kMovingCorner + of(motion.p1));
     for (const double c : motion.q0) sum += difficulty(c);
     if (motion.q0 == motion.q1) return;
     sum += kTurn;

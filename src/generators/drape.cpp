@@ -10,15 +10,15 @@
 namespace touchstone::generators {
 namespace {
 
-constexpr double kRadius = 0.5;   // of the sphere at rest
+constexpr double kSphereRadius = 0.5;   // of the sphere at rest
 constexpr double kBreath = 0.04;  // the greatest change of the whole sphere's radius
 constexpr double kBulge = 0.02;   // the greatest height of a bulge
-constexpr double kGreatestRadius = kRadius + kBreath + kBulge;
+constexpr double kGreatestRadius = kSphereRadius + kBreath + kBulge;
 constexpr double kLeastWave = 2;       // the least length of a bulge's waves
 constexpr double kBulgeSlope = 0.063;  // >= kBulge 2 pi / kLeastWave: the sphere's radius changes so much in a radian
-constexpr double kHalfSide = 1;        // of the cloth, in the plane z = 1
+constexpr double kClothHalfSide = 1;        // of the cloth, in the plane z = 1
 constexpr double kJitter = 0.1;        // of an edge: the grid is not perfect
-constexpr double kLiesUpTo = 0.6;      // the distance from the middle, in that plane, where the cloth leaves the sphere
+constexpr double kLiesWithin = 0.6;      // the distance from the middle, in that plane, where the cloth leaves the sphere
 constexpr double kDepth = 0.01;        // of an edge: a planted vertex is so far inside the sphere
 
 /// The least distance of a vertex of the cloth from the sphere, along its ray from the centre, with which the two do
@@ -61,18 +61,18 @@ class Drape final : public MovingMesh {
     // Half of the edges are the sphere's.
     const auto n = static_cast<std::size_t>(std::sqrt(static_cast<double>(edges) / 6));
     const auto cuts = std::max<std::size_t>(1, static_cast<std::size_t>(std::sqrt(static_cast<double>(edges) / 24)));
-    const double spacing = 2 * kHalfSide / static_cast<double>(n);
+    const double spacing = 2 * kClothHalfSide / static_cast<double>(n);
     for (std::size_t i = 0; i <= n; ++i) {
       for (std::size_t j = 0; j <= n; ++j) {
         const double x = static_cast<double>(i) + random.uniform(-kJitter, kJitter);
         const double y = static_cast<double>(j) + random.uniform(-kJitter, kJitter);
-        const Vec3 in_plane{spacing * x - kHalfSide, spacing * y - kHalfSide, 1};
+        const Vec3 in_plane{spacing * x - kClothHalfSide, spacing * y - kClothHalfSide, 1};
         rays_.push_back({(1 / length(in_plane)) * in_plane, in_plane});
         if (i > 0 && i < n && j > 0 && j < n) inner_.push_back(static_cast<Index>(rays_.size() - 1));
       }
     }
     first_tried_ = static_cast<std::size_t>(random.below(inner_.size()));
-    edge_length_ = kRadius * spacing;
+    edge_length_ = kSphereRadius * spacing;
     // The angle between two points of the plane z = 1, seen from the centre, is at most their distance. The diagonal of
     // a square is the longest edge. A face of the octahedron |x| + |y| + |z| = 1 is 1 / sqrt(3) away from the centre,
     // and an edge of one of its parts is sqrt(2) / cuts long; no two directions of one face are more than pi / 2 apart.
@@ -91,7 +91,7 @@ class Drape final : public MovingMesh {
     const Vec3 centre = centre_at(time);
     for (const Ray& ray : rays_) {
       const double far = std::sqrt(ray.in_plane.x * ray.in_plane.x + ray.in_plane.y * ray.in_plane.y);
-      const double hangs = std::max(0.0, far - kLiesUpTo);
+      const double hangs = std::max(0.0, far - kLiesWithin);
       const double gap = gap_ + edge_length_ * (0.2 + 0.15 * gaps_(ray.direction, 2 * time)) +
                          0.3 * hangs * (1 + 0.5 * folds_(ray.in_plane, time));
       corners.push_back(centre + rotation_((radius(ray.direction, time) + gap) * ray.direction));
@@ -144,7 +144,7 @@ class Drape final : public MovingMesh {
   }
 
   double radius(const Vec3& direction, double time) const {
-    return kRadius + kBreath * breath_({}, time) + kBulge * bulges_(direction, time);
+    return kSphereRadius + kBreath * breath_({}, time) + kBulge * bulges_(direction, time);
   }
 
   /// The whole scene sways. All vertices move alike, so nothing meets that would not meet otherwise.

@@ -27,13 +27,13 @@ constexpr std::size_t kMotions = 4;
 constexpr std::size_t kLongestNumber = 4096;
 constexpr std::size_t kMostColumns = 2 + kMotionNumbers;
 
-std::string_view without_blanks(std::string_view text) {
+std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r");
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-std::string_view first_column(std::string_view row) { return without_blanks(row.substr(0, row.find(','))); }
+std::string_view first_column(std::string_view row) { return trimmed(row.substr(0, row.find(','))); }
 
 std::string at_column(std::size_t column, std::string_view name) {
   return "column " + std::to_string(column + 1) + " (" + std::string(name) + ") ";
@@ -69,7 +69,7 @@ struct CurvedRows::Columns {
   explicit Columns(std::string_view row) {
     for (std::size_t start = 0; start != std::string_view::npos; ++count) {
       const std::size_t comma = row.find(',', start);
-      if (count < text.size()) text[count] = without_blanks(row.substr(start, comma - start));
+      if (count < text.size()) text[count] = trimmed(row.substr(start, comma - start));
       start = comma == std::string_view::npos ? comma : comma + 1;
     }
   }
@@ -119,7 +119,7 @@ bool announces_curved_queries(std::string_view row) noexcept { return first_colu
 
 std::string fault_of_curved_header(std::string_view row) {
   const std::size_t comma = std::min(row.find(','), row.size());
-  const std::string_view version = without_blanks(row.substr(std::min(comma + 1, row.size())));
+  const std::string_view version = trimmed(row.substr(std::min(comma + 1, row.size())));
   if (version == "1") return {};
   return "the version of this file of curved queries is " + in_quotes(version) + "; version 1 is read, whose row is " +
          std::string(kCurvedHeader);

@@ -90,10 +90,10 @@ bool is_plainly_a_double(std::string_view number) noexcept {
   if (number.starts_with('-')) number.remove_prefix(1);
   if (!number.starts_with("0x")) return false;
   number.remove_prefix(2);
-  constexpr std::size_t kMostDigits = 14;  // a leading 1 and 13 more are 53 bits
+  constexpr std::size_t kMostHexDigits = 14;  // a leading 1 and 13 more are 53 bits
   const bool leading_one = number.starts_with("1.") || number.starts_with("1p");
   const std::size_t mark = number.find('p');
-  if (!leading_one || mark == std::string_view::npos || mark > kMostDigits + 1) return number == "0p+0";
+  if (!leading_one || mark == std::string_view::npos || mark > kMostHexDigits + 1) return number == "0p+0";
   // Subnormals have fewer bits than that: their exponents have four digits, as few others have.
   return number.size() - mark <= std::string_view("p-999").size();
 }

@@ -14,7 +14,6 @@ constexpr int kNone = -1;
 // Unknowns of a component whose factor fills up, from which on multigrid takes less time than the factor.
 constexpr int kLeastSheet = 3000;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 template <class Number>
 constexpr int lanes = 1;

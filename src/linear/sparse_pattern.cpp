@@ -18,7 +18,6 @@ namespace {
 // Unknowns: the factor of a smaller matrix is quick whatever it is made of.
 constexpr int kLeastDense = 400;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <vector>
 
 namespace touchstone::linear {
+
+/// An int of these lists as an index.
+inline std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }
 
 /// The dense blocks whose sum is a matrix: the unknowns of each, -1 for rows and columns that are left out.
 using Blocks = std::vector<std::vector<int>>;

@@ -8,10 +8,11 @@
 
 // Davis, Rajamanickam and Sid-Lakhdar 2016, "A survey of direct methods for sparse linear systems", sections 4 and 11,
 // names all of the following.
+#include "linear/sparse_pattern.hpp"
+
 namespace touchstone::linear {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 using Matrix = Eigen::MatrixXd;
 

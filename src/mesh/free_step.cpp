@@ -22,9 +22,7 @@
 namespace touchstone::mesh {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double next_below(double x) noexcept { return std::nextafter(x, -kInfinity); }
+double next_below(double x) noexcept { return std::nextafter(x, -std::numeric_limits<double>::infinity()); }
 
 /// x0 + length (x1 - x0), within the error that FreeStep::positions states, and between x0 and x1; exactly x1 for the
 /// length 1.

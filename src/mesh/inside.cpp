@@ -22,9 +22,7 @@ namespace touchstone::mesh {
 namespace {
 
 using numbers::Exact;
-using Point = geometry::Vector<Exact>;
-
-Point exact(const Vec3& v) { return {{Exact(v.x), Exact(v.y), Exact(v.z)}}; }
+using Point = ExactPoint;
 
 constexpr std::size_t kLeastFaces = 4;  // of a closed surface with a volume
 

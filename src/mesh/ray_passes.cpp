@@ -3,16 +3,11 @@
 
 #include <algorithm>
 
-#include "geometry/vector.hpp"
-#include "numbers/exact_number.hpp"
-
 namespace touchstone::mesh {
 namespace {
 
 using numbers::Exact;
-using Point = geometry::Vector<Exact>;
-
-Point exact(const Vec3& v) { return {{Exact(v.x), Exact(v.y), Exact(v.z)}}; }
+using Point = ExactPoint;
 
 /// On which side of the line from a to b a place beside p is, in the projection along x: the sign of the cross product
 /// of b - a and (p_y + eps - a_y, p_z + eps^2 - a_z). 0 if a and b are one point there.

@@ -4,7 +4,14 @@
 
 #include <touchstone/query.hpp>
 
+#include "geometry/vector.hpp"
+#include "numbers/exact_number.hpp"
+
 namespace touchstone::mesh {
+
+using ExactPoint = geometry::Vector<numbers::Exact>;
+
+inline ExactPoint exact(const Vec3& v) { return {{numbers::Exact(v.x), numbers::Exact(v.y), numbers::Exact(v.z)}}; }
 
 /// Counts the triangles that a ray along x passes through. The ray starts from a place beside the point, infinitely near:
 /// eps higher along y and eps^2 along z. So it passes no border, and each triangle that it passes has an area in the

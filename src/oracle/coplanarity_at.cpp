@@ -14,17 +14,17 @@ namespace touchstone::oracle {
 namespace {
 
 using Number = CGAL::Gmpzf;  // an integer times a power of two, as sums and products of doubles are
-using Position = std::array<Number, 3>;
+using NumberVector = std::array<Number, 3>;
 
 /// (1 - t) start + t end, exactly.
-Position position_at(const Vec3& start, const Vec3& end, const Number& earlier, const Number& later) {
+NumberVector position_at(const Vec3& start, const Vec3& end, const Number& earlier, const Number& later) {
   return {earlier * Number(start.x) + later * Number(end.x), earlier * Number(start.y) + later * Number(end.y),
           earlier * Number(start.z) + later * Number(end.z)};
 }
 
 /// The determinant of the rows to[0] - from[0], to[1] - from[1], to[2] - from[2].
-Number determinant_of_differences(const std::array<const Position*, 3>& from,
-                                  const std::array<const Position*, 3>& to) {
+Number determinant_of_differences(const std::array<const NumberVector*, 3>& from,
+                                  const std::array<const NumberVector*, 3>& to) {
   const auto row = [&](std::size_t i, std::size_t axis) -> Number { return (*to[i])[axis] - (*from[i])[axis]; };
   return CGAL::determinant<Number>(row(0, 0), row(0, 1), row(0, 2),  //
                                    row(1, 0), row(1, 1), row(1, 2),  //
@@ -45,7 +45,7 @@ double nearby_double(const Number& number) {
 double coplanarity_at(const Query& query, double t) {
   const Number later(t);
   const Number earlier = Number(1) - later;
-  std::array<Position, 4> x;
+  std::array<NumberVector, 4> x;
   for (std::size_t i = 0; i < 4; ++i) x[i] = position_at(query.start[i], query.end[i], earlier, later);
   // The rows u, w and r of the two kinds: (u x w) . r = det(u, w, r).
   return nearby_double(query.kind == Kind::edge_edge

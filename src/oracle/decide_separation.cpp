@@ -98,7 +98,7 @@ Nature nature_at(const Division& division, std::size_t i) {
   }
 }
 
-Answer no_contact() {
+Answer no_touch() {
   Answer answer;
   answer.level = Level::oracle;
   return answer;
@@ -106,7 +106,7 @@ Answer no_contact() {
 
 /// The contact at a time at which the distance is the division's level.
 Answer contact(const Division& division, std::size_t i, Nature nature) {
-  Answer answer = no_contact();
+  Answer answer = no_touch();
   answer.contact = true;
   answer.nature = nature;
   answer.trend = trend_of(division.after(i));
@@ -135,7 +135,7 @@ Answer decide_measured(Kind kind, const MeasuredMotion& motion, double t_max, Me
   for (std::size_t i = division.start(); i <= division.end(); ++i) {
     if (division.is_within(i)) return contact(division, i, nature_at(division, i));
   }
-  return no_contact();
+  return no_touch();
 }
 
 }  // namespace

@@ -161,7 +161,7 @@ CurvedQueries curved_queries(py::handle kind_name, const py::tuple& first, const
 }
 
 /// Whether the options have a meaning, before the first row is looked at. The one query is at rest and valid.
-void check_options(const Separation& separation, double t_max) { solve(CurvedQuery(), separation, t_max); }
+void check_curved_options(const Separation& separation, double t_max) { solve(CurvedQuery(), separation, t_max); }
 
 /// What is asked about all queries.
 struct Asked {
@@ -175,7 +175,7 @@ Asked asked_of(const CurvedQueries& queries, py::handle t_max, py::handle distan
                py::handle threads) {
   Asked asked{separation_of(distance, metric, queries.all.size(), queries.single), number_of(t_max, "t_max"),
               threads_of(threads)};
-  check_options(asked.separation.separation, asked.t_max);
+  check_curved_options(asked.separation.separation, asked.t_max);
   return asked;
 }
 
@@ -191,7 +191,7 @@ py::object solve_curved(const CurvedQueries& queries, py::handle t_max_number, p
     unlocked([&] { ask(0); });
     return py::cast(answers[0]);
   }
-  check_options(separation.separation, t_max);
+  check_curved_options(separation.separation, t_max);
   for_each_row(answers.size(), thread_count, ask);
   return py::cast(Answers(std::move(answers)));
 }

@@ -26,11 +26,11 @@ using sim::BodyStates;
 
 /// A scene without particles, after how many steps its bodies are near each other, and how many steps lie between two
 /// whose pairs are taken.
-struct Plan {
+struct BodyPlan {
   sim::Index size;
   std::size_t before, every;
 };
-constexpr std::array<Plan, 2> kPlans{{{50, 100, 5}, {36, 10, 1}}};  // of kBodyScenes
+constexpr std::array<BodyPlan, 2> kPlans{{{50, 100, 5}, {36, 10, 1}}};  // of kBodyScenes
 
 constexpr std::size_t kMostSamples = 100;  // steps of which the pairs are taken
 constexpr std::size_t kPairsPerSample = 10;
@@ -135,7 +135,7 @@ class Collected {
 
 std::vector<QuerySet> body_pair_sets(std::string_view scene, const BodyPairOptions& options, const BodyPulse& pulse) {
   const auto number = std::find(kBodyScenes.begin(), kBodyScenes.end(), scene) - kBodyScenes.begin();
-  const Plan& plan = kPlans.at(static_cast<std::size_t>(number));
+  const BodyPlan& plan = kPlans.at(static_cast<std::size_t>(number));
   sim::Simulation simulation(sim::make_shipped_scene(scene, plan.size), {});
   const BodyPart& part = *simulation.bodies();
   const sim::VectorX none;  // the scene has no particles

@@ -15,7 +15,7 @@ namespace touchstone::report {
 namespace {
 
 constexpr const char* kOrigin = "version,machine,compiler,seed,quick,set,kind,";
-constexpr const char* kColumns =
+constexpr const char* kCsvColumns =
     ",method,tolerance,tolerance_measures,set_queries,"
     "queries,contacts,missed,phantom,late,missed_share,phantom_share,late_share,wrong_share,times_compared,"
     "ulps_earliest,ulps_median,ulps_latest,ulps_median_magnitude,ulps_greatest_magnitude,passes,mean_us,"
@@ -48,7 +48,7 @@ std::string numbers(const Result& result) {
 }
 
 std::string not_asked() {
-  const std::string header = kColumns;
+  const std::string header = kCsvColumns;
   const std::string from_queries = header.substr(header.find(",queries,") + 1);
   std::string text(1, '0');
   text.append(static_cast<std::size_t>(std::count(from_queries.begin(), from_queries.end(), ',')), ',');
@@ -58,7 +58,7 @@ std::string not_asked() {
 }  // namespace
 
 std::string csv_header(const std::string& exponent_column, const Separation& separation) {
-  const std::string columns = kColumns;
+  const std::string columns = kCsvColumns;
   return kOrigin + exponent_column +
          (separation.distance == 0 ? columns : columns.substr(0, columns.size() - 1) + ",separation,metric\n");
 }

@@ -21,7 +21,7 @@ namespace touchstone::report {
 namespace {
 
 /// One run, and roughly its time relative to the other runs.
-struct Plan {
+struct RunPlan {
   const char* scene;
   sim::Index size;
   std::uint64_t steps;
@@ -29,8 +29,8 @@ struct Plan {
 };
 
 struct Plans {
-  Plan hoop;
-  std::vector<Plan> cable_drop, whip, twist, link_chain;
+  RunPlan hoop;
+  std::vector<RunPlan> cable_drop, whip, twist, link_chain;
 };
 
 /// The layers of cable-drop fall for five steps and then lie on each other, and its time is that of their contacts; the
@@ -51,9 +51,9 @@ Plans plans(bool quick) {
           {{"link-chain", 12, 800, 0.5}, {"link-chain", 50, 800, 2}}};
 }
 
-double weight(const std::vector<Plan>& plans) {
+double weight(const std::vector<RunPlan>& plans) {
   double sum = 0;
-  for (const Plan& plan : plans) sum += plan.weight;
+  for (const RunPlan& plan : plans) sum += plan.weight;
   return sum;
 }
 
@@ -63,7 +63,7 @@ struct Counts {
   double seconds, collision_share;
 };
 
-Counts count(const Plan& plan, const ScenePulse& pulse) {
+Counts count(const RunPlan& plan, const ScenePulse& pulse) {
   sim::Scene scene = sim::make_shipped_scene(plan.scene, plan.size);
   if (plan.scene == std::string_view("whip")) {
     scene.settings.time_step = 1.0 / 60;
@@ -89,7 +89,7 @@ Counts count(const Plan& plan, const ScenePulse& pulse) {
 }
 
 /// `small` is a small form of the scene. It runs first, so that the memory of the code does not count as the scene's.
-SceneRun run_scene(const Plan& plan, const Plan& small, const ScenePulse& pulse) {
+SceneRun run_scene(const RunPlan& plan, const RunPlan& small, const ScenePulse& pulse) {
   const auto prepare = [&] {
     sim::give_memory_back();  // as `touchstone simulate` does
     count(small, [](double) {});
@@ -123,17 +123,17 @@ SceneRuns run_scenes(bool quick, const ScenePulse& pulse) {
   const double total =
       all.hoop.weight + weight(all.cable_drop) + weight(all.whip) + weight(all.twist) + weight(all.link_chain);
   double done = 0;
-  const auto run = [&](const Plan& plan, const Plan& before) {
+  const auto run = [&](const RunPlan& plan, const RunPlan& before) {
     SceneRun result = run_scene(plan, before, [&](double share) { pulse((done + share * plan.weight) / total); });
     done += plan.weight;
     return result;
   };
   SceneRuns runs;
   runs.hoop = run(all.hoop, small.hoop);
-  for (const Plan& plan : all.cable_drop) runs.cable_drop.push_back(run(plan, small.cable_drop.front()));
-  for (const Plan& plan : all.whip) runs.whip.push_back(run(plan, small.whip.front()));
-  for (const Plan& plan : all.twist) runs.twist.push_back(run(plan, small.twist.front()));
-  for (const Plan& plan : all.link_chain) runs.link_chain.push_back(run(plan, small.link_chain.front()));
+  for (const RunPlan& plan : all.cable_drop) runs.cable_drop.push_back(run(plan, small.cable_drop.front()));
+  for (const RunPlan& plan : all.whip) runs.whip.push_back(run(plan, small.whip.front()));
+  for (const RunPlan& plan : all.twist) runs.twist.push_back(run(plan, small.twist.front()));
+  for (const RunPlan& plan : all.link_chain) runs.link_chain.push_back(run(plan, small.link_chain.front()));
   return runs;
 }
 

@@ -11,15 +11,6 @@ namespace {
 using json::JsonNode;
 using Json = nlohmann::ordered_json;
 
-Vector3 vector_from(const JsonNode& node) {
-  const auto numbers = node.three_numbers();
-  return {numbers[0], numbers[1], numbers[2]};
-}
-
-Vector3 vector_or(const JsonNode& node, std::string_view key, const Vector3& otherwise) {
-  return node.has(key) ? vector_from(node.at(key)) : otherwise;
-}
-
 template <std::size_t N>
 std::array<double, N> numbers_from(const JsonNode& node, const char* what) {
   const auto all = node.items();
@@ -50,8 +41,6 @@ BodyMotion motion_from(const JsonNode& node) {
   }
   node.fail("must be free, fixed or driven");
 }
-
-Json list(const Vector3& v) { return Json::array({v.x(), v.y(), v.z()}); }
 
 bool is_identity(const Quaternion& q) { return q == Quaternion{1, 0, 0, 0}; }
 

@@ -22,15 +22,6 @@ using json::JsonNode;
 
 constexpr Index kVersion = 1;
 
-Vector3 vector_from(const JsonNode& node) {
-  const auto numbers = node.three_numbers();
-  return {numbers[0], numbers[1], numbers[2]};
-}
-
-Vector3 vector_or(const JsonNode& node, std::string_view key, const Vector3& otherwise) {
-  return node.has(key) ? vector_from(node.at(key)) : otherwise;
-}
-
 template <std::size_t N>
 std::array<Index, N> indices_from(const JsonNode& node) {
   const auto all = node.items();

@@ -16,7 +16,7 @@ namespace touchstone::sim {
 namespace {
 
 // N/m, N m and kg/m^2: products with lengths and times stay far from overflow.
-constexpr double kMost = 1e12;
+constexpr double kMostAbsolute = 1e12;
 
 // Of the largest product of two of its sides: a triangle with less area has no shape that its strains could measure.
 constexpr double kLeastArea = 1e-6;
@@ -102,11 +102,11 @@ void check_edges(const Surface& surface, const SurfacePath& path) {
 void check_surface(const Scene& scene, std::size_t number) {
   const Surface& surface = scene.surfaces[number];
   const SurfacePath path(number);
-  if (!(surface.stretch > 0 && surface.stretch <= kMost))
-    path.fail("stretch", fmt::format("{} N/m is not in (0, {}]", surface.stretch, kMost));
+  if (!(surface.stretch > 0 && surface.stretch <= kMostAbsolute))
+    path.fail("stretch", fmt::format("{} N/m is not in (0, {}]", surface.stretch, kMostAbsolute));
   path.in_range("poisson", surface.poisson, kLeastPoisson, kMostPoisson);
-  path.in_range("bend", surface.bend, 0, kMost);
-  path.in_range("areal_density", surface.areal_density, 0, kMost);
+  path.in_range("bend", surface.bend, 0, kMostAbsolute);
+  path.in_range("areal_density", surface.areal_density, 0, kMostAbsolute);
   path.in_range("damping", surface.damping, 0, 1e6);
   if (surface.strain_limit != 0)
     path.in_range("strain_limit", surface.strain_limit, kLeastStrainLimit, kMostStrainLimit);

@@ -12,8 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json list(const Vector3& v) { return Json::array({v.x(), v.y(), v.z()}); }
-
 Json json_of(const Settings& s) {
   Json json;
   json["time_step"] = s.time_step;

@@ -16,7 +16,7 @@ namespace {
 
 using json::JsonNode;
 
-constexpr std::uint64_t kMostFrames = 1'000'000'000'000;
+constexpr std::uint64_t kMostFrameNumber = 1'000'000'000'000;
 constexpr std::uint64_t kMostNumber = std::uint64_t{1} << 33;  // 2^32 - 1, and files that count from 1
 
 std::string json_of(const NamedElement& element) {
@@ -151,7 +151,7 @@ Result result_from(const JsonNode& node) {
   } else {
     node.check_keys({"frame", "free", "intersections", "coinciding_vertices"});
   }
-  result.frame = node.at(result.step ? "from" : "frame").whole_number(0, kMostFrames);
+  result.frame = node.at(result.step ? "from" : "frame").whole_number(0, kMostFrameNumber);
   if (result.step) node.at("to").whole_number(result.frame + 1, result.frame + 1);
   if (node.at("free").boolean()) return result;
   if (result.step) {

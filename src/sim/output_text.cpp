@@ -164,7 +164,7 @@ std::string crossing_for_person(const Simulation& simulation, const Crossing& cr
 
 namespace {
 
-std::string counted(std::size_t count, std::string_view what) {
+std::string number_of(std::size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
@@ -204,8 +204,8 @@ std::string why_separations(const Simulation& simulation) {
     if (!bodies.empty()) bodies += "; ";
   }
   return bodies + fmt::format("{} with radii of up to {} m; {} of particles are neighbours",
-                              counted(colliders.with_radius(), "element"), colliders.largest_radius(),
-                              counted(colliders.neighbours().count(), "pair"));
+                              number_of(colliders.with_radius(), "element"), colliders.largest_radius(),
+                              number_of(colliders.neighbours().count(), "pair"));
 }
 
 std::string why_points(const Colliders& colliders) {

@@ -10,8 +10,8 @@ using namespace touchstone::sim;
 namespace {
 
 const std::string kCorners = R"("vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])";
-const std::string kFaces = R"("faces": [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])";
-const std::string kSolid = kCorners + ", " + kFaces + ", \"density\": 1000, \"position\": [0, 0, 5]";
+const std::string kTetrahedron = R"("faces": [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])";
+const std::string kSolid = kCorners + ", " + kTetrahedron + ", \"density\": 1000, \"position\": [0, 0, 5]";
 
 std::string scene_of(const std::string& body) { return R"({"touchstone_scene": 1, "bodies": [{)" + body + "}]}"; }
 
@@ -35,7 +35,7 @@ TEST_CASE("bodies are the same after a round trip through JSON") {
       kCorners +
       R"(, "edges": [[0, 1], [1, 2], [2, 3], [3, 0]], "mass": 0.3, "inertia": [1, 2, 2.5, 0.1, 0, -0.1],
           "centre": [0.1, 0.2, 0.3], "radius": 0.05}, {)" +
-      kCorners + ", " + kFaces + R"(, "motion": "fixed", "position": [9, 9, 9]}, {)" + kCorners + ", " + kFaces +
+      kCorners + ", " + kTetrahedron + R"(, "motion": "fixed", "position": [9, 9, 9]}, {)" + kCorners + ", " + kTetrahedron +
       R"(, "motion": "driven", "path": [{"time": 0, "position": [4, 0, 0]},
           {"time": 1.5, "position": [4, 1, 0], "orientation": [0, 1, 0, 0]}]}]})";
   const Scene scene = scene_from_json(text);
@@ -59,8 +59,8 @@ TEST_CASE("bodies are the same after a round trip through JSON") {
 
 TEST_CASE("wrong bodies are refused, and the path of the fault is named") {
   check_refused("\"wings\": 2", "wings");
-  check_refused(kFaces, "bodies[0]: lacks the key 'vertices'");
-  check_refused("\"vertices\": [], " + kFaces + ", \"density\": 1", "bodies[0].vertices: a body must have some");
+  check_refused(kTetrahedron, "bodies[0]: lacks the key 'vertices'");
+  check_refused("\"vertices\": [], " + kTetrahedron + ", \"density\": 1", "bodies[0].vertices: a body must have some");
   check_refused(kCorners + ", \"density\": 1", "bodies[0]: a body has either faces");
   check_refused(kSolid + R"(, "edges": [[0, 1]])", "bodies[0]: a body has either faces");
   check_refused(kCorners + ", \"density\": 1, \"faces\": [[0, 2, 4]]", "bodies[0].faces[0]: there is no vertex 4");
@@ -73,15 +73,15 @@ TEST_CASE("wrong bodies are refused, and the path of the fault is named") {
                 "bodies[0].faces: two faces run from vertex");
   check_refused(kCorners + ", \"density\": 1, \"faces\": [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]]",
                 "bodies[0].faces: they turn clockwise");
-  check_refused(kCorners + ", " + kFaces + ", \"density\": 0", "bodies[0].density: must be positive");
-  check_refused(kCorners + ", " + kFaces, "bodies[0].density: a free body needs one");
-  check_refused(kCorners + ", " + kFaces + ", \"mass\": 0, \"inertia\": [1, 1, 1, 0, 0, 0]",
+  check_refused(kCorners + ", " + kTetrahedron + ", \"density\": 0", "bodies[0].density: must be positive");
+  check_refused(kCorners + ", " + kTetrahedron, "bodies[0].density: a free body needs one");
+  check_refused(kCorners + ", " + kTetrahedron + ", \"mass\": 0, \"inertia\": [1, 1, 1, 0, 0, 0]",
                 "bodies[0].mass: must be positive");
-  check_refused(kCorners + ", " + kFaces + ", \"mass\": 1", "bodies[0]: lacks the key 'inertia'");
-  check_refused(kCorners + ", " + kFaces + ", \"inertia\": [1, 1, 1, 0, 0, 0]", "bodies[0].inertia: goes with mass");
-  check_refused(kCorners + ", " + kFaces + ", \"mass\": 1, \"inertia\": [1, 1, 2.1, 0, 0, 0]",
+  check_refused(kCorners + ", " + kTetrahedron + ", \"mass\": 1", "bodies[0]: lacks the key 'inertia'");
+  check_refused(kCorners + ", " + kTetrahedron + ", \"inertia\": [1, 1, 1, 0, 0, 0]", "bodies[0].inertia: goes with mass");
+  check_refused(kCorners + ", " + kTetrahedron + ", \"mass\": 1, \"inertia\": [1, 1, 2.1, 0, 0, 0]",
                 "bodies[0].inertia: the principal moments of inertia");
-  check_refused(kCorners + ", " + kFaces + ", \"mass\": 1, \"inertia\": [1, 1, 0, 0, 0, 0]",
+  check_refused(kCorners + ", " + kTetrahedron + ", \"mass\": 1, \"inertia\": [1, 1, 0, 0, 0, 0]",
                 "bodies[0].inertia: the principal moments of inertia");
   check_refused(kSolid + ", \"mass\": 1, \"inertia\": [1, 1, 1, 0, 0, 0]", "bodies[0].mass: follows from the density");
   check_refused(R"("vertices": [[0, 0, 0], [1, 0, 0]], "edges": [[0, 1]], "density": 1)",
@@ -95,10 +95,10 @@ TEST_CASE("wrong bodies are refused, and the path of the fault is named") {
   check_refused(kSolid + ", \"motion\": \"flying\"", "bodies[0].motion: must be free, fixed or driven");
   check_refused(kSolid + ", \"radius\": -0.1", "bodies[0].radius: ");
   check_refused(kSolid + R"(, "path": [{"time": 0, "position": [0, 0, 0]}])", "bodies[0].path: goes with a driven");
-  check_refused(kCorners + ", " + kFaces +
+  check_refused(kCorners + ", " + kTetrahedron +
                     R"(, "motion": "driven", "path": [{"time": 1, "position": [0, 0, 0]},
                        {"time": 1, "position": [0, 0, 1]}])",
                 "bodies[0].path[1].time: must be later");
-  check_refused(kCorners + ", " + kFaces + R"(, "motion": "fixed", "velocity": [1, 0, 0])",
+  check_refused(kCorners + ", " + kTetrahedron + R"(, "motion": "fixed", "velocity": [1, 0, 0])",
                 "bodies[0].velocity: a fixed body has none");
 }

@@ -90,7 +90,7 @@ std::set<std::string> bash_completes(const std::string& script, const std::strin
   return found;
 }
 
-using Words = std::set<std::string>;
+using WordSet = std::set<std::string>;
 
 }  // namespace
 
@@ -102,7 +102,7 @@ TEST_CASE_WITH("bash", "bash completes every subcommand, option and value that -
   CHECK(top.subcommands.size() >= 13);
   CHECK(bash_completes(script, here, {"touchstone", ""}) == top.subcommands);
   CHECK(bash_completes(script, here, {"touchstone", "-"}) == top.options);
-  CHECK(bash_completes(script, here, {"touchstone", "ce"}) == Words{"certify"});
+  CHECK(bash_completes(script, here, {"touchstone", "ce"}) == WordSet{"certify"});
   std::size_t valued = 0;
   for (const std::string& command : top.subcommands) {
     CAPTURE(command);
@@ -116,13 +116,13 @@ TEST_CASE_WITH("bash", "bash completes every subcommand, option and value that -
     }
   }
   CHECK(valued >= 10);
-  CHECK(bash_completes(script, here, {"touchstone", "solve", "--kind", "e"}) == Words{"edge-edge"});
-  CHECK(bash_completes(script, here, {"touchstone", "solve", "a"}) == Words{"a.csv", "a folder"});
-  CHECK(bash_completes(script, here, {"touchstone", "solve", "--out", "a."}) == Words{"a.csv"});
-  CHECK(bash_completes(script, here, {"touchstone", "stress", "--out", "a"}) == Words{"a folder"});
-  CHECK(bash_completes(script, here, {"touchstone", "stress", "--seed", ""}) == Words{});
-  CHECK(bash_completes(script, here, {"touchstone", "doctor", ""}) == Words{});
-  CHECK(bash_completes(script, here, {"touchstone", "juggle", ""}) == Words{});
+  CHECK(bash_completes(script, here, {"touchstone", "solve", "--kind", "e"}) == WordSet{"edge-edge"});
+  CHECK(bash_completes(script, here, {"touchstone", "solve", "a"}) == WordSet{"a.csv", "a folder"});
+  CHECK(bash_completes(script, here, {"touchstone", "solve", "--out", "a."}) == WordSet{"a.csv"});
+  CHECK(bash_completes(script, here, {"touchstone", "stress", "--out", "a"}) == WordSet{"a folder"});
+  CHECK(bash_completes(script, here, {"touchstone", "stress", "--seed", ""}) == WordSet{});
+  CHECK(bash_completes(script, here, {"touchstone", "doctor", ""}) == WordSet{});
+  CHECK(bash_completes(script, here, {"touchstone", "juggle", ""}) == WordSet{});
 }
 
 TEST_CASE_WITH("zsh", "zsh's completion names every subcommand, option and value that --help shows") {

@@ -25,13 +25,13 @@ using namespace touchstone::tests;
 namespace {
 
 /// A sequence, and the report of one run about it.
-struct Sample {
+struct StoppedRun {
   TemporaryFolder folder;
   std::vector<std::string> files;
   std::string whole;
   std::string out;
 
-  Sample(std::size_t side, std::size_t frames) : files(write_needles(folder, "f", side, frames, falling_tip)) {
+  StoppedRun(std::size_t side, std::size_t frames) : files(write_needles(folder, "f", side, frames, falling_tip)) {
     const Run run = mesh({"--report", folder.path("whole.json")});
     REQUIRE(run.status == 1);
     whole = folder.read("whole.json");
@@ -66,7 +66,7 @@ std::size_t count_of_lines(const std::string& text) { return occurrences(text, "
 }  // namespace
 
 TEST_CASE("a run that is killed at random moments, again and again, ends with the report of one run") {
-  const Sample sample(48, 24);
+  const StoppedRun sample(48, 24);
   const auto start = std::chrono::steady_clock::now();
   REQUIRE(sample.report().status == 1);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -99,7 +99,7 @@ TEST_CASE("a run that is killed at random moments, again and again, ends with th
 }
 
 TEST_CASE("a run goes on where the earlier one stopped, wherever the journal is torn") {
-  const Sample sample(5, 8);
+  const StoppedRun sample(5, 8);
   sample.leave_journal(6);
   const std::string journal = sample.folder.read("r.json.progress");
   CHECK(count_of_lines(journal) >= 4);
@@ -118,7 +118,7 @@ TEST_CASE("a run goes on where the earlier one stopped, wherever the journal is 
 }
 
 TEST_CASE("finished steps are not checked again: their results are those of the journal") {
-  const Sample sample(5, 8);
+  const StoppedRun sample(5, 8);
   sample.leave_journal(6);
   const std::string journal = sample.folder.read("r.json.progress");
   CHECK(count_of_lines(journal) == 7);  // the heading, frame 0 and the steps up to 4 -> 5
@@ -141,7 +141,7 @@ TEST_CASE("finished steps are not checked again: their results are those of the 
 }
 
 TEST_CASE("a frame that has changed since the earlier run is named") {
-  const Sample sample(5, 8);
+  const StoppedRun sample(5, 8);
   sample.leave_journal(6);
   const std::string journal = sample.folder.read("r.json.progress"), text = sample.folder.read("f-3.obj");
   sample.folder.write("f-3.obj", text + "# a comment\n");
@@ -155,7 +155,7 @@ TEST_CASE("a frame that has changed since the earlier run is named") {
 }
 
 TEST_CASE("without --resume the journal of an earlier run is refused, and nothing is lost") {
-  const Sample sample(5, 8);
+  const StoppedRun sample(5, 8);
   sample.leave_journal(6);
   const std::string journal = sample.folder.read("r.json.progress");
   const Run run = sample.report();
@@ -171,7 +171,7 @@ TEST_CASE("without --resume the journal of an earlier run is refused, and nothin
 }
 
 TEST_CASE("the option --resume starts without a journal, and with the finished report it is done") {
-  const Sample sample(5, 6);
+  const StoppedRun sample(5, 6);
   const Run first = sample.report({"--resume"});
   CHECK(first.status == 1);
   CHECK(first.err == "");
@@ -193,7 +193,7 @@ TEST_CASE("the option --resume starts without a journal, and with the finished r
 }
 
 TEST_CASE("a report that goes to a pipe has no journal beside it") {
-  const Sample sample(5, 6);
+  const StoppedRun sample(5, 6);
   const std::string pipe = sample.folder.path("pipe");
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
   const int reader = ::open(pipe.c_str(), O_RDWR | O_CLOEXEC);
@@ -211,7 +211,7 @@ TEST_CASE("a report that goes to a pipe has no journal beside it") {
 }
 
 TEST_CASE("query files and tables are whole after a run that went on") {
-  const Sample sample(5, 8);
+  const StoppedRun sample(5, 8);
   const auto files = [&](const std::string& name) {
     return std::vector<std::string>{"--pairs", sample.folder.path(name + ".csv"), "--queries",
                                     sample.folder.path(name)};
@@ -227,7 +227,7 @@ TEST_CASE("query files and tables are whole after a run that went on") {
 }
 
 TEST_CASE("two processes cannot make one report at the same time") {
-  const Sample sample(5, 4);
+  const StoppedRun sample(5, 4);
   sample.folder.write("r.json.progress", "");
   const int held = ::open(sample.folder.path("r.json.progress").c_str(), O_RDWR | O_CLOEXEC);
   REQUIRE(::flock(held, LOCK_EX | LOCK_NB) == 0);
@@ -239,7 +239,7 @@ TEST_CASE("two processes cannot make one report at the same time") {
 }
 
 TEST_CASE("Ctrl-C keeps what is finished") {
-  const Sample sample(48, 24);
+  const StoppedRun sample(48, 24);
   RunOptions options;
   options.interrupt_after = 0.15;
   const Run run = sample.report({"--threads", "1"}, options);

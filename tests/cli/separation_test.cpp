@@ -16,7 +16,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr const char* kHeader =
+constexpr const char* kQueryHeader =
     "file,query,contact,toi,toi_upper,nature,feature_a,feature_b,level,starts_within,trend,separation,metric\n";
 
 /// A point that moves along x from -3 to 1 past another at the origin, and one that stays 4 away.
@@ -25,7 +25,7 @@ std::string passing_points() {
          "4,1,0,1,0,1,0\n0,1,0,1,0,1,0\n4,1,0,1,0,1,0\n0,1,0,1,0,1,0\n";
 }
 
-void check_refused(const std::vector<std::string>& arguments, const std::string& message) {
+void check_refusal(const std::vector<std::string>& arguments, const std::string& message) {
   const Run run = run_program(arguments);
   CAPTURE(arguments);
   CHECK(run.status == 2);
@@ -68,15 +68,15 @@ TEST_CASE("solve writes what a separation's answer has in addition, and the sepa
     CHECK(run.err == "");
     return run.out;
   };
-  CHECK(rows({"--separation", "1"}) == kHeader + file +
+  CHECK(rows({"--separation", "1"}) == kQueryHeader + file +
                                            ",0,1,0x1p-1,0x1p-1,entering,p,q,exact,0,approaching,0x1p+0,euclidean\n" +
                                            file + ",1,0,,,,,,exact,,,0x1p+0,euclidean\n");
   CHECK(rows({"--metric", "max", "--separation", "0x1p+2"}) ==
-        kHeader + file + ",0,1,0x0p+0,0x0p+0,sustained,p,q,exact,1,approaching,0x1p+2,max\n" + file +
+        kQueryHeader + file + ",0,1,0x0p+0,0x0p+0,sustained,p,q,exact,1,approaching,0x1p+2,max\n" + file +
             ",1,1,0x0p+0,0x0p+0,sustained,p,q,exact,1,constant,0x1p+2,max\n");
   // Touching: the answers are those without the option. A negative zero is zero.
   for (const char* zero : {"0", "-0", "0x0p+0"}) {
-    CHECK(rows({"--separation", zero}) == kHeader + file +
+    CHECK(rows({"--separation", zero}) == kQueryHeader + file +
                                               ",0,1,0x1.8p-1,0x1.8p-1,isolated,p,q,exact,0,,0x0p+0,euclidean\n" + file +
                                               ",1,0,,,,,,exact,,,0x0p+0,euclidean\n");
   }
@@ -116,14 +116,14 @@ TEST_CASE("a separation without meaning is refused in one line") {
              {"1e-3 ", "1e-3  is no finite number"},
              {"1e-400", "1e-400 is closer to 0 than any double that is not 0"},
              {"1e400", "1e400 is beyond the greatest double"}}) {
-      check_refused({command, "--separation", text, file}, "touchstone: --separation: " + reason + help);
-      check_refused({command, "--separation=" + text, file}, "touchstone: --separation: " + reason + help);
+      check_refusal({command, "--separation", text, file}, "touchstone: --separation: " + reason + help);
+      check_refusal({command, "--separation=" + text, file}, "touchstone: --separation: " + reason + help);
     }
-    check_refused({command, "--metric", "max", file}, "touchstone: --metric requires --separation" + help);
-    check_refused({command, "--separation", "1", "--metric", "taxi", file},
+    check_refusal({command, "--metric", "max", file}, "touchstone: --metric requires --separation" + help);
+    check_refusal({command, "--separation", "1", "--metric", "taxi", file},
                   "touchstone: --metric: taxi not in {euclidean,max}" + help);
   }
-  check_refused({"certify", "--separation", "1"},
+  check_refusal({"certify", "--separation", "1"},
                 "touchstone: --separation goes with files or --claims; the truth column of each bundled file is about "
                 "a separation of its own");
 }
@@ -144,11 +144,11 @@ TEST_CASE("claims say what they are about, and another separation is refused") {
     CHECK(occurrences(run.out, "  contacts    1: 1 entering\n") == 1);
   }
   const std::string start = claims + ":2: the claim is about " + about + "; --separation and --metric ask for ";
-  check_refused({"certify", "--separation", "0.1", "--claims", claims, file},
+  check_refusal({"certify", "--separation", "0.1", "--claims", claims, file},
                 start + "separation 0x1.999999999999ap-4 (0.1), euclidean");
-  check_refused({"certify", "--separation", "0.25", "--metric", "max", "--claims", claims, file},
+  check_refusal({"certify", "--separation", "0.25", "--metric", "max", "--claims", claims, file},
                 start + "separation 0x1p-2 (0.25), max");
-  check_refused({"certify", "--separation", "0", "--claims", claims, file}, start + "touching, which is separation 0");
+  check_refusal({"certify", "--separation", "0", "--claims", claims, file}, start + "touching, which is separation 0");
 
   SECTION("rows may be about different separations") {
     folder.write("c.csv", "query,contact,toi,separation\n0,1,0x1p-1,1\n1,1,0,0x1p+2\n");
@@ -163,7 +163,7 @@ TEST_CASE("claims say what they are about, and another separation is refused") {
   SECTION("columns without meaning are refused") {
     const auto refuse = [&](const std::string& text, const std::string& message) {
       folder.write("c.csv", text);
-      check_refused({"certify", "--claims", claims, file}, claims + message);
+      check_refusal({"certify", "--claims", claims, file}, claims + message);
     };
     refuse("query,contact,metric\n0,1,max\n1,0,max\n", ":1: column 'metric' needs column 'separation'");
     refuse("query,contact,separation\n0,1,-1\n1,0,1\n",
@@ -216,7 +216,7 @@ TEST_CASE("generated sets with a separation hold, and a flipped bit is refuted")
       CHECK(run_program(asked).out.rfind("all 60 claims hold (claims of the truth column, 1 file, " + about + ")\n",
                                          0) == 0);
       CHECK(run_program({"certify", file}).status == 0);
-      check_refused({"certify", "--separation", "0.02", "--metric", metric, file},
+      check_refusal({"certify", "--separation", "0.02", "--metric", metric, file},
                     file + ": its truth column is about " + about +
                         "; --separation and --metric ask for separation 0x1.47ae147ae147bp-6 (0.02), " + metric);
       for (const std::size_t wrong : {std::size_t{0}, std::size_t{31}, std::size_t{59}}) {
@@ -308,10 +308,10 @@ TEST_CASE("fuzz with a separation breaks the baselines, finds ours right, and it
     CHECK(run_program(certify).status == 0);
     CHECK(run_program({"certify", "--separation", "0.25", certify.back()}).status == 2);
   }
-  check_refused({"fuzz", "--solver", "paper", "--separation", "1"},
+  check_refusal({"fuzz", "--solver", "paper", "--separation", "1"},
                 "touchstone: 'paper' is no solver for separation 0x1p+0 (1), euclidean; they are touchstone, exact, "
                 "oracle, fast-cgal, batch, thick_advancement, thick_polynomial");
-  check_refused({"fuzz", "--solver", "paper", "--separation", "each"},
+  check_refusal({"fuzz", "--solver", "paper", "--separation", "each"},
                 "touchstone: 'paper' is no solver for separations of each query's own, euclidean; they are touchstone, "
                 "exact, oracle, fast-cgal, batch, thick_advancement, thick_polynomial");
 }

@@ -12,14 +12,14 @@
 namespace touchstone::tests {
 namespace {
 
-double t_max_of(std::uint64_t index, const Answer& whole) {
+double drawn_t_max(std::uint64_t index, const Answer& whole) {
   if (index % 3 != 1 || !whole.contact) return 1;
   const double times[] = {whole.toi, whole.toi_upper, std::nextafter(whole.toi, 0.0),
                           std::fmin(1, std::nextafter(whole.toi_upper, 2.0))};
   return times[index / 3 % 4];
 }
 
-struct Count {
+struct Tally {
   std::size_t decided = 0, all = 0, wrong = 0, contacts = 0;
 };
 
@@ -28,7 +28,7 @@ std::string difference(const Answer& answer, const Answer& expected) {
   return decision.empty() ? weight_difference(answer, expected) : decision;
 }
 
-void compare(const Query& query, double t_max, Count& count) {
+void compare(const Query& query, double t_max, Tally& count) {
   ++count.all;
   const std::optional<Answer> answer = exact::decide_sparsely(query, t_max);
   if (!answer) return;
@@ -47,10 +47,10 @@ void compare(const Query& query, double t_max, Count& count) {
 
 TEST_CASE("sparse numbers decide queries of wild magnitudes as decide_exactly does, and most of them") {
   Rng rng(61);
-  Count count;
+  Tally count;
   for (std::size_t i = 0; i < effort(60000); ++i) {
     const Query query = wild_query(kKinds[i % 4], rng);
-    compare(query, t_max_of(i / 4, exact::decide_exactly(query, 1)), count);
+    compare(query, drawn_t_max(i / 4, exact::decide_exactly(query, 1)), count);
   }
   std::printf("%zu of %zu decided, %zu contacts, %zu wrong\n", count.decided, count.all, count.contacts, count.wrong);
   CHECK(count.wrong == 0);
@@ -65,7 +65,7 @@ TEST_CASE("sparse numbers decide every family as decide_exactly does") {
       62, 300, [](const FamilyInfo&, Kind) { return true; },
       [&](const CaseId& id) {
         const Query query = make(id);
-        const double t_max = t_max_of(id.index, exact::decide_exactly(query, 1));
+        const double t_max = drawn_t_max(id.index, exact::decide_exactly(query, 1));
         const std::optional<Answer> answer = exact::decide_sparsely(query, t_max);
         decided += answer.has_value();
         report.add(id, query, answer ? difference(*answer, exact::decide_exactly(query, t_max)) : "");

@@ -55,7 +55,7 @@ double largest_distance(const Holds& holds) {
   return at(low);
 }
 
-bool in_range(const FrameCase& s) {
+bool frame_in_range(const FrameCase& s) {
   const double uw = s.size.u * s.size.w;
   return uw >= filters::kLeastNormProduct && uw <= filters::kGreatestNormProduct &&
          uw * s.size.r >= filters::kLeastVolume && uw * s.size.r <= filters::kGreatestVolume;
@@ -126,14 +126,14 @@ TEST_CASE("the greatest norm of n is within its bound", "[separation]") {
     return worst;
   };
   for (const Metric metric : {Metric::euclidean, Metric::max}) {
-    report("norm", searched(91, 0, 20000, in_range,
+    report("norm", searched(91, 0, 20000, frame_in_range,
                             [&](const FrameCase& s, const std::vector<double>&) { return ratio(s, metric); }));
   }
 }
 
 TEST_CASE("clearance of the largest distance that it proves is true", "[separation]") {
   for (const Metric metric : {Metric::euclidean, Metric::max}) {
-    const auto search = searched(92, 0, 6000, in_range, [&](const FrameCase&, const std::vector<double>& x) {
+    const auto search = searched(92, 0, 6000, frame_in_range, [&](const FrameCase&, const std::vector<double>& x) {
       const FrameCase s = still(x);
       const double distance = largest_distance([&](double d) {
         return filters::clear_all_along(s.query, {d, metric});
@@ -155,7 +155,7 @@ TEST_CASE("clearance of the largest distance that it proves is true", "[separati
 
 TEST_CASE("a direction separates by the largest distance that it proves", "[separation]") {
   for (const Metric metric : {Metric::euclidean, Metric::max}) {
-    const auto search = searched(93, 3, 6000, in_range, [&](const FrameCase&, const std::vector<double>& x) {
+    const auto search = searched(93, 3, 6000, frame_in_range, [&](const FrameCase&, const std::vector<double>& x) {
       const FrameCase s = still(x);
       const filters::Vector n = {{x[24], x[25], x[26]}};
       const filters::RelativeCorners corners = filters::relative_corners(s.query);
@@ -180,7 +180,7 @@ TEST_CASE("a direction separates by the largest distance that it proves", "[sepa
 }
 
 TEST_CASE("the least product with a direction, at a time, is within its bound", "[separation]") {
-  report("walk", searched(94, 4, 20000, in_range, [](const FrameCase& s, const std::vector<double>& x) {
+  report("walk", searched(94, 4, 20000, frame_in_range, [](const FrameCase& s, const std::vector<double>& x) {
            const filters::Vector n = {{x[24], x[25], x[26]}};
            const double t = share(x[27]);
            const filters::Step step(s.query);
@@ -194,7 +194,7 @@ TEST_CASE("the least product with a direction, at a time, is within its bound", 
 
 TEST_CASE("a direction keeps the largest distance that it is clear of", "[separation]") {
   for (const Metric metric : {Metric::euclidean, Metric::max}) {
-    const auto search = searched(95, 4, 4000, in_range, [metric](const FrameCase& s, const std::vector<double>& x) {
+    const auto search = searched(95, 4, 4000, frame_in_range, [metric](const FrameCase& s, const std::vector<double>& x) {
       const filters::Vector n = {{x[24], x[25], x[26]}};
       const double t = share(x[27]);
       const filters::Step step(s.query);
@@ -220,7 +220,7 @@ TEST_CASE("the middle coefficient of a direction that turns is within its bound"
     return place;
   };
   for (const Metric metric : {Metric::euclidean, Metric::max}) {
-    const auto search = searched(96, 2, 30000, in_range, [&](const FrameCase& s, const std::vector<double>& x) {
+    const auto search = searched(96, 2, 30000, frame_in_range, [&](const FrameCase& s, const std::vector<double>& x) {
       const double times[2] = {share(x[24]), share(x[25])};
       const filters::Step step(s.query);
       const filters::Place a = closest_place(step, times[0]), b = closest_place(step, times[1]);

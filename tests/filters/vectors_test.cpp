@@ -16,7 +16,7 @@ using namespace touchstone::tests;
 
 namespace {
 
-constexpr VectorWidth kWidths[] = {VectorWidth::none, VectorWidth::bits_128, VectorWidth::bits_256,
+constexpr VectorWidth kVectorWidths[] = {VectorWidth::none, VectorWidth::bits_128, VectorWidth::bits_256,
                                    VectorWidth::bits_512, VectorWidth::widest};
 
 /// Checks every width that the machine has; returns how many queries the filter proves.
@@ -25,7 +25,7 @@ std::size_t check_all_widths(const std::vector<Query>& queries) {
   const filters::Columns columns = solver::columns_of(owned.view());
   std::vector<bool> proved;
   for (const Query& query : queries) proved.push_back(filters::same_side(query));
-  for (const VectorWidth width : kWidths) {
+  for (const VectorWidth width : kVectorWidths) {
     const auto kernel = filters::same_side_kernel(queries.front().kind, width);
     if (kernel == nullptr) {
       WARN("this machine has no vectors of width " << static_cast<int>(width) << ": left out");

@@ -46,6 +46,8 @@ inline Query crossing_edges() {
   return query;
 }
 
+inline bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
 /// Whether no process of this number is left, a moment later at the latest.
 inline bool vanishes(int process) {
   for (int i = 0; i < 200; ++i) {

@@ -38,7 +38,6 @@ std::string error_of_starting(const std::string& command, const fuzz::Limits& li
   return "started";
 }
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
 

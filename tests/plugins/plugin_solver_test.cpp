@@ -47,7 +47,6 @@ std::string error_of_loading(const std::string& path, const fuzz::Limits& limits
   return "loaded";
 }
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
 

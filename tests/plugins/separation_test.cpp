@@ -29,7 +29,6 @@ std::string error_of(const Make& make) {
   return "made";
 }
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// A program for the shell that answers `reply` to the separation's line and, to each query, the contact time `reply`
 /// of that line.

@@ -20,7 +20,7 @@ using namespace touchstone::tests;
 
 namespace {
 
-constexpr std::array<Wanted, 4> kEachWanted = {Wanted::contact, Wanted::time, Wanted::features, Wanted::all};
+constexpr std::array<Wanted, 4> kEveryWanted = {Wanted::contact, Wanted::time, Wanted::features, Wanted::all};
 
 /// What is wrong with `some`, of which `whole` is the whole answer; empty when nothing is.
 std::string wrong_in(const Answer& some, const Answer& whole, Wanted wanted) {
@@ -63,7 +63,7 @@ TEST_CASE("what is wanted is as in the exact answer, and nothing else is there, 
                                                                : 1;
         const Answer whole = solve(query, Method::exact, t_max);
         INFO(case_name(id) << " until " << t_max << "  " << cpp_initializer(query));
-        for (const Wanted wanted : kEachWanted) {
+        for (const Wanted wanted : kEveryWanted) {
           INFO("wanted " << static_cast<int>(wanted));
           REQUIRE(wrong_in(solve(query, wanted, t_max), whole, wanted).empty());
         }
@@ -101,7 +101,7 @@ TEST_CASE("separations, batches and columns leave out what is not wanted") {
       BatchOptions options;
       options.separation.distance = distance;
       const std::vector<Answer> whole = solve_batch(queries, options);
-      for (const Wanted wanted : kEachWanted) {
+      for (const Wanted wanted : kEveryWanted) {
         options.wanted = wanted;
         options.threads = wanted == Wanted::time ? 2 : 1;
         const std::vector<Answer> listed = solve_batch(queries, options);
@@ -132,7 +132,7 @@ TEST_CASE("curved queries leave out what is not wanted") {
     const Separation separation{distance};
     const Answer whole = solve(query, separation);
     REQUIRE(whole.contact);
-    for (const Wanted wanted : kEachWanted) {
+    for (const Wanted wanted : kEveryWanted) {
       INFO("wanted " << static_cast<int>(wanted) << ", distance " << distance);
       CHECK(wrong_in(solve(query, separation, wanted), whole, wanted) == "");
       if (distance == 0) CHECK(wrong_in(solve(query, wanted), whole, wanted) == "");

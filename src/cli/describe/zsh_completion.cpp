@@ -7,7 +7,7 @@ namespace touchstone::cli {
 namespace {
 
 /// `text` in single quotes.
-std::string quoted(const std::string& text) {
+std::string in_quotes(const std::string& text) {
   std::string out = "'";
   for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return out + "'";
@@ -37,7 +37,7 @@ std::string argument(const OptionFacts& option) {
     std::string spec = option.repeated ? "*" : "";
     spec.append(name).append("[").append(short_text(option.description, "[]\\:")).append("]");
     if (!option.value.empty()) spec.append(":").append(option.value).append(":").append(action_of(option));
-    text.append(" \\\n        ").append(quoted(spec));
+    text.append(" \\\n        ").append(in_quotes(spec));
   }
   return text;
 }
@@ -61,7 +61,7 @@ std::string zsh_completion(const ProgramFacts& program) {
                      " \\\n        '1:subcommand:->subcommand' \\\n        '*::argument:->arguments'\n"
                      "  case $state in\n    subcommand)\n      local -a subcommands\n      subcommands=(\n";
   for (const auto& command : program.commands) {
-    text += "        " + quoted(command.name + ":" + short_text(command.description, ":\\")) + "\n";
+    text += "        " + in_quotes(command.name + ":" + short_text(command.description, ":\\")) + "\n";
   }
   text += "      )\n      _describe subcommand subcommands\n      ;;\n    arguments)\n      case $words[1] in\n";
   for (const auto& command : program.commands) {
@@ -69,7 +69,7 @@ std::string zsh_completion(const ProgramFacts& program) {
     for (const auto& positional : command.positionals) {
       std::string spec = positional.repeated ? "*:" : ":";
       spec.append(positional.names.front()).append(":_files");
-      text.append(" \\\n        ").append(quoted(spec));
+      text.append(" \\\n        ").append(in_quotes(spec));
     }
     text += " ;;\n";
   }
