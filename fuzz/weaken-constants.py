@@ -11,11 +11,12 @@
 # bound: so the bounds are 4,096 times too small instead.
 #
 #   fuzz/weaken-constants.py [--only PART_OF_A_NAME] [--layer filters|numbers|exact|separation|mesh|curved] [--seconds 60]
-#                            [--jobs N] [--quick] [--proofs] [--list]
+#                            [--jobs N] [--quick] [--proofs] [--part 3/10] [--list]
 # SPDX-License-Identifier: MIT
 import argparse
 import os
 import pathlib
+import re
 import resource
 import shutil
 import signal
@@ -495,11 +496,16 @@ def main():
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--quick", action="store_true", help="the searches of the tests only")
     parser.add_argument("--proofs", action="store_true", help="no tests: the checker of proofs judges")
+    parser.add_argument("--part", default="1/1", help="3/10: the third of ten parts of the faults")
     parser.add_argument("--list", action="store_true", help="the faults, and no more")
     options = parser.parse_args()
+    if not re.fullmatch(r"[1-9]\d{0,3}/[1-9]\d{0,3}", options.part):
+        parser.error(f"--part {options.part}: must be like 3/10")
     known = FAULTS + SEPARATION_FAULTS + ([] if options.proofs else MESH_FAULTS + CURVED_FAULTS)
     chosen = [fault for fault in known
               if options.only in fault[0] and (options.layer is None or layer_of(fault) == options.layer)]
+    part, parts = (int(number) for number in options.part.split("/"))
+    chosen = chosen[part - 1::parts]
     if options.proofs:
         chosen = [coarser(fault) for fault in chosen]
     if not chosen:

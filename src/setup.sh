@@ -219,17 +219,18 @@ compile_jobs() {
 }
 
 # build_preset PRESET TARGET OPTION...: after install_missing. Configures with the options given and builds into
-# $touchstone_root/build/PRESET.
+# $touchstone_root/build/PRESET, by ccache where it is installed. An empty target stands for those of the preset.
 build_preset() {
-  local preset=$1 target=$2 jobs version
+  local preset=$1 target=$2 jobs version launcher=()
   shift 2
+  ! command -v ccache >/dev/null || launcher=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
   version=$(cmake --version | sed -n '1s/[^0-9]*\([0-9.]*\).*/\1/p')
   [[ $(printf '%s\n' 3.21 "$version" | sort -V | head -n 1) == 3.21 ]] ||
     die "cmake $version is too old: the presets need 3.21 or newer"
   jobs=$(compile_jobs)
   cd -- "$touchstone_root" || exit 3
   say "configuring build/$preset"
-  cmake --preset "$preset" "$@" >&2 || die "cmake failed"
+  cmake --preset "$preset" "${launcher[@]}" "$@" >&2 || die "cmake failed"
   say "building build/$preset with $jobs jobs at a time"
-  cmake --build --preset "$preset" --parallel "$jobs" --target "$target" >&2 || die "the build failed"
+  cmake --build --preset "$preset" --parallel "$jobs" ${target:+--target "$target"} >&2 || die "the build failed"
 }

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Runs every test on a fresh machine: installs missing packages, builds everything with warnings as errors, and runs
-# ctest. Its last lines and its exit status are ctest's. Arguments are passed on to ctest, such as -R NAME. A test that
-# cannot run here is "Skipped": the missing optional tools are named before the tests start, and every reason is in
-# build/ci/Testing/Temporary/LastTest.log.
-# TOUCHSTONE_QUERY_DATA, when set, is the folder of the public benchmark's queries.
+# Runs every test on a fresh machine: installs missing packages, builds everything in build/release, and runs ctest. Its
+# last lines and its exit status are ctest's. Arguments are passed on to ctest, such as -R NAME. A test that cannot run
+# here is "Skipped": the missing optional tools are named before the tests start, and every reason is in
+# build/release/Testing/Temporary/LastTest.log.
+# TOUCHSTONE_QUERY_DATA, when set, is the folder of the public benchmark's queries. TOUCHSTONE_WARNINGS_AS_ERRORS=ON
+# makes warnings errors, as the continuous integration does.
 # SPDX-License-Identifier: MIT
 set -euo pipefail
 if [[ -n ${TOUCHSTONE_QUERY_DATA:-} ]]; then
@@ -14,5 +15,6 @@ fi
 source "$(dirname -- "${BASH_SOURCE[0]}")/../src/setup.sh"
 
 install_missing tests
-build_preset ci all "-DTOUCHSTONE_QUERY_DATA=${TOUCHSTONE_QUERY_DATA:-}"
-exec ctest --preset ci --parallel "$(core_count)" "$@"
+build_preset release all "-DTOUCHSTONE_QUERY_DATA=${TOUCHSTONE_QUERY_DATA:-}" \
+  "-DTOUCHSTONE_WARNINGS_AS_ERRORS=${TOUCHSTONE_WARNINGS_AS_ERRORS:-OFF}"
+exec ctest --preset release --parallel "$(core_count)" "$@"

@@ -35,7 +35,9 @@ reason_not_to_run() {
   case $1 in
     tests/run-all.sh*) echo 'it runs every test, this one among them' ;;
     .ci/run*) echo 'it runs every test, this one among them' ;;
-    fuzz/run.sh*) echo 'it builds with clang and fuzzes for minutes; .ci/run runs it' ;;
+    fuzz/run.sh*) echo 'it builds with clang and fuzzes for minutes; tests/heavy.sh runs it' ;;
+    tests/heavy.sh\ --list) ;;
+    tests/heavy.sh*) echo 'it builds anew, and tests for many minutes' ;;
     fuzz/weaken-constants.py*) echo 'it builds the library dozens of times' ;;
     *' --target docs') echo 'tests/doxygen runs Doxygen' ;;
     'cmake --preset '*) echo 'it configures a build for developers; building that takes many minutes' ;;

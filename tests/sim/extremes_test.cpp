@@ -251,7 +251,7 @@ TEST_CASE("a pile of cables rests, step after step") {
   CHECK(course.gained < 1e-6 * course.lifted());
 }
 
-TEST_CASE("a small pile of crossed cables rests for 100,000 steps") {
+TEST_CASE("a small pile of crossed cables rests for 100,000 steps", "[heavy]") {
   // Two cables across two on the floor.
   Scene scene;
   scene.settings.contact.restitution = 0.1;

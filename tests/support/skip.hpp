@@ -27,13 +27,13 @@ bool has_tool_or_skip(const std::string& tool);
 }  // namespace touchstone::tests
 
 /// TEST_CASE_WITH("gnuplot", "every plot is drawn") { ... }: a test case that needs an optional tool, and is skipped
-/// where the tool is missing. CTest gives all tests of its program the label optional-tools (see tests/CMakeLists.txt).
+/// where the tool is missing. CTest gives it the label optional-tools (see tests/CMakeLists.txt).
 #define TEST_CASE_WITH(tool, name) TOUCHSTONE_TEST_CASE_AT_LINE(tool, name, __LINE__)
 #define TOUCHSTONE_TEST_CASE_AT_LINE(tool, name, line) TOUCHSTONE_TEST_CASE_AS(tool, name, with_tool_at_line_, line)
 #define TOUCHSTONE_TEST_CASE_AS(tool, name, prefix, line) TOUCHSTONE_TEST_CASE_BODY(tool, name, prefix##line)
 #define TOUCHSTONE_TEST_CASE_BODY(tool, name, body)          \
   static void body();                                        \
-  TEST_CASE(name) {                                          \
+  TEST_CASE(name, "[optional-tools]") {                      \
     if (::touchstone::tests::has_tool_or_skip(tool)) body(); \
   }                                                          \
   static void body()

@@ -1,0 +1,110 @@
+#!/usr/bin/env bash
+# The checks that take too long for every change. Each commit gets one of them, by its number, so that all come round.
+#   heavy.sh JOB [PART/PARTS]   one job; of a job that is a list of tests or faults, the PART-th of so many parts
+#   heavy.sh --of COMMIT        the job of this commit, and its part
+#   heavy.sh --list             the jobs
+# Exit status 0 when nothing failed. A job whose tools cannot be installed is skipped with a reason.
+# SPDX-License-Identifier: MIT
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=../src/setup.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/../src/setup.sh"
+
+# name | parts that a commit gets one of | what it does
+readonly -a jobs=(
+  'sanitizers|4|the preset debug: address and undefined-behaviour sanitizers'
+  'threads|1|the preset tsan: the thread sanitizer, by clang'
+  'clang|2|the preset clang: warnings are errors, and the tests'
+  'arm64|1|the preset arm64: a cross-build, and the tests of the library under qemu-user'
+  'faults|10|planted faults: each weakened bound must be noticed'
+  'fuzzing|1|the libFuzzer targets, for ten minutes in all'
+  'apart|1|each source compiled by itself; the tests with the label heavy; the tests around optional tools, with the tools hidden'
+)
+
+fields_of() {
+  local job
+  for job in "${jobs[@]}"; do
+    [[ ${job%%|*} != "$1" ]] || { IFS='|' read -r -a fields <<<"$job"; return 0; }
+  done
+  return 1
+}
+
+# of_commit COMMIT: leaves the commit's job in `job`, and its part in `part` and `parts`.
+of_commit() {
+  local number
+  [[ $1 =~ ^[0-9a-f]{8} ]] || die "'$1' is no number of a commit: 8 hexadecimal digits or more"
+  number=$((16#${1:0:8}))
+  IFS='|' read -r job parts _ <<<"${jobs[number % ${#jobs[@]}]}"
+  part=$((number / ${#jobs[@]} % parts + 1))
+}
+
+# The tests of a preset that are of this part: every parts-th of them.
+ctest_part() {
+  local preset=$1
+  shift
+  (cd -- "$touchstone_root" && ctest --preset "$preset" --parallel "$(core_count)" -I "$part,,$parts" "$@")
+}
+
+needs_or_skip() {
+  local name
+  for name in "$@"; do
+    command -v "$name" >/dev/null || { say "skipped: $job needs $name; docs/contributing.md lists its packages"; exit 0; }
+  done
+}
+
+run_sanitizers() {
+  install_missing tests
+  build_preset debug all
+  ctest_part debug -LE heavy
+}
+run_threads() {
+  install_missing fuzz
+  build_preset tsan '' # the targets of the preset
+  ctest_part tsan
+}
+run_clang() {
+  install_missing fuzz
+  build_preset clang all
+  ctest_part clang -LE heavy -E '^(pages|packaging|python)\.'
+}
+run_arm64() {
+  needs_or_skip aarch64-linux-gnu-g++ qemu-aarch64
+  build_preset arm64 ''
+  ctest_part arm64
+}
+run_faults() {
+  install_missing tests
+  needs_or_skip python3
+  "$touchstone_root/fuzz/weaken-constants.py" --quick --part "$part/$parts"
+}
+run_fuzzing() { "$touchstone_root/fuzz/run.sh" 200; }
+run_apart() {
+  install_missing tests
+  build_preset plain all
+  build_preset release all
+  ctest_part release -L heavy
+  say 'the tests around optional tools, with the tools hidden: some are skipped, and none fails'
+  (cd -- "$touchstone_root" && tests/without-tools.sh ctest --preset release -L optional-tools)
+}
+
+part=1 parts=1
+case ${1:-} in
+  --list)
+    for one in "${jobs[@]}"; do
+      IFS='|' read -r name _ about <<<"$one"
+      printf '%-10s  %s\n' "$name" "$about"
+    done
+    exit 0
+    ;;
+  --of) of_commit "${2:-}" ;;
+  *)
+    job=${1:-}
+    fields_of "$job" || die "usage: tests/heavy.sh JOB [PART/PARTS] | --of COMMIT | --list; there is no job '$job'"
+    if (($# > 1)); then
+      [[ $2 =~ ^([1-9][0-9]{0,3})/([1-9][0-9]{0,3})$ ]] && ((BASH_REMATCH[1] <= BASH_REMATCH[2])) ||
+        die "'$2' is no part: write 3/10 for the third of ten"
+      part=${BASH_REMATCH[1]} parts=${BASH_REMATCH[2]}
+    fi
+    ;;
+esac
+say "the heavy job '$job', part $part of $parts"
+"run_$job" </dev/null
