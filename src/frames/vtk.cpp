@@ -21,22 +21,22 @@ struct ScalarType {
 
 /// The types of arrays that may come before or between the elements, with their sizes in binary files.
 constexpr std::array<ScalarType, 17> kTypes = {{{"char", 1},
-                                          {"signed_char", 1},
-                                          {"unsigned_char", 1},
-                                          {"vtktypeint8", 1},
-                                          {"vtktypeuint8", 1},
-                                          {"short", 2},
-                                          {"unsigned_short", 2},
-                                          {"vtktypeint16", 2},
-                                          {"vtktypeuint16", 2},
-                                          {"int", 4},
-                                          {"vtkidtype", 4},
-                                          {"unsigned_int", 4},
-                                          {"float", 4},
-                                          {"vtktypeint32", 4},
-                                          {"vtktypeuint32", 4},
-                                          {"double", 8},
-                                          {"vtktypeint64", 8}}};
+                                                {"signed_char", 1},
+                                                {"unsigned_char", 1},
+                                                {"vtktypeint8", 1},
+                                                {"vtktypeuint8", 1},
+                                                {"short", 2},
+                                                {"unsigned_short", 2},
+                                                {"vtktypeint16", 2},
+                                                {"vtktypeuint16", 2},
+                                                {"int", 4},
+                                                {"vtkidtype", 4},
+                                                {"unsigned_int", 4},
+                                                {"float", 4},
+                                                {"vtktypeint32", 4},
+                                                {"vtktypeuint32", 4},
+                                                {"double", 8},
+                                                {"vtktypeint64", 8}}};
 
 /// Cells as a file of any version has them: the corners of cell i are corners[starts[i]] to corners[starts[i + 1]].
 struct Cells {
@@ -309,7 +309,8 @@ class VtkReader {
       const std::uint64_t components = read_count("a number of components");
       const std::uint64_t tuples = read_count("a number of tuples");
       const std::string_view type = scanner_.word();
-      const auto found = std::find_if(kTypes.begin(), kTypes.end(), [&](const ScalarType& t) { return is(type, t.name); });
+      const auto found =
+          std::find_if(kTypes.begin(), kTypes.end(), [&](const ScalarType& t) { return is(type, t.name); });
       if (found == kTypes.end())
         scanner_.fail("an array of FIELD has the type " + io::in_quotes(type) + ", which is not read");
       end_keyword("the type of an array");

@@ -76,8 +76,8 @@ std::int64_t difficulty(const CurvedQuery& query) {
     for (std::size_t j = 0; j < i; ++j) {
       bool repeated = query.corners[j].motion == corner.motion && query.corners[j].control_points == points;
       for (std::size_t k = 0; k < corner.points.size(); ++k) {
-        repeated =
-            repeated && (k >= static_cast<std::size_t>(points) || same_bits(query.corners[j].points[k], corner.points[k]));
+        repeated = repeated &&
+                   (k >= static_cast<std::size_t>(points) || same_bits(query.corners[j].points[k], corner.points[k]));
       }
       if (repeated) own = std::min(own, kRepeatedCorner);
     }

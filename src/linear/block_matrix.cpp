@@ -14,7 +14,6 @@ constexpr int kNone = -1;
 // Unknowns of a component whose factor fills up, from which on multigrid takes less time than the factor.
 constexpr int kLeastSheet = 3000;
 
-
 template <class Number>
 constexpr int lanes = 1;
 template <>

@@ -21,7 +21,6 @@ constexpr int kMostDense = 400;
 // sheets of 2,000 to 20,000 triangles; on one of 80,000 triangles, 0.7 needs seven and 0.5 ten.
 constexpr double kSmoothing = 0.7;
 
-
 auto segment(Eigen::VectorXd& x, int point) { return x.segment<3>(3 * static_cast<Eigen::Index>(point)); }
 auto segment(const Eigen::VectorXd& x, int point) { return x.segment<3>(3 * static_cast<Eigen::Index>(point)); }
 

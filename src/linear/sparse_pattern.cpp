@@ -18,7 +18,6 @@ namespace {
 // Unknowns: the factor of a smaller matrix is quick whatever it is made of.
 constexpr int kLeastDense = 400;
 
-
 }  // namespace
 
 SparsePattern::SparsePattern(int unknowns, const Blocks& blocks) : size(unknowns), numbers(at(unknowns)) {

@@ -13,7 +13,6 @@
 namespace touchstone::linear {
 namespace {
 
-
 using Matrix = Eigen::MatrixXd;
 
 /// The parent of each column in the elimination tree; -1 for a root.

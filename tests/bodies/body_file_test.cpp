@@ -35,7 +35,8 @@ TEST_CASE("bodies are the same after a round trip through JSON") {
       kCorners +
       R"(, "edges": [[0, 1], [1, 2], [2, 3], [3, 0]], "mass": 0.3, "inertia": [1, 2, 2.5, 0.1, 0, -0.1],
           "centre": [0.1, 0.2, 0.3], "radius": 0.05}, {)" +
-      kCorners + ", " + kTetrahedron + R"(, "motion": "fixed", "position": [9, 9, 9]}, {)" + kCorners + ", " + kTetrahedron +
+      kCorners + ", " + kTetrahedron + R"(, "motion": "fixed", "position": [9, 9, 9]}, {)" + kCorners + ", " +
+      kTetrahedron +
       R"(, "motion": "driven", "path": [{"time": 0, "position": [4, 0, 0]},
           {"time": 1.5, "position": [4, 1, 0], "orientation": [0, 1, 0, 0]}]}]})";
   const Scene scene = scene_from_json(text);
@@ -78,7 +79,8 @@ TEST_CASE("wrong bodies are refused, and the path of the fault is named") {
   check_refused(kCorners + ", " + kTetrahedron + ", \"mass\": 0, \"inertia\": [1, 1, 1, 0, 0, 0]",
                 "bodies[0].mass: must be positive");
   check_refused(kCorners + ", " + kTetrahedron + ", \"mass\": 1", "bodies[0]: lacks the key 'inertia'");
-  check_refused(kCorners + ", " + kTetrahedron + ", \"inertia\": [1, 1, 1, 0, 0, 0]", "bodies[0].inertia: goes with mass");
+  check_refused(kCorners + ", " + kTetrahedron + ", \"inertia\": [1, 1, 1, 0, 0, 0]",
+                "bodies[0].inertia: goes with mass");
   check_refused(kCorners + ", " + kTetrahedron + ", \"mass\": 1, \"inertia\": [1, 1, 2.1, 0, 0, 0]",
                 "bodies[0].inertia: the principal moments of inertia");
   check_refused(kCorners + ", " + kTetrahedron + ", \"mass\": 1, \"inertia\": [1, 1, 0, 0, 0, 0]",

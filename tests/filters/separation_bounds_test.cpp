@@ -194,20 +194,21 @@ TEST_CASE("the least product with a direction, at a time, is within its bound", 
 
 TEST_CASE("a direction keeps the largest distance that it is clear of", "[separation]") {
   for (const Metric metric : {Metric::euclidean, Metric::max}) {
-    const auto search = searched(95, 4, 4000, frame_in_range, [metric](const FrameCase& s, const std::vector<double>& x) {
-      const filters::Vector n = {{x[24], x[25], x[26]}};
-      const double t = share(x[27]);
-      const filters::Step step(s.query);
-      const double distance = largest_distance([&](double d) {
-        return filters::Direction(step, n, {d, metric}).clear_at(t);
-      });
-      if (distance == 0) return std::nan("");
-      const ExactPlace place(s.query, t);
-      const Exact truth = ExactPlace::least_at_corners([&](int i, int j) { return place.along(exactly(n), i, j); });
-      const Exact kept = Exact(distance) * norm_of(exactly(n), metric);
-      const double margin = filters::kWalkError * filters::largest_of(n) * step.size + 8 * kUnit * value_of(kept);
-      return 1 - value_of(truth - kept) / margin;
-    });
+    const auto search =
+        searched(95, 4, 4000, frame_in_range, [metric](const FrameCase& s, const std::vector<double>& x) {
+          const filters::Vector n = {{x[24], x[25], x[26]}};
+          const double t = share(x[27]);
+          const filters::Step step(s.query);
+          const double distance = largest_distance([&](double d) {
+            return filters::Direction(step, n, {d, metric}).clear_at(t);
+          });
+          if (distance == 0) return std::nan("");
+          const ExactPlace place(s.query, t);
+          const Exact truth = ExactPlace::least_at_corners([&](int i, int j) { return place.along(exactly(n), i, j); });
+          const Exact kept = Exact(distance) * norm_of(exactly(n), metric);
+          const double margin = filters::kWalkError * filters::largest_of(n) * step.size + 8 * kUnit * value_of(kept);
+          return 1 - value_of(truth - kept) / margin;
+        });
     report("walk with a distance", search);
   }
 }

@@ -17,7 +17,7 @@ using namespace touchstone::tests;
 namespace {
 
 constexpr VectorWidth kVectorWidths[] = {VectorWidth::none, VectorWidth::bits_128, VectorWidth::bits_256,
-                                   VectorWidth::bits_512, VectorWidth::widest};
+                                         VectorWidth::bits_512, VectorWidth::widest};
 
 /// Checks every width that the machine has; returns how many queries the filter proves.
 std::size_t check_all_widths(const std::vector<Query>& queries) {

@@ -38,7 +38,6 @@ std::string error_of_starting(const std::string& command, const fuzz::Limits& li
   return "started";
 }
 
-
 }  // namespace
 
 TEST_CASE("the example program in C says which kinds it takes, and answers") {

@@ -47,7 +47,6 @@ std::string error_of_loading(const std::string& path, const fuzz::Limits& limits
   return "loaded";
 }
 
-
 }  // namespace
 
 TEST_CASE("the example plugin loads, knows its kinds and answers") {

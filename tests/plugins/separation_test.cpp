@@ -29,7 +29,6 @@ std::string error_of(const Make& make) {
   return "made";
 }
 
-
 /// A program for the shell that answers `reply` to the separation's line and, to each query, the contact time `reply`
 /// of that line.
 std::string shell_program(const std::string& reply) {
