@@ -11,16 +11,16 @@
  *
  * Every function that can fail returns one of touchstone_status_code. No C++ exception leaves a function. After a
  * failure touchstone_last_error() says what is wrong, and nothing that the function wrote is valid; a handle that it
- * was to make is null. Any number of threads may call any function, and may use one handle at a time, but for destroying
- * it.
+ * was to make is null. Any number of threads may call any function, and may use one handle at a time, but for
+ * destroying it.
  *
  * A structure with the member `size` can grow. Initialise it by its macro, which sets `size`. A later version of the
  * library adds members at the end, and takes the smaller structure of a program that was compiled before. A larger one
  * than it knows is refused. The other structures stay as they are.
  *
  * Coordinates are x y z of the first corner, then x y z of the second corner, and so on: 12 doubles for edge-edge (a0
- * a1 b0 b1) and vertex-face (v f0 f1 f2), 9 for point-edge (p e0 e1), 6 for point-point (p q). `start` holds the corners
- * at t = 0 and `end` those at t = 1. For a query in two dimensions each z is 0.
+ * a1 b0 b1) and vertex-face (v f0 f1 f2), 9 for point-edge (p e0 e1), 6 for point-point (p q). `start` holds the
+ * corners at t = 0 and `end` those at t = 1. For a query in two dimensions each z is 0.
  */
 
 #include <stddef.h>
@@ -72,8 +72,8 @@ struct touchstone_options {
   int32_t threads; /**< of a batch or mesh: 1 to 1024; 0 takes as many as the machine has; it changes no answer */
   int32_t metric;  /**< one of touchstone_distance_metric; a mesh has its own */
 
-  /** Elements are in contact while their distance is at most this; finite and not negative. With 0, contact is touching.
-   *  A mesh has its own separations, and takes 0 only. */
+  /** Elements are in contact while their distance is at most this; finite and not negative. With 0, contact is
+   *  touching. A mesh has its own separations, and takes 0 only. */
   double separation;
   const double* separations; /**< null; or of a batch, in place of separation: one distance for each query */
   size_t separation_count;   /**< the number of separations: that of the queries, or 0 */
@@ -119,8 +119,8 @@ uint32_t touchstone_c_version(void);
 /** The version of the linked library, "MAJOR.MINOR.PATCH". */
 const char* touchstone_version(void);
 
-/** What was wrong in this thread's latest call that failed; empty before one. The text is valid until this thread's next
- *  call. It is cut after 1000 bytes. */
+/** What was wrong in this thread's latest call that failed; empty before one. The text is valid until this thread's
+ *  next call. It is cut after 1000 bytes. */
 const char* touchstone_last_error(void);
 
 /** The name of a touchstone_answer's nature: "crossing", "grazing", "sustained", "isolated", "entering"; otherwise

@@ -334,7 +334,10 @@ std::vector<Intersection> intersections(const Mesh& mesh, const Positions& x, co
 enum class StepOutcome : std::uint8_t {
   whole,      ///< the whole step is free: the length is 1, and the positions are x1, bit for bit
   shortened,  ///< the step was shortened, and some vertex moves
-  no_room,  ///< no pair is in contact at the start, but every step that moves a vertex to another double ends in a contact
+
+  /// No pair is in contact at the start, but every step that moves a vertex to another double ends in a contact.
+  no_room,
+
   contact_at_start,  ///< some pair is in contact at the start; the length is 0, and the positions are x0
 
   /// The mesh intersects itself at the start, which was asked about, and no pair is in contact there; the length is 0,
