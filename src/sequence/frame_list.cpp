@@ -8,6 +8,7 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <map>
 #include <new>
 #include <numeric>
 #include <optional>
@@ -133,10 +134,9 @@ std::string base_name(const std::string& file) {
                                   base_name(files.front()));
   std::size_t at = 1;
   for (std::size_t i = 1; i < files.size(); ++i) {
-    const bool same = files[i] == files[0];
-    if (!same && parts_of(files[i]).texts == first.texts) continue;
+    if (parts_of(files[i]).texts == first.texts) continue;
     at = i;
-    fault = same ? "is given twice" : fmt::format("differs from {} in more than numbers", base_name(files.front()));
+    fault = fmt::format("differs from {} in more than numbers", base_name(files.front()));
     break;
   }
   io::fail(files[at], fmt::format("the name {}. If these files are the frames of one animation, --in-order takes them "
@@ -147,7 +147,6 @@ std::string base_name(const std::string& file) {
 void check_numbers(const std::vector<Numbered>& files) {
   for (std::size_t i = 1; i < files.size(); ++i) {
     if (files[i].number != files[i - 1].number) continue;
-    if (files[i].file == files[i - 1].file) io::fail(files[i].file, "is given twice");
     io::fail(files[i].file, fmt::format("has the same number as {}, and a sequence has each number once",
                                         base_name(files[i - 1].file)));
   }
@@ -163,6 +162,13 @@ void check_stride(const std::vector<Numbered>& files) {
     io::fail(after.file, fmt::format("frame {} is missing between {} and {}; other frames of the sequence are {} apart",
                                      before.number + stride, base_name(before.file), base_name(after.file), stride));
   }
+}
+
+/// A path whose folder has one spelling.
+std::filesystem::path place_of(const std::string& file) {
+  std::error_code ignored;
+  const std::filesystem::path path(file), folder = path.parent_path();
+  return std::filesystem::weakly_canonical(folder.empty() ? "." : folder, ignored) / path.filename();
 }
 
 /// The files that a pattern matches.
@@ -200,8 +206,22 @@ std::vector<std::string> expand_patterns(const std::vector<std::string>& argumen
   return files;
 }
 
+bool same_file(const std::string& a, const std::string& b) { return place_of(a) == place_of(b); }
+
+void refuse_repeats(const std::vector<std::string>& files) {
+  std::map<std::filesystem::path, std::string> known;
+  for (const auto& file : files) {
+    const auto [earlier, is_new] = known.emplace(place_of(file), file);
+    if (is_new) continue;
+    const std::string& other = earlier->second;
+    io::fail(file, (other == file ? "is given twice" : "is the same file as " + io::printable(other)) +
+                       "; its frames would count twice: name it once");
+  }
+}
+
 std::vector<std::string> in_order(std::vector<std::string> files, Gaps gaps) {
   if (files.size() < 2) return files;
+  refuse_repeats(files);
   auto with_numbers = numbered(files);
   if (!with_numbers) ask_which(files);
   std::stable_sort(with_numbers->begin(), with_numbers->end(),

@@ -28,14 +28,21 @@ struct FrameName {
 /// @throws FileError  for a pattern that matches nothing
 std::vector<std::string> expand_patterns(const std::vector<std::string>& arguments);
 
+/// Whether both name one file, by whatever spellings of its path. A link with a name of its own is another file: some
+/// programs write a frame that holds still as a link to the one before it.
+bool same_file(const std::string& a, const std::string& b);
+
+/// @throws FileError  for a file that is given twice
+void refuse_repeats(const std::vector<std::string>& files);
+
 /// What a missing number means.
 enum class Gaps : std::uint8_t { refused, allowed };
 
 /// The files in the order of their numbers: cloth-2.obj comes before cloth-10.obj. Of several numbers, one counts that
 /// no two files have, and one with a constant stride before others: f-2-t0.2.obj comes before f-10-t0.10.obj.
-/// @throws FileError  for names that differ in more than numbers, or of which two such numbers give different orders;
-///                    with Gaps::refused also for two files with the same number, and for a number that is missing from
-///                    a sequence with a constant stride
+/// @throws FileError  for a file that is given twice, names that differ in more than numbers, or of which two such
+///                    numbers give different orders; with Gaps::refused also for two files with the same number, and
+///                    for a number that is missing from a sequence with a constant stride
 std::vector<std::string> in_order(std::vector<std::string> files, Gaps gaps);
 
 /// The files of the arguments in the order of the arguments. A pattern has no order of its own: its files are in the

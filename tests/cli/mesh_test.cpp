@@ -287,6 +287,26 @@ TEST_CASE("with --in-order numbers do not sort the files that are given, but tho
   CHECK(occurrences(pattern.out, "f-2.obj -> f-3.obj: free\n") == 1);
 }
 
+TEST_CASE("a file that is given twice is a mistake, except where an animation may hold a frame or return to it") {
+  const TemporaryFolder folder;
+  const std::string text = needle_frame(4, 1), one = folder.write("f-1.obj", text), two = folder.write("f-2.obj", text),
+                    other = folder.path("./f-1.obj"), words = "; its frames would count twice: name it once\n";
+  std::filesystem::create_symlink(one, folder.path("f-3.obj"));
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{}, {"--check"}, {"--in-order"}, {"--in-order", "--check"}}) {
+    check_refused(mesh(with(options, {one, one})), one + ": is given twice" + words);
+    check_refused(mesh(with(options, {one, other})), other + ": is the same file as " + one + words);
+    CHECK(mesh(with(options, {one, two, folder.path("f-3.obj")})).status == 0);
+  }
+  check_refused(mesh({one, two, one}), one + ": is given twice" + words);
+  check_refused(mesh({"--check", "--in-order", one, two, one}), one + ": is given twice" + words);
+  CHECK(occurrences(mesh({"--in-order", one, two, one}).out, "f-2.obj -> f-1.obj: free\n2 steps, all free") == 1);
+  // Several frames of one file are several frames.
+  const std::string array = folder.write("run.npy", npy_of({text, text}, 19));
+  CHECK(mesh({"--in-order", array, array}).status == 0);
+  check_refused(mesh({"--check", "--in-order", array, array}), array + ": is given twice");
+}
+
 TEST_CASE("a frame with other elements ends the run, and both frames are named") {
   const TemporaryFolder folder;
   const auto files = write_needles(folder, "f", 4, 2, rising_tip);

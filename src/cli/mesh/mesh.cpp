@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <future>
 #include <memory>
@@ -34,10 +35,14 @@ using sequence::Question;
 
 std::vector<FrameName> frames_to_check(const MeshRunOptions& options, const frames::ReadOptions& reading) {
   const auto gaps = options.check ? sequence::Gaps::allowed : sequence::Gaps::refused;
-  auto names =
-      sequence::frames_of(options.in_order ? sequence::as_given(options.files)
-                                           : sequence::in_order(sequence::expand_patterns(options.files), gaps),
-                          reading);
+  const auto files = options.in_order ? sequence::as_given(options.files)
+                                      : sequence::in_order(sequence::expand_patterns(options.files), gaps);
+  auto names = sequence::frames_of(files, reading);
+  // An animation may hold a frame or return to it, but not be one frame all the time.
+  const bool moves = std::any_of(names.begin(), names.end(), [&](const FrameName& name) {
+    return name.index > 0 || !sequence::same_file(name.file, files.front());
+  });
+  if (options.check || !moves) sequence::refuse_repeats(files);
   if (options.check && names.empty()) throw Error("there is no frame in these files");
   if (!options.check && names.size() < 2) {
     throw Error(fmt::format("a step needs two frames, and there {} only {}; --check asks about frames at rest",
