@@ -195,7 +195,8 @@ struct MeshOptions {
   const std::atomic<bool>* stop = nullptr;
 
   /// Whether first_contact also asks `intersections` about the start. A step is about a start that is free: where one
-  /// element passes through another at t = 0, and no pair touches, no contact need follow.
+  /// element passes through another at t = 0, and no pair touches, no contact need follow. all_contacts, candidates and
+  /// intersections refuse it: their results have no place for the answer.
   bool check_start = false;
 };
 
@@ -301,13 +302,13 @@ FirstContact first_contact(const Mesh& mesh, const Positions& x0, const Position
 
 /// Every pair that comes into contact in [0, t_max], those in contact at the start too, by their toi and toi_upper,
 /// then by pair.
-/// @throws InvalidQuery  as first_contact
+/// @throws InvalidQuery  as first_contact, and for check_start
 std::vector<MeshContact> all_contacts(const Mesh& mesh, const Positions& x0, const Positions& x1,
                                       const MeshOptions& options = {});
 
 /// The pairs that may collide and whose boxes meet during the step: every pair in contact is among them. In ascending
 /// order. The boxes move with their elements, and are wider by the pair's separation.
-/// @throws InvalidQuery  as first_contact
+/// @throws InvalidQuery  as first_contact, and for check_start
 std::vector<MeshPair> candidates(const Mesh& mesh, const Positions& x0, const Positions& x1,
                                  const MeshOptions& options = {});
 
@@ -327,7 +328,7 @@ Query query_of(const Mesh& mesh, const MeshPair& pair, const Positions& x0, cons
 /// @param x        the positions
 /// @param options  how the question is answered
 /// @return the intersections, in ascending order of elements and numbers
-/// @throws InvalidQuery  as first_contact
+/// @throws InvalidQuery  as first_contact, and for check_start
 std::vector<Intersection> intersections(const Mesh& mesh, const Positions& x, const MeshOptions& options = {});
 
 /// How a step was shortened.

@@ -193,6 +193,7 @@ std::vector<MeshContact> all_contacts(const Mesh& mesh, const Positions& x0, con
                                       const MeshOptions& options) {
   const numbers::DefaultFloatEnvironment environment;
   solver::validate_t_max(options.t_max);
+  mesh::refuse_check_start(options);
   return mesh::all_of(mesh.impl(), x0, x1, options);
 }
 

@@ -283,6 +283,10 @@ TEST_CASE("whether the start was asked about is a part of the answer") {
   CHECK_FALSE(asked.free());
   REQUIRE(asked.start_intersections.size() == 1);
   CHECK(asked.start_intersections[0].sort == IntersectionSort::pierces);
+  using Catch::Matchers::StartsWith;
+  CHECK_THROWS_WITH(all_contacts(mesh, {x, 3}, {x, 3}, options), StartsWith("check_start is set"));
+  CHECK_THROWS_AS(candidates(mesh, {x, 3}, {x, 3}, options), InvalidQuery);
+  CHECK_THROWS_AS(intersections(mesh, {x, 3}, options), InvalidQuery);
   FreeStepOptions step;
   CHECK(free_step(mesh, {x, 3}, {x, 3}, step).outcome == StepOutcome::whole);
   step.check_start = true;

@@ -58,6 +58,9 @@ def test_folds_surfaces_inside_and_the_start():
     assert "intersections at the start" in repr(step)
     assert ts.free_step(boxes, x, x).outcome == "whole"
     assert ts.free_step(boxes, x, x, check_start=True).outcome == "intersects_at_start"
+    for ask in (ts.all_contacts, ts.candidates):
+        with pytest.raises(TypeError, match="check_start"):
+            ask(boxes, x, x, check_start=True)
 
 
 def test_against_solve_of_all_candidates():
