@@ -31,7 +31,7 @@ extern "C" {
 #endif
 
 /** The version of this interface. A number is added for each addition; nothing is taken away under one number. */
-#define TOUCHSTONE_C_VERSION 1
+#define TOUCHSTONE_C_VERSION 2
 
 /** The values that functions return. */
 enum touchstone_status_code {
@@ -86,9 +86,9 @@ struct touchstone_options {
   int32_t wanted;
   int32_t reserved; /**< of no meaning */
 
-  /** Of touchstone_mesh_first_contact and touchstone_mesh_free_step: 1 to ask also whether the mesh intersects itself at
-   *  the start, 0 to leave that out. A step is about a start that is free: where one element passes through another at
-   *  the start, and no pair touches, no contact need follow. */
+  /** Of touchstone_mesh_first_contact and touchstone_mesh_free_step: 1 to ask also whether the mesh intersects itself
+   *  at the start, 0 to leave that out. A step is about a start that is free: where one element passes through another
+   *  at the start, and no pair touches, no contact need follow. The other functions of meshes refuse 1. */
   int32_t check_start;
 };
 
@@ -251,14 +251,22 @@ int touchstone_mesh_edge(const touchstone_mesh* mesh, size_t edge, uint32_t corn
 
 /** When the elements of a mesh first come into contact. */
 struct touchstone_first_contact {
+  size_t size;     /**< sizeof(struct touchstone_first_contact) */
   int32_t contact; /**< 1 when two elements that are apart at the start come into contact in [0, t_max], otherwise 0 */
 
-  /** 1 when there is no contact at all, at the start neither, and, with check_start of the options, no intersection at the
-   *  start; otherwise 0. Without check_start a start that intersects itself may be free. */
+  /** 1 when there is no contact at all, at the start neither, and, where start_checked is 1, no intersection at the
+   *  start; otherwise 0. Where start_checked is 0, a start that intersects itself may be free. */
   int32_t free;
-  double toi;       /**< the largest double <= the exact first time of such a contact; infinity without one */
-  double toi_upper; /**< the smallest double >= this time; infinity without contact */
+  double toi;                 /**< the largest double <= the exact first time of such a contact; infinity without one */
+  double toi_upper;           /**< the smallest double >= this time; infinity without contact */
+  size_t start_intersections; /**< how often the mesh intersects itself at the start; 0 when that was not asked */
+  int32_t start_checked;      /**< 1 when that was asked, by check_start of the options, otherwise 0 */
+  int32_t reserved;           /**< of no meaning */
 };
+
+/** No first contact. */
+#define TOUCHSTONE_FIRST_CONTACT_INIT \
+  { sizeof(struct touchstone_first_contact), 0, 0, 0.0, 0.0, 0, 0, 0 }
 
 /** The first contact while each vertex moves from its position in x0 to that in x1.
  *  @param mesh         the mesh
@@ -266,7 +274,7 @@ struct touchstone_first_contact {
  *  @param x1           the positions at t = 1
  *  @param value_count  the number of doubles in x0, and in x1
  *  @param options      the options, or null
- *  @param result       becomes the first contact
+ *  @param result       becomes the first contact; initialise it by its macro
  *  @param first        null; or becomes the list of all pairs whose contact begins at that time
  *  @param at_start     null; or becomes the list of all pairs that are in contact at the start
  *  @return one of touchstone_status_code */
@@ -370,10 +378,12 @@ enum touchstone_step_outcome {
  *  @param positions    becomes the positions after the step; it may be x0 or x1
  *  @param length       null; or becomes the fraction of the step, in [0, 1]
  *  @param outcome      null; or becomes one of touchstone_step_outcome
+ *  @param contact      null; or becomes the first contact of the whole step, about the distances that the step is to
+ *                      keep, which says whether the start was asked about; initialise it by its macro
  *  @return one of touchstone_status_code */
 int touchstone_mesh_free_step(const touchstone_mesh* mesh, const double* x0, const double* x1, size_t value_count,
-                              const struct touchstone_options* options, double* positions, double* length,
-                              int* outcome);
+                              const struct touchstone_options* options, double* positions, double* length, int* outcome,
+                              struct touchstone_first_contact* contact);
 
 #ifdef __cplusplus
 }

@@ -121,6 +121,28 @@ touchstone_options mesh_options(const touchstone_options* given) {
   return options;
 }
 
+MeshOptions asked_of(const touchstone_options& options) {
+  MeshOptions asked{options.t_max, options.threads};
+  asked.check_start = options.check_start == 1;
+  return asked;
+}
+
+/// Refuses a result that its macro did not initialise.
+void check_size(const touchstone_first_contact& result, const char* name) {
+  grown(result, result, sizeof result, name);
+}
+
+touchstone_first_contact c_first_contact(const FirstContact& found) {
+  return {sizeof(touchstone_first_contact),
+          found.contact ? 1 : 0,
+          found.free() ? 1 : 0,
+          found.toi,
+          found.toi_upper,
+          found.start_intersections.size(),
+          found.start_checked ? 1 : 0,
+          0};
+}
+
 touchstone_contacts* contact_list(std::vector<MeshContact> contacts) {
   return new touchstone_contacts{std::move(contacts)};
 }
@@ -177,13 +199,10 @@ int touchstone_mesh_first_contact(const touchstone_mesh* mesh, const double* x0,
   return guarded([&] {
     const Mesh& of = required(mesh, "mesh").mesh;
     const touchstone_options options = mesh_options(given);
-    required(result, "result");
-    MeshOptions asked{options.t_max, options.threads};
-    asked.check_start = options.check_start == 1;
-    FirstContact contact =
-        first_contact(of, positions_of(of, x0, value_count, "x0"), positions_of(of, x1, value_count, "x1"), asked);
-    const touchstone_first_contact told{contact.contact ? 1 : 0, contact.free() ? 1 : 0, contact.toi,
-                                        contact.toi_upper};
+    check_size(required(result, "result"), "result");
+    FirstContact contact = first_contact(of, positions_of(of, x0, value_count, "x0"),
+                                         positions_of(of, x1, value_count, "x1"), asked_of(options));
+    const touchstone_first_contact told = c_first_contact(contact);
     std::unique_ptr<touchstone_contacts> first_list, start_list;
     if (first != nullptr) first_list.reset(contact_list(std::move(contact.first)));
     if (at_start != nullptr) start_list.reset(contact_list(std::move(contact.at_start)));
@@ -202,7 +221,7 @@ int touchstone_mesh_all_contacts(const touchstone_mesh* mesh, const double* x0, 
     const touchstone_options options = mesh_options(given);
     required(contacts, "contacts");
     *contacts = contact_list(all_contacts(of, positions_of(of, x0, value_count, "x0"),
-                                          positions_of(of, x1, value_count, "x1"), {options.t_max, options.threads}));
+                                          positions_of(of, x1, value_count, "x1"), asked_of(options)));
   });
 }
 
@@ -230,8 +249,7 @@ int touchstone_mesh_intersections(const touchstone_mesh* mesh, const double* x, 
     const Mesh& of = required(mesh, "mesh").mesh;
     const touchstone_options options = mesh_options(given);
     required(found, "intersections");
-    *found = new touchstone_intersections{
-        intersections(of, positions_of(of, x, value_count, "x"), {options.t_max, options.threads})};
+    *found = new touchstone_intersections{intersections(of, positions_of(of, x, value_count, "x"), asked_of(options))};
   });
 }
 
@@ -261,12 +279,14 @@ int touchstone_intersections_get(const touchstone_intersections* found, std::siz
 void touchstone_intersections_destroy(touchstone_intersections* found) { delete found; }
 
 int touchstone_mesh_free_step(const touchstone_mesh* mesh, const double* x0, const double* x1, std::size_t value_count,
-                              const touchstone_options* given, double* positions, double* length, int* outcome) {
+                              const touchstone_options* given, double* positions, double* length, int* outcome,
+                              touchstone_first_contact* contact) {
   return guarded([&] {
     const Mesh& of = required(mesh, "mesh").mesh;
     const touchstone_options options = mesh_options(given);
     if (!(options.t_max == 1)) throw InvalidArgument("a free step is over [0, 1]: t_max must be 1");
     array(positions, value_count, 1, "positions");
+    if (contact != nullptr) check_size(*contact, "contact");
     FreeStepOptions asked{options.threads, options.kept_fraction};
     asked.check_start = options.check_start == 1;
     const FreeStep step =
@@ -274,6 +294,7 @@ int touchstone_mesh_free_step(const touchstone_mesh* mesh, const double* x0, con
     std::copy(step.positions.begin(), step.positions.end(), positions);
     if (length != nullptr) *length = step.length;
     if (outcome != nullptr) *outcome = static_cast<int>(step.outcome);
+    if (contact != nullptr) *contact = c_first_contact(step.contact);
   });
 }
 

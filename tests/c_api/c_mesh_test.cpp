@@ -63,7 +63,7 @@ TEST_CASE("a mesh answers as the one of C++") {
     CHECK(touchstone_mesh_edge(handle, mesh.edges().size(), corners) == TOUCHSTONE_INVALID_ARGUMENT);
 
     const touchstone::FirstContact expected = touchstone::first_contact(mesh, x0, x1);
-    touchstone_first_contact result;
+    touchstone_first_contact result = TOUCHSTONE_FIRST_CONTACT_INIT;
     touchstone_contacts* first = nullptr;
     touchstone_contacts* at_start = nullptr;
     REQUIRE(touchstone_mesh_first_contact(handle, given.x0.data(), given.x1.data(), 18, nullptr, &result, &first,
@@ -100,13 +100,13 @@ TEST_CASE("a mesh answers as the one of C++") {
     double length = -1;
     int outcome = -1;
     REQUIRE(touchstone_mesh_free_step(handle, given.x0.data(), given.x1.data(), 18, &options, positions.data(), &length,
-                                      &outcome) == TOUCHSTONE_OK);
+                                      &outcome, nullptr) == TOUCHSTONE_OK);
     CHECK(positions == step.positions);
     CHECK(length == step.length);
     CHECK(outcome == TOUCHSTONE_STEP_SHORTENED);
     std::vector<double> in_place = given.x1;
     REQUIRE(touchstone_mesh_free_step(handle, given.x0.data(), in_place.data(), 18, &options, in_place.data(), nullptr,
-                                      nullptr) == TOUCHSTONE_OK);
+                                      nullptr, nullptr) == TOUCHSTONE_OK);
     CHECK(in_place == step.positions);
 
     const auto expected_intersections = touchstone::intersections(mesh, x1);
@@ -150,32 +150,43 @@ TEST_CASE("the start of a step is asked about on request, and each sort of inter
   touchstone_mesh* mesh = nullptr;
   REQUIRE(touchstone_mesh_create(&elements, &mesh) == TOUCHSTONE_OK);
   touchstone_options options = default_options();
-  touchstone_first_contact result;
+  touchstone_first_contact result = TOUCHSTONE_FIRST_CONTACT_INIT;
+  touchstone_intersections* found = nullptr;
+  touchstone_first_contact whole_step = TOUCHSTONE_FIRST_CONTACT_INIT;
   double length = -1;
   int outcome = -1;
   std::vector<double> positions(18);
   const auto ask = [&] {
     REQUIRE(touchstone_mesh_first_contact(mesh, x.data(), x.data(), 18, &options, &result, nullptr, nullptr) ==
             TOUCHSTONE_OK);
-    REQUIRE(touchstone_mesh_free_step(mesh, x.data(), x.data(), 18, &options, positions.data(), &length, &outcome) ==
-            TOUCHSTONE_OK);
+    REQUIRE(touchstone_mesh_free_step(mesh, x.data(), x.data(), 18, &options, positions.data(), &length, &outcome,
+                                      &whole_step) == TOUCHSTONE_OK);
+    CHECK(whole_step.start_checked == result.start_checked);
+    CHECK(whole_step.start_intersections == result.start_intersections);
   };
   ask();
   CHECK(result.free == 1);
+  CHECK(result.start_checked == 0);
   CHECK(outcome == TOUCHSTONE_STEP_WHOLE);
   options.check_start = 1;
   ask();
   CHECK(result.contact == 0);
   CHECK(result.free == 0);
+  CHECK(result.start_checked == 1);
+  CHECK(result.start_intersections == 1);
   CHECK(outcome == TOUCHSTONE_STEP_INTERSECTS_AT_START);
   CHECK(length == 0);
+  touchstone_contacts* contacts = nullptr;
+  CHECK(touchstone_mesh_all_contacts(mesh, x.data(), x.data(), 18, &options, &contacts) == TOUCHSTONE_INVALID_QUERY);
+  CHECK(message_has("check_start"));
+  CHECK(touchstone_mesh_intersections(mesh, x.data(), 18, &options, &found) == TOUCHSTONE_INVALID_QUERY);
+  CHECK(found == nullptr);
   options.check_start = 2;
   CHECK(touchstone_mesh_first_contact(mesh, x.data(), x.data(), 18, &options, &result, nullptr, nullptr) ==
         TOUCHSTONE_INVALID_ARGUMENT);
   CHECK(message_has("check_start"));
 
   x[9] = 1, x[10] = 1;  // the fold
-  touchstone_intersections* found = nullptr;
   REQUIRE(touchstone_mesh_intersections(mesh, x.data(), 18, nullptr, &found) == TOUCHSTONE_OK);
   int folds = 0, others = 0;
   for (std::size_t i = 0; i < touchstone_intersections_count(found); ++i) {
@@ -227,7 +238,7 @@ TEST_CASE("the rules of a mesh arrive") {
   given.elements.separate_pairs = &tip;
   given.elements.pair_separations = &far;
   given.elements.separate_pair_count = 1;
-  touchstone_first_contact result;
+  touchstone_first_contact result = TOUCHSTONE_FIRST_CONTACT_INIT;
   touchstone_contacts* at_start = nullptr;
   REQUIRE(touchstone_mesh_create(&given.elements, &mesh) == TOUCHSTONE_OK);
   REQUIRE(touchstone_mesh_first_contact(mesh, given.x0.data(), given.x1.data(), 18, nullptr, &result, nullptr,
@@ -276,7 +287,7 @@ TEST_CASE("what is wrong with a mesh is a status and a message, and no handle") 
   CHECK(message_has("the kind is 9"));
 
   REQUIRE(create(given.elements) == TOUCHSTONE_OK);
-  touchstone_first_contact result;
+  touchstone_first_contact result = TOUCHSTONE_FIRST_CONTACT_INIT;
   touchstone_contacts* list = reinterpret_cast<touchstone_contacts*>(&given);
   const double* x0 = given.x0.data();
   const double* x1 = given.x1.data();
@@ -290,6 +301,13 @@ TEST_CASE("what is wrong with a mesh is a status and a message, and no handle") 
         TOUCHSTONE_INVALID_ARGUMENT);
   CHECK(touchstone_mesh_first_contact(mesh, x0, x1, 18, nullptr, nullptr, nullptr, nullptr) ==
         TOUCHSTONE_INVALID_ARGUMENT);
+  for (const std::size_t size : {std::size_t{0}, sizeof result - 1, sizeof result + 1}) {
+    result.size = size;
+    CHECK(touchstone_mesh_first_contact(mesh, x0, x1, 18, nullptr, &result, nullptr, nullptr) ==
+          TOUCHSTONE_INVALID_ARGUMENT);
+    CHECK(message_has("result has the size"));
+  }
+  result = TOUCHSTONE_FIRST_CONTACT_INIT;
   CHECK(touchstone_mesh_all_contacts(mesh, x0, x1, 18, nullptr, nullptr) == TOUCHSTONE_INVALID_ARGUMENT);
   CHECK(touchstone_mesh_intersections(mesh, x0, 18, nullptr, nullptr) == TOUCHSTONE_INVALID_ARGUMENT);
   touchstone_options options = default_options();
@@ -300,13 +318,14 @@ TEST_CASE("what is wrong with a mesh is a status and a message, and no handle") 
   options = default_options();
   options.t_max = 0.5;
   std::vector<double> positions(18);
-  CHECK(touchstone_mesh_free_step(mesh, x0, x1, 18, &options, positions.data(), nullptr, nullptr) ==
+  CHECK(touchstone_mesh_free_step(mesh, x0, x1, 18, &options, positions.data(), nullptr, nullptr, nullptr) ==
         TOUCHSTONE_INVALID_ARGUMENT);
   options = default_options();
   options.kept_fraction = 1;
-  CHECK(touchstone_mesh_free_step(mesh, x0, x1, 18, &options, positions.data(), nullptr, nullptr) ==
+  CHECK(touchstone_mesh_free_step(mesh, x0, x1, 18, &options, positions.data(), nullptr, nullptr, nullptr) ==
         TOUCHSTONE_INVALID_QUERY);
-  CHECK(touchstone_mesh_free_step(mesh, x0, x1, 18, nullptr, nullptr, nullptr, nullptr) == TOUCHSTONE_INVALID_ARGUMENT);
+  CHECK(touchstone_mesh_free_step(mesh, x0, x1, 18, nullptr, nullptr, nullptr, nullptr, nullptr) ==
+        TOUCHSTONE_INVALID_ARGUMENT);
   given.x1[4] = std::nan("");
   CHECK(touchstone_mesh_first_contact(mesh, x0, x1, 18, nullptr, &result, nullptr, nullptr) ==
         TOUCHSTONE_INVALID_QUERY);

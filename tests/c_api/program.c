@@ -62,7 +62,7 @@ static void mesh(void) {
   struct touchstone_mesh_elements elements = TOUCHSTONE_MESH_ELEMENTS_INIT;
   touchstone_mesh* handle = NULL;
   touchstone_contacts* first = NULL;
-  struct touchstone_first_contact result;
+  struct touchstone_first_contact result = TOUCHSTONE_FIRST_CONTACT_INIT;
   struct touchstone_mesh_pair pair;
   int outcome = -1, i;
 
@@ -78,7 +78,7 @@ static void mesh(void) {
             pair.first == 3 && pair.second == 0,
         "vertex 3 and face 0");
   check(touchstone_contacts_get(first, 1, &pair, NULL) == TOUCHSTONE_INVALID_ARGUMENT, "no second pair");
-  check(touchstone_mesh_free_step(handle, x0, x1, 18, NULL, y, &length, &outcome) == TOUCHSTONE_OK, "free_step");
+  check(touchstone_mesh_free_step(handle, x0, x1, 18, NULL, y, &length, &outcome, NULL) == TOUCHSTONE_OK, "free_step");
   check(outcome == TOUCHSTONE_STEP_SHORTENED && length < 0.5 && length > 0.49 && y[11] > 0, "a step that is free");
   touchstone_contacts_destroy(first);
   touchstone_mesh_destroy(handle);
