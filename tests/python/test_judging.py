@@ -12,10 +12,12 @@ def test_verdicts(kind):
     start, end = queries.both(kind, 600)
     truth = ts.solve(kind, start, end)
     right = ts.certify(kind, start, end, truth.contact, np.where(truth.contact, truth.toi, np.nan))
-    assert right.holds and len(right.refuted) == 0 and queries.same(right.truth, truth)
+    assert right and right.holds and len(right.refuted) == 0 and queries.same(right.truth, truth)
     assert (right.early[truth.contact] == 0).all() and np.isnan(right.early[~truth.contact]).all()
     assert ts.certify(kind, start, end, truth.contact).holds
+    assert not ts.certify(kind, start[:0], end[:0], truth.contact[:0])  # without a claim nothing holds
     opposite = ts.certify(kind, start, end, ~truth.contact, np.full(600, 0.5, np.float32))
+    assert not opposite
     assert opposite.count(ts.Verdict.missed) == truth.contact.sum()
     assert opposite.count(ts.Verdict.phantom) == (~truth.contact).sum() and len(opposite.refuted) == 600
     after = np.nextafter(truth.toi, 2, where=truth.contact, out=np.zeros(600))

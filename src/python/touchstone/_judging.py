@@ -33,7 +33,7 @@ _MOST_SHOWN = 32
 
 @dataclass(frozen=True)
 class Certificate:
-    """The verdicts on n claims.
+    """The verdicts on n claims. It is true when `holds` is.
 
     verdict  (n,) uint8: codes of Verdict
     truth    the exact Answers
@@ -49,6 +49,9 @@ class Certificate:
     def holds(self) -> bool:
         """Whether there are claims, and every one of them holds."""
         return len(self.verdict) > 0 and not self.verdict.any()
+
+    def __bool__(self) -> bool:
+        return self.holds
 
     @property
     def refuted(self) -> NDArray:
