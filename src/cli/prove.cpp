@@ -48,14 +48,13 @@ int run_prove(const ProveOptions& options) {
   const std::vector<Input> inputs = find_inputs(options.files, options.kind);
   refuse_to_overwrite(options.out, options.files);
   ProofFile out(options.out, inputs);
-  const int threads = thread_count(options.threads);
 
   QueryStream stream(inputs, options.chunk_bytes, io::Motions::any);
   Counts counts;
   TurnNotes turns(inputs, io::Turns::as_given, kProofsAreOfTheFile);
   QueryProgress progress(inputs);
-  run_in_order<ProveItem>(
-      threads, [&](ProveItem& item) { return stream.next(item); },
+  const int threads = run_in_order<ProveItem>(
+      thread_count(options.threads), [&](ProveItem& item) { return stream.next(item); },
       [&](ProveItem& item) { prove_queries(item, inputs, options); },
       [&](ProveItem& item) {
         out.add(item.input, options.separation.separation, item.proved);

@@ -51,15 +51,14 @@ int run_solve(const SolveOptions& options) {
   refuse_to_overwrite(options.out, options.files);
   const bool to_standard_output = options.out == "-";
   io::OutputFile out = to_standard_output ? io::OutputFile::standard_output() : io::OutputFile(options.out);
-  const int threads = thread_count(options.threads);
 
   QueryStream stream(inputs, options.chunk_bytes, io::Motions::any);
   Counts counts;
   TurnNotes turns(inputs, options.turns);
   QueryProgress progress(inputs);
   out.write(options.separation.given ? io::kSeparationAnswerHeader : io::kAnswerHeader);
-  run_in_order<SolveItem>(
-      threads, [&](SolveItem& item) { return stream.next(item); },
+  const int threads = run_in_order<SolveItem>(
+      thread_count(options.threads), [&](SolveItem& item) { return stream.next(item); },
       [&](SolveItem& item) { solve_queries(item, inputs, options); },
       [&](SolveItem& item) {
         out.write(item.rows);

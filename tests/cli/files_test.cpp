@@ -195,6 +195,7 @@ TEST_CASE("where the system cannot start the threads, one does the work, or the 
   CHECK(few.status == one.status);
   const auto verdict = [](const Run& run) { return run.out.substr(0, run.out.find("  time ")); };
   CHECK(verdict(few) == verdict(one));
+  CHECK(few.out.find(" a second, 1 thread\n") != std::string::npos);
   const Run fuzz = run_program({"fuzz", "--threads", "1000", "--cases", "1000", "--out", folder.path("found")}, tight);
   CAPTURE(fuzz.err);
   CHECK(fuzz.status == 2);

@@ -224,14 +224,13 @@ int run_certify(const CertifyOptions& options) {
   std::vector<certify::FileTally> files;
   for (const auto& input : inputs) files.push_back({input.name, input.kind, {}});
   std::vector<certify::RefutedClaim> first_refuted;
-  const int threads = thread_count(options.threads);
   TruthSeparation truth_separation(options.separation);
   Questions questions;
   QueryStream stream(inputs, options.chunk_bytes, io::Motions::any);
   TurnNotes turns(inputs, options.turns);
   QueryProgress progress(inputs);
-  run_in_order<CertifyItem>(
-      threads,
+  const int threads = run_in_order<CertifyItem>(
+      thread_count(options.threads),
       [&](CertifyItem& item) {
         const bool more = stream.next(item);
         if (claims && more) claims->read(item, item.claims);

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <exception>
 #include <memory>
+#include <mutex>
+#include <set>
+#include <thread>
 
 #if TOUCHSTONE_WITH_TBB
 #include <oneapi/tbb/global_control.h>
@@ -31,8 +35,9 @@ int thread_count(int threads) noexcept;
 /// That holds for errors too: an exception of read or work is kept in item.error, the item is written as far as it
 /// got, and then the exception is thrown here. Reading ends with its first error. An error of work replaces that one,
 /// because it concerns an earlier query.
+/// @return the number of threads that worked on an item; 1 without items
 template <class Item, class Read, class Work, class Write>
-void run_in_order(int threads, Read read, Work work, Write write) {
+int run_in_order(int threads, Read read, Work work, Write write) {
   bool more = true;
   // No exception passes through the pipeline: oneTBB would drop the items that are under way. They drain instead.
   std::exception_ptr failure;
@@ -50,9 +55,16 @@ void run_in_order(int threads, Read read, Work work, Write write) {
     }
     return item;
   };
+  std::mutex lock;
+  std::set<std::thread::id> workers;
+  const auto count_workers = [&] { return std::max(1, static_cast<int>(workers.size())); };
   const auto work_on = [&](Item& item) {
     if (failed) return;
     try {
+      {
+        const std::lock_guard<std::mutex> guard(lock);
+        workers.insert(std::this_thread::get_id());
+      }
       throw_if_interrupted();
       work(item);
     } catch (...) {
@@ -110,7 +122,7 @@ void run_in_order(int threads, Read read, Work work, Write write) {
     });
     finished.take();
     if (failure) std::rethrow_exception(failure);
-    return;
+    return count_workers();
   }
 #endif
   static_cast<void>(threads);
@@ -119,6 +131,7 @@ void run_in_order(int threads, Read read, Work work, Write write) {
     write_item(*item);
   }
   if (failure) std::rethrow_exception(failure);
+  return count_workers();
 }
 
 }  // namespace touchstone::cli

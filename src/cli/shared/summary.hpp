@@ -26,5 +26,6 @@ std::string summary_line(std::string_view heading, std::string_view text);
 
 // Blocks of whole lines:
 std::string counts_for_person(const Counts& counts);
+/// @param threads  those that worked
 std::string speed_for_person(std::uint64_t queries, double seconds, int threads);
 }  // namespace touchstone::cli
