@@ -116,6 +116,8 @@ TEST_CASE("elements that fold onto each other are named and counted, at rest and
   const auto report = nlohmann::json::parse(folder.read("r.json"));
   CHECK(report["results"][0]["intersections"][0]["sort"] == "folds");
   CHECK(report["counts"]["folds"] == 2);
+  CHECK(occurrences(two.out, "exactly on others") == 0);
+  CHECK(occurrences(mesh({"--check", "--triangulate", onto}).out, "--triangulate cut") == 0);
   CHECK(occurrences(folder.read("p.csv"), "onto.obj,,folds,,edge,1 4,,,face,1 2 3,1,,,,,,,\n") == 1);
   CHECK(occurrences(mesh({"--check", grown}).out, "  edge 1-4 folds onto face 1 (1-2-3)\n") == 1);
   CHECK(occurrences(mesh({"--check", path}).out, "path.obj: 1 intersection, 1 of them a fold\n") == 1);
@@ -136,6 +138,30 @@ TEST_CASE("elements that fold onto each other are named and counted, at rest and
   CHECK(occurrences(folder.read("s.html"), "t = 0.5: vertex 3 and edge 1-2") >= 1);
   CHECK(mesh({"--check", onto, "--html", folder.path("o.html")}).status == 1);
   CHECK(occurrences(folder.read("o.html"), "edge 1-4 folds onto face 1 (1-2-3)") >= 1);
+}
+
+TEST_CASE("folds among triangles that were cut from one polygon are told apart from folds of the mesh") {
+  const TemporaryFolder folder;
+  // An arrowhead, whose triangles from its first corner cover each other, and a convex polygon.
+  const std::string faces = "v 0 0 0\nv 4 4 0\nv 1 1.5 0\nv 1 4 0\nf 2 3 4 1\n",
+                    more = "v 9 0 0\nv 9 1 0\nv 8 1 0\nv 8 0 0\nf 5 6 7 8\n",
+                    words =
+                        "; all folds are among triangles of one polygon, which --triangulate cut: cut the polygons in "
+                        "the program that wrote the file, if they are not convex";
+  const std::string flat = folder.write("flat-1.obj", faces + more), next = folder.write("flat-2.obj", faces + more);
+  const Run run = mesh({"--check", "--triangulate", flat, "--html", folder.path("p.html")});
+  CAPTURE(run.out);
+  CHECK(run.status == 1);
+  CHECK(occurrences(run.out, " folds onto face 1 (") > 0);
+  CHECK(occurrences(run.out, words + "\n") == 1);
+  CHECK(occurrences(folder.read("p.html"), "which --triangulate cut") >= 1);
+  CHECK(verdict(mesh({"--triangulate", flat, next})).ends_with(words));
+  // A fold of two polygons beside these.
+  const Run both =
+      mesh({"--check", "--triangulate", folder.write("both.obj", faces + more + "v 8.75 0.5 0\nf 5 6 9\n")});
+  CAPTURE(both.out);
+  CHECK(both.status == 1);
+  CHECK(occurrences(both.out, "--triangulate cut") == 0);
 }
 
 TEST_CASE("a closed surface inside another one is named and counted") {

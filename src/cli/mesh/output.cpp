@@ -71,6 +71,19 @@ std::string intersections_of(const sequence::Result& result) {
   return intersections_for_person(counts);
 }
 
+/// Whether the edge of a fold is one of a triangle that --triangulate cut from the same polygon as the face.
+bool is_within_polygon(const sequence::RestContact& contact, const frames::Topology& topology) {
+  if (contact.sort != IntersectionSort::folds || contact.second.element != MeshElement::face) return false;
+  const auto& numbers = topology.face_numbers;  // in ascending order
+  const auto [first, last] = std::equal_range(numbers.begin(), numbers.end(), contact.second.face);
+  const auto* const faces = topology.faces.data();
+  return std::any_of(faces + (first - numbers.begin()), faces + (last - numbers.begin()), [&](const auto& corners) {
+    return std::all_of(contact.first.vertices.begin(), contact.first.vertices.begin() + 2, [&](std::uint64_t vertex) {
+      return std::find(corners.begin(), corners.end(), vertex - topology.first_number) != corners.end();
+    });
+  });
+}
+
 // In the folder of each kind: the pairs that the run's separation is about, and ends of wires with wires beside them.
 constexpr const char* kQueriesFiles[] = {"contacts.csv", "folds.csv"};
 
@@ -142,6 +155,11 @@ void MeshOutput::add(sequence::Finished finished, const frames::Frame& before, c
     console_.commit();  // a step may take minutes
   }
   counts_.add(report_.heading.question, result);
+  if (!result.step) {
+    polygon_folds_ += static_cast<std::size_t>(
+        std::count_if(result.intersections.begin(), result.intersections.end(),
+                      [&](const auto& contact) { return is_within_polygon(contact, *before.topology); }));
+  }
   if (!options_.report.empty()) report_.results.push_back(std::move(finished.result));
 }
 
@@ -205,7 +223,14 @@ std::string MeshOutput::write_query(const sequence::PairContact& pair, const seq
   return explain_command(target->path, pair.kind, target->queries++, separation);
 }
 
-std::string MeshOutput::counts_summary() const { return counts_for_person(report_.heading, report_.frames, counts_); }
+std::string MeshOutput::counts_summary() const {
+  std::string text = counts_for_person(report_.heading, report_.frames, counts_);
+  if (polygon_folds_ == 0 || polygon_folds_ < counts_.intersections.folds) return text;
+  text.pop_back();
+  return text +
+         "; all folds are among triangles of one polygon, which --triangulate cut: cut the polygons in the program "
+         "that wrote the file, if they are not convex\n";
+}
 
 bool MeshOutput::finish() {
   if (pairs_file_) pairs_file_->commit();

@@ -65,6 +65,7 @@ class MeshOutput {
   const MeshRunOptions& options_;
   sequence::Report report_;        ///< without --report, its results are only counted
   sequence::ResultCounts counts_;  ///< of the results so far
+  std::size_t polygon_folds_ = 0;  ///< of the folds in counts_, those among triangles of one polygon
   std::size_t first_frame_;
   std::optional<sequence::Journal> journal_;
   std::vector<sequence::Finished> from_report_;  ///< of a report that is there already
