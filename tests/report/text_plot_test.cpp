@@ -26,7 +26,7 @@ Result result(const std::string& name, double mean, std::int64_t error, std::siz
   return r;
 }
 
-std::vector<std::string> rows_of(const std::string& text) {
+std::vector<std::string> drawn_lines(const std::string& text) {
   std::istringstream stream(text);
   std::vector<std::string> lines;
   for (std::string line; std::getline(stream, line);) lines.push_back(line);
@@ -43,7 +43,7 @@ TEST_CASE("the text plot has a letter for each point, in the row of its error an
                  result("newton", 0.13, 2'000'000, 0),
                  result("conservative_advancement", 40, INT64_MAX, 0),
                  result("touchstone", 0.05, 0, 0)};
-  const auto lines = rows_of(report::text_plot(set));
+  const auto lines = drawn_lines(report::text_plot(set));
   REQUIRE(lines.size() == 1 + 8 + 4);
   const auto row = [&](const std::string& label) {
     const auto found = std::find_if(lines.begin(), lines.end(), [&](const std::string& line) {
