@@ -222,11 +222,15 @@ SEPARATION_FAULTS = [
     ("parameters' distance from a border", "filters/entry.cpp", "if (!strictly_closest(", "if (false && !strictly_closest("),
 ]
 
-# Of elements that share a vertex: only tests/mesh knows these.
+# Of elements that share a vertex, and of what is inside closed surfaces: only tests/mesh knows these.
 MESH_FAULTS = [
     ("determinant of neighbours", "mesh/folds.cpp", "16 * 0x1p-53 * size", "0x1p-53 * size"),
     ("neighbours on the other side", "mesh/folds.cpp", "if (!certainly_above({{-n", "if (false && !certainly_above({{-n"),
     ("neighbours on this side", "mesh/folds.cpp", "if (!certainly_above(n, along)) return false;", ""),
+    ("faces behind a ray's start", "mesh/ray_passes.cpp", "== -side ? side : 0;", "== -side ? side : side;"),
+    ("a ray from a common vertex", "mesh/pieces.cpp", "if (same_place(motion[a].start, motion[b].start)) piece.middle",
+     "if (false) piece.middle"),
+    ("pieces that meet", "mesh/inside.cpp", "if (a != b) pairs.insert({{a, b}, {b, a}});", ""),
 ]
 
 # Of curved queries: the fuzzer and the checker of proofs know none of these, only tests/curved does.

@@ -320,7 +320,7 @@ enum touchstone_intersection_sort {
   TOUCHSTONE_TOUCHES = 0, /**< they share a point, and no vertex */
   TOUCHSTONE_PIERCES = 1, /**< the edge passes through */
   TOUCHSTONE_FOLDS = 2,   /**< they share a vertex, and also a point that is no shared vertex */
-  TOUCHSTONE_INSIDE = 3   /**< the vertex's closed surface lies wholly inside that of the face; they share no point */
+  TOUCHSTONE_INSIDE = 3   /**< the vertex's closed surface lies wholly inside the face's; they may share vertices */
 };
 
 /** Two elements of a mesh that share a point at rest, or of which one is inside the other's surface. */

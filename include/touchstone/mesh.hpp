@@ -227,8 +227,8 @@ enum class IntersectionSort : std::uint8_t {
   /// They share a vertex, and also a point that is no shared vertex: an edge lies in a face that it grows from, or
   /// along another edge. Two faces that lie folded onto each other have such an edge.
   folds,
-  /// The vertex is the least one of a closed surface that lies wholly inside the closed surface of the face, which is
-  /// the least one there, and both surfaces have the same orientation. They share no point.
+  /// The vertex's closed surface lies wholly inside the face's, has the same orientation, and shares at most vertices
+  /// with it. The face is the least one there, and the vertex the least one that is in nothing else, if there is one.
   inside
 };
 
@@ -320,9 +320,9 @@ Query query_of(const Mesh& mesh, const MeshPair& pair, const Positions& x0, cons
 /// are edges and faces, two edges one of which is in no face, a loose point and a face, a loose point and an edge that
 /// is in no face, and two loose points. In two dimensions they are two edges, a loose point and an edge, and two loose
 /// points. Two elements that share a vertex intersect when they fold onto each other; the edges of one face are not
-/// asked about. A closed surface inside another one is found too: a set of faces that are connected by vertices, and
-/// pass each of their edges as often in one direction as in the other. Elements of which no two vertices may collide by
-/// the rules are left out; vertices that the elements share do not count for that, and of two surfaces the two elements
+/// asked about. A closed surface inside another one is found too: a set of faces that are connected by edges, and pass
+/// each of their edges as often in one direction as in the other. Elements of which no two vertices may collide by the
+/// rules are left out; vertices that the elements share do not count for that, and of two surfaces the two elements
 /// that would be reported. The list of element pairs in the rules counts for those pairs that are its kinds.
 /// @param mesh     the mesh
 /// @param x        the positions

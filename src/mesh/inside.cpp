@@ -3,186 +3,225 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
-#include <cstdint>
+#include <functional>
+#include <map>
 #include <mutex>
-#include <numeric>
-#include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "broad_phase/box_tree.hpp"
-#include "geometry/vector.hpp"
 #include "mesh/contacts.hpp"
 #include "mesh/elements.hpp"
+#include "mesh/folds.hpp"
+#include "mesh/pieces.hpp"
 #include "mesh/ray_passes.hpp"
 #include "numbers/exact_number.hpp"
+#include "numbers/float_environment.hpp"
+#include "solver/cascade.hpp"
 
 namespace touchstone::mesh {
 namespace {
 
+using broad_phase::Box;
+using broad_phase::BoxTree;
+using broad_phase::MovingBox;
 using numbers::Exact;
 using Point = ExactPoint;
 
-constexpr std::size_t kLeastFaces = 4;  // of a closed surface with a volume
+constexpr std::size_t kLeastFaces = 4;  // of a closed surface
 
-struct Surface {
-  std::vector<Index> faces;  ///< in ascending order
-  Index vertex = 0;          ///< its least vertex
-  broad_phase::Box box = broad_phase::empty_box();
-  bool closed = false;
+/// A closed surface around a piece that it does not meet, with its winding number.
+struct Around {
+  Index inner, outer;
+  int winding = 0;
+  bool touches = false;
 };
 
-/// Sets of vertices that faces connect. The least vertex of a set stands for it.
-class ConnectedVertices {
- public:
-  explicit ConnectedVertices(std::size_t count) : of_(count) { std::iota(of_.begin(), of_.end(), Index{0}); }
-  Index find(Index v) noexcept {
-    while (of_[v] != v) v = of_[v] = of_[of_[v]];
-    return v;
-  }
-  void connect(Index a, Index b) noexcept {
-    a = find(a), b = find(b);
-    of_[std::max(a, b)] = std::min(a, b);
-  }
+enum class Asked : std::uint8_t { oriented, all };  ///< pairs of oriented surfaces, or pieces in closed surfaces
 
- private:
-  std::vector<Index> of_;
+struct Search {
+  const Mesh::Impl& mesh;
+  const Motion& motion;
+  int threads;
+  const std::atomic<bool>* stop;
+  Asked asked;
+
+  bool is_asked(const Piece& piece) const noexcept { return asked == Asked::all || piece.sort == PieceSort::oriented; }
 };
 
-bool is_closed(const Mesh::Impl& mesh, const Surface& surface) {
-  std::vector<std::pair<std::uint64_t, int>> passes;  // of an edge, from its lesser to its greater vertex or back
-  passes.reserve(3 * surface.faces.size());
-  for (const Index face : surface.faces) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Index from = mesh.faces[face][i], to = mesh.faces[face][(i + 1) % 3];
-      passes.emplace_back(unordered(from, to), from < to ? 1 : -1);
-    }
-  }
-  std::sort(passes.begin(), passes.end());
-  for (auto pass = passes.begin(); pass != passes.end();) {
-    const std::uint64_t edge = pass->first;
-    int sum = 0;
-    for (; pass != passes.end() && pass->first == edge; ++pass) sum += pass->second;
-    if (sum != 0) return false;
-  }
-  return true;
-}
-
-/// The surfaces of a mesh, and which of them a vertex belongs to.
-class Surfaces {
- public:
-  Surfaces(const Mesh::Impl& mesh, const Motion& motion) : mesh_(mesh), motion_(motion), sets_(mesh.vertex_count) {
-    for (const auto& face : mesh.faces) {
-      sets_.connect(face[0], face[1]);
-      sets_.connect(face[0], face[2]);
-    }
-    constexpr Index kNone = std::numeric_limits<Index>::max();
-    number_.assign(mesh.vertex_count, kNone);
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-      const Index least = sets_.find(mesh.faces[f][0]);
-      if (number_[least] == kNone) {
-        number_[least] = static_cast<Index>(all_.size());
-        all_.emplace_back();
-        all_.back().vertex = least;
-      }
-      Surface& surface = all_[number_[least]];
-      surface.faces.push_back(static_cast<Index>(f));
-      for (const Index corner : mesh.faces[f]) broad_phase::extend(surface.box, motion[corner].start);
-    }
-  }
-
-  std::size_t size() const noexcept { return all_.size(); }
-  const Surface& operator[](Index i) const noexcept { return all_[i]; }
-  Index of_vertex(Index vertex) noexcept { return number_[sets_.find(vertex)]; }
-
-  void check_closed(Index i) {
-    Surface& surface = all_[i];
-    if (surface.faces.size() >= kLeastFaces) surface.closed = is_closed(mesh_, surface);
-  }
-
-  /// The sign of the volume that a closed surface encloses, with its normals outwards.
-  int sign_of_volume(Index i) const {
-    const Point origin = exact(motion_[all_[i].vertex].start);
-    Exact volume;
-    for (const Index face : all_[i].faces) {
-      const auto corners = corners_of_face(face);
-      volume = volume + geometry::dot(corners[0] - origin, geometry::cross(corners[1] - origin, corners[2] - origin));
-    }
-    return numbers::sign_of(volume);
-  }
-
-  /// The winding number of a closed surface about a point that is not on it.
-  int winding_about(Index i, const Vec3& place) const {
-    RayPasses ray(place);
-    for (const Index face : all_[i].faces) {
-      const auto& f = mesh_.faces[face];
-      ray.add(motion_[f[0]].start, motion_[f[1]].start, motion_[f[2]].start);
-    }
-    return ray.sum();
-  }
-
- private:
-  std::array<Point, 3> corners_of_face(Index face) const {
-    const auto& f = mesh_.faces[face];
-    return {exact(motion_[f[0]].start), exact(motion_[f[1]].start), exact(motion_[f[2]].start)};
-  }
-
-  const Mesh::Impl& mesh_;
-  const Motion& motion_;
-  ConnectedVertices sets_;
-  std::vector<Index> number_;  ///< of a surface, by its least vertex
-  std::vector<Surface> all_;
-};
-
-bool is_strictly_inside(const broad_phase::Box& inner, const broad_phase::Box& outer) noexcept {
+bool is_within(const Box& inner, const Box& outer) noexcept {
   for (std::size_t k = 0; k < 3; ++k) {
-    if (!(outer.low[k] < inner.low[k] && inner.high[k] < outer.high[k])) return false;
+    if (inner.low[k] < outer.low[k] || outer.high[k] < inner.high[k]) return false;
   }
   return true;
 }
 
-/// Pairs of an inner and an outer surface by their boxes, in ascending order.
-std::vector<broad_phase::Pair> nested_boxes(const Surfaces& surfaces, int threads) {
-  std::vector<Index> large;
-  for (Index i = 0; i < surfaces.size(); ++i) {
-    if (surfaces[i].faces.size() >= kLeastFaces) large.push_back(i);
+BoxTree tree_of(const Search& search, std::size_t count, const std::function<Box(Index)>& box_of) {
+  const auto resting = [&](Index n) {
+    const Box box = box_of(n);
+    return MovingBox{box, box};
+  };
+  return BoxTree(count, resting, search.threads);
+}
+
+/// The closed surfaces around pieces by their boxes, in ascending order.
+std::vector<Around> nested_boxes(const Search& search, const Pieces& pieces) {
+  std::vector<Index> inner, outer;
+  for (Index i = 0; i < pieces.size(); ++i) {
+    if (!search.is_asked(pieces[i])) continue;
+    inner.push_back(i);
+    if (pieces[i].is_closed()) outer.push_back(i);
   }
-  std::vector<broad_phase::Pair> nested;
-  if (large.size() < 2) return nested;
-  const auto box_of = [&](Index n) { return broad_phase::MovingBox{surfaces[large[n]].box, surfaces[large[n]].box}; };
+  std::vector<Around> nested;
+  if (outer.empty() || inner.size() < 2) return nested;
+  const BoxTree outers = tree_of(search, outer.size(), [&](Index n) { return pieces[outer[n]].box; });
+  const BoxTree inners = tree_of(search, inner.size(), [&](Index n) { return pieces[inner[n]].box; });
   std::mutex lock;
-  broad_phase::PairSearch search;
-  search.threads = threads;
-  broad_phase::for_each_pair_block(broad_phase::BoxTree(large.size(), box_of, threads), search,
+  broad_phase::for_each_pair_block(outers, inners, {search.threads},
                                    [&](const broad_phase::Pair* pairs, std::size_t count) {
+                                     check_stop(search.stop);
                                      for (std::size_t n = 0; n < count; ++n) {
-                                       const Index a = large[pairs[n][0]], b = large[pairs[n][1]];
-                                       const bool first = is_strictly_inside(surfaces[a].box, surfaces[b].box);
-                                       if (!first && !is_strictly_inside(surfaces[b].box, surfaces[a].box)) continue;
+                                       const Index o = outer[pairs[n][0]], i = inner[pairs[n][1]];
+                                       if (i == o || !is_within(pieces[i].box, pieces[o].box)) continue;
                                        const std::lock_guard<std::mutex> guard(lock);
-                                       nested.push_back(first ? broad_phase::Pair{a, b} : broad_phase::Pair{b, a});
+                                       nested.push_back({i, o});
                                      }
                                    });
-  std::sort(nested.begin(), nested.end());
+  std::sort(nested.begin(), nested.end(),
+            [](const Around& a, const Around& b) { return std::tie(a.inner, a.outer) < std::tie(b.inner, b.outer); });
   return nested;
 }
 
-Index a_vertex(const Mesh::Impl& mesh, MeshElement element, Index number) noexcept {
-  if (element == MeshElement::vertex) return number;
-  return element == MeshElement::edge ? mesh.edges[number][0] : mesh.faces[number][0];
-}
-
-/// The pairs of surfaces that meet, the lesser number first.
-std::set<std::array<Index, 2>> meeting(const Mesh::Impl& mesh, Surfaces& surfaces,
-                                       const std::vector<Intersection>& all) {
+/// The pairs of pieces that meet, in both orders.
+std::set<std::array<Index, 2>> meeting(const Pieces& pieces, const std::vector<Intersection>& all) {
   std::set<std::array<Index, 2>> pairs;
   for (const Intersection& one : all) {
-    const Index a = surfaces.of_vertex(a_vertex(mesh, one.first_element, one.first));
-    const Index b = surfaces.of_vertex(a_vertex(mesh, one.second_element, one.second));
-    if (a != b) pairs.insert({std::min(a, b), std::max(a, b)});
+    if (one.sort == IntersectionSort::inside) continue;
+    const Index a = pieces.of(one.first_element, one.first), b = pieces.of(one.second_element, one.second);
+    if (a != b) pairs.insert({{a, b}, {b, a}});
   }
   return pairs;
+}
+
+/// Finds the winding numbers: by the passes of one ray for each inner piece through the faces of the outer ones. Sums of
+/// whole numbers do not depend on their order, so the number of threads does not count.
+void find_winding_numbers(const Search& search, const Pieces& pieces, std::vector<Around>& nested) {
+  struct Start {
+    Ray ray;
+    double last;
+    std::size_t first, end;  // in `nested`
+  };
+  std::vector<Start> rays;
+  std::vector<char> is_outer(pieces.size(), 0);
+  for (std::size_t n = 0; n < nested.size(); ++n) {
+    const auto& [inner, outer, winding, touches] = nested[n];
+    if (n == 0 || nested[n - 1].inner != inner) {
+      const auto& [a, b] = pieces[inner].middle;
+      rays.push_back({{search.motion[a].start, search.motion[b].start}, pieces[outer].box.high[0], n, n});
+    }
+    rays.back().last = std::max(rays.back().last, pieces[outer].box.high[0]);
+    rays.back().end = n + 1;
+    is_outer[outer] = 1;
+  }
+  std::vector<Index> faces;
+  for (std::size_t f = 0; f < search.mesh.faces.size(); ++f) {
+    if (is_outer[pieces.of_face(static_cast<Index>(f))] != 0) faces.push_back(static_cast<Index>(f));
+  }
+  const auto corners_of = [&](Index n) {
+    const auto& face = search.mesh.faces[faces[n]];
+    return std::array{search.motion[face[0]].start, search.motion[face[1]].start, search.motion[face[2]].start};
+  };
+  const BoxTree ray_boxes = tree_of(search, rays.size(), [&](Index n) { return rays[n].ray.box(rays[n].last); });
+  const BoxTree face_boxes = tree_of(search, faces.size(), [&](Index n) {
+    Box box = broad_phase::empty_box();
+    for (const Vec3& corner : corners_of(n)) broad_phase::extend(box, corner);
+    return box;
+  });
+  std::mutex lock;
+  broad_phase::for_each_pair_block(
+      ray_boxes, face_boxes, {search.threads}, [&](const broad_phase::Pair* pairs, std::size_t count) {
+        check_stop(search.stop);
+        for (std::size_t n = 0; n < count; ++n) {
+          const Start& start = rays[pairs[n][0]];
+          const Index outer = pieces.of_face(faces[pairs[n][1]]);
+          const auto end = nested.begin() + static_cast<std::ptrdiff_t>(start.end);
+          const auto around = std::lower_bound(nested.begin() + static_cast<std::ptrdiff_t>(start.first), end, outer,
+                                               [](const Around& a, Index number) { return a.outer < number; });
+          if (around == end || around->outer != outer) continue;
+          const auto corners = corners_of(pairs[n][1]);
+          const int winding = passes(start.ray, corners);
+          // A piece that is all at one place is on the surfaces with which it shares a vertex.
+          const bool touches = same_place(start.ray.a, start.ray.b) &&
+                               std::any_of(corners.begin(), corners.end(),
+                                           [&](const Vec3& corner) { return same_place(start.ray.a, corner); });
+          if (winding == 0 && !touches) continue;
+          const std::lock_guard<std::mutex> guard(lock);
+          around->winding += winding;
+          around->touches = around->touches || touches;
+        }
+      });
+}
+
+/// The closed surfaces around pieces that they do not meet, in ascending order: those whose winding number is not 0. The
+/// number is 0 or 1 for a surface that is not oriented.
+std::vector<Around> surfaces_around(const Search& search, const Pieces& pieces, const std::vector<Intersection>& all) {
+  std::vector<Around> nested = nested_boxes(search, pieces);
+  if (nested.empty()) return nested;
+  const std::set<std::array<Index, 2>> met = meeting(pieces, all);
+  std::erase_if(nested, [&](const Around& one) {
+    const Piece &inner = pieces[one.inner], &outer = pieces[one.outer];
+    return met.count({one.inner, one.outer}) != 0 ||
+           (search.mesh.has_rules() &&
+            !corners_may_collide(search.mesh, std::array{inner.vertex}, search.mesh.faces[outer.first]));
+  });
+  find_winding_numbers(search, pieces, nested);
+  for (Around& one : nested) one.winding = pieces[one.outer].sort == PieceSort::even ? one.winding & 1 : one.winding;
+  std::erase_if(nested, [](const Around& one) { return one.winding == 0 || one.touches; });
+  return nested;
+}
+
+/// The signs of the volumes that closed surfaces enclose, with their normals outwards. @param volumes  zeros, by piece
+std::map<Index, int> signs_of_volumes(const Search& search, const Pieces& pieces, std::map<Index, Exact> volumes) {
+  for (std::size_t f = 0; !volumes.empty() && f < search.mesh.faces.size(); ++f) {
+    const Index piece = pieces.of_face(static_cast<Index>(f));
+    const auto volume = volumes.find(piece);
+    if (volume == volumes.end()) continue;
+    const Point origin = exact(search.motion[pieces[piece].vertex].start);
+    const auto corner = [&](std::size_t i) { return exact(search.motion[search.mesh.faces[f][i]].start) - origin; };
+    volume->second = volume->second + geometry::dot(corner(0), geometry::cross(corner(1), corner(2)));
+  }
+  std::map<Index, int> signs;
+  for (const auto& [piece, volume] : volumes) signs[piece] = numbers::sign_of(volume);
+  return signs;
+}
+
+/// The surfaces around one piece.
+struct AroundOne {
+  Index inner;
+  const Around *first, *last;
+  Index outermost;
+  int sum = 0;
+};
+
+/// By inner pieces, in ascending order. The outermost surface has the fewest ones around itself and, where surfaces meet
+/// each other, the box that begins first along x.
+std::vector<AroundOne> by_inner(const Pieces& pieces, const std::vector<Around>& all) {
+  std::map<Index, int> depth;
+  for (const Around& one : all) ++depth[one.inner];
+  std::vector<AroundOne> groups;
+  const auto order = [&](Index piece) {
+    const auto found = depth.find(piece);
+    return std::pair(found == depth.end() ? 0 : found->second, pieces[piece].box.low[0]);
+  };
+  for (const Around& one : all) {
+    if (groups.empty() || groups.back().inner != one.inner) groups.push_back({one.inner, &one, &one, one.outer});
+    AroundOne& group = groups.back();
+    group.last = &one + 1;
+    group.sum += one.winding;
+    if (order(one.outer) < order(group.outermost)) group.outermost = one.outer;
+  }
+  return groups;
 }
 
 }  // namespace
@@ -190,49 +229,76 @@ std::set<std::array<Index, 2>> meeting(const Mesh::Impl& mesh, Surfaces& surface
 void add_inside(const Mesh::Impl& mesh, const Motion& motion, int threads, const std::atomic<bool>* stop,
                 std::vector<Intersection>& all) {
   if (mesh.faces.size() < 2 * kLeastFaces) return;
-  Surfaces surfaces(mesh, motion);
-  const std::vector<broad_phase::Pair> nested = nested_boxes(surfaces, threads);
-  if (nested.empty()) return;
-  std::set<Index> asked;
-  for (const auto& pair : nested) asked.insert(pair.begin(), pair.end());
-  for (const Index surface : asked) {
-    check_stop(stop);
-    surfaces.check_closed(surface);
-  }
-  const std::set<std::array<Index, 2>> met = meeting(mesh, surfaces, all);
-  for (std::size_t i = 0; i < nested.size();) {
-    const Index inner = nested[i][0];
-    const Surface& surface = surfaces[inner];
-    std::vector<std::pair<Index, int>> around;  // a surface, and its winding number about the inner one
-    std::optional<Index> outermost;
-    int sum = 0;
-    for (; i < nested.size() && nested[i][0] == inner; ++i) {
-      check_stop(stop);
-      const Index outer = nested[i][1];
-      if (!surface.closed || !surfaces[outer].closed) continue;
-      if (met.count({std::min(inner, outer), std::max(inner, outer)}) != 0) continue;
-      const Index face = surfaces[outer].faces.front();
-      if (mesh.has_rules() && !corners_may_collide(mesh, std::array{surface.vertex}, mesh.faces[face])) continue;
-      const int winding = surfaces.winding_about(outer, motion[surface.vertex].start);
-      if (winding == 0) continue;
-      around.emplace_back(outer, winding);
-      sum += winding;
-      if (!outermost || surfaces[outer].box.low[0] < surfaces[*outermost].box.low[0]) outermost = outer;
-    }
-    if (around.empty()) continue;
-    const int sign = surfaces.sign_of_volume(inner);
-    const bool in_room = surfaces.sign_of_volume(*outermost) < 0;
-    if (sign == 0 || (sign > 0 ? sum + (in_room ? 1 : 0) <= 0 : sum >= 0)) continue;
-    const auto outer =
-        std::find_if(around.begin(), around.end(), [&](const auto& one) { return one.second * sign > 0; });
+  const Search search{mesh, motion, threads, stop, Asked::oriented};
+  const Pieces pieces(mesh, motion);
+  const std::vector<Around> around = surfaces_around(search, pieces, all);
+  const std::vector<AroundOne> groups = by_inner(pieces, around);
+  std::map<Index, Exact> volumes;
+  for (const AroundOne& one : groups) volumes[one.inner], volumes[one.outermost];
+  const auto signs = signs_of_volumes(search, pieces, std::move(volumes));
+  for (const AroundOne& one : groups) {
+    const int sign = signs.at(one.inner);
+    const bool in_room = signs.at(one.outermost) < 0;
+    if (sign == 0 || (sign > 0 ? one.sum + (in_room ? 1 : 0) <= 0 : one.sum >= 0)) continue;
+    const Around* const outer =
+        std::find_if(one.first, one.last, [&](const Around& o) { return o.winding * sign > 0; });
     Intersection found;
     found.first_element = MeshElement::vertex;
-    found.first = surface.vertex;
+    found.first = pieces[one.inner].vertex;
     found.second_element = MeshElement::face;
-    found.second = surfaces[outer->first].faces.front();
+    found.second = pieces[outer->outer].first;
     found.sort = IntersectionSort::inside;
     all.push_back(found);
   }
 }
 
+namespace {
+
+MeshElement element_of(PieceSort sort) noexcept {
+  if (sort == PieceSort::point) return MeshElement::vertex;
+  return sort == PieceSort::wire ? MeshElement::edge : MeshElement::face;
+}
+
+TOUCHSTONE_BEHIND_GUARD std::vector<EnclosedPart> find_enclosed_parts(const Mesh::Impl& mesh, const Positions& x,
+                                                                      const MeshOptions& options,
+                                                                      const std::vector<Intersection>& found,
+                                                                      ClosedParts closed) {
+  std::vector<EnclosedPart> parts;
+  if (mesh.faces.size() < kLeastFaces) return parts;
+  const Motion motion = motion_of(mesh, x, x, options.threads);
+  const Search search{mesh, motion, options.threads, options.stop, Asked::all};
+  const Pieces pieces(mesh, motion);
+  const std::vector<Around> around = surfaces_around(search, pieces, found);
+  std::vector<AroundOne> groups = by_inner(pieces, around);
+  const auto is_oriented = [&](Index piece) { return pieces[piece].sort == PieceSort::oriented; };
+  std::erase_if(groups, [&](const AroundOne& one) {
+    return closed == ClosedParts::unasked && is_oriented(one.inner) &&
+           std::all_of(one.first, one.last, [&](const Around& o) { return is_oriented(o.outer); });
+  });
+  std::map<Index, Exact> rooms;  // where it counts whether the outermost surface is one
+  for (const AroundOne& one : groups) {
+    if (one.sum == 0 && is_oriented(one.outermost)) rooms[one.outermost];
+  }
+  const auto signs = signs_of_volumes(search, pieces, std::move(rooms));
+  for (const AroundOne& one : groups) {
+    const auto room = signs.find(one.outermost);
+    if (one.sum == 0 && (room == signs.end() || room->second >= 0)) continue;
+    parts.push_back({element_of(pieces[one.inner].sort), pieces[one.inner].vertex, pieces[one.first->outer].first});
+  }
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const EnclosedPart& a, const EnclosedPart& b) { return a.vertex < b.vertex; });
+  return parts;
+}
+
+}  // namespace
 }  // namespace touchstone::mesh
+
+namespace touchstone {
+
+std::vector<EnclosedPart> enclosed_parts(const Mesh& mesh, const Positions& x, const MeshOptions& options,
+                                         const std::vector<Intersection>& found, ClosedParts closed) {
+  const numbers::DefaultFloatEnvironment environment;
+  return mesh::find_enclosed_parts(mesh.impl(), x, options, found, closed);
+}
+
+}  // namespace touchstone

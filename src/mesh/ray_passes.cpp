@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/ray_passes.hpp"
 
-#include <algorithm>
-
 namespace touchstone::mesh {
 namespace {
 
@@ -18,24 +16,30 @@ int side_beside(const Point& a, const Point& b, const Point& p) {
   return numbers::sign_of(y);
 }
 
-bool is_between(double x, double a, double b, double c) noexcept {
-  return std::min({a, b, c}) <= x && x <= std::max({a, b, c});
-}
-
 }  // namespace
 
-void RayPasses::add(const Vec3& a, const Vec3& b, const Vec3& c) {
-  if (std::max({a.x, b.x, c.x}) < from_.x) return;
-  if (!is_between(from_.y, a.y, b.y, c.y) || !is_between(from_.z, a.z, b.z, c.z)) return;
-  const Point p = exact(from_), corners[3] = {exact(a), exact(b), exact(c)};
+broad_phase::Box Ray::box(double last) const noexcept {
+  // Each half is exact, or is wrong by less than half the least double; so the rounded sum is next to the middle.
+  const Vec3 middle{a.x / 2 + b.x / 2, a.y / 2 + b.y / 2, a.z / 2 + b.z / 2};
+  using broad_phase::next_above, broad_phase::next_below;
+  return {{next_below(middle.x), next_below(middle.y), next_below(middle.z)},
+          {last, next_above(middle.y), next_above(middle.z)}};
+}
+
+int passes(const Ray& ray, const std::array<Vec3, 3>& triangle) {
+  // All in twice its size, where the middle is a sum.
+  const auto sum = [](const Vec3& v, const Vec3& w) {
+    return Point{{Exact(v.x) + Exact(w.x), Exact(v.y) + Exact(w.y), Exact(v.z) + Exact(w.z)}};
+  };
+  const auto twice = [&](const Vec3& v) { return sum(v, v); };
+  const Point p = sum(ray.a, ray.b);
+  const Point corners[3] = {twice(triangle[0]), twice(triangle[1]), twice(triangle[2])};
   const int side = side_beside(corners[0], corners[1], p);
   if (side == 0 || side != side_beside(corners[1], corners[2], p) || side != side_beside(corners[2], corners[0], p)) {
-    return;
+    return 0;
   }
   const Point normal = geometry::cross(corners[1] - corners[0], corners[2] - corners[0]);
-  if (numbers::sign_of(geometry::dot(normal, p - corners[0])) != -side) return;  // the triangle is behind the point
-  sum_ += side;
-  ++passes_;
+  return numbers::sign_of(geometry::dot(normal, p - corners[0])) == -side ? side : 0;  // 0: it is behind the start
 }
 
 }  // namespace touchstone::mesh

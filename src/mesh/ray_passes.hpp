@@ -1,9 +1,12 @@
-// How often a ray from a point passes through triangles, exactly: what is inside a closed surface.
+// How a ray passes through a triangle, exactly: its passes tell what is inside a closed surface.
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+
 #include <touchstone/query.hpp>
 
+#include "broad_phase/box.hpp"
 #include "geometry/vector.hpp"
 #include "numbers/exact_number.hpp"
 
@@ -13,23 +16,22 @@ using ExactPoint = geometry::Vector<numbers::Exact>;
 
 inline ExactPoint exact(const Vec3& v) { return {{numbers::Exact(v.x), numbers::Exact(v.y), numbers::Exact(v.z)}}; }
 
-/// Counts the triangles that a ray along x passes through. The ray starts from a place beside the point, infinitely near:
-/// eps higher along y and eps^2 along z. So it passes no border, and each triangle that it passes has an area in the
-/// projection along x. For the triangles of a closed surface that the point is not on, `sum` is the surface's winding
-/// number about the point, with normals outwards, and the point is inside if `passes` is odd.
-class RayPasses {
- public:
-  explicit RayPasses(const Vec3& from) noexcept : from_(from) {}
+/// A ray along x from the middle of two points, which may be one.
+struct Ray {
+  Vec3 a, b;
 
-  /// A triangle; it may be flat. Its orientation is that of its corners.
-  void add(const Vec3& a, const Vec3& b, const Vec3& c);
-
-  int sum() const noexcept { return sum_; }  ///< passes to the outer side of a triangle, less those to its inner one
-  int passes() const noexcept { return passes_; }  ///< all passes
-
- private:
-  Vec3 from_;
-  int sum_ = 0, passes_ = 0;
+  /// A box around the ray's part up to x = last. Its bounds are doubles beside the middle's coordinates.
+  broad_phase::Box box(double last) const noexcept;
 };
+
+/// 1 or -1 if the ray leaves the triangle through its outer side or its inner one; 0 if it does not pass the triangle,
+/// which may be flat. The ray starts from a place beside its start, infinitely near: eps higher along y and eps^2 along
+/// z. So it passes no border, and each triangle that it passes has an area in the projection along x. The sum over a
+/// closed oriented surface that the start is not on is the surface's winding number about the start. Where each edge is
+/// in an even number of triangles, the start is inside if the sum is odd.
+///
+/// A triangle that is passed has a point at the start's y and z, with an x that is not less: the limit as eps goes to
+/// 0. So its box touches the ray's.
+int passes(const Ray& ray, const std::array<Vec3, 3>& triangle);
 
 }  // namespace touchstone::mesh

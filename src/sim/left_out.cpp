@@ -116,8 +116,10 @@ std::string left_out_for_person(const Simulation& simulation, std::uint64_t step
   all.erase(std::remove(all.begin(), all.end(), std::string()), all.end());
   if (!all.empty()) text += fmt::format("; left out: {}", fmt::join(all, ", "));
   if (const StartFindings& start = simulation.start(); start.enclosed > 0) {
-    text += fmt::format("; {} wholly inside a closed body at the start, without contact of surfaces ({}{})",
-                        counted(start.enclosed, "part"), start.enclosed_first, start.enclosed > 1 ? ", ..." : "");
+    text +=
+        fmt::format("; {} wholly inside a closed {} at the start, without contact of surfaces ({}{})",
+                    counted(start.enclosed, "part"), start.enclosed_in_bodies == start.enclosed ? "body" : "surface",
+                    start.enclosed_first, start.enclosed > 1 ? ", ..." : "");
   }
   return text;
 }

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,8 +11,7 @@
 #include <touchstone/error.hpp>
 #include <touchstone/mesh.hpp>
 
-#include "broad_phase/box.hpp"
-#include "sim/enclosed.hpp"
+#include "mesh/inside.hpp"
 
 namespace touchstone::sim {
 namespace {
@@ -26,32 +24,14 @@ struct Vertex {
 
 /// A scene may have a face twice, for collisions and for forces; a mesh may not.
 void add_once_each(std::vector<Face> faces, Index first, std::vector<Face>& all) {
-  for (Face& face : faces) std::sort(face.begin(), face.end());
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  for (const Face& face : faces) all.push_back({first + face[0], first + face[1], first + face[2]});
-}
-
-/// The first vertex of each connected part of the elements.
-std::vector<MeshIndex> parts_of(const MeshElements& elements) {
-  std::vector<MeshIndex> leader(elements.vertex_count);
-  std::iota(leader.begin(), leader.end(), MeshIndex{0});
-  const auto find = [&](MeshIndex v) {
-    while (leader[v] != v) v = leader[v] = leader[leader[v]];
-    return v;
+  const auto sorted = [](Face face) {  // of a face in both orientations, either is right
+    std::sort(face.begin(), face.end());
+    return face;
   };
-  std::vector<char> collides(elements.vertex_count, 0);
-  for (const auto& [a, b] : elements.edges) {
-    collides[a] = collides[b] = 1;
-    const MeshIndex first = find(a), second = find(b);
-    leader[std::max(first, second)] = std::min(first, second);
-  }
-  for (const MeshIndex point : *elements.points) collides[point] = 1;
-  std::vector<MeshIndex> parts;
-  for (MeshIndex v = 0; v < leader.size(); ++v) {
-    if (collides[v] != 0 && leader[v] == v) parts.push_back(v);
-  }
-  return parts;
+  std::stable_sort(faces.begin(), faces.end(), [&](const Face& a, const Face& b) { return sorted(a) < sorted(b); });
+  const auto same = [&](const Face& a, const Face& b) { return sorted(a) == sorted(b); };
+  faces.erase(std::unique(faces.begin(), faces.end(), same), faces.end());
+  for (const Face& face : faces) all.push_back({first + face[0], first + face[1], first + face[2]});
 }
 
 /// The vertices of bodies come after the particles.
@@ -69,7 +49,6 @@ class StartMesh {
     }
     if (places.bodies != nullptr) add_bodies(places, elements);
     elements.vertex_count = vertices_.size();
-    if (places.bodies != nullptr) parts_ = parts_of(elements);
     mesh_ = Mesh(std::move(elements));
   }
 
@@ -87,27 +66,21 @@ class StartMesh {
     return any(found.first_element, found.first) || any(found.second_element, found.second);
   }
 
-  /// Connected parts that are wholly inside a closed body, where nothing intersects.
-  void find_enclosed(const StartPlaces& places, StartFindings& findings) const {
-    for (Index b = 0; places.bodies != nullptr && b < places.bodies->surfaces().size(); ++b) {
-      const std::vector<Face>& faces = places.bodies->surface(b).faces;
-      if (!is_closed(faces)) continue;
-      const Vec3* const corners = &x_[first_of_[b]];
-      broad_phase::Box box = broad_phase::empty_box();
-      for (const Face& face : faces) {
-        for (const Index corner : face) broad_phase::extend(box, corners[corner]);
-      }
-      for (const MeshIndex vertex : parts_) {
-        const OfBody& part = vertices_[vertex].of;
-        broad_phase::Box place = broad_phase::empty_box();
-        broad_phase::extend(place, x_[vertex]);
-        if (part.body == b || !broad_phase::overlap(box, place)) continue;
-        if (!is_enclosed(faces, corners, x_[vertex])) continue;
-        if (findings.enclosed++ > 0) continue;
-        findings.enclosed_first = part.body == kParticles ? fmt::format("particle {} in body {}", part.number, b)
-                                                          : fmt::format("body {} in body {}", part.body, b);
-      }
-    }
+  /// Parts that are wholly inside closed surfaces, where nothing intersects.
+  /// @param found  the intersections
+  void find_enclosed(const std::vector<Intersection>& found, int threads, StartFindings& findings) const {
+    MeshOptions options;
+    options.threads = threads;
+    const auto parts = enclosed_parts(mesh_, x_, options, found, ClosedParts::all);
+    findings.enclosed = parts.size();
+    for (const EnclosedPart& part : parts) findings.enclosed_in_bodies += surface_of(part).body != kParticles ? 1 : 0;
+    if (parts.empty()) return;
+    const OfBody inner = vertices_[parts.front().vertex].of, outer = surface_of(parts.front());
+    findings.enclosed_first = fmt::format(
+        "{} in {}",
+        inner.body == kParticles ? fmt::format("particle {}", inner.number) : fmt::format("body {}", inner.body),
+        outer.body == kParticles ? "the surface of " + name(MeshElement::face, parts.front().face)
+                                 : fmt::format("body {}", outer.body));
   }
 
   /// "pierce each other: edge 0-1 and face 2-3-4 of body 1 at (0, 0, 0)"
@@ -130,7 +103,6 @@ class StartMesh {
     for (Index b = 0; b < places.bodies->surfaces().size(); ++b) {
       const ElementSet& surface = places.bodies->surface(b);
       const auto first = static_cast<Index>(vertices_.size());
-      first_of_.push_back(first);
       for (Index v = 0; v < surface.around.size(); ++v) {
         vertices_.push_back({{b, v}, places.bodies->can_move(b)});
         const Vector3 x = places.bodies->at({b, v}, *places.states, *places.q);
@@ -142,6 +114,9 @@ class StartMesh {
       add_once_each(surface.faces, first, elements.faces);
     }
   }
+
+  /// A vertex of the closed surface around a part.
+  const OfBody& surface_of(const EnclosedPart& part) const { return vertices_[mesh_.faces()[part.face][0]].of; }
 
   static const char* how(IntersectionSort sort) noexcept {
     if (sort == IntersectionSort::folds) return "fold onto each other";
@@ -170,8 +145,6 @@ class StartMesh {
 
   std::vector<Vertex> vertices_;
   std::vector<Vec3> x_;
-  std::vector<MeshIndex> parts_;  // in a scene with bodies
-  std::vector<Index> first_of_;   // the first vertex of each body
   Mesh mesh_;
 };
 
@@ -182,7 +155,8 @@ StartFindings check_no_intersection(const StartPlaces& places, std::string_view 
   StartFindings findings;
   std::size_t moving = 0;
   std::string first;
-  for (const Intersection& found : mesh.intersections(threads)) {
+  const std::vector<Intersection> all = mesh.intersections(threads);
+  for (const Intersection& found : all) {
     if (found.sort == IntersectionSort::inside) continue;  // it may be right, and is counted below
     if (!mesh.can_move(found)) {
       ++findings.held;
@@ -191,7 +165,7 @@ StartFindings check_no_intersection(const StartPlaces& places, std::string_view 
     }
   }
   if (moving == 0) {
-    if (findings.held == 0) mesh.find_enclosed(places, findings);  // where surfaces meet, a part is neither in nor out
+    mesh.find_enclosed(all, threads, findings);
     return findings;
   }
   throw Error(fmt::format("{} begins with elements that {}{}; positions at which all elements are apart would be right",

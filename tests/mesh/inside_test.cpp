@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <touchstone/touchstone.hpp>
 
+#include "mesh/inside.hpp"
 #include "seeded/rng.hpp"
 #include "support/catch.hpp"
 #include "support/slow_build.hpp"
@@ -58,8 +60,29 @@ struct Parts {
     add_box({centre - half, centre - half, centre - half}, {centre + half, centre + half, centre + half}, outwards);
   }
 
-  std::vector<Intersection> all() const { return intersections(Mesh(elements), {x, 3}); }
+  /// @returns its number
+  MeshIndex add_vertex(double a, double b, double c) {
+    x.insert(x.end(), {a, b, c});
+    return static_cast<MeshIndex>(elements.vertex_count++);
+  }
+
+  std::vector<Intersection> all(int threads = 1) const { return intersections(Mesh(elements), {x, 3}, {1.0, threads}); }
+
+  std::vector<EnclosedPart> enclosed(ClosedParts closed = ClosedParts::unasked, int threads = 1) const {
+    return enclosed_parts(Mesh(elements), {x, 3}, {1.0, threads}, all(), closed);
+  }
 };
+
+/// "surface 8 in 0, wire 12 in 0": the vertices and the faces.
+std::string text_of(const std::vector<EnclosedPart>& parts) {
+  std::string text;
+  for (const EnclosedPart& part : parts) {
+    text += text.empty() ? "" : ", ";
+    text += part.element == MeshElement::face ? "surface " : part.element == MeshElement::edge ? "wire " : "point ";
+    text += std::to_string(part.vertex) + " in " + std::to_string(part.face);
+  }
+  return text;
+}
 
 std::set<std::pair<MeshIndex, MeshIndex>> inside_of(const std::vector<Intersection>& all) {
   std::set<std::pair<MeshIndex, MeshIndex>> found;
@@ -249,4 +272,226 @@ TEST_CASE("the place in a surface that is not convex is told exactly") {
   }
   CHECK((inside > 0 || !whole_effort("places inside")));
   CHECK((outside > 0 || !whole_effort("places outside")));
+}
+
+TEST_CASE("surfaces that share a vertex are asked about, one inside the other too") {
+  // A box with its corner 0, and a tetrahedron that has this corner: inside, outside, or as a cavity.
+  const auto with_tetrahedron = [](double size, bool outwards) {
+    Parts parts;
+    parts.add_box({0, 0, 0}, {4, 4, 4});
+    const MeshIndex a = parts.add_vertex(size, size, 2 * size), b = parts.add_vertex(2 * size, size, size),
+                    c = parts.add_vertex(size, 2 * size, size);
+    for (Corners face : {Corners{0, a, b}, {0, b, c}, {0, c, a}, {a, c, b}}) {
+      if (!outwards) std::swap(face[1], face[2]);
+      parts.elements.faces.push_back(face);
+    }
+    return parts;
+  };
+  CHECK((inside_of(with_tetrahedron(-1, true).all()) == std::set<std::pair<MeshIndex, MeshIndex>>{}));
+  const auto solid = with_tetrahedron(1, false).all(), cavity = with_tetrahedron(1, true).all();
+  const auto& found = solid.empty() ? cavity : solid;
+  REQUIRE(found.size() == 1);
+  CHECK(solid.size() + cavity.size() == 1);
+  CHECK(found[0].sort == IntersectionSort::inside);
+  CHECK(found[0].first == 8);  // vertex 0 is in both
+  CHECK(found[0].second == 0);
+
+  // All corners of an octahedron are corners of a cube's surface too, as the centres of its sides.
+  Parts both;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (const double sign : {-1.0, 1.0}) both.add_vertex(k == 0 ? sign : 0, k == 1 ? sign : 0, k == 2 ? sign : 0);
+  }
+  for (int n = 0; n < 8; ++n) both.add_vertex(2 * (n & 1) - 1, (n & 2) - 1, (n & 4) / 2 - 1);
+  const auto outwards = [&](Corners face) {
+    const double *const p = &both.x[3 * face[0]], *const q = &both.x[3 * face[1]], *const r = &both.x[3 * face[2]];
+    const double volume =
+        p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) + p[2] * (q[0] * r[1] - q[1] * r[0]);
+    if (volume < 0) std::swap(face[1], face[2]);
+    return face;
+  };
+  for (MeshIndex n = 0; n < 8; ++n) {
+    const Corners octant{n & 1, 2 + (n >> 1 & 1), 4 + (n >> 2)};
+    for (MeshIndex k = 0; k < 3; ++k) {
+      const MeshIndex other = n ^ (1U << k);
+      if (other < n) continue;
+      for (const MeshIndex centre : octant) {
+        if (centre / 2 != k) both.elements.faces.push_back(outwards({centre, 6 + n, 6 + other}));
+      }
+    }
+    both.elements.faces.push_back(outwards(octant));
+  }
+  const auto inside = both.all(), three = both.all(3);
+  REQUIRE(inside.size() == 1);
+  REQUIRE(three.size() == 1);
+  CHECK(inside[0].sort == IntersectionSort::inside);
+  CHECK(inside[0].first == 0);
+  CHECK(both.elements.faces[inside[0].second][1] >= 6);
+}
+
+TEST_CASE("open surfaces, wires and points inside closed surfaces are no intersections, and are counted") {
+  const auto with_parts = [](Parts parts, double at) {
+    const MeshIndex a = parts.add_vertex(at, at, at), b = parts.add_vertex(at + 0.25, at, at),
+                    c = parts.add_vertex(at, at + 0.25, at);
+    parts.elements.faces.push_back({a, b, c});
+    const MeshIndex d = parts.add_vertex(at, at, at + 0.25), e = parts.add_vertex(at, at, at + 0.5),
+                    f = parts.add_vertex(at, at, at + 0.75);
+    parts.elements.edges = {{d, e}, {e, f}};
+    parts.add_vertex(at, at, at - 0.25);
+    CHECK(parts.all().empty());
+    return text_of(parts.enclosed());
+  };
+  Parts solid, cavity, room, open, twisted;
+  solid.add_cube(0, 4);
+  CHECK(with_parts(solid, 0) == "surface 8 in 0, wire 11 in 0, point 14 in 0");
+  CHECK(with_parts(solid, 5).empty());
+  cavity = solid;
+  cavity.add_cube(0.25, 2, false);
+  CHECK(with_parts(cavity, 0).empty());
+  CHECK(with_parts(cavity, 2.5) == "surface 16 in 0, wire 19 in 0, point 22 in 0");  // in the material
+  Parts inner_first;
+  inner_first.add_cube(0.25, 2, false);
+  inner_first.add_cube(0, 4);
+  CHECK(with_parts(inner_first, 0).empty());
+  room.add_cube(0, 4, false);
+  CHECK(with_parts(room, 0) == "surface 8 in 0, wire 11 in 0, point 14 in 0");
+  room.add_cube(0.25, 2);
+  CHECK(with_parts(room, 0) == "surface 16 in 0, wire 19 in 0, point 22 in 0");  // in the furniture
+  open = solid;
+  open.elements.faces.pop_back();
+  CHECK(with_parts(open, 0).empty());
+  // With one face turned around, a surface still has an inside, and a closed surface there is counted.
+  twisted = solid;
+  std::swap(twisted.elements.faces[3][0], twisted.elements.faces[3][1]);
+  CHECK(with_parts(twisted, 0) == "surface 8 in 0, wire 11 in 0, point 14 in 0");
+  twisted.add_cube(0.25, 2);
+  CHECK(text_of(twisted.enclosed()) == "surface 8 in 0");
+  CHECK(twisted.all().empty());
+  // Outside such a surface, the ray may leave it by two sides.
+  Parts wedge;
+  wedge.add_vertex(16, 0, 0);
+  wedge.add_vertex(0, 0, 0);
+  wedge.add_vertex(16, 16, 0);
+  wedge.add_vertex(16, 0, 16);
+  wedge.elements.faces = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+  for (Corners& face : wedge.elements.faces) {
+    const Corners before = face;
+    wedge.add_vertex(2, 8, 4);
+    CHECK(text_of(wedge.enclosed()).empty());
+    std::swap(face[0], face[1]);
+    CHECK(text_of(wedge.enclosed()).empty());
+    face = before;
+  }
+  solid.add_cube(0.25, 2);
+  CHECK(text_of(solid.enclosed()).empty());  // an intersection
+  CHECK(text_of(solid.enclosed(ClosedParts::all)) == "surface 8 in 0");
+}
+
+TEST_CASE("a wire that grows from a surface is inside it, and one that meets it is not") {
+  Parts parts;
+  parts.add_cube(0, 4);
+  const MeshIndex inner = parts.add_vertex(0, 0, 0);
+  parts.elements.edges = {{0, inner}};
+  CHECK(text_of(parts.enclosed()) == "wire 8 in 0");
+  parts.elements.edges = {{0, 7}};  // both ends are corners of the cube
+  CHECK(text_of(parts.enclosed()) == "wire 0 in 0, point 8 in 0");
+  parts.elements.edges = {{0, inner}, {inner, parts.add_vertex(5, 0, 0)}};
+  CHECK(text_of(parts.enclosed()).empty());
+  // All at one place, it is on the surface.
+  Parts still;
+  still.add_cube(0, 4);
+  still.elements.edges = {{0, still.add_vertex(-4, -4, -4)}};
+  CHECK(text_of(still.enclosed()).empty());
+  still.elements.edges = {{still.add_vertex(1, 1, 1), still.add_vertex(1, 1, 1)}};
+  CHECK(text_of(still.enclosed()) == "wire 9 in 0");
+}
+
+// The surfaces are the borders of filled cells of a lattice. A piece in a cell is inside exactly if its cell is filled.
+TEST_CASE("many pieces are inside surfaces exactly when their cells are filled, for any number of threads") {
+  seeded::Rng random(308);
+  std::size_t inside = 0, outside = 0;
+  for (std::size_t round = 0; round < effort(20); ++round) {
+    Parts parts;
+    constexpr int kSize = 4;
+    std::array<std::array<std::array<int, kSize>, kSize>, kSize> filled{};
+    for (auto& plane : filled) {
+      for (auto& row : plane) {
+        for (int& cell : row) cell = random.below(2 + round % 3) != 0 ? 1 : 0;
+      }
+    }
+    const auto is_filled = [&](int a, int b, int c) {
+      const auto in = [](int k) { return 0 <= k && k < kSize; };
+      return in(a) && in(b) && in(c) && filled[std::size_t(a)][std::size_t(b)][std::size_t(c)] != 0;
+    };
+    constexpr int kCorners = kSize + 1;
+    for (int n = 0; n < kCorners * kCorners * kCorners; ++n) {
+      parts.add_vertex(8.0 * (n / kCorners / kCorners), 8.0 * (n / kCorners % kCorners), 8.0 * (n % kCorners));
+    }
+    const auto number = [&](const std::array<int, 3>& at) {
+      return static_cast<MeshIndex>((at[0] * kCorners + at[1]) * kCorners + at[2]);
+    };
+    for (int n = 0; n < kSize * kSize * kSize; ++n) {
+      const std::array<int, 3> cell{n / kSize / kSize, n / kSize % kSize, n % kSize};
+      if (!is_filled(cell[0], cell[1], cell[2])) continue;
+      for (std::size_t k = 0; k < 3; ++k) {
+        for (const int side : {0, 1}) {
+          std::array<int, 3> next = cell;
+          next[k] += 2 * side - 1;
+          if (is_filled(next[0], next[1], next[2])) continue;
+          std::array<std::array<int, 3>, 4> at;
+          at.fill(cell);
+          for (std::size_t i = 0; i < 4; ++i) {
+            at[i][k] += side;
+            at[i][(k + 1) % 3] += i == 1 || i == 2 ? 1 : 0;
+            at[i][(k + 2) % 3] += i >= 2 ? 1 : 0;
+          }
+          if (side == 0) std::swap(at[1], at[3]);
+          parts.elements.faces.push_back({number(at[0]), number(at[1]), number(at[2])});
+          parts.elements.faces.push_back({number(at[0]), number(at[2]), number(at[3])});
+        }
+      }
+    }
+    // Points, wires and triangles within cells, in line with corners and edges.
+    std::set<MeshIndex> expected;
+    std::vector<MeshIndex> points;
+    for (int a = -1; a <= kSize; ++a) {
+      for (int b = -1; b <= kSize; ++b) {
+        for (int c = -1; c <= kSize; ++c) {
+          const double x = 8 * a + 1, y = 8 * b + 1, z = 8 * c + 1;
+          const MeshIndex first = parts.add_vertex(x, y, z);
+          const std::uint64_t sort = random.below(3);
+          if (sort > 0) parts.add_vertex(x + 2, y, z + 1);
+          if (sort > 1) parts.add_vertex(x, y + 2, z + 2);
+          if (sort == 0) points.push_back(first);
+          if (sort == 1) parts.elements.edges.push_back({first, first + 1});
+          if (sort == 2) parts.elements.faces.push_back({first, first + 1, first + 2});
+          if (is_filled(a, b, c)) expected.insert(first);
+          ++(is_filled(a, b, c) ? inside : outside);
+        }
+      }
+    }
+    // Points in line with corners and edges of the surfaces, if the cells around them are all filled, or none is.
+    for (int n = 0; n < 2 * kCorners * 2 * kCorners * 2 * kCorners; ++n) {
+      const std::array<int, 3> at{n / (4 * kCorners * kCorners) - 1, n / (2 * kCorners) % (2 * kCorners) - 1,
+                                  n % (2 * kCorners) - 1};
+      int filled_around = 0;
+      for (int cell = 0; cell < 8; ++cell) {
+        const auto before = [&](int k, int bit) { return (k + 2 - (cell >> bit & 1)) / 2 - 1; };
+        filled_around += is_filled(before(at[0], 0), before(at[1], 1), before(at[2], 2)) ? 1 : 0;
+      }
+      if (filled_around != 0 && filled_around != 8) continue;
+      points.push_back(parts.add_vertex(4 * at[0], 4 * at[1], 4 * at[2]));
+      if (filled_around == 8) expected.insert(points.back());
+    }
+    parts.elements.points = points;
+    CAPTURE(round);
+    CHECK(parts.all().empty());
+    const auto one = parts.enclosed(ClosedParts::unasked, 1), three = parts.enclosed(ClosedParts::unasked, 3);
+    std::set<MeshIndex> found;
+    for (const EnclosedPart& part : one) found.insert(part.vertex);
+    CHECK(found == expected);
+    CHECK(text_of(one) == text_of(three));
+    CHECK(found.size() == one.size());
+  }
+  CHECK((inside > 0 || !whole_effort("pieces inside")));
+  CHECK(outside > 0);
 }

@@ -256,3 +256,34 @@ TEST_CASE("every shipped scene starts, and none of them starts pierced") {
     CHECK_THROWS_WITH(Simulation(scene, {}), Catch::Contains("the scene begins with elements that "));
   }
 }
+
+TEST_CASE("parts wholly inside a closed surface of particles are counted at the start") {
+  Scene scene;
+  const auto tetrahedron = [&](double size) {
+    const auto first = static_cast<Index>(scene.particles.size());
+    for (const Vector3& x : {Vector3(-1, -1, -1), Vector3(3, -1, -1), Vector3(-1, 3, -1), Vector3(-1, -1, 3)}) {
+      add_particle(scene, size * x, 1);
+    }
+    scene.surfaces.push_back(cloth({{first, first + 2, first + 1},
+                                    {first, first + 1, first + 3},
+                                    {first + 1, first + 2, first + 3},
+                                    {first, first + 3, first + 2}}));
+  };
+  const auto verdict = [&] {
+    Simulation simulation(scene, {});
+    simulation.step();
+    return left_out_for_person(simulation, 1);
+  };
+  tetrahedron(1);
+  CHECK(verdict().find("inside") == std::string::npos);
+  tetrahedron(0.25);
+  CHECK(verdict() ==
+        "; 1 part wholly inside a closed surface at the start, without contact of surfaces (particle 4 in the surface "
+        "of face 0-2-1)");
+  add_particle(scene, {-0.5, -0.5, -0.5}, 1);
+  CHECK(verdict() ==
+        "; 2 parts wholly inside a closed surface at the start, without contact of surfaces (particle 4 in the surface "
+        "of face 0-2-1, ...)");
+  scene.surfaces[0].faces.pop_back();
+  CHECK(verdict().find("inside") == std::string::npos);
+}

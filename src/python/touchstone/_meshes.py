@@ -66,7 +66,7 @@ def intersections(mesh: Mesh, x: ArrayLike, threads: int = 0) -> Intersections:
 
     Returns Intersections, whose attributes are first_element, first, second_element, second, sort, pierces,
     weights_first and weights_second. A sort is 'touches', 'pierces', 'folds' (the elements share a vertex, and a point
-    that is no shared vertex) or 'inside' (a closed surface, of which the vertex is the least one, lies wholly inside
+    that is no shared vertex) or 'inside' (a closed surface, of which the vertex is one, lies wholly inside
     another one of the same orientation). Raises what `first_contact` raises.
 
     >>> import touchstone

@@ -1,0 +1,67 @@
+// The pieces of a mesh: its surfaces, wires and loose points, each by itself.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "broad_phase/box.hpp"
+#include "mesh/elements.hpp"
+#include "mesh/motion.hpp"
+
+namespace touchstone::mesh {
+
+enum class PieceSort : std::uint8_t {
+  oriented,  ///< a closed surface: its faces pass each of their edges as often in one direction as in the other
+  even,      ///< a closed surface without that: each of its edges is in an even number of its faces
+  open,      ///< any other surface
+  wire,      ///< edges that are in no face
+  point      ///< a loose point
+};
+
+struct Piece {
+  PieceSort sort = PieceSort::point;
+  Index first = 0;                ///< its least element: a face, a wire's edge or a vertex
+  Index vertex = 0;               ///< its least vertex that is in no other piece; without such, its least one
+  std::array<Index, 2> middle{};  ///< the ends of one of its edges, at two places if there is such an edge
+  broad_phase::Box box = broad_phase::empty_box();  ///< at the start of the motion
+
+  bool is_closed() const noexcept { return sort <= PieceSort::even; }
+};
+
+/// A surface is a set of faces that are connected by common edges. A wire is a set of edges in no face that are
+/// connected by vertices in no face: one that grows from a surface ends there. So pieces share vertices only, and a
+/// piece without those is still connected. Surfaces come first, then wires, then points, each by their least elements.
+class Pieces {
+ public:
+  Pieces(const Mesh::Impl& mesh, const Motion& motion);
+
+  Index size() const noexcept { return static_cast<Index>(all_.size()); }
+  const Piece& operator[](Index piece) const noexcept { return all_[piece]; }
+
+  Index of_face(Index face) const noexcept { return of_[face]; }
+
+  /// The piece of a face, an edge or a loose point.
+  Index of(MeshElement element, Index number) const noexcept;
+
+ private:
+  struct Side {  // of a face
+    std::uint64_t edge;
+    Index face;
+    std::int32_t direction;  // 1 from the lesser vertex to the greater one, or -1
+    bool operator<(const Side& other) const noexcept { return edge < other.edge; }
+  };
+
+  void find_sides();
+  void find_pieces(const Motion& motion);
+  void find_sorts();
+  void find_vertices();
+
+  const Mesh::Impl& mesh_;
+  std::vector<Side> sides_;  // by edge
+  std::vector<Index> of_;    // by element: the faces, the wires, the loose points
+  std::vector<Piece> all_;
+};
+
+}  // namespace touchstone::mesh
