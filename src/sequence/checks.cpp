@@ -12,6 +12,7 @@
 
 #include "io/fail.hpp"
 #include "mesh/coinciding.hpp"
+#include "mesh/inside.hpp"
 #include "sequence/element_names.hpp"
 
 namespace touchstone::sequence {
@@ -153,6 +154,19 @@ std::vector<RestContact> named(const std::vector<Intersection>& found, ElementNa
   return contacts;
 }
 
+EnclosedCounts counts_of(const std::vector<EnclosedPart>& parts, ElementNames& names) {
+  EnclosedCounts counts;
+  if (parts.empty()) return counts;
+  counts.vertex = names.element(MeshElement::vertex, parts.front().vertex);
+  counts.face = names.element(MeshElement::face, parts.front().face);
+  for (const EnclosedPart& part : parts) {
+    ++(part.element == MeshElement::face   ? counts.surfaces
+       : part.element == MeshElement::edge ? counts.wires
+                                           : counts.points);
+  }
+  return counts;
+}
+
 }  // namespace
 
 Mesh mesh_of(const Topology& topology, const Separation& separation, const std::string& file) {
@@ -203,7 +217,10 @@ Result check_frame(const Mesh& mesh, const Frame& frame, std::size_t index, int 
   Result result;
   result.frame = index;
   ElementNames names(mesh, *frame.topology);
-  result.intersections = named(intersections(mesh, positions_of(frame), {1.0, threads}), names);
+  const MeshOptions options{1.0, threads};
+  const std::vector<Intersection> found = intersections(mesh, positions_of(frame), options);
+  result.intersections = named(found, names);
+  result.enclosed = counts_of(enclosed_parts(mesh, positions_of(frame), options, found, ClosedParts::unasked), names);
   if (!result.free()) result.coinciding = coinciding_vertices(mesh, positions_of(frame));
   return result;
 }

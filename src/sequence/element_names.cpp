@@ -8,6 +8,7 @@
 
 #include "io/fail.hpp"
 #include "io/sha256.hpp"
+#include "mesh/connected.hpp"
 
 namespace touchstone::sequence {
 namespace {
@@ -40,6 +41,24 @@ std::vector<std::size_t> degrees_of(const Mesh& mesh) {
     for (const MeshIndex corner : edge) ++degrees[corner];
   }
   return degrees;
+}
+
+/// The connected sets of edges that have an even number of edges at each of their vertices; 0 where there is nothing
+/// beside one such set.
+std::size_t closed_polygons(const Mesh& mesh, const std::vector<std::size_t>& degrees) {
+  mesh::ConnectedSets sets(degrees.size());
+  for (const auto& [a, b] : mesh.edges()) sets.connect(a, b);
+  std::vector<char> is_open(degrees.size(), 0);
+  for (MeshIndex v = 0; v < degrees.size(); ++v) {
+    if (degrees[v] % 2 != 0) is_open[sets.find(v)] = 1;
+  }
+  std::size_t closed = 0, all = mesh.points().size();
+  for (MeshIndex v = 0; v < degrees.size(); ++v) {
+    if (degrees[v] == 0 || sets.find(v) != v) continue;
+    ++all;
+    closed += is_open[v] == 0 ? 1 : 0;
+  }
+  return all > 1 ? closed : 0;
 }
 
 }  // namespace
@@ -139,11 +158,13 @@ MeshFacts facts_of(const Mesh& mesh, const frames::Topology& topology) {
   // A vertex and a face or, in the plane, a vertex and an edge; in space two edges, which share one vertex at most.
   facts.neighbours = mesh.dimension() == 2 ? 2 * facts.edges : 3 * facts.faces;
   std::size_t in_edges = 0;
-  for (const std::size_t degree : degrees_of(mesh)) {
+  const std::vector<std::size_t> degrees = degrees_of(mesh);
+  for (const std::size_t degree : degrees) {
     in_edges += degree > 0 ? 1 : 0;
     if (mesh.dimension() == 3 && degree > 1) facts.neighbours += degree * (degree - 1) / 2;
   }
   facts.idle = facts.vertices - in_edges - facts.points;
+  if (mesh.dimension() == 2) facts.polygons = closed_polygons(mesh, degrees);
   return facts;
 }
 

@@ -33,9 +33,9 @@ std::string json_of(const MeshFacts& facts) {
   return fmt::format(
       "\"mesh\": {{\"sha256\": \"{}\", \"dimension\": {}, \"vertices\": {}, \"faces\": {}, \"edges\": {}, \"points\": "
       "{}, "
-      "\"idle_vertices\": {}, \"pairs_with_common_vertex\": {}}}",
+      "\"idle_vertices\": {}, \"pairs_with_common_vertex\": {}, \"closed_polygons\": {}}}",
       facts.digest, facts.dimension, facts.vertices, facts.faces, facts.edges, facts.points, facts.idle,
-      facts.neighbours);
+      facts.neighbours, facts.polygons);
 }
 
 }  // namespace
@@ -79,9 +79,9 @@ std::string report_text(const Report& report) {
   const bool steps = report.heading.question == Question::steps;
   text += fmt::format("\n ],\n \"counts\": {{\"{}\": {}, \"free\": {}, \"not_free\": {}", steps ? "steps" : "frames",
                       counts.results, counts.free, counts.results - counts.free);
-  text +=
-      fmt::format(", \"intersections{0}\": {1}, \"folds{0}\": {2}, \"inside{0}\": {3}", steps ? "_of_first_frame" : "",
-                  counts.intersections.all, counts.intersections.folds, counts.intersections.inside);
+  text += fmt::format(", \"intersections{0}\": {1}, \"folds{0}\": {2}, \"inside{0}\": {3}, \"enclosed_parts{0}\": {4}",
+                      steps ? "_of_first_frame" : "", counts.intersections.all, counts.intersections.folds,
+                      counts.intersections.inside, counts.enclosed.all());
   if (steps) text += fmt::format(", \"free_from_intersecting_frame\": {}", counts.from_intersecting);
   text += "},\n \"warnings\": [";
   std::vector<std::string> warnings = warnings_of(report.heading, report.frames, counts);

@@ -55,6 +55,20 @@ struct IntersectionCounts {
   }
 };
 
+/// How many parts are wholly inside closed surfaces, which is no intersection, and the first of them.
+struct EnclosedCounts {
+  std::size_t surfaces = 0, wires = 0, points = 0;
+  NamedElement vertex, face;  ///< of the first: one of its vertices, and a face of the surface around it
+
+  std::size_t all() const noexcept { return surfaces + wires + points; }
+  void add(const EnclosedCounts& other) {
+    if (all() == 0) vertex = other.vertex, face = other.face;
+    surfaces += other.surfaces;
+    wires += other.wires;
+    points += other.points;
+  }
+};
+
 /// What was found about a frame at rest, or about the step from a frame to the next.
 struct Result {
   bool step = false;      ///< a step
@@ -71,6 +85,9 @@ struct Result {
   /// Of a frame that intersects itself, and of the first frame of a step that starts in contact: how many vertices are
   /// at exactly the position of another one.
   std::size_t coinciding = 0;
+
+  /// Of a frame at rest. A free frame may have some.
+  EnclosedCounts enclosed;
 
   bool free() const noexcept { return first.empty() && at_start.empty() && intersections.empty(); }
 };
@@ -133,6 +150,7 @@ struct MeshFacts {
   std::size_t vertices = 0, faces = 0, edges = 0, points = 0;
   std::size_t idle = 0;        ///< the vertices that are in no edge and no loose points: they collide with nothing
   std::size_t neighbours = 0;  ///< the pairs of elements that share a vertex, of the kinds that a step is asked about
+  std::size_t polygons = 0;    ///< closed polygons in the plane, beside anything else: no one asks what is inside them
 
   /// Whether there are edges or faces.
   bool has_elements() const noexcept { return edges > 0; }
@@ -174,15 +192,21 @@ struct ResultCounts {
   std::size_t free = 0;               ///< of those, the free ones
   IntersectionCounts intersections;   ///< of the first frame, when steps are asked about, else of all frames
   std::size_t from_intersecting = 0;  ///< the free steps from a frame that intersects itself, as far as is known
+  EnclosedCounts enclosed;            ///< of the same frames as `intersections`
+  std::size_t frames_enclosing = 0;   ///< those with such parts
   std::size_t coinciding = 0;         ///< the greatest of Result::coinciding
   bool ends_intersecting = false;     ///< whether the frame at the end of the last result is known to intersect itself
 
   bool all_free() const noexcept { return free == results && intersections.all == 0; }
-  void add(Question question, const Result& result) noexcept {
+  void add(Question question, const Result& result) {
     coinciding = result.coinciding > coinciding ? result.coinciding : coinciding;
     // A step without contact leaves a frame that intersects itself as it is.
     if (question == Question::rest || !result.free()) ends_intersecting = !result.intersections.empty();
-    if (!result.step) intersections.add(result.intersections);
+    if (!result.step) {
+      intersections.add(result.intersections);
+      enclosed.add(result.enclosed);
+      frames_enclosing += result.enclosed.all() > 0 ? 1 : 0;
+    }
     if (question == Question::steps && !result.step) return;
     ++results;
     free += result.free() ? 1 : 0;

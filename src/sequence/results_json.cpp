@@ -45,6 +45,11 @@ std::string json_of(const RestContact& contact) {
                      intersection_sort_name(contact.sort));
 }
 
+std::string json_of(const EnclosedCounts& enclosed) {
+  return fmt::format("{{\"surfaces\":{},\"wires\":{},\"points\":{},\"vertex\":{},\"face\":{}}}", enclosed.surfaces,
+                     enclosed.wires, enclosed.points, json_of(enclosed.vertex), json_of(enclosed.face));
+}
+
 template <class Item>
 std::string list_json(const std::vector<Item>& items) {
   std::string text = "[";
@@ -108,6 +113,16 @@ RestContact rest_from(const JsonNode& node) {
           named_value(node.at("sort"), IntersectionSort::inside, intersection_sort_name)};
 }
 
+EnclosedCounts enclosed_from(const JsonNode& node) {
+  node.check_keys({"surfaces", "wires", "points", "vertex", "face"});
+  const auto count = [&](const char* key) { return node.at(key).whole_number(0, kMostNumber); };
+  const EnclosedCounts enclosed{count("surfaces"), count("wires"), count("points"), element_from(node.at("vertex")),
+                                element_from(node.at("face"))};
+  if (enclosed.all() == 0) node.fail("counts nothing");
+  if (!fits(Kind::vertex_face, enclosed.vertex, enclosed.face)) node.fail("has elements of other sorts than its keys");
+  return enclosed;
+}
+
 template <class Item, class From>
 std::vector<Item> list_from(const JsonNode& node, From from) {
   std::vector<Item> list;
@@ -129,6 +144,7 @@ std::string result_json(const Result& result) {
   std::string text = result.step ? fmt::format("{{\"from\":{},\"to\":{}", result.frame, result.frame + 1)
                                  : fmt::format("{{\"frame\":{}", result.frame);
   text += fmt::format(",\"free\":{}", result.free());
+  if (result.enclosed.all() > 0) text += ",\"enclosed_parts\":" + json_of(result.enclosed);
   if (result.free()) return text + "}";
   if (result.step) {
     const auto time = [&](double value) {
@@ -149,7 +165,8 @@ Result result_from(const JsonNode& node) {
     node.check_keys(
         {"from", "to", "free", "toi", "toi_upper", "first", "at_start", "intersections", "coinciding_vertices"});
   } else {
-    node.check_keys({"frame", "free", "intersections", "coinciding_vertices"});
+    node.check_keys({"frame", "free", "enclosed_parts", "intersections", "coinciding_vertices"});
+    if (const auto enclosed = node.find("enclosed_parts")) result.enclosed = enclosed_from(*enclosed);
   }
   result.frame = node.at(result.step ? "from" : "frame").whole_number(0, kMostFrameNumber);
   if (result.step) node.at("to").whole_number(result.frame + 1, result.frame + 1);

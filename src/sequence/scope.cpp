@@ -23,7 +23,7 @@ struct Meshes {
   void add(const MeshFacts& facts) {
     ++count;
     for (const auto member : {&MeshFacts::vertices, &MeshFacts::edges, &MeshFacts::faces, &MeshFacts::points,
-                              &MeshFacts::idle, &MeshFacts::neighbours}) {
+                              &MeshFacts::idle, &MeshFacts::neighbours, &MeshFacts::polygons}) {
       sum.*member += facts.*member;
     }
     if (!facts.has_pairs()) {
@@ -39,6 +39,23 @@ struct Meshes {
     return count == 1 ? std::string() : fmt::format(" in {} of {} frames", io::grouped(some), io::grouped(count));
   }
 };
+
+/// "1 surface, 2 wires and 3 loose points in 2 of 3 frames are wholly inside a closed surface, ..."
+std::string enclosed_text(const Heading& heading, const ResultCounts& counts) {
+  const EnclosedCounts& enclosed = counts.enclosed;
+  std::vector<std::string> parts;
+  if (enclosed.surfaces > 0) parts.push_back(counted(enclosed.surfaces, "surface"));
+  if (enclosed.wires > 0) parts.push_back(counted(enclosed.wires, "wire"));
+  if (enclosed.points > 0) parts.push_back(counted(enclosed.points, "loose point"));
+  std::string text = parts.front();
+  for (std::size_t i = 1; i < parts.size(); ++i) text += (i + 1 < parts.size() ? ", " : " and ") + parts[i];
+  if (heading.question == Question::rest && counts.results > 1) {
+    text += fmt::format(" in {} of {} frames", io::grouped(counts.frames_enclosing), io::grouped(counts.results));
+  }
+  return fmt::format(
+      "{} {} wholly inside a closed surface, which is no contact (vertex {} inside the surface of face {})", text,
+      enclosed.all() == 1 ? "is" : "are", enclosed.vertex.vertices[0], enclosed.face.face);
+}
 
 Meshes meshes_of(const Heading& heading, const std::vector<FrameEntry>& frames) {
   Meshes meshes;
@@ -84,6 +101,12 @@ std::vector<std::string> warnings_of(const Heading& heading, const std::vector<F
   }
   if (heading.question == Question::steps && range_of(heading).first > 0) {
     warnings.push_back("whether the first frame of this shard intersects itself was not asked");
+  }
+  if (counts.enclosed.all() > 0) warnings.push_back(enclosed_text(heading, counts));
+  if (const std::size_t polygons = meshes.sum.polygons; polygons > 0) {
+    warnings.push_back(polygons == 1 ? std::string("whether anything is inside a closed polygon was not asked")
+                                     : fmt::format("whether anything is inside one of {} closed polygons was not asked",
+                                                   io::grouped(polygons)));
   }
   if (const std::size_t steps = counts.from_intersecting; steps > 0) {
     warnings.push_back(fmt::format("{} {} from a frame that intersects itself", counted(steps, "free step"),

@@ -33,9 +33,9 @@ inline void check_refused(const Run& run, const std::string& part) {
 }
 
 /// An array of doubles of the shape (frames, vertices, 3) as an .npy file of version 1: the positions of OBJ texts.
-inline std::string npy_of(const std::vector<std::string>& frames, std::size_t vertices) {
+inline std::string npy_of(const std::vector<std::string>& frames, std::size_t vertices, int dimension = 3) {
   std::string header = "{'descr': '<f8', 'fortran_order': False, 'shape': (" + std::to_string(frames.size()) + ", " +
-                       std::to_string(vertices) + ", 3), }";
+                       std::to_string(vertices) + ", " + std::to_string(dimension) + "), }";
   header.append(118 - header.size() - 1, ' ').append("\n");
   std::string bytes = "\x93NUMPY";
   bytes.append({'\1', '\0', '\x76', '\0'}).append(header);

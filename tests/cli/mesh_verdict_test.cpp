@@ -184,3 +184,65 @@ TEST_CASE("a closed surface inside another one is named and counted") {
   CHECK(occurrences(folder.read("i.html"), "vertex 5 is inside the closed surface of face 1") >= 1);
   CHECK(mesh({"--check", cavity}).status == 0);
 }
+
+TEST_CASE("parts wholly inside a closed surface are no contact, and the verdict counts them") {
+  const TemporaryFolder folder;
+  const std::string drum = "v 0 0 0\nv 16 0 0\nv 0 16 0\nv 0 0 16\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n",
+                    cloth = "v 2 2 2\nv 4 2 2\nv 2 4 2\nf 5 6 7\n", wires = "v 1 1 2\nv 1 1 3\nv 1 1 4\nl 5 6 7\n",
+                    words =
+                        " wholly inside a closed surface, which is no contact (vertex 5 inside the surface of face 1)";
+  const std::string full =
+      folder.write("a-1.obj", drum + cloth + "v 1 1 2\nv 1 1 3\nl 8 9\nv 1 2 1\nv 1 3 1\np 10 11\n");
+  const Run run = mesh({"--check", full, "--report", folder.path("r.json"), "--html", folder.path("i.html")});
+  CAPTURE(run.out, run.err);
+  const std::string all = "1 surface, 1 wire and 2 loose points are" + words;
+  CHECK(run.status == 0);
+  CHECK(verdict(run).ends_with("); " + all));
+  CHECK(occurrences(folder.read("i.html"), all) >= 1);
+  const auto report = nlohmann::json::parse(folder.read("r.json"));
+  CHECK(report["warnings"] == nlohmann::json({all}));
+  CHECK(report["counts"]["enclosed_parts"] == 4);
+  CHECK(report["results"][0]["enclosed_parts"]["vertex"]["vertices"] == nlohmann::json({5}));
+  CHECK(verdict(mesh({"--check", folder.write("w.obj", drum + wires)})).ends_with("); 1 wire is" + words));
+  // Of steps, the first frame is asked about; of several frames at rest, each.
+  const std::string away = folder.write("a-2.obj",
+                                        "v 90 0 0\nv 99 0 0\nv 90 9 0\nv 90 0 9\nf 1 3 2\nf 1 2 4\nf 2 3 4\n"
+                                        "f 3 1 4\n" +
+                                            cloth + "v 1 1 2\nv 1 1 3\nl 8 9\nv 1 2 1\nv 1 3 1\np 10 11\n");
+  const Run steps = mesh({full, away, "--report", folder.path("s.json")});
+  CHECK(occurrences(verdict(steps), "; " + all) == 1);
+  CHECK(nlohmann::json::parse(folder.read("s.json"))["counts"]["enclosed_parts_of_first_frame"] == 4);
+  CHECK(verdict(mesh({"--check", full, away}))
+            .ends_with("); 1 surface, 1 wire and 2 loose points in 1 of 2 frames are" + words));
+  // Outside, or in a surface with a hole, nothing is said.
+  CHECK(occurrences(mesh({"--check", away}).out, "inside") == 0);
+  CHECK(occurrences(mesh({"--check", folder.write("h.obj", drum.substr(0, drum.size() - 8) + cloth)}).out, "inside") ==
+        0);
+
+  // Shards, put together, are the report of the whole.
+  const auto whole = mesh({"--check", full, away, "--report", folder.path("whole.json")});
+  for (const char* const shard : {"1", "2"}) {
+    mesh({"--check", full, away, "--shard", std::string(shard) + "/2", "--report",
+          folder.path(std::string("part") + shard)});
+  }
+  const Run merged = run_program({"merge", folder.path("part1"), folder.path("part2"), "--out", folder.path("m.json")});
+  CAPTURE(merged.out, merged.err);
+  CHECK(folder.read("m.json") == folder.read("whole.json"));
+}
+
+TEST_CASE("closed polygons in the plane are counted, as nothing asks what is inside them") {
+  const TemporaryFolder folder;
+  const std::string frame = folder.write("p.npy", npy_of({"v 0 0\nv 8 0\nv 0 8\nv 1 1\nv 2 1\nv 1 2\nv 9 9\n"}, 7, 2));
+  const auto ending = [&](const std::string& lines) {
+    std::string vertices;
+    for (int v = 0; v < 7; ++v) vertices += "v 0 0 0\n";
+    const std::string said = verdict(mesh({"--check", "--topology", folder.write("t.obj", vertices + lines), frame}));
+    const std::size_t at = said.find("; whether anything");
+    return at == std::string::npos ? "" : said.substr(at);
+  };
+  CHECK(ending("l 1 2 3 1\nl 4 5\n") == "; whether anything is inside a closed polygon was not asked");
+  CHECK(ending("l 1 2 3 1\np 4\n") == "; whether anything is inside a closed polygon was not asked");
+  CHECK(ending("l 1 2 3 1\nl 4 5 6 4\n") == "; whether anything is inside one of 2 closed polygons was not asked");
+  CHECK(ending("l 1 2 3 1\n").empty());
+  CHECK(ending("l 1 2 3\nl 4 5 6\n").empty());
+}

@@ -69,14 +69,22 @@ TEST_CASE("a report is JSON that says everything, and is read back") {
                                           {"intersections_of_first_frame", 4},
                                           {"folds_of_first_frame", 1},
                                           {"inside_of_first_frame", 1},
+                                          {"enclosed_parts_of_first_frame", 6},
                                           {"free_from_intersecting_frame", 3}}));
   CHECK(json["mesh"]["idle_vertices"] == 1);
   CHECK(json["mesh"]["pairs_with_common_vertex"] == 24);
   CHECK(json["results"][0]["coinciding_vertices"] == 5);
-  REQUIRE(json["warnings"].size() == 3);
+  CHECK(json["mesh"]["closed_polygons"] == 0);
+  CHECK(json["results"][0]["enclosed_parts"]["points"] == 3);
+  CHECK(json["results"][0]["enclosed_parts"]["face"]["number"] == 17);
+  REQUIRE(json["warnings"].size() == 4);
   CHECK(json["warnings"][0] == "1 vertex in no element was left out");
-  CHECK(json["warnings"][1] == "3 free steps start from a frame that intersects itself");
-  CHECK(has(json["warnings"][2], "5 of 13 vertices lie exactly on others: "));
+  CHECK(
+      json["warnings"][1] ==
+      "1 surface, 2 wires and 3 loose points are wholly inside a closed surface, which is no contact (vertex 1 inside "
+      "the surface of face 17)");
+  CHECK(json["warnings"][2] == "3 free steps start from a frame that intersects itself");
+  CHECK(has(json["warnings"][3], "5 of 13 vertices lie exactly on others: "));
   CHECK(json["separation"] == "0x1p-3");
   CHECK(json["frames"].size() == 7);
   CHECK(json["results"].size() == 7);
@@ -251,6 +259,12 @@ TEST_CASE("a report with a right digest and wrong content is refused by its key"
   check("\"dimension\": 3", "\"dimension\": 4", "mesh.dimension");
   check("\"idle_vertices\": 1", "\"idle_vertices\": 14", "mesh.idle_vertices");
   check("\"idle_vertices\": 1", "\"idle_vertices\": 0", "not as touchstone mesh writes it");
+  check("\"wires\":2", "\"wires\":1", "not as touchstone mesh writes it");
+  check("\"wires\":2", "\"wires\":-2", "results[0].enclosed_parts.wires");
+  check("\"surfaces\":1,\"wires\":2,\"points\":3", "\"surfaces\":0,\"wires\":0,\"points\":0",
+        "results[0].enclosed_parts: counts nothing");
+  check("\"enclosed_parts\":{", "\"enclosed_parts\":{\"rods\":1,", "has no key 'rods'");
+  check("\"closed_polygons\": 0", "\"closed_polygons\": -1", "mesh.closed_polygons");
   check("\"coinciding_vertices\":5", "\"coinciding_vertices\":0", "results[0].coinciding_vertices");
   check("start from a frame", "start with a frame", "not as touchstone mesh writes it");
 }

@@ -37,6 +37,7 @@ inline sequence::Report sample_report() {
                                      {edge, face, Sort::folds},
                                      {vertex, face, Sort::inside}};
   report.results[0].coinciding = 5;
+  report.results[0].enclosed = {1, 2, 3, vertex, face};
   Result& first = report.results[2];
   first.toi = 0x1.5555555555555p-2;
   first.toi_upper = 0x1.5555555555556p-2;
