@@ -197,7 +197,7 @@ TEST_CASE("parts wholly inside a closed surface are no contact, and the verdict 
   CAPTURE(run.out, run.err);
   const std::string all = "1 surface, 1 wire and 2 loose points are" + words;
   CHECK(run.status == 0);
-  CHECK(verdict(run).ends_with("); " + all));
+  CHECK(occurrences(run.out, "); " + all + "\n") == 1);
   CHECK(occurrences(folder.read("i.html"), all) >= 1);
   const auto report = nlohmann::json::parse(folder.read("r.json"));
   CHECK(report["warnings"] == nlohmann::json({all}));
