@@ -98,13 +98,18 @@ struct CompileCommand {
   std::string directory, file, command;
 };
 
+/// Of a unity build, too: its sources are in the same folder of the build.
 std::vector<CompileCommand> compile_commands_below(const std::string& folder) {
   std::ifstream in(TOUCHSTONE_COMPILE_COMMANDS);
   REQUIRE(in);
   std::vector<CompileCommand> commands;
+  const std::string build = fs::path(TOUCHSTONE_COMPILE_COMMANDS).parent_path().string();
+  const auto is_below = [&](const std::string& root, const std::string& file) {
+    return file.rfind(root + "/" + folder + "/", 0) == 0;
+  };
   for (const auto& entry : nlohmann::json::parse(in)) {
     const std::string file = entry.at("file");
-    if (file.rfind(std::string(TOUCHSTONE_SOURCE_DIR) + "/" + folder + "/", 0) == 0) {
+    if (is_below(TOUCHSTONE_SOURCE_DIR, file) || is_below(build, file)) {
       commands.push_back({entry.at("directory"), file, entry.at("command")});
     }
   }
