@@ -11,13 +11,15 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/../src/setup.sh"
 
 # name | parts that a commit gets one of | what it does
 readonly -a jobs=(
-  'sanitizers|4|the preset debug: address and undefined-behaviour sanitizers'
+  'sanitizers|8|the preset debug: address and undefined-behaviour sanitizers'
   'threads|1|the preset tsan: the thread sanitizer, by clang'
-  'clang|2|the preset clang: warnings are errors, and the tests'
+  'clang|4|the preset clang: warnings are errors, and the tests'
   'arm64|1|the preset arm64: a cross-build, and the tests of the library under qemu-user'
   'faults|10|planted faults: each weakened bound must be noticed'
   'fuzzing|1|the libFuzzer targets, for ten minutes in all'
-  'apart|1|each source compiled by itself; the tests with the label heavy; the tests around optional tools, with the tools hidden'
+  'plain|1|the preset plain: all that is installed, each source compiled by itself'
+  'tests|1|the tests with the label heavy'
+  'tools|1|the tests around optional tools, with the tools hidden: some are skipped, and none fails'
 )
 
 fields_of() {
@@ -77,12 +79,13 @@ run_faults() {
   "$touchstone_root/fuzz/weaken-constants.py" --quick --part "$part/$parts"
 }
 run_fuzzing() { "$touchstone_root/fuzz/run.sh" 200; }
-run_apart() {
-  install_missing tests
-  build_preset plain all
-  build_preset release all
-  ctest_part release -L heavy
-  say 'the tests around optional tools, with the tools hidden: some are skipped, and none fails'
+run_plain() {
+  install_missing
+  build_preset plain touchstone_installed
+}
+run_tests() { "$touchstone_root/tests/run-all.sh" -L heavy; }
+run_tools() {
+  "$touchstone_root/tests/run-all.sh" -N >/dev/null # it builds, and runs nothing
   (cd -- "$touchstone_root" && tests/without-tools.sh ctest --preset release -L optional-tools)
 }
 
