@@ -16,7 +16,7 @@ using namespace touchstone::sim;
 namespace {
 
 /// A mass on a spring along x that is stretched by 0.1 m; omega in rad/s.
-Scene oscillator(Integrator integrator, double omega, double tolerance) {
+Scene adaptive_oscillator(Integrator integrator, double omega, double tolerance) {
   Scene scene;
   scene.settings.integrator = integrator;
   scene.settings.time_step = 0.1;
@@ -50,7 +50,7 @@ struct Worst {
 
 /// @param exact  the x of particle 1 at a time
 template <class Exact>
-Worst run(const Scene& scene, int steps, Exact exact) {
+Worst worst_of_run(const Scene& scene, int steps, Exact exact) {
   Simulation simulation(scene, {});
   Worst worst;
   for (int i = 1; i <= steps; ++i) {
@@ -79,8 +79,9 @@ TEST_CASE("an oscillator's error a second stays below the tolerance, and the sub
       Row{Integrator::implicit_midpoint, 2, 2e-4, 16, 60}, Row{Integrator::implicit_midpoint, 40, 1e-2, 16, 15});
   CAPTURE(integrator_name(row.integrator), row.omega);
   const auto exact = [&](double t) { return 1 + 0.1 * std::cos(row.omega * t); };
-  const Worst coarse = run(oscillator(row.integrator, row.omega, row.tolerance), row.steps, exact);
-  const Worst fine = run(oscillator(row.integrator, row.omega, row.tolerance / row.finer), row.steps, exact);
+  const Worst coarse = worst_of_run(adaptive_oscillator(row.integrator, row.omega, row.tolerance), row.steps, exact);
+  const Worst fine =
+      worst_of_run(adaptive_oscillator(row.integrator, row.omega, row.tolerance / row.finer), row.steps, exact);
   CAPTURE(coarse.error_a_second, coarse.substeps, fine.error_a_second, fine.substeps);
   CHECK(coarse.inaccurate == 0);
   CHECK(fine.inaccurate == 0);
@@ -141,7 +142,7 @@ TEST_CASE("a light chain with a heavy weight: a tolerance costs substeps where i
 }
 
 TEST_CASE("the least substep is taken as it is, and says so") {
-  Scene scene = oscillator(Integrator::tr_bdf2, 10, 1e-12);
+  Scene scene = adaptive_oscillator(Integrator::tr_bdf2, 10, 1e-12);
   scene.settings.least_step = 0.012;
   Simulation simulation(scene, {});
   for (int i = 0; i < 3; ++i) {
@@ -178,7 +179,7 @@ TEST_CASE("contacts, a tolerance and a checkpoint: the run that goes on is the s
 }
 
 TEST_CASE("a tolerance that makes no sense is refused") {
-  Scene scene = oscillator(Integrator::tr_bdf2, 1, 1e-3);
+  Scene scene = adaptive_oscillator(Integrator::tr_bdf2, 1, 1e-3);
   scene.settings.tolerance = -1;
   CHECK_THROWS_WITH(check_scene(scene), "settings.tolerance: -1 is not in [0, 1000000000]");
   scene.settings.tolerance = 0;

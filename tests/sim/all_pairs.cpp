@@ -10,7 +10,7 @@ namespace touchstone::sim {
 namespace {
 
 template <std::size_t N>
-bool has(const std::array<Index, N>& element, Index particle) {
+bool has_particle(const std::array<Index, N>& element, Index particle) {
   return std::find(element.begin(), element.end(), particle) != element.end();
 }
 
@@ -28,7 +28,7 @@ std::vector<Pair> all_pairs(const Scene& scene, const Colliders& colliders) {
   for (Index e = 0; e < edges.size(); ++e) {
     in_edge[edges[e][0]] = in_edge[edges[e][1]] = 1;
     for (Index f = e + 1; f < edges.size(); ++f) {
-      const bool shares[2] = {has(edges[f], edges[e][0]), has(edges[f], edges[e][1])};
+      const bool shares[2] = {has_particle(edges[f], edges[e][0]), has_particle(edges[f], edges[e][1])};
       if (!shares[0] && !shares[1]) pairs.push_back({Kind::edge_edge, e, f});
       // Edges that share a particle can only touch by folding: the end of one on the other.
       for (int end = 0; end < 2; ++end) {
@@ -40,7 +40,7 @@ std::vector<Pair> all_pairs(const Scene& scene, const Colliders& colliders) {
   }
   for (Index p = 0; p < scene.particles.size(); ++p) {
     for (Index f = 0; f < colliders.faces().size(); ++f) {
-      if (!has(colliders.faces()[f], p)) pairs.push_back({Kind::vertex_face, p, f});
+      if (!has_particle(colliders.faces()[f], p)) pairs.push_back({Kind::vertex_face, p, f});
     }
     if (in_edge[p]) continue;
     for (Index e = 0; e < edges.size(); ++e) pairs.push_back({Kind::point_edge, p, e});

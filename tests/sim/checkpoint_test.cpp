@@ -73,7 +73,7 @@ std::string resume(const std::string& text) {
   return checkpoint_to_json(simulation);
 }
 
-void check_refused(const std::string& text, const std::string& message) {
+void check_checkpoint_refused(const std::string& text, const std::string& message) {
   try {
     resume(text);
   } catch (const touchstone::Error& error) {
@@ -126,30 +126,30 @@ TEST_CASE("a checkpoint whose text is damaged is refused") {
   CHECK_NOTHROW(resume(good));
   const std::string mismatch =
       "the checkpoint's digest does not match its content: the file is damaged or no checkpoint";
-  for (const char* text : {"", "x", "[]", "{}", "\n", "{\n}"}) check_refused(text, mismatch);
+  for (const char* text : {"", "x", "[]", "{}", "\n", "{\n}"}) check_checkpoint_refused(text, mismatch);
   const auto with = [&](const char* key, const Json& value) {
     Json json = Json::parse(good);
     json[key] = value;
     return sealed(json);
   };
-  check_refused(io::sealed_json("{x"), "no JSON");
-  check_refused(io::sealed_json("{\"q\": []}"), "the checkpoint: lacks the key 'touchstone_checkpoint'");
-  check_refused(with("colour", 1), "the checkpoint: has no key 'colour'");
-  check_refused(with("touchstone_checkpoint", 3), "touchstone_checkpoint: must be 2");
-  check_refused(with("q", "0x1p+0"), "q: must be a list");
-  check_refused(with("time", 0.5), "time: must be a string");
+  check_checkpoint_refused(io::sealed_json("{x"), "no JSON");
+  check_checkpoint_refused(io::sealed_json("{\"q\": []}"), "the checkpoint: lacks the key 'touchstone_checkpoint'");
+  check_checkpoint_refused(with("colour", 1), "the checkpoint: has no key 'colour'");
+  check_checkpoint_refused(with("touchstone_checkpoint", 3), "touchstone_checkpoint: must be 2");
+  check_checkpoint_refused(with("q", "0x1p+0"), "q: must be a list");
+  check_checkpoint_refused(with("time", 0.5), "time: must be a string");
   for (const char* text : {"", "nan", "inf", "1e999", " 1", "0x1p0 ", "zz"}) {
     CAPTURE(text);
-    check_refused(with("time", text), "time: is no finite hexfloat, such as \"0x1.8p-2\"");
+    check_checkpoint_refused(with("time", text), "time: is no finite hexfloat, such as \"0x1.8p-2\"");
   }
-  check_refused(with("scene", 3), "scene: must be a string");
-  check_refused(with("scene", "{}"), "scene: the scene: lacks the key 'touchstone_scene'");
+  check_checkpoint_refused(with("scene", 3), "scene: must be a string");
+  check_checkpoint_refused(with("scene", "{}"), "scene: the scene: lacks the key 'touchstone_scene'");
   std::string twice = good;
   twice.replace(0, twice.find('\n'), "{\"steps\": 0, ");
-  check_refused(io::sealed_json(twice), "steps: the key is there twice in one object");
+  check_checkpoint_refused(io::sealed_json(twice), "steps: the key is there twice in one object");
   for (const Json& steps : {Json(-1), Json(1.5), Json("3"), Json(1'000'000'000'001), Json(1e300)}) {
     CAPTURE(steps.dump());
-    check_refused(with("steps", steps), "steps: must be a whole number from 0 to 1000000000000");
+    check_checkpoint_refused(with("steps", steps), "steps: must be a whole number from 0 to 1000000000000");
   }
 }
 
@@ -180,7 +180,8 @@ TEST_CASE("a checkpoint of an older version, which has no digest, is refused as 
   Json json = Json::parse(text_of(Simulation(make_shipped_scene("two-edges", 1), {})));
   json.erase("sha256");
   json["touchstone_checkpoint"] = 1;
-  check_refused(json.dump(1), "the checkpoint has no digest, as an older version wrote it; start the run again");
+  check_checkpoint_refused(json.dump(1),
+                           "the checkpoint has no digest, as an older version wrote it; start the run again");
 }
 
 TEST_CASE("a state that a run of its scene cannot come to is refused by its key") {
@@ -202,65 +203,73 @@ TEST_CASE("a state that a run of its scene cannot come to is refused by its key"
 
   SECTION("time and steps go together, to the last bit") {
     const double step = simulation.scene().settings.time_step;
-    check_refused(with([&](Json& json) { json["steps"] = 11; }), "time: after 11 steps of ");
-    check_refused(with([&](Json& json) { json["time"] = number(next(10 * step)); }), "time: after 10 steps of ");
+    check_checkpoint_refused(with([&](Json& json) { json["steps"] = 11; }), "time: after 11 steps of ");
+    check_checkpoint_refused(with([&](Json& json) { json["time"] = number(next(10 * step)); }),
+                             "time: after 10 steps of ");
     // Where time cannot tell them apart any more, the driven particle is not where it would be.
-    check_refused(with([&](Json& json) {
-                    json["steps"] = 1'000'000'000'000;
-                    json["time"] = number(1e12 * step);
-                  }),
-                  "q[0]: the x of particle 0 is driven: at 3333333333.3");
+    check_checkpoint_refused(with([&](Json& json) {
+                               json["steps"] = 1'000'000'000'000;
+                               json["time"] = number(1e12 * step);
+                             }),
+                             "q[0]: the x of particle 0 is driven: at 3333333333.3");
   }
   SECTION("sizes") {
     for (const char* key : {"q", "v", "directors", "reference_twists"}) {
       CAPTURE(key);
       const std::string size = std::string(key) + ": has ";
-      check_refused(with([&](Json& json) { json[key] = Json::array(); }), size + "0 numbers, and this scene needs ");
+      check_checkpoint_refused(with([&](Json& json) { json[key] = Json::array(); }),
+                               size + "0 numbers, and this scene needs ");
       const std::size_t extra = key == std::string("directors") ? 3 : 1;
-      check_refused(with([&](Json& json) {
-                      for (std::size_t i = 0; i < extra; ++i) json[key].push_back("0x0p+0");
-                    }),
-                    size);
+      check_checkpoint_refused(with([&](Json& json) {
+                                 for (std::size_t i = 0; i < extra; ++i) json[key].push_back("0x0p+0");
+                               }),
+                               size);
     }
-    check_refused(with([&](Json& json) { json["directors"].push_back("0x0p+0"); }),
-                  "directors: must be three numbers a segment");
+    check_checkpoint_refused(with([&](Json& json) { json["directors"].push_back("0x0p+0"); }),
+                             "directors: must be three numbers a segment");
   }
   SECTION("what is held or driven is where the scene says, to the last bit") {
     const auto last = static_cast<std::size_t>(simulation.scene().cables[0].particles.back());
     const auto ghost = static_cast<std::size_t>(system.ghosts[0]);
-    check_refused(at("q", 0, next(state.q[0])), "q[0]: the x of particle 0 is driven: at 0.0333");
-    check_refused(at("q", 3 * last + 2, next(state.q[static_cast<Eigen::Index>(3 * last + 2)])),
-                  "q[" + std::to_string(3 * last + 2) + "]: the z of particle " + std::to_string(last) + " is held");
-    check_refused(at("q", 3 * ghost, 17), "q[" + std::to_string(3 * ghost) + "]: the x of particle");
+    check_checkpoint_refused(at("q", 0, next(state.q[0])), "q[0]: the x of particle 0 is driven: at 0.0333");
+    check_checkpoint_refused(
+        at("q", 3 * last + 2, next(state.q[static_cast<Eigen::Index>(3 * last + 2)])),
+        "q[" + std::to_string(3 * last + 2) + "]: the z of particle " + std::to_string(last) + " is held");
+    check_checkpoint_refused(at("q", 3 * ghost, 17), "q[" + std::to_string(3 * ghost) + "]: the x of particle");
     const auto angle = static_cast<std::size_t>(system.angle(system.driven_angles[1].edge));
-    check_refused(at("q", angle, 0.25), "q[" + std::to_string(angle) + "]: the twist of segment ");
-    check_refused(at("v", 3 * last, 1e-300), "v[" + std::to_string(3 * last) + "]: the x of particle 6 is held");
-    check_refused(at("v", 0, 50), "v[0]: the x of particle 0 is driven, and nothing in this scene is driven faster");
+    check_checkpoint_refused(at("q", angle, 0.25), "q[" + std::to_string(angle) + "]: the twist of segment ");
+    check_checkpoint_refused(at("v", 3 * last, 1e-300),
+                             "v[" + std::to_string(3 * last) + "]: the x of particle 6 is held");
+    check_checkpoint_refused(at("v", 0, 50),
+                             "v[0]: the x of particle 0 is driven, and nothing in this scene is driven faster");
   }
   SECTION("directors have length 1 and are across their segments") {
     const std::string director = "directors[0]: this and the next two numbers, the director of segment 0-1, must ";
-    check_refused(with([&](Json& json) {
-                    for (std::size_t k = 0; k < 3; ++k)
-                      json["directors"][k] = number((1 + 1e-14) * state.frames.director[0][static_cast<int>(k)]);
-                  }),
-                  director + "have length 1");
-    check_refused(with([&](Json& json) {
-                    for (std::size_t k = 0; k < 3; ++k) json["directors"][k] = number(0);
-                  }),
-                  director + "have length 1, not 0");
+    check_checkpoint_refused(with([&](Json& json) {
+                               for (std::size_t k = 0; k < 3; ++k)
+                                 json["directors"][k] =
+                                     number((1 + 1e-14) * state.frames.director[0][static_cast<int>(k)]);
+                             }),
+                             director + "have length 1");
+    check_checkpoint_refused(with([&](Json& json) {
+                               for (std::size_t k = 0; k < 3; ++k) json["directors"][k] = number(0);
+                             }),
+                             director + "have length 1, not 0");
     const Vector3 along = (position(state.q, 1) - position(state.q, 0)).normalized();
     const Vector3 leaning = (state.frames.director[0] + 1e-5 * along).normalized();
-    check_refused(with([&](Json& json) {
-                    for (std::size_t k = 0; k < 3; ++k) json["directors"][k] = number(leaning[static_cast<int>(k)]);
-                  }),
-                  director + "be perpendicular to it: the cosine between them is 1e-05");
+    check_checkpoint_refused(with([&](Json& json) {
+                               for (std::size_t k = 0; k < 3; ++k)
+                                 json["directors"][k] = number(leaning[static_cast<int>(k)]);
+                             }),
+                             director + "be perpendicular to it: the cosine between them is 1e-05");
   }
   SECTION("twists are those by which the directors differ, and whole turns") {
     const double twist = state.frames.reference_twist[2];
     CHECK_NOTHROW(resume(at("reference_twists", 2, twist + 6 * std::numbers::pi)));
-    check_refused(at("reference_twists", 2, twist + 1e-6),
-                  "reference_twists[2]: the directors of segments 2-3 and 3-4");
-    check_refused(at("reference_twists", 2, 1e300), "reference_twists[2]: 1e+300 is not in [-1000000000000, 1");
+    check_checkpoint_refused(at("reference_twists", 2, twist + 1e-6),
+                             "reference_twists[2]: the directors of segments 2-3 and 3-4");
+    check_checkpoint_refused(at("reference_twists", 2, 1e300),
+                             "reference_twists[2]: 1e+300 is not in [-1000000000000, 1");
   }
   SECTION("elements that touch") {
     Simulation edges(make_shipped_scene("two-edges", 1), {});
@@ -268,6 +277,6 @@ TEST_CASE("a state that a run of its scene cannot come to is refused by its key"
     const VectorX& q = edges.state().q;
     // One edge's end is put on the other's.
     for (int k = 0; k < 3; ++k) json["q"][static_cast<std::size_t>(6 + k)] = number(q[k]);
-    check_refused(sealed(json), "q: the checkpoint begins with elements that touch: edge 0-1 and edge 2-3");
+    check_checkpoint_refused(sealed(json), "q: the checkpoint begins with elements that touch: edge 0-1 and edge 2-3");
   }
 }

@@ -21,9 +21,9 @@ SimulationOptions keeping(bool contacts) {
   return options;
 }
 
-using Key = std::tuple<Kind, Index, Index, Index, Index>;
+using ContactKey = std::tuple<Kind, Index, Index, Index, Index>;
 
-Key key_of(const ContactMark& mark) {
+ContactKey key_of(const ContactMark& mark) {
   if (const auto* const pair = std::get_if<Pair>(&mark.pair)) {
     return {pair->kind, kParticles, pair->i, kParticles, pair->j};
   }
@@ -33,7 +33,7 @@ Key key_of(const ContactMark& mark) {
 
 /// Checks the contacts of a substep against its counts. @returns how many there are
 std::size_t check_contacts(const SubstepRecord& record) {
-  std::set<Key> known;
+  std::set<ContactKey> known;
   std::size_t touching = 0, close = 0, of_bodies = 0;
   double last = 0;
   for (const ContactMark& mark : record.contacts) {
@@ -59,7 +59,7 @@ std::size_t check_contacts(const SubstepRecord& record) {
 }
 
 /// Runs a scene twice. @returns how many contacts were kept
-std::size_t run(const char* scene, int steps) {
+std::size_t marks_of_run(const char* scene, int steps) {
   Simulation without(make_shipped_scene(scene, {}), keeping(false)), with(make_shipped_scene(scene, {}), keeping(true));
   std::size_t kept = 0;
   for (int i = 0; i < steps; ++i) {
@@ -75,9 +75,9 @@ std::size_t run(const char* scene, int steps) {
 }  // namespace
 
 TEST_CASE("contacts that are kept for a page are those that are counted, and change nothing") {
-  CHECK(run("two-edges", 60) > 0);
-  CHECK(run("hoop", 32) > 100);
-  CHECK(run("stack", 8) > 0);
+  CHECK(marks_of_run("two-edges", 60) > 0);
+  CHECK(marks_of_run("hoop", 32) > 100);
+  CHECK(marks_of_run("stack", 8) > 0);
 }
 
 TEST_CASE("the mark of a touch lies on its first element") {

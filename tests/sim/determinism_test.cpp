@@ -14,12 +14,12 @@ using namespace touchstone::sim;
 
 namespace {
 
-struct Course {
+struct EndOfRun {
   std::string bytes;                           // the results of the proofs, and the last state
   std::uint64_t contacts = 0, most_pairs = 0;  // contacts: those of elements that were only close included
 };
 
-void go_on(Simulation& simulation, int steps, Course& course) {
+void go_on(Simulation& simulation, int steps, EndOfRun& course) {
   for (int i = 0; i < steps; ++i) {
     for (const SubstepRecord& record : simulation.step()) {
       course.bytes += proof_row(simulation, record);
@@ -29,17 +29,17 @@ void go_on(Simulation& simulation, int steps, Course& course) {
   }
 }
 
-Course run(const Scene& scene, int threads, int steps) {
+EndOfRun run_on_threads(const Scene& scene, int threads, int steps) {
   Simulation simulation(scene, {NarrowPhase::exact, threads});
-  Course course;
+  EndOfRun course;
   go_on(simulation, steps, course);
   course.bytes += checkpoint_to_json(simulation);
   return course;
 }
 
-Course run_with_a_stop(const Scene& scene, int steps, int stop) {
+EndOfRun run_with_a_stop(const Scene& scene, int steps, int stop) {
   Simulation first(scene, {});
-  Course course;
+  EndOfRun course;
   go_on(first, stop, course);
   Checkpoint checkpoint = checkpoint_from_json(checkpoint_to_json(first));
   REQUIRE(checkpoint.steps == static_cast<std::uint64_t>(stop));
@@ -143,9 +143,9 @@ TEST_CASE("the same bytes on one and two threads, and after a checkpoint as with
   const bool is_explicit = integrator == Integrator::symplectic_euler;
   if (is_explicit) scene = for_explicit_steps(scene, row.explicit_step, row.softer);
   const int steps = is_explicit ? row.explicit_steps : row.steps;
-  const Course once = run(scene, 1, steps);
+  const EndOfRun once = run_on_threads(scene, 1, steps);
   CHECK(once.contacts > 0);
   if (!is_explicit) CHECK(once.most_pairs >= row.pairs);
-  CHECK(run(scene, 2, steps).bytes == once.bytes);
+  CHECK(run_on_threads(scene, 2, steps).bytes == once.bytes);
   CHECK(run_with_a_stop(scene, steps, 2 * steps / 3).bytes == once.bytes);
 }

@@ -44,13 +44,13 @@ void add_ball(Scene& scene, double radius, double stiffness) {
   }
 }
 
-struct Course {
+struct DrivenCourse {
   std::size_t parts = 0;
   std::uint64_t contacts = 0;
 };
 
-Course run(Simulation& simulation, int steps) {
-  Course course;
+DrivenCourse run_driven(Simulation& simulation, int steps) {
+  DrivenCourse course;
   for (int i = 0; i < steps; ++i) {
     for (const SubstepRecord& record : simulation.step()) {
       ++course.parts;
@@ -70,7 +70,7 @@ TEST_CASE("a rising face carries a particle at its own speed, in whole steps") {
     const Index p = add_particle(scene, {0, 0, 0.1}, 1);
     add_plate(scene, 0, speed, 10);
     Simulation simulation(scene, {});
-    const Course course = run(simulation, 60);
+    const DrivenCourse course = run_driven(simulation, 60);
     CAPTURE(speed);
     CHECK(course.parts <= 66);
     CHECK(course.contacts > 40);
@@ -90,7 +90,7 @@ TEST_CASE("a ball is squeezed between two faces in about as many parts as steps"
     add_plate(scene, -0.15, 0.1, 1);
     add_plate(scene, 0.15, -0.1, 1);
     Simulation simulation(scene, {});
-    const Course course = run(simulation, 72);
+    const DrivenCourse course = run_driven(simulation, 72);
     CAPTURE(stiffness);
     CHECK(course.contacts > 72);
     CHECK(course.parts <= 3 * 72);

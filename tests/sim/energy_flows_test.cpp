@@ -71,7 +71,7 @@ class Measured {
 };
 
 /// A mass on a spring along x, stretched by 0.1 m.
-Scene oscillator(Integrator integrator, double step, double stiffness, double mass, double damping = 0) {
+Scene flow_oscillator(Integrator integrator, double step, double stiffness, double mass, double damping = 0) {
   Scene scene;
   scene.settings.integrator = integrator;
   scene.settings.time_step = step;
@@ -131,7 +131,7 @@ TEST_CASE("free fall: second-order methods keep the energy, first-order ones los
 TEST_CASE("the loss of an undamped oscillator is that of each method's amplification factor, step by step") {
   for (const Integrator integrator : {Integrator::implicit_euler, Integrator::tr_bdf2, Integrator::implicit_midpoint}) {
     for (const double z : {0.01, 0.1, 1.0}) {
-      Measured run(oscillator(integrator, z / 3, 18, 2));
+      Measured run(flow_oscillator(integrator, z / 3, 18, 2));
       CAPTURE(integrator_name(integrator), z);
       for (int i = 0; i < 20; ++i) {
         const double before = run.energy();
@@ -145,7 +145,7 @@ TEST_CASE("the loss of an undamped oscillator is that of each method's amplifica
 
 TEST_CASE("symplectic Euler gains and loses h^2 omega^2 m (v^2 - omega^2 x^2) / 2, of the new velocity and old place") {
   const double omega = 3, mass = 2, h = 0.05;
-  Measured run(oscillator(Integrator::symplectic_euler, h, omega * omega * mass, mass));
+  Measured run(flow_oscillator(Integrator::symplectic_euler, h, omega * omega * mass, mass));
   double most = 0;
   for (int i = 0; i < 60; ++i) {
     const double x = run->state().q[3] - 1;
@@ -161,7 +161,7 @@ TEST_CASE("symplectic Euler gains and loses h^2 omega^2 m (v^2 - omega^2 x^2) / 
 
 TEST_CASE("implicit Euler: a damper takes c dx^2 / h, drag takes d m dx^2 / h, and the method the squares of changes") {
   const double mass = 2, stiffness = 18, damping = 0.7, drag = 0.3, h = 0.05;
-  Scene scene = oscillator(Integrator::implicit_euler, h, stiffness, mass, damping);
+  Scene scene = flow_oscillator(Integrator::implicit_euler, h, stiffness, mass, damping);
   scene.settings.drag = drag;
   Measured run(scene);
   for (int i = 0; i < 40; ++i) {
@@ -178,7 +178,7 @@ TEST_CASE("damping and drag take what theory says, the nearer the shorter the st
   // m x'' + c x' + d m x' + k x = 0: amplitude e^(-b t) with b = (c / m + d) / 2.
   const double mass = 2, stiffness = 18, time = 2;
   const auto error = [&](Integrator integrator, double damping, double drag, int steps) {
-    Scene scene = oscillator(integrator, time / steps, stiffness, mass, damping);
+    Scene scene = flow_oscillator(integrator, time / steps, stiffness, mass, damping);
     scene.settings.drag = drag;
     Measured run(scene);
     const Balance balance = run.steps(steps);

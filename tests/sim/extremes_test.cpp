@@ -21,9 +21,9 @@ constexpr double kRounding = 1e-11;  // of energies
 /// A run whose substeps are compared with the report of the response. `before` is the energy before a substep, and
 /// `without` the energy after it without contacts. Contacts add no energy to them, except for lifting weight by the
 /// thickness and 0.2 % of the kinetic and stored energy.
-class Course {
+class ExtremeCourse {
  public:
-  explicit Course(const Scene& scene)
+  explicit ExtremeCourse(const Scene& scene)
       : simulation_(scene, {NarrowPhase::exact, 1, [this] { note_start(); }}),
         alone_(simulation_.system(), scene.settings),
         lifted_(simulation_.system().force.cwiseAbs().sum() * simulation_.thickness()) {
@@ -232,7 +232,7 @@ TEST_CASE("what is stiff, light, tiny or far away: no NaN, no crossing, and no e
   if (integrator != Integrator::implicit_euler && !extreme.second_order) return;
   Scene scene = extreme.make();
   scene.settings.integrator = integrator;
-  Course course(scene);
+  ExtremeCourse course(scene);
   const Energies first = course.energies();
   course.run(extreme.steps);
   CHECK(course.contacts > 0);
@@ -244,7 +244,7 @@ TEST_CASE("what is stiff, light, tiny or far away: no NaN, no crossing, and no e
 }
 
 TEST_CASE("a pile of cables rests, step after step") {
-  Course course(make_shipped_scene("cable-drop", 60));
+  ExtremeCourse course(make_shipped_scene("cable-drop", 60));
   course.run(1500);
   CHECK(course.contacts > 1000);
   CHECK(course.taken_all_the_same == 0);
@@ -268,7 +268,7 @@ TEST_CASE("a small pile of crossed cables rests for 100,000 steps", "[heavy]") {
     cable.damping = 2e-3;
   }
   add_floor(scene, 1);
-  Course course(scene);
+  ExtremeCourse course(scene);
   course.run(600);
   const double settled = course.energies().total();
   course.contacts = 0;

@@ -12,8 +12,6 @@ using namespace touchstone::sim;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// A mass on a spring along x that is stretched by 0.1 m, released at rest. omega^2 = stiffness / mass.
 Scene oscillator(Integrator integrator, double stiffness, double mass, double damping = 0) {
   Scene scene;
@@ -47,10 +45,10 @@ struct Run {
 double energy_kept(Integrator integrator, double h_omega) {
   Run run(oscillator(integrator, 9, 1));
   const double h = h_omega / 3;
-  const int steps = static_cast<int>(std::ceil(2 * kPi / h_omega));
+  const int steps = static_cast<int>(std::ceil(2 * std::numbers::pi / h_omega));
   const double before = run.energy();
   for (int i = 0; i < steps; ++i) run.step(h);
-  return std::pow(run.energy() / before, 2 * kPi / h_omega / steps);
+  return std::pow(run.energy() / before, 2 * std::numbers::pi / h_omega / steps);
 }
 
 /// How far the bob is from where it should be after one second, h = 1 / steps.
@@ -106,7 +104,7 @@ TEST_CASE("the period of a spring and its decay") {
     if (before > 0 && now <= 0) crossings.push_back(run.state.time - h * now / (now - before));
     before = now;
   }
-  CHECK(crossings[2] - crossings[1] == Approx(2 * kPi / std::sqrt(9 - 0.04)).epsilon(1e-5));
+  CHECK(crossings[2] - crossings[1] == Approx(2 * std::numbers::pi / std::sqrt(9 - 0.04)).epsilon(1e-5));
 }
 
 TEST_CASE("symplectic Euler keeps the energy within a bound, for ever") {
@@ -165,7 +163,7 @@ TEST_CASE("a pendulum released at 90 degrees") {
     if (before > 0 && run.state.q[3] <= 0) first = run.state.time - h * run.state.q[3] / (run.state.q[3] - before);
     before = run.state.q[3];
   }
-  CHECK(4 * first == Approx(1.18034 * 2 * kPi / std::sqrt(9.81)).epsilon(2e-4));
+  CHECK(4 * first == Approx(1.18034 * 2 * std::numbers::pi / std::sqrt(9.81)).epsilon(2e-4));
 }
 
 TEST_CASE("a step that is too long for an explicit method is noticed, not accepted") {

@@ -14,15 +14,13 @@ using namespace touchstone::sim;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// Turns of twist over all joints of a scene that is one ring.
 double total_twist(const System& system, const State& state) {
   const VectorX strains = Energy(system).strains(state.q, state.frames, state.time);
   double sum = 0;
   for (std::size_t j = 0; j < system.joints.size(); ++j)
     sum += strains[static_cast<Eigen::Index>(system.stretch_elements.size() + 3 * j + 2)];
-  return sum / (2 * kPi);
+  return sum / (2 * std::numbers::pi);
 }
 
 /// Calugareanu, White and Fuller: an integer, because the ribbon closes, plus the inserted twist.
@@ -49,7 +47,7 @@ TEST_CASE("twist and writhe of any ring as it is placed add up to an integer") {
   for (int round = 0; round < 50; ++round) {
     std::vector<Vector3> corners;
     for (int i = 0; i < 12; ++i) {
-      const double phi = kPi * i / 6;
+      const double phi = std::numbers::pi * i / 6;
       corners.push_back({std::cos(phi) + 0.4 * random.symmetric(), std::sin(phi) + 0.4 * random.symmetric(),
                          0.8 * random.symmetric()});
     }
@@ -78,7 +76,8 @@ TEST_CASE("a ring that is wound up buckles and touches itself, and keeps the lin
   for (int i = 0; i < 300; ++i) {
     for (const auto& record : simulation.step()) contacts += record.response.contacts;
     const State& state = simulation.state();
-    const double inserted = cable.closing_twist_rate * std::min(state.time, cable.closing_twist_until) / (2 * kPi);
+    const double inserted =
+        cable.closing_twist_rate * std::min(state.time, cable.closing_twist_until) / (2 * std::numbers::pi);
     CAPTURE(i);
     CHECK(linking_of_edges(simulation.system(), state, ring) == Approx(inserted).margin(1e-8));
     most_writhe = std::max(most_writhe, std::abs(gauss_integral(state.q, ring, ring)));

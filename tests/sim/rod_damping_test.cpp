@@ -14,23 +14,21 @@ using namespace touchstone::sim;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
-enum class Motion { stretch, bend, bend_across, twist };
-constexpr Motion kMotions[] = {Motion::stretch, Motion::bend, Motion::bend_across, Motion::twist};
-const char* name(Motion motion) {
+enum class RodMotion { stretch, bend, bend_across, twist };
+constexpr RodMotion kMotions[] = {RodMotion::stretch, RodMotion::bend, RodMotion::bend_across, RodMotion::twist};
+const char* name(RodMotion motion) {
   constexpr const char* kNames[] = {"stretch", "bend", "bend across", "twist"};
   return kNames[static_cast<int>(motion)];
 }
 
 /// Clamped at one end, free at the other; all frequencies are of the order of 10 rad/s.
-Scene cantilever(double damping) {
+Scene damped_cantilever(double damping) {
   Scene scene;
   scene.settings.gravity.setZero();
   scene.settings.newton_tolerance = 1e-12;
   Cable& cable = add_cable(scene, {0, 0, 0}, {1, 0, 0}, 8);
   cable.radius = 0.1;
-  cable.density = 1 / (kPi * 0.01);  // 1 kg/m
+  cable.density = 1 / (std::numbers::pi * 0.01);  // 1 kg/m
   cable.stretch = 50;
   cable.bend = 10;
   cable.twist = 0.3;
@@ -46,14 +44,15 @@ struct Mode {
   double omega = 0;
 };
 
-Mode slowest(const System& system, const State& state, Motion motion) {
+Mode slowest(const System& system, const State& state, RodMotion motion) {
   const Eigen::MatrixXd all = stiffness_matrix(system, state);
   const std::vector<Eigen::Index> free = free_coordinates(system);
   const auto angles = static_cast<Eigen::Index>(3 * system.particle_count());
   std::vector<Eigen::Index> own;  // in `free`
   for (std::size_t i = 0; i < free.size(); ++i) {
-    const bool is_own = motion == Motion::twist ? free[i] >= angles
-                                                : free[i] < angles && free[i] % 3 == static_cast<Eigen::Index>(motion);
+    const bool is_own = motion == RodMotion::twist
+                            ? free[i] >= angles
+                            : free[i] < angles && free[i] % 3 == static_cast<Eigen::Index>(motion);
     if (is_own) own.push_back(static_cast<Eigen::Index>(i));
   }
   const auto mass = [&](Eigen::Index i) { return system.mass[free[static_cast<std::size_t>(i)]]; };
@@ -78,7 +77,7 @@ Mode slowest(const System& system, const State& state, Motion motion) {
 
 TEST_CASE("internal damping takes the energy of each kind of motion at the rate tau omega^2") {
   // Stress is stiffness * (strain + tau strain rate): x'' + tau omega^2 x' + omega^2 x = 0.
-  const Motion motion = GENERATE(from_range(std::begin(kMotions), std::end(kMotions)));
+  const RodMotion motion = GENERATE(from_range(std::begin(kMotions), std::end(kMotions)));
   struct Method {
     Integrator integrator;
     double step;       // times omega
@@ -91,10 +90,10 @@ TEST_CASE("internal damping takes the energy of each kind of motion at the rate 
   CAPTURE(name(motion), integrator_name(method.integrator));
   constexpr double ratio = 0.02;  // of critical damping
   const double omega = [&] {
-    const System undamped(cantilever(0));
+    const System undamped(damped_cantilever(0));
     return slowest(undamped, Stepper(undamped, {}).initial(), motion).omega;
   }();
-  Scene scene = cantilever(2 * ratio / omega);
+  Scene scene = damped_cantilever(2 * ratio / omega);
   scene.settings.integrator = method.integrator;
   const System system(scene);
   Stepper stepper(system, scene.settings);
@@ -103,7 +102,7 @@ TEST_CASE("internal damping takes the energy of each kind of motion at the rate 
   // So small that it is as good as linear.
   state.v = 1e-4 * mode.shape;
   const double before = energies(system, state).total(), h = method.step / omega;
-  const int steps = static_cast<int>(std::lround(4 * kPi / method.step));  // two periods
+  const int steps = static_cast<int>(std::lround(4 * std::numbers::pi / method.step));  // two periods
   for (int i = 0; i < steps; ++i) {
     const Advance advance = stepper.advance(state, h);
     REQUIRE(advance.converged);
@@ -120,7 +119,7 @@ TEST_CASE("internal damping takes the energy of each kind of motion at the rate 
 TEST_CASE("a clamped end that is driven along a path keeps its direction") {
   for (const bool at_start : {true, false}) {
     CAPTURE(at_start);
-    Scene scene = cantilever(0.05);
+    Scene scene = damped_cantilever(0.05);
     Cable& cable = scene.cables[0];
     const Vector3 way(0.1, -0.3, 0.2);
     if (!at_start) {
@@ -151,7 +150,7 @@ TEST_CASE("a clamped end that is driven along a path keeps its direction") {
 }
 
 TEST_CASE("an end is turned, and a ring wound up, until it is said to rest") {
-  Scene scene = cantilever(0.05);
+  Scene scene = damped_cantilever(0.05);
   scene.settings.drag = 3;
   scene.cables[0].end.clamped = true;
   scene.cables[0].end.twist_rate = 0.8;
@@ -165,7 +164,8 @@ TEST_CASE("an end is turned, and a ring wound up, until it is said to rest") {
   ring.settings.gravity.setZero();
   Cable cable;
   for (int i = 0; i < 12; ++i) {
-    cable.particles.push_back(add_particle(ring, {std::cos(kPi * i / 6), std::sin(kPi * i / 6), 0}, 0));
+    cable.particles.push_back(
+        add_particle(ring, {std::cos(std::numbers::pi * i / 6), std::sin(std::numbers::pi * i / 6), 0}, 0));
   }
   set_material(cable, 1e6, 0.3, 0.01, 1000);
   cable.closed = true;

@@ -14,10 +14,8 @@ using namespace touchstone::sim;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// A cantilever of length 1 along x with E I = 1, that hardly stretches.
-Scene cantilever(Index segments) {
+Scene loaded_cantilever(Index segments) {
   Scene scene;
   scene.settings.gravity.setZero();
   scene.settings.newton_tolerance = 1e-10;
@@ -40,7 +38,7 @@ struct Bent {
 /// Its shape under a moment about y at the end, which is a couple of forces across its last segment, and turns with it.
 /// A scene has no such forces, so they are set in the system while it comes to rest.
 Bent under_end_moment(double moment, Index segments) {
-  const Scene scene = cantilever(segments);
+  const Scene scene = loaded_cantilever(segments);
   System system(scene);
   Stepper stepper(system, scene.settings);
   State state = stepper.initial();
@@ -88,7 +86,7 @@ Hung hung(Index segments) {
   scene.cables.push_back(cable);
   const System system(scene);
   const State state = at_rest(system, scene);
-  const double weight = 1000 * kPi * 0.005 * 0.005 * 9.81;  // N/m
+  const double weight = 1000 * std::numbers::pi * 0.005 * 0.005 * 9.81;  // N/m
   Hung hung;
   hung.sag = -position(state.q, segments / 2).z();
   for (const StretchElement& element : system.stretch_elements) {
@@ -104,7 +102,8 @@ Hung hung(Index segments) {
 
 TEST_CASE("an end moment of 2 pi E I / L closes a cable to a circle") {
   const Index segments = 40;
-  const Bent coarse = under_end_moment(2 * kPi, segments), fine = under_end_moment(2 * kPi, 2 * segments);
+  const Bent coarse = under_end_moment(2 * std::numbers::pi, segments),
+             fine = under_end_moment(2 * std::numbers::pi, 2 * segments);
   const auto gap = [](const Bent& bent, Index n) { return position(bent.state.q, n).norm(); };
   const auto diameter = [](const Bent& bent, Index n) { return position(bent.state.q, n / 2).norm(); };
   // The last segment's middle is half a segment before the end, and turns by so much less.
@@ -113,11 +112,11 @@ TEST_CASE("an end moment of 2 pi E I / L closes a cable to a circle") {
   CHECK(gap(fine, 2 * segments) < 2.2e-3);
   CHECK(std::log2(gap(coarse, segments) / gap(fine, 2 * segments)) == Approx(2).margin(0.05));
   CHECK(limit_of_second_order(diameter(coarse, segments), diameter(fine, 2 * segments)) ==
-        Approx(1 / kPi).epsilon(1e-4));
+        Approx(1 / std::numbers::pi).epsilon(1e-4));
   CHECK(limit_of_second_order(coarse.turned / share(segments), fine.turned / share(2 * segments)) ==
-        Approx(2 * kPi).epsilon(1e-4));
+        Approx(2 * std::numbers::pi).epsilon(1e-4));
   CHECK(limit_of_second_order(coarse.stored.bend / share(segments), fine.stored.bend / share(2 * segments)) ==
-        Approx(2 * kPi * kPi).epsilon(2e-4));  // E I / 2 times the square of the curvature
+        Approx(2 * std::numbers::pi * std::numbers::pi).epsilon(2e-4));  // E I / 2 times the square of the curvature
 }
 
 TEST_CASE("a hanging cable takes the shape of a catenary, and pulls as one") {

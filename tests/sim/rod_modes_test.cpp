@@ -14,8 +14,6 @@ using namespace touchstone::sim;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// The lowest frequency of small motion about a place of rest, rad/s.
 double lowest_frequency(const System& system, const State& state) {
   Eigen::MatrixXd matrix = stiffness_matrix(system, state);
@@ -47,7 +45,7 @@ double cantilever_frequency(Index segments) {
   scene.settings.gravity.setZero();
   Cable& cable = add_cable(scene, {0, 0, 0}, {1, 0, 0}, segments);
   cable.radius = 0.005;
-  cable.density = 0.1 / (kPi * cable.radius * cable.radius);
+  cable.density = 0.1 / (std::numbers::pi * cable.radius * cable.radius);
   cable.stretch = 1e5;
   cable.bend = 1;
   cable.start.clamped = true;
@@ -127,8 +125,10 @@ double helix_stiffness(Index segments_a_turn) {
   const auto segments = static_cast<Index>(kTurns * segments_a_turn);
   for (Index i = 0; i <= segments; ++i) {
     const double turn = static_cast<double>(i) / segments_a_turn;
-    cable.particles.push_back(add_particle(
-        scene, {kCoilRadius * std::cos(2 * kPi * turn), kCoilRadius * std::sin(2 * kPi * turn), kPitch * turn}, 0));
+    cable.particles.push_back(add_particle(scene,
+                                           {kCoilRadius * std::cos(2 * std::numbers::pi * turn),
+                                            kCoilRadius * std::sin(2 * std::numbers::pi * turn), kPitch * turn},
+                                           0));
   }
   set_material(cable, kYoung, kPoisson, kWire, 1000);
   cable.rest_is_bent = true;
@@ -168,9 +168,9 @@ TEST_CASE("a rod with hinged ends buckles under a moment of 2 pi E I / L about i
   // Greenhill 1883.
   const double coarse = hinged_buckling_moment(24), fine = hinged_buckling_moment(48);
   CAPTURE(coarse, fine);
-  CHECK(fine == Approx(2 * kPi).epsilon(6e-3));
-  CHECK(limit_of_second_order(coarse, fine) == Approx(2 * kPi).epsilon(5e-4));
-  CHECK(std::log2((coarse - 2 * kPi) / (fine - 2 * kPi)) == Approx(2).margin(0.2));
+  CHECK(fine == Approx(2 * std::numbers::pi).epsilon(6e-3));
+  CHECK(limit_of_second_order(coarse, fine) == Approx(2 * std::numbers::pi).epsilon(5e-4));
+  CHECK(std::log2((coarse - 2 * std::numbers::pi) / (fine - 2 * std::numbers::pi)) == Approx(2).margin(0.2));
 }
 
 TEST_CASE("a helical spring's stiffness is G d^4 / (8 D^3 n)") {

@@ -11,10 +11,9 @@ using namespace touchstone::sim;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kYoung = 1e7, kRadius = 0.005, kDensity = 1000;
-const double kArea = kPi * kRadius * kRadius;
-const double kBend = kYoung * kArea * kRadius * kRadius / 4;  // E I
+constexpr double kCableYoung = 1e7, kRadius = 0.005, kDensity = 1000;
+const double kArea = std::numbers::pi * kRadius * kRadius;
+const double kBend = kCableYoung * kArea * kRadius * kRadius / 4;  // E I
 
 /// A horizontal cantilever of length 1 without weight, clamped at the origin.
 Scene cantilever(Index segments) {
@@ -22,7 +21,7 @@ Scene cantilever(Index segments) {
   scene.settings.gravity.setZero();
   scene.settings.newton_tolerance = 1e-10;
   Cable& cable = add_cable(scene, {0, 0, 0}, {1, 0, 0}, segments);
-  set_material(cable, kYoung, 0.3, kRadius, kDensity);
+  set_material(cable, kCableYoung, 0.3, kRadius, kDensity);
   cable.stretch *= 10;  // the elastica does not stretch
   cable.twist = 0;
   cable.start.clamped = true;
@@ -68,7 +67,7 @@ Scene column(Support support, double load, Index segments) {
   scene.settings.gravity.setZero();
   scene.settings.newton_tolerance = 1e-9;
   Cable& cable = add_cable(scene, {0, 0, 0}, {0, 0, 1}, segments);
-  set_material(cable, kYoung, 0.3, kRadius, kDensity);
+  set_material(cable, kCableYoung, 0.3, kRadius, kDensity);
   cable.stretch *= 1e3;
   cable.twist = 0;
   scene.particles.front().fixed = {true, true, true};
@@ -84,10 +83,11 @@ double ring_buckling_twist(double poisson, Index count) {
   scene.settings.gravity.setZero();
   Cable ring;
   for (Index i = 0; i < count; ++i) {
-    ring.particles.push_back(add_particle(scene, {std::cos(2 * kPi * i / count), std::sin(2 * kPi * i / count), 0}, 0));
+    ring.particles.push_back(add_particle(
+        scene, {std::cos(2 * std::numbers::pi * i / count), std::sin(2 * std::numbers::pi * i / count), 0}, 0));
   }
   ring.closed = true;
-  set_material(ring, kYoung, poisson, kRadius, kDensity);
+  set_material(ring, kCableYoung, poisson, kRadius, kDensity);
   ring.stretch *= 10;
   scene.cables.push_back(ring);
   // Six rigid motions have eigenvalue 0, and so has the turning of all sections about the centre line.
@@ -145,16 +145,16 @@ TEST_CASE("small loads and own weight bend a cantilever as beam theory says") {
 TEST_CASE("a natural curvature of 2 pi / L closes a cable to a circle") {
   constexpr Index kSegments = 80;
   Scene scene = cantilever(kSegments);
-  set_material(scene.cables[0], kYoung, 0.3, kRadius, kDensity);
+  set_material(scene.cables[0], kCableYoung, 0.3, kRadius, kDensity);
   scene.cables[0].stretch *= 10;
-  scene.cables[0].natural_curvature = {2 * kPi, 0};
+  scene.cables[0].natural_curvature = {2 * std::numbers::pi, 0};
   const State state = at_rest(scene);
   CHECK(position(state.q, kSegments).norm() < 2e-3);
-  CHECK((position(state.q, kSegments / 2)).norm() == Approx(1 / kPi).epsilon(2e-3));
+  CHECK((position(state.q, kSegments / 2)).norm() == Approx(1 / std::numbers::pi).epsilon(2e-3));
 }
 
 TEST_CASE("Euler's critical loads") {
-  const double euler = kPi * kPi * kBend;
+  const double euler = std::numbers::pi * std::numbers::pi * kBend;
   struct Row {
     Support support;
     double factor;
@@ -174,7 +174,7 @@ TEST_CASE("Euler's critical loads") {
   // The clamp by two particles on the axis makes that end half a segment shorter.
   const double length = row.support == Support::clamped ? 1 - 1.0 / 80 : 1, half_waves = std::sqrt(row.factor);
   // Of n segments a half wave of the column holds x / pi each: sin^2 (x / 2) stands where (x / 2)^2 should.
-  const double x = kPi * half_waves / (40 * length), discrete = std::pow(2 * std::sin(x / 2) / x, 2);
+  const double x = std::numbers::pi * half_waves / (40 * length), discrete = std::pow(2 * std::sin(x / 2) / x, 2);
   CHECK(load / euler == Approx(row.factor / (length * length)).epsilon(3e-3));
   CHECK(load / euler == Approx(discrete * row.factor / (length * length)).epsilon(1e-4));
 }
@@ -223,15 +223,15 @@ TEST_CASE("a twisted cable, fixed at one end and free at the other, swings back 
   constexpr Index kSegments = 40;
   Scene scene = cantilever(kSegments);
   Cable& cable = scene.cables[0];
-  set_material(cable, kYoung, 0.3, kRadius, kDensity);
+  set_material(cable, kCableYoung, 0.3, kRadius, kDensity);
   scene.settings.integrator = Integrator::tr_bdf2;
   const System system(scene);
   Stepper stepper(system, scene.settings);
   State state = stepper.initial();
   for (Index j = 0; j < kSegments; ++j) {
-    state.q[system.angle(j)] = 0.1 * std::sin(kPi / 2 * (j + 0.5) / kSegments);
+    state.q[system.angle(j)] = 0.1 * std::sin(std::numbers::pi / 2 * (j + 0.5) / kSegments);
   }
-  const double shear = kYoung / 2.6, period = 4 / std::sqrt(shear / kDensity), h = period / 400;
+  const double shear = kCableYoung / 2.6, period = 4 / std::sqrt(shear / kDensity), h = period / 400;
   const Eigen::Index last = system.angle(kSegments - 1);
   double before = state.q[last], first = 0;
   while (first == 0 && state.time < period) {
@@ -253,7 +253,7 @@ TEST_CASE("a cantilever's first frequency") {
   scene.settings.integrator = Integrator::tr_bdf2;
   const System system(scene);
   Stepper stepper(system, scene.settings);
-  const double omega = 1.8751 * 1.8751 * std::sqrt(kBend / (kDensity * kArea)), period = 2 * kPi / omega;
+  const double omega = 1.8751 * 1.8751 * std::sqrt(kBend / (kDensity * kArea)), period = 2 * std::numbers::pi / omega;
   const double h = period / 500;
   state.time = 0;
   const Eigen::Index tip = 3 * kSegments + 2;

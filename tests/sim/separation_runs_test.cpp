@@ -20,17 +20,17 @@ using namespace touchstone::sim;
 
 namespace {
 
-struct Course {
+struct MeasuredCourse {
   Nearness nearness;
   std::uint64_t contacts = 0, entering = 0, separated = 0, zones = 0;
 };
 
 /// Runs a scene, and measures it as a scene with the radii of `measured`.
-Course run(const Scene& scene, const Scene& measured, int steps, int first_measured = 0) {
+MeasuredCourse measured_run(const Scene& scene, const Scene& measured, int steps, int first_measured = 0) {
   const ThickElements elements(measured);
   REQUIRE(!elements.pairs().empty());
   Simulation simulation(scene, {});
-  Course course;
+  MeasuredCourse course;
   for (int i = 0; i < steps; ++i) {
     const VectorX before = simulation.state().q;
     const auto records = simulation.step();
@@ -50,7 +50,9 @@ Course run(const Scene& scene, const Scene& measured, int steps, int first_measu
   return course;
 }
 
-Course run(const Scene& scene, int steps, int first_measured = 0) { return run(scene, scene, steps, first_measured); }
+MeasuredCourse measured_run(const Scene& scene, int steps, int first_measured = 0) {
+  return measured_run(scene, scene, steps, first_measured);
+}
 
 /// A loose sphere.
 Index add_sphere(Scene& scene, const Vector3& at, double radius, const Vector3& velocity) {
@@ -63,7 +65,7 @@ Index add_sphere(Scene& scene, const Vector3& at, double radius, const Vector3& 
 }  // namespace
 
 TEST_CASE("no two cables of radius r ever come nearer than 2 r, nor a cable to the floor nearer than r") {
-  const Course course = run(make_shipped_scene("cable-drop", std::nullopt), 120);
+  const MeasuredCourse course = measured_run(make_shipped_scene("cable-drop", std::nullopt), 120);
   CHECK(course.nearness.violations == 0);
   CHECK(course.nearness.exact > 500);
   CHECK(course.nearness.least_gap > 0);
@@ -82,7 +84,7 @@ TEST_CASE("cables that are thrown at each other, with hardly a layer to push in 
       scene.particles[p].velocity = {3.0 * (number % 3 - 1), 2.0 * (number % 2), -20};
     ++number;
   }
-  const Course course = run(scene, 40);
+  const MeasuredCourse course = measured_run(scene, 40);
   CHECK(course.nearness.violations == 0);
   CHECK(course.nearness.exact > 1000);
   CHECK(course.nearness.least_gap > 0);
@@ -94,14 +96,14 @@ TEST_CASE("the same cables without their radii come nearer, which the measuremen
   const Scene solid = make_shipped_scene("cable-drop", std::nullopt);
   Scene thin = solid;
   for (Cable& cable : thin.cables) cable.solid = false;
-  const Course course = run(thin, solid, 30);
+  const MeasuredCourse course = measured_run(thin, solid, 30);
   CHECK(course.entering == 0);
   CHECK(course.separated == 0);
   CHECK(course.nearness.violations > 100);
 }
 
 TEST_CASE("ball, net and rim of the hoop keep their radii") {
-  const Course course = run(make_shipped_scene("hoop", 200), 75, 20);
+  const MeasuredCourse course = measured_run(make_shipped_scene("hoop", 200), 75, 20);
   CHECK(course.nearness.violations == 0);
   CHECK(course.nearness.exact > 100);
   CHECK(course.contacts > 100);
@@ -138,7 +140,7 @@ TEST_CASE("a heap of spheres, thick edges and a thick sheet") {
     add_spring(scene, a, b, 2000, 0.5, true);
     scene.springs.back().radius = 4e-3;
   }
-  const Course course = run(scene, 60);
+  const MeasuredCourse course = measured_run(scene, 60);
   CHECK(course.nearness.violations == 0);
   CHECK(course.nearness.exact > 1000);
   CHECK(course.entering > 100);
@@ -169,7 +171,7 @@ TEST_CASE("the legs of one bent cable keep two radii, and its bend is no obstacl
   cable.damping = 1e-2;
   cable.solid = true;
   scene.cables.push_back(cable);
-  const Course course = run(scene, 30);
+  const MeasuredCourse course = measured_run(scene, 30);
   CHECK(course.nearness.violations == 0);
   CHECK(course.nearness.exact > 500);
   CHECK(course.nearness.least_gap < 2e-3);

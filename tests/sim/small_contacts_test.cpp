@@ -14,7 +14,7 @@ struct Told {
   std::uint64_t contacts = 0;
 };
 
-Told run(Simulation& simulation, int steps) {
+Told told_run(Simulation& simulation, int steps) {
   Told told;
   for (int i = 0; i < steps; ++i) {
     for (const auto& record : simulation.step()) told.contacts += record.response.contacts;
@@ -52,7 +52,7 @@ TEST_CASE("edges that share a particle fold onto each other, and not through, in
     const Told told = [&] {
       Told sum;
       for (int i = 0; i < 60; ++i) {
-        sum.contacts += run(simulation, 1).contacts;
+        sum.contacts += told_run(simulation, 1).contacts;
         lowest = std::min(lowest, simulation.state().q[3 * c + 1]);
       }
       return sum;
@@ -82,7 +82,7 @@ TEST_CASE("a particle meets an edge in its own plane, and another particle head 
     scene.particles[e].velocity = {0, -3, 0};
     Simulation simulation(scene, {});
     CHECK(simulation.colliders().passes().points);
-    CHECK(run(simulation, 120).contacts == 2);
+    CHECK(told_run(simulation, 120).contacts == 2);
     // The common speed is (2 - 3) / 4 m/s, and that of approach 3 m/s.
     const VectorX& v = simulation.state().v;
     CHECK(v[3 * a] == Approx(-0.25 - 0.75 * 3 * restitution));

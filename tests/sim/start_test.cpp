@@ -39,7 +39,7 @@ Surface cloth(std::vector<Face> faces) {
   return surface;
 }
 
-void check_refused(const Scene& scene, const std::string& what) {
+void check_start_refused(const Scene& scene, const std::string& what) {
   CHECK_THROWS_WITH(Simulation(scene, {}), Catch::Contains("the scene begins with elements that pierce each other: ") &&
                                                Catch::Contains(what) &&
                                                Catch::Contains("positions at which all elements are apart"));
@@ -107,11 +107,11 @@ TEST_CASE("a spring, a wire or a cable through a face is refused, with its place
       Cable& cable = with_cable.cables.back();
       set_material(cable, 1e6, 0.3, 0.01, 1000);
       cable.solid = solid;
-      check_refused(with_cable, "edge 5-6 and face 0-1-2 at (0.1, -0.25, 0)");
+      check_start_refused(with_cable, "edge 5-6 and face 0-1-2 at (0.1, -0.25, 0)");
     }
     return;
   }
-  check_refused(scene, "edge 3-4 and face 0-1-2 at (0, -0.25, 0)");
+  check_start_refused(scene, "edge 3-4 and face 0-1-2 at (0, -0.25, 0)");
 }
 
 TEST_CASE("triangles of cloth, of springs and of faces through each other are refused") {
@@ -119,16 +119,16 @@ TEST_CASE("triangles of cloth, of springs and of faces through each other are re
   add_particle(scene, {0.5, 2, 0.5}, 1);
   SECTION("cloth") {
     scene.surfaces = {cloth({{0, 1, 2}}), cloth({{3, 4, 5}})};
-    check_refused(scene, "edge 1-2 and face 3-4-5 at (0.192308, 0.615385, 0), and 1 more pair;");
+    check_start_refused(scene, "edge 1-2 and face 3-4-5 at (0.192308, 0.615385, 0), and 1 more pair;");
   }
   SECTION("one sheet that passes through itself") {
     scene.surfaces = {cloth({{0, 1, 2}, {3, 4, 5}})};
-    check_refused(scene, "edge 1-2 and face 3-4-5");
+    check_start_refused(scene, "edge 1-2 and face 3-4-5");
   }
   SECTION("a face and cloth, and a face that is given twice") {
     scene.surfaces = {cloth({{0, 1, 2}})};
     scene.faces = {{{3, 4, 5}}, {{5, 4, 3}}};
-    check_refused(scene, "edge 1-2 and face 3-4-5");
+    check_start_refused(scene, "edge 1-2 and face 3-4-5");
   }
 }
 
@@ -137,9 +137,9 @@ TEST_CASE("what is driven or pinned is refused when something pierces it that ca
   for (const Index p : {0U, 1U, 2U}) scene.particles[p].fixed = {true, true, true};
   scene.faces = {{{0, 1, 2}}};
   scene.wires = {{{3, 4}}};
-  check_refused(scene, "edge 3-4 and face 0-1-2");
+  check_start_refused(scene, "edge 3-4 and face 0-1-2");
   for (const Index p : {3U, 4U}) scene.particles[p].path = {{0, scene.particles[p].position}};
-  check_refused(scene, "edge 3-4 and face 0-1-2");
+  check_start_refused(scene, "edge 3-4 and face 0-1-2");
 }
 
 TEST_CASE("elements that cannot move may intersect, and the verdict counts them") {

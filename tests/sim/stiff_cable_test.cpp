@@ -24,15 +24,15 @@ Scene falling_cable(Integrator integrator, double stretch, double time_step) {
   return scene;
 }
 
-struct Course {
+struct CableCourse {
   double most_gained = 0;  // J, in one step
   double fallen = 0;       // J
   int parts = 0, first_order = 0;
 };
 
-Course run(const Scene& scene, int steps) {
+CableCourse run_cable(const Scene& scene, int steps) {
   Simulation simulation(scene, {});
-  Course course;
+  CableCourse course;
   const double first = simulation.energies().load;
   double before = simulation.energies().total();
   for (int i = 0; i < steps; ++i) {
@@ -53,7 +53,7 @@ Course run(const Scene& scene, int steps) {
 TEST_CASE("a stiff cable falls in steps of second order without gaining energy") {
   const Integrator integrator = GENERATE(Integrator::tr_bdf2, Integrator::implicit_midpoint);
   CAPTURE(static_cast<int>(integrator));
-  const Course course = run(falling_cable(integrator, 2.4e5, 1.0 / 30), 20);
+  const CableCourse course = run_cable(falling_cable(integrator, 2.4e5, 1.0 / 30), 20);
   CHECK(course.fallen > 0.01);
   CHECK(course.most_gained <= 2e-3 * course.fallen * course.parts / 20);
   CHECK(course.first_order > 0);
@@ -65,14 +65,14 @@ TEST_CASE("a soft cable is moved by the method that was asked for") {
   // Steps of a fifth of a radian of its fastest vibration.
   Scene scene = falling_cable(integrator, 3.8, 1e-4);
   scene.cables.front().damping = 0;
-  const Course course = run(scene, 300);
+  const CableCourse course = run_cable(scene, 300);
   CHECK(course.fallen > 1e-4);
   CHECK(course.parts == 300);
   CHECK(course.first_order == 0);
 }
 
 TEST_CASE("a cable that hardly stretches falls in almost whole steps, far though it turns in each") {
-  const Course course = run(falling_cable(Integrator::implicit_euler, 2.4e5, 1.0 / 30), 30);
+  const CableCourse course = run_cable(falling_cable(Integrator::implicit_euler, 2.4e5, 1.0 / 30), 30);
   CHECK(course.fallen > 0.01);
   CHECK(course.parts <= 3 * 30);
   CHECK(course.most_gained <= 0);

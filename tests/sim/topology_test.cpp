@@ -16,8 +16,6 @@ using namespace touchstone::sim;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// A scene of closed loops, and the linking number of each with each that comes after it: of three 01, 02, 12.
 struct Links {
   Scene scene;
@@ -39,7 +37,7 @@ Curve circle(const Vector3& centre, const Vector3& u, const Vector3& w, double r
 Loop add_corners(Links& links, const Curve& curve, int count, const Vector3& velocity, double mass) {
   Loop loop;
   for (int i = 0; i < count; ++i) {
-    loop.push_back(add_particle(links.scene, curve(2 * kPi * i / count), mass));
+    loop.push_back(add_particle(links.scene, curve(2 * std::numbers::pi * i / count), mass));
     links.scene.particles.back().velocity = velocity;
   }
   links.loops.push_back(loop);
@@ -149,7 +147,7 @@ std::vector<Case> cases() {
            };
          };
          add_rope(links, wound(0.1), 40, {0, 0, -25}, 1e6);
-         add_rope(links, wound(0.1 + kPi), 40, {3, 0, 25}, 1e6);
+         add_rope(links, wound(0.1 + std::numbers::pi), 40, {3, 0, 25}, 1e6);
          links.numbers = {-2};
          return links;
        }},
