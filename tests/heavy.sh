@@ -19,7 +19,6 @@ readonly -a jobs=(
   'fuzzing|1|the libFuzzer targets, for ten minutes in all'
   'plain|1|the preset plain: all that is installed, each source compiled by itself'
   'tests|1|the tests with the label heavy'
-  'tools|1|the tests around optional tools, with the tools hidden: some are skipped, and none fails'
 )
 
 fields_of() {
@@ -84,10 +83,6 @@ run_plain() {
   build_preset plain touchstone_installed
 }
 run_tests() { "$touchstone_root/tests/run-all.sh" -L heavy; }
-run_tools() {
-  "$touchstone_root/tests/run-all.sh" -N >/dev/null # it builds, and runs nothing
-  (cd -- "$touchstone_root" && tests/without-tools.sh ctest --preset release -L optional-tools)
-}
 
 part=1 parts=1
 case ${1:-} in
