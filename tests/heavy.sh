@@ -21,10 +21,10 @@ readonly -a jobs=(
   'tests|1|the tests with the label heavy'
 )
 
-fields_of() {
-  local job
-  for job in "${jobs[@]}"; do
-    [[ ${job%%|*} != "$1" ]] || { IFS='|' read -r -a fields <<<"$job"; return 0; }
+is_job() {
+  local one
+  for one in "${jobs[@]}"; do
+    [[ ${one%%|*} != "$1" ]] || return 0
   done
   return 1
 }
@@ -48,7 +48,9 @@ ctest_part() {
 needs_or_skip() {
   local name
   for name in "$@"; do
-    command -v "$name" >/dev/null || { say "skipped: $job needs $name; docs/contributing.md lists its packages"; exit 0; }
+    command -v "$name" >/dev/null && continue
+    say "skipped: $job needs $name; docs/contributing.md lists its packages"
+    exit 0
   done
 }
 
@@ -96,7 +98,7 @@ case ${1:-} in
   --of) of_commit "${2:-}" ;;
   *)
     job=${1:-}
-    fields_of "$job" || die "usage: tests/heavy.sh JOB [PART/PARTS] | --of COMMIT | --list; there is no job '$job'"
+    is_job "$job" || die "usage: tests/heavy.sh JOB [PART/PARTS] | --of COMMIT | --list; there is no job '$job'"
     if (($# > 1)); then
       [[ $2 =~ ^([1-9][0-9]{0,3})/([1-9][0-9]{0,3})$ ]] && ((BASH_REMATCH[1] <= BASH_REMATCH[2])) ||
         die "'$2' is no part: write 3/10 for the third of ten"

@@ -24,6 +24,9 @@ enum class Tolerance : std::uint8_t {
   share    ///< a dimensionless fraction: of the step for times, of an element for weights
 };
 
+/// The kinds whose corners must be coplanar to touch.
+inline bool coplanar_kinds(Kind kind) { return kind == Kind::edge_edge || kind == Kind::vertex_face; }
+
 /// One way to answer a query.
 struct Baseline {
   std::string_view name;   ///< as written in reports and on the command line

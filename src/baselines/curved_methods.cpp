@@ -5,19 +5,13 @@
 #include "baselines/curved_baseline.hpp"
 
 namespace touchstone::baselines {
-namespace {
-
-bool has_coplanarity(Kind kind) { return kind == Kind::edge_edge || kind == Kind::vertex_face; }
-
-}  // namespace
-
 const std::vector<CurvedBaseline>& curved_methods() {
   static const std::vector<CurvedBaseline> all{
       {"redon", "interval arithmetic over time; misses parallel and grazing contacts, phantoms within the tolerance",
-       Tolerance::share, 1e-6, has_coplanarity, solve_redon},
+       Tolerance::share, 1e-6, coplanar_kinds, solve_redon},
       {"curved_advancement",
        "steps of distance over a bound on speed; phantoms within the tolerance, rounded steps miss", Tolerance::length,
-       1e-6, has_coplanarity, solve_curved_advancement},
+       1e-6, coplanar_kinds, solve_curved_advancement},
   };
   return all;
 }

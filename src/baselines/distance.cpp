@@ -18,8 +18,6 @@ namespace {
 // interiors, up to the same fraction of a length.
 constexpr double kParallel = 0x1p-80;
 
-double length(const Vector& v) { return std::sqrt(dot(v, v)); }
-
 }  // namespace
 
 double point_segment_distance(const Vector& r, const Vector& u) {

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+
 #include "baselines/frame.hpp"
 
 namespace touchstone::baselines {
+
+inline double length(const Vector& v) { return std::sqrt(geometry::dot(v, v)); }
 
 /// Of the point r from the segment from the origin to u.
 double point_segment_distance(const Vector& r, const Vector& u);

@@ -8,7 +8,6 @@ namespace touchstone::baselines {
 namespace {
 
 bool every_kind(Kind) { return true; }
-bool coplanar_kinds(Kind kind) { return kind == Kind::edge_edge || kind == Kind::vertex_face; }
 
 }  // namespace
 

@@ -11,8 +11,6 @@
 namespace touchstone::baselines {
 namespace {
 
-double norm(const Vector& v) { return std::sqrt(geometry::dot(v, v)); }
-
 /// A bound on the relative displacement of any two points: the largest of a corner of one element plus the largest of a
 /// corner of the other, both relative to the mean, as in the paper.
 double displacement_bound(const Query& query, int exponent) {
@@ -30,7 +28,7 @@ double displacement_bound(const Query& query, int exponent) {
   double first = 0, second = 0;
   for (std::size_t i = 0; i < corners; ++i) {
     double& largest = i < of_first ? first : second;
-    largest = std::max(largest, norm(moved[i] - mean));
+    largest = std::max(largest, length(moved[i] - mean));
   }
   return first + second;
 }

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "body_contact/body_attempt.hpp"
-#include "linear/union_find.hpp"
+#include "geometry/union_find.hpp"
 
 namespace touchstone::sim {
 namespace {
@@ -36,7 +36,7 @@ Vector3 BodyResponse::Attempt::start_of(Index node) const {
 /// changes is given back to each group of bodies that push each other, and that nothing holds, as the velocities of a
 /// rotation of the group as a whole: these change neither its momentum nor the velocities at its contacts.
 void BodyResponse::Attempt::restore_angular_momentum() {
-  linear::UnionFind joined(nodes());
+  geometry::UnionFind joined(nodes());
   std::vector<char> pushes(nodes(), 0);
   for (const SolverContact& c : contacts_) {
     if (c.pushed == 0 && c.impulse().isZero(0)) continue;

@@ -4,14 +4,14 @@
 #include <Eigen/Geometry>
 
 #include "body_contact/body_attempt.hpp"
-#include "linear/union_find.hpp"
+#include "geometry/union_find.hpp"
 
 namespace touchstone::sim {
 
 /// Bodies and particles that touch move on together, in this substep without turning, with the momentum that they have.
 /// Their velocities afterwards are those of one rigid body with their momentum and angular momentum.
 bool BodyResponse::Attempt::merge(Touches left) {
-  linear::UnionFind joined(nodes());
+  geometry::UnionFind joined(nodes());
   const BodyStates before = result_.end.bodies;
   const VectorX x_before = result_.x1;
   while (!left.found.empty()) {

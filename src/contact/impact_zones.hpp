@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "contact/contact.hpp"
-#include "linear/union_find.hpp"
+#include "geometry/union_find.hpp"
 
 namespace touchstone::sim {
 
@@ -25,7 +25,7 @@ class ImpactZones {
   std::vector<std::vector<Index>> zones();
 
  private:
-  linear::UnionFind joined_;
+  geometry::UnionFind joined_;
 };
 
 /// Whether a zone may turn. On the straight paths of a rotation by an angle a, distances shrink by up to cos(a / 2), so

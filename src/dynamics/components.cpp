@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <numeric>
 
-#include "linear/union_find.hpp"
+#include "geometry/union_find.hpp"
 
 namespace touchstone::sim {
 namespace {
@@ -38,7 +38,7 @@ void Members::append(Index component, std::vector<Index>& to) const {
 Components::Components(const System& system) {
   // An angle goes with its edge. A free angle whose edge has held ends is a node of its own.
   const auto count = static_cast<Index>(system.particle_count());
-  linear::UnionFind tied(system.particle_count() + system.edges.size());
+  geometry::UnionFind tied(system.particle_count() + system.edges.size());
   const auto node_of_edge = [&](Index e) {
     if (is_free(system, system.edges[e].a)) return system.edges[e].a;
     if (is_free(system, system.edges[e].b)) return system.edges[e].b;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "linear/union_find.hpp"
+#include "geometry/union_find.hpp"
 
 namespace touchstone::sim {
 namespace {
@@ -58,7 +58,7 @@ Islands::Islands(const System& system, const Settings& settings, const linear::C
 
 std::vector<Islands::Island> Islands::islands_of(std::span<const ContactTerm> contacts,
                                                  std::vector<Index>& island_of) const {
-  linear::UnionFind tied(components_.unknowns.size());
+  geometry::UnionFind tied(components_.unknowns.size());
   for (const ContactTerm& term : contacts) {
     Index before = kNone;
     for (std::size_t c = 0; c < term.corners; ++c) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "linear/union_find.hpp"
+#include "geometry/union_find.hpp"
 
 namespace touchstone::linear {
 namespace {
@@ -29,19 +29,20 @@ struct Components {
 };
 
 Components components_of(int size, const Blocks& blocks) {
-  UnionFind tied(at(size));
+  geometry::UnionFind tied(at(size));
   for (const auto& block : blocks) {
     int before = kNone;
     for (const int i : block) {
       if (i < 0) continue;
-      if (before >= 0) tied.join(static_cast<UnionFind::Index>(before), static_cast<UnionFind::Index>(i));
+      if (before >= 0)
+        tied.join(static_cast<geometry::UnionFind::Index>(before), static_cast<geometry::UnionFind::Index>(i));
       before = i;
     }
   }
   Components all;
   all.of.resize(at(size));
   for (int i = 0; i < size; ++i) {
-    const auto r = static_cast<int>(tied.root(static_cast<UnionFind::Index>(i)));
+    const auto r = static_cast<int>(tied.root(static_cast<geometry::UnionFind::Index>(i)));
     if (r == i) {
       all.of[at(i)] = static_cast<int>(all.sizes.size());
       all.sizes.push_back(0);

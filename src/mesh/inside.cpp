@@ -104,8 +104,8 @@ std::set<std::array<Index, 2>> meeting(const Pieces& pieces, const std::vector<I
   return pairs;
 }
 
-/// Finds the winding numbers: by the passes of one ray for each inner piece through the faces of the outer ones. Sums of
-/// whole numbers do not depend on their order, so the number of threads does not count.
+/// Finds the winding numbers: by the passes of one ray for each inner piece through the faces of the outer ones. Sums
+/// of whole numbers do not depend on their order, so the number of threads does not count.
 void find_winding_numbers(const Search& search, const Pieces& pieces, std::vector<Around>& nested) {
   struct Start {
     Ray ray;
@@ -163,8 +163,8 @@ void find_winding_numbers(const Search& search, const Pieces& pieces, std::vecto
       });
 }
 
-/// The closed surfaces around pieces that they do not meet, in ascending order: those whose winding number is not 0. The
-/// number is 0 or 1 for a surface that is not oriented.
+/// The closed surfaces around pieces that they do not meet, in ascending order: those whose winding number is not 0.
+/// The number is 0 or 1 for a surface that is not oriented.
 std::vector<Around> surfaces_around(const Search& search, const Pieces& pieces, const std::vector<Intersection>& all) {
   std::vector<Around> nested = nested_boxes(search, pieces);
   if (nested.empty()) return nested;
@@ -204,8 +204,8 @@ struct AroundOne {
   int sum = 0;
 };
 
-/// By inner pieces, in ascending order. The outermost surface has the fewest ones around itself and, where surfaces meet
-/// each other, the box that begins first along x.
+/// By inner pieces, in ascending order. The outermost surface has the fewest ones around itself and, where surfaces
+/// meet each other, the box that begins first along x.
 std::vector<AroundOne> by_inner(const Pieces& pieces, const std::vector<Around>& all) {
   std::map<Index, int> depth;
   for (const Around& one : all) ++depth[one.inner];

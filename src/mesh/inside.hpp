@@ -15,13 +15,14 @@ namespace touchstone::mesh {
 /// Adds an intersection of sort `inside` for each closed surface that is inside another one.
 ///
 /// A surface is the set of faces that are connected by common edges. It is closed if its faces pass each of their edges
-/// as often in one direction as in the other. So its winding number about a point beside it is a whole number. A surface
-/// that none of `all` says to meet B has one winding number about all of B, but for vertices that both have: without
-/// them, B is still connected by its edges. Let `sum` be the sum of these numbers over the closed surfaces with which the
-/// rules let B collide. If the outermost surface around B has its normals inwards, it may be a room, which is a cavity of
-/// all space: then one is added for solids. B is inside if its normals are outwards and there is material around it, or
-/// if they are inwards and `sum` is negative. So a solid in a solid counts, in a room too, and a body in a body whose
-/// normals are all inwards; a cavity in a solid does not, and neither does a solid in a cavity or in a room.
+/// as often in one direction as in the other. So its winding number about a point beside it is a whole number. A
+/// surface that none of `all` says to meet B has one winding number about all of B, but for vertices that both have:
+/// without them, B is still connected by its edges. Let `sum` be the sum of these numbers over the closed surfaces with
+/// which the rules let B collide. If the outermost surface around B has its normals inwards, it may be a room, which is
+/// a cavity of all space: then one is added for solids. B is inside if its normals are outwards and there is material
+/// around it, or if they are inwards and `sum` is negative. So a solid in a solid counts, in a room too, and a body in
+/// a body whose normals are all inwards; a cavity in a solid does not, and neither does a solid in a cavity or in a
+/// room.
 /// @param all  the other intersections of the mesh
 void add_inside(const Mesh::Impl& mesh, const Motion& motion, int threads, const std::atomic<bool>* stop,
                 std::vector<Intersection>& all);
@@ -39,15 +40,16 @@ struct EnclosedPart {
 
 /// Which closed surfaces count as enclosed parts.
 enum class ClosedParts : std::uint8_t {
-  unasked,  ///< those that `intersections` does not ask about: in a closed surface that is not oriented, or without that
-  all       ///< all that are inside a surface, also those that `intersections` finds
+  /// Those that `intersections` does not ask about: in a closed surface that is not oriented, or without that.
+  unasked,
+  all  ///< all that are inside a surface, also those that `intersections` finds
 };
 
 /// The loose points, wires and open surfaces that are wholly inside closed surfaces which they do not meet, and closed
 /// surfaces as `closed` says, in ascending order of their vertices. Whether that is right, as for cloth in a drum, no
 /// geometry tells. A surface also counts as closed if each of its edges is in an even number of its faces; its winding
-/// number is then 0 or 1. A part whose winding numbers add up to 0 is not enclosed, as in a cavity of a solid, unless the
-/// outermost surface may be a room.
+/// number is then 0 or 1. A part whose winding numbers add up to 0 is not enclosed, as in a cavity of a solid, unless
+/// the outermost surface may be a room.
 /// @param found  the intersections of the mesh at x
 /// @throws InvalidQuery  as `intersections`
 std::vector<EnclosedPart> enclosed_parts(const Mesh& mesh, const Positions& x, const MeshOptions& options,

@@ -6,7 +6,7 @@
 #include <span>
 #include <tuple>
 
-#include "mesh/connected.hpp"
+#include "geometry/union_find.hpp"
 #include "mesh/folds.hpp"
 
 namespace touchstone::mesh {
@@ -49,20 +49,20 @@ void Pieces::find_sides() {
 
 void Pieces::find_pieces(const Motion& motion) {
   const std::size_t faces = mesh_.faces.size(), connected = faces + mesh_.wires.size();
-  ConnectedSets sets(connected);
+  geometry::UnionFind sets(connected);
   for (std::size_t i = 1; i < sides_.size(); ++i) {
-    if (sides_[i].edge == sides_[i - 1].edge) sets.connect(sides_[i].face, sides_[i - 1].face);
+    if (sides_[i].edge == sides_[i - 1].edge) sets.join(sides_[i].face, sides_[i - 1].face);
   }
   std::vector<Index> element_at(mesh_.vertex_count, kNone);  // a face, or else a wire
   for (std::size_t n = 0; n < connected; ++n) {
     for (const Index corner : corners_of(mesh_, n)) {
       Index& at = element_at[corner];
-      if (n >= faces && at != kNone && at >= faces) sets.connect(static_cast<Index>(n), at);
+      if (n >= faces && at != kNone && at >= faces) sets.join(static_cast<Index>(n), at);
       if (at == kNone) at = static_cast<Index>(n);
     }
   }
   for (std::size_t n = 0; n < of_.size(); ++n) {
-    const Index least = n < connected ? sets.find(static_cast<Index>(n)) : static_cast<Index>(n);
+    const Index least = n < connected ? sets.root(static_cast<Index>(n)) : static_cast<Index>(n);
     const auto corners = corners_of(mesh_, n);
     if (least == n) {
       of_[n] = size();

@@ -14,12 +14,6 @@
 namespace touchstone::oracle {
 namespace {
 
-Answer no_contact() {
-  Answer answer;
-  answer.level = Level::oracle;
-  return answer;
-}
-
 Answer contact(const Moment& time, const Touch& where, Nature nature) {
   Answer answer = no_contact();
   answer.contact = true;

@@ -98,15 +98,9 @@ Nature nature_at(const Division& division, std::size_t i) {
   }
 }
 
-Answer no_touch() {
-  Answer answer;
-  answer.level = Level::oracle;
-  return answer;
-}
-
 /// The contact at a time at which the distance is the division's level.
 Answer contact(const Division& division, std::size_t i, Nature nature) {
-  Answer answer = no_touch();
+  Answer answer = no_contact();
   answer.contact = true;
   answer.nature = nature;
   answer.trend = trend_of(division.after(i));
@@ -135,7 +129,7 @@ Answer decide_measured(Kind kind, const MeasuredMotion& motion, double t_max, Me
   for (std::size_t i = division.start(); i <= division.end(); ++i) {
     if (division.is_within(i)) return contact(division, i, nature_at(division, i));
   }
-  return no_touch();
+  return no_contact();
 }
 
 }  // namespace

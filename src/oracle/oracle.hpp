@@ -10,6 +10,12 @@
 
 namespace touchstone::oracle {
 
+inline Answer no_contact() {
+  Answer answer;
+  answer.level = Level::oracle;
+  return answer;
+}
+
 /// The first contact in [0, t_max]; level is Level::oracle. The query must be valid (finite, t_max in [0, 1],
 /// well-formed fractions) and the floating-point environment the default one: callers in `solver` see to both.
 Answer decide_by_oracle(const Query& query, double t_max);

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/union_find.hpp"
 #include "io/fail.hpp"
 #include "io/sha256.hpp"
-#include "mesh/connected.hpp"
 
 namespace touchstone::sequence {
 namespace {
@@ -46,15 +46,15 @@ std::vector<std::size_t> degrees_of(const Mesh& mesh) {
 /// The connected sets of edges that have an even number of edges at each of their vertices; 0 where there is nothing
 /// beside one such set.
 std::size_t closed_polygons(const Mesh& mesh, const std::vector<std::size_t>& degrees) {
-  mesh::ConnectedSets sets(degrees.size());
-  for (const auto& [a, b] : mesh.edges()) sets.connect(a, b);
+  geometry::UnionFind sets(degrees.size());
+  for (const auto& [a, b] : mesh.edges()) sets.join(a, b);
   std::vector<char> is_open(degrees.size(), 0);
   for (MeshIndex v = 0; v < degrees.size(); ++v) {
-    if (degrees[v] % 2 != 0) is_open[sets.find(v)] = 1;
+    if (degrees[v] % 2 != 0) is_open[sets.root(v)] = 1;
   }
   std::size_t closed = 0, all = mesh.points().size();
   for (MeshIndex v = 0; v < degrees.size(); ++v) {
-    if (degrees[v] == 0 || sets.find(v) != v) continue;
+    if (degrees[v] == 0 || sets.root(v) != v) continue;
     ++all;
     closed += is_open[v] == 0 ? 1 : 0;
   }

@@ -19,7 +19,6 @@ namespace {
 
 using json::JsonNode;
 
-constexpr std::uint64_t kMostFrames = 1'000'000'000'000;
 constexpr std::uint64_t kMostElements = std::uint64_t{1} << 40;
 constexpr std::uint64_t kMostPairs = std::uint64_t{1} << 63;
 

@@ -16,7 +16,6 @@ namespace {
 
 using json::JsonNode;
 
-constexpr std::uint64_t kMostFrameNumber = 1'000'000'000'000;
 constexpr std::uint64_t kMostNumber = std::uint64_t{1} << 33;  // 2^32 - 1, and files that count from 1
 
 std::string json_of(const NamedElement& element) {
@@ -168,7 +167,7 @@ Result result_from(const JsonNode& node) {
     node.check_keys({"frame", "free", "enclosed_parts", "intersections", "coinciding_vertices"});
     if (const auto enclosed = node.find("enclosed_parts")) result.enclosed = enclosed_from(*enclosed);
   }
-  result.frame = node.at(result.step ? "from" : "frame").whole_number(0, kMostFrameNumber);
+  result.frame = node.at(result.step ? "from" : "frame").whole_number(0, kMostFrames);
   if (result.step) node.at("to").whole_number(result.frame + 1, result.frame + 1);
   if (node.at("free").boolean()) return result;
   if (result.step) {

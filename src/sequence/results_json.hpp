@@ -10,6 +10,9 @@
 
 namespace touchstone::sequence {
 
+/// Of a sequence that is read.
+inline constexpr std::uint64_t kMostFrames = 1'000'000'000'000;
+
 /// `text`, which is valid UTF-8, as a JSON string with its quotes.
 std::string json_string(std::string_view text);
 

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -120,7 +121,11 @@ std::vector<CompileCommand> compile_commands_below(const std::string& folder) {
 
 TEST_CASE("no source file reads a GPL header of CGAL") {
   const auto commands = compile_commands_below("src");
-  CHECK(commands.size() >= 10);
+  // Each layer with CGAL is read, whether its sources are compiled by themselves or in a unity build.
+  for (const char* const layer : {"/src/oracle/", "/src/exact/"}) {
+    CHECK(std::any_of(commands.begin(), commands.end(),
+                      [&](const auto& command) { return command.file.find(layer) != std::string::npos; }));
+  }
   std::size_t cgal_headers = 0;
   for (const auto& [directory, file, command] : commands) {
     const auto files = files_read(directory, command);

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <vector>
 
-namespace touchstone::linear {
+namespace touchstone::geometry {
 
 class UnionFind {
  public:
@@ -36,4 +36,4 @@ class UnionFind {
   std::vector<Index> parent_;
 };
 
-}  // namespace touchstone::linear
+}  // namespace touchstone::geometry
