@@ -10,7 +10,7 @@ set -euo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/../src/setup.sh"
 
 # name | parts that a commit gets one of | what it does
-readonly -a jobs=(
+readonly -a heavy_jobs=(
   'sanitizers|8|the preset debug: address and undefined-behaviour sanitizers'
   'threads|1|the preset tsan: the thread sanitizer, by clang'
   'clang|4|the preset clang: warnings are errors, and the tests'
@@ -23,7 +23,7 @@ readonly -a jobs=(
 
 is_job() {
   local one
-  for one in "${jobs[@]}"; do
+  for one in "${heavy_jobs[@]}"; do
     [[ ${one%%|*} != "$1" ]] || return 0
   done
   return 1
@@ -34,8 +34,8 @@ of_commit() {
   local number
   [[ $1 =~ ^[0-9a-f]{8} ]] || die "'$1' is no number of a commit: 8 hexadecimal digits or more"
   number=$((16#${1:0:8}))
-  IFS='|' read -r job parts _ <<<"${jobs[number % ${#jobs[@]}]}"
-  part=$((number / ${#jobs[@]} % parts + 1))
+  IFS='|' read -r job parts _ <<<"${heavy_jobs[number % ${#heavy_jobs[@]}]}"
+  part=$((number / ${#heavy_jobs[@]} % parts + 1))
 }
 
 # The tests of a preset that are of this part: every parts-th of them.
@@ -45,12 +45,15 @@ ctest_part() {
   (cd -- "$touchstone_root" && ctest --preset "$preset" --parallel "$(core_count)" -I "$part,,$parts" "$@")
 }
 
+skip() {
+  say "skipped: $job needs $1; docs/contributing.md lists its packages"
+  exit 0
+}
+
 needs_or_skip() {
   local name
   for name in "$@"; do
-    command -v "$name" >/dev/null && continue
-    say "skipped: $job needs $name; docs/contributing.md lists its packages"
-    exit 0
+    command -v "$name" >/dev/null || skip "$name"
   done
 }
 
@@ -71,6 +74,7 @@ run_clang() {
 }
 run_arm64() {
   needs_or_skip aarch64-linux-gnu-g++ qemu-aarch64
+  [[ $(aarch64-linux-gnu-g++ -print-file-name=libgmp.so) == */* ]] || skip 'the libraries of the architecture arm64'
   build_preset arm64 ''
   ctest_part arm64
 }
@@ -89,7 +93,7 @@ run_tests() { "$touchstone_root/tests/run-all.sh" -L heavy; }
 part=1 parts=1
 case ${1:-} in
   --list)
-    for one in "${jobs[@]}"; do
+    for one in "${heavy_jobs[@]}"; do
       IFS='|' read -r name _ about <<<"$one"
       printf '%-10s  %s\n' "$name" "$about"
     done

@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# heavy_jobs.sh FOLDER: every job of tests/heavy.sh, in a copy of the scripts in FOLDER, where cmake, ctest and the other
+# programs only write down how they were called. Each job must build its preset and start its tests, and say so.
+# SPDX-License-Identifier: MIT
+set -euo pipefail
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd -P)
+copy=${1:?usage: heavy_jobs.sh FOLDER}
+rm -rf -- "$copy"
+mkdir -p -- "$copy"/{tests,src,fuzz,bin,build/fuzz/fuzz}
+copy=$(cd -- "$copy" && pwd -P)
+calls=$copy/calls
+cp -- "$root"/tests/{heavy,run-all}.sh "$copy/tests"
+cp -- "$root/fuzz/run.sh" "$copy/fuzz"
+{
+  cat -- "$root/src/setup.sh"
+  # Nothing is installed, and no compiler is asked for.
+  printf '%s\n' 'install_missing() { printf "install %s\n" "$*" >>"'"$calls"'"; }' 'fuzzing_clang() { echo clang++; }'
+} >"$copy/src/setup.sh"
+
+write_down() { # FILE ANSWER: a program that writes its name and arguments down, and prints the answer
+  printf '#!/bin/sh\nprintf "%%s" "${0##*/}" >>"%s"\nprintf " %%s" "$@" >>"%s"\necho >>"%s"\nprintf "%%s\\n" "%s"\n' \
+    "$calls" "$calls" "$calls" "$2" >"$1"
+  chmod +x -- "$1"
+}
+for name in cmake ctest aarch64-linux-gnu-g++ qemu-aarch64 python3; do write_down "$copy/bin/$name" '/answer 3.25.0'; done
+write_down "$copy/fuzz/weaken-constants.py" ''
+for target in query query_file answers_file pipe_lines scene_file mesh_file; do
+  write_down "$copy/build/fuzz/fuzz/fuzz_$target" ''
+done
+write_down "$copy/build/fuzz/fuzz/make_seeds" ''
+
+failures=0
+expect() { # JOB LINE...: the job's calls have these lines, in this order
+  local job=$1 line at=0 found
+  shift
+  for line in "$@"; do
+    found=$(tail -n "+$((at + 1))" -- "$calls" | grep -n -m 1 -e "^$line" | cut -d: -f1) || true
+    if [[ -z $found ]]; then
+      printf 'the job %s did not call: %s\nit called:\n%s\n' "$job" "$line" "$(cat -- "$calls")"
+      failures=$((failures + 1))
+      return
+    fi
+    at=$((at + found))
+  done
+}
+
+asked=0
+while read -r job _; do
+  : >"$calls"
+  if ! PATH=$copy/bin:$PATH "$copy/tests/heavy.sh" "$job" 2/3 >"$copy/log" 2>&1 </dev/null; then
+    printf 'the job %s failed:\n%s\n' "$job" "$(cat -- "$copy/log")"
+    failures=$((failures + 1))
+    continue
+  fi
+  case $job in
+    sanitizers) expect "$job" 'cmake --preset debug' 'cmake --build --preset debug' 'ctest --preset debug .*-I 2,,3 -LE heavy' ;;
+    threads) expect "$job" 'cmake --preset tsan' 'cmake --build --preset tsan' 'ctest --preset tsan' ;;
+    clang) expect "$job" 'cmake --preset clang' 'cmake --build --preset clang' 'ctest --preset clang .*-I 2,,3' ;;
+    arm64) expect "$job" 'cmake --preset arm64' 'cmake --build --preset arm64' 'ctest --preset arm64' ;;
+    faults) expect "$job" 'weaken-constants.py --quick --part 2/3' ;;
+    fuzzing) expect "$job" 'cmake --build --preset fuzz' 'make_seeds' 'fuzz_.* -max_total_time=' ;;
+    plain) expect "$job" 'cmake --preset plain' 'cmake --build --preset plain .*--target touchstone_installed' ;;
+    tests) expect "$job" 'cmake --build --preset release' 'ctest --preset release .*-L heavy' ;;
+    *)
+      printf 'no calls are expected of the job %s: add them to heavy_jobs.sh\n' "$job"
+      failures=$((failures + 1))
+      ;;
+  esac
+  asked=$((asked + 1))
+done < <("$copy/tests/heavy.sh" --list)
+((asked > 0)) || { echo 'heavy.sh names no job'; exit 1; }
+printf '%s jobs asked, %s failures\n' "$asked" "$failures"
+((failures == 0))
