@@ -318,7 +318,11 @@ Separated gap_extreme(Kind kind, Metric metric, Rng& rng) {
     case 1: s.distance = beside(0x1p-1022, rng.between(-1, 1)); break;
     case 2: s.distance = rng.one_in(2) ? kGreatest : beside(0x1p1023, -rng.between(0, 1)); break;
     case 3: s.distance = std::ldexp(largest, -rng.between(30, 60)); break;
-    case 4: s.distance = std::ldexp(1 + rng.unit(), rng.between(-1074, 1022)); break;
+    case 4: {
+      const int exponent = rng.between(-1074, 1022);
+      s.distance = std::ldexp(1 + rng.unit(), exponent);
+      break;
+    }
     default: s.distance = std::min(largest * rng.unit(), kGreatest); break;
   }
   s.distance = std::max(s.distance, kLeast);
