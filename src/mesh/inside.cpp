@@ -98,8 +98,12 @@ std::set<std::array<Index, 2>> meeting(const Pieces& pieces, const std::vector<I
   std::set<std::array<Index, 2>> pairs;
   for (const Intersection& one : all) {
     if (one.sort == IntersectionSort::inside) continue;
-    const Index a = pieces.of(one.first_element, one.first), b = pieces.of(one.second_element, one.second);
-    if (a != b) pairs.insert({{a, b}, {b, a}});
+    const std::vector<Index> seconds = pieces.of(one.second_element, one.second);
+    for (const Index a : pieces.of(one.first_element, one.first)) {
+      for (const Index b : seconds) {
+        if (a != b) pairs.insert({{a, b}, {b, a}});
+      }
+    }
   }
   return pairs;
 }
@@ -271,9 +275,12 @@ TOUCHSTONE_BEHIND_GUARD std::vector<EnclosedPart> find_enclosed_parts(const Mesh
   const std::vector<Around> around = surfaces_around(search, pieces, found);
   std::vector<AroundOne> groups = by_inner(pieces, around);
   const auto is_oriented = [&](Index piece) { return pieces[piece].sort == PieceSort::oriented; };
+  std::set<Index> inside;  // the vertices of surfaces that `intersections` says to be inside another one
+  for (const Intersection& one : found) {
+    if (one.sort == IntersectionSort::inside && closed == ClosedParts::unasked) inside.insert(one.first);
+  }
   std::erase_if(groups, [&](const AroundOne& one) {
-    return closed == ClosedParts::unasked && is_oriented(one.inner) &&
-           std::all_of(one.first, one.last, [&](const Around& o) { return is_oriented(o.outer); });
+    return pieces[one.inner].is_closed() && inside.count(pieces[one.inner].vertex) != 0;
   });
   std::map<Index, Exact> rooms;  // where it counts whether the outermost surface is one
   for (const AroundOne& one : groups) {

@@ -14,10 +14,10 @@ namespace touchstone::mesh {
 
 /// Adds an intersection of sort `inside` for each closed surface that is inside another one.
 ///
-/// A surface is the set of faces that are connected by common edges. It is closed if its faces pass each of their edges
-/// as often in one direction as in the other. So its winding number about a point beside it is a whole number. A
-/// surface that none of `all` says to meet B has one winding number about all of B, but for vertices that both have:
-/// without them, B is still connected by its edges. Let `sum` be the sum of these numbers over the closed surfaces with
+/// A surface is a piece of faces (Pieces). It is closed if its faces pass each of their edges as often in one direction
+/// as in the other. So its winding number about a point beside it is a whole number. A surface that none of `all` says
+/// to meet B has one winding number about all of B, but for vertices and edges that both have: without them, B is still
+/// connected, if it does not branch. Let `sum` be the sum of these numbers over the closed surfaces with
 /// which the rules let B collide. If the outermost surface around B has its normals inwards, it may be a room, which is
 /// a cavity of all space: then one is added for solids. B is inside if its normals are outwards and there is material
 /// around it, or if they are inwards and `sum` is negative. So a solid in a solid counts, in a room too, and a body in
@@ -40,7 +40,8 @@ struct EnclosedPart {
 
 /// Which closed surfaces count as enclosed parts.
 enum class ClosedParts : std::uint8_t {
-  /// Those that `intersections` does not ask about: in a closed surface that is not oriented, or without that.
+  /// Those that `intersections` does not say to be inside: one of both is not oriented, or they are as a cavity and its
+  /// solid, or as a thing and its room.
   unasked,
   all  ///< all that are inside a surface, also those that `intersections` finds
 };

@@ -6,7 +6,6 @@
 #include <span>
 #include <tuple>
 
-#include "geometry/union_find.hpp"
 #include "mesh/folds.hpp"
 
 namespace touchstone::mesh {
@@ -20,6 +19,36 @@ std::span<const Index> corners_of(const Mesh::Impl& mesh, std::size_t n) noexcep
   n -= mesh.faces.size();
   if (n < mesh.wires.size()) return mesh.edges[mesh.wires[n]];
   return {&mesh.points[n - mesh.wires.size()], 1};
+}
+
+/// Calls block(first, last) for the longest runs of neighbours of which is_same(before, after) holds.
+template <typename T, typename IsSame, typename Block>
+void for_each_run(std::span<T> all, const IsSame& is_same, const Block& block) {
+  for (auto first = all.begin(); first != all.end();) {
+    auto last = first + 1;
+    while (last != all.end() && is_same(*(last - 1), *last)) ++last;
+    block(first, last);
+    first = last;
+  }
+}
+
+constexpr auto at_one_edge = [](const auto& a, const auto& b) { return a.edge == b.edge; };
+
+/// Sorts the sides at one edge by a number of their faces.
+template <typename Side>
+void sort_by(const std::vector<Index>& number, Side first, Side last) {
+  if (last - first <= 2) return;  // of one set, or in it alone
+  std::sort(first, last, [&](const auto& a, const auto& b) { return number[a.face] < number[b.face]; });
+}
+
+std::array<Index, 2> ends_of(std::uint64_t edge) noexcept {
+  return {static_cast<Index>(edge >> 32), static_cast<Index>(edge)};
+}
+
+/// Makes the piece's middle that of an edge, unless it has one that is at two places.
+void take_as_middle(Piece& piece, const std::array<Index, 2>& edge, const Motion& motion) noexcept {
+  const auto& [a, b] = piece.middle;
+  if (same_place(motion[a].start, motion[b].start)) piece.middle = edge;
 }
 
 Index place_in(const std::vector<Index>& sorted, Index number) noexcept {
@@ -47,12 +76,33 @@ void Pieces::find_sides() {
   std::sort(sides_.begin(), sides_.end());
 }
 
+void Pieces::connect_faces(geometry::UnionFind& sets) {
+  for_each_run(std::span(sides_), at_one_edge, [&](auto side, auto end) {
+    if (end - side == 2) sets.join(side[0].face, side[1].face);
+  });
+  std::vector<Index> component(mesh_.faces.size());
+  for (Index f = 0; f < component.size(); ++f) component[f] = sets.root(f);
+  std::vector<char> is_open(component.size(), 0);
+  const auto in_one_component = [&](const Side& a, const Side& b) { return component[a.face] == component[b.face]; };
+  for_each_run(std::span(sides_), at_one_edge, [&](auto first, auto last) {
+    sort_by(component, first, last);
+    for_each_run(std::span(first, last), in_one_component, [&](auto side, auto end) {
+      if ((end - side) % 2 != 0) is_open[component[side->face]] = 1;
+    });
+  });
+  for_each_run(std::span(sides_), at_one_edge, [&](auto side, auto end) {
+    const auto open = [&](const Side& one) { return is_open[component[one.face]] != 0; };
+    const auto first = std::find_if(side, end, open);
+    for (side = first; side != end; ++side) {
+      if (open(*side)) sets.join(first->face, side->face);
+    }
+  });
+}
+
 void Pieces::find_pieces(const Motion& motion) {
   const std::size_t faces = mesh_.faces.size(), connected = faces + mesh_.wires.size();
   geometry::UnionFind sets(connected);
-  for (std::size_t i = 1; i < sides_.size(); ++i) {
-    if (sides_[i].edge == sides_[i - 1].edge) sets.join(sides_[i].face, sides_[i - 1].face);
-  }
+  connect_faces(sets);
   std::vector<Index> element_at(mesh_.vertex_count, kNone);  // a face, or else a wire
   for (std::size_t n = 0; n < connected; ++n) {
     for (const Index corner : corners_of(mesh_, n)) {
@@ -70,25 +120,35 @@ void Pieces::find_pieces(const Motion& motion) {
       piece.sort = n < faces ? PieceSort::oriented : n < connected ? PieceSort::wire : PieceSort::point;
       piece.first = n < faces ? least : n < connected ? mesh_.wires[n - faces] : corners[0];
       piece.middle = {corners[0], corners[0]};
+      piece.branches = n < faces;
     }
     of_[n] = of_[least];
     Piece& piece = all_[of_[n]];
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const auto& [a, b] = piece.middle;
-      if (same_place(motion[a].start, motion[b].start)) piece.middle = {corners[i], corners[(i + 1) % corners.size()]};
-      broad_phase::extend(piece.box, motion[corners[i]].start);
-    }
+    for (const Index corner : corners) broad_phase::extend(piece.box, motion[corner].start);
+    if (n >= faces) take_as_middle(piece, {corners.front(), corners.back()}, motion);
   }
+  for_each_run(std::span(sides_), at_one_edge, [&](auto side, auto end) {
+    if (end - side > 2) return;
+    Piece& piece = all_[of_[side->face]];
+    piece.branches = false;
+    take_as_middle(piece, ends_of(side->edge), motion);
+  });
 }
 
 void Pieces::find_sorts() {
-  for (auto side = sides_.begin(); side != sides_.end();) {
-    const auto first = side;
-    int sum = 0;
-    for (; side != sides_.end() && side->edge == first->edge; ++side) sum += side->direction;
-    PieceSort& sort = all_[of_[first->face]].sort;
-    sort = std::max(sort, sum % 2 != 0 ? PieceSort::open : sum != 0 ? PieceSort::even : PieceSort::oriented);
-  }
+  const auto in_one_piece = [&](const Side& a, const Side& b) { return of_[a.face] == of_[b.face]; };
+  for_each_run(std::span(sides_), at_one_edge, [&](auto first, auto last) {
+    sort_by(of_, first, last);
+    for_each_run(std::span(first, last), in_one_piece, [&](auto side, auto end) {
+      Piece& piece = all_[of_[side->face]];
+      piece.branches = piece.branches || end - side > 2;
+      int sum = 0;
+      for (; side != end; ++side) sum += side->direction;
+      piece.sort = std::max(piece.sort, sum % 2 != 0 ? PieceSort::open
+                                        : sum != 0   ? PieceSort::even
+                                                     : PieceSort::oriented);
+    });
+  });
 }
 
 void Pieces::find_vertices() {
@@ -107,14 +167,22 @@ void Pieces::find_vertices() {
   }
 }
 
-Index Pieces::of(MeshElement element, Index number) const noexcept {
+std::vector<Index> Pieces::of(MeshElement element, Index number) const {
   const auto faces = static_cast<Index>(mesh_.faces.size()), wires = static_cast<Index>(mesh_.wires.size());
-  if (element == MeshElement::face) return of_[number];
-  if (element == MeshElement::vertex) return of_[faces + wires + place_in(mesh_.points, number)];
+  if (element == MeshElement::face) return {of_[number]};
+  if (element == MeshElement::vertex) return {of_[faces + wires + place_in(mesh_.points, number)]};
   const Side edge{unordered(mesh_.edges[number][0], mesh_.edges[number][1]), 0, 0};
-  const auto side = std::lower_bound(sides_.begin(), sides_.end(), edge);
-  if (side != sides_.end() && side->edge == edge.edge) return of_[side->face];
-  return of_[faces + place_in(mesh_.wires, number)];
+  std::vector<Index> pieces;
+  const auto [first, last] = std::equal_range(sides_.begin(), sides_.end(), edge);
+  for (auto side = first; side != last; ++side) {
+    if (pieces.empty() || pieces.back() != of_[side->face]) pieces.push_back(of_[side->face]);
+  }
+  if (pieces.empty()) pieces.push_back(of_[faces + place_in(mesh_.wires, number)]);
+  return pieces;
+}
+
+std::size_t Pieces::branching() const noexcept {
+  return static_cast<std::size_t>(std::count_if(all_.begin(), all_.end(), [](const Piece& p) { return p.branches; }));
 }
 
 }  // namespace touchstone::mesh

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "broad_phase/box.hpp"
+#include "geometry/union_find.hpp"
 #include "mesh/elements.hpp"
 #include "mesh/motion.hpp"
 
@@ -24,15 +25,18 @@ struct Piece {
   PieceSort sort = PieceSort::point;
   Index first = 0;                ///< its least element: a face, a wire's edge or a vertex
   Index vertex = 0;               ///< its least vertex that is in no other piece; without such, its least one
-  std::array<Index, 2> middle{};  ///< the ends of one of its edges, at two places if there is such an edge
+  std::array<Index, 2> middle{};  ///< the ends of one of its edges; in no other piece and at two places, if it has one
+  bool branches = false;  ///< one of its edges is in three of its faces or more, or all are in other pieces, too
   broad_phase::Box box = broad_phase::empty_box();  ///< at the start of the motion
 
   bool is_closed() const noexcept { return sort <= PieceSort::even; }
 };
 
-/// A surface is a set of faces that are connected by common edges. A wire is a set of edges in no face that are
-/// connected by vertices in no face: one that grows from a surface ends there. So pieces share vertices only, and a
-/// piece without those is still connected. Surfaces come first, then wires, then points, each by their least elements.
+/// A surface is a set of faces that are connected by edges with two faces. Such sets that are not closed are connected
+/// by edges with more faces, too; these surfaces branch. A wire is a set of edges in no face that are connected by
+/// vertices in no face: one that grows from a surface ends there. So pieces share vertices, and edges with three faces
+/// or more. Without those, a piece that does not branch is still connected. Surfaces come first, then wires, then
+/// points, each by their least elements.
 class Pieces {
  public:
   Pieces(const Mesh::Impl& mesh, const Motion& motion);
@@ -42,8 +46,11 @@ class Pieces {
 
   Index of_face(Index face) const noexcept { return of_[face]; }
 
-  /// The piece of a face, an edge or a loose point.
-  Index of(MeshElement element, Index number) const noexcept;
+  /// The pieces of a face, an edge or a loose point: of an edge there may be several, in ascending order.
+  std::vector<Index> of(MeshElement element, Index number) const;
+
+  /// How many surfaces branch: what they enclose, and what encloses them, is not known.
+  std::size_t branching() const noexcept;
 
  private:
   struct Side {  // of a face
@@ -54,12 +61,13 @@ class Pieces {
   };
 
   void find_sides();
+  void connect_faces(geometry::UnionFind& sets);
   void find_pieces(const Motion& motion);
   void find_sorts();
   void find_vertices();
 
   const Mesh::Impl& mesh_;
-  std::vector<Side> sides_;  // by edge
+  std::vector<Side> sides_;  // by edge, then by piece
   std::vector<Index> of_;    // by element: the faces, the wires, the loose points
   std::vector<Piece> all_;
 };

@@ -11,6 +11,7 @@
 #include <touchstone/touchstone.hpp>
 
 #include "mesh/inside.hpp"
+#include "mesh/pieces.hpp"
 #include "seeded/rng.hpp"
 #include "support/catch.hpp"
 #include "support/slow_build.hpp"
@@ -82,6 +83,12 @@ std::string text_of(const std::vector<EnclosedPart>& parts) {
     text += std::to_string(part.vertex) + " in " + std::to_string(part.face);
   }
   return text;
+}
+
+/// The number of surfaces of which no one knows what they enclose.
+std::size_t branching(const Parts& parts) {
+  const Mesh mesh(parts.elements);
+  return mesh::Pieces(mesh.impl(), mesh::Motion(mesh.vertex_count())).branching();
 }
 
 std::set<std::pair<MeshIndex, MeshIndex>> inside_of(const std::vector<Intersection>& all) {
@@ -328,6 +335,49 @@ TEST_CASE("surfaces that share a vertex are asked about, one inside the other to
   CHECK(both.elements.faces[inside[0].second][1] >= 6);
 }
 
+TEST_CASE("surfaces that share an edge are each closed by themselves") {
+  // A box, and a wedge that shares the box's edge 0-1, which has four faces then: inside, outside, or as a cavity.
+  const auto with_wedge = [](double size, bool outwards) {
+    Parts parts;
+    parts.add_box({0, 0, 0}, {8, 8, 8});
+    const MeshIndex a = parts.add_vertex(size, 2 * size, 4), b = parts.add_vertex(2 * size, size, 4);
+    for (Corners face : {Corners{0, 1, b}, {0, a, 1}, {0, b, a}, {1, a, b}}) {
+      if (outwards) std::swap(face[1], face[2]);
+      parts.elements.faces.push_back(face);
+    }
+    return parts;
+  };
+  CHECK(with_wedge(-1, false).all().empty());
+  CHECK(text_of(with_wedge(-1, false).enclosed()).empty());
+  CHECK(with_wedge(1, false).all().empty());
+  CHECK(text_of(with_wedge(1, false).enclosed()) == "surface 8 in 0");
+  const Parts inside = with_wedge(1, true);
+  REQUIRE(inside.all().size() == 1);
+  CHECK(inside_of(inside.all()) == std::set<std::pair<MeshIndex, MeshIndex>>{{8, 0}});
+  CHECK(inside_of(inside.all(3)) == inside_of(inside.all()));
+
+  // The faces of both surfaces at the edge count as met by what pierces it.
+  Parts pierced = inside;
+  const MeshIndex outer = pierced.add_vertex(-1, -1, 3), inner = pierced.add_vertex(1, 1, 3);
+  pierced.elements.edges = {{outer, inner}};
+  CHECK_FALSE(pierced.all().empty());
+  CHECK(text_of(pierced.enclosed()).empty());
+
+  // A fin outside of a box leaves the box closed. A wall through it makes two rooms, which are no surfaces one by one.
+  Parts fin;
+  fin.add_box({0, 0, 0}, {8, 8, 8});
+  fin.elements.faces.push_back({0, 1, fin.add_vertex(-4, -4, 4)});
+  fin.add_cube(4, 1);
+  CHECK(inside_of(fin.all()) == std::set<std::pair<MeshIndex, MeshIndex>>{{9, 0}});
+  CHECK(branching(fin) == 0);
+  Parts wall;
+  wall.add_box({0, 0, 0}, {8, 8, 8});
+  wall.elements.faces.push_back({0, 1, 7});
+  wall.elements.faces.push_back({0, 7, 6});
+  CHECK(branching(wall) == 1);
+  CHECK(branching(inside) == 0);
+}
+
 TEST_CASE("open surfaces, wires and points inside closed surfaces are no intersections, and are counted") {
   const auto with_parts = [](Parts parts, double at) {
     const MeshIndex a = parts.add_vertex(at, at, at), b = parts.add_vertex(at + 0.25, at, at),
@@ -346,16 +396,17 @@ TEST_CASE("open surfaces, wires and points inside closed surfaces are no interse
   CHECK(with_parts(solid, 5).empty());
   cavity = solid;
   cavity.add_cube(0.25, 2, false);
-  CHECK(with_parts(cavity, 0).empty());
-  CHECK(with_parts(cavity, 2.5) == "surface 16 in 0, wire 19 in 0, point 22 in 0");  // in the material
+  // The cavity itself is counted: it may be a solid that is inside out.
+  CHECK(with_parts(cavity, 0) == "surface 8 in 0");
+  CHECK(with_parts(cavity, 2.5) == "surface 8 in 0, surface 16 in 0, wire 19 in 0, point 22 in 0");  // in the material
   Parts inner_first;
   inner_first.add_cube(0.25, 2, false);
   inner_first.add_cube(0, 4);
-  CHECK(with_parts(inner_first, 0).empty());
+  CHECK(with_parts(inner_first, 0) == "surface 0 in 12");
   room.add_cube(0, 4, false);
   CHECK(with_parts(room, 0) == "surface 8 in 0, wire 11 in 0, point 14 in 0");
   room.add_cube(0.25, 2);
-  CHECK(with_parts(room, 0) == "surface 16 in 0, wire 19 in 0, point 22 in 0");  // in the furniture
+  CHECK(with_parts(room, 0) == "surface 8 in 0, surface 16 in 0, wire 19 in 0, point 22 in 0");  // in the furniture
   open = solid;
   open.elements.faces.pop_back();
   CHECK(with_parts(open, 0).empty());
@@ -406,6 +457,7 @@ TEST_CASE("a wire that grows from a surface is inside it, and one that meets it 
 }
 
 // The surfaces are the borders of filled cells of a lattice. A piece in a cell is inside exactly if its cell is filled.
+// Cavities of the filled cells are counted, too.
 TEST_CASE("many pieces are inside surfaces exactly when their cells are filled, for any number of threads") {
   seeded::Rng random(308);
   std::size_t inside = 0, outside = 0;
@@ -487,10 +539,15 @@ TEST_CASE("many pieces are inside surfaces exactly when their cells are filled, 
     CHECK(parts.all().empty());
     const auto one = parts.enclosed(ClosedParts::unasked, 1), three = parts.enclosed(ClosedParts::unasked, 3);
     std::set<MeshIndex> found;
-    for (const EnclosedPart& part : one) found.insert(part.vertex);
+    std::size_t cavities = 0;
+    for (const EnclosedPart& part : one) {
+      const bool of_cells = part.vertex < kCorners * kCorners * kCorners;
+      if (!of_cells) found.insert(part.vertex);
+      cavities += of_cells ? 1 : 0;
+    }
     CHECK(found == expected);
     CHECK(text_of(one) == text_of(three));
-    CHECK(found.size() == one.size());
+    CHECK(found.size() + cavities == one.size());
   }
   CHECK((inside > 0 || !whole_effort("pieces inside")));
   CHECK(outside > 0);
