@@ -34,6 +34,8 @@ struct Topology {
   std::vector<std::string> parts;         ///< the names of objects and groups, each once
   std::vector<std::uint32_t> face_parts;  ///< for each face, an index into parts; empty without names
 
+  std::size_t joined_vertices = 0;  ///< the vertices that the reader, and not the file, gives to several parts
+
   bool operator==(const Topology& other) const = default;
 };
 

@@ -20,21 +20,34 @@ class VertexNumbers {
  public:
   explicit VertexNumbers(std::vector<double>& positions) : positions_(positions), slots_(1024, kNone) {}
 
+  void begin_solid() { ++solid_; }
+
+  /// The number of vertices that are in several solids.
+  std::size_t joined() const noexcept { return joined_; }
+
   MeshIndex number_of(const Corner& corner) {
     if (2 * positions_.size() >= 3 * slots_.size()) grow();
     std::size_t slot = slot_of(corner.data());
     for (; slots_[slot] != kNone; slot = (slot + 1) % slots_.size()) {
       const double* const other = &positions_[3 * std::size_t{slots_[slot]}];
-      if (other[0] == corner[0] && other[1] == corner[1] && other[2] == corner[2]) return slots_[slot];
+      if (other[0] != corner[0] || other[1] != corner[1] || other[2] != corner[2]) continue;
+      std::uint32_t& solid = solids_[slots_[slot]];
+      if (solid != solid_ && solid != kSeveral) {
+        solid = kSeveral;
+        ++joined_;
+      }
+      return slots_[slot];
     }
     const auto number = static_cast<MeshIndex>(positions_.size() / 3);
     slots_[slot] = number;
     positions_.insert(positions_.end(), corner.begin(), corner.end());
+    solids_.push_back(solid_);
     return number;
   }
 
  private:
   static constexpr MeshIndex kNone = std::numeric_limits<MeshIndex>::max();
+  static constexpr std::uint32_t kSeveral = 0;
 
   std::size_t slot_of(const double* corner) const noexcept {
     std::uint64_t hash = 0;
@@ -56,7 +69,10 @@ class VertexNumbers {
   }
 
   std::vector<double>& positions_;
-  std::vector<MeshIndex> slots_;  ///< their number is a power of two
+  std::vector<MeshIndex> slots_;       ///< their number is a power of two
+  std::vector<std::uint32_t> solids_;  ///< of each vertex, from 1; kSeveral
+  std::uint32_t solid_ = 1;
+  std::size_t joined_ = 0;
 };
 
 constexpr std::size_t kHeader = 84;
@@ -98,6 +114,7 @@ class TextReader {
     scanner_.skip_byte_order_mark();
     while (!scanner_.at_file_end()) {
       expect("solid");
+      numbers_.begin_solid();
       builder_.set_part(std::string(scanner_.rest_of_line()));
       std::string_view keyword = scanner_.next_word();
       for (; equal_but_for_case(keyword, "facet"); keyword = scanner_.next_word()) read_facet();
@@ -105,7 +122,9 @@ class TextReader {
       scanner_.rest_of_line();
     }
     if (facets_ == 0) io::fail(file_, "has no facet");
-    return builder_.finish({file_});
+    MeshFile mesh = builder_.finish({file_});
+    mesh.topology.joined_vertices = numbers_.joined();
+    return mesh;
   }
 
  private:

@@ -1,4 +1,4 @@
-// Vertices of a mesh at equal positions: the corners of elements that are not joined.
+// Positions that are likely mistakes of a file: vertices that are not joined, and flat faces.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -11,5 +11,9 @@ namespace touchstone {
 /// How many of the vertices that collide are at exactly the position of another one that does; 0 and -0 are equal.
 /// @throws InvalidQuery  for positions that do not fit the mesh, and for a coordinate that is not finite
 std::size_t coinciding_vertices(const Mesh& mesh, const Positions& x);
+
+/// How many faces have their corners on one line, exactly: their own edges lie on each other, which is no intersection.
+/// @throws InvalidQuery  likewise
+std::size_t flat_faces(const Mesh& mesh, const Positions& x);
 
 }  // namespace touchstone

@@ -221,6 +221,7 @@ Result check_frame(const Mesh& mesh, const Frame& frame, std::size_t index, int 
   const std::vector<Intersection> found = intersections(mesh, positions_of(frame), options);
   result.intersections = named(found, names);
   result.enclosed = counts_of(enclosed_parts(mesh, positions_of(frame), options, found, ClosedParts::unasked), names);
+  result.flat = flat_faces(mesh, positions_of(frame));
   if (!result.free()) result.coinciding = coinciding_vertices(mesh, positions_of(frame));
   return result;
 }

@@ -9,6 +9,7 @@
 #include "geometry/union_find.hpp"
 #include "io/fail.hpp"
 #include "io/sha256.hpp"
+#include "mesh/pieces.hpp"
 
 namespace touchstone::sequence {
 namespace {
@@ -43,20 +44,20 @@ std::vector<std::size_t> degrees_of(const Mesh& mesh) {
   return degrees;
 }
 
-/// The connected sets of edges that have an even number of edges at each of their vertices; 0 where there is nothing
-/// beside one such set.
+/// The connected sets of edges with a closed polygon; 0 where there is nothing beside one such set.
 std::size_t closed_polygons(const Mesh& mesh, const std::vector<std::size_t>& degrees) {
   geometry::UnionFind sets(degrees.size());
-  for (const auto& [a, b] : mesh.edges()) sets.join(a, b);
-  std::vector<char> is_open(degrees.size(), 0);
-  for (MeshIndex v = 0; v < degrees.size(); ++v) {
-    if (degrees[v] % 2 != 0) is_open[sets.root(v)] = 1;
+  std::vector<MeshIndex> closing;  // an end of each edge whose ends others connect
+  for (const auto& [a, b] : mesh.edges()) {
+    if (!sets.join(a, b)) closing.push_back(a);
   }
+  std::vector<char> is_closed(degrees.size(), 0);
+  for (const MeshIndex a : closing) is_closed[sets.root(a)] = 1;
   std::size_t closed = 0, all = mesh.points().size();
   for (MeshIndex v = 0; v < degrees.size(); ++v) {
     if (degrees[v] == 0 || sets.root(v) != v) continue;
     ++all;
-    closed += is_open[v] == 0 ? 1 : 0;
+    closed += is_closed[v] != 0 ? 1 : 0;
   }
   return all > 1 ? closed : 0;
 }
@@ -165,6 +166,8 @@ MeshFacts facts_of(const Mesh& mesh, const frames::Topology& topology) {
   }
   facts.idle = facts.vertices - in_edges - facts.points;
   if (mesh.dimension() == 2) facts.polygons = closed_polygons(mesh, degrees);
+  facts.branching = mesh::Pieces(mesh.impl(), mesh::Motion(facts.vertices)).branching();
+  facts.joined = topology.joined_vertices;
   return facts;
 }
 

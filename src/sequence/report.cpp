@@ -33,9 +33,10 @@ std::string json_of(const MeshFacts& facts) {
   return fmt::format(
       "\"mesh\": {{\"sha256\": \"{}\", \"dimension\": {}, \"vertices\": {}, \"faces\": {}, \"edges\": {}, \"points\": "
       "{}, "
-      "\"idle_vertices\": {}, \"pairs_with_common_vertex\": {}, \"closed_polygons\": {}}}",
+      "\"idle_vertices\": {}, \"pairs_with_common_vertex\": {}, \"closed_polygons\": {}, \"branching_surfaces\": {}, "
+      "\"joined_vertices\": {}}}",
       facts.digest, facts.dimension, facts.vertices, facts.faces, facts.edges, facts.points, facts.idle,
-      facts.neighbours, facts.polygons);
+      facts.neighbours, facts.polygons, facts.branching, facts.joined);
 }
 
 }  // namespace

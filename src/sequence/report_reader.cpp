@@ -24,7 +24,7 @@ constexpr std::uint64_t kMostPairs = std::uint64_t{1} << 63;
 
 MeshFacts facts_from(const JsonNode& node) {
   node.check_keys({"sha256", "dimension", "vertices", "faces", "edges", "points", "idle_vertices",
-                   "pairs_with_common_vertex", "closed_polygons"});
+                   "pairs_with_common_vertex", "closed_polygons", "branching_surfaces", "joined_vertices"});
   const auto count = [&](const char* key) {
     return static_cast<std::size_t>(node.at(key).whole_number(0, kMostElements));
   };
@@ -38,6 +38,8 @@ MeshFacts facts_from(const JsonNode& node) {
   facts.idle = static_cast<std::size_t>(node.at("idle_vertices").whole_number(0, facts.vertices));
   facts.neighbours = static_cast<std::size_t>(node.at("pairs_with_common_vertex").whole_number(0, kMostPairs));
   facts.polygons = count("closed_polygons");
+  facts.branching = count("branching_surfaces");
+  facts.joined = count("joined_vertices");
   return facts;
 }
 

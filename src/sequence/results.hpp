@@ -88,6 +88,7 @@ struct Result {
 
   /// Of a frame at rest. A free frame may have some.
   EnclosedCounts enclosed;
+  std::size_t flat = 0;  ///< flat_faces
 
   bool free() const noexcept { return first.empty() && at_start.empty() && intersections.empty(); }
 };
@@ -151,6 +152,8 @@ struct MeshFacts {
   std::size_t idle = 0;        ///< the vertices that are in no edge and no loose points: they collide with nothing
   std::size_t neighbours = 0;  ///< the pairs of elements that share a vertex, of the kinds that a step is asked about
   std::size_t polygons = 0;    ///< closed polygons in the plane, beside anything else: no one asks what is inside them
+  std::size_t branching = 0;   ///< surfaces with an edge of three faces or more: no one asks what is inside what there
+  std::size_t joined = 0;      ///< vertices at which the reader joined solids: no one asks whether they touch there
 
   /// Whether there are edges or faces.
   bool has_elements() const noexcept { return edges > 0; }
@@ -194,11 +197,13 @@ struct ResultCounts {
   std::size_t from_intersecting = 0;  ///< the free steps from a frame that intersects itself, as far as is known
   EnclosedCounts enclosed;            ///< of the same frames as `intersections`
   std::size_t frames_enclosing = 0;   ///< those with such parts
+  std::size_t flat = 0;               ///< the greatest of Result::flat
   std::size_t coinciding = 0;         ///< the greatest of Result::coinciding
   bool ends_intersecting = false;     ///< whether the frame at the end of the last result is known to intersect itself
 
   bool all_free() const noexcept { return free == results && intersections.all == 0; }
   void add(Question question, const Result& result) {
+    flat = result.flat > flat ? result.flat : flat;
     coinciding = result.coinciding > coinciding ? result.coinciding : coinciding;
     // A step without contact leaves a frame that intersects itself as it is.
     if (question == Question::rest || !result.free()) ends_intersecting = !result.intersections.empty();

@@ -144,6 +144,7 @@ std::string result_json(const Result& result) {
                                  : fmt::format("{{\"frame\":{}", result.frame);
   text += fmt::format(",\"free\":{}", result.free());
   if (result.enclosed.all() > 0) text += ",\"enclosed_parts\":" + json_of(result.enclosed);
+  if (result.flat > 0) text += fmt::format(",\"flat_faces\":{}", result.flat);
   if (result.free()) return text + "}";
   if (result.step) {
     const auto time = [&](double value) {
@@ -164,8 +165,9 @@ Result result_from(const JsonNode& node) {
     node.check_keys(
         {"from", "to", "free", "toi", "toi_upper", "first", "at_start", "intersections", "coinciding_vertices"});
   } else {
-    node.check_keys({"frame", "free", "enclosed_parts", "intersections", "coinciding_vertices"});
+    node.check_keys({"frame", "free", "enclosed_parts", "flat_faces", "intersections", "coinciding_vertices"});
     if (const auto enclosed = node.find("enclosed_parts")) result.enclosed = enclosed_from(*enclosed);
+    if (const auto flat = node.find("flat_faces")) result.flat = flat->whole_number(1, kMostNumber);
   }
   result.frame = node.at(result.step ? "from" : "frame").whole_number(0, kMostFrames);
   if (result.step) node.at("to").whole_number(result.frame + 1, result.frame + 1);

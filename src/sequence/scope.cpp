@@ -22,8 +22,9 @@ struct Meshes {
 
   void add(const MeshFacts& facts) {
     ++count;
-    for (const auto member : {&MeshFacts::vertices, &MeshFacts::edges, &MeshFacts::faces, &MeshFacts::points,
-                              &MeshFacts::idle, &MeshFacts::neighbours, &MeshFacts::polygons}) {
+    for (const auto member :
+         {&MeshFacts::vertices, &MeshFacts::edges, &MeshFacts::faces, &MeshFacts::points, &MeshFacts::idle,
+          &MeshFacts::neighbours, &MeshFacts::polygons, &MeshFacts::branching, &MeshFacts::joined}) {
       sum.*member += facts.*member;
     }
     if (!facts.has_pairs()) {
@@ -85,6 +86,7 @@ std::string scope_of(const Heading& heading, const std::vector<FrameEntry>& fram
 std::vector<std::string> warnings_of(const Heading& heading, const std::vector<FrameEntry>& frames,
                                      const ResultCounts& counts) {
   const Meshes meshes = meshes_of(heading, frames);
+  const bool rest = heading.question == Question::rest;
   std::vector<std::string> warnings;
   if (meshes.with_points_alone > 0) {
     warnings.push_back(fmt::format("asked about {} alone{}: no file names edges or faces (for arrays: --topology)",
@@ -107,6 +109,20 @@ std::vector<std::string> warnings_of(const Heading& heading, const std::vector<F
     warnings.push_back(polygons == 1 ? std::string("whether anything is inside a closed polygon was not asked")
                                      : fmt::format("whether anything is inside one of {} closed polygons was not asked",
                                                    io::grouped(polygons)));
+  }
+  if (const std::size_t surfaces = meshes.sum.branching; surfaces > 0) {
+    warnings.push_back(fmt::format("what is inside what was not asked about {} with an edge of three faces or more",
+                                   counted(surfaces, "surface")));
+  }
+  if (const std::size_t joined = meshes.sum.joined; joined > 0) {
+    warnings.push_back(
+        fmt::format("whether solids touch at {} that several have was not asked: equal corners were joined",
+                    counted(joined, "vertex")));
+  }
+  if (counts.flat > 0) {
+    warnings.push_back(fmt::format("{}{} {} flat: that edges of one face lie on each other is no intersection",
+                                   counted(counts.flat, "face"), counts.results > 1 && rest ? " of a frame" : "",
+                                   counts.flat == 1 ? "is" : "are"));
   }
   if (const std::size_t steps = counts.from_intersecting; steps > 0) {
     warnings.push_back(fmt::format("{} {} from a frame that intersects itself", counted(steps, "free step"),

@@ -1,5 +1,6 @@
 // touchstone mesh: what a verdict was asked about and leaves out, folds, and surfaces inside others.
 // SPDX-License-Identifier: MIT
+#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -243,6 +244,54 @@ TEST_CASE("closed polygons in the plane are counted, as nothing asks what is ins
   CHECK(ending("l 1 2 3 1\nl 4 5\n") == "; whether anything is inside a closed polygon was not asked");
   CHECK(ending("l 1 2 3 1\np 4\n") == "; whether anything is inside a closed polygon was not asked");
   CHECK(ending("l 1 2 3 1\nl 4 5 6 4\n") == "; whether anything is inside one of 2 closed polygons was not asked");
+  CHECK(ending("l 1 2 3 1 4\nl 5 6\n") == "; whether anything is inside a closed polygon was not asked");  // a tail
+  CHECK(ending("l 1 2 3 4 1 3\nl 5 6\n") == "; whether anything is inside a closed polygon was not asked");
   CHECK(ending("l 1 2 3 1\n").empty());
   CHECK(ending("l 1 2 3\nl 4 5 6\n").empty());
+}
+
+TEST_CASE("a verdict counts bodies inside out, surfaces that branch, corners of several solids and flat faces") {
+  const TemporaryFolder folder;
+  const std::string outer = "v 0 0 0\nv 16 0 0\nv 0 16 0\nv 0 0 16\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n",
+                    corners = "v 1 1 1\nv 2 1 1\nv 1 2 1\nv 1 1 2\n", outwards = "f 5 7 6\nf 5 6 8\nf 6 7 8\nf 7 5 8\n",
+                    inwards = "f 5 6 7\nf 5 8 6\nf 6 8 7\nf 7 8 5\n";
+  const auto ending = [&](const std::string& name, const std::string& text, int status = 0) {
+    const Run run = mesh({"--check", folder.write(name, text), "--report", folder.path("r.json")});
+    CAPTURE(run.out, run.err);
+    CHECK(run.status == status);
+    const auto warnings = nlohmann::json::parse(folder.read("r.json"))["warnings"];
+    const std::string said = verdict(run);
+    for (const auto& warning : warnings) CHECK(occurrences(said, "; " + warning.get<std::string>()) == 1);
+    const std::size_t at = said.find("); ");
+    return at == std::string::npos ? std::string() : said.substr(at + 3);
+  };
+  CHECK(ending("solid.obj", outer + corners + outwards, 1).empty());
+  CHECK(ending("inside-out.obj", outer + corners + inwards) ==
+        "1 surface is wholly inside a closed surface, which is no contact (vertex 5 inside the surface of face 1)");
+  // Face 1-2-5 hangs on an edge of the outer surface: outside, it leaves it closed.
+  CHECK(ending("fin.obj", outer + "v 0 0 -9\n" + "f 1 2 5\n").empty());
+  // A wall inside, from the edge 1-2 to the middle of the opposite one.
+  const std::string walled =
+      "v 0 0 0\nv 16 0 0\nv 0 16 0\nv 0 0 16\nv 0 8 8\nf 1 3 2\nf 1 2 4\nf 2 3 5\nf 2 5 4\n"
+      "f 3 1 5\nf 5 1 4\nf 1 2 5\n";
+  CHECK(ending("wall.obj", walled) ==
+        "what is inside what was not asked about 1 surface with an edge of three faces or more");
+  CHECK(ending("flat.obj", outer + "v 50 0 0\nv 51 0 0\nv 53 0 0\nf 5 6 7\n") ==
+        "1 face is flat: that edges of one face lie on each other is no intersection");
+
+  const auto solid = [](const std::string& a, const std::string& b, const std::string& c, const std::string& d) {
+    std::string text = "solid\n";
+    for (const auto& [p, q, r] : {std::array{a, c, b}, {a, b, d}, {b, c, d}, {c, a, d}}) {
+      text +=
+          "facet normal 0 0 0\nouter loop\nvertex " + p + "\nvertex " + q + "\nvertex " + r + "\nendloop\nendfacet\n";
+    }
+    return text + "endsolid\n";
+  };
+  CHECK(ending("touch.stl", solid("0 0 0", "8 0 0", "0 8 0", "0 0 8") + solid("8 0 0", "9 0 0", "8 1 0", "8 0 1")) ==
+        "whether solids touch at 1 vertex that several have was not asked: equal corners were joined");
+  CHECK(ending("apart.stl", solid("0 0 0", "8 0 0", "0 8 0", "0 0 8") + solid("9 0 0", "10 0 0", "9 1 0", "9 0 1"))
+            .empty());
+  // The wedge shares the edge from 0 0 0 to 8 0 0 with the solid around it.
+  CHECK(ending("wedge.stl", solid("0 0 0", "8 0 0", "0 8 0", "0 0 8") + solid("0 0 0", "8 0 0", "1 2 1", "1 1 2"), 1) ==
+        "whether solids touch at 2 vertices that several have was not asked: equal corners were joined");
 }

@@ -139,6 +139,11 @@ TEST_CASE("equal corners of an STL file are one vertex, whatever the sign of 0")
   CHECK(same_bits(frame.positions.data(), positions.data(), positions.size()));
   CHECK(frame.topology->parts == std::vector<std::string>{"left one", "right"});
   CHECK(frame.topology->face_parts == std::vector<std::uint32_t>{0, 1});
+  CHECK(frame.topology->joined_vertices == 2);  // 1 and 2: the file does not say that they are one
+  const std::size_t facet = right.find("FACET"), second = right.find("endsolid", facet);
+  const std::string thrice = right + "\nsolid third\n" + right.substr(facet, second - facet) + " endsolid";
+  CHECK(read(folder, "a.stl", thrice).topology->joined_vertices == 3);
+  CHECK(read(folder, "a.stl", right.substr(0, right.find("SOLID"))).topology->joined_vertices == 0);
 
   const std::string start = "solid, but binary";
   const std::string binary = start + std::string(80 - start.size(), ' ') +

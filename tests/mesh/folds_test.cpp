@@ -12,9 +12,11 @@
 
 #include <touchstone/touchstone.hpp>
 
+#include "mesh/coinciding.hpp"
 #include "mesh/folds.hpp"
 #include "mesh/scenes.hpp"
 #include "numbers/exact_number.hpp"
+#include "seeded/rng.hpp"
 #include "support/catch.hpp"
 #include "support/slow_build.hpp"
 
@@ -362,4 +364,44 @@ TEST_CASE("neighbours that are left out by doubles do not fold, and most are lef
               ordinary);
   CHECK((folded > 10000 || !whole_effort("folds among neighbours")));
   CHECK(100 * ordinary_left_out >= 99 * ordinary);
+}
+
+TEST_CASE("a face is flat exactly if its corners are on one line") {
+  seeded::Rng random(309);
+  std::size_t flat = 0, nearly = 0;
+  for (std::size_t round = 0; round < effort(3000); ++round) {
+    // Integers, so that 64 bits hold the products, and doubles do not; then a scale that doubles hold.
+    std::array<std::array<std::int64_t, 3>, 3> corner{};
+    const std::int64_t reach = std::int64_t{1} << random.between(1, 27);
+    const auto some = [&] {
+      return static_cast<std::int64_t>(random.below(static_cast<std::uint64_t>(2 * reach))) - reach;
+    };
+    const int steps = random.between(-3, 3);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int64_t from = some();
+      const std::int64_t way = some();
+      corner[0][k] = from;
+      corner[1][k] = from + way;
+      corner[2][k] = from + steps * way;
+    }
+    if (random.one_in(2)) corner[2][random.below(3)] += random.between(-1, 1);
+    const auto area = [&](std::size_t i, std::size_t j) {
+      const auto along = [&](std::size_t c, std::size_t k) { return corner[c][k] - corner[0][k]; };
+      return along(1, i) * along(2, j) - along(1, j) * along(2, i);
+    };
+    const bool expected = area(0, 1) == 0 && area(1, 2) == 0 && area(2, 0) == 0;
+    const double unit = std::ldexp(1.0, random.between(-1070, 980));
+    MeshElements elements;
+    elements.vertex_count = 3;
+    elements.faces = {{0, 1, 2}};
+    std::vector<double> x;
+    for (const auto& at : corner) {
+      for (const std::int64_t k : at) x.push_back(unit * static_cast<double>(k));
+    }
+    CAPTURE(round, x);
+    REQUIRE(flat_faces(Mesh(elements), {x, 3}) == (expected ? 1 : 0));
+    (expected ? flat : nearly) += 1;
+  }
+  CHECK((flat > 0 || !whole_effort("flat faces")));
+  CHECK((nearly > 0 || !whole_effort("faces that are not flat")));
 }

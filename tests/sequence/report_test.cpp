@@ -75,6 +75,8 @@ TEST_CASE("a report is JSON that says everything, and is read back") {
   CHECK(json["mesh"]["pairs_with_common_vertex"] == 24);
   CHECK(json["results"][0]["coinciding_vertices"] == 5);
   CHECK(json["mesh"]["closed_polygons"] == 0);
+  CHECK(json["mesh"]["branching_surfaces"] == 0);
+  CHECK(json["mesh"]["joined_vertices"] == 0);
   CHECK(json["results"][0]["enclosed_parts"]["points"] == 3);
   CHECK(json["results"][0]["enclosed_parts"]["face"]["number"] == 17);
   REQUIRE(json["warnings"].size() == 4);
@@ -265,6 +267,9 @@ TEST_CASE("a report with a right digest and wrong content is refused by its key"
         "results[0].enclosed_parts: counts nothing");
   check("\"enclosed_parts\":{", "\"enclosed_parts\":{\"rods\":1,", "has no key 'rods'");
   check("\"closed_polygons\": 0", "\"closed_polygons\": -1", "mesh.closed_polygons");
+  check("\"branching_surfaces\": 0", "\"branching_surfaces\": 1", "not as touchstone mesh writes it");
+  check("\"joined_vertices\": 0", "\"joined_vertices\": -1", "mesh.joined_vertices");
+  check("\"enclosed_parts\":{", "\"flat_faces\":0,\"enclosed_parts\":{", "results[0].flat_faces");
   check("\"coinciding_vertices\":5", "\"coinciding_vertices\":0", "results[0].coinciding_vertices");
   check("start from a frame", "start with a frame", "not as touchstone mesh writes it");
 }
