@@ -96,7 +96,8 @@ std::string nothing_asked(const Simulation& simulation) {
 
 std::string checked_for_person(const Simulation& simulation, std::uint64_t steps) {
   const double first = static_cast<double>(simulation.steps() - steps) * simulation.scene().settings.time_step;
-  const char* const what = simulation.start().held > 0 ? " of anything that can move" : "";
+  std::string what = simulation.start().held > 0 ? " of anything that can move" : "";
+  if (simulation.start().within_bodies > 0) what += " but within bodies";
   return fmt::format("checked: no intersection{} at {:.9g} s, and each step to {:.9g} s, of {}\n", what, first,
                      simulation.state().time, elements_of(simulation));
 }
@@ -108,6 +109,10 @@ std::string left_out_for_person(const Simulation& simulation, std::uint64_t step
   }
   if (steps == 0) text += "; warning: only the start was asked about";
   std::vector<std::string> all{not_colliding(simulation), held_pairs(simulation)};
+  if (const std::size_t within = simulation.start().within_bodies; within > 0) {
+    all.push_back(
+        fmt::format("{} within bodies, which {}", counted(within, "pair"), within == 1 ? "intersects" : "intersect"));
+  }
   if (simulation.ignores_radii()) {
     all.emplace_back("the radii of the scene");
   } else if (const std::size_t neighbours = simulation.colliders().neighbours().count(); neighbours > 0) {

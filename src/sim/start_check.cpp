@@ -58,6 +58,11 @@ class StartMesh {
     return touchstone::intersections(mesh_, x_, options);
   }
 
+  bool within_body(const Intersection& found) const {
+    const Index first = body_of(found.first_element, found.first);
+    return first != kParticles && first == body_of(found.second_element, found.second);
+  }
+
   bool can_move(const Intersection& found) const {
     const auto any = [&](MeshElement element, MeshIndex number) {
       const auto corners = corners_of(element, number);
@@ -71,7 +76,11 @@ class StartMesh {
   void find_enclosed(const std::vector<Intersection>& found, int threads, StartFindings& findings) const {
     MeshOptions options;
     options.threads = threads;
-    const auto parts = enclosed_parts(mesh_, x_, options, found, ClosedParts::all);
+    auto parts = enclosed_parts(mesh_, x_, options, found, ClosedParts::all);
+    std::erase_if(parts, [&](const EnclosedPart& part) {  // a cavity, or a solid of several shells
+      const Index body = vertices_[part.vertex].of.body;
+      return body != kParticles && body == surface_of(part).body;
+    });
     findings.enclosed = parts.size();
     for (const EnclosedPart& part : parts) findings.enclosed_in_bodies += surface_of(part).body != kParticles ? 1 : 0;
     if (parts.empty()) return;
@@ -98,8 +107,6 @@ class StartMesh {
 
  private:
   void add_bodies(const StartPlaces& places, MeshElements& elements) {
-    std::vector<MeshIndex>& groups = elements.rules.groups;
-    groups.assign(vertices_.size(), 0);
     for (Index b = 0; b < places.bodies->surfaces().size(); ++b) {
       const ElementSet& surface = places.bodies->surface(b);
       const auto first = static_cast<Index>(vertices_.size());
@@ -107,9 +114,7 @@ class StartMesh {
         vertices_.push_back({{b, v}, places.bodies->can_move(b)});
         const Vector3 x = places.bodies->at({b, v}, *places.states, *places.q);
         x_.push_back({x.x(), x.y(), x.z()});
-        groups.push_back(b + 1);
       }
-      elements.rules.group_pairs.push_back({b + 1, b + 1});  // a body does not move against itself
       for (const Edge& edge : surface.edges) elements.edges.push_back({first + edge[0], first + edge[1]});
       add_once_each(surface.faces, first, elements.faces);
     }
@@ -117,6 +122,11 @@ class StartMesh {
 
   /// A vertex of the closed surface around a part.
   const OfBody& surface_of(const EnclosedPart& part) const { return vertices_[mesh_.faces()[part.face][0]].of; }
+
+  /// kParticles for an element of particles.
+  Index body_of(MeshElement element, MeshIndex number) const {
+    return vertices_[corners_of(element, number).front()].of.body;
+  }
 
   static const char* how(IntersectionSort sort) noexcept {
     if (sort == IntersectionSort::folds) return "fold onto each other";
@@ -134,7 +144,7 @@ class StartMesh {
 
   std::string name(MeshElement element, MeshIndex number) const {
     const auto corners = corners_of(element, number);
-    const Index body = vertices_[corners.front()].of.body;
+    const Index body = body_of(element, number);
     std::string text(element == MeshElement::vertex && body == kParticles ? "particle" : mesh_element_name(element));
     const char* separator = " ";
     for (const MeshIndex corner : corners) {
@@ -158,7 +168,9 @@ StartFindings check_no_intersection(const StartPlaces& places, std::string_view 
   const std::vector<Intersection> all = mesh.intersections(threads);
   for (const Intersection& found : all) {
     if (found.sort == IntersectionSort::inside) continue;  // it may be right, and is counted below
-    if (!mesh.can_move(found)) {
+    if (mesh.within_body(found)) {                         // a body does not move against itself
+      ++findings.within_bodies;
+    } else if (!mesh.can_move(found)) {
       ++findings.held;
     } else if (moving++ == 0) {
       first = mesh.describe(found);

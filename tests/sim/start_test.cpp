@@ -8,6 +8,7 @@
 #include <touchstone/error.hpp>
 #include <touchstone/solve.hpp>
 
+#include "scene/body_shapes.hpp"
 #include "scene/shipped_scenes.hpp"
 #include "seeded/rng.hpp"
 #include "sim/all_pairs.hpp"
@@ -187,6 +188,33 @@ TEST_CASE("a verdict names what does not collide, and runs in which nothing is a
   Scene alone;
   add_particle(alone, {0, 0, 0}, 1);
   CHECK(verdict(alone, 1) == "; warning: only one element or body collides, so no pair was asked about");
+}
+
+TEST_CASE("a body that intersects itself does so for ever, and the verdict counts its pairs") {
+  Body two = box({1, 1, 1}, 1000);
+  const Body other = box({1, 1, 1}, 1000);
+  const auto first = static_cast<Index>(two.vertices.size());
+  for (const Vector3& x : other.vertices) two.vertices.push_back(x + Vector3(0.5, 0.25, 0.125));
+  for (const Face& face : other.faces) two.faces.push_back({first + face[0], first + face[1], first + face[2]});
+  Scene scene;
+  scene.bodies = {two, box({1, 1, 1}, 1000)};
+  scene.bodies[1].pose.p.x() = 9;
+  Simulation simulation(scene, {});
+  simulation.step();
+  const std::size_t within = simulation.start().within_bodies;
+  CHECK(within > 1);
+  CHECK(simulation.start().held == 0);
+  CHECK(left_out_for_person(simulation, 1) ==
+        "; left out: " + std::to_string(within) + " pairs within bodies, which intersect");
+  CHECK_THAT(checked_for_person(simulation, 1),
+             Catch::StartsWith("checked: no intersection but within bodies at 0 s, and each step to "));
+
+  // A body of two shells, one in the other, is no part inside another.
+  scene.bodies[0] = box({1, 1, 1}, 1000);
+  for (const Vector3& x : other.vertices) scene.bodies[0].vertices.push_back(0.5 * x);
+  for (const Face& face : other.faces) scene.bodies[0].faces.push_back({8 + face[0], 8 + face[2], 8 + face[1]});
+  CHECK(left_out_for_person(Simulation(scene, {}), 1).empty());
+  CHECK(Simulation(scene, {}).start().within_bodies == 0);
 }
 
 TEST_CASE("a checkpoint whose elements are pierced is refused, and the run stays where it is") {
