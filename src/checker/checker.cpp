@@ -33,13 +33,14 @@ class Checker {
     if (next()) throw expected("the end of the file, after the line \"end\"");
     const std::string answers =
         counted(contacts_, "contact", "contacts") + ", " + std::to_string(queries_ - contacts_) + " without contact";
-    std::printf("%s checked: %s\n", counted(queries_, "query", "queries").c_str(),
-                queries_ > 0 ? answers.c_str() : kNoneNear);
+    std::printf("%s checked: %s%s\n", counted(queries_, "query", "queries").c_str(),
+                queries_ > 0 ? answers.c_str() : kNoneNear, motions_ > 0 ? kStarts : "");
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw BadInput("standard output cannot be written");
   }
 
  private:
-  static constexpr char kNoneNear[] = "no two elements come near enough to need a proof";
+  static constexpr char kNoneNear[] = "no two elements that move against each other come near enough to need a proof";
+  static constexpr char kStarts[] = "; whether a first frame intersects itself was not asked";
 
   bool next() { return lines_.next(words_); }
   Rejected rejected(const std::string& reason) const { return Rejected(lines_.where() + reason); }
@@ -63,6 +64,7 @@ class Checker {
     next();
     std::string text;
     if (kind == kKinds.end()) {
+      ++motions_;
       MotionFile motion(name);
       const std::size_t steps = check_motion(motion, name);
       text = " in " + counted(steps, "step", "steps") + separation_.text + ": " + motion.contents();
@@ -356,7 +358,7 @@ class Checker {
 
   Lines lines_;
   Words words_;
-  unsigned long long queries_ = 0, contacts_ = 0;
+  unsigned long long queries_ = 0, contacts_ = 0, motions_ = 0;
   Separation separation_;
 
   // Of the query. The numbers keep their memory from one query to the next.

@@ -41,7 +41,8 @@ QUERY_NUMBER = re.compile(rb"-?[0-9]{1,%d}" % MAX_QUERY_DIGITS)
 CURVED_NUMBER = re.compile(rb"(-?)(?:0[xX](?=\.?[0-9A-Fa-f])([0-9A-Fa-f]*)(?:\.([0-9A-Fa-f]*))?(?:[pP]([+-]?[0-9]+))?|"
                            rb"(?=\.?[0-9])([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?)")
 
-NONE_NEAR = "no two elements come near enough to need a proof"
+NONE_NEAR = "no two elements that move against each other come near enough to need a proof"
+STARTS = "; whether a first frame intersects itself was not asked"
 
 # Newer versions of Python refuse decimal integers of more than 4,300 digits unless told otherwise.
 if hasattr(sys, "set_int_max_str_digits"):
@@ -845,19 +846,20 @@ def check_queries(queries, lines, name):
 def check(proofs, proofs_name, files, report=lambda header: None):
     """Checks the proofs of a binary stream. `files` yields pairs of stream and name.
 
-    Returns the numbers of queries and of contacts. Raises Rejected or BadInput.
+    Returns the numbers of queries, of contacts and of motions. Raises Rejected or BadInput.
     """
     lines = Lines(proofs, proofs_name)
     if lines.words() != [b"touchstone-proofs", b"1"]:
         raise BadInput(f"{lines.place()}: the first line is not \"touchstone-proofs 1\"")
     lines.advance()
-    queries = contacts = 0
+    queries = contacts = motions = 0
     for stream, name in files:
         metric, separation_word, separation, kind = read_header(lines, name)
         rows = Lines(stream, name)
         counts = []
         with_separation = f" with separation {metric.decode()} {separation_word.decode()}" if metric else ""
         if kind == b"mesh":
+            motions += 1
             motion = Motion(rows)
             for step, frames in enumerate(motion.steps()):
                 require(lines.words() == [b"step", str(step).encode()],
@@ -887,7 +889,7 @@ def check(proofs, proofs_name, files, report=lambda header: None):
     require(holds, f"{lines.place()}: expected \"end {queries} {contacts}\"")
     lines.advance()
     require(lines.line is None, f"{lines.place()}: something follows the end")
-    return queries, contacts
+    return queries, contacts, motions
 
 
 def opened(names):
@@ -900,9 +902,9 @@ def counted(number, one, several):
     return f"{number} {one if number == 1 else several}"
 
 
-def verdict(queries, contacts):
+def verdict(queries, contacts, motions):
     answers = f"{counted(contacts, 'contact', 'contacts')}, {queries - contacts} without contact"
-    return f"{counted(queries, 'query', 'queries')} checked: {answers if queries else NONE_NEAR}"
+    return f"{counted(queries, 'query', 'queries')} checked: {answers if queries else NONE_NEAR}{STARTS if motions else ''}"
 
 
 def main(arguments):
@@ -911,14 +913,14 @@ def main(arguments):
         return 2
     try:
         with open(arguments[0], "rb") as proofs:
-            queries, contacts = check(proofs, arguments[0], opened(arguments[1:]), print)
+            counts = check(proofs, arguments[0], opened(arguments[1:]), print)
     except Rejected as reason:
         print(f"rejected: {reason}", file=sys.stderr)
         return 1
     except (BadInput, OSError) as reason:
         print(f"check_proofs.py: {reason}", file=sys.stderr)
         return 2
-    print(verdict(queries, contacts))
+    print(verdict(*counts))
     return 0
 
 

@@ -743,12 +743,12 @@ def by_page(proof, files):
     """The exit status of check_proofs.py and its last line or its complaint."""
     named = [(io.BytesIO(text.encode()), f"file {i}") for i, text in enumerate(files)]
     try:
-        queries, contacts = check_proofs.check(io.BytesIO(proof.encode()), "proof", named)
+        counts = check_proofs.check(io.BytesIO(proof.encode()), "proof", named)
     except check_proofs.Rejected as reason:
         return 1, str(reason)
     except check_proofs.BadInput as reason:
         return 2, str(reason)
-    return 0, check_proofs.verdict(queries, contacts)
+    return 0, check_proofs.verdict(*counts)
 
 
 def by_program(program, proof, files, folder):
