@@ -220,7 +220,8 @@ Separated gap_tangent(Kind kind, Metric metric, Rng& rng) {
 Separated gap_constant(Kind kind, Metric metric, Rng& rng) {
   const bool parallel = rng.one_in(4);
   const Placed p = placed(kind, pythagorean(rng), Foot::anywhere, parallel, rng);
-  return separated(p, metric, some_time(rng), rng.one_in(3) ? Course::common : Course::level, rng);
+  const Course course = rng.one_in(3) ? Course::common : Course::level;
+  return separated(p, metric, some_time(rng), course, rng);
 }
 
 Separated gap_border(Kind kind, Metric metric, Rng& rng) {
