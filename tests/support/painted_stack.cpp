@@ -76,6 +76,7 @@ PaintedStack::PaintedStack() {
   if (memory == MAP_FAILED) throw std::runtime_error("no memory for a stack");
   bottom_ = static_cast<unsigned char*>(memory);
   std::fill_n(bottom_, kSize, kPaint);
+  use_of([] {});  // the first thread may look for the functions that it calls
   idle_ = use_of([] {}).own;
 }
 
@@ -96,7 +97,8 @@ StackUse PaintedStack::use_of(const std::function<void()>& call) {
   auto* const deepest = std::find_if(reinterpret_cast<std::uint64_t*>(bottom_), end,
                                      [](std::uint64_t word) { return word != kPaintedWord; });
   std::fill(deepest, end, kPaintedWord);
-  return {static_cast<std::size_t>(end - deepest) * sizeof *end - idle_, what.gmp};
+  const std::size_t all = static_cast<std::size_t>(end - deepest) * sizeof *end;
+  return {all - std::min(all, idle_), what.gmp};  // the end of a thread may need more than the call
 }
 
 bool sees_calls_of_gmp() { return called; }
