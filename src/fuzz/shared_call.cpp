@@ -64,12 +64,11 @@ bool wait_for_change(SharedCall& call, Side self, const std::atomic<std::uint32_
     if (word.load(std::memory_order_acquire) != old) return true;
     ::sched_yield();
   }
-  using Clock = std::chrono::steady_clock;
-  const auto deadline = Clock::now() + time;
+  const auto deadline = std::chrono::steady_clock::now() + time;
   auto& flag = asleep(call, self);
   flag.store(1);  // sequentially consistent with raise(): either it sees the flag, or the loop sees the word
   while (word.load() == old) {
-    const auto now = Clock::now();
+    const auto now = std::chrono::steady_clock::now();
     if (now >= deadline) break;
     sleep_on(word, old, deadline - now);
   }
