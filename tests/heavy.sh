@@ -14,7 +14,7 @@ readonly -a heavy_jobs=(
   'sanitizers|8|the preset debug: address and undefined-behaviour sanitizers'
   'threads|1|the preset tsan: the thread sanitizer, by clang'
   'clang|4|the preset clang: warnings are errors, and the tests'
-  'arm64|1|the preset arm64: a cross-build, and the tests of the library under qemu-user'
+  'arm64|2|the preset arm64: a cross-build, and the tests of the library under qemu-user'
   'faults|10|planted faults: each weakened bound must be noticed'
   'fuzzing|1|the libFuzzer targets, for ten minutes in all'
   'plain|1|the preset plain: all that is installed, each source compiled by itself'

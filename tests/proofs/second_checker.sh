@@ -2,12 +2,13 @@
 # Both checkers accept the proofs of the bundled queries and of some motions, with and without a separation, and neither
 # accepts a changed proof of another answer.
 #
-#   second_checker.sh PROGRAM CHECKER CHECKS QUERIES
+#   second_checker.sh PROGRAM CHECKER CHECKS QUERIES PROOFS
 #
-# CHECKS is the program of checks.cpp, and QUERIES the folder of the bundled queries.
+# CHECKS is the program of checks.cpp, and QUERIES the folder of the bundled queries. PROOFS: those of queries, of curved
+# queries, of separations, of motions or of bodies.
 # SPDX-License-Identifier: MIT
 set -euo pipefail
-program=$1 checker=$2 checks=$3 queries=$4
+program=$1 checker=$2 checks=$3 queries=$4 proofs=$5
 command -v python3 >/dev/null || { echo "skipped: no python3"; exit 77; }
 here=$(dirname -- "${BASH_SOURCE[0]}")
 folder=$(mktemp -d)
@@ -27,28 +28,10 @@ both_check() { # PROOFS FILE...
   python3 -B "$here/mutate_proofs.py" --cases 60 --checker "$checker" --many "$checks" "$@"
 }
 
-mapfile -t curved < <(grep -l '^touchstone-curved' "$queries"/{edge-edge,vertex-face,point-edge,point-point}/*.csv)
-"$program" prove --out "$folder/curved.txt" "${curved[@]}"
-both_check "$folder/curved.txt" "${curved[@]}"
-mapfile -t files < <(grep -L '^touchstone-curved' "$queries"/{edge-edge,vertex-face,point-edge,point-point}/*.csv)
-"$program" prove --out "$folder/touching.txt" "${files[@]}"
-both_check "$folder/touching.txt" "${files[@]}"
-for separation in "euclidean 0.125" "max 1"; do
-  read -r metric distance <<<"$separation"
-  "$program" prove --separation "$distance" --metric "$metric" --out "$folder/$metric.txt" "${files[@]}"
-  both_check "$folder/$metric.txt" "${files[@]}"
-done
-
-"$program" generate --meshes --scene cables --scene sheets --size 150 --out "$folder/meshes"
 prove_motion() { # NAME ARGUMENT...: the exit status is 1 where the motion has contacts
   "$program" mesh --prove "$folder/$1" "${@:2}" || [[ $? == 1 ]]
   both_check "$folder/$1/proofs.txt" "$folder/$1/motion.txt"
 }
-prove_motion cables "$folder"/meshes/cables/frame-000[0-4].obj
-prove_motion sheets --separation 0.02 "$folder"/meshes/sheets/frame-000[0-2].obj
-prove_motion max --separation 0.02 --metric max "$folder"/meshes/cables/frame-000[0-2].obj
-"$program" simulate hoop --steps 5 --prove "$folder/hoop"
-both_check "$folder/hoop/proofs.txt" "$folder/hoop/motion.txt"
 # Bodies that turn: links that meet late, a nut on a fixed bolt, and a rim with a ball of particles.
 prove_bodies() { # NAME ARGUMENT...
   "$program" simulate "${@:2}" --prove "$folder/$1"
@@ -60,7 +43,41 @@ prove_bodies() { # NAME ARGUMENT...
   python3 -B "$here/mutate_proofs.py" --cases 20 --parts 6 --checker "$checker" --many "$checks" \
     "$folder/$1/proofs.txt" "$folder/$1/motion.txt"
 }
-"$program" simulate link-chain --size 3 --steps 152 --checkpoint "$folder/chain.json"
-prove_bodies chain --resume "$folder/chain.json" --steps 4
-prove_bodies nut nut-and-bolt --size 24 --steps 1
-prove_bodies rim hoop-rim --steps 2
+
+mapfile -t files < <(grep -L '^touchstone-curved' "$queries"/{edge-edge,vertex-face,point-edge,point-point}/*.csv)
+case $proofs in
+  curved)
+    mapfile -t curved < <(grep -l '^touchstone-curved' "$queries"/{edge-edge,vertex-face,point-edge,point-point}/*.csv)
+    "$program" prove --out "$folder/curved.txt" "${curved[@]}"
+    both_check "$folder/curved.txt" "${curved[@]}"
+    ;;
+  queries)
+    "$program" prove --out "$folder/touching.txt" "${files[@]}"
+    both_check "$folder/touching.txt" "${files[@]}"
+    ;;
+  separations)
+    for separation in "euclidean 0.125" "max 1"; do
+      read -r metric distance <<<"$separation"
+      "$program" prove --separation "$distance" --metric "$metric" --out "$folder/$metric.txt" "${files[@]}"
+      both_check "$folder/$metric.txt" "${files[@]}"
+    done
+    ;;
+  motions)
+    "$program" generate --meshes --scene cables --scene sheets --size 150 --out "$folder/meshes"
+    prove_motion cables "$folder"/meshes/cables/frame-000[0-4].obj
+    prove_motion sheets --separation 0.02 "$folder"/meshes/sheets/frame-000[0-2].obj
+    prove_motion max --separation 0.02 --metric max "$folder"/meshes/cables/frame-000[0-2].obj
+    "$program" simulate hoop --steps 5 --prove "$folder/hoop"
+    both_check "$folder/hoop/proofs.txt" "$folder/hoop/motion.txt"
+    ;;
+  bodies)
+    "$program" simulate link-chain --size 3 --steps 152 --checkpoint "$folder/chain.json"
+    prove_bodies chain --resume "$folder/chain.json" --steps 4
+    prove_bodies nut nut-and-bolt --size 24 --steps 1
+    prove_bodies rim hoop-rim --steps 2
+    ;;
+  *)
+    echo "second_checker.sh: '$proofs' is none of queries, curved, separations, motions and bodies" >&2
+    exit 2
+    ;;
+esac
