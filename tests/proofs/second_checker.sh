@@ -4,8 +4,8 @@
 #
 #   second_checker.sh PROGRAM CHECKER CHECKS QUERIES PROOFS
 #
-# CHECKS is the program of checks.cpp, and QUERIES the folder of the bundled queries. PROOFS: those of queries, of curved
-# queries, of separations, of motions or of bodies.
+# CHECKS is the program of checks.cpp, and QUERIES the folder of the bundled queries. PROOFS: those of queries, of
+# curved queries, of separations, of motions or of bodies.
 # SPDX-License-Identifier: MIT
 set -euo pipefail
 program=$1 checker=$2 checks=$3 queries=$4 proofs=$5
