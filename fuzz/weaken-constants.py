@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # Does anybody notice when a filter lies? On a copy of the sources, makes each error bound of the filters, and of the
-# signs in doubles in src/numbers, 16 times too small and drops each guard, one at a time; builds what depends on it;
+# signs in doubles in src/core/numbers, 16 times too small and drops each guard, one at a time; builds what depends on it;
 # and runs the searches of the layer's tests and then `touchstone fuzz` against the cascade, for a minute at most.
 # Prints who found what. Exit status 0 when every fault was found, 1 when one survived, 2 when this script no longer
 # fits the sources.
@@ -41,7 +41,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 #   where V changes its sign; nor the signs around a simple root of V_0, which is far steeper there than d;
 # - in wide_polynomial.cpp the rounding of values, or that of coefficients: each bound covers the other's error.
 
-# name, file below src, text there (exactly once), what it becomes
+# name, file below src/core, text there (exactly once), what it becomes
 FAULTS = [
     ("kEndsBound", "filters/coplanarity_form.hpp", "kEndsBound = 35 *", "kEndsBound = 35 / 16.0 *"),
     ("kMiddleBound", "filters/coplanarity_form.hpp", "kMiddleBound = 123 *", "kMiddleBound = 123 / 16.0 *"),
@@ -326,7 +326,7 @@ def layer_of(fault):
 def faulty(text, fault):
     name, file, old, new = fault
     if text.count(old) != 1:
-        stop(f"'{name}': src/{file} holds {text.count(old)} times, not once: {old}")
+        stop(f"'{name}': src/core/{file} holds {text.count(old)} times, not once: {old}")
     return text.replace(old, new)
 
 
@@ -515,7 +515,7 @@ def main():
     if not chosen:
         stop(f"no fault is called '{options.only}'" if options.only else "no such fault")
     for fault in FAULTS + SEPARATION_FAULTS + MESH_FAULTS + CURVED_FAULTS:  # before minutes are spent
-        faulty((ROOT / "src" / fault[1]).read_text(), fault)
+        faulty((ROOT / "src/core" / fault[1]).read_text(), fault)
     if options.list:
         print("\n".join(fault[0] for fault in chosen))
         return 0
@@ -537,7 +537,7 @@ def main():
             note(f"they find nothing in {unharmed[1]:.1f} s")
         survivors = []
         for fault in chosen:
-            file = source / "src" / fault[1]
+            file = source / "src/core" / fault[1]
             text = file.read_text()
             file.write_text(faulty(text, fault))
             result = attack(layer_of(fault), fault[1])

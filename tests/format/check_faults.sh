@@ -20,7 +20,7 @@ trap 'rm -rf -- "$folder"' EXIT
 mkdir "$folder/fuzz"
 cp -- "$source/fuzz/weaken-constants.py" "$folder/fuzz"
 cp -r -- "$source/src" "$folder"
-sed -i 's/kEndsBound = 35/kEndsBound = 36/' "$folder/src/filters/coplanarity_form.hpp"
+sed -i 's/kEndsBound = 35/kEndsBound = 36/' "$folder/src/core/filters/coplanarity_form.hpp"
 status=0
 python3 "$folder/fuzz/weaken-constants.py" --list > /dev/null 2>&1 || status=$?
 if [ "$status" -ne 2 ]; then

@@ -1,11 +1,11 @@
 # kValueBound of step_cubic.hpp and kPartBound of bernstein_cubic.cpp: the value of the cubic, and its coefficients over
 # a part. The coefficients c are off by what ends_bound.g and middle_bound.g prove without their reserve.
 # SPDX-License-Identifier: MIT
-# constant kUnit src/filters/coplanarity_form.hpp
-# constant kValueBound src/filters/step_cubic.hpp
-# constant kPartBound src/filters/bernstein_cubic.cpp
-# constant kMargin src/filters/step_cubic.hpp
-# constant kLeastMagnitude src/filters/root_sides.hpp
+# constant kUnit src/core/filters/coplanarity_form.hpp
+# constant kValueBound src/core/filters/step_cubic.hpp
+# constant kPartBound src/core/filters/bernstein_cubic.cpp
+# constant kMargin src/core/filters/step_cubic.hpp
+# constant kLeastMagnitude src/core/filters/root_sides.hpp
 # not with kValueBound: 59 * kUnit
 # not with kPartBound: 68 * kUnit
 # not with kMargin: 0x1p-6

@@ -1,16 +1,16 @@
 # kNormFactor and kNormBound of coplanarity_form.hpp: a test for clearance compares V with more than the distance times
 # the norm of n. In units of U W and U W R.
 # SPDX-License-Identifier: MIT
-# constant kUnit src/filters/coplanarity_form.hpp
-# constant kLeastNormProduct src/filters/coplanarity_form.hpp
-# constant kGreatestNormProduct src/filters/coplanarity_form.hpp
-# constant kGreatestProduct src/filters/coplanarity_form.hpp
-# constant kGreatestVolume src/filters/coplanarity_form.hpp
-# constant kLeastVolume src/filters/coplanarity_form.hpp
-# constant kEndsBound src/filters/coplanarity_form.hpp
-# constant kMiddleBound src/filters/coplanarity_form.hpp
-# constant kNormFactor src/filters/coplanarity_form.hpp
-# constant kNormBound src/filters/coplanarity_form.hpp
+# constant kUnit src/core/filters/coplanarity_form.hpp
+# constant kLeastNormProduct src/core/filters/coplanarity_form.hpp
+# constant kGreatestNormProduct src/core/filters/coplanarity_form.hpp
+# constant kGreatestProduct src/core/filters/coplanarity_form.hpp
+# constant kGreatestVolume src/core/filters/coplanarity_form.hpp
+# constant kLeastVolume src/core/filters/coplanarity_form.hpp
+# constant kEndsBound src/core/filters/coplanarity_form.hpp
+# constant kMiddleBound src/core/filters/coplanarity_form.hpp
+# constant kNormFactor src/core/filters/coplanarity_form.hpp
+# constant kNormBound src/core/filters/coplanarity_form.hpp
 # not with kNormFactor: 1 + 4 * kUnit
 # not with kNormBound: 29 * kUnit
 # not with kLeastNormProduct: 0x1p-470

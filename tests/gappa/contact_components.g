@@ -1,10 +1,10 @@
 # kComponentError of contact_values.hpp: components of n, f1 and f2 at a time, and their differences, in double-doubles.
 # SPDX-License-Identifier: MIT
-# constant kUnit src/filters/coplanarity_form.hpp
-# constant kUnitSquared src/filters/contact_values.hpp
-# constant kComponentError src/filters/contact_values.hpp
-# constant kMargin src/filters/step_cubic.hpp
-# constant kLeastMagnitude src/filters/root_sides.hpp
+# constant kUnit src/core/filters/coplanarity_form.hpp
+# constant kUnitSquared src/core/filters/contact_values.hpp
+# constant kComponentError src/core/filters/contact_values.hpp
+# constant kMargin src/core/filters/step_cubic.hpp
+# constant kLeastMagnitude src/core/filters/root_sides.hpp
 # not with kUnitSquared: 0x1p-107
 # not with kComponentError: 101.9 * kUnitSquared
 # not with kMargin: 0x1p-6

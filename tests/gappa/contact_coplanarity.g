@@ -1,10 +1,10 @@
 # kCoplanarityError of contact_values.hpp: V at a time in double-doubles. In units of P, coordinates being at most span.
 # SPDX-License-Identifier: MIT
-# constant kUnit src/filters/coplanarity_form.hpp
-# constant kUnitSquared src/filters/contact_values.hpp
-# constant kCoplanarityError src/filters/contact_values.hpp
-# constant kMargin src/filters/step_cubic.hpp
-# constant kLeastMagnitude src/filters/root_sides.hpp
+# constant kUnit src/core/filters/coplanarity_form.hpp
+# constant kUnitSquared src/core/filters/contact_values.hpp
+# constant kCoplanarityError src/core/filters/contact_values.hpp
+# constant kMargin src/core/filters/step_cubic.hpp
+# constant kLeastMagnitude src/core/filters/root_sides.hpp
 # not with kCoplanarityError: 280 * kUnitSquared
 # not with kMargin: 0x1p-10
 # not with kLeastMagnitude: 0x1p-350

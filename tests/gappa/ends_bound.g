@@ -1,9 +1,9 @@
 # kEndsBound: the error of b0 = (u x w) . r, and of b3 likewise, as coplanarity_form.hpp computes them.
 # SPDX-License-Identifier: MIT
-# constant kUnit src/filters/coplanarity_form.hpp
-# constant kLeastProduct src/filters/coplanarity_form.hpp
-# constant kGreatestProduct src/filters/coplanarity_form.hpp
-# constant kEndsBound src/filters/coplanarity_form.hpp
+# constant kUnit src/core/filters/coplanarity_form.hpp
+# constant kLeastProduct src/core/filters/coplanarity_form.hpp
+# constant kGreatestProduct src/core/filters/coplanarity_form.hpp
+# constant kEndsBound src/core/filters/coplanarity_form.hpp
 # not with kEndsBound: 34 * kUnit
 # not with kLeastProduct: 0x1p-1024
 # not with kGreatestProduct: 0x1p1022

@@ -1,10 +1,10 @@
 # kMiddleBound: the error of 3 b1 = (u0 x w1 + u1 x w0) . r0 + (u0 x w0) . r1, and of 3 b2 likewise, as
 # coplanarity_form.hpp computes them. Names: ends 0 and 1 of the step are written a and b, so ua = u0.
 # SPDX-License-Identifier: MIT
-# constant kUnit src/filters/coplanarity_form.hpp
-# constant kLeastProduct src/filters/coplanarity_form.hpp
-# constant kGreatestProduct src/filters/coplanarity_form.hpp
-# constant kMiddleBound src/filters/coplanarity_form.hpp
+# constant kUnit src/core/filters/coplanarity_form.hpp
+# constant kLeastProduct src/core/filters/coplanarity_form.hpp
+# constant kGreatestProduct src/core/filters/coplanarity_form.hpp
+# constant kMiddleBound src/core/filters/coplanarity_form.hpp
 # not with kMiddleBound: 122 * kUnit
 # not with kLeastProduct: 0x1p-1024
 # not with kGreatestProduct: 0x1p1022

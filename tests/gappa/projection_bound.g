@@ -1,10 +1,10 @@
 # kProjectionBound: the error of a projection d . (x - origin) as separating_direction.cpp computes it, and three times
 # the bound for the difference of two projections.
 # SPDX-License-Identifier: MIT
-# constant kUnit src/filters/coplanarity_form.hpp
-# constant kLeastProduct src/filters/coplanarity_form.hpp
-# constant kProjectionBound src/filters/separating_direction.cpp
-# between kBounds src/filters/separating_direction.cpp |return {std::max(above, below), | * bound};|
+# constant kUnit src/core/filters/coplanarity_form.hpp
+# constant kLeastProduct src/core/filters/coplanarity_form.hpp
+# constant kProjectionBound src/core/filters/separating_direction.cpp
+# between kBounds src/core/filters/separating_direction.cpp |return {std::max(above, below), | * bound};|
 # not with kProjectionBound: 9.9 * kUnit
 # not with kBounds: 1.9
 # not with kLeastProduct: 0x1p-1022

@@ -1,9 +1,9 @@
 # The radius of a root in step_cubic.hpp: where the change of the slope and its error are at most kShare of the
 # computed steepness, V changes by more than its bound within the radius, and the slope is at least half of the steepness.
 # SPDX-License-Identifier: MIT
-# constant kUnit src/filters/coplanarity_form.hpp
-# between kRadius src/filters/step_cubic.hpp |const N radius = | * error / steepness;|
-# between kShare src/filters/step_cubic.hpp |slope_error() <= | * steepness|
+# constant kUnit src/core/filters/coplanarity_form.hpp
+# between kRadius src/core/filters/step_cubic.hpp |const N radius = | * error / steepness;|
+# between kShare src/core/filters/step_cubic.hpp |slope_error() <= | * steepness|
 # not with kRadius: 1.9
 # not with kShare: 0.501
 

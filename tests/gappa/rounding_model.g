@@ -5,7 +5,7 @@
 #   a sum or a difference of doubles is rounded to z (1 + e d): where it is subnormal it is exact. The last claim is
 #   that a rounded difference D and the true one differ by at most e (1 + 2 e) |D|.
 # SPDX-License-Identifier: MIT
-# constant kUnit src/filters/coplanarity_form.hpp
+# constant kUnit src/core/filters/coplanarity_form.hpp
 # not with kUnit: 0x1p-54
 
 @rnd = float<ieee_64, ne>;

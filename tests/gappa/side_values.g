@@ -1,11 +1,11 @@
 # The bound on side conditions in root_sides.hpp: components of n, f1, f2 at a time t, and their change over a time h.
 # In units of the vectors' bounds.
 # SPDX-License-Identifier: MIT
-# constant kUnit src/filters/coplanarity_form.hpp
-# constant kMargin src/filters/step_cubic.hpp
-# constant kLeastMagnitude src/filters/root_sides.hpp
-# between kRounding src/filters/root_sides.hpp |const N spread = | + (|
-# between kReach src/filters/root_sides.hpp |* kUnit + (|) * h;|
+# constant kUnit src/core/filters/coplanarity_form.hpp
+# constant kMargin src/core/filters/step_cubic.hpp
+# constant kLeastMagnitude src/core/filters/root_sides.hpp
+# between kRounding src/core/filters/root_sides.hpp |const N spread = | + (|
+# between kReach src/core/filters/root_sides.hpp |* kUnit + (|) * h;|
 # not with kRounding: 15.9 * kUnit
 # not with kReach: 8
 # not with kMargin: 0x1p-5

@@ -1,11 +1,11 @@
 # kSlopeBound of step_cubic.hpp: the slope of the cubic, with the share of the curvature's error.
 # SPDX-License-Identifier: MIT
-# constant kUnit src/filters/coplanarity_form.hpp
-# constant kSlopeBound src/filters/step_cubic.hpp
-# constant kMargin src/filters/step_cubic.hpp
-# constant kGreatestRadius src/filters/step_cubic.hpp
-# between kCurvature src/filters/step_cubic.hpp |curvature_ = (|) * larger(|
-# constant kLeastMagnitude src/filters/root_sides.hpp
+# constant kUnit src/core/filters/coplanarity_form.hpp
+# constant kSlopeBound src/core/filters/step_cubic.hpp
+# constant kMargin src/core/filters/step_cubic.hpp
+# constant kGreatestRadius src/core/filters/step_cubic.hpp
+# between kCurvature src/core/filters/step_cubic.hpp |curvature_ = (|) * larger(|
+# constant kLeastMagnitude src/core/filters/root_sides.hpp
 # not with kSlopeBound: 365 * kUnit
 # not with kMargin: 0x1p-7
 # not with kGreatestRadius: 0x1p-6

@@ -1,7 +1,7 @@
 # kTimesError of box_tree.cpp: two times a = -f0 / (f1 - f0) and 1 - b, b = g1 / (g1 - g0), of rounded differences f
 # and g of different signs, and their comparison. Where a <= 1 - b, the computed times compare so, too.
 # SPDX-License-Identifier: MIT
-# constant kTimesError src/broad_phase/box_tree.cpp
+# constant kTimesError src/core/broad_phase/box_tree.cpp
 # not with kTimesError: 9 * 0x1p-53
 
 e = 0x1p-53;

@@ -1,12 +1,12 @@
 # kWalkError and kTurnError of entry_walk.hpp: products of a direction and the differences r, u, w at a time in [0, 1].
 # Claims about one vector are in units of N and of the vector's bound; claims about c = r - s u - q w in units of N S.
 # SPDX-License-Identifier: MIT
-# constant kUnit src/filters/coplanarity_form.hpp
-# constant kLeastShare src/filters/entry_step.hpp
-# constant kLeastSize src/filters/entry_step.hpp
-# constant kWalkError src/filters/entry_walk.hpp
-# constant kTurnError src/filters/entry_walk.hpp
-# constant kNormIncrease src/filters/entry_walk.hpp
+# constant kUnit src/core/filters/coplanarity_form.hpp
+# constant kLeastShare src/core/filters/entry_step.hpp
+# constant kLeastSize src/core/filters/entry_step.hpp
+# constant kWalkError src/core/filters/entry_walk.hpp
+# constant kTurnError src/core/filters/entry_walk.hpp
+# constant kNormIncrease src/core/filters/entry_walk.hpp
 # not with kWalkError: 29 * kUnit
 # not with kTurnError: 32 * kUnit
 # not with kNormIncrease: 1 + 6 * kUnit

@@ -1,13 +1,13 @@
 # component_spread and kWeightError of refined_root_steps.hpp: a component of n, f1 or f2 at the root, from its value and
 # slope at t and the root's offset; and a weight, which is promised to 2^-50.
 # SPDX-License-Identifier: MIT
-# constant kUnit src/filters/coplanarity_form.hpp
-# constant kUnitSquared src/filters/contact_values.hpp
-# constant kComponentError src/filters/contact_values.hpp
-# constant kMargin src/filters/step_cubic.hpp
-# constant kWeightError src/filters/refined_root_steps.hpp
-# between kFactor src/filters/refined_root_steps.hpp |return (|) * (kComponentError * (1|
-# between kWeight src/filters/refined_root_steps.hpp |(1 + (1 / kUnit) * away) + | * (reach * reach|
+# constant kUnit src/core/filters/coplanarity_form.hpp
+# constant kUnitSquared src/core/filters/contact_values.hpp
+# constant kComponentError src/core/filters/contact_values.hpp
+# constant kMargin src/core/filters/step_cubic.hpp
+# constant kWeightError src/core/filters/refined_root_steps.hpp
+# between kFactor src/core/filters/refined_root_steps.hpp |return (|) * (kComponentError * (1|
+# between kWeight src/core/filters/refined_root_steps.hpp |(1 + (1 / kUnit) * away) + | * (reach * reach|
 # not with kComponentError: 79 * kUnitSquared
 # not with kWeightError: 3.1 * kUnit
 # not with kMargin: 0x1p-4

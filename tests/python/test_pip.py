@@ -34,7 +34,7 @@ def takes_ninja(tmp_path, tools, **environment):
     script = ("import pathlib, sys; sys.path.insert(0, sys.argv[1]); import cmake_build as c; "
               "c.BuildWithCMake.build(c.BuildWithCMake.__new__(c.BuildWithCMake), pathlib.Path(sys.argv[2]))")
     own = {name: value for name, value in os.environ.items() if name not in ("CMAKE_ARGS", "CMAKE_GENERATOR")}
-    subprocess.run([sys.executable, "-c", script, ROOT / "src/python", tmp_path / "build"], check=True,
+    subprocess.run([sys.executable, "-c", script, ROOT / "src/bindings/python", tmp_path / "build"], check=True,
                    env={**own, "PATH": str(path), **environment})
     configure, build = (path / "arguments").read_text().splitlines()
     assert configure.startswith("-S ") and build.startswith("--build ")

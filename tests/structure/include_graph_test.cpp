@@ -59,8 +59,8 @@ TEST_CASE(
   const std::regex floating_point(R"(\b(float|double) [a-z_]+( =|[(;,{])|[<(](float|double)[>)]|get_d\()");
   std::size_t total = 0;
   std::size_t files = 0;
-  for (const auto& file : cpp_files("src/checker")) {
-    const std::string text = text_of(std::filesystem::path(TOUCHSTONE_SOURCE_DIR) / "src/checker" / file);
+  for (const auto& file : cpp_files("src/proofs/checker")) {
+    const std::string text = text_of(std::filesystem::path(TOUCHSTONE_SOURCE_DIR) / "src/proofs/checker" / file);
     for (const Include& include : includes_of(text)) {
       INFO(file << ": " << include.target);
       CHECK(include.quoted == (include.target.rfind("checker/", 0) == 0));
@@ -99,23 +99,23 @@ TEST_CASE("a planted violation of the layer table is found") {
     const char* reason;
   };
   const Planted planted = GENERATE(
-      Planted{"exact/x.cpp", "#include \"solver/cascade.hpp\"\n", "`exact` may not use `solver`"},
-      Planted{"oracle/x.cpp", "#include \"exact/exact.hpp\"\n", "`oracle` may not use `exact`"},
-      Planted{"oracle/x.cpp", "#include \"filters/same_side.hpp\"\n", "`oracle` may not use `filters`"},
-      Planted{"geometry/x.hpp", "#include \"numbers/fraction.hpp\"\n", "`geometry` may not use `numbers`"},
-      Planted{"io/x.cpp", "#include \"solver/solve.hpp\"\n", "`io` may not use `solver`"},
-      Planted{"solver/x.cpp", "#include \"io/query_file.hpp\"\n", "`solver` may not use `io`"},
-      Planted{"certify/x.cpp", "#include \"cli/main.hpp\"\n", "`certify` may not use `cli`"},
+      Planted{"core/exact/x.cpp", "#include \"solver/cascade.hpp\"\n", "`exact` may not use `solver`"},
+      Planted{"core/oracle/x.cpp", "#include \"exact/exact.hpp\"\n", "`oracle` may not use `exact`"},
+      Planted{"core/oracle/x.cpp", "#include \"filters/same_side.hpp\"\n", "`oracle` may not use `filters`"},
+      Planted{"core/geometry/x.hpp", "#include \"numbers/fraction.hpp\"\n", "`geometry` may not use `numbers`"},
+      Planted{"files/io/x.cpp", "#include \"solver/solve.hpp\"\n", "`io` may not use `solver`"},
+      Planted{"core/solver/x.cpp", "#include \"io/query_file.hpp\"\n", "`solver` may not use `io`"},
+      Planted{"core/certify/x.cpp", "#include \"cli/main.hpp\"\n", "`certify` may not use `cli`"},
       Planted{"version.cpp", "#include \"geometry/x.hpp\"\n", "may not use `geometry`"},
-      Planted{"exact/x.cpp", "#include <CGAL/Mpzf.h>\n", "only numbers, oracle and checker"},
-      Planted{"filters/x.hpp", "  #  include <gmp.h>\n", "only numbers, oracle and checker"},
+      Planted{"core/exact/x.cpp", "#include <CGAL/Mpzf.h>\n", "only numbers, oracle and checker"},
+      Planted{"core/filters/x.hpp", "  #  include <gmp.h>\n", "only numbers, oracle and checker"},
       Planted{"cli/x.cpp", "#include <mpfr.h>\n", "only numbers, oracle and checker"},
-      Planted{"solver/x.cpp", "#include \"boost/multiprecision/gmp.hpp\"\n", "only numbers, oracle and checker"},
-      Planted{"exact/x.cpp", "#include \"exact.hpp\"\n", "names the layer"},
-      Planted{"exact/x.cpp", "#include \"../solver/cascade.hpp\"\n", "names the layer"},
-      Planted{"exact/x.cpp", "#include <solver/cascade.hpp>\n", "with quotes"},
-      Planted{"io/x.cpp", "#include <touchstone/eigen.hpp>\n", "without Eigen"},
-      Planted{"sim/x.cpp", "#include \"exact/exact.hpp\"\n", "`sim` may not use `exact`"},
+      Planted{"core/solver/x.cpp", "#include \"boost/multiprecision/gmp.hpp\"\n", "only numbers, oracle and checker"},
+      Planted{"core/exact/x.cpp", "#include \"exact.hpp\"\n", "names the layer"},
+      Planted{"core/exact/x.cpp", "#include \"../solver/cascade.hpp\"\n", "names the layer"},
+      Planted{"core/exact/x.cpp", "#include <solver/cascade.hpp>\n", "with quotes"},
+      Planted{"files/io/x.cpp", "#include <touchstone/eigen.hpp>\n", "without Eigen"},
+      Planted{"simulation/sim/x.cpp", "#include \"exact/exact.hpp\"\n", "`sim` may not use `exact`"},
       Planted{"cli/bench/x.cpp", "#include \"cli/fuzz/report.hpp\"\n", "`cli/bench` may not use `cli/fuzz`"},
       Planted{"cli/bench/x.cpp", "#include \"cli/solve.hpp\"\n", "`cli/bench` may not use `cli/solve`"},
       Planted{"cli/solve.cpp", "#include \"cli/report.hpp\"\n", "`cli/solve` may not use `cli/report`"},
@@ -123,17 +123,17 @@ TEST_CASE("a planted violation of the layer table is found") {
       Planted{"cli/shared/x.hpp", "#include \"cli/solve.hpp\"\n", "`cli/shared` may not use `cli/solve`"},
       Planted{"cli/main.cpp", "#include \"cli/solve.hpp\"\n", "`cli/main` may not use `cli/solve`"},
       Planted{"cli/fuzz/x.cpp", "#include \"cli/queries/bundled.hpp\"\n", "may not use `cli/queries`"},
-      Planted{"solver/x.cpp", "#include \"scene/scene.hpp\"\n", "`solver` may not use `scene`"},
-      Planted{"rods/x.cpp", "#include \"contact/contact.hpp\"\n", "`rods` may not use `contact`"},
-      Planted{"contact/x.cpp", "#include \"dynamics/newton.hpp\"\n", "`contact` may not use `dynamics`"},
-      Planted{"dynamics/x.cpp", "#include \"sim/simulation.hpp\"\n", "`dynamics` may not use `sim`"},
-      Planted{"filters/x.hpp", "#include <touchstone/solve.hpp>\n", "`filters` may not use `solver`"},
-      Planted{"exact/x.cpp", "#include <touchstone/contact_times.hpp>\n", "`exact` may not use `solver`"},
-      Planted{"solver/x.cpp", "#include <touchstone/certify.hpp>\n", "`solver` may not use `certify`"},
-      Planted{"certify/x.cpp", "#include <touchstone/fuzz.hpp>\n", "`certify` may not use `fuzz`"},
-      Planted{"io/x.cpp", "#include <touchstone/plugin.h>\n", "`io` may not use `fuzz`"},
-      Planted{"dropin/x.cpp", "#include \"exact/exact.hpp\"\n", "`dropin` may not use `exact`"},
-      Planted{"dropin/x.cpp", "#include <touchstone/mesh.hpp>\n", "`dropin` may not use `mesh`"},
+      Planted{"core/solver/x.cpp", "#include \"scene/scene.hpp\"\n", "`solver` may not use `scene`"},
+      Planted{"simulation/rods/x.cpp", "#include \"contact/contact.hpp\"\n", "`rods` may not use `contact`"},
+      Planted{"simulation/contact/x.cpp", "#include \"dynamics/newton.hpp\"\n", "`contact` may not use `dynamics`"},
+      Planted{"simulation/dynamics/x.cpp", "#include \"sim/simulation.hpp\"\n", "`dynamics` may not use `sim`"},
+      Planted{"core/filters/x.hpp", "#include <touchstone/solve.hpp>\n", "`filters` may not use `solver`"},
+      Planted{"core/exact/x.cpp", "#include <touchstone/contact_times.hpp>\n", "`exact` may not use `solver`"},
+      Planted{"core/solver/x.cpp", "#include <touchstone/certify.hpp>\n", "`solver` may not use `certify`"},
+      Planted{"core/certify/x.cpp", "#include <touchstone/fuzz.hpp>\n", "`certify` may not use `fuzz`"},
+      Planted{"files/io/x.cpp", "#include <touchstone/plugin.h>\n", "`io` may not use `fuzz`"},
+      Planted{"bindings/dropin/x.cpp", "#include \"exact/exact.hpp\"\n", "`dropin` may not use `exact`"},
+      Planted{"bindings/dropin/x.cpp", "#include <touchstone/mesh.hpp>\n", "`dropin` may not use `mesh`"},
       Planted{"version.cpp", "#include <touchstone/solve.hpp>\n", "may not use `solver`"},
       Planted{"cli/x.cpp", "#include <touchstone/touchstone.hpp>\n", "one by one"},
       Planted{"cli/x.cpp", "#include <touchstone/none.hpp>\n", "has no `none.hpp`"},
@@ -142,6 +142,42 @@ TEST_CASE("a planted violation of the layer table is found") {
   const auto violations = source_violations(planted.path, planted.text);
   REQUIRE(violations.size() == 1);
   CHECK(violations[0].find(planted.reason) != std::string::npos);
+}
+
+TEST_CASE("layers keep to their wings, and every permission is used by an include") {
+  INFO(lines_of(wing_violations(layer_table())));
+  CHECK(wing_violations(layer_table()).empty());
+  LayerTable wings;
+  for (const auto& [name, wing] : wing_table()) wings[name] = wing.uses;
+  CHECK(cycle_of(wings) == "");
+
+  LayerTable used;
+  for (const auto& file : cpp_files("src")) {
+    const std::string path = file.generic_string(), layer = layer_of(path);
+    const Layers layers = layers_used_by(path, text_of(std::filesystem::path(TOUCHSTONE_SOURCE_DIR) / "src" / file));
+    used[layer].insert(layers.begin(), layers.end());
+  }
+  for (const auto& [layer, may_use] : layer_table()) {
+    for (const std::string& other : may_use) {
+      INFO("`" << layer << "` may use `" << other << "`, and no file of it does");
+      CHECK(used[layer].count(other) != 0);
+    }
+  }
+  for (const auto& [name, wing] : wing_table()) {
+    for (const std::string& other : wing.uses) {
+      bool found = false;
+      for (const std::string& layer : wing.holds) {
+        for (const std::string& one : used[layer]) found = found || wing_table().at(other).holds.count(one) != 0;
+      }
+      INFO("the wing `" << name << "` may use `" << other << "`, and no file of it does");
+      CHECK(found);
+    }
+  }
+
+  LayerTable planted = layer_table();
+  planted["numbers"].insert("io");
+  planted["unheard_of"] = {};
+  CHECK(wing_violations(planted).size() == 2);
 }
 
 TEST_CASE("the layers have no cycle, and a planted cycle is found") {
@@ -155,20 +191,20 @@ TEST_CASE("the layers have no cycle, and a planted cycle is found") {
 }
 
 TEST_CASE("an include that the table of layers allows is no violation") {
-  CHECK(source_violations("exact/x.cpp",
+  CHECK(source_violations("core/exact/x.cpp",
                           "#include \"numbers/a.hpp\"\n#include \"exact/b.hpp\"\n#include <touchstone/query.hpp>\n")
             .empty());
-  CHECK(source_violations("solver/x.cpp", "#include \"oracle/oracle.hpp\"\n#include <vector>\n").empty());
+  CHECK(source_violations("core/solver/x.cpp", "#include \"oracle/oracle.hpp\"\n#include <vector>\n").empty());
   CHECK(source_violations("cli/bench/x.cpp", "#include \"cli/bench/sets.hpp\"\n#include \"cli/shared/words.hpp\"\n")
             .empty());
   CHECK(source_violations("cli/solve.cpp", "#include \"cli/solve.hpp\"\n#include \"cli/shared/words.hpp\"\n").empty());
   CHECK(source_violations("cli/program.cpp", "#include \"cli/fuzz/fuzz.hpp\"\n#include \"cli/solve.hpp\"\n").empty());
   CHECK(source_violations("cli/shared/x.cpp", "#include \"cli/queries/bundled.hpp\"\n").empty());
-  CHECK(source_violations("numbers/x.hpp", "#include <CGAL/Mpzf.h>\n#include <gmp.h>\n").empty());
-  CHECK(source_violations("exact/x.cpp", "// #include \"solver/cascade.hpp\"\n").empty());
-  CHECK(source_violations("filters/x.hpp", "#include <touchstone/vector_width.hpp>\n").empty());
-  CHECK(source_violations("solver/x.cpp", "#include <touchstone/contact_times.hpp>\n").empty());
-  CHECK(source_violations("contact/x.cpp", "#include <touchstone/solve.hpp>\n").empty());
+  CHECK(source_violations("core/numbers/x.hpp", "#include <CGAL/Mpzf.h>\n#include <gmp.h>\n").empty());
+  CHECK(source_violations("core/exact/x.cpp", "// #include \"solver/cascade.hpp\"\n").empty());
+  CHECK(source_violations("core/filters/x.hpp", "#include <touchstone/vector_width.hpp>\n").empty());
+  CHECK(source_violations("core/solver/x.cpp", "#include <touchstone/contact_times.hpp>\n").empty());
+  CHECK(source_violations("simulation/contact/x.cpp", "#include <touchstone/solve.hpp>\n").empty());
 }
 
 TEST_CASE("a planted violation in a public header is found") {
@@ -194,7 +230,7 @@ TEST_CASE("a planted violation in a public header is found") {
 
 TEST_CASE("docs/design.md has the table of layers that these tests use") {
   const std::string page = text_of(std::filesystem::path(TOUCHSTONE_SOURCE_DIR) / "docs/design.md");
-  const auto differences = layer_table_differences(page);
+  const auto differences = table_differences(page);
   INFO(lines_of(differences));
   CHECK(differences.empty());
 
@@ -202,7 +238,7 @@ TEST_CASE("docs/design.md has the table of layers that these tests use") {
     std::string other = page;
     const std::size_t at = other.find(there);
     REQUIRE(at != std::string::npos);
-    return layer_table_differences(other.replace(at, there.size(), instead)).size();
+    return table_differences(other.replace(at, there.size(), instead)).size();
   };
   CHECK(planted("| `oracle` |", "| `oracles` |") == 2);  // one is missing, one is unknown
   CHECK(planted("| `families` |", "| `families` | planted | `geometry`, `seeded`, `solver` |\n| `families` |") == 1);

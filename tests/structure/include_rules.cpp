@@ -14,48 +14,65 @@ const LayerTable& layer_table() {
       {"threads", {"numbers"}},
       {"filters", {"geometry", "numbers"}},
       {"exact", {"geometry", "numbers"}},
-      {"oracle", {"geometry", "numbers"}},
+      {"oracle", {}},
       {"solver", {"filters", "exact", "oracle", "geometry", "numbers", "threads"}},
-      {"certify", {"solver", "oracle", "geometry", "numbers"}},
+      {"certify", {"solver", "numbers"}},
       {"baselines", {"geometry"}},
       {"seeded", {}},
-      {"families", {"geometry", "seeded"}},
-      {"broad_phase", {"geometry", "threads"}},
+      {"families", {"seeded"}},
+      {"broad_phase", {"threads"}},
       {"mesh", {"solver", "broad_phase", "threads", "geometry", "numbers"}},
-      {"frames", {"geometry", "io", "mesh"}},
-      {"dropin", {"solver", "geometry"}},
+      {"frames", {"io", "mesh"}},
+      {"dropin", {"solver"}},
       {"c_api", {"solver", "mesh"}},
-      {"python", {"solver", "certify", "exact", "fuzz", "mesh", "proofs", "view", "io", "threads"}},
+      {"python", {"solver", "exact", "fuzz", "mesh", "proofs", "view", "io", "threads"}},
       {"proofs", {"solver", "broad_phase", "exact", "filters", "geometry", "io", "numbers"}},
       {"checker", {}},
       {"view", {"exact", "geometry", "io", "numbers", "proofs"}},
-      {"generators", {"broad_phase", "geometry", "io", "seeded"}},
+      {"generators", {"broad_phase", "seeded"}},
       {"fuzz",
        {"solver", "certify", "baselines", "families", "exact", "filters", "io", "numbers", "geometry", "pipes",
         "seeded"}},
-      {"pipes", {"geometry", "io", "numbers"}},
-      {"io", {"geometry", "numbers"}},
+      {"pipes", {"io", "numbers"}},
+      {"io", {"numbers"}},
       {"json", {"io"}},
       {"linear", {"geometry"}},
       {"bodies", {}},
-      {"scene", {"bodies", "generators", "io", "json"}},
+      {"scene", {"bodies", "generators", "json"}},
       {"shells", {"scene"}},
       {"rods", {"scene", "shells"}},
       {"contact", {"broad_phase", "linear", "scene", "rods", "solver", "baselines", "geometry", "numbers"}},
-      {"body_contact", {"bodies", "broad_phase", "scene", "rods", "contact", "solver", "geometry", "numbers"}},
+      {"body_contact", {"bodies", "broad_phase", "scene", "contact", "solver", "geometry", "numbers"}},
       {"dynamics", {"linear", "scene", "rods", "contact", "geometry"}},
-      {"sim",
-       {"bodies", "broad_phase", "linear", "scene", "rods", "contact", "body_contact", "dynamics", "mesh", "io",
-        "json"}},
+      {"sim", {"linear", "scene", "rods", "contact", "body_contact", "dynamics", "mesh", "io", "json"}},
       {"sequence", {"frames", "mesh", "geometry", "io", "json"}},
       {"report",
-       {"solver", "certify", "baselines", "families", "generators", "io", "geometry", "seeded", "bodies",
-        "body_contact", "scene", "sim"}},
-      {"stress", {"solver", "baselines", "report", "geometry", "seeded"}},
-      {"cli", {"geometry",   "numbers", "filters",  "exact",        "oracle", "solver", "certify", "baselines",
-               "generators", "io",      "report",   "families",     "fuzz",   "pipes",  "seeded",  "scene",
-               "rods",       "contact", "dynamics", "sim",          "stress", "mesh",   "threads", "frames",
-               "sequence",   "proofs",  "bodies",   "body_contact", "view"}},
+       {"solver", "certify", "baselines", "families", "generators", "io", "seeded", "bodies", "body_contact", "scene",
+        "sim"}},
+      {"stress", {"solver", "report", "seeded"}},
+      {"cli", {"numbers", "filters",  "exact",  "solver",   "certify", "baselines", "generators", "io",
+               "report",  "families", "fuzz",   "seeded",   "scene",   "contact",   "sim",        "stress",
+               "mesh",    "threads",  "frames", "sequence", "proofs",  "view"}},
+  };
+  return table;
+}
+
+const std::map<std::string, Wing>& wing_table() {
+  static const std::map<std::string, Wing> table = {
+      {"core",
+       {{"geometry", "numbers", "threads", "filters", "exact", "oracle", "solver", "certify", "broad_phase", "mesh"},
+        {}}},
+      {"files", {{"io", "json", "frames", "pipes", "sequence"}, {"core"}}},
+      {"cases", {{"seeded", "families", "generators", "baselines"}, {"core"}}},
+      {"proofs", {{"proofs", "checker"}, {"core", "files"}}},
+      {"simulation",
+       {{"linear", "bodies", "scene", "shells", "rods", "contact", "body_contact", "dynamics", "sim"},
+        {"core", "files", "cases"}}},
+      {"view", {{"view"}, {"core", "files", "proofs"}}},
+      {"fuzz", {{"fuzz"}, {"core", "files", "cases"}}},
+      {"measuring", {{"report", "stress"}, {"core", "files", "cases", "simulation"}}},
+      {"bindings", {{"c_api", "dropin", "python"}, {"core", "files", "proofs", "view", "fuzz"}}},
+      {"cli", {{"cli"}, {"core", "files", "cases", "proofs", "simulation", "view", "fuzz", "measuring"}}},
   };
   return table;
 }
@@ -69,6 +86,13 @@ bool starts_with(std::string_view text, std::string_view prefix) { return text.s
 std::string first_part(const std::string& path) {
   const std::size_t slash = path.find('/');
   return slash == std::string::npos ? std::string() : path.substr(0, slash);
+}
+
+std::string wing_of_layer(const std::string& layer) {
+  for (const auto& [name, wing] : wing_table()) {
+    if (wing.holds.count(layer) != 0) return name;
+  }
+  return {};
 }
 
 /// A file's room within `cli`: the folder of a command ("cli/bench/sets.hpp": "bench"), or, for a file that lies in
@@ -145,6 +169,50 @@ std::string cycle_from(const LayerTable& table, const std::string& layer, std::v
 
 }  // namespace
 
+std::string layer_of(const std::string& path) {
+  const std::string wing = first_part(path);
+  const auto row = wing_table().find(wing);
+  if (row == wing_table().end()) return wing;
+  const std::string folder = first_part(path.substr(wing.size() + 1));
+  return row->second.holds.count(folder) != 0 ? folder : wing;
+}
+
+std::vector<std::string> wing_violations(const LayerTable& layers) {
+  std::vector<std::string> violations;
+  for (const auto& [layer, uses] : layers) {
+    const auto held = std::count_if(wing_table().begin(), wing_table().end(), [&, &name = layer](const auto& wing) {
+      return wing.second.holds.count(name) != 0;
+    });
+    if (held != 1) {
+      violations.push_back("`" + layer + "` is in " + std::to_string(held) + " wings");
+      continue;
+    }
+    const std::string wing = wing_of_layer(layer);
+    for (const std::string& used : uses) {
+      const std::string other = wing_of_layer(used);
+      if (other == wing || wing_table().at(wing).uses.count(other) != 0) continue;
+      violations.push_back("`" + layer + "` uses `" + used + "`, and the wing `" + wing + "` may not use `" + other +
+                           "`");
+    }
+  }
+  return violations;
+}
+
+Layers layers_used_by(const std::string& path, std::string_view text) {
+  const std::string layer = layer_of(path);
+  Layers used;
+  for (const Include& include : includes_of(text)) {
+    std::string other = first_part(include.target);
+    if (!include.quoted) {
+      const auto owner =
+          other == "touchstone" ? header_owners().find(include.target.substr(other.size() + 1)) : header_owners().end();
+      other = owner == header_owners().end() ? std::string() : owner->second;
+    }
+    if (other != layer && layer_table().count(other) != 0) used.insert(other);
+  }
+  return used;
+}
+
 std::string cycle_of(const LayerTable& table) {
   Layers finished;
   for (const auto& row : table) {
@@ -169,7 +237,7 @@ std::vector<Include> includes_of(std::string_view text) {
 
 std::vector<std::string> source_violations(const std::string& path, std::string_view text) {
   std::vector<std::string> violations;
-  const std::string layer = first_part(path);
+  const std::string layer = layer_of(path);
   const std::string file = "src/" + path;
   const auto row = layer_table().find(layer);
   if (!layer.empty() && row == layer_table().end()) {
@@ -202,44 +270,66 @@ std::vector<std::string> source_violations(const std::string& path, std::string_
   return violations;
 }
 
-std::vector<std::string> layer_table_differences(std::string_view page) {
-  // | `folder` | what lives there | `layer`, `layer` |    or: nothing, or: all of the others but `layer`
-  static const std::regex row(R"(\| `([a-z_]+)` \|.*\| ([^|]*) \|)");
+namespace {
+
+/// The names between backquotes; with "all of the others but", all other names of the table.
+template <class Table>
+Layers named_in(const std::string& cell, const std::string& row, const Table& table) {
   static const std::regex name("`([a-z_]+)`");
-  std::vector<std::string> differences;
-  std::map<std::string, Layers> shown;
+  Layers named;
+  for (std::sregex_iterator i(cell.begin(), cell.end(), name), none; i != none; ++i) named.insert((*i)[1]);
+  if (!starts_with(cell, "all of the others")) return named;
+  Layers others;
+  for (const auto& entry : table) {
+    if (named.count(entry.first) == 0 && entry.first != row) others.insert(entry.first);
+  }
+  return others;
+}
+
+/// Compares a table of the page, whose header begins with "| KIND |", with ours.
+/// @param agrees  agrees(our entry, second cell, names of the last cell)
+template <class Table, class Agrees>
+void compare_table(std::string_view page, const std::string& kind, const Table& ours, const Agrees& agrees,
+                   std::vector<std::string>& differences) {
+  static const std::regex row(R"(\| `([a-z_]+)` \| (.*) \| ([^|]*) \|)");
+  Layers shown;
   bool in_table = false;
   std::istringstream lines{std::string(page)};
   for (std::string line; std::getline(lines, line);) {
-    if (starts_with(line, "| folder |")) in_table = true;
+    if (starts_with(line, "| " + kind + " |")) in_table = true;
     if (!starts_with(line, "|")) in_table = false;
     std::smatch match;
     if (!in_table || !std::regex_match(line, match, row)) continue;
-    const std::string folder = match[1], uses = match[2];
-    Layers& layers = shown[folder];
-    Layers named;
-    for (std::sregex_iterator i(uses.begin(), uses.end(), name), none; i != none; ++i) named.insert((*i)[1]);
-    if (starts_with(uses, "all of the others")) {
-      named.insert(folder);
-      for (const auto& entry : layer_table()) {
-        if (named.count(entry.first) == 0) layers.insert(entry.first);
-      }
-    } else {
-      layers.insert(named.begin(), named.end());
-    }
-    if (layers.empty() && uses != "nothing") differences.push_back("`" + folder + "`: " + uses + " names no layer");
-  }
-  for (const auto& [folder, uses] : layer_table()) {
-    const auto found = shown.find(folder);
-    if (found == shown.end()) {
-      differences.push_back("the page has no `" + folder + "`");
-    } else if (found->second != uses) {
-      differences.push_back("the page lets `" + folder + "` use other layers");
+    const std::string name = match[1], uses = match[3];
+    shown.insert(name);
+    const auto found = ours.find(name);
+    const Layers named = named_in(uses, name, ours);
+    if (found == ours.end()) {
+      differences.push_back("there is no " + kind + " `" + name + "`");
+    } else if (named.empty() && uses != "nothing") {
+      differences.push_back("`" + name + "`: " + uses + " names no " + kind);
+    } else if (!agrees(found->second, match[2], named)) {
+      differences.push_back("the page says other things of the " + kind + " `" + name + "`");
     }
   }
-  for (const auto& entry : shown) {
-    if (layer_table().count(entry.first) == 0) differences.push_back("there is no layer `" + entry.first + "`");
+  for (const auto& entry : ours) {
+    if (shown.count(entry.first) == 0) differences.push_back("the page has no " + kind + " `" + entry.first + "`");
   }
+}
+
+}  // namespace
+
+std::vector<std::string> table_differences(std::string_view page) {
+  std::vector<std::string> differences;
+  compare_table(
+      page, "folder", layer_table(),
+      [](const Layers& uses, const std::string&, const Layers& named) { return uses == named; }, differences);
+  compare_table(
+      page, "wing", wing_table(),
+      [](const Wing& wing, const std::string& holds, const Layers& named) {
+        return wing.uses == named && wing.holds == named_in(holds, "", layer_table());
+      },
+      differences);
   return differences;
 }
 

@@ -122,7 +122,7 @@ std::vector<CompileCommand> compile_commands_below(const std::string& folder) {
 TEST_CASE("no source file reads a GPL header of CGAL") {
   const auto commands = compile_commands_below("src");
   // Each layer with CGAL is read, whether its sources are compiled by themselves or in a unity build.
-  for (const char* const layer : {"/src/oracle/", "/src/exact/"}) {
+  for (const char* const layer : {"/src/core/oracle/", "/src/core/exact/"}) {
     CHECK(std::any_of(commands.begin(), commands.end(),
                       [&](const auto& command) { return command.file.find(layer) != std::string::npos; }));
   }
@@ -163,7 +163,7 @@ TEST_CASE("CGAL's own GPL packages would be found in a source file of numbers") 
   const ScratchFolder scratch;
   const fs::path source = scratch.path() / "planted.cpp";
   std::ofstream(source) << "#include <CGAL/" << header << ">\n";
-  const auto commands = compile_commands_below("src/numbers");
+  const auto commands = compile_commands_below("src/core/numbers");
   REQUIRE(!commands.empty());
   const std::string& command = commands.front().command;
   const std::string planted = command.substr(0, command.rfind(" -c ") + 4) + shell_quoted(source.string());

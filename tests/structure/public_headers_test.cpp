@@ -44,7 +44,7 @@ TEST_CASE("each public header compiles by itself") {
 
 TEST_CASE("each header of the drop-ins compiles by itself") {
   if (std::string(TOUCHSTONE_EIGEN_INCLUDE).empty()) return;
-  const std::string folder = "src/dropin/tight_inclusion/include";
+  const std::string folder = "src/bindings/dropin/tight_inclusion/include";
   const auto headers = cpp_files(folder);
   CHECK(headers.size() >= 5);
   for (const auto& header : headers) {

@@ -1,4 +1,4 @@
-// The module touchstone._core. The package around it, src/python/touchstone, has the documented functions.
+// The module touchstone._core. The package around it, src/bindings/python/touchstone, has the documented functions.
 // SPDX-License-Identifier: MIT
 #include <pybind11/pybind11.h>
 

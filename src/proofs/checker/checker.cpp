@@ -1,7 +1,7 @@
 // touchstone-check: checks proofs of collision answers. It believes nobody: it reads the queries and the proofs itself,
 // and computes with integers only. docs/proofs.md defines the format, and says why a checked proof implies its answer.
 //
-//   g++ -O2 -std=c++17 -I. checker/checker.cpp -lgmpxx -lgmp -o touchstone-check      (in the folder src)
+//   g++ -O2 -std=c++17 -I. checker/checker.cpp -lgmpxx -lgmp -o touchstone-check      (in the folder src/proofs)
 //
 // The checks are signs and divisibility. So the coordinates of a query, the coefficients of a direction, and those of a
 // polynomial are integers here: each group is multiplied by a positive number, which changes no sign.

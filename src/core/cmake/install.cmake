@@ -1,5 +1,5 @@
 # What `cmake --install` puts where: libraries, program, public headers, licence and the package config. The components
-# are `program`, `development` and, from src/python, `python`: cpack makes a Debian package of each.
+# are `program`, `development` and, from src/bindings/python, `python`: cpack makes a Debian package of each.
 # SPDX-License-Identifier: MIT
 include(CMakePackageConfigHelpers)
 
@@ -21,7 +21,7 @@ if(TARGET touchstone_tight_inclusion)
     RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/dropin/tight_inclusion/include/
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/bindings/dropin/tight_inclusion/include/
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/touchstone-tight-inclusion FILES_MATCHING PATTERN "*.hpp")
   install(EXPORT touchstone-tight-inclusion-targets NAMESPACE tight_inclusion:: DESTINATION ${touchstone_package_dir})
   list(APPEND touchstone_libraries touchstone_tight_inclusion)
@@ -41,7 +41,7 @@ if(TARGET touchstone_program)
 endif()
 if(TARGET touchstone_check)
   install(TARGETS touchstone_check RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
-  install(FILES ${PROJECT_SOURCE_DIR}/src/checker/touchstone-check.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
+  install(FILES ${PROJECT_SOURCE_DIR}/src/proofs/checker/touchstone-check.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
     COMPONENT program)
   add_dependencies(touchstone_installed touchstone_check)
 endif()

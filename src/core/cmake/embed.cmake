@@ -11,7 +11,7 @@ cmake_minimum_required(VERSION 3.18)
 set(literal_bytes 12000)
 set(most_bytes 60000)
 
-set(code "// Written by src/cmake/embed.cmake; edit the files in ${FOLDER} instead.
+set(code "// Written by src/core/cmake/embed.cmake; edit the files in ${FOLDER} instead.
 // SPDX-License-Identifier: MIT
 #include \"${HEADER}\"
 
