@@ -80,7 +80,7 @@ std::string text_of(const std::vector<EnclosedPart>& parts) {
   for (const EnclosedPart& part : parts) {
     text += text.empty() ? "" : ", ";
     text += part.element == MeshElement::face ? "surface " : part.element == MeshElement::edge ? "wire " : "point ";
-    text += std::to_string(part.vertex) + " in " + std::to_string(part.face);
+    text += std::to_string(part.vertex) + " in " + std::to_string(part.faces.front());
   }
   return text;
 }
@@ -370,6 +370,16 @@ TEST_CASE("surfaces that share an edge are each closed by themselves") {
   fin.add_cube(4, 1);
   CHECK(inside_of(fin.all()) == std::set<std::pair<MeshIndex, MeshIndex>>{{9, 0}});
   CHECK(branching(fin) == 0);
+  // Fins on one edge of a closed surface are two surfaces: what one of them is inside does not depend on the other.
+  for (const bool outer_first : {false, true}) {
+    Parts fins;
+    fins.add_box({0, 0, 0}, {8, 8, 8});
+    const double first = outer_first ? -4 : 2, second = outer_first ? 2 : -4;
+    fins.elements.faces.push_back({0, 1, fins.add_vertex(first, first, 4)});
+    fins.elements.faces.push_back({0, 1, fins.add_vertex(second, second, 4)});
+    CHECK(text_of(fins.enclosed()) == (outer_first ? "surface 9 in 0" : "surface 8 in 0"));
+    CHECK(branching(fins) == 0);
+  }
   Parts wall;
   wall.add_box({0, 0, 0}, {8, 8, 8});
   wall.elements.faces.push_back({0, 1, 7});

@@ -215,6 +215,14 @@ TEST_CASE("a body that intersects itself does so for ever, and the verdict count
   for (const Face& face : other.faces) scene.bodies[0].faces.push_back({8 + face[0], 8 + face[2], 8 + face[1]});
   CHECK(left_out_for_person(Simulation(scene, {}), 1).empty());
   CHECK(Simulation(scene, {}).start().within_bodies == 0);
+  // Wholly inside another body, both shells are, whichever body is named first.
+  for (const bool outer_first : {false, true}) {
+    const Body hollow = scene.bodies[0], around = box({9, 9, 9}, 1000);
+    Scene nested;
+    nested.bodies = outer_first ? std::vector{around, hollow} : std::vector{hollow, around};
+    CHECK(Simulation(nested, {}).start().enclosed == 2);
+    CHECK(Simulation(nested, {}).start().enclosed_in_bodies == 2);
+  }
 }
 
 TEST_CASE("a checkpoint whose elements are pierced is refused, and the run stays where it is") {

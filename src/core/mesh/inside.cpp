@@ -290,7 +290,10 @@ TOUCHSTONE_BEHIND_GUARD std::vector<EnclosedPart> find_enclosed_parts(const Mesh
   for (const AroundOne& one : groups) {
     const auto room = signs.find(one.outermost);
     if (one.sum == 0 && (room == signs.end() || room->second >= 0)) continue;
-    parts.push_back({element_of(pieces[one.inner].sort), pieces[one.inner].vertex, pieces[one.first->outer].first});
+    EnclosedPart& part = parts.emplace_back();
+    part.element = element_of(pieces[one.inner].sort);
+    part.vertex = pieces[one.inner].vertex;
+    std::for_each(one.first, one.last, [&](const Around& o) { part.faces.push_back(pieces[o.outer].first); });
   }
   std::stable_sort(parts.begin(), parts.end(),
                    [](const EnclosedPart& a, const EnclosedPart& b) { return a.vertex < b.vertex; });

@@ -35,7 +35,7 @@ namespace touchstone {
 struct EnclosedPart {
   MeshElement element = MeshElement::face;  ///< what it consists of: faces, wires (edges in no face) or a loose point
   MeshIndex vertex = 0;                     ///< one of its vertices: the least one that is in no other piece
-  MeshIndex face = 0;                       ///< the least one of such a closed surface
+  std::vector<MeshIndex> faces;             ///< the least one of each closed surface around it, in ascending order
 };
 
 /// Which closed surfaces count as enclosed parts.

@@ -59,9 +59,11 @@ Index place_in(const std::vector<Index>& sorted, Index number) noexcept {
 
 Pieces::Pieces(const Mesh::Impl& mesh, const Motion& motion)
     : mesh_(mesh), of_(mesh.faces.size() + mesh.wires.size() + mesh.points.size()) {
+  geometry::UnionFind sets(mesh.faces.size() + mesh.wires.size());
   find_sides();
-  find_pieces(motion);
-  find_sorts();
+  const std::vector<char> is_open = connect_faces(sets);
+  find_pieces(sets, motion);
+  find_sorts(is_open);
   find_vertices();
 }
 
@@ -76,33 +78,48 @@ void Pieces::find_sides() {
   std::sort(sides_.begin(), sides_.end());
 }
 
-void Pieces::connect_faces(geometry::UnionFind& sets) {
+/// For each face whether its set is open: an edge is in an odd number of the set's faces.
+std::vector<char> Pieces::open_sets(geometry::UnionFind& sets) {
+  std::vector<Index> set(mesh_.faces.size());
+  for (Index f = 0; f < set.size(); ++f) set[f] = sets.root(f);
+  std::vector<char> is_open(set.size(), 0);
+  const auto in_one_set = [&](const Side& a, const Side& b) { return set[a.face] == set[b.face]; };
+  for_each_run(std::span(sides_), at_one_edge, [&](auto first, auto last) {
+    sort_by(set, first, last);
+    for_each_run(std::span(first, last), in_one_set, [&](auto side, auto end) {
+      if ((end - side) % 2 != 0) is_open[set[side->face]] = 1;
+    });
+  });
+  for (std::size_t f = 0; f < set.size(); ++f) is_open[f] = is_open[set[f]];
+  return is_open;
+}
+
+/// @returns for each face whether the set that edges with two faces connect is open
+std::vector<char> Pieces::connect_faces(geometry::UnionFind& sets) {
   for_each_run(std::span(sides_), at_one_edge, [&](auto side, auto end) {
     if (end - side == 2) sets.join(side[0].face, side[1].face);
   });
-  std::vector<Index> component(mesh_.faces.size());
-  for (Index f = 0; f < component.size(); ++f) component[f] = sets.root(f);
-  std::vector<char> is_open(component.size(), 0);
-  const auto in_one_component = [&](const Side& a, const Side& b) { return component[a.face] == component[b.face]; };
+  std::vector<char> is_open = open_sets(sets);
+  geometry::UnionFind all = sets;  // with what meets at edges of closed sets, too
   for_each_run(std::span(sides_), at_one_edge, [&](auto first, auto last) {
-    sort_by(component, first, last);
-    for_each_run(std::span(first, last), in_one_component, [&](auto side, auto end) {
-      if ((end - side) % 2 != 0) is_open[component[side->face]] = 1;
-    });
-  });
-  for_each_run(std::span(sides_), at_one_edge, [&](auto side, auto end) {
-    const auto open = [&](const Side& one) { return is_open[component[one.face]] != 0; };
-    const auto first = std::find_if(side, end, open);
-    for (side = first; side != end; ++side) {
-      if (open(*side)) sets.join(first->face, side->face);
+    const auto open = [&](const Side& side) { return is_open[side.face] != 0; };
+    const bool all_open = std::all_of(first, last, open);
+    const auto one = std::find_if(first, last, open);
+    for (auto side = one; side != last; ++side) {
+      if (!open(*side)) continue;
+      all.join(one->face, side->face);
+      if (all_open) sets.join(one->face, side->face);
     }
   });
+  const std::vector<char> still_open = open_sets(all);
+  for (Index f = 0; f < is_open.size(); ++f) {
+    if (still_open[f] == 0) sets.join(f, all.root(f));
+  }
+  return is_open;
 }
 
-void Pieces::find_pieces(const Motion& motion) {
-  const std::size_t faces = mesh_.faces.size(), connected = faces + mesh_.wires.size();
-  geometry::UnionFind sets(connected);
-  connect_faces(sets);
+void Pieces::find_pieces(geometry::UnionFind& sets, const Motion& motion) {
+  const std::size_t faces = mesh_.faces.size(), connected = sets.size();
   std::vector<Index> element_at(mesh_.vertex_count, kNone);  // a face, or else a wire
   for (std::size_t n = 0; n < connected; ++n) {
     for (const Index corner : corners_of(mesh_, n)) {
@@ -135,13 +152,14 @@ void Pieces::find_pieces(const Motion& motion) {
   });
 }
 
-void Pieces::find_sorts() {
+void Pieces::find_sorts(const std::vector<char>& is_open) {
   const auto in_one_piece = [&](const Side& a, const Side& b) { return of_[a.face] == of_[b.face]; };
   for_each_run(std::span(sides_), at_one_edge, [&](auto first, auto last) {
+    const bool has_more = last - first > 2;
     sort_by(of_, first, last);
     for_each_run(std::span(first, last), in_one_piece, [&](auto side, auto end) {
       Piece& piece = all_[of_[side->face]];
-      piece.branches = piece.branches || end - side > 2;
+      piece.branches = piece.branches || (has_more && end - side > 1 && is_open[side->face] != 0);
       int sum = 0;
       for (; side != end; ++side) sum += side->direction;
       piece.sort = std::max(piece.sort, sum % 2 != 0 ? PieceSort::open

@@ -26,17 +26,17 @@ struct Piece {
   Index first = 0;                ///< its least element: a face, a wire's edge or a vertex
   Index vertex = 0;               ///< its least vertex that is in no other piece; without such, its least one
   std::array<Index, 2> middle{};  ///< the ends of one of its edges; in no other piece and at two places, if it has one
-  bool branches = false;  ///< one of its edges is in three of its faces or more, or all are in other pieces, too
+  bool branches = false;  ///< edges with three faces or more connect it, or all of its edges are in other pieces, too
   broad_phase::Box box = broad_phase::empty_box();  ///< at the start of the motion
 
   bool is_closed() const noexcept { return sort <= PieceSort::even; }
 };
 
 /// A surface is a set of faces that are connected by edges with two faces. Such sets that are not closed are connected
-/// by edges with more faces, too; these surfaces branch. A wire is a set of edges in no face that are connected by
-/// vertices in no face: one that grows from a surface ends there. So pieces share vertices, and edges with three faces
-/// or more. Without those, a piece that does not branch is still connected. Surfaces come first, then wires, then
-/// points, each by their least elements.
+/// by edges with more faces, too, where no closed set has a face, or where they are closed together. A wire is a set of
+/// edges in no face that are connected by vertices in no face: one that grows from a surface ends there. So pieces share
+/// vertices, and edges with three faces or more. Without those, a piece that does not branch is still connected.
+/// Surfaces come first, then wires, then points, each by their least elements.
 class Pieces {
  public:
   Pieces(const Mesh::Impl& mesh, const Motion& motion);
@@ -61,9 +61,10 @@ class Pieces {
   };
 
   void find_sides();
-  void connect_faces(geometry::UnionFind& sets);
-  void find_pieces(const Motion& motion);
-  void find_sorts();
+  std::vector<char> open_sets(geometry::UnionFind& sets);
+  std::vector<char> connect_faces(geometry::UnionFind& sets);
+  void find_pieces(geometry::UnionFind& sets, const Motion& motion);
+  void find_sorts(const std::vector<char>& is_open);
   void find_vertices();
 
   const Mesh::Impl& mesh_;

@@ -158,7 +158,7 @@ EnclosedCounts counts_of(const std::vector<EnclosedPart>& parts, ElementNames& n
   EnclosedCounts counts;
   if (parts.empty()) return counts;
   counts.vertex = names.element(MeshElement::vertex, parts.front().vertex);
-  counts.face = names.element(MeshElement::face, parts.front().face);
+  counts.face = names.element(MeshElement::face, parts.front().faces.front());
   for (const EnclosedPart& part : parts) {
     ++(part.element == MeshElement::face   ? counts.surfaces
        : part.element == MeshElement::edge ? counts.wires

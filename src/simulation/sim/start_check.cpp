@@ -76,20 +76,20 @@ class StartMesh {
   void find_enclosed(const std::vector<Intersection>& found, int threads, StartFindings& findings) const {
     MeshOptions options;
     options.threads = threads;
-    auto parts = enclosed_parts(mesh_, x_, options, found, ClosedParts::all);
-    std::erase_if(parts, [&](const EnclosedPart& part) {  // a cavity, or a solid of several shells
-      const Index body = vertices_[part.vertex].of.body;
-      return body != kParticles && body == surface_of(part).body;
-    });
-    findings.enclosed = parts.size();
-    for (const EnclosedPart& part : parts) findings.enclosed_in_bodies += surface_of(part).body != kParticles ? 1 : 0;
-    if (parts.empty()) return;
-    const OfBody inner = vertices_[parts.front().vertex].of, outer = surface_of(parts.front());
-    findings.enclosed_first = fmt::format(
-        "{} in {}",
-        inner.body == kParticles ? fmt::format("particle {}", inner.number) : fmt::format("body {}", inner.body),
-        outer.body == kParticles ? "the surface of " + name(MeshElement::face, parts.front().face)
-                                 : fmt::format("body {}", outer.body));
+    for (const EnclosedPart& part : enclosed_parts(mesh_, x_, options, found, ClosedParts::all)) {
+      const OfBody inner = vertices_[part.vertex].of;
+      const auto outer = std::find_if(part.faces.begin(), part.faces.end(), [&](MeshIndex face) {
+        return inner.body == kParticles || body_of(MeshElement::face, face) != inner.body;
+      });
+      if (outer == part.faces.end()) continue;  // a cavity, or a body of several shells
+      const Index body = body_of(MeshElement::face, *outer);
+      findings.enclosed_in_bodies += body != kParticles ? 1 : 0;
+      if (findings.enclosed++ > 0) continue;
+      findings.enclosed_first = fmt::format(
+          "{} in {}",
+          inner.body == kParticles ? fmt::format("particle {}", inner.number) : fmt::format("body {}", inner.body),
+          body == kParticles ? "the surface of " + name(MeshElement::face, *outer) : fmt::format("body {}", body));
+    }
   }
 
   /// "pierce each other: edge 0-1 and face 2-3-4 of body 1 at (0, 0, 0)"
@@ -119,9 +119,6 @@ class StartMesh {
       add_once_each(surface.faces, first, elements.faces);
     }
   }
-
-  /// A vertex of the closed surface around a part.
-  const OfBody& surface_of(const EnclosedPart& part) const { return vertices_[mesh_.faces()[part.face][0]].of; }
 
   /// kParticles for an element of particles.
   Index body_of(MeshElement element, MeshIndex number) const {
