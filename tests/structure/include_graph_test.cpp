@@ -137,6 +137,8 @@ TEST_CASE("a planted violation of the layer table is found") {
       Planted{"version.cpp", "#include <touchstone/solve.hpp>\n", "may not use `solver`"},
       Planted{"cli/x.cpp", "#include <touchstone/touchstone.hpp>\n", "one by one"},
       Planted{"cli/x.cpp", "#include <touchstone/none.hpp>\n", "has no `none.hpp`"},
+      Planted{"proofs/x.cpp", "#include \"proofs/checker/motion.hpp\"\n", "`proofs` may not use `checker`"},
+      Planted{"core/exact/x.cpp", "#include \"core/exact/exact.hpp\"\n", "names the layer"},
       Planted{"unheard_of/x.cpp", "", "has no `unheard_of`"});
   CAPTURE(planted.path, planted.text);
   const auto violations = source_violations(planted.path, planted.text);
@@ -178,6 +180,8 @@ TEST_CASE("layers keep to their wings, and every permission is used by an includ
   planted["numbers"].insert("io");
   planted["unheard_of"] = {};
   CHECK(wing_violations(planted).size() == 2);
+  planted.erase("checker");
+  CHECK(wing_violations(planted).size() == 3);
 }
 
 TEST_CASE("the layers have no cycle, and a planted cycle is found") {

@@ -179,6 +179,12 @@ std::string layer_of(const std::string& path) {
 
 std::vector<std::string> wing_violations(const LayerTable& layers) {
   std::vector<std::string> violations;
+  for (const auto& [name, wing] : wing_table()) {
+    for (const std::string& layer : wing.holds) {
+      if (layers.count(layer) == 0)
+        violations.push_back("the wing `" + name + "` holds `" + layer + "`, which is no layer");
+    }
+  }
   for (const auto& [layer, uses] : layers) {
     const auto held = std::count_if(wing_table().begin(), wing_table().end(), [&, &name = layer](const auto& wing) {
       return wing.second.holds.count(name) != 0;
@@ -202,7 +208,7 @@ Layers layers_used_by(const std::string& path, std::string_view text) {
   const std::string layer = layer_of(path);
   Layers used;
   for (const Include& include : includes_of(text)) {
-    std::string other = first_part(include.target);
+    std::string other = include.quoted ? layer_of(include.target) : first_part(include.target);
     if (!include.quoted) {
       const auto owner =
           other == "touchstone" ? header_owners().find(include.target.substr(other.size() + 1)) : header_owners().end();
@@ -245,13 +251,14 @@ std::vector<std::string> source_violations(const std::string& path, std::string_
     return violations;
   }
   for (const Include& include : includes_of(text)) {
-    const std::string used = first_part(include.target);
+    const std::string first = first_part(include.target);
+    const std::string used = include.quoted ? layer_of(include.target) : first;
     if (is_number_library(include.target)) {
       if (kNumberLibraryLayers.count(layer) == 0) {
         violations.push_back(at(file, include, "only numbers, oracle and checker may include it"));
       }
     } else if (include.quoted) {
-      if (layer_table().count(used) == 0) {
+      if (layer_table().count(first) == 0) {
         violations.push_back(at(file, include, "a quoted include names the layer and the file"));
       } else if (layer.empty() || (used != layer && row->second.count(used) == 0)) {
         violations.push_back(at(file, include, "`" + layer + "` may not use `" + used + "`"));

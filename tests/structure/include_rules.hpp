@@ -51,8 +51,8 @@ std::vector<Include> includes_of(std::string_view text);
 /// The forbidden includes of src/`path` ("core/exact/decide.cpp"), one sentence each, with the line.
 std::vector<std::string> source_violations(const std::string& path, std::string_view text);
 
-/// The differences between wing_table() and layer_table() and the tables on a page of docs/ with the columns wing, holds,
-/// may use, and folder, what lives there, may use.
+/// The differences between wing_table() and layer_table() and the tables on a page of docs/ with the columns wing,
+/// holds, may use, and folder, what lives there, may use.
 std::vector<std::string> table_differences(std::string_view page);
 
 /// The forbidden includes of include/touchstone/`name` ("solve.hpp").
