@@ -275,7 +275,7 @@ TEST_CASE("a verdict counts bodies inside out, surfaces that branch, corners of 
       "v 0 0 0\nv 16 0 0\nv 0 16 0\nv 0 0 16\nv 0 8 8\nf 1 3 2\nf 1 2 4\nf 2 3 5\nf 2 5 4\n"
       "f 3 1 5\nf 5 1 4\nf 1 2 5\n";
   CHECK(ending("wall.obj", walled) ==
-        "what is inside what was not asked about 1 surface with an edge of three faces or more");
+        "what is inside what is not known of 1 surface with an edge of three faces or more");
   CHECK(ending("flat.obj", outer + "v 50 0 0\nv 51 0 0\nv 53 0 0\nf 5 6 7\n") ==
         "1 face is flat: that edges of one face lie on each other is no intersection");
 
@@ -288,10 +288,10 @@ TEST_CASE("a verdict counts bodies inside out, surfaces that branch, corners of 
     return text + "endsolid\n";
   };
   CHECK(ending("touch.stl", solid("0 0 0", "8 0 0", "0 8 0", "0 0 8") + solid("8 0 0", "9 0 0", "8 1 0", "8 0 1")) ==
-        "whether solids touch at 1 vertex that several have was not asked: equal corners were joined");
+        "whether solids touch at 1 vertex that several share was not asked: equal corners were joined");
   CHECK(ending("apart.stl", solid("0 0 0", "8 0 0", "0 8 0", "0 0 8") + solid("9 0 0", "10 0 0", "9 1 0", "9 0 1"))
             .empty());
   // The wedge shares the edge from 0 0 0 to 8 0 0 with the solid around it.
   CHECK(ending("wedge.stl", solid("0 0 0", "8 0 0", "0 8 0", "0 0 8") + solid("0 0 0", "8 0 0", "1 2 1", "1 1 2"), 1) ==
-        "whether solids touch at 2 vertices that several have was not asked: equal corners were joined");
+        "whether solids touch at 2 vertices that several share was not asked: equal corners were joined");
 }

@@ -226,7 +226,7 @@ TEST_CASE("a report with a right digest and wrong content is refused by its key"
     CAPTURE(from, to, refusal);
     CHECK(has(refusal, message));
   };
-  check("\"touchstone_mesh\": 2", "\"touchstone_mesh\": 1", "touchstone_mesh: must be 2");
+  check("\"touchstone_mesh\": 3", "\"touchstone_mesh\": 2", "touchstone_mesh: must be 3");
   check("\"frame_count\": 7", "\"frame_count\": 8", "frames: must have 8 items");
   check("\"frame_count\": 7", "\"frame_count\": 1", "frame_count: must be a whole number from 2");
   check("\"frame_count\": 7", "\"frame_count\": -7", "frame_count");

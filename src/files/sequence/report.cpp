@@ -53,7 +53,7 @@ ResultCounts counts_of(const Report& report) {
 
 std::string heading_json(const Heading& heading) {
   std::string text = fmt::format(
-      " \"touchstone_mesh\": 2,\n \"touchstone\": {},\n \"question\": \"{}\",\n \"separation\": \"{}\",\n"
+      " \"touchstone_mesh\": 3,\n \"touchstone\": {},\n \"question\": \"{}\",\n \"separation\": \"{}\",\n"
       " \"metric\": \"{}\",\n \"frame_count\": {},\n \"names_sha256\": \"{}\"",
       json_string(heading.program), question_name(heading.question), io::hexfloat(heading.separation.distance),
       metric_name(heading.separation.metric), heading.frame_count, heading.list_digest);

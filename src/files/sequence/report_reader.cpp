@@ -60,7 +60,7 @@ Shard shard_from(const JsonNode& node, std::uint64_t items) {
 }
 
 Heading heading_of(const JsonNode& root) {
-  root.at("touchstone_mesh").version(2);
+  root.at("touchstone_mesh").version(3);
   Heading heading;
   heading.program = root.at("touchstone").text();
   const std::string question = root.at("question").text();

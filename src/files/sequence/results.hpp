@@ -152,7 +152,7 @@ struct MeshFacts {
   std::size_t idle = 0;        ///< the vertices that are in no edge and no loose points: they collide with nothing
   std::size_t neighbours = 0;  ///< the pairs of elements that share a vertex, of the kinds that a step is asked about
   std::size_t polygons = 0;    ///< closed polygons in the plane, beside anything else: no one asks what is inside them
-  std::size_t branching = 0;   ///< surfaces with an edge of three faces or more: no one asks what is inside what there
+  std::size_t branching = 0;   ///< surfaces with an edge of three faces or more: what is inside what is not known there
   std::size_t joined = 0;      ///< vertices at which the reader joined solids: no one asks whether they touch there
 
   /// Whether there are edges or faces.

@@ -111,12 +111,12 @@ std::vector<std::string> warnings_of(const Heading& heading, const std::vector<F
                                                    io::grouped(polygons)));
   }
   if (const std::size_t surfaces = meshes.sum.branching; surfaces > 0) {
-    warnings.push_back(fmt::format("what is inside what was not asked about {} with an edge of three faces or more",
+    warnings.push_back(fmt::format("what is inside what is not known of {} with an edge of three faces or more",
                                    counted(surfaces, "surface")));
   }
   if (const std::size_t joined = meshes.sum.joined; joined > 0) {
     warnings.push_back(
-        fmt::format("whether solids touch at {} that several have was not asked: equal corners were joined",
+        fmt::format("whether solids touch at {} that several share was not asked: equal corners were joined",
                     counted(joined, "vertex")));
   }
   if (counts.flat > 0) {
