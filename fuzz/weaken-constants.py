@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Does anybody notice when a filter lies? On a copy of the sources, makes each error bound of the filters, and of the
-# signs in doubles in src/core/numbers, 16 times too small and drops each guard, one at a time; builds what depends on it;
-# and runs the searches of the layer's tests and then `touchstone fuzz` against the cascade, for a minute at most.
+# signs in doubles in src/core/numbers, 16 times too small and drops each guard, one at a time; builds what depends on
+# it; and runs the searches of the layer's tests and then `touchstone fuzz` against the cascade, for a minute at most.
 # Prints who found what. Exit status 0 when every fault was found, 1 when one survived, 2 when this script no longer
 # fits the sources.
 #

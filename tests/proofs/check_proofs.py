@@ -904,7 +904,8 @@ def counted(number, one, several):
 
 def verdict(queries, contacts, motions):
     answers = f"{counted(contacts, 'contact', 'contacts')}, {queries - contacts} without contact"
-    return f"{counted(queries, 'query', 'queries')} checked: {answers if queries else NONE_NEAR}{STARTS if motions else ''}"
+    starts = STARTS if motions else ""
+    return f"{counted(queries, 'query', 'queries')} checked: {answers if queries else NONE_NEAR}{starts}"
 
 
 def main(arguments):

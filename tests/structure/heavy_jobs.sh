@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# heavy_jobs.sh FOLDER: every job of tests/heavy.sh, in a copy of the scripts in FOLDER, where cmake, ctest and the other
-# programs only write down how they were called. Each job must build its preset and start its tests, and say so.
+# heavy_jobs.sh FOLDER: every job of tests/heavy.sh, in a copy of the scripts in FOLDER, where cmake, ctest and the
+# other programs only write down how they were called. Each job must build its preset and start its tests.
 # SPDX-License-Identifier: MIT
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd -P)
@@ -22,7 +22,9 @@ write_down() { # FILE ANSWER: a program that writes its name and arguments down,
     "$calls" "$calls" "$calls" "$2" >"$1"
   chmod +x -- "$1"
 }
-for name in cmake ctest aarch64-linux-gnu-g++ qemu-aarch64 python3; do write_down "$copy/bin/$name" '/answer 3.25.0'; done
+for name in cmake ctest aarch64-linux-gnu-g++ qemu-aarch64 python3; do
+  write_down "$copy/bin/$name" '/answer 3.25.0'
+done
 write_down "$copy/fuzz/weaken-constants.py" ''
 for target in query query_file answers_file pipe_lines scene_file mesh_file; do
   write_down "$copy/build/fuzz/fuzz/fuzz_$target" ''
@@ -53,7 +55,9 @@ while read -r job _; do
     continue
   fi
   case $job in
-    sanitizers) expect "$job" 'cmake --preset debug' 'cmake --build --preset debug' 'ctest --preset debug .*-I 2,,3 -LE heavy' ;;
+    sanitizers)
+      expect "$job" 'cmake --preset debug' 'cmake --build --preset debug' 'ctest --preset debug .*-I 2,,3 -LE heavy'
+      ;;
     threads) expect "$job" 'cmake --preset tsan' 'cmake --build --preset tsan' 'ctest --preset tsan' ;;
     clang) expect "$job" 'cmake --preset clang' 'cmake --build --preset clang' 'ctest --preset clang .*-I 2,,3' ;;
     arm64) expect "$job" 'cmake --preset arm64' 'cmake --build --preset arm64' 'ctest --preset arm64' ;;

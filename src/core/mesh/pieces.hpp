@@ -34,8 +34,8 @@ struct Piece {
 
 /// A surface is a set of faces that are connected by edges with two faces. Such sets that are not closed are connected
 /// by edges with more faces, too, where no closed set has a face, or where they are closed together. A wire is a set of
-/// edges in no face that are connected by vertices in no face: one that grows from a surface ends there. So pieces share
-/// vertices, and edges with three faces or more. Without those, a piece that does not branch is still connected.
+/// edges in no face that are connected by vertices in no face: one that grows from a surface ends there. So pieces
+/// share vertices, and edges with three faces or more. Without those, a piece that does not branch is still connected.
 /// Surfaces come first, then wires, then points, each by their least elements.
 class Pieces {
  public:

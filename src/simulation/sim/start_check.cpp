@@ -165,8 +165,8 @@ StartFindings check_no_intersection(const StartPlaces& places, std::string_view 
   const std::vector<Intersection> all = mesh.intersections(threads);
   for (const Intersection& found : all) {
     if (found.sort == IntersectionSort::inside) continue;  // it may be right, and is counted below
-    if (mesh.within_body(found)) {                         // a body does not move against itself
-      ++findings.within_bodies;
+    if (mesh.within_body(found)) {
+      ++findings.within_bodies;  // a body does not move against itself
     } else if (!mesh.can_move(found)) {
       ++findings.held;
     } else if (moving++ == 0) {

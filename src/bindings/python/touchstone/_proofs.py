@@ -103,7 +103,8 @@ def _checker(given):
     found = os.environ.get("TOUCHSTONE_CHECK") or shutil.which("touchstone-check")
     if not found:
         raise FileNotFoundError("touchstone-check is not in PATH. It comes with the program touchstone, and one call "
-                                "of a compiler makes it from src/proofs/checker; name it by `checker` or by TOUCHSTONE_CHECK")
+                                "of a compiler makes it from src/proofs/checker; name it by `checker` or by "
+                                "TOUCHSTONE_CHECK")
     return found
 
 
