@@ -152,22 +152,47 @@ class Lying final : public MovingMesh {
   std::vector<Vec3> rest_;
 };
 
-/// Another scene, turned as a whole: no plane of it is one of coordinates any more.
-class Turned final : public MovingMesh {
+/// Another scene, each of whose corners is placed anew.
+class Placed final : public MovingMesh {
  public:
-  Turned(std::unique_ptr<MovingMesh> scene, seeded::Rng random)
-      : scene_(std::move(scene)), rotation_(random_rotation(random)) {
+  Placed(std::unique_ptr<MovingMesh> scene, Placement placement, seeded::Rng random)
+      : scene_(std::move(scene)), placement_(placement), rotation_(random_rotation(random)) {
     mesh_ = scene_->mesh();
     edge_length_ = scene_->edge_length();
   }
 
   void place_corners(double time, std::vector<Vec3>& corners) const override {
     scene_->place_corners(time, corners);
-    for (Vec3& corner : corners) corner = rotation_(corner);
+    for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = place(i, corners[i]);
   }
 
  private:
+  Vec3 place(std::size_t corner, const Vec3& x) const {
+    constexpr Vec3 kOffset{101.3, -77.7, 150.1};
+    switch (placement_) {
+      case Placement::as_built: return x;
+      case Placement::turned: return rotation_(x);
+      case Placement::turned_90: return turned_twice(x, 0x1.1a62633145c07p-54, 1);
+      case Placement::turned_45: return turned_twice(x, 0x1.6a09e667f3bcdp-1, 0x1.6a09e667f3bccp-1);
+      case Placement::float32: return rounded(x + kOffset);
+      case Placement::moved: return rounded(x) + 10 * kOffset;
+      case Placement::far_corners: return (corner % 17 == 0 ? 1000.0 : 1.0) * x;
+    }
+    return x;
+  }
+
+  /// About z, then about x, by the angle of this cosine and sine: that of the doubles nearest to pi/2 and pi/4.
+  static Vec3 turned_twice(const Vec3& x, double cosine, double sine) {
+    const Vec3 y{cosine * x.x - sine * x.y, sine * x.x + cosine * x.y, x.z};
+    return {y.x, cosine * y.y - sine * y.z, sine * y.y + cosine * y.z};
+  }
+  static Vec3 rounded(const Vec3& x) {
+    const auto nearest = [](double number) { return static_cast<double>(static_cast<float>(number)); };
+    return {nearest(x.x), nearest(x.y), nearest(x.z)};
+  }
+
   std::unique_ptr<MovingMesh> scene_;
+  Placement placement_;
   Rotation rotation_;
 };
 
@@ -189,8 +214,8 @@ std::unique_ptr<MovingMesh> make_lying(std::uint64_t seed, std::size_t edges) {
   return std::make_unique<Lying>(seeded::Rng(seed), edges);
 }
 
-std::unique_ptr<MovingMesh> turned(std::unique_ptr<MovingMesh> scene, std::uint64_t seed) {
-  return std::make_unique<Turned>(std::move(scene), seeded::Rng(seed));
+std::unique_ptr<MovingMesh> placed(std::unique_ptr<MovingMesh> scene, Placement placement, std::uint64_t seed) {
+  return std::make_unique<Placed>(std::move(scene), placement, seeded::Rng(seed));
 }
 
 }  // namespace touchstone::generators

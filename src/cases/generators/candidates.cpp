@@ -68,7 +68,7 @@ std::uint64_t hand_out(const Step& step, Batches& batches, Kind kind, bool share
 
 CandidateCounts for_each_batch(const CandidateOptions& options, const std::function<void(const Batch&)>& take) {
   check(options);
-  Step step(options.scene, options.seed, options.edges, options.speed, options.separation, options.is_turned);
+  Step step(options.scene, options.seed, options.edges, options.speed, options.separation, options.placement);
   CandidateCounts counts;
   const auto hand_out_kind = [&](Kind kind, std::size_t number, std::uint64_t& handed_out) {
     Batches batches(take, number, kind);

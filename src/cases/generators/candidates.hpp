@@ -20,7 +20,7 @@ struct CandidateOptions {
   std::size_t steps = 20;    ///< the number of steps that the scene makes
   double separation = 0;     ///< the distance of a contact: a candidate's boxes are that near; finite, >= 0
   double speed = 1;          ///< 1: most corners move by a tenth of an edge's length a step; finite, >= 0
-  bool is_turned = false;    ///< the whole scene is turned by a rotation that depends on the seed
+  Placement placement = Placement::as_built;  ///< of the whole scene
   bool edge_edge = true;
   bool vertex_face = true;
   bool shared_corners = false;  ///< also the pairs that share a corner; they touch there at all times

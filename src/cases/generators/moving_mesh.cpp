@@ -27,6 +27,26 @@ std::optional<SceneName> scene_from_name(std::string_view name) noexcept {
   return std::nullopt;
 }
 
+std::string_view placement_name(Placement placement) noexcept {
+  switch (placement) {
+    case Placement::as_built: return "as-built";
+    case Placement::turned: return "turned";
+    case Placement::turned_90: return "turned-90";
+    case Placement::turned_45: return "turned-45";
+    case Placement::float32: return "float32";
+    case Placement::moved: return "moved";
+    case Placement::far_corners: return "far-corners";
+  }
+  return {};
+}
+
+std::optional<Placement> placement_from_name(std::string_view name) noexcept {
+  for (const Placement placement : kAllPlacements) {
+    if (name == placement_name(placement)) return placement;
+  }
+  return std::nullopt;
+}
+
 bool has_faces(SceneName scene) noexcept { return scene != SceneName::cables && scene != SceneName::plane; }
 
 namespace {
@@ -48,9 +68,10 @@ std::unique_ptr<MovingMesh> make(SceneName scene, std::uint64_t seed, std::size_
 
 }  // namespace
 
-std::unique_ptr<MovingMesh> make_moving_mesh(SceneName scene, std::uint64_t seed, std::size_t edges, bool is_turned) {
+std::unique_ptr<MovingMesh> make_moving_mesh(SceneName scene, std::uint64_t seed, std::size_t edges,
+                                             Placement placement) {
   std::unique_ptr<MovingMesh> mesh = make(scene, seed, edges);
-  return is_turned ? turned(std::move(mesh), seed) : std::move(mesh);
+  return placement == Placement::as_built ? std::move(mesh) : placed(std::move(mesh), placement, seed);
 }
 
 }  // namespace touchstone::generators

@@ -68,10 +68,27 @@ class MovingMesh {
 inline constexpr std::size_t kFewestEdges = 100;
 inline constexpr std::size_t kMostEdges = 2'000'000;
 
+/// What was done to a whole scene after it was built, as people's files have it. A scene along the axes gets noise in
+/// the last bits of its coordinates so, or coordinates of two sizes.
+enum class Placement : std::uint8_t {
+  as_built,
+  turned,      ///< by a rotation that depends on the seed; other scenes than kAlignedScenes have one already
+  turned_90,   ///< about the z axis and then about the x axis by 90 degrees, with cos = 6.1e-17 as in doubles
+  turned_45,   ///< the same by 45 degrees
+  float32,     ///< moved by about a hundred, and rounded to float32: what a game or a scanner writes
+  moved,       ///< rounded to float32, and moved by about a thousand in doubles
+  far_corners  ///< one corner in seventeen is a thousand times as far from the origin
+};
+inline constexpr std::array<Placement, 7> kAllPlacements{
+    Placement::as_built, Placement::turned, Placement::turned_90,  Placement::turned_45,
+    Placement::float32,  Placement::moved,  Placement::far_corners};
+
+std::string_view placement_name(Placement placement) noexcept;  ///< "as-built", "turned", "turned-90", ...
+std::optional<Placement> placement_from_name(std::string_view name) noexcept;
+
 /// @param edges  the approximate number of edges, in [kFewestEdges, kMostEdges]
-/// @param is_turned  by a rotation that depends on the seed. Other scenes than kAlignedScenes have one already.
 std::unique_ptr<MovingMesh> make_moving_mesh(SceneName scene, std::uint64_t seed, std::size_t edges,
-                                             bool is_turned = false);
+                                             Placement placement = Placement::as_built);
 
 // One function for each SceneName.
 std::unique_ptr<MovingMesh> make_cloth(std::uint64_t seed, std::size_t edges);
@@ -84,7 +101,7 @@ std::unique_ptr<MovingMesh> make_plane(std::uint64_t seed, std::size_t edges);
 std::unique_ptr<MovingMesh> make_grid(std::uint64_t seed, std::size_t edges);
 std::unique_ptr<MovingMesh> make_lying(std::uint64_t seed, std::size_t edges);
 
-/// The scene, turned by a random rotation.
-std::unique_ptr<MovingMesh> turned(std::unique_ptr<MovingMesh> scene, std::uint64_t seed);
+/// The scene, placed in another way than as it was built.
+std::unique_ptr<MovingMesh> placed(std::unique_ptr<MovingMesh> scene, Placement placement, std::uint64_t seed);
 
 }  // namespace touchstone::generators

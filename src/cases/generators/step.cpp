@@ -10,8 +10,8 @@
 
 namespace touchstone::generators {
 
-Step::Step(SceneName scene, std::uint64_t seed, std::size_t edges, double speed, double separation, bool is_turned)
-    : moving_(make_moving_mesh(scene, seeded::seed_of_part(seed, 0), edges, is_turned)),
+Step::Step(SceneName scene, std::uint64_t seed, std::size_t edges, double speed, double separation, Placement placement)
+    : moving_(make_moving_mesh(scene, seeded::seed_of_part(seed, 0), edges, placement)),
       first_time_(seeded::Rng(seeded::seed_of_part(seed, 1)).uniform(0, 100)),
       duration_(0.1 * speed * moving_->edge_length()),
       margin_(separation == 0 ? 0 : std::max(separation / 2, std::numeric_limits<double>::min())) {

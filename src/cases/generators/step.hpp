@@ -18,9 +18,9 @@ namespace touchstone::generators {
 
 class Step {
  public:
-  /// The scene before its first step. @param speed, separation, is_turned  as in CandidateOptions
+  /// The scene before its first step. @param speed, separation, placement  as in CandidateOptions
   Step(SceneName scene, std::uint64_t seed, std::size_t edges, double speed, double separation = 0,
-       bool is_turned = false);
+       Placement placement = Placement::as_built);
 
   /// The next step; it starts where this one ends.
   void advance();

@@ -113,16 +113,17 @@ void append_sets(const std::string& source, const ByKind& queries, const Separat
   }
 }
 
-/// The scenes along the axes, and each of them turned, as "boxes" and "boxes-turned".
+/// The scenes along the axes in each placement, as "boxes", "boxes-turned" and so on.
 void append_aligned_sets(std::size_t count, const Separation& separation,
                          const std::function<bool(const std::string&)>& wanted, std::vector<BenchSet>& sets) {
   for (const auto scene : generators::kAlignedScenes) {
-    for (const bool is_turned : {false, true}) {
-      const std::string source = std::string(generators::scene_name(scene)) + (is_turned ? "-turned" : "");
+    for (const auto placement : generators::kAllPlacements) {
+      std::string source(generators::scene_name(scene));
+      if (placement != generators::Placement::as_built) source += "-" + std::string(placement_name(placement));
       if (!wanted(source)) continue;
       generators::CandidateOptions options;
       options.scene = scene;
-      options.is_turned = is_turned;
+      options.placement = placement;
       ByKind queries;
       add_candidates(options, count, separation, queries);
       append_sets(source, queries, separation, sets);

@@ -61,7 +61,7 @@ using Progress = std::function<void(std::string_view task, double fraction)>;
 std::string write_scene(SceneName scene, const GenerateOptions& options, WholeFolder& folder,
                         const Progress& progress) {
   const auto& wanted = options.candidates;
-  Step step(scene, wanted.seed, wanted.edges, wanted.speed, 0, wanted.is_turned);
+  Step step(scene, wanted.seed, wanted.edges, wanted.speed, 0, wanted.placement);
   const frames::Topology topology = topology_of(step.mesh());
   const std::size_t faces = topology.faces.size(), edges = topology.edges.size();
   std::string summary =

@@ -43,9 +43,25 @@ void add_scene_option(CLI::App& subcommand, GenerateOptions& options) {
                                                        " is no scene; it must be cloth, sheets, cables, drape, "
                                                        "boxes, bricks, plane, grid or lying";
       });
-  subcommand.add_flag(
-      "--turned", options.candidates.is_turned,
-      "Turn the whole scene by a rotation that depends on the seed, so that nothing lies along the axes");
+  subcommand
+      .add_option_function<std::string>(
+          "--placed",
+          [&options](const std::string& name) {
+            options.candidates.placement = *generators::placement_from_name(name);
+          },
+          "How the whole scene is placed: as-built; turned, by a rotation that depends on the seed, so that nothing "
+          "lies "
+          "along the axes; turned-90 or turned-45, about the z axis and then about the x axis, in doubles; float32, "
+          "moved by about a hundred and rounded to float32; moved, rounded to float32 and then moved by about a "
+          "thousand in doubles; far-corners, one corner in seventeen a thousand times as far away (default: as-built)")
+      ->type_name("WAY")
+      ->check([](const std::string& name) {
+        return generators::placement_from_name(name)
+                   ? std::string()
+                   : name +
+                         " is no placement; it must be as-built, turned, turned-90, turned-45, float32, moved or "
+                         "far-corners";
+      });
 }
 
 /// --meshes and --crossing. Options that are about queries are refused beside them.
@@ -114,7 +130,7 @@ void add_family_options(CLI::App& subcommand, GenerateOptions& options) {
   curved->excludes(family);
   for (CLI::Option* const option : {curved, family}) {
     for (const char* of_scenes :
-         {"--scene", "--turned", "--size", "--steps", "--speed", "--shared-corners", "--meshes"}) {
+         {"--scene", "--placed", "--size", "--steps", "--speed", "--shared-corners", "--meshes"}) {
       option->excludes(subcommand.get_option(of_scenes));
     }
   }

@@ -104,7 +104,7 @@ struct SceneOptions {
   std::uint64_t seed;
   SceneSize size;
   double separation;
-  bool is_turned;
+  generators::Placement placement;
 };
 
 /// Appends candidates of each scene to the set of edge-edge queries, the first of the two, and to that of vertex-face.
@@ -119,7 +119,7 @@ void append_candidates(const std::array<generators::SceneName, N>& scenes, const
     options.edges = common.size.edges;
     options.steps = common.size.steps;
     options.separation = common.separation;
-    options.is_turned = common.is_turned;
+    options.placement = common.placement;
     generators::for_each_batch(options, [&](const generators::Batch& batch) {
       auto& all = sets[batch.kind == Kind::edge_edge ? 0 : 1].queries;
       all.insert(all.end(), batch.queries.begin(), batch.queries.end());
@@ -135,20 +135,21 @@ std::vector<QuerySet> simulation_sets(std::uint64_t seed, const SceneSize& size,
       "cables of touchstone generate";
   std::vector<QuerySet> sets{empty_set("simulation", Kind::edge_edge, about),
                              empty_set("simulation", Kind::vertex_face, about)};
-  append_candidates(generators::kScenes, {seed, size, separation, false}, sets);
+  append_candidates(generators::kScenes, {seed, size, separation, generators::Placement::as_built}, sets);
   return sets;
 }
 
 std::vector<QuerySet> aligned_sets(std::uint64_t seed, const SceneSize& size, double separation) {
   std::vector<QuerySet> sets;
-  for (const bool is_turned : {false, true}) {
+  for (const auto placement : {generators::Placement::as_built, generators::Placement::turned}) {
+    const bool is_turned = placement == generators::Placement::turned;
     std::string about =
         "Candidate pairs of the scenes boxes, bricks, plane, grid and lying of touchstone generate, which lie along "
         "the axes";
     if (is_turned) about += ", turned by a generic rotation";
     const std::string family = is_turned ? "aligned-turned" : "aligned";
     std::vector<QuerySet> both{empty_set(family, Kind::edge_edge, about), empty_set(family, Kind::vertex_face, about)};
-    append_candidates(generators::kAlignedScenes, {seed, size, separation, is_turned}, both);
+    append_candidates(generators::kAlignedScenes, {seed, size, separation, placement}, both);
     std::move(both.begin(), both.end(), std::back_inserter(sets));
   }
   return sets;
