@@ -36,10 +36,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 #   a divisor leaves, the uncertain signs of a part and the reach of Newton iteration: the search and the interval that
 #   it starts from make them hold; nor the error of the time that this iteration ends with, or of the middle of two close
 #   roots: it is far below a double's; nor the reach of a remainder's root, which is where the root of p is whenever it
-#   is near;
-# - in gap_answer.cpp the signs on both sides of a root that is followed across a gap: without them no double is found
-#   where V changes its sign; nor the signs around a simple root of V_0, which is far steeper there than d;
-# - in wide_polynomial.cpp the rounding of values, or that of coefficients: each bound covers the other's error.
+#   is near.
 
 # name, file below src/core, text there (exactly once), what it becomes
 FAULTS = [
@@ -125,20 +122,10 @@ FAULTS = [
     ("greatest V in doubles", "exact/coplanarity_at.cpp", " && span.high < kFar", ""),
     ("carry of a product of limbs", "numbers/fixed_int.hpp", "signed_limb(a.limb(1)) + (total >> 64);",
      "signed_limb(a.limb(1));"),
-    ("limbs that near roots do not hold", "numbers/fixed_int.hpp", "return above == 0 ?", "return above == 0 || D > 0 ?"),
     ("three real roots that almost coincide", "numbers/near_root_isolation.cpp",
      "if (discriminant > 0) return doubt_.raise();", "if (discriminant > 0) return;"),
     ("error of close roots", "numbers/near_root_isolation.cpp", "root.near_.error += 0x1p-49 * apart;",
      "root.near_.error = 0;"),
-    ("width of a gap", "exact/gap.cpp", "const int narrow = enough;", "const int narrow = enough / 8;"),
-    ("error of a weight across a gap", "exact/gap_answer.cpp", "if (!(error <=", "if (error < 0 && !(error <="),
-    ("error of a weight on a border across a gap", "exact/gap_answer.cpp", "if (error <= kGreatestError *",
-     "if (error <= 0x1p1000 *"),
-    ("distance of a root across a gap", "exact/gap_answer.cpp", "+ std::ilogb(leading)", "+ 30 + std::ilogb(leading)"),
-    ("what a sum leaves below its last bit", "exact/gap_answer.cpp", "rest ? 1 : 0;", "0;"),
-    ("a root across a gap that stays at a double", "exact/gap_answer.cpp",
-     "if (answer.toi == t0 && answer.toi_upper == t0) return numbers::exact_pair(t0);", ""),
-    ("doubt of a root beside a double across a gap", "exact/gap_answer.cpp", "std::fabs(rest) > time.error &&", ""),
     ("distance of a remainder's root", "numbers/near_root.cpp", "if (way - error > distance) return",
      "if (way + error > distance / 16) return"),
     ("error of a near root", "numbers/located_root.cpp", "kSlack * ((1 + 2 * q) * (v.error + q * std::fabs(v.value)) / steep",
@@ -149,40 +136,6 @@ FAULTS = [
     ("error of a sign at a fine time", "numbers/near_root.cpp", "value.error += kSlack * slope",
      "value.error += 0x1p-130 * slope"),
     ("error of a near quotient", "numbers/near_root.cpp", "kGreatestError = 0x1p-52", "kGreatestError = 0x1p-38"),
-    ("error of sums of leading digits", "numbers/sparse.hpp", "return std::max(a.error, b.error) + 1;",
-     "return std::max(a.error, b.error) - 4;"),
-    ("error of products of leading digits", "numbers/sparse.hpp", "kNoError}) + 2;", "kNoError}) - 4;"),
-    ("rest of leading digits", "numbers/sparse.cpp", "part.digits_[0].index};", "part.digits_[0].index - 4};"),
-    ("sign of leading digits", "numbers/sparse.hpp", "value.bits() - 3 >= error ?", "value.bits() + 1 >= error ?"),
-    ("change over a sparse bracket", "numbers/sparse_root.cpp", "width + bound) + 1;", "width + bound) - 60;"),
-    ("sharper change over a sparse bracket", "numbers/sparse_root.cpp", "width + steepest) + 1;",
-     "width + steepest) - 60;"),
-    ("monotone in a sparse bracket", "numbers/sparse_root.cpp", "first * last >= 0 && is_monotone(q, size)",
-     "first * last >= 0"),
-    ("a sparse root at the end of a bracket", "numbers/sparse_bracket.cpp", "if (sign == 0) {\n    become_exact(x, divisor_);",
-     "if (false) {\n    become_exact(x, divisor_);"),
-    ("a remainder's root in a sparse bracket", "numbers/sparse_root.cpp",
-     "if (first == last) return before(factor * first);", "return before(factor * first);"),
-    ("error of a sparse quotient", "numbers/sparse_root.cpp", "kGreatestError = -58", "kGreatestError = -30"),
-    ("slack of a point in wide doubles", "numbers/wide_polynomial.cpp", "+ 1.02 * slack * (slope * x)",
-     "+ 0.5 * slack * (slope * x)"),
-    ("what wide doubles leave out", "numbers/wide_polynomial.cpp", "0x1p-49 * size) + kLeftOut)", "0x1p-49 * size))"),
-    ("rounding of sums and products in wide doubles", "numbers/wide_double.hpp", "kRounding = 0x1p-52",
-     "kRounding = 0x1p-56"),
-    ("errors of factors in wide doubles", "numbers/wide_double.hpp",
-     "std::fabs(a.value_) * b.error_ + a.error_ * (std::fabs(b.value_) + b.error_);", "a.error_ * std::fabs(b.value_);"),
-    ("what sums of wide doubles leave out", "numbers/wide_double.hpp", "std::fabs(value)) + kLeftOut;",
-     "std::fabs(value)) + 0 * kLeftOut;"),
-    ("the sign on all of a part in wide doubles", "exact/wide_contact.cpp", "if (p[i].sign() != first) return 0;",
-     "if (p[i].sign() == -first) return 0;"),
-    ("all conditions inside in wide doubles", "exact/wide_contact.cpp", "positive + negative == 4", "positive + negative >= 3"),
-    ("one root in a part in wide doubles", "exact/wide_contact.cpp",
-     "return first * last < 0 && (v[1].sign() == first || v[2].sign() == last);", "return first * last < 0;"),
-    ("an earlier part that wide doubles leave open", "exact/wide_contact.cpp", "if (verdict != Verdict::apart) return verdict;",
-     "if (verdict == Verdict::touching) return verdict;"),
-    ("a point behind an edge in wide doubles", "exact/wide_contact.cpp", "if (certain_sign(part[3]) > 0) return true;",
-     "if (certain_sign(part[3]) != 0) return true;"),
-    ("a contact of wide doubles after t_max", "exact/decide.cpp", "if (root->compare(t_max) > 0) return Answer();", ""),
     ("greatest integers of a fraction in doubles", "numbers/near_root_isolation.cpp",
      "kExactlyDoubles = std::int64_t{1} << 53", "kExactlyDoubles = std::int64_t{1} << 57"),
     ("greatest denominator of a small quotient", "numbers/near_root.hpp",
@@ -413,7 +366,7 @@ def attacks(build, layer, seconds, jobs, quick, file=None):
         # The long tests of that folder compare what the fuzzer compares.
         searches = [tests("filters", 0.3, "[separation]"), tests("separation", 0.2, "*entries near*,patches*")]
     elif layer == "exact":
-        searches = [tests("exact", 0.5, "a gap*,decide_nearby*,V at a time*")]
+        searches = [tests("exact", 0.5, "decide_nearby*,the exact level*,V at a time*")]
     elif layer == "mesh":
         searches = [tests("mesh", 1, "neighbours that*")]
         quick = True

@@ -498,30 +498,3 @@ TEST_CASE("what the numbers of near roots do not hold raises a doubt") {
   (void)numbers::NearRoot<1>::at_double(0x1p-191, 1, doubt);
   CHECK(doubt.raised());
 }
-
-TEST_CASE("coefficients lose limbs only where they fit, and what does not fit raises a doubt") {
-  const auto power = [](int exponent) { return FixedInt<4>::scaled(1, -exponent); };
-  const auto one = FixedInt<4>::integer(1);
-  for (const auto& fits : {power(122) - one, -power(122), -power(63), power(64), FixedInt<4>()}) {
-    const auto shorter = numbers::shortened<2>(Polynomial<FixedInt<4>, 1>{{fits, one}});
-    REQUIRE(shorter);
-    CHECK(((*shorter)[0].widened<4>() - fits).is_zero());
-    CHECK(((*shorter)[1].widened<4>() - one).is_zero());
-  }
-  // With the lower limbs alone, 2^128 + 1 is 1.
-  for (const auto& great : {power(122), -power(122) - one, power(127), power(128) + one, power(200), -power(200)}) {
-    CHECK_FALSE(numbers::shortened<2>(Polynomial<FixedInt<4>, 1>{{one, great}}));
-    Doubt doubt;
-    CHECK(NearRoots<1>(Polynomial<FixedInt<4>, 2>{{-one, great + great, one}}, 1, doubt).size() == 0);
-    CHECK(doubt.raised() == (great.sign() > 0));  // the other has no root in [0, 1]
-
-    Doubt sign_doubt;
-    const NearRoots<1> roots(Polynomial<FixedInt<4>, 2>{{-one, FixedInt<4>(), FixedInt<4>::integer(3)}}, 1, sign_doubt);
-    REQUIRE(roots.size() == 1);
-    REQUIRE_FALSE(sign_doubt.raised());
-    // Zero at 1 / sqrt 3 but for the last term.
-    const Polynomial<FixedInt<4>, 2> almost = {{-great, FixedInt<4>(), great + great + great + one}};
-    const int sign = roots[0].sign_at(almost);
-    CHECK((sign_doubt.raised() || sign == 1));
-  }
-}

@@ -103,6 +103,9 @@ BenchResult result_of(Entry& entry, const std::vector<double>& seconds, const Se
   result.slowest_microseconds = entry.curved.empty() ? slowest_microseconds(entry.method, entry.queries, separation)
                                                      : slowest_microseconds(entry.method, entry.curved, separation);
   if (entry.method != BenchMethod::floor && !is_baseline(entry.method)) result.levels = count_levels(entry.answers);
+  if (entry.method == BenchMethod::touchstone && entry.curved.empty() && separation.distance == 0) {
+    for (const Query& query : entry.queries) ++result.rungs[solver::answer_and_rung(query, 1).rung];
+  }
   return result;
 }
 
@@ -209,9 +212,9 @@ void add_bench(CLI::App& program, Command& command) {
   subcommand->footer(
       "SOURCE is simulation (candidate pairs of the three scenes of touchstone generate), random (doubles), bundled\n"
       "(degenerate queries) or files; a scene of touchstone generate along the axes, boxes, bricks, plane, grid or\n"
-      "lying, or the same turned, boxes-turned and so on; or of curved motion link-chain and nut-and-bolt\n"
-      "(candidate pairs of these scenes of touchstone simulate), bundled-curved or files-curved. PART is all, hits\n"
-      "(with contact) or misses.\n\n"
+      "lying, or one of them in another placement, boxes-turned, grid-float32 and so on; or of curved motion\n"
+      "link-chain and nut-and-bolt (candidate pairs of these scenes of touchstone simulate), bundled-curved or\n"
+      "files-curved. PART is all, hits (with contact) or misses.\n\n"
       "METHOD is floor (reads the query, of a curved set the straight one, and computes the coplanarity cubic's\n"
       "four Bernstein coefficients, deciding nothing), straight (curved sets only: solve of the same pairs, moving\n"
       "straight between the same ends), touchstone (solve), touchstone_contact and touchstone_time (solve with\n"
@@ -221,7 +224,8 @@ void add_bench(CLI::App& program, Command& command) {
       "as touchstone prove writes it).\n\n"
       "Times are processor time: the median of the repetitions, which run in random order. `x floor` is the ratio to\n"
       "the floor of the same set and run; it can be compared across machines. The slowest single query is the best\n"
-      "of three tries. The last columns are the percentages of answers that each level decided.\n\n"
+      "of three tries. The last columns are the percentages of answers that each level decided, and\n"
+      "the line below `touchstone` those of each rung of the ladder, which docs/design.md draws.\n\n"
       "Examples\n"
       "  touchstone bench --filter simulation\n"
       "  touchstone bench --filter 'all/(touchstone|floor)' --repetitions 9 --csv bench.csv data/*/*.csv\n\n"

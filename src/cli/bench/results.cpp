@@ -32,6 +32,16 @@ std::string levels_for_person(const BenchResult& result) {
                      percentage(levels.bracket, result.queries), percentage(levels.exact, result.queries));
 }
 
+std::string rungs_for_person(const BenchResult& result) {
+  std::string text;
+  for (std::size_t i = 0; i < result.rungs.size(); ++i) {
+    if (result.rungs[i] == 0) continue;
+    text += fmt::format("{} {} {}", text.empty() ? "" : ";", solver::kLadder[i].name,
+                        percentage(result.rungs[i], result.queries));
+  }
+  return text.empty() ? text : "    rungs:" + text + "\n";
+}
+
 bool has_straight_twins(const std::vector<BenchResult>& results, const std::string& set) {
   return std::any_of(results.begin(), results.end(),
                      [&](const BenchResult& result) { return result.set == set && result.ratio_to_straight; });
@@ -74,6 +84,9 @@ Json json_of(const BenchResult& result) {
                     {"bracket", result.levels.bracket},
                     {"exact", result.levels.exact},
                     {"oracle", result.levels.oracle}};
+  for (std::size_t i = 0; i < result.rungs.size(); ++i) {
+    if (result.rungs[i] > 0) json["rungs"][std::string(solver::kLadder[i].name)] = result.rungs[i];
+  }
   return json;
 }
 
@@ -100,7 +113,7 @@ std::string bench_table(const std::vector<BenchResult>& results) {
       table += fmt::format("{}{}\n  {:<26}{:>12}{:>12}{}{:>14}{:>10}{:>10}{:>10}\n", table.empty() ? "" : "\n", title,
                            "", "ns a query", "x floor", straight, "slowest, us", "filter", "bracket", "exact");
     }
-    table += line_for_person(result, of_curves);
+    table += line_for_person(result, of_curves) + rungs_for_person(result);
   }
   return table;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include "cli/bench/bench.hpp"
 #include "cli/bench/methods.hpp"
+#include "solver/ladder.hpp"
 
 namespace touchstone::cli {
 
@@ -26,6 +28,9 @@ struct BenchResult {
   std::optional<double> ratio_to_straight;  ///< of curved sets: to the median of the straight twins
   double slowest_microseconds = 0;          ///< negative: not measured
   LevelCounts levels;                       ///< of this method's answers; floor has none
+
+  /// How many queries each rung of solver::kLadder decides; only of `touchstone` on a straight set about touching.
+  std::array<std::size_t, solver::kLadder.size()> rungs{};
 
   double median() const;
 };

@@ -23,6 +23,7 @@
 #include "io/output_file.hpp"
 #include "io/separation_text.hpp"
 #include "io/times.hpp"
+#include "solver/ladder.hpp"
 #include "view/query_page.hpp"
 
 namespace touchstone::cli {
@@ -47,6 +48,9 @@ Explanation explained(const AQuery& query, const io::QueryRecord& record, const 
     corners = corners_for_person(record.query, io::query_as_given(record));
   }
   std::string text = story_for_person(query.kind, kCurved, story, options.t_max, separation, normal);
+  if constexpr (std::is_same_v<AQuery, Query>) {
+    if (separation.distance == 0) text += rung_for_person(solver::answer_and_rung(query, options.t_max).rung);
+  }
   if constexpr (kCurved) text += times_for_person(contact_times(query, separation, options.t_max));
   return {corners, text, story};
 }

@@ -15,6 +15,7 @@
 #include "cli/shared/words.hpp"
 #include "io/times.hpp"
 #include "numbers/fraction.hpp"
+#include "solver/ladder.hpp"
 
 namespace touchstone::cli {
 namespace {
@@ -213,6 +214,11 @@ std::string curves_for_person(const CurvedQuery& query) {
   }
   return (motions.empty() ? "" : "motions, of the orientation q = (w, x, y, z) and the position p\n" + motions) +
          corners;
+}
+
+std::string rung_for_person(std::size_t rung) {
+  return fmt::format("\nsolve decides it at rung {} of {}: {}\n", rung + 1, solver::kLadder.size(),
+                     solver::kLadder[rung].name);
 }
 
 std::string times_for_person(const std::vector<ContactInterval>& times) {

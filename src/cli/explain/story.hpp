@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,9 @@ std::string corners_for_person(const io::FileQuery& query, const RationalQuery& 
 /// Every motion with the angle of its turn, and every corner in the body's own frame or with its control points. Whole
 /// lines.
 std::string curves_for_person(const CurvedQuery& query);
+
+/// The rung of solver::kLadder that decides the query by Method::fast. Whole lines.
+std::string rung_for_person(std::size_t rung);
 
 /// All contact times, exactly. Whole lines.
 std::string times_for_person(const std::vector<ContactInterval>& times);

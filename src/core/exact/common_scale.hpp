@@ -76,14 +76,16 @@ inline std::array<BitSpan, 3> axis_spans(const Query& query) noexcept {
   return {span_along(query, &Vec3::x), span_along(query, &Vec3::y), span_along(query, &Vec3::z)};
 }
 
-/// Over all coordinates; no bits where all are zero.
-inline BitSpan coordinate_span(const Query& query) noexcept {
+/// Over all axes; no bits where there are none along any.
+inline BitSpan common_span(const std::array<BitSpan, 3>& axes) noexcept {
   BitSpan span;
-  for (const BitSpan& axis : axis_spans(query)) {
+  for (const BitSpan& axis : axes) {
     if (axis.bits() > 0) span = {std::min(span.low, axis.low), std::max(span.high, axis.high)};
   }
   return span.bits() == 0 ? BitSpan{0, 0} : span;
 }
+
+inline BitSpan coordinate_span(const Query& query) noexcept { return common_span(axis_spans(query)); }
 
 /// The power of two that makes the largest of some doubles of ordinary size; 0 where it is of ordinary size already.
 /// Products of ordinary size keep the double estimates of roots useful. They are exact either way.

@@ -46,7 +46,7 @@ typename Forms<N>::Corners integer_corners(const Query& query) {
 template <int Limbs>
 typename Forms<Near<Limbs>>::Corners near_corners(const Query& query, const std::array<BitSpan, 3>& spans) {
   using Integer = typename Near<Limbs>::Integer;
-  if constexpr (Limbs == 0 || Limbs == 1) {
+  if constexpr (Limbs <= 1) {
     static_assert(kMostBits<Limbs> < 63);
     // The power of two and the product are exact: the product is an integer of at most kMostBits bits.
     const auto is_ordinary = [](const BitSpan& span) { return span.low > -1000 && span.low < 1000; };
@@ -94,23 +94,6 @@ Forms<Near<1>>::Corners moving_corners<Near<1>>(const Query& query, const std::a
 template <>
 Forms<Near<2>>::Corners moving_corners<Near<2>>(const Query& query, const std::array<BitSpan, 3>& spans) {
   return near_corners<2>(query, spans);
-}
-
-template <>
-Forms<Near<kUnevenMedium>>::Corners moving_corners<Near<kUnevenMedium>>(const Query& query,
-                                                                        const std::array<BitSpan, 3>& spans) {
-  return near_corners<kUnevenMedium>(query, spans);
-}
-
-template <>
-Forms<Near<kUnevenLong>>::Corners moving_corners<Near<kUnevenLong>>(const Query& query,
-                                                                    const std::array<BitSpan, 3>& spans) {
-  return near_corners<kUnevenLong>(query, spans);
-}
-
-template <>
-Forms<Near<kSparse>>::Corners moving_corners<Near<kSparse>>(const Query& query, const std::array<BitSpan, 3>& spans) {
-  return near_corners<kSparse>(query, spans);
 }
 
 ScaledCorners scaled_corners(const Query& query) {

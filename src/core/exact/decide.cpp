@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -13,8 +14,6 @@
 #include "exact/elements.hpp"
 #include "exact/exact.hpp"
 #include "exact/exact_times.hpp"
-#include "exact/gap.hpp"
-#include "exact/wide_contact.hpp"
 #include "numbers/limb_scratch.hpp"
 #include "numbers/near_root.hpp"
 
@@ -268,10 +267,12 @@ template <class N, class Q>
   return with_elements<N>(query, [&](const auto& elements) { return first_contact(elements, range, wanted, nullptr); });
 }
 
-/// Nothing where a doubt is left.
+using Spans = std::array<BitSpan, 3>;
+
+/// A rung in integers of this size with times in double-doubles. Nothing where a doubt is left.
 template <int Limbs>
-std::optional<Answer> near_first_contact(const Query& query, const std::array<BitSpan, 3>& spans, double t_max,
-                                         Wanted wanted, numbers::Doubt& doubt) {
+std::optional<Answer> decide_near(const Query& query, const Spans& spans, double t_max, Wanted wanted) {
+  numbers::Doubt doubt;
   const NearRange<Time<Near<Limbs>>> range(t_max, doubt);
   std::optional<Answer> answer = with_elements_of<Near<Limbs>>(
       query.kind, moving_corners<Near<Limbs>>(query, spans),
@@ -280,65 +281,44 @@ std::optional<Answer> near_first_contact(const Query& query, const std::array<Bi
   return answer;
 }
 
-int most_bits(const std::array<BitSpan, 3>& spans) noexcept {
-  return std::max({spans[0].bits(), spans[1].bits(), spans[2].bits()});
+/// A rung in numbers of type N with exact times.
+template <class N>
+std::optional<Answer> decide_in(const Query& query, const Spans&, double t_max, Wanted wanted) {
+  const numbers::LimbScratch scratch;  // no number outlives the decision
+  return first_contact_in<N>(query, t_max, wanted);
 }
 
-/// Whether V and the components of cross products have so few bits that times of NearRoot<Limbs> hold them, for
-/// coordinates of more. See kMostBits: each of their terms has a factor along each axis, or along each of two.
-bool is_uneven(const std::array<BitSpan, 3>& spans, int limbs) noexcept {
-  constexpr int kSpare = 6;  // of what fits, as numbers::shortened has it
-  const int x = spans[0].bits(), y = spans[1].bits(), z = spans[2].bits();
-  return x + y + z + 10 <= 192 * limbs - kSpare && x + y + z - std::min({x, y, z}) + 5 <= 128 * limbs - kSpare;
-}
+/// The ladder of the exact level: what a rung needs, and how it decides or leaves the query to the next one.
+struct RungOfLadder {
+  Rung rung;
+  bool each_axis;  ///< the coordinates' bits are counted in a unit for each axis, not in one for all
+  int fewest_bits, most_bits;
+  std::optional<Answer> (*decide)(const Query&, const Spans&, double t_max, Wanted);
+};
+constexpr int kAnyBits = std::numeric_limits<int>::max();
+constexpr RungOfLadder kLadder[] = {
+    {Rung::near_word, true, 0, kMostBits<0>, decide_near<0>},
+    {Rung::near_one, true, kMostBits<0> + 1, kMostBits<1>, decide_near<1>},
+    {Rung::near_two, true, kMostBits<1> + 1, kMostBits<2>, decide_near<2>},
+    {Rung::exact_one, false, 0, kMostBits<1>, decide_in<Short>},
+    {Rung::exact_two, false, 0, kMostBits<2>, decide_in<Medium>},
+    {Rung::exact_three, false, 0, kMostBits<3>, decide_in<Long>},
+    {Rung::exact_any, false, 0, kAnyBits, decide_in<Exact>},
+};
 
-/// Over [0, 1].
-std::optional<Answer> decide_across_gap(const Query& query, Wanted wanted) {
-  const std::optional<Gap> gap = Gap::of(query);
-  if (!gap) return std::nullopt;
-  const Query& narrowed = gap->narrowed();
-  const std::array<BitSpan, 3> spans = axis_spans(narrowed);
-  auto doubt = numbers::Doubt::without_quotients();
-  const Wanted needed = wanted == Wanted::time ? Wanted::features : wanted;  // they tell which root the time is
-  std::optional<Answer> answer = most_bits(spans) <= kMostBits<1>
-                                     ? near_first_contact<1>(narrowed, spans, 1, needed, doubt)
-                                     : near_first_contact<2>(narrowed, spans, 1, needed, doubt);
-  if (answer && !gap->restore(*answer, wanted)) answer.reset();
-  return answer;
-}
-
-/// The ends of the part that it has found. Sparse::scaled divides by the power of two, as a step does.
-std::array<numbers::Sparse, 2> ends_of_part(const WideLook& look) {
-  std::array<numbers::Sparse, 2> ends = {numbers::Sparse(), numbers::Sparse(1)};
-  for (std::size_t i = 0; i < look.steps_taken; ++i) {
-    const WideLook::Step& step = look.steps[i];
-    const numbers::Sparse distance = (ends[1] - ends[0]) * numbers::Sparse::scaled(step.distance, step.exponent);
-    ends[step.after ? 0 : 1] = step.from_end ? ends[1] - distance : ends[0] + distance;
+Answer decide_from(Rung first, const Query& query, double t_max, Wanted wanted, Rung* decided) {
+  const Spans spans = axis_spans(query);
+  const int along_axes = std::max({spans[0].bits(), spans[1].bits(), spans[2].bits()});
+  const int together = common_span(spans).bits();
+  for (const RungOfLadder& rung : kLadder) {
+    const int bits = rung.each_axis ? along_axes : together;
+    if (rung.rung < first || bits < rung.fewest_bits || bits > rung.most_bits) continue;
+    const std::optional<Answer> answer = rung.decide(query, spans, t_max, wanted);
+    if (!answer) continue;
+    if (decided != nullptr) *decided = rung.rung;
+    return *answer;
   }
-  return ends;
-}
-
-/// In sparse numbers, where `look` tells that they touch and where.
-std::optional<Answer> decide_at_contact(const Query& query, double t_max, Wanted wanted, const WideLook& look) {
-  if (wanted == Wanted::contact && t_max == 1) return contact_only();
-  using N = Near<kSparse>;
-  numbers::Doubt doubt;
-  const numbers::SparseScratch scratch(doubt);
-  const auto corners = moving_corners<N>(query, axis_spans(query));
-  std::optional<Answer> answer =
-      with_elements_of<N>(query.kind, corners, [&](const auto& elements) -> std::optional<Answer> {
-        if constexpr (std::remove_cvref_t<decltype(elements)>::kHasCubic) {
-          const auto [low, high] = ends_of_part(look);
-          const auto root = numbers::SparseRoot::between(low, high, elements.coplanarity(), look.sign_at_start, doubt);
-          if (!root) return std::nullopt;
-          if (root->compare(t_max) > 0) return Answer();
-          const SideSigns sides = {look.axis, {1, 1, 1, 1}};
-          return contact_at(elements, *root, sides, wanted, [] { return Nature::crossing; });
-        }
-        return std::nullopt;
-      });
-  if (doubt.raised()) answer.reset();
-  return answer;
+  return Answer();  // the last rung decides each query
 }
 
 template <class N, class Q>
@@ -346,67 +326,19 @@ std::vector<RootInterval> touching_times_of_any(const Q& query, double t_max) {
   return with_elements<N>(query, [&](const auto& elements) { return all_contacts(elements, ExactRange(t_max)); });
 }
 
-Answer decide_by_size(const Query& query, double t_max, Wanted wanted) {
-  const numbers::LimbScratch scratch;  // no number outlives the decision
-  const int bits = coordinate_span(query).bits();
-  if (bits <= kMostBits<1>) return first_contact_in<Short>(query, t_max, wanted);
-  if (bits <= kMostBits<2>) return first_contact_in<Medium>(query, t_max, wanted);
-  if (bits <= kMostBits<3>) return first_contact_in<Long>(query, t_max, wanted);
-  return first_contact_in<Exact>(query, t_max, wanted);
-}
-
 }  // namespace
 
-Answer decide_exactly(const Query& query, double t_max) { return decide_by_size(query, t_max, Wanted::all); }
+Answer decide_exactly(const Query& query, double t_max) {
+  return decide_from(Rung::exact_one, query, t_max, Wanted::all, nullptr);
+}
 Answer decide_exactly(const RationalQuery& query, double t_max) { return first_contact_in<Exact>(query, t_max); }
 Answer decide_exactly(const CurvedQuery& query, double t_max) {
   const numbers::LimbScratch scratch;
   return first_contact_in<AnyDegree>(query, t_max);
 }
 
-std::optional<Answer> decide_nearby(const Query& query, double t_max, Wanted wanted) {
-  const std::array<BitSpan, 3> spans = axis_spans(query);
-  const int bits = most_bits(spans);
-  numbers::Doubt doubt;
-  if (bits <= kMostBits<0>) return near_first_contact<0>(query, spans, t_max, wanted, doubt);
-  if (bits <= kMostBits<1>) return near_first_contact<1>(query, spans, t_max, wanted, doubt);
-  if (bits <= kMostBits<2>) {
-    // A gap beside so few bits is worth it: the narrowed query mostly has few enough for times of one limb.
-    constexpr int kFewBits = 6;
-    if (t_max == 1 && spans[0].bits() + spans[1].bits() + spans[2].bits() - bits <= kFewBits) {
-      if (const std::optional<Answer> answer = decide_across_gap(query, wanted)) return answer;
-    }
-    if (is_uneven(spans, 1)) {
-      numbers::Doubt uneven;
-      const auto answer = near_first_contact<kUnevenMedium>(query, spans, t_max, wanted, uneven);
-      if (answer) return answer;
-    }
-    return near_first_contact<2>(query, spans, t_max, wanted, doubt);
-  }
-  if (t_max == 1) {
-    if (const std::optional<Answer> answer = decide_across_gap(query, wanted)) return answer;
-  }
-  if (bits <= kMostBits<3> && is_uneven(spans, 2)) {
-    const auto answer = near_first_contact<kUnevenLong>(query, spans, t_max, wanted, doubt);
-    if (answer) return answer;
-  }
-  const WideLook look = look_widely(query);
-  if (look.verdict == WideLook::Verdict::apart) return Answer();
-  if (look.verdict == WideLook::Verdict::touching) {
-    if (const auto answer = decide_at_contact(query, t_max, wanted, look)) return answer;
-  }
-  return decide_sparsely(query, t_max, wanted);
-}
-
-std::optional<Answer> decide_sparsely(const Query& query, double t_max, Wanted wanted) {
-  numbers::Doubt doubt;
-  const numbers::SparseScratch scratch(doubt);
-  return near_first_contact<kSparse>(query, axis_spans(query), t_max, wanted, doubt);
-}
-
-Answer decide_sooner(const Query& query, double t_max, Wanted wanted) {
-  if (const std::optional<Answer> answer = decide_nearby(query, t_max, wanted)) return *answer;
-  return decide_by_size(query, t_max, wanted);
+Answer decide(const Query& query, double t_max, Wanted wanted, Rung* decided) {
+  return decide_from(Rung::near_word, query, t_max, wanted, decided);
 }
 
 Story explain(const Query& query, double t_max) { return tell<Exact>(query, t_max); }

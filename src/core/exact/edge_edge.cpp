@@ -34,27 +34,21 @@ const PointOnEdge<N>& EdgeEdgeElements<N>::pair(Pair which) const {
 
 template <class N>
 bool EdgeEdgeElements<N>::touching(const MomentOf<Time<N>>& moment, SideSigns& found) const {
-  FactorSigns along(n_, moment);
-  found.axis = along.axis();
+  const NonzeroAxis along = nonzero_axis(n_, moment, "n");
+  found.axis = along.axis;
   if (found.axis < 0) {  // parallel or of zero length: they touch exactly when some corner lies on the other edge
     return pair(a0_on_b).touching(moment) || pair(a1_on_b).touching(moment) || pair(b0_on_a).touching(moment) ||
            pair(b1_on_a).touching(moment);
   }
   // The lines meet at f1 = (r x w)_k / n_k on the first edge and f2 = (r x u)_k / n_k on the second; each in [0, 1].
-  const auto axis = static_cast<std::size_t>(found.axis);
-  const auto n = [&](std::size_t element, std::size_t k) -> decltype(auto) {
-    return completed(corners_, element, n_[k]);
-  };
-  const auto f1 = [&](std::size_t k) { return Quadratic(first_numerator(frame_, k)); };
-  const Quadratic own1 = f1(axis);
-  if ((found.sign[0] = along.of(own1, f1, "(r x w)")) < 0) return false;
-  const auto rest1 = [&](std::size_t k) { return Quadratic(n(0, k) - f1(k)); };
-  if ((found.sign[1] = along.of(n(0, axis) - own1, rest1, "n - (r x w)")) < 0) return false;
-  const auto f2 = [&](std::size_t k) { return Quadratic(second_numerator(kEdges, frame_, k)); };
-  const Quadratic own2 = f2(axis);
-  if ((found.sign[2] = along.of(own2, f2, "(r x u)")) < 0) return false;
-  const auto rest2 = [&](std::size_t k) { return Quadratic(n(1, k) - f2(k)); };
-  return (found.sign[3] = along.of(n(1, axis) - own2, rest2, "n - (r x u)")) >= 0;
+  const auto axis = static_cast<std::size_t>(along.axis);
+  const auto sign = [&](const Quadratic& x, const char* name) { return along.sign * moment.sign(x, name, along.axis); };
+  const Quadratic f1 = first_numerator(frame_, axis);
+  if ((found.sign[0] = sign(f1, "(r x w)")) < 0) return false;
+  if ((found.sign[1] = sign(completed(corners_, 0, n_[axis]) - f1, "n - (r x w)")) < 0) return false;
+  const Quadratic f2 = second_numerator(kEdges, frame_, axis);
+  if ((found.sign[2] = sign(f2, "(r x u)")) < 0) return false;
+  return (found.sign[3] = sign(completed(corners_, 1, n_[axis]) - f2, "n - (r x u)")) >= 0;
 }
 
 template <class N>

@@ -22,7 +22,6 @@
 #include "numbers/near_root.hpp"
 #include "numbers/real_root.hpp"
 #include "numbers/small_int.hpp"
-#include "numbers/sparse_root.hpp"
 
 namespace touchstone::exact {
 
@@ -85,26 +84,6 @@ struct Near<0> {
   using Integer = numbers::SmallInt;
   using Time = numbers::NearRoot<1>;
 };
-/// For coordinates of any span and few bits.
-constexpr int kSparse = -1;
-template <>
-struct Near<kSparse> {
-  using Integer = numbers::Sparse;
-  using Time = numbers::SparseRoot;
-};
-/// For coordinates of many bits along one axis and of few along the others. V has few bits for these limbs then, and so
-/// have most quadratics; those that have not raise the doubt.
-constexpr int kUnevenMedium = -2, kUnevenLong = -3;
-template <>
-struct Near<kUnevenMedium> {
-  using Integer = numbers::FixedInt<2>;
-  using Time = numbers::NearRoot<1>;
-};
-template <>
-struct Near<kUnevenLong> {
-  using Integer = numbers::FixedInt<3>;
-  using Time = numbers::NearRoot<2>;
-};
 template <int Limbs>
 struct Forms<Near<Limbs>> : Forms<typename Near<Limbs>::Integer> {};
 
@@ -158,9 +137,6 @@ using Long = numbers::FixedInt<3>;
   template class Template<Near<0>>;               \
   template class Template<Near<1>>;               \
   template class Template<Near<2>>;               \
-  template class Template<Near<kUnevenMedium>>;   \
-  template class Template<Near<kUnevenLong>>;     \
-  template class Template<Near<kSparse>>;         \
   template class Template<Exact>;                 \
   template class Template<AnyDegree>
 // NOLINTEND(bugprone-macro-parentheses)
@@ -224,15 +200,6 @@ class MomentOf {
     const int sign = this->sign(numbers::Coefficients(q));
     if (record_ != nullptr) keep_sign(*record_, sign, name, axis);
     return sign;
-  }
-
-  /// Whether roots know many signs at much less cost than all of them.
-  static constexpr bool kHasQuickSigns = std::is_same_v<Root, numbers::SparseRoot>;
-
-  /// The sign where the root knows it at little cost; else 0.
-  template <class Q>
-  int quick_sign(const Q& q) const {
-    return side_ == 0 ? root_.quick_sign_at(q) : 0;
   }
 
   /// The same for a polynomial of any formal degree, without a record.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,16 +21,25 @@ Answer decide_exactly(const Query& query, double t_max);
 Answer decide_exactly(const RationalQuery& query, double t_max);
 Answer decide_exactly(const CurvedQuery& query, double t_max);
 
-/// The same answer, but for the last bits of its weights, in less time: in integers of fixed sizes and with times in
-/// double-doubles. Nothing where these leave a doubt, or where the coordinates have too many bits. Of a contact it may
-/// leave out what is not wanted.
-std::optional<Answer> decide_nearby(const Query& query, double t_max, Wanted wanted = Wanted::all);
+/// The rungs of the exact level, in the order in which a query meets them. The near ones have times in double-doubles,
+/// and leave a query with a doubt to the next rung. They are for coordinates that are integers of so many bits in some
+/// unit along each axis; the others for such of one unit for all.
+enum class Rung : std::uint8_t {
+  near_word,    ///< at most 16 bits: all integers in one machine word
+  near_one,     ///< at most 59 bits
+  near_two,     ///< at most 123 bits
+  exact_one,    ///< at most 59 bits: integers of one to three limbs, with exact times
+  exact_two,    ///< at most 123 bits
+  exact_three,  ///< at most 187 bits
+  exact_any     ///< dyadic numbers of any size
+};
 
-/// The last part of it, for any query: in sparse numbers, which suit coordinates of any span and few bits.
-std::optional<Answer> decide_sparsely(const Query& query, double t_max, Wanted wanted = Wanted::all);
+inline constexpr std::size_t kRungs = 7;
 
-/// decide_nearby, and decide_exactly where it finds nothing.
-Answer decide_sooner(const Query& query, double t_max, Wanted wanted);
+/// The same answer, but for the last bits of its weights, in less time: by the first rung that decides. Of a contact it
+/// may leave out what is not wanted.
+/// @param decided  null, or becomes the rung
+Answer decide(const Query& query, double t_max, Wanted wanted, Rung* decided = nullptr);
 
 /// The same for contact within a separation > 0.
 Answer decide_exactly(const Query& query, double t_max, const Separation& separation);

@@ -39,55 +39,6 @@ NonzeroAxis nonzero_axis(const geometry::Vector<P>& v, const MomentOf<Root>& mom
   return {};
 }
 
-/// The signs of factors c / n at a moment, for vectors c that are multiples of n there: those of c_k n_k along any axis
-/// k with n_k != 0. Where roots know most signs at little cost, an axis is taken along which this one does.
-template <class P, class Root>
-class FactorSigns {
- public:
-  FactorSigns(const geometry::Vector<P>& n, const MomentOf<Root>& moment) : n_(n), moment_(moment) {
-    if constexpr (kQuick) {
-      for (int k = 0; k < 3; ++k) {
-        if (const int sign = quick_sign_of_n(static_cast<std::size_t>(k)); sign != 0) {
-          axis_ = {k, sign};
-          return;
-        }
-      }
-    }
-    axis_ = nonzero_axis(n, moment, "n");
-  }
-
-  /// One along which n is not zero; -1: none.
-  int axis() const noexcept { return axis_.axis; }
-
-  /// `own` is c_k along the axis, component(k) along any.
-  template <class Own, class Component>
-  int of(const Own& own, const Component& component, const char* name) {
-    if constexpr (kQuick) {
-      if (const int sign = moment_.quick_sign(own); sign != 0) return sign * axis_.sign;
-      for (int k = 0; k < 3; ++k) {
-        const auto at = static_cast<std::size_t>(k);
-        if (k == axis_.axis || quick_sign_of_n(at) == 0) continue;
-        if (const int sign = moment_.quick_sign(component(at)); sign != 0) return sign * *quick_[at];
-      }
-    }
-    return axis_.sign * moment_.sign(own, name, axis_.axis);
-  }
-
- private:
-  static constexpr bool kQuick = MomentOf<Root>::kHasQuickSigns;
-  int quick_sign_of_n(std::size_t k) {
-    if (!quick_[k]) quick_[k] = moment_.quick_sign(n_[k]);
-    return *quick_[k];
-  }
-
-  const geometry::Vector<P>& n_;
-  const MomentOf<Root>& moment_;
-  NonzeroAxis axis_;
-  std::array<std::optional<int>, kQuick ? 3 : 0> quick_;
-};
-template <class P, class Root>
-FactorSigns(const geometry::Vector<P>&, const MomentOf<Root>&) -> FactorSigns<P, Root>;
-
 /// A quotient of two components along an axis, numerator / denominator at the root, in [0, 1]. The denominator is not
 /// zero there. along(other axis) is the quotient of the same value from those along another axis, as a std::pair.
 template <class Root, class P, class D, class Along>

@@ -30,20 +30,18 @@ const PointOnEdge<N>& VertexFaceElements<N>::side(std::size_t which) const {
 
 template <class N>
 bool VertexFaceElements<N>::touching(const MomentOf<Time<N>>& moment, SideSigns& found) const {
-  FactorSigns along(n_, moment);
-  found.axis = along.axis();
+  const NonzeroAxis along = nonzero_axis(n_, moment, "n");
+  found.axis = along.axis;
   if (found.axis < 0) return side(0).touching(moment) || side(1).touching(moment) || side(2).touching(moment);
   // r = w1 u + w2 w with w1 = (r x w)_k / n_k and w2 = (u x r)_k / n_k; inside iff w1, w2 and 1 - w1 - w2 are >= 0.
-  const auto axis = static_cast<std::size_t>(found.axis);
-  const auto w1 = [&](std::size_t k) { return Quadratic(first_numerator(frame_, k)); };
-  const Quadratic own1 = w1(axis);
-  if ((found.sign[1] = along.of(own1, w1, "(r x w)")) < 0) return false;
-  const auto w2 = [&](std::size_t k) { return Quadratic(second_numerator(kEdges, frame_, k)); };
-  const Quadratic own2 = w2(axis);
-  if ((found.sign[2] = along.of(own2, w2, "(u x r)")) < 0) return false;
-  const auto n = [&](std::size_t k) -> decltype(auto) { return completed(corners_, 1, n_[k]); };
-  const auto rest = [&](std::size_t k) { return Quadratic(n(k) - w1(k) - w2(k)); };
-  return (found.sign[0] = along.of(n(axis) - own1 - own2, rest, "n - (r x w) - (u x r)")) >= 0;
+  const auto axis = static_cast<std::size_t>(along.axis);
+  const auto sign = [&](const Quadratic& x, const char* name) { return along.sign * moment.sign(x, name, along.axis); };
+  const Quadratic w1 = first_numerator(frame_, axis);
+  if ((found.sign[1] = sign(w1, "(r x w)")) < 0) return false;
+  const Quadratic w2 = second_numerator(kEdges, frame_, axis);
+  if ((found.sign[2] = sign(w2, "(u x r)")) < 0) return false;
+  const Quadratic rest = completed(corners_, 1, n_[axis]) - w1 - w2;
+  return (found.sign[0] = sign(rest, "n - (r x w) - (u x r)")) >= 0;
 }
 
 template <class N>

@@ -27,8 +27,8 @@ BracketFinding decide_in_any_brackets(const Question& question, Answer& answer) 
   return found;
 }
 
-Decision decide_by_direction(const Query& query) {
-  return separated(query) ? Decision{Finding::no_contact, Test::separated} : Decision();
+Decision decide_by_direction(const Query& query, Test test) {
+  return separated(query) ? Decision{Finding::no_contact, test} : Decision();
 }
 
 }  // namespace
@@ -44,15 +44,15 @@ Decision decide_by_filters(const Question& question, Answer& answer) {
   if (found.finding != Finding::uncertain) return {found.finding, Test::bracket};
   const bool extreme = seems_extreme(query);  // then the direction is tried once, on the rescaled query
   if (!extreme && !found.close) {
-    const Decision decision = decide_by_direction(query);
+    const Decision decision = decide_by_direction(query, Test::separated);
     if (decision.finding != Finding::uncertain) return decision;
   }
   const std::optional<Query> scaled = rescaled(query);
-  if (!scaled) return extreme ? decide_by_direction(query) : Decision();
+  if (!scaled) return extreme ? decide_by_direction(query, Test::separated) : Decision();
   const BracketFinding now =
       decide_in_any_brackets({*scaled, question.t_max, question.exact_value, question.wanted}, answer);
-  if (now.finding != Finding::uncertain) return {now.finding, Test::bracket};
-  return now.close ? Decision() : decide_by_direction(*scaled);
+  if (now.finding != Finding::uncertain) return {now.finding, Test::rescaled};
+  return now.close ? Decision() : decide_by_direction(*scaled, Test::rescaled);
 }
 
 Finding decide_by_filters(const Query& query, const Separation& separation, double t_max, Answer& answer) {

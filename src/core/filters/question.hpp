@@ -25,7 +25,15 @@ struct Question {
 enum class Finding : std::uint8_t { uncertain, no_contact, contact };
 
 /// The tests, in the order in which a query meets them.
-enum class Test : std::uint8_t { none, same_side, shared_corner, boxes, bracket, separated };
+enum class Test : std::uint8_t {
+  same_side,
+  shared_corner,
+  boxes,
+  bracket,
+  separated,
+  rescaled,  ///< the last two, asked about the rescaled query
+  none
+};
 
 /// The decision of the filters: `uncertain` by no test, or something certain by one.
 struct Decision {

@@ -159,23 +159,6 @@ bool is_zero(const FixedInt<Limbs>& x) noexcept {
   return x.is_zero();
 }
 
-/// p with coefficients of fewer limbs, where sums of six of them are below 2^(64 Fewer - 3): where each is at most
-/// 2^(64 Fewer - 6) in absolute value. Nothing where one may be greater.
-template <int Fewer, int Limbs, int D>
-std::optional<Polynomial<FixedInt<Fewer>, D>> shortened(const Polynomial<FixedInt<Limbs>, D>& p) noexcept {
-  static_assert(Fewer < Limbs);
-  constexpr int kSpareBits = 6;
-  Polynomial<FixedInt<Fewer>, D> result;
-  std::uint64_t above = 0;
-  for (int i = 0; i <= D; ++i) {
-    for (int limb = 0; limb < Fewer; ++limb) result[i].set_limb(limb, p[i].limb(limb));
-    const std::uint64_t sign = result[i].sign_mask();
-    above |= (result[i].limb(Fewer - 1) ^ sign) >> (64 - kSpareBits);
-    for (int limb = Fewer; limb < Limbs; ++limb) above |= p[i].limb(limb) ^ sign;
-  }
-  return above == 0 ? std::optional(result) : std::nullopt;
-}
-
 /// x itself.
 template <int Limbs>
 Exact to_exact(const FixedInt<Limbs>& x) {

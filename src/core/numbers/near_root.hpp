@@ -22,21 +22,11 @@ namespace touchstone::numbers {
 /// Raised where a root, a sign or a quotient stays open. What was computed with them is worth nothing then.
 class Doubt {
  public:
-  Doubt() noexcept = default;
-  /// Without quotients, which are all 0 then.
-  static Doubt without_quotients() noexcept {
-    Doubt doubt;
-    doubt.quotients_ = false;
-    return doubt;
-  }
-
   void raise() noexcept { raised_ = true; }
   bool raised() const noexcept { return raised_; }
-  bool quotients() const noexcept { return quotients_; }
 
  private:
   bool raised_ = false;
-  bool quotients_ = true;
 };
 
 template <int Limbs>
@@ -98,7 +88,6 @@ class NearRoot {
   /// where the denominator is not zero at the root. Nothing where it is zero, or too small.
   template <class R>
   std::optional<double> known_quotient(const Polynomial<R, 2>& numerator, const Polynomial<R, 2>& denominator) const {
-    if (!doubt_->quotients()) return 0;
     return close_quotient(as_quadratic(numerator), as_quadratic(denominator));
   }
   /// The same, with a doubt in place of nothing.
@@ -186,13 +175,8 @@ class NearRoot {
 
   template <int Q, int D>
   Quadratic as_quadratic(const Polynomial<FixedInt<Q>, D>& q) const {
-    if constexpr (Q <= 2 * Limbs) {
-      return widened(q);
-    } else {
-      const auto shorter = shortened<2 * Limbs>(q);
-      if (!shorter) raise_doubt();
-      return shorter ? widened(*shorter) : Quadratic();
-    }
+    static_assert(Q <= 2 * Limbs);
+    return widened(q);
   }
   template <int D>
   static SmallQuadratic as_quadratic(const Polynomial<SmallInt, D>& q) {
@@ -277,16 +261,11 @@ class NearRoots {
   /// Of p, which is not identically zero. Sums of 6 of its coefficients are below the limit of NearRoot, too.
   template <int Q, int D>
   NearRoots(const Polynomial<FixedInt<Q>, D>& p, double limit, Doubt& doubt) : limit_(limit), doubt_(doubt) {
-    constexpr int kLimbs = (D <= 2 ? 2 : 3) * Limbs;  // those of a quadratic may be those of another's root
-    if constexpr (Q > kLimbs) {
-      if (const auto shorter = shortened<kLimbs>(p)) {
-        isolate_in_cubic(*shorter);
-      } else if (!has_no_root(p)) {
-        doubt_.raise();
-      }
-    } else {
-      isolate_in_cubic(p);
-    }
+    static_assert(Q <= (D <= 2 ? 2 : 3) * Limbs);  // those of a quadratic may be those of another's root
+    if (has_no_root(p)) return;
+    Cubic cubic;
+    for (int i = 0; i <= D; ++i) cubic[i] = p[i].template widened<3 * Limbs>();
+    isolate(cubic);
   }
   template <int D>
   NearRoots(const Polynomial<SmallInt, D>& p, double limit, Doubt& doubt) : limit_(limit), doubt_(doubt) {
@@ -306,13 +285,6 @@ class NearRoots {
   using SmallCubic = Polynomial<SmallInt, 3>;
   using Pairs = std::array<BoundedPair, 4>;
 
-  template <int Q, int D>
-  void isolate_in_cubic(const Polynomial<FixedInt<Q>, D>& p) {
-    if (has_no_root(p)) return;
-    Cubic cubic;
-    for (int i = 0; i <= D; ++i) cubic[i] = p[i].template widened<3 * Limbs>();
-    isolate(cubic);
-  }
   void isolate(const Cubic& p);
   void isolate(const SmallCubic& p);
   template <class P>

@@ -6,7 +6,9 @@
 #include "exact/exact.hpp"
 #include "filters/bracket.hpp"
 #include "filters/filters.hpp"
+#include "numbers/float_environment.hpp"
 #include "oracle/oracle.hpp"
+#include "solver/ladder.hpp"
 #include "solver/validate.hpp"
 
 namespace touchstone::solver {
@@ -15,15 +17,17 @@ namespace {
 /// The arithmetic without error below the filters and the bracket level.
 struct ExactArithmetic {
   filters::ExactValue coplanarity_at;
-  Answer (*decide)(const Query& query, double t_max, Wanted wanted);
+  Answer (*decide)(const Query& query, double t_max, Wanted wanted, exact::Rung* decided);
 };
 
-Answer decide_by_oracle(const Query& query, double t_max, Wanted) { return oracle::decide_by_oracle(query, t_max); }
+Answer decide_by_oracle(const Query& query, double t_max, Wanted, exact::Rung*) {
+  return oracle::decide_by_oracle(query, t_max);
+}
 
 /// Contact at exactly t = 0 is a fact that no level below needs.
 void complete(Answer& answer) noexcept { answer.starts_within = answer.contact && answer.toi_upper == 0; }
 
-constexpr ExactArithmetic kOwn = {exact::coplanarity_at, exact::decide_sooner};
+constexpr ExactArithmetic kOwn = {exact::coplanarity_at, exact::decide};
 constexpr ExactArithmetic kCgal = {oracle::coplanarity_at, decide_by_oracle};
 
 }  // namespace
@@ -42,12 +46,24 @@ void trim(Answer& answer, Wanted wanted) noexcept {
 
 namespace {
 
-/// What follows the first test, by a method with filters.
-inline void answer_after_same_side(const Query& query, Method method, double t_max, Wanted wanted, Answer& result) {
+// The rungs of kLadder are the filters' tests, then those of the exact level.
+constexpr std::size_t kFirstExactRung = 1 + static_cast<std::size_t>(filters::Test::rescaled);
+static_assert(kFirstExactRung + exact::kRungs == kLadder.size());
+
+/// What follows the first test, by a method with filters. `rung`, if not null, becomes the number of the one that
+/// decides.
+inline void answer_after_same_side(const Query& query, Method method, double t_max, Wanted wanted, Answer& result,
+                                   std::size_t* rung = nullptr) {
   validate(query, t_max);
   const ExactArithmetic& below = method == Method::fast ? kOwn : kCgal;
   const filters::Decision decision = filters::decide_by_filters({query, t_max, below.coplanarity_at, wanted}, result);
-  if (decision.finding == filters::Finding::uncertain) result = below.decide(query, t_max, wanted);
+  if (decision.finding == filters::Finding::uncertain) {
+    exact::Rung decided{};
+    result = below.decide(query, t_max, wanted, rung != nullptr ? &decided : nullptr);
+    if (rung != nullptr) *rung = kFirstExactRung + static_cast<std::size_t>(decided);
+  } else if (rung != nullptr) {
+    *rung = static_cast<std::size_t>(decision.test);
+  }
   complete(result);
   trim(result, wanted);
 }
@@ -68,6 +84,15 @@ Answer answer(const Query& query, Method method, double t_max, Wanted wanted) {
   // The first test also proves that the query is valid. So most queries are read only once.
   if (is_time(t_max) && filters::same_side(query)) return result;
   answer_after_same_side(query, method, t_max, wanted, result);
+  return result;
+}
+
+RungAnswer answer_and_rung(const Query& query, double t_max) {
+  const numbers::DefaultFloatEnvironment environment;
+  RungAnswer result;
+  result.answer.level = Level::filter;
+  if (is_time(t_max) && filters::same_side(query)) return result;
+  answer_after_same_side(query, Method::fast, t_max, Wanted::all, result.answer, &result.rung);
   return result;
 }
 
@@ -112,7 +137,7 @@ bool any_contact(const Query& query, double t_max) {
   const filters::Question question = {query, t_max, exact::coplanarity_at, Wanted::contact};
   const filters::Finding finding = filters::decide_by_filters(question, ignored).finding;
   if (finding != filters::Finding::uncertain) return finding == filters::Finding::contact;
-  return exact::decide_sooner(query, t_max, Wanted::contact).contact;
+  return exact::decide(query, t_max, Wanted::contact).contact;
 }
 
 Answer answer(const Query& query, const Separation& separation, Method method, double t_max, Wanted wanted) {
