@@ -3,7 +3,8 @@
 # TIGHT_INCLUSION (whether the drop-in is there), and
 #   WAY=installed  BUILD_DIR and CONFIG: install that build into a fresh prefix and find it there
 #   WAY=fetched    build the sources as a part of the consumer, with every flag of the consumer's own hostile to exact
-#                  arithmetic; as a static library, then shared, then install the shared one and find it
+#                  arithmetic, and without CGAL; as a static library, then shared, then install the shared one and find
+#                  it
 # SPDX-License-Identifier: MIT
 cmake_minimum_required(VERSION 3.18)
 
@@ -59,12 +60,13 @@ if(WAY STREQUAL "installed")
 elseif(WAY STREQUAL "fetched")
   set(fetched -DCONSUMER_FETCHES=ON -DFETCHCONTENT_SOURCE_DIR_TOUCHSTONE=${SOURCE_DIR} -DCMAKE_BUILD_TYPE=
     "-DCMAKE_CXX_FLAGS=-O1 -ffast-math" -DTOUCHSTONE_INSTALL=ON -DTOUCHSTONE_BUILD_FUZZ=ON
+    -DTOUCHSTONE_WITH_CGAL=OFF -DCONSUMER_WITH_CGAL=OFF -DCMAKE_DISABLE_FIND_PACKAGE_CGAL=ON
     -DTOUCHSTONE_BUILD_TIGHT_INCLUSION=${TIGHT_INCLUSION})
   foreach(shared OFF ON)  # the same object files: only the library is linked anew
     consume(${SCRATCH}/fetched ${fetched} -DBUILD_SHARED_LIBS=${shared})
   endforeach()
   run(${CMAKE_COMMAND} --install ${SCRATCH}/fetched --prefix ${SCRATCH}/prefix)
-  consume(${SCRATCH}/found ${found_in} -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix)
+  consume(${SCRATCH}/found ${found_in} -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix -DCONSUMER_WITH_CGAL=OFF)
 else()
   message(FATAL_ERROR "WAY is installed or fetched, not \"${WAY}\"")
 endif()

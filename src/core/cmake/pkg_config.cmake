@@ -4,8 +4,13 @@
 
 # The libraries that a program links after a static touchstone.
 set(touchstone_pc_libraries "")
-set(touchstone_pc_locations ${touchstone_mpfr_LIBRARY} ${touchstone_gmp_LIBRARY})
-set(touchstone_pc_names mpfr gmp)
+set(touchstone_pc_names ${touchstone_number_libraries})
+set(touchstone_pc_locations ${touchstone_number_libraries})
+list(TRANSFORM touchstone_pc_locations REPLACE "(.+)" "touchstone_\\1_LIBRARY")
+foreach(variable ${touchstone_pc_locations})
+  list(APPEND touchstone_pc_found ${${variable}})
+endforeach()
+set(touchstone_pc_locations ${touchstone_pc_found})
 if(TOUCHSTONE_WITH_TBB)
   list(APPEND touchstone_pc_names tbb)
   foreach(configuration "" _RELEASE _RELWITHDEBINFO _NONE)

@@ -1,9 +1,9 @@
-# The libraries that a program links beside touchstone, as targets: touchstone::gmp and touchstone::mpfr. Their headers
-# are not needed, so finding the libraries is enough. Used by the build and installed for the package config; it leaves
-# the names of what it did not find in touchstone_missing_libraries.
+# The libraries of touchstone_number_libraries, which a program links beside touchstone, as targets: touchstone::gmp and,
+# with CGAL, touchstone::mpfr. Their headers are not needed, so finding the libraries is enough. Used by the build and
+# installed for the package config; it leaves the names of what it did not find in touchstone_missing_libraries.
 # SPDX-License-Identifier: MIT
 set(touchstone_missing_libraries "")
-foreach(touchstone_library gmp mpfr)
+foreach(touchstone_library ${touchstone_number_libraries})
   if(NOT TARGET touchstone::${touchstone_library})
     find_library(touchstone_${touchstone_library}_LIBRARY ${touchstone_library})
     mark_as_advanced(touchstone_${touchstone_library}_LIBRARY)

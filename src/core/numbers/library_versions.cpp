@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "numbers/library_versions.hpp"
 
-#include <CGAL/version.h>
 #include <gmp.h>
+
+#ifdef TOUCHSTONE_WITH_CGAL
+#include <CGAL/version.h>
 #include <mpfr.h>
 
 #include <boost/version.hpp>
+#endif
 
 namespace touchstone::numbers {
 namespace {
@@ -20,13 +23,15 @@ std::string dotted(int major, int minor, int patch) {
 }  // namespace
 
 std::vector<LibraryVersion> library_versions() {
+  std::vector<LibraryVersion> versions;
+  const std::string gmp = dotted(__GNU_MP_VERSION, __GNU_MP_VERSION_MINOR, __GNU_MP_VERSION_PATCHLEVEL);
+#ifdef TOUCHSTONE_WITH_CGAL
   const std::string cgal = TOUCHSTONE_TEXT(CGAL_VERSION);
   const std::string boost = dotted(BOOST_VERSION / 100'000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100);
-  const std::string gmp = dotted(__GNU_MP_VERSION, __GNU_MP_VERSION_MINOR, __GNU_MP_VERSION_PATCHLEVEL);
-  return {{"CGAL", cgal, cgal},
-          {"Boost", boost, boost},
-          {"GMP", gmp, gmp_version},
-          {"MPFR", MPFR_VERSION_STRING, mpfr_get_version()}};
+  versions = {{"CGAL", cgal, cgal}, {"Boost", boost, boost}, {"MPFR", MPFR_VERSION_STRING, mpfr_get_version()}};
+#endif
+  versions.push_back({"GMP", gmp, gmp_version});
+  return versions;
 }
 
 }  // namespace touchstone::numbers
