@@ -55,7 +55,7 @@ std::string queries_of(const CaseId& id, const Options& options) {
   std::string text = options.metric ? io::separation_comment(separation) : std::string();
   fuzz::Climb climb(query, families::rng_of(id), separation);
   for (std::uint64_t step = 0; step <= options.steps; ++step) {
-    io::append_query(text, query, solve(query, separation, Method::exact).contact);
+    io::append_query(text, query, solve(query, {.separation = separation, .method = Method::exact}).contact);
     query = std::get<Query>(climb.next());
   }
   return text;

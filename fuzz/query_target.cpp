@@ -57,18 +57,19 @@ void fuzz_query(Bytes input) {
   const Question question = question_from(input);
   const Query& query = question.query;
   const Answer fast = solve(query, question.t_max);
-  const Answer exact = solve(query, Method::exact, question.t_max);
+  const Answer exact = solve(query, {.t_max = question.t_max, .method = Method::exact});
   demand(certify::malformation(query.kind, fast, question.t_max), "the cascade's answer is malformed", question, fast,
          exact);
   demand(certify::malformation(query.kind, exact, question.t_max), "the exact answer is malformed", question, fast,
          exact);
   compare("cascade and exact level differ", question, fast, exact);
-  if (solve_any(query, question.t_max) != exact.contact) {
+  if (solve(query, {.t_max = question.t_max, .wanted = Wanted::contact}).contact != exact.contact) {
     demand("solve_any says otherwise", "solve_any and exact level differ", question, fast, exact);
   }
   if (hash_of(input) % kBatchOneIn == 1) check_batch(question, fast);
   if (hash_of(input) % kOracleOneIn == 0) {
-    compare("exact level and oracle differ", question, exact, solve(query, Method::oracle, question.t_max));
+    compare("exact level and oracle differ", question, exact,
+            solve(query, {.t_max = question.t_max, .method = Method::oracle}));
   }
 }
 

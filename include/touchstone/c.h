@@ -146,16 +146,6 @@ const char* touchstone_trend_name(int trend);
 int touchstone_solve(int kind, const double* start, const double* end, const struct touchstone_options* options,
                      struct touchstone_answer* answer);
 
-/** Whether there is contact at all. It is cheaper than touchstone_solve.
- *  @param kind     one of touchstone_query_kind
- *  @param start    the corners at t = 0
- *  @param end      the corners at t = 1
- *  @param options  the options, or null
- *  @param contact  becomes 1 for contact, otherwise 0
- *  @return one of touchstone_status_code */
-int touchstone_contact(int kind, const double* start, const double* end, const struct touchstone_options* options,
-                       int* contact);
-
 /** The answers to many queries of one kind, in columns: the fastest way to ask.
  *  @param kind     one of touchstone_query_kind
  *  @param count    the number of queries, and the length of each column

@@ -5,7 +5,6 @@
 #include <array>
 #include <optional>
 
-#include <touchstone/curved_query.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
@@ -34,8 +33,5 @@ std::optional<std::array<double, 3>> contact_normal(const Query& query, const Se
 /// The same for rational coordinates.
 std::optional<std::array<double, 3>> contact_normal(const RationalQuery& query, const Separation& separation = {},
                                                     double t_max = 1.0);
-
-/// The same for touching curved elements: contact_normal(query, {}, t_max) of touchstone/curved.hpp.
-std::optional<std::array<double, 3>> contact_normal(const CurvedQuery& query, double t_max);
 
 }  // namespace touchstone

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <initializer_list>
 #include <memory>
 #include <string>
 #include <vector>
@@ -61,47 +60,20 @@ struct ContactInterval {
   ExactTime last;   ///< The last instant of the contact; equal to `first` when the contact is a single instant.
 };
 
-/// The set of all t in [0, t_max] at which the elements touch, as disjoint closed intervals in ascending order. It is
-/// empty without contact. The first instant of the first interval is the exact time that `solve` encloses. Exact
-/// arithmetic computes it.
-/// @param query  the two elements and their motion
-/// @param t_max  the end of the time range, 0 <= t_max <= 1
-/// @return the intervals
-/// @throws InvalidQuery  for a NaN or infinite coordinate or a t_max outside [0, 1]
-std::vector<ContactInterval> contact_times(const Query& query, double t_max = 1.0);
-
-/// The same for rational coordinates.
-/// @param query  the two elements and their motion
-/// @param t_max  the end of the time range, 0 <= t_max <= 1
-/// @return the intervals
-/// @throws InvalidQuery  for a coordinate that is not a fraction or a t_max outside [0, 1]
-std::vector<ContactInterval> contact_times(const RationalQuery& query, double t_max = 1.0);
-
-/// The same for the times at which the elements are within a separation of each other.
+/// The set of all t in [0, t_max] at which the elements are within a separation of each other, with distance 0: touch,
+/// as disjoint closed intervals in ascending order. It is empty without contact. The first instant of the first
+/// interval is the exact time that `solve` encloses. Exact arithmetic computes it.
 /// @param query       the two elements and their motion
 /// @param separation  the distance and its metric
 /// @param t_max       the end of the time range, 0 <= t_max <= 1
 /// @return the intervals
 /// @throws InvalidQuery  for a NaN or infinite coordinate, a t_max outside [0, 1], a distance that is negative or not
 ///                       finite, or an unknown metric
-std::vector<ContactInterval> contact_times(const Query& query, const Separation& separation, double t_max = 1.0);
+std::vector<ContactInterval> contact_times(const Query& query, const Separation& separation = {}, double t_max = 1.0);
 
 /// The same for rational coordinates.
-/// @param query       the two elements and their motion
-/// @param separation  the distance and its metric
-/// @param t_max       the end of the time range, 0 <= t_max <= 1
-/// @return the intervals
-/// @throws InvalidQuery  for a coordinate that is not a fraction, a t_max outside [0, 1], a distance that is negative
-///                       or not finite, or an unknown metric
-std::vector<ContactInterval> contact_times(const RationalQuery& query, const Separation& separation,
+/// @throws InvalidQuery  also for a coordinate that is not a fraction
+std::vector<ContactInterval> contact_times(const RationalQuery& query, const Separation& separation = {},
                                            double t_max = 1.0);
-
-/// A bare number in braces, contact_times(query, {0.001}), would be t_max. For a separation write Separation{0.001}.
-/// @param query  the two elements and their motion
-/// @param bare   a number without a name
-/// @param t_max  the end of the time range
-template <class AnyQuery>
-std::vector<ContactInterval> contact_times(const AnyQuery& query, std::initializer_list<double> bare,
-                                           double t_max = 1.0) = delete;
 
 }  // namespace touchstone

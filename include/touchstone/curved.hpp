@@ -19,45 +19,16 @@ namespace touchstone {
 /// guarantees hold as for straight motion: `toi` and `toi_upper` are the neighbouring doubles of the exact time, and
 /// nature, features and weights are those at the exact time. V(t) is then the coplanarity of the corners times a
 /// positive function of t that makes it a polynomial; its degree is up to 9 for two bodies.
-/// @param query  the two elements and their motion
-/// @param t_max  the end of the time range, 0 <= t_max <= 1
+/// @param query    the two elements and their motion
+/// @param options  what is asked, and how it is answered
 /// @return the answer
 /// @throws InvalidQuery  naming what and where: a NaN or infinite number, a quaternion that is zero at an end or
 ///                       between (then with the change that helps), a motion or number of control points out of range,
-///                       an unknown kind, or a t_max outside [0, 1]
+///                       an unknown kind, or options without meaning
+Answer solve(const CurvedQuery& query, const SolveOptions& options);
+
+/// The same about touching in [0, t_max], by Method::fast.
 Answer solve(const CurvedQuery& query, double t_max = 1.0);
-
-/// The same by the method of your choice. Method::oracle is an independent decider over CGAL's algebraic kernel.
-/// @throws InvalidQuery  also for a value that is none of Method's
-Answer solve(const CurvedQuery& query, Method method, double t_max = 1.0);
-
-/// The first time in [0, t_max] at which the two elements are within a separation of each other, decided exactly. With
-/// distance 0 it is solve(query, t_max).
-/// @param query       the two elements and their motion
-/// @param separation  the distance that they are to keep, and its metric
-/// @param t_max       the end of the time range, 0 <= t_max <= 1
-/// @return the answer
-/// @throws InvalidQuery  as solve(query, t_max), and for a distance that is negative or not finite, or an unknown
-/// metric
-Answer solve(const CurvedQuery& query, const Separation& separation, double t_max = 1.0);
-
-/// The same by the method of your choice.
-Answer solve(const CurvedQuery& query, const Separation& separation, Method method, double t_max = 1.0);
-
-/// The same as solve(query, t_max), without what is not wanted of a contact: see solve(Query, Wanted, double).
-/// @throws InvalidQuery  also for a value that is none of Wanted's
-Answer solve(const CurvedQuery& query, Wanted wanted, double t_max = 1.0);
-
-/// The same as solve(query, separation, t_max), without what is not wanted of a contact.
-Answer solve(const CurvedQuery& query, const Separation& separation, Wanted wanted, double t_max = 1.0);
-
-/// Whether the two elements touch at any t in [0, t_max]: the `contact` of solve(query, t_max).
-/// @throws InvalidQuery  as solve(query, t_max)
-bool solve_any(const CurvedQuery& query, double t_max = 1.0);
-
-/// Whether they come within a separation of each other: the `contact` of solve(query, separation, t_max).
-/// @throws InvalidQuery  as solve(query, separation, t_max)
-bool solve_any(const CurvedQuery& query, const Separation& separation, double t_max = 1.0);
 
 /// The answers to many curved queries, in input order. They are the same for any number of threads.
 /// @param queries  the queries, of one kind or of several
@@ -86,16 +57,14 @@ RigidMotion with_shorter_turn(const RigidMotion& motion);
 /// The unit normal at the first contact, as contact_normal(Query) defines it. Its distance from the true unit vector is
 /// less than 2^-49.
 /// @return the normal; nothing without a contact, and where contact_normal(Query) gives nothing
-/// @throws InvalidQuery  as solve(query, separation, t_max), and for a distance > 0 in a metric that is not Euclidean
+/// @throws InvalidQuery  as solve, and for a distance > 0 in a metric that is not Euclidean
 std::optional<std::array<double, 3>> contact_normal(const CurvedQuery& query, const Separation& separation = {},
                                                     double t_max = 1.0);
 
-/// All times in [0, t_max] at which the two elements touch: ascending and disjoint closed intervals, exactly.
-/// @throws InvalidQuery  as solve(query, t_max)
-std::vector<ContactInterval> contact_times(const CurvedQuery& query, double t_max = 1.0);
-
-/// All times in [0, t_max] at which they are within a separation of each other.
-/// @throws InvalidQuery  as solve(query, separation, t_max)
-std::vector<ContactInterval> contact_times(const CurvedQuery& query, const Separation& separation, double t_max = 1.0);
+/// All times in [0, t_max] at which the two elements are within a separation of each other: ascending and disjoint
+/// closed intervals, exactly.
+/// @throws InvalidQuery  as solve
+std::vector<ContactInterval> contact_times(const CurvedQuery& query, const Separation& separation = {},
+                                           double t_max = 1.0);
 
 }  // namespace touchstone

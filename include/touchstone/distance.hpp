@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <touchstone/curved_query.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
@@ -14,6 +15,8 @@ namespace touchstone {
 /// @return the distance
 /// @throws InvalidQuery  for a NaN or infinite coordinate, a t outside [0, 1] or an unknown metric
 Distance distance(const Query& query, double t = 0, Metric metric = Metric::euclidean);
+Distance distance(const RationalQuery& query, double t = 0, Metric metric = Metric::euclidean);  ///< the same
+Distance distance(const CurvedQuery& query, double t = 0, Metric metric = Metric::euclidean);    ///< the same
 
 /// The distance of the two elements at the time t, compared exactly.
 /// @param query       the two elements and their motion
@@ -23,5 +26,7 @@ Distance distance(const Query& query, double t = 0, Metric metric = Metric::eucl
 ///         positive when they are farther apart
 /// @throws InvalidQuery  for a NaN or infinite coordinate, a t outside [0, 1], or a separation without meaning
 int compare_distance(const Query& query, double t, const Separation& separation);
+int compare_distance(const RationalQuery& query, double t, const Separation& separation);  ///< the same
+int compare_distance(const CurvedQuery& query, double t, const Separation& separation);    ///< the same
 
 }  // namespace touchstone

@@ -145,8 +145,8 @@ class ExactNarrowPhaseCCD : public detail::WithRescaling<ipc::NarrowPhaseCCD> {
   bool answer(const Query& query, double& toi, double min_distance, double tmax) const {
     check_rescaling();
     const Separation separation{min_distance};
-    const bool contact = solve_any(query, separation, tmax);
-    const bool contact_later = !contact && this->conservative_rescaling < 1 && solve_any(query, separation);
+    const bool contact = comes_within(query, separation, tmax);
+    const bool contact_later = !contact && this->conservative_rescaling < 1 && comes_within(query, separation, 1);
     const double time =
         contact || contact_later ? time_before_contact(query, separation) : std::numeric_limits<double>::infinity();
     const bool hit = contact || (contact_later && time < tmax);
@@ -154,13 +154,24 @@ class ExactNarrowPhaseCCD : public detail::WithRescaling<ipc::NarrowPhaseCCD> {
     return hit;
   }
 
+  static bool comes_within(const Query& query, const Separation& separation, double tmax) {
+    SolveOptions options;
+    options.t_max = tmax;
+    options.separation = separation;
+    options.wanted = Wanted::contact;
+    return solve(query, options).contact;
+  }
+
   /// The toi of elements that come into contact in [0, 1].
   double time_before_contact(const Query& query, const Separation& separation) const {
     if (compare_distance(query, 0, separation) <= 0) return 0;
-    double time = solve(query, Separation{kept_distance(query, separation.distance)}, Wanted::time).toi;
+    SolveOptions options;
+    options.separation.distance = kept_distance(query, separation.distance);
+    options.wanted = Wanted::time;
+    double time = solve(query, options).toi;
     if (time > 0 && compare_distance(query, time, separation) <= 0) time = std::nextafter(time, 0.0);
     // A gap of a few units in the last place is smaller than the rounding of the positions.
-    while (time > 0 && solve_any(rounded_step(query, time), separation)) time /= 2;
+    while (time > 0 && comes_within(rounded_step(query, time), separation, 1)) time /= 2;
     return time;
   }
 

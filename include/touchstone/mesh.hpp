@@ -185,18 +185,24 @@ class Stopped : public Error {
   using Error::Error;
 };
 
-/// How a mesh's questions are answered. No option but t_max and check_start changes an answer.
+/// How a mesh's questions are answered. They change no result.
 struct MeshOptions {
-  double t_max = 1.0;  ///< the end of the time range, 0 <= t_max <= 1; only first_contact and all_contacts use it
-  int threads = 1;     ///< the number of threads, 1 to 1024; 0 takes as many as the machine has
+  int threads = 1;  ///< the number of threads, 1 to 1024; 0 takes as many as the machine has
 
   /// Null, or a flag that another thread may set to end the call early, within about a tenth of a second. The call then
   /// throws Stopped.
   const std::atomic<bool>* stop = nullptr;
+};
 
-  /// Whether first_contact also asks `intersections` about the start. A step is about a start that is free: where one
-  /// element passes through another at t = 0, and no pair touches, no contact need follow. all_contacts, candidates and
-  /// intersections refuse it: their results have no place for the answer.
+/// The options of all_contacts.
+struct StepOptions : MeshOptions {
+  double t_max = 1.0;  ///< the end of the time range, 0 <= t_max <= 1
+};
+
+/// The options of first_contact.
+struct FirstContactOptions : StepOptions {
+  /// Whether `intersections` is asked about the start, too. A step is about a start that is free: where one element
+  /// passes through another at t = 0, and no pair touches, no contact need follow.
   bool check_start = false;
 };
 
@@ -273,7 +279,7 @@ struct FirstContact {
   /// Every pair in contact at t = 0, in ascending order. Their later contacts are not told.
   std::vector<MeshContact> at_start;
 
-  /// Whether the start was asked about, by MeshOptions::check_start.
+  /// Whether the start was asked about, by FirstContactOptions::check_start.
   bool start_checked = false;
 
   /// Where the mesh intersects itself at the start; empty when that was not asked.
@@ -286,7 +292,7 @@ struct FirstContact {
 /// The first contact while each vertex moves on a straight line from its position in x0 to that in x1, over all pairs
 /// for which Mesh::may_collide is true: the same as by `solve` of each of them. A pair of which one element passes
 /// through the other at the start, but no pair touches, is not in contact: `intersections` finds it, and
-/// MeshOptions::check_start asks for that.
+/// FirstContactOptions::check_start asks for that.
 ///
 /// The result is the same for every number of threads, byte for byte. The call needs 48 bytes for each vertex, and less
 /// than 240 bytes for each edge, or for each face and each vertex that collides, whichever is more: a closed surface of
@@ -298,17 +304,18 @@ struct FirstContact {
 /// @return the first contact
 /// @throws InvalidQuery  for positions that do not fit the mesh, a coordinate that is not finite (it names the vertex)
 ///                       or options without meaning
-FirstContact first_contact(const Mesh& mesh, const Positions& x0, const Positions& x1, const MeshOptions& options = {});
+FirstContact first_contact(const Mesh& mesh, const Positions& x0, const Positions& x1,
+                           const FirstContactOptions& options = {});
 
 /// Every pair that comes into contact in [0, t_max], those in contact at the start too, by their toi and toi_upper,
 /// then by pair.
-/// @throws InvalidQuery  as first_contact, and for check_start
+/// @throws InvalidQuery  as first_contact
 std::vector<MeshContact> all_contacts(const Mesh& mesh, const Positions& x0, const Positions& x1,
-                                      const MeshOptions& options = {});
+                                      const StepOptions& options = {});
 
 /// The pairs that may collide and whose boxes meet during the step: every pair in contact is among them. In ascending
 /// order. The boxes move with their elements, and are wider by the pair's separation.
-/// @throws InvalidQuery  as first_contact, and for check_start
+/// @throws InvalidQuery  as first_contact
 std::vector<MeshPair> candidates(const Mesh& mesh, const Positions& x0, const Positions& x1,
                                  const MeshOptions& options = {});
 
@@ -328,7 +335,7 @@ Query query_of(const Mesh& mesh, const MeshPair& pair, const Positions& x0, cons
 /// @param x        the positions
 /// @param options  how the question is answered
 /// @return the intersections, in ascending order of elements and numbers
-/// @throws InvalidQuery  as first_contact, and for check_start
+/// @throws InvalidQuery  as first_contact
 std::vector<Intersection> intersections(const Mesh& mesh, const Positions& x, const MeshOptions& options = {});
 
 /// How a step was shortened.
@@ -346,18 +353,14 @@ enum class StepOutcome : std::uint8_t {
   intersects_at_start
 };
 
-/// The options of free_step.
-struct FreeStepOptions {
-  int threads = 1;  ///< as in MeshOptions
-
+/// The options of free_step, which is over [0, 1].
+struct FreeStepOptions : MeshOptions {
   /// In [0, 1). Each pair keeps more than this fraction of its distance at the start: for a pair with the separation d
   /// and the distance D0 at the start, the distance stays greater than d + fraction * (D0 - d), which is rounded up to
   /// a double. With 0, each pair keeps a distance greater than d.
   double kept_fraction = 0;
 
-  const std::atomic<bool>* stop = nullptr;  ///< as in MeshOptions
-
-  bool check_start = false;  ///< as in MeshOptions
+  bool check_start = false;  ///< as in FirstContactOptions
 };
 
 /// A step that is free of contact.

@@ -62,8 +62,7 @@ struct ScrewAnswer {
 /// @param query    the two elements and their motion
 /// @param options  the time range, the separation and the number of arcs
 /// @return the verdict, with the times and the bound that it rests on
-/// @throws InvalidQuery  as solve(query, separation, t_max), and for a number of arcs that is not a power of two in
-/// range
+/// @throws InvalidQuery  as solve, and for a number of arcs that is not a power of two in range
 ScrewAnswer solve_screw(const CurvedQuery& query, const ScrewOptions& options = {});
 
 }  // namespace touchstone

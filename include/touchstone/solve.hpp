@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <vector>
 
 #include <touchstone/answer.hpp>
@@ -24,131 +23,56 @@ enum class Method : std::uint8_t {
   fast_cgal  ///< the same filters as `fast`, and CGAL (number types and algebraic kernel) where they are uncertain
 };
 
-/// The first contact of the two elements for t in [0, t_max], decided exactly, by Method::fast.
+/// What is asked about a query, and how it is answered. In C++20: solve(query, {.separation = {0.001}}).
+struct SolveOptions {
+  double t_max = 1.0;            ///< the end of the time range, 0 <= t_max <= 1
+  Separation separation = {};    ///< contact is to be within this of each other; with distance 0, to touch
+  Method method = Method::fast;  ///< the code that answers
+  Wanted wanted = Wanted::all;   ///< what is computed of a contact; the rest is as without contact, times are NaN
+};
+
+/// The first contact of the two elements for t in [0, t_max], decided exactly: the first time at which they touch or,
+/// with a separation, at which they are within that of each other.
 ///
 /// Every finite coordinate is ordinary input: zero, subnormal and huge values too. The answer does not depend on the
 /// caller's floating-point environment (rounding mode, flush-to-zero), and the environment is left unchanged. Any
-/// number of threads may call it. It allocates no memory when a filter decides.
-/// @param query  the two elements and their motion
-/// @param t_max  the end of the time range, 0 <= t_max <= 1
-/// @return the answer
-/// @throws InvalidQuery  for a NaN or infinite coordinate or a t_max outside [0, 1]
-Answer solve(const Query& query, double t_max = 1.0);
-
-/// The same for an edge-edge query.
-Answer solve(const EdgeEdge& query, double t_max = 1.0);
-
-/// The same for a vertex-face query.
-Answer solve(const VertexFace& query, double t_max = 1.0);
-
-/// The same for a point-edge query.
-Answer solve(const PointEdge& query, double t_max = 1.0);
-
-/// The same for a point-point query.
-Answer solve(const PointPoint& query, double t_max = 1.0);
-
-/// The same by the method of your choice.
-/// @throws InvalidQuery  also for a value that is none of Method's
-Answer solve(const Query& query, Method method, double t_max = 1.0);
-
-/// The same for rational coordinates, by Method::fast. When some coordinate is not a double, no filter applies and the
-/// exact level decides.
-/// @param query  the two elements and their motion
-/// @param t_max  the end of the time range, 0 <= t_max <= 1
-/// @return the answer
-/// @throws InvalidQuery  for a fraction that is not a pair of decimal integers, a zero denominator, or a t_max outside
-///                       [0, 1]
-Answer solve(const RationalQuery& query, double t_max = 1.0);
-
-/// The same for rational coordinates, by the method of your choice. When some coordinate is not a double, the exact
-/// level decides for Method::fast and Method::exact, and CGAL for the other two.
-/// @throws InvalidQuery  also for a value that is none of Method's
-Answer solve(const RationalQuery& query, Method method, double t_max = 1.0);
-
-/// The first time in [0, t_max] at which the two elements are within a separation of each other, decided exactly, by
-/// Method::fast. With distance 0 it is solve(query, t_max).
-/// @param query       the two elements and their motion
-/// @param separation  the distance that they are to keep, and its metric
-/// @param t_max       the end of the time range, 0 <= t_max <= 1
+/// number of threads may call it. It allocates no memory when a filter decides. Measured: where only the contact is
+/// wanted, ordinary contacts take five sevenths of the time of all; for degenerate ones the time alone takes five
+/// sixths of it.
+/// @param query    the two elements and their motion
+/// @param options  what is asked, and how it is answered
 /// @return the answer
 /// @throws InvalidQuery  for a NaN or infinite coordinate, a t_max outside [0, 1], a distance that is negative or not
-///                       finite, or an unknown metric
-Answer solve(const Query& query, const Separation& separation, double t_max = 1.0);
+///                       finite, or a value that is none of its enum's
+Answer solve(const Query& query, const SolveOptions& options);
 
-/// The same by the method of your choice.
-Answer solve(const Query& query, const Separation& separation, Method method, double t_max = 1.0);
+/// The same about touching in [0, t_max], by Method::fast.
+Answer solve(const Query& query, double t_max = 1.0);
 
-/// The same for rational coordinates, by Method::fast.
-Answer solve(const RationalQuery& query, const Separation& separation, double t_max = 1.0);
+/// The same for rational coordinates. When some coordinate is not a double, no filter applies: the exact level decides
+/// for Method::fast and Method::exact, and CGAL for the other two.
+/// @param query    the two elements and their motion
+/// @param options  what is asked, and how it is answered
+/// @return the answer
+/// @throws InvalidQuery  also for a fraction that is not a pair of decimal integers, and a zero denominator
+Answer solve(const RationalQuery& query, const SolveOptions& options);
 
-/// The same for rational coordinates, by the method of your choice.
-Answer solve(const RationalQuery& query, const Separation& separation, Method method, double t_max = 1.0);
+/// The same about touching in [0, t_max], by Method::fast.
+Answer solve(const RationalQuery& query, double t_max = 1.0);
 
-/// The same as solve(query, t_max), without what is not wanted of a contact. Measured: for degenerate contacts the time
-/// alone takes five sixths of the time of all; for ordinary ones it takes as long as all, and the contact alone takes
-/// five sevenths.
-/// @param query   the two elements and their motion
-/// @param wanted  what is computed
-/// @param t_max   the end of the time range, 0 <= t_max <= 1
-/// @return the answer; what is not wanted is as without contact, except that unwanted times are NaN
-/// @throws InvalidQuery  as solve(query, t_max); also for a value that is none of Wanted's
-Answer solve(const Query& query, Wanted wanted, double t_max = 1.0);
-
-/// The same as solve(query, separation, t_max), without what is not wanted of a contact.
-Answer solve(const Query& query, const Separation& separation, Wanted wanted, double t_max = 1.0);
-
-/// Whether the two elements touch at any t in [0, t_max]: the `contact` of solve(query, t_max). It is cheaper than
-/// `solve`, because it does not compute the time.
-/// @param query  the two elements and their motion
-/// @param t_max  the end of the time range, 0 <= t_max <= 1
-/// @return whether they touch
-/// @throws InvalidQuery  for a NaN or infinite coordinate or a t_max outside [0, 1]
-bool solve_any(const Query& query, double t_max = 1.0);
-
-/// Whether the two elements are within a separation of each other at any t in [0, t_max]: the `contact` of
-/// solve(query, separation, t_max).
-/// @param query       the two elements and their motion
-/// @param separation  the distance that they are to keep, and its metric
-/// @param t_max       the end of the time range, 0 <= t_max <= 1
-/// @return whether they come so near
-/// @throws InvalidQuery  as solve(query, separation, t_max)
-bool solve_any(const Query& query, const Separation& separation, double t_max = 1.0);
-
-/// A bare number in braces, solve(query, {0.001}), would be t_max. For a separation write Separation{0.001}.
-/// @param query  the two elements and their motion
-/// @param bare   a number without a name
-/// @param t_max  the end of the time range
-template <class AnyQuery>
-Answer solve(const AnyQuery& query, std::initializer_list<double> bare, double t_max = 1.0) = delete;
-
-/// The same for solve_any(query, {0.001}).
-/// @param query  the two elements and their motion
-/// @param bare   a number without a name
-/// @param t_max  the end of the time range
-template <class AnyQuery>
-bool solve_any(const AnyQuery& query, std::initializer_list<double> bare, double t_max = 1.0) = delete;
-
-/// The options of a batch. `threads` and `vectors` change no answer.
-struct BatchOptions {
-  double t_max = 1.0;            ///< the end of the time range of every query, 0 <= t_max <= 1
-  Method method = Method::fast;  ///< the code that answers
-
+/// The options of a batch: those of each query, and how many queries are answered. `threads` and `vectors` change no
+/// answer.
+struct BatchOptions : SolveOptions {
   /// The number of threads, 1 to 1024; 0 takes as many as the machine has. With 1 the calling thread does all the work.
   int threads = 1;
 
   /// The SIMD width. Only batches in columns by Method::fast or Method::fast_cgal use it.
   VectorWidth vectors = VectorWidth::widest;
 
-  /// The separation of every query. It changes the answers.
-  Separation separation = {};
-
   /// A distance for each query, in place of separation.distance, which must then be 0: for elements of different
   /// thickness. Null, or the first of distance_count doubles; the metric is separation.metric.
   const double* distances = nullptr;
   std::size_t distance_count = 0;  ///< the number of distances: that of the queries, or 0 without distances
-
-  /// What is computed of contacts. The rest of each answer is as without contact; unwanted times are NaN.
-  Wanted wanted = Wanted::all;
 };
 
 /// The answers to many queries, in input order.

@@ -14,9 +14,9 @@ JudgedSolver::JudgedSolver(SolverUnderTest& solver, const Settings& settings)
 
 Answer JudgedSolver::truth(const Asked& asked) const {
   if (const auto* const curved = std::get_if<CurvedQuery>(&asked.query)) {
-    return solve(*curved, asked.separation, judge_, asked.t_max);
+    return solve(*curved, {.t_max = asked.t_max, .separation = asked.separation, .method = judge_});
   }
-  return solve(std::get<Query>(asked.query), asked.separation, judge_);
+  return solve(std::get<Query>(asked.query), {.separation = asked.separation, .method = judge_});
 }
 
 JudgedReply JudgedSolver::ask_curved(const CurvedQuery& query, double t_max, const Answer& truth) const {

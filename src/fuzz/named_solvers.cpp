@@ -42,13 +42,13 @@ class OurSolver final : public AnsweringSolver {
   const std::string& name() const override { return name_; }
   bool supports(Kind) const override { return true; }
   void change_separation(const Separation& separation) override { separation_ = separation; }
-  Answer answer(const Query& query) override { return solve(query, separation_, method_); }
+  Answer answer(const Query& query) override { return solve(query, {.separation = separation_, .method = method_}); }
 
   Reply ask(const Query& query) override { return reply_of(answer(query)); }
 
   bool takes_curves() const override { return true; }
   Answer answer_curved(const CurvedQuery& query, double t_max) override {
-    return solve(query, separation_, method_, t_max);
+    return solve(query, {.t_max = t_max, .separation = separation_, .method = method_});
   }
   Reply ask_curved(const CurvedQuery& query, double t_max) override { return reply_of(answer_curved(query, t_max)); }
 

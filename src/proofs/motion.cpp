@@ -193,7 +193,7 @@ Answer StepProver::append_proof(std::string& to, std::uint64_t number, const Mot
                                 const MotionFrame& end) const {
   const auto append = [&](const auto& query) {
     const Separation separation = separation_of(pair);
-    const Answer answer = solve(query, separation);
+    const Answer answer = solve(query, {.separation = separation});
     append_proof_of(to, number, query, answer, separation);
     return answer;
   };

@@ -110,8 +110,9 @@ void check_contact_times(Group group, std::size_t count) {
         const Query query = make(id);
         const std::vector<ContactInterval> times = contact_times(query);
         std::string wrong = set_malformation(times);
-        if (wrong.empty()) wrong = contradiction(query, solve(query, Method::exact), times);
-        if (!wrong.empty()) wrong += "\n    " + interval_text(times) + "\n    " + describe(solve(query, Method::exact));
+        if (wrong.empty()) wrong = contradiction(query, solve(query, {.method = Method::exact}), times);
+        if (!wrong.empty())
+          wrong += "\n    " + interval_text(times) + "\n    " + describe(solve(query, {.method = Method::exact}));
         if (wrong.empty()) wrong = membership_error(query, times);
         report.add(id, query, wrong);
         several += times.size() > 1;

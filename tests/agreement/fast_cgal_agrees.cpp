@@ -15,7 +15,7 @@ constexpr std::uint64_t kSeed = 6;
 
 // Empty when both methods agree. The same filters run first; below them the level tells whose arithmetic decided.
 std::string disagreement(const Query& query, double t_max, const Answer& with_cgal) {
-  const Answer fast = solve(query, Method::fast, t_max);
+  const Answer fast = solve(query, {.t_max = t_max, .method = Method::fast});
   if (with_cgal.level == Level::exact) return "Method::fast_cgal answers by Level::exact";
   std::string found;
   if (fast.level == Level::filter || with_cgal.level == Level::filter) {
@@ -39,14 +39,16 @@ void check_kind(Kind kind) {
       kSeed, 300, [kind](const FamilyInfo&, Kind k) { return k == kind; },
       [&](const CaseId& id) {
         const Query query = make(id);
-        const Answer answer = solve(query, Method::fast_cgal);
+        const Answer answer = solve(query, {.method = Method::fast_cgal});
         counts.filter += answer.level == Level::filter;
         counts.bracket += answer.level == Level::bracket;
         counts.oracle += answer.level == Level::oracle;
         report.add(id, query, disagreement(query, 1, answer));
         // Up to the exact time, and up to the double before it.
         for (const double t_max : {answer.toi_upper, answer.toi}) {
-          if (answer.contact) report.add(id, query, disagreement(query, t_max, solve(query, Method::fast_cgal, t_max)));
+          if (answer.contact)
+            report.add(id, query,
+                       disagreement(query, t_max, solve(query, {.t_max = t_max, .method = Method::fast_cgal})));
         }
       });
   std::printf("seed %llu, %s: %zu comparisons; filter %zu, bracket %zu, CGAL %zu\n",

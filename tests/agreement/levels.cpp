@@ -35,7 +35,7 @@ TEST_CASE("levels: each decides in every family or kind that has work for it") {
     for (const Kind kind : kKinds) {
       std::vector<Answer> answers;
       for (std::size_t index = 0; index < kCount; ++index) {
-        answers.push_back(solve(make(CaseId{family.family, kind, kSeed, index}), Method::fast));
+        answers.push_back(solve(make(CaseId{family.family, kind, kSeed, index}), {.method = Method::fast}));
       }
       const LevelCounts counts = count_levels(answers);
       std::printf("%-16s %-12s filter %5zu  bracket %5zu  exact %5zu\n", family.name.data(), kind_name(kind).data(),

@@ -26,14 +26,15 @@ std::string fast_against_exact(const Answer& fast, const Answer& exact) {
 
 // Empty when the three methods agree and their answers are well formed.
 std::string disagreement(const Query& query, double t_max, Answer& fast) {
-  fast = solve(query, Method::fast, t_max);
-  const Answer exact = solve(query, Method::exact, t_max);
-  const Answer oracle = solve(query, Method::oracle, t_max);
+  fast = solve(query, {.t_max = t_max, .method = Method::fast});
+  const Answer exact = solve(query, {.t_max = t_max, .method = Method::exact});
+  const Answer oracle = solve(query, {.t_max = t_max, .method = Method::oracle});
   if (exact.level != Level::exact) return "Method::exact does not answer by Level::exact";
   if (oracle.level != Level::oracle) return "Method::oracle does not answer by Level::oracle";
   if (fast.level == Level::oracle) return "Method::fast answers by Level::oracle";
   std::string found = fast_against_exact(fast, exact);
-  if (found.empty() && solve_any(query, t_max) != exact.contact) found = "solve_any and exact: contact differs";
+  if (found.empty() && solve(query, {.t_max = t_max, .wanted = Wanted::contact}).contact != exact.contact)
+    found = "the contact alone and exact: contact differs";
   if (found.empty()) found = against("exact and oracle", exact, oracle, decision_difference(exact, oracle));
   if (found.empty()) found = against("exact and oracle", exact, oracle, weight_difference(exact, oracle));
   if (found.empty()) found = malformation(query.kind, fast, t_max);
@@ -91,11 +92,12 @@ void fast_and_exact_agree(Kind kind, std::size_t count) {
   };
   for_each_case(kSeed + 1, count, wanted, [&](const CaseId& id) {
     const Query query = make(id);
-    const Answer fast = solve(query, Method::fast);
+    const Answer fast = solve(query, {.method = Method::fast});
     before_exact += fast.level != Level::exact;
-    const Answer exact = solve(query, Method::exact);
+    const Answer exact = solve(query, {.method = Method::exact});
     std::string wrong = fast_against_exact(fast, exact);
-    if (wrong.empty() && solve_any(query) != exact.contact) wrong = "solve_any and exact: contact differs";
+    if (wrong.empty() && solve(query, {.wanted = Wanted::contact}).contact != exact.contact)
+      wrong = "the contact alone and exact: contact differs";
     report.add(id, query, wrong);
   });
   std::printf("seed %llu, %s: %zu queries by fast and exact, %zu of them decided before the exact level\n",

@@ -84,7 +84,7 @@ void check_answers(Group group, std::size_t count) {
       kSeed, count, [&](const FamilyInfo& f, Kind) { return f.group == group; },
       [&](const CaseId& id) {
         const Query query = make(id);
-        const Answer answer = solve(query, Method::fast);
+        const Answer answer = solve(query, {.method = Method::fast});
         const std::string wrong = refuted(query, answer);
         report.add(id, query, wrong.empty() ? "" : wrong + "\n    " + describe(answer));
         if (answer.contact) ++(answer.toi == answer.toi_upper ? exact_times : other_times);

@@ -33,8 +33,8 @@ void check_failures(const std::string& method_name, const std::vector<Failure>& 
     // The right answer, by three methods that share little code.
     CHECK(truth.contact == (failure.toi >= 0));
     if (truth.contact) CHECK(truth.toi == Approx(failure.toi));
-    CHECK(solve(failure.query, Method::exact).toi == truth.toi);
-    CHECK(solve(failure.query, Method::oracle).toi == truth.toi);
+    CHECK(solve(failure.query, {.method = Method::exact}).toi == truth.toi);
+    CHECK(solve(failure.query, {.method = Method::oracle}).toi == truth.toi);
     // The method's own answer.
     const std::optional<double> toi = result.contact ? std::optional<double>(result.toi) : std::nullopt;
     CHECK(verdict_name(judge({result.contact, toi}, truth)) == verdict_name(failure.verdict));

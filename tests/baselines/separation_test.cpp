@@ -52,7 +52,7 @@ TEST_CASE("random ordinary queries with a separation are answered rightly by eve
         query.end[k] = {rng.symmetric(), rng.symmetric(), rng.symmetric()};
       }
       const Separation separation = {0.1};
-      const Answer truth = solve(query, separation);
+      const Answer truth = solve(query, {.separation = separation});
       contacts += truth.contact;
       for (const auto& method : baselines::separation_methods()) {
         CAPTURE(method.name, kind_name(kind), i);
@@ -61,7 +61,7 @@ TEST_CASE("random ordinary queries with a separation are answered rightly by eve
           // A tenth of the first gap early, and never late but for rounding.
           if (truth.contact) REQUIRE(result.contact);
           if (truth.contact) REQUIRE(result.toi <= truth.toi + 1e-12);
-          if (!solve(query, Separation{0.5}).contact) REQUIRE_FALSE(result.contact);
+          if (!solve(query, {.separation = Separation{0.5}}).contact) REQUIRE_FALSE(result.contact);
         } else {
           REQUIRE(result.contact == truth.contact);
           if (truth.contact) REQUIRE(std::fabs(result.toi - truth.toi) <= 1e-9);
@@ -77,18 +77,18 @@ TEST_CASE("the polynomial in doubles fails: late by ulps, and where a square dro
   const auto& method = *baselines::find_separation_method("thick_polynomial");
   // A root is off by two ulps: the coefficients are rounded, too.
   const Query edges(EdgeEdge{{{{0, 0, 0}, {1, 1, 1}, {0, 0, 1}, {0, 1, 0}}}, {{{0, 0, 0}, {1, 1, 1}, {0, 0, 1}, {}}}});
-  const Answer truth = solve(edges, Separation{0.1});
+  const Answer truth = solve(edges, {.separation = Separation{0.1}});
   CHECK(ask(method, edges, 0.1).toi > truth.toi_upper);
   // At a height of d (1 + 2^-40), which no square of it in doubles keeps beside d^2 times 1e24.
   const Query near_miss = passing_points(-0x1p40, 0x1p40, 1 + 0x1p-40);
-  CHECK_FALSE(solve(near_miss, Separation{1}).contact);
+  CHECK_FALSE(solve(near_miss, {.separation = Separation{1}}).contact);
   CHECK(ask(method, near_miss, 1).contact);
 }
 
 TEST_CASE("conservative advancement with a separation claims contacts of elements that only come near") {
   const auto& method = *baselines::find_separation_method("thick_advancement");
   const Query near_miss = passing_points(-2, 2, 1.05);
-  CHECK_FALSE(solve(near_miss, Separation{1}).contact);
+  CHECK_FALSE(solve(near_miss, {.separation = Separation{1}}).contact);
   CHECK(ask(method, near_miss, 1).contact);
 }
 

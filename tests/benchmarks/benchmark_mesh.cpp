@@ -111,7 +111,7 @@ Row measure(std::size_t faces, int steps) {
   std::size_t pairs = 0, contacts = 0;
   for (int step = 0; step < steps; ++step) {
     const std::vector<double> x0 = place(stack, step), x1 = place(stack, step + 1);
-    MeshOptions options;
+    FirstContactOptions options;
     const double broad_now = seconds([&] { pairs = count_candidates(mesh, x0, x1, 1); });
     const double one_now = seconds([&] { contacts += first_contact(mesh, {x0, 3}, {x1, 3}, options).free() ? 0 : 1; });
     options.threads = 2;

@@ -28,9 +28,9 @@ namespace {
 constexpr std::size_t kQueriesOfEachKind = 250;
 
 void ask_floor(const Query& query) { benchmark::DoNotOptimize(bernstein_coefficients(query)); }
-void ask_fast(const Query& query) { benchmark::DoNotOptimize(solve(query, Method::fast)); }
-void ask_exact(const Query& query) { benchmark::DoNotOptimize(solve(query, Method::exact)); }
-void ask_oracle(const Query& query) { benchmark::DoNotOptimize(solve(query, Method::oracle)); }
+void ask_fast(const Query& query) { benchmark::DoNotOptimize(solve(query, {.method = Method::fast})); }
+void ask_exact(const Query& query) { benchmark::DoNotOptimize(solve(query, {.method = Method::exact})); }
+void ask_oracle(const Query& query) { benchmark::DoNotOptimize(solve(query, {.method = Method::oracle})); }
 
 using Ask = void (*)(const Query&);
 

@@ -252,7 +252,7 @@ TEST_CASE("bodies and particles keep the distances that their radii ask for") {
       REQUIRE(kept >= d);
       REQUIRE(kept <= std::nextafter(d, 1.0));
       const CurvedQuery query = colliders.query(pair, motions);
-      REQUIRE(!solve(query, Separation{kept, Metric::euclidean}).contact);
+      REQUIRE(!solve(query, {.separation = Separation{kept, Metric::euclidean}}).contact);
       ++asked;
       const auto near = closest(colliders, pair, motions, 1);
       if (near) nearest = std::min(nearest, near->gap);

@@ -58,10 +58,10 @@ template <class AQuery>
 void check_methods(const ExpectedQuery& expected, const AQuery& query) {
   INFO(expected.name());
   for (const auto& [method, name] : kMethods) {
-    const Answer answer = solve(query, expected.separation, method);
+    const Answer answer = solve(query, {.separation = expected.separation, .method = method});
     check_answer(expected, answer, name);
     if (expected.separation.distance == 0) {  // the question without a separation is the same one
-      CHECK(bit_difference(answer, solve(query, method), true) == "");
+      CHECK(bit_difference(answer, solve(query, {.method = method}), true) == "");
     }
     check_level(answer, method);
   }

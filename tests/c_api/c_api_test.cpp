@@ -94,7 +94,7 @@ TEST_CASE("one query, rows and columns give the answers of C++") {
       for (std::size_t q = 0; q < rows.count(); ++q) {
         CAPTURE(c_kind, metric, q);
         const touchstone::Separation separation{distances[q], static_cast<touchstone::Metric>(metric)};
-        const Answer expected = touchstone::solve(rows[q], separation, 0.75);
+        const Answer expected = touchstone::solve(rows[q], {.t_max = 0.75, .separation = separation});
         CHECK(same(expected, by_rows[q]));
         CHECK(same(expected, by_columns[q]));
 
@@ -103,13 +103,13 @@ TEST_CASE("one query, rows and columns give the answers of C++") {
         single.metric = metric;
         single.separation = distances[q];
         touchstone_answer answer;
-        int contact = -1;
         const double* row_start = &rows.start[q * rows.width];
         const double* row_end = &rows.end[q * rows.width];
         REQUIRE(touchstone_solve(c_kind, row_start, row_end, &single, &answer) == TOUCHSTONE_OK);
-        REQUIRE(touchstone_contact(c_kind, row_start, row_end, &single, &contact) == TOUCHSTONE_OK);
         CHECK(same(expected, answer));
-        CHECK(contact == (expected.contact ? 1 : 0));
+        single.wanted = TOUCHSTONE_WANTED_CONTACT;
+        REQUIRE(touchstone_solve(c_kind, row_start, row_end, &single, &answer) == TOUCHSTONE_OK);
+        CHECK(answer.contact == (expected.contact ? 1 : 0));
         contacts += expected.contact;
       }
       CHECK(contacts > 0);
@@ -129,7 +129,7 @@ TEST_CASE("what is not wanted is left out, and a program that knew no such optio
             TOUCHSTONE_OK);
     for (std::size_t q = 0; q < rows.count(); ++q) {
       CAPTURE(wanted, q);
-      const Answer expected = touchstone::solve(rows[q], static_cast<touchstone::Wanted>(wanted));
+      const Answer expected = touchstone::solve(rows[q], {.wanted = static_cast<touchstone::Wanted>(wanted)});
       contacts += expected.contact;
       CHECK(same(expected, answers[q]));
       touchstone_answer one;
@@ -199,7 +199,6 @@ TEST_CASE("what has no meaning is a status and a message") {
   const double* end = rows.end.data();
   touchstone_answer answer;
   std::vector<touchstone_answer> answers(2);
-  int contact = 0;
   constexpr std::size_t kHuge = std::numeric_limits<std::size_t>::max();
 
   CHECK(touchstone_solve(0, nullptr, end, nullptr, &answer) == TOUCHSTONE_INVALID_ARGUMENT);
@@ -207,7 +206,6 @@ TEST_CASE("what has no meaning is a status and a message") {
   CHECK(touchstone_solve(0, start, nullptr, nullptr, &answer) == TOUCHSTONE_INVALID_ARGUMENT);
   CHECK(touchstone_solve(0, start, end, nullptr, nullptr) == TOUCHSTONE_INVALID_ARGUMENT);
   CHECK(message_has("answer"));
-  CHECK(touchstone_contact(0, start, end, nullptr, nullptr) == TOUCHSTONE_INVALID_ARGUMENT);
   for (const int kind : {-1, 4, 1 << 20}) {
     CHECK(touchstone_solve(kind, start, end, nullptr, &answer) == TOUCHSTONE_INVALID_ARGUMENT);
     CHECK(message_has("the kind is " + std::to_string(kind)));
@@ -240,17 +238,17 @@ TEST_CASE("what has no meaning is a status and a message") {
 
   touchstone_options options = default_options();
   options.t_max = 2;
-  CHECK(touchstone_contact(0, start, end, &options, &contact) == TOUCHSTONE_INVALID_QUERY);
+  CHECK(touchstone_solve(0, start, end, &options, &answer) == TOUCHSTONE_INVALID_QUERY);
   options = default_options();
   options.metric = 2;
-  CHECK(touchstone_contact(0, start, end, &options, &contact) == TOUCHSTONE_INVALID_ARGUMENT);
+  CHECK(touchstone_solve(0, start, end, &options, &answer) == TOUCHSTONE_INVALID_ARGUMENT);
   CHECK(message_has("the metric is 2"));
   options = default_options();
   options.separation = -1;
-  CHECK(touchstone_contact(0, start, end, &options, &contact) == TOUCHSTONE_INVALID_QUERY);
+  CHECK(touchstone_solve(0, start, end, &options, &answer) == TOUCHSTONE_INVALID_QUERY);
   options = default_options();
   options.separation_count = 2;
-  CHECK(touchstone_contact(0, start, end, &options, &contact) == TOUCHSTONE_INVALID_ARGUMENT);
+  CHECK(touchstone_solve(0, start, end, &options, &answer) == TOUCHSTONE_INVALID_ARGUMENT);
   CHECK(touchstone_solve_rows(0, 2, start, end, &options, answers.data()) == TOUCHSTONE_INVALID_ARGUMENT);
   options.separations = start;
   options.separation_count = 1;
@@ -261,12 +259,12 @@ TEST_CASE("what has no meaning is a status and a message") {
   for (const std::size_t size : {std::size_t{0}, offsetof(touchstone_options, wanted) - 1, sizeof options + 1, kHuge}) {
     options = default_options();
     options.size = size;
-    CHECK(touchstone_contact(0, start, end, &options, &contact) == TOUCHSTONE_INVALID_ARGUMENT);
+    CHECK(touchstone_solve(0, start, end, &options, &answer) == TOUCHSTONE_INVALID_ARGUMENT);
     CHECK(message_has("size"));
   }
 
   const std::string before = touchstone_last_error();
-  CHECK(touchstone_contact(0, start, end, nullptr, &contact) == TOUCHSTONE_OK);
+  CHECK(touchstone_solve(0, start, end, nullptr, &answer) == TOUCHSTONE_OK);
   CHECK(touchstone_last_error() == before);
   std::string elsewhere = "not asked";
   std::thread([&] { elsewhere = touchstone_last_error(); }).join();

@@ -94,7 +94,7 @@ TEST_CASE("a mesh answers as the one of C++") {
       CHECK(same(every[i].answer, answer));
     }
 
-    const touchstone::FreeStep step = touchstone::free_step(mesh, x0, x1, {1, 0.5});
+    const touchstone::FreeStep step = touchstone::free_step(mesh, x0, x1, {{}, 0.5});
     options.kept_fraction = 0.5;
     std::vector<double> positions(18);
     double length = -1;

@@ -62,7 +62,8 @@ std::vector<CurvedQuery> some_queries(Kind kind, std::size_t count) {
 
 std::string text_of(const std::vector<CurvedQuery>& queries, bool flipped = false, const Separation& separation = {}) {
   std::string text = separation.distance > 0 ? io::separation_comment(separation) + kHeader : kHeader;
-  for (const CurvedQuery& query : queries) io::append_query(text, query, solve(query, separation).contact != flipped);
+  for (const CurvedQuery& query : queries)
+    io::append_query(text, query, solve(query, {.separation = separation}).contact != flipped);
   return text;
 }
 
@@ -286,7 +287,7 @@ TEST_CASE("a separation of curved queries: all levels answer as the library does
           folder.write(std::string(kind_name(kind)) + "/a.csv", text_of(queries, false, separation));
       std::string expected(io::kSeparationAnswerHeader);
       for (std::size_t i = 0; i < queries.size(); ++i) {
-        const Answer answer = solve(queries[i], separation);
+        const Answer answer = solve(queries[i], {.separation = separation});
         contacts += answer.contact ? 1 : 0;
         starting += answer.starts_within ? 1 : 0;
         io::append_answer(expected, file, i, answer, separation);

@@ -56,7 +56,7 @@ TEST_CASE("a batch of curved queries: the same bits as one by one, for any numbe
       std::vector<Answer> expected;
       std::size_t contacts = 0;
       for (const CurvedQuery& query : queries) {
-        expected.push_back(solve(query, method, t_max));
+        expected.push_back(solve(query, {.t_max = t_max, .method = method}));
         contacts += expected.back().contact;
       }
       std::printf("%zu curved queries, %zu with contact, t_max %g\n", queries.size(), contacts, t_max);
@@ -85,8 +85,9 @@ TEST_CASE("whether curved elements touch at all") {
   const std::vector<CurvedQuery> queries = mixed_queries(effort(1000));
   for (const CurvedQuery& query : queries) {
     INFO(text_of(query));
-    REQUIRE(solve_any(query) == solve(query, Method::exact).contact);
-    REQUIRE(solve_any(query, 0.25) == solve(query, Method::exact, 0.25).contact);
+    REQUIRE(solve(query, {.wanted = Wanted::contact}).contact == solve(query, {.method = Method::exact}).contact);
+    REQUIRE(solve(query, {.t_max = 0.25, .wanted = Wanted::contact}).contact ==
+            solve(query, {.t_max = 0.25, .method = Method::exact}).contact);
   }
 }
 
@@ -111,7 +112,7 @@ TEST_CASE("a batch of curved queries names what has no meaning") {
   options = {};
   options.separation.distance = -1;
   CHECK(message_of(queries, options).find("the separation is -1") != std::string::npos);
-  CHECK_THROWS_AS(solve_any(queries[0], -1), InvalidQuery);
+  CHECK_THROWS_AS(solve(queries[0], {.t_max = -1, .wanted = Wanted::contact}), InvalidQuery);
 }
 
 /// The position of a corner at t, in long doubles.
@@ -220,7 +221,7 @@ TEST_CASE("the story of a curved query tells the exact level's answer") {
   for (const CurvedQuery& query : mixed_queries(effort(300))) {
     INFO(text_of(query));
     const exact::Story story = exact::explain(query, 1);
-    Answer expected = solve(query, Method::exact);
+    Answer expected = solve(query, {.method = Method::exact});
     expected.starts_within = story.answer.starts_within;  // the cascade adds it
     REQUIRE(decision_difference(expected, story.answer) == "");
     REQUIRE(story.has_cubic == (query.kind == Kind::edge_edge || query.kind == Kind::vertex_face));

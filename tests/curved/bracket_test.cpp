@@ -317,7 +317,7 @@ TEST_CASE("curved bracket: its answers are the exact level's, and it decides wha
         const CurvedSample sample = make_curved(id);
         Answer bracket;
         const filters::Finding finding = filters::decide_in_brackets(sample.query, sample.t_max, bracket);
-        const Answer exact = solve(sample.query, Method::exact, sample.t_max);
+        const Answer exact = solve(sample.query, {.t_max = sample.t_max, .method = Method::exact});
         if (finding == filters::Finding::uncertain) {
           ++(exact.contact ? tally.exact_hits : tally.exact_misses);
           continue;
@@ -349,10 +349,10 @@ TEST_CASE("curved bracket: a direction for each part of the step") {
                   {turn});
   };
   REQUIRE_FALSE(filters::certainly_farther(rod(1), {0.9, Metric::euclidean}));
-  const Answer apart = solve(rod(1), Separation{0.9, Metric::euclidean});
+  const Answer apart = solve(rod(1), {.separation = Separation{0.9, Metric::euclidean}});
   CHECK_FALSE(apart.contact);
   CHECK(apart.level == Level::bracket);
-  CHECK(solve(rod(1), Separation{1.001, Metric::euclidean}).contact);
+  CHECK(solve(rod(1), {.separation = Separation{1.001, Metric::euclidean}}).contact);
   // A separation of 0 is below all that the roots of one component tell apart.
   CHECK_FALSE(solve(rod(0x1p-20)).contact);
 }
@@ -367,15 +367,15 @@ TEST_CASE("curved bracket: a contact at t_max, or just before it, or just after"
   REQUIRE(whole.contact);
   REQUIRE(whole.toi < whole.toi_upper);
   CHECK(whole.level == Level::bracket);
-  CHECK(decision_difference(solve(query, Method::exact), whole) == "");
+  CHECK(decision_difference(solve(query, {.method = Method::exact}), whole) == "");
   for (const double t_max : {whole.toi, std::nextafter(whole.toi, 0)}) {
     const Answer before = solve(query, t_max);
     CHECK_FALSE(before.contact);
     CHECK(before.level == Level::bracket);
   }
   CHECK(solve(query, whole.toi_upper).contact);
-  CHECK(solve_any(query, whole.toi_upper));
-  CHECK_FALSE(solve_any(query, whole.toi));
+  CHECK(solve(query, {.t_max = whole.toi_upper, .wanted = Wanted::contact}).contact);
+  CHECK_FALSE(solve(query, {.t_max = whole.toi, .wanted = Wanted::contact}).contact);
 }
 
 }  // namespace

@@ -158,7 +158,7 @@ TEST_CASE("the filter's chords: an arc that reaches past its chord") {
   };
   REQUIRE(filters::chords_of(wall(0.9)).known);
   for (const double x : {0.87, 0.9, 0.99, 0.9999}) {
-    REQUIRE(solve(wall(x), Method::exact).contact);
+    REQUIRE(solve(wall(x), {.method = Method::exact}).contact);
     CHECK_FALSE(filters::chords_certainly_farther(wall(x), Separation()));
   }
   CHECK(filters::chords_certainly_farther(wall(1.2), Separation()));
@@ -194,7 +194,7 @@ TEST_CASE("the filter's chords never deny a contact, and show most misses of bod
     }
     for (const double distance : {0.0, std::ldexp(1.0, -rng.between(3, 20))}) {
       const Separation separation = {distance, rng.one_in(2) ? Metric::euclidean : Metric::max};
-      const bool contact = solve(query, separation, Method::exact).contact;
+      const bool contact = solve(query, {.separation = separation, .method = Method::exact}).contact;
       const bool apart = filters::chords_certainly_farther(query, separation);
       REQUIRE_FALSE((contact && apart));
       touching += contact;

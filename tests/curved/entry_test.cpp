@@ -34,7 +34,8 @@ TEST_CASE("curved bracket: with a separation its answers are the exact level's")
         Rng rng(seeded::seed_of_part(kSeed + 5, index));
         const Separation separation = {std::ldexp(1 + rng.unit(), -rng.between(0, 12)),
                                        rng.one_in(2) ? Metric::euclidean : Metric::max};
-        const Answer exact = solve(sample.query, separation, Method::exact, sample.t_max);
+        const Answer exact =
+            solve(sample.query, {.t_max = sample.t_max, .separation = separation, .method = Method::exact});
         Answer bracket;
         const auto finding = filters::decide_in_brackets(sample.query, separation, sample.t_max, bracket);
         if (finding == filters::Finding::uncertain) {
@@ -110,7 +111,7 @@ void let_touch(CurvedQuery& query, Rng& rng) {
 void agrees_from_the_start(const CurvedQuery& query, const Separation& separation, std::size_t& starts) {
   Answer bracket;
   const auto finding = filters::decide_in_brackets(query, separation, 1, bracket);
-  const Answer exact = solve(query, separation, Method::exact);
+  const Answer exact = solve(query, {.separation = separation, .method = Method::exact});
   INFO("distance " << hexfloat(separation.distance) << " " << metric_name(separation.metric) << "\n"
                    << curved_text(query));
   INFO("exact:   " << describe(exact) << "\nbracket: " << describe(bracket));
@@ -170,7 +171,9 @@ TEST_CASE("curved bracket: separations that are just reached are not denied") {
     Rng rng(seeded::seed_of_part(kSeed + 6, index));
     const CurvedQuery query = make_curved({Family::turning_bodies, some_kind(rng), kSeed + 6, index}).query;
     const Metric metric = rng.one_in(2) ? Metric::euclidean : Metric::max;
-    const auto exact_contact = [&](double d) { return solve(query, Separation{d, metric}, Method::exact).contact; };
+    const auto exact_contact = [&](double d) {
+      return solve(query, {.separation = Separation{d, metric}, .method = Method::exact}).contact;
+    };
     double low = 0x1p-30, high = 4;
     if (exact_contact(low) || !exact_contact(high)) continue;
     ++found;
@@ -185,7 +188,8 @@ TEST_CASE("curved bracket: separations that are just reached are not denied") {
       Answer answer;
       REQUIRE(filters::decide_in_brackets(query, {more, metric}, 1, answer) != filters::Finding::no_contact);
       if (answer.contact)
-        REQUIRE(decision_difference(solve(query, Separation{more, metric}, Method::exact), answer) == "");
+        REQUIRE(decision_difference(solve(query, {.separation = Separation{more, metric}, .method = Method::exact}),
+                                    answer) == "");
       const filters::Finding below = filters::decide_in_brackets(query, {less, metric}, 1, answer);
       REQUIRE(below != filters::Finding::contact);
       denied += below == filters::Finding::no_contact;

@@ -32,8 +32,8 @@ std::string message_of(const CurvedQuery& query, double t_max = 1) {
     }
     return message == "no error";
   };
-  CHECK(same([&] { solve(query, Method::oracle, t_max); }));
-  CHECK(same([&] { contact_times(query, t_max); }));
+  CHECK(same([&] { solve(query, {.t_max = t_max, .method = Method::oracle}); }));
+  CHECK(same([&] { contact_times(query, {}, t_max); }));
   return message;
 }
 
@@ -66,7 +66,7 @@ TEST_CASE("wrong curved queries are named") {
         "motion 2: the position p1 has x = nan; coordinates must be finite");
   CHECK(message_with([](CurvedQuery& q) { q.kind = static_cast<Kind>(9); }).find("the kind is 9") == 0);
   CHECK(message_of(valid(), 1.5) == "t_max is 1.5; it must be in [0, 1]");
-  CHECK_THROWS_AS(solve(valid(), static_cast<Method>(7)), InvalidQuery);
+  CHECK_THROWS_AS(solve(valid(), {.method = static_cast<Method>(7)}), InvalidQuery);
   CHECK_THROWS_AS(CurvedCorner::on_curve({}), InvalidQuery);
   CHECK_THROWS_AS(CurvedCorner::on_curve({{}, {}, {}, {}, {}}), InvalidQuery);
 }

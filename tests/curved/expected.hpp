@@ -28,8 +28,8 @@ struct Expected {
 };
 
 inline Answer solved(const CurvedQuery& query, double t_max = 1) {
-  const Answer exact = solve(query, Method::exact, t_max);
-  const Answer oracle = solve(query, Method::oracle, t_max);
+  const Answer exact = solve(query, {.t_max = t_max, .method = Method::exact});
+  const Answer oracle = solve(query, {.t_max = t_max, .method = Method::oracle});
   INFO("exact:  " << describe(exact));
   INFO("oracle: " << describe(oracle));
   CHECK(decision_difference(exact, oracle) == "");

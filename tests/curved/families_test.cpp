@@ -100,7 +100,7 @@ struct Seen {
 
 void check_agreement(const CaseId& id, bool by_oracle, Seen& seen) {
   const CurvedSample sample = make_curved(id);
-  const Answer exact = solve(sample.query, Method::exact, sample.t_max);
+  const Answer exact = solve(sample.query, {.t_max = sample.t_max, .method = Method::exact});
   const Answer fast = solve(sample.query, sample.t_max);
   ++seen.queries;
   seen.contacts += exact.contact;
@@ -112,7 +112,7 @@ void check_agreement(const CaseId& id, bool by_oracle, Seen& seen) {
   CHECK(weight_difference(exact, fast) == "");
   CHECK(malformation(id.kind, exact, sample.t_max) == "");
   if (!by_oracle) return;
-  const Answer oracle = solve(sample.query, Method::oracle, sample.t_max);
+  const Answer oracle = solve(sample.query, {.t_max = sample.t_max, .method = Method::oracle});
   INFO("oracle: " << describe(oracle));
   CHECK(decision_difference(exact, oracle) == "");
   CHECK(weight_difference(exact, oracle) == "");

@@ -184,7 +184,7 @@ TEST_CASE("the filter decides most of what is apart, and never what touches") {
     const std::size_t first_of_second = query.kind == Kind::edge_edge ? 2 : 1;
     if (together) query.corners[first_of_second].points = query.corners[0].points;
     const bool filtered = filters::certainly_apart(query);
-    const Answer exact_answer = solve(query, Method::exact);
+    const Answer exact_answer = solve(query, {.method = Method::exact});
     const Answer fast = solve(query);
     INFO("seed " << kSeed + 1 << ", index " << index);
     REQUIRE(fast.contact == exact_answer.contact);

@@ -24,8 +24,8 @@ void exact_and_oracle_agree(const char* name, Maker make, Kind kind, std::size_t
     const CurvedQuery query = make(kind, rng);
     const double t_max = rng.one_in(4) ? rng.unit() : 1;
     const Answer fast = solve(query, t_max);
-    const Answer exact = solve(query, Method::exact, t_max);
-    const Answer oracle = solve(query, Method::oracle, t_max);
+    const Answer exact = solve(query, {.t_max = t_max, .method = Method::exact});
+    const Answer oracle = solve(query, {.t_max = t_max, .method = Method::oracle});
     contacts += exact.contact;
     ++natures[static_cast<std::size_t>(exact.nature)];
     INFO("seed " << kSeed << ", index " << index << ", t_max " << hexfloat(t_max) << "\n" << text_of(query));
@@ -36,7 +36,7 @@ void exact_and_oracle_agree(const char* name, Maker make, Kind kind, std::size_t
     REQUIRE(decision_difference(exact, fast) == "");
     REQUIRE(weight_difference(exact, fast) == "");
     REQUIRE(malformation(kind, exact, t_max) == "");
-    const std::vector<ContactInterval> times = contact_times(query, t_max);
+    const std::vector<ContactInterval> times = contact_times(query, {}, t_max);
     REQUIRE(!times.empty() == exact.contact);
     if (exact.contact) {
       REQUIRE(times.front().first.lower() == exact.toi);

@@ -9,6 +9,7 @@
 
 #include <touchstone/contact_normal.hpp>
 #include <touchstone/curved.hpp>
+#include <touchstone/distance.hpp>
 #include <touchstone/error.hpp>
 
 #include "curved/expected.hpp"
@@ -25,16 +26,16 @@ constexpr std::uint64_t kSeed = 53;
 constexpr std::array<Metric, 2> kMetrics = {Metric::euclidean, Metric::max};
 
 Answer solved_within(const CurvedQuery& query, const Separation& separation, double t_max = 1) {
-  const Answer exact = solve(query, separation, Method::exact, t_max);
-  const Answer oracle = solve(query, separation, Method::oracle, t_max);
+  const Answer exact = solve(query, {.t_max = t_max, .separation = separation, .method = Method::exact});
+  const Answer oracle = solve(query, {.t_max = t_max, .separation = separation, .method = Method::oracle});
   INFO("exact:  " << describe(exact));
   INFO("oracle: " << describe(oracle));
   REQUIRE(decision_difference(exact, oracle) == "");
   REQUIRE(weight_difference(exact, oracle) == "");
   REQUIRE(exact.trend == oracle.trend);
-  const Answer fast = solve(query, separation, t_max);
+  const Answer fast = solve(query, {.t_max = t_max, .separation = separation});
   REQUIRE(decision_difference(exact, fast) == "");
-  REQUIRE(solve_any(query, separation, t_max) == exact.contact);
+  REQUIRE(solve(query, {.t_max = t_max, .separation = separation, .wanted = Wanted::contact}).contact == exact.contact);
   return exact;
 }
 
@@ -65,6 +66,16 @@ TEST_CASE("the tip of a rod that turns comes within a distance of a wall") {
     check_time(solved_within(query, {6, metric}), 0, Nature::entering, Trend::approaching, true);
     check_time(solved_within(query, {7, metric}), 0, Nature::sustained, Trend::approaching, true);
   }
+  for (const Metric metric : kMetrics) {
+    const Distance at_half = distance(query, 0.5, metric);
+    CHECK(at_half.value == 2);
+    CHECK(at_half.feature_b == Feature::f);
+    CHECK(at_half.weights_b == std::array<double, 3>{0.25, 0.25, 0.5});
+    CHECK(distance(query, 1, metric).value == 1);
+    CHECK(compare_distance(query, 0.5, {2, metric}) == 0);
+    CHECK(compare_distance(query, 0.5, {std::nextafter(2.0, 3.0), metric}) < 0);
+    CHECK(compare_distance(query, std::nextafter(0.5, 0.0), {2, metric}) > 0);
+  }
   const Answer answer = solved_within(query, {2});
   CHECK(answer.feature_a == Feature::v);
   CHECK(answer.feature_b == Feature::f);
@@ -93,6 +104,7 @@ TEST_CASE("the tip of a rod that turns grazes a distance from a wall, or keeps i
     CHECK(solved_within(query, {std::nextafter(2, 3), metric}).nature == Nature::entering);
     check_time(solved_within(kept, {2, metric}), 0, Nature::sustained, Trend::constant, true);
     CHECK(!solved_within(kept, {std::nextafter(2, 1), metric}).contact);
+    for (const double time : {0.0, 0.1, 1.0}) CHECK(distance(kept, time, metric).value == 2);
   }
 }
 
@@ -132,13 +144,21 @@ void straight_as_curves(Kind kind) {
     Rng rng(seeded::seed_of_part(kSeed, report.checked()));
     const Metric metric = rng.pick(kMetrics);
     const Separation separation = {interesting_distance(query, metric, rng), metric};
-    const Answer straight = solve(query, separation, Method::exact);
-    const Answer curved = solve(CurvedQuery(query), separation, Method::exact);
+    const Answer straight = solve(query, {.separation = separation, .method = Method::exact});
+    const Answer curved = solve(CurvedQuery(query), {.separation = separation, .method = Method::exact});
     std::string wrong = labelled("as curves", bit_difference(straight, curved, true));
     if (wrong.empty()) {
-      const Answer fast = solve(CurvedQuery(query), separation);
-      wrong = labelled("by default", bit_difference(solve(query, separation), fast, true));
+      const Answer fast = solve(CurvedQuery(query), {.separation = separation});
+      wrong = labelled("by default", bit_difference(solve(query, {.separation = separation}), fast, true));
       if (wrong.empty()) wrong = labelled("by default", decision_difference(curved, fast));
+    }
+    const double time = rng.unit();
+    const Distance as_straight = distance(query, time, metric), as_curved = distance(CurvedQuery(query), time, metric);
+    if (wrong.empty() &&
+        (as_straight.value != as_curved.value || as_straight.feature_a != as_curved.feature_a ||
+         as_straight.feature_b != as_curved.feature_b ||
+         compare_distance(query, time, separation) != compare_distance(CurvedQuery(query), time, separation))) {
+      wrong = "the distance differs at " + hexfloat(time);
     }
     contacts += straight.contact;
     report.add(id, query, wrong);
@@ -245,16 +265,17 @@ TEST_CASE("a batch of curved queries with separations: the same bits as one by o
     options.distance_count = distances.size();
     const std::vector<Answer> answers = solve_batch(queries, options);
     for (std::size_t i = 0; i < queries.size(); ++i) {
-      REQUIRE(bit_difference(solve(queries[i], Separation{distances[i], Metric::max}), answers[i], true) == "");
+      REQUIRE(bit_difference(solve(queries[i], {.separation = Separation{distances[i], Metric::max}}), answers[i],
+                             true) == "");
     }
   }
 }
 
 TEST_CASE("a separation without meaning is an error for curved queries too") {
   const CurvedQuery query;
-  CHECK_THROWS_AS(solve(query, Separation{-1}), InvalidQuery);
-  CHECK_THROWS_AS(solve_any(query, Separation{std::nan("")}), InvalidQuery);
-  CHECK_THROWS_AS(solve(query, Separation{1, static_cast<Metric>(7)}), InvalidQuery);
+  CHECK_THROWS_AS(solve(query, {.separation = Separation{-1}}), InvalidQuery);
+  CHECK_THROWS_AS(solve(query, {.separation = Separation{std::nan("")}, .wanted = Wanted::contact}), InvalidQuery);
+  CHECK_THROWS_AS(solve(query, {.separation = Separation{1, static_cast<Metric>(7)}}), InvalidQuery);
   CHECK_THROWS_AS(contact_times(query, Separation{-1}), InvalidQuery);
 }
 

@@ -31,15 +31,15 @@ void straight_as_curves(Kind kind) {
   };
   for_each_case(kSeed, 400, wanted, [&](const CaseId& id) {
     const Query query = make(id);
-    const Answer straight = solve(query, Method::exact);
-    const Answer curved = solve(CurvedQuery(query), Method::exact);
+    const Answer straight = solve(query, {.method = Method::exact});
+    const Answer curved = solve(CurvedQuery(query), {.method = Method::exact});
     std::string wrong = labelled("as curves", bit_difference(straight, curved, true));
     const Answer fast = solve(query);
     if (wrong.empty()) wrong = labelled("by default", bit_difference(fast, solve(CurvedQuery(query)), true));
     if (wrong.empty()) wrong = labelled("fast", decision_difference(fast, curved));
     if (wrong.empty()) wrong = labelled("fast", weight_difference(fast, curved));
     if (wrong.empty() && info(id.family).dyadic) {
-      const Answer answer = solve(elevated(query), Method::exact);
+      const Answer answer = solve(elevated(query), {.method = Method::exact});
       wrong = labelled("with another control point", decision_difference(straight, answer));
       if (wrong.empty()) wrong = weight_difference(straight, answer);
       ++raised;
@@ -131,8 +131,8 @@ void translated_bodies(Kind kind) {
         straight.end[i] = sum(straight.end[i], shift);
       }
     }
-    const Answer expected = solve(straight, Method::exact);
-    const Answer found = solve(rigid, Method::exact);
+    const Answer expected = solve(straight, {.method = Method::exact});
+    const Answer found = solve(rigid, {.method = Method::exact});
     contacts += expected.contact;
     INFO("seed " << kSeed << ", index " << index << "\n  " << cpp_initializer(straight));
     INFO(describe(found));

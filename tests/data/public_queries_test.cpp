@@ -79,7 +79,7 @@ std::vector<KnownQuery> public_queries() {
 void check_truth(Method method) {
   std::size_t missed = 0, phantom = 0, contacts = 0, checked = 0;
   for (const KnownQuery& known : public_queries()) {
-    const Answer answer = std::visit([&](const auto& query) { return solve(query, method); }, known.query);
+    const Answer answer = std::visit([&](const auto& query) { return solve(query, {.method = method}); }, known.query);
     contacts += answer.contact;
     ++checked;
     if (answer.contact == known.truth) continue;
@@ -103,9 +103,9 @@ TEST_CASE("public queries: the methods agree in everything, and contact_times wi
     INFO(known.name);
     std::visit(
         [&](const auto& query) {
-          const Answer fast = solve(query, Method::fast);
-          const Answer exact = solve(query, Method::exact);
-          const Answer oracle = solve(query, Method::oracle);
+          const Answer fast = solve(query, {.method = Method::fast});
+          const Answer exact = solve(query, {.method = Method::exact});
+          const Answer oracle = solve(query, {.method = Method::oracle});
           CHECK(decision_difference(fast, exact) == "");
           CHECK(weight_difference(fast, exact) == "");
           CHECK(decision_difference(exact, oracle) == "");

@@ -41,8 +41,9 @@ TEST_CASE("the drop-in for Tight-Inclusion answers as the oracle does, by each o
     const Query query = make_sample(id.family, id.kind, rng).query;
     const double ms = rng.one_in(3) ? 0 : interesting_distance(query, Metric::max, rng);
     const double t_max = rng.one_in(3) ? rng.unit() : 1;
-    const Answer right = solve(query, Separation{ms, Metric::max}, Method::oracle, t_max);
-    const Answer right_to_the_end = solve(query, Separation{ms, Metric::max}, Method::oracle);
+    const Answer right =
+        solve(query, {.t_max = t_max, .separation = Separation{ms, Metric::max}, .method = Method::oracle});
+    const Answer right_to_the_end = solve(query, {.separation = Separation{ms, Metric::max}, .method = Method::oracle});
     contacts += right.contact;
     starts += right.starts_within;
     std::string wrong;

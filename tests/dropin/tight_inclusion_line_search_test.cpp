@@ -55,7 +55,7 @@ Query random_step(Kind kind, double scale, Rng& rng) {
   return query;
 }
 
-bool oracle_finds_contact(const Query& query) { return solve(query, Method::oracle).contact; }
+bool oracle_finds_contact(const Query& query) { return solve(query, {.method = Method::oracle}).contact; }
 
 }  // namespace
 
@@ -71,9 +71,11 @@ TEST_CASE("the time before toi is free of contact, and the time after it is not"
     if (impact.exists && impact.toi > 0) {
       ++contacts;
       call.t_max = std::nextafter(impact.toi, 0.0);
-      if (solve(query, Method::exact, call.t_max).contact || ask(query, call).exists) wrong = "a contact before toi";
+      if (solve(query, {.t_max = call.t_max, .method = Method::exact}).contact || ask(query, call).exists)
+        wrong = "a contact before toi";
       call.t_max = std::min(std::nextafter(impact.toi, 2.0), 1.0);
-      if (!solve(query, Method::exact, call.t_max).contact || !ask(query, call).exists) wrong = "no contact after toi";
+      if (!solve(query, {.t_max = call.t_max, .method = Method::exact}).contact || !ask(query, call).exists)
+        wrong = "no contact after toi";
     }
     report.add(id, query, wrong);
   });

@@ -98,7 +98,7 @@ TEST_CASE("no_zero_toi keeps between a quarter and a half of the distance, for a
     Rng rng = rng_of(id);
     const Query query = make_sample(id.family, id.kind, rng).query;
     const double ms = interesting_distance(query, Metric::max, rng);
-    const Answer plain = solve(query, Separation{ms, Metric::max}, Method::exact);
+    const Answer plain = solve(query, {.separation = Separation{ms, Metric::max}, .method = Method::exact});
     const Impact impact = ask(query, with(ms, true));
     std::string wrong;
     if (impact.exists != (impact.toi <= 1)) wrong = "the time does not fit the verdict";
@@ -117,11 +117,16 @@ TEST_CASE("no_zero_toi keeps between a quarter and a half of the distance, for a
       const bool can_be_zero = extent(query) / start > 0x1p1000;
       if (!(step > 0) && !can_be_zero) wrong = "the elements are apart at the start, and may not move";
       // The smaller separation lies between a quarter of the distance and half of it.
-      if (solve_any(query, Separation{start / 4 * (1 - 0x1p-50), Metric::max}, std::nextafter(step, 0.0))) {
+      if (solve(query, {.t_max = std::nextafter(step, 0.0),
+                        .separation = Separation{start / 4 * (1 - 0x1p-50), Metric::max},
+                        .wanted = Wanted::contact})
+              .contact) {
         wrong = "the step comes nearer than a quarter of the distance";
       }
-      if (impact.exists && !solve_any(query, Separation{start / 2 * (1 + 0x1p-50), Metric::max},
-                                      std::min(std::nextafter(impact.toi, 2.0), 1.0))) {
+      if (impact.exists && !solve(query, {.t_max = std::min(std::nextafter(impact.toi, 2.0), 1.0),
+                                          .separation = Separation{start / 2 * (1 + 0x1p-50), Metric::max},
+                                          .wanted = Wanted::contact})
+                                .contact) {
         wrong = "the step ends farther away than half of the distance";
       }
     }

@@ -57,9 +57,10 @@ TEST_CASE("every coordinate that is not finite is refused by name") {
             const std::string where = std::string(kind_name(kind)) + " query: corner " +
                                       std::string(corner_name(kind, corner)) + " at t = " + std::to_string(end) +
                                       " has " + "xyz"[axis] + " = " + value;
-            for (const Method method : kMethods) check_message(refusal([&] { solve(query, method); }), {where});
+            for (const Method method : kMethods)
+              check_message(refusal([&] { solve(query, {.method = method}); }), {where});
             check_message(refusal([&] { solve(query); }), {where});
-            check_message(refusal([&] { solve_any(query); }), {where});
+            check_message(refusal([&] { solve(query, {.wanted = Wanted::contact}); }), {where});
             check_message(refusal([&] { contact_times(query); }), {where});
             check_message(refusal([&] { solve_batch({good, query, good}); }), {"query 1", where});
           }
@@ -88,14 +89,15 @@ TEST_CASE("a t_max outside [0, 1] is refused") {
   for (const Kind kind : kKinds) {
     const Query query = make(CaseId{Family::lattice4, kind, 22, 0});
     for (const double t_max : {kNan, kInfinity, -kInfinity, -1.0, -0x1p-1074, std::nextafter(1.0, 2.0), 2.0}) {
-      for (const Method method : kMethods) check_message(refusal([&] { solve(query, method, t_max); }), {"t_max"});
+      for (const Method method : kMethods)
+        check_message(refusal([&] { solve(query, {.t_max = t_max, .method = method}); }), {"t_max"});
       check_message(refusal([&] { solve(query, t_max); }), {"t_max"});
-      check_message(refusal([&] { solve_any(query, t_max); }), {"t_max"});
-      check_message(refusal([&] { contact_times(query, t_max); }), {"t_max"});
-      check_message(refusal([&] { solve(RationalQuery{}, Method::fast, t_max); }), {"t_max"});
-      check_message(refusal([&] { contact_times(RationalQuery{}, t_max); }), {"t_max"});
+      check_message(refusal([&] { solve(query, {.t_max = t_max, .wanted = Wanted::contact}); }), {"t_max"});
+      check_message(refusal([&] { contact_times(query, {}, t_max); }), {"t_max"});
+      check_message(refusal([&] { solve(RationalQuery{}, {.t_max = t_max, .method = Method::fast}); }), {"t_max"});
+      check_message(refusal([&] { contact_times(RationalQuery{}, {}, t_max); }), {"t_max"});
       for (const int threads : {1, 2}) {
-        const BatchOptions options{t_max, Method::fast, threads};
+        const BatchOptions options{{.t_max = t_max}, threads};
         check_message(refusal([&] { solve_batch({query}, options); }), {"t_max"});
         check_message(refusal([&] { solve_batch(std::vector<Query>{}, options); }), {"t_max"});
       }
@@ -108,11 +110,11 @@ TEST_CASE("a t_max of -0.0 is 0") {
     for (const Kind kind : kKinds) {
       const Query query = make(CaseId{family.family, kind, 22, 1});
       for (const Method method : kMethods) {
-        const Answer minus = solve(query, method, -0.0);
-        CHECK(bit_difference(solve(query, method, 0.0), minus, true) == "");
+        const Answer minus = solve(query, {.t_max = -0.0, .method = method});
+        CHECK(bit_difference(solve(query, {.t_max = 0.0, .method = method}), minus, true) == "");
         if (minus.contact) CHECK_FALSE(std::signbit(minus.toi));
       }
-      CHECK(contact_times(query, -0.0).size() == contact_times(query, 0.0).size());
+      CHECK(contact_times(query, {}, -0.0).size() == contact_times(query, {}, 0.0).size());
     }
   }
 }
@@ -124,12 +126,12 @@ TEST_CASE("a kind that is none of the four is refused by its number") {
   RationalQuery fractions;
   fractions.kind = Kind(77);
   for (const Method method : kMethods) {
-    check_message(refusal([&] { solve(query, method); }), {says});
-    check_message(refusal([&] { solve(fractions, method); }), {says});
+    check_message(refusal([&] { solve(query, {.method = method}); }), {says});
+    check_message(refusal([&] { solve(fractions, {.method = method}); }), {says});
   }
   check_message(refusal([&] { solve(query); }), {says});
   check_message(refusal([&] { solve(query, 0.5); }), {says});
-  check_message(refusal([&] { solve_any(query); }), {says});
+  check_message(refusal([&] { solve(query, {.wanted = Wanted::contact}); }), {says});
   check_message(refusal([&] { contact_times(query); }), {says});
   check_message(refusal([&] { contact_times(fractions); }), {says});
   check_message(refusal([&] { solve_batch({Query(), query}); }), {"query 1", says});
@@ -149,14 +151,14 @@ TEST_CASE("a kind that is none of the four is refused by its number") {
 TEST_CASE("a method that is none of the four is refused by its number") {
   const std::string says = "the method is 9; it must be one of 0 to 3";
   const Method method = Method(9);
-  check_message(refusal([&] { solve(Query(), method); }), {says});
-  check_message(refusal([&] { solve(RationalQuery(), method); }), {says});
+  check_message(refusal([&] { solve(Query(), {.method = method}); }), {says});
+  check_message(refusal([&] { solve(RationalQuery(), {.method = method}); }), {says});
   BatchOptions options;
   options.method = method;
   check_message(refusal([&] { solve_batch({Query()}, options); }), {says});
   check_message(refusal([&] { solve_batch(std::vector<Query>{}, options); }), {says});
   check_message(refusal([&] { solve_batch(QueryColumns(), options); }), {says});
-  check_message(refusal([&] { solve(Query(), Method(4)); }), {"the method is 4;"});
+  check_message(refusal([&] { solve(Query(), {.method = Method(4)}); }), {"the method is 4;"});
 }
 
 TEST_CASE("a SIMD width that is none of the five is refused by its number") {
@@ -175,7 +177,7 @@ TEST_CASE("a batch names the first query that is wrong") {
   queries[1234].start[3].x = kNan;
   queries[1999].start[0].x = kNan;
   for (const int threads : {1, 2, 0}) {
-    const BatchOptions options{1.0, Method::fast, threads};
+    const BatchOptions options{{}, threads};
     const std::vector<std::string> parts{"query 1234", "vertex-face query: corner f2 at t = 0 has x = nan"};
     check_message(refusal([&] { solve_batch(queries, options); }), parts);
     std::vector<Answer> answers(queries.size());
@@ -185,7 +187,7 @@ TEST_CASE("a batch names the first query that is wrong") {
 
 TEST_CASE("a number of threads that has no meaning is refused") {
   for (const int threads : {-1, -100, 1025, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()}) {
-    const BatchOptions options{1.0, Method::fast, threads};
+    const BatchOptions options{{}, threads};
     check_message(refusal([&] { solve_batch(std::vector<Query>(3), options); }), {"threads", std::to_string(threads)});
   }
 }
@@ -210,7 +212,7 @@ TEST_CASE("a fraction that is not two decimal integers is refused by name") {
         INFO("\"" << fraction.numerator << "\" / \"" << fraction.denominator << "\"");
         const std::string where = std::string(kind_name(kind)) + " query: corner " +
                                   std::string(corner_name(kind, corner)) + " at t = " + std::to_string(end) + " has y";
-        for (const Method method : kMethods) CHECK(contains(refusal([&] { solve(query, method); }), where));
+        for (const Method method : kMethods) CHECK(contains(refusal([&] { solve(query, {.method = method}); }), where));
         CHECK(contains(refusal([&] { contact_times(query); }), where));
       }
     }
@@ -225,7 +227,7 @@ TEST_CASE("signs, leading zeros and any number of digits are good in a fraction"
     query.kind = Kind::point_point;
     query.start[0][0] = query.end[1][0] = fraction;  // both points at this fraction or at 0, at either end
     for (const Method method : kMethods) {
-      const Answer answer = solve(query, method);
+      const Answer answer = solve(query, {.method = method});
       CHECK(answer.contact);
       const bool zero = fraction.numerator == "-0";
       CHECK(answer.toi == (zero ? 0 : 0.5));  // p goes from x to 0 and q from 0 to x
@@ -239,7 +241,7 @@ TEST_CASE("corners that a kind does not have may hold anything in rational queri
   RationalQuery query;
   query.kind = Kind::point_point;
   query.start[2][0] = query.end[3][2] = Fraction{"no number", "0"};
-  for (const Method method : kMethods) CHECK(solve(query, method).contact);
+  for (const Method method : kMethods) CHECK(solve(query, {.method = method}).contact);
 }
 
 }  // namespace

@@ -32,15 +32,15 @@ struct Outcome {
 // No floating-point operation of its own, so that it may run in any mode.
 Outcome ask(const Query& query, const ControlBits& expected) {
   Outcome outcome;
-  outcome.answers[0] = solve(query, Method::fast);
+  outcome.answers[0] = solve(query, {.method = Method::fast});
   outcome.restored = outcome.restored && control_bits() == expected;
-  outcome.any = solve_any(query);
+  outcome.any = solve(query, {.wanted = Wanted::contact}).contact;
   outcome.restored = outcome.restored && control_bits() == expected;
-  outcome.answers[1] = solve(query, Method::exact);
+  outcome.answers[1] = solve(query, {.method = Method::exact});
   outcome.restored = outcome.restored && control_bits() == expected;
-  outcome.answers[2] = solve(query, Method::oracle);
+  outcome.answers[2] = solve(query, {.method = Method::oracle});
   outcome.restored = outcome.restored && control_bits() == expected;
-  outcome.answers[3] = solve(query, Method::fast_cgal);
+  outcome.answers[3] = solve(query, {.method = Method::fast_cgal});
   outcome.restored = outcome.restored && control_bits() == expected;
   for (const ContactInterval& interval : contact_times(query)) {
     const ExactTime reversed = interval.first.reversed();
@@ -66,7 +66,7 @@ std::string outcome_difference(const Outcome& expected, const Outcome& found) {
       (expected.times.empty() ||
        std::memcmp(expected.times.data(), found.times.data(), expected.times.size() * sizeof expected.times[0]) == 0);
   if (!same_times || expected.times_text != found.times_text) return "contact_times differ";
-  if (expected.any != found.any) return "solve_any differs";
+  if (expected.any != found.any) return "the contact alone differs";
   if (expected.comparisons != found.comparisons) return "comparisons of times differ";
   return "";
 }
@@ -313,17 +313,17 @@ TEST_CASE("a query without meaning is refused in every mode, and the mode is res
           restored = restored && control_bits() == bits;
         };
         for (const Method method : {Method::fast, Method::exact, Method::oracle, Method::fast_cgal}) {
-          count(refused([&] { solve(query, method); }));
-          count(refused([&] { solve(Query(good), method, bad_t_max); }));
-          count(refused([&] { solve(fractions, method); }));
+          count(refused([&] { solve(query, {.method = method}); }));
+          count(refused([&] { solve(Query(good), {.t_max = bad_t_max, .method = method}); }));
+          count(refused([&] { solve(fractions, {.method = method}); }));
         }
-        count(refused([&] { solve_any(query); }));
-        count(refused([&] { solve_any(Query(good), bad_t_max); }));
+        count(refused([&] { solve(query, {.wanted = Wanted::contact}); }));
+        count(refused([&] { solve(Query(good), {.t_max = bad_t_max, .wanted = Wanted::contact}); }));
         count(refused([&] { contact_times(query); }));
-        count(refused([&] { contact_times(Query(good), bad_t_max); }));
+        count(refused([&] { contact_times(Query(good), {}, bad_t_max); }));
         count(refused([&] { contact_times(fractions); }));
         for (const int threads : {1, 2}) {
-          count(refused([&] { solve_batch({good, query}, BatchOptions{1.0, Method::fast, threads}); }));
+          count(refused([&] { solve_batch({good, query}, BatchOptions{{}, threads}); }));
         }
       }
       INFO(mode.name());

@@ -28,13 +28,13 @@ TEST_CASE("an edge passes along another: one interval, cut by t_max") {
   CHECK(times[0].first.compare(0.25) == 0);
   CHECK(times[0].last.compare(0.75) == 0);
   CHECK(times[0].first.to_string() == "1/4");
-  const auto cut = contact_times(query, 0.5);
+  const auto cut = contact_times(query, {}, 0.5);
   REQUIRE(cut.size() == 1);
   CHECK(cut[0].last.compare(0.5) == 0);
-  const auto instant = contact_times(query, 0.25);
+  const auto instant = contact_times(query, {}, 0.25);
   REQUIRE(instant.size() == 1);
   CHECK(instant[0].first == instant[0].last);
-  CHECK(contact_times(query, std::nextafter(0.25, 0.0)).empty());
+  CHECK(contact_times(query, {}, std::nextafter(0.25, 0.0)).empty());
 }
 
 TEST_CASE("a point crosses a triangle within its plane") {
@@ -107,5 +107,5 @@ TEST_CASE("exact times compare, reverse and reject what is no time") {
   CHECK(third.compare(third.upper()) < 0);
   CHECK(third.compare(-5.0) > 0);
   CHECK_THROWS_AS(third.compare(std::numeric_limits<double>::quiet_NaN()), InvalidQuery);
-  CHECK_THROWS_AS(contact_times(in_line({2, 2}, {-1, 5}), 2.0), InvalidQuery);
+  CHECK_THROWS_AS(contact_times(in_line({2, 2}, {-1, 5}), {}, 2.0), InvalidQuery);
 }

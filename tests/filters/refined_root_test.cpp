@@ -24,7 +24,7 @@ using filters::SimpleRoot;
 
 namespace {
 
-bool in_range(const FrameCase& s) { return s.usable(); }
+bool is_usable(const FrameCase& s) { return s.usable(); }
 
 /// The significand of x, times a power of two from 2^least to 2^greatest that its low bits choose.
 double scale_from(double x, int least, int greatest) {
@@ -97,7 +97,7 @@ TEST_CASE("components at a root are as near as they say") {
   for (const Place& place : kPlaces) {
     // Between these the slope's errors and the curvature weigh alike: it takes more to tell them apart.
     const int steps = place.distance > 0x1p-53 && place.distance < 0x1p-45 ? 20000 : 6000;
-    const auto search = searched(86, 1, steps, in_range, [&](const FrameCase&, const std::vector<double>& x) {
+    const auto search = searched(86, 1, steps, is_usable, [&](const FrameCase&, const std::vector<double>& x) {
       // With b0 near the origin r and w are as large as their bounds, and their low parts as long as can be.
       std::vector<double> spread_out = x;
       for (const std::size_t side : {0u, 12u}) {
@@ -113,7 +113,7 @@ TEST_CASE("components at a root are as near as they say") {
 }
 
 TEST_CASE("the step to a root is off by no more than it says") {
-  report("step to a root", searched(87, 1, 20000, in_range, [](const FrameCase& s, const std::vector<double>& x) {
+  report("step to a root", searched(87, 1, 20000, is_usable, [](const FrameCase& s, const std::vector<double>& x) {
            const BernsteinCubic cubic = s.cubic();
            const auto [found, root] = seen_from(s, cubic, scale_from(x[24], -56, -11));
            if (!found) return std::nan("");
@@ -125,7 +125,7 @@ TEST_CASE("the step to a root is off by no more than it says") {
 }
 
 TEST_CASE("the step to a root from another time is off by no more than it says") {
-  report("step from beside", searched(88, 3, 20000, in_range, [](const FrameCase& s, const std::vector<double>& x) {
+  report("step from beside", searched(88, 3, 20000, is_usable, [](const FrameCase& s, const std::vector<double>& x) {
            const BernsteinCubic cubic = s.cubic();
            // Seen from farther away than roots are, so that the slopes there and here differ by as much as they may;
            // the curvature is then far above its own error. The time is anywhere, or near the root.

@@ -28,7 +28,7 @@ TEST_CASE("queries with a shared corner are decided without the cubic, but for e
       for (const double t_max : {1.0, 0.5, 0.0}) {
         const Answer answer = solve(query, t_max);
         INFO(case_name(id) << " t_max " << t_max << "  " << cpp_initializer(query));
-        REQUIRE(decision_difference(answer, solve(query, Method::exact, t_max)).empty());
+        REQUIRE(decision_difference(answer, solve(query, {.t_max = t_max, .method = Method::exact})).empty());
         REQUIRE(answer.nature == (t_max > 0 ? Nature::sustained : Nature::isolated));
         filtered += answer.level == Level::filter;
       }

@@ -207,9 +207,11 @@ class ForgetfulSolver final : public fuzz::AnsweringSolver {
   const std::string& name() const override { return name_; }
   bool supports(Kind) const override { return true; }
   bool takes_curves() const override { return true; }
-  Answer answer(const Query& query) override { return solve(query, Separation{1}); }
+  Answer answer(const Query& query) override { return solve(query, {.separation = Separation{1}}); }
   fuzz::Reply ask(const Query&) override { return {}; }
-  Answer answer_curved(const CurvedQuery& query, double t_max) override { return solve(query, Separation{1}, t_max); }
+  Answer answer_curved(const CurvedQuery& query, double t_max) override {
+    return solve(query, {.t_max = t_max, .separation = Separation{1}});
+  }
 
  private:
   std::string name_ = "forgetful";

@@ -107,7 +107,7 @@ TEST_CASE("a planted bug of every class is found, counted and kept through shrin
     counted += finding.count;
     CHECK(kinds.insert(finding.degeneracy).second);
     const auto& query = std::get<Query>(finding.example.query);
-    const Answer truth = solve(query, Method::exact);
+    const Answer truth = solve(query, {.method = Method::exact});
     const auto failure = fuzz::failure_of(query, solver->ask(query), truth, settings.early);
     REQUIRE(failure.has_value());
     CHECK(failure->failure == planted.failure);
@@ -203,7 +203,7 @@ TEST_CASE("a solver that keeps the first separation is found out") {
     const std::string& name() const override { return name_; }
     bool supports(Kind) const override { return true; }
     Reply ask(const Query& query) override {
-      const Answer answer = solve(query, Separation{1, Metric::euclidean});
+      const Answer answer = solve(query, {.separation = Separation{1, Metric::euclidean}});
       Reply reply;
       reply.contact = answer.contact;
       if (answer.contact) reply.toi = answer.toi;

@@ -68,7 +68,7 @@ TEST_CASE("most shrunk failures of solvers in doubles are integers or halves bel
     const Query original = fuzz::query_of_case(finding.example.name);
     const auto& query = std::get<Query>(finding.example.query);
     CAPTURE(fuzz::case_text(finding.example.name), cpp_initializer(query));
-    const Answer truth = solve(query, Method::exact);
+    const Answer truth = solve(query, {.method = Method::exact});
     const auto failure = fuzz::failure_of(query, solver->ask(query), truth, {});
     REQUIRE(failure.has_value());
     CHECK(failure->failure == finding.failure);

@@ -108,7 +108,7 @@ TEST_CASE("scenes along the axes, in each placement: fast and exact agree, and m
   std::size_t contacts = 0, queries = 0;
   for (const Query& query : candidates(options)) {
     ++queries;
-    const Answer fast = solve(query), exact = solve(query, Method::exact);
+    const Answer fast = solve(query), exact = solve(query, {.method = Method::exact});
     contacts += exact.contact;
     INFO(scene_name(name) << ", " << placement_name(placement) << "  " << tests::cpp_initializer(query));
     REQUIRE(tests::decision_difference(fast, exact) == "");

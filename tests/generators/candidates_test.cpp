@@ -78,7 +78,7 @@ Pairs touching_pairs(const Step& step, Kind kind, double separation) {
   for (Index i = 0; i < firsts; ++i) {
     for (Index j = edges ? i + 1 : 0; j < seconds; ++j) {
       if (share(step.mesh(), kind, i, j)) continue;
-      if (solve(step.query(kind, i, j), Separation{separation}).contact) touching.emplace(i, j);
+      if (solve(step.query(kind, i, j), {.separation = Separation{separation}}).contact) touching.emplace(i, j);
     }
   }
   return touching;

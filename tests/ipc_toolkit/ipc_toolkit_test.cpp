@@ -75,7 +75,8 @@ Result ask(const ipc::NarrowPhaseCCD& ccd, const Query& q, double min_distance =
 }
 
 bool oracle_contact(const Query& query, double min_distance, double tmax = 1) {
-  return touchstone::solve(query, Separation{min_distance}, Method::oracle, tmax).contact;
+  return touchstone::solve(query, {.t_max = tmax, .separation = Separation{min_distance}, .method = Method::oracle})
+      .contact;
 }
 
 Vec3 lattice_corner(Rng& rng, int size, int dimension) {
@@ -141,7 +142,8 @@ TEST_CASE("a verdict is the oracle's, and the time is before contact") {
     const double min_distance = std::array<double, 3>{0, 0.3, 1}[static_cast<std::size_t>(i) % 3];
     for (const double tmax : {1.0, 0.5, 0.3}) {
       CAPTURE(i, static_cast<int>(kind), dimension, min_distance, tmax);
-      const touchstone::Answer expected = touchstone::solve(query, Separation{min_distance}, Method::oracle, tmax);
+      const touchstone::Answer expected =
+          touchstone::solve(query, {.t_max = tmax, .separation = Separation{min_distance}, .method = Method::oracle});
       const Result result = ask(ccd, query, min_distance, tmax, dimension);
       CHECK(result.hit == expected.contact);
       if (!expected.contact) {

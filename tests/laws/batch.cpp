@@ -47,9 +47,9 @@ std::vector<Answer> poisoned(std::size_t count) {
 void check_batch(const Batch& batch, Method method, double t_max) {
   Report report;
   std::vector<Answer> singles;
-  for (const Query& query : batch.queries) singles.push_back(solve(query, method, t_max));
+  for (const Query& query : batch.queries) singles.push_back(solve(query, {.t_max = t_max, .method = method}));
   for (const int threads : {1, 2, 3, 8, 0}) {
-    const BatchOptions options{t_max, method, threads};
+    const BatchOptions options{{.t_max = t_max, .method = method}, threads};
     const std::vector<Answer> returned = solve_batch(batch.queries, options);
     std::vector<Answer> written = poisoned(batch.queries.size() + 1);
     solve_batch(batch.queries.data(), batch.queries.size(), written.data(), options);
@@ -102,11 +102,11 @@ TEST_CASE("law: a batch in columns is its queries one by one, for vectors of any
                                       VectorWidth::bits_512, VectorWidth::widest}) {
         if (!has_vectors(width)) {
           WARN("this machine has no vectors of width " << static_cast<int>(width) << ": left out");
-          CHECK_THROWS_AS(solve_batch(columns.view(), BatchOptions{t_max, Method::fast, 1, width}), InvalidQuery);
+          CHECK_THROWS_AS(solve_batch(columns.view(), BatchOptions{{.t_max = t_max}, 1, width}), InvalidQuery);
           continue;
         }
         for (const int threads : {1, 2, 0}) {
-          const BatchOptions options{t_max, Method::fast, threads, width};
+          const BatchOptions options{{.t_max = t_max}, threads, width};
           std::vector<Answer> answers = poisoned(queries.size() + 1);
           solve_batch(columns.view(), answers.data(), options);
           for (std::size_t i = 0; i < queries.size(); ++i) {
@@ -134,9 +134,9 @@ TEST_CASE("law: columns by every method, and of any length") {
     queries.push_back(make({Family::simulation, Kind::edge_edge, kSeed, index}));
   const solver::OwnedColumns columns(queries);
   for (const Method method : {Method::exact, Method::oracle, Method::fast_cgal}) {
-    const std::vector<Answer> answers = solve_batch(columns.view(), BatchOptions{1.0, method, 2});
+    const std::vector<Answer> answers = solve_batch(columns.view(), BatchOptions{{.method = method}, 2});
     for (std::size_t i = 0; i < queries.size(); i += 10) {
-      CHECK(bit_difference(solve(queries[i], method), answers[i], true) == "");
+      CHECK(bit_difference(solve(queries[i], {.method = method}), answers[i], true) == "");
     }
   }
 }
@@ -151,7 +151,7 @@ TEST_CASE("law: a coordinate that is not finite is named in a batch of either fo
       "query 130: vertex-face query: corner f2 at t = 0 has z = nan; coordinates must be finite";
   const solver::OwnedColumns columns(queries);
   for (const int threads : {1, 2, 8}) {
-    const BatchOptions options{1.0, Method::fast, threads};
+    const BatchOptions options{{}, threads};
     for (int round = 0; round < 20; ++round) {
       const auto message = [](const auto& ask) -> std::string {
         try {
@@ -173,7 +173,7 @@ TEST_CASE("law: a batch of any length") {
     for (const int threads : {1, 2, 8}) {
       const std::size_t available = std::min<std::size_t>(count, batch.queries.size());
       const std::vector<Query> queries(batch.queries.begin(), batch.queries.begin() + static_cast<long>(available));
-      CHECK(solve_batch(queries, BatchOptions{1.0, Method::fast, threads}).size() == available);
+      CHECK(solve_batch(queries, BatchOptions{{}, threads}).size() == available);
     }
   }
   solve_batch(nullptr, 0, nullptr);
@@ -195,7 +195,7 @@ TEST_CASE("law: the typed overloads ask the same question") {
           case Kind::point_point: typed = solve(PointPoint{{s[0], s[1]}, {e[0], e[1]}}, 0.75); break;
         }
         std::string wrong = bit_difference(solve(query, 0.75), typed, true);
-        if (wrong.empty()) wrong = bit_difference(solve(query, Method::fast, 0.75), typed, true);
+        if (wrong.empty()) wrong = bit_difference(solve(query, {.t_max = 0.75, .method = Method::fast}), typed, true);
         report.add(id, query, wrong);
       });
   report.finish();
@@ -213,7 +213,8 @@ TEST_CASE("law: corners that a kind does not have are never read") {
         std::string wrong;
         for (const Method method : {Method::fast, Method::exact, Method::oracle, Method::fast_cgal}) {
           if ((method == Method::oracle || method == Method::fast_cgal) && id.index >= 5) continue;
-          if (wrong.empty()) wrong = bit_difference(solve(query, method), solve(noisy, method), true);
+          if (wrong.empty())
+            wrong = bit_difference(solve(query, {.method = method}), solve(noisy, {.method = method}), true);
         }
         report.add(id, query, wrong);
       });

@@ -21,7 +21,7 @@ struct CurvedAsked {
 };
 
 inline Answer answer_to(const CurvedAsked& asked, Method method) {
-  return solve(asked.query, asked.separation, method, asked.t_max);
+  return solve(asked.query, {.t_max = asked.t_max, .separation = asked.separation, .method = method});
 }
 
 /// Whether a family is asked about separations. In the others numbers differ by hundreds of binary digits, and exact

@@ -150,7 +150,7 @@ TEST_CASE("law of curves: bodies that have been turned by a quarter and move str
     if (!exactly.holds()) return;
     ++checked;
     for (const Method method : {Method::fast, Method::exact}) {
-      report.add(id, query, difference(solve(query, method), solve(curved, method), query));
+      report.add(id, query, difference(solve(query, {.method = method}), solve(curved, {.method = method}), query));
     }
   });
   CHECK(checked > 0);

@@ -38,7 +38,7 @@ TEST_CASE("law of curves: reversing time maps the touching times to one minus th
 TEST_CASE("law of curves: the first time backwards is the last time forwards") {
   check_curved_law(kSeed, 12, 1, [](const CurvedAsked& asked, Method method, Rng&) -> Finding {
     const TimeSet times = contact_times(asked.query, asked.separation);
-    const Answer backwards = solve(run_backwards(asked.query), asked.separation, method);
+    const Answer backwards = solve(run_backwards(asked.query), {.separation = asked.separation, .method = method});
     if (backwards.contact == times.empty()) return "contact depends on the direction of time";
     if (times.empty()) return "";
     const ExactTime last = times.back().last.reversed();
@@ -50,7 +50,7 @@ TEST_CASE("law of curves: the first time backwards is the last time forwards") {
 TEST_CASE("law of curves: solve with a t_max forgets what happens later and changes nothing else") {
   check_curved_law(kSeed, 12, 0.8, [](const CurvedAsked& asked, Method method, Rng& rng) -> Finding {
     if (asked.separation.distance > 0) return std::nullopt;
-    const Answer whole = solve(asked.query, asked.separation, method);
+    const Answer whole = solve(asked.query, {.separation = asked.separation, .method = method});
     for (const double t_max : ends_around(whole, rng)) {
       const CurvedAsked early{asked.query, asked.separation, t_max};
       const Answer cut = answer_to(early, method);
@@ -96,8 +96,9 @@ TEST_CASE("law of curves: a step is its two halves") {
     if (!exactly.holds() || asked.separation.distance > 0) return std::nullopt;
     const CurvedAsked whole{asked.query, asked.separation};
     const Answer answer = answer_to(whole, method);
-    const Answer expected = of_halves(answer, solve(first, asked.separation, method),
-                                      [&] { return solve(second, asked.separation, method); });
+    const Answer expected = of_halves(answer, solve(first, {.separation = asked.separation, .method = method}), [&] {
+      return solve(second, {.separation = asked.separation, .method = method});
+    });
     return curved_difference(expected, answer, whole);
   });
 }

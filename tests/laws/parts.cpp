@@ -61,9 +61,9 @@ TEST_CASE("law: an element cut in two touches when one of its parts does") {
 TEST_CASE("law: nothing slips through a joint") {
   check_law(kSeed, 200, dyadic_with_parts, 1, [](const Query& query, Method method, Rng& rng) -> Finding {
     const auto [one, two] = cut_in_two(query, rng);
-    const Answer whole = solve(query, method);
-    const Answer first = solve(one, method);
-    const Answer second = solve(two, method);
+    const Answer whole = solve(query, {.method = method});
+    const Answer first = solve(one, {.method = method});
+    const Answer second = solve(two, {.method = method});
     if (whole.contact != (first.contact || second.contact)) return "contact with the whole, but not with the parts";
     if (!whole.contact) return "";
     if (whole.toi == std::min(first.toi, second.toi) &&
@@ -105,9 +105,9 @@ TEST_CASE("law: where a part touches, the whole does") {
 
 TEST_CASE("law: a part touches no earlier than the whole") {
   check_law(kSeed, 100, has_parts, 1, [](const Query& query, Method method, Rng&) -> Finding {
-    const Answer whole = solve(query, method);
+    const Answer whole = solve(query, {.method = method});
     for (const Query& part : parts_of(query)) {
-      const Answer answer = solve(part, method);
+      const Answer answer = solve(part, {.method = method});
       if (!answer.contact || (whole.contact && whole.toi <= answer.toi && whole.toi_upper <= answer.toi_upper))
         continue;
       return "whole " + describe(whole) + "\n    part  " + describe(answer) + "\n    " + cpp_initializer(part);
@@ -145,8 +145,8 @@ TEST_CASE("law: a degenerate element is the lesser one that it is") {
   check_law(kSeed, 200, lesser, 1, [](const Query& query, Method method, Rng&) -> Finding {
     const TimeSet times = contact_times(query);
     for (const Degenerate& form : degenerate_forms(query)) {
-      const Answer expected = solve(form.lesser, method);
-      const Answer found = solve(form.degenerate, method);
+      const Answer expected = solve(form.lesser, {.method = method});
+      const Answer found = solve(form.degenerate, {.method = method});
       const bool same = expected.contact == found.contact &&
                         (!expected.contact || (expected.toi == found.toi && expected.toi_upper == found.toi_upper &&
                                                expected.nature == found.nature));

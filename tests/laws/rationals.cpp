@@ -31,8 +31,8 @@ RationalQuery rational(const Query& query, Map&& map, Write&& write) {
 mpq_class same(const mpq_class& x, std::size_t) { return x; }
 
 Finding same_answer(const Query& query, const RationalQuery& asked, Method method) {
-  const Answer expected = solve(query, method);
-  const Answer found = solve(asked, method);
+  const Answer expected = solve(query, {.method = method});
+  const Answer found = solve(asked, {.method = method});
   const std::string wrong = difference(expected, found, query);
   return wrong.empty() ? wrong : "as fractions (the query asked is the original): " + wrong;
 }
@@ -45,8 +45,8 @@ TEST_CASE("law: a fraction is its value, however it is written") {
       return Fraction{mpz_class(x.get_num() * factor).get_str(), mpz_class(x.get_den() * factor).get_str()};
     });
     const Query without_minus_zero = mapped_corners(query, [](const Vec3& corner) { return corner + Vec3{}; });
-    const Answer expected = solve(without_minus_zero, method);
-    const Answer found = solve(asked, method);
+    const Answer expected = solve(without_minus_zero, {.method = method});
+    const Answer found = solve(asked, {.method = method});
     const std::string wrong = bit_difference(expected, found, true);
     return wrong.empty() ? wrong : wrong + "\n    " + describe(expected) + "\n    " + describe(found);
   });

@@ -65,10 +65,10 @@ bool may_be_degenerate(const Query& query, std::size_t first, std::size_t count,
 TEST_CASE("law: relabelling corners and swapping elements changes the names alone") {
   NameTally tally;
   check_law(kSeed, 150, every_family, 1, [&](const Query& query, Method method, Rng&) -> Finding {
-    const Answer expected = solve(query, method);
+    const Answer expected = solve(query, {.method = method});
     for (const Relabelling& relabelling : relabellings(query.kind)) {
       const Query other = relabelled(query, relabelling);
-      const Answer found = solve(other, method);
+      const Answer found = solve(other, {.method = method});
       const auto degenerate = [&](std::size_t first, std::size_t count) {
         return may_be_degenerate(query, first, count, expected);
       };

@@ -13,7 +13,7 @@ constexpr std::uint64_t kSeed = 11;
 
 // The mapped query must have the same answer.
 Finding same_answer(const Query& query, const Query& mapped, Method method) {
-  return difference(solve(query, method), solve(mapped, method), mapped);
+  return difference(solve(query, {.method = method}), solve(mapped, {.method = method}), mapped);
 }
 
 // Multiplies each axis by its power of two; nothing when a coordinate does not survive that exactly.
@@ -155,8 +155,8 @@ TEST_CASE("law: the sign of zero changes nothing") {
       any = true;
     });
     if (!any) return std::nullopt;
-    const Answer expected = solve(query, method);
-    const Answer found = solve(flipped, method);
+    const Answer expected = solve(query, {.method = method});
+    const Answer found = solve(flipped, {.method = method});
     if (method == Method::exact) return bit_difference(expected, found, true);
     return difference(expected, found, flipped);  // a filter may take another way to the same answer
   });

@@ -29,7 +29,7 @@ TEST_CASE("law: reversing time maps the touching times to one minus themselves")
 TEST_CASE("law: the first time backwards is the last time forwards") {
   check_law(kSeed, 150, every_family, 1, [](const Query& query, Method method, Rng&) -> Finding {
     const TimeSet times = contact_times(query);
-    const Answer backwards = solve(run_backwards(query), method);
+    const Answer backwards = solve(run_backwards(query), {.method = method});
     if (backwards.contact == times.empty()) return "contact depends on the direction of time";
     if (times.empty()) return "";
     const ExactTime last = times.back().last.reversed();
@@ -50,7 +50,7 @@ TEST_CASE("law: contact_times with a t_max is T cut off there") {
                 }
               }
               for (const double t_max : ends) {
-                const std::string wrong = cut_difference(whole, t_max, contact_times(query, t_max));
+                const std::string wrong = cut_difference(whole, t_max, contact_times(query, {}, t_max));
                 if (!wrong.empty()) return "t_max = " + hexfloat(t_max) + ": " + wrong;
               }
               return "";
@@ -60,9 +60,9 @@ TEST_CASE("law: contact_times with a t_max is T cut off there") {
 
 TEST_CASE("law: solve with a t_max forgets what happens later and changes nothing else") {
   check_law(kSeed, 100, every_family, 1, [](const Query& query, Method method, Rng& rng) -> Finding {
-    const Answer whole = solve(query, method);
+    const Answer whole = solve(query, {.method = method});
     for (const double t_max : ends_around(whole, rng)) {
-      const Answer cut = solve(query, method, t_max);
+      const Answer cut = solve(query, {.t_max = t_max, .method = method});
       std::string wrong = difference(cut_off(whole, t_max), cut, query);
       if (wrong.empty()) wrong = malformation(query.kind, cut, t_max);
       if (!wrong.empty()) return "t_max = " + hexfloat(t_max) + ": " + wrong;
@@ -85,8 +85,9 @@ std::pair<Query, Query> halves(const Query& query) {
 TEST_CASE("law: a step is its two halves") {
   check_law(kSeed, 200, dyadic_families, 1, [](const Query& query, Method method, Rng&) -> Finding {
     const auto [first, second] = halves(query);
-    const Answer whole = solve(query, method);
-    const Answer expected = of_halves(whole, solve(first, method), [&] { return solve(second, method); });
+    const Answer whole = solve(query, {.method = method});
+    const Answer expected =
+        of_halves(whole, solve(first, {.method = method}), [&] { return solve(second, {.method = method}); });
     return difference(expected, whole, first);
   });
 }
@@ -94,7 +95,7 @@ TEST_CASE("law: a step is its two halves") {
 TEST_CASE("law: the touching times of the first half are those of the whole, twice as late") {
   check_law(kSeed, 200, dyadic_families, 1,
             [](const Query& query, Method, Rng&) -> Finding {
-              const TimeSet whole = contact_times(query, 0.5);
+              const TimeSet whole = contact_times(query, {}, 0.5);
               const TimeSet half = contact_times(halves(query).first);
               const auto twice = [](const ExactTime& slow, const ExactTime& fast) {
                 return 2 * slow.lower() == fast.lower() && 2 * slow.upper() == fast.upper();

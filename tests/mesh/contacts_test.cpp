@@ -72,7 +72,7 @@ BruteForce brute_force(const Scene& scene, double t_max) {
   for (const MeshPair& pair : all_pairs(scene.elements)) {
     const Query query = query_between(scene, parts, pair, scene.x0, scene.x1);
     const Separation separation{separation_between(scene, parts, pair), scene.elements.separation.metric};
-    const Answer answer = solve(query, separation, t_max);
+    const Answer answer = solve(query, {.t_max = t_max, .separation = separation});
     if (!answer.contact) continue;
     result.all.push_back({pair, separation, answer});
     if (answer.starts_within) result.at_start.push_back({pair, separation, answer});
@@ -166,7 +166,7 @@ TEST_CASE("the contacts of a mesh are those of all pairs by brute force") {
       const bool by_pair = separated && random.one_in(2);
       if (by_pair) add_pair_separations(random, scene);
       const Mesh mesh(scene.elements);
-      MeshOptions options;
+      FirstContactOptions options;
       options.t_max = random.one_in(3) ? random.unit() : 1;
       options.threads = random.one_in(3) ? 2 : 1;
       const BruteForce expected = brute_force(scene, options.t_max);
@@ -204,7 +204,7 @@ TEST_CASE("the contacts of larger meshes are those of all pairs by brute force")
       if (round % 2 == 1) add_separation(random, scene);
       const Mesh mesh(scene.elements);
       const BruteForce expected = brute_force(scene, 1);
-      MeshOptions options;
+      FirstContactOptions options;
       options.threads = 2;
       CAPTURE(round, scene.name);
       REQUIRE(agrees(first_contact(mesh, scene.start(), scene.end(), options), expected));
@@ -258,7 +258,7 @@ TEST_CASE("1 to 64 threads give the same bytes") {
     Scene scene = random_scene(random, layout, TOUCHSTONE_SLOW_BUILD ? 40 : 100);
     add_separation(random, scene);
     const Mesh mesh(scene.elements);
-    MeshOptions options;
+    FirstContactOptions options;
     const FirstContact first = first_contact(mesh, scene.start(), scene.end(), options);
     const auto all = all_contacts(mesh, scene.start(), scene.end(), options);
     const auto near = candidates(mesh, scene.start(), scene.end(), options);

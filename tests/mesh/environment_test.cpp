@@ -23,7 +23,7 @@ struct Outcome {
 Outcome outcome_of(const Scene& scene, int threads) {
   Outcome outcome;
   const Mesh mesh(scene.elements);
-  MeshOptions options;
+  FirstContactOptions options;
   options.threads = threads;
   FreeStepOptions step;
   step.threads = threads;

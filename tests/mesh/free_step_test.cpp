@@ -27,7 +27,9 @@ bool path_is_free(const Scene& scene, const std::vector<double>& end) {
   const std::vector<MeshPair> pairs = all_pairs(scene.elements);
   return std::none_of(pairs.begin(), pairs.end(), [&](const MeshPair& pair) {
     const Separation separation{separation_between(scene, parts, pair), scene.elements.separation.metric};
-    return solve_any(query_between(scene, parts, pair, scene.x0, end), separation);
+    return solve(query_between(scene, parts, pair, scene.x0, end),
+                 {.separation = separation, .wanted = Wanted::contact})
+        .contact;
   });
 }
 
@@ -276,10 +278,10 @@ TEST_CASE("a step keeps a fraction of every distance") {
         const double at_start = distance(path, 0, metric).value;
         // A double or two below the distance that is to be kept.
         const double kept = (d + options.kept_fraction * (at_start - d)) * (1 - 0x1p-50);
-        REQUIRE_FALSE(solve_any(path, {kept, metric}));
+        REQUIRE_FALSE(solve(path, {.separation = {kept, metric}, .wanted = Wanted::contact}).contact);
         const Query whole = query_between(scene, parts, pair, scene.x0, scene.x1);
         const double more = (d + options.kept_fraction * (at_start - d)) * (1 + 0x1p-45);
-        const Answer answer = solve(whole, {more, metric});
+        const Answer answer = solve(whole, {.separation = {more, metric}});
         if (answer.contact && answer.toi <= step.length * (1 + 0x1p-20)) least_lost = true;
       }
       if (step.outcome == StepOutcome::shortened && step.length > 1e-6) REQUIRE(least_lost);

@@ -67,10 +67,10 @@ struct Parts {
     return static_cast<MeshIndex>(elements.vertex_count++);
   }
 
-  std::vector<Intersection> all(int threads = 1) const { return intersections(Mesh(elements), {x, 3}, {1.0, threads}); }
+  std::vector<Intersection> all(int threads = 1) const { return intersections(Mesh(elements), {x, 3}, {threads}); }
 
   std::vector<EnclosedPart> enclosed(ClosedParts closed = ClosedParts::unasked, int threads = 1) const {
-    return enclosed_parts(Mesh(elements), {x, 3}, {1.0, threads}, all(), closed);
+    return enclosed_parts(Mesh(elements), {x, 3}, {threads}, all(), closed);
   }
 };
 

@@ -139,7 +139,7 @@ TEST_CASE("a mesh and its questions need the stated number of bytes for each ele
 
     const Positions x0(one.x0, 3), x1(one.x1, 3);
     for (const int threads : {1, 2}) {
-      MeshOptions options;
+      FirstContactOptions options;
       options.threads = threads;
       std::size_t contacts = 0;
       const std::size_t asking = most_bytes([&] { contacts = first_contact(mesh, x0, x1, options).first.size(); });

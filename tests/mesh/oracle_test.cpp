@@ -25,7 +25,7 @@ std::map<MeshPair, Answer> oracle_contacts(const Scene& scene, double t_max = 1)
   for (const MeshPair& pair : all_pairs(scene.elements)) {
     const Separation separation{separation_between(scene, parts, pair), scene.elements.separation.metric};
     const Query query = query_between(scene, parts, pair, scene.x0, scene.x1);
-    const Answer answer = solve(query, separation, Method::oracle, t_max);
+    const Answer answer = solve(query, {.t_max = t_max, .separation = separation, .method = Method::oracle});
     if (answer.contact) contacts[pair] = answer;
   }
   return contacts;
@@ -52,7 +52,7 @@ TEST_CASE("the contacts of a small mesh are those that the oracle finds") {
       const bool apart = random.one_in(2);
       if (apart) add_separation(random, scene);
       const Mesh mesh(scene.elements);
-      MeshOptions options;
+      FirstContactOptions options;
       options.t_max = random.one_in(3) ? random.unit() : 1;
       const std::map<MeshPair, Answer> expected = oracle_contacts(scene, options.t_max);
       const std::vector<MeshContact> all = all_contacts(mesh, scene.start(), scene.end(), options);

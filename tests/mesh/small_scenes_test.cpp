@@ -135,7 +135,7 @@ TEST_CASE("a coordinate that is not finite is named, and positions that do not f
   CHECK_THROWS_AS(first_contact(mesh, {scene.x1, 2}, {scene.x1, 2}), InvalidQuery);
   CHECK_THROWS_AS(first_contact(mesh, {nullptr, 3}, {nullptr, 3}), InvalidQuery);
   scene.x1[7] = 1;
-  MeshOptions options;
+  FirstContactOptions options;
   options.threads = 1025;
   CHECK_THROWS_AS(first_contact(mesh, scene.end(), scene.end(), options), InvalidQuery);
   options.threads = 1;

@@ -59,13 +59,13 @@ TEST_CASE("one thread or several: what work wrote before an exception ended it i
 TEST_CASE("one thread or several: a stop from another thread leaves the mesh as it was") {
   const Sheets sheets(24);
   const Mesh mesh(sheets.elements);
-  MeshOptions options;
+  FirstContactOptions options;
   options.threads = 4;
   const std::size_t contacts = all_contacts(mesh, {sheets.x0, 3}, {sheets.x1, 3}, options).size();
   CHECK(contacts > 0);
   for (int round = 0; round < 10; ++round) {
     std::atomic<bool> stop{false};
-    MeshOptions stopped = options;
+    FirstContactOptions stopped = options;
     stopped.stop = &stop;
     std::thread other([&] { stop = true; });
     std::optional<std::size_t> found;

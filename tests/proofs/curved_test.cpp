@@ -83,7 +83,7 @@ TEST_CASE("answers to curved queries with a separation are proved in both metric
           proved.separation = {fraction * largest, metric};
           for (std::uint64_t i = 0; i < count && proved.separation.distance > 0; ++i) {
             const CurvedQuery query = make_curved(CaseId{family.family, kind, 17, i}).query;
-            const Answer answer = solve(query, proved.separation);
+            const Answer answer = solve(query, {.separation = proved.separation});
             later += answer.contact && answer.toi > 0 ? 1 : 0;
             proved.add(query, answer);
           }
@@ -104,7 +104,7 @@ TEST_CASE("straight motion given as curves has the same proofs") {
     for (const FamilyInfo& family : all_families()) {
       const Query query = make(CaseId{family.family, kind, 18, 0});
       for (const Separation& separation : {Separation{}, Separation{0.125, Metric::euclidean}}) {
-        const Answer answer = solve(query, separation);
+        const Answer answer = solve(query, {.separation = separation});
         Proved proved = curved_file();
         proved.separation = separation;
         proved.add(CurvedQuery(query), answer);

@@ -74,7 +74,7 @@ TEST_CASE("answers with a separation are proved in both metrics, and the checker
         proved.separation = separation;
         for (std::uint64_t i = 0; i < kCount; ++i) {
           const Query query = make(CaseId{family.family, kind, kSeed, i});
-          const Answer answer = solve(query, separation);
+          const Answer answer = solve(query, {.separation = separation});
           later += answer.contact && answer.toi > 0 ? 1 : 0;
           proved.add(query, answer);
         }
@@ -102,12 +102,12 @@ TEST_CASE("a proof of an answer with one separation proves nothing about another
       for (const Separation& separation : separations_for(query)) {
         Proved proved;
         proved.separation = separation;
-        const Answer answer = solve(query, separation);
+        const Answer answer = solve(query, {.separation = separation});
         proved.add(query, answer);
         for (const double factor : {0.5, 0.999, 1.001, 2.0}) {
           proved.separation.distance = factor * separation.distance;
           if (!std::isfinite(proved.separation.distance)) continue;
-          const Answer other = solve(query, proved.separation);
+          const Answer other = solve(query, {.separation = proved.separation});
           if (other.contact == answer.contact && other.toi == answer.toi) continue;
           const CheckerRun result = check_texts(proved.text(kind), {proved.queries});
           INFO(family.name << ' ' << kind_name(kind) << ": " << result.text << cpp_initializer(query));

@@ -34,7 +34,7 @@ struct Proved {
   }
   template <class Q>
   void add(const Q& query) {
-    add(query, solve(query, separation));
+    add(query, solve(query, {.separation = separation}));
   }
 
   std::string text(Kind kind) const {

@@ -46,7 +46,7 @@ TEST_CASE("quick proofs: each sort of them is found, and the checker accepts the
       for (const FamilyInfo& family : all_families()) {
         for (std::uint64_t i = 0; i < kCount; ++i) {
           const Query query = make(CaseId{family.family, kind, kSeed, i});
-          const Answer answer = solve(query, separation);
+          const Answer answer = solve(query, {.separation = separation});
           const auto proof = proofs::quick_proof(query, answer, separation);
           if (!proof) continue;
           ++found[sort_of(*proof, answer, separation.distance)];
@@ -76,7 +76,7 @@ TEST_CASE("quick proofs: a false answer has none") {
       for (const FamilyInfo& family : all_families()) {
         for (std::uint64_t i = 0; i < 4; ++i) {
           const Query query = make(CaseId{family.family, kind, 32, i});
-          const Answer answer = solve(query, separation);
+          const Answer answer = solve(query, {.separation = separation});
           INFO(family.name << ' ' << kind_name(kind) << ' ' << i);
           std::vector<Answer> others(3, answer);
           others[0].contact = !answer.contact;

@@ -72,7 +72,7 @@ def test_processes_without_dask():
 
 def early_half(kind, start, end):
     """Misses every contact in the second half of the step."""
-    return ts.solve_any(kind, start, end, t_max=0.5)
+    return ts.solve(kind, start, end, t_max=0.5, wanted="contact").contact
 
 
 def dying_solver(marker, kind, start, end):

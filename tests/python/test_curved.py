@@ -25,7 +25,7 @@ def test_straight_motion_as_curves_has_the_same_answers(kind):
     straight = ts.solve(kind, start, end)
     assert queries.same(curved.solve(), straight)
     assert queries.same(curved.solve(threads=1, t_max=0.5), ts.solve(kind, start, end, t_max=0.5))
-    assert np.array_equal(curved.solve_any(), straight.contact)
+    assert np.array_equal(curved.solve(wanted="contact").contact, straight.contact)
     near = ts.solve(kind, start, end, separation=0.25)
     assert queries.same(curved.solve(separation=np.full(400, 0.25)), near)
     some = slice(390, 400)
@@ -34,7 +34,7 @@ def test_straight_motion_as_curves_has_the_same_answers(kind):
     assert [[(str(a), str(b)) for a, b in t] for t in few.contact_times()] == \
         [[(str(a), str(b)) for a, b in t] for t in times]
     one = CurvedQueries(kind, OnCurves(points[0, :cut]), OnCurves(points[0, cut:]))
-    assert one.solve().contact == straight.contact[0] == one.solve_any()
+    assert one.solve().contact == straight.contact[0] == one.solve(wanted="contact").contact
 
 
 def test_single_rows_count_for_all():
@@ -123,7 +123,7 @@ def test_what_is_wrong_is_named():
     with pytest.warns(UserWarning), pytest.raises(ValueError, match="row 1: .*q1"):
         CurvedQueries("point-edge", OnBody([[0, 0, 0]], q1=opposite), edge).solve()
     with pytest.raises(ValueError, match="row 0"):
-        CurvedQueries("point-point", OnBody([[[np.nan, 0, 0]]]), point).solve_any()
+        CurvedQueries("point-point", OnBody([[[np.nan, 0, 0]]]), point).solve(wanted="contact").contact
     with pytest.raises(ValueError, match="t_max"):
         CurvedQueries("point-point", point, point).solve(t_max=2)
 
@@ -138,7 +138,7 @@ def test_a_longer_turn_is_told_once_and_shortened_on_demand():
     with pytest.warns(UserWarning, match=r"3 of 5 queries have .* first in row 1: q0 . q1 < 0") as told:
         longer = CurvedQueries("vertex-face", tips, WALL)
     assert len(told) == 1 and told[0].filename == __file__
-    assert longer.solve_any().tolist() == (signs < 0).tolist()
+    assert longer.solve(wanted="contact").contact.tolist() == (signs < 0).tolist()
     with pytest.warns(UserWarning, match="1 of 1 queries has a body .* shorter_turn=True"):
         CurvedQueries("vertex-face", OnBody([[1, 0, 0]], q1=-TURN), WALL)
     with pytest.warns(UserWarning, match="2 of 2 queries"):  # of either element
@@ -146,10 +146,10 @@ def test_a_longer_turn_is_told_once_and_shortened_on_demand():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         shorter = CurvedQueries("vertex-face", tips, WALL, shorter_turn=True)
-        assert not shorter.solve_any().any()
-        assert not CurvedQueries("vertex-face", OnBody([[1, 0, 0]], q1=TURN), WALL).solve_any()
+        assert not shorter.solve(wanted="contact").contact.any()
+        assert not CurvedQueries("vertex-face", OnBody([[1, 0, 0]], q1=TURN), WALL).solve(wanted="contact").contact
         # As it is given, a turn to the opposite quaternion has no meaning.
         still = CurvedQueries("vertex-face", OnBody([[1, 0, 0]], q1=[-1, 0, 0, 0]), WALL, shorter_turn=True)
-        assert not still.solve_any()
+        assert not still.solve(wanted="contact").contact
     with pytest.raises(TypeError, match="shorter_turn is of type int"):
         CurvedQueries("vertex-face", tips, WALL, shorter_turn=1)

@@ -157,7 +157,7 @@ def test_a_million_calls_leave_no_memory_behind():
         for _ in range(count // 1000):
             answers = ts.solve("vertex-face", start, end, separation=0.25)
             answers.toi, answers.weights_a, answers[3].nature
-            ts.solve_any("vertex-face", start, end)
+            ts.solve("vertex-face", start, end, wanted="contact").contact
             ts.distance("vertex-face", start).value
             ts.first_contact(mesh, start[0], end[0]).first.answers.toi
             ts.free_step(mesh, start[0], end[0]).positions

@@ -1,4 +1,4 @@
-"""solve, solve_any, contact_times, distance and contact_normal. SPDX-License-Identifier: MIT"""
+"""solve, contact_times, distance and contact_normal. SPDX-License-Identifier: MIT"""
 import math
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
@@ -16,7 +16,7 @@ def test_a_batch_is_its_queries_one_by_one(kind):
     start, end = queries.both(kind, 400)
     answers = ts.solve(kind, start, end)
     assert len(answers) == 400 and 0 < answers.contact.sum() < 400
-    any_touch = ts.solve_any(kind, start, end)
+    any_touch = ts.solve(kind, start, end, wanted="contact").contact
     times = ts.contact_times(kind, start, end)
     for q in range(400):
         one = ts.solve(kind, start[q], end[q])
@@ -25,7 +25,7 @@ def test_a_batch_is_its_queries_one_by_one(kind):
             got = getattr(one, name)
             assert np.array_equal(got, wanted), (q, name)
             assert np.array_equal(getattr(answers[q], name), wanted)
-        assert any_touch[q] == one.contact == ts.solve_any(kind, start[q], end[q])
+        assert any_touch[q] == one.contact == ts.solve(kind, start[q], end[q], wanted="contact").contact
         assert bool(times[q]) == one.contact
         if one.contact:
             first = times[q][0][0]
@@ -60,7 +60,7 @@ def test_memory_layouts_types_and_threads_change_nothing(kind):
     assert queries.same(ts.solve(kind, start.tolist(), end.tolist()), wanted)
     for threads in (0, 2, 7, 1024):
         assert queries.same(ts.solve(kind, start, end, threads=threads), wanted)
-        assert np.array_equal(ts.solve_any(kind, start, end, threads=threads), wanted.contact)
+        assert np.array_equal(ts.solve(kind, start, end, threads=threads, wanted="contact").contact, wanted.contact)
 
 
 def test_float32_is_taken_exactly():
@@ -113,7 +113,7 @@ def test_separations():
     distances[::5] = 0
     for metric in ("euclidean", "max"):
         answers = ts.solve("vertex-face", start, end, separation=distances, metric=metric)
-        near = ts.solve_any("vertex-face", start, end, separation=distances, metric=metric)
+        near = ts.solve("vertex-face", start, end, separation=distances, metric=metric, wanted="contact").contact
         times = ts.contact_times("vertex-face", start, end, separation=distances, metric=metric)
         assert np.array_equal(answers.contact, near)
         for q in range(0, 300, 7):
@@ -177,14 +177,14 @@ def test_no_queries():
     nothing = np.empty((0, 4, 3))
     answers = ts.solve("edge-edge", nothing, nothing)
     assert len(answers) == 0 and answers.toi.shape == (0,) and answers.weights_a.shape == (0, 3)
-    assert ts.solve_any("edge-edge", nothing, nothing).shape == (0,)
+    assert ts.solve("edge-edge", nothing, nothing, wanted="contact").contact.shape == (0,)
     assert ts.contact_times("edge-edge", nothing, nothing) == []
     assert ts.distance("edge-edge", nothing).value.shape == (0,)
     with pytest.raises(ValueError, match="t_max"):
         ts.solve("edge-edge", nothing, nothing, t_max=2)
 
 
-FUNCTIONS = [ts.solve, ts.solve_any, ts.contact_times, ts.distance, ts.contact_normal]
+FUNCTIONS = [ts.solve, ts.contact_times, ts.distance, ts.contact_normal]
 
 
 @pytest.mark.parametrize("ask", FUNCTIONS)
@@ -237,7 +237,7 @@ def test_numbers_that_are_no_double_are_refused():
 
 def test_options_without_meaning_are_refused():
     start, end = queries.random("edge-edge", 10)
-    for ask in (ts.solve, ts.solve_any, ts.contact_times, ts.contact_normal):
+    for ask in (ts.solve, ts.contact_times, ts.contact_normal):
         for x in ((start, end), (start[0], end[0])):
             for t_max in (-0.1, 1.1, math.nan, math.inf):
                 with pytest.raises(ValueError, match="t_max"):
@@ -291,7 +291,7 @@ def test_masked_elements_are_refused():
     assert queries.same(ts.solve("edge-edge", whole, np.ma.array(end)), wanted)
     masked = whole.copy()
     masked[4, 1, 2] = np.ma.masked
-    for call in (ts.solve, ts.solve_any, ts.contact_times):
+    for call in (ts.solve, ts.contact_times):
         with pytest.raises(ValueError, match=r"start\[4, 1, 2\] is masked"):
             call("edge-edge", masked, end)
         with pytest.raises(ValueError, match=r"end\[4, 1, 2\] is masked"):

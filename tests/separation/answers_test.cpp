@@ -29,7 +29,7 @@ const Method kMethods[] = {Method::fast, Method::exact};
 
 TEST_CASE("two spheres meet, brush past or miss each other") {
   for (const Method method : kMethods) {
-    const Answer head_on = solve(passing_points(-3, 1, 0), kOne, method);
+    const Answer head_on = solve(passing_points(-3, 1, 0), {.separation = kOne, .method = method});
     REQUIRE(head_on.contact);
     CHECK(head_on.toi == 0.5);
     CHECK(head_on.toi_upper == 0.5);
@@ -39,16 +39,16 @@ TEST_CASE("two spheres meet, brush past or miss each other") {
     CHECK(head_on.feature_a == Feature::p);
     CHECK(head_on.feature_b == Feature::q);
 
-    const Answer tangent = solve(passing_points(-2, 2, 1), kOne, method);
+    const Answer tangent = solve(passing_points(-2, 2, 1), {.separation = kOne, .method = method});
     REQUIRE(tangent.contact);
     CHECK(tangent.toi == 0.5);
     CHECK(tangent.toi_upper == 0.5);
     CHECK(tangent.nature == Nature::grazing);
     CHECK(tangent.trend == Trend::leaving);
-    CHECK_FALSE(solve(passing_points(-2, 2, std::nextafter(1.0, 2.0)), kOne, method).contact);
+    CHECK_FALSE(solve(passing_points(-2, 2, std::nextafter(1.0, 2.0)), {.separation = kOne, .method = method}).contact);
 
     // |x|^2 = 1 - 1/4 at x = -2 + 4 t: t = (4 - sqrt(3)) / 8
-    const Answer irrational = solve(passing_points(-2, 2, 0.5), kOne, method);
+    const Answer irrational = solve(passing_points(-2, 2, 0.5), {.separation = kOne, .method = method});
     REQUIRE(irrational.contact);
     CHECK(irrational.toi == Approx((4 - std::sqrt(3.0)) / 8).epsilon(1e-15));
     CHECK(irrational.toi_upper == std::nextafter(irrational.toi, 1.0));
@@ -64,12 +64,12 @@ TEST_CASE("elements at rest within the separation need no exact arithmetic") {
     Query query = face;
     for (Vec3& x : query.end) x.x += moves_along ? 0.125 : 0;
     for (const Separation& separation : {kOne, kOneMax}) {
-      const Answer answer = solve(query, separation);
+      const Answer answer = solve(query, {.separation = separation});
       CHECK(answer.level == Level::bracket);
       CHECK(answer.starts_within);
       CHECK(answer.nature == Nature::sustained);
       CHECK(answer.trend == Trend::constant);
-      const Answer exact = solve(query, separation, Method::exact);
+      const Answer exact = solve(query, {.separation = separation, .method = Method::exact});
       CHECK(exact.trend == Trend::constant);
       CHECK(exact.feature_b == answer.feature_b);
     }
@@ -79,22 +79,23 @@ TEST_CASE("elements at rest within the separation need no exact arithmetic") {
 TEST_CASE("elements that start within the separation") {
   for (const Method method : kMethods) {
     for (const bool approaching : {true, false}) {
-      const Answer answer = solve(passing_points(0.5, approaching ? 0.25 : 1, 0), kOne, method);
+      const Answer answer =
+          solve(passing_points(0.5, approaching ? 0.25 : 1, 0), {.separation = kOne, .method = method});
       REQUIRE(answer.contact);
       CHECK(answer.toi == 0);
       CHECK(answer.starts_within);
       CHECK(answer.nature == Nature::sustained);
       CHECK(answer.trend == (approaching ? Trend::approaching : Trend::leaving));
     }
-    const Answer leaves = solve(passing_points(1, 2, 0), kOne, method);
+    const Answer leaves = solve(passing_points(1, 2, 0), {.separation = kOne, .method = method});
     REQUIRE(leaves.contact);
     CHECK(leaves.starts_within);
     CHECK(leaves.nature == Nature::isolated);
     CHECK(leaves.trend == Trend::leaving);
-    const Answer enters = solve(passing_points(1, 0, 0), kOne, method);
+    const Answer enters = solve(passing_points(1, 0, 0), {.separation = kOne, .method = method});
     CHECK(enters.starts_within);
     CHECK(enters.nature == Nature::entering);
-    const Answer rests = solve(passing_points(1, 1, 0), kOne, method);
+    const Answer rests = solve(passing_points(1, 1, 0), {.separation = kOne, .method = method});
     CHECK(rests.starts_within);
     CHECK(rests.nature == Nature::sustained);
     CHECK(rests.trend == Trend::constant);
@@ -106,32 +107,33 @@ TEST_CASE("a point comes down on a face, beside its edge and beside its corner")
     return VertexFace{{{{x, y, 3}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}, {{{x, y, -1}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}};
   };
   for (const Method method : kMethods) {
-    const Answer inside = solve(falling(1, 1), kOne, method);
+    const Answer inside = solve(falling(1, 1), {.separation = kOne, .method = method});
     REQUIRE(inside.contact);
     CHECK(inside.toi == 0.5);
     CHECK(inside.feature_b == Feature::f);
     CHECK(inside.weights_b == std::array<double, 3>{0.5, 0.25, 0.25});
 
     // At a distance of 0.6 beside the edge f0 f1 the sphere touches the edge at height 0.8.
-    const Answer beside = solve(falling(1, -0.6), kOne, method);
+    const Answer beside = solve(falling(1, -0.6), {.separation = kOne, .method = method});
     REQUIRE(beside.contact);
     CHECK(beside.toi == Approx(0.55).epsilon(1e-15));
     CHECK(beside.feature_b == Feature::f01);
     CHECK(beside.weights_b == std::array<double, 3>{0.75, 0.25, 0});
 
-    const Answer corner = solve(falling(-0.375, -0.5), kOne, method);  // 5/8 from the corner
+    const Answer corner = solve(falling(-0.375, -0.5), {.separation = kOne, .method = method});  // 5/8 from the corner
     REQUIRE(corner.contact);
     CHECK(corner.toi == Approx((3 - std::sqrt(1 - 25 / 64.0)) / 4).epsilon(1e-15));
     CHECK(corner.feature_b == Feature::f0);
 
-    CHECK_FALSE(solve(falling(1, -1.0000001), kOne, method).contact);
-    const Answer at_border = solve(falling(1, -1), kOne, method);  // it passes the edge at exactly 1
+    CHECK_FALSE(solve(falling(1, -1.0000001), {.separation = kOne, .method = method}).contact);
+    const Answer at_border =
+        solve(falling(1, -1), {.separation = kOne, .method = method});  // it passes the edge at exactly 1
     REQUIRE(at_border.contact);
     CHECK(at_border.toi == 0.75);
     CHECK(at_border.nature == Nature::grazing);
 
     // With the other metric the thick face is a prism with flat tops and square borders.
-    const Answer flat = solve(falling(1, -0.6), kOneMax, method);
+    const Answer flat = solve(falling(1, -0.6), {.separation = kOneMax, .method = method});
     REQUIRE(flat.contact);
     CHECK(flat.toi == 0.5);
     CHECK(flat.nature == Nature::entering);
@@ -146,7 +148,7 @@ TEST_CASE("two edges: crossing, end to end, parallel") {
     return q;
   };
   for (const Method method : kMethods) {
-    const Answer crossing = solve(descending({0.5, -1, 3}, {0.5, 3, 3}), kOne, method);
+    const Answer crossing = solve(descending({0.5, -1, 3}, {0.5, 3, 3}), {.separation = kOne, .method = method});
     REQUIRE(crossing.contact);
     CHECK(crossing.toi == 0.5);
     CHECK(crossing.feature_a == Feature::a);
@@ -154,7 +156,7 @@ TEST_CASE("two edges: crossing, end to end, parallel") {
     CHECK(crossing.weights_a == std::array<double, 3>{0.25, 0.75, 0});
     CHECK(crossing.weights_b == std::array<double, 3>{0.75, 0.25, 0});
 
-    const Answer parallel = solve(descending({0, 0, 3}, {3, 0, 3}), kOne, method);
+    const Answer parallel = solve(descending({0, 0, 3}, {3, 0, 3}), {.separation = kOne, .method = method});
     REQUIRE(parallel.contact);
     CHECK(parallel.toi == 0.5);
     CHECK(parallel.feature_a == Feature::overlap);
@@ -162,7 +164,7 @@ TEST_CASE("two edges: crossing, end to end, parallel") {
     CHECK(parallel.weights_a == std::array<double, 3>{0, 1, 0});
     CHECK(parallel.weights_b[1] == Approx(1 / 3.0).epsilon(1e-15));
 
-    const Answer end_to_end = solve(descending({1, 0, 3}, {3, 0, 3}), kOne, method);
+    const Answer end_to_end = solve(descending({1, 0, 3}, {3, 0, 3}), {.separation = kOne, .method = method});
     REQUIRE(end_to_end.contact);
     CHECK(end_to_end.toi == 0.5);
     CHECK(end_to_end.feature_a == Feature::a1);
@@ -205,4 +207,14 @@ TEST_CASE("distances at an instant") {
                                   {{{0.25, 0.25, 2}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}};
   CHECK(distance(moving, 0.5).value == 1.5);
   CHECK(distance(moving, 0.5).feature_b == Feature::f);
+
+  // Fractions: from 1/3 to 4/3, which no double holds.
+  RationalQuery thirds{Kind::point_point, {}, {}};
+  for (auto* corners : {&thirds.start, &thirds.end}) (*corners)[1][0] = {"1", "3"};
+  thirds.end[1][0] = {"4", "3"};
+  CHECK(distance(thirds).value == 1.0 / 3);
+  CHECK(distance(thirds, 0.5, Metric::max).value == 5.0 / 6);
+  CHECK(compare_distance(thirds, 0, {1.0 / 3, Metric::euclidean}) > 0);  // 1/3 is rounded down
+  CHECK(solve(thirds, {.separation = {0.5}, .wanted = Wanted::contact}).contact);
+  CHECK(std::isnan(solve(thirds, {.separation = {0.5}, .wanted = Wanted::contact}).toi));
 }

@@ -24,11 +24,11 @@ void judge(const EntryCase& entry, const std::string& label, Judged& judged) {
   const Separation& separation = entry.separation;
   if (!(separation.distance > 0)) return;
   ++judged.asked;
-  const Answer fast = solve(entry.query, separation, Method::fast, entry.t_max);
+  const Answer fast = solve(entry.query, {.t_max = entry.t_max, .separation = separation, .method = Method::fast});
   if (fast.level == Level::exact) return;
   ++(fast.level == Level::filter ? judged.filter : judged.bracket);
   judged.entries += fast.contact && fast.nature == Nature::entering;
-  const Answer exact = solve(entry.query, separation, Method::exact, entry.t_max);
+  const Answer exact = solve(entry.query, {.t_max = entry.t_max, .separation = separation, .method = Method::exact});
   std::string wrong = decision_difference(fast, exact);
   if (wrong.empty()) wrong = weight_difference(fast, exact);
   if (wrong.empty()) return;

@@ -35,8 +35,10 @@ TEST_CASE("a distance that is negative or not finite, and an unknown metric, are
   for (const double d : {-1.0, -0x1p-1074, inf, -inf, std::numeric_limits<double>::quiet_NaN()}) {
     const Separation separation = {d, Metric::euclidean};
     for (const std::string& message :
-         {message_of([&] { solve(query, separation); }), message_of([&] { solve(RationalQuery(), separation); }),
-          message_of([&] { solve_any(query, separation); }), message_of([&] { contact_times(query, separation); }),
+         {message_of([&] { solve(query, {.separation = separation}); }),
+          message_of([&] { solve(RationalQuery(), {.separation = separation}); }),
+          message_of([&] { solve(query, {.separation = separation, .wanted = Wanted::contact}); }),
+          message_of([&] { contact_times(query, separation); }),
           message_of([&] { compare_distance(query, 0, separation); }), message_of([&] {
             BatchOptions options;
             options.separation = separation;
@@ -47,7 +49,8 @@ TEST_CASE("a distance that is negative or not finite, and an unknown metric, are
     }
   }
   const Separation odd = {1, static_cast<Metric>(7)};
-  CHECK(contains(message_of([&] { solve(query, odd); }), "the metric is 7; it must be 0 or 1: euclidean or max"));
+  CHECK(contains(message_of([&] { solve(query, {.separation = odd}); }),
+                 "the metric is 7; it must be 0 or 1: euclidean or max"));
   CHECK(contains(message_of([&] { distance(query, 0, static_cast<Metric>(7)); }), "the metric is 7"));
   CHECK(contains(message_of([&] { distance(query, 1.5); }), "the time is 1.5; it must be in [0, 1]"));
   CHECK(contains(message_of([&] { compare_distance(query, -1, {}); }), "the time is -1; it must be in [0, 1]"));

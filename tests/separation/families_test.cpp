@@ -61,7 +61,7 @@ std::string wrong_about_distance(const Query& query, const Separation& separatio
     const bool stays = answer.nature == Nature::entering || answer.nature == Nature::sustained;
     // Where the elements only pass, they may be apart again at the next double.
     if (!stays || compared_at(query, answer.toi_upper, separation) <= 0) return "";
-    const Answer later = solve(query, separation, Method::oracle, answer.toi_upper);
+    const Answer later = solve(query, {.t_max = answer.toi_upper, .separation = separation, .method = Method::oracle});
     return later.contact ? "" : "apart up to toi_upper";
   }
   if (compared_at(query, answer.toi, separation) > 0) return "apart at toi, which is the time";
@@ -75,8 +75,8 @@ void methods_agree(Metric metric, std::size_t count) {
   for_each_case(kSeed, count, every_family, [&](const CaseId& id) {
     const Separated made = make_separated(id, metric);
     const Separation separation = {made.distance, metric};
-    const Answer exact = solve(made.query, separation, Method::exact);
-    const Answer fast = solve(made.query, separation, Method::fast);
+    const Answer exact = solve(made.query, {.separation = separation, .method = Method::exact});
+    const Answer fast = solve(made.query, {.separation = separation, .method = Method::fast});
     contacts += exact.contact;
     std::string wrong = decision_difference(fast, exact);
     if (wrong.empty()) wrong = weight_difference(fast, exact);
@@ -95,8 +95,8 @@ void oracle_agrees(Metric metric) {
   for_each_case(kSeed + 1, 1, every_family, [&](const CaseId& id) {
     const Separated made = make_separated(id, metric);
     const Separation separation = {made.distance, metric};
-    const Answer exact = solve(made.query, separation, Method::exact);
-    const Answer oracle = solve(made.query, separation, Method::oracle);
+    const Answer exact = solve(made.query, {.separation = separation, .method = Method::exact});
+    const Answer oracle = solve(made.query, {.separation = separation, .method = Method::oracle});
     std::string wrong = decision_difference(exact, oracle);
     if (wrong.empty()) wrong = weight_difference(exact, oracle);
     report.add(id, made.query,
@@ -121,8 +121,8 @@ TEST_CASE("patches whose roots are nearer to each other than 2^-3000") {
   const CaseId id{Family::gap_extreme, Kind::vertex_face, 2, 262};
   const Separated made = make_separated(id, Metric::euclidean);
   const Separation separation = {made.distance, Metric::euclidean};
-  const Answer exact = solve(made.query, separation, Method::exact);
-  const Answer oracle = solve(made.query, separation, Method::oracle);
+  const Answer exact = solve(made.query, {.separation = separation, .method = Method::exact});
+  const Answer oracle = solve(made.query, {.separation = separation, .method = Method::oracle});
   CHECK(decision_difference(exact, oracle) == "");
   CHECK(weight_difference(exact, oracle) == "");
 }

@@ -91,19 +91,19 @@ void answers_hold(Metric metric, std::size_t count) {
         Rng rng = rng_of(id);
         const Query query = make_sample(id.family, id.kind, rng).query;
         Separation separation = {interesting_distance(query, metric, rng), metric};
-        const Answer answer = solve(query, separation, Method::exact);
+        const Answer answer = solve(query, {.separation = separation, .method = Method::exact});
         std::string wrong;
         if (separation.distance > 0) {
           wrong = fault_in(query, separation, answer, rng);
-          const Answer fast = solve(query, separation);
+          const Answer fast = solve(query, {.separation = separation});
           if (wrong.empty()) wrong = decision_difference(fast, answer);
           Separation wider = separation;
           wider.distance = std::min(separation.distance * (1 + rng.unit()), 0x1.fp1023);
-          const Answer sooner = solve(query, wider);
+          const Answer sooner = solve(query, {.separation = wider});
           if (wrong.empty() && answer.contact && !(sooner.contact && sooner.toi <= answer.toi))
             wrong = "a wider one is later";
         } else {
-          wrong = bit_difference(solve(query, separation), solve(query), true);
+          wrong = bit_difference(solve(query, {.separation = separation}), solve(query), true);
         }
         contacts += answer.contact;
         ++queries;

@@ -71,7 +71,8 @@ std::string difference(const Answer& expected, const Answer& found) {
 /// in the largest-axis metric.
 Finding same_answer(const Query& query, const Query& mapped, const Separation& separation,
                     const Separation& mapped_separation, Method method) {
-  const Answer expected = solve(query, separation, method), found = solve(mapped, mapped_separation, method);
+  const Answer expected = solve(query, {.separation = separation, .method = method}),
+               found = solve(mapped, {.separation = mapped_separation, .method = method});
   return separation.metric == Metric::euclidean ? difference(expected, found) : difference_in_time(expected, found);
 }
 
@@ -170,11 +171,11 @@ TEST_CASE("law of separations: an exact translation and a common velocity change
 }
 
 TEST_CASE("law of separations: other names of elements and corners change no time, nature or trend") {
-  check_law(12, every_family, 1,
-            [](const Query& query, const Separation& separation, Method method, Rng& rng) -> Finding {
-              return difference_in_time(solve(query, separation, method),
-                                        solve(with_other_names(query, rng), separation, method));
-            });
+  check_law(
+      12, every_family, 1, [](const Query& query, const Separation& separation, Method method, Rng& rng) -> Finding {
+        return difference_in_time(solve(query, {.separation = separation, .method = method}),
+                                  solve(with_other_names(query, rng), {.separation = separation, .method = method}));
+      });
 }
 
 TEST_CASE("law of separations: reversing time maps the contact times to one minus themselves") {
@@ -185,7 +186,7 @@ TEST_CASE("law of separations: reversing time maps the contact times to one minu
     const TimeSet times = contact_times(query, separation);
     std::string wrong = set_difference(reversed(times), contact_times(backwards, separation));
     if (!wrong.empty()) return wrong;
-    const Answer answer = solve(query, separation, method);
+    const Answer answer = solve(query, {.separation = separation, .method = method});
     if (answer.contact == times.empty()) return "solve and contact_times differ about contact";
     if (times.empty()) return "";
     const ExactTime& first = times.front().first;
@@ -197,8 +198,8 @@ TEST_CASE("law of separations: the time does not grow when the distance grows by
   check_law(12, every_family, 1, [](const Query& query, const Separation& separation, Method method, Rng&) -> Finding {
     const double wider = std::nextafter(separation.distance, HUGE_VAL);
     if (!std::isfinite(wider)) return "";
-    const Answer late = solve(query, separation, method);
-    const Answer early = solve(query, {wider, separation.metric}, method);
+    const Answer late = solve(query, {.separation = separation, .method = method});
+    const Answer early = solve(query, {.separation = {wider, separation.metric}, .method = method});
     if (!late.contact) return "";
     if (early.contact && early.toi <= late.toi && early.toi_upper <= late.toi_upper) return "";
     return "at " + hexfloat(wider) + " " + describe(early) + "\n    at the distance " + describe(late);
@@ -210,7 +211,8 @@ TEST_CASE("law of separations: distance 0 is touching, bit for bit") {
             [](const Query& query, const Separation& separation, Method method, Rng& rng) -> Finding {
               const Separation none = {rng.one_in(2) ? 0.0 : -0.0, separation.metric};
               const double t_max = rng.one_in(4) ? rng.unit() : 1;
-              std::string wrong = bit_difference(solve(query, none, method, t_max), solve(query, method, t_max), true);
+              std::string wrong = bit_difference(solve(query, {.t_max = t_max, .method = method}),
+                                                 solve(query, {.t_max = t_max, .method = method}), true);
               if (wrong.empty() && method == Method::exact) {
                 wrong = set_difference(contact_times(query), contact_times(query, none));
               }

@@ -29,14 +29,16 @@ void methods_agree(Metric metric, std::size_t count) {
     const Query query = make_sample(id.family, id.kind, rng).query;
     const Separation separation = {interesting_distance(query, metric, rng), metric};
     const double t_max = rng.one_in(4) ? rng.unit() : 1;
-    const Answer fast = solve(query, separation, Method::fast, t_max);
-    const Answer exact = solve(query, separation, Method::exact, t_max);
-    const Answer oracle = solve(query, separation, Method::oracle, t_max);
+    const Answer fast = solve(query, {.t_max = t_max, .separation = separation, .method = Method::fast});
+    const Answer exact = solve(query, {.t_max = t_max, .separation = separation, .method = Method::exact});
+    const Answer oracle = solve(query, {.t_max = t_max, .separation = separation, .method = Method::oracle});
     contacts += exact.contact;
     std::string wrong = against("fast and exact", fast, exact);
     if (wrong.empty()) wrong = against("exact and oracle", exact, oracle);
     if (wrong.empty()) wrong = malformation(query.kind, exact, t_max);
-    if (wrong.empty() && solve_any(query, separation, t_max) != exact.contact) wrong = "solve_any differs";
+    if (wrong.empty() &&
+        solve(query, {.t_max = t_max, .separation = separation, .wanted = Wanted::contact}).contact != exact.contact)
+      wrong = "the contact alone differs";
     report.add(id, query, wrong.empty() ? "" : "separation " + hexfloat(separation.distance) + ": " + wrong);
   });
   std::printf("%s: %zu queries by fast, exact and oracle, %zu contacts\n", std::string(metric_name(metric)).c_str(),
@@ -68,7 +70,7 @@ void batches_agree(Metric metric) {
       const std::vector<Answer> in_columns = solve_batch(columns.view(), options);
       const std::vector<Answer> one_by_one = solve_batch(queries, options);
       for (std::size_t i = 0; i < queries.size(); ++i) {
-        const Answer alone = solve(queries[i], Separation{distances[i], metric});
+        const Answer alone = solve(queries[i], {.separation = Separation{distances[i], metric}});
         REQUIRE(bit_difference(in_columns[i], alone, true).empty());
         REQUIRE(bit_difference(one_by_one[i], alone, true).empty());
       }
@@ -78,7 +80,7 @@ void batches_agree(Metric metric) {
     options.separation.distance = 0.25;
     const std::vector<Answer> answers = solve_batch(columns.view(), options);
     for (std::size_t i = 0; i < queries.size(); ++i) {
-      REQUIRE(bit_difference(answers[i], solve(queries[i], options.separation), true).empty());
+      REQUIRE(bit_difference(answers[i], solve(queries[i], {.separation = options.separation}), true).empty());
     }
   }
 }

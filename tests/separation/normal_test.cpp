@@ -155,7 +155,7 @@ TEST_CASE("of every family, the normal is along the difference of the closest po
         const Query query = tests::make_sample(id.family, id.kind, rng).query;
         const Separation separation = {tests::interesting_distance(query, Metric::euclidean, rng), Metric::euclidean};
         const auto normal = contact_normal(query, separation);
-        const Answer answer = solve(query, separation, Method::exact);
+        const Answer answer = solve(query, {.separation = separation, .method = Method::exact});
         std::string wrong;
         if (normal) {
           ++normals;

@@ -216,7 +216,7 @@ TEST_CASE("whatever comes within its separation is a candidate, and the finder f
     all_asked += all.size();
     for (const Pair& pair : all) {
       const Separation separation{model.colliders.separation(pair)};
-      if (!solve(model.colliders.query(pair, x0, x1), separation).contact) continue;
+      if (!solve(model.colliders.query(pair, x0, x1), {.separation = separation}).contact) continue;
       expected.insert(key(pair));
       CHECK(collected.count(key(pair)) == 1);
     }
@@ -229,7 +229,7 @@ TEST_CASE("whatever comes within its separation is a candidate, and the finder f
       CHECK(keys.insert(key(contact.pair)).second);
       const Separation separation{model.colliders.separation(contact.pair)};
       const Query query = model.colliders.query(contact.pair, x0, x1);
-      CHECK(contact.time == solve(query, separation).toi);
+      CHECK(contact.time == solve(query, {.separation = separation}).toi);
       CHECK(contact.normal.norm() == Approx(1));
       if (separation.distance == 0) continue;
       // The normal is along the closest points, which are the separation apart at the contact, and nearer within it.

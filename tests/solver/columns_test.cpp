@@ -100,7 +100,7 @@ TEST_CASE("a batch in columns answers queries of every scale as solve does, bit 
         std::vector<Answer> singles;
         std::size_t contacts = 0;
         for (const Query& query : queries) {
-          singles.push_back(solve(query, wanted, t_max));
+          singles.push_back(solve(query, {.t_max = t_max, .wanted = wanted}));
           contacts += singles.back().contact;
         }
         CHECK(contacts > 50);

@@ -26,18 +26,18 @@ TEST_CASE("a rational query takes t_max in second place, as a query in doubles d
   CHECK(solve(query).contact);
   CHECK(solve(query, 0.5).contact);
   CHECK_FALSE(solve(query, 0.25).contact);
-  CHECK(solve(query, 0.5).toi == solve(query, Method::fast, 0.5).toi);
+  CHECK(solve(query, 0.5).toi == solve(query, {.t_max = 0.5, .method = Method::fast}).toi);
 }
 
 TEST_CASE("coordinates that are no doubles go to the exact level, or to CGAL where the method says so") {
   for (const auto& [method, level] :
        {std::pair(Method::fast, Level::exact), std::pair(Method::exact, Level::exact),
         std::pair(Method::oracle, Level::oracle), std::pair(Method::fast_cgal, Level::oracle)}) {
-    const Answer answer = solve(meeting_at("1", "3"), method);
+    const Answer answer = solve(meeting_at("1", "3"), {.method = method});
     CHECK(answer.contact);
     CHECK(answer.level == level);
     CHECK(answer.toi == 0x1.5555555555555p-2);
     CHECK(answer.toi_upper == 0x1.5555555555556p-2);
-    CHECK_FALSE(solve(meeting_at("-1", "3"), method).contact);
+    CHECK_FALSE(solve(meeting_at("-1", "3"), {.method = method}).contact);
   }
 }

@@ -93,9 +93,9 @@ TEST_CASE("stack: questions about straight motion") {
         const Query query = make(id);
         const std::string name = case_name(id);
         depths.measure("solve, fast", name, [&] { solve(query); });
-        depths.measure("solve, exact", name, [&] { solve(query, Method::exact); });
-        depths.measure("solve, up to a half", name, [&] { solve(query, Wanted::time, 0.5); });
-        depths.measure("solve_any", name, [&] { solve_any(query); });
+        depths.measure("solve, exact", name, [&] { solve(query, {.method = Method::exact}); });
+        depths.measure("solve, up to a half", name, [&] { solve(query, {.t_max = 0.5, .wanted = Wanted::time}); });
+        depths.measure("solve, contact", name, [&] { solve(query, {.wanted = Wanted::contact}); });
         depths.measure("contact_times", name, [&] { contact_times(query); });
         depths.measure("contact_normal", name, [&] { contact_normal(query); });
         const std::vector<Query> many(40, query);
@@ -127,9 +127,11 @@ TEST_CASE("stack: questions about a separation") {
           const Separation separation = {made.distance, metric};
           const Query& query = made.query;
           const std::string name = case_name(id);
-          depths.measure("solve, fast" + in, name, [&] { solve(query, separation); });
-          depths.measure("solve, exact" + in, name, [&] { solve(query, separation, Method::exact); });
-          depths.measure("solve_any" + in, name, [&] { solve_any(query, separation); });
+          depths.measure("solve, fast" + in, name, [&] { solve(query, {.separation = separation}); });
+          depths.measure("solve, exact" + in, name,
+                         [&] { solve(query, {.separation = separation, .method = Method::exact}); });
+          depths.measure("solve, contact" + in, name,
+                         [&] { solve(query, {.separation = separation, .wanted = Wanted::contact}); });
           depths.measure("contact_times" + in, name, [&] { contact_times(query, separation); });
           depths.measure("distance" + in, name, [&] { distance(query, 0.375, metric); });
           depths.measure("compare_distance" + in, name, [&] { compare_distance(query, 1, separation); });
@@ -138,7 +140,7 @@ TEST_CASE("stack: questions about a separation") {
           }
           if (family.group != Group::lattice) continue;
           const RationalQuery thirds = thirds_of(query);
-          depths.measure("solve, rational" + in, name, [&] { solve(thirds, separation); });
+          depths.measure("solve, rational" + in, name, [&] { solve(thirds, {.separation = separation}); });
           depths.measure("contact_times, rational" + in, name, [&] { contact_times(thirds, separation); });
         }
       }
@@ -158,10 +160,11 @@ TEST_CASE("stack: questions about curves and bodies") {
         const CurvedQuery& query = sample.query;
         const std::string name = case_name(id);
         depths.measure("solve, fast", name, [&] { solve(query, sample.t_max); });
-        depths.measure("solve, exact", name, [&] { solve(query, Method::exact, sample.t_max); });
-        depths.measure("solve_any", name, [&] { solve_any(query, sample.t_max); });
-        depths.measure("contact_times", name, [&] { contact_times(query, sample.t_max); });
-        depths.measure("contact_normal", name, [&] { contact_normal(query, sample.t_max); });
+        depths.measure("solve, exact", name, [&] { solve(query, {.t_max = sample.t_max, .method = Method::exact}); });
+        depths.measure("solve, contact", name,
+                       [&] { solve(query, {.t_max = sample.t_max, .wanted = Wanted::contact}); });
+        depths.measure("contact_times", name, [&] { contact_times(query, {}, sample.t_max); });
+        depths.measure("contact_normal", name, [&] { contact_normal(query, {}, sample.t_max); });
         depths.measure("solve_screw", name, [&] { solve_screw(query); });
         const std::vector<CurvedQuery> many(3, query);
         depths.measure("solve_batch", name, [&] { solve_batch(many, kOneThread); });
@@ -171,8 +174,9 @@ TEST_CASE("stack: questions about curves and bodies") {
           const CurvedSeparated made = make_curved_separated(family.family, kind, metric, random);
           const Separation separation = {made.distance, metric};
           const CurvedQuery& its = made.sample.query;
-          depths.measure("solve, fast" + in, name, [&] { solve(its, separation); });
-          depths.measure("solve, exact" + in, name, [&] { solve(its, separation, Method::exact); });
+          depths.measure("solve, fast" + in, name, [&] { solve(its, {.separation = separation}); });
+          depths.measure("solve, exact" + in, name,
+                         [&] { solve(its, {.separation = separation, .method = Method::exact}); });
           depths.measure("contact_times" + in, name, [&] { contact_times(its, separation); });
           ScrewOptions options;
           options.separation = separation;

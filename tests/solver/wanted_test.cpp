@@ -56,16 +56,16 @@ TEST_CASE("what is wanted is as in the exact answer, and nothing else is there, 
       for (std::uint64_t index = 0; index < 60; ++index) {
         const CaseId id{family.family, kind, 83, index};
         const Query query = make(id);
-        const Answer first = solve(query, Method::exact);
+        const Answer first = solve(query, {.method = Method::exact});
         contacts += first.contact;
         const double t_max = first.contact && index % 3 == 1   ? first.toi_upper
                              : first.contact && index % 3 == 2 ? first.toi
                                                                : 1;
-        const Answer whole = solve(query, Method::exact, t_max);
+        const Answer whole = solve(query, {.t_max = t_max, .method = Method::exact});
         INFO(case_name(id) << " until " << t_max << "  " << cpp_initializer(query));
         for (const Wanted wanted : kEveryWanted) {
           INFO("wanted " << static_cast<int>(wanted));
-          REQUIRE(wrong_in(solve(query, wanted, t_max), whole, wanted).empty());
+          REQUIRE(wrong_in(solve(query, {.t_max = t_max, .wanted = wanted}), whole, wanted).empty());
         }
       }
     }
@@ -112,7 +112,9 @@ TEST_CASE("separations, batches and columns leave out what is not wanted") {
           contacts += whole[q].contact;
           REQUIRE(wrong_in(listed[q], whole[q], wanted).empty());
           REQUIRE(wrong_in(in_columns[q], whole[q], wanted).empty());
-          REQUIRE(wrong_in(solve(queries[q], {distance, Metric::euclidean}, wanted), whole[q], wanted).empty());
+          REQUIRE(wrong_in(solve(queries[q], {.separation = {distance, Metric::euclidean}, .wanted = wanted}), whole[q],
+                           wanted)
+                      .empty());
         }
       }
     }
@@ -130,21 +132,22 @@ TEST_CASE("curved queries leave out what is not wanted") {
   query.corners[2] = CurvedCorner::on_curve({Vec3{1, 1, 0}});
   for (const double distance : {0.0, 0.125}) {
     const Separation separation{distance};
-    const Answer whole = solve(query, separation);
+    const Answer whole = solve(query, {.separation = separation});
     REQUIRE(whole.contact);
     for (const Wanted wanted : kEveryWanted) {
       INFO("wanted " << static_cast<int>(wanted) << ", distance " << distance);
-      CHECK(wrong_in(solve(query, separation, wanted), whole, wanted) == "");
-      if (distance == 0) CHECK(wrong_in(solve(query, wanted), whole, wanted) == "");
+      CHECK(wrong_in(solve(query, {.separation = separation, .wanted = wanted}), whole, wanted) == "");
+      if (distance == 0) CHECK(wrong_in(solve(query, {.wanted = wanted}), whole, wanted) == "");
     }
   }
 }
 
 TEST_CASE("a value that is none of Wanted's is refused") {
   const auto wrong = static_cast<Wanted>(4);
-  CHECK_THROWS_AS(solve(Query(), wrong), InvalidQuery);
-  CHECK_THROWS_AS(solve(Query(), Separation{1}, wrong), InvalidQuery);
-  CHECK_THROWS_AS(solve(CurvedQuery(), wrong), InvalidQuery);
+  CHECK_THROWS_AS(solve(Query(), {.wanted = wrong}), InvalidQuery);
+  CHECK_THROWS_AS(solve(Query(), {.separation = Separation{1}, .wanted = wrong}), InvalidQuery);
+  CHECK_THROWS_AS(solve(CurvedQuery(), {.wanted = wrong}), InvalidQuery);
+  CHECK_THROWS_AS(solve(RationalQuery(), {.wanted = wrong}), InvalidQuery);
   BatchOptions options;
   options.wanted = wrong;
   CHECK_THROWS_AS(solve_batch(std::vector<Query>(), options), InvalidQuery);

@@ -71,7 +71,7 @@ TEST_CASE("at every setting there are contacts and misses, finite and different,
           REQUIRE(query.kind == kind);
           REQUIRE(std::isfinite(largest(query)));
           const Answer answer = solve(query);
-          const Answer exact = solve(query, Method::exact);
+          const Answer exact = solve(query, {.method = Method::exact});
           REQUIRE(answer.contact == exact.contact);
           if (exact.contact) REQUIRE(answer.toi == exact.toi);
           contacts += answer.contact;

@@ -91,7 +91,7 @@ TEST_CASE("public headers bring no header of CGAL, GMP, MPFR or Boost along") {
   CHECK(reads_number_library("gmp.h"));
 }
 
-TEST_CASE("a bare number in braces is no separation, and does not compile as one") {
+TEST_CASE("a question is asked by SolveOptions, and a bare separation or method does not compile") {
   const auto compiles = [](const std::string& expression) {
     const std::string text =
         "#include <touchstone/touchstone.hpp>\nvoid f(const touchstone::Query& query, const touchstone::RationalQuery& "
@@ -99,14 +99,12 @@ TEST_CASE("a bare number in braces is no separation, and does not compile as one
         expression + "; }";
     return compile(text, kModes[0] + kStrict).status == 0;
   };
-  for (const std::string function : {"solve", "solve_any", "contact_times"}) {
-    CAPTURE(function);
-    CHECK(compiles(function + "(query, Separation{0.001})"));
-    CHECK(compiles(function + "(query, Separation{0.001}, 0.5)"));
-    CHECK(compiles(function + "(query, {0.001, Metric::max})"));
-    CHECK(compiles(function + "(query, 0.5)"));
-    CHECK_FALSE(compiles(function + "(query, {0.001})"));
-    CHECK_FALSE(compiles(function + "(query, {0.001}, 0.5)"));
-    if (function != "solve_any") CHECK_FALSE(compiles(function + "(rational, {0.001})"));
-  }
+  CHECK(compiles("solve(query, 0.5)"));
+  CHECK(compiles("solve(query, SolveOptions())"));
+  CHECK(compiles("solve(query, {0.5, {0.001, Metric::max}})"));
+  CHECK_FALSE(compiles("solve(query, Separation{0.001})"));
+  CHECK_FALSE(compiles("solve(query, Method::exact)"));
+  CHECK(compiles("contact_times(query, {0.001}, 0.5)"));
+  CHECK_FALSE(compiles("contact_times(query, 0.5)"));
+  CHECK_FALSE(compiles("contact_times(rational, 0.5)"));
 }

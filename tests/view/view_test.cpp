@@ -26,7 +26,7 @@ using tests::whole_effort;
 namespace {
 
 json picture(const Query& query, double t_max = 1) {
-  return view::picture_of(query, solve(query, Method::exact, t_max), t_max);
+  return view::picture_of(query, solve(query, {.t_max = t_max, .method = Method::exact}), t_max);
 }
 
 double polynomial(const json& p, double s) {
@@ -163,7 +163,7 @@ TEST_CASE("the time of a contact is far more exact than its doubles") {
   Query query = falling(2);
   query.start[2].z = query.start[3].z = 1;
   query.end[2].z = query.end[3].z = -2;
-  const Answer answer = solve(query, Method::exact);
+  const Answer answer = solve(query, {.method = Method::exact});
   REQUIRE(answer.toi < answer.toi_upper);
   const view::MovingCorners corners = view::moving_corners_of(query);
   const view::Origin origin = view::origin_of(query, corners, answer, 1, {});
@@ -221,7 +221,7 @@ TEST_CASE("straight motion as curves gives the same picture") {
   seeded::Rng rng(7);
   for (std::size_t i = 0; i < effort(40); ++i) {
     const Query query = lattice_query(rng, kKinds[i % 2]);
-    const Answer answer = solve(query, Method::exact);
+    const Answer answer = solve(query, {.method = Method::exact});
     const json straight = view::picture_of(query, answer, 1), curved = view::picture_of(CurvedQuery(query), answer, 1);
     CHECK(curved["planes"].empty() == straight["planes"].empty());
     check_planes(curved);

@@ -121,10 +121,19 @@ touchstone_options mesh_options(const touchstone_options* given) {
   return options;
 }
 
-MeshOptions asked_of(const touchstone_options& options) {
-  MeshOptions asked{options.t_max, options.threads};
+FirstContactOptions asked_of(const touchstone_options& options) {
+  FirstContactOptions asked;
+  asked.threads = options.threads;
+  asked.t_max = options.t_max;
   asked.check_start = options.check_start == 1;
   return asked;
+}
+
+/// For a function whose result has no place for the answer.
+void refuse_check_start(const touchstone_options& options) {
+  if (options.check_start == 0) return;
+  throw InvalidQuery(
+      "check_start is set; it is an option of first_contact and free_step, and intersections asks about any positions");
 }
 
 /// Refuses a result that its macro did not initialise.
@@ -220,6 +229,7 @@ int touchstone_mesh_all_contacts(const touchstone_mesh* mesh, const double* x0, 
     const Mesh& of = required(mesh, "mesh").mesh;
     const touchstone_options options = mesh_options(given);
     required(contacts, "contacts");
+    refuse_check_start(options);
     *contacts = contact_list(all_contacts(of, positions_of(of, x0, value_count, "x0"),
                                           positions_of(of, x1, value_count, "x1"), asked_of(options)));
   });
@@ -249,6 +259,7 @@ int touchstone_mesh_intersections(const touchstone_mesh* mesh, const double* x, 
     const Mesh& of = required(mesh, "mesh").mesh;
     const touchstone_options options = mesh_options(given);
     required(found, "intersections");
+    refuse_check_start(options);
     *found = new touchstone_intersections{intersections(of, positions_of(of, x, value_count, "x"), asked_of(options))};
   });
 }
@@ -287,7 +298,7 @@ int touchstone_mesh_free_step(const touchstone_mesh* mesh, const double* x0, con
     if (!(options.t_max == 1)) throw InvalidArgument("a free step is over [0, 1]: t_max must be 1");
     array(positions, value_count, 1, "positions");
     if (contact != nullptr) check_size(*contact, "contact");
-    FreeStepOptions asked{options.threads, options.kept_fraction};
+    FreeStepOptions asked{{options.threads}, options.kept_fraction};
     asked.check_start = options.check_start == 1;
     const FreeStep step =
         free_step(of, positions_of(of, x0, value_count, "x0"), positions_of(of, x1, value_count, "x1"), asked);

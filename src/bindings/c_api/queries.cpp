@@ -111,17 +111,8 @@ int touchstone_solve(int kind, const double* start, const double* end, const tou
   return guarded([&] {
     const Query query = query_of(kind, start, end);
     const touchstone_options options = single_options(given);
-    required(answer, "answer") =
-        c_answer(solve(query, separation_of(options), wanted_of(options.wanted), options.t_max));
-  });
-}
-
-int touchstone_contact(int kind, const double* start, const double* end, const touchstone_options* given,
-                       int* contact) {
-  return guarded([&] {
-    const Query query = query_of(kind, start, end);
-    const touchstone_options options = single_options(given);
-    required(contact, "contact") = solve_any(query, separation_of(options), options.t_max) ? 1 : 0;
+    required(answer, "answer") = c_answer(solve(
+        query, {.t_max = options.t_max, .separation = separation_of(options), .wanted = wanted_of(options.wanted)}));
   });
 }
 

@@ -161,7 +161,9 @@ CurvedQueries curved_queries(py::handle kind_name, const py::tuple& first, const
 }
 
 /// Whether the options have a meaning, before the first row is looked at. The one query is at rest and valid.
-void check_curved_options(const Separation& separation, double t_max) { solve(CurvedQuery(), separation, t_max); }
+void check_curved_options(const Separation& separation, double t_max) {
+  solve(CurvedQuery(), {.t_max = t_max, .separation = separation});
+}
 
 /// What is asked about all queries.
 struct Asked {
@@ -180,13 +182,17 @@ Asked asked_of(const CurvedQueries& queries, py::handle t_max, py::handle distan
 }
 
 py::object solve_curved(const CurvedQueries& queries, py::handle t_max_number, py::handle distance, py::handle metric,
-                        py::handle threads, py::handle method_name) {
+                        py::handle threads, py::handle method_name, py::handle wanted_name) {
   const SeparationArgument separation = separation_of(distance, metric, queries.all.size(), queries.single);
   const double t_max = number_of(t_max_number, "t_max");
   const int thread_count = threads_of(threads);
   const Method method = method_of(method_name);
+  const Wanted wanted = wanted_of(wanted_name);
   std::vector<Answer> answers(queries.all.size());
-  const auto ask = [&](std::size_t q) { answers[q] = solve(queries.all[q], separation.of(q), method, t_max); };
+  const auto ask = [&](std::size_t q) {
+    answers[q] =
+        solve(queries.all[q], {.t_max = t_max, .separation = separation.of(q), .method = method, .wanted = wanted});
+  };
   if (queries.single) {
     unlocked([&] { ask(0); });
     return py::cast(answers[0]);
@@ -194,19 +200,6 @@ py::object solve_curved(const CurvedQueries& queries, py::handle t_max_number, p
   check_curved_options(separation.separation, t_max);
   for_each_row(answers.size(), thread_count, ask);
   return py::cast(Answers(std::move(answers)));
-}
-
-py::object solve_any_curved(const CurvedQueries& queries, py::handle t_max_number, py::handle distance,
-                            py::handle metric, py::handle threads) {
-  const Asked asked = asked_of(queries, t_max_number, distance, metric, threads);
-  if (queries.single) {
-    return py::bool_(unlocked([&] { return solve_any(queries.all[0], asked.separation.separation, asked.t_max); }));
-  }
-  py::array_t<bool> touch(static_cast<py::ssize_t>(queries.all.size()));
-  bool* const to = touch.mutable_data();
-  for_each_row(queries.all.size(), asked.threads,
-               [&](std::size_t q) { to[q] = solve_any(queries.all[q], asked.separation.of(q), asked.t_max); });
-  return py::object(touch);
 }
 
 py::list contact_times_curved(const CurvedQueries& queries, py::handle t_max_number, py::handle distance,
@@ -233,7 +226,6 @@ void define_curved(py::module_& module) {
       .def_readonly("longer_turns", &CurvedQueries::longer_turns)
       .def_readonly("first_longer_turn", &CurvedQueries::first_longer_turn)
       .def("solve", &solve_curved)
-      .def("solve_any", &solve_any_curved)
       .def("contact_times", &contact_times_curved);
   module.def("curved_queries", &curved_queries);
 }

@@ -74,7 +74,7 @@ Sort sort_of(MeshElement element) {
 /// One step: its animation, and marks of the first contact and of the intersections at both ends.
 class StepPage {
  public:
-  StepPage(const Mesh& mesh, const Positions& x0, const Positions& x1, const MeshOptions& options)
+  StepPage(const Mesh& mesh, const Positions& x0, const Positions& x1, const FirstContactOptions& options)
       : mesh_(mesh), x0_(x0), x1_(x1), options_(options), animation_(shape_of(mesh), {}) {}
 
   std::string text() {
@@ -157,13 +157,13 @@ class StepPage {
 
   const Mesh& mesh_;
   const Positions &x0_, &x1_;
-  const MeshOptions& options_;
+  const FirstContactOptions& options_;
   view::Animation animation_;
 };
 
 std::string mesh_page(const Mesh& mesh, py::handle x0, py::handle x1, py::handle t_max, py::handle threads) {
   const PositionArray start(x0, mesh, "x0"), end(x1, mesh, "x1");
-  MeshOptions options = options_of(t_max, threads);
+  FirstContactOptions options = options_of(t_max, threads);
   return in_background(mesh.vertex_count(), [&](const std::atomic<bool>& stop) {
     options.stop = &stop;
     return StepPage(mesh, start.view(), end.view(), options).text();

@@ -127,13 +127,13 @@ py::array rows_of(const std::vector<std::array<MeshIndex, N>>& rows, py::handle 
   return array;
 }
 
-/// A function of a mesh and of the positions at both ends of a step.
+/// A function of a mesh and of the positions at both ends of a step. It reads of the options what it has.
 template <class Function>
 auto of_step(const Function& function) {
   return [function](const Mesh& mesh, py::handle x0, py::handle x1, py::handle t_max, py::handle threads,
                     bool check_start) {
     const PositionArray start(x0, mesh, "x0"), end(x1, mesh, "x1");
-    MeshOptions options = options_of(t_max, threads);
+    FirstContactOptions options = options_of(t_max, threads);
     options.check_start = check_start;
     return in_background(mesh.vertex_count(), [&](const std::atomic<bool>& stop) {
       options.stop = &stop;
@@ -416,10 +416,11 @@ void define_meshes(py::module_& module) {
   define_intersections(module);
   define_first_contact(module);
   define_free_step(module);
-  module.def("first_contact", of_step([](const Mesh& mesh, const Positions& x0, const Positions& x1,
-                                         const MeshOptions& options) { return first_contact(mesh, x0, x1, options); }));
+  module.def("first_contact",
+             of_step([](const Mesh& mesh, const Positions& x0, const Positions& x1,
+                        const FirstContactOptions& options) { return first_contact(mesh, x0, x1, options); }));
   module.def("all_contacts",
-             of_step([](const Mesh& mesh, const Positions& x0, const Positions& x1, const MeshOptions& options) {
+             of_step([](const Mesh& mesh, const Positions& x0, const Positions& x1, const StepOptions& options) {
                return pairs_of(all_contacts(mesh, x0, x1, options));
              }));
   module.def("candidates",
@@ -428,7 +429,8 @@ void define_meshes(py::module_& module) {
              }));
   module.def("intersections", [](const Mesh& mesh, py::handle x, py::handle threads) {
     const PositionArray positions(x, mesh, "x");
-    MeshOptions options = options_of(py::float_(1.0), threads);
+    MeshOptions options;
+    options.threads = threads_of(threads);
     return in_background(mesh.vertex_count(), [&](const std::atomic<bool>& stop) {
       options.stop = &stop;
       return Intersections{intersections(mesh, positions.view(), options)};

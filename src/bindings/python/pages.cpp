@@ -20,7 +20,9 @@ namespace {
 
 std::string page_of(const Query& query, const std::string& title, const std::string& about, double t_max,
                     const Separation& separation) {
-  static_cast<void>(solve(query, separation, Method::exact, t_max));  // it refuses what exact::explain does not accept
+  static_cast<void>(solve(query, {.t_max = t_max,
+                                  .separation = separation,
+                                  .method = Method::exact}));  // it refuses what exact::explain does not accept
   view::QueryToShow shown;
   shown.title = title;
   shown.about = about;
@@ -72,7 +74,8 @@ std::string claims_page(const std::string& title, const std::string& summary, co
   for (const py::handle card : given) cards.push_back(card_of(card.cast<py::tuple>()));
   return unlocked([&] {
     for (view::FindingToShow& card : cards) {
-      card.answer = solve(std::get<Query>(card.query), card.separation, Method::exact, card.t_max);
+      card.answer = solve(std::get<Query>(card.query),
+                          {.t_max = card.t_max, .separation = card.separation, .method = Method::exact});
       card.truth = fuzz::truth_text(card.answer);
     }
     return view::page_text(view::findings_page(title, summary, cards));

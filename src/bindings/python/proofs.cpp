@@ -37,7 +37,7 @@ template <class QueryAt>
 ProvedFile prove_all(Kind kind, std::size_t count, std::string head, const Separation& separation, int threads,
                      const QueryAt& query_at) {
   constexpr std::size_t kAtATime = 16;
-  solve(Query(), separation);  // whether it has a meaning, also for no query
+  solve(Query(), {.separation = separation});  // whether it has a meaning, also for no query
   if (count == 0) throw py::value_error("there is no query, so there is nothing to prove");
   std::string queries = std::move(head), proofs;
   std::vector<Answer> answers(count);
@@ -46,7 +46,7 @@ ProvedFile prove_all(Kind kind, std::size_t count, std::string head, const Separ
     std::vector<std::string> rows(last - first), lines(last - first);
     const auto prove = [&](std::size_t q) {
       const auto query = query_at(q);
-      answers[q] = solve(query, separation);
+      answers[q] = solve(query, {.separation = separation});
       io::append_query(rows[q - first], query, answers[q].contact);
       proofs::append_proof_of(lines[q - first], q, query, answers[q], separation);
     };
@@ -55,7 +55,7 @@ ProvedFile prove_all(Kind kind, std::size_t count, std::string head, const Separ
         for (std::size_t q = first + begin; q < first + end; ++q) prove(q);
       });
     };
-    naming_the_row(first, last, work, [&](std::size_t q) { solve(query_at(q), separation); });
+    naming_the_row(first, last, work, [&](std::size_t q) { solve(query_at(q), {.separation = separation}); });
     for (const std::string& text : rows) queries += text;
     for (const std::string& text : lines) proofs += text;
     for (std::size_t q = first; q < last; ++q) contacts += answers[q].contact ? 1 : 0;

@@ -1,4 +1,4 @@
-// Questions about queries: solve, solve_any, contact_times, distance, contact_normal.
+// Questions about queries: solve, contact_times, distance, contact_normal.
 // SPDX-License-Identifier: MIT
 #include "python/define.hpp"
 
@@ -119,7 +119,9 @@ class Batch {
 };
 
 /// Whether the options have a meaning, before the first row is looked at. The one query is at rest and valid.
-void check_options(const Separation& separation, double t_max) { solve(Query(), separation, t_max); }
+void check_options(const Separation& separation, double t_max) {
+  solve(Query(), {.t_max = t_max, .separation = separation});
+}
 
 py::object solve_arrays(py::handle kind, py::handle start, py::handle end, py::handle t_max, py::handle separation,
                         py::handle metric, py::handle threads, py::handle method, py::handle wanted) {
@@ -134,39 +136,22 @@ py::object solve_arrays(py::handle kind, py::handle start, py::handle end, py::h
   if (queries.is_single()) {
     const Query query = queries.at(0);
     return py::cast(unlocked([&] {
-      if (options.wanted == Wanted::all) return solve(query, kept.separation, options.method, options.t_max);
-      options.threads = 1;
-      Answer answer;
-      solve_batch(&query, 1, &answer, options);
-      return answer;
+      return solve(
+          query,
+          {.t_max = options.t_max, .separation = kept.separation, .method = options.method, .wanted = options.wanted});
     }));
   }
   check_options(kept.separation, options.t_max);
   std::vector<Answer> answers(queries.count());
   const Batch batch(queries, kept, options);
-  const auto ask = [&](std::size_t q) { solve(queries.at(q), kept.of(q), options.method, options.t_max); };
+  const auto ask = [&](std::size_t q) {
+    solve(queries.at(q), {.t_max = options.t_max, .separation = kept.of(q), .method = options.method});
+  };
   in_chunks(answers.size(), kFirst, [&](std::size_t first, std::size_t last) {
     naming_the_row(
         first, last, [&] { batch.solve(first, last, answers.data()); }, ask);
   });
   return py::cast(Answers(std::move(answers)));
-}
-
-py::object solve_any_arrays(py::handle kind, py::handle start, py::handle end, py::handle t_max_number,
-                            py::handle separation, py::handle metric, py::handle threads) {
-  const QueryArrays queries(kind, start, end);
-  const SeparationArgument kept = separation_of(separation, metric, queries.count(), queries.is_single());
-  const double t_max = number_of(t_max_number, "t_max");
-  const int thread_count = threads_of(threads);
-  if (queries.is_single()) {
-    return py::bool_(unlocked([&] { return solve_any(queries.at(0), kept.separation, t_max); }));
-  }
-  check_options(kept.separation, t_max);
-  py::array_t<bool> touch(static_cast<py::ssize_t>(queries.count()));
-  bool* const to = touch.mutable_data();
-  for_each_row(queries.count(), thread_count,
-               [&](std::size_t q) { to[q] = solve_any(queries.at(q), kept.of(q), t_max); });
-  return py::object(touch);
 }
 
 py::list contact_times_arrays(py::handle kind, py::handle start, py::handle end, py::handle t_max_number,
@@ -322,7 +307,6 @@ void define_queries(py::module_& module) {
   define_times(module);
   define_distances(module);
   module.def("solve", &solve_arrays);
-  module.def("solve_any", &solve_any_arrays);
   module.def("contact_times", &contact_times_arrays);
   module.def("distance", &distance_arrays);
   module.def("contact_normal", &contact_normal_arrays);

@@ -41,8 +41,8 @@ class PositionArray {
   Positions positions_;
 };
 
-inline MeshOptions options_of(py::handle t_max, py::handle threads) {
-  MeshOptions options;
+inline FirstContactOptions options_of(py::handle t_max, py::handle threads) {
+  FirstContactOptions options;
   options.t_max = number_of(t_max, "t_max");
   options.threads = threads_of(threads);
   return options;

@@ -37,7 +37,8 @@ Wanted wanted_by(BenchMethod method) {
 template <class AnyQuery>
 Answer answer_by(BenchMethod method, const AnyQuery& query, const Separation& separation) {
   const Wanted wanted = wanted_by(method);
-  return wanted == Wanted::all ? solve(query, separation, method_of(method)) : solve(query, separation, wanted);
+  return wanted == Wanted::all ? solve(query, {.separation = separation, .method = method_of(method)})
+                               : solve(query, {.separation = separation, .wanted = wanted});
 }
 
 /// Kinds without a V have fewer corners, and zeros in place of the others: the cost is the same.
@@ -55,7 +56,7 @@ Answer answer_of(const baselines::Result& result) {
 
 template <class AnyQuery>
 Answer answer_and_proof(const AnyQuery& query, const Separation& separation) {
-  const Answer answer = solve(query, separation);
+  const Answer answer = solve(query, {.separation = separation});
   std::string text;
   proofs::append_proof_of(text, 0, query, answer, separation);
   report::do_not_optimize(text);
@@ -83,11 +84,11 @@ void ask(BenchMethod method, const Query& query, const Separation& separation, A
     case BenchMethod::touchstone:
     case BenchMethod::batch:
     case BenchMethod::columns: answer = solve(query); return;
-    case BenchMethod::contact: answer = solve(query, Wanted::contact); return;
-    case BenchMethod::time: answer = solve(query, Wanted::time); return;
-    case BenchMethod::cgal: answer = solve(query, Method::fast_cgal); return;
-    case BenchMethod::exact: answer = solve(query, Method::exact); return;
-    case BenchMethod::oracle: answer = solve(query, Method::oracle); return;
+    case BenchMethod::contact: answer = solve(query, {.wanted = Wanted::contact}); return;
+    case BenchMethod::time: answer = solve(query, {.wanted = Wanted::time}); return;
+    case BenchMethod::cgal: answer = solve(query, {.method = Method::fast_cgal}); return;
+    case BenchMethod::exact: answer = solve(query, {.method = Method::exact}); return;
+    case BenchMethod::oracle: answer = solve(query, {.method = Method::oracle}); return;
     case BenchMethod::prove:
     case BenchMethod::thick_polynomial:
     case BenchMethod::thick_advancement: return;
@@ -168,15 +169,15 @@ void ask_all(BenchMethod method, const std::vector<Query>& queries, const QueryC
       for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = solve(queries[i]);
       break;
     case BenchMethod::contact:
-      for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = solve(queries[i], Wanted::contact);
+      for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = solve(queries[i], {.wanted = Wanted::contact});
       break;
     case BenchMethod::time:
-      for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = solve(queries[i], Wanted::time);
+      for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = solve(queries[i], {.wanted = Wanted::time});
       break;
     case BenchMethod::batch: solve_batch(queries.data(), queries.size(), answers.data()); break;
     case BenchMethod::columns: solve_batch(columns, answers.data()); break;
     case BenchMethod::cgal:
-      for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = solve(queries[i], Method::fast_cgal);
+      for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = solve(queries[i], {.method = Method::fast_cgal});
       break;
     case BenchMethod::exact:
     case BenchMethod::oracle:

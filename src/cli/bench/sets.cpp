@@ -139,7 +139,7 @@ void append_curved_sets(const std::string& source, const CurvedByKind& queries, 
     for (const CurvedQuery& query : queries[static_cast<std::size_t>(kind)]) {
       const Query twin = report::straight_twin(query);
       if (!is_finite(twin)) continue;
-      const Answer answer = solve(query, separation);
+      const Answer answer = solve(query, {.separation = separation});
       for (BenchSet* set : {&all, answer.contact ? &hits : &misses}) {
         set->queries.push_back(twin);
         set->curved.push_back(query);

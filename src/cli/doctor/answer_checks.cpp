@@ -165,7 +165,7 @@ std::string fault_of_bundled(const QuerySolver& solver, std::size_t& count) {
     if (query == nullptr || !fault.empty()) return;  // a rational query has no doubles to test
     ++count;
     const Answer answer = solver(*query);
-    const Answer exact = solve(*query, Method::exact);
+    const Answer exact = solve(*query, {.method = Method::exact});
     if (answer.contact == record.truth && same_answer(answer, exact)) return;
     fault = fmt::format("{}, query {}: the answer was {}; by exact arithmetic {}", inputs[input].name, record.number,
                         text_of(answer), text_of(exact));

@@ -34,7 +34,7 @@ Explanation explained(const AQuery& query, const io::QueryRecord& record, const 
   constexpr bool kCurved = std::is_same_v<AQuery, CurvedQuery>;
   const Separation& separation = options.separation.separation;
   // solve comes first: it refuses the queries that exact::explain does not accept.
-  static_cast<void>(solve(query, separation, Method::exact, options.t_max));
+  static_cast<void>(solve(query, {.t_max = options.t_max, .separation = separation, .method = Method::exact}));
   const exact::Story story = separation.distance == 0 ? exact::explain(query, options.t_max)
                                                       : exact::explain(query, options.t_max, separation);
   std::optional<std::array<double, 3>> normal;

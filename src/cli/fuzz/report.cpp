@@ -147,7 +147,7 @@ namespace {
 /// Whether there is a contact in the whole step, which is what a query file's truth column is about.
 bool contact_in_step(const fuzz::Example& example, Method judge) {
   if (example.t_max == 1 || example.truth.contact) return example.truth.contact;
-  return solve(std::get<CurvedQuery>(example.query), example.separation, judge).contact;
+  return solve(std::get<CurvedQuery>(example.query), {.separation = example.separation, .method = judge}).contact;
 }
 
 /// The lines before the first query of a file that starts with this one.

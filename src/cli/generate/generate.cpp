@@ -62,7 +62,7 @@ void write_queries(const std::vector<AnyQuery>& queries, const Separation& separ
   throw_if_interrupted();
   std::string text;
   for (const AnyQuery& query : queries) {
-    const Answer answer = solve(query, separation);
+    const Answer answer = solve(query, {.separation = separation});
     io::append_query(text, query, answer.contact);
     target.contacts += answer.contact;
     counts.add(answer);

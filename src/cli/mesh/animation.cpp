@@ -114,7 +114,7 @@ void MeshAnimation::add_contacts(const std::vector<sequence::PairContact>& pairs
     const Query query = sequence::query_of(contact, before, after);
     // Neighbours along a wire are asked about touching alone; an answer about a separation has a trend.
     const Separation separation = contact.trend == Trend::none ? Separation() : separation_;
-    const Answer answer = solve(query, separation);
+    const Answer answer = solve(query, {.separation = separation});
     const Triple point = view::touched_point(query, answer);
     const auto pair = animation_.pair({element(contact.first), element(contact.second)});
     animation_.add_mark({time, point, pair, view::MarkSort::contact});

@@ -110,7 +110,8 @@ void refuse_one_file_twice(const std::vector<std::pair<std::string, std::string>
 }
 
 Answer answer_to(const io::FileQuery& query, Method method, const Separation& separation) {
-  return std::visit([&](const auto& given) { return solve(given, separation, method); }, query);
+  return std::visit([&](const auto& given) { return solve(given, {.separation = separation, .method = method}); },
+                    query);
 }
 
 }  // namespace touchstone::cli

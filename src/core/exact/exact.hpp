@@ -46,11 +46,13 @@ Answer decide_exactly(const Query& query, double t_max, const Separation& separa
 Answer decide_exactly(const RationalQuery& query, double t_max, const Separation& separation);
 Answer decide_exactly(const CurvedQuery& query, double t_max, const Separation& separation);
 
-/// The sign of (distance at t - separation), for 0 <= t <= 1.
-int compare_distance(const Query& query, double t, const Separation& separation);
+/// The sign of (distance at t - separation), for 0 <= t <= 1 and each sort of query.
+template <class AnyQuery>
+int compare_distance(const AnyQuery& query, double t, const Separation& separation);
 
-/// The distance at t, its features and weights, for 0 <= t <= 1.
-Distance distance_at(const Query& query, double t, Metric metric);
+/// The distance at t, its features and weights, for 0 <= t <= 1 and each sort of query.
+template <class AnyQuery>
+Distance distance_at(const AnyQuery& query, double t, Metric metric);
 
 /// The unit normal at the first contact, as touchstone/contact_normal.hpp defines it, for a Euclidean separation >= 0.
 std::optional<std::array<double, 3>> contact_normal(const Query& query, double t_max, const Separation& separation);

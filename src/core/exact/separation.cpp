@@ -39,6 +39,15 @@ AnyCorners any_corners(const Q& query) {
   return corners;
 }
 
+/// The positive number that the corners, and so the distances, are multiplied by.
+Exact factor_of(const CurvedQuery& query) {
+  return off_the_stack([&] { return any_corners(query); })->factor;
+}
+template <class Q>
+Exact factor_of(const Q& query) {
+  return scaled_corners(query).factor;
+}
+
 template <class Q>
 std::unique_ptr<DistanceLevel> level_for(const Q& query, const Separation& separation) {
   const std::unique_ptr<const AnyCorners> corners = off_the_stack([&] { return any_corners(query); });
@@ -256,20 +265,26 @@ std::vector<RootInterval> touching_times(const CurvedQuery& query, double t_max,
   return all_contacts(*level_for(query, separation), t_max);
 }
 
-int compare_distance(const Query& query, double t, const Separation& separation) {
-  const numbers::LimbScratch scratch;
+template <class AnyQuery>
+int compare_distance(const AnyQuery& query, double t, const Separation& separation) {
   return level_for(query, separation)->compare(Moment::at(time_at(t)));
 }
+template int compare_distance(const Query&, double, const Separation&);
+template int compare_distance(const RationalQuery&, double, const Separation&);
+template int compare_distance(const CurvedQuery&, double, const Separation&);
 
-Distance distance_at(const Query& query, double t, Metric metric) {
-  const numbers::LimbScratch scratch;
+template <class AnyQuery>
+Distance distance_at(const AnyQuery& query, double t, Metric metric) {
   const RealRoot time = time_at(t);
   const std::unique_ptr<DistanceLevel> zero = level_for(query, {0, metric});
   const Ratio level = zero->distance_at(time);
   Answer where;
   zero->with_level(level)->locate(time, where);
-  return {nearest_double(level, scaled_corners(query).factor, metric), where.feature_a, where.feature_b,
-          where.weights_a, where.weights_b};
+  return {nearest_double(level, factor_of(query), metric), where.feature_a, where.feature_b, where.weights_a,
+          where.weights_b};
 }
+template Distance distance_at(const Query&, double, Metric);
+template Distance distance_at(const RationalQuery&, double, Metric);
+template Distance distance_at(const CurvedQuery&, double, Metric);
 
 }  // namespace touchstone::exact

@@ -246,7 +246,6 @@ TOUCHSTONE_BEHIND_GUARD std::vector<MeshPair> find_candidates(const Mesh& mesh, 
 std::vector<MeshPair> candidates(const Mesh& mesh, const Positions& x0, const Positions& x1,
                                  const MeshOptions& options) {
   const numbers::DefaultFloatEnvironment environment;
-  mesh::refuse_check_start(options);
   return find_candidates(mesh, x0, x1, options);
 }
 

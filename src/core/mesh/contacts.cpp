@@ -80,7 +80,7 @@ std::vector<MeshContact> with_answers(const Mesh::Impl& mesh, const Motion& moti
       check_stop(search.stop);
       const Separation separation{found[i].distance, mesh.separation.metric};
       const Query query = query_of(motion, found[i].pair.kind, corners_of(mesh, found[i].pair));
-      contacts[i] = {found[i].pair, separation, solve(query, separation, search.t_max)};
+      contacts[i] = {found[i].pair, separation, solve(query, {.t_max = search.t_max, .separation = separation})};
     }
   });
   return contacts;
@@ -168,13 +168,13 @@ std::vector<MeshContact> find_all(const Mesh::Impl& mesh, const Motion& motion, 
 namespace {
 
 TOUCHSTONE_BEHIND_GUARD FirstContact first_of(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1,
-                                              const MeshOptions& options) {
+                                              const FirstContactOptions& options) {
   return find_first(mesh, motion_of(mesh, x0, x1, options.threads),
                     {options.t_max, options.threads, 0, options.stop, options.check_start});
 }
 
 TOUCHSTONE_BEHIND_GUARD std::vector<MeshContact> all_of(const Mesh::Impl& mesh, const Positions& x0,
-                                                        const Positions& x1, const MeshOptions& options) {
+                                                        const Positions& x1, const StepOptions& options) {
   return find_all(mesh, motion_of(mesh, x0, x1, options.threads), {options.t_max, options.threads, 0, options.stop});
 }
 
@@ -183,17 +183,17 @@ TOUCHSTONE_BEHIND_GUARD std::vector<MeshContact> all_of(const Mesh::Impl& mesh, 
 
 namespace touchstone {
 
-FirstContact first_contact(const Mesh& mesh, const Positions& x0, const Positions& x1, const MeshOptions& options) {
+FirstContact first_contact(const Mesh& mesh, const Positions& x0, const Positions& x1,
+                           const FirstContactOptions& options) {
   const numbers::DefaultFloatEnvironment environment;
   solver::validate_t_max(options.t_max);
   return mesh::first_of(mesh.impl(), x0, x1, options);
 }
 
 std::vector<MeshContact> all_contacts(const Mesh& mesh, const Positions& x0, const Positions& x1,
-                                      const MeshOptions& options) {
+                                      const StepOptions& options) {
   const numbers::DefaultFloatEnvironment environment;
   solver::validate_t_max(options.t_max);
-  mesh::refuse_check_start(options);
   return mesh::all_of(mesh.impl(), x0, x1, options);
 }
 

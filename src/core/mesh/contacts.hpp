@@ -16,7 +16,7 @@ struct ContactSearch {
   int threads = 1;
   double kept_fraction = 0;                 ///< as in FreeStepOptions
   const std::atomic<bool>* stop = nullptr;  ///< as in MeshOptions
-  bool check_start = false;                 ///< as in MeshOptions; find_all does not use it
+  bool check_start = false;                 ///< as in FirstContactOptions; find_all does not use it
 };
 
 /// @throws Stopped  when the flag is set

@@ -86,7 +86,7 @@ class Obstacles {
     for (std::size_t c = 0; c < corner_count(path.kind); ++c) {
       path.end[c] = position_at({path.start[c], path.end[c]}, length);
     }
-    return solve_any(path, obstacle.separation);
+    return solve(path, {.separation = obstacle.separation, .wanted = Wanted::contact}).contact;
   }
 
   const Mesh::Impl& mesh_;

@@ -189,7 +189,6 @@ namespace touchstone {
 
 std::vector<Intersection> intersections(const Mesh& mesh, const Positions& x, const MeshOptions& options) {
   const numbers::DefaultFloatEnvironment environment;
-  mesh::refuse_check_start(options);
   return mesh::intersections_at(mesh.impl(), x, options);
 }
 

@@ -71,12 +71,6 @@ Motion motion_of(const Mesh::Impl& mesh, const Positions& x0, const Positions& x
   return motion;
 }
 
-void refuse_check_start(const MeshOptions& options) {
-  if (!options.check_start) return;
-  throw InvalidQuery(
-      "check_start is set; it is an option of first_contact and free_step, and intersections asks about any positions");
-}
-
 Query query_of(const Motion& motion, Kind kind, const std::array<Index, 4>& corners) noexcept {
   Query query;
   query.kind = kind;

@@ -24,9 +24,6 @@ using Motion = std::vector<MovingVertex>;
 ///                       not finite
 Motion motion_of(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1, int threads);
 
-/// Refuses check_start, for a function whose result has no place for the answer. @throws InvalidQuery
-void refuse_check_start(const MeshOptions& options);
-
 /// The query of the vertices `corners`, as many as the kind has.
 Query query_of(const Motion& motion, Kind kind, const std::array<Index, 4>& corners) noexcept;
 

@@ -105,7 +105,8 @@ void for_each_contact(const Mesh::Impl& mesh, const Motion& motion, const KeptDi
       }
       const double distance = distances.exact(pair, workspace->corners[i]);
       const Query query = query_of(motion, kind, workspace->corners[i]);
-      const Answer own = touchstone::solve(query, {distance, distances.metric()}, wanted, t_max);
+      const Answer own =
+          touchstone::solve(query, {.t_max = t_max, .separation = {distance, distances.metric()}, .wanted = wanted});
       if (own.contact) contact(pair, distance, own);
     }
   }

@@ -46,7 +46,7 @@ class KeptDistances {
 using ContactConsumer = std::function<void(const MeshPair& pair, double distance, const Answer& answer)>;
 
 /// Asks about `count` pairs of a kind, and calls contact for those that come nearer than they are to keep, or as near,
-/// in [0, t_max]. The answers are those of solve(query, separation, wanted, t_max).
+/// in [0, t_max]. The answers are those of solve with the same separation, Wanted and t_max.
 void for_each_contact(const Mesh::Impl& mesh, const Motion& motion, const KeptDistances& distances, Kind kind,
                       const broad_phase::Pair* pairs, std::size_t count, double t_max, Wanted wanted,
                       const ContactConsumer& contact);

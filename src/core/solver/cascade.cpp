@@ -130,16 +130,6 @@ Answer answer_at_refined_root(Kind kind, const filters::RefinedRoot& root, Wante
   return result;
 }
 
-bool any_contact(const Query& query, double t_max) {
-  if (is_time(t_max) && filters::same_side(query)) return false;
-  validate(query, t_max);
-  Answer ignored;
-  const filters::Question question = {query, t_max, exact::coplanarity_at, Wanted::contact};
-  const filters::Finding finding = filters::decide_by_filters(question, ignored).finding;
-  if (finding != filters::Finding::uncertain) return finding == filters::Finding::contact;
-  return exact::decide(query, t_max, Wanted::contact).contact;
-}
-
 Answer answer(const Query& query, const Separation& separation, Method method, double t_max, Wanted wanted) {
   if (separation.distance == 0) return answer(query, method, t_max, wanted);
   Answer result;
@@ -160,11 +150,6 @@ Answer answer(const Query& query, const Separation& separation, Method method, d
       by_cgal ? oracle::decide_by_oracle(query, t_max, separation) : exact::decide_exactly(query, t_max, separation);
   trim(result, wanted);
   return result;
-}
-
-bool any_contact(const Query& query, const Separation& separation, double t_max) {
-  if (separation.distance == 0) return any_contact(query, t_max);
-  return answer(query, separation, Method::fast, t_max, Wanted::contact).contact;
 }
 
 }  // namespace touchstone::solver

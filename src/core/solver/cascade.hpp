@@ -37,20 +37,16 @@ TOUCHSTONE_BEHIND_GUARD Answer answer_at_root(const Query& query, const filters:
 /// The same where the root is refined, too: a contact or none.
 TOUCHSTONE_BEHIND_GUARD Answer answer_at_refined_root(Kind kind, const filters::RefinedRoot& root, Wanted wanted);
 
-/// answer(query, Method::fast, t_max).contact. @throws InvalidQuery the same
-TOUCHSTONE_BEHIND_GUARD bool any_contact(const Query& query, double t_max);
-
 /// The same for contact within a separation, which is valid. @throws InvalidQuery the same
 TOUCHSTONE_BEHIND_GUARD Answer answer(const Query& query, const Separation& separation, Method method, double t_max,
                                       Wanted wanted = Wanted::all);
-TOUCHSTONE_BEHIND_GUARD bool any_contact(const Query& query, const Separation& separation, double t_max);
 
-/// The same for curved queries. @throws InvalidQuery  also naming the first corner or motion without meaning
+/// The same for rational coordinates and for curved queries. @throws InvalidQuery  also naming the first fraction,
+/// corner or motion without meaning
+Answer answer(const RationalQuery& query, const Separation& separation, Method method, double t_max, Wanted wanted);
 TOUCHSTONE_BEHIND_GUARD Answer answer(const CurvedQuery& query, Method method, double t_max,
                                       Wanted wanted = Wanted::all);
-TOUCHSTONE_BEHIND_GUARD bool any_contact(const CurvedQuery& query, double t_max);
 TOUCHSTONE_BEHIND_GUARD Answer answer(const CurvedQuery& query, const Separation& separation, Method method,
                                       double t_max, Wanted wanted = Wanted::all);
-TOUCHSTONE_BEHIND_GUARD bool any_contact(const CurvedQuery& query, const Separation& separation, double t_max);
 
 }  // namespace touchstone::solver

@@ -38,8 +38,4 @@ std::optional<std::array<double, 3>> contact_normal(const CurvedQuery& query, co
   return normal_of(query, separation, t_max);
 }
 
-std::optional<std::array<double, 3>> contact_normal(const CurvedQuery& query, double t_max) {
-  return contact_normal(query, Separation(), t_max);
-}
-
 }  // namespace touchstone

@@ -81,24 +81,12 @@ std::string ExactTime::to_string() const {
   return impl_->root.to_string();
 }
 
-std::vector<ContactInterval> contact_times(const Query& query, double t_max) {
-  return contact_times(query, Separation(), t_max);
-}
-
-std::vector<ContactInterval> contact_times(const RationalQuery& query, double t_max) {
-  return contact_times(query, Separation(), t_max);
-}
-
 std::vector<ContactInterval> contact_times(const Query& query, const Separation& separation, double t_max) {
   return times_of_any(query, separation, t_max);
 }
 
 std::vector<ContactInterval> contact_times(const RationalQuery& query, const Separation& separation, double t_max) {
   return times_of_any(query, separation, t_max);
-}
-
-std::vector<ContactInterval> contact_times(const CurvedQuery& query, double t_max) {
-  return contact_times(query, Separation(), t_max);
 }
 
 std::vector<ContactInterval> contact_times(const CurvedQuery& query, const Separation& separation, double t_max) {

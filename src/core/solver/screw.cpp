@@ -94,7 +94,7 @@ bool touches_at_end(CurvedQuery query, const Separation& separation, bool last) 
     motion.q1 = motion.q0;
     motion.p1 = motion.p0;
   }
-  return solver::any_contact(query, separation, 0);
+  return solver::answer(query, separation, Method::fast, 0, Wanted::contact).contact;
 }
 
 /// The verdict by so many arcs, when the elements have no contact at t = 0.

@@ -9,6 +9,7 @@
 #include "solver/validate.hpp"
 
 namespace touchstone {
+namespace solver {
 namespace {
 
 /// Whether every coordinate is a double; `result` is then the query in doubles.
@@ -31,75 +32,45 @@ bool in_doubles(const RationalQuery& query, Query& result) {
 
 }  // namespace
 
-Answer solve(const Query& query, const Separation& separation, Method method, double t_max) {
-  const numbers::DefaultFloatEnvironment environment;
-  solver::validate(separation);
-  return solver::answer(query, separation, method, t_max);
-}
-
-Answer solve(const Query& query, const Separation& separation, double t_max) {
-  return solve(query, separation, Method::fast, t_max);
-}
-
-Answer solve(const Query& query, const Separation& separation, Wanted wanted, double t_max) {
-  const numbers::DefaultFloatEnvironment environment;
-  solver::validate_wanted(wanted);
-  solver::validate(separation);
-  return solver::answer(query, separation, Method::fast, t_max, wanted);
-}
-
-bool solve_any(const Query& query, const Separation& separation, double t_max) {
-  const numbers::DefaultFloatEnvironment environment;
-  solver::validate(separation);
-  return solver::any_contact(query, separation, t_max);
-}
-
-Answer solve(const RationalQuery& query, const Separation& separation, double t_max) {
-  return solve(query, separation, Method::fast, t_max);
-}
-
-Answer solve(const RationalQuery& query, const Separation& separation, Method method, double t_max) {
-  const numbers::DefaultFloatEnvironment environment;
-  solver::validate_method(method);
-  solver::validate(separation);
-  solver::validate(query, t_max);
+Answer answer(const RationalQuery& query, const Separation& separation, Method method, double t_max, Wanted wanted) {
+  validate_method(method);
+  validate(query, t_max);
   Query doubles;
-  if (in_doubles(query, doubles)) return solver::answer(doubles, separation, method, t_max);
+  if (in_doubles(query, doubles)) return answer(doubles, separation, method, t_max, wanted);
   const bool by_cgal = method == Method::oracle || method == Method::fast_cgal;
+  Answer result;
   if (separation.distance == 0) {
-    Answer answer = by_cgal ? oracle::decide_by_oracle(query, t_max) : exact::decide_exactly(query, t_max);
-    answer.starts_within = answer.contact && answer.toi_upper == 0;
-    return answer;
+    result = by_cgal ? oracle::decide_by_oracle(query, t_max) : exact::decide_exactly(query, t_max);
+    result.starts_within = result.contact && result.toi_upper == 0;
+  } else {
+    result =
+        by_cgal ? oracle::decide_by_oracle(query, t_max, separation) : exact::decide_exactly(query, t_max, separation);
   }
-  return by_cgal ? oracle::decide_by_oracle(query, t_max, separation) : exact::decide_exactly(query, t_max, separation);
+  trim(result, wanted);
+  return result;
 }
 
-Answer solve(const Query& query, Method method, double t_max) {
+}  // namespace solver
+
+Answer solve(const Query& query, const SolveOptions& options) {
   const numbers::DefaultFloatEnvironment environment;
-  return solver::answer(query, method, t_max);
+  solver::validate_wanted(options.wanted);
+  solver::validate(options.separation);
+  return solver::answer(query, options.separation, options.method, options.t_max, options.wanted);
 }
 
-Answer solve(const Query& query, double t_max) { return solve(query, Method::fast, t_max); }
-Answer solve(const EdgeEdge& query, double t_max) { return solve(Query(query), Method::fast, t_max); }
-Answer solve(const VertexFace& query, double t_max) { return solve(Query(query), Method::fast, t_max); }
-Answer solve(const PointEdge& query, double t_max) { return solve(Query(query), Method::fast, t_max); }
-Answer solve(const PointPoint& query, double t_max) { return solve(Query(query), Method::fast, t_max); }
-
-Answer solve(const Query& query, Wanted wanted, double t_max) {
+Answer solve(const Query& query, double t_max) {
   const numbers::DefaultFloatEnvironment environment;
-  solver::validate_wanted(wanted);
-  return solver::answer(query, Method::fast, t_max, wanted);
+  return solver::answer(query, Method::fast, t_max);
 }
 
-bool solve_any(const Query& query, double t_max) {
+Answer solve(const RationalQuery& query, const SolveOptions& options) {
   const numbers::DefaultFloatEnvironment environment;
-  return solver::any_contact(query, t_max);
+  solver::validate_wanted(options.wanted);
+  solver::validate(options.separation);
+  return solver::answer(query, options.separation, options.method, options.t_max, options.wanted);
 }
 
-Answer solve(const RationalQuery& query, double t_max) { return solve(query, Method::fast, t_max); }
-
-Answer solve(const RationalQuery& query, Method method, double t_max) {
-  return solve(query, Separation(), method, t_max);
-}
+Answer solve(const RationalQuery& query, double t_max) { return solve(query, SolveOptions{t_max}); }
 
 }  // namespace touchstone

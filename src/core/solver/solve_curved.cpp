@@ -63,13 +63,6 @@ Answer answer(const CurvedQuery& query, Method method, double t_max, Wanted want
   return answer;
 }
 
-bool any_contact(const CurvedQuery& query, double t_max) {
-  validate(query, t_max);
-  if (const std::optional<Query> same = straight(query)) return any_contact(*same, t_max);
-  Answer answer;
-  return decided_by_filters(query, t_max, answer) ? answer.contact : exact::decide_exactly(query, t_max).contact;
-}
-
 Answer answer(const CurvedQuery& query, const Separation& separation, Method method, double t_max, Wanted wanted) {
   if (separation.distance == 0) return answer(query, method, t_max, wanted);
   validate_method(method);
@@ -96,11 +89,6 @@ Answer answer(const CurvedQuery& query, const Separation& separation, Method met
   return answer;
 }
 
-bool any_contact(const CurvedQuery& query, const Separation& separation, double t_max) {
-  if (separation.distance == 0) return any_contact(query, t_max);
-  return answer(query, separation, Method::fast, t_max, Wanted::contact).contact;
-}
-
 }  // namespace solver
 
 bool takes_longer_turn(const RigidMotion& motion) { return numbers::obtuse(motion.q0, motion.q1); }
@@ -113,43 +101,13 @@ RigidMotion with_shorter_turn(const RigidMotion& motion) {
   return shorter;
 }
 
-Answer solve(const CurvedQuery& query, Method method, double t_max) {
+Answer solve(const CurvedQuery& query, const SolveOptions& options) {
   const numbers::DefaultFloatEnvironment environment;
-  return solver::answer(query, method, t_max);
+  solver::validate_wanted(options.wanted);
+  solver::validate(options.separation);
+  return solver::answer(query, options.separation, options.method, options.t_max, options.wanted);
 }
 
-Answer solve(const CurvedQuery& query, double t_max) { return solve(query, Method::fast, t_max); }
-
-Answer solve(const CurvedQuery& query, const Separation& separation, Method method, double t_max) {
-  const numbers::DefaultFloatEnvironment environment;
-  solver::validate(separation);
-  return solver::answer(query, separation, method, t_max);
-}
-
-Answer solve(const CurvedQuery& query, const Separation& separation, double t_max) {
-  return solve(query, separation, Method::fast, t_max);
-}
-
-Answer solve(const CurvedQuery& query, const Separation& separation, Wanted wanted, double t_max) {
-  const numbers::DefaultFloatEnvironment environment;
-  solver::validate_wanted(wanted);
-  solver::validate(separation);
-  return solver::answer(query, separation, Method::fast, t_max, wanted);
-}
-
-Answer solve(const CurvedQuery& query, Wanted wanted, double t_max) {
-  return solve(query, Separation(), wanted, t_max);
-}
-
-bool solve_any(const CurvedQuery& query, const Separation& separation, double t_max) {
-  const numbers::DefaultFloatEnvironment environment;
-  solver::validate(separation);
-  return solver::any_contact(query, separation, t_max);
-}
-
-bool solve_any(const CurvedQuery& query, double t_max) {
-  const numbers::DefaultFloatEnvironment environment;
-  return solver::any_contact(query, t_max);
-}
+Answer solve(const CurvedQuery& query, double t_max) { return solve(query, SolveOptions{t_max}); }
 
 }  // namespace touchstone

@@ -217,7 +217,7 @@ Result check_frame(const Mesh& mesh, const Frame& frame, std::size_t index, int 
   Result result;
   result.frame = index;
   ElementNames names(mesh, *frame.topology);
-  const MeshOptions options{1.0, threads};
+  const MeshOptions options{threads};
   const std::vector<Intersection> found = intersections(mesh, positions_of(frame), options);
   result.intersections = named(found, names);
   result.enclosed = counts_of(enclosed_parts(mesh, positions_of(frame), options, found, ClosedParts::unasked), names);
@@ -227,8 +227,7 @@ Result check_frame(const Mesh& mesh, const Frame& frame, std::size_t index, int 
 }
 
 Result check_step(const Mesh& mesh, const Frame& before, const Frame& after, std::size_t index, int threads) {
-  const MeshOptions options{1.0, threads};
-  const FirstContact contact = first_contact(mesh, positions_of(before), positions_of(after), options);
+  const FirstContact contact = first_contact(mesh, positions_of(before), positions_of(after), {{{.threads = threads}}});
   Result result;
   result.step = true;
   result.frame = index;
@@ -238,7 +237,7 @@ Result check_step(const Mesh& mesh, const Frame& before, const Frame& after, std
   ElementNames names(mesh, *before.topology);
   for (const MeshContact& one : contact.first) result.first.push_back(named(one, names));
   for (const MeshContact& one : contact.at_start) result.at_start.push_back(named(one, names));
-  result.intersections = named(intersections(mesh, positions_of(after), options), names);
+  result.intersections = named(intersections(mesh, positions_of(after), {.threads = threads}), names);
   if (!contact.at_start.empty()) result.coinciding = coinciding_vertices(mesh, positions_of(before));
   return result;
 }

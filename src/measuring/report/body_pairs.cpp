@@ -104,7 +104,7 @@ class Collected {
     std::array<std::vector<CurvedQuery>, 2> touching;
     for (const BodyPair& pair : part.colliders().candidates(motions, options_.separation)) {
       const CurvedQuery query = part.colliders().query(pair, motions);
-      if (solve_any(query, Separation{options_.separation}))
+      if (solve(query, {.separation = Separation{options_.separation}, .wanted = Wanted::contact}).contact)
         touching[static_cast<std::size_t>(pair.kind)].push_back(query);
     }
     bool any = false;

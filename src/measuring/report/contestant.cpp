@@ -98,7 +98,7 @@ namespace {
 
 template <class AnyQuery>
 Reply reply_of_solver(Method method, const AnyQuery& query, const Separation& separation) {
-  const Answer answer = solve(query, separation, method);
+  const Answer answer = solve(query, {.separation = separation, .method = method});
   return {claim_of(answer.contact, answer.toi), answer.level};
 }
 
@@ -113,7 +113,8 @@ Reply ask(const Contestant& contestant, const CurvedQuery& query, const Separati
 void ask_all(const Contestant& contestant, const std::vector<CurvedQuery>& queries, std::size_t count,
              const Separation& separation) {
   if (contestant.curved == nullptr) {
-    for (std::size_t i = 0; i < count; ++i) do_not_optimize(solve(queries[i], separation, contestant.method));
+    for (std::size_t i = 0; i < count; ++i)
+      do_not_optimize(solve(queries[i], {.separation = separation, .method = contestant.method}));
     return;
   }
   const auto function = contestant.curved->solve;
@@ -143,12 +144,13 @@ void ask_all(const Contestant& contestant, const std::vector<Query>& queries, st
       do_not_optimize(function(queries[i], separation.distance, kWholeStep, contestant.tolerance));
     }
   } else if (contestant.baseline == nullptr && separation.distance > 0) {
-    for (std::size_t i = 0; i < count; ++i) do_not_optimize(solve(queries[i], separation, contestant.method));
+    for (std::size_t i = 0; i < count; ++i)
+      do_not_optimize(solve(queries[i], {.separation = separation, .method = contestant.method}));
   } else if (contestant.baseline != nullptr) {
     const auto function = contestant.baseline->solve;
     for (std::size_t i = 0; i < count; ++i) do_not_optimize(function(queries[i], kWholeStep, contestant.tolerance));
   } else {
-    for (std::size_t i = 0; i < count; ++i) do_not_optimize(solve(queries[i], contestant.method));
+    for (std::size_t i = 0; i < count; ++i) do_not_optimize(solve(queries[i], {.method = contestant.method}));
   }
 }
 

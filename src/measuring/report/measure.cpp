@@ -108,7 +108,7 @@ SetResults measure(QuerySet set, const std::vector<Contestant>& contestants, con
   set.with_queries([&](const auto& queries) {
     for (const auto& query : queries) {
       if (truth.size() % 1024 == 0) pulse();
-      truth.push_back(solve(query, set.separation, Method::exact));
+      truth.push_back(solve(query, {.separation = set.separation, .method = Method::exact}));
     }
   });
   set.truth = std::move(truth);

@@ -46,7 +46,9 @@ void ask_oracle(const report::SetResults& set, Stress& stress) {
   const auto& queries = set.set.queries;
   for (std::size_t i = 0; i < std::min(kOracleQueries, queries.size()); ++i) {
     ++stress.oracle_asked;
-    if (same_decision(set.set.truth[i], solve(queries[i], set.set.separation, Method::oracle))) continue;
+    if (same_decision(set.set.truth[i],
+                      solve(queries[i], {.separation = set.set.separation, .method = Method::oracle})))
+      continue;
     stress.oracle_differs.push_back(fmt::format("{}, setting {}, query {}", set.set.name, set.exponent, i));
   }
 }

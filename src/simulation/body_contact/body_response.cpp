@@ -54,7 +54,7 @@ BodyResponse::Touches BodyResponse::touches(const std::vector<BodyPair>& pairs, 
     if (i % kBlock == 0) cancel_->check();
     const CurvedQuery query = colliders_->query(pairs[i], motions);
     const double d = colliders_->separation(pairs[i]);
-    const Answer answer = d > 0 ? solve(query, Separation{d, Metric::euclidean}) : solve(query);
+    const Answer answer = d > 0 ? solve(query, {.separation = Separation{d, Metric::euclidean}}) : solve(query);
     if (d > 0) {
       SeparationCounts& kept = touches.separations;
       kept.least = kept.pairs == 0 ? d : std::min(kept.least, d);

@@ -55,6 +55,22 @@ touchstone::VertexFace falling_vertex() {
   return {{touchstone::Vec3{0, 0, 1}, f0, f1, f2}, {touchstone::Vec3{0, 0, -1}, f0, f1, f2}};
 }
 
+void check_answers(touchstone::Method method) {
+  touchstone::SolveOptions options;
+  options.method = method;
+  const touchstone::Answer contact = touchstone::solve(subnormal_contact(), options);
+  check(contact.contact && contact.toi == 0.75 && contact.toi_upper == 0.75, "subnormal contact at t = 3/4");
+  check(contact.nature == touchstone::Nature::isolated, "subnormal contact is isolated");
+
+  check(!touchstone::solve(subnormal_gap(), options).contact, "edges a subnormal apart do not touch");
+
+  const touchstone::Answer face = touchstone::solve(falling_vertex(), options);
+  check(face.contact && face.toi == 0.5 && face.toi_upper == 0.5, "vertex-face contact at t = 1/2");
+  check(face.nature == touchstone::Nature::crossing, "vertex-face contact crosses");
+  check(face.feature_a == touchstone::Feature::v && face.feature_b == touchstone::Feature::f01, "features v and f01");
+  check(face.weights_b[0] == 0.5 && face.weights_b[1] == 0.5 && face.weights_b[2] == 0, "weights 1/2, 1/2, 0");
+}
+
 }  // namespace
 
 int main() {
@@ -62,19 +78,16 @@ int main() {
   check(flushes() == (CONSUMER_FLUSHES != 0),
         "the program was not started with the floating-point environment under test");
 
-  for (const auto method : {touchstone::Method::fast, touchstone::Method::exact, touchstone::Method::oracle,
-                            touchstone::Method::fast_cgal}) {
-    const touchstone::Answer contact = touchstone::solve(subnormal_contact(), method);
-    check(contact.contact && contact.toi == 0.75 && contact.toi_upper == 0.75, "subnormal contact at t = 3/4");
-    check(contact.nature == touchstone::Nature::isolated, "subnormal contact is isolated");
-
-    check(!touchstone::solve(subnormal_gap(), method).contact, "edges a subnormal apart do not touch");
-
-    const touchstone::Answer face = touchstone::solve(falling_vertex(), method);
-    check(face.contact && face.toi == 0.5 && face.toi_upper == 0.5, "vertex-face contact at t = 1/2");
-    check(face.nature == touchstone::Nature::crossing, "vertex-face contact crosses");
-    check(face.feature_a == touchstone::Feature::v && face.feature_b == touchstone::Feature::f01, "features v and f01");
-    check(face.weights_b[0] == 0.5 && face.weights_b[1] == 0.5 && face.weights_b[2] == 0, "weights 1/2, 1/2, 0");
+  check_answers(touchstone::Method::fast);
+  check_answers(touchstone::Method::exact);
+  for (const auto method : {touchstone::Method::oracle, touchstone::Method::fast_cgal}) {
+    try {
+      check_answers(method);
+      check(CONSUMER_WITH_CGAL != 0, "the library was to be built without CGAL");
+    } catch (const touchstone::InvalidQuery& error) {
+      check(CONSUMER_WITH_CGAL == 0 && std::string(error.what()).find("without it") != std::string::npos,
+            "only a library without CGAL refuses its methods, and says so");
+    }
   }
 
   touchstone::BatchOptions options;
@@ -93,7 +106,7 @@ int main() {
   const std::vector<double> start = {-1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0.5, 3 * kTiny};
   std::vector<double> end = start;
   end[11] = -kTiny;
-  touchstone::MeshOptions two_threads;
+  touchstone::FirstContactOptions two_threads;
   two_threads.threads = 2;
   const auto first = touchstone::first_contact(mesh, {start, 3}, {end, 3}, two_threads);
   check(first.toi == 0.75 && first.first.size() == 1, "the first contact of a mesh, among subnormals");

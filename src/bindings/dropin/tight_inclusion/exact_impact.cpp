@@ -25,11 +25,12 @@ Query query_of(bool is_vertex_face, const Corners& start, const Corners& end) {
 }
 
 Impact first_impact(const Query& query, double ms, double t_max) {
-  return impact_of(solve(query, Separation{ms, Metric::max}, Wanted::time, t_max));
+  return impact_of(solve(query, {.t_max = t_max, .separation = Separation{ms, Metric::max}, .wanted = Wanted::time}));
 }
 
 Impact first_impact_after_start(const Query& query, double ms, double t_max) {
-  const Answer answer = solve(query, Separation{ms, Metric::max}, Wanted::time, t_max);
+  const Answer answer =
+      solve(query, {.t_max = t_max, .separation = Separation{ms, Metric::max}, .wanted = Wanted::time});
   if (!answer.starts_within || ms == 0) return impact_of(answer);
   // A distance too small for a double is rounded to 0. The smaller separation is then 0, and the question is whether
   // the elements touch.

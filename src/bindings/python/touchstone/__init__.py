@@ -32,7 +32,7 @@ call reads it.
 from ._core import (Answer, Answers, Distance, Distances, ExactTime, Finding, FirstContact, FreeStep, FuzzReport,
                     Intersections, Mesh, Pairs, __version__)
 from ._names import Feature, Level, Nature, Trend
-from ._queries import contact_normal, contact_times, distance, solve, solve_any
+from ._queries import contact_normal, contact_times, distance, solve
 from ._curved import CurvedQueries, OnBody, OnCurves
 from ._fuzzing import fuzz
 from ._judging import Certificate, Verdict, certify
@@ -46,5 +46,5 @@ __all__ = [
     "Finding", "FirstContact", "FreeStep", "FuzzReport", "Intersections", "Level", "Mesh", "Nature", "OnBody",
     "OnCurves", "Pairs", "Proofs", "Shown", "ShownMesh", "Trend", "Verdict", "all_contacts", "candidates",
     "certify", "check", "contact_normal", "contact_times", "distance", "first_contact", "free_step", "fuzz",
-    "intersections", "prove", "save_page", "show", "show_mesh", "solve", "solve_any"
+    "intersections", "prove", "save_page", "show", "show_mesh", "solve"
 ]

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._core import Answer, Answers
 from ._proofs import Proofs
-from ._queries import Kind, Method, Metric, Times
+from ._queries import Kind, Method, Metric, Times, Wanted
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,7 +64,7 @@ class CurvedQueries:
     shorter_turn   True: where q0 . q1 < 0, a body takes the shorter of the two turns to the same orientation, by -q1.
                    False: it takes the longer one, and a UserWarning says so, once for all queries
 
-    The methods solve, solve_any, contact_times and prove are the functions of these names. Raises TypeError for another
+    The methods solve, contact_times and prove are the functions of these names. Raises TypeError for another
     element, and ValueError for shapes that do not fit.
 
     The tip of a rod turns by 90 degrees about z, and meets a point:
@@ -112,14 +112,9 @@ class CurvedQueries:
         return f"<CurvedQueries: {len(self)} {self.kind}>"
 
     def solve(self, t_max: float = 1.0, separation: ArrayLike = 0.0, metric: Metric = "euclidean", threads: int = 0,
-              method: Method = "fast") -> Union[Answers, Answer]:
+              method: Method = "fast", wanted: Wanted = "all") -> Union[Answers, Answer]:
         """The first contact of each query; arguments, result and errors are those of `touchstone.solve`."""
-        return self._core.solve(t_max, separation, metric, threads, method)
-
-    def solve_any(self, t_max: float = 1.0, separation: ArrayLike = 0.0, metric: Metric = "euclidean",
-                  threads: int = 0) -> Union[NDArray, bool]:
-        """Whether the elements touch at all, as `touchstone.solve_any`."""
-        return self._core.solve_any(t_max, separation, metric, threads)
+        return self._core.solve(t_max, separation, metric, threads, method, wanted)
 
     def contact_times(self, t_max: float = 1.0, separation: ArrayLike = 0.0, metric: Metric = "euclidean",
                       threads: int = 0) -> Union[Times, List[Times]]:

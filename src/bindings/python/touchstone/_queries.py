@@ -56,19 +56,6 @@ def solve(kind: Kind, start: ArrayLike, end: ArrayLike, t_max: float = 1.0, sepa
     return _core.solve(kind, start, end, t_max, separation, metric, threads, method, wanted)
 
 
-def solve_any(kind: Kind, start: ArrayLike, end: ArrayLike, t_max: float = 1.0, separation: ArrayLike = 0.0,
-              metric: Metric = "euclidean", threads: int = 0) -> Union[NDArray, bool]:
-    """Whether the elements of each query touch at any t in [0, t_max]: the `contact` of `solve`, for less time.
-
-    Arguments and errors are those of `solve`. Returns an array of bool of shape (n,), or a bool for a single query.
-
-    >>> import touchstone
-    >>> touchstone.solve_any('point-point', [[0, 0], [2, 0]], [[1, 0], [1, 0]])
-    True
-    """
-    return _core.solve_any(kind, start, end, t_max, separation, metric, threads)
-
-
 def contact_times(kind: Kind, start: ArrayLike, end: ArrayLike, t_max: float = 1.0, separation: ArrayLike = 0.0,
                   metric: Metric = "euclidean", threads: int = 0) -> Union[Times, List[Times]]:
     """All times in [0, t_max] at which the elements touch, exactly: disjoint closed intervals in ascending order.

@@ -13,23 +13,24 @@
 using namespace touchstone;
 using namespace touchstone::tests;
 
-TEST_CASE("solve_any says what solve says, for every family and up to any time") {
+TEST_CASE("the contact alone is that of solve, for every family and up to any time") {
   long contacts = 0, cut = 0;
   for (const FamilyInfo& family : all_families()) {
     for (const Kind kind : kKinds) {
       for (std::uint64_t index = 0; index < 120; ++index) {
         const CaseId id{family.family, kind, 81, index};
         const Query query = make(id);
-        const Answer answer = solve(query, Method::exact);
+        const Answer answer = solve(query, {.method = Method::exact});
         INFO(case_name(id) << "  " << cpp_initializer(query));
-        REQUIRE(solve_any(query) == answer.contact);
+        REQUIRE(solve(query, {.wanted = Wanted::contact}).contact == answer.contact);
         if (!answer.contact) continue;
         ++contacts;
         // Up to the exact time and just short of it.
-        REQUIRE(solve_any(query, answer.toi_upper));
-        if (answer.toi < answer.toi_upper) REQUIRE_FALSE(solve_any(query, answer.toi));
+        REQUIRE(solve(query, {.t_max = answer.toi_upper, .wanted = Wanted::contact}).contact);
+        if (answer.toi < answer.toi_upper)
+          REQUIRE_FALSE(solve(query, {.t_max = answer.toi, .wanted = Wanted::contact}).contact);
         if (answer.toi == answer.toi_upper && answer.toi > 0) {
-          REQUIRE_FALSE(solve_any(query, std::nextafter(answer.toi, 0.0)));
+          REQUIRE_FALSE(solve(query, {.t_max = std::nextafter(answer.toi, 0.0), .wanted = Wanted::contact}).contact);
           ++cut;
         }
       }
@@ -39,9 +40,9 @@ TEST_CASE("solve_any says what solve says, for every family and up to any time")
   CHECK(cut > 100);
 }
 
-TEST_CASE("solve_any rejects what solve rejects") {
+TEST_CASE("the contact alone is refused as solve refuses") {
   Query query;
-  CHECK_THROWS_AS(solve_any(query, 1.5), InvalidQuery);
+  CHECK_THROWS_AS(solve(query, {.t_max = 1.5, .wanted = Wanted::contact}), InvalidQuery);
   query.end[3].z = std::numeric_limits<double>::infinity();
-  CHECK_THROWS_AS(solve_any(query), InvalidQuery);
+  CHECK_THROWS_AS(solve(query, {.wanted = Wanted::contact}), InvalidQuery);
 }
