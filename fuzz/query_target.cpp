@@ -64,7 +64,7 @@ void fuzz_query(Bytes input) {
          exact);
   compare("cascade and exact level differ", question, fast, exact);
   if (solve(query, {.t_max = question.t_max, .wanted = Wanted::contact}).contact != exact.contact) {
-    demand("solve_any says otherwise", "solve_any and exact level differ", question, fast, exact);
+    demand("the contact alone says otherwise", "the contact alone and exact level differ", question, fast, exact);
   }
   if (hash_of(input) % kBatchOneIn == 1) check_batch(question, fast);
   if (hash_of(input) % kOracleOneIn == 0) {
