@@ -46,7 +46,7 @@ endif()
 separate_arguments(flags UNIX_COMMAND "${FLAGS}")
 set(consumer ${SOURCE_DIR}/tests/packaging/consumer)
 set(version -DEXPECTED_VERSION="${VERSION}")
-run(${COMPILER} -std=c++17 ${flags} ${version} -DCONSUMER_FLUSHES=0 ${consumer}/consumer.cpp ${both}
+run(${COMPILER} -std=c++17 ${flags} ${version} -DCONSUMER_FLUSHES=0 -DCONSUMER_WITH_CGAL=1 ${consumer}/consumer.cpp ${both}
   -o ${SCRATCH}/consumer)
 run(${C_COMPILER} -std=c11 ${flags} ${version} ${consumer}/consumer.c ${alone} -o ${SCRATCH}/consumer_c)
 foreach(program consumer consumer_c)
