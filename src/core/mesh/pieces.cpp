@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <tuple>
 
@@ -67,15 +68,23 @@ Pieces::Pieces(const Mesh::Impl& mesh, const Motion& motion)
   find_vertices();
 }
 
+/// A counting sort by the lesser vertex; then the few sides at each are sorted by the greater one.
 void Pieces::find_sides() {
-  sides_.reserve(3 * mesh_.faces.size());
-  for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Index from = mesh_.faces[f][i], to = mesh_.faces[f][(i + 1) % 3];
-      sides_.push_back({unordered(from, to), static_cast<Index>(f), from < to ? 1 : -1});
+  std::vector<std::size_t> begin(mesh_.vertex_count + 1, 0);
+  const auto for_each_side = [&](const auto& call) {
+    for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Index from = mesh_.faces[f][i], to = mesh_.faces[f][(i + 1) % 3];
+        call(std::min(from, to), Side{unordered(from, to), static_cast<Index>(f), from < to ? 1 : -1});
+      }
     }
-  }
-  std::sort(sides_.begin(), sides_.end());
+  };
+  for_each_side([&](Index lesser, const Side&) { ++begin[lesser + std::size_t{1}]; });
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  sides_.resize(3 * mesh_.faces.size());
+  std::vector<std::size_t> end(begin.begin(), begin.end() - 1);
+  for_each_side([&](Index lesser, const Side& side) { sides_[end[lesser]++] = side; });
+  for (std::size_t v = 0; v < end.size(); ++v) std::sort(sides_.data() + begin[v], sides_.data() + end[v]);
 }
 
 /// For each face whether its set is open: an edge is in an odd number of the set's faces.
