@@ -92,7 +92,8 @@ std::pair<CurvedQuery, CurvedQuery> halves(const CurvedQuery& query, Exactly& ex
 TEST_CASE("law of curves: a step is its two halves") {
   check_curved_law(kSeed, 18, 0.3, [](const CurvedAsked& asked, Method method, Rng&) -> Finding {
     Exactly exactly;
-    const auto [first, second] = halves(asked.query, exactly);
+    const auto both = halves(asked.query, exactly);
+    const auto &first = both.first, &second = both.second;  // clang 14 captures no structured bindings
     if (!exactly.holds() || asked.separation.distance > 0) return std::nullopt;
     const CurvedAsked whole{asked.query, asked.separation};
     const Answer answer = answer_to(whole, method);
