@@ -366,7 +366,7 @@ def attacks(build, layer, seconds, jobs, quick, file=None):
         # The long tests of that folder compare what the fuzzer compares.
         searches = [tests("filters", 0.3, "[separation]"), tests("separation", 0.2, "*entries near*,patches*")]
     elif layer == "exact":
-        searches = [tests("exact", 0.5, "decide_nearby*,the exact level*,V at a time*")]
+        searches = [tests("exact", 0.5, "the near rungs*,the exact level*,V at a time*")]
     elif layer == "mesh":
         searches = [tests("mesh", 1, "neighbours that*")]
         quick = True

@@ -31,7 +31,7 @@ extern "C" {
 #endif
 
 /** The version of this interface. A number is added for each addition; nothing is taken away under one number. */
-#define TOUCHSTONE_C_VERSION 2
+#define TOUCHSTONE_C_VERSION 3
 
 /** The values that functions return. */
 enum touchstone_status_code {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include <touchstone/answer.hpp>
@@ -22,6 +23,9 @@ enum class Method : std::uint8_t {
   oracle,    ///< an independent decider over CGAL's algebraic kernel: slow; shares no decision code with the others
   fast_cgal  ///< the same filters as `fast`, and CGAL (number types and algebraic kernel) where they are uncertain
 };
+
+/// Whether this build of the library has the method: oracle and fast_cgal need CGAL (TOUCHSTONE_WITH_CGAL).
+bool has_method(Method method) noexcept;
 
 /// What is asked about a query, and how it is answered. In C++20: solve(query, {.separation = {0.001}}).
 struct SolveOptions {
@@ -46,8 +50,16 @@ struct SolveOptions {
 ///                       finite, or a value that is none of its enum's
 Answer solve(const Query& query, const SolveOptions& options);
 
-/// The same about touching in [0, t_max], by Method::fast.
-Answer solve(const Query& query, double t_max = 1.0);
+/// The same about touching in [0, 1], by Method::fast.
+Answer solve(const Query& query);
+
+/// The same about touching in [0, t_max]. A number in braces is no t_max, but the first of SolveOptions.
+template <class Number, class = std::enable_if_t<std::is_arithmetic_v<Number>>>
+Answer solve(const Query& query, Number t_max) {
+  SolveOptions options;
+  options.t_max = static_cast<double>(t_max);
+  return solve(query, options);
+}
 
 /// The same for rational coordinates. When some coordinate is not a double, no filter applies: the exact level decides
 /// for Method::fast and Method::exact, and CGAL for the other two.
@@ -57,10 +69,18 @@ Answer solve(const Query& query, double t_max = 1.0);
 /// @throws InvalidQuery  also for a fraction that is not a pair of decimal integers, and a zero denominator
 Answer solve(const RationalQuery& query, const SolveOptions& options);
 
-/// The same about touching in [0, t_max], by Method::fast.
-Answer solve(const RationalQuery& query, double t_max = 1.0);
+/// The same about touching in [0, 1], by Method::fast.
+Answer solve(const RationalQuery& query);
 
-/// The options of a batch: those of each query, and how many queries are answered. `threads` and `vectors` change no
+/// The same about touching in [0, t_max]. A number in braces is no t_max, but the first of SolveOptions.
+template <class Number, class = std::enable_if_t<std::is_arithmetic_v<Number>>>
+Answer solve(const RationalQuery& query, Number t_max) {
+  SolveOptions options;
+  options.t_max = static_cast<double>(t_max);
+  return solve(query, options);
+}
+
+/// The options of a batch: those of each query (SolveOptions), and how many queries are answered. `threads` and `vectors` change no
 /// answer.
 struct BatchOptions : SolveOptions {
   /// The number of threads, 1 to 1024; 0 takes as many as the machine has. With 1 the calling thread does all the work.

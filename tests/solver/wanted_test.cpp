@@ -142,6 +142,41 @@ TEST_CASE("curved queries leave out what is not wanted") {
   }
 }
 
+TEST_CASE("options in braces are the defaults, and a number in them is t_max") {
+  const Query falling = VertexFace{{{{0.25, 0.25, 1}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
+                                   {{{0.25, 0.25, -1}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}};
+  CHECK(solve(falling).toi == 0.5);
+  CHECK(solve(falling, {}).toi == 0.5);
+  CHECK(solve(falling, 1).toi == 0.5);
+  CHECK(solve(falling, {0.5}).toi == 0.5);
+  CHECK_FALSE(solve(falling, {0.25}).contact);
+  CHECK_FALSE(solve(falling, 0.25f).contact);
+  CHECK(solve(CurvedQuery(falling), {}).toi == 0.5);
+}
+
+TEST_CASE("what is not wanted of a rational contact is left out, too") {
+  RationalQuery thirds{Kind::vertex_face, {}, {}};
+  thirds.start[0] = {Fraction{"1", "3"}, Fraction{"1", "3"}, Fraction{"1", "3"}};
+  thirds.end[0] = {Fraction{"1", "3"}, Fraction{"1", "3"}, Fraction{"-1", "3"}};
+  for (auto* corners : {&thirds.start, &thirds.end}) {
+    (*corners)[2][0] = {"1", "1"};
+    (*corners)[3][1] = {"1", "1"};
+  }
+  RationalQuery halves = thirds;  // of doubles
+  for (auto* corners : {&halves.start, &halves.end}) {
+    for (Fraction& coordinate : (*corners)[0]) coordinate.denominator = "4";
+  }
+  for (const RationalQuery& query : {thirds, halves}) {
+    for (const Method method : {Method::fast, Method::exact, Method::oracle}) {
+      const Answer whole = solve(query, {.method = method});
+      REQUIRE(whole.toi == 0.5);
+      for (const Wanted wanted : {Wanted::features, Wanted::time, Wanted::contact}) {
+        CHECK(wrong_in(solve(query, {.method = method, .wanted = wanted}), whole, wanted) == "");
+      }
+    }
+  }
+}
+
 TEST_CASE("a value that is none of Wanted's is refused") {
   const auto wrong = static_cast<Wanted>(4);
   CHECK_THROWS_AS(solve(Query(), {.wanted = wrong}), InvalidQuery);

@@ -100,6 +100,8 @@ TEST_CASE("a question is asked by SolveOptions, and a bare separation or method 
     return compile(text, kModes[0] + kStrict).status == 0;
   };
   CHECK(compiles("solve(query, 0.5)"));
+  CHECK(compiles("solve(query, 1)"));
+  CHECK(compiles("solve(query, {})"));
   CHECK(compiles("solve(query, SolveOptions())"));
   CHECK(compiles("solve(query, {0.5, {0.001, Metric::max}})"));
   CHECK_FALSE(compiles("solve(query, Separation{0.001})"));

@@ -20,9 +20,8 @@ namespace {
 
 std::string page_of(const Query& query, const std::string& title, const std::string& about, double t_max,
                     const Separation& separation) {
-  static_cast<void>(solve(query, {.t_max = t_max,
-                                  .separation = separation,
-                                  .method = Method::exact}));  // it refuses what exact::explain does not accept
+  // It refuses what exact::explain does not accept.
+  static_cast<void>(solve(query, {.t_max = t_max, .separation = separation, .method = Method::exact}));
   view::QueryToShow shown;
   shown.title = title;
   shown.about = about;

@@ -117,6 +117,8 @@ std::string_view bench_method_name(BenchMethod method) noexcept {
 }
 
 bool takes(BenchMethod method, bool curved, const Separation& separation) noexcept {
+  const bool by_cgal = method == BenchMethod::cgal || method == BenchMethod::oracle;
+  if (by_cgal && !has_method(Method::oracle)) return false;
   if (curved) return !is_baseline(method) && method != BenchMethod::columns && wanted_by(method) == Wanted::all;
   if (method == BenchMethod::straight) return false;
   return !is_baseline(method) || (separation.distance > 0 && separation.metric == Metric::euclidean);

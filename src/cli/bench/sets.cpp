@@ -113,14 +113,16 @@ void append_sets(const std::string& source, const ByKind& queries, const Separat
   }
 }
 
-/// The scenes along the axes in each placement, as "boxes", "boxes-turned" and so on.
-void append_aligned_sets(std::size_t count, const Separation& separation,
+/// The scenes along the axes as they are built and turned, as "boxes" and "boxes-turned"; in the other placements only
+/// where a filter chooses them.
+void append_aligned_sets(std::size_t count, const Separation& separation, bool filtered,
                          const std::function<bool(const std::string&)>& wanted, std::vector<BenchSet>& sets) {
   for (const auto scene : generators::kAlignedScenes) {
     for (const auto placement : generators::kAllPlacements) {
       std::string source(generators::scene_name(scene));
       if (placement != generators::Placement::as_built) source += "-" + std::string(placement_name(placement));
-      if (!wanted(source)) continue;
+      const bool usual = placement <= generators::Placement::turned;
+      if (!wanted(source) || !(usual || filtered)) continue;
       generators::CandidateOptions options;
       options.scene = scene;
       options.placement = placement;
@@ -177,7 +179,7 @@ std::vector<BenchSet> bench_sets(const BenchOptions& options, const std::functio
   append_sets("random", random_queries(options.count), separation, sets);
   append_sets("bundled", queries_of<Query>(bundled_touching_inputs()), separation, sets);
   append_sets("files", queries_of<Query>(given), separation, sets);
-  append_aligned_sets(options.count, separation, wanted, sets);
+  append_aligned_sets(options.count, separation, !options.filter.empty(), wanted, sets);
   append_body_pairs(options.count, separation, wanted, sets);
   append_curved_sets("bundled-curved", queries_of<CurvedQuery>(bundled_touching_inputs(io::Motions::any)), separation,
                      sets);

@@ -49,18 +49,13 @@ void add_scene_option(CLI::App& subcommand, GenerateOptions& options) {
           [&options](const std::string& name) {
             options.candidates.placement = *generators::placement_from_name(name);
           },
-          "How the whole scene is placed: as-built; turned, by a rotation that depends on the seed, so that nothing "
-          "lies "
-          "along the axes; turned-90 or turned-45, about the z axis and then about the x axis, in doubles; float32, "
-          "moved by about a hundred and rounded to float32; moved, rounded to float32 and then moved by about a "
-          "thousand in doubles; far-corners, one corner in seventeen a thousand times as far away (default: as-built)")
+          "How the whole scene is placed, with the noise of people's files: below (default: as-built)")
       ->type_name("WAY")
       ->check([](const std::string& name) {
-        return generators::placement_from_name(name)
-                   ? std::string()
-                   : name +
-                         " is no placement; it must be as-built, turned, turned-90, turned-45, float32, moved or "
-                         "far-corners";
+        if (generators::placement_from_name(name)) return std::string();
+        std::string known;
+        for (const auto placement : generators::kAllPlacements) known += " " + std::string(placement_name(placement));
+        return name + " is no placement; it must be one of" + known;
       });
 }
 
@@ -176,6 +171,11 @@ void add_generate(CLI::App& program, Command& command) {
       "exact answer. The same options write the same bytes on every machine. The files appear when all of them are\n"
       "complete. After an error there are none. With --separation D the boxes are grown so that every pair that comes\n"
       "within D is a candidate, the truth column is about D, and a file's first line says so.\n\n"
+      "WAY is as-built; turned, by a rotation that depends on the seed; turned-90 or turned-45, about the z axis and\n"
+      "then about the x axis, in doubles; float32, moved by about a hundred and rounded to float32; moved, rounded to\n"
+      "float32 and then moved by about a thousand in doubles; or far-corners, one corner in seventeen a thousand "
+      "times\n"
+      "as far away.\n\n"
       "With --meshes, FOLDER/SCENE is a new folder of frames. It appears when the frames are complete. In cloth, "
       "sheets\n"
       "and cables, elements pass through each other. A drape is free of contact between all frames, at every speed.\n\n"

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdlib>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <type_traits>
@@ -306,6 +308,12 @@ constexpr RungOfLadder kLadder[] = {
     {Rung::exact_any, false, 0, kAnyBits, decide_in<Exact>},
 };
 
+static_assert(std::size(kLadder) == kRungs && kLadder[kRungs - 1].most_bits == kAnyBits &&
+                  kLadder[kRungs - 1].rung == Rung::exact_any,
+              "the last rung decides each query");
+static_assert(kMostBits<0> == 16 && kMostBits<1> == 59 && kMostBits<2> == 123 && kMostBits<3> == 187,
+              "as exact.hpp, the solver's ladder and the design page say");
+
 Answer decide_from(Rung first, const Query& query, double t_max, Wanted wanted, Rung* decided) {
   const Spans spans = axis_spans(query);
   const int along_axes = std::max({spans[0].bits(), spans[1].bits(), spans[2].bits()});
@@ -318,7 +326,7 @@ Answer decide_from(Rung first, const Query& query, double t_max, Wanted wanted, 
     if (decided != nullptr) *decided = rung.rung;
     return *answer;
   }
-  return Answer();  // the last rung decides each query
+  std::abort();  // the last rung decides each query
 }
 
 template <class N, class Q>

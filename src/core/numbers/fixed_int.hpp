@@ -6,7 +6,6 @@
 
 #include <bit>
 #include <cstdint>
-#include <optional>
 
 #include "numbers/exact_number.hpp"
 #include "numbers/polynomial.hpp"

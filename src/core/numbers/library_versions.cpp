@@ -28,9 +28,12 @@ std::vector<LibraryVersion> library_versions() {
 #ifdef TOUCHSTONE_WITH_CGAL
   const std::string cgal = TOUCHSTONE_TEXT(CGAL_VERSION);
   const std::string boost = dotted(BOOST_VERSION / 100'000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100);
-  versions = {{"CGAL", cgal, cgal}, {"Boost", boost, boost}, {"MPFR", MPFR_VERSION_STRING, mpfr_get_version()}};
+  versions = {{"CGAL", cgal, cgal}, {"Boost", boost, boost}};
 #endif
   versions.push_back({"GMP", gmp, gmp_version});
+#ifdef TOUCHSTONE_WITH_CGAL
+  versions.push_back({"MPFR", MPFR_VERSION_STRING, mpfr_get_version()});
+#endif
   return versions;
 }
 

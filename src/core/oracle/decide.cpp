@@ -12,6 +12,9 @@
 #include "oracle/touch.hpp"
 
 namespace touchstone::oracle {
+
+bool is_present() noexcept { return true; }
+
 namespace {
 
 Answer contact(const Moment& time, const Touch& where, Nature nature) {

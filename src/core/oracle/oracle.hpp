@@ -16,6 +16,9 @@ inline Answer no_contact() {
   return answer;
 }
 
+/// Whether the library is built with CGAL. Without it every other function here throws InvalidQuery.
+bool is_present() noexcept;
+
 /// The first contact in [0, t_max]; level is Level::oracle. The query must be valid (finite, t_max in [0, 1],
 /// well-formed fractions) and the floating-point environment the default one: callers in `solver` see to both.
 Answer decide_by_oracle(const Query& query, double t_max);

@@ -87,13 +87,21 @@ Answer answer(const Query& query, Method method, double t_max, Wanted wanted) {
   return result;
 }
 
-RungAnswer answer_and_rung(const Query& query, double t_max) {
-  const numbers::DefaultFloatEnvironment environment;
+namespace {
+
+TOUCHSTONE_BEHIND_GUARD RungAnswer rung_answer(const Query& query, double t_max) {
   RungAnswer result;
   result.answer.level = Level::filter;
   if (is_time(t_max) && filters::same_side(query)) return result;
   answer_after_same_side(query, Method::fast, t_max, Wanted::all, result.answer, &result.rung);
   return result;
+}
+
+}  // namespace
+
+RungAnswer answer_and_rung(const Query& query, double t_max) {
+  const numbers::DefaultFloatEnvironment environment;
+  return rung_answer(query, t_max);
 }
 
 Answer answer_after_same_side(const Query& query, Method method, double t_max, Wanted wanted) {

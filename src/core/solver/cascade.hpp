@@ -43,7 +43,8 @@ TOUCHSTONE_BEHIND_GUARD Answer answer(const Query& query, const Separation& sepa
 
 /// The same for rational coordinates and for curved queries. @throws InvalidQuery  also naming the first fraction,
 /// corner or motion without meaning
-Answer answer(const RationalQuery& query, const Separation& separation, Method method, double t_max, Wanted wanted);
+TOUCHSTONE_BEHIND_GUARD Answer answer(const RationalQuery& query, const Separation& separation, Method method,
+                                      double t_max, Wanted wanted);
 TOUCHSTONE_BEHIND_GUARD Answer answer(const CurvedQuery& query, Method method, double t_max,
                                       Wanted wanted = Wanted::all);
 TOUCHSTONE_BEHIND_GUARD Answer answer(const CurvedQuery& query, const Separation& separation, Method method,

@@ -52,16 +52,21 @@ Answer answer(const RationalQuery& query, const Separation& separation, Method m
 
 }  // namespace solver
 
+bool has_method(Method method) noexcept {
+  return method == Method::fast || method == Method::exact || (method <= Method::fast_cgal && oracle::is_present());
+}
+
 Answer solve(const Query& query, const SolveOptions& options) {
   const numbers::DefaultFloatEnvironment environment;
+  solver::validate_method(options.method);
   solver::validate_wanted(options.wanted);
   solver::validate(options.separation);
   return solver::answer(query, options.separation, options.method, options.t_max, options.wanted);
 }
 
-Answer solve(const Query& query, double t_max) {
+Answer solve(const Query& query) {
   const numbers::DefaultFloatEnvironment environment;
-  return solver::answer(query, Method::fast, t_max);
+  return solver::answer(query, Method::fast, 1);
 }
 
 Answer solve(const RationalQuery& query, const SolveOptions& options) {
@@ -71,6 +76,6 @@ Answer solve(const RationalQuery& query, const SolveOptions& options) {
   return solver::answer(query, options.separation, options.method, options.t_max, options.wanted);
 }
 
-Answer solve(const RationalQuery& query, double t_max) { return solve(query, SolveOptions{t_max}); }
+Answer solve(const RationalQuery& query) { return solve(query, SolveOptions()); }
 
 }  // namespace touchstone

@@ -108,6 +108,6 @@ Answer solve(const CurvedQuery& query, const SolveOptions& options) {
   return solver::answer(query, options.separation, options.method, options.t_max, options.wanted);
 }
 
-Answer solve(const CurvedQuery& query, double t_max) { return solve(query, SolveOptions{t_max}); }
+Answer solve(const CurvedQuery& query) { return solve(query, SolveOptions()); }
 
 }  // namespace touchstone

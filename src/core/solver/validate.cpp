@@ -116,7 +116,12 @@ void validate(const Separation& separation) {
 }
 
 void validate_method(Method method) {
-  if (method <= Method::fast_cgal) return;
+  if (has_method(method)) return;
+  if (method <= Method::fast_cgal) {
+    throw InvalidQuery(
+        "Method::oracle and Method::fast_cgal need CGAL, and this library was built without it; build it with "
+        "-DTOUCHSTONE_WITH_CGAL=ON, or ask by Method::fast or Method::exact");
+  }
   throw InvalidQuery("the method is " + std::to_string(static_cast<int>(method)) + "; it must be one of 0 to " +
                      std::to_string(static_cast<int>(Method::fast_cgal)) + ": fast, exact, oracle or fast_cgal");
 }

@@ -23,8 +23,10 @@ Claim claim_of(bool contact, double toi) {
 
 void append_ours(std::vector<Contestant>& all) {
   all.push_back({"exact_only", "exact arithmetic alone; never wrong", nullptr, Method::exact, 0});
-  all.push_back({"touchstone_cgal", "filters, brackets, and CGAL where they are uncertain; never wrong", nullptr,
-                 Method::fast_cgal, 0});
+  if (has_method(Method::fast_cgal)) {
+    all.push_back({"touchstone_cgal", "filters, brackets, and CGAL where they are uncertain; never wrong", nullptr,
+                   Method::fast_cgal, 0});
+  }
   all.push_back(
       {"touchstone", "the whole cascade: filters, brackets, exact arithmetic; never wrong", nullptr, Method::fast, 0});
 }
