@@ -209,7 +209,8 @@ TEST_CASE("distances at an instant") {
   CHECK(distance(moving, 0.5).feature_b == Feature::f);
 
   // Fractions: from 1/3 to 4/3, which no double holds.
-  RationalQuery thirds{Kind::point_point, {}, {}};
+  RationalQuery thirds;
+  thirds.kind = Kind::point_point;
   for (auto* corners : {&thirds.start, &thirds.end}) (*corners)[1][0] = {"1", "3"};
   thirds.end[1][0] = {"4", "3"};
   CHECK(distance(thirds).value == 1.0 / 3);

@@ -155,7 +155,8 @@ TEST_CASE("options in braces are the defaults, and a number in them is t_max") {
 }
 
 TEST_CASE("what is not wanted of a rational contact is left out, too") {
-  RationalQuery thirds{Kind::vertex_face, {}, {}};
+  RationalQuery thirds;
+  thirds.kind = Kind::vertex_face;
   thirds.start[0] = {Fraction{"1", "3"}, Fraction{"1", "3"}, Fraction{"1", "3"}};
   thirds.end[0] = {Fraction{"1", "3"}, Fraction{"1", "3"}, Fraction{"-1", "3"}};
   for (auto* corners : {&thirds.start, &thirds.end}) {
