@@ -80,8 +80,8 @@ Answer solve(const RationalQuery& query, Number t_max) {
   return solve(query, options);
 }
 
-/// The options of a batch: those of each query (SolveOptions), and how many queries are answered. `threads` and `vectors` change no
-/// answer.
+/// The options of a batch: those of each query (SolveOptions), and how many queries are answered. `threads` and
+/// `vectors` change no answer.
 struct BatchOptions : SolveOptions {
   /// The number of threads, 1 to 1024; 0 takes as many as the machine has. With 1 the calling thread does all the work.
   int threads = 1;

@@ -43,8 +43,8 @@ std::optional<SceneName> scene_from_name(std::string_view name) noexcept;
 bool has_faces(SceneName scene) noexcept;
 
 /// A mesh whose corners are closed formulas of time. They move at about one unit of length a unit of time, or rest,
-/// within a ball of radius 2 around the origin. There is no contact response: in kScenes, elements in contact pass through each
-/// other. So there is as much contact at the end as at the start.
+/// within a ball of radius 2 around the origin, as they are built. There is no contact response: in kScenes, elements in
+/// contact pass through each other. So there is as much contact at the end as at the start.
 class MovingMesh {
  public:
   virtual ~MovingMesh() = default;
