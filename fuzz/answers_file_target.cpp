@@ -9,7 +9,7 @@
 
 #include <touchstone/error.hpp>
 
-#include "io/answer_reader.hpp"
+#include "io/queries/answer_reader.hpp"
 #include "numbers/fraction.hpp"
 #include "numbers/written_number.hpp"
 #include "targets.hpp"

@@ -20,9 +20,9 @@
 
 #include "families/families.hpp"
 #include "fuzz/climb.hpp"
-#include "io/query_writer.hpp"
-#include "io/separation_text.hpp"
-#include "numbers/float_environment.hpp"
+#include "io/queries/query_writer.hpp"
+#include "io/queries/separation_text.hpp"
+#include "numbers/doubles/float_environment.hpp"
 
 namespace {
 

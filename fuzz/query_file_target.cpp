@@ -12,10 +12,10 @@
 
 #include <touchstone/error.hpp>
 
-#include "io/curved_rows.hpp"
-#include "io/query_chunks.hpp"
-#include "io/query_parser.hpp"
-#include "io/query_writer.hpp"
+#include "io/queries/curved_rows.hpp"
+#include "io/queries/query_chunks.hpp"
+#include "io/queries/query_parser.hpp"
+#include "io/queries/query_writer.hpp"
 #include "targets.hpp"
 
 namespace touchstone::fuzzing {

@@ -2,8 +2,8 @@
 #include "seeds.hpp"
 
 #include "families/families.hpp"
-#include "io/query_array.hpp"
-#include "io/query_writer.hpp"
+#include "io/queries/query_array.hpp"
+#include "io/queries/query_writer.hpp"
 #include "pipes/protocol.hpp"
 #include "query_bytes.hpp"
 #include "scene/scene_file.hpp"

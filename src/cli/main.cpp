@@ -2,7 +2,7 @@
 #include <iostream>
 
 #include "cli/program.hpp"
-#include "cli/shared/interrupt.hpp"
+#include "cli/shared/progress/interrupt.hpp"
 
 int main(int argc, char** argv) {
   using namespace touchstone::cli;

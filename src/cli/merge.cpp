@@ -6,13 +6,13 @@
 #include <optional>
 #include <utility>
 
+#include "cli/shared/command_line/common_options.hpp"
 #include "cli/shared/mesh_results.hpp"
-#include "cli/shared/options.hpp"
 #include "cli/shared/whole_file.hpp"
 #include "io/output_file.hpp"
 #include "sequence/merge.hpp"
 #include "sequence/pairs_table.hpp"
-#include "sequence/report.hpp"
+#include "sequence/report_json.hpp"
 
 namespace touchstone::cli {
 

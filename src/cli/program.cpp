@@ -25,7 +25,7 @@
 #include "cli/prove.hpp"
 #include "cli/report/report.hpp"
 #include "cli/shared/build_facts.hpp"
-#include "cli/shared/interrupt.hpp"
+#include "cli/shared/progress/interrupt.hpp"
 #include "cli/shared/words.hpp"
 #include "cli/simulate/simulate.hpp"
 #include "cli/solve.hpp"

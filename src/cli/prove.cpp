@@ -6,16 +6,16 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "cli/shared/command_line/turns.hpp"
 #include "cli/shared/inputs.hpp"
-#include "cli/shared/pipeline.hpp"
-#include "cli/shared/proof_file.hpp"
-#include "cli/shared/query_progress.hpp"
-#include "cli/shared/summary.hpp"
-#include "cli/shared/turns.hpp"
+#include "cli/shared/progress/pipeline.hpp"
+#include "cli/shared/progress/query_progress.hpp"
+#include "cli/shared/progress/summary.hpp"
+#include "cli/shared/proofs/proof_file.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
 #include "io/output_file.hpp"
-#include "io/query_parser.hpp"
+#include "io/queries/query_parser.hpp"
 
 namespace touchstone::cli {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "cli/shared/command.hpp"
-#include "cli/shared/options.hpp"
+#include "cli/shared/command_line/command.hpp"
+#include "cli/shared/command_line/common_options.hpp"
 
 namespace touchstone::cli {
 

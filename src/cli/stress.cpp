@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <memory>
 
+#include "cli/shared/command_line/common_options.hpp"
 #include "cli/shared/new_folders.hpp"
-#include "cli/shared/options.hpp"
-#include "cli/shared/progress_line.hpp"
+#include "cli/shared/progress/progress_line.hpp"
 #include "cli/shared/words.hpp"
 #include "io/output_file.hpp"
 #include "stress/stress.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "cli/shared/command.hpp"
+#include "cli/shared/command_line/command.hpp"
 
 namespace touchstone::cli {
 

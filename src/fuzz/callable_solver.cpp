@@ -4,7 +4,7 @@
 #include <exception>
 #include <utility>
 
-#include "numbers/float_environment.hpp"
+#include "numbers/doubles/float_environment.hpp"
 
 namespace touchstone::fuzz {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "families/curved_parts.hpp"
-#include "families/motion.hpp"
+#include "families/linear_motion.hpp"
 #include "fuzz/margin.hpp"
 
 namespace touchstone::fuzz {

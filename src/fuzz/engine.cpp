@@ -8,7 +8,7 @@
 
 #include <touchstone/error.hpp>
 
-#include "fuzz/judged_solver.hpp"
+#include "fuzz/judging/judged_solver.hpp"
 #include "fuzz/plan.hpp"
 #include "fuzz/run_case.hpp"
 #include "fuzz/search.hpp"

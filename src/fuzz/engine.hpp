@@ -9,8 +9,8 @@
 #include <memory>
 #include <vector>
 
-#include "fuzz/failure.hpp"
-#include "fuzz/findings.hpp"
+#include "fuzz/judging/failure.hpp"
+#include "fuzz/judging/findings.hpp"
 #include "fuzz/settings.hpp"
 #include "fuzz/solver_under_test.hpp"
 

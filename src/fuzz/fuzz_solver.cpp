@@ -10,7 +10,7 @@
 #include "fuzz/callable_solver.hpp"
 #include "fuzz/climb.hpp"
 #include "fuzz/engine.hpp"
-#include "fuzz/finding_text.hpp"
+#include "fuzz/judging/finding_text.hpp"
 
 namespace touchstone {
 namespace {

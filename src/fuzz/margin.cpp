@@ -8,9 +8,9 @@
 #include <initializer_list>
 #include <limits>
 
-#include "filters/curved_paths.hpp"
-#include "filters/same_side.hpp"
-#include "filters/separating_direction.hpp"
+#include "filters/apart/same_side.hpp"
+#include "filters/apart/separating_direction.hpp"
+#include "filters/curved/curved_paths.hpp"
 
 namespace touchstone::fuzz {
 namespace {

@@ -3,11 +3,11 @@
 
 #include <utility>
 
-#include "fuzz/judged_solver.hpp"
+#include "fuzz/judging/judged_solver.hpp"
 #include "fuzz/plan.hpp"
-#include "fuzz/shrink.hpp"
-#include "fuzz/simplicity.hpp"
-#include "numbers/float_environment.hpp"
+#include "fuzz/shrinking/shrink.hpp"
+#include "fuzz/shrinking/simplicity.hpp"
+#include "numbers/doubles/float_environment.hpp"
 
 namespace touchstone::fuzz {
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "fuzz/case_name.hpp"
-#include "fuzz/findings.hpp"
+#include "fuzz/judging/findings.hpp"
 #include "fuzz/settings.hpp"
 #include "fuzz/solver_under_test.hpp"
 

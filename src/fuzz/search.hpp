@@ -11,9 +11,9 @@
 #include <touchstone/query.hpp>
 
 #include "fuzz/case_name.hpp"
-#include "fuzz/failure.hpp"
-#include "fuzz/findings.hpp"
-#include "fuzz/judged_solver.hpp"
+#include "fuzz/judging/failure.hpp"
+#include "fuzz/judging/findings.hpp"
+#include "fuzz/judging/judged_solver.hpp"
 #include "fuzz/plan.hpp"
 #include "fuzz/settings.hpp"
 

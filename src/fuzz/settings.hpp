@@ -12,7 +12,7 @@
 
 #include "families/families.hpp"
 #include "fuzz/case_name.hpp"
-#include "fuzz/failure.hpp"
+#include "fuzz/judging/failure.hpp"
 
 namespace touchstone::fuzz {
 

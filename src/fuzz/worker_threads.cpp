@@ -12,7 +12,7 @@
 
 #include <touchstone/error.hpp>
 
-#include "numbers/float_environment.hpp"
+#include "numbers/doubles/float_environment.hpp"
 
 namespace touchstone::fuzz {
 

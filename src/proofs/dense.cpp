@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "numbers/common_denominator.hpp"
+#include "numbers/integers/common_denominator.hpp"
 
 namespace touchstone::proofs {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "geometry/vector.hpp"
-#include "numbers/coefficients.hpp"
-#include "numbers/exact_number.hpp"
+#include "numbers/integers/exact_number.hpp"
+#include "numbers/roots/coefficients.hpp"
 
 namespace touchstone::proofs {
 

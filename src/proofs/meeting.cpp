@@ -7,8 +7,8 @@
 
 #include <touchstone/error.hpp>
 
-#include "numbers/common_divisor.hpp"
-#include "numbers/real_root.hpp"
+#include "numbers/roots/common_divisor.hpp"
+#include "numbers/roots/real_root.hpp"
 #include "proofs/constructions.hpp"
 
 namespace touchstone::proofs {

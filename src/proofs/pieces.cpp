@@ -10,7 +10,7 @@
 
 #include <touchstone/error.hpp>
 
-#include "filters/separating_direction.hpp"
+#include "filters/apart/separating_direction.hpp"
 #include "proofs/directions.hpp"
 
 namespace touchstone::proofs {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "io/times.hpp"
-#include "numbers/float_environment.hpp"
+#include "numbers/doubles/float_environment.hpp"
 #include "proofs/quick_proof.hpp"
 
 namespace touchstone::proofs {

@@ -2,7 +2,7 @@
 #include <type_traits>
 
 #include "exact/exact.hpp"
-#include "numbers/float_environment.hpp"
+#include "numbers/doubles/float_environment.hpp"
 #include "proofs/elements.hpp"
 #include "proofs/meeting.hpp"
 #include "proofs/pieces.hpp"

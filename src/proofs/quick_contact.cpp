@@ -11,7 +11,7 @@
 #include "exact/elements.hpp"
 #include "filters/step_frame.hpp"
 #include "geometry/frame.hpp"
-#include "numbers/fixed_int.hpp"
+#include "numbers/integers/fixed_int.hpp"
 
 namespace touchstone::proofs {
 namespace {

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "filters/apart/same_side.hpp"
+#include "filters/apart/separating_direction.hpp"
 #include "filters/bernstein_cubic.hpp"
-#include "filters/same_side.hpp"
-#include "filters/separating_direction.hpp"
 #include "proofs/directions.hpp"
 #include "proofs/quick_contact.hpp"
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "broad_phase/box_tree.hpp"
-#include "proofs/motion.hpp"
+#include "proofs/mesh_motion.hpp"
 
 namespace touchstone::proofs {
 

@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-#include "view/html.hpp"
+#include "view/pages/html.hpp"
 
 namespace touchstone::view {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "numbers/real_root.hpp"
+#include "numbers/roots/real_root.hpp"
 
 namespace touchstone::view {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <touchstone/query.hpp>
 
-#include "io/query_parser.hpp"
+#include "io/queries/query_parser.hpp"
 #include "proofs/dense.hpp"
 
 namespace touchstone::view {

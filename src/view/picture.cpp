@@ -11,7 +11,7 @@
 #include <variant>
 
 #include "io/times.hpp"
-#include "numbers/real_root.hpp"
+#include "numbers/roots/real_root.hpp"
 #include "proofs/elements.hpp"
 #include "proofs/proof.hpp"
 #include "view/basis.hpp"

@@ -11,7 +11,7 @@
 #include <touchstone/answer.hpp>
 #include <touchstone/separation.hpp>
 
-#include "io/query_parser.hpp"
+#include "io/queries/query_parser.hpp"
 #include "view/moving_corners.hpp"
 
 namespace touchstone::view {

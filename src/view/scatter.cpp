@@ -9,7 +9,7 @@
 #include <numeric>
 #include <utility>
 
-#include "view/html.hpp"
+#include "view/pages/html.hpp"
 
 namespace touchstone::view {
 namespace {

@@ -16,7 +16,7 @@
 
 #include <touchstone/solve.hpp>
 
-#include "filters/same_side.hpp"
+#include "filters/apart/same_side.hpp"
 #include "generators/candidates.hpp"
 #include "seeded/rng.hpp"
 #include "solver/owned_columns.hpp"

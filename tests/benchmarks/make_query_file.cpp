@@ -15,8 +15,8 @@
 #include <touchstone/error.hpp>
 #include <touchstone/solve.hpp>
 
-#include "io/kind_of_file.hpp"
-#include "io/query_writer.hpp"
+#include "io/queries/kind_of_file.hpp"
+#include "io/queries/query_writer.hpp"
 #include "support/query_families.hpp"
 
 namespace touchstone::benchmarks {

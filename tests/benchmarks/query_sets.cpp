@@ -8,8 +8,8 @@
 
 #include <touchstone/error.hpp>
 
-#include "io/kind_of_file.hpp"
-#include "io/query_parser.hpp"
+#include "io/queries/kind_of_file.hpp"
+#include "io/queries/query_parser.hpp"
 #include "support/query_families.hpp"
 
 namespace touchstone::benchmarks {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "generators/mesh.hpp"
+#include "generators/shapes.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone::sim;

@@ -10,7 +10,7 @@
 #include <set>
 #include <utility>
 
-#include "numbers/exact_number.hpp"
+#include "numbers/integers/exact_number.hpp"
 #include "seeded/rng.hpp"
 #include "support/catch.hpp"
 

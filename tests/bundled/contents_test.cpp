@@ -16,8 +16,8 @@
 #include "bundled/expected_query.hpp"
 #include "cli/queries/bundled.hpp"
 #include "io/input_file.hpp"
-#include "io/query_chunks.hpp"
-#include "io/query_parser.hpp"
+#include "io/queries/query_chunks.hpp"
+#include "io/queries/query_parser.hpp"
 #include "support/catch.hpp"
 #include "support/curved_query.hpp"
 

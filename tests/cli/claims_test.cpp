@@ -7,7 +7,7 @@
 
 #include "cli/run_program.hpp"
 #include "cli/sample_files.hpp"
-#include "io/answer_writer.hpp"
+#include "io/queries/answer_writer.hpp"
 #include "io/times.hpp"
 #include "support/catch.hpp"
 

@@ -10,9 +10,9 @@
 
 #include "cli/run_program.hpp"
 #include "cli/sample_files.hpp"
-#include "io/answer_writer.hpp"
-#include "io/curved_rows.hpp"
-#include "io/separation_text.hpp"
+#include "io/queries/answer_writer.hpp"
+#include "io/queries/curved_rows.hpp"
+#include "io/queries/separation_text.hpp"
 #include "io/times.hpp"
 #include "seeded/rng.hpp"
 #include "support/catch.hpp"

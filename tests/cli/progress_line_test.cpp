@@ -1,6 +1,6 @@
 // The progress line of a long command is drawn on a terminal only, and is erased at the end.
 // SPDX-License-Identifier: MIT
-#include "cli/shared/progress_line.hpp"
+#include "cli/shared/progress/progress_line.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -9,8 +9,8 @@
 #include "cli/run_checker.hpp"
 #include "cli/run_program.hpp"
 #include "cli/sample_files.hpp"
-#include "cli/shared/options.hpp"
-#include "cli/shared/proof_file.hpp"
+#include "cli/shared/command_line/common_options.hpp"
+#include "cli/shared/proofs/proof_file.hpp"
 #include "io/sha256.hpp"
 #include "support/catch.hpp"
 

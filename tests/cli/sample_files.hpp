@@ -9,7 +9,7 @@
 #include <touchstone/query.hpp>
 #include <touchstone/solve.hpp>
 
-#include "io/query_writer.hpp"
+#include "io/queries/query_writer.hpp"
 #include "support/query_families.hpp"
 
 namespace touchstone::tests {

@@ -14,7 +14,7 @@
 
 #include "curved/queries.hpp"
 #include "exact/exact.hpp"
-#include "numbers/float_environment.hpp"
+#include "numbers/doubles/float_environment.hpp"
 #include "support/answer_check.hpp"
 #include "support/catch.hpp"
 #include "support/query_families.hpp"

@@ -9,10 +9,10 @@
 
 #include <gmpxx.h>
 
-#include "filters/curved_form.hpp"
-#include "filters/curved_projection.hpp"
-#include "filters/curved_time.hpp"
-#include "numbers/bounded.hpp"
+#include "filters/curved/curved_form.hpp"
+#include "filters/curved/curved_projection.hpp"
+#include "filters/curved/curved_time.hpp"
+#include "numbers/doubles/bounded.hpp"
 #include "seeded/rng.hpp"
 #include "support/catch.hpp"
 #include "support/slow_build.hpp"

@@ -9,7 +9,7 @@
 
 #include "curved/expected.hpp"
 #include "curved/rational_motion.hpp"
-#include "filters/curved_chords.hpp"
+#include "filters/curved/curved_chords.hpp"
 #include "seeded/rng.hpp"
 #include "support/query_families.hpp"
 #include "support/slow_build.hpp"

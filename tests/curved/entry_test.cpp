@@ -5,7 +5,7 @@
 #include <string>
 
 #include "curved/expected.hpp"
-#include "filters/curved_bracket.hpp"
+#include "filters/curved/curved_bracket.hpp"
 #include "seeded/rng.hpp"
 #include "support/query_families.hpp"
 #include "support/slow_build.hpp"

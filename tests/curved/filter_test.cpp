@@ -9,7 +9,7 @@
 
 #include "curved/expected.hpp"
 #include "curved/rational_motion.hpp"
-#include "filters/curved_paths.hpp"
+#include "filters/curved/curved_paths.hpp"
 #include "seeded/rng.hpp"
 #include "support/slow_build.hpp"
 

@@ -14,7 +14,7 @@
 
 #include "curved/expected.hpp"
 #include "curved/queries.hpp"
-#include "filters/curved_paths.hpp"
+#include "filters/curved/curved_paths.hpp"
 #include "separation/distances.hpp"
 #include "support/report.hpp"
 #include "support/slow_build.hpp"

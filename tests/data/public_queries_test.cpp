@@ -11,8 +11,8 @@
 #include <touchstone/contact_times.hpp>
 #include <touchstone/solve.hpp>
 
-#include "io/kind_of_file.hpp"
-#include "io/query_parser.hpp"
+#include "io/queries/kind_of_file.hpp"
+#include "io/queries/query_parser.hpp"
 #include "support/answer_check.hpp"
 #include "support/catch.hpp"
 #include "support/query_text.hpp"

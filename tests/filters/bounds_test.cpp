@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "filters/apart/separating_direction.hpp"
 #include "filters/bound_search.hpp"
-#include "filters/separating_direction.hpp"
 #include "filters/step_frame.hpp"
-#include "numbers/exact_number.hpp"
+#include "numbers/integers/exact_number.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone;

@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "exact/exact.hpp"
+#include "filters/apart/boxes.hpp"
 #include "filters/bernstein_cubic.hpp"
-#include "filters/boxes.hpp"
 #include "filters/bracket.hpp"
-#include "filters/bracket_columns.hpp"
+#include "filters/columns/bracket_columns.hpp"
+#include "filters/columns/refined_columns.hpp"
 #include "filters/filters.hpp"
-#include "filters/refined_columns.hpp"
 #include "filters/root_sides.hpp"
 #include "solver/columns_of.hpp"
 #include "solver/owned_columns.hpp"

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "exact/exact.hpp"
+#include "filters/apart/separating_direction.hpp"
 #include "filters/bernstein_cubic.hpp"
 #include "filters/bracket.hpp"
-#include "filters/separating_direction.hpp"
 #include "filters/step_frame.hpp"
-#include "numbers/exact_number.hpp"
+#include "numbers/integers/exact_number.hpp"
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
 #include "support/report.hpp"

@@ -9,7 +9,7 @@
 #include "filters/bound_search.hpp"
 #include "filters/contact_values_steps.hpp"
 #include "filters/coplanarity_form.hpp"
-#include "numbers/exact_number.hpp"
+#include "numbers/integers/exact_number.hpp"
 #include "support/catch.hpp"
 #include "support/skip.hpp"
 

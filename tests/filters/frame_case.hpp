@@ -11,7 +11,7 @@
 #include "filters/bound_search.hpp"
 #include "filters/coplanarity_form.hpp"
 #include "filters/step_frame.hpp"
-#include "numbers/exact_number.hpp"
+#include "numbers/integers/exact_number.hpp"
 
 namespace touchstone::tests {
 

@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "filters/boxes.hpp"
+#include "filters/apart/boxes.hpp"
+#include "filters/apart/separating_direction.hpp"
 #include "filters/deciding_test.hpp"
-#include "filters/separating_direction.hpp"
-#include "numbers/exact_number.hpp"
+#include "numbers/integers/exact_number.hpp"
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
 #include "support/query_text.hpp"

@@ -5,10 +5,10 @@
 #include <cstring>
 #include <limits>
 
-#include "filters/entry_walk.hpp"
+#include "filters/apart/same_side.hpp"
+#include "filters/apart/separating_direction.hpp"
 #include "filters/frame_case.hpp"
-#include "filters/same_side.hpp"
-#include "filters/separating_direction.hpp"
+#include "filters/separation/entry_walk.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone;

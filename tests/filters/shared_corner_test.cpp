@@ -1,6 +1,6 @@
 // Neighbours in a mesh are decided without the cubic, and exactly as the exact level decides them.
 // SPDX-License-Identifier: MIT
-#include "filters/shared_corner.hpp"
+#include "filters/apart/shared_corner.hpp"
 
 #include <array>
 #include <cmath>
@@ -14,7 +14,7 @@
 #include "support/query_text.hpp"
 
 // The bound under test is private to this file, which is compiled here a second time.
-#include "filters/shared_corner.cpp"  // NOLINT(bugprone-suspicious-include)
+#include "filters/apart/shared_corner.cpp"  // NOLINT(bugprone-suspicious-include)
 
 using namespace touchstone;
 using namespace touchstone::tests;

@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
+#include "filters/columns/same_side_columns.hpp"
 #include "filters/filters.hpp"
-#include "filters/same_side_columns.hpp"
 #include "solver/columns_of.hpp"
 #include "solver/owned_columns.hpp"
 #include "support/catch.hpp"

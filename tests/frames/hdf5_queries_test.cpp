@@ -12,7 +12,7 @@
 
 #include "frames/hdf5_dataset.hpp"
 #include "frames/hdf5_queries.hpp"
-#include "io/hdf5_layout.hpp"
+#include "io/queries/hdf5_layout.hpp"
 #include "io/temporary_folder.hpp"
 #include "support/catch.hpp"
 

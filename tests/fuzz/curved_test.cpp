@@ -13,11 +13,11 @@
 
 #include "fuzz/answering_solver.hpp"
 #include "fuzz/engine.hpp"
-#include "fuzz/finding_text.hpp"
+#include "fuzz/judging/finding_text.hpp"
 #include "fuzz/margin.hpp"
 #include "fuzz/named_solvers.hpp"
 #include "fuzz/run_case.hpp"
-#include "fuzz/simplicity.hpp"
+#include "fuzz/shrinking/simplicity.hpp"
 #include "support/catch.hpp"
 #include "support/query_text.hpp"
 #include "support/slow_build.hpp"

@@ -1,6 +1,6 @@
 // The kind of degeneracy: nature, features and the polynomials that vanish at all times.
 // SPDX-License-Identifier: MIT
-#include "fuzz/degeneracy.hpp"
+#include "fuzz/judging/degeneracy.hpp"
 
 #include <touchstone/solve.hpp>
 

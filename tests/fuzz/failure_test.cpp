@@ -1,6 +1,6 @@
 // The class of failure of a reply.
 // SPDX-License-Identifier: MIT
-#include "fuzz/failure.hpp"
+#include "fuzz/judging/failure.hpp"
 
 #include <cmath>
 #include <limits>

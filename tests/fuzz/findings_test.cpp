@@ -1,10 +1,10 @@
 // Failures of one kind are one finding, in whatever order they come.
 // SPDX-License-Identifier: MIT
-#include "fuzz/findings.hpp"
+#include "fuzz/judging/findings.hpp"
 
 #include <touchstone/solve.hpp>
 
-#include "fuzz/simplicity.hpp"
+#include "fuzz/shrinking/simplicity.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone;

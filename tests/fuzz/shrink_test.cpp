@@ -1,6 +1,6 @@
 // Shrunk queries still fail in the same way, and a person can read them.
 // SPDX-License-Identifier: MIT
-#include "fuzz/shrink.hpp"
+#include "fuzz/shrinking/shrink.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -9,7 +9,7 @@
 #include "fuzz/engine.hpp"
 #include "fuzz/named_solvers.hpp"
 #include "fuzz/run_case.hpp"
-#include "fuzz/simplicity.hpp"
+#include "fuzz/shrinking/simplicity.hpp"
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
 #include "support/query_text.hpp"

@@ -3,9 +3,9 @@
 # is at least the exact one with the factor 1 - e for each rounding that a term passes through, less the underflows.
 # SPDX-License-Identifier: MIT
 # constant kUnit src/core/filters/coplanarity_form.hpp
-# constant kDirectionFactor src/core/filters/separating_direction.cpp
-# constant kLeastSquare src/core/filters/separating_direction.cpp
-# constant kLeastNormal src/core/filters/separating_direction.cpp
+# constant kDirectionFactor src/core/filters/apart/separating_direction.cpp
+# constant kLeastSquare src/core/filters/apart/separating_direction.cpp
+# constant kLeastNormal src/core/filters/apart/separating_direction.cpp
 # not with kDirectionFactor: 1 + 4 * kUnit
 # not with kLeastSquare: 0x1p-1022
 # not with kLeastNormal: 0x1p-1074

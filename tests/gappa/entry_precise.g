@@ -2,10 +2,10 @@
 # contact_components.g, a double-double is high + e low; high parts' sums and products are exact pairs.
 # SPDX-License-Identifier: MIT
 # constant kUnit src/core/filters/coplanarity_form.hpp
-# between kEuclidean src/core/filters/entry.cpp |constexpr double kPreciseError = |;|
-# between kLargestAxis src/core/filters/max_entry.cpp |constexpr double kPreciseError = |;|
-# constant kLeastShare src/core/filters/entry_step.hpp
-# constant kLeastSize src/core/filters/entry_step.hpp
+# between kEuclidean src/core/filters/separation/entry.cpp |constexpr double kPreciseError = |;|
+# between kLargestAxis src/core/filters/separation/max_entry.cpp |constexpr double kPreciseError = |;|
+# constant kLeastShare src/core/filters/separation/entry_step.hpp
+# constant kLeastSize src/core/filters/separation/entry_step.hpp
 # not with kEuclidean: 700 * 0x1p-106
 # not with kLargestAxis: 650 * 0x1p-106
 # not with kLeastSize: 0x1p-480

@@ -1,7 +1,7 @@
 # kError of max_entry.cpp: a product in doubles of a facet's direction and a position, in units of N S.
 # SPDX-License-Identifier: MIT
 # constant kUnit src/core/filters/coplanarity_form.hpp
-# constant kError src/core/filters/max_entry.cpp
+# constant kError src/core/filters/separation/max_entry.cpp
 # not with kError: 80 * kUnit
 
 e = @kUnit@;

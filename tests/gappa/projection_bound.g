@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: MIT
 # constant kUnit src/core/filters/coplanarity_form.hpp
 # constant kLeastProduct src/core/filters/coplanarity_form.hpp
-# constant kProjectionBound src/core/filters/separating_direction.cpp
-# between kBounds src/core/filters/separating_direction.cpp |return {std::max(above, below), | * bound};|
+# constant kProjectionBound src/core/filters/apart/separating_direction.cpp
+# between kBounds src/core/filters/apart/separating_direction.cpp |return {std::max(above, below), | * bound};|
 # not with kProjectionBound: 9.9 * kUnit
 # not with kBounds: 1.9
 # not with kLeastProduct: 0x1p-1022

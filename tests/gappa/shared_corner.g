@@ -1,8 +1,8 @@
 # kBound of shared_corner.cpp: the error of a component of the cross product of two computed differences. In units of
 # U W.
 # SPDX-License-Identifier: MIT
-# constant kBound src/core/filters/shared_corner.cpp
-# between kLeast src/core/filters/shared_corner.cpp |return uw >= | && largest|
+# constant kBound src/core/filters/apart/shared_corner.cpp
+# between kLeast src/core/filters/apart/shared_corner.cpp |return uw >= | && largest|
 # not with kBound: 8 * 0x1p-53
 # not with kLeast: 0x1p-1022
 

@@ -1,10 +1,10 @@
 # kConstantBound and kDegreeBound of real_root.cpp: Horner's rule in doubles for polynomials of degree n, at most
 # kMostDegree, in units of the sum of the coefficients' absolute values.
 # SPDX-License-Identifier: MIT
-# constant kConstantBound src/core/numbers/real_root.cpp
-# constant kDegreeBound src/core/numbers/real_root.cpp
-# constant kLeast src/core/numbers/real_root.cpp
-# between kMostDegree src/core/numbers/coefficients.hpp |constexpr int kMostDegree = |;|
+# constant kConstantBound src/core/numbers/roots/real_root.cpp
+# constant kDegreeBound src/core/numbers/roots/real_root.cpp
+# constant kLeast src/core/numbers/roots/real_root.cpp
+# between kMostDegree src/core/numbers/roots/coefficients.hpp |constexpr int kMostDegree = |;|
 # not with kConstantBound: 3.9 * 0x1p-53
 # not with kDegreeBound: 2.9 * 0x1p-53
 # not with kLeast: 0x1p-1022

@@ -2,11 +2,11 @@
 # Claims about one vector are in units of N and of the vector's bound; claims about c = r - s u - q w in units of N S.
 # SPDX-License-Identifier: MIT
 # constant kUnit src/core/filters/coplanarity_form.hpp
-# constant kLeastShare src/core/filters/entry_step.hpp
-# constant kLeastSize src/core/filters/entry_step.hpp
-# constant kWalkError src/core/filters/entry_walk.hpp
-# constant kTurnError src/core/filters/entry_walk.hpp
-# constant kNormIncrease src/core/filters/entry_walk.hpp
+# constant kLeastShare src/core/filters/separation/entry_step.hpp
+# constant kLeastSize src/core/filters/separation/entry_step.hpp
+# constant kWalkError src/core/filters/separation/entry_walk.hpp
+# constant kTurnError src/core/filters/separation/entry_walk.hpp
+# constant kNormIncrease src/core/filters/separation/entry_walk.hpp
 # not with kWalkError: 29 * kUnit
 # not with kTurnError: 32 * kUnit
 # not with kNormIncrease: 1 + 6 * kUnit

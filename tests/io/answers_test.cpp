@@ -6,8 +6,8 @@
 
 #include <touchstone/error.hpp>
 
-#include "io/answer_reader.hpp"
-#include "io/answer_writer.hpp"
+#include "io/queries/answer_reader.hpp"
+#include "io/queries/answer_writer.hpp"
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
 

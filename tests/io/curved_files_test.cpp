@@ -10,9 +10,9 @@
 #include <variant>
 #include <vector>
 
-#include "io/curved_rows.hpp"
+#include "io/queries/curved_rows.hpp"
+#include "io/queries/separation_text.hpp"
 #include "io/read_queries.hpp"
-#include "io/separation_text.hpp"
 #include "seeded/rng.hpp"
 #include "support/catch.hpp"
 #include "support/curved_query.hpp"

@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
-#include "io/kind_of_file.hpp"
-#include "io/query_array.hpp"
-#include "io/query_file_writer.hpp"
+#include "io/queries/kind_of_file.hpp"
+#include "io/queries/query_array.hpp"
+#include "io/queries/query_file_writer.hpp"
 #include "io/read_queries.hpp"
 #include "io/temporary_folder.hpp"
 #include "support/catch.hpp"

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "io/input_file.hpp"
-#include "io/kind_of_file.hpp"
-#include "io/query_row.hpp"
+#include "io/queries/kind_of_file.hpp"
+#include "io/queries/query_row.hpp"
 #include "io/read_queries.hpp"
 #include "io/temporary_folder.hpp"
 #include "support/catch.hpp"

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "io/query_row.hpp"
-#include "io/query_writer.hpp"
+#include "io/queries/query_row.hpp"
+#include "io/queries/query_writer.hpp"
 #include "io/read_queries.hpp"
 #include "numbers/fraction.hpp"
 #include "support/catch.hpp"

@@ -10,7 +10,7 @@
 #include <touchstone/error.hpp>
 #include <touchstone/query.hpp>
 
-#include "io/query_parser.hpp"
+#include "io/queries/query_parser.hpp"
 
 namespace touchstone::tests {
 

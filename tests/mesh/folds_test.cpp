@@ -15,7 +15,7 @@
 #include "mesh/coinciding.hpp"
 #include "mesh/folds.hpp"
 #include "mesh/scenes.hpp"
-#include "numbers/exact_number.hpp"
+#include "numbers/integers/exact_number.hpp"
 #include "seeded/rng.hpp"
 #include "support/catch.hpp"
 #include "support/slow_build.hpp"

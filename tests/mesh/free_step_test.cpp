@@ -11,7 +11,7 @@
 #include <touchstone/touchstone.hpp>
 
 #include "mesh/scenes.hpp"
-#include "numbers/exact_number.hpp"
+#include "numbers/integers/exact_number.hpp"
 #include "support/catch.hpp"
 #include "support/slow_build.hpp"
 

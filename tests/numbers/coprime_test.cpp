@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <vector>
 
-#include "numbers/coprime.hpp"
-#include "numbers/exact_number.hpp"
-#include "numbers/integer_polynomial.hpp"
+#include "numbers/integers/exact_number.hpp"
+#include "numbers/roots/coprime.hpp"
+#include "numbers/roots/integer_polynomial.hpp"
 #include "seeded/rng.hpp"
 #include "support/catch.hpp"
 

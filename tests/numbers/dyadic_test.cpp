@@ -1,13 +1,13 @@
 // The exact ring against GMP's rationals: all lengths, gaps, cancellations, copies and moves.
 // SPDX-License-Identifier: MIT
-#include "numbers/dyadic.hpp"
+#include "numbers/integers/dyadic.hpp"
 
 #include <gmpxx.h>
 
 #include <utility>
 #include <vector>
 
-#include "numbers/gmp_conversions.hpp"
+#include "numbers/integers/gmp_conversions.hpp"
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
 

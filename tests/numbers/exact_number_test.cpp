@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "numbers/common_denominator.hpp"
-#include "numbers/exact_number.hpp"
-#include "numbers/gmp_conversions.hpp"
+#include "numbers/integers/common_denominator.hpp"
+#include "numbers/integers/exact_number.hpp"
+#include "numbers/integers/gmp_conversions.hpp"
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
 

@@ -9,9 +9,9 @@
 
 #include <gmpxx.h>
 
-#include "numbers/near_root.hpp"
-#include "numbers/real_root.hpp"
-#include "numbers/small_int.hpp"
+#include "numbers/integers/small_int.hpp"
+#include "numbers/roots/near_root.hpp"
+#include "numbers/roots/real_root.hpp"
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
 #include "support/slow_build.hpp"

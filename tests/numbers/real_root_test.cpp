@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "numbers/real_root.hpp"
+#include "numbers/roots/real_root.hpp"
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
 

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: MIT
 #include <vector>
 
-#include "numbers/root_bracket.hpp"
+#include "numbers/roots/root_bracket.hpp"
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "numbers/real_root.hpp"
+#include "numbers/roots/real_root.hpp"
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
 

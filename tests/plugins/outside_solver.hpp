@@ -10,7 +10,7 @@
 
 #include <touchstone/query.hpp>
 
-#include "fuzz/limits.hpp"
+#include "fuzz/processes/limits.hpp"
 #include "fuzz/solver_under_test.hpp"
 
 namespace touchstone::tests {

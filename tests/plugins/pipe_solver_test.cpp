@@ -1,6 +1,6 @@
 // Solvers that are programs: the shipped examples, and a program that misbehaves in every way.
 // SPDX-License-Identifier: MIT
-#include "fuzz/pipe_solver.hpp"
+#include "fuzz/processes/pipe_solver.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -11,8 +11,8 @@
 #include <touchstone/error.hpp>
 #include <touchstone/solve.hpp>
 
-#include "fuzz/failure.hpp"
-#include "fuzz/pipe_run.hpp"
+#include "fuzz/judging/failure.hpp"
+#include "fuzz/processes/pipe_run.hpp"
 #include "io/temporary_folder.hpp"
 #include "pipes/protocol.hpp"
 #include "plugins/outside_solver.hpp"

@@ -1,6 +1,6 @@
 // Solvers in shared libraries: the shipped example, and a plugin that misbehaves in every way.
 // SPDX-License-Identifier: MIT
-#include "fuzz/plugin_solver.hpp"
+#include "fuzz/processes/plugin_solver.hpp"
 
 #include <signal.h>
 #include <sys/wait.h>

@@ -1,6 +1,6 @@
 // Child processes die with their parent.
 // SPDX-License-Identifier: MIT
-#include "fuzz/child_process.hpp"
+#include "fuzz/processes/child_process.hpp"
 
 #ifdef __linux__
 #include <sched.h>
@@ -14,7 +14,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "fuzz/plugin_solver.hpp"
+#include "fuzz/processes/plugin_solver.hpp"
 #include "io/temporary_folder.hpp"
 #include "plugins/outside_solver.hpp"
 #include "support/catch.hpp"

@@ -4,8 +4,8 @@
 
 #include <touchstone/error.hpp>
 
-#include "fuzz/pipe_solver.hpp"
-#include "fuzz/plugin_solver.hpp"
+#include "fuzz/processes/pipe_solver.hpp"
+#include "fuzz/processes/plugin_solver.hpp"
 #include "pipes/protocol.hpp"
 #include "plugins/outside_solver.hpp"
 #include "support/catch.hpp"

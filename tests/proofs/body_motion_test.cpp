@@ -8,7 +8,7 @@
 #include <touchstone/error.hpp>
 
 #include "proofs/body_box.hpp"
-#include "proofs/motion.hpp"
+#include "proofs/mesh_motion.hpp"
 #include "proofs/proof_text.hpp"
 #include "proofs/run_checker.hpp"
 #include "seeded/rng.hpp"

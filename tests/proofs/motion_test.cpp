@@ -1,6 +1,6 @@
 // The pairs of a motion's steps, compared with all pairs one by one in exact arithmetic, and the text of motions.
 // SPDX-License-Identifier: MIT
-#include "proofs/motion.hpp"
+#include "proofs/mesh_motion.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@
 #include <touchstone/solve.hpp>
 
 #include "io/times.hpp"
-#include "numbers/exact_number.hpp"
+#include "numbers/integers/exact_number.hpp"
 #include "proofs/proof.hpp"
 #include "proofs/proof_text.hpp"
 #include "seeded/rng.hpp"

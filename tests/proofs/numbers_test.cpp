@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "numbers/common_denominator.hpp"
+#include "numbers/integers/common_denominator.hpp"
 #include "proofs/proof_text.hpp"
 #include "support/catch.hpp"
 

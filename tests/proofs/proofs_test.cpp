@@ -11,7 +11,7 @@
 #include <touchstone/error.hpp>
 #include <touchstone/solve.hpp>
 
-#include "io/query_writer.hpp"
+#include "io/queries/query_writer.hpp"
 #include "proofs/proved.hpp"
 #include "proofs/run_checker.hpp"
 #include "support/catch.hpp"

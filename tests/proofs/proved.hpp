@@ -11,8 +11,8 @@
 #include <touchstone/curved.hpp>
 #include <touchstone/solve.hpp>
 
-#include "io/curved_rows.hpp"
-#include "io/query_writer.hpp"
+#include "io/queries/curved_rows.hpp"
+#include "io/queries/query_writer.hpp"
 #include "proofs/proof_text.hpp"
 
 namespace touchstone::tests {

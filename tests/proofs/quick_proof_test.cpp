@@ -8,7 +8,7 @@
 
 #include <touchstone/solve.hpp>
 
-#include "io/query_writer.hpp"
+#include "io/queries/query_writer.hpp"
 #include "proofs/proof_text.hpp"
 #include "proofs/quick_proof.hpp"
 #include "proofs/run_checker.hpp"

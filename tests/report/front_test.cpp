@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "baselines/baseline.hpp"
-#include "report/front.hpp"
+#include "report/pictures/front.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone;

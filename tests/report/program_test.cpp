@@ -13,7 +13,7 @@
 #include "baselines/baseline.hpp"
 #include "baselines/curved_baseline.hpp"
 #include "cli/run_program.hpp"
-#include "report/gnuplot.hpp"
+#include "report/pictures/gnuplot.hpp"
 #include "support/catch.hpp"
 #include "support/skip.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "report/text_plot.hpp"
+#include "report/pictures/text_plot.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone;

@@ -1,6 +1,6 @@
 // Reports: the text and back, shards, and text that no run has written.
 // SPDX-License-Identifier: MIT
-#include "sequence/report.hpp"
+#include "sequence/report_json.hpp"
 
 #include <algorithm>
 #include <functional>

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "sequence/frame_list.hpp"
-#include "sequence/report.hpp"
+#include "sequence/report_json.hpp"
 
 namespace touchstone::tests {
 

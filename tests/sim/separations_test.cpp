@@ -13,7 +13,7 @@
 
 #include "contact/contact_finder.hpp"
 #include "contact/impact_zones.hpp"
-#include "numbers/rounded_sum.hpp"
+#include "numbers/doubles/rounded_sum.hpp"
 #include "scene/parts.hpp"
 #include "sim/all_pairs.hpp"
 #include "sim/thick_elements.hpp"

@@ -12,7 +12,7 @@
 #include <touchstone/solve.hpp>
 
 #include "stress/configuration.hpp"
-#include "stress/separation.hpp"
+#include "stress/separation_dials.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone;

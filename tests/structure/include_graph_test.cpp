@@ -101,7 +101,7 @@ TEST_CASE("a planted violation of the layer table is found") {
   const Planted planted = GENERATE(
       Planted{"core/exact/x.cpp", "#include \"solver/cascade.hpp\"\n", "`exact` may not use `solver`"},
       Planted{"core/oracle/x.cpp", "#include \"exact/exact.hpp\"\n", "`oracle` may not use `exact`"},
-      Planted{"core/oracle/x.cpp", "#include \"filters/same_side.hpp\"\n", "`oracle` may not use `filters`"},
+      Planted{"core/oracle/x.cpp", "#include \"filters/apart/same_side.hpp\"\n", "`oracle` may not use `filters`"},
       Planted{"core/geometry/x.hpp", "#include \"numbers/fraction.hpp\"\n", "`geometry` may not use `numbers`"},
       Planted{"files/io/x.cpp", "#include \"solver/solve.hpp\"\n", "`io` may not use `solver`"},
       Planted{"core/solver/x.cpp", "#include \"io/query_file.hpp\"\n", "`solver` may not use `io`"},
@@ -116,7 +116,7 @@ TEST_CASE("a planted violation of the layer table is found") {
       Planted{"core/exact/x.cpp", "#include <solver/cascade.hpp>\n", "with quotes"},
       Planted{"files/io/x.cpp", "#include <touchstone/eigen.hpp>\n", "without Eigen"},
       Planted{"simulation/sim/x.cpp", "#include \"exact/exact.hpp\"\n", "`sim` may not use `exact`"},
-      Planted{"cli/bench/x.cpp", "#include \"cli/fuzz/report.hpp\"\n", "`cli/bench` may not use `cli/fuzz`"},
+      Planted{"cli/bench/x.cpp", "#include \"cli/fuzz/findings_report.hpp\"\n", "`cli/bench` may not use `cli/fuzz`"},
       Planted{"cli/bench/x.cpp", "#include \"cli/solve.hpp\"\n", "`cli/bench` may not use `cli/solve`"},
       Planted{"cli/solve.cpp", "#include \"cli/report.hpp\"\n", "`cli/solve` may not use `cli/report`"},
       Planted{"cli/solve.cpp", "#include \"cli/fuzz/fuzz.hpp\"\n", "`cli/solve` may not use `cli/fuzz`"},

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "families/families.hpp"
-#include "families/motion.hpp"
+#include "families/linear_motion.hpp"
 #include "seeded/rng.hpp"
 
 namespace touchstone::tests {

@@ -11,10 +11,10 @@
 
 #include "support/catch.hpp"
 #include "view/animation.hpp"
-#include "view/animation_page.hpp"
 #include "view/animation_view.hpp"
-#include "view/base64.hpp"
 #include "view/lattice.hpp"
+#include "view/pages/animation_page.hpp"
+#include "view/pages/base64.hpp"
 
 using namespace touchstone::view;
 

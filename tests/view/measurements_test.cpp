@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "support/catch.hpp"
-#include "view/measurements_page.hpp"
+#include "view/pages/measurements_page.hpp"
 #include "view/scatter.hpp"
 
 using namespace touchstone::view;

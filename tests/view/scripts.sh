@@ -9,7 +9,7 @@ if ! command -v node >/dev/null; then
 fi
 folder=$(mktemp -d)
 trap 'rm -rf -- "$folder"' EXIT
-files=("$source"/src/view/page/*.js)
+files=("$source"/src/view/pages/assets/*.js)
 for file in "${files[@]}"; do
   node --check "$file"
 done

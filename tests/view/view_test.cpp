@@ -14,9 +14,9 @@
 #include "support/catch.hpp"
 #include "support/slow_build.hpp"
 #include "view/closest_points.hpp"
-#include "view/html.hpp"
+#include "view/pages/html.hpp"
+#include "view/pages/query_page.hpp"
 #include "view/picture.hpp"
-#include "view/query_page.hpp"
 
 using namespace touchstone;
 using nlohmann::json;

@@ -11,14 +11,14 @@
 #include <vector>
 
 #include "exact/exact.hpp"
-#include "fuzz/finding_text.hpp"
+#include "fuzz/judging/finding_text.hpp"
 #include "python/arguments.hpp"
 #include "python/background.hpp"
 #include "python/define.hpp"
 #include "python/step_arguments.hpp"
-#include "view/animation_page.hpp"
-#include "view/html.hpp"
-#include "view/story_html.hpp"
+#include "view/pages/animation_page.hpp"
+#include "view/pages/html.hpp"
+#include "view/pages/story_html.hpp"
 #include "view/touched_point.hpp"
 
 namespace touchstone::python {

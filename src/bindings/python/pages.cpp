@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "exact/exact.hpp"
-#include "fuzz/finding_text.hpp"
+#include "fuzz/judging/finding_text.hpp"
 #include "python/arguments.hpp"
 #include "python/chunks.hpp"
 #include "python/define.hpp"
 #include "python/query_arrays.hpp"
-#include "view/findings_page.hpp"
-#include "view/query_page.hpp"
+#include "view/pages/findings_page.hpp"
+#include "view/pages/query_page.hpp"
 
 namespace touchstone::python {
 namespace {

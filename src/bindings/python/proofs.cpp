@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "io/curved_rows.hpp"
-#include "io/query_writer.hpp"
+#include "io/queries/curved_rows.hpp"
+#include "io/queries/query_writer.hpp"
 #include "io/sha256.hpp"
 #include "proofs/proof_text.hpp"
 #include "python/answers.hpp"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "baselines/frame.hpp"
+#include "baselines/scaled_frame.hpp"
 
 namespace touchstone::baselines {
 

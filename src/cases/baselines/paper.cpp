@@ -9,7 +9,7 @@
 #include <touchstone/error.hpp>
 
 #include "baselines/baseline.hpp"
-#include "baselines/frame.hpp"
+#include "baselines/scaled_frame.hpp"
 
 // The paper's method is changed only where it could not run: the coefficients of (3), which the paper does not give; b,
 // c and d divided by a where it says "divide through by a"; real cube roots for G >= 0; for G < 0, T the conjugate of

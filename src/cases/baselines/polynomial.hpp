@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "baselines/frame.hpp"
+#include "baselines/scaled_frame.hpp"
 
 namespace touchstone::baselines {
 

@@ -7,7 +7,7 @@
 
 #include <touchstone/curved_query.hpp>
 
-#include "families/motion.hpp"
+#include "families/linear_motion.hpp"
 #include "seeded/rng.hpp"
 
 namespace touchstone::families {

@@ -4,7 +4,7 @@
 
 #include "families/curved_parts.hpp"
 #include "families/families.hpp"
-#include "families/motion.hpp"
+#include "families/linear_motion.hpp"
 #include "seeded/rng.hpp"
 
 namespace touchstone::families::makers {

@@ -12,7 +12,7 @@
 
 #include <touchstone/query.hpp>
 
-#include "generators/mesh.hpp"
+#include "generators/shapes.hpp"
 
 namespace touchstone::generators {
 

@@ -17,11 +17,11 @@
 #include "cli/bench/methods.hpp"
 #include "cli/bench/results.hpp"
 #include "cli/bench/sets.hpp"
-#include "cli/shared/interrupt.hpp"
-#include "cli/shared/options.hpp"
+#include "cli/shared/command_line/common_options.hpp"
+#include "cli/shared/progress/interrupt.hpp"
 #include "cli/shared/words.hpp"
-#include "io/kind_of_file.hpp"
 #include "io/output_file.hpp"
+#include "io/queries/kind_of_file.hpp"
 #include "solver/owned_columns.hpp"
 
 namespace touchstone::cli {

@@ -8,8 +8,8 @@
 
 #include <touchstone/query.hpp>
 
-#include "cli/shared/command.hpp"
-#include "cli/shared/separation.hpp"
+#include "cli/shared/command_line/command.hpp"
+#include "cli/shared/command_line/separation_options.hpp"
 
 namespace touchstone::cli {
 

@@ -7,7 +7,7 @@
 #include <touchstone/curved.hpp>
 
 #include "baselines/separation_baseline.hpp"
-#include "filters/same_side.hpp"
+#include "filters/apart/same_side.hpp"
 #include "proofs/proof_text.hpp"
 #include "report/do_not_optimize.hpp"
 

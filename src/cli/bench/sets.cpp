@@ -10,9 +10,9 @@
 #include <touchstone/curved.hpp>
 
 #include "cli/shared/inputs.hpp"
-#include "cli/shared/interrupt.hpp"
+#include "cli/shared/progress/interrupt.hpp"
 #include "generators/candidates.hpp"
-#include "io/kind_of_file.hpp"
+#include "io/queries/kind_of_file.hpp"
 #include "report/body_pairs.hpp"
 #include "seeded/rng.hpp"
 

@@ -5,10 +5,10 @@
 
 #include <filesystem>
 
-#include "cli/shared/interrupt.hpp"
+#include "cli/shared/progress/interrupt.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
-#include "io/separation_text.hpp"
+#include "io/queries/separation_text.hpp"
 
 namespace touchstone::cli {
 

@@ -9,9 +9,9 @@
 
 #include <touchstone/certify.hpp>
 
+#include "cli/shared/command_line/separation_options.hpp"
 #include "cli/shared/inputs.hpp"
-#include "cli/shared/separation.hpp"
-#include "io/answer_reader.hpp"
+#include "io/queries/answer_reader.hpp"
 
 namespace touchstone::cli {
 

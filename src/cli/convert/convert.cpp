@@ -11,15 +11,15 @@
 #include <touchstone/error.hpp>
 
 #include "cli/convert/hdf5_files.hpp"
+#include "cli/shared/command_line/common_options.hpp"
+#include "cli/shared/command_line/turns.hpp"
 #include "cli/shared/inputs.hpp"
-#include "cli/shared/options.hpp"
-#include "cli/shared/pipeline.hpp"
-#include "cli/shared/query_progress.hpp"
-#include "cli/shared/turns.hpp"
+#include "cli/shared/progress/pipeline.hpp"
+#include "cli/shared/progress/query_progress.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
 #include "io/output_file.hpp"
-#include "io/query_parser.hpp"
+#include "io/queries/query_parser.hpp"
 
 namespace touchstone::cli {
 namespace {

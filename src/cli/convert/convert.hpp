@@ -9,10 +9,10 @@
 
 #include <touchstone/query.hpp>
 
-#include "cli/shared/command.hpp"
-#include "io/curved_rows.hpp"
-#include "io/query_chunks.hpp"
-#include "io/query_file_writer.hpp"
+#include "cli/shared/command_line/command.hpp"
+#include "io/queries/curved_rows.hpp"
+#include "io/queries/query_chunks.hpp"
+#include "io/queries/query_file_writer.hpp"
 
 namespace touchstone::cli {
 

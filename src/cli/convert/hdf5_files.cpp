@@ -6,9 +6,9 @@
 #include <bit>
 #include <cstring>
 
-#include "cli/shared/interrupt.hpp"
-#include "io/hdf5_layout.hpp"
+#include "cli/shared/progress/interrupt.hpp"
 #include "io/input_file.hpp"
+#include "io/queries/hdf5_layout.hpp"
 
 namespace touchstone::cli {
 namespace {

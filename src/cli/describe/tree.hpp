@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/shared/command.hpp"
+#include "cli/shared/command_line/command.hpp"
 
 namespace touchstone::cli {
 

@@ -12,7 +12,7 @@
 #include "cli/shared/inputs.hpp"
 #include "cli/shared/words.hpp"
 #include "families/families.hpp"
-#include "numbers/float_environment.hpp"
+#include "numbers/doubles/float_environment.hpp"
 #include "solver/owned_columns.hpp"
 
 namespace touchstone::cli {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "cli/doctor/checks.hpp"
-#include "numbers/exact_number.hpp"
-#include "numbers/float_environment.hpp"
+#include "numbers/doubles/float_environment.hpp"
+#include "numbers/integers/exact_number.hpp"
 #include "seeded/rng.hpp"
 
 namespace touchstone::cli {

@@ -12,7 +12,7 @@
 #include "cli/doctor/checks.hpp"
 #include "cli/doctor/found_parts.hpp"
 #include "cli/shared/build_facts.hpp"
-#include "cli/shared/interrupt.hpp"
+#include "cli/shared/progress/interrupt.hpp"
 #include "cli/shared/words.hpp"
 #include "io/output_file.hpp"
 

@@ -6,8 +6,8 @@
 #include <system_error>
 
 #include "io/fail.hpp"
-#include "report/find_program.hpp"
-#include "report/gnuplot.hpp"
+#include "report/pictures/find_program.hpp"
+#include "report/pictures/gnuplot.hpp"
 
 namespace touchstone::cli {
 namespace {

@@ -12,11 +12,11 @@
 #include <touchstone/error.hpp>
 
 #include "cli/explain/one_query.hpp"
-#include "cli/shared/options.hpp"
+#include "cli/shared/command_line/common_options.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
 #include "io/output_file.hpp"
-#include "io/separation_text.hpp"
+#include "io/queries/separation_text.hpp"
 
 namespace touchstone::cli {
 namespace {

@@ -15,16 +15,16 @@
 #include <touchstone/curved.hpp>
 
 #include "cli/explain/story.hpp"
-#include "cli/shared/interrupt.hpp"
-#include "cli/shared/options.hpp"
-#include "cli/shared/turns.hpp"
+#include "cli/shared/command_line/common_options.hpp"
+#include "cli/shared/command_line/turns.hpp"
+#include "cli/shared/progress/interrupt.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
 #include "io/output_file.hpp"
-#include "io/separation_text.hpp"
+#include "io/queries/separation_text.hpp"
 #include "io/times.hpp"
 #include "solver/ladder.hpp"
-#include "view/query_page.hpp"
+#include "view/pages/query_page.hpp"
 
 namespace touchstone::cli {
 namespace {

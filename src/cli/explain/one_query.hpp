@@ -9,12 +9,12 @@
 
 #include <touchstone/query.hpp>
 
-#include "cli/shared/command.hpp"
+#include "cli/shared/command_line/command.hpp"
+#include "cli/shared/command_line/separation_options.hpp"
 #include "cli/shared/inputs.hpp"
-#include "cli/shared/separation.hpp"
 #include "exact/exact.hpp"
-#include "io/query_chunks.hpp"
-#include "io/query_parser.hpp"
+#include "io/queries/query_chunks.hpp"
+#include "io/queries/query_parser.hpp"
 
 namespace touchstone::cli {
 

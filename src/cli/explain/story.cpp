@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "cli/shared/separation.hpp"
+#include "cli/shared/command_line/separation_options.hpp"
 #include "cli/shared/words.hpp"
 #include "io/times.hpp"
 #include "numbers/fraction.hpp"

@@ -13,7 +13,7 @@
 #include <touchstone/query.hpp>
 
 #include "exact/exact.hpp"
-#include "io/query_parser.hpp"
+#include "io/queries/query_parser.hpp"
 
 namespace touchstone::cli {
 

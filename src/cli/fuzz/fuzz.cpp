@@ -8,12 +8,12 @@
 
 #include <touchstone/error.hpp>
 
+#include "cli/fuzz/findings_report.hpp"
 #include "cli/fuzz/given.hpp"
-#include "cli/fuzz/report.hpp"
-#include "cli/shared/interrupt.hpp"
 #include "cli/shared/new_folders.hpp"
-#include "cli/shared/pipeline.hpp"
-#include "cli/shared/progress_line.hpp"
+#include "cli/shared/progress/interrupt.hpp"
+#include "cli/shared/progress/pipeline.hpp"
+#include "cli/shared/progress/progress_line.hpp"
 #include "cli/shared/words.hpp"
 #include "fuzz/run_case.hpp"
 #include "io/output_file.hpp"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "cli/fuzz/solvers.hpp"
-#include "cli/shared/command.hpp"
-#include "cli/shared/separation.hpp"
+#include "cli/shared/command_line/command.hpp"
+#include "cli/shared/command_line/separation_options.hpp"
 #include "fuzz/engine.hpp"
 
 namespace touchstone::cli {

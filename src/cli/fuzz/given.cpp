@@ -9,13 +9,13 @@
 
 #include <touchstone/error.hpp>
 
-#include "cli/fuzz/report.hpp"
+#include "cli/fuzz/findings_report.hpp"
+#include "cli/shared/command_line/common_options.hpp"
 #include "cli/shared/inputs.hpp"
-#include "cli/shared/options.hpp"
 #include "cli/shared/words.hpp"
 #include "families/families.hpp"
 #include "io/fail.hpp"
-#include "io/kind_of_file.hpp"
+#include "io/queries/kind_of_file.hpp"
 
 namespace touchstone::cli {
 namespace {

@@ -5,11 +5,11 @@
 #include <utility>
 #include <variant>
 
-#include "cli/fuzz/report.hpp"
+#include "cli/fuzz/findings_report.hpp"
 #include "cli/shared/words.hpp"
-#include "fuzz/finding_text.hpp"
+#include "fuzz/judging/finding_text.hpp"
 #include "io/output_file.hpp"
-#include "view/findings_page.hpp"
+#include "view/pages/findings_page.hpp"
 
 namespace touchstone::cli {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "cli/shared/words.hpp"
 #include "fuzz/named_solvers.hpp"
-#include "fuzz/pipe_solver.hpp"
-#include "fuzz/plugin_solver.hpp"
+#include "fuzz/processes/pipe_solver.hpp"
+#include "fuzz/processes/plugin_solver.hpp"
 #include "io/fail.hpp"
 
 namespace touchstone::cli {

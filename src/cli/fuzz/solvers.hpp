@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "cli/shared/separation.hpp"
+#include "cli/shared/command_line/separation_options.hpp"
 #include "fuzz/engine.hpp"
 
 namespace touchstone::cli {

@@ -12,7 +12,7 @@
 
 #include "cli/generate/whole_folder.hpp"
 #include "cli/shared/new_folders.hpp"
-#include "cli/shared/progress_line.hpp"
+#include "cli/shared/progress/progress_line.hpp"
 #include "cli/shared/words.hpp"
 #include "frames/write_obj.hpp"
 #include "generators/step.hpp"

@@ -10,15 +10,15 @@
 #include <touchstone/error.hpp>
 
 #include "cli/generate/frames.hpp"
-#include "cli/shared/interrupt.hpp"
 #include "cli/shared/new_folders.hpp"
-#include "cli/shared/query_progress.hpp"
-#include "cli/shared/summary.hpp"
+#include "cli/shared/progress/interrupt.hpp"
+#include "cli/shared/progress/query_progress.hpp"
+#include "cli/shared/progress/summary.hpp"
 #include "cli/shared/words.hpp"
-#include "io/curved_rows.hpp"
 #include "io/output_file.hpp"
-#include "io/query_writer.hpp"
-#include "io/separation_text.hpp"
+#include "io/queries/curved_rows.hpp"
+#include "io/queries/query_writer.hpp"
+#include "io/queries/separation_text.hpp"
 
 namespace touchstone::cli {
 namespace {

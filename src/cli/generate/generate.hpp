@@ -9,8 +9,8 @@
 
 #include <touchstone/query.hpp>
 
-#include "cli/shared/command.hpp"
-#include "cli/shared/separation.hpp"
+#include "cli/shared/command_line/command.hpp"
+#include "cli/shared/command_line/separation_options.hpp"
 #include "families/families.hpp"
 #include "generators/candidates.hpp"
 

@@ -13,18 +13,18 @@
 #include <touchstone/error.hpp>
 #include <touchstone/version.hpp>
 
-#include "cli/mesh/animation.hpp"
+#include "cli/mesh/mesh_animation.hpp"
 #include "cli/mesh/output.hpp"
-#include "cli/shared/interrupt.hpp"
-#include "cli/shared/motion_proofs.hpp"
-#include "cli/shared/options.hpp"
-#include "cli/shared/pipeline.hpp"
+#include "cli/shared/command_line/common_options.hpp"
+#include "cli/shared/progress/interrupt.hpp"
+#include "cli/shared/progress/pipeline.hpp"
+#include "cli/shared/proofs/motion_proofs.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
 #include "sequence/checks.hpp"
 #include "sequence/element_names.hpp"
 #include "sequence/frame_list.hpp"
-#include "sequence/report.hpp"
+#include "sequence/report_json.hpp"
 
 namespace touchstone::cli {
 namespace {

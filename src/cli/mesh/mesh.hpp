@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/shared/command.hpp"
-#include "cli/shared/separation.hpp"
+#include "cli/shared/command_line/command.hpp"
+#include "cli/shared/command_line/separation_options.hpp"
 #include "sequence/results.hpp"
 
 namespace touchstone::cli {

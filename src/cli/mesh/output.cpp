@@ -14,13 +14,13 @@
 #include "cli/shared/whole_file.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
-#include "io/kind_of_file.hpp"
-#include "io/query_writer.hpp"
-#include "io/separation_text.hpp"
+#include "io/queries/kind_of_file.hpp"
+#include "io/queries/query_writer.hpp"
+#include "io/queries/separation_text.hpp"
 #include "io/times.hpp"
 #include "sequence/checks.hpp"
 #include "sequence/pairs_table.hpp"
-#include "sequence/report.hpp"
+#include "sequence/report_json.hpp"
 
 namespace touchstone::cli {
 namespace {

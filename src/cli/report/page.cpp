@@ -8,11 +8,11 @@
 
 #include <touchstone/version.hpp>
 
-#include "report/front.hpp"
 #include "report/machine.hpp"
 #include "report/markdown.hpp"
+#include "report/pictures/front.hpp"
 #include "report/text.hpp"
-#include "view/measurements_page.hpp"
+#include "view/pages/measurements_page.hpp"
 
 namespace touchstone::cli {
 namespace {

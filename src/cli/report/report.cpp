@@ -12,14 +12,14 @@
 #include <touchstone/error.hpp>
 
 #include "cli/report/page.hpp"
+#include "cli/shared/command_line/common_options.hpp"
 #include "cli/shared/inputs.hpp"
 #include "cli/shared/new_folders.hpp"
-#include "cli/shared/options.hpp"
-#include "cli/shared/progress_line.hpp"
+#include "cli/shared/progress/progress_line.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
-#include "io/kind_of_file.hpp"
 #include "io/output_file.hpp"
+#include "io/queries/kind_of_file.hpp"
 #include "report/report.hpp"
 
 namespace touchstone::cli {

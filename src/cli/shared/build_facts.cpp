@@ -10,7 +10,7 @@
 #include <touchstone/version.hpp>
 
 #include "cli/shared/written_facts.hpp"
-#include "numbers/library_versions.hpp"
+#include "numbers/integers/library_versions.hpp"
 
 namespace touchstone::cli {
 namespace {

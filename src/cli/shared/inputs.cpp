@@ -6,12 +6,12 @@
 #include <system_error>
 
 #include "cli/queries/bundled.hpp"
-#include "cli/shared/interrupt.hpp"
-#include "io/curved_rows.hpp"
+#include "cli/shared/progress/interrupt.hpp"
 #include "io/fail.hpp"
-#include "io/kind_of_file.hpp"
-#include "io/query_array.hpp"
-#include "io/separation_text.hpp"
+#include "io/queries/curved_rows.hpp"
+#include "io/queries/kind_of_file.hpp"
+#include "io/queries/query_array.hpp"
+#include "io/queries/separation_text.hpp"
 
 namespace touchstone::cli {
 namespace {

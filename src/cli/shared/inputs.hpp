@@ -14,8 +14,8 @@
 #include <touchstone/query.hpp>
 
 #include "io/input_file.hpp"
-#include "io/query_chunks.hpp"
-#include "io/query_parser.hpp"
+#include "io/queries/query_chunks.hpp"
+#include "io/queries/query_parser.hpp"
 
 namespace touchstone::cli {
 

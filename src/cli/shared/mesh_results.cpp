@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/shared/separation.hpp"
+#include "cli/shared/command_line/separation_options.hpp"
 #include "cli/shared/words.hpp"
 #include "sequence/scope.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/shared/whole_file.hpp"
 
-#include "cli/shared/interrupt.hpp"
+#include "cli/shared/progress/interrupt.hpp"
 #include "io/whole_file.hpp"
 
 namespace touchstone::cli {

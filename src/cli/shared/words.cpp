@@ -5,9 +5,9 @@
 
 #include <cstdio>
 
-#include "cli/shared/separation.hpp"
+#include "cli/shared/command_line/separation_options.hpp"
 #include "io/fail.hpp"
-#include "io/kind_of_file.hpp"
+#include "io/queries/kind_of_file.hpp"
 #include "io/times.hpp"
 
 namespace touchstone::cli {

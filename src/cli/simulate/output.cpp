@@ -7,13 +7,13 @@
 
 #include <touchstone/error.hpp>
 
-#include "cli/shared/interrupt.hpp"
+#include "cli/shared/progress/interrupt.hpp"
 #include "cli/shared/words.hpp"
 #include "cli/simulate/paths.hpp"
 #include "io/fail.hpp"
-#include "io/query_writer.hpp"
-#include "io/separation_text.hpp"
-#include "report/drawing.hpp"
+#include "io/queries/query_writer.hpp"
+#include "io/queries/separation_text.hpp"
+#include "report/pictures/drawing.hpp"
 #include "sim/checkpoint.hpp"
 
 namespace touchstone::cli {

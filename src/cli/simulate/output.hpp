@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "cli/shared/motion_proofs.hpp"
 #include "cli/shared/new_folders.hpp"
-#include "cli/simulate/animation.hpp"
+#include "cli/shared/proofs/motion_proofs.hpp"
 #include "cli/simulate/simulate.hpp"
+#include "cli/simulate/simulation_animation.hpp"
 #include "io/output_file.hpp"
 #include "sim/output_text.hpp"
 

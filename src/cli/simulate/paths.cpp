@@ -10,9 +10,9 @@
 #include <touchstone/error.hpp>
 #include <touchstone/query.hpp>
 
-#include "cli/shared/motion_proofs.hpp"
+#include "cli/shared/proofs/motion_proofs.hpp"
 #include "io/fail.hpp"
-#include "io/kind_of_file.hpp"
+#include "io/queries/kind_of_file.hpp"
 #include "scene/shipped_scenes.hpp"
 
 namespace touchstone::cli {

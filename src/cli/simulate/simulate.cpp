@@ -12,14 +12,14 @@
 
 #include <touchstone/error.hpp>
 
-#include "cli/shared/interrupt.hpp"
-#include "cli/shared/progress_line.hpp"
+#include "cli/shared/progress/interrupt.hpp"
+#include "cli/shared/progress/progress_line.hpp"
 #include "cli/shared/whole_file.hpp"
 #include "cli/shared/words.hpp"
 #include "cli/simulate/output.hpp"
 #include "cli/simulate/paths.hpp"
+#include "cli/simulate/run_summary.hpp"
 #include "cli/simulate/scene_input.hpp"
-#include "cli/simulate/summary.hpp"
 #include "scene/scene_file.hpp"
 #include "sim/memory.hpp"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/shared/command.hpp"
+#include "cli/shared/command_line/command.hpp"
 #include "contact/narrow_phase.hpp"
 #include "scene/scene.hpp"
 #include "sim/followed.hpp"

@@ -9,8 +9,8 @@
 #include <touchstone/curved.hpp>
 #include <touchstone/error.hpp>
 
-#include "numbers/common_denominator.hpp"
-#include "numbers/float_environment.hpp"
+#include "numbers/doubles/float_environment.hpp"
+#include "numbers/integers/common_denominator.hpp"
 #include "numbers/written_number.hpp"
 
 namespace touchstone {

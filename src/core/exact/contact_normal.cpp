@@ -11,7 +11,7 @@
 #include "exact/exact.hpp"
 #include "exact/exact_times.hpp"
 #include "geometry/frame.hpp"
-#include "numbers/limb_scratch.hpp"
+#include "numbers/integers/limb_scratch.hpp"
 
 namespace touchstone::exact {
 namespace {

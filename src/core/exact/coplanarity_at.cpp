@@ -6,9 +6,9 @@
 #include "exact/common_scale.hpp"
 #include "exact/exact.hpp"
 #include "geometry/frame.hpp"
-#include "numbers/exact_number.hpp"
-#include "numbers/fixed_int.hpp"
-#include "numbers/limb_scratch.hpp"
+#include "numbers/integers/exact_number.hpp"
+#include "numbers/integers/fixed_int.hpp"
+#include "numbers/integers/limb_scratch.hpp"
 
 namespace touchstone::exact {
 namespace {

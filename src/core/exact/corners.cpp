@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "exact/common_scale.hpp"
-#include "numbers/common_denominator.hpp"
+#include "numbers/integers/common_denominator.hpp"
 
 namespace touchstone::exact {
 namespace {

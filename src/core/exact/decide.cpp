@@ -16,8 +16,8 @@
 #include "exact/elements.hpp"
 #include "exact/exact.hpp"
 #include "exact/exact_times.hpp"
-#include "numbers/limb_scratch.hpp"
-#include "numbers/near_root.hpp"
+#include "numbers/integers/limb_scratch.hpp"
+#include "numbers/roots/near_root.hpp"
 
 namespace touchstone::exact {
 namespace {

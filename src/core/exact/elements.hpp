@@ -18,10 +18,10 @@
 #include "exact/lazy.hpp"
 #include "geometry/frame.hpp"
 #include "geometry/vector.hpp"
-#include "numbers/fixed_int.hpp"
-#include "numbers/near_root.hpp"
-#include "numbers/real_root.hpp"
-#include "numbers/small_int.hpp"
+#include "numbers/integers/fixed_int.hpp"
+#include "numbers/integers/small_int.hpp"
+#include "numbers/roots/near_root.hpp"
+#include "numbers/roots/real_root.hpp"
 
 namespace touchstone::exact {
 

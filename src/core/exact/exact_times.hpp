@@ -10,7 +10,7 @@
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
-#include "numbers/real_root.hpp"
+#include "numbers/roots/real_root.hpp"
 
 namespace touchstone::exact {
 

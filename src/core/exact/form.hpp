@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <utility>
 
-#include "numbers/coefficients.hpp"
-#include "numbers/exact_list.hpp"
-#include "numbers/exact_number.hpp"
+#include "numbers/integers/exact_list.hpp"
+#include "numbers/integers/exact_number.hpp"
+#include "numbers/roots/coefficients.hpp"
 
 namespace touchstone::exact {
 

@@ -1,5 +1,5 @@
 // The text of contact_values. It is written once, for the coordinates of one query in a pack and for packs of several
-// queries. It is compiled for several processors: see numbers/pack.hpp for what that forbids.
+// queries. It is compiled for several processors: see numbers/doubles/pack.hpp for what that forbids.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -7,8 +7,8 @@
 
 #include "filters/contact_values.hpp"
 #include "geometry/frame.hpp"
-#include "numbers/double_double.hpp"
-#include "numbers/pack.hpp"
+#include "numbers/doubles/double_double.hpp"
+#include "numbers/doubles/pack.hpp"
 
 namespace touchstone::filters {
 namespace {

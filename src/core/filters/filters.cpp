@@ -3,13 +3,13 @@
 
 #include <optional>
 
-#include "filters/boxes.hpp"
+#include "filters/apart/boxes.hpp"
+#include "filters/apart/separating_direction.hpp"
+#include "filters/apart/shared_corner.hpp"
 #include "filters/bracket.hpp"
-#include "filters/entry.hpp"
 #include "filters/planar_point_edge.hpp"
 #include "filters/rescaled.hpp"
-#include "filters/separating_direction.hpp"
-#include "filters/shared_corner.hpp"
+#include "filters/separation/entry.hpp"
 
 namespace touchstone::filters {
 

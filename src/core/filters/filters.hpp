@@ -6,8 +6,8 @@
 #include <touchstone/answer.hpp>
 #include <touchstone/separation.hpp>
 
+#include "filters/apart/same_side.hpp"
 #include "filters/question.hpp"
-#include "filters/same_side.hpp"
 
 namespace touchstone::filters {
 

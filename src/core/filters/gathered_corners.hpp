@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "filters/same_side_columns.hpp"
+#include "filters/columns/same_side_columns.hpp"
 #include "geometry/vector.hpp"
-#include "numbers/pack.hpp"
+#include "numbers/doubles/pack.hpp"
 
 namespace touchstone::filters {
 namespace {

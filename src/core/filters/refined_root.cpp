@@ -6,7 +6,7 @@
 
 #include "filters/contact_values.hpp"
 #include "filters/refined_root_steps.hpp"
-#include "numbers/double_double.hpp"
+#include "numbers/doubles/double_double.hpp"
 
 namespace touchstone::filters {
 namespace {

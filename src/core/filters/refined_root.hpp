@@ -7,7 +7,7 @@
 
 #include "filters/coplanarity_form.hpp"
 #include "filters/question.hpp"
-#include "numbers/lanes.hpp"
+#include "numbers/doubles/lanes.hpp"
 
 namespace touchstone::filters {
 

@@ -10,8 +10,8 @@
 #include "filters/contact_values.hpp"
 #include "filters/coplanarity_form.hpp"
 #include "filters/refined_root.hpp"
-#include "numbers/double_double.hpp"
-#include "numbers/lanes.hpp"
+#include "numbers/doubles/double_double.hpp"
+#include "numbers/doubles/lanes.hpp"
 
 namespace touchstone::filters {
 

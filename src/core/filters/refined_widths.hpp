@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "filters/refined_columns.hpp"
+#include "filters/columns/refined_columns.hpp"
 
 namespace touchstone::filters {
 

@@ -4,7 +4,7 @@
 
 #include "filters/coplanarity_form.hpp"
 #include "filters/step_cubic.hpp"
-#include "numbers/lanes.hpp"
+#include "numbers/doubles/lanes.hpp"
 
 namespace touchstone::filters {
 

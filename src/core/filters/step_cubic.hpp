@@ -6,7 +6,7 @@
 #include <array>
 
 #include "filters/coplanarity_form.hpp"
-#include "numbers/lanes.hpp"
+#include "numbers/doubles/lanes.hpp"
 
 namespace touchstone::filters {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "broad_phase/box_tree.hpp"
-#include "mesh/elements.hpp"
-#include "mesh/motion.hpp"
+#include "mesh/mesh_elements.hpp"
+#include "mesh/moving_vertices.hpp"
 
 namespace touchstone::mesh {
 

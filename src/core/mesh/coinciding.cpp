@@ -6,9 +6,9 @@
 #include <tuple>
 #include <vector>
 
-#include "mesh/motion.hpp"
+#include "mesh/moving_vertices.hpp"
 #include "mesh/ray_passes.hpp"
-#include "numbers/float_environment.hpp"
+#include "numbers/doubles/float_environment.hpp"
 #include "solver/cascade.hpp"
 
 namespace touchstone {

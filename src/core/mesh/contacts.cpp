@@ -14,7 +14,7 @@
 #include "mesh/candidates.hpp"
 #include "mesh/intersections.hpp"
 #include "mesh/narrow.hpp"
-#include "numbers/float_environment.hpp"
+#include "numbers/doubles/float_environment.hpp"
 #include "solver/cascade.hpp"
 #include "solver/validate.hpp"
 #include "threads/for_each_range.hpp"

@@ -7,7 +7,7 @@
 
 #include <touchstone/mesh.hpp>
 
-#include "mesh/motion.hpp"
+#include "mesh/moving_vertices.hpp"
 
 namespace touchstone::mesh {
 

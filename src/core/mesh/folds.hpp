@@ -5,8 +5,8 @@
 #include <array>
 #include <cstddef>
 
-#include "mesh/elements.hpp"
-#include "mesh/motion.hpp"
+#include "mesh/mesh_elements.hpp"
+#include "mesh/moving_vertices.hpp"
 
 namespace touchstone::mesh {
 

@@ -15,7 +15,7 @@
 
 #include "mesh/contacts.hpp"
 #include "mesh/pair_distance.hpp"
-#include "numbers/float_environment.hpp"
+#include "numbers/doubles/float_environment.hpp"
 #include "solver/cascade.hpp"
 #include "threads/for_each_range.hpp"
 

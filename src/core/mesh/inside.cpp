@@ -12,12 +12,12 @@
 
 #include "broad_phase/box_tree.hpp"
 #include "mesh/contacts.hpp"
-#include "mesh/elements.hpp"
 #include "mesh/folds.hpp"
+#include "mesh/mesh_elements.hpp"
 #include "mesh/pieces.hpp"
 #include "mesh/ray_passes.hpp"
-#include "numbers/exact_number.hpp"
-#include "numbers/float_environment.hpp"
+#include "numbers/doubles/float_environment.hpp"
+#include "numbers/integers/exact_number.hpp"
 #include "solver/cascade.hpp"
 
 namespace touchstone::mesh {

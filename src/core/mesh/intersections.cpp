@@ -18,7 +18,7 @@
 #include "mesh/inside.hpp"
 #include "mesh/intersections.hpp"
 #include "mesh/narrow.hpp"
-#include "numbers/float_environment.hpp"
+#include "numbers/doubles/float_environment.hpp"
 #include "solver/cascade.hpp"
 
 namespace touchstone::mesh {

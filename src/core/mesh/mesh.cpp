@@ -11,9 +11,9 @@
 
 #include <touchstone/error.hpp>
 
-#include "mesh/elements.hpp"
+#include "mesh/mesh_elements.hpp"
 #include "mesh/pair_distance.hpp"
-#include "numbers/float_environment.hpp"
+#include "numbers/doubles/float_environment.hpp"
 #include "solver/validate.hpp"
 
 namespace touchstone {

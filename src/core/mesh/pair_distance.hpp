@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <limits>
 
-#include "mesh/elements.hpp"
-#include "numbers/rounded_sum.hpp"
+#include "mesh/mesh_elements.hpp"
+#include "numbers/doubles/rounded_sum.hpp"
 
 namespace touchstone::mesh {
 

@@ -8,8 +8,8 @@
 
 #include "broad_phase/box.hpp"
 #include "geometry/union_find.hpp"
-#include "mesh/elements.hpp"
-#include "mesh/motion.hpp"
+#include "mesh/mesh_elements.hpp"
+#include "mesh/moving_vertices.hpp"
 
 namespace touchstone::mesh {
 

@@ -8,7 +8,7 @@
 
 #include "broad_phase/box.hpp"
 #include "geometry/vector.hpp"
-#include "numbers/exact_number.hpp"
+#include "numbers/integers/exact_number.hpp"
 
 namespace touchstone::mesh {
 

@@ -6,7 +6,7 @@
 #include "exact/exact.hpp"
 #include "filters/bracket.hpp"
 #include "filters/filters.hpp"
-#include "numbers/float_environment.hpp"
+#include "numbers/doubles/float_environment.hpp"
 #include "oracle/oracle.hpp"
 #include "solver/ladder.hpp"
 #include "solver/validate.hpp"

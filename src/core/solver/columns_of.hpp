@@ -6,7 +6,7 @@
 
 #include <touchstone/solve.hpp>
 
-#include "filters/same_side_columns.hpp"
+#include "filters/columns/same_side_columns.hpp"
 
 namespace touchstone::solver {
 

@@ -5,7 +5,7 @@
 #include <touchstone/error.hpp>
 
 #include "exact/exact.hpp"
-#include "numbers/float_environment.hpp"
+#include "numbers/doubles/float_environment.hpp"
 #include "solver/validate.hpp"
 
 namespace touchstone {

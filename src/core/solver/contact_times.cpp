@@ -7,8 +7,8 @@
 #include <touchstone/error.hpp>
 
 #include "exact/exact_times.hpp"
-#include "numbers/common_denominator.hpp"
-#include "numbers/float_environment.hpp"
+#include "numbers/doubles/float_environment.hpp"
+#include "numbers/integers/common_denominator.hpp"
 #include "solver/validate.hpp"
 
 namespace touchstone {

@@ -2,8 +2,8 @@
 #include <touchstone/distance.hpp>
 
 #include "exact/exact.hpp"
-#include "numbers/float_environment.hpp"
-#include "numbers/limb_scratch.hpp"
+#include "numbers/doubles/float_environment.hpp"
+#include "numbers/integers/limb_scratch.hpp"
 #include "solver/validate.hpp"
 
 namespace touchstone {

@@ -14,7 +14,7 @@
 #include <touchstone/error.hpp>
 
 #include "geometry/frame.hpp"
-#include "numbers/float_environment.hpp"
+#include "numbers/doubles/float_environment.hpp"
 #include "solver/cascade.hpp"
 #include "solver/screw_arcs.hpp"
 #include "solver/validate.hpp"

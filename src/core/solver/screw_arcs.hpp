@@ -9,7 +9,7 @@
 #include <touchstone/curved_query.hpp>
 
 #include "geometry/vector.hpp"
-#include "solver/interval.hpp"
+#include "solver/contact_interval.hpp"
 
 namespace touchstone::solver {
 

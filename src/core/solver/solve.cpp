@@ -2,7 +2,7 @@
 #include <touchstone/solve.hpp>
 
 #include "exact/exact.hpp"
-#include "numbers/float_environment.hpp"
+#include "numbers/doubles/float_environment.hpp"
 #include "numbers/fraction.hpp"
 #include "oracle/oracle.hpp"
 #include "solver/cascade.hpp"

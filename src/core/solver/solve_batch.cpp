@@ -10,9 +10,9 @@
 #include <functional>
 #include <string>
 
-#include "filters/same_side.hpp"
-#include "filters/same_side_columns.hpp"
-#include "numbers/float_environment.hpp"
+#include "filters/apart/same_side.hpp"
+#include "filters/columns/same_side_columns.hpp"
+#include "numbers/doubles/float_environment.hpp"
 #include "solver/cascade.hpp"
 #include "solver/columns_of.hpp"
 #include "solver/survivors.hpp"

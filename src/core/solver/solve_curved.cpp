@@ -6,11 +6,11 @@
 #include <optional>
 
 #include "exact/exact.hpp"
-#include "filters/curved_bracket.hpp"
-#include "filters/curved_chords.hpp"
-#include "filters/curved_paths.hpp"
-#include "numbers/float_environment.hpp"
-#include "numbers/vanishing.hpp"
+#include "filters/curved/curved_bracket.hpp"
+#include "filters/curved/curved_chords.hpp"
+#include "filters/curved/curved_paths.hpp"
+#include "numbers/doubles/float_environment.hpp"
+#include "numbers/roots/vanishing.hpp"
 #include "oracle/oracle.hpp"
 #include "solver/cascade.hpp"
 #include "solver/validate.hpp"

@@ -7,8 +7,8 @@
 #include <touchstone/answer.hpp>
 #include <touchstone/solve.hpp>
 
-#include "filters/bracket_columns.hpp"
-#include "filters/refined_columns.hpp"
+#include "filters/columns/bracket_columns.hpp"
+#include "filters/columns/refined_columns.hpp"
 
 namespace touchstone::solver {
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string>
 
-#include "numbers/vanishing.hpp"
+#include "numbers/roots/vanishing.hpp"
 #include "solver/validate.hpp"
 
 namespace touchstone::solver {

@@ -10,7 +10,7 @@
 
 #include <touchstone/error.hpp>
 
-#include "numbers/float_environment.hpp"
+#include "numbers/doubles/float_environment.hpp"
 #include "threads/startable.hpp"
 #include "threads/thread_handover.hpp"
 

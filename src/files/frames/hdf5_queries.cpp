@@ -8,8 +8,8 @@
 #include "frames/hdf5_handles.hpp"
 #include "frames/reading_process.hpp"
 #include "io/fail.hpp"
-#include "io/hdf5_layout.hpp"
-#include "io/npy_header.hpp"
+#include "io/queries/hdf5_layout.hpp"
+#include "io/queries/npy_header.hpp"
 
 namespace touchstone::frames {
 namespace {

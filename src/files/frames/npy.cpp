@@ -11,7 +11,7 @@
 #include "frames/content.hpp"
 #include "io/bytes.hpp"
 #include "io/fail.hpp"
-#include "io/npy_header.hpp"
+#include "io/queries/npy_header.hpp"
 
 namespace touchstone::frames {
 namespace {

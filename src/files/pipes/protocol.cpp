@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "io/kind_of_file.hpp"
+#include "io/queries/kind_of_file.hpp"
 #include "io/times.hpp"
 #include "numbers/written_number.hpp"
 

@@ -20,7 +20,7 @@
 #include "io/sha256.hpp"
 #include "io/whole_file.hpp"
 #include "json/json_node.hpp"
-#include "sequence/report.hpp"
+#include "sequence/report_json.hpp"
 #include "sequence/results_json.hpp"
 
 namespace touchstone::sequence {

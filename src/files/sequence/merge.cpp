@@ -9,7 +9,7 @@
 
 #include "io/fail.hpp"
 #include "sequence/frame_list.hpp"
-#include "sequence/report.hpp"
+#include "sequence/report_json.hpp"
 
 namespace touchstone::sequence {
 namespace {

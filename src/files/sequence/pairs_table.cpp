@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "io/answer_writer.hpp"
+#include "io/queries/answer_writer.hpp"
 #include "io/times.hpp"
-#include "sequence/report.hpp"
+#include "sequence/report_json.hpp"
 
 namespace touchstone::sequence {
 namespace {

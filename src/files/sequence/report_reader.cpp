@@ -6,12 +6,12 @@
 #include <touchstone/error.hpp>
 
 #include "io/fail.hpp"
+#include "io/queries/separation_text.hpp"
 #include "io/sealed_json.hpp"
-#include "io/separation_text.hpp"
 #include "io/times.hpp"
 #include "json/json_node.hpp"
 #include "sequence/frame_list.hpp"
-#include "sequence/report.hpp"
+#include "sequence/report_json.hpp"
 #include "sequence/results_json.hpp"
 
 namespace touchstone::sequence {

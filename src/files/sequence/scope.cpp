@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "io/counted.hpp"
-#include "sequence/report.hpp"
+#include "sequence/report_json.hpp"
 
 namespace touchstone::sequence {
 namespace {

@@ -9,11 +9,11 @@
 
 #include <touchstone/version.hpp>
 
-#include "report/front.hpp"
 #include "report/machine.hpp"
-#include "report/plots.hpp"
+#include "report/pictures/front.hpp"
+#include "report/pictures/plots.hpp"
+#include "report/pictures/text_plot.hpp"
 #include "report/text.hpp"
-#include "report/text_plot.hpp"
 
 namespace touchstone::report {
 namespace {

@@ -9,10 +9,10 @@
 
 #include "report/body_pairs.hpp"
 #include "report/csv.hpp"
-#include "report/drawing.hpp"
-#include "report/families.hpp"
+#include "report/family_sets.hpp"
 #include "report/markdown.hpp"
-#include "report/plots.hpp"
+#include "report/pictures/drawing.hpp"
+#include "report/pictures/plots.hpp"
 #include "seeded/rng.hpp"
 
 namespace touchstone::report {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "stress/configuration.hpp"
-#include "stress/separation.hpp"
+#include "stress/separation_dials.hpp"
 
 namespace touchstone::stress {
 namespace {

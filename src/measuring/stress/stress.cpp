@@ -9,7 +9,7 @@
 #include <touchstone/solve.hpp>
 
 #include "report/csv.hpp"
-#include "report/drawing.hpp"
+#include "report/pictures/drawing.hpp"
 
 namespace touchstone::stress {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "report/plots.hpp"
+#include "report/pictures/plots.hpp"
 #include "report/report.hpp"
 #include "stress/dials.hpp"
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "broad_phase/box_tree.hpp"
-#include "numbers/rounded_sum.hpp"
+#include "numbers/doubles/rounded_sum.hpp"
 
 namespace touchstone::sim {
 namespace {

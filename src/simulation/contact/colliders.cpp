@@ -12,7 +12,7 @@
 #include <touchstone/distance.hpp>
 
 #include "broad_phase/box_tree.hpp"
-#include "numbers/rounded_sum.hpp"
+#include "numbers/doubles/rounded_sum.hpp"
 #include "scene/features.hpp"
 
 namespace touchstone::sim {

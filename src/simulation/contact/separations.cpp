@@ -13,7 +13,7 @@
 
 #include <touchstone/error.hpp>
 
-#include "numbers/rounded_sum.hpp"
+#include "numbers/doubles/rounded_sum.hpp"
 
 namespace touchstone::sim {
 namespace {

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "generators/mesh.hpp"
+#include "generators/shapes.hpp"
 #include "scene/parts.hpp"
 #include "scene/sheet.hpp"
 #include "scene/shipped_scenes.hpp"

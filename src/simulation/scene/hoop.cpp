@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "generators/mesh.hpp"
+#include "generators/shapes.hpp"
 #include "scene/body_shapes.hpp"
 #include "scene/parts.hpp"
 #include "scene/shipped_scenes.hpp"

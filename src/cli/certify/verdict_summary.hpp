@@ -1,0 +1,19 @@
+// Verdicts on claims, as text for a person.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "certify/tally.hpp"
+#include "io/queries/curved_rows.hpp"
+
+namespace touchstone::cli {
+
+// Blocks of whole lines:
+std::string verdicts_for_person(const certify::VerdictCounts& verdicts);
+std::string early_for_person(const certify::EarlyTally& early);  ///< empty when no claim had a toi
+
+/// One refuted claim and the command that explains its query. @param turns  with which it was judged
+std::string refuted_for_person(const certify::RefutedClaim& refuted, io::Turns turns);
+
+}  // namespace touchstone::cli

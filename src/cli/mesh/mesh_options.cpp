@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/mesh/mesh.hpp"
+#include "cli/shared/command_line/common_options.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+/// "2/4" as a shard; nothing for other texts.
+std::optional<sequence::Shard> shard_from(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos) return std::nullopt;
+  const std::string number = text.substr(0, slash), count = text.substr(slash + 1);
+  if (!check_whole_number(count, 1).empty()) return std::nullopt;
+  if (!check_whole_number(number, 1, std::stoull(count)).empty()) return std::nullopt;
+  return sequence::Shard{std::stoull(number), std::stoull(count)};
+}
+
+}  // namespace
+
+void add_mesh(CLI::App& program, Command& command) {
+  const auto options = std::make_shared<MeshRunOptions>();
+  CLI::App* const subcommand =
+      program.add_subcommand("mesh", "Check an animation: is each step between its frames free of contact?");
+  subcommand
+      ->add_option("FRAME", options->files,
+                   "Mesh files, one a frame, or files with several frames. A pattern in quotes is expanded")
+      ->required()
+      ->type_name("");
+  CLI::Option* const check = subcommand->add_flag(
+      "--check", options->check, "Ask about each frame at rest: does the mesh intersect itself? Steps are not checked");
+  subcommand->add_flag("--in-order", options->in_order,
+                       "The files are the frames of one animation in the order given, whatever their names are. With "
+                       "--check, each file is a frame by itself, and their elements may differ");
+  add_separation_options(*subcommand, options->separation, "The distance at which two elements are in contact");
+  subcommand->get_option("--separation")->excludes(check);
+  subcommand
+      ->add_option("--threads", options->threads,
+                   "The number of threads (default: all that the machine has); no result depends on it")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  subcommand
+      ->add_option_function<std::string>(
+          "--shard", [options](const std::string& text) { options->shard = shard_from(text); },
+          "Check part I of N of the steps only. `touchstone merge` puts the reports of all parts together")
+      ->type_name("I/N")
+      ->check([](const std::string& text) {
+        return shard_from(text) ? std::string()
+                                : text + " must be two whole numbers, such as 2/4: part 2 of 4, counted from 1";
+      });
+  CLI::Option* const report =
+      subcommand
+          ->add_option("--report", options->report,
+                       "Write a JSON report with a result for every step; - writes it to standard output instead of "
+                       "the summary")
+          ->type_name("FILE");
+  subcommand
+      ->add_flag("--resume", options->resume,
+                 "Go on with the run that was to write this report and was stopped. Its finished steps are in "
+                 "FILE.progress")
+      ->needs(report);
+  subcommand->add_option("--pairs", options->pairs, "Write a table (CSV) with a row for each pair in contact")
+      ->type_name("FILE");
+  subcommand
+      ->add_option("--queries", options->queries,
+                   "Write the pairs in contact as FOLDER/KIND/contacts.csv, query files for explain and certify")
+      ->type_name("FOLDER");
+  subcommand
+      ->add_option(
+          "--html", options->html,
+          "Write a page with the animation, its contacts and its intersections. It is one file, for any browser")
+      ->type_name("PAGE.html");
+  subcommand
+      ->add_option("--prove", options->prove,
+                   "Write the frames' positions as FOLDER/motion.txt and a proof for each pair of each step as "
+                   "FOLDER/proofs.txt, for touchstone-check. The folder must be new or empty")
+      ->type_name("FOLDER")
+      ->excludes(check);
+  subcommand
+      ->add_option("--topology", options->topology,
+                   "The file with the elements of the mesh, for frames that hold positions only")
+      ->type_name("FILE");
+  subcommand->add_option("--dataset", options->dataset, "The name of the data set in HDF5 files")->type_name("NAME");
+  subcommand->add_flag("--triangulate", options->triangulate,
+                       "Cut polygons of more than three corners into triangles that share the first corner");
+  for (const char* name : {"--report", "--pairs", "--queries", "--html", "--prove", "--topology"}) {
+    subcommand->get_option(name)->check(not_empty);
+  }
+  subcommand->footer(
+      "Vertices move on straight lines from each frame to the next. Files whose names differ in one number are sorted\n"
+      "by it, and a missing number is an error. Files of other names are frames with --in-order only: parts of one "
+      "scene\n"
+      "belong in one file. All frames must have the same vertices and elements. The first frame must not intersect\n"
+      "itself. Decimal coordinates are taken as the nearest doubles, and those are compared exactly.\n\n"
+      "Examples\n"
+      "  touchstone mesh cloth-*.obj\n"
+      "  touchstone mesh --separation 1e-3 --report report.json --resume 'cloth-*.obj'\n"
+      "  touchstone mesh --shard 2/4 --report part-2.json cloth-*.obj\n"
+      "  touchstone mesh --check body.ply\n"
+      "  touchstone mesh --in-order rest.obj bent.obj\n"
+      "  touchstone mesh --html cloth.html cloth-*.obj\n"
+      "  touchstone mesh --prove proved cloth-*.obj && touchstone-check proved/proofs.txt proved/motion.txt\n\n"
+      "Exit status: 0 every step is free and the first frame does not intersect itself (--check: no frame does), 1\n"
+      "otherwise, 2 bad usage or bad input.");
+  subcommand->callback([options, &command] { command = [options] { return run_mesh(*options); }; });
+}
+
+}  // namespace touchstone::cli

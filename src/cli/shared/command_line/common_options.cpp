@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "cli/shared/command_line/common_options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <system_error>
+#include <variant>
+
+#include <touchstone/curved.hpp>
+#include <touchstone/error.hpp>
+
+#include "cli/shared/command_line/kind_check.hpp"
+#include "cli/shared/command_line/turns.hpp"
+#include "cli/shared/words.hpp"
+#include "io/fail.hpp"
+#include "io/queries/kind_of_file.hpp"
+
+namespace touchstone::cli {
+
+namespace {
+
+/// The file that a name leads to, whether it is there or not.
+std::filesystem::path place_of(const std::string& name) {
+  if (name == "-") return name;
+  std::error_code error;
+  const auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(name, error), error);
+  return error || place.empty() ? std::filesystem::path(name) : place;
+}
+
+}  // namespace
+
+CLI::Validator kind_check() {
+  std::string names;
+  for (const Kind kind : {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point}) {
+    names.append(names.empty() ? "{" : ",").append(kind_name(kind));
+  }
+  return CLI::Validator(
+      [](const std::string& name) {
+        return io::kind_from_name(name) ? std::string() : name + " is no kind; it must be " + io::kind_names();
+      },
+      names + "}");
+}
+
+void add_kind_option(CLI::App& subcommand, std::optional<Kind>& kind) {
+  subcommand
+      .add_option_function<std::string>(
+          "--kind", [&kind](const std::string& name) { kind = io::kind_from_name(name); },
+          "The kind of the files' queries: " + io::kind_names() +
+              " (default: that of a binary file, or else the name of each file's folder)")
+      ->type_name("KIND")
+      ->check(kind_check());
+}
+
+void add_seed_option(CLI::App& subcommand, std::uint64_t& seed) {
+  subcommand.add_option("--seed", seed, "The seed of the generated queries (default: 1)")
+      ->type_name("N")
+      ->check([](const std::string& text) { return check_whole_number(text); });
+}
+
+std::string not_empty(const std::string& name) { return name.empty() ? "the name is empty" : std::string(); }
+
+std::string check_whole_number(const std::string& text, std::uint64_t least, std::uint64_t most) {
+  const bool number = !text.empty() && text.size() < 19 && text.find_first_not_of("0123456789") == std::string::npos;
+  if (number && std::stoull(text) >= least && std::stoull(text) <= most) return {};
+  return fmt::format("{} must be a whole number from {} to {}", text, least, most);
+}
+
+void add_query_options(CLI::App& subcommand, QueryOptions& options) {
+  add_kind_option(subcommand, options.kind);
+  subcommand
+      .add_option_function<std::string>(
+          "--level",
+          [&options](const std::string& name) { options.method = method_from_name(name).value_or(options.method); },
+          "The code that answers; every level gives the same answer. fast: filters, and exact arithmetic where they "
+          "are uncertain (default). exact: exact arithmetic alone. oracle: an independent decider over CGAL that "
+          "shares no code with the others; a thousand times slower. fast-cgal: filters, and CGAL where they are "
+          "uncertain")
+      ->type_name("LEVEL")
+      ->check(CLI::IsMember({"fast", "exact", "oracle", "fast-cgal"}));
+  add_shorter_turn_option(subcommand, options.turns);
+  subcommand.add_option("--threads", options.threads, "The number of threads (default: all that the machine has)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+}
+
+void refuse_to_overwrite(const std::string& output, const std::vector<std::string>& inputs, const std::string& advice) {
+  if (output.empty() || output == "-") return;
+  for (const auto& input : inputs) {
+    std::error_code ignored;  // a missing file cannot be overwritten
+    if (std::filesystem::is_regular_file(output, ignored) && std::filesystem::equivalent(output, input, ignored)) {
+      const std::string reason = "is also an input; writing there would destroy it";
+      io::fail(output, advice.empty() ? reason : reason + "; " + advice);
+    }
+  }
+}
+
+void refuse_one_file_twice(const std::vector<std::pair<std::string, std::string>>& outputs) {
+  std::set<std::filesystem::path> places;
+  for (const auto& [option, output] : outputs) {
+    std::error_code ignored;
+    if (output.empty() || places.insert(place_of(output)).second) continue;
+    if (std::filesystem::is_character_file(output, ignored)) continue;
+    throw Error(fmt::format("{} names {}, which another option names too", option,
+                            output == "-" ? "standard output" : io::printable(output)));
+  }
+}
+
+Answer answer_to(const io::FileQuery& query, Method method, const Separation& separation) {
+  return std::visit([&](const auto& given) { return solve(given, {.separation = separation, .method = method}); },
+                    query);
+}
+
+}  // namespace touchstone::cli

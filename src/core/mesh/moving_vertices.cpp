@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/moving_vertices.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include <touchstone/error.hpp>
+
+#include "numbers/doubles/float_environment.hpp"
+#include "solver/cascade.hpp"
+#include "threads/for_each_range.hpp"
+
+namespace touchstone::mesh {
+namespace {
+
+void check_shape(const Mesh::Impl& mesh, const Positions& x, const char* when) {
+  const auto fail = [&](const std::string& what) { throw InvalidQuery("the positions at " + (when + (", " + what))); };
+  if (x.dimension != mesh.dimension) {
+    fail("which have " + std::to_string(x.dimension) + " coordinates a vertex, do not fit a mesh in " +
+         std::to_string(mesh.dimension) + " dimensions");
+  }
+  if (x.count != mesh.vertex_count) {
+    fail("which are those of " + std::to_string(x.count) + " vertices, do not fit a mesh of " +
+         std::to_string(mesh.vertex_count) + " vertices");
+  }
+  if (x.data == nullptr && x.count > 0) fail("which have no data, do not fit a mesh with vertices");
+}
+
+double coordinate(const Positions& x, std::size_t vertex, int k) noexcept {
+  return x.data[static_cast<std::ptrdiff_t>(vertex) * x.vertex_stride + k * x.coordinate_stride];
+}
+
+Vec3 vertex_at(const Positions& x, std::size_t vertex) noexcept {
+  return {coordinate(x, vertex, 0), coordinate(x, vertex, 1), x.dimension == 3 ? coordinate(x, vertex, 2) : 0};
+}
+
+bool is_finite(const Vec3& v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+[[noreturn]] void throw_not_finite(std::size_t vertex, const Vec3& at, int time) {
+  const double coordinates[3] = {at.x, at.y, at.z};
+  int axis = 0;
+  while (std::isfinite(coordinates[axis])) ++axis;
+  char number[32];
+  std::snprintf(number, sizeof number, "%g", coordinates[axis]);
+  throw InvalidQuery("vertex " + std::to_string(vertex) + " has " + "xyz"[axis] + " = " + number +
+                     " at t = " + std::to_string(time) + "; coordinates must be finite");
+}
+
+TOUCHSTONE_BEHIND_GUARD void check_finite(const Motion& motion) {
+  for (int time = 0; time < 2; ++time) {
+    for (std::size_t v = 0; v < motion.size(); ++v) {
+      const Vec3& at = time == 0 ? motion[v].start : motion[v].end;
+      if (!is_finite(at)) throw_not_finite(v, at, time);
+    }
+  }
+}
+
+}  // namespace
+
+Motion motion_of(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1, int threads) {
+  threads::validate_threads(threads);
+  check_shape(mesh, x0, "t = 0");
+  check_shape(mesh, x1, "t = 1");
+  Motion motion(mesh.vertex_count);
+  constexpr std::size_t kVerticesAtATime = 4096;
+  threads::for_each_range(motion.size(), kVerticesAtATime, threads, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) motion[v] = {vertex_at(x0, v), vertex_at(x1, v)};
+  });
+  check_finite(motion);
+  return motion;
+}
+
+Query query_of(const Motion& motion, Kind kind, const std::array<Index, 4>& corners) noexcept {
+  Query query;
+  query.kind = kind;
+  for (std::size_t c = 0; c < corner_count(kind); ++c) {
+    query.start[c] = motion[corners[c]].start;
+    query.end[c] = motion[corners[c]].end;
+  }
+  return query;
+}
+
+}  // namespace touchstone::mesh
+
+namespace touchstone {
+
+Query query_of(const Mesh& mesh, const MeshPair& pair, const Positions& x0, const Positions& x1) {
+  mesh::check_shape(mesh.impl(), x0, "t = 0");
+  mesh::check_shape(mesh.impl(), x1, "t = 1");
+  const auto corners = mesh.corners(pair);
+  Query query;
+  query.kind = pair.kind;
+  for (std::size_t c = 0; c < corner_count(pair.kind); ++c) {
+    query.start[c] = mesh::vertex_at(x0, corners[c]);
+    query.end[c] = mesh::vertex_at(x1, corners[c]);
+  }
+  return query;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,30 @@
+// The positions of a mesh's vertices at both ends of a step, checked.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <touchstone/mesh.hpp>
+#include <touchstone/query.hpp>
+
+#include "mesh/mesh_elements.hpp"
+
+namespace touchstone::mesh {
+
+/// A vertex at t = 0 and t = 1.
+struct MovingVertex {
+  Vec3 start, end;
+};
+
+using Motion = std::vector<MovingVertex>;
+
+/// @throws InvalidQuery  for positions that do not fit the mesh, or naming the first vertex with a coordinate that is
+///                       not finite
+Motion motion_of(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1, int threads);
+
+/// The query of the vertices `corners`, as many as the kind has.
+Query query_of(const Motion& motion, Kind kind, const std::array<Index, 4>& corners) noexcept;
+
+}  // namespace touchstone::mesh

@@ -1,0 +1,77 @@
+// Reads answers.csv as the claims of a solver.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <touchstone/separation.hpp>
+
+#include "io/input_file.hpp"
+#include "io/queries/query_chunks.hpp"
+
+namespace touchstone::io {
+
+/// One row of an answers file: the columns that make a claim.
+struct AnswerRow {
+  std::optional<std::string_view> file;  ///< nothing when the file has no such column; valid until the next row
+  std::uint64_t query = 0;
+  bool contact = false;
+  std::optional<double> toi;  ///< finite; only with contact
+  /// The field's text, if its number may lie beside its nearest double `toi`; else empty. Its exact value has at most
+  /// numbers::kMostWrittenDigits digits. Valid until the next row.
+  std::string_view toi_as_written;
+  std::optional<Separation> separation;  ///< what the claim is about; nothing when the file has no such column
+  std::uint64_t row = 0;                 ///< the line where it starts, counted from 1
+};
+
+/// Reads RFC 4180 CSV. The first line names the columns, in any order. `query` and `contact` are needed, and `file` and
+/// `toi` are optional, and so are `separation` and `metric`, which say what a row is about; a separation without a
+/// metric is Euclidean. The other columns of answers.csv are skipped. Any other name is an error. Rows are bounded by
+/// kLongestLine, lines may end in CRLF, and blank lines are skipped.
+class AnswerReader {
+ public:
+  /// Reads the header. @throws FileError
+  explicit AnswerReader(InputFile file, std::size_t chunk_bytes = kChunkBytes);
+
+  /// The next row into `row`. @returns false at the end of the file. @throws FileError naming the row at fault
+  bool next(AnswerRow& row);
+
+  const std::string& name() const noexcept { return file_.name(); }
+
+  /// The line where the last row started.
+  std::uint64_t last_row() const noexcept { return last_row_; }
+
+ private:
+  enum Column : std::size_t { kFile, kQuery, kContact, kToi, kSeparation, kMetric, kOther };
+
+  void read_toi(std::string_view field, AnswerRow& row) const;
+  void read_separation(AnswerRow& row) const;
+  bool next_record();
+  bool find_record_end(std::size_t& end);
+  void split_record(std::string_view record);
+  void fill();
+  void read_header();
+  [[noreturn]] void refuse(std::string_view reason) const;
+
+  InputFile file_;
+  std::size_t chunk_bytes_;
+  bool at_end_ = false;
+  std::string buffer_;
+  std::size_t at_ = 0;            ///< where the next record starts in buffer_
+  std::uint64_t line_ = 1;        ///< the line number of at_
+  std::uint64_t record_row_ = 0;  ///< where the record that is being read starts
+  std::uint64_t last_row_ = 0;
+
+  std::vector<std::string> unquoted_;     ///< what quoted fields of the current record stand for
+  std::vector<std::string_view> fields_;  ///< of the current record
+  std::size_t column_count_ = 0;
+  std::array<std::size_t, kOther> index_{};  ///< position of each column that is read; npos: not there
+};
+
+}  // namespace touchstone::io

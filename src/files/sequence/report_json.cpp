@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "sequence/report_json.hpp"
+
+#include <fmt/format.h>
+
+#include "io/fail.hpp"
+#include "io/sealed_json.hpp"
+#include "io/times.hpp"
+#include "sequence/results_json.hpp"
+#include "sequence/scope.hpp"
+
+namespace touchstone::sequence {
+namespace {
+
+std::string question_name(Question question) { return question == Question::steps ? "steps" : "rest"; }
+
+std::string shown_shard(const std::optional<Shard>& shard) {
+  return shard ? fmt::format("shard {}/{}", shard->number, shard->count) : "a whole sequence";
+}
+
+std::string shown_separation(const Separation& separation) {
+  if (separation.distance == 0) return "touching";
+  return fmt::format("separation {}, {}", io::hexfloat(separation.distance), metric_name(separation.metric));
+}
+
+std::string shown_facts(const std::optional<MeshFacts>& facts) {
+  if (!facts) return "frames whose elements may differ";
+  return fmt::format("a mesh of {} vertices and {} faces with the digest {}", facts->vertices, facts->faces,
+                     facts->digest.substr(0, 16));
+}
+
+std::string json_of(const MeshFacts& facts) {
+  return fmt::format(
+      "\"mesh\": {{\"sha256\": \"{}\", \"dimension\": {}, \"vertices\": {}, \"faces\": {}, \"edges\": {}, \"points\": "
+      "{}, "
+      "\"idle_vertices\": {}, \"pairs_with_common_vertex\": {}, \"closed_polygons\": {}, \"branching_surfaces\": {}, "
+      "\"joined_vertices\": {}}}",
+      facts.digest, facts.dimension, facts.vertices, facts.faces, facts.edges, facts.points, facts.idle,
+      facts.neighbours, facts.polygons, facts.branching, facts.joined);
+}
+
+}  // namespace
+
+Range range_of(const Heading& heading) {
+  return frames_of_shard(heading.question, heading.frame_count, heading.shard.value_or(Shard()));
+}
+
+ResultCounts counts_of(const Report& report) {
+  ResultCounts counts;
+  for (const Result& result : report.results) counts.add(report.heading.question, result);
+  return counts;
+}
+
+std::string heading_json(const Heading& heading) {
+  std::string text = fmt::format(
+      " \"touchstone_mesh\": 3,\n \"touchstone\": {},\n \"question\": \"{}\",\n \"separation\": \"{}\",\n"
+      " \"metric\": \"{}\",\n \"frame_count\": {},\n \"names_sha256\": \"{}\"",
+      json_string(heading.program), question_name(heading.question), io::hexfloat(heading.separation.distance),
+      metric_name(heading.separation.metric), heading.frame_count, heading.list_digest);
+  if (const auto& shard = heading.shard) {
+    text += fmt::format(",\n \"shard\": {{\"number\": {}, \"count\": {}}}", shard->number, shard->count);
+  }
+  if (heading.facts) text += ",\n " + json_of(*heading.facts);
+  return text;
+}
+
+std::string report_text(const Report& report) {
+  std::string text = fmt::format("{{{},\n \"frames\": [", heading_json(report.heading));
+  const std::size_t first = range_of(report.heading).first;
+  for (std::size_t i = 0; i < report.frames.size(); ++i) {
+    const auto& [label, digest, facts] = report.frames[i];
+    text += fmt::format("{}\n  {{\"frame\": {}, \"name\": {}, \"sha256\": \"{}\"{}}}", i == 0 ? "" : ",", first + i,
+                        json_string(label), digest, facts ? ", " + json_of(*facts) : std::string());
+  }
+  text += "\n ],\n \"results\": [";
+  for (std::size_t i = 0; i < report.results.size(); ++i) {
+    text.append(i == 0 ? "\n  " : ",\n  ").append(result_json(report.results[i]));
+  }
+  const ResultCounts counts = counts_of(report);
+  const bool steps = report.heading.question == Question::steps;
+  text += fmt::format("\n ],\n \"counts\": {{\"{}\": {}, \"free\": {}, \"not_free\": {}", steps ? "steps" : "frames",
+                      counts.results, counts.free, counts.results - counts.free);
+  text += fmt::format(", \"intersections{0}\": {1}, \"folds{0}\": {2}, \"inside{0}\": {3}, \"enclosed_parts{0}\": {4}",
+                      steps ? "_of_first_frame" : "", counts.intersections.all, counts.intersections.folds,
+                      counts.intersections.inside, counts.enclosed.all());
+  if (steps) text += fmt::format(", \"free_from_intersecting_frame\": {}", counts.from_intersecting);
+  text += "},\n \"warnings\": [";
+  std::vector<std::string> warnings = warnings_of(report.heading, report.frames, counts);
+  if (const std::string cause = likely_cause(report.heading, counts); !cause.empty()) warnings.push_back(cause);
+  for (std::size_t i = 0; i < warnings.size(); ++i) text += (i == 0 ? "\n  " : ",\n  ") + json_string(warnings[i]);
+  return io::sealed_json(text + "\n ]\n}\n");
+}
+
+std::string difference_of(const Heading& a, const Heading& b, std::string_view other) {
+  const auto differ = [&](const std::string& one, const std::string& two) {
+    return fmt::format("is about {}, and {} about {}", one, other, two);
+  };
+  if (a.program != b.program) {
+    return fmt::format("was made by touchstone {}, and {} by touchstone {}", io::shortened(a.program), other,
+                       io::shortened(b.program));
+  }
+  if (a.question != b.question) return differ(question_name(a.question), question_name(b.question));
+  if (a.separation.distance != b.separation.distance || a.separation.metric != b.separation.metric) {
+    return differ(shown_separation(a.separation), shown_separation(b.separation));
+  }
+  if (a.frame_count != b.frame_count) {
+    return differ(fmt::format("{} frames", a.frame_count), fmt::format("{} frames", b.frame_count));
+  }
+  if (a.list_digest != b.list_digest) return differ("frames of other names", "the names given");
+  if (a.shard.has_value() != b.shard.has_value() ||
+      (a.shard && (a.shard->number != b.shard->number || a.shard->count != b.shard->count))) {
+    return differ(shown_shard(a.shard), shown_shard(b.shard));
+  }
+  if (a.facts != b.facts) return differ(shown_facts(a.facts), shown_facts(b.facts));
+  return {};
+}
+
+}  // namespace touchstone::sequence

@@ -1,0 +1,18 @@
+// The child's side of a plugin: loads it, and answers the parent's queries.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "fuzz/processes/shared_call.hpp"
+
+namespace touchstone::fuzz {
+
+/// Runs in the child process until it is told to end. `path` is absolute. `call.failure` receives the reason when the
+/// plugin cannot run.
+void serve_plugin(const std::string& path, SharedCall& call);
+
+/// The bit of plugin.h, 1 to 8, for a kind given by its number.
+constexpr std::uint32_t kind_bit(unsigned kind) noexcept { return 1U << kind; }
+
+}  // namespace touchstone::fuzz

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "view/pages/measurements_page.hpp"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+
+#include "view/scatter.hpp"
+
+namespace touchstone::view {
+namespace {
+
+std::string head_cell(const std::string& name) {
+  return fmt::format("<th scope=\"col\"><button type=\"button\">{}</button></th>", escaped(name));
+}
+
+std::string table_of(const MeasuredSet& set, const std::vector<std::string>& columns, std::size_t number) {
+  std::string html = "<div class=\"wide\"><table class=\"sorts\">\n<thead><tr>" + head_cell("method");
+  for (const std::string& column : columns) html += head_cell(column);
+  html += "</tr></thead>\n<tbody>\n";
+  for (std::size_t m = 0; m < set.methods.size(); ++m) {
+    const MeasuredMethod& method = set.methods[m];
+    html += fmt::format("<tr id=\"row-{}-{}\" class=\"{}\"><th scope=\"row\">{}</th>", number, m,
+                        method.own ? "own" : "other", escaped(method.label));
+    for (const MeasuredMethod::Cell& cell : method.cells) {
+      html += cell.value ? fmt::format("<td data-value=\"{}\">{}</td>", *cell.value, escaped(cell.text))
+                         : fmt::format("<td>{}</td>", escaped(cell.text));
+    }
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+std::string panel_of(const MeasuredSet& set, const Measurements& all, std::size_t panel, std::size_t number) {
+  std::vector<ScatterPoint> points;
+  for (std::size_t m = 0; m < set.methods.size(); ++m) {
+    const MeasuredMethod& method = set.methods[m];
+    if (!method.errors[panel] || !(method.time > 0)) continue;
+    const double error = *method.errors[panel];
+    points.push_back({method.time, error, method.label,
+                      fmt::format("{}: {:.3g} {}, {:.3g} {}", method.label, method.time, all.time_axis, error,
+                                  all.panels[panel].axis),
+                      fmt::format("row-{}-{}", number, m), method.own});
+  }
+  return scatter_svg(points, {all.panels[panel].title, all.time_axis, all.panels[panel].axis});
+}
+
+}  // namespace
+
+Page measurements_page(const Measurements& measurements) {
+  Page page;
+  page.title = measurements.title;
+  page.subtitle = measurements.subtitle;
+  page.sort = "measurements";
+  page.styles = {"measurements.css"};
+  page.body = "<main>\n<p>" + escaped(measurements.summary) + "</p>\n<details><summary>What the words mean</summary>" +
+              "<p class=\"wrapped\">" + escaped(measurements.how_to_read) + "</p></details>\n";
+  for (std::size_t i = 0; i < measurements.sets.size(); ++i) {
+    const MeasuredSet& set = measurements.sets[i];
+    page.body += "<section class=\"set\">\n<h2>" + escaped(set.name) + "</h2>\n<p>" + escaped(set.about) +
+                 "</p>\n<p class=\"told\" aria-live=\"polite\"></p>\n<div class=\"panels\">\n";
+    for (std::size_t p = 0; p < measurements.panels.size(); ++p) page.body += panel_of(set, measurements, p, i);
+    page.body += "</div>\n" + table_of(set, measurements.columns, i) + "</section>\n";
+  }
+  page.body += "</main>\n";
+  page.scripts = {"measurements.js"};
+  return page;
+}
+
+}  // namespace touchstone::view

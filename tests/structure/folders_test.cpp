@@ -1,0 +1,48 @@
+// The tree of sources can be read from its folders: none is long, and a name stands for one thing, or for its two sides.
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+
+#include "structure/source_tree.hpp"
+#include "support/catch.hpp"
+
+using namespace touchstone::structure;
+
+namespace {
+
+const std::filesystem::path kSources = std::filesystem::path(TOUCHSTONE_SOURCE_DIR) / "src";
+
+}  // namespace
+
+TEST_CASE("src lists at most ten wings, and no folder of sources more than 29 files") {
+  constexpr std::size_t kMostWings = 10, kMostFiles = 29;
+  std::size_t wings = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kSources)) wings += entry.is_directory() ? 1 : 0;
+  CHECK(wings >= 5);
+  CHECK(wings <= kMostWings);
+
+  std::map<std::string, std::size_t> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kSources)) {
+    if (entry.is_regular_file() && entry.path().extension() != ".csv") ++files[entry.path().parent_path().string()];
+  }
+  for (const auto& [folder, count] : files) {
+    INFO(folder);
+    CHECK(count <= kMostFiles);
+  }
+}
+
+TEST_CASE("at most two folders have a source of one name") {
+  std::map<std::string, std::set<std::string>> folders;
+  for (const auto& file : cpp_files("src")) {
+    folders[file.stem().string()].insert(file.parent_path().generic_string());
+  }
+  CHECK(folders.size() > 100);
+  for (const auto& [name, of_name] : folders) {
+    std::string list;
+    for (const std::string& folder : of_name) list += ' ' + folder;
+    INFO(name << ":" << list);
+    CHECK(of_name.size() <= 2);
+  }
+}
