@@ -10,6 +10,7 @@
 #include "curved/expected.hpp"
 #include "curved/rational_motion.hpp"
 #include "filters/curved/curved_chords.hpp"
+#include "geometry/arc_bulge.hpp"
 #include "seeded/rng.hpp"
 #include "support/query_families.hpp"
 #include "support/slow_build.hpp"
@@ -124,6 +125,24 @@ TEST_CASE("the filter's chords: no corner leaves them by more than their bound, 
   CHECK(turning > 0.125);
   CHECK(near > 0.125);
   CHECK(far > 0.125);
+}
+
+TEST_CASE("the bulge of an arc: no point leaves the line by more than its bound, and some nearly by as much") {
+  Rng rng(kSeed + 4);
+  double worst = 0;
+  for (std::uint64_t index = 0; index < effort(200'000); ++index) {
+    // A turn by the angle 4 atan(k) about the axis z, of the point (1, 0, 0): the quaternions (c, 0, 0, -s), (c, 0, 0, s).
+    const double k = std::ldexp(1 - rng.unit(), -rng.between(0, 12));
+    const double c = 1 / std::sqrt(1 + k * k), s = k / std::sqrt(1 + k * k);
+    const double t = rng.unit();
+    const double z = (2 * t - 1) * s;  // of the quaternion at t, whose w is c
+    const double x = (c * c - z * z) / (c * c + z * z), y = 2 * c * z / (c * c + z * z);
+    const double off = std::hypot(x - (c * c - s * s), y - (2 * t - 1) * 2 * c * s);
+    worst = std::max(worst, off / (4 * s * s));
+  }
+  INFO(worst);
+  CHECK(worst <= geometry::kArcBulge);
+  CHECK(worst > 0.49);  // k near 0 and t = 1/2 give 1/2
 }
 
 TEST_CASE("the filter's chords: unknown for bodies that turn far, for lengths that differ, and for curves that bend") {

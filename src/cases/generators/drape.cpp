@@ -12,14 +12,15 @@ namespace {
 
 constexpr double kSphereRadius = 0.5;  // of the sphere at rest
 constexpr double kBreath = 0.04;       // the greatest change of the whole sphere's radius
-constexpr double kBulge = 0.02;        // the greatest height of a bulge
-constexpr double kGreatestRadius = kSphereRadius + kBreath + kBulge;
-constexpr double kLeastWave = 2;       // the least length of a bulge's waves
-constexpr double kBulgeSlope = 0.063;  // >= kBulge 2 pi / kLeastWave: the sphere's radius changes so much in a radian
-constexpr double kClothHalfSide = 1;   // of the cloth, in the plane z = 1
-constexpr double kJitter = 0.1;        // of an edge: the grid is not perfect
-constexpr double kLiesWithin = 0.6;    // the distance from the middle, in that plane, where the cloth leaves the sphere
-constexpr double kDepth = 0.01;        // of an edge: a planted vertex is so far inside the sphere
+constexpr double kBulgeHeight = 0.02;  // the greatest height of a bulge
+constexpr double kGreatestRadius = kSphereRadius + kBreath + kBulgeHeight;
+constexpr double kLeastWave = 2;  // the least length of a bulge's waves
+constexpr double kBulgeSlope =
+    0.063;  // >= kBulgeHeight 2 pi / kLeastWave: the sphere's radius changes so much in a radian
+constexpr double kClothHalfSide = 1;  // of the cloth, in the plane z = 1
+constexpr double kJitter = 0.1;       // of an edge: the grid is not perfect
+constexpr double kLiesWithin = 0.6;   // the distance from the middle, in that plane, where the cloth leaves the sphere
+constexpr double kDepth = 0.01;       // of an edge: a planted vertex is so far inside the sphere
 
 /// The least distance of a vertex of the cloth from the sphere, along its ray from the centre, with which the two do
 /// not meet.
@@ -144,7 +145,7 @@ class Drape final : public MovingMesh {
   }
 
   double radius(const Vec3& direction, double time) const {
-    return kSphereRadius + kBreath * breath_({}, time) + kBulge * bulges_(direction, time);
+    return kSphereRadius + kBreath * breath_({}, time) + kBulgeHeight * bulges_(direction, time);
   }
 
   /// The whole scene sways. All vertices move alike, so nothing meets that would not meet otherwise.

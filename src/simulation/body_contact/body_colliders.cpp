@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "broad_phase/box_tree.hpp"
+#include "geometry/arc_bulge.hpp"
 #include "numbers/doubles/rounded_sum.hpp"
 
 namespace touchstone::sim {
@@ -17,15 +18,9 @@ namespace {
 
 using broad_phase::MovingBox;
 
-// A moving box follows the straight lines between the ends of its corners' paths. Of a body that turns by the angle a
-// about an axis, in a plane across it and in units of the distance r from the axis: with T = s tan(a / 4), s = 2 t - 1,
-// the corner is at the angle 2 atan(T) from the middle of its arc (RigidMotion interpolates the quaternion straight),
-// at (2 T, 1 - T^2) / (1 + T^2); and the line is at (s 2 k / (1 + k^2), (1 - k^2) / (1 + k^2)) with k = tan(a / 4).
-// They are apart by 2 k^2 (1 - s^2) / ((1 + T^2)(1 + k^2)) along one axis, and by 2 s k^3 (1 - s^2) / ((1 + T^2)(1 +
-// k^2)) along the other: for k <= 1 together by at most k^2 / (1 + k^2) sqrt(4 + 0.6 k^2) <= 2.2 k^2 / (1 + k^2). The
-// quaternions, of length 1, are apart by d = |q1 - q0| with d^2 = 4 k^2 / (1 + k^2). So the bulge is at most 0.55 d^2
-// r; q0 . q1 >= 0 makes k <= 1. The rest of the factor is for rounding.
-constexpr double kBulge = 0.56;
+// A moving box follows the straight lines between the ends of its corners' paths. A simulated body turns by q0 . q1 >= 0
+// in a step. The rest of the factor is for rounding.
+constexpr double kBulge = geometry::kArcBulge + 0.01;
 
 // The rounded matrix of a quaternion has entries of up to 1 and errors below 14 e, e = 2^-53; 3 products and 2 sums of
 // them with a point X, below 51 e |X| together; the quaternion's length is off by 4 e, its square by 8 e, which is as

@@ -8,6 +8,7 @@
 
 #include "filters/apart/same_side.hpp"
 #include "filters/step_frame.hpp"
+#include "geometry/arc_bulge.hpp"
 #include "geometry/vector.hpp"
 #include "numbers/doubles/pack.hpp"
 
@@ -19,15 +20,15 @@ using Ends = numbers::Pack<2>;  // at t = 0 and at t = 1
 using EndsVector = geometry::Vector<Ends>;
 
 // A corner X of a body that turns leaves its chord, the straight motion between the ends of its path, by at most 0.55
-// d^2 |X|, where d is the distance of the quaternions q0 / |q0| and q1 / |q1|: see body_colliders.cpp, whose bound is
-// for quaternions of length 1 with d^2 <= 2. With L the largest coordinate of X, |X| <= 1.7321 L.
+// d^2 |X|, where d is the distance of the quaternions q0 / |q0| and q1 / |q1|, with d^2 <= 2: see geometry::kArcBulge.
+// With L the largest coordinate of X, |X| <= 1.7321 L.
 //
 // Here the lengths differ: |q1| = (1 + r) |q0|, and |q1 - q0|^2 / |q0|^2, which is (1 + r) d^2 + r^2, stands for d^2:
 // it is not less but by a relative r. At the time t the body is where quaternions of length 1 are at t', with |t' - t|
 // <= r / 4, up to second order. The chord moves by 2 d |X| at most, and by r d |X| / 2 from t to t': that is at most
 // 0.866 r d L <= 0.008 d^2 L + 24 r^2 L. The lengths' squares are within kMostStretch of each other, relatively: r <
 // 2^-40, and 24 r^2 < 2^-75.
-constexpr double kBulge = 0.97;  // 0.55 * 1.7321 + 0.008; the rest is for the rounding of d^2
+constexpr double kBulge = geometry::kArcBulge * 1.7321 + 0.017;  // 0.008; the rest is for the rounding of d^2
 constexpr double kMostDistance = 1;
 constexpr double kMostStretch = 0x1p-40;
 
