@@ -14,11 +14,11 @@ namespace {
 using Points = std::array<ExactVector, 4>;
 
 /// Corners of each element whose affine hulls may hold the closest points.
-struct Feature {
+struct CornerSets {
   std::vector<std::size_t> a, b;
 };
 
-std::vector<Feature> features_of(Kind kind) {
+std::vector<CornerSets> corner_sets_of(Kind kind) {
   switch (kind) {
     case Kind::edge_edge:
       return {{{0}, {2}},    {{0}, {3}},    {{1}, {2}},    {{1}, {3}},      {{0, 1}, {2}},
@@ -68,24 +68,24 @@ std::optional<std::array<Exact, 2>> least_squares(const std::vector<ExactVector>
   return x;
 }
 
-std::optional<std::array<Exact, 4>> weights_of(const Feature& feature, const Points& points) {
+std::optional<std::array<Exact, 4>> weights_of(const CornerSets& chosen, const Points& points) {
   std::vector<ExactVector> directions;
   std::vector<std::size_t> owners;
-  for (std::size_t i = 1; i < feature.a.size(); ++i) {
-    directions.push_back(points[feature.a[0]] - points[feature.a[i]]);
-    owners.push_back(feature.a[i]);
+  for (std::size_t i = 1; i < chosen.a.size(); ++i) {
+    directions.push_back(points[chosen.a[0]] - points[chosen.a[i]]);
+    owners.push_back(chosen.a[i]);
   }
-  for (std::size_t i = 1; i < feature.b.size(); ++i) {
-    directions.push_back(points[feature.b[i]] - points[feature.b[0]]);
-    owners.push_back(feature.b[i]);
+  for (std::size_t i = 1; i < chosen.b.size(); ++i) {
+    directions.push_back(points[chosen.b[i]] - points[chosen.b[0]]);
+    owners.push_back(chosen.b[i]);
   }
-  const auto x = least_squares(directions, points[feature.b[0]] - points[feature.a[0]]);
+  const auto x = least_squares(directions, points[chosen.b[0]] - points[chosen.a[0]]);
   if (!x) return std::nullopt;
   std::array<Exact, 4> weights;
-  weights[feature.a[0]] = Exact(1);
-  weights[feature.b[0]] = Exact(1);
+  weights[chosen.a[0]] = Exact(1);
+  weights[chosen.b[0]] = Exact(1);
   for (std::size_t i = 0; i < owners.size(); ++i) {
-    const std::size_t base = i + 1 < feature.a.size() ? feature.a[0] : feature.b[0];
+    const std::size_t base = i + 1 < chosen.a.size() ? chosen.a[0] : chosen.b[0];
     weights[owners[i]] = (*x)[i];
     weights[base] = weights[base] - (*x)[i];
   }
@@ -130,8 +130,8 @@ Approach searched(const MovingCorners& corners, Exact low, Exact high) {
 ClosestPoints closest_points(const MovingCorners& corners, const Exact& t) {
   const Points points = corners.at(t);
   std::optional<ClosestPoints> best;
-  for (const Feature& feature : features_of(corners.kind)) {
-    const auto weights = weights_of(feature, points);
+  for (const CornerSets& chosen : corner_sets_of(corners.kind)) {
+    const auto weights = weights_of(chosen, points);
     if (!weights) continue;
     Exact distance = squared_distance(points, *weights, corners.first, corners.count);
     if (!best || distance < best->squared_distance) best = ClosestPoints{*weights, std::move(distance)};

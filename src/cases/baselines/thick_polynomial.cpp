@@ -25,7 +25,7 @@ constexpr double kDoubleRoot = 1e-15;
 constexpr std::size_t kMost = 6;  // the largest degree
 
 /// Roots in ascending order.
-struct Roots {
+struct RootList {
   std::array<double, kMost + 2> t{};
   std::size_t count = 0;
   void add(double root) {
@@ -49,8 +49,8 @@ double bisected(const double* c, std::size_t degree, double low, double high, bo
 }
 
 /// Between neighbouring roots of its derivative a polynomial has at most one root.
-Roots roots_in(const double* c, std::size_t degree, double t_max) {
-  Roots roots;
+RootList roots_in(const double* c, std::size_t degree, double t_max) {
+  RootList roots;
   if (degree == 0) return roots;
   std::array<double, kMost> derivative{};
   double size = 0;
@@ -58,7 +58,7 @@ Roots roots_in(const double* c, std::size_t degree, double t_max) {
     size += std::fabs(c[i]);
     if (i > 0) derivative[i - 1] = static_cast<double>(i) * c[i];
   }
-  Roots stationary = roots_in(derivative.data(), degree - 1, t_max);
+  RootList stationary = roots_in(derivative.data(), degree - 1, t_max);
   stationary.add(t_max);
   double low = 0;
   for (std::size_t i = 0; i < stationary.count; ++i) {
@@ -88,7 +88,7 @@ class FirstWithin {
   /// Calls holds(t) at the roots of p, and keeps the first one at which it holds.
   template <std::size_t D, class F>
   void add(const Polynomial<D>& p, const F& holds) {
-    const Roots roots = roots_in(p.c.data(), D, t_max_);
+    const RootList roots = roots_in(p.c.data(), D, t_max_);
     for (std::size_t i = 0; i < roots.count && roots.t[i] < first_; ++i) {
       if (holds(roots.t[i])) first_ = roots.t[i];
     }
