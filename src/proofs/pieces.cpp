@@ -126,9 +126,9 @@ std::vector<DenseVector> moving_directions(const Elements& elements) {
 }
 
 /// The search on one query.
-class Search {
+class PieceSearch {
  public:
-  explicit Search(const Elements& elements) : elements_(elements) {
+  explicit PieceSearch(const Elements& elements) : elements_(elements) {
     if (!elements.has_normal()) return;
     const auto frame = elements.frame();
     Candidate normal;
@@ -217,16 +217,16 @@ class Search {
 };
 
 /// A piece of the search: its direction separates over [from, to].
-struct Part {
-  Search::Found direction;
+struct DirectedInterval {
+  PieceSearch::Found direction;
   Exact from, to;
 };
 
 /// Adds a part after the last one. Where one direction serves for both, they become one part. So the cuts towards an
 /// event leave few parts.
-void append(const Search& search, std::vector<Part>& parts, Part part, bool open) {
+void append(const PieceSearch& search, std::vector<DirectedInterval>& parts, DirectedInterval part, bool open) {
   while (!parts.empty()) {
-    Part& before = parts.back();
+    DirectedInterval& before = parts.back();
     if (search.separates(before.direction, before.from, part.to, open)) {
       part.direction = before.direction;
     } else if (!search.separates(part.direction, before.from, part.to, open)) {
@@ -253,15 +253,15 @@ std::vector<Piece> separating_pieces(const Elements& elements, const Exact& end,
                                      const std::function<bool()>& is_true) {
   // Two events that are 2^-k apart need about k bisections. Without a contact the search ends; with one it would not.
   constexpr int kLongSearch = 500;
-  Search search(elements);
-  std::vector<Part> parts;
+  PieceSearch search(elements);
+  std::vector<DirectedInterval> parts;
   Exact from(0);
   std::vector<Exact> ends = {end};  // of the parts to come, the next one last
   int bisections = 0;
   while (!ends.empty()) {
     const Exact to = ends.back();
     const bool last = ends.size() == 1;
-    if (Search::Found direction = search.direction(from, to, open && last)) {
+    if (PieceSearch::Found direction = search.direction(from, to, open && last)) {
       append(search, parts, {std::move(direction), from, to}, open && last);
       from = to;
       ends.pop_back();
@@ -273,7 +273,7 @@ std::vector<Piece> separating_pieces(const Elements& elements, const Exact& end,
     }
   }
   std::vector<Piece> pieces;
-  for (const Part& part : parts) {
+  for (const DirectedInterval& part : parts) {
     Piece& piece = pieces.emplace_back();
     piece.normal = part.direction->normal;
     if (!piece.normal) piece.direction = part.direction->direction;

@@ -58,7 +58,7 @@ class QuickSearch {
     constexpr double kShortest = 0x1p-36;
     constexpr int kMostTries = 80;  // they cost little beside a search in exact numbers
     if (!(corners_.largest >= kLeastCoordinate)) return {};
-    std::vector<Part> parts;
+    std::vector<Subinterval> parts;
     double from = 0;
     double to = 1;
     std::vector<double> ends;  // of the parts after `to`, the next one last
@@ -78,7 +78,7 @@ class QuickSearch {
       }
     }
     std::vector<Piece> pieces;
-    for (const Part& part : parts) {
+    for (const Subinterval& part : parts) {
       Piece& piece = pieces.emplace_back();
       piece.normal = part.direction.normal;
       for (std::size_t k = 0; k < 3 && !piece.normal; ++k) piece.direction[k] = {Exact(part.direction.integers[k])};
@@ -88,15 +88,15 @@ class QuickSearch {
   }
 
  private:
-  struct Part {
+  struct Subinterval {
     QuickDirection direction;
     double from, to;
   };
 
   /// Where one direction serves for two parts, they become one.
-  void append(std::vector<Part>& parts, Part part) const {
+  void append(std::vector<Subinterval>& parts, Subinterval part) const {
     while (!parts.empty()) {
-      const Part& before = parts.back();
+      const Subinterval& before = parts.back();
       if (separates(before.direction, before.from, part.to)) {
         part.direction = before.direction;
       } else if (!separates(part.direction, before.from, part.to)) {

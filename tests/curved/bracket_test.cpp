@@ -316,16 +316,16 @@ TEST_CASE("curved bracket: its answers are the exact level's, and it decides wha
         const CaseId id{family, kind, kSeed, index};
         const CurvedSample sample = make_curved(id);
         Answer bracket;
-        const filters::Finding finding = filters::decide_in_brackets(sample.query, sample.t_max, bracket);
+        const filters::Outcome finding = filters::decide_in_brackets(sample.query, sample.t_max, bracket);
         const Answer exact = solve(sample.query, {.t_max = sample.t_max, .method = Method::exact});
-        if (finding == filters::Finding::uncertain) {
+        if (finding == filters::Outcome::uncertain) {
           ++(exact.contact ? tally.exact_hits : tally.exact_misses);
           continue;
         }
         ++(exact.contact ? tally.hits : tally.misses);
         INFO(case_name(id) << ", t_max " << hexfloat(sample.t_max) << "\n" << curved_text(sample.query));
         INFO("exact:   " << describe(exact) << "\nbracket: " << describe(bracket));
-        REQUIRE((finding == filters::Finding::contact) == exact.contact);
+        REQUIRE((finding == filters::Outcome::contact) == exact.contact);
         REQUIRE(decision_difference(exact, bracket) == "");
         REQUIRE(weight_difference(exact, bracket) == "");
       }

@@ -38,16 +38,16 @@ TEST_CASE("curved bracket: with a separation its answers are the exact level's")
             solve(sample.query, {.t_max = sample.t_max, .separation = separation, .method = Method::exact});
         Answer bracket;
         const auto finding = filters::decide_in_brackets(sample.query, separation, sample.t_max, bracket);
-        if (finding == filters::Finding::uncertain) {
+        if (finding == filters::Outcome::uncertain) {
           ++(!exact.contact ? tally.exact_misses : exact.starts_within ? tally.exact_starts : tally.exact_entries);
           continue;
         }
         ++(!exact.contact ? tally.misses : exact.starts_within ? tally.starts : tally.entries);
         INFO(case_name(id) << ", t_max " << hexfloat(sample.t_max) << ", distance " << hexfloat(separation.distance)
-                           << " " << metric_name(separation.metric) << "\n"
+                           << " " << name_of(separation.metric) << "\n"
                            << curved_text(sample.query));
         INFO("exact:   " << describe(exact) << "\nbracket: " << describe(bracket));
-        REQUIRE((finding == filters::Finding::contact) == exact.contact);
+        REQUIRE((finding == filters::Outcome::contact) == exact.contact);
         REQUIRE(decision_difference(exact, bracket) == "");
         REQUIRE(weight_difference(exact, bracket) == "");
         REQUIRE(bracket.trend == exact.trend);
@@ -112,12 +112,11 @@ void agrees_from_the_start(const CurvedQuery& query, const Separation& separatio
   Answer bracket;
   const auto finding = filters::decide_in_brackets(query, separation, 1, bracket);
   const Answer exact = solve(query, {.separation = separation, .method = Method::exact});
-  INFO("distance " << hexfloat(separation.distance) << " " << metric_name(separation.metric) << "\n"
-                   << curved_text(query));
+  INFO("distance " << hexfloat(separation.distance) << " " << name_of(separation.metric) << "\n" << curved_text(query));
   INFO("exact:   " << describe(exact) << "\nbracket: " << describe(bracket));
   starts += exact.starts_within;
-  if (finding == filters::Finding::uncertain) return;
-  REQUIRE((finding == filters::Finding::contact) == exact.contact);
+  if (finding == filters::Outcome::uncertain) return;
+  REQUIRE((finding == filters::Outcome::contact) == exact.contact);
   REQUIRE(decision_difference(exact, bracket) == "");
   REQUIRE(weight_difference(exact, bracket) == "");
   REQUIRE(bracket.trend == exact.trend);
@@ -186,13 +185,13 @@ TEST_CASE("curved bracket: separations that are just reached are not denied") {
     for (int bits = 53; bits >= 20; bits -= 3) {
       const double more = high * (1 + std::ldexp(1.0, -bits)), less = low * (1 - std::ldexp(1.0, -bits));
       Answer answer;
-      REQUIRE(filters::decide_in_brackets(query, {more, metric}, 1, answer) != filters::Finding::no_contact);
+      REQUIRE(filters::decide_in_brackets(query, {more, metric}, 1, answer) != filters::Outcome::no_contact);
       if (answer.contact)
         REQUIRE(decision_difference(solve(query, {.separation = Separation{more, metric}, .method = Method::exact}),
                                     answer) == "");
-      const filters::Finding below = filters::decide_in_brackets(query, {less, metric}, 1, answer);
-      REQUIRE(below != filters::Finding::contact);
-      denied += below == filters::Finding::no_contact;
+      const filters::Outcome below = filters::decide_in_brackets(query, {less, metric}, 1, answer);
+      REQUIRE(below != filters::Outcome::contact);
+      denied += below == filters::Outcome::no_contact;
     }
   }
   std::printf("%zu least distances; %zu a little less are proved to be kept\n", found, denied);

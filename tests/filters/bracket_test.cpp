@@ -18,7 +18,7 @@
 using namespace touchstone;
 using namespace touchstone::tests;
 using filters::BernsteinCubic;
-using filters::Finding;
+using filters::Outcome;
 using numbers::Exact;
 
 namespace {
@@ -145,9 +145,9 @@ TEST_CASE("a root just outside of the step is not taken for the one inside") {
       if (reversed) std::swap(query.start, query.end);
       CAPTURE(k, reversed);
       Answer answer;
-      const Finding finding = filters::decide_in_brackets({query, 1, exact::coplanarity_at}, answer).finding;
-      CHECK(finding != Finding::no_contact);
-      if (finding != Finding::contact) continue;
+      const Outcome finding = filters::decide_in_brackets({query, 1, exact::coplanarity_at}, answer).finding;
+      CHECK(finding != Outcome::no_contact);
+      if (finding != Outcome::contact) continue;
       ++decided;
       CHECK(answer.toi == (reversed ? 0.25 : 0.75));
       CHECK(answer.toi_upper == answer.toi);
@@ -203,11 +203,11 @@ TEST_CASE("contacts at, before and after the ends of the step, against exact ari
         const CaseId id{family, kind, 31, i};
         const Query query = make(id);
         Answer answer;
-        const Finding finding = filters::decide_in_brackets({query, 1, exact::coplanarity_at}, answer).finding;
-        if (finding == Finding::uncertain) continue;
+        const Outcome finding = filters::decide_in_brackets({query, 1, exact::coplanarity_at}, answer).finding;
+        if (finding == Outcome::uncertain) continue;
         INFO(case_name(id));
         const Answer truth = exact::decide_exactly(query, 1);
-        REQUIRE((finding == Finding::contact) == truth.contact);
+        REQUIRE((finding == Outcome::contact) == truth.contact);
         ++decided;
         if (!truth.contact) continue;
         REQUIRE(answer.toi == truth.toi);

@@ -11,7 +11,7 @@ namespace touchstone::tests {
 
 /// The decision over the whole step, same_side first as `solve` does.
 inline filters::Decision decision_by_filters(const Query& query) {
-  if (filters::same_side(query)) return {filters::Finding::no_contact, filters::Test::same_side};
+  if (filters::same_side(query)) return {filters::Outcome::no_contact, filters::Test::same_side};
   Answer ignored;
   return filters::decide_by_filters({query, 1, exact::coplanarity_at}, ignored);
 }

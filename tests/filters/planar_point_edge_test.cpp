@@ -12,7 +12,7 @@
 #include "support/query_text.hpp"
 
 using namespace touchstone;
-using filters::Finding;
+using filters::Outcome;
 using seeded::Rng;
 
 namespace {
@@ -52,11 +52,11 @@ Count compare(double coordinate(Rng&), int count) {
     Answer ignored;
     const auto any = filters::decide_by_filters({query, t_max, exact::coplanarity_at, Wanted::contact}, ignored);
     CAPTURE(i, t_max, tests::describe(exact));
-    if (decision.finding == Finding::uncertain) continue;
+    if (decision.finding == Outcome::uncertain) continue;
     REQUIRE(any.finding == decision.finding);
     // An extreme query may be rescaled for the time and not for the contact alone.
     if (decision.test != filters::Test::rescaled) REQUIRE(any.test == decision.test);
-    REQUIRE((decision.finding == Finding::contact) == exact.contact);
+    REQUIRE((decision.finding == Outcome::contact) == exact.contact);
     found.bracket += answer.level == Level::bracket;
     if (!exact.contact) continue;
     ++found.contacts;
@@ -87,9 +87,9 @@ TEST_CASE("ordinary contacts of a point and an edge in a plane need no exact ari
   for (int i = 0; i < 5000; ++i) {
     const Query query = planar(rng, 2, 0, any);
     Answer answer;
-    const Finding finding = filters::decide_by_filters({query, 1, exact::coplanarity_at}, answer).finding;
-    contacts += finding == Finding::contact;
-    undecided += finding == Finding::uncertain;
+    const Outcome finding = filters::decide_by_filters({query, 1, exact::coplanarity_at}, answer).finding;
+    contacts += finding == Outcome::contact;
+    undecided += finding == Outcome::uncertain;
   }
   CHECK(contacts > 500);
   CHECK(undecided < 10);

@@ -14,7 +14,7 @@
 
 using namespace touchstone;
 using namespace touchstone::tests;
-using filters::Finding;
+using filters::Outcome;
 using filters::Test;
 
 namespace {
@@ -52,10 +52,10 @@ TEST_CASE("what the filters decide is so, and every test decides in the families
         const Query query = make({family.family, kind, 7, index});
         const filters::Decision decision = decision_by_filters(query);
         ++tally[static_cast<std::size_t>(decision.test)];
-        CHECK((decision.finding == Finding::uncertain) == (decision.test == Test::none));
-        if (decision.finding == Finding::uncertain) continue;
+        CHECK((decision.finding == Outcome::uncertain) == (decision.test == Test::none));
+        if (decision.finding == Outcome::uncertain) continue;
         INFO(case_name({family.family, kind, 7, index}) << "  " << cpp_initializer(query));
-        REQUIRE(oracle::decide_by_oracle(query, 1.0).contact == (decision.finding == Finding::contact));
+        REQUIRE(oracle::decide_by_oracle(query, 1.0).contact == (decision.finding == Outcome::contact));
       }
     }
   }

@@ -202,7 +202,7 @@ double weights_ratio(const FrameCase& s, double away) {
     root.axis = axis;
     root.inside = true;
     refined = filters::refine_root({s.query, 1, exact::coplanarity_at}, root);
-    return refined.finding == filters::Finding::contact;
+    return refined.finding == filters::Outcome::contact;
   };
   away = std::copysign(0x1p-11, away);
   while (!contact_from(away)) {

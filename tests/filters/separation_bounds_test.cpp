@@ -215,7 +215,7 @@ TEST_CASE("a direction keeps the largest distance that it is clear of", "[separa
 
 TEST_CASE("the middle coefficient of a direction that turns is within its bound", "[separation]") {
   const auto closest_place = [](const filters::Step& step, double t) {
-    filters::Place place = filters::bare_place(step, t);
+    filters::StepAt place = filters::bare_place(step, t);
     const auto [p, q] = filters::closest(step.domain, place.r, place.u, place.w);
     place.n = filters::combined(place.r, place.u, place.w, p, q);
     return place;
@@ -224,7 +224,7 @@ TEST_CASE("the middle coefficient of a direction that turns is within its bound"
     const auto search = searched(96, 2, 30000, frame_in_range, [&](const FrameCase& s, const std::vector<double>& x) {
       const double times[2] = {share(x[24]), share(x[25])};
       const filters::Step step(s.query);
-      const filters::Place a = closest_place(step, times[0]), b = closest_place(step, times[1]);
+      const filters::StepAt a = closest_place(step, times[0]), b = closest_place(step, times[1]);
       const ExactPlace at_a(s.query, times[0]), at_b(s.query, times[1]);
       const ExactVector na = exactly(a.n), nb = exactly(b.n);
       const Exact truth =

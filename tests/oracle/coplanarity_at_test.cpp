@@ -94,11 +94,11 @@ TEST_CASE("the bracket level asks CGAL for values, and decides by them") {
         const long before = asked;
         Answer answer;
         const auto [finding, test] = filters::decide_by_filters({query, 1, counted_coplanarity_at}, answer);
-        if (asked == before || finding == filters::Finding::uncertain) continue;
+        if (asked == before || finding == filters::Outcome::uncertain) continue;
         ++decided;
         const Answer truth = exact::decide_exactly(query, 1);
         INFO(case_name(id) << "  " << cpp_initializer(query));
-        REQUIRE((finding == filters::Finding::contact) == truth.contact);
+        REQUIRE((finding == filters::Outcome::contact) == truth.contact);
         if (!truth.contact) continue;
         REQUIRE(answer.toi == truth.toi);
         REQUIRE(answer.toi_upper == truth.toi_upper);

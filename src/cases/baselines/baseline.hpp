@@ -19,9 +19,9 @@ struct Result {
 
 /// The quantity that a method's tolerance measures.
 enum class Tolerance : std::uint8_t {
-  none,    ///< it has none, and ignores the argument
-  length,  ///< a distance between the elements, in the unit of the coordinates
-  share    ///< a dimensionless fraction: of the step for times, of an element for weights
+  none,     ///< it has none, and ignores the argument
+  length,   ///< a distance between the elements, in the unit of the coordinates
+  fraction  ///< a dimensionless fraction: of the step for times, of an element for weights
 };
 
 /// The kinds whose corners must be coplanar to touch.

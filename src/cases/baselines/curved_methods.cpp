@@ -8,7 +8,7 @@ namespace touchstone::baselines {
 const std::vector<CurvedBaseline>& curved_methods() {
   static const std::vector<CurvedBaseline> all{
       {"redon", "interval arithmetic over time; misses parallel and grazing contacts, phantoms within the tolerance",
-       Tolerance::share, 1e-6, coplanar_kinds, solve_redon},
+       Tolerance::fraction, 1e-6, coplanar_kinds, solve_redon},
       {"curved_advancement",
        "steps of distance over a bound on speed; phantoms within the tolerance, rounded steps miss", Tolerance::length,
        1e-6, coplanar_kinds, solve_curved_advancement},

@@ -56,9 +56,10 @@ auto coplanarity(const Frame& frame) {
 /// of which is |start| + (|start| + |end|) in size.
 constexpr double kSizes = 6 * 27;
 
-class Search {
+class FirstTouchSearch {
  public:
-  Search(double t_max, RootFinder roots, double tolerance) : t_max_(t_max), roots_(roots), tolerance_(tolerance) {}
+  FirstTouchSearch(double t_max, RootFinder roots, double tolerance)
+      : t_max_(t_max), roots_(roots), tolerance_(tolerance) {}
 
   void add_roots(const Cubic& p) { roots_(p, t_max_, tolerance_, times_); }
   void add_start() { times_.add(0.0); }
@@ -99,7 +100,7 @@ class Search {
 };
 
 /// While the elements stay coplanar they can only start to touch where a corner of one meets an edge of the other.
-void add_coplanar_times(const Frame& frame, Search& search) {
+void add_coplanar_times(const Frame& frame, FirstTouchSearch& search) {
   const auto& [kind, u, w, r, exponent, box] = frame;
   search.add_start();
   search.add_point_edge(r, u);
@@ -117,7 +118,7 @@ void add_coplanar_times(const Frame& frame, Search& search) {
 
 Result first_touch(const Query& query, double t_max, RootFinder roots, double tolerance, double slack) {
   const Frame frame = frame_of(query);
-  Search search(t_max, roots, tolerance);
+  FirstTouchSearch search(t_max, roots, tolerance);
   switch (frame.kind) {
     case Kind::edge_edge:
     case Kind::vertex_face: {

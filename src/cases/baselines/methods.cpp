@@ -19,7 +19,7 @@ const std::vector<Baseline>& methods() {
        "the same with every care that doubles allow; fixed slacks: rare misses, phantoms, toi late by ulps",
        Tolerance::none, 0, every_kind, solve_closed_form},
       {"newton", "bracketed Newton steps to a tolerance; phantoms within it, misses small fast elements",
-       Tolerance::share, 1e-6, every_kind, solve_newton},
+       Tolerance::fraction, 1e-6, every_kind, solve_newton},
       {"interval", "inclusion of the difference over time and weights; misses nothing, phantoms within the tolerance",
        Tolerance::length, 1e-6, every_kind, solve_interval},
       {"conservative_advancement", "steps of distance over speed; phantoms within the tolerance, rounded steps miss",

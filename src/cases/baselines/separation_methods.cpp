@@ -10,7 +10,7 @@ const std::vector<SeparationBaseline>& separation_methods() {
   static const std::vector<SeparationBaseline> all{
       {"thick_advancement",
        "steps of gap over speed until a tenth of the gap is left; early, phantoms near the separation",
-       Tolerance::share, 0.1, solve_thick_advancement},
+       Tolerance::fraction, 0.1, solve_thick_advancement},
       {"thick_polynomial",
        "roots of the degree-6 polynomial in doubles; misses grazing, late by ulps, small distances drown",
        Tolerance::none, 0, solve_thick_polynomial},

@@ -21,11 +21,11 @@ struct Mesh {
   std::vector<std::array<Index, 3>> faces;
 
   /// An object of the scene. Its corners, edges and faces come before those of the next one.
-  struct Part {
+  struct Object {
     std::string name;
     std::size_t first_face = 0;
   };
-  std::vector<Part> parts;
+  std::vector<Object> parts;
 
   /// Adds another mesh as a part of this name. Its corners come after those that are there.
   void append(const Mesh& other, const std::string& name);

@@ -26,7 +26,7 @@ std::string without_marks(std::string text) {
   return text;
 }
 
-Cell fraction(double share) { return {report::percent(share), 100 * share}; }
+Cell percent(double fraction) { return {report::percent(fraction), 100 * fraction}; }
 
 Cell ulps(std::int64_t error) { return {report::ulps(error), static_cast<double>(error)}; }
 
@@ -37,12 +37,12 @@ view::MeasuredMethod measured(const report::Result& result, const report::QueryS
   method.time = result.mean;
   std::optional<double> greatest;
   if (result.time_error) greatest = static_cast<double>(result.time_error->greatest_size);
-  method.errors = {100 * result.wrong_share(), greatest};
+  method.errors = {100 * result.wrong_fraction(), greatest};
   method.cells = {{report::asked_text(result, set), static_cast<double>(result.asked)},
                   {fmt::format("{:.3g}", result.mean), result.mean},
-                  fraction(result.missed_share()),
-                  fraction(result.phantom_share()),
-                  fraction(result.late_share())};
+                  percent(result.missed_fraction()),
+                  percent(result.phantom_fraction()),
+                  percent(result.late_fraction())};
   if (const auto& error = result.time_error) {
     for (const std::int64_t each : {error->median, error->earliest, error->latest}) method.cells.push_back(ulps(each));
   } else {

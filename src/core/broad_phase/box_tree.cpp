@@ -122,7 +122,7 @@ void build(const Material& from, Number first, Number last, std::vector<Node>& n
 
 /// A node near the root. Its children are both 0, or numbers of other parts; without children, it has a tree of its
 /// own.
-struct Part {
+struct Subtree {
   Number first, last;
   std::size_t children[2] = {0, 0};
   std::vector<Node> tree;
@@ -132,8 +132,8 @@ constexpr Number kPartBoxes = 2048;     // a part of so many boxes, or fewer, is
 constexpr std::size_t kPartLevels = 6;  // 64 parts: enough for most machines, and few enough to put together fast
 
 /// The tree's upper levels, level by level, each level's nodes on several threads; then the trees below them.
-std::vector<Part> build_parts(const Material& from, int threads) {
-  std::vector<Part> parts(1);
+std::vector<Subtree> build_parts(const Material& from, int threads) {
+  std::vector<Subtree> parts(1);
   parts[0].first = 0;
   parts[0].last = static_cast<Number>(from.items.size());
   std::size_t level_begin = 0;
@@ -142,7 +142,7 @@ std::vector<Part> build_parts(const Material& from, int threads) {
     std::vector<Number> middles(level_end - level_begin, 0);
     threads::for_each_range(middles.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        const Part& part = parts[level_begin + i];
+        const Subtree& part = parts[level_begin + i];
         if (part.last - part.first > kPartBoxes) middles[i] = split(from.items, part.first, part.last);
       }
     });
@@ -152,7 +152,7 @@ std::vector<Part> build_parts(const Material& from, int threads) {
       const Number bounds[3] = {parts[at].first, middles[i], parts[at].last};
       for (std::size_t child = 0; child < 2; ++child) {
         parts[at].children[child] = parts.size();
-        Part part;
+        Subtree part;
         part.first = bounds[child];
         part.last = bounds[child + 1];
         parts.push_back(std::move(part));
@@ -169,7 +169,7 @@ std::vector<Part> build_parts(const Material& from, int threads) {
 }
 
 /// Appends the part and all that is below it.
-void put_together(std::vector<Part>& parts, std::size_t part, std::vector<Node>& nodes) {
+void put_together(std::vector<Subtree>& parts, std::size_t part, std::vector<Node>& nodes) {
   const auto at = static_cast<Number>(nodes.size());
   if (parts[part].children[0] == 0) {
     for (Node& node : parts[part].tree) {
@@ -324,10 +324,10 @@ BoxTree::BoxTree(std::size_t count, const std::function<MovingBox(Number)>& box_
       std::copy_n(box.end.low.begin(), 3, items[i].at.begin() + 3);
     }
   });
-  std::vector<Part> parts = build_parts({items, numbers_, boxes_, box_of}, threads);
+  std::vector<Subtree> parts = build_parts({items, numbers_, boxes_, box_of}, threads);
   Items().swap(items);
   std::size_t node_count = parts.size();
-  for (const Part& part : parts) node_count += part.tree.size();
+  for (const Subtree& part : parts) node_count += part.tree.size();
   nodes_.reserve(node_count);
   put_together(parts, 0, nodes_);
 }

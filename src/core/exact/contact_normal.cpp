@@ -32,12 +32,12 @@ Corners corners_of(const Q& query) {
 }
 
 /// A feature's corners: one, two or, for a face, three. An overlap counts as the whole edge.
-struct Place {
+struct FeatureCorners {
   std::array<std::size_t, 3> corners;
   std::size_t count;
 };
 
-Place place_of(Feature feature, bool first) {
+FeatureCorners place_of(Feature feature, bool first) {
   switch (feature) {
     case Feature::a0:
     case Feature::v:
@@ -84,8 +84,8 @@ Direction across(const Direction& e, const Direction& r) { return geometry::dot(
 /// What leads from the closest point of the first element to that of the second, times a positive number or zero. `at`
 /// is the time of a contact with these features.
 Direction between_closest_points(const Corners& x, const Answer& answer, Kind kind, const Moment& at) {
-  const Place a = place_of(answer.feature_a, true);
-  const Place b = place_of(answer.feature_b, false);
+  const FeatureCorners a = place_of(answer.feature_a, true);
+  const FeatureCorners b = place_of(answer.feature_b, false);
   const Direction r = x[b.corners[0]] - x[a.corners[0]];
   const bool parallel = answer.feature_a == Feature::overlap;
   if (a.count == 1 && b.count == 1) return r;

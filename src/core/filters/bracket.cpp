@@ -11,18 +11,18 @@ namespace touchstone::filters {
 namespace {
 
 /// A question on its way through this level, with the values computed for it here.
-struct Search {
+struct BracketState {
   const Question& question;
   const StepFrame<double>& frame;
   const Magnitudes& magnitudes;
   const BernsteinCubic& cubic;
 };
 
-constexpr BracketFinding kNone = {Finding::no_contact};
+constexpr BracketFinding kNone = {Outcome::no_contact};
 
 /// Decides at the one root between p and q. `no_contact` says that the elements do not touch there within [0, t_max].
 /// Nothing where the root could not be told apart from others or from the ends of the range.
-std::optional<BracketFinding> decide_at_root(const Search& s, double p, double q, Answer& answer) {
+std::optional<BracketFinding> decide_at_root(const BracketState& s, double p, double q, Answer& answer) {
   const auto& [query, t_max, exact_value, wanted] = s.question;
   const BernsteinCubic::Root root = s.cubic.root_between(p, q);
   if (!root.certain) return std::nullopt;
@@ -35,18 +35,18 @@ std::optional<BracketFinding> decide_at_root(const Search& s, double p, double q
   if (sides.unknown) return BracketFinding{};
   if (wanted == Wanted::contact && sides.inside && time.inside) {
     answer.contact = true;
-    return BracketFinding{Finding::contact};
+    return BracketFinding{Outcome::contact};
   }
-  const Finding finding = decide_refined(s.question,
+  const Outcome finding = decide_refined(s.question,
                                          {root.t, root.radius, root.slope, s.cubic.slope_error(), s.cubic.curvature(),
                                           s.magnitudes, values.axis, sides.inside},
                                          answer);
-  return BracketFinding{finding, finding == Finding::uncertain};
+  return BracketFinding{finding, finding == Outcome::uncertain};
 }
 
 /// Decides from the cubic's roots in [low, high], of which [0, 1] is a part. Nothing where roots could not be told
 /// apart from each other or from the ends of the range.
-std::optional<BracketFinding> decide_over(const Search& s, double low, double high, Answer& answer) {
+std::optional<BracketFinding> decide_over(const BracketState& s, double low, double high, Answer& answer) {
   using Variations = BernsteinCubic::Variations;
   const Variations whole = s.cubic.variations(low, high);
   if (whole == Variations::none) return kNone;
@@ -58,16 +58,16 @@ std::optional<BracketFinding> decide_over(const Search& s, double low, double hi
     if (variations == Variations::none) continue;
     if (variations == Variations::uncertain) return std::nullopt;
     const std::optional<BracketFinding> found = decide_at_root(s, split[i], split[i + 1], answer);
-    if (!found || found->finding != Finding::no_contact) return found;
+    if (!found || found->finding != Outcome::no_contact) return found;
   }
   return kNone;
 }
 
 }  // namespace
 
-Finding decide_refined(const Question& question, const SimpleRoot& root, Answer& answer) {
+Outcome decide_refined(const Question& question, const SimpleRoot& root, Answer& answer) {
   const RefinedRoot refined = refine_root(question, root);
-  if (refined.finding == Finding::contact) write_contact(question.query.kind, refined, answer);
+  if (refined.finding == Outcome::contact) write_contact(question.query.kind, refined, answer);
   return refined.finding;
 }
 
@@ -96,7 +96,7 @@ BracketFinding decide_in_brackets(const Question& question, Answer& answer) {
   if (!within_range(m)) return {};
   const BernsteinCubic cubic(coplanarity_coefficients(frame), m.u * m.w * m.r);
   if (cubic.is_zero()) return {};  // as in a plane that all corners share
-  const Search search = {question, frame, m, cubic};
+  const BracketState search = {question, frame, m, cubic};
   std::optional<BracketFinding> found = decide_over(search, 0, 1, answer);
   if (!found) {
     // A root may lie at an end of the step, where no sign of V is certain. A little beyond the end it is.

@@ -13,7 +13,7 @@ namespace touchstone::filters {
 /// What this level finds. `close`: it is uncertain at a root where the elements touch, or where doubles cannot tell
 /// that they are apart. Then no direction separates them in doubles.
 struct BracketFinding {
-  Finding finding = Finding::uncertain;
+  Outcome finding = Outcome::uncertain;
   bool close = false;
 };
 
@@ -24,7 +24,7 @@ struct BracketFinding {
 BracketFinding decide_in_brackets(const Question& question, Answer& answer);
 
 /// The last step of this level: decides at the one root of V in the step. The answer is as that of decide_in_brackets.
-Finding decide_refined(const Question& question, const SimpleRoot& root, Answer& answer);
+Outcome decide_refined(const Question& question, const SimpleRoot& root, Answer& answer);
 
 /// Writes a contact of that kind at a root into an untouched answer.
 void write_contact(Kind kind, const RefinedRoot& refined, Answer& answer) noexcept;

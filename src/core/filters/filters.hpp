@@ -17,6 +17,6 @@ namespace touchstone::filters {
 Decision decide_by_filters(const Question& question, Answer& answer);
 
 /// The same for a valid separation > 0, after clear_all_along.
-Finding decide_by_filters(const Query& query, const Separation& separation, double t_max, Answer& answer);
+Outcome decide_by_filters(const Query& query, const Separation& separation, double t_max, Answer& answer);
 
 }  // namespace touchstone::filters

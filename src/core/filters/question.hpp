@@ -22,7 +22,7 @@ struct Question {
 };
 
 /// The knowledge of contact: in [0, t_max], or at one root of V.
-enum class Finding : std::uint8_t { uncertain, no_contact, contact };
+enum class Outcome : std::uint8_t { uncertain, no_contact, contact };
 
 /// The tests, in the order in which a query meets them.
 enum class Test : std::uint8_t {
@@ -37,7 +37,7 @@ enum class Test : std::uint8_t {
 
 /// The decision of the filters: `uncertain` by no test, or something certain by one.
 struct Decision {
-  Finding finding = Finding::uncertain;
+  Outcome finding = Outcome::uncertain;
   Test test = Test::none;
 };
 

@@ -35,7 +35,7 @@ class NeighbouringDoubles {
     // is exact.
     const double nearest = base_ + offset_.value;
     if (!(nearest > 0 && nearest < 1 && within_radius(nearest))) return {};
-    if (look_from(nearest) == 0) return {Finding::contact, nearest, nearest};
+    if (look_from(nearest) == 0) return {Outcome::contact, nearest, nearest};
     return settled().value_or(RefinedRoot{});
   }
 
@@ -45,12 +45,12 @@ class NeighbouringDoubles {
     for (const double end : {0.0, 1.0}) {
       const numbers::DoubleDouble sum = numbers::two_sum(base_, offset_.value);
       const double beyond = (sum.high - end) + sum.low;  // sum.high - end is exact where it matters
-      if (end == 0 ? beyond < -offset_.error : beyond > offset_.error) return RefinedRoot{Finding::no_contact};
+      if (end == 0 ? beyond < -offset_.error : beyond > offset_.error) return RefinedRoot{Outcome::no_contact};
       if (std::fabs(beyond) > offset_.error) continue;
       if (!within_radius(end)) return RefinedRoot{};
       const int side = look_from(end);
-      if (side == 0) return RefinedRoot{Finding::contact, end, end};
-      if (side == (end == 0 ? -1 : 1)) return RefinedRoot{Finding::no_contact};
+      if (side == 0) return RefinedRoot{Outcome::contact, end, end};
+      if (side == (end == 0 ? -1 : 1)) return RefinedRoot{Outcome::no_contact};
       break;  // the root lies inside, and far from the other end
     }
     return settled();
@@ -76,7 +76,7 @@ class NeighbouringDoubles {
       side = look_from(nearest);
     }
     const double toi = side < 0 ? before(nearest) : nearest;
-    return RefinedRoot{Finding::contact, toi, side == 0 ? nearest : after(toi)};  // nearest < 1 where side > 0
+    return RefinedRoot{Outcome::contact, toi, side == 0 ? nearest : after(toi)};  // nearest < 1 where side > 0
   }
 
   const SimpleRoot& root_;
@@ -98,17 +98,17 @@ RefinedRoot refine_root(const Question& question, const SimpleRoot& root) {
   const double spread = component_spread(offset);
   if (!root.inside) {
     const SidesAtRoot<double> sides = sides_at_root(edges, at, root.magnitudes, offset, spread);
-    if (sides.outside) return {Finding::no_contact};
-    if (!sides.inside) return {Finding::uncertain};
+    if (sides.outside) return {Outcome::no_contact};
+    if (!sides.inside) return {Outcome::uncertain};
   }
 
   const auto value_at = [&question](double time) { return question.exact_value(question.query, time); };
   RefinedRoot refined = NeighbouringDoubles(root, offset, value_at).find();
-  if (refined.finding != Finding::contact) return refined;
-  if (is_late(refined.toi, refined.toi_upper, t_max)) return {Finding::no_contact};
+  if (refined.finding != Outcome::contact) return refined;
+  if (is_late(refined.toi, refined.toi_upper, t_max)) return {Outcome::no_contact};
   if (wanted != Wanted::all) return refined;
   const WeightsAtRoot<double> found = weights_at_root(edges, at, root.magnitudes, offset, spread);
-  if (!found.certain) return {Finding::uncertain};
+  if (!found.certain) return {Outcome::uncertain};
   refined.weights = found.weights;
   return refined;
 }

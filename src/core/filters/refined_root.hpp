@@ -31,7 +31,7 @@ using SimpleRoot = SimpleRootOf<double>;
 
 /// The result of a closer look at a root: whether the elements touch there within [0, t_max].
 struct RefinedRoot {
-  Finding finding = Finding::uncertain;
+  Outcome finding = Outcome::uncertain;
   double toi = 0, toi_upper = 0;  ///< the neighbouring doubles around a contact's time
   /// Of a contact whose weights are wanted. Edge-edge: f1, f2 and 0, the fractions along the first and the second
   /// edge. Vertex-face: the weights of f0, f1 and f2.

@@ -40,7 +40,7 @@ struct Around {
 
 enum class Asked : std::uint8_t { oriented, all };  ///< pairs of oriented surfaces, or pieces in closed surfaces
 
-struct Search {
+struct InsideSearch {
   const Mesh::Impl& mesh;
   const Motion& motion;
   int threads;
@@ -57,7 +57,7 @@ bool is_within(const Box& inner, const Box& outer) noexcept {
   return true;
 }
 
-BoxTree tree_of(const Search& search, std::size_t count, const std::function<Box(Index)>& box_of) {
+BoxTree tree_of(const InsideSearch& search, std::size_t count, const std::function<Box(Index)>& box_of) {
   const auto resting = [&](Index n) {
     const Box box = box_of(n);
     return MovingBox{box, box};
@@ -66,7 +66,7 @@ BoxTree tree_of(const Search& search, std::size_t count, const std::function<Box
 }
 
 /// The closed surfaces around pieces by their boxes, in ascending order.
-std::vector<Around> nested_boxes(const Search& search, const Pieces& pieces) {
+std::vector<Around> nested_boxes(const InsideSearch& search, const Pieces& pieces) {
   std::vector<Index> inner, outer;
   for (Index i = 0; i < pieces.size(); ++i) {
     if (!search.is_asked(pieces[i])) continue;
@@ -110,7 +110,7 @@ std::set<std::array<Index, 2>> meeting(const Pieces& pieces, const std::vector<I
 
 /// Finds the winding numbers: by the passes of one ray for each inner piece through the faces of the outer ones. Sums
 /// of whole numbers do not depend on their order, so the number of threads does not count.
-void find_winding_numbers(const Search& search, const Pieces& pieces, std::vector<Around>& nested) {
+void find_winding_numbers(const InsideSearch& search, const Pieces& pieces, std::vector<Around>& nested) {
   struct Start {
     Ray ray;
     double last;
@@ -169,7 +169,8 @@ void find_winding_numbers(const Search& search, const Pieces& pieces, std::vecto
 
 /// The closed surfaces around pieces that they do not meet, in ascending order: those whose winding number is not 0.
 /// The number is 0 or 1 for a surface that is not oriented.
-std::vector<Around> surfaces_around(const Search& search, const Pieces& pieces, const std::vector<Intersection>& all) {
+std::vector<Around> surfaces_around(const InsideSearch& search, const Pieces& pieces,
+                                    const std::vector<Intersection>& all) {
   std::vector<Around> nested = nested_boxes(search, pieces);
   if (nested.empty()) return nested;
   const std::set<std::array<Index, 2>> met = meeting(pieces, all);
@@ -186,7 +187,8 @@ std::vector<Around> surfaces_around(const Search& search, const Pieces& pieces, 
 }
 
 /// The signs of the volumes that closed surfaces enclose, with their normals outwards. @param volumes  zeros, by piece
-std::map<Index, int> signs_of_volumes(const Search& search, const Pieces& pieces, std::map<Index, Exact> volumes) {
+std::map<Index, int> signs_of_volumes(const InsideSearch& search, const Pieces& pieces,
+                                      std::map<Index, Exact> volumes) {
   for (std::size_t f = 0; !volumes.empty() && f < search.mesh.faces.size(); ++f) {
     const Index piece = pieces.of_face(static_cast<Index>(f));
     const auto volume = volumes.find(piece);
@@ -233,7 +235,7 @@ std::vector<AroundOne> by_inner(const Pieces& pieces, const std::vector<Around>&
 void add_inside(const Mesh::Impl& mesh, const Motion& motion, int threads, const std::atomic<bool>* stop,
                 std::vector<Intersection>& all) {
   if (mesh.faces.size() < 2 * kLeastFaces) return;
-  const Search search{mesh, motion, threads, stop, Asked::oriented};
+  const InsideSearch search{mesh, motion, threads, stop, Asked::oriented};
   const Pieces pieces(mesh, motion);
   const std::vector<Around> around = surfaces_around(search, pieces, all);
   const std::vector<AroundOne> groups = by_inner(pieces, around);
@@ -270,7 +272,7 @@ TOUCHSTONE_BEHIND_GUARD std::vector<EnclosedPart> find_enclosed_parts(const Mesh
   std::vector<EnclosedPart> parts;
   if (mesh.faces.size() < kLeastFaces) return parts;
   const Motion motion = motion_of(mesh, x, x, options.threads);
-  const Search search{mesh, motion, options.threads, options.stop, Asked::all};
+  const InsideSearch search{mesh, motion, options.threads, options.stop, Asked::all};
   const Pieces pieces(mesh, motion);
   const std::vector<Around> around = surfaces_around(search, pieces, found);
   std::vector<AroundOne> groups = by_inner(pieces, around);

@@ -57,7 +57,7 @@ inline void answer_after_same_side(const Query& query, Method method, double t_m
   validate(query, t_max);
   const ExactArithmetic& below = method == Method::fast ? kOwn : kCgal;
   const filters::Decision decision = filters::decide_by_filters({query, t_max, below.coplanarity_at, wanted}, result);
-  if (decision.finding == filters::Finding::uncertain) {
+  if (decision.finding == filters::Outcome::uncertain) {
     exact::Rung decided{};
     result = below.decide(query, t_max, wanted, rung != nullptr ? &decided : nullptr);
     if (rung != nullptr) *rung = kFirstExactRung + static_cast<std::size_t>(decided);
@@ -119,9 +119,9 @@ Answer answer_at_root(const Query& query, const filters::SimpleRoot& root, bool 
     result.contact = true;
   } else {
     const ExactArithmetic& below = method == Method::fast ? kOwn : kCgal;
-    const filters::Finding finding =
+    const filters::Outcome finding =
         filters::decide_refined({query, t_max, below.coplanarity_at, wanted}, root, result);
-    if (finding == filters::Finding::uncertain) return answer_after_same_side(query, method, t_max, wanted);
+    if (finding == filters::Outcome::uncertain) return answer_after_same_side(query, method, t_max, wanted);
   }
   complete(result);
   trim(result, wanted);
@@ -131,7 +131,7 @@ Answer answer_at_root(const Query& query, const filters::SimpleRoot& root, bool 
 Answer answer_at_refined_root(Kind kind, const filters::RefinedRoot& root, Wanted wanted) {
   Answer result;
   result.level = Level::bracket;
-  if (root.finding == filters::Finding::no_contact) return result;
+  if (root.finding == filters::Outcome::no_contact) return result;
   filters::write_contact(kind, root, result);
   complete(result);
   trim(result, wanted);
@@ -145,7 +145,7 @@ Answer answer(const Query& query, const Separation& separation, Method method, d
     result.level = Level::filter;
     if (is_time(t_max) && filters::clear_all_along(query, separation)) return result;
     validate(query, t_max);
-    if (filters::decide_by_filters(query, separation, t_max, result) != filters::Finding::uncertain) {
+    if (filters::decide_by_filters(query, separation, t_max, result) != filters::Outcome::uncertain) {
       trim(result, wanted);
       return result;
     }

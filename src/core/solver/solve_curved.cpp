@@ -40,7 +40,7 @@ bool decided_by_filters(const CurvedQuery& query, double t_max, Answer& answer) 
   answer.level = Level::filter;
   if (filters::chords_certainly_farther(query, Separation()) || filters::certainly_apart(query)) return true;
   answer.level = Level::bracket;
-  return filters::decide_in_brackets(query, t_max, answer) != filters::Finding::uncertain;
+  return filters::decide_in_brackets(query, t_max, answer) != filters::Outcome::uncertain;
 }
 
 }  // namespace
@@ -77,8 +77,8 @@ Answer answer(const CurvedQuery& query, const Separation& separation, Method met
     }
     Answer answer;
     answer.level = Level::bracket;
-    const filters::Finding finding = filters::decide_in_brackets(query, separation, t_max, answer);
-    if (finding != filters::Finding::uncertain) {
+    const filters::Outcome finding = filters::decide_in_brackets(query, separation, t_max, answer);
+    if (finding != filters::Outcome::uncertain) {
       trim(answer, wanted);
       return answer;
     }

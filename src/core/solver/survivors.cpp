@@ -33,7 +33,7 @@ void Survivors::answer_waiting() {
     if (facts == 0) {
       answer_one(i);
     } else if (facts == kCertain && options_.wanted == Wanted::contact) {
-      answers_[i] = answer_at_refined_root(queries_.kind, {filters::Finding::contact}, Wanted::contact);
+      answers_[i] = answer_at_refined_root(queries_.kind, {filters::Outcome::contact}, Wanted::contact);
     } else if ((facts & filters::kOneRoot) != 0) {
       hits_.which[hits_.count++] = k;
     } else {
@@ -52,7 +52,7 @@ void Survivors::answer_hits() {
     const std::size_t k = hits_.which[h];
     const std::size_t i = waiting_[k];
     const filters::RefinedRoot refined = refined_.root(h, with_weights);
-    answers_[i] = refined.finding != filters::Finding::uncertain
+    answers_[i] = refined.finding != filters::Outcome::uncertain
                       ? answer_at_refined_root(queries_.kind, refined, options_.wanted)
                       : answer_at_root(queries_[i], roots_.root(k), (roots_.facts[k] & filters::kInsideStep) != 0,
                                        options_.method, options_.t_max, options_.wanted);

@@ -19,17 +19,17 @@ bool has_fitting_shape(const std::vector<std::uint64_t>& extents) {
   return (extents.size() == 2 || extents.size() == 3) && (extents.back() == 2 || extents.back() == 3);
 }
 
-struct Search {
+struct FittingDatasets {
   std::vector<std::string> fitting;
   std::size_t datasets = 0;
 };
 
 /// The names of the data sets that can be positions.
-Search find_datasets(const Handle& file) {
-  Search search;
+FittingDatasets find_datasets(const Handle& file) {
+  FittingDatasets search;
   const auto visit = [](hid_t root, const char* name, const H5O_info_t* info, void* data) -> herr_t {
     if (info->type != H5O_TYPE_DATASET) return 0;
-    auto& found = *static_cast<Search*>(data);
+    auto& found = *static_cast<FittingDatasets*>(data);
     ++found.datasets;
     const Handle dataset(H5Dopen2(root, name, H5P_DEFAULT), H5Dclose);
     if (!dataset.is_open() || !holds_floats(dataset) || !has_fitting_shape(extents_of(dataset))) return 0;
@@ -57,7 +57,7 @@ struct OpenDataset {
 OpenDataset open_dataset(const std::string& name, std::string dataset_name, std::uint64_t file_size) {
   Handle file = open_hdf5(name);
   if (dataset_name.empty()) {
-    const Search search = find_datasets(file);
+    const FittingDatasets search = find_datasets(file);
     if (search.fitting.empty()) {
       io::fail(name, "has " + std::to_string(search.datasets) +
                          " data sets, none of them of doubles or floats of the shape (vertices, 3) or (frames, " +

@@ -8,12 +8,13 @@
 
 namespace touchstone::frames {
 
-void Place::fail(std::string_view reason) const {
+void FilePosition::fail(std::string_view reason) const {
   if (line == 0) io::fail(file, reason);
   io::fail(file, line, reason);
 }
 
-void MeshBuilder::add_unusual_polygon(std::span<const MeshIndex> corners, std::uint64_t number, const Place& place) {
+void MeshBuilder::add_unusual_polygon(std::span<const MeshIndex> corners, std::uint64_t number,
+                                      const FilePosition& place) {
   const std::string count = "face " + std::to_string(number) + " has " + std::to_string(corners.size()) +
                             (corners.size() == 1 ? " corner" : " corners");
   if (corners.size() < 3) place.fail(count + "; a face has three");
@@ -21,7 +22,7 @@ void MeshBuilder::add_unusual_polygon(std::span<const MeshIndex> corners, std::u
   for (std::size_t i = 2; i < corners.size(); ++i) add_face({corners[0], corners[i - 1], corners[i]}, number);
 }
 
-void MeshBuilder::add_polyline(std::span<const MeshIndex> vertices, const Place& place) {
+void MeshBuilder::add_polyline(std::span<const MeshIndex> vertices, const FilePosition& place) {
   if (vertices.size() < 2) place.fail("a line has two vertices or more");
   for (std::size_t i = 1; i < vertices.size(); ++i) add_edge(vertices[i - 1], vertices[i]);
 }
@@ -57,7 +58,7 @@ std::uint32_t MeshBuilder::index_of_part(const std::string& name) {
   return found->second;
 }
 
-MeshFile MeshBuilder::finish(const Place& place) {
+MeshFile MeshBuilder::finish(const FilePosition& place) {
   Topology& topology = mesh_.topology;
   topology.vertex_count = vertex_count();
   if (topology.vertex_count == 0) place.fail("has no vertex");

@@ -31,7 +31,7 @@ class ObjReader {
     scanner_.skip_byte_order_mark();
     while (!scanner_.at_file_end()) read_line(scanner_.word());
     if (greatest_ > static_cast<std::int64_t>(builder_.vertex_count())) {
-      Place{file_, line_of_greatest_}.fail(fault_of_index(greatest_, builder_.vertex_count(), kFirst));
+      FilePosition{file_, line_of_greatest_}.fail(fault_of_index(greatest_, builder_.vertex_count(), kFirst));
     }
     if (builder_.vertex_count() == 0) io::fail(file_, "has no vertex; OBJ files have lines such as 'v 0.5 1 -2'");
     return builder_.finish({file_});
@@ -141,7 +141,7 @@ class ObjReader {
   }
 
   std::string name() {
-    const Place here = place();
+    const FilePosition here = place();
     const std::string_view found = scanner_.rest_of_line();
     if (found.ends_with('\\')) here.fail("a name ends with a backslash, which could join the next line to this one");
     return std::string(found);
@@ -149,7 +149,7 @@ class ObjReader {
 
   void set_part() { builder_.set_part(object_.empty() || group_.empty() ? object_ + group_ : object_ + "/" + group_); }
 
-  Place place() const { return {file_, scanner_.line()}; }
+  FilePosition place() const { return {file_, scanner_.line()}; }
 
   std::string_view file_;
   TextScanner scanner_;

@@ -324,7 +324,7 @@ class PlyReader {
         case Meaning::vertex2: ends[property.meaning == Meaning::vertex2] = vertex(property, values); break;
       }
     }
-    const Place place{file_, values.line()};
+    const FilePosition place{file_, values.line()};
     values.end_row();
     if (element.name == "vertex") builder_.add_vertex(position[0], position[1], position[2]);
     if (element.name == "face") builder_.add_polygon(corners_, number, place);

@@ -357,7 +357,7 @@ class VtkReader {
     return checked_vertex(index, builder_.vertex_count(), place());
   }
 
-  Place place() const { return {file_, is_binary_ ? 0 : scanner_.line()}; }
+  FilePosition place() const { return {file_, is_binary_ ? 0 : scanner_.line()}; }
 
   std::string_view file_;
   TextScanner scanner_;

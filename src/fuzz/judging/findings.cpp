@@ -59,20 +59,20 @@ std::vector<Finding> Findings::take(std::size_t most) {
   for (auto& findings : by_class) std::stable_sort(findings.begin(), findings.end(), frequent_first);
 
   // Each class gives one finding in turn, until there are enough.
-  std::array<std::size_t, kFailureClasses> share{};
+  std::array<std::size_t, kFailureClasses> quota{};
   std::size_t left = most;
   for (bool more = true; more;) {
     more = false;
     for (std::size_t i = 0; i < kFailureClasses; ++i) {
-      if (share[i] == by_class[i].size() || (most > 0 && left == 0)) continue;
-      ++share[i];
+      if (quota[i] == by_class[i].size() || (most > 0 && left == 0)) continue;
+      ++quota[i];
       --left;
       more = true;
     }
   }
   std::vector<Finding> taken;
   for (std::size_t i = 0; i < kFailureClasses; ++i) {
-    std::move(by_class[i].begin(), by_class[i].begin() + static_cast<std::ptrdiff_t>(share[i]),
+    std::move(by_class[i].begin(), by_class[i].begin() + static_cast<std::ptrdiff_t>(quota[i]),
               std::back_inserter(taken));
   }
   return taken;

@@ -60,7 +60,7 @@ class Collected {
   Collected(std::string_view scene, const BodyPairOptions& options) : options_(options) {
     for (const Kind kind : {Kind::edge_edge, Kind::vertex_face}) {
       QuerySet& set = sets_[static_cast<std::size_t>(kind)];
-      set.name = std::string(scene) + "/" + std::string(kind_name(kind));
+      set.name = std::string(scene) + "/" + std::string(name_of(kind));
       set.about = "Candidate pairs of the scene " + std::string(scene) +
                   " of touchstone simulate; one in a hundred touches, when nothing keeps it apart";
       set.kind = kind;

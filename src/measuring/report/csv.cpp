@@ -31,8 +31,8 @@ std::string tolerance_measures(const Contestant& contestant) {
 
 std::string numbers(const Result& result) {
   std::string text = fmt::format("{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},", result.asked, result.contacts,
-                                 result.missed, result.phantom, result.late, result.missed_share(),
-                                 result.phantom_share(), result.late_share(), result.wrong_share());
+                                 result.missed, result.phantom, result.late, result.missed_fraction(),
+                                 result.phantom_fraction(), result.late_fraction(), result.wrong_fraction());
   if (const auto& error = result.time_error) {
     text += fmt::format("{},{},{},{},{},{},", error->claims, error->earliest, error->median, error->latest,
                         error->median_size, error->greatest_size);
@@ -71,11 +71,11 @@ std::string csv_rows(const Size& size, const std::vector<SetResults>& sets) {
     const Separation& separation = set.set.separation;
     std::string end;
     if (separation.distance > 0) {
-      end = fmt::format(",{},{}", io::hexfloat(separation.distance), metric_name(separation.metric));
+      end = fmt::format(",{},{}", io::hexfloat(separation.distance), name_of(separation.metric));
     }
     for (const Result& result : set.results) {
       text +=
-          fmt::format("{},{},{},{},{},{},{},{},{}{}\n", origin, set.set.name, kind_name(set.set.kind), set.exponent,
+          fmt::format("{},{},{},{},{},{},{},{},{}{}\n", origin, set.set.name, name_of(set.set.kind), set.exponent,
                       result.contestant.name, result.contestant.tolerance_text(), tolerance_measures(result.contestant),
                       set.set.size(), result.asked > 0 ? numbers(result) : not_asked(), end);
     }

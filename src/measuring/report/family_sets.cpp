@@ -17,11 +17,11 @@ using generators::operator-;
 using generators::operator*;
 using seeded::Rng;
 
-constexpr std::array<Kind, 2> kKinds{Kind::edge_edge, Kind::vertex_face};
+constexpr std::array<Kind, 2> kAskedKinds{Kind::edge_edge, Kind::vertex_face};
 
 QuerySet empty_set(const std::string& family, Kind kind, const std::string& about) {
   QuerySet set;
-  set.name = family + "/" + std::string(kind_name(kind));
+  set.name = family + "/" + std::string(name_of(kind));
   set.about = about;
   set.kind = kind;
   return set;
@@ -157,7 +157,7 @@ std::vector<QuerySet> aligned_sets(std::uint64_t seed, const SceneSize& size, do
 
 std::vector<QuerySet> random_sets(std::uint64_t seed, std::size_t count) {
   std::vector<QuerySet> sets;
-  for (const Kind kind : kKinds) {
+  for (const Kind kind : kAskedKinds) {
     Rng random(seeded::seed_of_part(seed, 1 + static_cast<std::uint64_t>(kind)));
     sets.push_back(empty_set("random", kind, "Corners anywhere in a cube of side 2, at both ends of the step"));
     for (std::size_t i = 0; i < count; ++i) sets.back().queries.push_back(random_query(kind, random));
@@ -167,7 +167,7 @@ std::vector<QuerySet> random_sets(std::uint64_t seed, std::size_t count) {
 
 std::vector<QuerySet> near_sets(std::uint64_t seed, std::size_t count) {
   std::vector<QuerySet> sets;
-  for (const Kind kind : kKinds) {
+  for (const Kind kind : kAskedKinds) {
     Rng random(seeded::seed_of_part(seed, 11 + static_cast<std::uint64_t>(kind)));
     sets.push_back(empty_set("near", kind,
                              "Near hits and near misses: the meeting lies within 2^-50 to 2^-6 of the border of an "
@@ -191,7 +191,7 @@ std::vector<Query> scaled(const std::vector<Query>& queries, int exponent) {
 
 std::vector<QuerySet> curved_sets(std::uint64_t seed, std::size_t count) {
   std::vector<QuerySet> sets;
-  for (const Kind kind : families::kKinds) {
+  for (const Kind kind : kKinds) {
     sets.push_back(empty_set("curved", kind,
                              "All families of curved queries of touchstone fuzz: machines, planned contacts, curves, "
                              "large and tiny turns, extreme lengths"));

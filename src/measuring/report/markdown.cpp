@@ -35,7 +35,8 @@ std::string error_table(const SetResults& set) {
       continue;
     }
     text += fmt::format("{} | {:.3g} | {} | {} | {} | ", asked_text(result, set.set), result.mean,
-                        percent(result.missed_share()), percent(result.phantom_share()), percent(result.late_share()));
+                        percent(result.missed_fraction()), percent(result.phantom_fraction()),
+                        percent(result.late_fraction()));
     if (const auto& error = result.time_error) {
       text += fmt::format("{} | {} | {} |\n", ulps(error->median), ulps(error->earliest), ulps(error->latest));
     } else {
@@ -79,9 +80,9 @@ std::string level_section(const Report& report, bool plots) {
     for (const Result& result : set.results) {
       if (!result.contestant.is_touchstone()) continue;
       text += fmt::format("| {} | {} | {} | {} | {} |\n", set.set.name, result.asked,
-                          percent(Result::share(result.levels.filter, result.asked)),
-                          percent(Result::share(result.levels.bracket, result.asked)),
-                          percent(Result::share(result.levels.exact, result.asked)));
+                          percent(Result::fraction_of(result.levels.filter, result.asked)),
+                          percent(Result::fraction_of(result.levels.bracket, result.asked)),
+                          percent(Result::fraction_of(result.levels.exact, result.asked)));
     }
   }
   return text + "\n" + picture(plots, kLevelPlot, "Share of queries per level");
@@ -110,7 +111,7 @@ std::string scale_section(const Report& report, bool plots) {
   text += scale_table(report, [](const Result& result, const QuerySet&) { return fmt::format("{:.3g}", result.mean); });
   text += picture(plots, kScalePlot, "Run time against the scale of the coordinates");
   text += "Wrong answers (missed, phantom or late), as a share of the queries asked:\n\n";
-  text += scale_table(report, [](const Result& result, const QuerySet&) { return percent(result.wrong_share()); });
+  text += scale_table(report, [](const Result& result, const QuerySet&) { return percent(result.wrong_fraction()); });
   text += "Queries asked, where there was no time for all:\n\n";
   return text + scale_table(report, [](const Result& result, const QuerySet& set) {
            return result.asked == set.size() ? std::string() : asked_text(result, set);

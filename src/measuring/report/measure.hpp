@@ -35,13 +35,13 @@ struct Result {
 
   std::size_t wrong() const noexcept { return missed + phantom + late; }
   bool has_errors() const noexcept { return wrong() > 0 || (time_error && time_error->greatest_size > 0); }
-  double wrong_share() const noexcept { return share(wrong(), asked); }
-  double missed_share() const noexcept { return share(missed, contacts); }
-  double phantom_share() const noexcept { return share(phantom, asked - contacts); }
-  double late_share() const noexcept { return share(late, contacts); }
+  double wrong_fraction() const noexcept { return fraction_of(wrong(), asked); }
+  double missed_fraction() const noexcept { return fraction_of(missed, contacts); }
+  double phantom_fraction() const noexcept { return fraction_of(phantom, asked - contacts); }
+  double late_fraction() const noexcept { return fraction_of(late, contacts); }
 
   /// 0 when no query was asked.
-  static double share(std::size_t part, std::size_t whole) noexcept {
+  static double fraction_of(std::size_t part, std::size_t whole) noexcept {
     return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
   }
 };

@@ -45,7 +45,7 @@ std::vector<QuerySet> scale_sets(std::uint64_t seed, std::size_t count) {
   QuerySet base = random_sets(seed, count / 2).front();
   const auto near = near_sets(seed, count - count / 2).front().queries;
   base.queries.insert(base.queries.end(), near.begin(), near.end());
-  base.name = "scale/" + std::string(kind_name(base.kind));
+  base.name = "scale/" + std::string(name_of(base.kind));
   base.about = "One set of " + std::to_string(count) +
                " edge-edge queries, half of them like random/edge-edge and half like near/edge-edge, with every "
                "coordinate times a power of two";
@@ -78,7 +78,7 @@ Report make_report(const Size& size, std::vector<QuerySet> given, const Progress
   report.curved_contestants = curved_contestants(kTolerances, size.separation);
 
   // The scenes run first, while this process is small: the processes of the runs are copies of it.
-  report.scene_runs = run_scenes(size.quick, [&](double share) { progress("simulating", kSimulating * share); });
+  report.scene_runs = run_scenes(size.quick, [&](double fraction) { progress("simulating", kSimulating * fraction); });
 
   progress("generating", kSimulating);
   std::vector<QuerySet> sets = simulation_sets(size.seed, amount.simulation, size.separation.distance);
@@ -126,8 +126,8 @@ std::string write_report(const Report& report, const std::string& folder, const 
   make_folder(root / "plots");
   write_whole(root / "report.csv", csv_text(report));
   write_whole(root / "simulation.csv", scene_runs_csv(report.scene_runs, report.size.quick));
-  const auto drawing = [&](double share) {
-    progress("drawing", kMeasuring + kSimulating + (1 - kMeasuring - kSimulating) * share);
+  const auto drawing = [&](double fraction) {
+    progress("drawing", kMeasuring + kSimulating + (1 - kMeasuring - kSimulating) * fraction);
   };
   const std::string hint = write_plots(plots(report), root / "plots", drawing);
   write_whole(root / "report.md", markdown_text(report, hint.empty()));

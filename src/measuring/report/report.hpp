@@ -34,7 +34,7 @@ struct Report {
 };
 
 /// Called often, with the current task and the fraction of all work that is done; may throw to end the work.
-using Progress = std::function<void(std::string_view what, double share)>;
+using Progress = std::function<void(std::string_view what, double fraction)>;
 
 /// The most queries of one `given` set that are used.
 std::size_t most_given(const Size& size) noexcept;

@@ -60,7 +60,7 @@ double weight(const std::vector<RunPlan>& plans) {
 /// The result that the process of a run sends back.
 struct Counts {
   std::uint64_t edges, contacts, crossings;
-  double seconds, collision_share;
+  double seconds, collision_fraction;
 };
 
 Counts count(const RunPlan& plan, const ScenePulse& pulse) {
@@ -84,7 +84,7 @@ Counts count(const RunPlan& plan, const ScenePulse& pulse) {
     }
   }
   counts.seconds = simulation.times().total();
-  counts.collision_share = simulation.times().collision() / counts.seconds;
+  counts.collision_fraction = simulation.times().collision() / counts.seconds;
   return counts;
 }
 
@@ -98,7 +98,7 @@ SceneRun run_scene(const RunPlan& plan, const RunPlan& small, const ScenePulse& 
   return {plan.scene,      static_cast<std::uint64_t>(plan.size),
           counts.edges,    plan.steps,
           counts.contacts, counts.crossings,
-          counts.seconds,  counts.collision_share,
+          counts.seconds,  counts.collision_fraction,
           memory};
 }
 
@@ -124,7 +124,7 @@ SceneRuns run_scenes(bool quick, const ScenePulse& pulse) {
       all.hoop.weight + weight(all.cable_drop) + weight(all.whip) + weight(all.twist) + weight(all.link_chain);
   double done = 0;
   const auto run = [&](const RunPlan& plan, const RunPlan& before) {
-    SceneRun result = run_scene(plan, before, [&](double share) { pulse((done + share * plan.weight) / total); });
+    SceneRun result = run_scene(plan, before, [&](double fraction) { pulse((done + fraction * plan.weight) / total); });
     done += plan.weight;
     return result;
   };
@@ -146,7 +146,7 @@ std::string scene_runs_csv(const SceneRuns& runs, bool quick) {
         fmt::format("{},{},{},{},{},{},{},{},{},{},{:.6g},{:.6g},{:.4g},{}\n", io::csv_field(version()),
                     io::csv_field(machine_name()), io::csv_field(compiler_name()), quick ? 1 : 0, run.scene, run.size,
                     run.edges, run.steps, run.contacts, run.crossings, run.seconds, run.seconds_per_step(),
-                    run.collision_share, run.memory ? fmt::format("{}", *run.memory) : std::string());
+                    run.collision_fraction, run.memory ? fmt::format("{}", *run.memory) : std::string());
   });
   return text;
 }
@@ -174,7 +174,7 @@ std::string scene_runs_section(const SceneRuns& runs) {
     }
     text += fmt::format("| {} {} | {} | {} | {} | {} | {:.4g} | {:.3g} | {} | {} | {} |\n", run.scene, run.size,
                         run.edges, run.steps, run.contacts, run.crossings, 1e3 * run.seconds_per_step(),
-                        1 / run.seconds_per_step(), percent(run.collision_share), memory, an_edge);
+                        1 / run.seconds_per_step(), percent(run.collision_fraction), memory, an_edge);
   });
   return text + "\n";
 }

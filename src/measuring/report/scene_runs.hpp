@@ -19,7 +19,7 @@ struct SceneRun {
   std::uint64_t contacts = 0;   ///< found by the narrow phase; of bodies, those that are answered
   std::uint64_t crossings = 0;  ///< found by the proofs
   double seconds = 0;           ///< of processor time, for all steps
-  double collision_share =
+  double collision_fraction =
       0;  ///< fraction of the time: broad and narrow phase, response and proof, but not the solver of bodies' impulses
   std::optional<std::uint64_t> memory;  ///< bytes, of run_in_own_process; includes making the scene
 
@@ -38,7 +38,7 @@ struct SceneRuns {
 };
 
 /// Called before each step with the fraction of all work that is done.
-using ScenePulse = std::function<void(double share)>;
+using ScenePulse = std::function<void(double fraction)>;
 
 /// Runs them one after another, each in a process of its own and on one thread. About a minute and a quarter, or a
 /// second when quick.

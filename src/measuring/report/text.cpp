@@ -7,7 +7,7 @@
 
 namespace touchstone::report {
 
-std::string percent(double share) { return share == 0 ? "0" : fmt::format("{:.3g} %", 100 * share); }
+std::string percent(double fraction) { return fraction == 0 ? "0" : fmt::format("{:.3g} %", 100 * fraction); }
 
 std::string ulps(std::int64_t error) {
   if (error > -100'000 && error < 100'000) return fmt::format("{}", error);
@@ -23,7 +23,7 @@ std::string separation_arguments(const Separation& separation) {
   if (separation.distance == 0) return {};
   return " --separation " + io::hexfloat(separation.distance) +
          (separation.metric == Metric::euclidean ? std::string()
-                                                 : " --metric " + std::string(metric_name(separation.metric)));
+                                                 : " --metric " + std::string(name_of(separation.metric)));
 }
 
 }  // namespace touchstone::report

@@ -9,7 +9,7 @@
 
 namespace touchstone::report {
 
-std::string percent(double share);     ///< "0", "12.5 %"
+std::string percent(double fraction);  ///< "0", "12.5 %"
 std::string ulps(std::int64_t error);  ///< "-12", "4.5e+15"
 
 /// The number of queries of the set that were asked: "4000", or "130 of 4000".

@@ -152,7 +152,7 @@ const Dial* find_dial(std::string_view name) noexcept {
 
 report::QuerySet make_set(const Dial& dial, Kind kind, int setting, std::uint64_t seed, std::size_t count) {
   report::QuerySet set;
-  set.name = std::string(dial.name) + "/" + std::string(kind_name(kind));
+  set.name = std::string(dial.name) + "/" + std::string(name_of(kind));
   set.about = dial.about;
   set.kind = kind;
   // Every setting gets the same configurations, as far as possible, so that differences come from the dial.

@@ -30,7 +30,7 @@ const std::vector<Dial>& dials();
 const Dial* find_dial(std::string_view name) noexcept;
 
 /// The kinds of query that the dials make.
-inline constexpr std::array<Kind, 2> kKinds{Kind::edge_edge, Kind::vertex_face};
+inline constexpr std::array<Kind, 2> kAskedKinds{Kind::edge_edge, Kind::vertex_face};
 
 /// `count` queries at one setting. The same seed makes the same queries on every machine.
 report::QuerySet make_set(const Dial& dial, Kind kind, int setting, std::uint64_t seed, std::size_t count);

@@ -49,7 +49,7 @@ std::string level_table(const Table& table) {
   for (const SetResults& setting : table.settings) {
     const Result& own = own_result(setting);
     const auto cell = [&](std::size_t part) {
-      return fmt::format(" {} |", report::percent(Result::share(part, own.asked)));
+      return fmt::format(" {} |", report::percent(Result::fraction_of(part, own.asked)));
     };
     text += fmt::format(" 2^{} |", setting.exponent);
     rule += "---:|";
@@ -141,7 +141,7 @@ std::string overview(const Stress& stress) {
         wrong += setting.results[i].wrong();
         asked += setting.results[i].asked;
       }
-      text += asked == 0 ? " - |" : fmt::format(" {} |", report::percent(Result::share(wrong, asked)));
+      text += asked == 0 ? " - |" : fmt::format(" {} |", report::percent(Result::fraction_of(wrong, asked)));
     }
     const Growth g = growth(table);
     text += fmt::format(" {:.2g} |\n", g.slowest / g.gentle);

@@ -47,7 +47,7 @@ report::Plot plot(const Table& table) {
   body += "set yrange [-3:103]\nset key off\n";
   body += panel(table, "wrong", [](const Result& result) -> std::optional<double> {
     if (result.asked < kFewest) return std::nullopt;
-    return 100 * result.wrong_share();
+    return 100 * result.wrong_fraction();
   });
   body += "set title 'Run time'\nset ylabel 'mean run time [us per query]'\nset logscale y\nset format y '%g'\n";
   body += "set autoscale y\nset key at screen 0.995, screen 0.6 right center Left reverse samplen 2 width -2\n";

@@ -64,9 +64,9 @@ Stress run_stress(const Options& options, const report::Progress& progress) {
     for (const Dial& dial : dials()) which.push_back(&dial);
   }
   std::size_t sets = 0, done = 0;
-  for (const Dial* dial : which) sets += kKinds.size() * dial->settings.size();
+  for (const Dial* dial : which) sets += kAskedKinds.size() * dial->settings.size();
   for (const Dial* dial : which) {
-    for (const Kind kind : kKinds) {
+    for (const Kind kind : kAskedKinds) {
       Table& table = stress.tables.emplace_back(Table{dial, kind, {}});
       for (const int setting : dial->settings) {
         const auto pulse = [&] {
@@ -122,7 +122,7 @@ std::string write_stress(const Stress& stress, const std::string& folder, const 
   std::string csv = report::csv_header("dial_exponent", stress.options.separation);
   for (const Table& table : stress.tables) csv += report::csv_rows({false, stress.options.seed}, table.settings);
   report::write_whole(root / "stress.csv", csv);
-  const auto drawing = [&](double share) { progress("drawing", kMeasuring + (1 - kMeasuring) * share); };
+  const auto drawing = [&](double fraction) { progress("drawing", kMeasuring + (1 - kMeasuring) * fraction); };
   const std::string hint = report::write_plots(plots(stress), root / "plots", drawing);
   report::write_whole(root / "stress.md", markdown_text(stress, hint.empty()));
   return hint;

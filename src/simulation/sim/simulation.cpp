@@ -255,7 +255,7 @@ std::variant<SubstepRecord, Refusal> Simulation::try_substep(double h, double en
   if (kCloth && !within_stretch_limits(system_, next.q)) return refused_for(Cause::overstretched);
 
   std::vector<Crossing> crossings;
-  const Proof proof = prove(next, h, crossings);
+  const StepProof proof = prove(next, h, crossings);
   if (!crossings.empty() && narrow_phase_ == NarrowPhase::exact) {
     Refusal refusal = refused_for(Cause::not_certified);
     refusal.pair = crossings.front().pair;
@@ -289,7 +289,7 @@ std::variant<SubstepRecord, Refusal> Simulation::try_substep(double h, double en
   if (kBodies && bodies_) {
     record.bodies = bodies.counts;
     if (const SeparationCounts& kept = bodies.counts.separations; kept.pairs > 0) {
-      Proof& all = record.proof;
+      StepProof& all = record.proof;
       all.least = all.separated == 0 ? kept.least : std::min(all.least, kept.least);
       all.largest = std::max(all.largest, kept.largest);
       all.separated += kept.pairs;
@@ -339,7 +339,7 @@ Refusal Simulation::refusal_of(const ResponseResult& response) const {
   return refused_for(Cause::gained_energy);
 }
 
-void Simulation::measure_separations(const std::vector<Pair>& pairs, Proof& proof) const {
+void Simulation::measure_separations(const std::vector<Pair>& pairs, StepProof& proof) const {
   for (const Pair& pair : pairs) {
     const double d = colliders_.separation(pair);
     if (d == 0) continue;
@@ -350,10 +350,10 @@ void Simulation::measure_separations(const std::vector<Pair>& pairs, Proof& proo
 }
 
 /// Looks at the positions as they are stored, and finds its own candidates.
-Proof Simulation::prove(const State& end, double h, std::vector<Crossing>& crossings) {
+StepProof Simulation::prove(const State& end, double h, std::vector<Crossing>& crossings) {
   const PhaseClock clock(times_.proof);
   const std::vector<Pair> pairs = colliders_.candidates(state_.q, end.q, 0);
-  Proof proof;
+  StepProof proof;
   proof.pairs = pairs.size();
   if (colliders_.has_separations()) measure_separations(pairs, proof);
   proof.levels = prover_.contacts(pairs, state_.q, end.q, [&](std::size_t i, const Answer& answer) {

@@ -35,7 +35,7 @@ struct Crossing {
 
 /// The exact answers to every candidate pair of a step as it is stored: without a crossing, each pair stays farther
 /// apart than its separation at all times of the step.
-struct Proof {
+struct StepProof {
   std::uint64_t pairs = 0;
   LevelCounts levels;
   std::uint64_t crossings = 0;
@@ -55,7 +55,7 @@ struct SubstepRecord {
   /// short to be halved again.
   double excess = 0;
   ResponseCounts response;
-  Proof proof;
+  StepProof proof;
   EnergyFlows flows;     ///< with measure_flows
   double numerical = 0;  ///< J, with measure_flows: what the substep gained beyond the flows
   BodyCounts bodies;
@@ -135,8 +135,8 @@ class Simulation {
   /// Whether the tolerance asks for no shorter substep.
   bool is_least(double h) const noexcept;
   Refusal refusal_of(const ResponseResult& response) const;
-  void measure_separations(const std::vector<Pair>& pairs, Proof& proof) const;
-  Proof prove(const State& end, double h, std::vector<Crossing>& crossings);
+  void measure_separations(const std::vector<Pair>& pairs, StepProof& proof) const;
+  StepProof prove(const State& end, double h, std::vector<Crossing>& crossings);
 
   linear::Cancellation cancel_;
   Scene scene_;

@@ -25,7 +25,7 @@ struct RefinedRoots {
   double weights[3][kMostBracketed];  ///< of contacts, where weights are wanted
 
   RefinedRoot root(std::size_t i, bool with_weights) const noexcept {
-    RefinedRoot root = {static_cast<Finding>(finding[i]), toi[i], toi_upper[i]};
+    RefinedRoot root = {static_cast<Outcome>(finding[i]), toi[i], toi_upper[i]};
     if (with_weights) root.weights = {weights[0][i], weights[1][i], weights[2][i]};
     return root;
   }

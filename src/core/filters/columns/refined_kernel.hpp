@@ -65,9 +65,9 @@ void refine_pack(const Columns& columns, const RootsToRefine& from, const std::s
       for (std::size_t k = 0; k < 3; ++k) Lanes::store(found.weights[k], result.weights[k] + first);
     }
   }
-  constexpr auto kContact = static_cast<std::int64_t>(Finding::contact);
-  constexpr auto kNoContact = static_cast<std::int64_t>(Finding::no_contact);
-  static_assert(static_cast<std::int64_t>(Finding::uncertain) == 0);
+  constexpr auto kContact = static_cast<std::int64_t>(Outcome::contact);
+  constexpr auto kNoContact = static_cast<std::int64_t>(Outcome::no_contact);
+  static_assert(static_cast<std::int64_t>(Outcome::uncertain) == 0);
   Lanes::store(((outside | (touches & late)) & kNoContact) | (touches & (late == 0) & kContact),
                result.finding + first);
   Lanes::store(toi, result.toi + first);

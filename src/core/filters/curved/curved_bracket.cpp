@@ -85,9 +85,9 @@ NormalAxis largest_axis(const std::array<double, 3>& n) noexcept {
 }
 
 /// A query on its way through this level.
-class Search {
+class CurvedBracketSearch {
  public:
-  Search(const CurvedQuery& query, double t_max, const CurvedFrame& frame, Answer& answer) noexcept
+  CurvedBracketSearch(const CurvedQuery& query, double t_max, const CurvedFrame& frame, Answer& answer) noexcept
       : query_(query),
         kind_(query.kind),
         t_max_(t_max),
@@ -101,14 +101,14 @@ class Search {
 
   /// Decides from the roots of p: V, or for a point and an edge, or two points, a component that vanishes where they
   /// touch.
-  Finding decide(const ScalarForm& p, Index component = 0) noexcept;
+  Outcome decide(const ScalarForm& p, Index component = 0) noexcept;
 
   /// Whether `decide` was uncertain about the touching at one time, so that nothing else is likely to show a miss.
   bool contact_is_likely() const noexcept { return contact_is_likely_; }
 
  private:
   /// A part of [0, 1] with p's coefficients in the Bernstein basis over it.
-  struct Part {
+  struct Subinterval {
     double low, high;
     double error;
     Index cuts;  ///< how often it was cut out of a larger part
@@ -116,15 +116,15 @@ class Search {
   };
   enum class Variations : std::uint8_t { none, one, uncertain };
 
-  Variations variations(const ScalarForm& p, const Part& part) const noexcept;
-  Finding decide_at_root(const ScalarForm& p, const Part& part) noexcept;
+  Variations variations(const ScalarForm& p, const Subinterval& part) const noexcept;
+  Outcome decide_at_root(const ScalarForm& p, const Subinterval& part) noexcept;
   struct Time {
     bool known = false;
     BoundedPair root;
     double lower = 0;  ///< the greatest double below the root, which is no double itself
   };
-  Time time_of(const ScalarForm& slope, const Part& part, double t, double radius) const noexcept;
-  Finding refine(const ScalarForm& slope, const Part& part, double t, double radius) noexcept;
+  Time time_of(const ScalarForm& slope, const Subinterval& part, double t, double radius) const noexcept;
+  Outcome refine(const ScalarForm& slope, const Subinterval& part, double t, double radius) noexcept;
   BoundedPair value(const FrameAt& frame) const noexcept;
   template <class Frame>
   Side side_of_point(const Frame& frame) const noexcept;
@@ -142,7 +142,7 @@ class Search {
 
 /// Whether a point is certainly not on the edge, or not on the other point.
 template <class Frame>
-Side Search::side_of_point(const Frame& frame) const noexcept {
+Side CurvedBracketSearch::side_of_point(const Frame& frame) const noexcept {
   const auto& between = frame.between;
   for (Index k = 0; k < 3; ++k) {
     const int sign =
@@ -156,7 +156,7 @@ Side Search::side_of_point(const Frame& frame) const noexcept {
 }
 
 /// At all times within `radius` of t.
-Side Search::side_over(double t, double radius) const noexcept {
+Side CurvedBracketSearch::side_over(double t, double radius) const noexcept {
   struct Frame {
     geometry::Vector<Bounded> between, w;
     Bounded second_multiplier;
@@ -174,7 +174,8 @@ Side Search::side_over(double t, double radius) const noexcept {
   return side_of(conditions_of(kind_, frame.between, u, frame.w, first, frame.second_multiplier, axis, negative));
 }
 
-Search::Variations Search::variations(const ScalarForm& p, const Part& part) const noexcept {
+CurvedBracketSearch::Variations CurvedBracketSearch::variations(const ScalarForm& p,
+                                                                const Subinterval& part) const noexcept {
   const Index size = static_cast<Index>(p.degree) + 1;
   const double bound = numbers::kBoundSlack * part.error;
   const auto sign = [&](Index k) { return part.b[k] > bound ? 1 : part.b[k] < -bound ? -1 : 0; };
@@ -197,14 +198,14 @@ Search::Variations Search::variations(const ScalarForm& p, const Part& part) con
   return changes == 0 ? Variations::none : Variations::one;
 }
 
-Finding Search::decide(const ScalarForm& p, Index component) noexcept {
+Outcome CurvedBracketSearch::decide(const ScalarForm& p, Index component) noexcept {
   component_ = component;
   const Index size = static_cast<Index>(p.degree) + 1;
   // A part is cut at most so many times in a row, and so many parts are looked at. Each cut adds at most 5 binary
   // digits to the ends of a part, so 10 cuts keep them, and their middle, exact.
   constexpr Index kMostCuts = 10;
   constexpr int kMostParts = 32;
-  std::array<Part, kMostCuts + 1> parts;  // still to come, the first one last
+  std::array<Subinterval, kMostCuts + 1> parts;  // still to come, the first one last
   parts[0].low = 0;
   parts[0].high = 1;
   parts[0].cuts = 0;
@@ -213,24 +214,24 @@ Finding Search::decide(const ScalarForm& p, Index component) noexcept {
   parts[0].error = p.error + kRounding * p.size + numbers::kUnderflow;
   // What vanishes at all times, or seems to, has no roots to look for.
   const auto vanishes = [&](double b) { return std::fabs(b) <= numbers::kBoundSlack * parts[0].error; };
-  if (std::all_of(parts[0].b.begin(), parts[0].b.begin() + p.degree + 1, vanishes)) return Finding::uncertain;
+  if (std::all_of(parts[0].b.begin(), parts[0].b.begin() + p.degree + 1, vanishes)) return Outcome::uncertain;
   if (vanishes(parts[0].b[0]) && side_over(0, 0) != Side::outside) {
     contact_is_likely_ = true;
-    return Finding::uncertain;
+    return Outcome::uncertain;
   }
   Index count = 1;
   for (int looked_at = 0; count > 0; ++looked_at) {
-    Part& part = parts[count - 1];
-    if (part.low > t_max_) return Finding::no_contact;
+    Subinterval& part = parts[count - 1];
+    if (part.low > t_max_) return Outcome::no_contact;
     const Variations variations = this->variations(p, part);
     if (variations == Variations::none) {
       --count;
       continue;
     }
     if (variations == Variations::one) {
-      const Finding finding = decide_at_root(p, part);
-      contact_is_likely_ = finding == Finding::uncertain;
-      if (finding != Finding::no_contact) return finding;
+      const Outcome finding = decide_at_root(p, part);
+      contact_is_likely_ = finding == Outcome::uncertain;
+      if (finding != Outcome::no_contact) return finding;
       --count;
       continue;
     }
@@ -239,10 +240,10 @@ Finding Search::decide(const ScalarForm& p, Index component) noexcept {
       --count;
       continue;
     }
-    if (part.cuts == kMostCuts || looked_at >= kMostParts) return Finding::uncertain;
+    if (part.cuts == kMostCuts || looked_at >= kMostParts) return Outcome::uncertain;
     // A cut in the middle is often at a root of a query that people make.
-    Part& right = part;
-    Part& left = parts[count];
+    Subinterval& right = part;
+    Subinterval& left = parts[count];
     ++count;
     const double error = part.error + exact_cut_error(p.degree, p.size);
     const std::array<double, kMostCurvedDegree + 1> whole = part.b;
@@ -258,12 +259,12 @@ Finding Search::decide(const ScalarForm& p, Index component) noexcept {
     left.error = right.error = error;
     left.cuts = ++right.cuts;
   }
-  return Finding::no_contact;
+  return Outcome::no_contact;
 }
 
 /// Decides at the one root of p in the part, a simple one; p has certain signs at its ends. `no_contact` says that the
 /// elements do not touch there within [0, t_max].
-Finding Search::decide_at_root(const ScalarForm& p, const Part& part) noexcept {
+Outcome CurvedBracketSearch::decide_at_root(const ScalarForm& p, const Subinterval& part) noexcept {
   const double sign_low = part.b[0] > 0 ? 1 : -1;
   const ScalarForm slope = derivative_of(p);
   // A double near the root, by Newton's method with bisection; only a hint.
@@ -288,27 +289,28 @@ Finding Search::decide_at_root(const ScalarForm& p, const Part& part) noexcept {
   constexpr double kWider = 16;
   bool found = false;
   for (int i = 0; i < kTries && !found; ++i, radius *= kWider) {
-    if (!(radius < 1)) return Finding::uncertain;
+    if (!(radius < 1)) return Outcome::uncertain;
     low = std::max(part.low, t - radius);
     high = std::min(part.high, t + radius);
     found = (low == part.low || certain_side(low) > 0) && (high == part.high || certain_side(high) < 0);
   }
-  if (!found) return Finding::uncertain;
-  if (low > t_max_) return Finding::no_contact;
+  if (!found) return Outcome::uncertain;
+  if (low > t_max_) return Outcome::no_contact;
   const double reach = (1 + 0x1p-50) * std::max(t - low, high - t);
   const Side side = side_over(t, reach);
-  if (side == Side::outside) return Finding::no_contact;
-  return side == Side::unknown ? Finding::uncertain : refine(slope, part, t, reach);
+  if (side == Side::outside) return Outcome::no_contact;
+  return side == Side::unknown ? Outcome::uncertain : refine(slope, part, t, reach);
 }
 
-BoundedPair Search::value(const FrameAt& frame) const noexcept {
+BoundedPair CurvedBracketSearch::value(const FrameAt& frame) const noexcept {
   if (kind_ == Kind::point_point) return frame.between[component_];
   if (kind_ == Kind::point_edge) return geometry::cross_component(frame.between, frame.w, component_);
   return geometry::dot(geometry::cross(frame.u, frame.w), frame.between);
 }
 
 /// The root in the part, which is within `radius` of t. V's slope over all of this is that of `slope`.
-Search::Time Search::time_of(const ScalarForm& slope, const Part& part, double t, double radius) const noexcept {
+CurvedBracketSearch::Time CurvedBracketSearch::time_of(const ScalarForm& slope, const Subinterval& part, double t,
+                                                       double radius) const noexcept {
   const double change = slope_of(slope);
   Time time;
   double off = 0;
@@ -340,12 +342,13 @@ Search::Time Search::time_of(const ScalarForm& slope, const Part& part, double t
 }
 
 /// Decides at the one root in the part, which is within `radius` of t.
-Finding Search::refine(const ScalarForm& slope, const Part& part, double t, double radius) noexcept {
+Outcome CurvedBracketSearch::refine(const ScalarForm& slope, const Subinterval& part, double t,
+                                    double radius) noexcept {
   const Time time = time_of(slope, part, t, radius);
-  if (!time.known) return Finding::uncertain;
-  if (time.lower >= t_max_) return Finding::no_contact;
+  if (!time.known) return Outcome::uncertain;
+  if (time.lower >= t_max_) return Outcome::no_contact;
   const FrameAt frame = frame_at(query_, time.root);
-  if (!has_cubic(kind_)) return side_of_point(frame) == Side::outside ? Finding::no_contact : Finding::uncertain;
+  if (!has_cubic(kind_)) return side_of_point(frame) == Side::outside ? Outcome::no_contact : Outcome::uncertain;
 
   std::array<double, 3> n;
   for (Index k = 0; k < 3; ++k) n[k] = geometry::cross_component(frame.u, frame.w, k).value.high;
@@ -353,8 +356,8 @@ Finding Search::refine(const ScalarForm& slope, const Part& part, double t, doub
   const auto conditions = conditions_of(kind_, frame.between, frame.u, frame.w, frame.first_multiplier,
                                         frame.second_multiplier, axis, negative);
   const Side side = side_of(conditions);
-  if (side == Side::outside) return Finding::no_contact;
-  if (side != Side::inside) return Finding::uncertain;
+  if (side == Side::outside) return Outcome::no_contact;
+  if (side != Side::inside) return Outcome::uncertain;
   Answer answer;
   answer.level = Level::bracket;
   answer.contact = true;
@@ -379,9 +382,9 @@ Finding Search::refine(const ScalarForm& slope, const Part& part, double t, doub
     answer.weights_b = {weight(0, 0), weight(1, 0), weight(2, 0)};
     sum = answer.weights_b[0] + answer.weights_b[1] + answer.weights_b[2];
   }
-  if (!(sum >= 0)) return Finding::uncertain;
+  if (!(sum >= 0)) return Outcome::uncertain;
   answer_ = answer;
-  return Finding::contact;
+  return Outcome::contact;
 }
 
 }  // namespace
@@ -389,7 +392,7 @@ Finding Search::refine(const ScalarForm& slope, const Part& part, double t, doub
 namespace {
 
 /// Decides from the roots of V or, for a point, of components. Where they touch, all three components vanish.
-Finding decide_by_roots(Search& search, const CurvedFrame& frame, Kind kind) noexcept {
+Outcome decide_by_roots(CurvedBracketSearch& search, const CurvedFrame& frame, Kind kind) noexcept {
   if (has_cubic(kind)) return search.decide(coplanarity_of(frame));
   for (Index k = 0; k < 3 && !search.contact_is_likely(); ++k) {
     ScalarForm component;
@@ -401,26 +404,26 @@ Finding decide_by_roots(Search& search, const CurvedFrame& frame, Kind kind) noe
       component.error = frame.between.error;
       component.c[0] = frame.between.c[k];
     }
-    if (search.decide(component, k) == Finding::no_contact) return Finding::no_contact;
+    if (search.decide(component, k) == Outcome::no_contact) return Outcome::no_contact;
   }
-  return Finding::uncertain;
+  return Outcome::uncertain;
 }
 
 }  // namespace
 
-Finding decide_in_brackets(const CurvedQuery& query, double t_max, Answer& answer) noexcept {
+Outcome decide_in_brackets(const CurvedQuery& query, double t_max, Answer& answer) noexcept {
   const CurvedFrame frame = curved_frame(query);
-  if (!frame.known) return Finding::uncertain;
-  Search search(query, t_max, frame, answer);
-  const Finding finding = decide_by_roots(search, frame, query.kind);
-  if (finding != Finding::uncertain || search.contact_is_likely()) return finding;
-  return certainly_farther_in_parts(query, frame, Separation(), t_max) ? Finding::no_contact : Finding::uncertain;
+  if (!frame.known) return Outcome::uncertain;
+  CurvedBracketSearch search(query, t_max, frame, answer);
+  const Outcome finding = decide_by_roots(search, frame, query.kind);
+  if (finding != Outcome::uncertain || search.contact_is_likely()) return finding;
+  return certainly_farther_in_parts(query, frame, Separation(), t_max) ? Outcome::no_contact : Outcome::uncertain;
 }
 
-Finding decide_in_brackets(const CurvedQuery& query, const Separation& separation, double t_max,
+Outcome decide_in_brackets(const CurvedQuery& query, const Separation& separation, double t_max,
                            Answer& answer) noexcept {
   const CurvedFrame frame = curved_frame(query);
-  if (!frame.known) return Finding::uncertain;
+  if (!frame.known) return Outcome::uncertain;
   return decide_entry(query, frame, separation, t_max, answer);
 }
 

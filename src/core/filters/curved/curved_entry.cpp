@@ -81,20 +81,20 @@ class CurvedEntry {
         walk_(query, frame, separation),
         answer_(answer) {}
 
-  Finding decide() noexcept {
-    if (!walk_.known()) return Finding::uncertain;
+  Outcome decide() noexcept {
+    if (!walk_.known()) return Outcome::uncertain;
     const CurvedWalk::Result walked = walk_.walk(t_max_);
     switch (walked.end) {
-      case WalkEnd::clear: return Finding::no_contact;
+      case WalkEnd::clear: return Outcome::no_contact;
       case WalkEnd::near: return enter(walked.low, walked.high);
       case WalkEnd::start: return starts_within();
       case WalkEnd::lost: break;
     }
-    return Finding::uncertain;
+    return Outcome::uncertain;
   }
 
  private:
-  Place place_at(double t) const noexcept;
+  StepAt place_at(double t) const noexcept;
   Hint hint_at(double t) const noexcept;
   double about_entry(double low, double high) const noexcept;
   PointDifferences<Jet> near(double t, double radius) const noexcept;
@@ -103,8 +103,8 @@ class CurvedEntry {
   Feet<N> feet(const Hint& hint, const PointDifferences<N>& x, bool own_level) const noexcept;
   template <class N>
   N excess(const Feet<N>& feet, const N& scale) const noexcept;
-  Finding enter(double low, double high) noexcept;
-  Finding starts_within() noexcept;
+  Outcome enter(double low, double high) noexcept;
+  Outcome starts_within() noexcept;
   bool describe(const Hint& hint, const Feet<BoundedPair>& feet, Answer& answer) const noexcept;
 
   const CurvedQuery& query_;
@@ -118,13 +118,13 @@ class CurvedEntry {
 };
 
 /// In doubles, with the multipliers.
-Place CurvedEntry::place_at(double t) const noexcept {
+StepAt CurvedEntry::place_at(double t) const noexcept {
   const auto vector = [t](const VectorForm& form, double factor) {
     const auto v = value_at(form, t, 0, 0);
     return Vector{{factor * v[0].value, factor * v[1].value, factor * v[2].value}};
   };
   const double first = value_at(frame_.first_multiplier, t).value, second = value_at(frame_.second_multiplier, t).value;
-  Place place = {};
+  StepAt place = {};
   place.t = first * second;  // the scale
   place.r = vector(frame_.between, 1);
   if (kind_ == Kind::point_point) return place;
@@ -139,7 +139,7 @@ Place CurvedEntry::place_at(double t) const noexcept {
 }
 
 Hint CurvedEntry::hint_at(double t) const noexcept {
-  const Place place = place_at(t);
+  const StepAt place = place_at(t);
   Hint hint;
   if (metric_ == Metric::euclidean) {
     hint.p = closest(domain_, place.r, place.u, place.w);
@@ -252,20 +252,20 @@ bool CurvedEntry::describe(const Hint& hint, const Feet<BoundedPair>& feet, Answ
 }
 
 /// The elements are apart up to about `low`, and seem to be within the separation at `high`.
-Finding CurvedEntry::enter(double low, double high) noexcept {
+Outcome CurvedEntry::enter(double low, double high) noexcept {
   // All conditions must hold at all times within this radius of about the time of entry.
   constexpr double kRadius = 0x1p-24;
   constexpr double kLonger = 0x1p-46;
   double t = about_entry(low, high);
   const double start = t - kRadius;
-  if (!(t > 0 && t + kRadius <= 1)) return Finding::uncertain;
+  if (!(t > 0 && t + kRadius <= 1)) return Outcome::uncertain;
   const Hint hint = hint_at(t);
   const PointDifferences<Jet> around = near(t, kRadius);
   const Feet<Jet> closest = feet(hint, around, false);
-  if (!certainly_closest(closest)) return Finding::uncertain;
+  if (!certainly_closest(closest)) return Outcome::uncertain;
   const Bounded slope = excess(closest, around.scale).slope;
   const double steep = -slope.value, least_steep = steep - kBoundSlack * slope.error;
-  if (!(least_steep > 0.5 * steep)) return Finding::uncertain;
+  if (!(least_steep > 0.5 * steep)) return Outcome::uncertain;
 
   // The excess falls all around t. With the value v at t, its root is at t + v / s for a slope -s in between: off by at
   // most (v's error + |v| (s's error) / s) / (least s), and e times it for each of 3 roundings. There is a root if
@@ -278,12 +278,12 @@ Finding CurvedEntry::enter(double low, double high) noexcept {
     const double size = std::fabs(v.value.high);
     const double reach = 1.125 * ((size + v.error) / least_steep);
     const double radius = step == 0 ? std::min(kRadius, t) : 0x1p-40;
-    if (!(reach < std::min(radius, t))) return Finding::uncertain;
+    if (!(reach < std::min(radius, t))) return Outcome::uncertain;
     const double off = (1 + 0x1p-20) * ((v.error + size * (4 * kRounding + slope.error / steep)) / least_steep);
     root = {numbers::two_sum(t, v.value.high / steep), off};
     constexpr double kGood = 0x1p-75;
     t = root.value.high;
-    if (!(t > 0)) return Finding::uncertain;
+    if (!(t > 0)) return Outcome::uncertain;
     if (off <= kGood * t) break;
   }
   const auto sign_at = [&](double time) {
@@ -291,43 +291,43 @@ Finding CurvedEntry::enter(double low, double high) noexcept {
     return excess(feet(hint, x, false), x.scale).sign();
   };
   double lower = 0;
-  if (!double_below(root, sign_at, true, lower)) return Finding::uncertain;
-  if (start > low * (1 - kLonger) && !walk_.farther_between(low, start)) return Finding::uncertain;
-  if (lower >= t_max_) return Finding::no_contact;
+  if (!double_below(root, sign_at, true, lower)) return Outcome::uncertain;
+  if (start > low * (1 - kLonger) && !walk_.farther_between(low, start)) return Outcome::uncertain;
+  if (lower >= t_max_) return Outcome::no_contact;
   Answer answer;
-  if (!describe(hint, feet(hint, at(root), false), answer)) return Finding::uncertain;
+  if (!describe(hint, feet(hint, at(root), false), answer)) return Outcome::uncertain;
   answer.nature = Nature::entering;
   answer.trend = Trend::approaching;
   answer.toi = lower;
   answer.toi_upper = after(lower);
   answer_ = answer;
-  return Finding::contact;
+  return Outcome::contact;
 }
 
 /// The elements seem to be within the separation at t = 0.
-Finding CurvedEntry::starts_within() noexcept {
+Outcome CurvedEntry::starts_within() noexcept {
   const Hint hint = hint_at(0);
   const PointDifferences<Jet> around = near(0, 0);
   const Feet<Jet> closest = feet(hint, around, true);
-  if (!certainly_closest(closest) || excess(closest, around.scale).sign() >= 0) return Finding::uncertain;
+  if (!certainly_closest(closest) || excess(closest, around.scale).sign() >= 0) return Outcome::uncertain;
   // The distance, or its square, without the scale: gap / whole.
   const Jet factor = metric_ == Metric::euclidean ? around.scale * around.scale : around.scale;
   const Jet whole = closest.measure * factor;
   const int course = (closest.gap.slope * whole.value - closest.gap.value * whole.slope).sign();
-  if (course == 0) return Finding::uncertain;
+  if (course == 0) return Outcome::uncertain;
   Answer answer;
-  if (!describe(hint, feet(hint, at(numbers::exact_pair(0)), true), answer)) return Finding::uncertain;
+  if (!describe(hint, feet(hint, at(numbers::exact_pair(0)), true), answer)) return Outcome::uncertain;
   answer.nature = Nature::sustained;
   answer.trend = course < 0 ? Trend::approaching : Trend::leaving;
   answer.toi = answer.toi_upper = 0;
   answer.starts_within = true;
   answer_ = answer;
-  return Finding::contact;
+  return Outcome::contact;
 }
 
 }  // namespace
 
-Finding decide_entry(const CurvedQuery& query, const CurvedFrame& frame, const Separation& separation, double t_max,
+Outcome decide_entry(const CurvedQuery& query, const CurvedFrame& frame, const Separation& separation, double t_max,
                      Answer& answer) noexcept {
   return CurvedEntry(query, frame, separation, t_max, answer).decide();
 }

@@ -15,7 +15,7 @@ namespace touchstone::filters {
 /// answer is complete, but for its level; otherwise it is untouched. Uncertain where the elements graze the separation,
 /// where the exact time is a double, and where the closest points are not certainly the only ones.
 /// @param frame  of the query, known
-Finding decide_entry(const CurvedQuery& query, const CurvedFrame& frame, const Separation& separation, double t_max,
+Outcome decide_entry(const CurvedQuery& query, const CurvedFrame& frame, const Separation& separation, double t_max,
                      Answer& answer) noexcept;
 
 }  // namespace touchstone::filters

@@ -30,8 +30,8 @@ double copy(const CurvedForm<Dim>& form, std::array<std::array<double, Size>, Di
 }
 
 /// The difference of two points as r - s u - q w, from the pairs of corners.
-Place place_of(Kind kind, const std::array<Vector, 4>& pairs) noexcept {
-  Place place = {};
+StepAt place_of(Kind kind, const std::array<Vector, 4>& pairs) noexcept {
+  StepAt place = {};
   place.r = pairs[0];
   if (kind == Kind::point_point) return place;
   const Vector w = pairs[0] - pairs[1];
@@ -92,7 +92,7 @@ CurvedWalk::CurvedWalk(const CurvedQuery& query, const CurvedFrame& frame, const
 }
 
 /// `right` is all of a part at first.
-void CurvedWalk::cut(Part& left, Part& right, double place) const noexcept {
+void CurvedWalk::cut(PathPart& left, PathPart& right, double place) const noexcept {
   for (Index i = 0; i < pairs_; ++i) {
     for (Index axis = 0; axis < 3; ++axis) cut_at(left.pairs[i][axis], right.pairs[i][axis], degree_, place);
   }
@@ -103,7 +103,7 @@ void CurvedWalk::cut(Part& left, Part& right, double place) const noexcept {
   left.high = right.low = right.low + place * (right.high - right.low);
 }
 
-CurvedWalk::Pairs CurvedWalk::pairs_at(const Part& part, Index k) const noexcept {
+CurvedWalk::Pairs CurvedWalk::pairs_at(const PathPart& part, Index k) const noexcept {
   Pairs pairs = {};
   for (Index i = 0; i < pairs_; ++i) {
     for (Index axis = 0; axis < 3; ++axis) pairs[i][axis] = part.pairs[i][axis][k];
@@ -112,12 +112,12 @@ CurvedWalk::Pairs CurvedWalk::pairs_at(const Part& part, Index k) const noexcept
 }
 
 /// About the part's middle.
-CurvedWalk::Pairs CurvedWalk::mean(const Part& part) const noexcept {
+CurvedWalk::Pairs CurvedWalk::mean(const PathPart& part) const noexcept {
   Pairs result = {};
-  const double share = 1 / (degree_ + 1.0);
+  const double fraction = 1 / (degree_ + 1.0);
   for (Index i = 0; i < pairs_; ++i) {
     for (Index axis = 0; axis < 3; ++axis) {
-      for (Index k = 0; k <= static_cast<Index>(degree_); ++k) result[i][axis] += share * part.pairs[i][axis][k];
+      for (Index k = 0; k <= static_cast<Index>(degree_); ++k) result[i][axis] += fraction * part.pairs[i][axis][k];
     }
   }
   return result;
@@ -125,7 +125,7 @@ CurvedWalk::Pairs CurvedWalk::mean(const Part& part) const noexcept {
 
 /// About the direction that keeps the elements farthest apart where the pairs are these, and the distance along it.
 CurvedWalk::Best CurvedWalk::best(const Pairs& pairs) const noexcept {
-  const Place place = place_of(kind_, pairs);
+  const StepAt place = place_of(kind_, pairs);
   const Domain domain = domain_of(kind_);
   if (metric_ == Metric::max) {
     const auto [facet, distance] = FacetSearch(domain, place).best();
@@ -138,7 +138,7 @@ CurvedWalk::Best CurvedWalk::best(const Pairs& pairs) const noexcept {
 }
 
 /// Whether the direction shows that the elements are farther apart over the part.
-bool CurvedWalk::separates(const Part& part, Vector n) const noexcept {
+bool CurvedWalk::separates(const PathPart& part, Vector n) const noexcept {
   if (!unite(n)) return false;
   const double reach = kReach * (dual_norm(n, metric_) * distance_);
   const double error = projection_error(part.error, size_);
@@ -154,7 +154,7 @@ bool CurvedWalk::separates(const Part& part, Vector n) const noexcept {
 /// The same for a direction that goes evenly from `m` to `n` over the part. Its length is at most what goes evenly from
 /// |m| to |n|. So the difference of a projection and what it must exceed is at least a polynomial of degree 1 more than
 /// the pairs have. Its Bernstein coefficients, times that degree, are what is compared here.
-bool CurvedWalk::separates_in_turning(const Part& part, Vector m, Vector n) const noexcept {
+bool CurvedWalk::separates_in_turning(const PathPart& part, Vector m, Vector n) const noexcept {
   if (!unite(m) || !unite(n)) return false;
   const double m_reach = kReach * (dual_norm(m, metric_) * distance_);
   const double n_reach = kReach * (dual_norm(n, metric_) * distance_);
@@ -176,7 +176,7 @@ bool CurvedWalk::separates_in_turning(const Part& part, Vector m, Vector n) cons
   return true;
 }
 
-bool CurvedWalk::separates_somehow(const Part& part) const noexcept {
+bool CurvedWalk::separates_somehow(const PathPart& part) const noexcept {
   const Pairs about = mean(part);
   if (separates(part, best(about).direction)) return true;
   if (metric_ != Metric::max) return false;
@@ -189,24 +189,24 @@ bool CurvedWalk::separates_somehow(const Part& part) const noexcept {
 }
 
 /// Whether they are within the distance of each other at the part's start or, for k the degree, at its end; a hint.
-bool CurvedWalk::seem_near(const Part& part, Index k) const noexcept {
+bool CurvedWalk::seem_near(const PathPart& part, Index k) const noexcept {
   return !(best(pairs_at(part, k)).distance > distance_ * part.scale[k]);
 }
 
 CurvedWalk::Result CurvedWalk::walk(double t_max) const noexcept {
   constexpr Index kMostCuts = 10;
   constexpr int kMostParts = 48;
-  std::array<Part, kMostCuts + 1> parts;  // still to come, the first one last
+  std::array<PathPart, kMostCuts + 1> parts;  // still to come, the first one last
   parts[0] = whole_;
   if (seem_near(whole_, 0)) return {WalkEnd::start, 0, 0};
   if (t_max < 1) {
-    Part whole = whole_;
+    PathPart whole = whole_;
     cut(parts[0], whole, t_max);
   }
   const Index last = static_cast<Index>(degree_);
   Index count = 1;
   for (int looked_at = 0; count > 0; ++looked_at) {
-    Part& part = parts[count - 1];
+    PathPart& part = parts[count - 1];
     if (separates_somehow(part)) {
       --count;
       continue;
@@ -214,7 +214,7 @@ CurvedWalk::Result CurvedWalk::walk(double t_max) const noexcept {
     if (count == parts.size() || looked_at >= kMostParts) {
       return {seem_near(part, last) ? WalkEnd::near : WalkEnd::lost, part.low, part.high};
     }
-    Part& left = parts[count];
+    PathPart& left = parts[count];
     cut(left, part, 0.5);
     if (seem_near(part, 0)) return {WalkEnd::near, left.low, left.high};
     ++count;
@@ -227,8 +227,8 @@ bool CurvedWalk::farther_between(double low, double high) const noexcept {
   constexpr double kLonger = 0x1p-48;
   constexpr Index kMostCuts = 16;
   constexpr int kMostParts = 32;
-  std::array<Part, kMostCuts + 1> parts;
-  Part rest = whole_;
+  std::array<PathPart, kMostCuts + 1> parts;
+  PathPart rest = whole_;
   high = std::min(high * (1 + kLonger), 1.0);
   if (!(high > 0)) return false;
   if (high < 1) {
@@ -241,7 +241,7 @@ bool CurvedWalk::farther_between(double low, double high) const noexcept {
   const Index last = static_cast<Index>(degree_);
   Index count = 1;
   for (int looked_at = 0; count > 0; ++looked_at) {
-    Part& part = parts[count - 1];
+    PathPart& part = parts[count - 1];
     const Vector first = best(pairs_at(part, 0)).direction, second = best(pairs_at(part, last)).direction;
     if (separates_in_turning(part, first, second) || separates(part, second)) {
       --count;

@@ -43,7 +43,7 @@ class CurvedWalk {
 
   /// The corners of the second element minus those of the first, and the scale that they are multiplied by, over a part
   /// of the step, in the Bernstein basis.
-  struct Part {
+  struct PathPart {
     double low, high;
     std::array<std::array<std::array<double, kSize>, 3>, 4> pairs;  // B - A first
     std::array<double, kSize> scale;
@@ -56,14 +56,14 @@ class CurvedWalk {
     double distance;
   };
 
-  Pairs pairs_at(const Part& part, std::size_t k) const noexcept;
-  Pairs mean(const Part& part) const noexcept;
-  void cut(Part& left, Part& right, double place) const noexcept;
+  Pairs pairs_at(const PathPart& part, std::size_t k) const noexcept;
+  Pairs mean(const PathPart& part) const noexcept;
+  void cut(PathPart& left, PathPart& right, double place) const noexcept;
   Best best(const Pairs& pairs) const noexcept;
-  bool separates(const Part& part, Vector n) const noexcept;
-  bool separates_in_turning(const Part& part, Vector m, Vector n) const noexcept;
-  bool separates_somehow(const Part& part) const noexcept;
-  bool seem_near(const Part& part, std::size_t k) const noexcept;
+  bool separates(const PathPart& part, Vector n) const noexcept;
+  bool separates_in_turning(const PathPart& part, Vector m, Vector n) const noexcept;
+  bool separates_somehow(const PathPart& part) const noexcept;
+  bool seem_near(const PathPart& part, std::size_t k) const noexcept;
 
   Kind kind_;
   Metric metric_;
@@ -73,7 +73,7 @@ class CurvedWalk {
   double size_ = 0;        // of the pairs' coefficients
   double scale_size_ = 0;  // of the scale's
   double distance_ = 0;
-  Part whole_;
+  PathPart whole_;
 };
 
 /// Whether directions, each for a part of the step, show that the elements are farther from each other than a

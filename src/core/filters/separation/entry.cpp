@@ -73,18 +73,19 @@ class EuclideanEntry {
         precise_(query),
         answer_(answer) {}
 
-  Finding decide() noexcept {
+  Outcome decide() noexcept {
     return decide_by_walk(
         step_, separation_, t_max_, [this](double t) { return closest_place(t); },
-        [this](const Place& from) { return enter(from); }, [this](const Place& start) { return starts_within(start); });
+        [this](const StepAt& from) { return enter(from); },
+        [this](const StepAt& start) { return starts_within(start); });
   }
 
  private:
-  Parameters closest_at(const Place& place) const noexcept { return closest(step_.domain, place.r, place.u, place.w); }
+  Parameters closest_at(const StepAt& place) const noexcept { return closest(step_.domain, place.r, place.u, place.w); }
 
   /// The place whose direction is between the closest points.
-  Place closest_place(double t) const noexcept {
-    Place place = bare_place(step_, t);
+  StepAt closest_place(double t) const noexcept {
+    StepAt place = bare_place(step_, t);
     const Parameters p = closest_at(place);
     place.n = combined(place.r, place.u, place.w, p.s, p.q);
     // |c|^2 falls by twice the approach a time.
@@ -183,48 +184,48 @@ class EuclideanEntry {
   }
 
   /// The elements are apart up to a place, and come within the separation soon after it.
-  Finding enter(const Place& from) noexcept {
+  Outcome enter(const StepAt& from) noexcept {
     const double estimate = from.t + from.until;
-    if (!(estimate >= 0 && estimate <= 1)) return Finding::uncertain;
+    if (!(estimate >= 0 && estimate <= 1)) return Outcome::uncertain;
     const Parameters p = closest_at(bare_place(step_, estimate));
     // Newton's steps in double-doubles find the neighbouring doubles.
     double toi = estimate;
     constexpr int kMostSteps = 4;
     for (int i = 0; i < kMostSteps; ++i) {
       const ClosestPoints found = refine(toi, p);
-      if (!found.ok || !allowed(found)) return Finding::uncertain;
+      if (!found.ok || !allowed(found)) return Outcome::uncertain;
       const Vector velocity = velocity_of(found);
       const double approach = -dot(found.c, velocity);
-      if (!(approach > 0)) return Finding::uncertain;
+      if (!(approach > 0)) return Outcome::uncertain;
       const double rest = found.excess / (2 * approach);  // until the entry
       const double upper = std::nextafter(toi, 2.0);
       if (!(rest > 0 && rest < upper - toi)) {
         const DoubleDouble better = numbers::two_sum(toi, rest);
         const double below = better.low < 0 ? std::nextafter(better.high, -1.0) : better.high;
-        if (below == toi || !(below >= 0 && below <= 1)) return Finding::uncertain;
+        if (below == toi || !(below >= 0 && below <= 1)) return Outcome::uncertain;
         toi = below;
         continue;
       }
       return conclude(from, toi, upper, found, velocity);
     }
-    return Finding::uncertain;
+    return Outcome::uncertain;
   }
 
   Vector velocity_of(const ClosestPoints& found) const noexcept {
     return combined(step_.r_slope, step_.u_slope, step_.w_slope, found.p.s + found.ds, found.p.q + found.dq);
   }
 
-  Finding conclude(const Place& from, double toi, double upper, const ClosestPoints& found,
+  Outcome conclude(const StepAt& from, double toi, double upper, const ClosestPoints& found,
                    const Vector& velocity) noexcept {
     const double length = std::sqrt(dot(found.c, found.c));
     // D > d up to toi. For n = c, |n|^2 - d |n| = |n| / (|n| + d) (|n|^2 - d^2).
     if (toi > from.t) {
-      if (!(found.excess > found.error)) return Finding::uncertain;
+      if (!(found.excess > found.error)) return Outcome::uncertain;
       const double share = length / (length + distance_) * (1 - 8 * kUnit);
-      if (!(share * (found.excess - found.error) + found.lowest > found.error)) return Finding::uncertain;
-      if (!stays_clear(step_, from, toi, found.c, separation_)) return Finding::uncertain;
+      if (!(share * (found.excess - found.error) + found.lowest > found.error)) return Outcome::uncertain;
+      if (!stays_clear(step_, from, toi, found.c, separation_)) return Outcome::uncertain;
     }
-    if (upper > t_max_) return Finding::no_contact;
+    if (upper > t_max_) return Outcome::no_contact;
     // D <= d at the next double: |c + h velocity|^2 - d^2 <= 0. Nothing cancels in the change, because `describe` asks
     // for an approach far above the terms that are taken from it.
     const double h = upper - toi;
@@ -232,7 +233,7 @@ class EuclideanEntry {
     const double speed = step_.speed;
     const double slope_error = kWalkError * largest_of(found.c) * (speed + step_.size);
     const double change = 2 * h * (approach - slope_error) - 5 * h * h * speed * speed;
-    if (!(found.excess + found.error < change * (1 - 8 * kUnit))) return Finding::uncertain;
+    if (!(found.excess + found.error < change * (1 - 8 * kUnit))) return Outcome::uncertain;
     return describe(toi, upper, h, found, velocity, approach, slope_error, Nature::entering);
   }
 
@@ -259,7 +260,7 @@ class EuclideanEntry {
 
   /// The answer, once the exact time is known to lie in [toi, upper], where h = upper - toi and the velocity is that of
   /// c.
-  Finding describe(double toi, double upper, double h, const ClosestPoints& found, const Vector& velocity,
+  Outcome describe(double toi, double upper, double h, const ClosestPoints& found, const Vector& velocity,
                    double approach, double slope_error, Nature nature) noexcept {
     const double speed = step_.speed;
     const double c_size = largest_of(found.c);
@@ -279,7 +280,7 @@ class EuclideanEntry {
     const Parameters rate = rates(found, velocity, free);
     const double shift = (rest + rest_error) * (std::fabs(rate.s) + std::fabs(rate.q));
     constexpr double kMostChange = 0x1p-40;  // small beside the margin of free parameters
-    if (!(shift <= kMostChange)) return Finding::uncertain;
+    if (!(shift <= kMostChange)) return Outcome::uncertain;
     // How far c . u and c . w, for parameters that move at their rates, may be from 0 at the exact time. Their first
     // derivatives for fixed parameters are at most 3 speed (U + C). Their second ones are at most 6 speed^2 and,
     // because u and w change while the parameters move, 12 (|s'| + |q'|) speed (U + W). The rates' own roundings are
@@ -302,17 +303,17 @@ class EuclideanEntry {
     switch (free) {
       case Free::none: break;
       case Free::s:
-        if (!is_long(found.uu, u_size)) return Finding::uncertain;
+        if (!is_long(found.uu, u_size)) return Outcome::uncertain;
         ds = kSolveReserve * cu_most / found.uu;
         longer = ds * cu_most;
         break;
       case Free::q:
-        if (!is_long(found.ww, w_size)) return Finding::uncertain;
+        if (!is_long(found.ww, w_size)) return Outcome::uncertain;
         dq = kSolveReserve * cw_most / found.ww;
         longer = dq * cw_most;
         break;
       case Free::sum: {
-        if (!is_long(found.ee, u_size + w_size)) return Finding::uncertain;
+        if (!is_long(found.ee, u_size + w_size)) return Outcome::uncertain;
         const double most = std::fabs(found.difference) + cu_error + cw_error;
         ds = dq = kSolveReserve * most / found.ee;
         longer = ds * most;
@@ -321,8 +322,8 @@ class EuclideanEntry {
       case Free::both: {
         // Changes by 2^-38 of the lengths, and roundings, change a determinant of this size by less than a tenth.
         const double determinant = found.uu * found.ww - found.uw * found.uw;
-        if (!is_long(found.uu, u_size) || !is_long(found.ww, w_size)) return Finding::uncertain;
-        if (!(determinant >= 0x1p-24 * found.uu * found.ww)) return Finding::uncertain;
+        if (!is_long(found.uu, u_size) || !is_long(found.ww, w_size)) return Outcome::uncertain;
+        if (!(determinant >= 0x1p-24 * found.uu * found.ww)) return Outcome::uncertain;
         // The rates solve a system of two equations by Cramer's rule. Let A be u^2 w^2 / determinant, F and G the first
         // derivatives of c . u and c . w: F <= 3 speed (U + C), off by 16 e F, and G likewise. The products and the
         // difference are off by 5 e, the determinant by 4 e A of its size. Put into the first equation, the rates leave
@@ -340,23 +341,23 @@ class EuclideanEntry {
       }
     }
     constexpr double kMostError = 0x1p-52;  // leaves room for roundings below 2^-50
-    if (!(ds <= kMostError && dq <= kMostError)) return Finding::uncertain;
-    if (!(longer <= found.error)) return Finding::uncertain;
+    if (!(ds <= kMostError && dq <= kMostError)) return Outcome::uncertain;
+    if (!(longer <= found.error)) return Outcome::uncertain;
     // `approach` changes by |velocity|^2 h, and as c and the velocity change with the parameters: by at most
     // 3 speed (U + W + C) for each unit of these.
     const double approach_error =
         slope_error + 4 * h * speed * speed + 4 * (shift + ds + dq) * speed * (u_size + w_size + c_size);
-    if (h > 0 && !(approach_error <= kSmall * approach)) return Finding::uncertain;
+    if (h > 0 && !(approach_error <= kSmall * approach)) return Outcome::uncertain;
     // Multipliers at the exact time: c . u and c . w also change with the time and the parameters themselves.
     const double moved = 4 * (2 * kMostError + shift) * (u_size + w_size) + 4 * h * speed;
     const double turned = 4 * h * speed * c_size;
     if (!strictly_closest(found, free, cu_error + moved * u_size + turned, cw_error + moved * w_size + turned)) {
-      return Finding::uncertain;
+      return Outcome::uncertain;
     }
     // The distance falls or rises at the exact time, too, but for elements that do not move against each other.
     const bool still = nature == Nature::sustained && precise_.is_still();
     const bool certain = nature == Nature::entering ? approach > approach_error : std::fabs(approach) > approach_error;
-    if (!certain && !still) return Finding::uncertain;
+    if (!certain && !still) return Outcome::uncertain;
     answer_.contact = true;
     answer_.toi = toi;
     answer_.toi_upper = upper;
@@ -364,7 +365,7 @@ class EuclideanEntry {
     answer_.trend = still ? Trend::constant : approach > 0 ? Trend::approaching : Trend::leaving;
     answer_.starts_within = nature == Nature::sustained;
     name_closest(kind_, found.p.s + (found.ds + rest * rate.s), found.p.q + (found.dq + rest * rate.q), free, answer_);
-    return Finding::contact;
+    return Outcome::contact;
   }
 
   /// Whether moving a parameter off its border certainly takes the points apart, to first order.
@@ -398,9 +399,9 @@ class EuclideanEntry {
   }
 
   /// The elements are perhaps within the separation at t = 0.
-  Finding starts_within(const Place& start) noexcept {
+  Outcome starts_within(const StepAt& start) noexcept {
     const ClosestPoints found = refine(0, closest_at(start));
-    if (!found.ok || !allowed(found) || !(found.excess < -found.error)) return Finding::uncertain;
+    if (!found.ok || !allowed(found) || !(found.excess < -found.error)) return Outcome::uncertain;
     const Vector velocity = velocity_of(found);
     const double approach = -dot(found.c, velocity);
     const double speed = step_.speed;
@@ -418,7 +419,7 @@ class EuclideanEntry {
 
 }  // namespace
 
-Finding decide_entry(const Query& query, const Separation& separation, double t_max, Answer& answer) noexcept {
+Outcome decide_entry(const Query& query, const Separation& separation, double t_max, Answer& answer) noexcept {
   if (separation.metric == Metric::max) return decide_max_entry(query, separation, t_max, answer);
   return EuclideanEntry(query, separation, t_max, answer).decide();
 }

@@ -14,6 +14,6 @@ namespace touchstone::filters {
 /// comes in as Answer() and is complete when the finding is `contact`; its level is not set. Uncertain where the
 /// elements graze the separation, where the exact time is a double, where a foot is at a feature's border or the
 /// closest points are not certainly unique, and where coordinates are far from ordinary size.
-Finding decide_entry(const Query& query, const Separation& separation, double t_max, Answer& answer) noexcept;
+Outcome decide_entry(const Query& query, const Separation& separation, double t_max, Answer& answer) noexcept;
 
 }  // namespace touchstone::filters

@@ -85,7 +85,7 @@ class Direction {
 };
 
 /// The step at a time, in doubles.
-struct Place {
+struct StepAt {
   double t;
   Vector r, u, w;
   Vector n;      ///< about the direction that keeps the elements farthest apart
@@ -93,7 +93,7 @@ struct Place {
 };
 
 /// The place at t, without direction.
-inline Place bare_place(const Step& step, double t) noexcept {
+inline StepAt bare_place(const Step& step, double t) noexcept {
   return {
       t,  between(step.r[0], step.r[1], t),       between(step.u[0], step.u[1], t), between(step.w[0], step.w[1], t),
       {}, std::numeric_limits<double>::infinity()};
@@ -101,7 +101,7 @@ inline Place bare_place(const Step& step, double t) noexcept {
 
 /// Whether a direction that turns from one place's to the other's keeps the elements apart between them, if each does
 /// so at its own time.
-inline bool turns_clear(const Step& step, const Place& a, const Place& b, const Separation& separation) noexcept {
+inline bool turns_clear(const Step& step, const StepAt& a, const StepAt& b, const Separation& separation) noexcept {
   const double least = (dot(a.n, b.r) + dot(b.n, a.r)) -
                        greatest_at_corners(step.domain, dot(a.n, b.u) + dot(b.n, a.u), dot(a.n, b.w) + dot(b.n, a.w));
   const double norms = dual_norm(a.n, separation.metric) + dual_norm(b.n, separation.metric);
@@ -111,10 +111,10 @@ inline bool turns_clear(const Step& step, const Place& a, const Place& b, const 
 
 /// Whether the elements are apart between a place, where its own direction may show it, and a later time, where n does.
 /// n may be off by a rounding in each coordinate from a direction for which that is known.
-inline bool stays_clear(const Step& step, const Place& from, double t, const Vector& n,
+inline bool stays_clear(const Step& step, const StepAt& from, double t, const Vector& n,
                         const Separation& separation) noexcept {
   if (Direction(step, n, separation).clear_at(from.t)) return true;
-  Place there = bare_place(step, t);
+  StepAt there = bare_place(step, t);
   there.n = n;
   return Direction(step, from.n, separation).clear_at(from.t) && turns_clear(step, from, there, separation);
 }
@@ -123,10 +123,10 @@ inline bool stays_clear(const Step& step, const Place& from, double t, const Vec
 /// t_max]. Nothing is proved. Where one direction keeps the elements apart from the start to the entry, no walk is
 /// needed.
 template <class PlaceAt>
-Place jump(double t_max, const PlaceAt& place_at) noexcept {
+StepAt jump(double t_max, const PlaceAt& place_at) noexcept {
   constexpr int kMostSteps = 5;
   constexpr double kNear = 0x1p-24;  // another step of Newton's method is as good as doubles are
-  Place start = place_at(0);
+  StepAt start = place_at(0);
   double t = start.until;
   start.until = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kMostSteps && t >= 0 && t <= t_max; ++i) {
@@ -150,7 +150,7 @@ enum class WalkEnd : std::uint8_t {
 
 struct Walk {
   WalkEnd end;
-  Place place;
+  StepAt place;
 };
 
 /// Walks from t = 0 towards the entry.
@@ -159,7 +159,7 @@ template <class PlaceAt>
 Walk walk(const Step& step, const Separation& separation, double t_max, const PlaceAt& place_at) noexcept {
   constexpr int kMostPieces = 24;
   constexpr double kShortPiece = 0x1p-24;  // Newton's step from so near is as good as doubles are
-  Place here = place_at(0);                // the elements are apart up to here
+  StepAt here = place_at(0);               // the elements are apart up to here
   for (int piece = 0; piece < kMostPieces; ++piece) {
     const Direction direction(step, here.n, separation);
     if (!direction.clear_at(here.t)) return {piece == 0 ? WalkEnd::start : WalkEnd::near, here};
@@ -174,7 +174,7 @@ Walk walk(const Step& step, const Separation& separation, double t_max, const Pl
       continue;
     }
     // Elements that turn: so must the direction.
-    const Place there = place_at(std::min(here.t + 0.75 * here.until, t_max));
+    const StepAt there = place_at(std::min(here.t + 0.75 * here.until, t_max));
     if (there.t > here.t && Direction(step, there.n, separation).clear_at(there.t) &&
         turns_clear(step, here, there, separation)) {
       if (there.t == t_max) return {WalkEnd::clear, here};
@@ -194,19 +194,19 @@ Walk walk(const Step& step, const Separation& separation, double t_max, const Pl
 /// apart
 /// @param starts_within  the finding about elements that are perhaps within the separation at t = 0, this place's time
 template <class PlaceAt, class Enter, class StartsWithin>
-Finding decide_by_walk(const Step& step, const Separation& separation, double t_max, const PlaceAt& place_at,
+Outcome decide_by_walk(const Step& step, const Separation& separation, double t_max, const PlaceAt& place_at,
                        const Enter& enter, const StartsWithin& starts_within) noexcept {
-  if (!of_ordinary_size(step, separation.distance)) return Finding::uncertain;
-  const Finding jumped = enter(jump(t_max, place_at));
-  if (jumped != Finding::uncertain) return jumped;
+  if (!of_ordinary_size(step, separation.distance)) return Outcome::uncertain;
+  const Outcome jumped = enter(jump(t_max, place_at));
+  if (jumped != Outcome::uncertain) return jumped;
   const Walk walked = walk(step, separation, t_max, place_at);
   switch (walked.end) {
-    case WalkEnd::clear: return Finding::no_contact;
+    case WalkEnd::clear: return Outcome::no_contact;
     case WalkEnd::near: return enter(walked.place);
     case WalkEnd::start: return starts_within(walked.place);
     case WalkEnd::lost: break;
   }
-  return Finding::uncertain;
+  return Outcome::uncertain;
 }
 
 }  // namespace touchstone::filters

@@ -59,16 +59,17 @@ class MaxEntry {
         precise_(query),
         answer_(answer) {}
 
-  Finding decide() noexcept {
+  Outcome decide() noexcept {
     return decide_by_walk(
         step_, separation_, t_max_, [this](double t) { return facet_place(t); },
-        [this](const Place& from) { return enter(from); }, [this](const Place& start) { return starts_within(start); });
+        [this](const StepAt& from) { return enter(from); },
+        [this](const StepAt& start) { return starts_within(start); });
   }
 
  private:
   /// The place whose direction is the best facet's normal. Without one, the direction is 0, which shows nothing.
-  Place facet_place(double t) const noexcept {
-    Place place = bare_place(step_, t);
+  StepAt facet_place(double t) const noexcept {
+    StepAt place = bare_place(step_, t);
     const auto [facet, distance] = FacetSearch(step_.domain, place).best();
     if (!(distance > 0)) return place;
     const Vector n = normal_of(facet, place.u, place.w, 0.0, 1.0);
@@ -156,11 +157,11 @@ class MaxEntry {
   }
 
   /// The elements are apart up to a place, and come within the separation soon after it.
-  Finding enter(const Place& from) noexcept {
+  Outcome enter(const StepAt& from) noexcept {
     const double estimate = from.t + from.until;
-    if (!(estimate >= 0 && estimate <= 1)) return Finding::uncertain;
+    if (!(estimate >= 0 && estimate <= 1)) return Outcome::uncertain;
     const auto [facet, distance] = FacetSearch(step_.domain, bare_place(step_, estimate)).best();
-    if (!(distance > 0)) return Finding::uncertain;
+    if (!(distance > 0)) return Outcome::uncertain;
     // Newton's steps in double-doubles find the neighbouring doubles.
     double toi = estimate;
     constexpr int kMostSteps = 4;
@@ -168,38 +169,38 @@ class MaxEntry {
       const PreciseFacet found = precise_at(facet, toi, {distance_, 0});
       const double upper = std::nextafter(toi, 2.0);
       const Fall fall = fall_of(facet, found, upper - toi);
-      if (!(fall.rate > fall.error)) return Finding::uncertain;
+      if (!(fall.rate > fall.error)) return Outcome::uncertain;
       const double rest = rounded(found.h) / fall.rate;  // until the entry
       if (!(rest > 0 && rest < upper - toi)) {
         const DoubleDouble better = numbers::two_sum(toi, rest);
         const double below = better.low < 0 ? std::nextafter(better.high, -1.0) : better.high;
-        if (below == toi || !(below >= 0 && below <= 1)) return Finding::uncertain;
+        if (below == toi || !(below >= 0 && below <= 1)) return Outcome::uncertain;
         toi = below;
         continue;
       }
       return conclude(from, facet, toi, upper, found, fall);
     }
-    return Finding::uncertain;
+    return Outcome::uncertain;
   }
 
-  Finding conclude(const Place& from, const Facet& facet, double toi, double upper, const PreciseFacet& found,
+  Outcome conclude(const StepAt& from, const Facet& facet, double toi, double upper, const PreciseFacet& found,
                    const Fall& fall) noexcept {
     const double error = kPreciseError * normal_size(facet) * (step_.size + distance_);
-    if (!(rounded(found.h) > error)) return Finding::uncertain;
-    if (!stands_alone(facet, found) || !solve(facet, found).ok) return Finding::uncertain;
+    if (!(rounded(found.h) > error)) return Outcome::uncertain;
+    if (!stands_alone(facet, found) || !solve(facet, found).ok) return Outcome::uncertain;
     if (toi > from.t) {
       if (!stays_clear(step_, from, toi, scaled_direction(rounded_vector(found.n)), separation_)) {
-        return Finding::uncertain;
+        return Outcome::uncertain;
       }
     }
-    if (upper > t_max_) return Finding::no_contact;
+    if (upper > t_max_) return Outcome::no_contact;
     const PreciseFacet next = precise_at(facet, upper, {distance_, 0});
-    if (!(rounded(next.h) < -error)) return Finding::uncertain;
+    if (!(rounded(next.h) < -error)) return Outcome::uncertain;
     // h falls evenly but for a small part, so the root is at this part of the time between the doubles.
     constexpr double kSmall = 0x1p-20;
-    if (!(fall.error <= kSmall * fall.rate)) return Finding::uncertain;
+    if (!(fall.error <= kSmall * fall.rate)) return Outcome::uncertain;
     const double part = rounded(found.h) / (rounded(found.h) - rounded(next.h));
-    if (!locate(facet, found, &next, part, upper - toi, distance_)) return Finding::uncertain;
+    if (!locate(facet, found, &next, part, upper - toi, distance_)) return Outcome::uncertain;
     answer_.nature = Nature::entering;
     answer_.trend = Trend::approaching;
     return finish(toi, upper);
@@ -316,17 +317,17 @@ class MaxEntry {
     return between_ends(p.s) && between_ends(p.q) && (step_.domain == Domain::square || between_ends((1 - p.s) - p.q));
   }
 
-  Finding finish(double toi, double upper) noexcept {
+  Outcome finish(double toi, double upper) noexcept {
     answer_.contact = true;
     answer_.toi = toi;
     answer_.toi_upper = upper;
-    return Finding::contact;
+    return Outcome::contact;
   }
 
   /// The elements are perhaps within the separation at t = 0.
-  Finding starts_within(const Place& start) noexcept {
+  Outcome starts_within(const StepAt& start) noexcept {
     const auto [facet, distance] = FacetSearch(step_.domain, start).best();
-    if (!(distance > 0)) return Finding::uncertain;
+    if (!(distance > 0)) return Outcome::uncertain;
     // The level at which h = 0: D, if the closest points are found.
     const PreciseFacet zero = precise_at(facet, 0, {0, 0});
     const Vector n = rounded_vector(zero.n);
@@ -337,13 +338,13 @@ class MaxEntry {
     const double rest = rounded(near.h) / norm;
     const double level = first + rest;
     const double margin = kError * (step_.size + distance_);
-    if (!(level > margin && level < distance_ - margin)) return Finding::uncertain;
+    if (!(level > margin && level < distance_ - margin)) return Outcome::uncertain;
     const PreciseFacet found = precise_at(facet, 0, numbers::two_sum(first, rest));
-    if (!stands_alone(facet, found)) return Finding::uncertain;
+    if (!stands_alone(facet, found)) return Outcome::uncertain;
     const Fall fall = fall_of(facet, found, 0);
     const bool still = precise_.is_still();
-    if (!still && !(std::fabs(fall.rate) > fall.error)) return Finding::uncertain;
-    if (!locate(facet, found, nullptr, 0, 0, level)) return Finding::uncertain;
+    if (!still && !(std::fabs(fall.rate) > fall.error)) return Outcome::uncertain;
+    if (!locate(facet, found, nullptr, 0, 0, level)) return Outcome::uncertain;
     answer_.nature = Nature::sustained;
     answer_.trend = still ? Trend::constant : fall.rate > 0 ? Trend::approaching : Trend::leaving;
     answer_.starts_within = true;
@@ -360,7 +361,7 @@ class MaxEntry {
 
 }  // namespace
 
-Finding decide_max_entry(const Query& query, const Separation& separation, double t_max, Answer& answer) noexcept {
+Outcome decide_max_entry(const Query& query, const Separation& separation, double t_max, Answer& answer) noexcept {
   return MaxEntry(query, separation, t_max, answer).decide();
 }
 

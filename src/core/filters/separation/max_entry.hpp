@@ -11,6 +11,6 @@
 namespace touchstone::filters {
 
 /// decide_entry for Metric::max.
-Finding decide_max_entry(const Query& query, const Separation& separation, double t_max, Answer& answer) noexcept;
+Outcome decide_max_entry(const Query& query, const Separation& separation, double t_max, Answer& answer) noexcept;
 
 }  // namespace touchstone::filters

@@ -25,7 +25,7 @@ constexpr int kMiddle = 32;  ///< of 64
 constexpr int kSteady = 3;   ///< an attempt at a cluster costs as much as a few cuts
 
 /// A part of the interval, in which there may be roots.
-struct Part {
+struct Subinterval {
   BernsteinForm form;
   Exact low, high;
   int depth;             ///< so many more cuts may be made
@@ -37,7 +37,8 @@ struct Part {
 /// after a few of them, Newton's method for a root of as many multiplicities as there are variations finds about where
 /// the cluster is. A narrow part there that has all the variations leaves none for the rest: there is no root.
 /// @param right  the form over the part's second half
-std::optional<Part> around_cluster(Coefficients p, const Part& part, int variations, const BernsteinForm& right) {
+std::optional<Subinterval> around_cluster(Coefficients p, const Subinterval& part, int variations,
+                                          const BernsteinForm& right) {
   const Exact slope = right[1] - right[0];
   if (is_zero(slope)) return std::nullopt;
   const double degree = p.size - 1;
@@ -51,7 +52,8 @@ std::optional<Part> around_cluster(Coefficients p, const Part& part, int variati
   BernsteinForm form(p, low, high);
   if (is_zero(form[0]) || is_zero(form[p.size - 1]) || form.variations() != variations) return std::nullopt;
   constexpr int kMostBits = 40;  // the centre is a double
-  return Part{std::move(form), low, high, part.depth - 1, part.steady, std::min(2 * part.cluster_bits, kMostBits)};
+  return Subinterval{std::move(form), low,         high,
+                     part.depth - 1,  part.steady, std::min(2 * part.cluster_bits, kMostBits)};
 }
 
 /// Appends the roots of p in the open interval (low, high), at whose ends p is not zero. Returns false, with some roots
@@ -60,10 +62,10 @@ bool bisect(Coefficients p, const Exact& low, const Exact& high, int depth, int 
             std::vector<RealRoot>& roots) {
   // The parts in which there may be roots, the first one last. Simple roots may be nearer to each other than 2^-3000:
   // the depth has no limit that the machine's stack would hold.
-  std::vector<Part> parts;
+  std::vector<Subinterval> parts;
   parts.push_back({BernsteinForm(p, low, high), low, high, depth});
   while (!parts.empty()) {
-    const Part part = std::move(parts.back());
+    const Subinterval part = std::move(parts.back());
     parts.pop_back();
     const int variations = part.form.variations();
     if (variations == 0) continue;

@@ -65,7 +65,7 @@ void write_whole(const fs::path& path, const std::string& text) {
 }
 
 std::string write_plots(const std::vector<Plot>& plots, const fs::path& folder,
-                        const std::function<void(double share)>& pulse) {
+                        const std::function<void(double fraction)>& pulse) {
   for (const Plot& plot : plots) write_whole(folder / (plot.name + ".gp"), plot.script);
   const auto gnuplot = find_gnuplot();
   if (!gnuplot) {

@@ -22,6 +22,6 @@ void write_whole(const std::filesystem::path& path, const std::string& text);
 /// @returns a line for the user when there is no gnuplot to draw with, or else nothing
 /// @throws Error when something cannot be written, or gnuplot fails
 std::string write_plots(const std::vector<Plot>& plots, const std::filesystem::path& folder,
-                        const std::function<void(double share)>& pulse);
+                        const std::function<void(double fraction)>& pulse);
 
 }  // namespace touchstone::report

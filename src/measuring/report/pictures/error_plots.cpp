@@ -25,10 +25,10 @@ struct Panel {
 std::vector<Panel> panels() {
   return {
       {"Missed contacts", "share of the contacts [%]", "%g", 100,
-       [](const Result& r) { return 100 * r.missed_share(); }},
+       [](const Result& r) { return 100 * r.missed_fraction(); }},
       {"Phantom contacts", "share of the queries without contact [%]", "%g", 100,
-       [](const Result& r) { return 100 * r.phantom_share(); }},
-      {"Late times", "share of the contacts [%]", "%g", 100, [](const Result& r) { return 100 * r.late_share(); }},
+       [](const Result& r) { return 100 * r.phantom_fraction(); }},
+      {"Late times", "share of the contacts [%]", "%g", 100, [](const Result& r) { return 100 * r.late_fraction(); }},
       {"Time error", "median magnitude [ulps]", "10^{%L}", 1,
        [](const Result& r) -> std::optional<double> {
          if (!r.time_error) return std::nullopt;
@@ -41,7 +41,7 @@ std::vector<Panel> panels() {
 std::vector<Panel> overview_panels() {
   return {
       {"Wrong answers: missed, phantom or late", "share of the queries [%]", "%g", 100,
-       [](const Result& r) { return 100 * r.wrong_share(); }},
+       [](const Result& r) { return 100 * r.wrong_fraction(); }},
       {"Greatest time error", "magnitude [ulps]", "10^{%L}", 1,
        [](const Result& r) -> std::optional<double> {
          if (!r.time_error) return std::nullopt;

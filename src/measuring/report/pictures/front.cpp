@@ -24,7 +24,7 @@ double ulps_off(const Result& result) {
 
 std::string described(const Result& result) {
   const std::string wrong =
-      result.wrong() == 0 ? "never wrong" : fmt::format("{:.3g} % wrong", 100 * result.wrong_share());
+      result.wrong() == 0 ? "never wrong" : fmt::format("{:.3g} % wrong", 100 * result.wrong_fraction());
   return fmt::format("`{}` ({}, times {:.3g} ulps off, {:.3g} us)", result.contestant.label(), wrong, ulps_off(result),
                      result.mean);
 }
@@ -33,8 +33,8 @@ std::string described(const Result& result) {
 
 bool dominates(const Result& a, const Result& b) noexcept {
   if (a.asked == 0 || b.asked == 0) return false;
-  const bool no_worse = a.wrong_share() <= b.wrong_share() && ulps_off(a) <= ulps_off(b) && a.mean <= b.mean;
-  return no_worse && (a.wrong_share() < b.wrong_share() || ulps_off(a) < ulps_off(b) || a.mean < b.mean);
+  const bool no_worse = a.wrong_fraction() <= b.wrong_fraction() && ulps_off(a) <= ulps_off(b) && a.mean <= b.mean;
+  return no_worse && (a.wrong_fraction() < b.wrong_fraction() || ulps_off(a) < ulps_off(b) || a.mean < b.mean);
 }
 
 std::vector<const Result*> front(const std::vector<Result>& results) {
