@@ -26,6 +26,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include <touchstone/kinds.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -43,20 +45,6 @@ enum touchstone_status_code {
   TOUCHSTONE_INTERNAL_ERROR = 5    /**< any other error */
 };
 
-/** The kinds of query. */
-enum touchstone_query_kind {
-  TOUCHSTONE_KIND_EDGE_EDGE = 0,   /**< a segment against a segment */
-  TOUCHSTONE_KIND_VERTEX_FACE = 1, /**< a point against a triangle */
-  TOUCHSTONE_KIND_POINT_EDGE = 2,  /**< a point against a segment */
-  TOUCHSTONE_KIND_POINT_POINT = 3  /**< a point against a point */
-};
-
-/** The metrics of a separation. */
-enum touchstone_distance_metric {
-  TOUCHSTONE_METRIC_EUCLIDEAN = 0, /**< the length of the difference of two points */
-  TOUCHSTONE_METRIC_MAX = 1        /**< its largest absolute coordinate */
-};
-
 /** What is wanted of contacts. Each value leaves out more than the one before, and costs less. */
 enum touchstone_what_is_wanted {
   TOUCHSTONE_WANTED_ALL = 0,      /**< everything */
@@ -70,7 +58,7 @@ struct touchstone_options {
   size_t size;     /**< sizeof(struct touchstone_options) */
   double t_max;    /**< the end of the time range, 0 <= t_max <= 1 */
   int32_t threads; /**< of a batch or mesh: 1 to 1024; 0 takes as many as the machine has; it changes no answer */
-  int32_t metric;  /**< one of touchstone_distance_metric; a mesh has its own */
+  int32_t metric;  /**< one of touchstone_metric; a mesh has its own */
 
   /** Elements are in contact while their distance is at most this; finite and not negative. With 0, contact is
    *  touching. A mesh has its own separations, and takes 0 only. */
@@ -137,7 +125,7 @@ const char* touchstone_level_name(int level);
 const char* touchstone_trend_name(int trend);
 
 /** The first contact of one query.
- *  @param kind     one of touchstone_query_kind
+ *  @param kind     one of touchstone_kind
  *  @param start    the corners at t = 0
  *  @param end      the corners at t = 1
  *  @param options  the options, or null
@@ -147,7 +135,7 @@ int touchstone_solve(int kind, const double* start, const double* end, const str
                      struct touchstone_answer* answer);
 
 /** The answers to many queries of one kind, in columns: the fastest way to ask.
- *  @param kind     one of touchstone_query_kind
+ *  @param kind     one of touchstone_kind
  *  @param count    the number of queries, and the length of each column
  *  @param start    a pointer for each coordinate of each corner: 12, 9 or 6 columns, x y z of the first corner first
  *  @param end      the same at t = 1
@@ -158,7 +146,7 @@ int touchstone_solve_columns(int kind, size_t count, const double* const* start,
                              const struct touchstone_options* options, struct touchstone_answer* answers);
 
 /** The answers to many queries of one kind, in rows. Blocks of rows are copied into columns.
- *  @param kind     one of touchstone_query_kind
+ *  @param kind     one of touchstone_kind
  *  @param count    the number of queries
  *  @param start    12, 9 or 6 doubles for each query, one query after another
  *  @param end      the same at t = 1
@@ -177,10 +165,10 @@ typedef struct touchstone_contacts touchstone_contacts;
 /** A list of intersections at rest, which the library owns. */
 typedef struct touchstone_intersections touchstone_intersections;
 
-/** Two elements of a mesh, of one of touchstone_query_kind: edge and edge, vertex and face, vertex and edge, or vertex
+/** Two elements of a mesh, of one of touchstone_kind: edge and edge, vertex and face, vertex and edge, or vertex
  *  and vertex. */
 struct touchstone_mesh_pair {
-  int32_t kind;    /**< one of touchstone_query_kind */
+  int32_t kind;    /**< one of touchstone_kind */
   uint32_t first;  /**< the number of an edge, or of a vertex for the other three kinds */
   uint32_t second; /**< the number of an edge, face, edge or vertex */
 };
@@ -190,7 +178,7 @@ struct touchstone_mesh_elements {
   size_t size;           /**< sizeof(struct touchstone_mesh_elements) */
   size_t vertex_count;   /**< the number of vertices, below 2^32 - 1 */
   int32_t dimension;     /**< 2 or 3 */
-  int32_t metric;        /**< one of touchstone_distance_metric */
+  int32_t metric;        /**< one of touchstone_metric */
   double separation;     /**< the separation of every pair */
   const double* radii;   /**< a radius for each vertex, in place of the separation, which must then be 0 */
   size_t radius_count;   /**< the number of radii: that of the vertices, or 0 */

@@ -28,20 +28,17 @@
  * process is started again, and `init` is called again. One thread makes all calls, one at a time.
  */
 
+#include <touchstone/kinds.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 /** The version of this interface. */
-#define TOUCHSTONE_PLUGIN_VERSION 1
+#define TOUCHSTONE_PLUGIN_VERSION 2
 
-/** The kinds of query. Each is one bit of `kinds`. */
-enum touchstone_kind {
-  TOUCHSTONE_EDGE_EDGE = 1,   /**< a segment against a segment */
-  TOUCHSTONE_VERTEX_FACE = 2, /**< a point against a triangle */
-  TOUCHSTONE_POINT_EDGE = 4,  /**< a point against a segment */
-  TOUCHSTONE_POINT_POINT = 8  /**< a point against a point */
-};
+/** The bit of a kind in `kinds`. */
+#define TOUCHSTONE_KIND_BIT(kind) (1U << (kind))
 
 /** The values that `solve` returns. Any other number is a finding. */
 enum touchstone_status {
@@ -55,7 +52,7 @@ struct touchstone_solver_plugin {
   /** TOUCHSTONE_PLUGIN_VERSION of the header that the library was compiled with. */
   unsigned int version;
 
-  /** The kinds that `solve` takes, combined by bitwise or. No other kind is ever asked. */
+  /** The kinds that `solve` takes: TOUCHSTONE_KIND_BIT of each, combined by bitwise or. No other is ever asked. */
   unsigned int kinds;
 
   /** Called once before the first query. The pointer that it writes to *state is passed to every later call. It returns
@@ -81,12 +78,6 @@ struct touchstone_solver_plugin {
 /** The function that is looked up by name; your library defines it. It returns a null pointer when the solver
  *  cannot run here. */
 TOUCHSTONE_EXPORT const struct touchstone_solver_plugin* touchstone_solver(void);
-
-/** The metrics of a separation. */
-enum touchstone_metric {
-  TOUCHSTONE_EUCLIDEAN = 0, /**< the length of the difference of two points */
-  TOUCHSTONE_MAX = 1        /**< its largest absolute coordinate */
-};
 
 /** A second function that is looked up by name, for `touchstone fuzz --separation D`; a library without it takes no
  *  separation. It is called before `init`, and with `--separation each` again before a query with another distance.

@@ -111,7 +111,9 @@ static int solve(void* state, int kind, const double* start, const double* end, 
 
 const struct touchstone_solver_plugin* touchstone_solver(void) {
   static struct touchstone_solver_plugin plugin = {
-      TOUCHSTONE_PLUGIN_VERSION, TOUCHSTONE_EDGE_EDGE | TOUCHSTONE_POINT_POINT, init, solve, teardown};
+      TOUCHSTONE_PLUGIN_VERSION,
+      TOUCHSTONE_KIND_BIT(TOUCHSTONE_KIND_EDGE_EDGE) | TOUCHSTONE_KIND_BIT(TOUCHSTONE_KIND_POINT_POINT), init, solve,
+      teardown};
   if (told("loading crashes")) raise(SIGSEGV);
   if (told("null")) return NULL;
   if (told("another version")) plugin.version = 99;

@@ -213,7 +213,7 @@ TEST_CASE("a program's time counts as it is written") {
   REQUIRE(truth.toi == 0.5);
   const auto failure = [&](const std::string& time) {
     const auto found = fuzz::failure_of(meeting_points(), said(time), truth, {std::uint64_t{0}, {}});
-    return found ? std::string(fuzz::failure_name(found->failure)) : "";
+    return found ? std::string(name_of(found->failure)) : "";
   };
   CHECK(failure("0.5") == "");
   CHECK(failure("0.50000000000000000001") == "late");

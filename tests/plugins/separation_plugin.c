@@ -6,7 +6,7 @@ static double told = 0;
 
 int touchstone_separation(double distance, int metric) {
   if (distance > 1) return 1;
-  told = metric == TOUCHSTONE_MAX ? 1 - distance : distance;
+  told = metric == TOUCHSTONE_METRIC_MAX ? 1 - distance : distance;
   return 0;
 }
 
@@ -16,6 +16,7 @@ static int solve(void* state, int kind, const double* start, const double* end, 
   return TOUCHSTONE_CONTACT;
 }
 
-static const struct touchstone_solver_plugin plugin = {TOUCHSTONE_PLUGIN_VERSION, TOUCHSTONE_POINT_POINT, 0, solve, 0};
+static const struct touchstone_solver_plugin plugin = {TOUCHSTONE_PLUGIN_VERSION,
+                                                       TOUCHSTONE_KIND_BIT(TOUCHSTONE_KIND_POINT_POINT), 0, solve, 0};
 
 const struct touchstone_solver_plugin* touchstone_solver(void) { return &plugin; }

@@ -80,16 +80,14 @@ const char* touchstone_version(void) { return version(); }
 
 const char* touchstone_last_error(void) { return c_api::last_error.data(); }
 
-const char* touchstone_nature_name(int nature) {
-  return c_api::text_of(nature_name(c_api::enumerator<Nature>(nature)));
-}
+const char* touchstone_nature_name(int nature) { return c_api::text_of(name_of(c_api::enumerator<Nature>(nature))); }
 
 const char* touchstone_feature_name(int feature) {
-  return c_api::text_of(feature_name(c_api::enumerator<Feature>(feature)));
+  return c_api::text_of(name_of(c_api::enumerator<Feature>(feature)));
 }
 
-const char* touchstone_level_name(int level) { return c_api::text_of(level_name(c_api::enumerator<Level>(level))); }
+const char* touchstone_level_name(int level) { return c_api::text_of(name_of(c_api::enumerator<Level>(level))); }
 
-const char* touchstone_trend_name(int trend) { return c_api::text_of(trend_name(c_api::enumerator<Trend>(trend))); }
+const char* touchstone_trend_name(int trend) { return c_api::text_of(name_of(c_api::enumerator<Trend>(trend))); }
 
 }  // extern "C"

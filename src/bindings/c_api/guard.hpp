@@ -90,10 +90,10 @@ T grown(const T& given, T defaults, std::size_t least_size, const char* name) {
 /// The options, or those by default for a null pointer.
 touchstone_options options_of(const touchstone_options* options);
 
-/// @throws InvalidArgument  for a number that is none of touchstone_query_kind
+/// @throws InvalidArgument  for a number that is none of touchstone_kind
 Kind kind_of(int kind);
 
-/// @throws InvalidArgument  for a number that is none of touchstone_distance_metric
+/// @throws InvalidArgument  for a number that is none of touchstone_metric
 Metric metric_of(int metric);
 
 /// @throws InvalidArgument  for a number that is none of touchstone_what_is_wanted

@@ -57,7 +57,7 @@ class PipeSolver : public SolverUnderTest {
   void first_answers() {
     std::string trouble;
     bool any = false;
-    for (const Kind kind : io::kKinds) {
+    for (const Kind kind : kKinds) {
       bool supported = true;
       // An interpreter takes some time to start.
       const Reply reply = exchange(plain_query(kind), any ? limits_.answer : limits_.start, supported);

@@ -16,10 +16,10 @@
 namespace touchstone::fuzz {
 namespace {
 
-static_assert(kind_bit(static_cast<unsigned>(Kind::edge_edge)) == TOUCHSTONE_EDGE_EDGE);
-static_assert(kind_bit(static_cast<unsigned>(Kind::vertex_face)) == TOUCHSTONE_VERTEX_FACE);
-static_assert(kind_bit(static_cast<unsigned>(Kind::point_edge)) == TOUCHSTONE_POINT_EDGE);
-static_assert(kind_bit(static_cast<unsigned>(Kind::point_point)) == TOUCHSTONE_POINT_POINT);
+static_assert(static_cast<int>(Kind::edge_edge) == TOUCHSTONE_KIND_EDGE_EDGE);
+static_assert(static_cast<int>(Kind::vertex_face) == TOUCHSTONE_KIND_VERTEX_FACE);
+static_assert(static_cast<int>(Kind::point_edge) == TOUCHSTONE_KIND_POINT_EDGE);
+static_assert(static_cast<int>(Kind::point_point) == TOUCHSTONE_KIND_POINT_POINT);
 constexpr unsigned kAllKinds = 15;
 
 void refuse(SharedCall& call, std::string_view reason) {
@@ -65,8 +65,7 @@ const touchstone_solver_plugin* load(const std::string& path, SharedCall& call, 
     refuse(call, "it was compiled for version " + std::to_string(plugin->version) +
                      " of touchstone/plugin.h, this is " + std::to_string(TOUCHSTONE_PLUGIN_VERSION));
   } else if (plugin->kinds == 0 || (plugin->kinds & ~kAllKinds) != 0) {
-    refuse(call,
-           "its kinds are " + std::to_string(plugin->kinds) + ", which is no sum of TOUCHSTONE_EDGE_EDGE and so on");
+    refuse(call, "its kinds are " + std::to_string(plugin->kinds) + ", which is no sum of bits of TOUCHSTONE_KIND_BIT");
   } else if (plugin->solve == nullptr) {
     refuse(call, "its solve is a null pointer");
   } else if (tell = reinterpret_cast<Tell>(::dlsym(library, "touchstone_separation"));
@@ -101,7 +100,7 @@ void serve_plugin(const std::string& path, SharedCall& call) {
     while (!wait_for_change(call, Side::child, call.asked, seen, std::chrono::seconds(1))) {
       if (::getppid() != parent) return;  // where no signal tells
     }
-    if (call.kind == 0) break;
+    if (call.ends != 0) break;
     const std::array<double, 12> start = call.start, end = call.end;  // so that the plugin has no business in `call`
     double toi = std::numeric_limits<double>::quiet_NaN();
     call.stage = Stage::solving;

@@ -12,7 +12,4 @@ namespace touchstone::fuzz {
 /// plugin cannot run.
 void serve_plugin(const std::string& path, SharedCall& call);
 
-/// The bit of plugin.h, 1 to 8, for a kind given by its number.
-constexpr std::uint32_t kind_bit(unsigned kind) noexcept { return 1U << kind; }
-
 }  // namespace touchstone::fuzz

@@ -32,7 +32,7 @@ class SharedMemory {
     if (memory == MAP_FAILED) throw Error("no memory can be shared with a plugin: " + io::system_reason(errno));
     call_ = new (memory) SharedCall;
     call_->separation = separation.distance;
-    call_->metric = separation.metric == Metric::euclidean ? TOUCHSTONE_EUCLIDEAN : TOUCHSTONE_MAX;
+    call_->metric = separation.metric == Metric::euclidean ? TOUCHSTONE_METRIC_EUCLIDEAN : TOUCHSTONE_METRIC_MAX;
   }
   ~SharedMemory() { ::munmap(call_, sizeof(SharedCall)); }
   SharedMemory(const SharedMemory&) = delete;
@@ -54,7 +54,7 @@ class Run {
   ~Run() {
     // A child that is ready is told to end, so that its teardown runs. A child in the middle of a query is not.
     if (call().stage.load() != Stage::ready || child_.ended()) return;
-    call().kind = 0;
+    call().ends = 1;
     raise(call(), Side::parent, call().asked);
     child_.wait_until(Clock::now() + limits_.farewell);
   }
@@ -106,7 +106,7 @@ class PluginSolver : public SolverUnderTest {
   }
 
   const std::string& name() const override { return name_; }
-  bool supports(Kind kind) const override { return (kinds_ & kind_bit(static_cast<unsigned>(kind))) != 0; }
+  bool supports(Kind kind) const override { return (kinds_ & TOUCHSTONE_KIND_BIT(static_cast<unsigned>(kind))) != 0; }
 
   void change_separation(const Separation& separation) override { separation_ = separation; }
 
@@ -123,7 +123,7 @@ class PluginSolver : public SolverUnderTest {
       put(query.start[i], &call.start[3 * i]);
       put(query.end[i], &call.end[3 * i]);
     }
-    call.kind = kind_bit(static_cast<unsigned>(query.kind));
+    call.kind = static_cast<std::uint32_t>(query.kind);
     call.separation = separation_.distance;
     if (++since_drained_ % 256 == 0) run_->child().drain();
     raise(call, Side::parent, call.asked);

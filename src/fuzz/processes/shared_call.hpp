@@ -25,7 +25,8 @@ struct SharedCall {
   std::int32_t metric = 0;  ///< as in plugin.h
 
   // The query.
-  std::uint32_t kind = 0;  ///< as in plugin.h; 0: end
+  std::uint32_t ends = 0;  ///< not 0: there is no further query
+  std::uint32_t kind = 0;  ///< as in plugin.h
   std::array<double, 12> start{};
   std::array<double, 12> end{};
 
