@@ -64,8 +64,8 @@ std::string queries_of(const CaseId& id, const Options& options) {
 std::size_t write_queries(const Options& options) {
   const numbers::DefaultFloatEnvironment environment;
   std::size_t files = 0;
-  for (const Kind kind : families::kKinds) {
-    const std::filesystem::path folder = options.folder / kind_name(kind);
+  for (const Kind kind : kKinds) {
+    const std::filesystem::path folder = options.folder / name_of(kind);
     std::filesystem::create_directories(folder);
     for (const families::FamilyInfo& family : families::all_families()) {
       for (std::uint64_t i = 0; i < options.starts; ++i, ++files) {
@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
       throw std::invalid_argument("usage: make_hard_queries FOLDER SEED STARTS STEPS [METRIC]");
     }
     Options options{words[0], number(words[1]), number(words[2]), number(words[3]), std::nullopt};
-    if (words.size() == 5) options.metric = io::metric_from_name(words[4]);
+    if (words.size() == 5) options.metric = from_name<Metric>(words[4]);
     if (words.size() == 5 && !options.metric) throw std::invalid_argument(words[4] + " is neither euclidean nor max");
     const std::size_t files = write_queries(options);
     std::printf("%zu files of %llu queries\n", files, static_cast<unsigned long long>(options.steps + 1));

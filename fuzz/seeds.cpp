@@ -19,7 +19,7 @@ constexpr std::uint64_t kSeed = 1;
 std::vector<Query> queries(std::uint64_t each) {
   std::vector<Query> all;
   for (const families::FamilyInfo& family : families::all_families()) {
-    for (const Kind kind : families::kKinds) {
+    for (const Kind kind : kKinds) {
       for (std::uint64_t i = 0; i < each; ++i) all.push_back(families::make({family.family, kind, kSeed, i}));
     }
   }

@@ -4,7 +4,8 @@
 
 #include <array>
 #include <cstdint>
-#include <string_view>
+
+#include <touchstone/names.hpp>
 
 namespace touchstone {
 
@@ -76,18 +77,25 @@ enum class Wanted : std::uint8_t {
   contact    ///< whether there is one
 };
 
-/// The nature's name in files and on the command line: "crossing", "grazing", "sustained", "isolated" or "entering".
-/// Empty for none.
-std::string_view nature_name(Nature nature) noexcept;
+/// "", "crossing", "grazing", "sustained", "isolated", "entering".
+template <>
+Names names_of<Nature>() noexcept;
 
-/// The feature's name in files and on the command line: "a0", ..., "overlap". Empty for none.
-std::string_view feature_name(Feature feature) noexcept;
+/// "", "a0", "a1", "a", and so on to "overlap": as the enumerators.
+template <>
+Names names_of<Feature>() noexcept;
 
-/// The level's name in files and on the command line: "filter", "bracket", "exact" or "oracle".
-std::string_view level_name(Level level) noexcept;
+/// "filter", "bracket", "exact", "oracle".
+template <>
+Names names_of<Level>() noexcept;
 
-/// The trend's name in files and on the command line: "approaching", "constant" or "leaving". Empty for none.
-std::string_view trend_name(Trend trend) noexcept;
+/// "", "approaching", "constant", "leaving".
+template <>
+Names names_of<Trend>() noexcept;
+
+/// "all", "features", "time", "contact".
+template <>
+Names names_of<Wanted>() noexcept;
 
 /// The answer to one query. With a separation d > 0, `touch` below means to be within d, the touched features are those
 /// that hold the closest points, and the weights are those of the closest points. Without contact only `contact` and

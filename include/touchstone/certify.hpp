@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include <touchstone/answer.hpp>
 #include <touchstone/curved_query.hpp>
+#include <touchstone/names.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
@@ -32,8 +32,9 @@ enum class Verdict : std::uint8_t {
   late      ///< the contact exists, but the claimed toi lies after its exact time: a step of that length passes through
 };
 
-/// The verdict's name in files and on the command line: "holds", "missed", "phantom" or "late".
-std::string_view verdict_name(Verdict verdict) noexcept;
+/// "holds", "missed", "phantom", "late".
+template <>
+Names names_of<Verdict>() noexcept;
 
 /// The verdict on `claim`, where `truth` is the exact answer to the same query. A claim without a toi is judged by
 /// `contact` alone. A toi before the exact time holds, however early it is. `toi_as_written` is not read.

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <type_traits>
 #include <vector>
 
 #include <touchstone/answer.hpp>
@@ -30,14 +29,6 @@ Answer solve(const CurvedQuery& query, const SolveOptions& options);
 
 /// The same about touching in [0, 1], by Method::fast.
 Answer solve(const CurvedQuery& query);
-
-/// The same about touching in [0, t_max]. A number in braces is no t_max, but the first of SolveOptions.
-template <class Number, class = std::enable_if_t<std::is_arithmetic_v<Number>>>
-Answer solve(const CurvedQuery& query, Number t_max) {
-  SolveOptions options;
-  options.t_max = static_cast<double>(t_max);
-  return solve(query, options);
-}
 
 /// The answers to many curved queries, in input order. They are the same for any number of threads.
 /// @param queries  the queries, of one kind or of several

@@ -9,11 +9,11 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <touchstone/answer.hpp>
 #include <touchstone/certify.hpp>
+#include <touchstone/names.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
@@ -32,8 +32,9 @@ enum class FuzzFailure : std::uint8_t {
   differs     ///< a whole answer whose upper time, nature, features or weights are not the exact ones
 };
 
-/// The failure's name in reports and on the command line: "crash", "missed", ...
-std::string_view fuzz_failure_name(FuzzFailure failure) noexcept;
+/// "crash", "hang", "malformed", "missed", "late", "nan", "phantom", "early", "differs".
+template <>
+Names names_of<FuzzFailure>() noexcept;
 
 /// Which queries fuzz_solver makes, and which times it accepts.
 struct FuzzOptions {
@@ -58,11 +59,11 @@ struct FuzzOptions {
   Separation separation = {};
 
   /// The greatest allowed distance of a claimed time before the exact one, as a number of doubles. Without this and
-  /// early_share every distance is allowed.
+  /// early_fraction every distance is allowed.
   std::optional<std::uint64_t> early_ulps;
 
   /// The same as a fraction of the step, in [0, 1].
-  std::optional<double> early_share;
+  std::optional<double> early_fraction;
 
   /// The greatest number of findings to shrink and return; 0 for all.
   std::size_t findings = 32;

@@ -15,6 +15,7 @@
 
 #include <touchstone/answer.hpp>
 #include <touchstone/error.hpp>
+#include <touchstone/names.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
@@ -220,8 +221,9 @@ enum class MeshElement : std::uint8_t {
   face     ///< a face
 };
 
-/// The element's name in a message: "vertex", "edge" or "face". Empty for a value that is none of them.
-std::string_view mesh_element_name(MeshElement element) noexcept;
+/// "vertex", "edge", "face".
+template <>
+Names names_of<MeshElement>() noexcept;
 
 /// How two elements of a mesh meet at rest.
 enum class IntersectionSort : std::uint8_t {
@@ -238,8 +240,9 @@ enum class IntersectionSort : std::uint8_t {
   inside
 };
 
-/// The sort's name: "touches", "pierces", "folds" or "inside". Empty for a value that is none of them.
-std::string_view intersection_sort_name(IntersectionSort sort) noexcept;
+/// "touches", "pierces", "folds", "inside".
+template <>
+Names names_of<IntersectionSort>() noexcept;
 
 /// The verb between both elements in a message: "touches", "pierces", "folds onto" or "is inside the closed surface
 /// of".
@@ -353,6 +356,10 @@ enum class StepOutcome : std::uint8_t {
   intersects_at_start
 };
 
+/// "whole", "shortened", "no-room", "contact-at-start", "intersects-at-start".
+template <>
+Names names_of<StepOutcome>() noexcept;
+
 /// The options of free_step, which is over [0, 1].
 struct FreeStepOptions : MeshOptions {
   /// In [0, 1). Each pair keeps more than this fraction of its distance at the start: for a pair with the separation d
@@ -379,7 +386,7 @@ struct FreeStep {
 
   /// The first contact of the whole step, about the distances that the step is to keep. It says whether the start was
   /// asked about.
-  FirstContact contact;
+  FirstContact first_contact;
 
   /// The number of times that all pairs were asked about.
   int proofs = 0;

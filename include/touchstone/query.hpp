@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include <touchstone/names.hpp>
+
 namespace touchstone {
 
 /// A position: three finite coordinates, all in one unit of length of your choice. Give a 2-D query z = 0.
@@ -25,8 +27,12 @@ enum class Kind : std::uint8_t {
   point_point   ///< a point against a point
 };
 
-/// The kind's name in files and on the command line: "edge-edge", "vertex-face", "point-edge" or "point-point".
-std::string_view kind_name(Kind kind) noexcept;
+/// All kinds.
+inline constexpr std::array<Kind, 4> kKinds{Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point};
+
+/// "edge-edge", "vertex-face", "point-edge", "point-point".
+template <>
+Names names_of<Kind>() noexcept;
 
 /// The number of corners that a query of this kind has at each end of the step: 4, 4, 3 or 2.
 constexpr std::size_t corner_count(Kind kind) noexcept {

@@ -4,9 +4,9 @@
 #pragma once
 
 #include <cstdint>
-#include <string_view>
 
 #include <touchstone/curved_query.hpp>
+#include <touchstone/names.hpp>
 #include <touchstone/separation.hpp>
 
 namespace touchstone {
@@ -18,8 +18,9 @@ enum class ScrewVerdict : std::uint8_t {
   within_bound  ///< the elements come so near that the bound on the deviation leaves it open
 };
 
-/// The verdict's name: "free", "contact" or "within the bound". Empty for a value that is none of them.
-std::string_view screw_verdict_name(ScrewVerdict verdict) noexcept;
+/// "free", "contact", "within the bound".
+template <>
+Names names_of<ScrewVerdict>() noexcept;
 
 /// How a motion of constant rate is decided.
 struct ScrewOptions {

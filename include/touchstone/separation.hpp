@@ -4,9 +4,9 @@
 
 #include <array>
 #include <cstdint>
-#include <string_view>
 
 #include <touchstone/answer.hpp>
+#include <touchstone/names.hpp>
 
 namespace touchstone {
 
@@ -16,8 +16,9 @@ enum class Metric : std::uint8_t {
   max         ///< the largest absolute coordinate of their difference: the L-infinity metric
 };
 
-/// The metric's name in files and on the command line: "euclidean" or "max". Empty for a value that is none of them.
-std::string_view metric_name(Metric metric) noexcept;
+/// "euclidean", "max".
+template <>
+Names names_of<Metric>() noexcept;
 
 /// A distance that two elements are to keep. They are in contact while their distance is at most `distance`. The
 /// distance of two elements is the least distance of a point of one and a point of the other.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <touchstone/answer.hpp>
+#include <touchstone/names.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 #include <touchstone/vector_width.hpp>
@@ -23,6 +24,10 @@ enum class Method : std::uint8_t {
   oracle,    ///< an independent decider over CGAL's algebraic kernel: slow; shares no decision code with the others
   fast_cgal  ///< the same filters as `fast`, and CGAL (number types and algebraic kernel) where they are uncertain
 };
+
+/// "fast", "exact", "oracle", "fast-cgal".
+template <>
+Names names_of<Method>() noexcept;
 
 /// Whether this build of the library has the method: oracle and fast_cgal need CGAL (TOUCHSTONE_WITH_CGAL).
 bool has_method(Method method) noexcept;
@@ -53,14 +58,6 @@ Answer solve(const Query& query, const SolveOptions& options);
 /// The same about touching in [0, 1], by Method::fast.
 Answer solve(const Query& query);
 
-/// The same about touching in [0, t_max]. A number in braces is no t_max, but the first of SolveOptions.
-template <class Number, class = std::enable_if_t<std::is_arithmetic_v<Number>>>
-Answer solve(const Query& query, Number t_max) {
-  SolveOptions options;
-  options.t_max = static_cast<double>(t_max);
-  return solve(query, options);
-}
-
 /// The same for rational coordinates. When some coordinate is not a double, no filter applies: the exact level decides
 /// for Method::fast and Method::exact, and CGAL for the other two.
 /// @param query    the two elements and their motion
@@ -72,9 +69,10 @@ Answer solve(const RationalQuery& query, const SolveOptions& options);
 /// The same about touching in [0, 1], by Method::fast.
 Answer solve(const RationalQuery& query);
 
-/// The same about touching in [0, t_max]. A number in braces is no t_max, but the first of SolveOptions.
-template <class Number, class = std::enable_if_t<std::is_arithmetic_v<Number>>>
-Answer solve(const RationalQuery& query, Number t_max) {
+/// The same about touching in [0, t_max], for queries of every sort. A number in braces is no t_max, but the first of
+/// SolveOptions.
+template <class AnyQuery, class Number, class = std::enable_if_t<std::is_arithmetic_v<Number>>>
+Answer solve(const AnyQuery& query, Number t_max) {
   SolveOptions options;
   options.t_max = static_cast<double>(t_max);
   return solve(query, options);
@@ -90,9 +88,9 @@ struct BatchOptions : SolveOptions {
   VectorWidth vectors = VectorWidth::widest;
 
   /// A distance for each query, in place of separation.distance, which must then be 0: for elements of different
-  /// thickness. Null, or the first of distance_count doubles; the metric is separation.metric.
-  const double* distances = nullptr;
-  std::size_t distance_count = 0;  ///< the number of distances: that of the queries, or 0 without distances
+  /// thickness. Null, or the first of separation_count doubles; the metric is separation.metric.
+  const double* separations = nullptr;
+  std::size_t separation_count = 0;  ///< the number of separations: that of the queries, or 0 without any
 };
 
 /// The answers to many queries, in input order.
@@ -109,6 +107,11 @@ std::vector<Answer> solve_batch(const std::vector<Query>& queries, const BatchOp
 /// @param options  how they are answered
 /// @throws InvalidQuery  for options without meaning, or naming the index of the first query without meaning
 void solve_batch(const Query* queries, std::size_t count, Answer* answers, const BatchOptions& options = {});
+
+/// The same for rational coordinates; the vectors' width has no effect.
+std::vector<Answer> solve_batch(const std::vector<RationalQuery>& queries, const BatchOptions& options = {});
+void solve_batch(const RationalQuery* queries, std::size_t count, Answer* answers,
+                 const BatchOptions& options = {});  ///< the same into the caller's memory
 
 /// Queries of one kind as a structure of arrays: one column of doubles for each coordinate of each corner.
 struct QueryColumns {

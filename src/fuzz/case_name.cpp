@@ -52,8 +52,8 @@ std::optional<CaseName> parse_case_text(std::string_view text) {
     name.start.family = family->family;
     family_known = true;
   }
-  for (const Kind kind : families::kKinds) {
-    if (kind_name(kind) != words[1]) continue;
+  for (const Kind kind : kKinds) {
+    if (name_of(kind) != words[1]) continue;
     name.start.kind = kind;
     kind_known = true;
   }

@@ -32,8 +32,8 @@ fuzz::Settings settings_of(const FuzzOptions& options) {
     throw InvalidQuery("threads is " + std::to_string(options.threads) + "; it must be in [1, " +
                        std::to_string(kMostThreads) + "]");
   }
-  if (options.early_share && !(*options.early_share >= 0 && *options.early_share <= 1)) {
-    throw InvalidQuery("early_share is " + fuzz::decimal_text(*options.early_share) + "; it must be in [0, 1]");
+  if (options.early_fraction && !(*options.early_fraction >= 0 && *options.early_fraction <= 1)) {
+    throw InvalidQuery("early_fraction is " + fuzz::decimal_text(*options.early_fraction) + "; it must be in [0, 1]");
   }
   if (options.climb > fuzz::kMostClimbSteps) {
     throw InvalidQuery("climb is " + std::to_string(options.climb) + "; it must be at most " +
@@ -56,7 +56,7 @@ fuzz::Settings settings_of(const FuzzOptions& options) {
   settings.cases = options.cases;
   settings.climb = options.climb;
   settings.threads = options.threads;
-  settings.early = {options.early_ulps, options.early_share};
+  settings.early = {options.early_ulps, options.early_fraction};
   settings.most_findings = options.findings;
   return settings;
 }
@@ -76,7 +76,12 @@ FuzzFinding public_finding(fuzz::Finding&& finding) {
 
 }  // namespace
 
-std::string_view fuzz_failure_name(FuzzFailure failure) noexcept { return fuzz::failure_name(failure); }
+template <>
+Names names_of<FuzzFailure>() noexcept {
+  static constexpr std::string_view kNames[] = {"crash", "hang",    "malformed", "missed", "late",
+                                                "nan",   "phantom", "early",     "differs"};
+  return kNames;
+}
 
 std::string to_string(const FuzzFinding& finding) {
   fuzz::Reply reply;
@@ -84,9 +89,9 @@ std::string to_string(const FuzzFinding& finding) {
   reply.toi = finding.claim.toi;
   reply.toi_as_written = finding.claim.toi_as_written;
   if (finding.failure == FuzzFailure::crash) reply.state = fuzz::Reply::State::crashed;
-  std::string text(fuzz_failure_name(finding.failure));
+  std::string text(name_of(finding.failure));
   if (finding.count > 1) text.append(" ").append(std::to_string(finding.count)).append(" times");
-  text.append(", ").append(kind_name(finding.query.kind)).append(": ").append(finding.degeneracy).append("\n");
+  text.append(", ").append(name_of(finding.query.kind)).append(": ").append(finding.degeneracy).append("\n");
   text.append(fuzz::corners_text(finding.query, "  "));
   text.append("  claim: ").append(fuzz::claim_text(reply)).append("\n");
   text.append("  exact: ").append(fuzz::truth_text(finding.truth)).append("\n");

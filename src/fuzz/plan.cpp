@@ -20,13 +20,13 @@ bool has(const std::vector<Kind>& kinds, Kind kind) {
 
 std::string kind_names(const std::vector<Kind>& kinds) {
   std::string names;
-  for (const Kind kind : kinds) names.append(names.empty() ? "" : ", ").append(kind_name(kind));
+  for (const Kind kind : kinds) names.append(names.empty() ? "" : ", ").append(name_of(kind));
   return names;
 }
 
 std::vector<Kind> supported_kinds(const SolverUnderTest& solver, const std::vector<Kind>& wanted) {
   std::vector<Kind> kinds;
-  for (const Kind kind : families::kKinds) {
+  for (const Kind kind : kKinds) {
     if ((wanted.empty() || has(wanted, kind)) && solver.supports(kind)) kinds.push_back(kind);
   }
   if (!kinds.empty()) return kinds;

@@ -250,7 +250,7 @@ json picture_of(const io::FileQuery& query, const Answer& answer, double t_max, 
   constexpr double kDeepest = 200, kNearlyZero = -190;  // the origin of a contact is within about 2^-240
   const auto logarithm = logarithm_of_gap(gap, motions);
   const bool apart = logarithm && *logarithm > kNearlyZero;
-  json result = {{"kind", std::string(kind_name(corners.kind))},
+  json result = {{"kind", std::string(name_of(corners.kind))},
                  {"names", std::move(names)},
                  {"first", corners.first},
                  {"planar", corners.is_planar()},

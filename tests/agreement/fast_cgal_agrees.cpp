@@ -52,7 +52,7 @@ void check_kind(Kind kind) {
         }
       });
   std::printf("seed %llu, %s: %zu comparisons; filter %zu, bracket %zu, CGAL %zu\n",
-              static_cast<unsigned long long>(kSeed), kind_name(kind).data(), report.checked(), counts.filter,
+              static_cast<unsigned long long>(kSeed), name_of(kind).data(), report.checked(), counts.filter,
               counts.bracket, counts.oracle);
   if (!chosen_case()) {
     CHECK(counts.filter > 0);

@@ -38,9 +38,9 @@ TEST_CASE("levels: each decides in every family or kind that has work for it") {
         answers.push_back(solve(make(CaseId{family.family, kind, kSeed, index}), {.method = Method::fast}));
       }
       const LevelCounts counts = count_levels(answers);
-      std::printf("%-16s %-12s filter %5zu  bracket %5zu  exact %5zu\n", family.name.data(), kind_name(kind).data(),
+      std::printf("%-16s %-12s filter %5zu  bracket %5zu  exact %5zu\n", family.name.data(), name_of(kind).data(),
                   counts.filter, counts.bracket, counts.exact);
-      INFO(family.name << " " << kind_name(kind) << ", seed " << kSeed);
+      INFO(family.name << " " << name_of(kind) << ", seed " << kSeed);
       CHECK(counts.filter + counts.bracket + counts.exact == kCount);
       CHECK(counts.oracle == 0);
       if (!no_filter_can_decide(family.family, kind)) CHECK(counts.filter > 0);
@@ -52,9 +52,9 @@ TEST_CASE("levels: each decides in every family or kind that has work for it") {
   }
   for (const Kind kind : kKinds) {
     const LevelCounts& sum = by_kind[static_cast<std::size_t>(kind)];
-    std::printf("%-16s %-12s filter %5zu  bracket %5zu  exact %5zu\n", "all", kind_name(kind).data(), sum.filter,
+    std::printf("%-16s %-12s filter %5zu  bracket %5zu  exact %5zu\n", "all", name_of(kind).data(), sum.filter,
                 sum.bracket, sum.exact);
-    INFO(kind_name(kind));
+    INFO(name_of(kind));
     CHECK(sum.filter > 0);
     if (kind == Kind::edge_edge || kind == Kind::vertex_face) CHECK(sum.bracket > 0);
     CHECK(sum.exact > 0);

@@ -78,7 +78,7 @@ void methods_agree(Kind kind, Group group, std::size_t count) {
     report.add(id, sample.query, wrong);
   });
   std::printf("seed %llu, %s: %zu queries by fast, exact and oracle\n", static_cast<unsigned long long>(kSeed),
-              kind_name(kind).data(), queries);
+              name_of(kind).data(), queries);
   report.finish();
 }
 
@@ -101,7 +101,7 @@ void fast_and_exact_agree(Kind kind, std::size_t count) {
     report.add(id, query, wrong);
   });
   std::printf("seed %llu, %s: %zu queries by fast and exact, %zu of them decided before the exact level\n",
-              static_cast<unsigned long long>(kSeed + 1), kind_name(kind).data(), report.checked(), before_exact);
+              static_cast<unsigned long long>(kSeed + 1), name_of(kind).data(), report.checked(), before_exact);
   report.finish();
 }
 

@@ -35,13 +35,12 @@ std::string at_exact_time(const Query& query, const Answer& answer) {
   const StaticContact truth = contact_at(query.kind, corners_at(query, time));
   if (!truth.touching) return "the elements do not touch at toi";
   if (answer.feature_a != truth.feature_a || answer.feature_b != truth.feature_b) {
-    return "the features are " + std::string(feature_name(truth.feature_a)) + " " +
-           std::string(feature_name(truth.feature_b));
+    return "the features are " + std::string(name_of(truth.feature_a)) + " " + std::string(name_of(truth.feature_b));
   }
   if (!near(answer.weights_a, truth.weights_a)) return "weights_a are off by more than 2^-50";
   if (!near(answer.weights_b, truth.weights_b)) return "weights_b are off by more than 2^-50";
   const Nature nature = nature_at(query, time);
-  if (answer.nature != nature) return "the nature is " + std::string(nature_name(nature));
+  if (answer.nature != nature) return "the nature is " + std::string(name_of(nature));
   return "";
 }
 

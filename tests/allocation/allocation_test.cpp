@@ -105,13 +105,12 @@ TEST_CASE("solve allocates nothing before exact arithmetic, and hardly ever for 
         }
         if (answer.level == Level::filter) ++by_filter[static_cast<std::size_t>(id.kind)];
         if (answer.level == Level::bracket) ++by_bracket;
-        report.add(
-            id, query,
-            during == 0 ? "" : std::to_string(during) + " allocations by " + std::string(level_name(answer.level)));
+        report.add(id, query,
+                   during == 0 ? "" : std::to_string(during) + " allocations by " + std::string(name_of(answer.level)));
       });
   if (!chosen_case()) {
     for (const Kind kind : kKinds) {
-      std::printf("%-12s %zu queries decided by a filter\n", kind_name(kind).data(),
+      std::printf("%-12s %zu queries decided by a filter\n", name_of(kind).data(),
                   by_filter[static_cast<std::size_t>(kind)]);
       CHECK(by_filter[static_cast<std::size_t>(kind)] > 0);
     }

@@ -45,7 +45,7 @@ TEST_CASE("a kind that a baseline does not take is an error, not an answer") {
     for (const Kind kind : kKinds) {
       Query query;
       query.kind = kind;
-      INFO(method.name << " " << kind_name(kind));
+      INFO(method.name << " " << name_of(kind));
       if (method.supports(kind)) {
         CHECK_NOTHROW(answer_of(method, query));
       } else {

@@ -17,7 +17,7 @@ std::string complaint(const Query& query, double t_max, double tolerance) {
   const Verdict verdict =
       judge({result.contact, result.contact ? std::optional<double>(result.toi) : std::nullopt}, truth);
   if (verdict == Verdict::holds || verdict == Verdict::phantom) return {};
-  return std::string(verdict_name(verdict)) + " at tolerance " + hexfloat(tolerance) + " and t_max " + hexfloat(t_max) +
+  return std::string(name_of(verdict)) + " at tolerance " + hexfloat(tolerance) + " and t_max " + hexfloat(t_max) +
          ": said " + hexfloat(result.toi) + ", " + describe(truth);
 }
 

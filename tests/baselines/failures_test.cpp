@@ -37,7 +37,7 @@ void check_failures(const std::string& method_name, const std::vector<Failure>& 
     CHECK(solve(failure.query, {.method = Method::oracle}).toi == truth.toi);
     // The method's own answer.
     const std::optional<double> toi = result.contact ? std::optional<double>(result.toi) : std::nullopt;
-    CHECK(verdict_name(judge({result.contact, toi}, truth)) == verdict_name(failure.verdict));
+    CHECK(name_of(judge({result.contact, toi}, truth)) == name_of(failure.verdict));
   }
 }
 

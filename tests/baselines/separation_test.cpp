@@ -55,7 +55,7 @@ TEST_CASE("random ordinary queries with a separation are answered rightly by eve
       const Answer truth = solve(query, {.separation = separation});
       contacts += truth.contact;
       for (const auto& method : baselines::separation_methods()) {
-        CAPTURE(method.name, kind_name(kind), i);
+        CAPTURE(method.name, name_of(kind), i);
         const baselines::Result result = ask(method, query, separation.distance);
         if (method.name == "thick_advancement") {
           // A tenth of the first gap early, and never late but for rounding.

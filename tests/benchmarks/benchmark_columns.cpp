@@ -87,7 +87,7 @@ std::vector<double> measured(const std::vector<std::function<void()>>& actions, 
 
 void measure(Kind kind, int repetitions) {
   const Candidates candidates = candidates_of(kind);
-  std::printf("%s: the first test leaves %.1f %% of the candidates\n", kind_name(kind).data(),
+  std::printf("%s: the first test leaves %.1f %% of the candidates\n", name_of(kind).data(),
               100 * static_cast<double>(candidates.left.size()) /
                   static_cast<double>(candidates.left.size() + candidates.proved.size()));
   std::printf("  %%    solve");

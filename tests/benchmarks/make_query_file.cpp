@@ -49,11 +49,11 @@ void write_queries(Kind kind, std::uint64_t count, std::uint64_t seed, const std
   file.close();
   if (!file) throw Error(path + ": cannot be written");
   std::printf("%s: %llu %s queries of seed %llu, %zu contacts\n", path.c_str(), static_cast<unsigned long long>(count),
-              kind_name(kind).data(), static_cast<unsigned long long>(seed), contacts);
+              name_of(kind).data(), static_cast<unsigned long long>(seed), contacts);
 }
 
 int run(const std::vector<std::string>& arguments) {
-  const auto kind = arguments.size() == 4 ? io::kind_from_name(arguments[0]) : std::nullopt;
+  const auto kind = arguments.size() == 4 ? from_name<Kind>(arguments[0]) : std::nullopt;
   if (!kind) {
     std::cerr << "usage: make_query_file KIND COUNT SEED FILE, where KIND is " << io::kind_names() << "\n";
     return 2;

@@ -31,7 +31,7 @@ void read_file(const fs::path& path, std::vector<Query>& queries) {
 }
 
 QuerySet of_kind(const QuerySet& all, Kind kind) {
-  QuerySet set{all.name + "-" + std::string(kind_name(kind)), {}};
+  QuerySet set{all.name + "-" + std::string(name_of(kind)), {}};
   std::copy_if(all.queries.begin(), all.queries.end(), std::back_inserter(set.queries),
                [&](const Query& query) { return query.kind == kind; });
   return set;
@@ -59,12 +59,12 @@ std::vector<QuerySet> family_sets(std::size_t queries_of_each_kind) {
   for (const tests::FamilyInfo& family : tests::all_families()) {
     QuerySet set{std::string(family.name), {}};
     for (std::size_t index = 0; index < queries_of_each_kind; ++index) {
-      for (const Kind kind : tests::kKinds)
+      for (const Kind kind : touchstone::kKinds)
         set.queries.push_back(make(tests::CaseId{family.family, kind, kSeed, index}));
     }
     sets.push_back(set);
     if (family.family != tests::Family::simulation) continue;
-    for (const Kind kind : tests::kKinds) sets.push_back(of_kind(set, kind));
+    for (const Kind kind : touchstone::kKinds) sets.push_back(of_kind(set, kind));
   }
   return sets;
 }

@@ -30,11 +30,11 @@ std::string field_of(const Answer& answer, const std::string& field) {
   if (field == "contact") return answer.contact ? "1" : "0";
   if (field == "toi") return hexfloat(answer.toi);
   if (field == "toi_upper") return hexfloat(answer.toi_upper);
-  if (field == "nature") return std::string(nature_name(answer.nature));
-  if (field == "trend") return std::string(trend_name(answer.trend));
+  if (field == "nature") return std::string(name_of(answer.nature));
+  if (field == "trend") return std::string(name_of(answer.trend));
   if (field == "starts_within") return answer.starts_within ? "1" : "0";
-  if (field == "feature_a") return std::string(feature_name(answer.feature_a));
-  return std::string(feature_name(answer.feature_b));
+  if (field == "feature_a") return std::string(name_of(answer.feature_a));
+  return std::string(name_of(answer.feature_b));
 }
 
 void check_answer(const ExpectedQuery& expected, const Answer& answer, const char* method) {

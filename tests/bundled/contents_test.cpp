@@ -74,21 +74,21 @@ TEST_CASE("there are hundreds of bundled queries, of every kind, nature and feat
     }
   }
   for (const Kind kind : {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point}) {
-    INFO(kind_name(kind));
+    INFO(name_of(kind));
     CHECK(contacts[kind]["0"] > 0);
     CHECK(contacts[kind]["1"] > 0);
   }
   for (const Nature nature :
        {Nature::crossing, Nature::entering, Nature::grazing, Nature::sustained, Nature::isolated}) {
-    INFO(nature_name(nature));
-    CHECK(natures[std::string(nature_name(nature))] > 0);
+    INFO(name_of(nature));
+    CHECK(natures[std::string(name_of(nature))] > 0);
   }
   CHECK(natures.size() == 5);
   std::size_t names = 0;
   for (int i = 1; i <= static_cast<int>(Feature::overlap); ++i) {
     const auto feature = static_cast<Feature>(i);
-    INFO(feature_name(feature));
-    CHECK(features[std::string(feature_name(feature))] > 0);
+    INFO(name_of(feature));
+    CHECK(features[std::string(name_of(feature))] > 0);
     ++names;
   }
   CHECK(features.size() == names);

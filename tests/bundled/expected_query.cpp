@@ -28,7 +28,7 @@ Kind kind_of_name(const std::string& name) {
   const auto parts = split(name, '/');
   if (parts.size() == 3 && parts[0] == "bundled") {
     for (const Kind kind : {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point}) {
-      if (parts[1] == kind_name(kind)) return kind;
+      if (parts[1] == name_of(kind)) return kind;
     }
   }
   throw std::runtime_error(name + ": not bundled/KIND/FAMILY.csv");

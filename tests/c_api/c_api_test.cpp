@@ -26,8 +26,6 @@ using namespace touchstone::tests;
 
 namespace {
 
-constexpr std::array<Kind, 4> kKinds = {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point};
-
 /// Queries of one kind on a lattice of small integers, as rows of doubles.
 struct Rows {
   Kind kind = Kind::edge_edge;
@@ -60,7 +58,7 @@ struct Rows {
 }  // namespace
 
 TEST_CASE("one query, rows and columns give the answers of C++") {
-  for (const Kind kind : kKinds) {
+  for (const Kind kind : touchstone::kKinds) {
     const Rows rows(kind, 300, 7);
     const int c_kind = static_cast<int>(kind);
     std::vector<double> distances;
@@ -180,10 +178,10 @@ TEST_CASE("many rows, on any number of threads, are the columns' answers, and an
 TEST_CASE("numbers have the names of C++, and others have none") {
   CHECK(touchstone_version() == std::string(touchstone::version()));
   for (int i = 0; i < 30; ++i) {
-    CHECK(touchstone_nature_name(i) == touchstone::nature_name(static_cast<touchstone::Nature>(i)));
-    CHECK(touchstone_feature_name(i) == touchstone::feature_name(static_cast<touchstone::Feature>(i)));
-    CHECK(touchstone_level_name(i) == touchstone::level_name(static_cast<touchstone::Level>(i)));
-    CHECK(touchstone_trend_name(i) == touchstone::trend_name(static_cast<touchstone::Trend>(i)));
+    CHECK(touchstone_nature_name(i) == touchstone::name_of(static_cast<touchstone::Nature>(i)));
+    CHECK(touchstone_feature_name(i) == touchstone::name_of(static_cast<touchstone::Feature>(i)));
+    CHECK(touchstone_level_name(i) == touchstone::name_of(static_cast<touchstone::Level>(i)));
+    CHECK(touchstone_trend_name(i) == touchstone::name_of(static_cast<touchstone::Trend>(i)));
   }
   for (const int none : {-1, 255, 256, 257, 1 << 20, std::numeric_limits<int>::min()}) {
     CHECK(touchstone_nature_name(none) == std::string());

@@ -201,10 +201,10 @@ TEST_CASE("a claim that holds as written is no double early when its nearest dou
 }
 
 TEST_CASE("verdicts have the names that reports use") {
-  CHECK(verdict_name(Verdict::holds) == "holds");
-  CHECK(verdict_name(Verdict::missed) == "missed");
-  CHECK(verdict_name(Verdict::phantom) == "phantom");
-  CHECK(verdict_name(Verdict::late) == "late");
+  CHECK(name_of(Verdict::holds) == "holds");
+  CHECK(name_of(Verdict::missed) == "missed");
+  CHECK(name_of(Verdict::phantom) == "phantom");
+  CHECK(name_of(Verdict::late) == "late");
 }
 
 TEST_CASE("a tally counts verdicts, levels, natures and early claims, and parts add up to the whole") {

@@ -66,7 +66,7 @@ TEST_CASE("the proofs of judged queries are those that prove writes, whether the
   const std::string proofs = folder.path("proofs.txt");
   for (const Kind kind : kKinds) {
     const SampleFile sample = sample_file(kind, 8, 4);
-    const std::string file = folder.write(std::string(kind_name(kind)) + "/a.csv", sample.text);
+    const std::string file = folder.write(std::string(name_of(kind)) + "/a.csv", sample.text);
     REQUIRE(run_program({"prove", "--out", folder.path("proved.txt"), file}).status == 0);
     const std::string proved = folder.read("proved.txt");
 
@@ -76,7 +76,7 @@ TEST_CASE("the proofs of judged queries are those that prove writes, whether the
     options.proofs = proofs;
     for (const int threads : {1, 2, 5}) {
       for (const std::size_t chunk : {std::size_t{3}, std::size_t{5000}, io::kChunkBytes}) {
-        CAPTURE(kind_name(kind), threads, chunk);
+        CAPTURE(name_of(kind), threads, chunk);
         options.threads = threads;
         options.chunk_bytes = chunk;
         const Run run = run_here([&] { return cli::run_certify(options); });
@@ -98,12 +98,12 @@ TEST_CASE("a flipped answer in a copy of the proofs is rejected, and its query i
   const TemporaryFolder folder;
   for (const Kind kind : kKinds) {
     const SampleFile sample = sample_file(kind, 21, 2);
-    const std::string file = folder.write(std::string(kind_name(kind)) + "/a.csv", sample.text);
+    const std::string file = folder.write(std::string(name_of(kind)) + "/a.csv", sample.text);
     REQUIRE(run_program({"certify", "--proofs", folder.path("proofs.txt"), file}).status == 0);
     const std::string proofs = folder.read("proofs.txt");
     for (std::size_t i = 0; i < sample.queries.size(); i += 5) {
       const Run checked = run_checker(folder.write("flipped.txt", with_flipped_answer(proofs, i)), {file});
-      CAPTURE(kind_name(kind), i, checked.err);
+      CAPTURE(name_of(kind), i, checked.err);
       CHECK(checked.status == 1);
       CHECK(checked.err.rfind("rejected: " + file + ": query " + std::to_string(i) + ": ", 0) == 0);
     }

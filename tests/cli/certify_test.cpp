@@ -64,8 +64,7 @@ TEST_CASE("one flipped truth bit is refuted, and its query is named with the exa
     const SampleFile sample = sample_file(kind, 5, 2);
     for (const bool contact : {true, false}) {
       const std::size_t wrong = first_with_contact(sample, contact);
-      const std::string file =
-          folder.write(std::string(kind_name(kind)) + "/a.csv", with_flipped_truth(sample, {wrong}));
+      const std::string file = folder.write(std::string(name_of(kind)) + "/a.csv", with_flipped_truth(sample, {wrong}));
       const std::string rows = std::to_string(2 * corner_count(kind) * wrong + 1) + " to " +
                                std::to_string(2 * corner_count(kind) * (wrong + 1));
       for (const std::string threads : {"1", "2", "5"}) {
@@ -136,8 +135,8 @@ TEST_CASE("the report lists every refuted claim with its exact answer and corner
     CHECK(refuted["answer"]["contact"] == (answer.contact ? 1 : 0));
     CHECK(refuted["answer"]["toi"] == hexfloat_or_null(answer.contact, answer.toi));
     CHECK(refuted["answer"]["toi_upper"] == hexfloat_or_null(answer.contact, answer.toi_upper));
-    CHECK(refuted["answer"]["nature"] == (answer.contact ? json(nature_name(answer.nature)) : json(nullptr)));
-    CHECK(refuted["answer"]["level"] == level_name(answer.level));
+    CHECK(refuted["answer"]["nature"] == (answer.contact ? json(name_of(answer.nature)) : json(nullptr)));
+    CHECK(refuted["answer"]["level"] == name_of(answer.level));
     const Fraction x = io::fraction_of(sample.queries[wrong[i]].end[3].x);
     CHECK(refuted["corners"]["f2"]["end"][0] == x.numerator + "/" + x.denominator);
     CHECK(refuted["corners"].size() == 4);

@@ -44,7 +44,7 @@ std::string answers(const std::string& file, const std::vector<std::string>& mor
 TEST_CASE("every way through the formats and back to CSV gives the same bytes, for any number of threads") {
   const TemporaryFolder folder;
   for (const Kind kind : kKinds) {
-    const std::string name(kind_name(kind));
+    const std::string name(name_of(kind));
     CAPTURE(name);
     const std::string csv = folder.write(name + "/a.csv", sample_file(kind, 11, 12).text);
     const auto path = [&](const std::string& file) { return folder.path(std::string(name).append("/").append(file)); };

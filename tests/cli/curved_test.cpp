@@ -70,7 +70,7 @@ std::string text_of(const std::vector<CurvedQuery>& queries, bool flipped = fals
 /// The program with the options that ask for the separation.
 Run run_with(const Separation& separation, std::vector<std::string> arguments) {
   arguments.insert(arguments.end(), {"--separation", io::hexfloat(separation.distance), "--metric",
-                                     std::string(metric_name(separation.metric))});
+                                     std::string(name_of(separation.metric))});
   return run_program(arguments);
 }
 
@@ -81,7 +81,7 @@ TEST_CASE("solve answers curved files beside straight ones, as the library does"
   std::vector<std::string> files;
   std::string expected = std::string(io::kAnswerHeader);
   for (const Kind kind : kKinds) {
-    const std::string name(kind_name(kind));
+    const std::string name(name_of(kind));
     const std::vector<CurvedQuery> queries = some_queries(kind, effort(60));
     files.push_back(folder.write(name + "/curved.csv", text_of(queries)));
     for (std::size_t i = 0; i < queries.size(); ++i) {
@@ -283,8 +283,7 @@ TEST_CASE("a separation of curved queries: all levels answer as the library does
         separation.metric == Metric::max ? "separation 0x1p-1 (0.5), max" : "separation 0x1.8p-1 (0.75), euclidean";
     for (const Kind kind : kKinds) {
       const std::vector<CurvedQuery> queries = some_queries(kind, effort(12));
-      const std::string file =
-          folder.write(std::string(kind_name(kind)) + "/a.csv", text_of(queries, false, separation));
+      const std::string file = folder.write(std::string(name_of(kind)) + "/a.csv", text_of(queries, false, separation));
       std::string expected(io::kSeparationAnswerHeader);
       for (std::size_t i = 0; i < queries.size(); ++i) {
         const Answer answer = solve(queries[i], {.separation = separation});
@@ -294,7 +293,7 @@ TEST_CASE("a separation of curved queries: all levels answer as the library does
       }
       const std::string claims = folder.path("claims.csv");
       REQUIRE(run_with(separation, {"solve", "--out", claims, file}).status == 0);
-      CAPTURE(about, kind_name(kind));
+      CAPTURE(about, name_of(kind));
       CHECK(folder.read("claims.csv") == expected);
       for (const std::string level : {"exact", "oracle"}) {
         const Run run = run_program({"certify", "--level", level, "--claims", claims, file});
@@ -306,7 +305,7 @@ TEST_CASE("a separation of curved queries: all levels answer as the library does
       CHECK(run_with(separation, {"certify", file}).status == 0);
       CHECK(run_program({"certify", file, "--separation", "3"}).status == 2);
       const std::string flipped =
-          folder.write(std::string(kind_name(kind)) + "/flipped.csv", text_of(queries, true, separation));
+          folder.write(std::string(name_of(kind)) + "/flipped.csv", text_of(queries, true, separation));
       const Run refuted = run_program({"certify", "--report", folder.path("r.json"), flipped});
       CHECK(refuted.status == 1);
       const json report = json::parse(folder.read("r.json"));

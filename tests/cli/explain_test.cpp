@@ -42,7 +42,7 @@ TEST_CASE("any query of a file can be told, of every kind, with the answer that 
   for (const Kind kind : kKinds) {
     const TemporaryFolder folder;
     const SampleFile sample = sample_file(kind, 21, 1);
-    const std::string file = folder.write(std::string(kind_name(kind)) + "/a.csv", sample.text);
+    const std::string file = folder.write(std::string(name_of(kind)) + "/a.csv", sample.text);
     for (std::size_t i = 0; i < sample.queries.size(); i += 5) {
       const Run run = run_program({"explain", "--query", std::to_string(i), file});
       CAPTURE(run.out, run.err, i);
@@ -50,8 +50,7 @@ TEST_CASE("any query of a file can be told, of every kind, with the answer that 
       const Answer& answer = sample.answers[i];
       CHECK(occurrences(run.out, "\nanswer: no contact\n") == (answer.contact ? 0 : 1));
       if (answer.contact) {
-        CHECK(occurrences(run.out, "\nanswer: " + std::string(nature_name(answer.nature)) + " contact, first at t ") ==
-              1);
+        CHECK(occurrences(run.out, "\nanswer: " + std::string(name_of(answer.nature)) + " contact, first at t ") == 1);
         CHECK(occurrences(run.out.substr(run.out.find("\nanswer: ")), io::hexfloat(answer.toi)) == 1);
       }
       CHECK(occurrences(run.out, " says " + std::string(answer.contact ? "1" : "0") + ": holds\n") == 1);

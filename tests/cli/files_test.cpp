@@ -20,7 +20,7 @@
 
 using namespace touchstone;
 using namespace touchstone::tests;
-using Names = std::set<std::string>;
+using NameList = std::set<std::string>;
 
 namespace {
 
@@ -62,7 +62,7 @@ TEST_CASE("damage is named with file and row, and leaves no output behind, whate
     CHECK(certify.out == "");
     CHECK(certify.err == file + damage.error + "\n");
   }
-  CHECK(folder.names() == Names{"point-point", "out.csv"});
+  CHECK(folder.names() == NameList{"point-point", "out.csv"});
   CHECK(folder.read("out.csv") == "old answers");
 }
 
@@ -94,7 +94,7 @@ TEST_CASE("an interrupted run ends by the signal and leaves no output behind") {
   for (int i = 0; i < 20; ++i) arguments.push_back(queries);  // minutes of work
   const Run run = run_program(arguments, options);
   CHECK(run.status == 128 + SIGINT);
-  CHECK(folder.names() == Names{"point-point"});
+  CHECK(folder.names() == NameList{"point-point"});
 }
 
 TEST_CASE("an interrupt ends a run that waits for a pipe") {
@@ -111,7 +111,7 @@ TEST_CASE("an interrupt ends a run that waits for a pipe") {
   const Run reading = run_program({"certify", "--threads", "1", pipe}, options);
   CHECK(reading.status == 128 + SIGINT);
   ::close(writer);
-  CHECK(folder.names() == Names{"point-point"});
+  CHECK(folder.names() == NameList{"point-point"});
 }
 
 TEST_CASE("memory does not grow with the file") {
@@ -158,7 +158,7 @@ TEST_CASE("an output file beyond the size that the system allows is one line of 
   const Run run = run_program({"solve", "--out", out, file}, limited);
   CHECK(run.status == 2);
   CHECK(run.err == out + ": cannot be written: File too large\n");
-  CHECK(folder.names() == Names{"point-point"});
+  CHECK(folder.names() == NameList{"point-point"});
 }
 
 TEST_CASE("a scene and a mesh without an end, or of a terabyte, are refused with the limit") {

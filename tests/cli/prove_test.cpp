@@ -97,14 +97,14 @@ TEST_CASE("proofs with a separation name it before each file, and the number of 
   const TemporaryFolder folder;
   for (const Kind kind : kKinds) {
     const SampleFile sample = sample_file(kind, 6, 5);
-    const std::string first = folder.write(std::string(kind_name(kind)) + "/a.csv", sample.text);
+    const std::string first = folder.write(std::string(name_of(kind)) + "/a.csv", sample.text);
     const std::string second = folder.write("point-point/b.csv", two_point_queries());
     for (const std::string metric : {"euclidean", "max"}) {
       std::string proofs;
       for (const char* threads : {"1", "2", "7"}) {
         const Run run = run_program({"prove", "--separation", "0.125", "--metric", metric, "--threads", threads,
                                      "--out", folder.path("proofs.txt"), first, second});
-        CAPTURE(kind_name(kind), metric, threads, run.out, run.err);
+        CAPTURE(name_of(kind), metric, threads, run.out, run.err);
         REQUIRE(run.status == 0);
         CHECK(occurrences(run.out, " (separation 0x1p-3 (0.125), " + metric + ")\n") == 1);
         const std::string text = folder.read("proofs.txt");

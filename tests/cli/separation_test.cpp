@@ -86,7 +86,7 @@ TEST_CASE("solve writes what a separation's answer has in addition, and the sepa
 TEST_CASE("separation 0 adds columns to the answers and changes none") {
   const TemporaryFolder folder;
   for (const Kind kind : kKinds) {
-    const std::string file = folder.write(std::string(kind_name(kind)) + "/a.csv", sample_file(kind, 77, 1).text);
+    const std::string file = folder.write(std::string(name_of(kind)) + "/a.csv", sample_file(kind, 77, 1).text);
     const std::string plain = run_program({"solve", file}).out;
     const std::string zero = run_program({"solve", "--separation", "0", "--metric", "max", file}).out;
     std::string cut;
@@ -205,7 +205,7 @@ TEST_CASE("generated sets with a separation hold, and a flipped bit is refuted")
                                                                                {"sheets", Kind::edge_edge},
                                                                                {"sheets", Kind::vertex_face},
                                                                                {"cables", Kind::edge_edge}}) {
-      const std::string name = metric + "/" + scene + "/" + std::string(kind_name(kind)) + "/seed-1.csv";
+      const std::string name = metric + "/" + scene + "/" + std::string(name_of(kind)) + "/seed-1.csv";
       const std::string file = folder.path(name);
       const std::string text = folder.read(name);
       CAPTURE(name);
@@ -300,7 +300,7 @@ TEST_CASE("fuzz with a separation breaks the baselines, finds ours right, and it
     std::vector<std::string> certify = {"certify", "--separation", "0.5"};
     for (const Kind kind : kKinds) {
       for (const char* failure : {"missed", "late", "phantom"}) {
-        const std::string file = out + "/" + std::string(kind_name(kind)) + "/" + failure + ".csv";
+        const std::string file = out + "/" + std::string(name_of(kind)) + "/" + failure + ".csv";
         if (std::filesystem::exists(file)) certify.push_back(file);
       }
     }

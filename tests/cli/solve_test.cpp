@@ -30,7 +30,7 @@ TEST_CASE("answers are those of the library, for any number of threads and any c
   cli::SolveOptions options;
   for (const Kind kind : kKinds) {
     const SampleFile sample = sample_file(kind, kSeed, 2);
-    options.files.push_back(folder.write(std::string(kind_name(kind)) + "/a.csv", sample.text));
+    options.files.push_back(folder.write(std::string(name_of(kind)) + "/a.csv", sample.text));
     expected += expected_rows(options.files.back(), sample.answers);
   }
   options.out = folder.path("answers.csv");

@@ -25,7 +25,6 @@ namespace touchstone::tests {
 namespace {
 
 constexpr std::uint64_t kSeed = 47;
-constexpr std::array<Kind, 4> kKinds = {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point};
 
 /// Queries of all kinds and families, touching and apart.
 std::vector<CurvedQuery> mixed_queries(std::size_t count) {

@@ -45,7 +45,7 @@ void exact_and_oracle_agree(const char* name, Maker make, Kind kind, std::size_t
   }
   std::printf(
       "seed %llu, %s, %s: %zu queries, %zu with contact: %zu crossing, %zu grazing, %zu sustained, %zu isolated\n",
-      static_cast<unsigned long long>(kSeed), name, kind_name(kind).data(), effort(count), contacts, natures[1],
+      static_cast<unsigned long long>(kSeed), name, name_of(kind).data(), effort(count), contacts, natures[1],
       natures[2], natures[3], natures[4]);
   if (whole_effort("that some curved queries of a family touch")) CHECK(contacts > 0);
 }

@@ -150,7 +150,7 @@ TEST_CASE("the tip of a rod passes through a wall at a third of a quarter turn")
   CHECK(solve_screw(query, {0.33}).verdict == ScrewVerdict::free);
   CHECK(solve_screw(query, {0.33}).free_until == 0.33);
   CHECK(solve_screw(query, {0.34}).verdict == ScrewVerdict::contact);
-  CHECK(screw_verdict_name(ScrewVerdict::contact) == "contact");
+  CHECK(name_of(ScrewVerdict::contact) == "contact");
 }
 
 TEST_CASE("the tip of a rod comes near a wall, and the bound decides") {
@@ -212,7 +212,7 @@ TEST_CASE("verdicts on random motions hold on the true motion") {
     options.arcs = 1 << rng.between(2, 5);
     options.most_arcs = rng.one_in(2) ? options.arcs : 256;
     const ScrewAnswer answer = solve_screw(query, options);
-    INFO("seed " << kSeed << ", index " << index << ": " << screw_verdict_name(answer.verdict) << ", free until "
+    INFO("seed " << kSeed << ", index " << index << ": " << name_of(answer.verdict) << ", free until "
                  << hexfloat(answer.free_until) << ", contact by " << hexfloat(answer.contact_by) << "\n"
                  << text_of(query));
     ++verdicts[static_cast<std::size_t>(answer.verdict)];

@@ -164,7 +164,7 @@ void straight_as_curves(Kind kind) {
     report.add(id, query, wrong);
   });
   std::printf("seed %llu, %s: %zu straight queries with a separation as curves, %zu with contact\n",
-              static_cast<unsigned long long>(kSeed), kind_name(kind).data(), report.checked(), contacts);
+              static_cast<unsigned long long>(kSeed), name_of(kind).data(), report.checked(), contacts);
   CHECK(contacts > 0);
   report.finish();
 }
@@ -193,7 +193,7 @@ void exact_and_oracle_agree(const char* name, Maker make, std::initializer_list<
       const Separation separation = {distance_for(rng), rng.pick(kMetrics)};
       const double t_max = rng.one_in(4) ? rng.unit() : 1;
       INFO("seed " << kSeed << ", index " << index << ", t_max " << hexfloat(t_max) << ", distance "
-                   << hexfloat(separation.distance) << " " << metric_name(separation.metric) << "\n"
+                   << hexfloat(separation.distance) << " " << name_of(separation.metric) << "\n"
                    << text_of(query));
       const Answer answer = solved_within(query, separation, t_max);
       ++checked;
@@ -261,8 +261,8 @@ TEST_CASE("a batch of curved queries with separations: the same bits as one by o
     BatchOptions options;
     options.threads = threads;
     options.separation.metric = Metric::max;
-    options.distances = distances.data();
-    options.distance_count = distances.size();
+    options.separations = distances.data();
+    options.separation_count = distances.size();
     const std::vector<Answer> answers = solve_batch(queries, options);
     for (std::size_t i = 0; i < queries.size(); ++i) {
       REQUIRE(bit_difference(solve(queries[i], {.separation = Separation{distances[i], Metric::max}}), answers[i],

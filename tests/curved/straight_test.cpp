@@ -48,7 +48,7 @@ void straight_as_curves(Kind kind) {
     report.add(id, query, wrong);
   });
   std::printf("seed %llu, %s: %zu straight queries as curves, %zu with contact; %zu with another control point\n",
-              static_cast<unsigned long long>(kSeed), kind_name(kind).data(), report.checked(), contacts, raised);
+              static_cast<unsigned long long>(kSeed), name_of(kind).data(), report.checked(), contacts, raised);
   CHECK(contacts > 0);
   CHECK(raised > 0);
   report.finish();

@@ -165,7 +165,7 @@ TEST_CASE("positions and elements of a mesh are those of matrices, in either sto
   const touchstone::Mesh mesh(elements);
   const Eigen::Matrix<double, 4, 3, Eigen::RowMajor> end_by_rows = end;
   const auto step = touchstone::free_step(mesh, touchstone::to_positions(start), touchstone::to_positions(end_by_rows));
-  CHECK(step.contact.toi == 0.5);
+  CHECK(step.first_contact.toi == 0.5);
   CHECK(touchstone::to_matrix(step.positions)(3, 2) > 0);
   CHECK(touchstone::to_matrix(step.positions).topRows(3) == start.topRows(3));
 }

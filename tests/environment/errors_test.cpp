@@ -54,7 +54,7 @@ TEST_CASE("every coordinate that is not finite is refused by name") {
           for (std::size_t axis = 0; axis < 3; ++axis) {
             Query query = good;
             coordinate((end == 0 ? query.start : query.end)[corner], axis) = bad;
-            const std::string where = std::string(kind_name(kind)) + " query: corner " +
+            const std::string where = std::string(name_of(kind)) + " query: corner " +
                                       std::string(corner_name(kind, corner)) + " at t = " + std::to_string(end) +
                                       " has " + "xyz"[axis] + " = " + value;
             for (const Method method : kMethods)
@@ -143,9 +143,9 @@ TEST_CASE("a kind that is none of the four is refused by its number") {
   check_message(refusal([&] { solve_batch(columns, &answer); }), {says});
   query.kind = Kind(4);
   check_message(refusal([&] { solve(query); }), {"the kind is 4;"});
-  CHECK(kind_name(Kind(77)).empty());
+  CHECK(name_of(Kind(77)).empty());
   CHECK(corner_name(Kind(77), 0).empty());
-  CHECK(feature_name(Feature(77)).empty());
+  CHECK(name_of(Feature(77)).empty());
 }
 
 TEST_CASE("a method that is none of the four is refused by its number") {
@@ -210,7 +210,7 @@ TEST_CASE("a fraction that is not two decimal integers is refused by name") {
         query.kind = kind;
         (end == 0 ? query.start : query.end)[corner][1] = fraction;
         INFO("\"" << fraction.numerator << "\" / \"" << fraction.denominator << "\"");
-        const std::string where = std::string(kind_name(kind)) + " query: corner " +
+        const std::string where = std::string(name_of(kind)) + " query: corner " +
                                   std::string(corner_name(kind, corner)) + " at t = " + std::to_string(end) + " has y";
         for (const Method method : kMethods) CHECK(contains(refusal([&] { solve(query, {.method = method}); }), where));
         CHECK(contains(refusal([&] { contact_times(query); }), where));

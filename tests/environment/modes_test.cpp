@@ -256,8 +256,8 @@ TEST_CASE("a batch keeps a subnormal separation in every floating-point mode") {
       }
     }
     options.separation.distance = distance;
-    with_column.distances = &distance;
-    with_column.distance_count = 1;
+    with_column.separations = &distance;
+    with_column.separation_count = 1;
   }
   for (const FloatMode& mode : float_modes()) {
     INFO(mode.name());
@@ -273,7 +273,7 @@ TEST_CASE("a batch keeps a subnormal separation in every floating-point mode") {
       below.separation.distance = negative;
       refusals += refused([&] { solve_batch(&straight, 1, &answers[0], below); });
       below = with_column;
-      below.distances = &negative;
+      below.separations = &negative;
       refusals += refused([&] { solve_batch(&straight, 1, &answers[0], below); });
     }
     CHECK(refusals == 2);

@@ -69,12 +69,12 @@ TEST_CASE("the story of a separation names the pair of features that comes withi
 
 TEST_CASE("the story's answer with a separation is the decision in every family") {
   for (const tests::FamilyInfo& family : tests::all_families()) {
-    for (const Kind kind : tests::kKinds) {
+    for (const Kind kind : touchstone::kKinds) {
       for (const Metric metric : {Metric::euclidean, Metric::max}) {
         const tests::CaseId id{family.family, kind, 43, 0};
         const Query query = tests::make(id);
         const Separation separation = {0.25, metric};
-        INFO(tests::case_name(id) << ", " << metric_name(metric));
+        INFO(tests::case_name(id) << ", " << name_of(metric));
         const exact::Story story = exact::explain(query, 1, separation);
         REQUIRE(tests::bit_difference(story.answer, exact::decide_exactly(query, 1, separation), true).empty());
         REQUIRE_FALSE(story.candidates.empty());
@@ -86,7 +86,7 @@ TEST_CASE("the story's answer with a separation is the decision in every family"
 
 TEST_CASE("the story's answer is the decision in every family") {
   for (const tests::FamilyInfo& family : tests::all_families()) {
-    for (const Kind kind : tests::kKinds) {
+    for (const Kind kind : touchstone::kKinds) {
       for (std::uint64_t index = 0; index < 20; ++index) {
         const tests::CaseId id{family.family, kind, 41, index};
         const Query query = tests::make(id);

@@ -163,12 +163,12 @@ TEST_CASE("facts of the bracket level in columns are decisions of the filters") 
         REQUIRE(decision.test == filters::Test::boxes);
       } else if (found.facts[0] == filters::kNoContactAtRoot) {
         REQUIRE(decision.test == filters::Test::bracket);
-        REQUIRE(decision.finding == filters::Finding::no_contact);
+        REQUIRE(decision.finding == filters::Outcome::no_contact);
       } else if (decision.test == filters::Test::bracket) {
         Answer refined;
         const filters::Question question = {queries[i], 1, exact::coplanarity_at, Wanted::all};
-        const filters::Finding finding = filters::decide_refined(question, found.root(0), refined);
-        if (finding == filters::Finding::uncertain) continue;  // the tests below decide, or this one once rescaled
+        const filters::Outcome finding = filters::decide_refined(question, found.root(0), refined);
+        if (finding == filters::Outcome::uncertain) continue;  // the tests below decide, or this one once rescaled
         REQUIRE(finding == decision.finding);
         REQUIRE(refined.toi == answer.toi);
         ++refined_ones;
@@ -197,7 +197,7 @@ filters::RefinedRoot refined_one_by_one(const Query& query, const filters::Simpl
 bool same_bits(const filters::RefinedRoot& a, const filters::RefinedRoot& b, bool with_weights) {
   const auto same = [](double x, double y) { return std::memcmp(&x, &y, sizeof x) == 0; };
   if (a.finding != b.finding) return false;
-  if (a.finding != filters::Finding::contact) return true;
+  if (a.finding != filters::Outcome::contact) return true;
   if (!same(a.toi, b.toi) || !same(a.toi_upper, b.toi_upper)) return false;
   return !with_weights ||
          (same(a.weights[0], b.weights[0]) && same(a.weights[1], b.weights[1]) && same(a.weights[2], b.weights[2]));
@@ -258,10 +258,10 @@ TEST_CASE("roots refined in vectors of every width are those refined one by one"
           expected.push_back(refined_one_by_one(queries[i], roots[i], t_max, wanted));
           ++seen[static_cast<std::size_t>(expected.back().finding)];
         }
-        CAPTURE(kind_name(kind), t_max, with_weights);
-        CHECK(seen[static_cast<std::size_t>(filters::Finding::contact)] > (t_max == 1 ? 200u : 80u));
-        CHECK(seen[static_cast<std::size_t>(filters::Finding::no_contact)] > 5);
-        CHECK(seen[static_cast<std::size_t>(filters::Finding::uncertain)] > 20);
+        CAPTURE(name_of(kind), t_max, with_weights);
+        CHECK(seen[static_cast<std::size_t>(filters::Outcome::contact)] > (t_max == 1 ? 200u : 80u));
+        CHECK(seen[static_cast<std::size_t>(filters::Outcome::no_contact)] > 5);
+        CHECK(seen[static_cast<std::size_t>(filters::Outcome::uncertain)] > 20);
         for (const VectorWidth width : kWidths) {
           const auto kernel = filters::refine_kernel(kind, width);
           if (kernel == nullptr) {

@@ -26,7 +26,7 @@ TEST_CASE("from most queries of most families, climbing comes within a factor of
   std::size_t all = 0, before = 0, after = 0;
   for (const families::FamilyInfo& family : families::all_families()) {
     if (family.group == families::Group::scale) continue;
-    for (const Kind kind : families::kKinds) {
+    for (const Kind kind : kKinds) {
       for (std::uint64_t index = 0; index < kCases; ++index) {
         const families::CaseId id{family.family, kind, 5, index};
         fuzz::Climb climb(id);
@@ -52,7 +52,7 @@ TEST_CASE("with separations, too, climbing comes within a factor of two of a fil
         family.family == families::Family::gap_extreme) {
       continue;
     }
-    for (const Kind kind : families::kKinds) {
+    for (const Kind kind : kKinds) {
       for (std::uint64_t index = 0; index < kCases; ++index) {
         const fuzz::CaseName name{{family.family, kind, 5, index}};
         const fuzz::CaseSource source{{}, {1, Metric::euclidean}, true};
@@ -75,7 +75,7 @@ TEST_CASE("with separations, too, climbing comes within a factor of two of a fil
 
 TEST_CASE("every query that climbing comes to is finite") {
   for (const families::FamilyInfo& family : families::all_families()) {
-    for (const Kind kind : families::kKinds) {
+    for (const Kind kind : kKinds) {
       fuzz::Climb climb({family.family, kind, 6, 0});
       for (int i = 0; i < 200; ++i) {
         const auto query = std::get<Query>(climb.next());

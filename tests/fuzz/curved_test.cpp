@@ -59,7 +59,7 @@ class PlantedBug final : public fuzz::AnsweringSolver {
 std::string text_of(const fuzz::Outcome& outcome) {
   std::string text = std::to_string(outcome.queries);
   for (const fuzz::Finding& finding : outcome.findings) {
-    text.append("\n").append(fuzz::failure_name(finding.failure)).append(fuzz::case_text(finding.example.name));
+    text.append("\n").append(name_of(finding.failure)).append(fuzz::case_text(finding.example.name));
     text.append(std::to_string(finding.count)).append(fuzz::corners_text(finding.example.query, " "));
   }
   return text;
@@ -186,7 +186,7 @@ std::vector<families::Family> families_of_one_scale() {
 TEST_CASE("fuzzing curves: ours hold against each other with separations, one for all or of each query's own") {
   const auto name = GENERATE("touchstone", "batch");
   const Metric metric = GENERATE(Metric::euclidean, Metric::max);
-  CAPTURE(name, metric_name(metric));
+  CAPTURE(name, name_of(metric));
   fuzz::Settings settings = curved_settings(320);
   settings.families = families_of_one_scale();
   settings.separation = {0.75, metric};

@@ -46,9 +46,9 @@ std::string text_of(const fuzz::Outcome& outcome) {
     text << '\n';
   }
   for (const fuzz::Finding& finding : outcome.findings) {
-    text << fuzz::failure_name(finding.failure) << ' ' << fuzz::degeneracy_text(finding.degeneracy) << ' '
-         << finding.count << ' ' << fuzz::case_text(finding.example.name) << ' '
-         << cpp_initializer(std::get<Query>(finding.example.query)) << '\n';
+    text << name_of(finding.failure) << ' ' << fuzz::degeneracy_text(finding.degeneracy) << ' ' << finding.count << ' '
+         << fuzz::case_text(finding.example.name) << ' ' << cpp_initializer(std::get<Query>(finding.example.query))
+         << '\n';
   }
   return text.str();
 }
@@ -92,7 +92,7 @@ TEST_CASE("a planted bug of every class is found, counted and kept through shrin
                                    Planted{FailureClass::late, delay}, Planted{FailureClass::early, hurry},
                                    Planted{FailureClass::nan, lose}, Planted{FailureClass::crash, throw_something},
                                    Planted{FailureClass::malformed, babble}, Planted{FailureClass::hang, hang});
-  CAPTURE(fuzz::failure_name(planted.failure));
+  CAPTURE(name_of(planted.failure));
   fuzz::Settings settings = lattice_settings();
   settings.early.fraction = 0.01;
   const fuzz::Outcome outcome = fuzz::run(toy(planted.spoil), settings);
@@ -180,7 +180,7 @@ TEST_CASE("ours hold against each other in every family, with hill climbing and 
 TEST_CASE("ours hold against each other with separations of their own, with hill climbing and without") {
   const auto name = GENERATE("touchstone", "oracle", "batch");
   const Metric metric = GENERATE(Metric::euclidean, Metric::max);
-  CAPTURE(name, metric_name(metric));
+  CAPTURE(name, name_of(metric));
   fuzz::Settings settings;
   settings.own_separations = true;
   settings.separation = {1, metric};

@@ -31,7 +31,7 @@ Reply says(bool contact, std::optional<double> toi = std::nullopt) {
 
 std::string class_of(const Reply& reply, const Answer& truth, const fuzz::EarlyLimit& early = {}) {
   const auto failure = fuzz::failure_of(Query(), reply, truth, early);  // times are doubles: the query says no more
-  return failure ? std::string(fuzz::failure_name(failure->failure)) : "right";
+  return failure ? std::string(name_of(failure->failure)) : "right";
 }
 
 }  // namespace
@@ -90,7 +90,7 @@ TEST_CASE("a reply that is no answer is of its state's class, and keeps the deta
 
 TEST_CASE("every class has a name of its own") {
   std::set<std::string_view> names;
-  for (const FailureClass failure : fuzz::kEveryFailure) names.insert(fuzz::failure_name(failure));
+  for (const FailureClass failure : fuzz::kEveryFailure) names.insert(name_of(failure));
   CHECK(names.size() == fuzz::kFailureClasses);
   CHECK(names.count("") == 0);
 }

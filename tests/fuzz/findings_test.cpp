@@ -36,7 +36,7 @@ std::vector<Failing> some_failures() {
 std::string text_of(std::vector<fuzz::Finding> findings) {
   std::string text;
   for (const auto& finding : findings) {
-    text += std::string(fuzz::failure_name(finding.failure)) + " " + fuzz::degeneracy_text(finding.degeneracy) + " " +
+    text += std::string(name_of(finding.failure)) + " " + fuzz::degeneracy_text(finding.degeneracy) + " " +
             std::to_string(finding.count) + " " + fuzz::case_text(finding.example.name) + "\n";
   }
   return text;

@@ -130,7 +130,7 @@ TEST_CASE("kinds, families and earliness are the caller's choice") {
     return claim;
   };
   CHECK(fuzz_solver(at_zero, options).failures == 0);
-  options.early_share = 0.5;
+  options.early_fraction = 0.5;
   const std::uint64_t by_half = fuzz_solver(at_zero, options).failures;
   options.early_ulps = 0;
   CHECK(by_half > 0);
@@ -148,7 +148,7 @@ TEST_CASE("options without meaning are refused") {
   refuses([](FuzzOptions& options) { options.threads = 1025; });
   refuses([](FuzzOptions& options) { options.families = {"lattice9"}; });
   refuses([](FuzzOptions& options) { options.kinds = {Kind::edge_edge, Kind(77)}; });
-  refuses([](FuzzOptions& options) { options.early_share = -0.5; });
-  refuses([](FuzzOptions& options) { options.early_share = std::numeric_limits<double>::quiet_NaN(); });
+  refuses([](FuzzOptions& options) { options.early_fraction = -0.5; });
+  refuses([](FuzzOptions& options) { options.early_fraction = std::numeric_limits<double>::quiet_NaN(); });
   CHECK_THROWS_AS(fuzz_solver({}, quick()), InvalidQuery);
 }

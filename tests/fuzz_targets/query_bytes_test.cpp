@@ -29,13 +29,13 @@ Bytes bytes_of(const std::string& text) { return {reinterpret_cast<const std::ui
 TEST_CASE("the bytes for a query make that query, bit for bit") {
   std::size_t longest = 0;
   for (const auto& family : families::all_families()) {
-    for (const Kind kind : families::kKinds) {
+    for (const Kind kind : kKinds) {
       for (std::uint64_t i = 0; i < 20; ++i) {
         const Query query = families::make({family.family, kind, 77, i});
         const std::string bytes = bytes_for(query);
         longest = std::max(longest, bytes.size());
         const Question question = question_from(bytes_of(bytes));
-        CAPTURE(family.name, kind_name(kind), i);
+        CAPTURE(family.name, name_of(kind), i);
         REQUIRE(question.query.kind == kind);
         REQUIRE(question.t_max == 1);
         for (std::size_t k = 0; k < corner_count(kind); ++k) {
@@ -69,13 +69,13 @@ TEST_CASE("random bytes make finite queries, of every kind and nature and decide
     ++natures[{question.query.kind, answer.nature}];
     ++levels[answer.level];
   }
-  for (const Kind kind : families::kKinds) {
+  for (const Kind kind : kKinds) {
     for (const Nature nature : {Nature::none, Nature::crossing, Nature::grazing, Nature::sustained, Nature::isolated}) {
       const bool has_cubic = kind == Kind::edge_edge || kind == Kind::vertex_face;
       if (!has_cubic && (nature == Nature::crossing || nature == Nature::grazing)) continue;
       const int count = natures[{kind, nature}];
-      std::printf("%s %s: %d of %d\n", std::string(kind_name(kind)).c_str(), std::string(nature_name(nature)).c_str(),
-                  count, kInputs);
+      std::printf("%s %s: %d of %d\n", std::string(name_of(kind)).c_str(), std::string(name_of(nature)).c_str(), count,
+                  kInputs);
       CHECK(count >= 5);
     }
   }

@@ -104,7 +104,7 @@ TEST_CASE("every contact of a small scene is among the candidates") {
         });
         for (const auto& pair : touching_pairs(step, kind, separation)) {
           ++contacts;
-          CAPTURE(seed, i, kind_name(kind), pair.first, pair.second);
+          CAPTURE(seed, i, name_of(kind), pair.first, pair.second);
           CHECK(candidates.count(pair) == 1);
         }
       }

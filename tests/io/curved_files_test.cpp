@@ -113,7 +113,7 @@ TEST_CASE("curved queries survive a round trip through a file, at any chunk size
     for (const std::string& text : {plain, decorated(plain, rng), decorated(plain, rng)}) {
       for (const std::size_t chunk : {std::size_t{1}, std::size_t{7}, std::size_t{1000}, io::kChunkBytes}) {
         const ReadFile file = read_queries(text, kind, chunk, io::Motions::any);
-        CAPTURE(kind_name(kind), chunk, file.error);
+        CAPTURE(name_of(kind), chunk, file.error);
         REQUIRE(file.error == "");
         REQUIRE(file.queries.size() == queries.size());
         for (std::size_t i = 0; i < queries.size(); ++i) {

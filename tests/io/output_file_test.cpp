@@ -19,7 +19,7 @@
 
 using namespace touchstone;
 using namespace touchstone::tests;
-using Names = std::set<std::string>;
+using NameList = std::set<std::string>;
 
 namespace {
 
@@ -45,7 +45,7 @@ TEST_CASE("a committed file holds all that was written, and nothing else is left
     CHECK(folder.names().count("a.csv") == 0);
     out.commit();
   }
-  CHECK(folder.names() == Names{"a.csv"});
+  CHECK(folder.names() == NameList{"a.csv"});
   CHECK(folder.read("a.csv") == "head\n" + block);
 }
 
@@ -57,7 +57,7 @@ TEST_CASE("without a commit the old file stands and the temporary one is gone") 
     out.write(std::string(100'000, 'x'));
     CHECK(folder.names().size() == 2);
   }
-  CHECK(folder.names() == Names{"a.csv"});
+  CHECK(folder.names() == NameList{"a.csv"});
   CHECK(folder.read("a.csv") == "old");
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("a moved output file is written once and removed once") {
     second.write("2");
     second.commit();
   }
-  CHECK(folder.names() == Names{"a.csv"});
+  CHECK(folder.names() == NameList{"a.csv"});
   CHECK(folder.read("a.csv") == "12");
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("a replaced file keeps its permissions, a link stays a link") {
   io::OutputFile out(folder.path("link.csv"));
   out.write("new");
   out.commit();
-  CHECK(folder.names() == Names{"link.csv", "real.csv"});
+  CHECK(folder.names() == NameList{"link.csv", "real.csv"});
   CHECK(std::filesystem::is_symlink(folder.path("link.csv")));
   CHECK(folder.read("real.csv") == "new");
   struct stat status {};
@@ -97,9 +97,9 @@ TEST_CASE("a link that leads to no file yet stays a link, and the file is made w
   std::filesystem::create_symlink(folder.path("second"), folder.path("first"));
   io::OutputFile out(folder.path("first"));
   out.write("new");
-  CHECK(folder.names() == Names{"far", "first", "second"});  // the incomplete file lies beside the target
+  CHECK(folder.names() == NameList{"far", "first", "second"});  // the incomplete file lies beside the target
   out.commit();
-  CHECK(folder.names() == Names{"far", "first", "second"});
+  CHECK(folder.names() == NameList{"far", "first", "second"});
   CHECK(std::filesystem::is_symlink(folder.path("first")));
   CHECK(std::filesystem::is_symlink(folder.path("second")));
   CHECK(folder.read("far/real.csv") == "new");
@@ -134,7 +134,7 @@ TEST_CASE("the link of an open descriptor whose file is removed is refused, and 
   REQUIRE(descriptor >= 0);
   const std::string link = "/proc/self/fd/" + std::to_string(descriptor);
   { io::OutputFile(link).commit(); }
-  CHECK(folder.names() == Names{"removed"});
+  CHECK(folder.names() == NameList{"removed"});
   const int removed = ::open(folder.path("removed").c_str(), O_RDWR | O_CLOEXEC);
   ::unlink(folder.path("removed").c_str());
   const std::string removed_link = "/proc/self/fd/" + std::to_string(removed);
@@ -158,14 +158,14 @@ TEST_CASE("what a killed process leaves is removed when the same file is written
     }
     ::waitpid(child, nullptr, 0);
     // Those of the process that was killed before are gone already.
-    CHECK(folder.names() == Names{"a.csv.touchstone-1.partial", "a.csv.touchstone-2.partial"});
+    CHECK(folder.names() == NameList{"a.csv.touchstone-1.partial", "a.csv.touchstone-2.partial"});
   }
   folder.write("b.csv.touchstone-1.partial", "of another file");
   folder.write("a.csv.partial", "nobody's");
   io::OutputFile out(target);
   out.write("whole");
   out.commit();
-  CHECK(folder.names() == Names{"a.csv", "a.csv.partial", "b.csv.touchstone-1.partial"});
+  CHECK(folder.names() == NameList{"a.csv", "a.csv.partial", "b.csv.touchstone-1.partial"});
   CHECK(folder.read("a.csv") == "whole");
 }
 
@@ -190,7 +190,7 @@ TEST_CASE("what a live process writes is left alone, in this process and in othe
   {
     io::OutputFile one(target), two(target);
     CHECK(folder.names() ==
-          Names{"a.csv.touchstone-1.partial", "a.csv.touchstone-2.partial", "a.csv.touchstone-3.partial"});
+          NameList{"a.csv.touchstone-1.partial", "a.csv.touchstone-2.partial", "a.csv.touchstone-3.partial"});
     one.write("one");
     two.write("two");
     one.commit();
@@ -198,12 +198,12 @@ TEST_CASE("what a live process writes is left alone, in this process and in othe
     two.commit();
     CHECK(folder.read("a.csv") == "two");
   }
-  CHECK(folder.names() == Names{"a.csv", "a.csv.touchstone-1.partial"});
+  CHECK(folder.names() == NameList{"a.csv", "a.csv.touchstone-1.partial"});
   REQUIRE(::write(go[1], &byte, 1) == 1);
   int status = -1;
   ::waitpid(child, &status, 0);
   CHECK(status == 0);
-  CHECK(folder.names() == Names{"a.csv"});
+  CHECK(folder.names() == NameList{"a.csv"});
   CHECK(folder.read("a.csv") == "theirs");
   for (const int end : {ready[0], ready[1], go[0], go[1]}) ::close(end);
 }
@@ -214,7 +214,7 @@ TEST_CASE("a temporary name that something else has taken is not touched") {
   std::filesystem::create_symlink("precious", folder.path("a.csv.touchstone-1.partial"));
   std::filesystem::create_directory(folder.path("a.csv.touchstone-2.partial"));
   REQUIRE(::mkfifo(folder.path("a.csv.touchstone-3.partial").c_str(), 0600) == 0);
-  const Names before = folder.names();
+  const NameList before = folder.names();
   {
     io::OutputFile out(folder.path("a.csv"));
     out.write("x");
@@ -246,7 +246,7 @@ TEST_CASE("a full disk is an error, and a device is not replaced") {
         }) == full);
   CHECK(error_of([&] { io::OutputFile(*device).write(std::string(1 << 20, 'x')); }) == full);
   CHECK(std::filesystem::is_character_file(*device));
-  CHECK(folder.names() == Names{"full"});
+  CHECK(folder.names() == NameList{"full"});
 }
 
 TEST_CASE("a pipe is written straight away and not replaced") {
@@ -263,7 +263,7 @@ TEST_CASE("a pipe is written straight away and not replaced") {
   CHECK(std::string(got) == "through");
   ::close(reader);
   CHECK(std::filesystem::is_fifo(pipe));
-  CHECK(folder.names() == Names{"pipe"});
+  CHECK(folder.names() == NameList{"pipe"});
 }
 
 TEST_CASE("a target that turns into something else meanwhile is left alone") {
@@ -276,7 +276,7 @@ TEST_CASE("a target that turns into something else meanwhile is left alone") {
           out.commit();
         }) == target + ": has become something else than a file; it is left alone");
   CHECK(std::filesystem::is_fifo(target));
-  CHECK(folder.names() == Names{"a.csv"});
+  CHECK(folder.names() == NameList{"a.csv"});
 }
 
 TEST_CASE("a spool file gives back what went in and is never seen") {
@@ -296,7 +296,7 @@ TEST_CASE("a spool file gives back what went in and is never seen") {
     spool.copy_to(out);
     out.commit();
   }
-  CHECK(folder.names() == Names{"out"});
+  CHECK(folder.names() == NameList{"out"});
   CHECK(folder.read("out") == all);
 }
 

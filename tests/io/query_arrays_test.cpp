@@ -143,7 +143,7 @@ TEST_CASE("every format of doubles keeps every bit of every query") {
       io::WrittenFile written{format, kind, with_claims, std::nullopt, true};
       const std::string content = file_of(folder, queries, written);
       for (const std::size_t chunk : kChunks) {
-        CAPTURE(kind_name(kind), io::format_name(format), chunk);
+        CAPTURE(name_of(kind), io::format_name(format), chunk);
         const ReadFile file = read_queries(content, kind, chunk);
         REQUIRE(file.error == "");
         REQUIRE(file.queries.size() == queries.size());
@@ -202,7 +202,7 @@ TEST_CASE("arrays are read in each order, type and dimension") {
       for (const bool single : {false, true}) {
         for (const std::size_t dimension : {2, 3}) {
           for (const Kind kind : kKinds) {
-            CAPTURE(fortran, order == std::endian::big, single, dimension, kind_name(kind));
+            CAPTURE(fortran, order == std::endian::big, single, dimension, name_of(kind));
             const std::size_t corners = corner_count(kind);
             const ReadFile file = read_queries(single ? counting_npy<float>(5, corners, dimension, fortran, order)
                                                       : counting_npy<double>(5, corners, dimension, fortran, order),

@@ -199,9 +199,9 @@ TEST_CASE("a file's kind is its folder's name, or what the caller says") {
   CHECK(io::kind_of_file("/x/point-edge/./a.csv", std::nullopt) == Kind::point_edge);
   CHECK(io::kind_of_file("x/../point-point/a.csv", std::nullopt) == Kind::point_point);
   CHECK(io::kind_of_file("edge-edge/a.csv", Kind::point_point) == Kind::point_point);
-  CHECK(io::kind_from_name("edge-edge") == Kind::edge_edge);
-  CHECK_FALSE(io::kind_from_name("Edge-Edge"));
-  CHECK_FALSE(io::kind_from_name(""));
+  CHECK(from_name<Kind>("edge-edge") == Kind::edge_edge);
+  CHECK_FALSE(from_name<Kind>("Edge-Edge"));
+  CHECK_FALSE(from_name<Kind>(""));
   try {
     io::kind_of_file("edge-edge/old/a.csv", std::nullopt);
     FAIL("a kind was found");

@@ -76,7 +76,7 @@ TEST_CASE("queries of every family survive a round trip through a file, at any c
     }
     for (const std::size_t chunk : kChunks) {
       for (const std::string& text : {plain, decorated(plain, rng)}) {
-        CAPTURE(chunk, kind_name(kind));
+        CAPTURE(chunk, name_of(kind));
         const ReadFile file = read_queries(text, kind, chunk);
         REQUIRE(file.error == "");
         REQUIRE(file.queries.size() == queries.size());

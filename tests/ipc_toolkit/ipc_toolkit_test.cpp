@@ -27,7 +27,6 @@ using touchstone::seeded::Rng;
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::array<Kind, 4> kKinds = {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point};
 
 struct Result {
   bool hit = false;
@@ -136,7 +135,7 @@ TEST_CASE("a verdict is the oracle's, and the time is before contact") {
   Rng rng(1);
   int hits = 0, misses = 0, starts = 0;
   for (int i = 0; i < 480; ++i) {
-    const Kind kind = kKinds[static_cast<std::size_t>(i) % 4];
+    const Kind kind = touchstone::kKinds[static_cast<std::size_t>(i) % 4];
     const int dimension = i % 8 < 4 && (kind == Kind::point_edge || kind == Kind::point_point) ? 2 : 3;
     const Query query = lattice_query(rng, kind, dimension);
     const double min_distance = std::array<double, 3>{0, 0.3, 1}[static_cast<std::size_t>(i) % 3];
@@ -174,7 +173,7 @@ TEST_CASE("a rescaling keeps a fraction of the distance at the start, no less an
     const ExactNarrowPhaseCCD ccd(rescaling);
     CHECK(ccd.conservative_rescaling == rescaling);
     for (int i = 0; i < 160; ++i) {
-      const Query query = lattice_query(rng, kKinds[static_cast<std::size_t>(i) % 4], 3);
+      const Query query = lattice_query(rng, touchstone::kKinds[static_cast<std::size_t>(i) % 4], 3);
       const double min_distance = i % 2 == 0 ? 0 : 0.5;
       CAPTURE(rescaling, i, min_distance);
       const Result result = ask(ccd, query, min_distance);
@@ -197,7 +196,7 @@ TEST_CASE("with a rescaling the least time over all pairs does not depend on the
   for (int round = 0; round < 50; ++round) {
     std::vector<Query> pairs;
     for (int i = 0; i < 12; ++i) {
-      const Query query = lattice_query(rng, kKinds[static_cast<std::size_t>(i) % 4], 3);
+      const Query query = lattice_query(rng, touchstone::kKinds[static_cast<std::size_t>(i) % 4], 3);
       if (touchstone::compare_distance(query, 0, Separation{}) > 0) pairs.push_back(query);
     }
     const auto least = [&](auto first, auto last) {
@@ -259,8 +258,8 @@ TEST_CASE("a line search that steps and asks again is never in contact") {
   for (const double rescaling : {1.0, 0.8}) {
     const ExactNarrowPhaseCCD ccd(rescaling);
     for (int i = 0; i < 400; ++i) {
-      Query query = i % 2 == 0 ? lattice_query(rng, kKinds[static_cast<std::size_t>(i / 2) % 4], 3)
-                               : corner_hit(rng, kKinds[static_cast<std::size_t>(i / 2) % 4], 100.0);
+      Query query = i % 2 == 0 ? lattice_query(rng, touchstone::kKinds[static_cast<std::size_t>(i / 2) % 4], 3)
+                               : corner_hit(rng, touchstone::kKinds[static_cast<std::size_t>(i / 2) % 4], 100.0);
       const double min_distance = i % 3 == 0 ? 0.25 : 0;
       CAPTURE(rescaling, i, min_distance);
       for (int step = 0; step < 4; ++step) {  // on and on towards the same end
@@ -322,7 +321,7 @@ TEST_CASE("many threads get the answers that one gets") {
   std::vector<Query> queries;
   std::vector<Result> expected;
   for (int i = 0; i < 200; ++i) {
-    queries.push_back(lattice_query(rng, kKinds[static_cast<std::size_t>(i) % 4], 3));
+    queries.push_back(lattice_query(rng, touchstone::kKinds[static_cast<std::size_t>(i) % 4], 3));
     expected.push_back(ask(ccd, queries.back(), 0.25));
   }
   std::array<int, 8> differences{};

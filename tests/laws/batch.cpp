@@ -176,7 +176,7 @@ TEST_CASE("law: a batch of any length") {
       CHECK(solve_batch(queries, BatchOptions{{}, threads}).size() == available);
     }
   }
-  solve_batch(nullptr, 0, nullptr);
+  solve_batch(static_cast<const Query*>(nullptr), 0, nullptr);
 }
 
 TEST_CASE("law: the typed overloads ask the same question") {

@@ -57,7 +57,7 @@ void check_curved_law(std::uint64_t seed, std::size_t count, double least_share,
           if (finding->empty() || ++failed > kPrinted) continue;
           FAIL_CHECK(case_name(id) << (method == Method::fast ? " fast: " : " exact: ") << *finding << "\n  t_max "
                                    << hexfloat(asked.t_max) << ", distance " << hexfloat(distance) << " "
-                                   << metric_name(metric) << "\n"
+                                   << name_of(metric) << "\n"
                                    << curved_text(asked.query));
         }
       }

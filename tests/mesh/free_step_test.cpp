@@ -52,7 +52,7 @@ double time_of_rounding(const Scene& scene, const FreeStep& step) {
   for (const double x : scene.x1) unit = std::max(unit, unit_of(x));
   const Parts parts = parts_of(scene.elements);
   double speed = INFINITY;
-  for (const MeshContact& contact : step.contact.first) {
+  for (const MeshContact& contact : step.first_contact.first) {
     const Query query = query_between(scene, parts, contact.pair, scene.x0, scene.x1);
     const double before = contact.answer.toi * (1 - 0x1p-12);
     const double closed = distance(query, before, contact.separation.metric).value - contact.separation.distance;
@@ -88,7 +88,7 @@ TEST_CASE("the path of a free step is free by brute force, and ends at the round
       most_proofs = std::max(most_proofs, step.proofs);
       CAPTURE(round, scene.name, step.length);
       REQUIRE(step.positions.size() == scene.x0.size());
-      REQUIRE(step.contact.start_checked == options.check_start);
+      REQUIRE(step.first_contact.start_checked == options.check_start);
       switch (step.outcome) {
         case StepOutcome::whole:
           REQUIRE(step.length == 1);
@@ -118,7 +118,7 @@ TEST_CASE("the path of a free step is free by brute force, and ends at the round
           REQUIRE(path_is_free(scene, step.positions));
           REQUIRE_FALSE(path_is_free(scene, scene.x1));
           const FirstContact whole = first_contact(mesh, scene.start(), scene.end());
-          REQUIRE(whole.toi == step.contact.toi);
+          REQUIRE(whole.toi == step.first_contact.toi);
           REQUIRE((step.length < whole.toi || (step.length == whole.toi && whole.toi < whole.toi_upper)));
           const double rounding = std::max(time_of_rounding(scene, step), 0x1p-53 * whole.toi);
           lost.push_back((whole.toi - step.length) / rounding);
@@ -171,14 +171,14 @@ TEST_CASE("a step towards a face stops at the last double above it") {
   CHECK(none.outcome == StepOutcome::no_room);
   CHECK(none.positions == scene.x0);
   CHECK(none.length > 0);
-  CHECK(none.contact.toi == 1);
+  CHECK(none.first_contact.toi == 1);
 
   // In contact at the start.
   scene.x0[11] = 1;
   const FreeStep stuck = free_step(mesh, scene.start(), scene.end());
   CHECK(stuck.outcome == StepOutcome::contact_at_start);
-  REQUIRE(stuck.contact.at_start.size() == 1);
-  CHECK(stuck.contact.at_start[0].pair == MeshPair{Kind::vertex_face, 3, 0});
+  REQUIRE(stuck.first_contact.at_start.size() == 1);
+  CHECK(stuck.first_contact.at_start[0].pair == MeshPair{Kind::vertex_face, 3, 0});
 }
 
 TEST_CASE("pairs that meet within rounding of the first one are in the way too") {
@@ -208,7 +208,7 @@ TEST_CASE("pairs that meet within rounding of the first one are in the way too")
     shortened += step.outcome == StepOutcome::shortened ? 1 : 0;
     CAPTURE(round, step.length);
     REQUIRE(path_is_free(scene, step.positions));
-    REQUIRE(step.contact.toi - step.length < 1e-10);
+    REQUIRE(step.first_contact.toi - step.length < 1e-10);
   }
   std::printf("steps with many pairs in the way: at most %d proofs\n", most_proofs);
   CHECK(shortened > 0);
@@ -225,7 +225,7 @@ TEST_CASE("a step between the greatest doubles is rounded like any other") {
   scene.x1[11] = -kMost;
   const FreeStep step = free_step(Mesh(scene.elements), scene.start(), scene.end());
   CHECK(step.outcome == StepOutcome::shortened);
-  CHECK(step.contact.toi == 0.5);
+  CHECK(step.first_contact.toi == 0.5);
   CHECK(step.length < 0.5);
   CHECK(step.length >= 0.5 - 0x1p-53);
   CHECK(step.positions[11] > 0);

@@ -220,7 +220,7 @@ TEST_CASE("one unit in the last place is the difference between piercing, touchi
   const Mesh mesh(elements);
   const auto verdict = [&]() -> std::string {
     for (const Intersection& found : intersections(mesh, {x, 3})) {
-      if (found.second_element == MeshElement::face) return std::string(intersection_sort_name(found.sort));
+      if (found.second_element == MeshElement::face) return std::string(name_of(found.sort));
     }
     return "none";
   };

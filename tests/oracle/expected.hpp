@@ -46,9 +46,9 @@ inline void check_answer(const Answer& answer, const Expected& expected) {
   REQUIRE(answer.contact);
   CHECK(answer.toi == expected.times.first);
   CHECK(answer.toi_upper == expected.times.second);
-  CHECK(nature_name(answer.nature) == nature_name(expected.nature));
-  CHECK(feature_name(answer.feature_a) == feature_name(expected.a));
-  CHECK(feature_name(answer.feature_b) == feature_name(expected.b));
+  CHECK(name_of(answer.nature) == name_of(expected.nature));
+  CHECK(name_of(answer.feature_a) == name_of(expected.a));
+  CHECK(name_of(answer.feature_b) == name_of(expected.b));
   for (std::size_t i = 0; i < 3; ++i) {
     INFO("weight " << i);
     CHECK(std::abs(answer.weights_a[i] - expected.weights_a[i]) <= 0x1p-50);

@@ -27,20 +27,20 @@ struct Place {
 
 inline void check_separated(const Answer& answer, const Times& times, const Course& course, const Place& place) {
   check_answer(answer, {times, course.nature, place.a, place.b, place.weights_a, place.weights_b});
-  CHECK(trend_name(answer.trend) == trend_name(course.trend));
+  CHECK(name_of(answer.trend) == name_of(course.trend));
   CHECK(answer.starts_within == course.starts_within);
 }
 
 inline void check_separated(const Query& query, const Separation& separation, const Times& times, const Course& course,
                             const Place& place, double t_max = 1) {
   INFO(cpp_initializer(query));
-  INFO("separation " << separation.distance << " " << metric_name(separation.metric));
+  INFO("separation " << separation.distance << " " << name_of(separation.metric));
   check_separated(oracle::decide_by_oracle(query, t_max, separation), times, course, place);
 }
 
 inline void check_no_contact(const Query& query, const Separation& separation, double t_max = 1) {
   INFO(cpp_initializer(query));
-  INFO("separation " << separation.distance << " " << metric_name(separation.metric));
+  INFO("separation " << separation.distance << " " << name_of(separation.metric));
   const Answer answer = oracle::decide_by_oracle(query, t_max, separation);
   check_no_contact(answer);
   CHECK_FALSE(answer.starts_within);

@@ -59,7 +59,7 @@ void check_law(Law&& law) {
       const std::string wrong = law(query, separation, answer);
       report.add(id, query,
                  wrong.empty() ? wrong
-                               : std::string(metric_name(metric)) + " " + hexfloat(separation.distance) + " " +
+                               : std::string(name_of(metric)) + " " + hexfloat(separation.distance) + " " +
                                      describe(answer) + "; " + wrong);
     }
   });

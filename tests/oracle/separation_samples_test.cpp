@@ -262,14 +262,14 @@ void check_kind(Kind kind, Metric metric) {
     const Query query = small_query(rng, kind);
     const Separation separation = {distances[rng.below(distances.size())], metric};
     const double t_max = rng.one_in(4) ? rng.between(0, 8) / 8.0 : 1;
-    INFO("number " << i << ", separation " << separation.distance << " " << metric_name(metric) << ", t_max " << t_max);
+    INFO("number " << i << ", separation " << separation.distance << " " << name_of(metric) << ", t_max " << t_max);
     INFO(cpp_initializer(query));
     const Answer answer = oracle::decide_by_oracle(query, t_max, separation);
-    INFO(describe(answer) << " " << trend_name(answer.trend));
+    INFO(describe(answer) << " " << name_of(answer.trend));
     Checker(query, separation).check(answer, t_max, tally);
   }
   const auto seen = [&](Nature nature) { return tally.natures[static_cast<int>(nature)]; };
-  INFO(kind_name(kind) << " " << metric_name(metric));
+  INFO(name_of(kind) << " " << name_of(metric));
   CHECK(tally.contacts > kQueries / 5);
   CHECK(tally.contacts < kQueries);
   CHECK(tally.starts_within > kQueries / 20);
@@ -304,10 +304,10 @@ TEST_CASE("no time of hard queries of every magnitude is within a separation bef
         seeded::Rng rng(seeded::seed_of_part(kSeed, id.index + 64 * static_cast<std::uint64_t>(id.family)));
         for (const Metric metric : {Metric::euclidean, Metric::max}) {
           const Separation separation = {separation_between(query, metric, rng), metric};
-          INFO(case_name(id) << ", separation " << hexfloat(separation.distance) << " " << metric_name(metric));
+          INFO(case_name(id) << ", separation " << hexfloat(separation.distance) << " " << name_of(metric));
           INFO(cpp_initializer(query));
           const Answer answer = oracle::decide_by_oracle(query, 1, separation);
-          INFO(describe(answer) << " " << trend_name(answer.trend));
+          INFO(describe(answer) << " " << name_of(answer.trend));
           Checker(query, separation).check_first(answer, 1);
         }
       });

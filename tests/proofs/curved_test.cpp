@@ -42,7 +42,7 @@ double largest_of(const CurvedQuery& query) {
 
 void expect_accepted(const Proved& proved, Kind kind, std::string_view family) {
   const CheckerRun result = check_texts(proved.text(kind), {proved.queries});
-  INFO(family << ' ' << kind_name(kind) << ": " << result.text << proved.text(kind) << proved.queries);
+  INFO(family << ' ' << name_of(kind) << ": " << result.text << proved.text(kind) << proved.queries);
   CHECK(result.status == 0);
   const std::string count = std::to_string(proved.proofs.size());
   const std::string total =
@@ -134,7 +134,7 @@ TEST_CASE("a time one double off is rejected for a curved query, with the proof 
         proofs::append_proof(proved.proofs.emplace_back(), 0, *off, proof);
         proved.contacts = 1;
         const CheckerRun result = check_texts(proved.text(kind), {proved.queries});
-        INFO(family.name << ' ' << kind_name(kind) << ": " << result.text);
+        INFO(family.name << ' ' << name_of(kind) << ": " << result.text);
         CHECK(result.status == 1);
         ++rejected;
       }

@@ -29,11 +29,11 @@ TEST_CASE("the answers to queries of every family are proved, and the checker ac
       Proved proved;
       for (std::uint64_t i = 0; i < kCount; ++i) proved.add(make(CaseId{family.family, kind, kSeed, i}));
       const CheckerRun result = check_texts(proved.text(kind), {proved.queries});
-      INFO(family.name << ' ' << kind_name(kind) << ": " << result.text);
+      INFO(family.name << ' ' << name_of(kind) << ": " << result.text);
       CHECK(result.status == 0);
       const std::string total = std::to_string(kCount) + " queries checked: " + std::to_string(proved.contacts) + " ";
       CHECK(result.text.find(total) != std::string::npos);
-      CHECK(result.text.find(std::string(kind_name(kind)) + " queries\n") != std::string::npos);
+      CHECK(result.text.find(std::string(name_of(kind)) + " queries\n") != std::string::npos);
     }
   }
 }
@@ -79,8 +79,8 @@ TEST_CASE("answers with a separation are proved in both metrics, and the checker
           proved.add(query, answer);
         }
         const CheckerRun result = check_texts(proved.text(kind), {proved.queries});
-        INFO(family.name << ' ' << kind_name(kind) << ' ' << metric_name(separation.metric) << ' '
-                         << separation.distance << ": " << result.text);
+        INFO(family.name << ' ' << name_of(kind) << ' ' << name_of(separation.metric) << ' ' << separation.distance
+                         << ": " << result.text);
         CHECK(result.status == 0);
         contacts += proved.contacts;
         queries += kCount;
@@ -110,7 +110,7 @@ TEST_CASE("a proof of an answer with one separation proves nothing about another
           const Answer other = solve(query, {.separation = proved.separation});
           if (other.contact == answer.contact && other.toi == answer.toi) continue;
           const CheckerRun result = check_texts(proved.text(kind), {proved.queries});
-          INFO(family.name << ' ' << kind_name(kind) << ": " << result.text << cpp_initializer(query));
+          INFO(family.name << ' ' << name_of(kind) << ": " << result.text << cpp_initializer(query));
           CHECK(result.status == 1);
           CHECK(result.text.find("query 0: ") != std::string::npos);
           ++rejected;
@@ -142,7 +142,7 @@ TEST_CASE("answers to queries with rational coordinates are proved") {
       proved.add(query);
     }
     const CheckerRun result = check_texts(proved.text(kind), {proved.queries});
-    INFO(kind_name(kind) << ": " << result.text);
+    INFO(name_of(kind) << ": " << result.text);
     CHECK(result.status == 0);
     CHECK(proved.contacts > 0);
     CHECK(proved.contacts < 300);
@@ -164,7 +164,7 @@ TEST_CASE("a proof of one query proves nothing about another one with another an
       std::string text;
       io::append_query(text, queries[i + 1], other.contact);
       const CheckerRun result = check_texts(proved.text(kind), {text});
-      INFO(kind_name(kind) << ' ' << i << ": " << result.text << cpp_initializer(queries[i + 1]));
+      INFO(name_of(kind) << ' ' << i << ": " << result.text << cpp_initializer(queries[i + 1]));
       CHECK(result.status == 1);
       CHECK(result.text.find("query 0: ") != std::string::npos);
       ++rejected;
@@ -190,7 +190,7 @@ TEST_CASE("a time one double off is rejected, with the proof that belongs to it"
         proofs::append_proof(proved.proofs.emplace_back(), 0, *off, proof);
         proved.contacts = 1;
         const CheckerRun result = check_texts(proved.text(kind), {proved.queries});
-        INFO(family.name << ' ' << kind_name(kind) << ": " << result.text << cpp_initializer(query));
+        INFO(family.name << ' ' << name_of(kind) << ": " << result.text << cpp_initializer(query));
         CHECK(result.status == 1);
         ++rejected;
       }
@@ -267,7 +267,7 @@ TEST_CASE("the proofs of fractions with many digits and different denominators s
       proved.add(query);
       CHECK(proved.contacts == 1);
       const CheckerRun result = check_texts(proved.text(kind), {proved.queries});
-      INFO(kind_name(kind) << ' ' << separation.distance << ": " << result.text);
+      INFO(name_of(kind) << ' ' << separation.distance << ": " << result.text);
       CHECK(result.status == 0);
     }
   }

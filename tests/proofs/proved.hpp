@@ -40,7 +40,7 @@ struct Proved {
   std::string text(Kind kind) const {
     std::string all = proofs::kFirstLine;
     proofs::append_separation(all, separation);
-    all += "file " + std::string(kind_name(kind)) + " - queries.csv\n";
+    all += "file " + std::string(name_of(kind)) + " - queries.csv\n";
     for (const std::string& proof : proofs) all += proof;
     return all + "end " + std::to_string(proofs.size()) + " " + std::to_string(contacts) + "\n";
   }

@@ -41,7 +41,7 @@ TEST_CASE("quick proofs: each sort of them is found, and the checker accepts the
                                          Separation{0x1.3p-9, Metric::euclidean}, Separation{0.5, Metric::max}}) {
       std::string text = proofs::kFirstLine, queries;
       proofs::append_separation(text, separation);
-      text += "file " + std::string(kind_name(kind)) + " - queries.csv\n";
+      text += "file " + std::string(name_of(kind)) + " - queries.csv\n";
       std::uint64_t count = 0, contacts = 0;
       for (const FamilyInfo& family : all_families()) {
         for (std::uint64_t i = 0; i < kCount; ++i) {
@@ -57,7 +57,7 @@ TEST_CASE("quick proofs: each sort of them is found, and the checker accepts the
       }
       text += "end " + std::to_string(count) + " " + std::to_string(contacts) + "\n";
       const CheckerRun run = check_texts(text, {queries});
-      INFO(kind_name(kind) << ", " << separation.distance << ": " << run.text);
+      INFO(name_of(kind) << ", " << separation.distance << ": " << run.text);
       CHECK(run.status == 0);
     }
   }
@@ -77,7 +77,7 @@ TEST_CASE("quick proofs: a false answer has none") {
         for (std::uint64_t i = 0; i < 4; ++i) {
           const Query query = make(CaseId{family.family, kind, 32, i});
           const Answer answer = solve(query, {.separation = separation});
-          INFO(family.name << ' ' << kind_name(kind) << ' ' << i);
+          INFO(family.name << ' ' << name_of(kind) << ' ' << i);
           std::vector<Answer> others(3, answer);
           others[0].contact = !answer.contact;
           if (!answer.contact) others[0].toi = others[0].toi_upper = 0;

@@ -87,7 +87,7 @@ def test_a_separation_is_what_the_solver_was_asked():
     ({"seed": 2**64}, ValueError, "seed"), ({"kinds": ["edge"]}, ValueError, "kind is 'edge'"),
     ({"families": ["none-such"]}, ValueError, "none-such"), ({"families": [3]}, TypeError, "families has"),
     ({"kinds": []}, ValueError, "kinds is empty"), ({"separation": -1}, ValueError, "separation"),
-    ({"early_share": 2}, ValueError, "early_share"), ({"climb": 2**63}, ValueError, "climb"),
+    ({"early_fraction": 2}, ValueError, "early_fraction"), ({"climb": 2**63}, ValueError, "climb"),
 ])
 def test_options_without_meaning(arguments, error, words):
     with pytest.raises(error, match=words):

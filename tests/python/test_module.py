@@ -10,6 +10,7 @@ import signal
 import subprocess
 import sys
 import time
+import typing
 from fractions import Fraction
 from pathlib import Path
 
@@ -173,3 +174,13 @@ def test_a_million_calls_leave_no_memory_behind():
     before = resident()
     calls(1_000_000)
     assert resident() - before < 2**20, "bytes are left behind"
+
+
+def test_names_are_those_of_the_library():
+    kinds = (ts._queries.Kind, ts._queries.Metric, ts._queries.Method, ts._queries.Wanted)
+    for literal, name in zip(kinds, ("Kind", "Metric", "Method", "Wanted")):
+        assert typing.get_args(literal) == ts._core._names[name]
+    for enumeration in (ts.Nature, ts.Trend, ts.Feature, ts.Level):
+        names = tuple("" if member.name == "none" else member.name for member in enumeration)
+        assert names == ts._core._names[enumeration.__name__]
+        assert [int(member) for member in enumeration] == list(range(len(names)))

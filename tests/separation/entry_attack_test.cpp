@@ -34,7 +34,7 @@ void judge(const EntryCase& entry, const std::string& label, Judged& judged) {
   if (wrong.empty()) return;
   constexpr std::size_t kPrinted = 3;
   if (++judged.wrong > kPrinted) return;
-  FAIL_CHECK(label << ", separation " << hexfloat(separation.distance) << " " << metric_name(separation.metric)
+  FAIL_CHECK(label << ", separation " << hexfloat(separation.distance) << " " << name_of(separation.metric)
                    << ", t_max " << hexfloat(entry.t_max) << ": " << wrong << "\n  fast  " << describe(fast)
                    << "\n  exact " << describe(exact) << "\n  " << cpp_initializer(entry.query));
 }
@@ -49,7 +49,7 @@ void attack(Metric metric, std::size_t effort_per_kind) {
       for (std::size_t i = 0; i < effort(has_face_or_edges ? effort_per_kind : effort_per_kind / 4); ++i) {
         Rng rng(seeded::seed_of_part(12 + d, 4 * i + static_cast<std::size_t>(kind)));
         judge(make_entry(kind, kDifficulties[d], metric, rng),
-              std::string(kDifficultyNames[d]) + " " + std::string(kind_name(kind)) + " " + std::to_string(i), judged);
+              std::string(kDifficultyNames[d]) + " " + std::string(name_of(kind)) + " " + std::to_string(i), judged);
       }
     }
     std::printf("%s: %zu asked, %zu by filter, %zu by bracket, of them %zu entries\n", kDifficultyNames[d],

@@ -56,20 +56,20 @@ TEST_CASE("a distance that is negative or not finite, and an unknown metric, are
   CHECK(contains(message_of([&] { compare_distance(query, -1, {}); }), "the time is -1; it must be in [0, 1]"));
 }
 
-TEST_CASE("a column of distances has one for each query, each with a meaning") {
+TEST_CASE("a column of separations has one for each query, each with a meaning") {
   const std::vector<Query> queries(3);
   std::vector<double> distances = {1, 2, 3};
   BatchOptions options;
-  options.distances = distances.data();
-  options.distance_count = 2;
-  CHECK(contains(message_of([&] { solve_batch(queries, options); }), "there are 2 distances for 3 queries"));
-  options.distance_count = 3;
+  options.separations = distances.data();
+  options.separation_count = 2;
+  CHECK(contains(message_of([&] { solve_batch(queries, options); }), "there are 2 separations for 3 queries"));
+  options.separation_count = 3;
   CHECK(message_of([&] { solve_batch(queries, options); }).empty());
   distances[1] = -1;
   CHECK(contains(message_of([&] { solve_batch(queries, options); }), "query 1: the separation is -1"));
   distances[1] = 0;
   options.separation.distance = 1;
   CHECK(contains(message_of([&] { solve_batch(queries, options); }), "give one of them"));
-  options.distances = nullptr;
-  CHECK(contains(message_of([&] { solve_batch(queries, options); }), "distance_count is 3, but distances is null"));
+  options.separations = nullptr;
+  CHECK(contains(message_of([&] { solve_batch(queries, options); }), "separation_count is 3, but separations is null"));
 }

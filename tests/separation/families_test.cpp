@@ -45,7 +45,7 @@ void promises_hold(Metric metric) {
     }
     report.add(id, made.query, wrong.empty() ? "" : hexfloat(made.distance) + ": " + wrong);
   });
-  std::printf("%s: %zu promises, %zu of them with exactly that distance\n", std::string(metric_name(metric)).c_str(),
+  std::printf("%s: %zu promises, %zu of them with exactly that distance\n", std::string(name_of(metric)).c_str(),
               promised, exactly);
   CHECK(2 * promised > report.checked());
   if (metric == Metric::euclidean) CHECK(4 * exactly > 3 * promised);
@@ -84,7 +84,7 @@ void methods_agree(Metric metric, std::size_t count) {
     report.add(id, made.query,
                wrong.empty() ? "" : hexfloat(made.distance) + ": " + wrong + "\n    " + describe(exact));
   });
-  std::printf("%s: %zu queries by fast and exact, %zu contacts\n", std::string(metric_name(metric)).c_str(),
+  std::printf("%s: %zu queries by fast and exact, %zu contacts\n", std::string(name_of(metric)).c_str(),
               report.checked(), contacts);
   CHECK((chosen_case() || 4 * contacts > report.checked()));
   report.finish();

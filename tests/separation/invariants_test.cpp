@@ -109,7 +109,7 @@ void answers_hold(Metric metric, std::size_t count) {
         ++queries;
         report.add(id, query, wrong.empty() ? "" : hexfloat(separation.distance) + ": " + wrong);
       });
-  std::printf("%s: %zu queries, %zu contacts\n", std::string(metric_name(metric)).c_str(), queries, contacts);
+  std::printf("%s: %zu queries, %zu contacts\n", std::string(name_of(metric)).c_str(), queries, contacts);
   CHECK(contacts > queries / 4);
   report.finish();
 }

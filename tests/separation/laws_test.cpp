@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 23;
 
-using Finding = std::optional<std::string>;
+using Outcome = std::optional<std::string>;
 
 bool every_family(const FamilyInfo&, Kind) { return true; }
 bool dyadic_families(const FamilyInfo& family, Kind) { return family.dyadic; }
@@ -37,11 +37,11 @@ void check_law(std::size_t count, Wanted&& wanted, double least_share, Law&& law
         Rng rng = rng_of(id);
         const Separated made = make_separated(id.family, id.kind, metric, rng);
         ++cases;
-        const Finding finding = law(made.query, Separation{made.distance, metric}, method, rng);
+        const Outcome finding = law(made.query, Separation{made.distance, metric}, method, rng);
         if (!finding) continue;
         report.add(id, made.query,
                    finding->empty() ? ""
-                                    : std::string(metric_name(metric)) + " " + hexfloat(made.distance) +
+                                    : std::string(name_of(metric)) + " " + hexfloat(made.distance) +
                                           (method == Method::fast ? " fast: " : " exact: ") + *finding);
       }
     }
@@ -69,7 +69,7 @@ std::string difference(const Answer& expected, const Answer& found) {
 
 /// The answer to the mapped query. Maps that exchange the axes may choose another one of equally near pairs of points
 /// in the largest-axis metric.
-Finding same_answer(const Query& query, const Query& mapped, const Separation& separation,
+Outcome same_answer(const Query& query, const Query& mapped, const Separation& separation,
                     const Separation& mapped_separation, Method method) {
   const Answer expected = solve(query, {.separation = separation, .method = method}),
                found = solve(mapped, {.separation = mapped_separation, .method = method});
@@ -129,7 +129,7 @@ Query with_other_names(Query query, Rng& rng) {
 
 TEST_CASE("law of separations: a mirror, a quarter turn and other axes change nothing") {
   check_law(12, every_family, 1,
-            [](const Query& query, const Separation& separation, Method method, Rng& rng) -> Finding {
+            [](const Query& query, const Separation& separation, Method method, Rng& rng) -> Outcome {
               const int signs = rng.between(0, 7), turn = rng.between(0, 2);
               const bool exchange = rng.one_in(2);
               const Query mapped = mapped_corners(query, [&](const Vec3& x) {
@@ -143,7 +143,7 @@ TEST_CASE("law of separations: a mirror, a quarter turn and other axes change no
 
 TEST_CASE("law of separations: a power of two for coordinates and distance changes nothing") {
   check_law(12, every_family, 0.3,
-            [](const Query& query, const Separation& separation, Method method, Rng& rng) -> Finding {
+            [](const Query& query, const Separation& separation, Method method, Rng& rng) -> Outcome {
               const int exponent = rng.one_in(2) ? rng.between(-60, 60) : rng.between(-1000, 1000);
               Query mapped = query;
               bool exact = true;
@@ -160,7 +160,7 @@ TEST_CASE("law of separations: a power of two for coordinates and distance chang
 
 TEST_CASE("law of separations: an exact translation and a common velocity change nothing") {
   check_law(12, dyadic_families, 0.9,
-            [](const Query& query, const Separation& separation, Method method, Rng& rng) -> Finding {
+            [](const Query& query, const Separation& separation, Method method, Rng& rng) -> Outcome {
               Query mapped = query;
               const std::size_t count = corner_count(query.kind);
               const bool start = translate(mapped.start, count, rng);
@@ -172,14 +172,14 @@ TEST_CASE("law of separations: an exact translation and a common velocity change
 
 TEST_CASE("law of separations: other names of elements and corners change no time, nature or trend") {
   check_law(
-      12, every_family, 1, [](const Query& query, const Separation& separation, Method method, Rng& rng) -> Finding {
+      12, every_family, 1, [](const Query& query, const Separation& separation, Method method, Rng& rng) -> Outcome {
         return difference_in_time(solve(query, {.separation = separation, .method = method}),
                                   solve(with_other_names(query, rng), {.separation = separation, .method = method}));
       });
 }
 
 TEST_CASE("law of separations: reversing time maps the contact times to one minus themselves") {
-  check_law(6, every_family, 0.4, [](const Query& query, const Separation& separation, Method method, Rng&) -> Finding {
+  check_law(6, every_family, 0.4, [](const Query& query, const Separation& separation, Method method, Rng&) -> Outcome {
     if (method == Method::fast) return std::nullopt;  // contact_times has no method
     Query backwards = query;
     std::swap(backwards.start, backwards.end);
@@ -195,7 +195,7 @@ TEST_CASE("law of separations: reversing time maps the contact times to one minu
 }
 
 TEST_CASE("law of separations: the time does not grow when the distance grows by an ulp") {
-  check_law(12, every_family, 1, [](const Query& query, const Separation& separation, Method method, Rng&) -> Finding {
+  check_law(12, every_family, 1, [](const Query& query, const Separation& separation, Method method, Rng&) -> Outcome {
     const double wider = std::nextafter(separation.distance, HUGE_VAL);
     if (!std::isfinite(wider)) return "";
     const Answer late = solve(query, {.separation = separation, .method = method});
@@ -208,7 +208,7 @@ TEST_CASE("law of separations: the time does not grow when the distance grows by
 
 TEST_CASE("law of separations: distance 0 is touching, bit for bit") {
   check_law(24, every_family, 1,
-            [](const Query& query, const Separation& separation, Method method, Rng& rng) -> Finding {
+            [](const Query& query, const Separation& separation, Method method, Rng& rng) -> Outcome {
               const Separation none = {rng.one_in(2) ? 0.0 : -0.0, separation.metric};
               const double t_max = rng.one_in(4) ? rng.unit() : 1;
               std::string wrong = bit_difference(solve(query, {.t_max = t_max, .separation = none, .method = method}),

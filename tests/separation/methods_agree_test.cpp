@@ -41,7 +41,7 @@ void methods_agree(Metric metric, std::size_t count) {
       wrong = "the contact alone differs";
     report.add(id, query, wrong.empty() ? "" : "separation " + hexfloat(separation.distance) + ": " + wrong);
   });
-  std::printf("%s: %zu queries by fast, exact and oracle, %zu contacts\n", std::string(metric_name(metric)).c_str(),
+  std::printf("%s: %zu queries by fast, exact and oracle, %zu contacts\n", std::string(name_of(metric)).c_str(),
               report.checked(), contacts);
   report.finish();
 }
@@ -61,8 +61,8 @@ void batches_agree(Metric metric) {
     const solver::OwnedColumns columns(queries);
     BatchOptions options;
     options.separation.metric = metric;
-    options.distances = distances.data();
-    options.distance_count = distances.size();
+    options.separations = distances.data();
+    options.separation_count = distances.size();
     for (const VectorWidth width :
          {VectorWidth::widest, VectorWidth::none, VectorWidth::bits_128, VectorWidth::bits_256}) {
       if (!has_vectors(width)) continue;
@@ -75,8 +75,8 @@ void batches_agree(Metric metric) {
         REQUIRE(bit_difference(one_by_one[i], alone, true).empty());
       }
     }
-    options.distances = nullptr;
-    options.distance_count = 0;
+    options.separations = nullptr;
+    options.separation_count = 0;
     options.separation.distance = 0.25;
     const std::vector<Answer> answers = solve_batch(columns.view(), options);
     for (std::size_t i = 0; i < queries.size(); ++i) {

@@ -17,9 +17,9 @@ using touchstone::tests::TemporaryFolder;
 
 namespace {
 
-using Names = std::vector<std::string>;
+using NameList = std::vector<std::string>;
 
-std::string refusal_of(const Names& files, Gaps gaps = Gaps::refused) {
+std::string refusal_of(const NameList& files, Gaps gaps = Gaps::refused) {
   try {
     static_cast<void>(in_order(files, gaps));
   } catch (const FileError& error) {
@@ -32,24 +32,26 @@ std::string refusal_of(const Names& files, Gaps gaps = Gaps::refused) {
 
 TEST_CASE("files are in the order of the number in which their names differ") {
   CHECK(in_order({"a/c-10.obj", "a/c-8.obj", "a/c-9.obj"}, Gaps::refused) ==
-        Names{"a/c-8.obj", "a/c-9.obj", "a/c-10.obj"});
+        NameList{"a/c-8.obj", "a/c-9.obj", "a/c-10.obj"});
   CHECK(in_order({"run2/c-03.obj", "run2/c-01.obj", "run2/c-02.obj"}, Gaps::refused) ==
-        Names{"run2/c-01.obj", "run2/c-02.obj", "run2/c-03.obj"});
-  CHECK(in_order({"30", "10", "20"}, Gaps::refused) == Names{"10", "20", "30"});
+        NameList{"run2/c-01.obj", "run2/c-02.obj", "run2/c-03.obj"});
+  CHECK(in_order({"30", "10", "20"}, Gaps::refused) == NameList{"10", "20", "30"});
   CHECK(in_order({"x009.5.ply", "x010.5.ply", "x008.5.ply"}, Gaps::refused) ==
-        Names{"x008.5.ply", "x009.5.ply", "x010.5.ply"});
+        NameList{"x008.5.ply", "x009.5.ply", "x010.5.ply"});
   // Any two numbers have a stride.
-  CHECK(in_order({"f7", "f3"}, Gaps::refused) == Names{"f3", "f7"});
+  CHECK(in_order({"f7", "f3"}, Gaps::refused) == NameList{"f3", "f7"});
 }
 
 TEST_CASE("names that differ in several numbers are in the order of the one that is a frame's own") {
-  CHECK(in_order({"f-10-t0.10", "f-1-t0.1", "f-2-t0.2"}, Gaps::allowed) == Names{"f-1-t0.1", "f-2-t0.2", "f-10-t0.10"});
-  const Names times = {"t0.9-f9", "t1.0-f10", "t1.1-f11", "t1.2-f12"};
-  for (const Names& names : {Names{times[1], times[2], times[3], times[0]}, Names{times.rbegin(), times.rend()}}) {
+  CHECK(in_order({"f-10-t0.10", "f-1-t0.1", "f-2-t0.2"}, Gaps::allowed) ==
+        NameList{"f-1-t0.1", "f-2-t0.2", "f-10-t0.10"});
+  const NameList times = {"t0.9-f9", "t1.0-f10", "t1.1-f11", "t1.2-f12"};
+  for (const NameList& names :
+       {NameList{times[1], times[2], times[3], times[0]}, NameList{times.rbegin(), times.rend()}}) {
     CHECK(in_order(names, Gaps::refused) == times);
   }
   // The stride of one of the numbers is enough.
-  CHECK(in_order({"t013-f3", "t007-f2", "t004-f1"}, Gaps::refused) == Names{"t004-f1", "t007-f2", "t013-f3"});
+  CHECK(in_order({"t013-f3", "t007-f2", "t004-f1"}, Gaps::refused) == NameList{"t004-f1", "t007-f2", "t013-f3"});
   CHECK(refusal_of({"f-1-t0.1", "f-2-t0.2", "f-4-t0.4"}).find("frame 3 is missing between f-2-t0.2") !=
         std::string::npos);
 }
@@ -64,21 +66,22 @@ TEST_CASE("files of other names are frames or parts, and nothing is guessed") {
           "d/shaft.obj: the name differs from gear.obj in more than numbers" + which);
     CHECK(refusal_of({"f1.obj", "f2.obj", "g3.obj"}, gaps) ==
           "g3.obj: the name differs from f1.obj in more than numbers" + which);
-    for (const Names& names : {Names{"one.obj", "one.obj"}, Names{"c-1.obj", "c-2.obj", "c-1.obj"}}) {
+    for (const NameList& names : {NameList{"one.obj", "one.obj"}, NameList{"c-1.obj", "c-2.obj", "c-1.obj"}}) {
       CHECK(refusal_of(names, gaps) == names[0] + ": is given twice; its frames would count twice: name it once");
     }
-    for (const Names& names : {Names{"b2.obj", "a1.obj"}, Names{"x1.obj", "x1.ply"}, Names{"c2", "c1", "c"}}) {
+    for (const NameList& names :
+         {NameList{"b2.obj", "a1.obj"}, NameList{"x1.obj", "x1.ply"}, NameList{"c2", "c1", "c"}}) {
       CHECK(refusal_of(names, gaps).find("in more than numbers") != std::string::npos);
     }
     // No number is a frame's own, or two of them give different orders.
-    for (const Names& names : {Names{"take2-f1", "take1-f2", "take1-f1"}, Names{"b2-1", "b1-2", "b3-3"}}) {
+    for (const NameList& names : {NameList{"take2-f1", "take1-f2", "take1-f1"}, NameList{"b2-1", "b1-2", "b3-3"}}) {
       CHECK(refusal_of(names, gaps) == names[1] + ": the name differs from " + names[0] +
                                            " in several numbers, which do not say the order of the frames" + which);
     }
     // More digits than a number has are text.
     CHECK_FALSE(refusal_of({"f12345678901234567892", "f12345678901234567891"}, gaps).empty());
   }
-  CHECK(in_order({"gear.obj"}, Gaps::refused) == Names{"gear.obj"});
+  CHECK(in_order({"gear.obj"}, Gaps::refused) == NameList{"gear.obj"});
 }
 
 TEST_CASE("files can be taken as given; the files of one pattern have the order of their numbers") {
@@ -87,10 +90,10 @@ TEST_CASE("files can be taken as given; the files of one pattern have the order 
     folder.write(name, "");
   }
   const std::string two = folder.path("f-2.obj"), ten = folder.path("f-10.obj"), gear = folder.path("gear.obj");
-  CHECK(as_given({ten, gear, two, two}) == Names{ten, gear, two, two});
+  CHECK(as_given({ten, gear, two, two}) == NameList{ten, gear, two, two});
   CHECK(as_given({gear, folder.path("f-*.obj"), two}) ==
-        Names{gear, folder.path("f-1.obj"), two, ten, folder.path("f-40.obj"), two});
-  CHECK(as_given({folder.path("[gs]*.obj")}) == Names{gear, folder.path("shaft.obj")});
+        NameList{gear, folder.path("f-1.obj"), two, ten, folder.path("f-40.obj"), two});
+  CHECK(as_given({folder.path("[gs]*.obj")}) == NameList{gear, folder.path("shaft.obj")});
   CHECK_THROWS_AS(as_given({folder.path("g-*.obj")}), FileError);
 }
 
@@ -112,10 +115,10 @@ TEST_CASE("a pattern is expanded, unless it is the name of a file") {
   for (const char* name : {"f-1.obj", "f-2.obj", "f-10.obj", "[x].obj"}) folder.write(name, "");
   auto files = expand_patterns({folder.path("f-*.obj")});
   std::sort(files.begin(), files.end());
-  CHECK(files == Names{folder.path("f-1.obj"), folder.path("f-10.obj"), folder.path("f-2.obj")});
+  CHECK(files == NameList{folder.path("f-1.obj"), folder.path("f-10.obj"), folder.path("f-2.obj")});
   CHECK(expand_patterns({folder.path("f-?.obj")}).size() == 2);
-  CHECK(expand_patterns({folder.path("[x].obj")}) == Names{folder.path("[x].obj")});
-  CHECK(expand_patterns({"no such file", "-"}) == Names{"no such file", "-"});
+  CHECK(expand_patterns({folder.path("[x].obj")}) == NameList{folder.path("[x].obj")});
+  CHECK(expand_patterns({"no such file", "-"}) == NameList{"no such file", "-"});
   CHECK_THROWS_AS(expand_patterns({folder.path("g-*.obj")}), FileError);
 }
 

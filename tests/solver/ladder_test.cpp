@@ -47,7 +47,7 @@ TEST_CASE("the ladder on the design page is the solver's") {
   for (std::size_t i = 0; i < kLadder.size(); ++i) {
     const auto& rung = kLadder[i];
     const std::vector<std::string> expected = {std::to_string(i + 1), std::string(rung.name), std::string(rung.applies),
-                                               std::string(rung.proves), std::string(level_name(rung.level))};
+                                               std::string(rung.proves), std::string(name_of(rung.level))};
     CHECK(rows[i] == expected);
   }
 }

@@ -3,6 +3,9 @@
 #include <touchstone/solve.hpp>
 
 #include <string>
+#include <vector>
+
+#include <touchstone/error.hpp>
 
 #include "support/catch.hpp"
 
@@ -39,5 +42,33 @@ TEST_CASE("coordinates that are no doubles go to the exact level, or to CGAL whe
     CHECK(answer.toi == 0x1.5555555555555p-2);
     CHECK(answer.toi_upper == 0x1.5555555555556p-2);
     CHECK_FALSE(solve(meeting_at("-1", "3"), {.method = method}).contact);
+  }
+}
+
+TEST_CASE("a batch of rational queries has the answers of each, and names the one without meaning") {
+  std::vector<RationalQuery> queries = {meeting_at("1", "3"), meeting_at("-1", "3"), meeting_at("2", "7")};
+  BatchOptions options;
+  for (const double distance : {0.0, 0.25}) {
+    options.separation.distance = distance;
+    const std::vector<Answer> answers = solve_batch(queries, options);
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      const Answer one = solve(queries[i], {.separation = {distance}});
+      CHECK(answers[i].contact == one.contact);
+      CHECK(answers[i].toi == one.toi);
+      CHECK(answers[i].toi_upper == one.toi_upper);
+    }
+  }
+  const std::vector<double> separations = {0, 0.5, 0};
+  options.separation = {};
+  options.separations = separations.data();
+  options.separation_count = separations.size();
+  options.threads = 2;
+  CHECK(solve_batch(queries, options)[1].contact);  // -1/3 is within 1/2 of 0
+  queries[2].end[1][0].denominator = "0";
+  try {
+    solve_batch(queries, options);
+    FAIL("a zero denominator was taken");
+  } catch (const InvalidQuery& error) {
+    CHECK(std::string(error.what()).rfind("query 2: ", 0) == 0);
   }
 }

@@ -119,6 +119,7 @@ std::string at(const std::string& file, const Include& include, const std::strin
 const std::map<std::string, std::string>& header_owners() {
   static const std::map<std::string, std::string> owners = {
       {"answer.hpp", ""},         {"error.hpp", ""},
+      {"names.hpp", ""},          {"kinds.h", ""},
       {"query.hpp", ""},          {"separation.hpp", ""},
       {"vector_width.hpp", ""},   {"version.hpp", ""},
       {"solve.hpp", "solver"},    {"contact_times.hpp", "solver"},

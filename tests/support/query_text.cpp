@@ -54,7 +54,7 @@ std::string curved_text(const CurvedQuery& query) {
     for (std::size_t i = 0; i < 4; ++i) text.append(i > 0 ? ", " : "").append(hexfloat(q[i]));
     return text.append("}");
   };
-  std::string text(kind_name(query.kind));
+  std::string text(name_of(query.kind));
   std::array<bool, 4> used{};
   for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
     const CurvedCorner& corner = query.corners[i];
@@ -78,11 +78,11 @@ std::string curved_text(const CurvedQuery& query) {
 }
 
 std::string describe(const Answer& answer) {
-  const std::string by = " by " + std::string(level_name(answer.level));
+  const std::string by = " by " + std::string(name_of(answer.level));
   if (!answer.contact) return "no contact" + by;
   return "contact at [" + hexfloat(answer.toi) + ", " + hexfloat(answer.toi_upper) + "] " +
-         std::string(nature_name(answer.nature)) + " " + std::string(feature_name(answer.feature_a)) + " " +
-         std::string(feature_name(answer.feature_b)) + " weights " + weights_text(answer.weights_a) + " " +
+         std::string(name_of(answer.nature)) + " " + std::string(name_of(answer.feature_a)) + " " +
+         std::string(name_of(answer.feature_b)) + " weights " + weights_text(answer.weights_a) + " " +
          weights_text(answer.weights_b) + by;
 }
 

@@ -107,8 +107,6 @@ CurvedQuery turning_query(seeded::Rng& rng, Kind kind) {
   return query;
 }
 
-constexpr std::array<Kind, 4> kKinds{Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point};
-
 }  // namespace
 
 TEST_CASE("JSON in a script element has no character that could end it") {

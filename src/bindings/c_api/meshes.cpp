@@ -305,7 +305,7 @@ int touchstone_mesh_free_step(const touchstone_mesh* mesh, const double* x0, con
     std::copy(step.positions.begin(), step.positions.end(), positions);
     if (length != nullptr) *length = step.length;
     if (outcome != nullptr) *outcome = static_cast<int>(step.outcome);
-    if (contact != nullptr) *contact = c_first_contact(step.contact);
+    if (contact != nullptr) *contact = c_first_contact(step.first_contact);
   });
 }
 

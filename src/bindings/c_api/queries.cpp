@@ -43,8 +43,8 @@ BatchOptions batch_options(const touchstone_options* given) {
   batch.t_max = options.t_max;
   batch.threads = options.threads;
   batch.separation = separation_of(options);
-  batch.distances = array(options.separations, options.separation_count, 1, "separations");
-  batch.distance_count = options.separation_count;
+  batch.separations = array(options.separations, options.separation_count, 1, "separations");
+  batch.separation_count = options.separation_count;
   batch.wanted = wanted_of(options.wanted);
   return batch;
 }
@@ -85,9 +85,9 @@ struct Rows {
         columns.end[i / 3][i % 3] = ends + i * columns.count;
       }
       BatchOptions of_block = options;
-      if (options.distances != nullptr) {
-        of_block.distances = options.distances + first;
-        of_block.distance_count = columns.count;
+      if (options.separations != nullptr) {
+        of_block.separations = options.separations + first;
+        of_block.separation_count = columns.count;
       }
       solve_batch(columns, answers + first, of_block);
     }
@@ -142,14 +142,14 @@ int touchstone_solve_rows(int kind, std::size_t count, const double* start, cons
     array(end, count, coordinates, "end");
     Answer* room = room_for(answers, count);
     const BatchOptions batch = batch_options(options);
-    const bool distances_fit = batch.distances == nullptr || batch.distance_count == count;
+    const bool distances_fit = batch.separations == nullptr || batch.separation_count == count;
     try {
       if (count > 0 && distances_fit) return rows.solve(room, batch, batch.threads == 1 ? kBlock : 64 * kBlock);
     } catch (const InvalidQuery&) {
       // The message would count from the first query of the block: ask again in one block, for its message.
     }
     if (count > 0 && distances_fit) return rows.solve(room, batch, count);
-    solve_batch(nullptr, count, room, batch);  // options without meaning
+    solve_batch(static_cast<const Query*>(nullptr), count, room, batch);  // options without meaning
   });
 }
 

@@ -9,15 +9,15 @@ namespace touchstone::python {
 namespace {
 
 /// The members of the four enumerations, in order. They live as long as the process: modules are not unloaded.
-struct Names {
+struct NamedMembers {
   py::tuple natures, features, levels, trends;
 };
 
-const Names& all_names() {
-  static const Names* const names = [] {
+const NamedMembers& named_members() {
+  static const NamedMembers* const names = [] {
     const py::module_ module = py::module_::import("touchstone._names");
     const auto members = [&](const char* name) { return py::tuple(module.attr(name)); };
-    return new Names{members("Nature"), members("Feature"), members("Level"), members("Trend")};
+    return new NamedMembers{members("Nature"), members("Feature"), members("Level"), members("Trend")};
   }();
   return *names;
 }
@@ -30,13 +30,12 @@ py::object member(const py::tuple& names, Enumeration value) {
 py::tuple tuple_of(const std::array<double, 3>& weights) { return py::make_tuple(weights[0], weights[1], weights[2]); }
 
 std::string text_of(const Answer& answer) {
-  if (!answer.contact) return "Answer(contact=False, level=" + std::string(level_name(answer.level)) + ")";
+  if (!answer.contact) return "Answer(contact=False, level=" + std::string(name_of(answer.level)) + ")";
   const auto number = [](double x) { return std::string(py::repr(py::float_(x))); };
   return "Answer(contact=True, toi=" + number(answer.toi) + ", toi_upper=" + number(answer.toi_upper) +
-         ", nature=" + std::string(nature_name(answer.nature)) +
-         ", feature_a=" + std::string(feature_name(answer.feature_a)) +
-         ", feature_b=" + std::string(feature_name(answer.feature_b)) +
-         ", level=" + std::string(level_name(answer.level)) + ")";
+         ", nature=" + std::string(name_of(answer.nature)) + ", feature_a=" + std::string(name_of(answer.feature_a)) +
+         ", feature_b=" + std::string(name_of(answer.feature_b)) + ", level=" + std::string(name_of(answer.level)) +
+         ")";
 }
 
 std::string text_of(const Answers& answers) {
@@ -96,10 +95,10 @@ void define_answer(py::module_& module) {
 
 }  // namespace
 
-py::object name_object(Nature nature) { return member(all_names().natures, nature); }
-py::object name_object(Feature feature) { return member(all_names().features, feature); }
-py::object name_object(Level level) { return member(all_names().levels, level); }
-py::object name_object(Trend trend) { return member(all_names().trends, trend); }
+py::object name_object(Nature nature) { return member(named_members().natures, nature); }
+py::object name_object(Feature feature) { return member(named_members().features, feature); }
+py::object name_object(Level level) { return member(named_members().levels, level); }
+py::object name_object(Trend trend) { return member(named_members().trends, trend); }
 
 void define_answers(py::module_& module) {
   define_answer(module);

@@ -10,23 +10,22 @@
 namespace touchstone::python {
 namespace {
 
-template <class Value, std::size_t N>
-Value value_of(py::handle name, const char* what, const std::array<std::pair<std::string_view, Value>, N>& known) {
+/// The value of E with this name, in which '_' may stand for '-'.
+template <class E>
+E value_of(py::handle name, const char* what) {
   if (!PyUnicode_Check(name.ptr())) {
     throw py::type_error(std::string(what) + " is of type " + Py_TYPE(name.ptr())->tp_name + "; it must be a string");
   }
   Py_ssize_t size = 0;
   const char* const text = PyUnicode_AsUTF8AndSize(name.ptr(), &size);
   if (text == nullptr) throw py::error_already_set();
-  const std::string_view given(text, static_cast<std::size_t>(size));
-  for (const auto& [known_name, value] : known) {
-    const auto same = [](char a, char b) { return a == b || (a == '_' && b == '-'); };
-    if (std::equal(given.begin(), given.end(), known_name.begin(), known_name.end(), same)) return value;
-  }
+  std::string given(text, static_cast<std::size_t>(size));
+  std::replace(given.begin(), given.end(), '_', '-');
+  if (const auto value = from_name<E>(given)) return *value;
   std::string message = std::string(what) + " is " + std::string(py::str(py::repr(name))) + "; it must be one of ";
-  for (const auto& entry : known) {
-    message.append(&entry == &known[0] ? "'" : ", '").append(entry.first).append("'");
-  }
+  const Names names = names_of<E>();
+  for (const std::string_view& known : names)
+    message.append(&known == names.begin() ? "'" : ", '").append(known).append("'");
   throw py::value_error(message);
 }
 
@@ -40,30 +39,28 @@ bool is_plain(py::handle array) { return Py_TYPE(array.ptr()) == py::detail::npy
 
 }  // namespace
 
-Kind kind_of(py::handle name) {
-  static constexpr std::array<std::pair<std::string_view, Kind>, 4> kKinds = {{{"edge-edge", Kind::edge_edge},
-                                                                               {"vertex-face", Kind::vertex_face},
-                                                                               {"point-edge", Kind::point_edge},
-                                                                               {"point-point", Kind::point_point}}};
-  return value_of(name, "kind", kKinds);
-}
+Kind kind_of(py::handle name) { return value_of<Kind>(name, "kind"); }
+Metric metric_of(py::handle name) { return value_of<Metric>(name, "metric"); }
+Method method_of(py::handle name) { return value_of<Method>(name, "method"); }
+Wanted wanted_of(py::handle name) { return value_of<Wanted>(name, "wanted"); }
 
-Metric metric_of(py::handle name) {
-  static constexpr std::array<std::pair<std::string_view, Metric>, 2> kMetrics = {
-      {{"euclidean", Metric::euclidean}, {"max", Metric::max}}};
-  return value_of(name, "metric", kMetrics);
-}
-
-Method method_of(py::handle name) {
-  static constexpr std::array<std::pair<std::string_view, Method>, 4> kMethods = {
-      {{"fast", Method::fast}, {"exact", Method::exact}, {"oracle", Method::oracle}, {"fast-cgal", Method::fast_cgal}}};
-  return value_of(name, "method", kMethods);
-}
-
-Wanted wanted_of(py::handle name) {
-  static constexpr std::array<std::pair<std::string_view, Wanted>, 4> kWanted = {
-      {{"all", Wanted::all}, {"features", Wanted::features}, {"time", Wanted::time}, {"contact", Wanted::contact}}};
-  return value_of(name, "wanted", kWanted);
+py::dict all_names() {
+  py::dict all;
+  const auto add = [&all](const char* enumeration, const Names& names) {
+    py::tuple words(names.size());
+    std::size_t i = 0;
+    for (const std::string_view name : names) words[i++] = py::str(name.data(), name.size());
+    all[enumeration] = words;
+  };
+  add("Kind", names_of<Kind>());
+  add("Metric", names_of<Metric>());
+  add("Method", names_of<Method>());
+  add("Wanted", names_of<Wanted>());
+  add("Nature", names_of<Nature>());
+  add("Trend", names_of<Trend>());
+  add("Feature", names_of<Feature>());
+  add("Level", names_of<Level>());
+  return all;
 }
 
 int threads_of(py::handle threads) {
@@ -117,7 +114,7 @@ CornerArray::CornerArray(py::handle values, Kind kind, const char* what)
   if (!fits()) {
     const std::string corners = std::to_string(corners_);
     throw py::value_error(std::string(what) + " has the shape " + shape_text(owner_) + "; for " +
-                          std::string(kind_name(kind)) + " it must be (n, " + corners + ", 3) or (n, " + corners +
+                          std::string(name_of(kind)) + " it must be (n, " + corners + ", 3) or (n, " + corners +
                           ", 2), or without n for a single query");
   }
   single_ = dimensions == 2;
@@ -186,7 +183,7 @@ SeparationArgument separation_of(py::handle distance, py::handle metric, std::si
         "separation has the shape " + shape_text(all) + "; it must be a number" +
         (single ? "" : ", or an array of one number for each of the " + std::to_string(count) + " queries"));
   }
-  argument.distances = numbers(distance, "separation");
+  argument.separations = numbers(distance, "separation");
   return argument;
 }
 

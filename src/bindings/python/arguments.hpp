@@ -29,6 +29,9 @@ Metric metric_of(py::handle name);
 Method method_of(py::handle name);
 Wanted wanted_of(py::handle name);
 
+/// The names of the enumerations, by the enumeration's name: {"Kind": ("edge-edge", ...), ...}.
+py::dict all_names();
+
 /// A whole number of threads. @throws  also outside [0, 1024]
 int threads_of(py::handle threads);
 
@@ -94,11 +97,11 @@ class CornerArray {
 /// One separation for all queries, or one for each.
 struct SeparationArgument {
   Separation separation;
-  std::vector<double> distances;  ///< empty: `separation` is that of all queries
+  std::vector<double> separations;  ///< empty: `separation` is that of all queries
 
   /// That of query q.
   Separation of(std::size_t q) const noexcept {
-    return distances.empty() ? separation : Separation{distances[q], separation.metric};
+    return separations.empty() ? separation : Separation{separations[q], separation.metric};
   }
 };
 

@@ -77,7 +77,7 @@ class AskedFunction {
     if (ending_) throw std::runtime_error("the run has ended");
     const py::gil_scoped_acquire locked;
     try {
-      return claim_of(solver_(std::string(kind_name(query.kind)), corners_array(query.kind, query.start),
+      return claim_of(solver_(std::string(name_of(query.kind)), corners_array(query.kind, query.start),
                               corners_array(query.kind, query.end)));
     } catch (py::error_already_set& error) {
       if (!error.matches(PyExc_Exception)) {
@@ -105,8 +105,8 @@ std::optional<Number> number_or_none(py::handle value) {
 }
 
 FuzzReport fuzz(const py::object& solver, py::handle kinds, py::handle families, py::handle cases, py::handle seed,
-                py::handle climb, py::handle distance, py::handle metric, py::handle early_ulps, py::handle early_share,
-                py::handle findings) {
+                py::handle climb, py::handle distance, py::handle metric, py::handle early_ulps,
+                py::handle early_fraction, py::handle findings) {
   if (PyCallable_Check(solver.ptr()) == 0) {
     throw py::type_error(std::string("solver is of type ") + Py_TYPE(solver.ptr())->tp_name +
                          "; it must be a function of (kind, start, end)");
@@ -118,7 +118,7 @@ FuzzReport fuzz(const py::object& solver, py::handle kinds, py::handle families,
   options.findings = findings.cast<std::size_t>();
   options.separation = separation_of(distance, metric, 0, true).separation;
   options.early_ulps = number_or_none<std::uint64_t>(early_ulps);
-  options.early_share = number_or_none<double>(early_share);
+  options.early_fraction = number_or_none<double>(early_fraction);
   if (!kinds.is_none()) {
     for (const py::handle kind : kinds) options.kinds.push_back(kind_of(kind));
   }
@@ -138,12 +138,12 @@ void define_finding(py::module_& module) {
   define_class<FuzzFinding>(
       module, "Finding", "All failures of one sort on queries that are degenerate in one way, with the simplest one.")
       .def_property_readonly(
-          "failure", [](const FuzzFinding& found) { return std::string(fuzz_failure_name(found.failure)); },
+          "failure", [](const FuzzFinding& found) { return std::string(name_of(found.failure)); },
           "'crash', 'malformed', 'missed', 'late', 'nan', 'phantom' or 'early'")
       .def_readonly("degeneracy", &FuzzFinding::degeneracy, "the degeneracy in words")
       .def_readonly("count", &FuzzFinding::count, "how many queries failed in this way")
       .def_property_readonly(
-          "kind", [](const FuzzFinding& found) { return std::string(kind_name(found.query.kind)); },
+          "kind", [](const FuzzFinding& found) { return std::string(name_of(found.query.kind)); },
           "the kind of the shrunk query")
       .def_property_readonly(
           "start", [](const FuzzFinding& found) { return corners_array(found.query.kind, found.query.start); },

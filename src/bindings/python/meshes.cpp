@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <touchstone/mesh.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <optional>
@@ -48,7 +49,7 @@ MeshPair pair_at(const Pairs& pairs, py::ssize_t i) {
 }
 
 py::tuple tuple_of(const MeshPair& pair) {
-  return py::make_tuple(std::string(kind_name(pair.kind)), pair.first, pair.second);
+  return py::make_tuple(std::string(name_of(pair.kind)), pair.first, pair.second);
 }
 
 /// A pair as Python gives it: (kind, first, second).
@@ -198,7 +199,7 @@ void define_mesh(py::module_& module) {
       .def_property_readonly("vertex_count", &Mesh::vertex_count, "the number of vertices")
       .def_property_readonly("dimension", &Mesh::dimension, "2 or 3")
       .def_property_readonly(
-          "metric", [](const Mesh& mesh) { return std::string(metric_name(mesh.metric())); }, "'euclidean' or 'max'")
+          "metric", [](const Mesh& mesh) { return std::string(name_of(mesh.metric())); }, "'euclidean' or 'max'")
       .def_property_readonly(
           "faces", [](const py::object& self) { return rows_of(self.cast<const Mesh&>().faces(), self); },
           "(m, 3) uint32: the faces as they were given")
@@ -248,7 +249,7 @@ void define_pairs(py::module_& module) {
           "kind",
           [](const Pairs& self) {
             py::list kinds;
-            for (const MeshPair& pair : self.pairs) kinds.append(py::str(std::string(kind_name(pair.kind))));
+            for (const MeshPair& pair : self.pairs) kinds.append(py::str(std::string(name_of(pair.kind))));
             return kinds;
           },
           "a list of the kinds: 'edge-edge', 'vertex-face', 'point-edge' or 'point-point'")
@@ -287,7 +288,7 @@ void define_intersections(py::module_& module) {
   const auto names = [&](const char* name, auto member, const char* help) {
     const auto get = [member](const Intersections& self) {
       py::list elements;
-      for (const Intersection& one : self.all) elements.append(std::string(mesh_element_name(one.*member)));
+      for (const Intersection& one : self.all) elements.append(std::string(name_of(one.*member)));
       return elements;
     };
     found.def_property_readonly(name, get, help);
@@ -308,7 +309,7 @@ void define_intersections(py::module_& module) {
       "sort",
       [](const Intersections& self) {
         py::list sorts;
-        for (const Intersection& one : self.all) sorts.append(std::string(intersection_sort_name(one.sort)));
+        for (const Intersection& one : self.all) sorts.append(std::string(name_of(one.sort)));
         return sorts;
       },
       "a list of 'touches', 'pierces', 'folds' or 'inside'");
@@ -359,15 +360,11 @@ void define_first_contact(py::module_& module) {
       });
 }
 
-const char* outcome_name(StepOutcome outcome) {
-  switch (outcome) {
-    case StepOutcome::whole: return "whole";
-    case StepOutcome::shortened: return "shortened";
-    case StepOutcome::no_room: return "no_room";
-    case StepOutcome::contact_at_start: return "contact_at_start";
-    case StepOutcome::intersects_at_start: return "intersects_at_start";
-  }
-  return "";
+/// The outcome's name, in which '_' stands for '-' as in Python's own names.
+std::string outcome_text(StepOutcome outcome) {
+  std::string name(name_of(outcome));
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
 }
 
 /// A free step, and how many coordinates a vertex has.
@@ -381,7 +378,7 @@ struct Step {
 void define_free_step(py::module_& module) {
   define_class<Step>(module, "FreeStep", "A step that is proved free of contact.")
       .def_property_readonly(
-          "outcome", [](const Step& self) { return outcome_name(self.step.outcome); },
+          "outcome", [](const Step& self) { return outcome_text(self.step.outcome); },
           "'whole', 'shortened', 'no_room', 'contact_at_start' or 'intersects_at_start'")
       .def_property_readonly(
           "length", [](const Step& self) { return self.step.length; }, "the fraction of the step, in [0, 1]")
@@ -396,15 +393,15 @@ void define_free_step(py::module_& module) {
           },
           "(n, dimension) float64: the end; the path to it, rounded as it is, is free")
       .def_property_readonly(
-          "contact", [](const Step& self) { return self.step.contact; },
+          "first_contact", [](const Step& self) { return self.step.first_contact; },
           "FirstContact: that of the whole step, about the distances to keep")
       .def_property_readonly(
           "proofs", [](const Step& self) { return self.step.proofs; },
           "the number of times that all pairs were asked about")
       .def("__repr__", [](const Step& self) {
-        return std::string("<FreeStep: ") + outcome_name(self.step.outcome) + ", length " +
+        return std::string("<FreeStep: ") + outcome_text(self.step.outcome) + ", length " +
                std::string(py::repr(py::float_(self.step.length))) +
-               (self.step.contact.start_checked ? ">" : ", start not checked>");
+               (self.step.first_contact.start_checked ? ">" : ", start not checked>");
       });
 }
 

@@ -8,6 +8,7 @@
 #include <touchstone/version.hpp>
 
 #include "python/answers.hpp"
+#include "python/arguments.hpp"
 #include "python/define.hpp"
 
 PYBIND11_MODULE(_core, module) {
@@ -22,6 +23,7 @@ PYBIND11_MODULE(_core, module) {
     }
   });
   module.attr("__version__") = touchstone::version();
+  module.attr("_names") = python::all_names();
   python::define_answers(module);
   python::define_queries(module);
   python::define_meshes(module);

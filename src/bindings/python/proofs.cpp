@@ -62,7 +62,7 @@ ProvedFile prove_all(Kind kind, std::size_t count, std::string head, const Separ
   });
   std::string text = proofs::kFirstLine;
   proofs::append_separation(text, separation);
-  text.append("file ").append(kind_name(kind)).append(" ").append(io::sha256(queries)).append(" ").append(kQueryFile);
+  text.append("file ").append(name_of(kind)).append(" ").append(io::sha256(queries)).append(" ").append(kQueryFile);
   text += '\n' + proofs;
   text.append("end ").append(std::to_string(count)).append(" ").append(std::to_string(contacts)).append("\n");
   return {std::move(queries), std::move(text), Answers(std::move(answers))};

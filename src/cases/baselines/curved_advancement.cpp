@@ -85,7 +85,7 @@ double distance_at(const CurvedCorners& corners, double t) {
 
 Result solve_curved_advancement(const CurvedQuery& query, double t_max, double tolerance) {
   if (query.kind != Kind::edge_edge && query.kind != Kind::vertex_face) {
-    throw InvalidQuery("curved_advancement takes no " + std::string(kind_name(query.kind)) + " queries");
+    throw InvalidQuery("curved_advancement takes no " + std::string(name_of(query.kind)) + " queries");
   }
   const CurvedCorners corners(query);
   const std::size_t first_of_b = query.kind == Kind::edge_edge ? 2 : 1;

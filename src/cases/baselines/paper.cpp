@@ -146,7 +146,7 @@ bool intersects(const Particles& particles, Kind kind, double t) {
 Result solve_paper(const Query& query, double t_max, double) {
   if (query.kind != Kind::edge_edge && query.kind != Kind::vertex_face) {
     throw InvalidQuery("the baseline `paper` takes edge-edge and vertex-face queries, not " +
-                       std::string(kind_name(query.kind)));
+                       std::string(name_of(query.kind)));
   }
   const Particles particles = particles_of(query);
   const CubicRoots times = coplanar_times(particles);

@@ -98,7 +98,7 @@ bool meets(const Meeting<double>& m) {
 
 Result solve_redon(const CurvedQuery& query, double t_max, double tolerance) {
   if (query.kind != Kind::edge_edge && query.kind != Kind::vertex_face) {
-    throw InvalidQuery("redon takes no " + std::string(kind_name(query.kind)) + " queries");
+    throw InvalidQuery("redon takes no " + std::string(name_of(query.kind)) + " queries");
   }
   const CurvedCorners corners(query);
   std::vector<Interval> left{{0, t_max}};  // the earliest last

@@ -219,8 +219,8 @@ Separated make_separated(const CaseId& id, Metric metric) {
 }
 
 std::string case_name(const CaseId& id) {
-  return std::string(info(id.family).name) + " " + std::string(kind_name(id.kind)) + " " + std::to_string(id.seed) +
-         " " + std::to_string(id.index);
+  return std::string(info(id.family).name) + " " + std::string(name_of(id.kind)) + " " + std::to_string(id.seed) + " " +
+         std::to_string(id.index);
 }
 
 std::optional<CaseId> parse_case(std::string_view text) {
@@ -231,7 +231,7 @@ std::optional<CaseId> parse_case(std::string_view text) {
   const FamilyInfo* const found = find_family(family);
   if (found == nullptr) return std::nullopt;
   for (const Kind k : kKinds) {
-    if (kind_name(k) == kind) return CaseId{found->family, k, seed, index};
+    if (name_of(k) == kind) return CaseId{found->family, k, seed, index};
   }
   return std::nullopt;
 }

@@ -128,9 +128,6 @@ inline bool is_curved(Family family) { return info(family).group == Group::curve
 /// The family of that name, straight or curved; null when there is none.
 const FamilyInfo* find_family(std::string_view name);
 
-/// The kinds of query, in the order of the enumeration.
-constexpr std::array<Kind, 4> kKinds{Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point};
-
 struct Sample {
   Query query;
   std::optional<double> touches_at;  ///< by construction the elements touch at this time, perhaps earlier too

@@ -141,7 +141,7 @@ std::string bench_json(const std::vector<BenchResult>& results, const BenchOptio
                {"results", Json::array()}};
   if (const Separation& separation = options.separation.separation; separation.distance > 0) {
     json["separation"] = io::hexfloat(separation.distance);
-    json["metric"] = metric_name(separation.metric);
+    json["metric"] = name_of(separation.metric);
   }
   for (const BenchResult& result : results) json["results"].push_back(json_of(result));
   return json.dump(2) + "\n";

@@ -57,7 +57,7 @@ ByKind simulation_queries(std::size_t count, const Separation& separation) {
 ByKind random_queries(std::size_t count) {
   ByKind queries;
   seeded::Rng random(kSeed);
-  for (const Kind kind : io::kKinds) {
+  for (const Kind kind : kKinds) {
     for (std::size_t i = 0; i < count; ++i) {
       double size = 0x1p-20;
       for (std::uint64_t doublings = random.below(41); doublings > 0; --doublings) size *= 2;
@@ -97,8 +97,8 @@ void append_sets(const std::string& source, const ByKind& queries, const Separat
                  std::vector<BenchSet>& sets) {
   BatchOptions options;
   options.separation = separation;
-  for (const Kind kind : io::kKinds) {
-    const std::string name = source + "/" + std::string(kind_name(kind)) + "/";
+  for (const Kind kind : kKinds) {
+    const std::string name = source + "/" + std::string(name_of(kind)) + "/";
     BenchSet all{name + "all", queries[static_cast<std::size_t>(kind)], {}, {}}, hits{name + "hits", {}, {}, {}},
         misses{name + "misses", {}, {}, {}};
     all.answers = solve_batch(all.queries, options);
@@ -135,8 +135,8 @@ void append_aligned_sets(std::size_t count, const Separation& separation, bool f
 
 void append_curved_sets(const std::string& source, const CurvedByKind& queries, const Separation& separation,
                         std::vector<BenchSet>& sets) {
-  for (const Kind kind : io::kKinds) {
-    const std::string name = source + "/" + std::string(kind_name(kind)) + "/";
+  for (const Kind kind : kKinds) {
+    const std::string name = source + "/" + std::string(name_of(kind)) + "/";
     BenchSet all{name + "all", {}, {}, {}}, hits{name + "hits", {}, {}, {}}, misses{name + "misses", {}, {}, {}};
     for (const CurvedQuery& query : queries[static_cast<std::size_t>(kind)]) {
       const Query twin = report::straight_twin(query);

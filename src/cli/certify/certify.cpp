@@ -259,7 +259,7 @@ int run_certify(const CertifyOptions& options) {
 
   if (report) {
     const std::string source = options.claims.empty() ? "truth column" : options.claims;
-    report->finish(report_begin({std::string(method_name(options.method)), source, questions.only()}, tally, files));
+    report->finish(report_begin({std::string(name_of(options.method)), source, questions.only()}, tally, files));
   }
   if (proofs) proofs->finish();
   progress.wipe();

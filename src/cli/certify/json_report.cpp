@@ -61,13 +61,13 @@ Json json_of(const Answer& answer, const Separation& separation) {
   const auto put = [&](const char* key, const auto& value) { json[key] = answer.contact ? Json(value) : nullptr; };
   put("toi", io::hexfloat(answer.contact ? answer.toi : 0));
   put("toi_upper", io::hexfloat(answer.contact ? answer.toi_upper : 0));
-  put("nature", nature_name(answer.nature));
-  put("feature_a", feature_name(answer.feature_a));
-  put("feature_b", feature_name(answer.feature_b));
-  json["level"] = level_name(answer.level);
+  put("nature", name_of(answer.nature));
+  put("feature_a", name_of(answer.feature_a));
+  put("feature_b", name_of(answer.feature_b));
+  json["level"] = name_of(answer.level);
   if (separation.distance > 0) {
     put("starts_within", answer.starts_within ? 1 : 0);
-    put("trend", trend_name(answer.trend));
+    put("trend", name_of(answer.trend));
   }
   return json;
 }
@@ -131,7 +131,7 @@ Json toi_json(const Claim& claim) {
 void put_separation(Json& json, const Separation& separation) {
   if (separation.distance == 0) return;
   json["separation"] = io::hexfloat(separation.distance);
-  json["metric"] = metric_name(separation.metric);
+  json["metric"] = name_of(separation.metric);
 }
 
 /// File names need not be valid UTF-8; JSON must be.
@@ -144,10 +144,10 @@ std::string text_of(const Json& json, int indent) {
 std::string refuted_claim_json(const certify::RefutedClaim& refuted) {
   Json json = {
       {"file", refuted.file},
-      {"kind", kind_name(refuted.kind())},
+      {"kind", name_of(refuted.kind())},
       {"query", refuted.query},
       {"rows", {refuted.first_row, refuted.last_row}},
-      {"verdict", verdict_name(refuted.verdict)},
+      {"verdict", name_of(refuted.verdict)},
       {"claim", {{"contact", refuted.claim.contact ? 1 : 0}, {"toi", toi_json(refuted.claim)}}},
       {"answer", json_of(refuted.answer, refuted.separation)},
   };
@@ -165,10 +165,10 @@ std::string report_begin(const ReportHeading& heading, const certify::Tally& tal
   if (heading.separation) put_separation(json, *heading.separation);
   json["claims"] = json_of(tally.verdicts);
   for (const Level level : {Level::filter, Level::bracket, Level::exact, Level::oracle}) {
-    json["decided_by"][std::string(level_name(level))] = tally.levels[static_cast<std::size_t>(level)];
+    json["decided_by"][std::string(name_of(level))] = tally.levels[static_cast<std::size_t>(level)];
   }
   for (const Nature nature : {Nature::none, Nature::crossing, Nature::grazing, Nature::sustained, Nature::isolated}) {
-    const std::string name(nature == Nature::none ? "none" : nature_name(nature));
+    const std::string name(nature == Nature::none ? "none" : name_of(nature));
     json["natures"][name] = tally.natures[static_cast<std::size_t>(nature)];
   }
   const std::uint64_t entering = tally.natures[static_cast<std::size_t>(Nature::entering)];
@@ -177,7 +177,7 @@ std::string report_begin(const ReportHeading& heading, const certify::Tally& tal
   json["early"] = json_of(tally.early);
   json["files"] = Json::array();
   for (const auto& file : files) {
-    json["files"].push_back({{"file", file.file}, {"kind", kind_name(file.kind)}, {"claims", json_of(file.verdicts)}});
+    json["files"].push_back({{"file", file.file}, {"kind", name_of(file.kind)}, {"claims", json_of(file.verdicts)}});
   }
   std::string text = text_of(json, 2);
   text.resize(text.rfind("\n}"));  // the refuted claims go inside

@@ -22,9 +22,9 @@ std::string range(const certify::EarlyBucket<Distance>& bucket, ForPerson for_pe
 
 std::string verdicts_for_person(const certify::VerdictCounts& verdicts) {
   const auto row = [](Verdict verdict, std::uint64_t number, std::string_view meaning) {
-    return summary_line(verdict_name(verdict), number > 0 && !meaning.empty()
-                                                   ? fmt::format("{} ({})", grouped(number), meaning)
-                                                   : grouped(number));
+    return summary_line(name_of(verdict), number > 0 && !meaning.empty()
+                                              ? fmt::format("{} ({})", grouped(number), meaning)
+                                              : grouped(number));
   };
   return row(Verdict::holds, verdicts.holds, "") +
          row(Verdict::missed, verdicts.missed, "contact denied, but there is one") +
@@ -58,7 +58,7 @@ std::string refuted_for_person(const certify::RefutedClaim& refuted, io::Turns t
                      : "no contact";
   return fmt::format(
       "  {} query {} (rows {} to {}): {}\n    claim: {}\n    exact: {}\n    {}{}\n", io::printable(refuted.file),
-      refuted.query, refuted.first_row, refuted.last_row, verdict_name(refuted.verdict), claimed, truth,
+      refuted.query, refuted.first_row, refuted.last_row, name_of(refuted.verdict), claimed, truth,
       explain_command(refuted.file, refuted.kind(), refuted.query, refuted.separation), turns_argument(turns));
 }
 

@@ -123,7 +123,7 @@ int run_convert(const ConvertOptions& options) {
   auto console = io::OutputFile::standard_output();
   console.write(fmt::format("{} of {} written to {} ({}, {}, {} claims)\n", counted(queries, "query"),
                             io::printable(inputs.front().name), io::printable(options.to), format_name(file.format),
-                            kind_name(file.kind), file.with_claims ? "with" : "without"));
+                            name_of(file.kind), file.with_claims ? "with" : "without"));
   console.commit();
   return kAllHold;
 }

@@ -137,7 +137,7 @@ std::string fault_of_vectors(const BatchSolver& solver, std::string& widths) {
   for (const auto& [width, name] : kWidths) {
     if (has_vectors(width)) widths += std::string(widths.empty() ? "" : ", ") + name;
   }
-  for (const Kind kind : families::kKinds) {
+  for (const Kind kind : kKinds) {
     const std::vector<Query> queries = family_queries(kind);
     const solver::OwnedColumns columns(queries);
     std::vector<Answer> truth;
@@ -148,7 +148,7 @@ std::string fault_of_vectors(const BatchSolver& solver, std::string& widths) {
       solver(columns.view(), width, answers.data());
       for (std::size_t q = 0; q < queries.size(); ++q) {
         if (same_bits(answers[q], truth[q])) continue;
-        return fmt::format("{} bits: query {} of {} gave {}, and by itself {}", name, q, kind_name(kind),
+        return fmt::format("{} bits: query {} of {} gave {}, and by itself {}", name, q, name_of(kind),
                            text_of(answers[q]), text_of(truth[q]));
       }
     }

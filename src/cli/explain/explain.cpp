@@ -44,7 +44,7 @@ int run_explain(const ExplainOptions& options) {
         fmt::format("the file's truth column is about {}\n", separation_for_person(*found->truth_separation)));
   } else if (record.truth && options.query.t_max == 1) {
     console.write(fmt::format("the file's truth column says {}: {}\n", *record.truth ? 1 : 0,
-                              verdict_name(judge({*record.truth, std::nullopt}, explanation.story.answer))));
+                              name_of(judge({*record.truth, std::nullopt}, explanation.story.answer))));
   }
   if (!options.html.empty()) write_query_page(options.html, input, record, explanation, options.query);
   console.commit();

@@ -88,7 +88,7 @@ Explanation explanation_of(const io::QueryRecord& record, const OneQuery& option
 std::string heading(const Input& input, const io::QueryRecord& record) {
   const char* const motion = std::holds_alternative<CurvedQuery>(record.query) ? ", curved motion" : "";
   return fmt::format("query {} of {} (rows {} to {}), {}{}", record.number, io::printable(input.name), record.first_row,
-                     record.last_row, kind_name(input.kind), motion);
+                     record.last_row, name_of(input.kind), motion);
 }
 
 std::uint64_t write_query_page(const std::string& path, const Input& input, const io::QueryRecord& record,

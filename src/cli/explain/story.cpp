@@ -133,7 +133,7 @@ std::string polynomials_for_person(const exact::Story& story, bool curved, doubl
 /// "a0 a1" with weights "0.25, 0.75": the corners that a feature's weights belong to.
 std::string touched(Kind kind, Feature feature, const std::array<double, 3>& weights, std::size_t first,
                     std::size_t count) {
-  std::string text = fmt::format("  {:<8} at ", feature_name(feature));
+  std::string text = fmt::format("  {:<8} at ", name_of(feature));
   for (std::size_t i = 0; i < count; ++i) {
     text += fmt::format("{}{} {}", i == 0 ? "" : " + ", weights[i], corner_name(kind, first + i));
   }
@@ -151,7 +151,7 @@ std::string answer_for_person(Kind kind, const Answer& answer, double t_max) {
                          : answer.trend == Trend::leaving   ? "rises"
                                                             : "stays as it is");
   }
-  return fmt::format("\nanswer: {} contact{}, first at t {}\n", nature_name(answer.nature), range,
+  return fmt::format("\nanswer: {} contact{}, first at t {}\n", name_of(answer.nature), range,
                      enclosure(answer.toi, answer.toi_upper)) +
          course + touched(kind, answer.feature_a, answer.weights_a, 0, first_count) +
          touched(kind, answer.feature_b, answer.weights_b, first_count, corner_count(kind) - first_count);

@@ -38,7 +38,7 @@ std::string progress_for_person(const fuzz::Progress& progress) {
                                  grouped(rate(progress.queries, progress.seconds)));
   for (const FailureClass failure : fuzz::kEveryFailure) {
     const std::uint64_t number = progress.failures[FailureTable::index(failure)];
-    if (number > 0) text += fmt::format(", {} {}", grouped(number), fuzz::failure_name(failure));
+    if (number > 0) text += fmt::format(", {} {}", grouped(number), name_of(failure));
   }
   if (progress.to_shrink > 0) text += fmt::format("; {} of {} shrunk", progress.shrunk, progress.to_shrink);
   return text;
@@ -49,11 +49,10 @@ std::string search_for_person(const FuzzCommandOptions& options, const fuzz::Out
   const Separation& separation = options.separation.separation;
   std::string about = separation.distance > 0 ? ", " + separation_for_person(separation) : std::string();
   if (options.separation.each)
-    about = fmt::format(", each with a separation of its own, {}", metric_name(separation.metric));
+    about = fmt::format(", each with a separation of its own, {}", name_of(separation.metric));
   return fmt::format("{} judged by {}{}, seed {}: {} in {:.1f} s on {}, {} a second{}\n", io::printable(solver),
-                     method_name(options.settings.judge), about, options.settings.seed,
-                     counted(outcome.queries, "query"), outcome.seconds,
-                     counted(static_cast<std::uint64_t>(threads), "thread"),
+                     name_of(options.settings.judge), about, options.settings.seed, counted(outcome.queries, "query"),
+                     outcome.seconds, counted(static_cast<std::uint64_t>(threads), "thread"),
                      grouped(rate(outcome.queries, outcome.seconds)), outcome.stopped ? "; interrupted" : "");
 }
 
@@ -81,7 +80,7 @@ std::string table_for_person(const FailureTable& table) {
     }
     text += '\n';
   };
-  cells([](FailureClass failure, std::size_t) { return std::string(fuzz::failure_name(failure)); });
+  cells([](FailureClass failure, std::size_t) { return std::string(name_of(failure)); });
   std::size_t well = 0;
   const auto line = [&](std::string_view name, const FailureTable::Row& row) {
     text += fmt::format(fmt::runtime(kRow), name, grouped(row.cases));
@@ -105,8 +104,7 @@ std::string case_command(const FuzzCommandOptions& options, const fuzz::CaseName
   std::string command = "touchstone fuzz " + solver_options(options.solver);
   command += options.separation.each ? each_separation_arguments(options.separation.separation.metric)
                                      : separation_arguments(options.separation.separation);
-  if (options.settings.judge != Method::exact)
-    command += fmt::format(" --judge {}", method_name(options.settings.judge));
+  if (options.settings.judge != Method::exact) command += fmt::format(" --judge {}", name_of(options.settings.judge));
   if (options.settings.early.ulps) command += fmt::format(" --early {}ulps", *options.settings.early.ulps);
   if (options.settings.early.fraction) command += fmt::format(" --early {}", *options.settings.early.fraction);
   for (const std::string& file : options.from) command += " --from " + shell_word(file);
@@ -116,9 +114,9 @@ std::string case_command(const FuzzCommandOptions& options, const fuzz::CaseName
 std::string finding_for_person(std::size_t number, const Finding& finding, const FuzzCommandOptions& options,
                                const WrittenQuery& written) {
   const fuzz::Example& example = finding.example;
-  std::string text = fmt::format("\n{}. {}{}, {}: {}\n", number, fuzz::failure_name(finding.failure),
+  std::string text = fmt::format("\n{}. {}{}, {}: {}\n", number, name_of(finding.failure),
                                  finding.count > 1 ? fmt::format(" {} times", grouped(finding.count)) : "",
-                                 kind_name(finding.degeneracy.kind), fuzz::degeneracy_text(finding.degeneracy));
+                                 name_of(finding.degeneracy.kind), fuzz::degeneracy_text(finding.degeneracy));
   text += fuzz::corners_text(example.query, "     ");
   if (example.t_max != 1) text += fmt::format("   asked for t in [0, {}]\n", fuzz::decimal_text(example.t_max));
   if (options.separation.each) text += fmt::format("   {}\n", separation_for_person(example.separation));
@@ -138,8 +136,8 @@ std::string explain_command(const Finding& finding, const WrittenQuery& written)
 }
 
 std::string findings_file(const std::string& out, Kind kind, FailureClass failure, bool curved) {
-  const auto folder = std::filesystem::path(out) / kind_name(kind);
-  return (folder / fmt::format("{}{}.csv", curved ? "curved_" : "", fuzz::failure_name(failure))).string();
+  const auto folder = std::filesystem::path(out) / name_of(kind);
+  return (folder / fmt::format("{}{}.csv", curved ? "curved_" : "", name_of(failure))).string();
 }
 
 namespace {
@@ -182,9 +180,9 @@ std::vector<WrittenQuery> write_findings(const std::vector<Finding>& findings, c
     }
     const std::string range =
         example.t_max == 1 ? "" : fmt::format(", asked for t in [0, {}]", fuzz::decimal_text(example.t_max));
-    std::string text = fmt::format("# query {}: {}, {}{}\n# {}\n", target->second.queries,
-                                   fuzz::failure_name(finding.failure), fuzz::degeneracy_text(finding.degeneracy),
-                                   range, io::printable(case_command(options, example.name)));
+    std::string text = fmt::format("# query {}: {}, {}{}\n# {}\n", target->second.queries, name_of(finding.failure),
+                                   fuzz::degeneracy_text(finding.degeneracy), range,
+                                   io::printable(case_command(options, example.name)));
     const bool truth = contact_in_step(example, options.settings.judge);
     std::visit([&](const auto& query) { io::append_query(text, query, truth); }, example.query);
     target->second.file.write(text);

@@ -100,11 +100,11 @@ void add_solver_options(CLI::App& subcommand, FuzzCommandOptions& options) {
       .add_option_function<std::string>(
           "--judge",
           [&options](const std::string& name) {
-            options.settings.judge = method_from_name(name).value_or(options.settings.judge);
+            options.settings.judge = from_name<Method>(name).value_or(options.settings.judge);
           },
           "The code whose answers count as true: exact, fast, oracle or fast-cgal; see solve --level (default: exact)")
       ->type_name("LEVEL")
-      ->check(CLI::IsMember({"fast", "exact", "oracle", "fast-cgal"}));
+      ->check(CLI::IsMember(all_names<Method>()));
   subcommand
       .add_option_function<std::string>(
           "--early", [&options](const std::string& text) { options.settings.early = *early_limit(text); },
@@ -141,7 +141,7 @@ std::vector<CLI::Option*> add_source_options(CLI::App& subcommand, FuzzCommandOp
           .add_option_function<std::vector<std::string>>(
               "--kind",
               [&settings](const std::vector<std::string>& names) {
-                for (const auto& name : names) settings.kinds.push_back(*io::kind_from_name(name));
+                for (const auto& name : names) settings.kinds.push_back(*from_name<Kind>(name));
               },
               "Only queries of this kind: " + io::kind_names() + " (default: all; may be given more than once)")
           ->type_name("KIND")

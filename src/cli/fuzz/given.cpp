@@ -84,7 +84,7 @@ std::vector<fuzz::AnyQuery> given_queries(const FuzzCommandOptions& options) {
 void refuse_to_overwrite_given(const FuzzCommandOptions& options) {
   refuse_to_overwrite(options.html, options.from);
   if (options.out.empty()) return;
-  for (const Kind kind : families::kKinds) {
+  for (const Kind kind : kKinds) {
     for (const fuzz::FailureClass failure : fuzz::kEveryFailure) {
       for (const bool curved : {false, true}) {
         refuse_to_overwrite(findings_file(options.out, kind, failure, curved), options.from,

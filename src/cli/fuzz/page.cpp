@@ -18,9 +18,9 @@ view::FindingToShow finding_to_show(const fuzz::Finding& finding, const FuzzComm
                                     const WrittenQuery& written) {
   const fuzz::Example& example = finding.example;
   view::FindingToShow shown;
-  shown.heading = fmt::format("{}{}, {}", fuzz::failure_name(finding.failure),
+  shown.heading = fmt::format("{}{}, {}", name_of(finding.failure),
                               finding.count > 1 ? fmt::format(" {} times", grouped(finding.count)) : "",
-                              kind_name(finding.degeneracy.kind));
+                              name_of(finding.degeneracy.kind));
   shown.degeneracy = fuzz::degeneracy_text(finding.degeneracy);
   shown.claim = fuzz::claim_text(example.reply);
   shown.truth = fuzz::truth_text(example.truth);

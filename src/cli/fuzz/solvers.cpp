@@ -40,7 +40,7 @@ fuzz::SolverFactory solver_factory(const SolverChoice& choice, const SeparationO
     for (const auto name : fuzz::solver_names(separation)) names.append(names.empty() ? "" : ", ").append(name);
     std::string about;
     if (separation.distance > 0) about = " for " + separation_for_person(separation);
-    if (option.each) about = fmt::format(" for separations of each query's own, {}", metric_name(separation.metric));
+    if (option.each) about = fmt::format(" for separations of each query's own, {}", name_of(separation.metric));
     throw Error(fmt::format("{} is no solver{}; they are {}", io::in_quotes(choice.solver), about, names));
   }
   return [name = choice.solver, separation] { return fuzz::named_solver(name, separation); };

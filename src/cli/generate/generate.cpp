@@ -48,7 +48,7 @@ std::vector<Kind> kinds_of(SceneName scene, std::optional<Kind> asked) {
 /// The file FOLDER/SOURCE/KIND/seed-S.csv.
 Target& open_target(const GenerateOptions& options, std::string_view source, Kind kind, NewFolders& folders,
                     std::list<Target>& targets) {
-  const auto folder = std::filesystem::path(options.out) / source / kind_name(kind);
+  const auto folder = std::filesystem::path(options.out) / source / name_of(kind);
   folders.make(folder);
   const auto file = folder / fmt::format("seed-{}.csv", options.candidates.seed);
   Target& target = targets.emplace_back(Target{kind, io::OutputFile(file.string())});
@@ -75,7 +75,7 @@ void write_queries(const std::vector<AnyQuery>& queries, const Separation& separ
 void write_family(families::Family family, const GenerateOptions& options, NewFolders& folders,
                   std::list<Target>& targets, Counts& counts, QueryProgress& progress) {
   constexpr std::uint64_t kBlock = 256;
-  for (const Kind kind : families::kKinds) {
+  for (const Kind kind : kKinds) {
     if (options.kind && *options.kind != kind) continue;
     Target& target = open_target(options, families::info(family).name, kind, folders, targets);
     target.file.write(std::string(io::kCurvedHeader) + "\n");
@@ -112,7 +112,7 @@ void write_scene(SceneName scene, const GenerateOptions& options, NewFolders& fo
   for (const Target* target : target_of) {
     if (target != nullptr && target->queries == 0) {
       throw InvalidQuery(fmt::format("scene {} of {} edges has no {} candidates in {}; ask for more edges or steps",
-                                     generators::scene_name(scene), wanted.edges, kind_name(target->kind),
+                                     generators::scene_name(scene), wanted.edges, name_of(target->kind),
                                      counted(wanted.steps, "step")));
     }
   }
@@ -126,7 +126,7 @@ std::vector<SceneName> wanted_scenes(const GenerateOptions& options) {
     throw InvalidQuery(
         fmt::format("--kind {}: the scenes have edge-edge and vertex-face queries; with --curved there "
                     "are queries of every kind",
-                    kind_name(*options.kind)));
+                    name_of(*options.kind)));
   }
   if (!options.scenes.empty()) return options.scenes;
   return {generators::kScenes.begin(), generators::kScenes.end()};
@@ -157,7 +157,7 @@ int run_generate(const GenerateOptions& options) {
   }
   if (targets.empty()) {
     throw InvalidQuery(fmt::format("scene {} has no faces, so there are no {} queries in it",
-                                   generators::scene_name(scenes.front()), kind_name(*options.kind)));
+                                   generators::scene_name(scenes.front()), name_of(*options.kind)));
   }
   for (Target& target : targets) target.file.commit();
   folders.keep();

@@ -80,7 +80,7 @@ void add_mesh_options(CLI::App& subcommand, GenerateOptions& options) {
 void add_kind(CLI::App& subcommand, GenerateOptions& options) {
   subcommand
       .add_option_function<std::string>(
-          "--kind", [&options](const std::string& name) { options.kind = io::kind_from_name(name); },
+          "--kind", [&options](const std::string& name) { options.kind = from_name<Kind>(name); },
           "Only these queries: edge-edge or vertex-face; of curved families also point-edge or point-point (default: "
           "all)")
       ->type_name("KIND")

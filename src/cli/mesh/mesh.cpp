@@ -75,7 +75,7 @@ void check_files(const MeshRunOptions& options, const std::vector<FrameName>& na
   if (!options.html.empty()) outputs.emplace_back("--html", options.html);
   for (const Kind kind : {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point}) {
     if (options.queries.empty()) break;
-    const auto folder = std::filesystem::path(options.queries) / kind_name(kind);
+    const auto folder = std::filesystem::path(options.queries) / name_of(kind);
     for (const char* name : {"contacts.csv", "folds.csv"}) {
       outputs.emplace_back("--queries", (folder / name).string());
     }

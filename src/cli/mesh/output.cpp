@@ -210,7 +210,7 @@ std::string MeshOutput::write_query(const sequence::PairContact& pair, const seq
   const Separation separation = fold ? Separation() : report_.heading.separation;
   auto& target = queries_[static_cast<std::size_t>(pair.kind)][fold ? 1 : 0];
   if (!target) {
-    const fs::path folder = fs::path(options_.queries) / kind_name(pair.kind);
+    const fs::path folder = fs::path(options_.queries) / name_of(pair.kind);
     folders_.make(folder);
     const std::string path = (folder / kQueriesFiles[fold ? 1 : 0]).string();
     target.emplace(QueryFile{io::OutputFile(path), path});
@@ -234,14 +234,14 @@ std::string MeshOutput::counts_summary() const {
 
 bool MeshOutput::finish() {
   if (pairs_file_) pairs_file_->commit();
-  for (const Kind kind : io::kKinds) {
+  for (const Kind kind : kKinds) {
     for (std::size_t i = 0; i < std::size(kQueriesFiles); ++i) {
       auto& queries = queries_[static_cast<std::size_t>(kind)][i];
       if (queries) {
         queries->file.commit();
       } else if (!options_.queries.empty()) {
         // A file of an earlier run would pass for one of this run.
-        const fs::path file = fs::path(options_.queries) / kind_name(kind) / kQueriesFiles[i];
+        const fs::path file = fs::path(options_.queries) / name_of(kind) / kQueriesFiles[i];
         std::error_code ignored;
         if (fs::is_regular_file(file, ignored)) fs::remove(file, ignored);
       }

@@ -77,11 +77,11 @@ class ThinnedKinds {
   /// @param queries_of  the member of a set that the queries go to
   void append_sets(const std::string& source, const std::string& about,
                    std::vector<AnyQuery> report::QuerySet::*queries_of, std::vector<report::QuerySet>& sets) {
-    for (const Kind kind : io::kKinds) {
+    for (const Kind kind : kKinds) {
       Thinned<AnyQuery>& queries = by_kind_[static_cast<std::size_t>(kind)];
       if (queries.seen() == 0) continue;
       report::QuerySet set;
-      set.name = source + "/" + std::string(kind_name(kind));
+      set.name = source + "/" + std::string(name_of(kind));
       set.about = about;
       if (queries.stride() > 1) {
         set.about += fmt::format("; one in {} of their {}", queries.stride(), counted(queries.seen(), "query"));

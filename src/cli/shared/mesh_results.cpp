@@ -14,9 +14,8 @@ std::string element_for_person(const sequence::NamedElement& element) {
   for (std::size_t i = 0; i < element.corner_count(); ++i) {
     corners += fmt::format("{}{}", i == 0 ? "" : "-", element.vertices[i]);
   }
-  std::string text = element.element == MeshElement::face
-                         ? fmt::format("face {} ({})", element.face, corners)
-                         : fmt::format("{} {}", mesh_element_name(element.element), corners);
+  std::string text = element.element == MeshElement::face ? fmt::format("face {} ({})", element.face, corners)
+                                                          : fmt::format("{} {}", name_of(element.element), corners);
   if (!element.part.empty()) text += " of " + element.part;
   return text;
 }

@@ -28,26 +28,8 @@ std::string time_for_person(double time) { return fmt::format("{} ({})", io::hex
 
 std::string contact_for_person(const Answer& answer) {
   if (!answer.contact) return "no contact";
-  if (answer.feature_a == Feature::overlap) return fmt::format("{}, overlap", nature_name(answer.nature));
-  return fmt::format("{}, {} against {}", nature_name(answer.nature), feature_name(answer.feature_a),
-                     feature_name(answer.feature_b));
-}
-
-std::string_view method_name(Method method) noexcept {
-  switch (method) {
-    case Method::fast: return "fast";
-    case Method::exact: return "exact";
-    case Method::oracle: return "oracle";
-    case Method::fast_cgal: return "fast-cgal";
-  }
-  return "";
-}
-
-std::optional<Method> method_from_name(std::string_view name) noexcept {
-  for (const Method method : kMethods) {
-    if (name == method_name(method)) return method;
-  }
-  return std::nullopt;
+  if (answer.feature_a == Feature::overlap) return fmt::format("{}, overlap", name_of(answer.nature));
+  return fmt::format("{}, {} against {}", name_of(answer.nature), name_of(answer.feature_a), name_of(answer.feature_b));
 }
 
 std::string fault_of_number(std::string_view text) { return std::string(" ").append(io::fault_of_double(text)); }
@@ -74,7 +56,7 @@ std::string shell_word(const std::string& word) {
 std::string explain_command(const std::string& file, Kind kind, std::uint64_t query, const Separation& separation,
                             double t_max) {
   std::string options;
-  if (io::kind_of_folder(file) != kind) options = fmt::format(" --kind {}", kind_name(kind));
+  if (io::kind_of_folder(file) != kind) options = fmt::format(" --kind {}", name_of(kind));
   options += separation_arguments(separation);
   if (t_max != 1) options += " --t-max " + io::hexfloat(t_max);
   const std::string end_of_options = file.starts_with('-') ? " --" : "";

@@ -29,15 +29,6 @@ std::string time_for_person(double time);
 /// The nature and the features of a contact: "crossing, a against b1"; "no contact".
 std::string contact_for_person(const Answer& answer);
 
-/// Every method, in the order in which --help lists them.
-inline constexpr std::array<Method, 4> kMethods{Method::fast, Method::exact, Method::oracle, Method::fast_cgal};
-
-/// The method's name as a value of --level: "fast", "exact", "oracle", "fast-cgal".
-std::string_view method_name(Method method) noexcept;
-
-/// The method of that name, or nothing.
-std::optional<Method> method_from_name(std::string_view name) noexcept;
-
 /// Writes `text` unchanged to standard error. A write that fails is ignored.
 void print_error(const std::string& text) noexcept;
 

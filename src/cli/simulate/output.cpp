@@ -180,7 +180,7 @@ void SimulateOutput::write_query(const Query& query, double separation, const An
                       "each needs a file; fewer different radii would be right",
                       kMostQueryFiles));
     }
-    const fs::path folder = fs::path(options_->queries) / kind_name(query.kind);
+    const fs::path folder = fs::path(options_->queries) / name_of(query.kind);
     folders_.make(folder);
     file.emplace((folder / candidates_name(separation)).string());
     if (separation > 0) text += io::separation_comment({separation, Metric::euclidean});

@@ -135,8 +135,8 @@ void check_paths(const SimulateOptions& options) {
     }
   }
   if (!options.queries.empty()) {
-    for (const Kind kind : io::kKinds) {
-      const fs::path folder = fs::path(options.queries) / kind_name(kind);
+    for (const Kind kind : kKinds) {
+      const fs::path folder = fs::path(options.queries) / name_of(kind);
       files.add_in("--queries", folder, candidates_name(0));
       files.candidates_in(folder);
     }

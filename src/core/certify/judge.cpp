@@ -63,14 +63,10 @@ Verdict judge_as_written(const Claim& claim, const Answer& truth, Times times) {
 
 }  // namespace
 
-std::string_view verdict_name(Verdict verdict) noexcept {
-  switch (verdict) {
-    case Verdict::holds: return "holds";
-    case Verdict::missed: return "missed";
-    case Verdict::phantom: return "phantom";
-    case Verdict::late: return "late";
-  }
-  return "";
+template <>
+Names names_of<Verdict>() noexcept {
+  static constexpr std::string_view kNames[] = {"holds", "missed", "phantom", "late"};
+  return kNames;
 }
 
 Verdict judge(const Claim& claim, const Answer& truth) noexcept {

@@ -52,7 +52,7 @@ class DistanceLevel {
   virtual bool holds(const Event& event, const Moment& moment) const = 0;
 
   /// For a person: the event's name, and the conditions under which `holds` holds, with their signs.
-  virtual std::string name_of(const Event& event) const = 0;
+  virtual std::string event_name(const Event& event) const = 0;
   virtual std::vector<CandidateStory::Condition> conditions_of(const Event& event, const Moment& moment) const = 0;
 
   /// The closest points' features and weights. The distance at the root must be the level.

@@ -202,9 +202,9 @@ class EuclideanLevel final : public DistanceLevel {
     return feet_inside(patches_[event.place], moment);
   }
 
-  std::string name_of(const Event& event) const override {
+  std::string event_name(const Event& event) const override {
     const Patch& patch = patches_[event.place];
-    return std::string(feature_name(patch.feature_a)).append(" against ").append(feature_name(patch.feature_b));
+    return std::string(name_of(patch.feature_a)).append(" against ").append(name_of(patch.feature_b));
   }
 
   std::vector<CandidateStory::Condition> conditions_of(const Event& event, const Moment& moment) const override {

@@ -103,7 +103,7 @@ class MaxLevel final : public DistanceLevel {
 
   bool holds(const Event&, const Moment& moment) const override { return compare(moment) <= 0; }
 
-  std::string name_of(const Event& event) const override {
+  std::string event_name(const Event& event) const override {
     const std::size_t i = event.place % kMost, j = event.place / kMost % kMost, k = event.place / (kMost * kMost);
     return border_name(i) + ", " + border_name(j) + " and " + border_name(k);
   }

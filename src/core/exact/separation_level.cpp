@@ -105,11 +105,11 @@ void tell_events(const DistanceLevel& level, const std::vector<DistanceLevel::Ev
     const bool has_root = std::any_of(candidates.begin(), candidates.end(),
                                       [&](const Candidate& candidate) { return candidate.event == &event; });
     if (!has_root) {
-      story.without_root.push_back(level.name_of(event));
+      story.without_root.push_back(level.event_name(event));
       continue;
     }
     Story::DistancePolynomial& told = story.polynomials.emplace_back();
-    told.name = level.name_of(event);
+    told.name = level.event_name(event);
     for (int i = 0; i < event.polynomial.size(); ++i) {
       told.coefficients.push_back(numbers::to_string(event.polynomial[i]));
     }
@@ -140,7 +140,7 @@ Answer first_contact(const DistanceLevel& level, double t_max, Story* story = nu
     const Moment moment = Moment::at(candidate.time);
     const bool holds = level.holds(*candidate.event, moment);
     if (CandidateStory* const chapter = new_chapter(story, candidate.time, candidate.time.multiplicity())) {
-      chapter->polynomial = level.name_of(*candidate.event);
+      chapter->polynomial = level.event_name(*candidate.event);
       chapter->conditions = level.conditions_of(*candidate.event, moment);
       chapter->touching = holds;
     }

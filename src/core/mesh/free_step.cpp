@@ -153,23 +153,23 @@ TOUCHSTONE_BEHIND_GUARD FreeStep find_step(const Mesh::Impl& mesh, const Positio
   const Motion step = motion_of(mesh, x0, x1, options.threads);
   const ContactSearch search{1, options.threads, options.kept_fraction, options.stop, options.check_start};
   FreeStep result;
-  result.contact = find_first(mesh, step, search);
+  result.first_contact = find_first(mesh, step, search);
   result.proofs = 1;
-  if (!result.contact.at_start.empty() || !result.contact.start_intersections.empty()) {
-    result.outcome = is_in_contact(mesh, step, result.contact.at_start) ? StepOutcome::contact_at_start
-                     : !result.contact.start_intersections.empty()      ? StepOutcome::intersects_at_start
-                                                                        : StepOutcome::no_room;
+  if (!result.first_contact.at_start.empty() || !result.first_contact.start_intersections.empty()) {
+    result.outcome = is_in_contact(mesh, step, result.first_contact.at_start) ? StepOutcome::contact_at_start
+                     : !result.first_contact.start_intersections.empty()      ? StepOutcome::intersects_at_start
+                                                                              : StepOutcome::no_room;
     result.length = 0;
     result.positions = packed(step, mesh.dimension, false);
     return result;
   }
-  if (!result.contact.contact) {
+  if (!result.first_contact.contact) {
     result.positions = packed(step, mesh.dimension, true);
     return result;
   }
   Obstacles obstacles(mesh, step);
-  obstacles.add(result.contact.first);
-  const FirstContact& contact = result.contact;
+  obstacles.add(result.first_contact.first);
+  const FirstContact& contact = result.first_contact;
   const double before = contact.toi < contact.toi_upper ? contact.toi : next_below(contact.toi);
   double longest = before;
   while (true) {

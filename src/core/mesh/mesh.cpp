@@ -230,7 +230,7 @@ void take_pair_separations(Mesh::Impl& mesh, std::vector<PairSeparation> separat
   for (std::size_t i = 1; i < separations.size(); ++i) {
     const MeshPair& pair = separations[i].pair;
     if (pair != separations[i - 1].pair) continue;
-    throw InvalidMesh("two pair separations are about one pair, " + std::string(kind_name(pair.kind)) + " " +
+    throw InvalidMesh("two pair separations are about one pair, " + std::string(name_of(pair.kind)) + " " +
                       text(pair.first) + " and " + text(pair.second) + "; each pair may be given once");
   }
   mesh.pair_separations = std::move(separations);
@@ -371,31 +371,31 @@ std::string Mesh::describe(const MeshPair& pair) const {
   return {};
 }
 
-std::string_view intersection_sort_name(IntersectionSort sort) noexcept {
-  switch (sort) {
-    case IntersectionSort::touches: return "touches";
-    case IntersectionSort::pierces: return "pierces";
-    case IntersectionSort::folds: return "folds";
-    case IntersectionSort::inside: return "inside";
-  }
-  return {};
+template <>
+Names names_of<IntersectionSort>() noexcept {
+  static constexpr std::string_view kNames[] = {"touches", "pierces", "folds", "inside"};
+  return kNames;
 }
 
 std::string_view intersection_verb(IntersectionSort sort) noexcept {
   switch (sort) {
     case IntersectionSort::folds: return "folds onto";
     case IntersectionSort::inside: return "is inside the closed surface of";
-    default: return intersection_sort_name(sort);
+    default: return name_of(sort);
   }
 }
 
-std::string_view mesh_element_name(MeshElement element) noexcept {
-  switch (element) {
-    case MeshElement::vertex: return "vertex";
-    case MeshElement::edge: return "edge";
-    case MeshElement::face: return "face";
-  }
-  return {};
+template <>
+Names names_of<StepOutcome>() noexcept {
+  static constexpr std::string_view kNames[] = {"whole", "shortened", "no-room", "contact-at-start",
+                                                "intersects-at-start"};
+  return kNames;
+}
+
+template <>
+Names names_of<MeshElement>() noexcept {
+  static constexpr std::string_view kNames[] = {"vertex", "edge", "face"};
+  return kNames;
 }
 
 }  // namespace touchstone

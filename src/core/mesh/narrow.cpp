@@ -42,8 +42,8 @@ void ColumnBlock::solve(double t_max, Wanted wanted, Metric metric, const double
   options.wanted = wanted;
   options.separation.metric = metric;
   if (distances != nullptr) {
-    options.distances = distances;
-    options.distance_count = columns_.count;
+    options.separations = distances;
+    options.separation_count = columns_.count;
   }
   solve_batch(columns_, answers_, options);
 }

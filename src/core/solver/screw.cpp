@@ -147,13 +147,10 @@ ScrewAnswer decide(const CurvedQuery& query, const ScrewOptions& options, int co
 
 }  // namespace
 
-std::string_view screw_verdict_name(ScrewVerdict verdict) noexcept {
-  switch (verdict) {
-    case ScrewVerdict::free: return "free";
-    case ScrewVerdict::contact: return "contact";
-    case ScrewVerdict::within_bound: return "within the bound";
-  }
-  return "";
+template <>
+Names names_of<ScrewVerdict>() noexcept {
+  static constexpr std::string_view kNames[] = {"free", "contact", "within the bound"};
+  return kNames;
 }
 
 ScrewAnswer solve_screw(const CurvedQuery& query, const ScrewOptions& options) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <touchstone/solve.hpp>
 
+#include <string_view>
+
 #include "exact/exact.hpp"
 #include "numbers/doubles/float_environment.hpp"
 #include "numbers/fraction.hpp"
@@ -54,6 +56,12 @@ Answer answer(const RationalQuery& query, const Separation& separation, Method m
 
 bool has_method(Method method) noexcept {
   return method == Method::fast || method == Method::exact || (method <= Method::fast_cgal && oracle::is_present());
+}
+
+template <>
+Names names_of<Method>() noexcept {
+  static constexpr std::string_view kNames[] = {"fast", "exact", "oracle", "fast-cgal"};
+  return kNames;
 }
 
 Answer solve(const Query& query, const SolveOptions& options) {

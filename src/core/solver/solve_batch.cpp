@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <type_traits>
 
 #include "filters/apart/same_side.hpp"
 #include "filters/columns/same_side_columns.hpp"
@@ -37,23 +38,23 @@ void validate_options(const BatchOptions& options) {
   solver::validate(options.separation);
 }
 
-/// @throws InvalidQuery  for a column of distances without meaning
+/// @throws InvalidQuery  for a list of separations without meaning
 void validate_distances(const BatchOptions& options, std::size_t count) {
-  if (options.distances == nullptr && options.distance_count == 0) return;
-  if (options.distances == nullptr) {
-    throw InvalidQuery("distance_count is " + std::to_string(options.distance_count) +
-                       ", but distances is null; it must point to the first distance");
+  if (options.separations == nullptr && options.separation_count == 0) return;
+  if (options.separations == nullptr) {
+    throw InvalidQuery("separation_count is " + std::to_string(options.separation_count) +
+                       ", but separations is null; it must point to the first distance");
   }
-  if (options.distance_count != count) {
-    throw InvalidQuery("there are " + std::to_string(options.distance_count) + " distances for " +
-                       std::to_string(count) + " queries; a column of distances must have one for each query");
+  if (options.separation_count != count) {
+    throw InvalidQuery("there are " + std::to_string(options.separation_count) + " separations for " +
+                       std::to_string(count) + " queries; there must be one for each query");
   }
   if (is_set(options.separation.distance)) {
-    throw InvalidQuery("there is both a separation for all queries and a column of distances; give one of them");
+    throw InvalidQuery("there are both a separation for all queries and one for each; give one of them");
   }
   for (std::size_t i = 0; i < count; ++i) {
     try {
-      solver::validate_distance(options.distances[i]);
+      solver::validate_distance(options.separations[i]);
     } catch (const InvalidQuery& error) {
       throw InvalidQuery("query " + std::to_string(i) + ": " + error.what());
     }
@@ -62,12 +63,12 @@ void validate_distances(const BatchOptions& options, std::size_t count) {
 
 /// The separation of query i.
 Separation separation_of(const BatchOptions& options, std::size_t i) {
-  return options.distances == nullptr ? options.separation
-                                      : Separation{options.distances[i], options.separation.metric};
+  return options.separations == nullptr ? options.separation
+                                        : Separation{options.separations[i], options.separation.metric};
 }
 
 bool has_separation(const BatchOptions& options) {
-  return options.distances != nullptr || is_set(options.separation.distance);
+  return options.separations != nullptr || is_set(options.separation.distance);
 }
 
 /// Answers queries [first, last), at most kBlock of which kernel(first, count, proved) tests at a time. Where it proves
@@ -119,11 +120,22 @@ void solve_list(const AnyQuery* queries, std::size_t count, Answer* answers, con
   const bool with_separation = has_separation(options);
   answer_all(count, options, query_at, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      answers[i] = with_separation ? solver::answer(queries[i], separation_of(options, i), options.method,
-                                                    options.t_max, options.wanted)
-                                   : solver::answer(queries[i], options.method, options.t_max, options.wanted);
+      if constexpr (!std::is_same_v<AnyQuery, RationalQuery>) {  // which have no shorter way without a separation
+        if (!with_separation) {
+          answers[i] = solver::answer(queries[i], options.method, options.t_max, options.wanted);
+          continue;
+        }
+      }
+      answers[i] = solver::answer(queries[i], separation_of(options, i), options.method, options.t_max, options.wanted);
     }
   });
+}
+
+template <class AnyQuery>
+std::vector<Answer> solve_list(const std::vector<AnyQuery>& queries, const BatchOptions& options) {
+  std::vector<Answer> answers(queries.size());
+  solve_list(queries.data(), queries.size(), answers.data(), options);
+  return answers;
 }
 
 }  // namespace
@@ -164,7 +176,7 @@ void solve_batch(const QueryColumns& queries, Answer* answers, const BatchOption
       double same[kBlock];
       std::fill_n(same, kBlock, options.separation.distance);
       const auto prove = [&](std::size_t begin, std::size_t size, std::int64_t* proved) {
-        kernel(columns, options.distances == nullptr ? same : options.distances + begin, begin, size, proved);
+        kernel(columns, options.separations == nullptr ? same : options.separations + begin, begin, size, proved);
       };
       answer_columns(prove, first, last, answers, [&](std::size_t i) { answers[i] = answer_one(i); });
     } else {
@@ -179,20 +191,24 @@ void solve_batch(const QueryColumns& queries, Answer* answers, const BatchOption
   });
 }
 
+void solve_batch(const RationalQuery* queries, std::size_t count, Answer* answers, const BatchOptions& options) {
+  solve_list(queries, count, answers, options);
+}
+
 void solve_batch(const CurvedQuery* queries, std::size_t count, Answer* answers, const BatchOptions& options) {
   solve_list(queries, count, answers, options);
 }
 
-std::vector<Answer> solve_batch(const std::vector<CurvedQuery>& queries, const BatchOptions& options) {
-  std::vector<Answer> answers(queries.size());
-  solve_batch(queries.data(), queries.size(), answers.data(), options);
-  return answers;
+std::vector<Answer> solve_batch(const std::vector<Query>& queries, const BatchOptions& options) {
+  return solve_list(queries, options);
 }
 
-std::vector<Answer> solve_batch(const std::vector<Query>& queries, const BatchOptions& options) {
-  std::vector<Answer> answers(queries.size());
-  solve_batch(queries.data(), queries.size(), answers.data(), options);
-  return answers;
+std::vector<Answer> solve_batch(const std::vector<RationalQuery>& queries, const BatchOptions& options) {
+  return solve_list(queries, options);
+}
+
+std::vector<Answer> solve_batch(const std::vector<CurvedQuery>& queries, const BatchOptions& options) {
+  return solve_list(queries, options);
 }
 
 std::vector<Answer> solve_batch(const QueryColumns& queries, const BatchOptions& options) {

@@ -15,7 +15,7 @@ namespace {
 constexpr char kAxes[] = "xyz";
 
 std::string where(Kind kind, std::size_t corner, int end, std::size_t axis) {
-  std::string text(kind_name(kind));
+  std::string text(name_of(kind));
   text.append(" query: corner ").append(corner_name(kind, corner)).append(" at t = ").append(std::to_string(end));
   return text.append(" has ").append(1, kAxes[axis]).append(" = ");
 }
@@ -110,7 +110,7 @@ void validate_distance(double distance) {
 
 void validate(const Separation& separation) {
   validate_distance(separation.distance);
-  if (!metric_name(separation.metric).empty()) return;
+  if (!name_of(separation.metric).empty()) return;
   throw InvalidQuery("the metric is " + std::to_string(static_cast<int>(separation.metric)) +
                      "; it must be 0 or 1: euclidean or max");
 }

@@ -112,7 +112,7 @@ void validate(const CurvedQuery& query, double t_max) {
   std::array<bool, 4> used{};
   for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
     const CurvedCorner& corner = query.corners[i];
-    std::string name(kind_name(query.kind));
+    std::string name(name_of(query.kind));
     validate(corner, name.append(" query: corner ").append(corner_name(query.kind, i)));
     if (corner.motion != CurvedCorner::kOnCurve) used[static_cast<std::size_t>(corner.motion)] = true;
   }

@@ -82,7 +82,7 @@ bool take_corner(std::string_view& text, Vec3& corner) noexcept {
 }  // namespace
 
 std::string query_line(const Query& query) {
-  std::string line(kind_name(query.kind));
+  std::string line(name_of(query.kind));
   line.reserve(640);
   for (const auto* corners : {&query.start, &query.end}) {
     for (std::size_t i = 0; i < corner_count(query.kind); ++i) append(line, (*corners)[i]);
@@ -92,7 +92,7 @@ std::string query_line(const Query& query) {
 }
 
 std::string separation_line(const Separation& separation) {
-  return "separation " + io::hexfloat(separation.distance) + " " + std::string(metric_name(separation.metric)) + "\n";
+  return "separation " + io::hexfloat(separation.distance) + " " + std::string(name_of(separation.metric)) + "\n";
 }
 
 bool takes_separation(std::string_view answer) noexcept {
@@ -117,7 +117,7 @@ std::optional<AnswerLine> read_answer_line(std::string_view line) {
 }
 
 std::optional<Query> read_query_line(std::string_view line) noexcept {
-  const auto kind = io::kind_from_name(take_word(line));
+  const auto kind = from_name<Kind>(take_word(line));
   if (!kind) return std::nullopt;
   Query query;
   query.kind = *kind;

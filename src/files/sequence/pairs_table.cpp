@@ -16,15 +16,15 @@ std::string element_columns(const NamedElement& element) {
     vertices += fmt::format("{}{}", i == 0 ? "" : " ", element.vertices[i]);
   }
   const std::string number = element.element == MeshElement::face ? std::to_string(element.face) : std::string();
-  return fmt::format("{},{},{},{}", mesh_element_name(element.element), vertices, number, io::csv_field(element.part));
+  return fmt::format("{},{},{},{}", name_of(element.element), vertices, number, io::csv_field(element.part));
 }
 
 std::string pair_row(const std::string& start, const PairContact& pair, double toi, double toi_upper,
                      std::string_view contact) {
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", start, contact, kind_name(pair.kind),
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", start, contact, name_of(pair.kind),
                      element_columns(pair.first), element_columns(pair.second), io::hexfloat(toi),
-                     io::hexfloat(toi_upper), nature_name(pair.nature), feature_name(pair.feature_a),
-                     feature_name(pair.feature_b), trend_name(pair.trend));
+                     io::hexfloat(toi_upper), name_of(pair.nature), name_of(pair.feature_a), name_of(pair.feature_b),
+                     name_of(pair.trend));
 }
 
 }  // namespace
@@ -36,8 +36,8 @@ std::string pair_rows(const Result& result, std::string_view from, std::string_v
   for (const auto& pair : result.at_start) rows += pair_row(start, pair, 0, 0, "at_start");
   const std::string at_end = io::csv_field(result.step ? to : from) + ",";
   for (const auto& contact : result.intersections) {
-    rows += fmt::format("{},{},,{},{},,,,,,\n", at_end, intersection_sort_name(contact.sort),
-                        element_columns(contact.first), element_columns(contact.second));
+    rows += fmt::format("{},{},,{},{},,,,,,\n", at_end, name_of(contact.sort), element_columns(contact.first),
+                        element_columns(contact.second));
   }
   return rows;
 }

@@ -20,7 +20,7 @@ std::string shown_shard(const std::optional<Shard>& shard) {
 
 std::string shown_separation(const Separation& separation) {
   if (separation.distance == 0) return "touching";
-  return fmt::format("separation {}, {}", io::hexfloat(separation.distance), metric_name(separation.metric));
+  return fmt::format("separation {}, {}", io::hexfloat(separation.distance), name_of(separation.metric));
 }
 
 std::string shown_facts(const std::optional<MeshFacts>& facts) {
@@ -56,7 +56,7 @@ std::string heading_json(const Heading& heading) {
       " \"touchstone_mesh\": 3,\n \"touchstone\": {},\n \"question\": \"{}\",\n \"separation\": \"{}\",\n"
       " \"metric\": \"{}\",\n \"frame_count\": {},\n \"names_sha256\": \"{}\"",
       json_string(heading.program), question_name(heading.question), io::hexfloat(heading.separation.distance),
-      metric_name(heading.separation.metric), heading.frame_count, heading.list_digest);
+      name_of(heading.separation.metric), heading.frame_count, heading.list_digest);
   if (const auto& shard = heading.shard) {
     text += fmt::format(",\n \"shard\": {{\"number\": {}, \"count\": {}}}", shard->number, shard->count);
   }

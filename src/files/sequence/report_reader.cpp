@@ -46,7 +46,7 @@ MeshFacts facts_from(const JsonNode& node) {
 Separation separation_from(const JsonNode& root) {
   const auto distance = io::parse_finite_double(root.at("separation").text());
   if (!distance || *distance < 0) root.at("separation").fail("must be a hexfloat, 0 or greater");
-  const auto metric = io::metric_from_name(root.at("metric").text());
+  const auto metric = from_name<Metric>(root.at("metric").text());
   if (!metric) root.at("metric").fail("must be euclidean or max");
   return {*distance, *metric};
 }

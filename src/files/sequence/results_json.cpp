@@ -19,7 +19,7 @@ using json::JsonNode;
 constexpr std::uint64_t kMostNumber = std::uint64_t{1} << 33;  // 2^32 - 1, and files that count from 1
 
 std::string json_of(const NamedElement& element) {
-  std::string text = fmt::format("{{\"element\":\"{}\"", mesh_element_name(element.element));
+  std::string text = fmt::format("{{\"element\":\"{}\"", name_of(element.element));
   if (element.element == MeshElement::face) text += fmt::format(",\"number\":{}", element.face);
   text += ",\"vertices\":[";
   for (std::size_t i = 0; i < element.corner_count(); ++i) {
@@ -33,15 +33,15 @@ std::string json_of(const NamedElement& element) {
 std::string json_of(const PairContact& pair) {
   std::string text = fmt::format(
       "{{\"kind\":\"{}\",\"first\":{},\"second\":{},\"nature\":\"{}\",\"feature_a\":\"{}\",\"feature_b\":\"{}\"",
-      kind_name(pair.kind), json_of(pair.first), json_of(pair.second), nature_name(pair.nature),
-      feature_name(pair.feature_a), feature_name(pair.feature_b));
-  if (pair.trend != Trend::none) text += fmt::format(",\"trend\":\"{}\"", trend_name(pair.trend));
+      name_of(pair.kind), json_of(pair.first), json_of(pair.second), name_of(pair.nature), name_of(pair.feature_a),
+      name_of(pair.feature_b));
+  if (pair.trend != Trend::none) text += fmt::format(",\"trend\":\"{}\"", name_of(pair.trend));
   return text + "}";
 }
 
 std::string json_of(const RestContact& contact) {
   return fmt::format("{{\"first\":{},\"second\":{},\"sort\":\"{}\"}}", json_of(contact.first), json_of(contact.second),
-                     intersection_sort_name(contact.sort));
+                     name_of(contact.sort));
 }
 
 std::string json_of(const EnclosedCounts& enclosed) {
@@ -59,20 +59,16 @@ std::string list_json(const std::vector<Item>& items) {
   return text + "]";
 }
 
-/// The value of an enumeration from 0 to `last` whose name this is.
-template <class Enum, class Name>
-Enum named_value(const JsonNode& node, Enum last, Name name) {
-  const std::string text = node.text();
-  for (int i = 0; i <= static_cast<int>(last); ++i) {
-    if (!text.empty() && text == name(static_cast<Enum>(i))) return static_cast<Enum>(i);
-  }
+template <class Enum>
+Enum named_value(const JsonNode& node) {
+  if (const auto value = from_name<Enum>(node.text())) return *value;
   node.fail("is no name that belongs here");
 }
 
 NamedElement element_from(const JsonNode& node) {
   node.check_keys({"element", "number", "vertices", "part"});
   NamedElement element;
-  element.element = named_value(node.at("element"), MeshElement::face, mesh_element_name);
+  element.element = named_value<MeshElement>(node.at("element"));
   if (element.element == MeshElement::face) element.face = node.at("number").whole_number(0, kMostNumber);
   const auto vertices = node.at("vertices").items();
   if (vertices.size() != element.corner_count()) node.at("vertices").fail("must have a number for each corner");
@@ -95,21 +91,21 @@ bool fits(Kind kind, const NamedElement& first, const NamedElement& second) {
 PairContact pair_from(const JsonNode& node) {
   node.check_keys({"kind", "first", "second", "nature", "feature_a", "feature_b", "trend"});
   PairContact pair;
-  pair.kind = named_value(node.at("kind"), Kind::point_point, kind_name);
+  pair.kind = named_value<Kind>(node.at("kind"));
   pair.first = element_from(node.at("first"));
   pair.second = element_from(node.at("second"));
   if (!fits(pair.kind, pair.first, pair.second)) node.fail("has elements of other sorts than its kind");
-  pair.nature = named_value(node.at("nature"), Nature::entering, nature_name);
-  pair.feature_a = named_value(node.at("feature_a"), Feature::overlap, feature_name);
-  pair.feature_b = named_value(node.at("feature_b"), Feature::overlap, feature_name);
-  if (const auto trend = node.find("trend")) pair.trend = named_value(*trend, Trend::leaving, trend_name);
+  pair.nature = named_value<Nature>(node.at("nature"));
+  pair.feature_a = named_value<Feature>(node.at("feature_a"));
+  pair.feature_b = named_value<Feature>(node.at("feature_b"));
+  if (const auto trend = node.find("trend")) pair.trend = named_value<Trend>(*trend);
   return pair;
 }
 
 RestContact rest_from(const JsonNode& node) {
   node.check_keys({"first", "second", "sort"});
   return {element_from(node.at("first")), element_from(node.at("second")),
-          named_value(node.at("sort"), IntersectionSort::inside, intersection_sort_name)};
+          named_value<IntersectionSort>(node.at("sort"))};
 }
 
 EnclosedCounts enclosed_from(const JsonNode& node) {

@@ -37,10 +37,10 @@ bool vanishes(const geometry::Vector<P>& v) {
   return is_zero(v[0]) && is_zero(v[1]) && is_zero(v[2]);
 }
 
-using Names = std::vector<const char*>;
+using PolynomialNames = std::vector<const char*>;
 
-const Names& names_of(Kind kind) {
-  static const std::array<Names, 4> names{{
+const PolynomialNames& polynomial_names_of(Kind kind) {
+  static const std::array<PolynomialNames, 4> names{{
       {"V", "n", "r x u", "r x w", "u", "w"},         // edge-edge
       {"V", "n", "f1 - f0", "f2 - f0", "f2 - f1"},    // vertex-face
       {"(p - e0) x (e1 - e0)", "e1 - e0", "p - e0"},  // point-edge
@@ -107,12 +107,12 @@ std::string degeneracy_text(const Degeneracy& d) {
   if (d.nature == Nature::none) {
     text = "no contact";
   } else if (d.feature_a == Feature::overlap) {
-    text.append(nature_name(d.nature)).append(", overlap");
+    text.append(name_of(d.nature)).append(", overlap");
   } else {
-    text.append(nature_name(d.nature)).append(", ").append(feature_name(d.feature_a)).append(" against ");
-    text.append(feature_name(d.feature_b));
+    text.append(name_of(d.nature)).append(", ").append(name_of(d.feature_a)).append(" against ");
+    text.append(name_of(d.feature_b));
   }
-  const Names& names = names_of(d.kind);
+  const PolynomialNames& names = polynomial_names_of(d.kind);
   std::string zeros;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if ((d.vanishing >> i & 1) != 0) zeros.append(names[i]).append(" = ");

@@ -24,21 +24,6 @@ bool is_negative(const Reply& reply) {
 
 }  // namespace
 
-std::string_view failure_name(FailureClass failure) noexcept {
-  switch (failure) {
-    case FailureClass::crash: return "crash";
-    case FailureClass::hang: return "hang";
-    case FailureClass::malformed: return "malformed";
-    case FailureClass::missed: return "missed";
-    case FailureClass::late: return "late";
-    case FailureClass::nan: return "nan";
-    case FailureClass::phantom: return "phantom";
-    case FailureClass::early: return "early";
-    case FailureClass::differs: return "differs";
-  }
-  return "";
-}
-
 std::optional<Failure> failure_of(const Query& query, const Reply& reply, const Answer& truth, const EarlyLimit& early,
                                   const Separation& separation) {
   switch (reply.state) {

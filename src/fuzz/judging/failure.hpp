@@ -23,8 +23,6 @@ inline constexpr std::array<FailureClass, kFailureClasses> kEveryFailure{
     FailureClass::crash, FailureClass::hang,    FailureClass::malformed, FailureClass::missed, FailureClass::late,
     FailureClass::nan,   FailureClass::phantom, FailureClass::early,     FailureClass::differs};
 
-std::string_view failure_name(FailureClass failure) noexcept;  ///< "crash", "missed", ...
-
 /// The distance by which a claimed time may lie before the exact time; without either member, any distance.
 struct EarlyLimit {
   std::optional<std::uint64_t> ulps;  ///< doubles between the claim and the answer's toi

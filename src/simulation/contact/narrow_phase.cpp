@@ -22,8 +22,8 @@ void PairSolver::ask(const Pair* pairs, std::size_t count, const VectorX& x0, co
   options.threads = threads_;
   if (kSeparations && !separations_.empty()) {
     for (std::size_t i = 0; i < count; ++i) separations_[i] = colliders_->separation(pairs[i]);
-    options.distances = separations_.data();
-    options.distance_count = count;
+    options.separations = separations_.data();
+    options.separation_count = count;
   }
   if (narrow_phase_ == NarrowPhase::exact) {
     solve_batch(queries_.data(), count, answers_.data(), options);

@@ -159,7 +159,7 @@ std::string energy_row(const Simulation& simulation, const std::vector<SubstepRe
 std::string crossing_for_person(const Simulation& simulation, const Crossing& crossing) {
   return fmt::format("step {}, {:.9g} s: {} at ({:.6g}, {:.6g}, {:.6g}) ({})", crossing.step, crossing.time,
                      simulation.colliders().describe(crossing.pair), crossing.point.x(), crossing.point.y(),
-                     crossing.point.z(), nature_name(crossing.answer.nature));
+                     crossing.point.z(), name_of(crossing.answer.nature));
 }
 
 namespace {

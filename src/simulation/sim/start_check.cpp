@@ -142,7 +142,7 @@ class StartMesh {
   std::string name(MeshElement element, MeshIndex number) const {
     const auto corners = corners_of(element, number);
     const Index body = body_of(element, number);
-    std::string text(element == MeshElement::vertex && body == kParticles ? "particle" : mesh_element_name(element));
+    std::string text(element == MeshElement::vertex && body == kParticles ? "particle" : name_of(element));
     const char* separator = " ";
     for (const MeshIndex corner : corners) {
       text += fmt::format("{}{}", std::exchange(separator, "-"), vertices_[corner].of.number);

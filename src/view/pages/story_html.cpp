@@ -40,7 +40,7 @@ std::string sign(int sign) {
 
 std::string weights(Kind kind, Feature feature, const std::array<double, 3>& weights, std::size_t first,
                     std::size_t count) {
-  std::string text = fmt::format("<dt>{}</dt><dd>", feature_name(feature));
+  std::string text = fmt::format("<dt>{}</dt><dd>", name_of(feature));
   for (std::size_t i = 0; i < count; ++i) {
     text += fmt::format("{}{} {}", i == 0 ? "" : " + ", number(weights[i]), corner_name(kind, first + i));
   }
@@ -53,7 +53,7 @@ std::string answer_html(Kind kind, const Answer& answer, double t_max, const Sep
     return text + fmt::format("<p><strong>No contact</strong> for t in [0, {}].</p>\n</section>\n", number(t_max));
   }
   const std::size_t first = kind == Kind::edge_edge ? 2 : 1;
-  text += fmt::format("<p><strong>Contact</strong>, {}, first at<br>{}.</p>\n<dl>\n", nature_name(answer.nature),
+  text += fmt::format("<p><strong>Contact</strong>, {}, first at<br>{}.</p>\n<dl>\n", name_of(answer.nature),
                       times(answer.toi, answer.toi_upper));
   text += weights(kind, answer.feature_a, answer.weights_a, 0, first);
   text += weights(kind, answer.feature_b, answer.weights_b, first, corner_count(kind) - first);

@@ -1,5 +1,5 @@
 # The types of the compiled half. The documented functions are in _queries.py and its neighbours.
-from typing import Any, Iterable, Iterator, List, Mapping, Optional, Tuple, Union
+from typing import Any, Dict, Iterable, Iterator, List, Mapping, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 from ._names import Feature, Level, Nature, Trend
 
 __version__: str
+_names: Dict[str, Tuple[str, ...]]
 
 _Bools = NDArray[np.bool_]
 _Doubles = NDArray[np.float64]
@@ -112,7 +113,7 @@ class FreeStep:
     outcome: str
     length: float
     positions: _Doubles
-    contact: FirstContact
+    first_contact: FirstContact
     proofs: int
 
 class Intersections:
@@ -135,6 +136,8 @@ class CurvedArrays:
     def solve(self, t_max: float, separation: ArrayLike, metric: str, threads: int,
               method: str, wanted: str) -> Union[Answers, Answer]: ...
     def contact_times(self, t_max: float, separation: ArrayLike, metric: str, threads: int) -> List[Any]: ...
+    def distance(self, t: float, metric: str, threads: int) -> Union[Distances, Distance]: ...
+    def contact_normal(self, t_max: float, separation: ArrayLike, threads: int) -> _Doubles: ...
 
 class ProvedFile:
     queries: bytes
@@ -169,7 +172,7 @@ def curved_queries(kind: str, first: Tuple[ArrayLike, ...], second: Tuple[ArrayL
 def prove(kind: str, start: ArrayLike, end: ArrayLike, separation: float, metric: str, threads: int) -> ProvedFile: ...
 def prove_curved(queries: CurvedArrays, separation: float, metric: str, threads: int) -> ProvedFile: ...
 def fuzz(solver: Any, kinds: Optional[List[str]], families: Optional[List[str]], cases: int, seed: int, climb: int,
-         separation: float, metric: str, early_ulps: Optional[int], early_share: Optional[float],
+         separation: float, metric: str, early_ulps: Optional[int], early_fraction: Optional[float],
          findings: int) -> FuzzReport: ...
 # None in a build without pages, and so are claims_page and mesh_page
 def page(kind: str, start: ArrayLike, end: ArrayLike, t_max: float, separation: float, metric: str, title: str,

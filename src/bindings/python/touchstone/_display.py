@@ -148,7 +148,7 @@ class ShownMesh:
         return f"{self.mesh!r} {self.first_contact!r}"
 
 
-def show_mesh(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, threads: int = 0) -> ShownMesh:
+def show_mesh(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, threads: int = 1) -> ShownMesh:
     """A step of a mesh with its first contact, to look at in a notebook.
 
     Arguments and errors are those of `first_contact`.

@@ -40,7 +40,7 @@ def _words(words, name):
 def fuzz(solver: Callable[[str, NDArray[np.float64], NDArray[np.float64]], Any], cases: int = 10_000, *,
          kinds: Optional[Iterable[Kind]] = None, families: Optional[Iterable[str]] = None, seed: int = 1,
          climb: int = 0, separation: float = 0.0, metric: Metric = "euclidean",
-         early_ulps: Optional[int] = None, early_share: Optional[float] = None, findings: int = 32) -> FuzzReport:
+         early_ulps: Optional[int] = None, early_fraction: Optional[float] = None, findings: int = 32) -> FuzzReport:
     """Asks a solver degenerate and extreme queries, judges its replies exactly, and shrinks the queries that it fails.
 
     solver       a function of (kind, start, end): a word and two float64 arrays of shape (corners, 3). It returns
@@ -55,7 +55,7 @@ def fuzz(solver: Callable[[str, NDArray[np.float64], NDArray[np.float64]], Any],
     separation   what the solver is asked: the first time within this distance. The solver is not told; metric as in
                  `solve`
     early_ulps   the greatest distance of a claimed time before the exact one, in doubles; by default any
-    early_share  the same as a fraction of the step
+    early_fraction  the same as a fraction of the step
     findings     how many findings to shrink and return
 
     Returns a FuzzReport with the attributes queries, failures, kinds_of_failure and findings. A Finding has failure,
@@ -73,8 +73,8 @@ def fuzz(solver: Callable[[str, NDArray[np.float64], NDArray[np.float64]], Any],
     >>> report.failures > 0, sorted({finding.failure for finding in report.findings})
     (True, ['missed', 'phantom'])
     """
-    share = None if early_share is None else float(early_share)
+    fraction = None if early_fraction is None else float(early_fraction)
     return _core.fuzz(solver, _words(kinds, "kinds"), _words(families, "families"), _whole(cases, "cases", 1),
                       _whole(seed, "seed"), _whole(climb, "climb"), separation, metric,
-                      None if early_ulps is None else _whole(early_ulps, "early_ulps"), share,
+                      None if early_ulps is None else _whole(early_ulps, "early_ulps"), fraction,
                       _whole(findings, "findings"))

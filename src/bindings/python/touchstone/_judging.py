@@ -94,7 +94,7 @@ def _cards(kind, asked, claimed, times, verdict):
 
 def certify(kind: Kind, start: ArrayLike, end: ArrayLike, contact: ArrayLike, toi: Optional[ArrayLike] = None,
             t_max: float = 1.0, separation: ArrayLike = 0.0, metric: Metric = "euclidean",
-            threads: int = 0) -> Certificate:
+            threads: int = 1) -> Certificate:
     """Judges a solver's claims about n queries by their exact answers.
 
     contact  (n,) bool: whether the solver claims a contact

@@ -7,14 +7,14 @@ from . import _core
 from ._core import FirstContact, FreeStep, Intersections, Mesh, Pairs
 
 
-def first_contact(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, threads: int = 0, *,
+def first_contact(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, threads: int = 1, *,
                   check_start: bool = False) -> FirstContact:
     """The first contact while each vertex moves on a straight line from its position in x0 to that in x1.
 
     mesh     a Mesh of n vertices
     x0, x1   the positions at t = 0 and at t = 1, of shape (n, 3), or (n, 2) in the plane
     t_max    the end of the time range, 0 <= t_max <= 1
-    threads  1 to 1024, or 0 for as many as the machine has; it changes nothing in the result
+    threads  1 (default) to 1024, or 0 for as many as the machine has; it changes nothing in the result
     check_start  whether to ask also where the mesh intersects itself at x0. A step is about a start that is free: where
                  one element passes through another there, and no pair touches, no contact need follow
 
@@ -35,7 +35,7 @@ def first_contact(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, 
     return _core.first_contact(mesh, x0, x1, t_max, threads, check_start)
 
 
-def all_contacts(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, threads: int = 0) -> Pairs:
+def all_contacts(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, threads: int = 1) -> Pairs:
     """Every pair that comes into contact in [0, t_max], those in contact at the start too, by time and then by pair.
 
     Arguments and errors are those of `first_contact`. Returns Pairs with their answers.
@@ -49,7 +49,7 @@ def all_contacts(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, t
     return _core.all_contacts(mesh, x0, x1, t_max, threads, False)
 
 
-def candidates(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, threads: int = 0) -> Pairs:
+def candidates(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, threads: int = 1) -> Pairs:
     """The pairs whose boxes meet during the step: every pair in contact is among them.
 
     Arguments and errors are those of `first_contact`. Returns Pairs without answers.
@@ -61,7 +61,7 @@ def candidates(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, threads: int = 0) -> Pa
     return _core.candidates(mesh, x0, x1, 1.0, threads, False)
 
 
-def intersections(mesh: Mesh, x: ArrayLike, threads: int = 0) -> Intersections:
+def intersections(mesh: Mesh, x: ArrayLike, threads: int = 1) -> Intersections:
     """Where the mesh intersects itself at the positions x, exactly; separations do not count.
 
     Returns Intersections, whose attributes are first_element, first, second_element, second, sort, pierces,
@@ -78,15 +78,15 @@ def intersections(mesh: Mesh, x: ArrayLike, threads: int = 0) -> Intersections:
     return _core.intersections(mesh, x, threads)
 
 
-def free_step(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, kept_fraction: float = 0.0, threads: int = 0, *,
+def free_step(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, kept_fraction: float = 0.0, threads: int = 1, *,
               check_start: bool = False) -> FreeStep:
     """The longest step from x0 towards x1 that is proved free of contact, to positions rounded as they are returned.
 
     mesh, x0, x1, threads, check_start  as in `first_contact`
     kept_fraction  in [0, 1): each pair keeps more than this fraction of its distance at the start
 
-    Returns a FreeStep with the attributes outcome, length, positions, contact and proofs. Raises what `first_contact`
-    raises.
+    Returns a FreeStep with the attributes outcome, length, positions, first_contact and proofs. Raises what
+    `first_contact` raises.
 
     >>> import touchstone
     >>> step = touchstone.free_step(touchstone.Mesh(2), [[0, 0, 0], [1, 0, 0]], [[4, 0, 0], [1, 0, 0]])

@@ -82,7 +82,7 @@ class Proofs:
 
 
 def prove(kind: Kind, start: ArrayLike, end: ArrayLike, separation: float = 0.0, metric: Metric = "euclidean",
-          threads: int = 0) -> Proofs:
+          threads: int = 1) -> Proofs:
     """The first contact of each query for t in [0, 1], with a proof of each answer.
 
     The arguments are those of `solve`; there is one separation for all queries, because a file of proofs has one.

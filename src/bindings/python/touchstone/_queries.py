@@ -16,7 +16,7 @@ Times = List[Tuple[ExactTime, ExactTime]]
 
 
 def solve(kind: Kind, start: ArrayLike, end: ArrayLike, t_max: float = 1.0, separation: ArrayLike = 0.0,
-          metric: Metric = "euclidean", threads: int = 0, method: Method = "fast",
+          metric: Metric = "euclidean", threads: int = 1, method: Method = "fast",
           wanted: Wanted = "all") -> Union[Answers, Answer]:
     """The first contact of the two elements of each query for t in [0, t_max], decided exactly.
 
@@ -26,7 +26,7 @@ def solve(kind: Kind, start: ArrayLike, end: ArrayLike, t_max: float = 1.0, sepa
     t_max       the end of the time range, 0 <= t_max <= 1
     separation  the elements are in contact while their distance is at most this: a number >= 0, or n of them
     metric      how a distance is measured: 'euclidean', or 'max' for the largest difference of a coordinate
-    threads     1 to 1024, or 0 for as many as the machine has; it changes no answer
+    threads     1 (default) to 1024, or 0 for as many as the machine has; it changes no answer
     method      'fast'; 'exact', 'oracle' and 'fast-cgal' give the same answers by other code
     wanted      'all'; 'features' leaves out the weights of a contact, 'time' its nature, trend and features, too, and
                 'contact' also its times: then they are NaN, and the rest is as without contact; less takes less time
@@ -57,7 +57,7 @@ def solve(kind: Kind, start: ArrayLike, end: ArrayLike, t_max: float = 1.0, sepa
 
 
 def contact_times(kind: Kind, start: ArrayLike, end: ArrayLike, t_max: float = 1.0, separation: ArrayLike = 0.0,
-                  metric: Metric = "euclidean", threads: int = 0) -> Union[Times, List[Times]]:
+                  metric: Metric = "euclidean", threads: int = 1) -> Union[Times, List[Times]]:
     """All times in [0, t_max] at which the elements touch, exactly: disjoint closed intervals in ascending order.
 
     Arguments and errors are those of `solve`. Returns a list of pairs (first, last) of ExactTime for a single query,
@@ -73,7 +73,7 @@ def contact_times(kind: Kind, start: ArrayLike, end: ArrayLike, t_max: float = 1
 
 
 def distance(kind: Kind, start: ArrayLike, end: ArrayLike = None, t: float = 0.0, metric: Metric = "euclidean",
-             threads: int = 0) -> Union[Distances, Distance]:
+             threads: int = 1) -> Union[Distances, Distance]:
     """The distance of the elements at the time t, 0 <= t <= 1, by exact arithmetic.
 
     kind, start, end  as in `solve`; without end the elements are at rest
@@ -90,7 +90,7 @@ def distance(kind: Kind, start: ArrayLike, end: ArrayLike = None, t: float = 0.0
 
 
 def contact_normal(kind: Kind, start: ArrayLike, end: ArrayLike, t_max: float = 1.0, separation: ArrayLike = 0.0,
-                   threads: int = 0) -> NDArray:
+                   threads: int = 1) -> NDArray:
     """The unit normal at the first contact for t in [0, t_max], within 2^-49 of the true one.
 
     With a separation it points from the closest point of the first element to that of the second. Without one it is

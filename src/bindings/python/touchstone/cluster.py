@@ -75,12 +75,12 @@ def _rows(answers):
 def solve_part(kind: str, start: NDArray, end: NDArray, **options: Any) -> NDArray:
     """`touchstone.solve` of n queries as a structured array, which can be sent from process to process.
 
-    Arguments and errors are those of `touchstone.solve`; one thread, if `threads` does not say otherwise.
+    Arguments and errors are those of `touchstone.solve`.
 
     >>> solve_part('point-point', np.zeros((1, 2, 3)), np.ones((1, 2, 3)))['toi'].tolist()
     [0.0]
     """
-    return _rows(_queries.solve(kind, start, end, **{"threads": 1, **options}))
+    return _rows(_queries.solve(kind, start, end, **options))
 
 
 def solve(client: Any, kind: str, parts: Sequence, **options: Any) -> np.recarray:
@@ -101,7 +101,7 @@ def solve(client: Any, kind: str, parts: Sequence, **options: Any) -> np.recarra
 def certify_part(kind: str, start: NDArray, end: NDArray, contact: NDArray, toi: Optional[NDArray] = None,
                  **options: Any) -> Tuple[NDArray, NDArray, NDArray]:
     """`touchstone.certify` of n claims: (verdict, truth as of `solve_part`, early). Errors are those of it."""
-    found = _judging.certify(kind, start, end, contact, toi, **{"threads": 1, **options})
+    found = _judging.certify(kind, start, end, contact, toi, **options)
     return found.verdict, _rows(found.truth), found.early
 
 
@@ -157,7 +157,7 @@ def report(certificate: Certificate) -> str:
 def report_part(kind: str, start: NDArray, end: NDArray, contact: NDArray, toi: Optional[NDArray] = None,
                 **options: Any) -> Tuple[List[int], List[Dict]]:
     """The counts and refuted claims of `touchstone.certify`, whose errors it has, with numbers from 0."""
-    return _tally(_judging.certify(kind, start, end, contact, toi, **{"threads": 1, **options}))
+    return _tally(_judging.certify(kind, start, end, contact, toi, **options))
 
 
 def certify_report(client: Any, kind: str, parts: Sequence, **options: Any) -> str:
@@ -253,7 +253,7 @@ def steps_part(mesh: Mapping[str, Any], frame: Callable[[int], NDArray], first: 
     for k in range(first, last):
         after = frame(k + 1)
         try:
-            contact = _meshes.first_contact(made, before, after, **{"threads": 1, **options})
+            contact = _meshes.first_contact(made, before, after, **options)
         except ValueError as error:
             raise ValueError(f"step {k}: {error}") from None
         before = after

@@ -3,6 +3,10 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
+
+#include <touchstone/names.hpp>
 
 namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's own
 class App;
@@ -18,5 +22,12 @@ inline constexpr int kBadInput = 2;  ///< exit status: bad usage or bad input
 /// standard library. Each subcommand has a function add_NAME(program, command), which adds the subcommand's arguments
 /// to the parser; parsing them sets `command`.
 using Command = std::function<int()>;
+
+/// The names that an option for a value of E takes.
+template <class E>
+std::vector<std::string> all_names() {
+  const Names names = names_of<E>();
+  return {names.begin(), names.end()};
+}
 
 }  // namespace touchstone::cli

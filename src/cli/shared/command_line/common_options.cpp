@@ -36,11 +36,11 @@ std::filesystem::path place_of(const std::string& name) {
 CLI::Validator kind_check() {
   std::string names;
   for (const Kind kind : {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point}) {
-    names.append(names.empty() ? "{" : ",").append(kind_name(kind));
+    names.append(names.empty() ? "{" : ",").append(name_of(kind));
   }
   return CLI::Validator(
       [](const std::string& name) {
-        return io::kind_from_name(name) ? std::string() : name + " is no kind; it must be " + io::kind_names();
+        return from_name<Kind>(name) ? std::string() : name + " is no kind; it must be " + io::kind_names();
       },
       names + "}");
 }
@@ -48,7 +48,7 @@ CLI::Validator kind_check() {
 void add_kind_option(CLI::App& subcommand, std::optional<Kind>& kind) {
   subcommand
       .add_option_function<std::string>(
-          "--kind", [&kind](const std::string& name) { kind = io::kind_from_name(name); },
+          "--kind", [&kind](const std::string& name) { kind = from_name<Kind>(name); },
           "The kind of the files' queries: " + io::kind_names() +
               " (default: that of a binary file, or else the name of each file's folder)")
       ->type_name("KIND")
@@ -74,13 +74,13 @@ void add_query_options(CLI::App& subcommand, QueryOptions& options) {
   subcommand
       .add_option_function<std::string>(
           "--level",
-          [&options](const std::string& name) { options.method = method_from_name(name).value_or(options.method); },
+          [&options](const std::string& name) { options.method = from_name<Method>(name).value_or(options.method); },
           "The code that answers; every level gives the same answer. fast: filters, and exact arithmetic where they "
           "are uncertain (default). exact: exact arithmetic alone. oracle: an independent decider over CGAL that "
           "shares no code with the others; a thousand times slower. fast-cgal: filters, and CGAL where they are "
           "uncertain")
       ->type_name("LEVEL")
-      ->check(CLI::IsMember({"fast", "exact", "oracle", "fast-cgal"}));
+      ->check(CLI::IsMember(all_names<Method>()));
   add_shorter_turn_option(subcommand, options.turns);
   subcommand.add_option("--threads", options.threads, "The number of threads (default: all that the machine has)")
       ->type_name("N")

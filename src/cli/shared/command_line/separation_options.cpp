@@ -50,31 +50,31 @@ void add_separation_options(CLI::App& subcommand, SeparationOption& option, cons
       .add_option_function<std::string>(
           "--metric",
           [&option](const std::string& name) {
-            option.separation.metric = io::metric_from_name(name).value_or(Metric::euclidean);
+            option.separation.metric = from_name<Metric>(name).value_or(Metric::euclidean);
           },
           "How the separation is measured. euclidean: the length of the difference of two points (default). max: its "
           "largest coordinate, as Tight-Inclusion's minimum separation means it")
       ->type_name("METRIC")
-      ->check(CLI::IsMember({"euclidean", "max"}))
+      ->check(CLI::IsMember(all_names<Metric>()))
       ->needs(separation);
 }
 
 std::string separation_for_person(const Separation& separation) {
   if (separation.distance == 0) return "touching, which is separation 0";
   return fmt::format("separation {} ({}), {}", io::hexfloat(separation.distance), separation.distance,
-                     metric_name(separation.metric));
+                     name_of(separation.metric));
 }
 
 std::string each_separation_arguments(Metric metric) {
   std::string text = fmt::format(" --separation {}", kEach);
-  if (metric != Metric::euclidean) text += fmt::format(" --metric {}", metric_name(metric));
+  if (metric != Metric::euclidean) text += fmt::format(" --metric {}", name_of(metric));
   return text;
 }
 
 std::string separation_arguments(const Separation& separation) {
   if (separation.distance == 0) return {};
   std::string text = " --separation " + io::hexfloat(separation.distance);
-  if (separation.metric != Metric::euclidean) text += fmt::format(" --metric {}", metric_name(separation.metric));
+  if (separation.metric != Metric::euclidean) text += fmt::format(" --metric {}", name_of(separation.metric));
   return text;
 }
 

@@ -39,13 +39,13 @@ std::string counts_for_person(const Counts& counts) {
   for (const Level level : {Level::filter, Level::bracket, Level::exact, Level::oracle}) {
     const auto number = counts.levels[static_cast<std::size_t>(level)];
     if (number > 0)
-      append(levels, fmt::format("{} {} ({})", level_name(level), grouped(number), percentage(number, counts.queries)));
+      append(levels, fmt::format("{} {} ({})", name_of(level), grouped(number), percentage(number, counts.queries)));
   }
   std::string natures;
   for (const Nature nature :
        {Nature::crossing, Nature::grazing, Nature::sustained, Nature::isolated, Nature::entering}) {
     const auto number = counts.natures[static_cast<std::size_t>(nature)];
-    if (number > 0) append(natures, fmt::format("{} {}", grouped(number), nature_name(nature)));
+    if (number > 0) append(natures, fmt::format("{} {}", grouped(number), name_of(nature)));
   }
   const std::uint64_t contacts = counts.queries - counts.natures[static_cast<std::size_t>(Nature::none)];
   return summary_line("contacts", grouped(contacts) + (natures.empty() ? "" : ": " + natures)) +

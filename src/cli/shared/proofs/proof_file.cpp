@@ -34,7 +34,7 @@ std::string section_of(const Input& input, const Separation& separation) {
   // Spaces before a word do not count, and a name of spaces alone would be no word.
   const char* const folder = input.name.rfind(' ', 0) == 0 ? "./" : "";
   return text +
-         fmt::format("file {} {} {}{}\n", kind_name(input.kind), digest_of(input), folder, io::printable(input.name));
+         fmt::format("file {} {} {}{}\n", name_of(input.kind), digest_of(input), folder, io::printable(input.name));
 }
 
 }  // namespace

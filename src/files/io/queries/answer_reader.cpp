@@ -95,7 +95,7 @@ void AnswerReader::read_separation(AnswerRow& row) const {
   row.separation = Separation{*value, Metric::euclidean};
   if (index_[kMetric] == kAbsent) return;
   const std::string_view name = fields_[index_[kMetric]];
-  const auto metric = metric_from_name(name);
+  const auto metric = from_name<Metric>(name);
   if (!metric) refuse("metric is " + in_quotes(name) + "; it must be euclidean or max");
   row.separation->metric = *metric;
 }

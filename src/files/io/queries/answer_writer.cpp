@@ -29,13 +29,13 @@ void append_columns(std::string& out, std::string_view file_field, std::uint64_t
   out.append(file_field).append(",").append(std::to_string(query));
   if (answer.contact) {
     out.append(",1,").append(hexfloat(answer.toi)).append(",").append(hexfloat(answer.toi_upper));
-    out.append(",").append(nature_name(answer.nature));
-    out.append(",").append(feature_name(answer.feature_a));
-    out.append(",").append(feature_name(answer.feature_b));
+    out.append(",").append(name_of(answer.nature));
+    out.append(",").append(name_of(answer.feature_a));
+    out.append(",").append(name_of(answer.feature_b));
   } else {
     out.append(",0,,,,,");
   }
-  out.append(",").append(level_name(answer.level));
+  out.append(",").append(name_of(answer.level));
 }
 
 }  // namespace
@@ -49,8 +49,8 @@ void append_answer(std::string& out, std::string_view file_field, std::uint64_t 
                    const Separation& separation) {
   append_columns(out, file_field, query, answer);
   out.append(!answer.contact ? "," : answer.starts_within ? ",1" : ",0");
-  out.append(",").append(trend_name(answer.trend));
-  out.append(",").append(hexfloat(separation.distance)).append(",").append(metric_name(separation.metric)).append("\n");
+  out.append(",").append(name_of(answer.trend));
+  out.append(",").append(hexfloat(separation.distance)).append(",").append(name_of(separation.metric)).append("\n");
 }
 
 }  // namespace touchstone::io

@@ -58,7 +58,7 @@ std::string corner_names(Kind kind) {
 }
 
 std::string wanted_corners(Kind kind) {
-  const std::string name(kind_name(kind));
+  const std::string name(name_of(kind));
   return (kind == Kind::edge_edge ? "an " : "a ") + name + " query has " + std::to_string(corner_count(kind)) + ":" +
          corner_names(kind);
 }

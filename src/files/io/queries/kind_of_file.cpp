@@ -18,23 +18,16 @@ std::string folder_name(const std::string& path) {
 
 }  // namespace
 
-std::optional<Kind> kind_from_name(std::string_view name) noexcept {
-  for (const Kind kind : kKinds) {
-    if (name == kind_name(kind)) return kind;
-  }
-  return std::nullopt;
-}
-
 std::string kind_names() {
   std::string names;
   for (const Kind kind : kKinds) {
     if (!names.empty()) names += kind == kKinds.back() ? " or " : ", ";
-    names += kind_name(kind);
+    names += name_of(kind);
   }
   return names;
 }
 
-std::optional<Kind> kind_of_folder(const std::string& path) { return kind_from_name(folder_name(path)); }
+std::optional<Kind> kind_of_folder(const std::string& path) { return from_name<Kind>(folder_name(path)); }
 
 Kind kind_of_file(const std::string& path, std::optional<Kind> given) {
   if (given) return *given;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,11 +9,6 @@
 #include <touchstone/query.hpp>
 
 namespace touchstone::io {
-
-inline constexpr std::array<Kind, 4> kKinds{Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point};
-
-/// The kind of this name ("edge-edge", ...), or nothing.
-std::optional<Kind> kind_from_name(std::string_view name) noexcept;
 
 /// The four names, for messages: "edge-edge, vertex-face, point-edge or point-point".
 std::string kind_names();

@@ -186,8 +186,8 @@ void QueryArray::read_npy_shape(const InputFile& file) {
 std::string QueryArray::fault_of_kind(Kind kind) const {
   if (kind_ && *kind_ == kind) return {};
   if (!kind_ && corner_count(kind) == corners_) return {};
-  const std::string asked = "; " + std::string(kind_name(kind)) + " was asked for";
-  if (kind_) return "its queries are of the kind " + std::string(kind_name(*kind_)) + asked;
+  const std::string asked = "; " + std::string(name_of(kind)) + " was asked for";
+  if (kind_) return "its queries are of the kind " + std::string(name_of(*kind_)) + asked;
   return "its queries have " + std::to_string(corners_) + " corners: edge-edge or vertex-face" + asked;
 }
 

@@ -182,14 +182,14 @@ void QueryParser::check_truth(QueryRecord& record, std::size_t row, bool truth) 
   fail(*chunk_.file, row_,
        std::string("truth is ") + (truth ? "1" : "0") + " here and " + (truth ? "0" : "1") + " in row " +
            std::to_string(record.first_row) + ", where the same query " + std::to_string(record.number) +
-           " starts; all " + std::to_string(rows_per_query(chunk_.kind)) + " rows of " + an(kind_name(chunk_.kind)) +
+           " starts; all " + std::to_string(rows_per_query(chunk_.kind)) + " rows of " + an(name_of(chunk_.kind)) +
            " query must agree");
 }
 
 void QueryParser::refuse_truncated(std::size_t rows) const {
   fail(*chunk_.file, row_ - 1,
        "the file ends within query " + std::to_string(query_ - 1) + ", which has " + std::to_string(rows) +
-           (rows == 1 ? " row" : " rows") + "; " + an(kind_name(chunk_.kind)) + " query has " +
+           (rows == 1 ? " row" : " rows") + "; " + an(name_of(chunk_.kind)) + " query has " +
            std::to_string(rows_per_query(chunk_.kind)));
 }
 

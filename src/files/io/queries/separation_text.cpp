@@ -16,27 +16,19 @@ constexpr std::string_view kComment = "# separation ";
 std::optional<Separation> read_separation(std::string_view rest) {
   const std::size_t blank = std::min(rest.find(' '), rest.size());
   const auto distance = parse_finite_double(rest.substr(0, blank));
-  const auto metric = metric_from_name(rest.substr(std::min(blank + 1, rest.size())));
+  const auto metric = from_name<Metric>(rest.substr(std::min(blank + 1, rest.size())));
   if (!distance || *distance < 0 || !metric) return std::nullopt;
   return Separation{*distance, *metric};
 }
 
 }  // namespace
 
-std::optional<Metric> metric_from_name(std::string_view name) noexcept {
-  for (const Metric metric : {Metric::euclidean, Metric::max}) {
-    if (name == metric_name(metric)) return metric;
-  }
-  return std::nullopt;
-}
-
 bool same_question(const Separation& a, const Separation& b) noexcept {
   return a.distance == b.distance && (a.distance == 0 || a.metric == b.metric);
 }
 
 std::string separation_comment(const Separation& separation) {
-  return std::string(kComment) + hexfloat(separation.distance) + " " + std::string(metric_name(separation.metric)) +
-         "\n";
+  return std::string(kComment) + hexfloat(separation.distance) + " " + std::string(name_of(separation.metric)) + "\n";
 }
 
 std::optional<Separation> separation_of_comments(std::string_view text) {

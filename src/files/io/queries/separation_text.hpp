@@ -10,9 +10,6 @@
 
 namespace touchstone::io {
 
-/// The metric of this name ("euclidean", "max"), or nothing.
-std::optional<Metric> metric_from_name(std::string_view name) noexcept;
-
 /// Whether two separations ask the same question. With distance 0 the metric does not matter.
 bool same_question(const Separation& a, const Separation& b) noexcept;
 
