@@ -12,8 +12,7 @@
 #include "python/arguments.hpp"
 #include "python/curved_queries.hpp"
 #include "python/define.hpp"
-#include "python/query_arrays.hpp"
-#include "python/rows.hpp"
+#include "python/questions.hpp"
 
 namespace touchstone::python {
 namespace {
@@ -160,27 +159,6 @@ CurvedQueries curved_queries(py::handle kind_name, const py::tuple& first, const
   return queries;
 }
 
-/// Whether the options have a meaning, before the first row is looked at. The one query is at rest and valid.
-void check_curved_options(const Separation& separation, double t_max) {
-  solve(CurvedQuery(), {.t_max = t_max, .separation = separation});
-}
-
-/// What is asked about all queries.
-struct Asked {
-  SeparationArgument separation;
-  double t_max = 1;
-  int threads = 0;
-};
-
-/// @throws  for arguments without meaning
-Asked asked_of(const CurvedQueries& queries, py::handle t_max, py::handle distance, py::handle metric,
-               py::handle threads) {
-  Asked asked{separation_of(distance, metric, queries.all.size(), queries.single), number_of(t_max, "t_max"),
-              threads_of(threads)};
-  check_curved_options(asked.separation.separation, asked.t_max);
-  return asked;
-}
-
 py::object solve_curved(const CurvedQueries& queries, py::handle t_max_number, py::handle distance, py::handle metric,
                         py::handle threads, py::handle method_name, py::handle wanted_name) {
   const SeparationArgument separation = separation_of(distance, metric, queries.all.size(), queries.single);
@@ -197,23 +175,9 @@ py::object solve_curved(const CurvedQueries& queries, py::handle t_max_number, p
     unlocked([&] { ask(0); });
     return py::cast(answers[0]);
   }
-  check_curved_options(separation.separation, t_max);
+  check_options(separation.separation, t_max);
   for_each_row(answers.size(), thread_count, ask);
   return py::cast(Answers(std::move(answers)));
-}
-
-py::list contact_times_curved(const CurvedQueries& queries, py::handle t_max_number, py::handle distance,
-                              py::handle metric, py::handle threads) {
-  const Asked asked = asked_of(queries, t_max_number, distance, metric, threads);
-  if (queries.single) {
-    return list_of(unlocked([&] { return contact_times(queries.all[0], asked.separation.separation, asked.t_max); }));
-  }
-  std::vector<std::vector<ContactInterval>> times(queries.all.size());
-  for_each_row(times.size(), asked.threads,
-               [&](std::size_t q) { times[q] = contact_times(queries.all[q], asked.separation.of(q), asked.t_max); });
-  py::list all;
-  for (const auto& intervals : times) all.append(list_of(intervals));
-  return all;
 }
 
 }  // namespace
@@ -221,12 +185,14 @@ py::list contact_times_curved(const CurvedQueries& queries, py::handle t_max_num
 void define_curved(py::module_& module) {
   define_class<CurvedQueries>(module, "CurvedArrays", "The queries of a CurvedQueries.")
       .def("__len__", [](const CurvedQueries& queries) { return queries.all.size(); })
-      .def_property_readonly("kind", [](const CurvedQueries& queries) { return std::string(kind_name(queries.kind)); })
+      .def_property_readonly("kind", [](const CurvedQueries& queries) { return std::string(name_of(queries.kind)); })
       .def_readonly("single", &CurvedQueries::single)
       .def_readonly("longer_turns", &CurvedQueries::longer_turns)
       .def_readonly("first_longer_turn", &CurvedQueries::first_longer_turn)
       .def("solve", &solve_curved)
-      .def("contact_times", &contact_times_curved);
+      .def("contact_times", &contact_times_of<CurvedQueries>)
+      .def("distance", &distances_of<CurvedQueries>)
+      .def("contact_normal", &contact_normals_of<CurvedQueries>);
   module.def("curved_queries", &curved_queries);
 }
 

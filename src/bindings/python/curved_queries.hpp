@@ -19,6 +19,10 @@ struct CurvedQueries {
   // Of those with a body that takes the longer of two turns, as it was given:
   std::size_t longer_turns = 0;       ///< how many
   std::size_t first_longer_turn = 0;  ///< the row of the first one
+
+  bool is_single() const noexcept { return single; }
+  std::size_t count() const noexcept { return all.size(); }
+  const CurvedQuery& at(std::size_t q) const noexcept { return all[q]; }
 };
 
 }  // namespace touchstone::python

@@ -23,7 +23,4 @@ struct QueryArrays {
   Query at(std::size_t q) const noexcept;
 };
 
-/// Intervals of contact as a list of pairs of ExactTime.
-py::list list_of(const std::vector<ContactInterval>& intervals);
-
 }  // namespace touchstone::python

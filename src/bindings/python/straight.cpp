@@ -10,16 +10,13 @@
 #include <utility>
 #include <vector>
 
-#include <touchstone/contact_normal.hpp>
-#include <touchstone/contact_times.hpp>
-#include <touchstone/distance.hpp>
 #include <touchstone/solve.hpp>
 
 #include "python/answers.hpp"
 #include "python/arguments.hpp"
 #include "python/chunks.hpp"
 #include "python/query_arrays.hpp"
-#include "python/rows.hpp"
+#include "python/questions.hpp"
 #include "threads/for_each_range.hpp"
 
 namespace touchstone::python {
@@ -73,10 +70,10 @@ class Batch {
   BatchOptions options_for(std::size_t first, std::size_t size, int threads) const {
     BatchOptions options = options_;
     options.threads = threads;
-    if (!separation_.distances.empty()) {
+    if (!separation_.separations.empty()) {
       options.separation.distance = 0;
-      options.distances = separation_.distances.data() + first;
-      options.distance_count = size;
+      options.separations = separation_.separations.data() + first;
+      options.separation_count = size;
     }
     return options;
   }
@@ -118,11 +115,6 @@ class Batch {
   bool direct_ = false;
 };
 
-/// Whether the options have a meaning, before the first row is looked at. The one query is at rest and valid.
-void check_options(const Separation& separation, double t_max) {
-  solve(Query(), {.t_max = t_max, .separation = separation});
-}
-
 py::object solve_arrays(py::handle kind, py::handle start, py::handle end, py::handle t_max, py::handle separation,
                         py::handle metric, py::handle threads, py::handle method, py::handle wanted) {
   const QueryArrays queries(kind, start, end);
@@ -152,70 +144,6 @@ py::object solve_arrays(py::handle kind, py::handle start, py::handle end, py::h
         first, last, [&] { batch.solve(first, last, answers.data()); }, ask);
   });
   return py::cast(Answers(std::move(answers)));
-}
-
-py::list contact_times_arrays(py::handle kind, py::handle start, py::handle end, py::handle t_max_number,
-                              py::handle separation, py::handle metric, py::handle threads) {
-  const QueryArrays queries(kind, start, end);
-  const SeparationArgument kept = separation_of(separation, metric, queries.count(), queries.is_single());
-  const double t_max = number_of(t_max_number, "t_max");
-  const int thread_count = threads_of(threads);
-  check_options(kept.separation, t_max);
-  if (queries.is_single()) {
-    return list_of(unlocked([&] { return contact_times(queries.at(0), kept.separation, t_max); }));
-  }
-  std::vector<std::vector<ContactInterval>> times(queries.count());
-  for_each_row(queries.count(), thread_count,
-               [&](std::size_t q) { times[q] = contact_times(queries.at(q), kept.of(q), t_max); });
-  py::list all;
-  for (const auto& intervals : times) all.append(list_of(intervals));
-  return all;
-}
-
-/// The distances of many queries.
-struct Distances {
-  using BoundToPython = void;
-
-  std::vector<Distance> all;
-};
-
-py::object distance_arrays(py::handle kind, py::handle start, py::handle end, py::handle t_number,
-                           py::handle metric_text, py::handle threads) {
-  const QueryArrays queries(kind, start, end);
-  const double t = number_of(t_number, "t");
-  const Metric metric = metric_of(metric_text);
-  const int thread_count = threads_of(threads);
-  if (queries.is_single()) return py::cast(distance(queries.at(0), t, metric));
-  distance(Query(), t, metric);  // whether they have a meaning
-  Distances distances{std::vector<Distance>(queries.count())};
-  for_each_row(queries.count(), thread_count,
-               [&](std::size_t q) { distances.all[q] = distance(queries.at(q), t, metric); });
-  return py::cast(std::move(distances));
-}
-
-py::object contact_normal_arrays(py::handle kind, py::handle start, py::handle end, py::handle t_max_number,
-                                 py::handle separation, py::handle threads) {
-  const QueryArrays queries(kind, start, end);
-  const SeparationArgument kept = separation_of(separation, py::str("euclidean"), queries.count(), queries.is_single());
-  const double t_max = number_of(t_max_number, "t_max");
-  const int thread_count = threads_of(threads);
-  check_options(kept.separation, t_max);
-  std::vector<py::ssize_t> shape = {3};
-  if (!queries.is_single()) shape.insert(shape.begin(), static_cast<py::ssize_t>(queries.count()));
-  py::array_t<double> normals(shape);
-  double* const to = normals.mutable_data();
-  const auto ask = [&](std::size_t q) {
-    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    const auto normal = contact_normal(queries.at(q), kept.of(q), t_max);
-    const std::array<double, 3> value = normal.value_or(std::array<double, 3>{kNone, kNone, kNone});
-    std::copy(value.begin(), value.end(), to + 3 * q);
-  };
-  if (queries.is_single()) {
-    ask(0);
-  } else {
-    for_each_row(queries.count(), thread_count, ask);
-  }
-  return py::object(normals);
 }
 
 /// Negative, zero or positive, as `time` is before, at or after the other one, a number or an ExactTime.
@@ -274,8 +202,8 @@ void define_distances(py::module_& module) {
       .def("__float__", [](const Distance& d) { return d.value; })
       .def("__repr__", [](const Distance& d) {
         return "Distance(value=" + std::string(py::repr(py::float_(d.value))) +
-               ", feature_a=" + std::string(feature_name(d.feature_a)) +
-               ", feature_b=" + std::string(feature_name(d.feature_b)) + ")";
+               ", feature_a=" + std::string(name_of(d.feature_a)) + ", feature_b=" + std::string(name_of(d.feature_b)) +
+               ")";
       });
   py::class_<Distances> distances =
       define_class<Distances>(module, "Distances", "The distances of n queries: arrays that cannot be written to.");
@@ -297,19 +225,21 @@ void define_distances(py::module_& module) {
 
 }  // namespace
 
-py::list list_of(const std::vector<ContactInterval>& intervals) {
-  py::list list;
-  for (const ContactInterval& interval : intervals) list.append(py::make_tuple(interval.first, interval.last));
-  return list;
-}
-
 void define_queries(py::module_& module) {
   define_times(module);
   define_distances(module);
   module.def("solve", &solve_arrays);
-  module.def("contact_times", &contact_times_arrays);
-  module.def("distance", &distance_arrays);
-  module.def("contact_normal", &contact_normal_arrays);
+  module.def("contact_times", [](py::handle kind, py::handle start, py::handle end, py::handle t_max,
+                                 py::handle separation, py::handle metric, py::handle threads) {
+    return contact_times_of(QueryArrays(kind, start, end), t_max, separation, metric, threads);
+  });
+  module.def("distance",
+             [](py::handle kind, py::handle start, py::handle end, py::handle t, py::handle metric,
+                py::handle threads) { return distances_of(QueryArrays(kind, start, end), t, metric, threads); });
+  module.def("contact_normal", [](py::handle kind, py::handle start, py::handle end, py::handle t_max,
+                                  py::handle separation, py::handle threads) {
+    return contact_normals_of(QueryArrays(kind, start, end), t_max, separation, threads);
+  });
 }
 
 }  // namespace touchstone::python

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from typing import List, Optional, Union
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._core import Answer, Answers
+from ._core import Answer, Answers, Distance, Distances
 from ._proofs import Proofs
 from ._queries import Kind, Method, Metric, Times, Wanted
 
@@ -111,16 +111,24 @@ class CurvedQueries:
     def __repr__(self):
         return f"<CurvedQueries: {len(self)} {self.kind}>"
 
-    def solve(self, t_max: float = 1.0, separation: ArrayLike = 0.0, metric: Metric = "euclidean", threads: int = 0,
+    def solve(self, t_max: float = 1.0, separation: ArrayLike = 0.0, metric: Metric = "euclidean", threads: int = 1,
               method: Method = "fast", wanted: Wanted = "all") -> Union[Answers, Answer]:
         """The first contact of each query; arguments, result and errors are those of `touchstone.solve`."""
         return self._core.solve(t_max, separation, metric, threads, method, wanted)
 
     def contact_times(self, t_max: float = 1.0, separation: ArrayLike = 0.0, metric: Metric = "euclidean",
-                      threads: int = 0) -> Union[Times, List[Times]]:
+                      threads: int = 1) -> Union[Times, List[Times]]:
         """All times of contact, as `touchstone.contact_times`."""
         return self._core.contact_times(t_max, separation, metric, threads)
 
-    def prove(self, separation: float = 0.0, metric: Metric = "euclidean", threads: int = 0) -> Proofs:
+    def distance(self, t: float = 0.0, metric: Metric = "euclidean", threads: int = 1) -> Union[Distances, Distance]:
+        """The distances of the elements at the time t, as `touchstone.distance`."""
+        return self._core.distance(t, metric, threads)
+
+    def contact_normal(self, t_max: float = 1.0, separation: ArrayLike = 0.0, threads: int = 1) -> NDArray:
+        """The unit normals at the first contacts, as `touchstone.contact_normal`."""
+        return self._core.contact_normal(t_max, separation, threads)
+
+    def prove(self, separation: float = 0.0, metric: Metric = "euclidean", threads: int = 1) -> Proofs:
         """The answers with their proofs, as `touchstone.prove`."""
         return Proofs(_core.prove_curved(self._core, separation, metric, threads))
