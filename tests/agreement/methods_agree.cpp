@@ -111,13 +111,13 @@ TEST_CASE("methods agree: fast and exact on many point-edge") { fast_and_exact_a
 TEST_CASE("methods agree: fast and exact on many point-point") { fast_and_exact_agree(Kind::point_point, 10000); }
 
 TEST_CASE("methods agree: lattice edge-edge") { methods_agree(Kind::edge_edge, Group::lattice, 6000); }
-TEST_CASE("methods agree: coplanar edge-edge") { methods_agree(Kind::edge_edge, Group::coplanar, 6000); }
+TEST_CASE("methods agree: coplanar edge-edge", "[slow]") { methods_agree(Kind::edge_edge, Group::coplanar, 6000); }
 TEST_CASE("methods agree: contact edge-edge") { methods_agree(Kind::edge_edge, Group::contact, 6000); }
 TEST_CASE("methods agree: perturbed edge-edge") { methods_agree(Kind::edge_edge, Group::perturbed, 6000); }
 TEST_CASE("methods agree: scale edge-edge") { methods_agree(Kind::edge_edge, Group::scale, 2000); }
 
 TEST_CASE("methods agree: lattice vertex-face") { methods_agree(Kind::vertex_face, Group::lattice, 6000); }
-TEST_CASE("methods agree: coplanar vertex-face") { methods_agree(Kind::vertex_face, Group::coplanar, 6000); }
+TEST_CASE("methods agree: coplanar vertex-face", "[slow]") { methods_agree(Kind::vertex_face, Group::coplanar, 6000); }
 TEST_CASE("methods agree: contact vertex-face") { methods_agree(Kind::vertex_face, Group::contact, 6000); }
 TEST_CASE("methods agree: perturbed vertex-face") { methods_agree(Kind::vertex_face, Group::perturbed, 6000); }
 TEST_CASE("methods agree: scale vertex-face") { methods_agree(Kind::vertex_face, Group::scale, 2000); }

@@ -61,7 +61,7 @@ void check_accepted(const std::string& proofs, const Words& files) {
 
 }  // namespace
 
-TEST_CASE("the proofs of judged queries are those that prove writes, whether the claims hold or not") {
+TEST_CASE("the proofs of judged queries are those that prove writes, whether the claims hold or not", "[slow]") {
   const TemporaryFolder folder;
   const std::string proofs = folder.path("proofs.txt");
   for (const Kind kind : kKinds) {

@@ -193,7 +193,7 @@ TEST_CASE("a report on standard output stands alone there, and bad UTF-8 in a fi
   CHECK(report["files"][0]["file"].get<std::string>().find("\xEF\xBF\xBD.csv") != std::string::npos);
 }
 
-TEST_CASE("without a file the bundled queries are certified, and each can be explained by its name") {
+TEST_CASE("without a file the bundled queries are certified, and each can be explained by its name", "[slow]") {
   const TemporaryFolder folder;
   const Run run = run_program({"certify", "--report", folder.path("r.json")});
   CAPTURE(run.out, run.err);

@@ -41,7 +41,7 @@ std::string answers(const std::string& file, const std::vector<std::string>& mor
 
 }  // namespace
 
-TEST_CASE("every way through the formats and back to CSV gives the same bytes, for any number of threads") {
+TEST_CASE("every way through the formats and back to CSV gives the same bytes, for any number of threads", "[slow]") {
   const TemporaryFolder folder;
   for (const Kind kind : kKinds) {
     const std::string name(name_of(kind));

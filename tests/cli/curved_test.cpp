@@ -274,7 +274,8 @@ TEST_CASE("curved queries are proved, by certify too") {
   CHECK(folder.read("proofs.txt") == proofs.out);
 }
 
-TEST_CASE("a separation of curved queries: all levels answer as the library does, and claims say what they are about") {
+TEST_CASE("a separation of curved queries: all levels answer as the library does, and claims say what they are about",
+          "[slow]") {
   const TemporaryFolder folder;
   std::size_t contacts = 0;
   std::size_t starting = 0;

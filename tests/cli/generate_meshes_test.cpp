@@ -87,7 +87,7 @@ std::set<std::string> names_in(const std::string& folder) {
 
 }  // namespace
 
-TEST_CASE("the frames of a drape are free of contact, but for the two steps of a planted crossing") {
+TEST_CASE("the frames of a drape are free of contact, but for the two steps of a planted crossing", "[slow]") {
   const TemporaryFolder folder;
   const std::string seed = GENERATE("1", "2", "3");
   const std::string speed = GENERATE("1", "30");

@@ -65,7 +65,7 @@ std::size_t count_of_lines(const std::string& text) { return occurrences(text, "
 
 }  // namespace
 
-TEST_CASE("a run that is killed at random moments, again and again, ends with the report of one run") {
+TEST_CASE("a run that is killed at random moments, again and again, ends with the report of one run", "[slow]") {
   const StoppedRun sample(48, 24);
   const auto start = std::chrono::steady_clock::now();
   REQUIRE(sample.report().status == 1);
@@ -98,7 +98,7 @@ TEST_CASE("a run that is killed at random moments, again and again, ends with th
   CHECK(gone_on >= 1);
 }
 
-TEST_CASE("a run goes on where the earlier one stopped, wherever the journal is torn") {
+TEST_CASE("a run goes on where the earlier one stopped, wherever the journal is torn", "[slow]") {
   const StoppedRun sample(5, 8);
   sample.leave_journal(6);
   const std::string journal = sample.folder.read("r.json.progress");

@@ -271,7 +271,7 @@ TEST_CASE("mesh --prove: folders and options that are refused, and runs that lea
   check_refused({"mesh", "--prove", folder.path("empty"), frames[0], frames[1]}, "empty: holds ");
 }
 
-TEST_CASE("simulate: every substep is a step of the motion, no pair has a contact, and held particles stay") {
+TEST_CASE("simulate: every substep is a step of the motion, no pair has a contact, and held particles stay", "[slow]") {
   const TemporaryFolder folder;
   std::string proofs;
   for (const std::string threads : {"1", "3"}) {
@@ -318,7 +318,7 @@ TEST_CASE("simulate: the motion goes on after a checkpoint; contacts that the pa
   CHECK(occurrences(folder.read("paper/proofs.txt"), " contact ") > 0);
 }
 
-TEST_CASE("simulate --prove: what is refused, and runs that end early") {
+TEST_CASE("simulate --prove: what is refused, and runs that end early", "[slow]") {
   const TemporaryFolder folder;
   const std::string fresh = folder.path("fresh");
   folder.write("full/file", "mine");

@@ -93,7 +93,7 @@ TEST_CASE("an answer that has no proof is an error that names its query") {
   CHECK(error(1) == file + ":5: query 1: the elements are not in contact: there is no proof that they are");
 }
 
-TEST_CASE("proofs with a separation name it before each file, and the number of threads changes no byte") {
+TEST_CASE("proofs with a separation name it before each file, and the number of threads changes no byte", "[slow]") {
   const TemporaryFolder folder;
   for (const Kind kind : kKinds) {
     const SampleFile sample = sample_file(kind, 6, 5);

@@ -190,7 +190,7 @@ TEST_CASE("a claimed time is judged against the exact time of the separation, as
   CHECK(status("0.5", "0.5") == 0);
 }
 
-TEST_CASE("generated sets with a separation hold, and a flipped bit is refuted") {
+TEST_CASE("generated sets with a separation hold, and a flipped bit is refuted", "[slow]") {
   const TemporaryFolder folder;
   for (const std::string metric : {"euclidean", "max"}) {
     CAPTURE(metric);
@@ -316,7 +316,7 @@ TEST_CASE("fuzz with a separation breaks the baselines, finds ours right, and it
                 "exact, oracle, fast-cgal, batch, thick_advancement, thick_polynomial");
 }
 
-TEST_CASE("report and stress ask about the separation, with the baselines that take one") {
+TEST_CASE("report and stress ask about the separation, with the baselines that take one", "[slow]") {
   const TemporaryFolder folder;
   const Run report = run_program({"report", "--quick", "--separation", "0.001", "--out", folder.path("r")});
   CAPTURE(report.err);

@@ -191,7 +191,7 @@ TEST_CASE("a file that cannot be written is not there, and keeps none of the oth
   check_rest(before_it, steps);
 }
 
-TEST_CASE("memory that runs out while JSON is read ends with status 2, wherever it does") {
+TEST_CASE("memory that runs out while JSON is read ends with status 2, wherever it does", "[slow]") {
 #if TOUCHSTONE_SANITIZED
   skip("sanitizers map terabytes: limits on memory are not tested");
 #else

@@ -95,7 +95,7 @@ TEST_CASE("the hoop runs with a proof of each step, and the ball goes through th
   CHECK(std::filesystem::exists(folder.path("out/energies.gp")));
 }
 
-TEST_CASE("ten seconds of the hoop, every step certified, every other one a frame") {
+TEST_CASE("ten seconds of the hoop, every step certified, every other one a frame", "[slow]") {
   const TemporaryFolder folder;
   const Run run = run_program({"simulate", "hoop", "--out", folder.path("out"), "--proof", folder.path("proof.csv")});
   CHECK(run.status == 0);
@@ -188,7 +188,7 @@ TEST_CASE("the candidates that it writes certify") {
   CHECK(occurrences(certified.out, "claims hold") == 1);
 }
 
-TEST_CASE("cable-drop proves that no two cables of radius r come nearer than 2 r, with a stop as without") {
+TEST_CASE("cable-drop proves that no two cables of radius r come nearer than 2 r, with a stop as without", "[slow]") {
   const TemporaryFolder folder;
   const auto path = [&](const char* name) { return folder.path(name); };
   const Run run = run_program(

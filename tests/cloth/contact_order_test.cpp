@@ -172,7 +172,7 @@ TEST_CASE("friction within the thickness holds a sheet on a slope, and lets it s
   }
 }
 
-TEST_CASE("a folded sheet stays folded, and keeps its thickness") {
+TEST_CASE("a folded sheet stays folded, and keeps its thickness", "[slow]") {
   // A strip that lies on the floor, turns back over a half circle, and lies on itself.
   SheetScene sheet = sheet_scene(0.1, 0.4, 4);
   constexpr double kTurn = 8e-3, kBottom = kRadius + 4e-4;  // radius of the fold; m

@@ -156,7 +156,7 @@ void fill(SparseSolver& solver, const Net& net) {
 
 }  // namespace
 
-TEST_CASE("multigrid multiplies by its matrix, and its inverse is linear, symmetric and positive definite") {
+TEST_CASE("multigrid multiplies by its matrix, and its inverse is linear, symmetric and positive definite", "[slow]") {
   Rng random(5);
   for (const double holes : {0.0, 0.2, 0.7}) {
     const Net net = random_net(random, 14, 0.5, holes);

@@ -109,7 +109,7 @@ TEST_CASE("a checkpoint of cloth in contact resumes to the same bits") {
   CHECK(checkpoint_to_json(second) == checkpoint_to_json(whole));
 }
 
-TEST_CASE("no principal stretch reaches its limit, whatever hangs on the sheet") {
+TEST_CASE("no principal stretch reaches its limit, whatever hangs on the sheet", "[slow]") {
   for (const double limit : {0.1, 0.02}) {
     SheetScene sheet = sheet_scene(0.4, 0.4, 5);
     sheet.surface().stretch = 20;

@@ -32,7 +32,7 @@ bool is_lower_neighbour(double toi, double numerator, double denominator) {
 
 }  // namespace
 
-TEST_CASE("the drop-in for Tight-Inclusion answers as the oracle does, by each of its functions") {
+TEST_CASE("the drop-in for Tight-Inclusion answers as the oracle does, by each of its functions", "[slow]") {
   Report report;
   std::size_t contacts = 0, starts = 0;
   const auto wanted = [](const FamilyInfo&, Kind kind) { return kind == Kind::edge_edge || kind == Kind::vertex_face; };

@@ -140,7 +140,7 @@ constexpr int kSteps = kLongSearches ? 10000 : 200;
 
 }  // namespace
 
-TEST_CASE("the same-side bound holds at all magnitudes and is not idle") {
+TEST_CASE("the same-side bound holds at all magnitudes and is not idle", "[slow]") {
   static const char* names[] = {"b0", "3 b1", "3 b2", "b3"};
   for (int which = 0; which < 4; ++which) {
     Rng rng(0x5a11d + static_cast<std::uint64_t>(which));

@@ -124,7 +124,7 @@ std::vector<double> spread_out(std::vector<double> x, bool edges) {
 
 }  // namespace
 
-TEST_CASE("double-double values are within their bounds at all magnitudes") {
+TEST_CASE("double-double values are within their bounds at all magnitudes", "[slow]") {
   static const char* const names[] = {"V in double-doubles", "components in double-doubles"};
   for (const int which : {0, 1}) {
     BoundSearch search;

@@ -81,7 +81,7 @@ double missing(const FrameCase& s, const Exact& near) {
 
 }  // namespace
 
-TEST_CASE("components at a root are as near as they say") {
+TEST_CASE("components at a root are as near as they say", "[slow]") {
   struct Place {
     double distance, slip;
   };
@@ -225,7 +225,7 @@ double weights_ratio(const FrameCase& s, double away) {
 
 }  // namespace
 
-TEST_CASE("weights are within 2^-50 whenever they are certain") {
+TEST_CASE("weights are within 2^-50 whenever they are certain", "[slow]") {
   for (const bool one_swept : {true, false}) {
     Rng rng(90);
     BoundSearch search;

@@ -114,7 +114,7 @@ std::vector<Sample> all_samples() {
 
 }  // namespace
 
-TEST_CASE("a valid file cut at any place, or with changed bytes, is an error or a frame") {
+TEST_CASE("a valid file cut at any place, or with changed bytes, is an error or a frame", "[slow]") {
   const TemporaryFolder folder;
   seeded::Rng rng(11);
   Counts counts;

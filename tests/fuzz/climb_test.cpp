@@ -43,7 +43,7 @@ TEST_CASE("from most queries of most families, climbing comes within a factor of
   CHECK(10 * after > 9 * all);
 }
 
-TEST_CASE("with separations, too, climbing comes within a factor of two of a filter's bound") {
+TEST_CASE("with separations, too, climbing comes within a factor of two of a filter's bound", "[slow]") {
   constexpr std::uint64_t kCases = 10;
   constexpr int kSteps = 400;
   std::size_t all = 0, before = 0, after = 0;

@@ -50,7 +50,7 @@ const std::string kTips =
 
 }  // namespace
 
-TEST_CASE("findings about curved queries are files that certify, explain and fuzz read") {
+TEST_CASE("findings about curved queries are files that certify, explain and fuzz read", "[slow]") {
   const auto solver = GENERATE("redon", "curved_advancement");
   CAPTURE(solver);
   const TemporaryFolder folder;
@@ -102,7 +102,7 @@ TEST_CASE("curved and straight queries of files are asked together") {
   CHECK(occurrences(alone.out, "seed 1: 2 queries in ") == 1);
 }
 
-TEST_CASE("curved queries are asked about separations: of families, each of its own, and of files") {
+TEST_CASE("curved queries are asked about separations: of families, each of its own, and of files", "[slow]") {
   const TemporaryFolder folder;
   const std::string tips = folder.write("vertex-face/tips.csv", kTips);
   const auto check_right = [](const std::vector<std::string>& arguments, const std::string& about) {

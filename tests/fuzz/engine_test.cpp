@@ -87,7 +87,7 @@ void hang(const Query& query, Reply& reply) {  // as a solver in a child process
 
 }  // namespace
 
-TEST_CASE("a planted bug of every class is found, counted and kept through shrinking") {
+TEST_CASE("a planted bug of every class is found, counted and kept through shrinking", "[slow]") {
   const Planted planted = GENERATE(Planted{FailureClass::missed, deny}, Planted{FailureClass::phantom, invent},
                                    Planted{FailureClass::late, delay}, Planted{FailureClass::early, hurry},
                                    Planted{FailureClass::nan, lose}, Planted{FailureClass::crash, throw_something},
@@ -161,7 +161,7 @@ TEST_CASE("of whole answers everything is compared") {
   CHECK_FALSE(outcome.findings.front().example.detail.empty());
 }
 
-TEST_CASE("ours hold against each other in every family, with hill climbing and without") {
+TEST_CASE("ours hold against each other in every family, with hill climbing and without", "[slow]") {
   const auto name = GENERATE("touchstone", "exact", "oracle", "fast-cgal", "batch");
   CAPTURE(name);
   fuzz::Settings settings;
@@ -177,7 +177,7 @@ TEST_CASE("ours hold against each other in every family, with hill climbing and 
   }
 }
 
-TEST_CASE("ours hold against each other with separations of their own, with hill climbing and without") {
+TEST_CASE("ours hold against each other with separations of their own, with hill climbing and without", "[slow]") {
   const auto name = GENERATE("touchstone", "oracle", "batch");
   const Metric metric = GENERATE(Metric::euclidean, Metric::max);
   CAPTURE(name, name_of(metric));
@@ -242,7 +242,7 @@ TEST_CASE("every judge judges alike") {
   CHECK(first.find("missed") != std::string::npos);
 }
 
-TEST_CASE("the outcome does not depend on the number of threads") {
+TEST_CASE("the outcome does not depend on the number of threads", "[slow]") {
   fuzz::Settings settings;
   settings.cases = 20'011;
   settings.climb = GENERATE(0u, 1u);
@@ -269,7 +269,7 @@ TEST_CASE("another seed makes other queries") {
   CHECK(run_with(1) != run_with(2));
 }
 
-TEST_CASE("a case alone shows the finding that the run kept") {
+TEST_CASE("a case alone shows the finding that the run kept", "[slow]") {
   fuzz::Settings settings = lattice_settings(4000);
   settings.climb = 2;
   settings.families.clear();
@@ -316,7 +316,7 @@ TEST_CASE("a limit in seconds ends the search") {
   CHECK(outcome.seconds < 5);
 }
 
-TEST_CASE("the time in which a solver starts does not count") {
+TEST_CASE("the time in which a solver starts does not count", "[slow]") {
   const auto quick = toy([](const Query&, Reply&) {});
   const auto slow = [&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(600));

@@ -18,7 +18,7 @@ TEST_CASE("ours is found right: status 0") {
   CHECK(occurrences(run.out, "\nnothing found\n") == 1);
 }
 
-TEST_CASE("every inexact solver is broken, and the findings certify, explain and repeat themselves") {
+TEST_CASE("every inexact solver is broken, and the findings certify, explain and repeat themselves", "[slow]") {
   const auto solver = GENERATE("paper", "closed_form", "newton", "interval", "conservative_advancement");
   CAPTURE(solver);
   const TemporaryFolder folder;

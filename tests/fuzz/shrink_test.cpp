@@ -60,7 +60,7 @@ std::vector<fuzz::Finding> shrunk_failures(const char* name, std::uint64_t cases
 
 // A phantom of a solver with slack passes within that slack, some 2^-46 of the elements' size, which integers and
 // halves below 16 cannot. Such a query needs one extraordinary value.
-TEST_CASE("most shrunk failures of solvers in doubles are integers or halves below 16") {
+TEST_CASE("most shrunk failures of solvers in doubles are integers or halves below 16", "[slow]") {
   const auto name = GENERATE("paper", "closed_form");
   std::size_t all = 0, readable = 0, phantoms = 0, readable_phantoms = 0;
   const auto solver = fuzz::named_solver(name);

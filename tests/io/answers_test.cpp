@@ -173,7 +173,7 @@ TEST_CASE("a row in quotes that spans lines counts them") {
   CHECK(answers.error == "a.csv:4: contact is '2'; it must be 0 or 1");
 }
 
-TEST_CASE("faults of a claims file are named with file, row and reason") {
+TEST_CASE("faults of a claims file are named with file, row and reason", "[slow]") {
   CHECK(error_of("") == "a.csv: is empty; its first line must name the columns, for example query,contact,toi");
   CHECK(error_of("query,contact,speed\n") ==
         "a.csv:1: unknown column 'speed'; the columns are query, contact and optionally file, toi, toi_upper, nature, "

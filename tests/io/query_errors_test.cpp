@@ -127,7 +127,7 @@ TEST_CASE("zero bytes are refused wherever they stand") {
   CHECK(error_of(kQuery + "0\0,\0"s, 1) == "q.csv:5: a zero byte; this is no text file");
 }
 
-TEST_CASE("what could exhaust memory is refused") {
+TEST_CASE("what could exhaust memory is refused", "[slow]") {
   SECTION("digits") {
     const std::string most(io::kMostDigits, '1');
     const ReadFile file = read_queries(kRow + "-" + most + ",1,0,1,0,1,0\n" + kRow + kRow, Kind::point_point, 4096);

@@ -131,7 +131,7 @@ TEST_CASE("fractions of doubles are in lowest terms") {
   CHECK(io::fraction_of(0x1p90).numerator == "1237940039285380274899124224");  // zeros inside a limb
 }
 
-TEST_CASE("any fraction is read as the double that it is, or as the rational that it is") {
+TEST_CASE("any fraction is read as the double that it is, or as the rational that it is", "[slow]") {
   constexpr std::uint64_t kSeed = 7;
   CAPTURE(kSeed);
   Rng rng(kSeed);

@@ -214,7 +214,7 @@ TEST_CASE("with a rescaling the least time over all pairs does not depend on the
   CHECK(shortened > 10);
 }
 
-TEST_CASE("no exact hit of a corner is missed at any scale") {
+TEST_CASE("no exact hit of a corner is missed at any scale", "[slow]") {
   const ExactNarrowPhaseCCD ccd;
   Rng rng(4);
   for (const Kind kind : {Kind::vertex_face, Kind::edge_edge}) {

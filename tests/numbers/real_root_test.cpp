@@ -49,7 +49,7 @@ void check_neighbours(const RealRoot& root) {
 
 }  // namespace
 
-TEST_CASE("rational roots, simple and repeated, with multiplicity and order") {
+TEST_CASE("rational roots, simple and repeated, with multiplicity and order", "[slow]") {
   struct Rational {
     int n, d;
   };
@@ -188,7 +188,7 @@ TEST_CASE("bisection separates simple roots however near they are") {
   }
 }
 
-TEST_CASE("clusters of roots: near an end or inside, in clusters of their own, and beside complex pairs") {
+TEST_CASE("clusters of roots: near an end or inside, in clusters of their own, and beside complex pairs", "[slow]") {
   tests::Rng rng(32);
   std::size_t found = 0, complex_pairs = 0;
   for (int i = 0; i < 150; ++i) {

@@ -94,7 +94,7 @@ RationalQuery as_fractions(const Query& query) {
 
 }  // namespace
 
-TEST_CASE("with a separation, mirroring and permuting the axes and one scale for all change nothing") {
+TEST_CASE("with a separation, mirroring and permuting the axes and one scale for all change nothing", "[slow]") {
   check_law([](const Query& query, const Separation& separation, const Answer& answer) {
     const Query other = mapped_corners(query, [](const Vec3& x) { return Vec3{-4 * x.z, 4 * x.x, 4 * x.y}; });
     const Answer told = oracle::decide_by_oracle(other, 1, {4 * separation.distance, separation.metric});
@@ -102,7 +102,7 @@ TEST_CASE("with a separation, mirroring and permuting the axes and one scale for
   });
 }
 
-TEST_CASE("with a separation, coordinates told as fractions change nothing") {
+TEST_CASE("with a separation, coordinates told as fractions change nothing", "[slow]") {
   check_law([](const Query& query, const Separation& separation, const Answer& answer) {
     const Answer told = oracle::decide_by_oracle(as_fractions(query), 1, separation);
     return wrong_unless(same_when(answer, told) && same_where(answer, told), "as fractions", told);
@@ -130,7 +130,7 @@ TEST_CASE("with a separation, swapping the edges swaps the features of a unique 
   });
 }
 
-TEST_CASE("with a separation, another first corner changes only names") {
+TEST_CASE("with a separation, another first corner changes only names", "[slow]") {
   check_law([](Query query, const Separation& separation, const Answer& answer) {
     for (auto* corners : {&query.start, &query.end}) {
       const std::size_t first = query.kind == Kind::edge_edge ? 2 : query.kind == Kind::point_point ? 0 : 1;
@@ -143,7 +143,7 @@ TEST_CASE("with a separation, another first corner changes only names") {
   });
 }
 
-TEST_CASE("with a separation, a shorter time range cuts later contacts off and keeps earlier ones") {
+TEST_CASE("with a separation, a shorter time range cuts later contacts off and keeps earlier ones", "[slow]") {
   check_law([](const Query& query, const Separation& separation, const Answer& answer) -> std::string {
     if (!answer.contact) {
       return wrong_unless(!oracle::decide_by_oracle(query, 0.5, separation).contact, "only before 1/2", answer);
@@ -156,7 +156,7 @@ TEST_CASE("with a separation, a shorter time range cuts later contacts off and k
   });
 }
 
-TEST_CASE("a larger separation is reached no later, and a touching is within every separation") {
+TEST_CASE("a larger separation is reached no later, and a touching is within every separation", "[slow]") {
   check_law([](const Query& query, const Separation& separation, const Answer& answer) -> std::string {
     const auto no_later = [](const Answer& early, const Answer& late) {
       return !late.contact || (early.contact && early.toi <= late.toi && early.toi_upper <= late.toi_upper);
@@ -169,7 +169,7 @@ TEST_CASE("a larger separation is reached no later, and a touching is within eve
   });
 }
 
-TEST_CASE("the largest axis is at most the length, and the length at most twice the largest axis") {
+TEST_CASE("the largest axis is at most the length, and the length at most twice the largest axis", "[slow]") {
   check_law([](const Query& query, const Separation& separation, const Answer& answer) -> std::string {
     const bool euclidean = separation.metric == Metric::euclidean;
     const Answer other = oracle::decide_by_oracle(

@@ -284,19 +284,19 @@ void check_kind(Kind kind, Metric metric) {
 
 }  // namespace
 
-TEST_CASE("the Euclidean distance at single times agrees with the first time within a separation") {
+TEST_CASE("the Euclidean distance at single times agrees with the first time within a separation", "[slow]") {
   for (const Kind kind : {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point}) {
     check_kind(kind, Metric::euclidean);
   }
 }
 
-TEST_CASE("the largest-axis distance at single times agrees with the first time within a separation") {
+TEST_CASE("the largest-axis distance at single times agrees with the first time within a separation", "[slow]") {
   for (const Kind kind : {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point}) {
     check_kind(kind, Metric::max);
   }
 }
 
-TEST_CASE("no time of hard queries of every magnitude is within a separation before the first one") {
+TEST_CASE("no time of hard queries of every magnitude is within a separation before the first one", "[slow]") {
   for_each_case(
       kSeed, 1, [](const FamilyInfo&, Kind) { return true; },
       [&](const CaseId& id) {

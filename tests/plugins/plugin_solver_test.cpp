@@ -77,7 +77,7 @@ TEST_CASE("the example plugin loads, knows its kinds and answers") {
   CHECK(std::fabs(*falls.toi - 0.25) < 1e-12);
 }
 
-TEST_CASE("whatever a plugin does is a reply, and it is started again") {
+TEST_CASE("whatever a plugin does is a reply, and it is started again", "[slow]") {
   const auto solver = fuzz::load_plugin(TOUCHSTONE_BAD_PLUGIN, quick_limits());
   struct Case {
     int what;
@@ -187,7 +187,7 @@ TEST_CASE("a process that a plugin leaves behind is ended, too") {
   CHECK(vanishes(std::stoi(folder.read("note"))));
 }
 
-TEST_CASE("a daemon that a plugin starts is ended with the plugin's process") {
+TEST_CASE("a daemon that a plugin starts is ended with the plugin's process", "[slow]") {
 #ifndef __linux__
   WARN("only Linux lets a process adopt its descendants: daemons are not tested");
 #else

@@ -28,7 +28,7 @@ TEST_CASE("the example program is broken") {
   CHECK(occurrences(run.out, "--solver-command") > 0);
 }
 
-TEST_CASE("a plugin that crashes now and then is a finding, not the end of the run") {
+TEST_CASE("a plugin that crashes now and then is a finding, not the end of the run", "[slow]") {
   // Lattices of small integers hold every order that the bad plugin takes; a hang each time would take too long.
   const Run run = run_program({"fuzz", "--solver", TOUCHSTONE_BAD_PLUGIN, "--family", "lattice1", "--cases", "300",
                                "--limit", "0.5", "--threads", "1"});

@@ -122,7 +122,7 @@ TEST_CASE("the box of a body's point holds its way") {
   CHECK(slack < 1);  // no box is far too wide
 }
 
-TEST_CASE("the checker finds the pairs of motions with bodies, and accepts their proofs") {
+TEST_CASE("the checker finds the pairs of motions with bodies, and accepts their proofs", "[slow]") {
   Rng random(8);
   std::size_t curved = 0, straight = 0, all_contacts = 0;
   for (const Separation& separation :

@@ -53,7 +53,7 @@ void expect_accepted(const Proved& proved, Kind kind, std::string_view family) {
 
 }  // namespace
 
-TEST_CASE("the answers to curved queries of every family are proved, and the checker accepts the proofs") {
+TEST_CASE("the answers to curved queries of every family are proved, and the checker accepts the proofs", "[slow]") {
   const std::size_t count = effort(8);
   std::size_t contacts = 0, queries = 0;
   for (const Kind kind : kKinds) {
@@ -71,7 +71,7 @@ TEST_CASE("the answers to curved queries of every family are proved, and the che
   CHECK(contacts < queries);
 }
 
-TEST_CASE("answers to curved queries with a separation are proved in both metrics") {
+TEST_CASE("answers to curved queries with a separation are proved in both metrics", "[slow]") {
   const std::size_t count = effort(2);
   std::size_t contacts = 0, later = 0, queries = 0;
   for (const Kind kind : kKinds) {
@@ -99,7 +99,7 @@ TEST_CASE("answers to curved queries with a separation are proved in both metric
   CHECK(later > queries / 20);
 }
 
-TEST_CASE("straight motion given as curves has the same proofs") {
+TEST_CASE("straight motion given as curves has the same proofs", "[slow]") {
   for (const Kind kind : kKinds) {
     for (const FamilyInfo& family : all_families()) {
       const Query query = make(CaseId{family.family, kind, 18, 0});

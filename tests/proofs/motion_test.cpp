@@ -232,7 +232,7 @@ TEST_CASE("the pairs of a step are those of the page: boxes that are just at the
   CHECK(wrong_in_doubles > 10);
 }
 
-TEST_CASE("the pairs of many elements are the same for any number of threads") {
+TEST_CASE("the pairs of many elements are the same for any number of threads", "[slow]") {
   Rng random(5);
   const std::size_t count = 6000;
   MotionElements elements;

@@ -21,7 +21,7 @@
 using namespace touchstone;
 using namespace touchstone::tests;
 
-TEST_CASE("the answers to queries of every family are proved, and the checker accepts the proofs") {
+TEST_CASE("the answers to queries of every family are proved, and the checker accepts the proofs", "[slow]") {
   constexpr std::uint64_t kSeed = 14;
   constexpr std::uint64_t kCount = 25;
   for (const Kind kind : kKinds) {
@@ -61,7 +61,7 @@ std::vector<Separation> separations_for(const Query& query) {
 
 }  // namespace
 
-TEST_CASE("answers with a separation are proved in both metrics, and the checker accepts the proofs") {
+TEST_CASE("answers with a separation are proved in both metrics, and the checker accepts the proofs", "[slow]") {
   constexpr std::uint64_t kSeed = 15;
   constexpr std::uint64_t kCount = 6;
   std::size_t contacts = 0;
@@ -93,7 +93,8 @@ TEST_CASE("answers with a separation are proved in both metrics, and the checker
   CHECK(later > 300);
 }
 
-TEST_CASE("a proof of an answer with one separation proves nothing about another separation with another answer") {
+TEST_CASE("a proof of an answer with one separation proves nothing about another separation with another answer",
+          "[slow]") {
   std::size_t rejected = 0;
   for (const Kind kind : kKinds) {
     Rng rng(17);
@@ -121,7 +122,7 @@ TEST_CASE("a proof of an answer with one separation proves nothing about another
   CHECK(rejected > 500);
 }
 
-TEST_CASE("answers to queries with rational coordinates are proved") {
+TEST_CASE("answers to queries with rational coordinates are proved", "[slow]") {
   const auto d = GENERATE(0.0, 0.25);
   const auto metric = GENERATE(Metric::euclidean, Metric::max);
   for (const Kind kind : kKinds) {

@@ -32,7 +32,7 @@ std::string sort_of(const proofs::Proof& proof, const Answer& answer, double dis
 
 }  // namespace
 
-TEST_CASE("quick proofs: each sort of them is found, and the checker accepts them") {
+TEST_CASE("quick proofs: each sort of them is found, and the checker accepts them", "[slow]") {
   constexpr std::uint64_t kSeed = 31;
   constexpr std::uint64_t kCount = 8;
   std::map<std::string, std::size_t> found;

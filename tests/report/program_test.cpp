@@ -210,7 +210,7 @@ std::size_t count_files(const std::string& folder) {
 
 }  // namespace
 
-TEST_CASE("a quick report is a whole folder without gnuplot, and touchstone is never wrong in it") {
+TEST_CASE("a quick report is a whole folder without gnuplot, and touchstone is never wrong in it", "[slow]") {
   const TemporaryFolder folder;
   const OtherPath path(folder.path("nowhere"));
   CHECK_FALSE(report::find_gnuplot());

@@ -126,7 +126,7 @@ TEST_CASE("patches whose roots are nearer to each other than 2^-3000") {
   CHECK(decision_difference(exact, oracle) == "");
   CHECK(weight_difference(exact, oracle) == "");
 }
-TEST_CASE("families with distances: the oracle agrees") {
+TEST_CASE("families with distances: the oracle agrees", "[slow]") {
   oracle_agrees(Metric::euclidean);
   oracle_agrees(Metric::max);
 }

@@ -87,7 +87,7 @@ void batches_agree(Metric metric) {
 
 }  // namespace
 
-TEST_CASE("batches give the answers of single queries, with one separation or a column of them") {
+TEST_CASE("batches give the answers of single queries, with one separation or a column of them", "[slow]") {
   batches_agree(Metric::euclidean);
   batches_agree(Metric::max);
 }

@@ -44,7 +44,8 @@ std::string journal_text(const TemporaryFolder& folder, std::size_t count) {
 
 }  // namespace
 
-TEST_CASE("a journal that was cut anywhere gives back the results before the cut, and goes on to the same bytes") {
+TEST_CASE("a journal that was cut anywhere gives back the results before the cut, and goes on to the same bytes",
+          "[slow]") {
   const TemporaryFolder folder;
   const Report report = sample_report();
   const std::size_t all = report.results.size();

@@ -72,7 +72,7 @@ double speed(int quarters, double load) {
 
 }  // namespace
 
-TEST_CASE("capstan: a string that slips round a post holds e^(mu phi) times the pull") {
+TEST_CASE("capstan: a string that slips round a post holds e^(mu phi) times the pull", "[slow]") {
   // Euler, Eytelwein. A string of straight segments that slips over the wires jolts at each of its corners, which holds
   // a little more than a smooth one would: 2 % for a quarter of a turn, 5 % for a half and a whole one. So the limit is
   // looked for between 3 % less and 8 % more.

@@ -131,7 +131,7 @@ std::vector<Row> rows() {
 
 }  // namespace
 
-TEST_CASE("the same bytes on one and two threads, and after a checkpoint as without") {
+TEST_CASE("the same bytes on one and two threads, and after a checkpoint as without", "[slow]") {
   const auto all = rows();
   const auto number = GENERATE_COPY(range(std::size_t{0}, all.size()));
   const auto integrator = GENERATE(Integrator::implicit_euler, Integrator::tr_bdf2, Integrator::implicit_midpoint,

@@ -223,7 +223,7 @@ std::vector<Extreme> extremes() {
 
 }  // namespace
 
-TEST_CASE("what is stiff, light, tiny or far away: no NaN, no crossing, and no energy out of contacts") {
+TEST_CASE("what is stiff, light, tiny or far away: no NaN, no crossing, and no energy out of contacts", "[slow]") {
   const auto all = extremes();
   const auto number = GENERATE_COPY(range(std::size_t{0}, all.size()));
   const auto integrator = GENERATE(Integrator::implicit_euler, Integrator::tr_bdf2, Integrator::implicit_midpoint);

@@ -51,7 +51,8 @@ double mean_height(const VectorX& q, const Loop& loop) {
 
 }  // namespace
 
-TEST_CASE("ten seconds of the hoop: no crossing, the ball goes through rim and net, and energy keeps its bound") {
+TEST_CASE("ten seconds of the hoop: no crossing, the ball goes through rim and net, and energy keeps its bound",
+          "[slow]") {
   const Hoop hoop;
   REQUIRE(hoop.rim.size() >= 8);
   REQUIRE(hoop.scene.cables.back().closed);

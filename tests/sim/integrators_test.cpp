@@ -178,7 +178,7 @@ TEST_CASE("a step that is too long for an explicit method is noticed, not accept
   CHECK(refused);
 }
 
-TEST_CASE("all integrators move a bent, twisted, damped cable alike, the better the shorter the steps") {
+TEST_CASE("all integrators move a bent, twisted, damped cable alike, the better the shorter the steps", "[slow]") {
   // It is bent in space, held at an end that is turned and pulled, and its bends and twists change into one another.
   const auto moved = [](Integrator integrator, double damping, double h) {
     Scene scene;

@@ -63,7 +63,7 @@ TEST_CASE("twist and writhe of any ring as it is placed add up to an integer") {
   CHECK(most_writhe > 0.3);
 }
 
-TEST_CASE("a ring that is wound up buckles and touches itself, and keeps the linking number of its edges") {
+TEST_CASE("a ring that is wound up buckles and touches itself, and keeps the linking number of its edges", "[slow]") {
   const auto integrator = GENERATE(Integrator::implicit_euler, Integrator::tr_bdf2, Integrator::implicit_midpoint);
   CAPTURE(integrator_name(integrator));
   Scene scene = make_shipped_scene("ring-twist", 24);

@@ -75,7 +75,7 @@ Mode slowest(const System& system, const State& state, RodMotion motion) {
 
 }  // namespace
 
-TEST_CASE("internal damping takes the energy of each kind of motion at the rate tau omega^2") {
+TEST_CASE("internal damping takes the energy of each kind of motion at the rate tau omega^2", "[slow]") {
   // Stress is stiffness * (strain + tau strain rate): x'' + tau omega^2 x' + omega^2 x = 0.
   const RodMotion motion = GENERATE(from_range(std::begin(kMotions), std::end(kMotions)));
   struct Method {

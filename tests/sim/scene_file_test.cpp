@@ -271,7 +271,7 @@ TEST_CASE("cables from place to place, surfaces and held ends") {
   CHECK(tetrahedron.faces.size() == 4);
 }
 
-TEST_CASE("a scene of very many elements is read in time that grows with their number") {
+TEST_CASE("a scene of very many elements is read in time that grows with their number", "[slow]") {
   // By the square of it, this takes many minutes.
   constexpr int kParticles = 1'000'000;
   std::string text = R"({"touchstone_scene": 1, "particles": [)";

@@ -64,7 +64,7 @@ Index add_sphere(Scene& scene, const Vector3& at, double radius, const Vector3& 
 
 }  // namespace
 
-TEST_CASE("no two cables of radius r ever come nearer than 2 r, nor a cable to the floor nearer than r") {
+TEST_CASE("no two cables of radius r ever come nearer than 2 r, nor a cable to the floor nearer than r", "[slow]") {
   const MeasuredCourse course = measured_run(make_shipped_scene("cable-drop", std::nullopt), 120);
   CHECK(course.nearness.violations == 0);
   CHECK(course.nearness.exact > 500);
@@ -74,7 +74,8 @@ TEST_CASE("no two cables of radius r ever come nearer than 2 r, nor a cable to t
   CHECK(course.entering > 0);
 }
 
-TEST_CASE("cables that are thrown at each other, with hardly a layer to push in and few impulses, keep their radii") {
+TEST_CASE("cables that are thrown at each other, with hardly a layer to push in and few impulses, keep their radii",
+          "[slow]") {
   Scene scene = make_shipped_scene("cable-drop", 400);
   scene.settings.contact.thickness = GENERATE(1e-4, 1e-7);
   scene.settings.contact.passes = 1;
@@ -92,7 +93,7 @@ TEST_CASE("cables that are thrown at each other, with hardly a layer to push in 
   CHECK(course.zones > 0);
 }
 
-TEST_CASE("the same cables without their radii come nearer, which the measurement sees") {
+TEST_CASE("the same cables without their radii come nearer, which the measurement sees", "[slow]") {
   const Scene solid = make_shipped_scene("cable-drop", std::nullopt);
   Scene thin = solid;
   for (Cable& cable : thin.cables) cable.solid = false;

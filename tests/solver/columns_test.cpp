@@ -90,7 +90,7 @@ std::vector<Answer> in_columns(const QueryColumns& all, const BatchOptions& opti
 
 }  // namespace
 
-TEST_CASE("a batch in columns answers queries of every scale as solve does, bit for bit") {
+TEST_CASE("a batch in columns answers queries of every scale as solve does, bit for bit", "[slow]") {
   std::size_t compared = 0;
   for (const Kind kind : kKinds) {
     const std::vector<Query> queries = queries_of_every_scale(kind);

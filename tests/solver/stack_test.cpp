@@ -114,7 +114,7 @@ TEST_CASE("stack: questions about straight motion") {
   depths.finish();
 }
 
-TEST_CASE("stack: questions about a separation") {
+TEST_CASE("stack: questions about a separation", "[slow]") {
   if (!frames_are_those_of_a_release()) return;
   Depths depths;
   for (const Metric metric : {Metric::euclidean, Metric::max}) {
@@ -149,7 +149,7 @@ TEST_CASE("stack: questions about a separation") {
   depths.finish();
 }
 
-TEST_CASE("stack: questions about curves and bodies") {
+TEST_CASE("stack: questions about curves and bodies", "[slow]") {
   if (!frames_are_those_of_a_release()) return;
   Depths depths;
   for (const FamilyInfo& family : curved_families()) {

@@ -73,7 +73,7 @@ TEST_CASE("what is wanted is as in the exact answer, and nothing else is there, 
   CHECK(contacts > 500);
 }
 
-TEST_CASE("separations, batches and columns leave out what is not wanted") {
+TEST_CASE("separations, batches and columns leave out what is not wanted", "[slow]") {
   long contacts = 0;
   for (const Kind kind : kKinds) {
     std::vector<Query> queries;

@@ -36,7 +36,8 @@ std::map<std::string, std::string> cells(const std::string& header, std::string 
 
 }  // namespace
 
-TEST_CASE("the stability table is whole: touchstone shows zeros throughout, and every inexact method breaks") {
+TEST_CASE("the stability table is whole: touchstone shows zeros throughout, and every inexact method breaks",
+          "[slow]") {
   const TemporaryFolder folder;
   const std::string out = folder.path("a/stress");
   const Run run = run_program({"stress", "--count", "12", "--out", out});

@@ -119,7 +119,7 @@ std::vector<CompileCommand> compile_commands_below(const std::string& folder) {
 
 }  // namespace
 
-TEST_CASE("no source file reads a GPL header of CGAL") {
+TEST_CASE("no source file reads a GPL header of CGAL", "[slow]") {
   const auto commands = compile_commands_below("src");
   // Each layer with CGAL is read, whether its sources are compiled by themselves or in a unity build.
   for (const char* const layer : {"/src/core/oracle/", "/src/core/exact/"}) {
@@ -157,7 +157,7 @@ TEST_CASE("a planted GPL header of CGAL is found, however deep") {
   CHECK(!fs::exists(scratch.path() / "out.o"));
 }
 
-TEST_CASE("CGAL's own GPL packages would be found in a source file of numbers") {
+TEST_CASE("CGAL's own GPL packages would be found in a source file of numbers", "[slow]") {
   const char* header = GENERATE("AABB_tree.h", "box_intersection_d.h", "Polygon_mesh_processing/distance.h");
   CAPTURE(header);
   const ScratchFolder scratch;

@@ -30,7 +30,7 @@ bool can_be_compiled(const std::string& header) {
 
 }  // namespace
 
-TEST_CASE("each public header compiles by itself") {
+TEST_CASE("each public header compiles by itself", "[slow]") {
   for (const auto& header : cpp_files("include/touchstone")) {
     const std::string name = header.generic_string();
     if (!can_be_compiled(name)) continue;
@@ -42,7 +42,7 @@ TEST_CASE("each public header compiles by itself") {
   }
 }
 
-TEST_CASE("each header of the drop-ins compiles by itself") {
+TEST_CASE("each header of the drop-ins compiles by itself", "[slow]") {
   if (std::string(TOUCHSTONE_EIGEN_INCLUDE).empty()) return;
   const std::string folder = "src/bindings/dropin/tight_inclusion/include";
   const auto headers = cpp_files(folder);
@@ -68,7 +68,7 @@ TEST_CASE("a header that does not compile by itself, or warns, is found") {
   CHECK(compile("template <class T> concept Any = true;", "-std=c++17" + kStrict).status != 0);
 }
 
-TEST_CASE("public headers bring no header of CGAL, GMP, MPFR or Boost along") {
+TEST_CASE("public headers bring no header of CGAL, GMP, MPFR or Boost along", "[slow]") {
   const auto reads_number_library = [](const std::string& header) {
     // Line markers name the files that are read. (-M of clang also lists those that __has_include only looks for.)
     const ShellResult result = compile("#include <" + header + ">", "-std=c++17 -E");
@@ -91,7 +91,7 @@ TEST_CASE("public headers bring no header of CGAL, GMP, MPFR or Boost along") {
   CHECK(reads_number_library("gmp.h"));
 }
 
-TEST_CASE("a question is asked by SolveOptions, and a bare separation or method does not compile") {
+TEST_CASE("a question is asked by SolveOptions, and a bare separation or method does not compile", "[slow]") {
   const auto compiles = [](const std::string& expression) {
     const std::string text =
         "#include <touchstone/touchstone.hpp>\nvoid f(const touchstone::Query& query, const touchstone::RationalQuery& "
