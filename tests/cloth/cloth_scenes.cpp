@@ -44,8 +44,8 @@ void make_irregular(SheetScene& sheet, double most, seeded::Rng& random) {
   }
 }
 
-double largest_stretch(const Scene& scene, const VectorX& q) {
-  double largest = 0;
+std::vector<double> principal_stretches(const Scene& scene, const VectorX& q) {
+  std::vector<double> stretches;
   for (const Surface& surface : scene.surfaces) {
     for (const Face& face : surface.faces) {
       Eigen::Matrix<double, 3, 2> rest, now;
@@ -58,10 +58,16 @@ double largest_stretch(const Scene& scene, const VectorX& q) {
       const Eigen::Matrix2d r =
           rest.householderQr().matrixQR().topRows<2>().triangularView<Eigen::Upper>().toDenseMatrix();
       const Eigen::Matrix<double, 3, 2> f = now * r.inverse();
-      largest = std::max(largest, Eigen::JacobiSVD<Eigen::Matrix<double, 3, 2>>(f).singularValues()[0]);
+      const auto both = Eigen::JacobiSVD<Eigen::Matrix<double, 3, 2>>(f).singularValues();
+      stretches.insert(stretches.end(), {both[0], both[1]});
     }
   }
-  return largest;
+  return stretches;
+}
+
+double largest_stretch(const Scene& scene, const VectorX& q) {
+  const std::vector<double> stretches = principal_stretches(scene, q);
+  return *std::max_element(stretches.begin(), stretches.end());
 }
 
 }  // namespace touchstone::sim

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "scene/sheet.hpp"
 #include "seeded/rng.hpp"
 #include "sim/sim_scenes.hpp"
@@ -23,7 +25,8 @@ void make_irregular(SheetScene& sheet, double most, seeded::Rng& random);
 /// Whether the particle is a corner of an edge that belongs to one face only.
 std::vector<char> border_of(const SheetScene& sheet);
 
-/// The largest principal stretch of the surface's triangles: an independent measure, by singular values.
+/// The principal stretches of the surfaces' triangles, two of each: an independent measure, by singular values.
+std::vector<double> principal_stretches(const Scene& scene, const VectorX& q);
 double largest_stretch(const Scene& scene, const VectorX& q);
 
 }  // namespace touchstone::sim

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cloth/cloth_scenes.hpp"
@@ -34,13 +35,19 @@ Place crumpled(std::uint64_t seed, bool limited) {
   VectorX moved = place.q;
   for (Eigen::Index i = 0; i < moved.size(); ++i) moved[i] += 0.15 * random.symmetric();
   if (limited) {
-    // As far as leads to a stretch near the limit.
+    // As far as leads to a stretch near the limit, but with none where its energy begins: the third derivative jumps
+    // there, which finite differences across it show.
+    const double begins = 1 + 0.75 * sheet.surface().strain_limit;
+    const auto at_jump = [begins](double stretch) { return std::abs(stretch - begins) < 1e-3; };
     double low = 0, high = 1;
     for (int halving = 0; halving < 50; ++halving) {
       const double part = 0.5 * (low + high);
       (largest_stretch(place.scene, place.q + part * (moved - place.q)) < 1.1 ? low : high) = part;
     }
-    moved = place.q + low * (moved - place.q);
+    const VectorX way = moved - place.q;
+    const auto stretches = [&] { return principal_stretches(place.scene, place.q + low * way); };
+    for (auto all = stretches(); std::any_of(all.begin(), all.end(), at_jump); all = stretches()) low *= 0.999;
+    moved = place.q + low * way;
   }
   place.q = moved;
   return place;
