@@ -24,20 +24,21 @@ def test_straight_motion_as_curves_has_the_same_answers(kind):
     assert len(curved) == 400 and curved.kind == kind
     straight = ts.solve(kind, start, end)
     assert queries.same(curved.solve(), straight)
-    assert queries.same(curved.solve(threads=1, t_max=0.5), ts.solve(kind, start, end, t_max=0.5))
+    assert queries.same(curved.solve(threads=3, t_max=0.5), ts.solve(kind, start, end, t_max=0.5))
     assert np.array_equal(curved.solve(wanted="contact").contact, straight.contact)
     near = ts.solve(kind, start, end, separation=0.25)
     assert queries.same(curved.solve(separation=np.full(400, 0.25)), near)
     some = slice(390, 400)
     few = CurvedQueries(kind, OnCurves(points[some, :cut]), OnCurves(points[some, cut:]))
     times = ts.contact_times(kind, start[some], end[some])
-    assert [[(str(a), str(b)) for a, b in t] for t in few.contact_times()] == \
+    assert [[(str(a), str(b)) for a, b in t] for t in few.contact_times(threads=2)] == \
         [[(str(a), str(b)) for a, b in t] for t in times]
     for metric in ("euclidean", "max"):
         assert np.array_equal(few.distance(0.5, metric).value, ts.distance(kind, start[some], end[some], 0.5, metric).value)
     for asked in ({}, {"separation": 0.25, "t_max": 0.75}):
         normals = ts.contact_normal(kind, start[some], end[some], **asked)
         assert np.allclose(few.contact_normal(**asked), normals, atol=2**-48, rtol=0, equal_nan=True)
+        assert np.array_equal(few.contact_normal(threads=3, **asked), few.contact_normal(**asked), equal_nan=True)
     one = CurvedQueries(kind, OnCurves(points[0, :cut]), OnCurves(points[0, cut:]))
     assert one.distance(1).value == ts.distance(kind, start[0], end[0], 1).value
     assert one.solve().contact == straight.contact[0] == one.solve(wanted="contact").contact

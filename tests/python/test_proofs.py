@@ -22,7 +22,7 @@ def test_every_answer_has_a_proof(kind, about):
     assert len(proved) == 200 and queries.same(proved.answers, ts.solve(kind, start, end, **about))
     checked = proved.check(CHECKER)
     assert checked and f"{int(proved.answers.contact.sum())} contacts" in checked.message
-    assert ts.prove(kind, start, end, threads=1, **about)._core.proofs == proved._core.proofs
+    assert ts.prove(kind, start, end, threads=3, **about)._core.proofs == proved._core.proofs
 
 
 @needs_checker

@@ -63,7 +63,7 @@ py::object distances_of(const Queries& queries, py::handle t_number, py::handle 
   const double t = number_of(t_number, "t");
   const Metric metric = metric_of(metric_text);
   const int thread_count = threads_of(threads);
-  if (queries.is_single()) return py::cast(distance(queries.at(0), t, metric));
+  if (queries.is_single()) return py::cast(unlocked([&] { return distance(queries.at(0), t, metric); }));
   distance(Query(), t, metric);  // whether they have a meaning
   Distances distances{std::vector<Distance>(queries.count())};
   for_each_row(queries.count(), thread_count,
@@ -90,7 +90,7 @@ py::object contact_normals_of(const Queries& queries, py::handle t_max_number, p
     std::copy(value.begin(), value.end(), to + 3 * q);
   };
   if (queries.is_single()) {
-    ask(0);
+    unlocked([&] { ask(0); });
   } else {
     for_each_row(queries.count(), thread_count, ask);
   }
