@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <touchstone/answer.hpp>
@@ -71,7 +72,8 @@ Answer solve(const RationalQuery& query);
 
 /// The same about touching in [0, t_max], for queries of every sort. A number in braces is no t_max, but the first of
 /// SolveOptions.
-template <class AnyQuery, class Number, class = std::enable_if_t<std::is_arithmetic_v<Number>>>
+template <class AnyQuery, class Number, class = std::enable_if_t<std::is_arithmetic_v<Number>>,
+          class = decltype(solve(std::declval<const AnyQuery&>(), std::declval<const SolveOptions&>()))>
 Answer solve(const AnyQuery& query, Number t_max) {
   SolveOptions options;
   options.t_max = static_cast<double>(t_max);
