@@ -242,6 +242,8 @@ CURVED_FAULTS = [
     ("roundings of a derivative", "filters/curved/curved_form.cpp", "4 * kRounding * p.size) + kUnderflow",
      "4 / 16.0 * kRounding * p.size) + kUnderflow"),
     ("bulge of an arc", "geometry/arc_bulge.hpp", "kArcBulge = 0.55;", "kArcBulge = 0.55 / 16;"),
+    ("bulge of a chord", "filters/curved/curved_chords.cpp", "geometry::kArcBulge * 1.7321 + 0.017;",
+     "(geometry::kArcBulge * 1.7321 + 0.017) / 16;"),
     ("kTurnedError of chords", "filters/curved/curved_chords.cpp", "kTurnedError = 46 *", "kTurnedError = 46 / 16.0 *"),
     ("kPlaceError of chords", "filters/curved/curved_chords.cpp", "kPlaceError = 4 *", "kPlaceError = 4 / 16.0 *"),
     ("quaternions of other lengths", "filters/curved/curved_chords.cpp",

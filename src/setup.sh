@@ -1,4 +1,4 @@
-# Sourced by src/certify-bundled.sh and tests/run-all.sh: installs what is missing, configures and builds.
+# Sourced by src/certify-bundled.sh and the scripts of tests/: installs what is missing, configures and builds.
 # shellcheck shell=bash
 # SPDX-License-Identifier: MIT
 

@@ -12,4 +12,4 @@ build_preset release all
 export TOUCHSTONE_EFFORT=${TOUCHSTONE_EFFORT:-0.05}
 say "left out: the labels heavy, slow and optional-tools, pages, packages, the Python module, Gappa's proofs"
 exec ctest --preset release --parallel "$(core_count)" -LE 'heavy|slow|optional-tools' \
-  -E '^(pages|packaging|python|proofs)\.|^gappa_proves' "$@"
+  -E '^(pages|packaging)\.|^gappa_proves' "$@"

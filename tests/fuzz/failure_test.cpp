@@ -90,7 +90,10 @@ TEST_CASE("a reply that is no answer is of its state's class, and keeps the deta
 
 TEST_CASE("every class has a name of its own") {
   std::set<std::string_view> names;
-  for (const FailureClass failure : fuzz::kEveryFailure) names.insert(name_of(failure));
+  for (const FailureClass failure : fuzz::kEveryFailure) {
+    names.insert(name_of(failure));
+    CHECK(from_name<FailureClass>(name_of(failure)) == failure);
+  }
   CHECK(names.size() == fuzz::kFailureClasses);
   CHECK(names.count("") == 0);
 }

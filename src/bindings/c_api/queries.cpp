@@ -142,13 +142,13 @@ int touchstone_solve_rows(int kind, std::size_t count, const double* start, cons
     array(end, count, coordinates, "end");
     Answer* room = room_for(answers, count);
     const BatchOptions batch = batch_options(options);
-    const bool distances_fit = batch.separations == nullptr || batch.separation_count == count;
+    const bool separations_fit = batch.separations == nullptr || batch.separation_count == count;
     try {
-      if (count > 0 && distances_fit) return rows.solve(room, batch, batch.threads == 1 ? kBlock : 64 * kBlock);
+      if (count > 0 && separations_fit) return rows.solve(room, batch, batch.threads == 1 ? kBlock : 64 * kBlock);
     } catch (const InvalidQuery&) {
       // The message would count from the first query of the block: ask again in one block, for its message.
     }
-    if (count > 0 && distances_fit) return rows.solve(room, batch, count);
+    if (count > 0 && separations_fit) return rows.solve(room, batch, count);
     solve_batch(static_cast<const Query*>(nullptr), count, room, batch);  // options without meaning
   });
 }

@@ -73,7 +73,7 @@ void check_files(const MeshRunOptions& options, const std::vector<FrameName>& na
   }
   if (!options.pairs.empty()) outputs.emplace_back("--pairs", options.pairs);
   if (!options.html.empty()) outputs.emplace_back("--html", options.html);
-  for (const Kind kind : {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point}) {
+  for (const Kind kind : kKinds) {
     if (options.queries.empty()) break;
     const auto folder = std::filesystem::path(options.queries) / name_of(kind);
     for (const char* name : {"contacts.csv", "folds.csv"}) {

@@ -39,7 +39,7 @@ void validate_options(const BatchOptions& options) {
 }
 
 /// @throws InvalidQuery  for a list of separations without meaning
-void validate_distances(const BatchOptions& options, std::size_t count) {
+void validate_separations(const BatchOptions& options, std::size_t count) {
   if (options.separations == nullptr && options.separation_count == 0) return;
   if (options.separations == nullptr) {
     throw InvalidQuery("separation_count is " + std::to_string(options.separation_count) +
@@ -99,7 +99,7 @@ void answer_all(std::size_t count, const BatchOptions& options, const QueryAt& q
                 const AnswerRange& answer_range) {
   const numbers::DefaultFloatEnvironment environment;
   validate_options(options);
-  validate_distances(options, count);
+  validate_separations(options, count);
   try {
     threads::for_each_range(count, kBlock, options.threads, std::cref(answer_range));  // allocates nothing
   } catch (const InvalidQuery&) {

@@ -18,8 +18,8 @@ namespace {
 
 using broad_phase::MovingBox;
 
-// A moving box follows the straight lines between the ends of its corners' paths. A simulated body turns by q0 . q1 >= 0
-// in a step. The rest of the factor is for rounding.
+// A moving box follows the straight lines between the ends of its corners' paths. RigidMotion interpolates
+// the quaternion straight, and q0 . q1 >= 0 in a step, as geometry::kArcBulge asks. 0.01 is for rounding.
 constexpr double kBulge = geometry::kArcBulge + 0.01;
 
 // The rounded matrix of a quaternion has entries of up to 1 and errors below 14 e, e = 2^-53; 3 products and 2 sums of

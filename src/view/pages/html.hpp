@@ -23,7 +23,7 @@ std::string json_for_script(const nlohmann::json& data);
 /// Takes the next bytes of a page.
 using Sink = std::function<void(std::string_view)>;
 
-/// One page. The scripts are names of files in src/view/page, in the order in which they run.
+/// One page. The scripts are names of files in src/view/pages/assets, in the order in which they run.
 struct Page {
   std::string title;                                      ///< text
   std::string subtitle;                                   ///< text; a second line, or empty

@@ -1,4 +1,4 @@
-// The styles and scripts of the pages: the files of src/view/page, embedded by src/core/cmake/embed.cmake.
+// The styles and scripts of the pages: the files of src/view/pages/assets, embedded by src/core/cmake/embed.cmake.
 // SPDX-License-Identifier: MIT
 #pragma once
 

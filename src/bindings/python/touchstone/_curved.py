@@ -64,8 +64,8 @@ class CurvedQueries:
     shorter_turn   True: where q0 . q1 < 0, a body takes the shorter of the two turns to the same orientation, by -q1.
                    False: it takes the longer one, and a UserWarning says so, once for all queries
 
-    The methods solve, contact_times and prove are the functions of these names. Raises TypeError for another
-    element, and ValueError for shapes that do not fit.
+    The methods solve, contact_times, distance, contact_normal and prove are the functions of these names. Raises
+    TypeError for another element, and ValueError for shapes that do not fit.
 
     The tip of a rod turns by 90 degrees about z, and meets a point:
 

@@ -35,7 +35,7 @@ std::filesystem::path place_of(const std::string& name) {
 
 CLI::Validator kind_check() {
   std::string names;
-  for (const Kind kind : {Kind::edge_edge, Kind::vertex_face, Kind::point_edge, Kind::point_point}) {
+  for (const Kind kind : kKinds) {
     names.append(names.empty() ? "{" : ",").append(name_of(kind));
   }
   return CLI::Validator(

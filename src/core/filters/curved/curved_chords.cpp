@@ -28,7 +28,7 @@ using EndsVector = geometry::Vector<Ends>;
 // <= r / 4, up to second order. The chord moves by 2 d |X| at most, and by r d |X| / 2 from t to t': that is at most
 // 0.866 r d L <= 0.008 d^2 L + 24 r^2 L. The lengths' squares are within kMostStretch of each other, relatively: r <
 // 2^-40, and 24 r^2 < 2^-75.
-constexpr double kBulge = geometry::kArcBulge * 1.7321 + 0.017;  // 0.008; the rest is for the rounding of d^2
+constexpr double kBulge = geometry::kArcBulge * 1.7321 + 0.017;  // 0.008, and 0.009 for the rounding of d^2
 constexpr double kMostDistance = 1;
 constexpr double kMostStretch = 0x1p-40;
 
