@@ -152,7 +152,6 @@ TEST_CASE("stack: questions about a separation", "[slow]") {
 TEST_CASE("stack: questions about curves and bodies", "[slow]") {
   if (!frames_are_those_of_a_release()) return;
   Depths depths;
-  std::size_t turn = 0;
   for (const FamilyInfo& family : curved_families()) {
     for (const Kind kind : kKinds) {
       for (std::uint64_t index = 0; index < effort(1); ++index) {
@@ -171,8 +170,6 @@ TEST_CASE("stack: questions about curves and bodies", "[slow]") {
         depths.measure("solve_batch", name, [&] { solve_batch(many, kOneThread); });
         for (const Metric metric : {Metric::euclidean, Metric::max}) {
           const std::string in = metric == Metric::max ? ", max" : ", euclidean";
-          // The slowest questions there are: every fifth, so that five families have each kind with each metric.
-          if (turn++ % 5 != 0) continue;
           Rng random = rng_of(id);
           const CurvedSeparated made = make_curved_separated(family.family, kind, metric, random);
           const Separation separation = {made.distance, metric};
