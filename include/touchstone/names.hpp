@@ -25,8 +25,8 @@ class Names {
   std::size_t size_;
 };
 
-/// The names of E, which is Kind, Metric, Method, Wanted, Nature, Feature, Trend,
-/// Level, Verdict, ScrewVerdict, MeshElement, IntersectionSort, StepOutcome or FuzzFailure.
+/// The names of E, which is Kind, Metric, Method, Wanted, Nature, Feature, Trend, Level, Verdict, ScrewVerdict,
+/// MeshElement, IntersectionSort, StepOutcome or FuzzFailure.
 template <class E>
 Names names_of() noexcept = delete;
 

@@ -131,7 +131,7 @@ TEST_CASE("the bulge of an arc: no point leaves the line by more than its bound,
   Rng rng(kSeed + 4);
   double worst = 0;
   for (std::uint64_t index = 0; index < effort(200'000); ++index) {
-    // A turn by the angle 4 atan(k) about the axis z, of the point (1, 0, 0): the quaternions (c, 0, 0, -s), (c, 0, 0, s).
+    // The point (1, 0, 0) turns by the angle 4 atan(k) about the axis z: from (c, 0, 0, -s) to (c, 0, 0, s).
     const double k = std::ldexp(1 - rng.unit(), -rng.between(0, 12));
     const double c = 1 / std::sqrt(1 + k * k), s = k / std::sqrt(1 + k * k);
     const double t = rng.unit();

@@ -1,4 +1,4 @@
-// The tree of sources can be read from its folders: none is long, and a name stands for one thing, or for its two sides.
+// The tree of sources can be read from its folders: none is long, and at most two have a file of one name.
 // SPDX-License-Identifier: MIT
 #include <filesystem>
 #include <map>

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <string_view>
-#include <utility>
 
 namespace touchstone::python {
 namespace {

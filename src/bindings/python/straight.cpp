@@ -1,4 +1,4 @@
-// Questions about queries: solve, contact_times, distance, contact_normal.
+// Questions about straight queries, and the times and distances of all sorts.
 // SPDX-License-Identifier: MIT
 #include "python/define.hpp"
 
