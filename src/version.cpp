@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <touchstone/version.hpp>
 
-namespace touchstone {
+namespace touchstone::inline TOUCHSTONE_ABI {
 
 const char* version() noexcept { return TOUCHSTONE_VERSION; }
 
-}  // namespace touchstone
+}  // namespace touchstone::inline TOUCHSTONE_ABI

@@ -8,6 +8,7 @@
 #include <touchstone/names.hpp>
 
 namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 /// How the two elements meet at the first contact. V(t) is the coplanarity cubic of edge-edge and vertex-face queries:
 /// a polynomial of degree at most 3 that is zero exactly when the four corners lie in one plane. The other two kinds
@@ -136,4 +137,5 @@ struct Answer {
   Answer() noexcept;
 };
 
+}  // namespace TOUCHSTONE_ABI
 }  // namespace touchstone

@@ -13,6 +13,7 @@
 #include <touchstone/separation.hpp>
 
 namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 /// A solver's answer to one query, not yet judged.
 struct Claim {
@@ -56,4 +57,5 @@ Verdict judge(const Claim& claim, const RationalQuery& query, const Answer& trut
 /// The same for curved motion.
 Verdict judge(const Claim& claim, const CurvedQuery& query, const Answer& truth, const Separation& separation = {});
 
+}  // namespace TOUCHSTONE_ABI
 }  // namespace touchstone

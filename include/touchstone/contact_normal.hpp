@@ -9,6 +9,7 @@
 #include <touchstone/separation.hpp>
 
 namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 /// The unit normal at the first contact for t in [0, t_max], at its exact time. Its distance from the true unit vector
 /// is less than 2^-49. Exact arithmetic computes it, in tens of microseconds for touching elements and in hundreds with
@@ -34,4 +35,5 @@ std::optional<std::array<double, 3>> contact_normal(const Query& query, const Se
 std::optional<std::array<double, 3>> contact_normal(const RationalQuery& query, const Separation& separation = {},
                                                     double t_max = 1.0);
 
+}  // namespace TOUCHSTONE_ABI
 }  // namespace touchstone

@@ -10,6 +10,7 @@
 #include <touchstone/separation.hpp>
 
 namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 /// An exact real algebraic time in [0, 1]. It is immutable, and several threads may use one object. A copy is cheap.
 class ExactTime {
@@ -76,4 +77,5 @@ std::vector<ContactInterval> contact_times(const Query& query, const Separation&
 std::vector<ContactInterval> contact_times(const RationalQuery& query, const Separation& separation = {},
                                            double t_max = 1.0);
 
+}  // namespace TOUCHSTONE_ABI
 }  // namespace touchstone

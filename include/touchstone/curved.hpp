@@ -14,6 +14,7 @@
 #include <touchstone/solve.hpp>
 
 namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 /// The first contact of the two elements for t in [0, t_max], decided exactly: no tolerance, no false answer. The same
 /// guarantees hold as for straight motion: `toi` and `toi_upper` are the neighbouring doubles of the exact time, and
@@ -67,4 +68,5 @@ std::optional<std::array<double, 3>> contact_normal(const CurvedQuery& query, co
 std::vector<ContactInterval> contact_times(const CurvedQuery& query, const Separation& separation = {},
                                            double t_max = 1.0);
 
+}  // namespace TOUCHSTONE_ABI
 }  // namespace touchstone

@@ -9,6 +9,7 @@
 #include <touchstone/query.hpp>
 
 namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 /// A rigid motion over the step: a pose at both ends, and between them
 ///
@@ -59,4 +60,5 @@ struct CurvedQuery {
   explicit CurvedQuery(const Query& query);
 };
 
+}  // namespace TOUCHSTONE_ABI
 }  // namespace touchstone

@@ -7,6 +7,7 @@
 #include <touchstone/separation.hpp>
 
 namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 /// The distance of the two elements of a query at the time t, by exact arithmetic.
 /// @param query   the two elements and their motion; for elements at rest give the same corners at both ends
@@ -29,4 +30,5 @@ int compare_distance(const Query& query, double t, const Separation& separation)
 int compare_distance(const RationalQuery& query, double t, const Separation& separation);  ///< the same
 int compare_distance(const CurvedQuery& query, double t, const Separation& separation);    ///< the same
 
+}  // namespace TOUCHSTONE_ABI
 }  // namespace touchstone

@@ -16,6 +16,7 @@
 #include <touchstone/query.hpp>
 
 namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 namespace detail {
 
@@ -208,4 +209,5 @@ inline Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> to
   return Eigen::Map<const Matrix>(positions.data(), static_cast<Eigen::Index>(positions.size()) / dimension, dimension);
 }
 
+}  // namespace TOUCHSTONE_ABI
 }  // namespace touchstone

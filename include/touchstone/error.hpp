@@ -5,7 +5,10 @@
 #include <stdexcept>
 #include <string>
 
+#include <touchstone/version.hpp>
+
 namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 /// The base class of the library's own exceptions. The message names the wrong value and its place, and says which
 /// values are valid.
@@ -33,4 +36,5 @@ class FileError : public Error {
   using Error::Error;
 };
 
+}  // namespace TOUCHSTONE_ABI
 }  // namespace touchstone

@@ -18,6 +18,7 @@
 #include <touchstone/separation.hpp>
 
 namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 /// The ways in which a solver's reply to a query can be wrong, worst first.
 enum class FuzzFailure : std::uint8_t {
@@ -111,4 +112,5 @@ struct FuzzReport {
 /// @throws InvalidQuery  for options without meaning: an unknown family or kind, no cases, a fraction outside [0, 1]
 FuzzReport fuzz_solver(const std::function<Claim(const Query&)>& solver, const FuzzOptions& options = {});
 
+}  // namespace TOUCHSTONE_ABI
 }  // namespace touchstone

@@ -22,6 +22,7 @@
 #include <touchstone/solve.hpp>
 
 namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 namespace detail {
 
@@ -206,4 +207,5 @@ class ExactNarrowPhaseCCD : public detail::WithRescaling<ipc::NarrowPhaseCCD> {
   }
 };
 
+}  // namespace TOUCHSTONE_ABI
 }  // namespace touchstone

@@ -20,6 +20,7 @@
 #include <touchstone/separation.hpp>
 
 namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 /// The number of a vertex, edge, face or loose point, from 0.
 using MeshIndex = std::uint32_t;
@@ -404,4 +405,5 @@ struct FreeStep {
 /// @throws InvalidQuery  as first_contact, and for a fraction outside [0, 1)
 FreeStep free_step(const Mesh& mesh, const Positions& x0, const Positions& x1, const FreeStepOptions& options = {});
 
+}  // namespace TOUCHSTONE_ABI
 }  // namespace touchstone

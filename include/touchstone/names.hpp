@@ -6,7 +6,10 @@
 #include <optional>
 #include <string_view>
 
+#include <touchstone/version.hpp>
+
 namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 /// The names of an enumeration's values, in the order of their numbers. The value `none`, where there is one, has the
 /// empty name.
@@ -48,4 +51,5 @@ std::optional<E> from_name(std::string_view name) noexcept {
   return std::nullopt;
 }
 
+}  // namespace TOUCHSTONE_ABI
 }  // namespace touchstone

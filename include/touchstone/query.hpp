@@ -11,6 +11,7 @@
 #include <touchstone/names.hpp>
 
 namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 /// A position: three finite coordinates, all in one unit of length of your choice. Give a 2-D query z = 0.
 struct Vec3 {
@@ -100,4 +101,5 @@ struct RationalQuery {
 /// is not below corner_count(kind).
 std::string_view corner_name(Kind kind, std::size_t index) noexcept;
 
+}  // namespace TOUCHSTONE_ABI
 }  // namespace touchstone

@@ -10,6 +10,7 @@
 #include <touchstone/separation.hpp>
 
 namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 /// What is proved about the motion.
 enum class ScrewVerdict : std::uint8_t {
@@ -66,4 +67,5 @@ struct ScrewAnswer {
 /// @throws InvalidQuery  as solve, and for a number of arcs that is not a power of two in range
 ScrewAnswer solve_screw(const CurvedQuery& query, const ScrewOptions& options = {});
 
+}  // namespace TOUCHSTONE_ABI
 }  // namespace touchstone

@@ -9,6 +9,7 @@
 #include <touchstone/names.hpp>
 
 namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 /// How the distance of two points is measured.
 enum class Metric : std::uint8_t {
@@ -43,4 +44,5 @@ struct Distance {
   std::array<double, 3> weights_b{};  ///< the same on the second element
 };
 
+}  // namespace TOUCHSTONE_ABI
 }  // namespace touchstone

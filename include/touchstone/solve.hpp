@@ -16,6 +16,7 @@
 #include <touchstone/vector_width.hpp>
 
 namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 /// The code that answers. All methods give the same contact, times, nature and features; the weights of each are within
 /// 2^-50 of the true ones. The methods differ in speed and in the code that they share.
@@ -156,4 +157,5 @@ struct LevelCounts {
 /// Counts the levels of `answers`.
 LevelCounts count_levels(const std::vector<Answer>& answers) noexcept;
 
+}  // namespace TOUCHSTONE_ABI
 }  // namespace touchstone

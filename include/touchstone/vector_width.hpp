@@ -4,7 +4,10 @@
 
 #include <cstdint>
 
+#include <touchstone/version.hpp>
+
 namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 /// The SIMD width of a batch: the number of bits of the processor's vector registers that it uses. One instruction then
 /// tests several queries.
@@ -19,4 +22,5 @@ enum class VectorWidth : std::uint8_t {
 /// Whether the processor and this build of the library support this SIMD width. True for widest, none and bits_128.
 bool has_vectors(VectorWidth width) noexcept;
 
+}  // namespace TOUCHSTONE_ABI
 }  // namespace touchstone

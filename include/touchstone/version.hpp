@@ -2,9 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+/// The inline namespace of every public name of C++. Each minor version has its own, so a program that was compiled with
+/// the headers of another one fails to link. Two versions in one program do not meet.
+#define TOUCHSTONE_ABI v0_2
+
 namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 /// The version of the linked library, "MAJOR.MINOR.PATCH". The CMake project is the one place that sets it.
 const char* version() noexcept;
 
+}  // namespace TOUCHSTONE_ABI
 }  // namespace touchstone

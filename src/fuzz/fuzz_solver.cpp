@@ -12,7 +12,7 @@
 #include "fuzz/engine.hpp"
 #include "fuzz/judging/finding_text.hpp"
 
-namespace touchstone {
+namespace touchstone::inline TOUCHSTONE_ABI {
 namespace {
 
 constexpr int kMostThreads = 1024;
@@ -120,4 +120,4 @@ FuzzReport fuzz_solver(const std::function<Claim(const Query&)>& solver, const F
   return report;
 }
 
-}  // namespace touchstone
+}  // namespace touchstone::inline TOUCHSTONE_ABI

@@ -2,4 +2,4 @@
 # SPDX-License-Identifier: MIT
 add_library(touchstone_query_text STATIC ${CMAKE_CURRENT_LIST_DIR}/query_text.cpp)
 target_include_directories(touchstone_query_text PUBLIC ${PROJECT_SOURCE_DIR}/tests)
-target_link_libraries(touchstone_query_text PUBLIC touchstone PRIVATE touchstone_settings)
+target_link_libraries(touchstone_query_text PUBLIC touchstone_whole PRIVATE touchstone_settings)

@@ -1,7 +1,7 @@
 // The report of `touchstone certify` as JSON.
 //
 //   {
-//     "touchstone": "0.1.0",                   version of the program
+//     "touchstone": "0.2.0",                   version of the program
 //     "method": "fast",                        which code answered: "fast", "exact", "oracle" or "fast-cgal"
 //     "claims_from": "truth column",           or the name of the answers file
 //     "separation": "0x1p-3",                  the separation that all claims are about; left out for touching, and

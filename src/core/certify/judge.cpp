@@ -13,7 +13,7 @@
 #include "numbers/integers/common_denominator.hpp"
 #include "numbers/written_number.hpp"
 
-namespace touchstone {
+namespace touchstone::inline TOUCHSTONE_ABI {
 namespace {
 
 Fraction exact_value(const std::string& number) {
@@ -89,4 +89,4 @@ Verdict judge(const Claim& claim, const CurvedQuery& query, const Answer& truth,
   return judge_as_written(claim, truth, [&] { return contact_times(query, separation); });
 }
 
-}  // namespace touchstone
+}  // namespace touchstone::inline TOUCHSTONE_ABI

@@ -4,9 +4,9 @@
 
 #include <limits>
 
-namespace touchstone {
+namespace touchstone::inline TOUCHSTONE_ABI {
 
 Answer::Answer() noexcept
     : toi(std::numeric_limits<double>::infinity()), toi_upper(std::numeric_limits<double>::infinity()) {}
 
-}  // namespace touchstone
+}  // namespace touchstone::inline TOUCHSTONE_ABI

@@ -7,7 +7,7 @@
 
 #include <touchstone/error.hpp>
 
-namespace touchstone {
+namespace touchstone::inline TOUCHSTONE_ABI {
 
 CurvedCorner CurvedCorner::on_body(int motion, const Vec3& point) { return {motion, 1, {point}}; }
 
@@ -28,4 +28,4 @@ CurvedQuery::CurvedQuery(const Query& query) : kind(query.kind) {
   }
 }
 
-}  // namespace touchstone
+}  // namespace touchstone::inline TOUCHSTONE_ABI

@@ -7,7 +7,7 @@
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
-namespace touchstone {
+namespace touchstone::inline TOUCHSTONE_ABI {
 
 template <>
 Names names_of<Kind>() noexcept {
@@ -59,4 +59,4 @@ Names names_of<Wanted>() noexcept {
   return kNames;
 }
 
-}  // namespace touchstone
+}  // namespace touchstone::inline TOUCHSTONE_ABI

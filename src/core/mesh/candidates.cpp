@@ -219,7 +219,7 @@ void for_each_resting_block(const Mesh::Impl& mesh, const Motion& motion, const 
 
 }  // namespace touchstone::mesh
 
-namespace touchstone {
+namespace touchstone::inline TOUCHSTONE_ABI {
 namespace {
 
 TOUCHSTONE_BEHIND_GUARD std::vector<MeshPair> find_candidates(const Mesh& mesh, const Positions& x0,
@@ -249,4 +249,4 @@ std::vector<MeshPair> candidates(const Mesh& mesh, const Positions& x0, const Po
   return find_candidates(mesh, x0, x1, options);
 }
 
-}  // namespace touchstone
+}  // namespace touchstone::inline TOUCHSTONE_ABI

@@ -181,7 +181,7 @@ TOUCHSTONE_BEHIND_GUARD std::vector<MeshContact> all_of(const Mesh::Impl& mesh, 
 }  // namespace
 }  // namespace touchstone::mesh
 
-namespace touchstone {
+namespace touchstone::inline TOUCHSTONE_ABI {
 
 FirstContact first_contact(const Mesh& mesh, const Positions& x0, const Positions& x1,
                            const FirstContactOptions& options) {
@@ -197,4 +197,4 @@ std::vector<MeshContact> all_contacts(const Mesh& mesh, const Positions& x0, con
   return mesh::all_of(mesh.impl(), x0, x1, options);
 }
 
-}  // namespace touchstone
+}  // namespace touchstone::inline TOUCHSTONE_ABI

@@ -207,7 +207,7 @@ void check_fraction(double fraction) {
 }  // namespace
 }  // namespace touchstone::mesh
 
-namespace touchstone {
+namespace touchstone::inline TOUCHSTONE_ABI {
 
 FreeStep free_step(const Mesh& mesh, const Positions& x0, const Positions& x1, const FreeStepOptions& options) {
   const numbers::DefaultFloatEnvironment environment;
@@ -215,4 +215,4 @@ FreeStep free_step(const Mesh& mesh, const Positions& x0, const Positions& x1, c
   return mesh::find_step(mesh.impl(), x0, x1, options);
 }
 
-}  // namespace touchstone
+}  // namespace touchstone::inline TOUCHSTONE_ABI

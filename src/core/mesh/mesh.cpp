@@ -16,7 +16,7 @@
 #include "numbers/doubles/float_environment.hpp"
 #include "solver/validate.hpp"
 
-namespace touchstone {
+namespace touchstone::inline TOUCHSTONE_ABI {
 namespace {
 
 using mesh::Index;
@@ -398,4 +398,4 @@ Names names_of<MeshElement>() noexcept {
   return kNames;
 }
 
-}  // namespace touchstone
+}  // namespace touchstone::inline TOUCHSTONE_ABI

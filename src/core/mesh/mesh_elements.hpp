@@ -10,7 +10,7 @@
 
 #include <touchstone/mesh.hpp>
 
-namespace touchstone {
+namespace touchstone::inline TOUCHSTONE_ABI {
 
 struct Mesh::Impl {
   std::size_t vertex_count = 0;
@@ -36,7 +36,7 @@ struct Mesh::Impl {
   bool has_rules() const noexcept { return !(vertex_pairs.empty() && element_pairs.empty() && groups.empty()); }
 };
 
-}  // namespace touchstone
+}  // namespace touchstone::inline TOUCHSTONE_ABI
 
 namespace touchstone::mesh {
 

@@ -83,7 +83,7 @@ Query query_of(const Motion& motion, Kind kind, const std::array<Index, 4>& corn
 
 }  // namespace touchstone::mesh
 
-namespace touchstone {
+namespace touchstone::inline TOUCHSTONE_ABI {
 
 Query query_of(const Mesh& mesh, const MeshPair& pair, const Positions& x0, const Positions& x1) {
   mesh::check_shape(mesh.impl(), x0, "t = 0");
@@ -98,4 +98,4 @@ Query query_of(const Mesh& mesh, const MeshPair& pair, const Positions& x0, cons
   return query;
 }
 
-}  // namespace touchstone
+}  // namespace touchstone::inline TOUCHSTONE_ABI

@@ -8,7 +8,7 @@
 #include "numbers/doubles/float_environment.hpp"
 #include "solver/validate.hpp"
 
-namespace touchstone {
+namespace touchstone::inline TOUCHSTONE_ABI {
 namespace {
 
 template <class AnyQuery>
@@ -38,4 +38,4 @@ std::optional<std::array<double, 3>> contact_normal(const CurvedQuery& query, co
   return normal_of(query, separation, t_max);
 }
 
-}  // namespace touchstone
+}  // namespace touchstone::inline TOUCHSTONE_ABI

@@ -11,7 +11,7 @@
 #include "numbers/integers/common_denominator.hpp"
 #include "solver/validate.hpp"
 
-namespace touchstone {
+namespace touchstone::inline TOUCHSTONE_ABI {
 
 struct ExactTime::Impl {
   numbers::RealRoot root;
@@ -93,4 +93,4 @@ std::vector<ContactInterval> contact_times(const CurvedQuery& query, const Separ
   return times_of_any(query, separation, t_max);
 }
 
-}  // namespace touchstone
+}  // namespace touchstone::inline TOUCHSTONE_ABI

@@ -6,7 +6,7 @@
 #include "numbers/integers/limb_scratch.hpp"
 #include "solver/validate.hpp"
 
-namespace touchstone {
+namespace touchstone::inline TOUCHSTONE_ABI {
 namespace {
 
 template <class AnyQuery>
@@ -45,4 +45,4 @@ int compare_distance(const CurvedQuery& query, double t, const Separation& separ
   return compare(query, t, separation);
 }
 
-}  // namespace touchstone
+}  // namespace touchstone::inline TOUCHSTONE_ABI

@@ -19,7 +19,7 @@
 #include "solver/screw_arcs.hpp"
 #include "solver/validate.hpp"
 
-namespace touchstone {
+namespace touchstone::inline TOUCHSTONE_ABI {
 namespace {
 
 using solver::Interval;
@@ -170,4 +170,4 @@ ScrewAnswer solve_screw(const CurvedQuery& query, const ScrewOptions& options) {
   }
 }
 
-}  // namespace touchstone
+}  // namespace touchstone::inline TOUCHSTONE_ABI

@@ -10,8 +10,7 @@
 #include "solver/cascade.hpp"
 #include "solver/validate.hpp"
 
-namespace touchstone {
-namespace solver {
+namespace touchstone::solver {
 namespace {
 
 /// Whether every coordinate is a double; `result` is then the query in doubles.
@@ -52,7 +51,9 @@ Answer answer(const RationalQuery& query, const Separation& separation, Method m
   return result;
 }
 
-}  // namespace solver
+}  // namespace touchstone::solver
+
+namespace touchstone::inline TOUCHSTONE_ABI {
 
 bool has_method(Method method) noexcept {
   return method == Method::fast || method == Method::exact || (method <= Method::fast_cgal && oracle::is_present());
@@ -91,4 +92,4 @@ Answer solve(const RationalQuery& query, const SolveOptions& options) {
 
 Answer solve(const RationalQuery& query) { return solve(query, SolveOptions()); }
 
-}  // namespace touchstone
+}  // namespace touchstone::inline TOUCHSTONE_ABI

@@ -15,8 +15,7 @@
 #include "solver/cascade.hpp"
 #include "solver/validate.hpp"
 
-namespace touchstone {
-namespace solver {
+namespace touchstone::solver {
 namespace {
 
 /// The same as a straight query, if it is one: all corners are on curves of degree 0 or 1.
@@ -89,7 +88,9 @@ Answer answer(const CurvedQuery& query, const Separation& separation, Method met
   return answer;
 }
 
-}  // namespace solver
+}  // namespace touchstone::solver
+
+namespace touchstone::inline TOUCHSTONE_ABI {
 
 bool takes_longer_turn(const RigidMotion& motion) { return numbers::obtuse(motion.q0, motion.q1); }
 
@@ -110,4 +111,4 @@ Answer solve(const CurvedQuery& query, const SolveOptions& options) {
 
 Answer solve(const CurvedQuery& query) { return solve(query, SolveOptions()); }
 
-}  // namespace touchstone
+}  // namespace touchstone::inline TOUCHSTONE_ABI
