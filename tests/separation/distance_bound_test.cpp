@@ -1,0 +1,75 @@
+// The bound of a distance in doubles is above the distance, and not far above: a search, judged by compare_distance.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <touchstone/distance.hpp>
+
+#include "filters/separation/distance_bound.hpp"
+#include "seeded/rng.hpp"
+#include "support/catch.hpp"
+#include "support/slow_build.hpp"
+
+using namespace touchstone;
+
+namespace {
+
+Vec3 sum(const Vec3& a, double by, const Vec3& b) { return {a.x + by * b.x, a.y + by * b.y, a.z + by * b.z}; }
+
+Vec3 random_vector(seeded::Rng& random) { return {random.symmetric(), random.symmetric(), random.symmetric()}; }
+
+/// Elements that are far apart or near, large or small beside their distance, and nearly parallel or flat.
+Query random_pair(seeded::Rng& random) {
+  Query query;
+  query.kind = random.pick(kKinds);
+  const auto scale = [&](int low, int high) { return std::ldexp(1.0, random.between(low, high)); };
+  const Vec3 along = random_vector(random), across = random_vector(random), apart = random_vector(random);
+  const double gap = scale(-30, 2), bent = random.one_in(2) ? scale(-30, 0) : 1,
+               far = random.one_in(2) ? scale(0, 20) : 0;
+  const std::size_t first = query.kind == Kind::edge_edge ? 2 : 1;
+  for (std::size_t c = 0; c < corner_count(query.kind); ++c) {
+    Vec3 at = sum({}, random.symmetric(), along);
+    at = sum(at, bent * random.symmetric(), random.one_in(2) ? across : random_vector(random));
+    if (c < first) at = sum(at, gap, apart);
+    at = sum(at, far, Vec3{1, -2, 0.75});
+    query.start[c] = at;
+  }
+  if (random.one_in(4)) query.start[0] = sum(query.start[1], gap, apart);
+  const double size = scale(-140, 140);
+  for (Vec3& x : query.start) x = {size * x.x, size * x.y, size * x.z};
+  query.end = query.start;
+  return query;
+}
+
+}  // namespace
+
+TEST_CASE("the bound of a distance is above it, and by at most 2^-20 of it") {
+  seeded::Rng random(3811);
+  std::array<std::size_t, 4> bounded{}, asked{};
+  for (std::size_t round = 0; round < effort(40000); ++round) {
+    const Query query = random_pair(random);
+    const auto kind = static_cast<std::size_t>(query.kind);
+    ++asked[kind];
+    const auto bound = filters::distance_bound(query.kind, query.start);
+    if (!bound) continue;
+    ++bounded[kind];
+    CAPTURE(round, name_of(query.kind), *bound, distance(query, 0).value);
+    REQUIRE(compare_distance(query, 0, {*bound}) <= 0);
+    REQUIRE(compare_distance(query, 0, {*bound * (1 - filters::kLoosestBound)}) >= 0);
+  }
+  for (const Kind kind : kKinds) {
+    const auto k = static_cast<std::size_t>(kind);
+    CAPTURE(name_of(kind), bounded[k], asked[k]);
+    CHECK(2 * bounded[k] > asked[k]);
+  }
+}
+
+TEST_CASE("there is no bound of a distance of touching elements, or of sizes without squares") {
+  const std::array<Vec3, 4> touching{{{0, 0, 0}, {1, 0, 0}, {0.5, -1, 0}, {0.5, 1, 0}}};
+  CHECK_FALSE(filters::distance_bound(Kind::edge_edge, touching));
+  CHECK_FALSE(filters::distance_bound(Kind::point_point, {{{1, 2, 3}, {1, 2, 3}, {}, {}}}));
+  for (const double size : {1e-200, 1e200, 1e308}) {
+    CHECK_FALSE(filters::distance_bound(Kind::vertex_face, {{{0, 0, size}, {0, 0, 0}, {size, 0, 0}, {0, size, 0}}}));
+  }
+}
