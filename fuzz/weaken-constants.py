@@ -191,6 +191,11 @@ SEPARATION_FAULTS = [
     ("kTurnError", "filters/separation/entry_walk.hpp", "kTurnError = 48 *", "kTurnError = 3 *"),
     ("change of the approach", "filters/separation/entry.cpp", "const double approach_error =\n        slope_error +",
      "const double approach_error = 0 *\n        slope_error +"),
+    ("kBoundError of a distance", "filters/separation/distance_bound.cpp", "kBoundError = 10 *", "kBoundError = 0.625 *"),
+    ("kLargestGap of a distance", "filters/separation/distance_bound.cpp", "kLargestGap = 0x1p-22",
+     "kLargestGap = 0x1p-16"),
+    ("kLargestError of a distance", "filters/separation/distance_bound.cpp", "kLargestError = 0x1p-23",
+     "kLargestError = 0x1p-17"),
     ("kNormIncrease", "filters/separation/entry_walk.hpp", "kNormIncrease = 1 + 8 *", "kNormIncrease = 1 - 120 *"),
     ("slopes of a facet's level", "filters/separation/max_entry.cpp", "double first = speed + step_.size",
      "double first = speed"),
@@ -211,6 +216,11 @@ MESH_FAULTS = [
     ("faces behind a ray's start", "mesh/ray_passes.cpp", "== -side ? side : 0;", "== -side ? side : side;"),
     ("a ray from a common vertex", "mesh/pieces.cpp", "if (same_place(motion[a].start, motion[b].start)) piece.middle",
      "if (false) piece.middle"),
+    ("margin of candidates that are kept", "mesh/candidate_search.cpp", "with_room(reach.same + wider)",
+     "with_room(reach.same)"),
+    ("used part of the margin", "mesh/candidate_search.cpp", "kUsedMargin = 0.75", "kUsedMargin = 1.5"),
+    ("margin of a kept fraction", "mesh/candidate_search.cpp", "(1 + 4 * kept_fraction_ / (1 - kept_fraction_))", "1"),
+    ("reach of a kept fraction", "mesh/candidates.cpp", "+ part * displacement(motion[v])", ""),
     ("pieces that meet", "mesh/inside.cpp", "if (a != b) pairs.insert({{a, b}, {b, a}});", ""),
 ]
 

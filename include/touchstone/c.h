@@ -220,6 +220,14 @@ int touchstone_mesh_create(const struct touchstone_mesh_elements* elements, touc
 /** Ends a mesh. Lists that were made with it stay valid. A null pointer is allowed. */
 void touchstone_mesh_destroy(touchstone_mesh* mesh);
 
+/** Says whether a mesh keeps memory, and the pairs that may meet, from one question about a step to the next. Questions
+ *  that are alike, such as the tries of a line search, are then answered sooner, with the same results. Such a mesh is
+ *  used by one thread at a time. A mesh keeps nothing at first. touchstone/mesh_steps.hpp says what is alike.
+ *  @param mesh  the mesh
+ *  @param keep  1 to keep them, from nothing; 0 to give all memory back that is kept
+ *  @return one of touchstone_status_code */
+int touchstone_mesh_keep(touchstone_mesh* mesh, int keep);
+
 /** The corners of edge `edge` of a mesh: the edges that were given, and then the other edges of the faces.
  *  @param mesh     the mesh
  *  @param edge     the number of an edge

@@ -11,6 +11,7 @@
 #include <touchstone/distance.hpp>
 #include <touchstone/error.hpp>
 #include <touchstone/mesh.hpp>
+#include <touchstone/mesh_steps.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/screw.hpp>
 #include <touchstone/separation.hpp>

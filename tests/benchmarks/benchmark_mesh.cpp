@@ -5,8 +5,10 @@
 //
 // The scene is a stack of waving cloths, half an edge apart, that do not touch. A line has the least seconds of several
 // steps: for the broad phase, for first_contact on one thread and on two, and their ratios; then the number of
-// candidate pairs, and the greatest memory of the process so far. The last line is the exponent of the growth of the
-// time.
+// candidate pairs, and the greatest memory of the process so far. A second table has the least milliseconds of other
+// questions, on one thread: free_step; the six tries of a line search by MeshSteps, each try on the average and the last
+// one; free_step that keeps 0.2 of each distance; and intersections; and the page faults of a free step. The last line
+// is the exponent of the growth of the time.
 // SPDX-License-Identifier: MIT
 #include <sys/resource.h>
 
@@ -21,6 +23,7 @@
 #include <vector>
 
 #include <touchstone/mesh.hpp>
+#include <touchstone/mesh_steps.hpp>
 
 #include "mesh/candidates.hpp"
 
@@ -97,6 +100,12 @@ struct Row {
   double one_thread = 0;
 };
 
+long page_faults() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_minflt;
+}
+
 double peak_megabytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -127,6 +136,37 @@ Row measure(std::size_t faces, int steps) {
   return {mesh.faces().size(), one};
 }
 
+void measure_others(std::size_t faces, int steps) {
+  const Stack stack = make_stack(faces);
+  const Mesh mesh(stack.elements);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr int kTries = 6;
+  double free = kInfinity, tries = kInfinity, last = kInfinity, kept = kInfinity, at_rest = kInfinity;
+  long faults = 0;
+  for (int step = 0; step < steps; ++step) {
+    const std::vector<double> x0 = place(stack, step), x1 = place(stack, step + 1);
+    const long before = page_faults();
+    free = std::min(free, seconds([&] { free_step(mesh, {x0, 3}, {x1, 3}); }));
+    faults = page_faults() - before;
+    MeshSteps search(mesh);
+    double all = 0, now = 0;
+    std::vector<double> end = x1;
+    for (int i = 0; i < kTries; ++i) {
+      for (std::size_t k = 0; k < end.size(); ++k) end[k] = x0[k] + (1 - 0.1 * i) * (x1[k] - x0[k]);
+      all += now = seconds([&] { search.first_contact({x0, 3}, {end, 3}); });
+    }
+    tries = std::min(tries, all / kTries);
+    last = std::min(last, now);
+    FreeStepOptions options;
+    options.kept_fraction = 0.2;
+    kept = std::min(kept, seconds([&] { free_step(mesh, {x0, 3}, {x1, 3}, options); }));
+    at_rest = std::min(at_rest, seconds([&] { intersections(mesh, {x0, 3}); }));
+  }
+  std::printf("%8zu  %9.2f  %11.2f  %9.2f  %9.2f  %13.2f  %8ld\n", mesh.faces().size(), 1e3 * free, 1e3 * tries,
+              1e3 * last, 1e3 * kept, 1e3 * at_rest, faults);
+  std::fflush(stdout);
+}
+
 int run(int argc, char** argv) {
   const auto most = static_cast<std::size_t>(argc > 1 ? std::atoll(argv[1]) : 1'000'000);
   const int steps = argc > 2 ? std::atoi(argv[2]) : 3;
@@ -135,6 +175,8 @@ int run(int argc, char** argv) {
       "      MB\n");
   std::vector<Row> rows;
   for (std::size_t faces = 10'000; faces <= most; faces *= 10) rows.push_back(measure(faces, steps));
+  std::printf("\n   faces  free step  six tries/6  last try  kept 0.2  intersections    faults\n");
+  for (std::size_t faces = 1'000; faces <= most; faces *= 10) measure_others(faces, 3 * steps);
   if (rows.size() < 2) return 0;
   const double growth = std::log(rows.back().one_thread / rows.front().one_thread);
   std::printf("exponent: %.3f\n",

@@ -280,7 +280,7 @@ TEST_CASE("a step keeps a fraction of every distance") {
         const double kept = (d + options.kept_fraction * (at_start - d)) * (1 - 0x1p-50);
         REQUIRE_FALSE(solve(path, {.separation = {kept, metric}, .wanted = Wanted::contact}).contact);
         const Query whole = query_between(scene, parts, pair, scene.x0, scene.x1);
-        const double more = (d + options.kept_fraction * (at_start - d)) * (1 + 0x1p-45);
+        const double more = (d + options.kept_fraction * (at_start - d) * (1 + 0x1p-10)) * (1 + 0x1p-45);
         const Answer answer = solve(whole, {.separation = {more, metric}});
         if (answer.contact && answer.toi <= step.length * (1 + 0x1p-20)) least_lost = true;
       }

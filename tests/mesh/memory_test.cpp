@@ -20,8 +20,7 @@ namespace {
 
 std::atomic<std::size_t> held{0}, most_held{0};
 
-void* counted_or_null(std::size_t size) noexcept {
-  void* const memory = std::malloc(size == 0 ? 1 : size);
+void* note(void* memory) noexcept {
   if (memory == nullptr) return nullptr;
   const std::size_t now = held += malloc_usable_size(memory);
   std::size_t most = most_held;
@@ -30,11 +29,14 @@ void* counted_or_null(std::size_t size) noexcept {
   return memory;
 }
 
-void* counted(std::size_t size) {
-  void* const memory = counted_or_null(size);
+void* counted_or_null(std::size_t size) noexcept { return note(std::malloc(size == 0 ? 1 : size)); }
+
+void* or_throw(void* memory) {
   if (memory == nullptr) throw std::bad_alloc();
   return memory;
 }
+
+void* counted(std::size_t size) { return or_throw(counted_or_null(size)); }
 
 void release(void* memory) noexcept {
   if (memory == nullptr) return;
@@ -48,6 +50,11 @@ void* operator new(std::size_t size) { return counted(size); }
 void* operator new[](std::size_t size) { return counted(size); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return counted_or_null(size); }
 void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return counted_or_null(size); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return or_throw(note(std::aligned_alloc(static_cast<std::size_t>(alignment), size)));
+}
+void operator delete(void* memory, std::align_val_t) noexcept { release(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
 void operator delete(void* memory) noexcept { release(memory); }
 void operator delete[](void* memory) noexcept { release(memory); }
 void operator delete(void* memory, std::size_t) noexcept { release(memory); }

@@ -21,7 +21,7 @@ const LayerTable& layer_table() {
       {"seeded", {}},
       {"families", {"seeded"}},
       {"broad_phase", {"threads"}},
-      {"mesh", {"solver", "broad_phase", "threads", "geometry", "numbers"}},
+      {"mesh", {"solver", "broad_phase", "filters", "threads", "geometry", "numbers"}},
       {"frames", {"io", "mesh"}},
       {"dropin", {"solver"}},
       {"c_api", {"solver", "mesh"}},
@@ -129,7 +129,7 @@ const std::map<std::string, std::string>& header_owners() {
       {"certify.hpp", "certify"}, {"fuzz.hpp", "fuzz"},
       {"plugin.h", "fuzz"},       {"eigen.hpp", "*"},
       {"touchstone.hpp", "*"},    {"c.h", "c_api"},
-      {"ipc_toolkit.hpp", "*"},
+      {"ipc_toolkit.hpp", "*"},   {"mesh_steps.hpp", "mesh"},
   };
   return owners;
 }

@@ -10,12 +10,14 @@
 
 #include <touchstone/c.h>
 #include <touchstone/mesh.hpp>
+#include <touchstone/mesh_steps.hpp>
 
 #include "c_api/answers.hpp"
 #include "c_api/guard.hpp"
 
 struct touchstone_mesh {
   touchstone::Mesh mesh;
+  std::unique_ptr<touchstone::MeshSteps> steps = nullptr;  ///< or null where nothing is kept from call to call
 };
 
 struct touchstone_contacts {
@@ -190,6 +192,16 @@ int touchstone_mesh_create(const touchstone_mesh_elements* elements, touchstone_
 
 void touchstone_mesh_destroy(touchstone_mesh* mesh) { delete mesh; }
 
+int touchstone_mesh_keep(touchstone_mesh* mesh, int keep) {
+  return guarded([&] {
+    required(mesh, "mesh");
+    if (keep != 0 && keep != 1) {
+      throw InvalidArgument("keep is " + std::to_string(keep) + "; it must be 0 or 1");
+    }
+    mesh->steps = keep == 1 ? std::make_unique<MeshSteps>(mesh->mesh) : nullptr;
+  });
+}
+
 int touchstone_mesh_edge(const touchstone_mesh* mesh, std::size_t edge, std::uint32_t corners[2]) {
   return guarded([&] {
     const auto& edges = required(mesh, "mesh").mesh.edges();
@@ -209,8 +221,9 @@ int touchstone_mesh_first_contact(const touchstone_mesh* mesh, const double* x0,
     const Mesh& of = required(mesh, "mesh").mesh;
     const touchstone_options options = mesh_options(given);
     check_size(required(result, "result"), "result");
-    FirstContact contact = first_contact(of, positions_of(of, x0, value_count, "x0"),
-                                         positions_of(of, x1, value_count, "x1"), asked_of(options));
+    const Positions start = positions_of(of, x0, value_count, "x0"), end = positions_of(of, x1, value_count, "x1");
+    FirstContact contact = mesh->steps ? mesh->steps->first_contact(start, end, asked_of(options))
+                                       : first_contact(of, start, end, asked_of(options));
     const touchstone_first_contact told = c_first_contact(contact);
     std::unique_ptr<touchstone_contacts> first_list, start_list;
     if (first != nullptr) first_list.reset(contact_list(std::move(contact.first)));
@@ -230,8 +243,9 @@ int touchstone_mesh_all_contacts(const touchstone_mesh* mesh, const double* x0, 
     const touchstone_options options = mesh_options(given);
     required(contacts, "contacts");
     refuse_check_start(options);
-    *contacts = contact_list(all_contacts(of, positions_of(of, x0, value_count, "x0"),
-                                          positions_of(of, x1, value_count, "x1"), asked_of(options)));
+    const Positions start = positions_of(of, x0, value_count, "x0"), end = positions_of(of, x1, value_count, "x1");
+    *contacts = contact_list(mesh->steps ? mesh->steps->all_contacts(start, end, asked_of(options))
+                                         : all_contacts(of, start, end, asked_of(options)));
   });
 }
 
@@ -300,8 +314,8 @@ int touchstone_mesh_free_step(const touchstone_mesh* mesh, const double* x0, con
     if (contact != nullptr) check_size(*contact, "contact");
     FreeStepOptions asked{{options.threads}, options.kept_fraction};
     asked.check_start = options.check_start == 1;
-    const FreeStep step =
-        free_step(of, positions_of(of, x0, value_count, "x0"), positions_of(of, x1, value_count, "x1"), asked);
+    const Positions start = positions_of(of, x0, value_count, "x0"), end = positions_of(of, x1, value_count, "x1");
+    const FreeStep step = mesh->steps ? mesh->steps->free_step(start, end, asked) : free_step(of, start, end, asked);
     std::copy(step.positions.begin(), step.positions.end(), positions);
     if (length != nullptr) *length = step.length;
     if (outcome != nullptr) *outcome = static_cast<int>(step.outcome);

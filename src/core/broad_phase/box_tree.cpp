@@ -49,9 +49,8 @@ struct Item {
   std::array<double, 6> at;
   Number number;
 };
-static_assert(sizeof(Item) == BoxTree::kBytesPerItem);
 
-using Items = std::vector<Item>;
+using Items = LargeVector<Item>;
 
 struct Extent {
   std::size_t axis;
@@ -93,13 +92,13 @@ Number split(Items& items, Number first, Number last) {
 /// What the parts of a tree are built from, by several threads at the same time: each has its own places.
 struct Material {
   Items& items;
-  std::vector<Number>& numbers;
-  std::vector<MovingBox>& boxes;
+  LargeVector<Number>& numbers;
+  LargeVector<MovingBox>& boxes;
   const std::function<MovingBox(Number)>& box_of;
 };
 
 /// Appends the tree over the places [first, last), whose children are numbered from the beginning of `nodes`.
-void build(const Material& from, Number first, Number last, std::vector<Node>& nodes) {
+void build(const Material& from, Number first, Number last, LargeVector<Node>& nodes) {
   const std::size_t at = nodes.size();
   nodes.push_back({empty_moving_box(), first, last, 0});
   if (last - first <= kLeaf) {
@@ -125,7 +124,7 @@ void build(const Material& from, Number first, Number last, std::vector<Node>& n
 struct Subtree {
   Number first, last;
   std::size_t children[2] = {0, 0};
-  std::vector<Node> tree;
+  LargeVector<Node> tree;
 };
 
 constexpr Number kPartBoxes = 2048;     // a part of so many boxes, or fewer, is not divided among threads
@@ -169,14 +168,14 @@ std::vector<Subtree> build_parts(const Material& from, int threads) {
 }
 
 /// Appends the part and all that is below it.
-void put_together(std::vector<Subtree>& parts, std::size_t part, std::vector<Node>& nodes) {
+void put_together(std::vector<Subtree>& parts, std::size_t part, LargeVector<Node>& nodes) {
   const auto at = static_cast<Number>(nodes.size());
   if (parts[part].children[0] == 0) {
     for (Node& node : parts[part].tree) {
       if (!node.is_leaf()) node.second += at;
     }
     nodes.insert(nodes.end(), parts[part].tree.begin(), parts[part].tree.end());
-    std::vector<Node>().swap(parts[part].tree);
+    LargeVector<Node>().swap(parts[part].tree);
     return;
   }
   nodes.push_back({empty_moving_box(), parts[part].first, parts[part].last, 0});

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "broad_phase/box.hpp"
+#include "broad_phase/large_vector.hpp"
 
 namespace touchstone::broad_phase {
 
@@ -39,10 +40,6 @@ class BoxTree {
   /// @param threads  the number of threads, as in threads::for_each_range; the tree does not depend on it
   BoxTree(std::size_t count, const std::function<MovingBox(Number)>& box_of, int threads = 1);
 
-  /// While the tree is made, it holds kBytesPerItem more for each box.
-  static constexpr std::size_t kBytesPerBox = sizeof(MovingBox) + sizeof(Number);
-  static constexpr std::size_t kBytesPerItem = 6 * sizeof(double) + 8;
-
   struct Node {
     MovingBox box;
     Number first, last;  ///< the places of its boxes
@@ -57,9 +54,9 @@ class BoxTree {
   const MovingBox& box(Number place) const noexcept { return boxes_[place]; }
 
  private:
-  std::vector<Number> numbers_;   // by place
-  std::vector<MovingBox> boxes_;  // by place
-  std::vector<Node> nodes_;
+  LargeVector<Number> numbers_;   // by place
+  LargeVector<MovingBox> boxes_;  // by place
+  LargeVector<Node> nodes_;
 };
 
 /// The numbers of two boxes.

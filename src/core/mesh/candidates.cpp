@@ -123,6 +123,8 @@ void find_beside(const Mesh::Impl& mesh, const Boxes& boxes, const Vertices& end
           [&](const Pair* pairs, std::size_t count) { take(Kind::point_edge, pairs, count); });
 }
 
+constexpr double kRoomOfBounds = 0x1p-15;
+
 /// The greatest distance of a vertex from its start, or a little more.
 double displacement(const MovingVertex& vertex) noexcept {
   return std::hypot(vertex.end.x - vertex.start.x, vertex.end.y - vertex.start.y, vertex.end.z - vertex.start.z);
@@ -149,17 +151,25 @@ Reach reach_of_separations(const Mesh::Impl& mesh) {
 }
 
 // A pair's distance falls by at most the sum of the greatest displacements of its elements' corners, since a point of
-// an element is a convex combination of them. It falls by (1 - fraction) (D0 - d) at least, if it falls that far. So D0
-// is at most d plus the displacements over 1 - fraction, and so is the distance along each axis.
+// an element is a convex combination of them. If it falls from D0 to d + fraction (D0 - d), it falls by
+// (1 - fraction) (D0 - d). So D0 - d is at most the displacements over 1 - fraction, and the elements are then within d
+// plus the fraction of that, also along each axis.
+// The distance to keep is computed with a bound of D0 that is greater by up to a part b of it: b = 2^-20 where the
+// fraction is at most kMostBounded, and some 2^-53 elsewhere. With f (1 + b) in place of f, d + f (D0 - d) grows by less
+// than kRoomOfBounds of itself for b = 2^-20 and f <= 0.9, and for b = 2^-50 and f <= 1 - 2^-30. Beyond that, no pair is
+// lost for what it is to keep exactly, but one may be for what that is rounded to.
 Reach reach_of_fraction(const Mesh::Impl& mesh, const Motion& motion, double fraction) {
   Reach reach = reach_of_separations(mesh);
   if (reach.of_vertices.empty()) reach.of_vertices.assign(motion.size(), reach.same);
-  reach.same = 0;
-  reach.at_rest = true;
+  const double part = fraction / (1 - fraction);
   for (std::size_t v = 0; v < motion.size(); ++v) {
-    reach.of_vertices[v] = with_room(reach.of_vertices[v] + displacement(motion[v]) / (1 - fraction));
+    reach.of_vertices[v] = with_room((reach.of_vertices[v] + part * displacement(motion[v])) * (1 + kRoomOfBounds));
   }
   return reach;
+}
+
+Reach reach_of(const Mesh::Impl& mesh, const Motion& motion, double kept_fraction) {
+  return kept_fraction == 0 ? reach_of_separations(mesh) : reach_of_fraction(mesh, motion, kept_fraction);
 }
 
 void for_each_candidate_block(const Mesh::Impl& mesh, const Motion& motion, const Reach& reach,

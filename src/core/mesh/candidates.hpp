@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <vector>
 
@@ -10,6 +11,11 @@
 #include "mesh/moving_vertices.hpp"
 
 namespace touchstone::mesh {
+
+/// @throws Stopped  when the flag is set
+inline void check_stop(const std::atomic<bool>* stop) {
+  if (stop != nullptr && stop->load(std::memory_order_relaxed)) throw Stopped("the call was stopped");
+}
 
 /// How far the boxes of elements reach.
 struct Reach {
@@ -24,6 +30,9 @@ Reach reach_of_separations(const Mesh::Impl& mesh);
 /// The reach that finds every pair whose distance may fall from D0 at the start to d + fraction (D0 - d) or below, for
 /// the separation d. 0 <= fraction < 1.
 Reach reach_of_fraction(const Mesh::Impl& mesh, const Motion& motion, double fraction);
+
+/// That of the fraction, or of the separations where it is 0.
+Reach reach_of(const Mesh::Impl& mesh, const Motion& motion, double kept_fraction);
 
 /// Takes at most broad_phase::kPairBlock pairs of a kind. Several threads may call it at the same time.
 using CandidateConsumer = std::function<void(Kind kind, const broad_phase::Pair* pairs, std::size_t count)>;

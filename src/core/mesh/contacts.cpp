@@ -111,26 +111,31 @@ void keep_exactly_first(const Mesh::Impl& mesh, const Motion& motion, std::vecto
   contacts = std::move(earliest);
 }
 
-Reach reach_of(const Mesh::Impl& mesh, const Motion& motion, double kept_fraction) {
-  return kept_fraction == 0 ? reach_of_separations(mesh) : reach_of_fraction(mesh, motion, kept_fraction);
+/// Hands out the pairs that may come nearer than they are to keep.
+void for_each_near_block(const Mesh::Impl& mesh, const Motion& motion, const ContactSearch& search,
+                         const std::atomic<double>* until, const CandidateConsumer& take) {
+  const broad_phase::PairSearch pairs{search.threads, until};
+  if (search.candidates != nullptr) {
+    search.candidates->for_each_block(motion, search.kept_fraction, pairs, search.stop, take);
+  } else {
+    for_each_candidate_block(mesh, motion, reach_of(mesh, motion, search.kept_fraction), pairs, take);
+  }
 }
 
 }  // namespace
 
 FirstContact find_first(const Mesh::Impl& mesh, const Motion& motion, const ContactSearch& search) {
-  const Reach reach = reach_of(mesh, motion, search.kept_fraction);
   const KeptDistances distances(mesh, motion, search.kept_fraction);
   Earliest earliest(search.t_max);
   const ContactConsumer tell = [&](const MeshPair& pair, double distance, const Answer& answer) {
     earliest.tell(pair, distance, answer);
   };
-  const broad_phase::PairSearch pairs_until{search.threads, &earliest.until()};
-  for_each_candidate_block(mesh, motion, reach, pairs_until,
-                           [&](Kind kind, const broad_phase::Pair* pairs, std::size_t count) {
-                             check_stop(search.stop);
-                             const double t_max = earliest.until().load(std::memory_order_relaxed);
-                             for_each_contact(mesh, motion, distances, kind, pairs, count, t_max, Wanted::time, tell);
-                           });
+  for_each_near_block(mesh, motion, search, &earliest.until(),
+                      [&](Kind kind, const broad_phase::Pair* pairs, std::size_t count) {
+                        check_stop(search.stop);
+                        const double t_max = earliest.until().load(std::memory_order_relaxed);
+                        for_each_contact(mesh, motion, distances, kind, pairs, count, t_max, Wanted::time, tell);
+                      });
   FirstContact result;
   result.contact = !earliest.first().empty();
   result.toi = earliest.toi();
@@ -144,7 +149,6 @@ FirstContact find_first(const Mesh::Impl& mesh, const Motion& motion, const Cont
 }
 
 std::vector<MeshContact> find_all(const Mesh::Impl& mesh, const Motion& motion, const ContactSearch& search) {
-  const Reach reach = reach_of(mesh, motion, search.kept_fraction);
   const KeptDistances distances(mesh, motion, search.kept_fraction);
   std::mutex lock;
   std::vector<MeshContact> contacts;
@@ -152,13 +156,10 @@ std::vector<MeshContact> find_all(const Mesh::Impl& mesh, const Motion& motion, 
     const std::lock_guard<std::mutex> guard(lock);
     contacts.push_back({pair, {distance, mesh.separation.metric}, answer});
   };
-  broad_phase::PairSearch all_pairs;
-  all_pairs.threads = search.threads;
-  for_each_candidate_block(
-      mesh, motion, reach, all_pairs, [&](Kind kind, const broad_phase::Pair* pairs, std::size_t count) {
-        check_stop(search.stop);
-        for_each_contact(mesh, motion, distances, kind, pairs, count, search.t_max, Wanted::all, tell);
-      });
+  for_each_near_block(mesh, motion, search, nullptr, [&](Kind kind, const broad_phase::Pair* pairs, std::size_t count) {
+    check_stop(search.stop);
+    for_each_contact(mesh, motion, distances, kind, pairs, count, search.t_max, Wanted::all, tell);
+  });
   std::sort(contacts.begin(), contacts.end(), [](const MeshContact& a, const MeshContact& b) {
     return std::tie(a.answer.toi, a.answer.toi_upper, a.pair) < std::tie(b.answer.toi, b.answer.toi_upper, b.pair);
   });
@@ -168,33 +169,33 @@ std::vector<MeshContact> find_all(const Mesh::Impl& mesh, const Motion& motion, 
 namespace {
 
 TOUCHSTONE_BEHIND_GUARD FirstContact first_of(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1,
-                                              const FirstContactOptions& options) {
-  return find_first(mesh, motion_of(mesh, x0, x1, options.threads),
-                    {options.t_max, options.threads, 0, options.stop, options.check_start});
+                                              const FirstContactOptions& options, StepMemory& memory) {
+  set_motion(memory.motion, mesh, x0, x1, options.threads);
+  return find_first(mesh, memory.motion,
+                    {options.t_max, options.threads, 0, options.stop, options.check_start, memory.candidates()});
 }
 
 TOUCHSTONE_BEHIND_GUARD std::vector<MeshContact> all_of(const Mesh::Impl& mesh, const Positions& x0,
-                                                        const Positions& x1, const StepOptions& options) {
-  return find_all(mesh, motion_of(mesh, x0, x1, options.threads), {options.t_max, options.threads, 0, options.stop});
+                                                        const Positions& x1, const StepOptions& options,
+                                                        StepMemory& memory) {
+  set_motion(memory.motion, mesh, x0, x1, options.threads);
+  return find_all(mesh, memory.motion, {options.t_max, options.threads, 0, options.stop, false, memory.candidates()});
 }
 
 }  // namespace
+
+FirstContact first_contact(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1,
+                           const FirstContactOptions& options, StepMemory& memory) {
+  const numbers::DefaultFloatEnvironment environment;
+  solver::validate_t_max(options.t_max);
+  return first_of(mesh, x0, x1, options, memory);
+}
+
+std::vector<MeshContact> all_contacts(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1,
+                                      const StepOptions& options, StepMemory& memory) {
+  const numbers::DefaultFloatEnvironment environment;
+  solver::validate_t_max(options.t_max);
+  return all_of(mesh, x0, x1, options, memory);
+}
+
 }  // namespace touchstone::mesh
-
-namespace touchstone::inline TOUCHSTONE_ABI {
-
-FirstContact first_contact(const Mesh& mesh, const Positions& x0, const Positions& x1,
-                           const FirstContactOptions& options) {
-  const numbers::DefaultFloatEnvironment environment;
-  solver::validate_t_max(options.t_max);
-  return mesh::first_of(mesh.impl(), x0, x1, options);
-}
-
-std::vector<MeshContact> all_contacts(const Mesh& mesh, const Positions& x0, const Positions& x1,
-                                      const StepOptions& options) {
-  const numbers::DefaultFloatEnvironment environment;
-  solver::validate_t_max(options.t_max);
-  return mesh::all_of(mesh.impl(), x0, x1, options);
-}
-
-}  // namespace touchstone::inline TOUCHSTONE_ABI

@@ -149,9 +149,11 @@ bool is_in_contact(const Mesh::Impl& mesh, const Motion& step, const std::vector
 }
 
 TOUCHSTONE_BEHIND_GUARD FreeStep find_step(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1,
-                                           const FreeStepOptions& options) {
-  const Motion step = motion_of(mesh, x0, x1, options.threads);
-  const ContactSearch search{1, options.threads, options.kept_fraction, options.stop, options.check_start};
+                                           const FreeStepOptions& options, StepMemory& memory) {
+  set_motion(memory.motion, mesh, x0, x1, options.threads);
+  const Motion& step = memory.motion;
+  const ContactSearch search{
+      1, options.threads, options.kept_fraction, options.stop, options.check_start, memory.candidates()};
   FreeStep result;
   result.first_contact = find_first(mesh, step, search);
   result.proofs = 1;
@@ -205,14 +207,12 @@ void check_fraction(double fraction) {
 }
 
 }  // namespace
-}  // namespace touchstone::mesh
 
-namespace touchstone::inline TOUCHSTONE_ABI {
-
-FreeStep free_step(const Mesh& mesh, const Positions& x0, const Positions& x1, const FreeStepOptions& options) {
+FreeStep free_step(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1, const FreeStepOptions& options,
+                   StepMemory& memory) {
   const numbers::DefaultFloatEnvironment environment;
-  mesh::check_fraction(options.kept_fraction);
-  return mesh::find_step(mesh.impl(), x0, x1, options);
+  check_fraction(options.kept_fraction);
+  return find_step(mesh, x0, x1, options, memory);
 }
 
-}  // namespace touchstone::inline TOUCHSTONE_ABI
+}  // namespace touchstone::mesh

@@ -146,23 +146,23 @@ std::vector<Intersection> find_intersections(const Mesh::Impl& mesh, const Motio
   for (const RestingPass& pass : passes_of(mesh)) {
     for_each_resting_block(mesh, motion, pass, threads, [&](const Pair* pairs, std::size_t count) {
       check_stop(stop);
-      const auto columns = std::make_unique<ColumnBlock>(kind_of_query(pass.second));
+      ColumnBlock& columns = ColumnBlock::of_thread(kind_of_query(pass.second));
       std::array<Asked, ColumnBlock::kQueries> asked;
       const auto ask = [&] {
-        columns->solve(1, Wanted::all, Metric::euclidean, nullptr);
-        for (std::size_t i = 0; i < columns->size(); ++i) {
-          const auto found = from_answer(mesh, motion, pass, asked[i], columns->answers()[i]);
+        columns.solve(1, Wanted::all, Metric::euclidean, nullptr);
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+          const auto found = from_answer(mesh, motion, pass, asked[i], columns.answers()[i]);
           if (!found) continue;
           const std::lock_guard<std::mutex> guard(lock);
           all.push_back(*found);
         }
-        columns->clear();
+        columns.clear();
       };
       for (std::size_t i = 0; i < count; ++i) {
         if (comes_twice(mesh, pass, pairs[i]) || is_listed(mesh, pass, pairs[i])) continue;
-        const Asked& next = asked[columns->size()] = asked_of(mesh, pass, pairs[i]);
-        fill(*columns, mesh, motion, pass, next);
-        if (columns->is_full()) ask();
+        const Asked& next = asked[columns.size()] = asked_of(mesh, pass, pairs[i]);
+        fill(columns, mesh, motion, pass, next);
+        if (columns.is_full()) ask();
       }
       ask();
     });

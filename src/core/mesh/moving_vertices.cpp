@@ -58,16 +58,21 @@ TOUCHSTONE_BEHIND_GUARD void check_finite(const Motion& motion) {
 
 }  // namespace
 
-Motion motion_of(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1, int threads) {
+void set_motion(Motion& motion, const Mesh::Impl& mesh, const Positions& x0, const Positions& x1, int threads) {
   threads::validate_threads(threads);
   check_shape(mesh, x0, "t = 0");
   check_shape(mesh, x1, "t = 1");
-  Motion motion(mesh.vertex_count);
+  motion.resize(mesh.vertex_count);
   constexpr std::size_t kVerticesAtATime = 4096;
   threads::for_each_range(motion.size(), kVerticesAtATime, threads, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) motion[v] = {vertex_at(x0, v), vertex_at(x1, v)};
   });
   check_finite(motion);
+}
+
+Motion motion_of(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1, int threads) {
+  Motion motion;
+  set_motion(motion, mesh, x0, x1, threads);
   return motion;
 }
 

@@ -4,11 +4,11 @@
 
 #include <array>
 #include <cstddef>
-#include <vector>
 
 #include <touchstone/mesh.hpp>
 #include <touchstone/query.hpp>
 
+#include "broad_phase/large_vector.hpp"
 #include "mesh/mesh_elements.hpp"
 
 namespace touchstone::mesh {
@@ -18,10 +18,12 @@ struct MovingVertex {
   Vec3 start, end;
 };
 
-using Motion = std::vector<MovingVertex>;
+using Motion = broad_phase::LargeVector<MovingVertex>;
 
+/// Sets the motion to that from x0 to x1.
 /// @throws InvalidQuery  for positions that do not fit the mesh, or naming the first vertex with a coordinate that is
 ///                       not finite
+void set_motion(Motion& motion, const Mesh::Impl& mesh, const Positions& x0, const Positions& x1, int threads);
 Motion motion_of(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1, int threads);
 
 /// The query of the vertices `corners`, as many as the kind has.

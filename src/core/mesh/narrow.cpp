@@ -9,6 +9,7 @@
 #include <touchstone/distance.hpp>
 #include <touchstone/solve.hpp>
 
+#include "filters/separation/distance_bound.hpp"
 #include "mesh/pair_distance.hpp"
 
 namespace touchstone::mesh {
@@ -16,24 +17,22 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Room for a block of pairs. It is too large for the stack of a thread.
-struct Workspace {
-  explicit Workspace(Kind kind) : columns(kind) {}
-  ColumnBlock columns;
-  double distances[ColumnBlock::kQueries];
-  std::array<Index, 4> corners[ColumnBlock::kQueries];
-};
-
 }  // namespace
 
-ColumnBlock::ColumnBlock(Kind kind) {
-  columns_.kind = kind;
+ColumnBlock::ColumnBlock() {
   for (std::size_t c = 0; c < 4; ++c) {
     for (std::size_t k = 0; k < 3; ++k) {
       columns_.start[c][k] = coordinates_ + (6 * c + k) * kQueries;
       columns_.end[c][k] = coordinates_ + (6 * c + 3 + k) * kQueries;
     }
   }
+}
+
+ColumnBlock& ColumnBlock::of_thread(Kind kind) {
+  thread_local const std::unique_ptr<ColumnBlock> block(new ColumnBlock);
+  block->columns_.kind = kind;
+  block->clear();
+  return *block;
 }
 
 void ColumnBlock::solve(double t_max, Wanted wanted, Metric metric, const double* distances) {
@@ -56,9 +55,18 @@ double KeptDistances::kept(double separation, double at_start) const noexcept {
   return std::min(all, std::numeric_limits<double>::max());
 }
 
-double KeptDistances::bound(const MeshPair& pair, const std::array<Index, 4>& corners) const {
+KeptDistances::Kept KeptDistances::quick(const MeshPair& pair, const std::array<Index, 4>& corners) const {
   const double separation = separation_of(mesh_, pair, corners);
-  if (fraction_ == 0) return separation;
+  if (fraction_ == 0) return {separation, false};
+  if (fraction_ <= kMostBounded && metric() == Metric::euclidean) {
+    std::array<Vec3, 4> at_start{};
+    for (std::size_t c = 0; c < corner_count(pair.kind); ++c) at_start[c] = motion_[corners[c]].start;
+    const auto bound = filters::distance_bound(pair.kind, at_start);
+    // So the distance to keep grows by less than 2^-10 of its excess over the separation.
+    if (bound && filters::kLoosestBound * *bound <= 0x1p-11 * (*bound - separation)) {
+      return {kept(separation, *bound), false};
+    }
+  }
   // The distance of the elements is at most that of their nearest corners.
   double nearest = kInfinity;
   for (std::size_t i = 0; i < first_corners(pair.kind); ++i) {
@@ -67,7 +75,7 @@ double KeptDistances::bound(const MeshPair& pair, const std::array<Index, 4>& co
       nearest = std::min(nearest, std::hypot(a.x - b.x, a.y - b.y, a.z - b.z));
     }
   }
-  return kept(separation, with_room(nearest));
+  return {kept(separation, with_room(nearest)), true};
 }
 
 double KeptDistances::exact(const MeshPair& pair, const std::array<Index, 4>& corners) const {
@@ -80,8 +88,10 @@ double KeptDistances::exact(const MeshPair& pair, const std::array<Index, 4>& co
 void for_each_contact(const Mesh::Impl& mesh, const Motion& motion, const KeptDistances& distances, Kind kind,
                       const broad_phase::Pair* pairs, std::size_t count, double t_max, Wanted wanted,
                       const ContactConsumer& contact) {
-  const auto workspace = std::make_unique<Workspace>(kind);
-  ColumnBlock& columns = workspace->columns;
+  ColumnBlock& columns = ColumnBlock::of_thread(kind);
+  std::array<double, ColumnBlock::kQueries> kept;
+  std::array<bool, ColumnBlock::kQueries> is_bound{};
+  std::array<std::array<Index, 4>, ColumnBlock::kQueries> all_corners;
   const bool without_distances = distances.are_zero();
   const std::size_t corners_each = corner_count(kind);
   for (std::size_t begin = 0; begin < count; begin += ColumnBlock::kQueries) {
@@ -89,22 +99,26 @@ void for_each_contact(const Mesh::Impl& mesh, const Motion& motion, const KeptDi
     columns.clear();
     for (std::size_t i = 0; i < size; ++i) {
       const MeshPair pair{kind, pairs[begin + i][0], pairs[begin + i][1]};
-      const auto& corners = workspace->corners[i] = corners_of(mesh, pair);
+      const auto& corners = all_corners[i] = corners_of(mesh, pair);
       for (std::size_t c = 0; c < corners_each; ++c) columns.set(c, motion[corners[c]].start, motion[corners[c]].end);
-      if (!without_distances) workspace->distances[i] = distances.bound(pair, corners);
+      if (!without_distances) {
+        const KeptDistances::Kept quick = distances.quick(pair, corners);
+        kept[i] = quick.distance;
+        is_bound[i] = quick.is_bound;
+      }
       columns.finish_query();
     }
-    columns.solve(t_max, wanted, distances.metric(), without_distances ? nullptr : workspace->distances);
+    columns.solve(t_max, wanted, distances.metric(), without_distances ? nullptr : kept.data());
     for (std::size_t i = 0; i < size; ++i) {
       const Answer& answer = columns.answers()[i];
       if (!answer.contact) continue;
       const MeshPair pair{kind, pairs[begin + i][0], pairs[begin + i][1]};
-      if (distances.bounds_are_exact()) {
-        contact(pair, without_distances ? 0 : workspace->distances[i], answer);
+      if (!is_bound[i]) {
+        contact(pair, without_distances ? 0 : kept[i], answer);
         continue;
       }
-      const double distance = distances.exact(pair, workspace->corners[i]);
-      const Query query = query_of(motion, kind, workspace->corners[i]);
+      const double distance = distances.exact(pair, all_corners[i]);
+      const Query query = query_of(motion, kind, all_corners[i]);
       const Answer own =
           touchstone::solve(query, {.t_max = t_max, .separation = {distance, distances.metric()}, .wanted = wanted});
       if (own.contact) contact(pair, distance, own);

@@ -16,7 +16,7 @@
 namespace touchstone::mesh {
 
 /// The distance that each pair is to keep: its separation d, or d + fraction (D0 - d) rounded up, for its distance D0
-/// at the start.
+/// at the start. Where it is quick, the bound of D0 by distance_bound stands for D0.
 class KeptDistances {
  public:
   KeptDistances(const Mesh::Impl& mesh, const Motion& motion, double fraction)
@@ -28,9 +28,13 @@ class KeptDistances {
   }
   Metric metric() const noexcept { return mesh_.separation.metric; }
 
-  /// A distance that is at least that of the pair, and fast to find.
-  double bound(const MeshPair& pair, const std::array<Index, 4>& corners) const;
-  bool bounds_are_exact() const noexcept { return fraction_ == 0; }
+  struct Kept {
+    double distance;
+    bool is_bound;  ///< it is at least the pair's, which `exact` finds
+  };
+
+  /// The pair's, or a bound, if that is much faster to find.
+  Kept quick(const MeshPair& pair, const std::array<Index, 4>& corners) const;
 
   double exact(const MeshPair& pair, const std::array<Index, 4>& corners) const;
 
@@ -56,7 +60,9 @@ class ColumnBlock {
  public:
   static constexpr std::size_t kQueries = 256;  // 48 KiB of coordinates: they stay in the cache
 
-  explicit ColumnBlock(Kind kind);
+  /// The calling thread's own block, without queries, for those of this kind. It is too large for a thread's stack.
+  static ColumnBlock& of_thread(Kind kind);
+
   ColumnBlock(const ColumnBlock&) = delete;
   ColumnBlock& operator=(const ColumnBlock&) = delete;
 
@@ -81,6 +87,8 @@ class ColumnBlock {
   const Answer* answers() const noexcept { return answers_; }
 
  private:
+  ColumnBlock();
+
   QueryColumns columns_;
   double coordinates_[24 * kQueries];
   Answer answers_[kQueries];

@@ -38,6 +38,10 @@ inline double separation_of(const Mesh::Impl& mesh, const MeshPair& pair,
   return numbers::sum_rounded_up(first, second);
 }
 
+/// The greatest fraction of a distance at the start for which that distance may be a bound of doubles (distance_bound),
+/// and for which candidates are kept from step to step.
+constexpr double kMostBounded = 0.9;
+
 /// More than `length` by a relative 2^-45 or the least double, unless it is 0. So the sum of two such numbers exceeds
 /// the sum of the lengths even if that is rounded up, and a few rounding errors in each are covered.
 inline double with_room(double length) noexcept {

@@ -30,7 +30,7 @@ Calls run without Python's global lock, and Ctrl-C ends them with KeyboardInterr
 call reads it.
 """
 from ._core import (Answer, Answers, Distance, Distances, ExactTime, Finding, FirstContact, FreeStep, FuzzReport,
-                    Intersections, Mesh, Pairs, __version__)
+                    Intersections, Mesh, MeshSteps, Pairs, __version__)
 from ._names import Feature, Level, Nature, Trend
 from ._queries import contact_normal, contact_times, distance, solve
 from ._curved import CurvedQueries, OnBody, OnCurves
@@ -43,8 +43,8 @@ from ._pages import save_page
 
 __all__ = [
     "Answer", "Answers", "Certificate", "Checked", "CurvedQueries", "Distance", "Distances", "ExactTime", "Feature",
-    "Finding", "FirstContact", "FreeStep", "FuzzReport", "Intersections", "Level", "Mesh", "Nature", "OnBody",
-    "OnCurves", "Pairs", "Proofs", "Shown", "ShownMesh", "Trend", "Verdict", "all_contacts", "candidates",
+    "Finding", "FirstContact", "FreeStep", "FuzzReport", "Intersections", "Level", "Mesh", "MeshSteps", "Nature",
+    "OnBody", "OnCurves", "Pairs", "Proofs", "Shown", "ShownMesh", "Trend", "Verdict", "all_contacts", "candidates",
     "certify", "check", "contact_normal", "contact_times", "distance", "first_contact", "free_step", "fuzz",
     "intersections", "prove", "save_page", "show", "show_mesh", "solve"
 ]

@@ -116,6 +116,17 @@ class FreeStep:
     first_contact: FirstContact
     proofs: int
 
+class MeshSteps:
+    mesh: Mesh
+    searches: int
+    def __init__(self, mesh: Mesh) -> None: ...
+    def first_contact(self, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, threads: int = 1, *,
+                      check_start: bool = False) -> FirstContact: ...
+    def all_contacts(self, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, threads: int = 1) -> Pairs: ...
+    def free_step(self, x0: ArrayLike, x1: ArrayLike, kept_fraction: float = 0.0, threads: int = 1, *,
+                  check_start: bool = False) -> FreeStep: ...
+    def release(self) -> None: ...
+
 class Intersections:
     first_element: List[str]
     first: _Indices

@@ -1,0 +1,60 @@
+// The candidates of a mesh for one question after another, kept while the questions are alike.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+
+#include <touchstone/mesh.hpp>
+
+#include "broad_phase/large_vector.hpp"
+#include "mesh/candidates.hpp"
+
+namespace touchstone::mesh {
+
+/// Keeps the candidates of a *reference*: an earlier motion, whose boxes are wider by a margin on all sides. They are
+/// handed out again for each motion that the reference covers. That is a motion of which all vertices start within the
+/// margin of where they started in the reference, and end within the margin of where they were after a fraction s of
+/// it, one s for all vertices.
+///
+/// Proof: let a vertex of the reference be at y(t) = y0 + t (y1 - y0), and of the motion at x(t) = (1 - t) x0 + t x1.
+/// If each coordinate of x0 is within m of y0, and of x1 within m of y(s), then that of x(t) is within
+/// (1 - t) m + t m = m of (1 - t) y0 + t y(s) = y(s t). So an element of the motion is at time t in the box of the
+/// reference at time s t, wider by m. Where the motion's boxes meet at t, those of the reference meet at s t, in [0, 1].
+class CandidateSearch {
+ public:
+  explicit CandidateSearch(const Mesh::Impl& mesh) : mesh_(mesh) {}
+
+  /// Hands out, once, each pair that for_each_candidate_block does for the reach of this fraction, and perhaps others
+  /// that may collide. `search.until` has no effect on pairs that are kept.
+  void for_each_block(const Motion& motion, double kept_fraction, const broad_phase::PairSearch& search,
+                      const std::atomic<bool>* stop, const CandidateConsumer& take);
+
+  /// How often all boxes were compared.
+  std::size_t searches() const noexcept { return searches_; }
+
+  /// Forgets the reference and gives its memory back.
+  void release() noexcept;
+
+ private:
+  bool covers(const Motion& motion, double kept_fraction) noexcept;
+  void refer_to(const Motion& motion, double kept_fraction);
+  void collect(int threads, const std::atomic<bool>* stop);
+
+  /// Whether there is a reference, and whether the lists hold its candidates, or would be too long.
+  enum class State { no_reference, without_lists, too_many, with_lists };
+
+  const Mesh::Impl& mesh_;
+  State state_ = State::no_reference;
+  Motion reference_;
+  double kept_fraction_ = 0;
+  double margin_ = 0;
+  std::size_t farthest_ = 0;        // the vertex of which a coordinate moves farthest in the reference,
+  double Vec3::*along_ = &Vec3::x;  // and that coordinate
+  double fraction_ = 0;             // s of the last motion that was covered
+  std::array<broad_phase::LargeVector<broad_phase::Pair>, kKinds.size()> pairs_;
+  std::size_t searches_ = 0;
+};
+
+}  // namespace touchstone::mesh

@@ -1,0 +1,171 @@
+// What MeshSteps keeps changes no result: each question of a series is also asked anew.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <vector>
+
+#include <touchstone/touchstone.hpp>
+
+#include "mesh/same_bytes.hpp"
+#include "mesh/scenes.hpp"
+#include "support/catch.hpp"
+#include "support/slow_build.hpp"
+
+using namespace touchstone;
+using namespace touchstone::tests;
+
+namespace {
+
+std::vector<double> between(const std::vector<double>& x0, const std::vector<double>& x1, double s) {
+  std::vector<double> x(x0.size());
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = x0[i] + s * (x1[i] - x0[i]);
+  return x;
+}
+
+double mean_edge_length(const Mesh& mesh, const std::vector<double>& x) {
+  double sum = 0;
+  const auto n = static_cast<std::size_t>(mesh.dimension());
+  for (const auto& edge : mesh.edges()) {
+    double square = 0;
+    for (std::size_t k = 0; k < n; ++k) square += std::pow(x[n * edge[0] + k] - x[n * edge[1] + k], 2);
+    sum += std::sqrt(square);
+  }
+  return mesh.edges().empty() ? 0 : sum / static_cast<double>(mesh.edges().size());
+}
+
+/// Asks both, and compares.
+void ask(MeshSteps& steps, seeded::Rng& random, const std::vector<double>& x0, const std::vector<double>& x1,
+         double fraction) {
+  const Mesh& mesh = steps.mesh();
+  const Positions start(x0, mesh.dimension()), end(x1, mesh.dimension());
+  const int threads = random.one_in(4) ? 2 : 1;
+  switch (random.below(3)) {
+    case 0: {
+      FirstContactOptions options;
+      options.threads = threads;
+      options.t_max = random.one_in(3) ? random.unit() : 1;
+      options.check_start = random.one_in(4);
+      REQUIRE(same_bytes(steps.first_contact(start, end, options), first_contact(mesh, start, end, options)));
+      break;
+    }
+    case 1: {
+      StepOptions options;
+      options.threads = threads;
+      REQUIRE(same_bytes(steps.all_contacts(start, end, options), all_contacts(mesh, start, end, options)));
+      break;
+    }
+    default: {
+      FreeStepOptions options;
+      options.threads = threads;
+      options.kept_fraction = fraction;
+      REQUIRE(same_bytes(steps.free_step(start, end, options), free_step(mesh, start, end, options)));
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("steps that keep candidates have the results of steps that are asked anew") {
+  seeded::Rng random(3801);
+  std::size_t questions = 0, searches = 0;
+  for (std::size_t round = 0; round < effort(60); ++round) {
+    for (const Layout layout : kLayouts) {
+      Scene scene = random_scene(random, layout, 24);
+      if (random.one_in(3)) add_separation(random, scene);
+      if (random.one_in(8)) add_pair_separations(random, scene);
+      if (random.one_in(6)) {  // far from the origin
+        const double far = std::ldexp(scene.x0[0], random.between(20, 50));
+        for (double& x : scene.x0) x += far;
+        for (double& x : scene.x1) x += far;
+      }
+      const Mesh mesh(scene.elements);
+      MeshSteps steps(mesh);
+      const double margin = mean_edge_length(mesh, scene.x0) / 16;
+      const double fraction = random.one_in(2) ? 0 : random.uniform(0, 0.9);
+      std::vector<double> x0 = scene.x0, x1 = scene.x1;
+      if (random.one_in(2)) x1 = between(x0, x1, 0.1);  // a gentle step
+      CAPTURE(round, scene.name, fraction);
+      for (int question = 0; question < 12; ++question, ++questions) {
+        std::vector<double> y0 = x0, y1 = between(x0, x1, std::max(0.0, random.uniform(-0.3, 1)));
+        if (random.one_in(3)) {  // about the margin away, on either side of it
+          const double by = margin * random.uniform(0, 1.2);
+          for (double& x : y0) x += by * random.symmetric();
+          for (double& x : y1) x += random.one_in(2) ? by : -by;
+        }
+        ask(steps, random, y0, y1, random.one_in(10) ? 0.5 : fraction);
+        if (random.one_in(12)) steps.release();
+        if (random.one_in(8)) {  // the next step
+          const std::vector<double> way = between(x0, x1, -1);
+          x0 = x1;
+          for (std::size_t i = 0; i < x1.size(); ++i) x1[i] += x1[i] - way[i] > 0 ? margin / 8 : -margin / 8;
+        }
+      }
+      searches += steps.searches();
+    }
+  }
+  CHECK(searches < questions);  // of which free steps count several
+}
+
+TEST_CASE("a contact at the edge of the margin is found among the pairs that are kept") {
+  seeded::Rng random(3802);
+  int kept = 0, anew = 0;
+  for (std::size_t round = 0; round < effort(2000); ++round) {
+    // Two edges of length 1, so the margin is 1/16: they come towards each other by a part of it each, and touch.
+    const double part = random.uniform(0.5, 1.1) / 16;
+    const double turn = random.one_in(2) ? 0 : 1e6 * random.unit();
+    const double gap = 2 * part * (1 - 1e-6);
+    MeshElements elements;
+    elements.vertex_count = 4;
+    elements.edges = {{0, 1}, {2, 3}};
+    const Mesh mesh(elements);
+    MeshSteps steps(mesh);
+    std::vector<double> x0 = {-0.5, 0, 0, 0.5, 0, 0, 0, -0.5, gap, 0, 0.5, gap};
+    for (std::size_t i = 0; i < x0.size(); i += 3) x0[i] += turn;
+    std::vector<double> far = x0;  // the reference: both move aside, as fast as each other
+    for (std::size_t i = 1; i < far.size(); i += 3) far[i] += 0.25;
+    for (int i = 0; i < 2; ++i) REQUIRE(steps.first_contact({x0, 3}, {far, 3}).free());
+    REQUIRE(steps.searches() == 2);
+    const double s = random.unit();
+    std::vector<double> x1 = between(x0, far, s);
+    for (std::size_t i = 2; i < x1.size(); i += 3) x1[i] += i < 6 ? part : -part;
+    const FirstContact found = steps.first_contact({x0, 3}, {x1, 3});
+    CAPTURE(round, part, s, turn);
+    REQUIRE(found.contact);
+    REQUIRE(same_bytes(found, first_contact(mesh, {x0, 3}, {x1, 3})));
+    (steps.searches() == 2 ? kept : anew) += 1;
+  }
+  CHECK(kept > 0);
+  CHECK(anew > 0);
+}
+
+TEST_CASE("kept steps: mistakes and stops leave them as they were") {
+  MeshElements elements;
+  elements.vertex_count = 4;
+  elements.edges = {{0, 1}, {2, 3}};
+  MeshSteps steps{Mesh(elements)};
+  const std::vector<double> x0 = {0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 1};
+  std::vector<double> x1 = x0;
+  x1[8] = x1[11] = -1;
+  REQUIRE(steps.first_contact({x0, 3}, {x1, 3}).toi == 0.5);
+  std::vector<double> bad = x1;
+  bad[4] = NAN;
+  CHECK_THROWS_AS(steps.first_contact({x0, 3}, {bad, 3}), InvalidQuery);
+  CHECK_THROWS_AS(steps.first_contact({x0, 3}, {x1, 2}), InvalidQuery);
+  CHECK_THROWS_AS(steps.free_step({x0, 3}, {x1, 3},
+                                  [] {
+                                    FreeStepOptions options;
+                                    options.kept_fraction = 1;
+                                    return options;
+                                  }()),
+                  InvalidQuery);
+  const std::atomic<bool> stop{true};
+  FirstContactOptions stopped;
+  stopped.stop = &stop;
+  CHECK_THROWS_AS(steps.first_contact({x0, 3}, {x1, 3}, stopped), Stopped);
+  for (int i = 0; i < 3; ++i) CHECK(steps.first_contact({x0, 3}, {x1, 3}).toi == 0.5);
+  MeshSteps moved = std::move(steps);
+  CHECK(moved.first_contact({x0, 3}, {x1, 3}).toi == 0.5);
+  steps = MeshSteps{Mesh()};
+  CHECK(steps.first_contact(Positions(), Positions()).free());
+}
