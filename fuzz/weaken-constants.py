@@ -59,7 +59,8 @@ FAULTS = [
      "below = std::min(below, least[0] - greatest[1])",
      "below = least[0] - greatest[1]"),
     ("margin of a gap", "filters/apart/separating_direction.cpp", "3 * bound}", "3 / 16.0 * bound}"),
-    ("kPartBound", "filters/bernstein_cubic.cpp", "kPartBound = 70 *", "kPartBound = 70 / 16.0 *"),
+    ("kRestrictionBound", "filters/bernstein_cubic.cpp", "kRestrictionBound = 70 *",
+     "kRestrictionBound = 70 / 16.0 *"),
     ("kValueBound", "filters/step_cubic.hpp", "kValueBound = 60 *", "kValueBound = 60 / 16.0 *"),
     ("kSlopeBound", "filters/step_cubic.hpp", "kSlopeBound = 366 *", "kSlopeBound = 366 / 16.0 *"),
     ("curvature", "filters/step_cubic.hpp", "(2 + 0x1p-17) *", "(2 + 0x1p-17) / 16 *"),
@@ -173,8 +174,8 @@ FAULTS = [
 # then the part becomes negative here, or is taken off by more than it adds.
 #
 # No attack finds these yet: kPreciseError, kMostError and kSolveReserve of entry.cpp, 16 times too small; its limits of
-# sizes and kLeastShare; its errors of rates, and `lowest`, which strictly_closest hides; kPreciseError and the margin
-# of other corners of max_entry.cpp; the underflow guards of a direction with a norm. They have no line below.
+# sizes and kLeastFraction; its errors of rates, and `lowest`, which strictly_closest hides; kPreciseError and the
+# margin of other corners of max_entry.cpp; the underflow guards of a direction with a norm. They have no line below.
 SEPARATION_FAULTS = [
     ("greatest norm of n's middle coefficient", "filters/coplanarity_form.hpp", "(Euclidean ? 0.25 : 0.5) * norm(n[1])",
      "(Euclidean ? 0.25 / 16 : 0.5 / 16) * norm(n[1])"),
@@ -202,7 +203,8 @@ SEPARATION_FAULTS = [
     ("margin of a facet's other axes", "filters/separation/max_entry.cpp",
      "level - kError * (step_.size + step_.speed + level)",
      "level + kError * (step_.size + step_.speed + level)"),
-    ("bend of a facet's parameters", "filters/separation/max_entry.cpp", "at_root.s += part * ds;", "at_root.s += ds;"),
+    ("bend of a facet's parameters", "filters/separation/max_entry.cpp", "at_root.s += fraction * ds;",
+     "at_root.s += ds;"),
     ("parameters' distance from a border", "filters/separation/entry.cpp", "if (!strictly_closest(",
      "if (false && !strictly_closest("),
 ]
@@ -214,7 +216,8 @@ MESH_FAULTS = [
      "if (false && !certainly_above({{-n"),
     ("neighbours on this side", "mesh/folds.cpp", "if (!certainly_above(n, along)) return false;", ""),
     ("faces behind a ray's start", "mesh/ray_passes.cpp", "== -side ? side : 0;", "== -side ? side : side;"),
-    ("a ray from a common vertex", "mesh/pieces.cpp", "if (same_place(motion[a].start, motion[b].start)) piece.middle",
+    ("a ray from a common vertex", "mesh/pieces.cpp",
+     "if (same_position(motion[a].start, motion[b].start)) piece.middle",
      "if (false) piece.middle"),
     ("margin of candidates that are kept", "mesh/candidate_search.cpp", "with_room(reach.same + wider)",
      "with_room(reach.same)"),
@@ -255,7 +258,8 @@ CURVED_FAULTS = [
     ("bulge of a chord", "filters/curved/curved_chords.cpp", "geometry::kArcBulge * 1.7321 + 0.017;",
      "(geometry::kArcBulge * 1.7321 + 0.017) / 16;"),
     ("kTurnedError of chords", "filters/curved/curved_chords.cpp", "kTurnedError = 46 *", "kTurnedError = 46 / 16.0 *"),
-    ("kPlaceError of chords", "filters/curved/curved_chords.cpp", "kPlaceError = 4 *", "kPlaceError = 4 / 16.0 *"),
+    ("kPositionError of chords", "filters/curved/curved_chords.cpp", "kPositionError = 4 *",
+     "kPositionError = 4 / 16.0 *"),
     ("quaternions of other lengths", "filters/curved/curved_chords.cpp",
      " && std::fabs(n1 - n0) <= kMostStretch * n0", ""),
     ("deviation of chords beside a separation", "filters/curved/curved_chords.cpp",
@@ -287,9 +291,9 @@ CURVED_FAULTS = [
     ("later roots than one", "filters/curved/curved_bracket.cpp", "++changes > 1", "++changes > 3"),
     ("error of a root's offset", "filters/curved/curved_bracket.cpp", "off = (1 + 0x1p-20) * (value_off",
      "off = 0x1p-20 * (value_off"),
-    ("size of a separation in a part", "filters/curved/curved_walk.cpp",
-     "kReach * (reach * (std::max(part.scale[k], 0.0)",
-     "0 * (reach * (std::max(part.scale[k], 0.0)"),
+    ("size of a separation in a piece", "filters/curved/curved_walk.cpp",
+     "kReach * (reach * (std::max(piece.scale[k], 0.0)",
+     "0 * (reach * (std::max(piece.scale[k], 0.0)"),
 ]
 
 

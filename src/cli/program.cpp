@@ -125,7 +125,8 @@ int parse_and_run(int argc, const char* const* argv) {
     print(program.help());
     return kAllHold;
   } catch (const CLI::CallForVersion& version_text) {
-    print(verbose->count() == 0 ? std::string(version_text.what()) + "\n" : build_facts() + text_of(build_parts()));
+    print(verbose->count() == 0 ? std::string(version_text.what()) + "\n"
+                                : build_facts() + text_of(build_components()));
     return kAllHold;
   } catch (const CLI::RequiredError& error) {
     const auto unknown = program.remaining();

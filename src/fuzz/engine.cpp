@@ -27,13 +27,13 @@ Progress progress_of(const SearchState& state) {
 
 GivenPlan given_to_ask(const SolverUnderTest& solver, const std::vector<Kind>& kinds, const Settings& settings) {
   GivenPlan plan = plan_of_given(settings.given, settings.kinds, kinds, settings.cases);
-  if (settings.given.empty() || plan.wanted > plan.not_taken) return plan;
-  if (plan.wanted == 0)
+  if (settings.given.empty() || plan.selected > plan.not_taken) return plan;
+  if (plan.selected == 0)
     throw InvalidQuery("no query that is given is of the kind asked for: " + kind_names(settings.kinds));
   throw InvalidQuery(solver.name() + " takes no queries of the kinds that are given");
 }
 
-std::vector<families::Family> wanted_families(const Settings& settings) {
+std::vector<families::Family> selected_families(const Settings& settings) {
   if (!settings.families.empty()) return settings.families;
   std::vector<families::Family> all;
   if (settings.curved) {
@@ -89,7 +89,7 @@ Outcome run(const SolverFactory& make_solver, const Settings& settings, const Wa
   auto first_solver = make_solver();
   const std::vector<Kind> kinds = supported_kinds(*first_solver, settings.kinds);
   const GivenPlan given = given_to_ask(*first_solver, kinds, settings);
-  const std::vector<families::Family> families = wanted_families(settings);
+  const std::vector<families::Family> families = selected_families(settings);
   for (const AnyQuery& query : settings.given) check_sort(*first_solver, is_curved(query));
   for (const families::Family family : families) {
     if (settings.given.empty()) check_sort(*first_solver, families::is_curved(family));
@@ -114,7 +114,7 @@ Outcome run(const SolverFactory& make_solver, const Settings& settings, const Wa
   const Progress found = progress_of(state);
   outcome.queries = found.queries;
   outcome.seconds = found.seconds;
-  outcome.given = given.wanted;
+  outcome.given = given.selected;
   outcome.given_asked = state.given_asked;
   outcome.given_not_taken = given.not_taken;
   Findings findings;

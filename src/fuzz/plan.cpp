@@ -24,13 +24,13 @@ std::string kind_names(const std::vector<Kind>& kinds) {
   return names;
 }
 
-std::vector<Kind> supported_kinds(const SolverUnderTest& solver, const std::vector<Kind>& wanted) {
+std::vector<Kind> supported_kinds(const SolverUnderTest& solver, const std::vector<Kind>& selected) {
   std::vector<Kind> kinds;
   for (const Kind kind : kKinds) {
-    if ((wanted.empty() || has(wanted, kind)) && solver.supports(kind)) kinds.push_back(kind);
+    if ((selected.empty() || has(selected, kind)) && solver.supports(kind)) kinds.push_back(kind);
   }
   if (!kinds.empty()) return kinds;
-  const std::string names = kind_names(wanted);
+  const std::string names = kind_names(selected);
   throw InvalidQuery(solver.name() + " takes no queries" + (names.empty() ? "" : " of this kind: " + names));
 }
 
@@ -41,13 +41,13 @@ void check_sort(const SolverUnderTest& solver, bool curved) {
   if (curved && !solver.takes_curves()) throw InvalidQuery(solver.name() + " takes no curved queries");
 }
 
-GivenPlan plan_of_given(const std::vector<AnyQuery>& given, const std::vector<Kind>& wanted,
+GivenPlan plan_of_given(const std::vector<AnyQuery>& given, const std::vector<Kind>& selected,
                         const std::vector<Kind>& asked, std::optional<std::uint64_t> most) {
   GivenPlan plan;
   for (std::size_t i = 0; i < given.size(); ++i) {
     const Kind kind = kind_of(given[i]);
-    if (!wanted.empty() && !has(wanted, kind)) continue;
-    ++plan.wanted;
+    if (!selected.empty() && !has(selected, kind)) continue;
+    ++plan.selected;
     if (!has(asked, kind)) {
       ++plan.not_taken;
     } else if (!most || plan.to_ask.size() < *most) {

@@ -15,8 +15,8 @@
 
 namespace touchstone::fuzz {
 
-/// Those of the `wanted` kinds (empty: all) that the solver supports. @throws InvalidQuery when it supports none
-std::vector<Kind> supported_kinds(const SolverUnderTest& solver, const std::vector<Kind>& wanted);
+/// Those of the `selected` kinds (empty: all) that the solver supports. @throws InvalidQuery when it supports none
+std::vector<Kind> supported_kinds(const SolverUnderTest& solver, const std::vector<Kind>& selected);
 
 /// @throws InvalidQuery  when the solver takes no queries of this sort
 void check_sort(const SolverUnderTest& solver, bool curved);
@@ -34,14 +34,14 @@ struct Piece {
 /// The given queries that a run asks.
 struct GivenPlan {
   std::vector<std::uint64_t> to_ask;  ///< their positions
-  std::uint64_t wanted = 0;           ///< number of given queries of a wanted kind
+  std::uint64_t selected = 0;         ///< number of given queries of a selected kind
   std::uint64_t not_taken = 0;        ///< number of these whose kind the solver does not support
 };
 
-/// @param wanted  kinds; empty: all
-/// @param asked  the wanted kinds that the solver supports
+/// @param selected  kinds; empty: all
+/// @param asked  the selected kinds that the solver supports
 /// @param most  the most queries to ask
-GivenPlan plan_of_given(const std::vector<AnyQuery>& given, const std::vector<Kind>& wanted,
+GivenPlan plan_of_given(const std::vector<AnyQuery>& given, const std::vector<Kind>& selected,
                         const std::vector<Kind>& asked, std::optional<std::uint64_t> most);
 
 /// Every family with every kind in turn, a few hundred cases at a time. A run that ends early has then seen all

@@ -159,7 +159,7 @@ class Polygon {
       Construction corner;
       corner.weights = weights(det, s, q);
       for (const Border& border : borders_) {
-        if (events == Events::unwanted || &border == &f || &border == &g) continue;
+        if (events == Events::unneeded || &border == &f || &border == &g) continue;
         Dense slack = border.a * s + border.b * q + border.c * det;
         if (!is_zero(slack)) corner.events.push_back({std::move(slack)});
       }

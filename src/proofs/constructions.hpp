@@ -21,7 +21,7 @@ struct Construction {
 };
 
 /// Whether constructions in the metric `max` need their events.
-enum class Events { wanted, unwanted };
+enum class Events { needed, unneeded };
 
 /// Calls `try_one` with constructions to one of which the first contact belongs, until it returns true; docs/proofs.md
 /// says why. In the metric `max` there may be dozens; those that seem to exist at the time come first.

@@ -168,11 +168,11 @@ Meeting meeting(const Elements& elements, const Answer& answer) {
   };
   if (answer.toi == answer.toi_upper) {
     const Elements still = elements.at(upper);
-    first_of(still, Events::unwanted, [&](const Construction& c) { return meeting_at(still, upper, c); });
+    first_of(still, Events::unneeded, [&](const Construction& c) { return meeting_at(still, upper, c); });
   } else {
-    first_of(elements, Events::wanted, [&](const Construction& c) { return direct_meeting(elements, answer, c); });
+    first_of(elements, Events::needed, [&](const Construction& c) { return direct_meeting(elements, answer, c); });
     if (!found) {
-      first_of(elements, Events::wanted, [&](const Construction& c) { return meeting_between(elements, answer, c); });
+      first_of(elements, Events::needed, [&](const Construction& c) { return meeting_between(elements, answer, c); });
     }
   }
   if (!found) throw Error("the elements are not in contact: there is no proof that they are");

@@ -222,20 +222,20 @@ struct DirectedInterval {
   Exact from, to;
 };
 
-/// Adds a part after the last one. Where one direction serves for both, they become one part. So the cuts towards an
-/// event leave few parts.
-void append(const PieceSearch& search, std::vector<DirectedInterval>& parts, DirectedInterval part, bool open) {
-  while (!parts.empty()) {
-    DirectedInterval& before = parts.back();
-    if (search.separates(before.direction, before.from, part.to, open)) {
-      part.direction = before.direction;
-    } else if (!search.separates(part.direction, before.from, part.to, open)) {
+/// Adds an interval after the last one. Where one direction serves for both, they become one interval. So the cuts
+/// towards an event leave few intervals.
+void append(const PieceSearch& search, std::vector<DirectedInterval>& intervals, DirectedInterval interval, bool open) {
+  while (!intervals.empty()) {
+    DirectedInterval& before = intervals.back();
+    if (search.separates(before.direction, before.from, interval.to, open)) {
+      interval.direction = before.direction;
+    } else if (!search.separates(interval.direction, before.from, interval.to, open)) {
       break;
     }
-    part.from = before.from;
-    parts.pop_back();
+    interval.from = before.from;
+    intervals.pop_back();
   }
-  parts.push_back(std::move(part));
+  intervals.push_back(std::move(interval));
 }
 
 /// Where a piece is cut: in the middle; between times of very different size, in the middle of their exponents. So an
@@ -254,15 +254,15 @@ std::vector<Piece> separating_pieces(const Elements& elements, const Exact& end,
   // Two events that are 2^-k apart need about k bisections. Without a contact the search ends; with one it would not.
   constexpr int kLongSearch = 500;
   PieceSearch search(elements);
-  std::vector<DirectedInterval> parts;
+  std::vector<DirectedInterval> intervals;
   Exact from(0);
-  std::vector<Exact> ends = {end};  // of the parts to come, the next one last
+  std::vector<Exact> ends = {end};  // of the intervals to come, the next one last
   int bisections = 0;
   while (!ends.empty()) {
     const Exact to = ends.back();
     const bool last = ends.size() == 1;
     if (PieceSearch::Found direction = search.direction(from, to, open && last)) {
-      append(search, parts, {std::move(direction), from, to}, open && last);
+      append(search, intervals, {std::move(direction), from, to}, open && last);
       from = to;
       ends.pop_back();
     } else {
@@ -273,11 +273,11 @@ std::vector<Piece> separating_pieces(const Elements& elements, const Exact& end,
     }
   }
   std::vector<Piece> pieces;
-  for (const DirectedInterval& part : parts) {
+  for (const DirectedInterval& interval : intervals) {
     Piece& piece = pieces.emplace_back();
-    piece.normal = part.direction->normal;
-    if (!piece.normal) piece.direction = part.direction->direction;
-    piece.until = part.to;
+    piece.normal = interval.direction->normal;
+    if (!piece.normal) piece.direction = interval.direction->direction;
+    piece.until = interval.to;
   }
   return pieces;
 }

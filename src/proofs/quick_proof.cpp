@@ -54,19 +54,19 @@ class QuickSearch {
 
   /// Pieces that cover [0, 1]; none where a few do not.
   std::vector<Piece> pieces() {
-    constexpr std::size_t kMostParts = 4;
+    constexpr std::size_t kMostIntervals = 4;
     constexpr double kShortest = 0x1p-36;
     constexpr int kMostTries = 80;  // they cost little beside a search in exact numbers
     if (!(corners_.largest >= kLeastCoordinate)) return {};
-    std::vector<Subinterval> parts;
+    std::vector<Subinterval> intervals;
     double from = 0;
     double to = 1;
-    std::vector<double> ends;  // of the parts after `to`, the next one last
+    std::vector<double> ends;  // of the intervals after `to`, the next one last
     for (int tries = 0;; ++tries) {
       if (tries == kMostTries) return {};
       if (const auto direction = direction_over(from, to)) {
-        append(parts, {*direction, from, to});
-        if (parts.size() > kMostParts) return {};
+        append(intervals, {*direction, from, to});
+        if (intervals.size() > kMostIntervals) return {};
         if (ends.empty()) break;
         from = to;
         to = ends.back();
@@ -78,11 +78,11 @@ class QuickSearch {
       }
     }
     std::vector<Piece> pieces;
-    for (const Subinterval& part : parts) {
+    for (const Subinterval& interval : intervals) {
       Piece& piece = pieces.emplace_back();
-      piece.normal = part.direction.normal;
-      for (std::size_t k = 0; k < 3 && !piece.normal; ++k) piece.direction[k] = {Exact(part.direction.integers[k])};
-      piece.until = Exact(part.to);
+      piece.normal = interval.direction.normal;
+      for (std::size_t k = 0; k < 3 && !piece.normal; ++k) piece.direction[k] = {Exact(interval.direction.integers[k])};
+      piece.until = Exact(interval.to);
     }
     return pieces;
   }
@@ -93,19 +93,19 @@ class QuickSearch {
     double from, to;
   };
 
-  /// Where one direction serves for two parts, they become one.
-  void append(std::vector<Subinterval>& parts, Subinterval part) const {
-    while (!parts.empty()) {
-      const Subinterval& before = parts.back();
-      if (separates(before.direction, before.from, part.to)) {
-        part.direction = before.direction;
-      } else if (!separates(part.direction, before.from, part.to)) {
+  /// Where one direction serves for two intervals, they become one.
+  void append(std::vector<Subinterval>& intervals, Subinterval interval) const {
+    while (!intervals.empty()) {
+      const Subinterval& before = intervals.back();
+      if (separates(before.direction, before.from, interval.to)) {
+        interval.direction = before.direction;
+      } else if (!separates(interval.direction, before.from, interval.to)) {
         break;
       }
-      part.from = before.from;
-      parts.pop_back();
+      interval.from = before.from;
+      intervals.pop_back();
     }
-    parts.push_back(part);
+    intervals.push_back(interval);
   }
 
   bool separates(const QuickDirection& direction, double from, double to) const {
@@ -115,8 +115,8 @@ class QuickSearch {
 
   bool normal_separates(double from, double to) const {
     if (!cubic_) return false;
-    const auto b = cubic_->part(from, to);
-    const double error = cubic_->part_error();
+    const auto b = cubic_->restricted_to(from, to);
+    const double error = cubic_->restriction_error();
     if (!(std::fabs(b[0]) > error)) return false;
     return filters::flipped(b[1], b[0]) > error && filters::flipped(b[2], b[0]) > error &&
            filters::flipped(b[3], b[0]) > error;

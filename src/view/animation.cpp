@@ -12,7 +12,7 @@ namespace touchstone::view {
 
 std::size_t AnimationShape::vertex_count() const noexcept {
   std::size_t count = 0;
-  for (const AnimationPart& part : parts) count += part.vertices;
+  for (const AnimationGroup& group : groups) count += group.vertices;
   return count;
 }
 
@@ -87,16 +87,16 @@ void Animation::add_story(AnimationStory story) {
 std::string Animation::name(const AnimationElement& element) const {
   using Sort = AnimationElement::Sort;
   std::uint32_t number = element.number, first_vertex = 0;
-  for (const AnimationPart& part : shape_.parts) {
-    const std::uint32_t count = element.sort == Sort::edge   ? part.edges
-                                : element.sort == Sort::face ? part.faces
-                                                             : part.vertices;
+  for (const AnimationGroup& group : shape_.groups) {
+    const std::uint32_t count = element.sort == Sort::edge   ? group.edges
+                                : element.sort == Sort::face ? group.faces
+                                                             : group.vertices;
     if (number >= count) {
       number -= count;
-      first_vertex += part.vertices;
+      first_vertex += group.vertices;
       continue;
     }
-    const std::string of = part.name.empty() ? std::string() : fmt::format(" of {}", part.name);
+    const std::string of = group.name.empty() ? std::string() : fmt::format(" of {}", group.name);
     const std::uint32_t first = shape_.first_number;
     if (element.sort == Sort::edge && !shape_.edges_have_numbers) {
       const auto& corners = shape_.edges[element.number];

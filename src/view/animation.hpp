@@ -17,27 +17,27 @@ namespace touchstone::view {
 
 using Triple = std::array<double, 3>;
 
-/// Vertices, edges and faces that are counted by themselves. The parts of an animation follow one another.
-struct AnimationPart {
+/// Vertices, edges and faces that are counted by themselves. The groups of an animation follow one another.
+struct AnimationGroup {
   std::string name;  ///< text, "body 2"; empty: names of elements do without
   std::uint32_t vertices = 0, edges = 0, faces = 0;
 };
 
-/// Corners are numbers of vertices over all parts. The edges of faces are there too where they are elements themselves.
+/// Corners are numbers of vertices over all groups. The edges of faces are there, too, where they are elements.
 struct AnimationShape {
-  std::vector<AnimationPart> parts;
+  std::vector<AnimationGroup> groups;
   std::vector<std::array<std::uint32_t, 2>> edges;
   std::vector<std::array<std::uint32_t, 3>> faces;
   std::vector<std::uint32_t> points;        ///< vertices that are drawn as dots
   std::string vertex_name;                  ///< "particle"
-  std::uint32_t first_number = 0;           ///< of the first vertex and the first face of each part
+  std::uint32_t first_number = 0;           ///< of the first vertex and the first face of each group
   std::vector<std::uint32_t> face_numbers;  ///< of each face; empty: they are counted
   bool edges_have_numbers = true;           ///< false: edges are named by their corners
 
   std::size_t vertex_count() const noexcept;
 };
 
-/// The numbers count over all parts.
+/// The numbers count over all groups.
 struct AnimationElement {
   enum class Sort : std::uint8_t { vertex, edge, face };
   Sort sort = Sort::vertex;

@@ -52,7 +52,7 @@ std::size_t frame_of_still(const Animation& animation) {
   return frames.size() - 1;
 }
 
-Triple drawn_place(const AnimationFrame& frame, std::size_t vertex) {
+Triple drawn_position(const AnimationFrame& frame, std::size_t vertex) {
   return {drawn_coordinate(frame, vertex, 0), drawn_coordinate(frame, vertex, 1), drawn_coordinate(frame, vertex, 2)};
 }
 
@@ -118,7 +118,7 @@ AnimationView view_of(const Animation& animation) {
   for (const AnimationFrame& frame : animation.frames()) {
     for (std::size_t i = 0; i < moves.size(); ++i) {
       if (!whole && moves[i] == 0) continue;
-      const Triple d = from_centre(view, drawn_place(frame, i));
+      const Triple d = from_centre(view, drawn_position(frame, i));
       for (std::size_t k = 0; k < 2; ++k) view.reach[k] = std::max(view.reach[k], std::abs(product(d, view.basis[k])));
     }
   }
@@ -129,7 +129,7 @@ std::string still_of(const Animation& animation, const AnimationView& view) {
   const std::size_t shown = frame_of_still(animation);
   const AnimationFrame& frame = animation.frames()[shown];
   const double scale = 0.92 * std::min(320 / std::max(view.reach[0], 0.1), 200 / std::max(view.reach[1], 0.1));
-  const auto place = [&](const Triple& x) {
+  const auto on_page = [&](const Triple& x) {
     const Triple d = from_centre(view, x);
     return fmt::format("{:.1f} {:.1f}", 320 + scale * product(d, view.basis[0]),
                        200 - scale * product(d, view.basis[1]));
@@ -139,7 +139,7 @@ std::string still_of(const Animation& animation, const AnimationView& view) {
   const auto draw = [&](const auto& corners, const char* end) {
     const char* command = "M";
     for (const std::uint32_t vertex : corners) {
-      path += fmt::format("{}{}", command, place(drawn_place(frame, vertex)));
+      path += fmt::format("{}{}", command, on_page(drawn_position(frame, vertex)));
       command = "L";
     }
     path += end;
@@ -156,7 +156,7 @@ std::string still_of(const Animation& animation, const AnimationView& view) {
   const double before = shown == 0 ? -std::numeric_limits<double>::infinity() : animation.frames()[shown - 1].time;
   for (const AnimationStory& story : animation.stories()) {
     if (!(story.time > before && story.time <= frame.time) || ++drawn > kMostDrawn) continue;
-    const std::string at = place(story.point);
+    const std::string at = on_page(story.point);
     const auto space = at.find(' ');
     marks += fmt::format("<circle class=\"meeting\" cx=\"{}\" cy=\"{}\" r=\"5\"/>\n", at.substr(0, space),
                          at.substr(space + 1));

@@ -117,8 +117,8 @@ Motions motions_of(const MovingCorners& corners, const Origin& origin, double t_
     const Exact unit = motions.unit(), at_s = value(motions.denominator, s);
     for (std::size_t i = 0; i < corners.count; ++i) {
       for (std::size_t k = 0; k < 3; ++k) {
-        const Exact place = value(motions.feet[0][k], zero) * at_s;
-        largest.add(value(motions.corners[i][k], s) * unit - place, at_s * unit);
+        const Exact position = value(motions.feet[0][k], zero) * at_s;
+        largest.add(value(motions.corners[i][k], s) * unit - position, at_s * unit);
       }
     }
   }
@@ -130,8 +130,8 @@ DenseVector carrier_of(const Motions& motions) {
   DenseVector result;
   for (std::size_t k = 0; k < 3; ++k) {
     const Dense& foot = motions.feet[0][k];
-    const Exact place = foot.empty() ? Exact(0) : foot.front();
-    result[k] = motions.unit() * foot - place * motions.denominator;
+    const Exact position = foot.empty() ? Exact(0) : foot.front();
+    result[k] = motions.unit() * foot - position * motions.denominator;
   }
   return result;
 }

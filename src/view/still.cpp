@@ -29,11 +29,11 @@ class Projected {
 
   Point corner(std::size_t i, double s) const {
     const double w = polynomial_at(picture_["denominator"], s);
-    Double3 place = vector_at(picture_["carrier"], s);
+    Double3 position = vector_at(picture_["carrier"], s);
     const Double3 offset = vector_at(picture_["corners"][i], s), gap = vector_at(picture_["gap"], s);
     const bool second = i >= picture_["first"].get<std::size_t>();
-    for (std::size_t k = 0; k < 3; ++k) place[k] = (place[k] + offset[k] + (second ? gap[k] : 0)) / w;
-    return {dot_product(place, axes_[0]), -dot_product(place, axes_[1])};
+    for (std::size_t k = 0; k < 3; ++k) position[k] = (position[k] + offset[k] + (second ? gap[k] : 0)) / w;
+    return {dot_product(position, axes_[0]), -dot_product(position, axes_[1])};
   }
 
  private:

@@ -32,7 +32,7 @@ std::vector<CurvedQuery> mixed_queries(std::size_t count) {
                                                    meeting_query, coin_query, random_query};
   std::vector<CurvedQuery> queries;
   for (std::uint64_t index = 0; index < count; ++index) {
-    Rng rng(seeded::seed_of_part(kSeed, index));
+    Rng rng(seeded::seed_of_stream(kSeed, index));
     const Kind kind = rng.pick(kKinds);
     queries.push_back(rng.pick(kMakers)(kind, rng));
   }
@@ -166,7 +166,7 @@ TEST_CASE("the normal at the first contact of curved elements") {
   SECTION("perpendicular to both edges or to the face at the time") {
     std::size_t checked = 0;
     for (std::uint64_t index = 0; index < effort(300); ++index) {
-      Rng rng(seeded::seed_of_part(kSeed, index));
+      Rng rng(seeded::seed_of_stream(kSeed, index));
       const Kind kind = rng.one_in(2) ? Kind::edge_edge : Kind::vertex_face;
       const CurvedQuery query = rng.one_in(2) ? meeting_query(kind, rng) : random_query(kind, rng);
       const Answer answer = solve(query);

@@ -102,7 +102,7 @@ void see_all(Worst& worst, const CurvedForm<Dim>& product, const Truth& truth) {
 double worst_of_products(std::uint64_t seed, bool has_error) {
   Worst scalars, vectors, dots, crosses, components;
   for (std::uint64_t index = 0; index < effort(4000); ++index) {
-    Rng rng(seeded::seed_of_part(seed, index));
+    Rng rng(seeded::seed_of_stream(seed, index));
     INFO("seed " << seed << ", index " << index);
     const int most = rng.one_in(2) ? 1 : 4;
     const auto s = some_form<1>(rng, most, has_error), r = some_form<1>(rng, most, has_error);
@@ -144,7 +144,7 @@ namespace {
 double worst_of_cuts(std::uint64_t seed, bool exact_places) {
   Worst worst;
   for (std::uint64_t index = 0; index < effort(20000); ++index) {
-    Rng rng(seeded::seed_of_part(seed, index));
+    Rng rng(seeded::seed_of_stream(seed, index));
     INFO("seed " << seed << ", index " << index);
     const int degree = rng.one_in(2) ? 1 : rng.between(1, 6);
     // 1 - place rounds for small places; where it must be exact, places are those of the search for roots.
@@ -185,7 +185,7 @@ TEST_CASE("curved bounds: a part that is cut in two") {
 TEST_CASE("curved bounds: projections on directions, at rest and turning") {
   Worst roundings, errors, turning_roundings, turning_errors;
   for (std::uint64_t index = 0; index < effort(20000); ++index) {
-    Rng rng(seeded::seed_of_part(kSeed + 4, index));
+    Rng rng(seeded::seed_of_stream(kSeed + 4, index));
     INFO("seed " << kSeed + 4 << ", index " << index);
     const bool has_error = index % 2 == 1;
     const double size = std::ldexp(1 + rng.unit(), rng.between(-300, 300));
@@ -221,7 +221,7 @@ TEST_CASE("curved bounds: projections on directions, at rest and turning") {
 TEST_CASE("curved bounds: the doubles beside a root") {
   std::size_t known = 0, unknown = 0;
   for (std::uint64_t index = 0; index < effort(20000); ++index) {
-    Rng rng(seeded::seed_of_part(kSeed + 5, index));
+    Rng rng(seeded::seed_of_stream(kSeed + 5, index));
     INFO("seed " << kSeed + 5 << ", index " << index);
     const double nearest = rng.one_in(4) ? std::ldexp(1, -rng.between(0, 30)) : rng.unit() + 0x1p-60;
     const double gap = nearest - filters::before(nearest);
@@ -250,7 +250,7 @@ TEST_CASE("curved bounds: quotients of double-doubles with errors") {
   Worst worst;
   std::size_t known = 0;
   for (std::uint64_t index = 0; index < effort(20000); ++index) {
-    Rng rng(seeded::seed_of_part(kSeed + 6, index));
+    Rng rng(seeded::seed_of_stream(kSeed + 6, index));
     INFO("seed " << kSeed + 6 << ", index " << index);
     const auto pair = [&](double high) {
       return numbers::BoundedPair{numbers::two_sum(high, high * 0x1p-54 * rng.symmetric()),

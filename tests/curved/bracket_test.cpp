@@ -58,7 +58,7 @@ template <class N, class Make>
 double worst_of_numbers(std::uint64_t seed, int reach, const Make& make) {
   Worst worst;
   for (std::uint64_t index = 0; index < effort(20000); ++index) {
-    Rng rng(seeded::seed_of_part(seed, index));
+    Rng rng(seeded::seed_of_stream(seed, index));
     INFO("seed " << seed << ", index " << index);
     const int operations = rng.one_in(2) ? 1 : rng.between(2, 6);
     const int magnitude = operations == 1 ? rng.between(-reach, reach) : rng.between(-5, 5);  // squares of squares
@@ -210,7 +210,7 @@ TEST_CASE("curved bracket: polynomials are within their bounds of the true ones"
   Worst between, within, multiplier, v, cross, at_time, slopes, over_radius;
   std::size_t known = 0;
   for (std::uint64_t index = 0; index < effort(4000); ++index) {
-    Rng rng(seeded::seed_of_part(kSeed + 2, index));
+    Rng rng(seeded::seed_of_stream(kSeed + 2, index));
     INFO("seed " << kSeed + 2 << ", index " << index);
     const CurvedQuery query = rough_query(some_kind(rng), rng);
     const CurvedFrame frame = filters::curved_frame(query);
@@ -274,7 +274,7 @@ TEST_CASE("curved bracket: polynomials are within their bounds of the true ones"
 TEST_CASE("curved bracket: the frame at one time in double-doubles") {
   Worst worst;
   for (std::uint64_t index = 0; index < effort(3000); ++index) {
-    Rng rng(seeded::seed_of_part(kSeed + 3, index));
+    Rng rng(seeded::seed_of_stream(kSeed + 3, index));
     INFO("seed " << kSeed + 3 << ", index " << index);
     const CurvedQuery query = rough_query(some_kind(rng), rng);
     if (!filters::curved_frame(query).known) continue;

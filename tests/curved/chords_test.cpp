@@ -100,7 +100,7 @@ double worst_share(std::uint64_t seed, const Plan& plan, std::uint64_t cases = e
   double worst = 0;
   std::size_t known = 0;
   for (std::uint64_t index = 0; index < cases; ++index) {
-    Rng rng(seeded::seed_of_part(seed, index));
+    Rng rng(seeded::seed_of_stream(seed, index));
     INFO("seed " << seed << ", index " << index);
     const CurvedQuery query = some_query(rng, plan);
     const filters::Chords chords = filters::chords_of(query);
@@ -188,7 +188,7 @@ TEST_CASE("the filter's chords never deny a contact, and show most misses of bod
   std::size_t misses = 0, shown = 0, touching = 0;
   for (std::uint64_t index = 0; index < effort(3000); ++index) {
     const Kind kind = index % 2 == 0 ? Kind::edge_edge : Kind::vertex_face;
-    Rng rng(seeded::seed_of_part(kSeed + 3, index));
+    Rng rng(seeded::seed_of_stream(kSeed + 3, index));
     INFO("seed " << kSeed + 3 << ", index " << index);
     CurvedQuery query = make_curved({Family::turning_bodies, kind, kSeed + 3, index}).query;
     // A short step from where the bodies are: they turn and move by a small part of what the family makes of it.

@@ -31,7 +31,7 @@ TEST_CASE("curved bracket: with a separation its answers are the exact level's")
       for (std::uint64_t index = 0; index < effort(100); ++index) {
         const CaseId id{family, kind, kSeed + 4, index};
         const CurvedSample sample = make_curved(id);
-        Rng rng(seeded::seed_of_part(kSeed + 5, index));
+        Rng rng(seeded::seed_of_stream(kSeed + 5, index));
         const Separation separation = {std::ldexp(1 + rng.unit(), -rng.between(0, 12)),
                                        rng.one_in(2) ? Metric::euclidean : Metric::max};
         const Answer exact =
@@ -129,7 +129,7 @@ TEST_CASE("curved bracket: elements that touch at the start up to rounding, with
   std::size_t starts = 0, queries = 0;
   for (const Kind kind : kKinds) {
     for (std::uint64_t index = 0; index < effort(40); ++index) {
-      Rng rng(seeded::seed_of_part(kSeed + 7, index));
+      Rng rng(seeded::seed_of_stream(kSeed + 7, index));
       CurvedQuery query = make_curved({Family::turning_bodies, kind, kSeed + 7, index}).query;
       if (query.corners[0].motion == CurvedCorner::kOnCurve) continue;
       let_touch(query, rng);
@@ -167,7 +167,7 @@ TEST_CASE("curved bracket: separations that are just reached are not denied") {
   // The least distance of a random pair, by bisection between doubles, of which the greater one is a contact.
   std::size_t found = 0, denied = 0;
   for (std::uint64_t index = 0; index < effort(40); ++index) {
-    Rng rng(seeded::seed_of_part(kSeed + 6, index));
+    Rng rng(seeded::seed_of_stream(kSeed + 6, index));
     const CurvedQuery query = make_curved({Family::turning_bodies, some_kind(rng), kSeed + 6, index}).query;
     const Metric metric = rng.one_in(2) ? Metric::euclidean : Metric::max;
     const auto exact_contact = [&](double d) {

@@ -40,7 +40,7 @@ TEST_CASE("the control points of turning corners are within their bound of the t
   double worst = 0;
   std::size_t known = 0;
   for (std::uint64_t index = 0; index < effort(4000); ++index) {
-    Rng rng(seeded::seed_of_part(kSeed, index));
+    Rng rng(seeded::seed_of_stream(kSeed, index));
     const int magnitude = rng.one_in(2) ? 0 : rng.between(-890, 890);
     const auto length = [&] {
       return std::ldexp(rng.symmetric(), magnitude - (rng.one_in(3) ? rng.between(0, 60) : 0));
@@ -96,7 +96,7 @@ TEST_CASE("the control points of turning corners are within their bound of the t
 
 TEST_CASE("the control points of curves, seen from a body that moves, are within their bound") {
   for (std::uint64_t index = 0; index < effort(2000); ++index) {
-    Rng rng(seeded::seed_of_part(kSeed + 2, index));
+    Rng rng(seeded::seed_of_stream(kSeed + 2, index));
     INFO("seed " << kSeed + 2 << ", index " << index);
     const int magnitude = rng.between(-300, 300);
     const auto place = [&] {
@@ -159,7 +159,7 @@ TEST_CASE("the filter decides most of what is apart, and never what touches") {
   std::size_t decided = 0, apart = 0, touching = 0;
   const std::size_t count = effort(3000);
   for (std::uint64_t index = 0; index < count; ++index) {
-    Rng rng(seeded::seed_of_part(kSeed + 1, index));
+    Rng rng(seeded::seed_of_stream(kSeed + 1, index));
     const auto vector = [&](double size) {
       const double x = size * rng.symmetric(), y = size * rng.symmetric(), z = size * rng.symmetric();
       return Vec3{x, y, z};

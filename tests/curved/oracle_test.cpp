@@ -20,7 +20,7 @@ void exact_and_oracle_agree(const char* name, Maker make, Kind kind, std::size_t
   std::size_t contacts = 0;
   std::array<std::size_t, 6> natures{};
   for (std::uint64_t index = 0; index < effort(count); ++index) {
-    Rng rng(seeded::seed_of_part(kSeed + static_cast<std::uint64_t>(kind), index));
+    Rng rng(seeded::seed_of_stream(kSeed + static_cast<std::uint64_t>(kind), index));
     const CurvedQuery query = make(kind, rng);
     const double t_max = rng.one_in(4) ? rng.unit() : 1;
     const Answer fast = solve(query, t_max);

@@ -61,7 +61,7 @@ CurvedQuery any_turn(Rng& rng) {
 TEST_CASE("no corner is farther from its arcs than the bound") {
   double most = 0, most_rounding = 0;
   for (std::uint64_t index = 0; index < effort(400); ++index) {
-    Rng rng(seeded::seed_of_part(kSeed, index));
+    Rng rng(seeded::seed_of_stream(kSeed, index));
     CurvedQuery query = any_turn(rng);
     const int count = 1 << rng.between(2, rng.one_in(3) ? 12 : 5);
     const solver::ScrewArcs arcs(query, count);
@@ -91,7 +91,7 @@ TEST_CASE("no corner is farther from its arcs than the bound") {
 
 TEST_CASE("a corner is in the box of a range of times") {
   for (std::uint64_t index = 0; index < effort(150); ++index) {
-    Rng rng(seeded::seed_of_part(kSeed + 1, index));
+    Rng rng(seeded::seed_of_stream(kSeed + 1, index));
     const CurvedQuery query = any_turn(rng);
     const solver::ScrewArcs arcs(query, 1 << rng.between(2, 10));
     const double from = rng.unit(), to = std::min(1.0, from + std::ldexp(rng.unit(), -rng.between(1, 40)));
@@ -205,7 +205,7 @@ double true_distance(const CurvedQuery& query, double t) {
 TEST_CASE("verdicts on random motions hold on the true motion") {
   std::array<std::size_t, 3> verdicts{};
   for (std::uint64_t index = 0; index < effort(120); ++index) {
-    Rng rng(seeded::seed_of_part(kSeed + 2, index));
+    Rng rng(seeded::seed_of_stream(kSeed + 2, index));
     const Kind kind = rng.one_in(2) ? Kind::edge_edge : Kind::vertex_face;
     const CurvedQuery query = rng.one_in(2) ? random_query(kind, rng) : meeting_query(kind, rng);
     ScrewOptions options;

@@ -141,7 +141,7 @@ void straight_as_curves(Kind kind) {
   };
   for_each_case(kSeed, 25, wanted, [&](const CaseId& id) {
     const Query query = make(id);
-    Rng rng(seeded::seed_of_part(kSeed, report.checked()));
+    Rng rng(seeded::seed_of_stream(kSeed, report.checked()));
     const Metric metric = rng.pick(kMetrics);
     const Separation separation = {interesting_distance(query, metric, rng), metric};
     const Answer straight = solve(query, {.separation = separation, .method = Method::exact});
@@ -188,7 +188,7 @@ void exact_and_oracle_agree(const char* name, Maker make, std::initializer_list<
   std::array<std::size_t, 6> natures{};
   for (const Kind kind : kinds) {
     for (std::uint64_t index = 0; index < effort(count); ++index) {
-      Rng rng(seeded::seed_of_part(kSeed + static_cast<std::uint64_t>(kind), index));
+      Rng rng(seeded::seed_of_stream(kSeed + static_cast<std::uint64_t>(kind), index));
       const CurvedQuery query = make(kind, rng);
       const Separation separation = {distance_for(rng), rng.pick(kMetrics)};
       const double t_max = rng.one_in(4) ? rng.unit() : 1;
@@ -253,7 +253,7 @@ TEST_CASE("a batch of curved queries with separations: the same bits as one by o
   std::vector<CurvedQuery> queries;
   std::vector<double> distances;
   for (std::uint64_t index = 0; index < effort(200); ++index) {
-    Rng rng(seeded::seed_of_part(kSeed, index));
+    Rng rng(seeded::seed_of_stream(kSeed, index));
     queries.push_back(meeting_query(rng.one_in(2) ? Kind::point_edge : Kind::edge_edge, rng));
     distances.push_back(rng.one_in(5) ? 0 : distance_for(rng));
   }

@@ -92,7 +92,7 @@ void translated_bodies(Kind kind) {
   std::size_t contacts = 0;
   constexpr std::size_t kCount = 3000;
   for (std::uint64_t index = 0; index < kCount; ++index) {
-    Rng rng(seeded::seed_of_part(kSeed + static_cast<std::uint64_t>(kind), index));
+    Rng rng(seeded::seed_of_stream(kSeed + static_cast<std::uint64_t>(kind), index));
     const int size = rng.between(1, 3);
     Query straight;
     CurvedQuery rigid;

@@ -62,11 +62,11 @@ TEST_CASE("the cubic's coefficients over a part of the step are within their bou
   report("part", searched(84, 2, 15000, in_range, [](const FrameCase& s, const std::vector<double>& x) {
            const BernsteinCubic cubic = s.cubic();
            const double p = time_from(x[24]), q = time_from(x[25]);
-           const auto part = cubic.part(p, q);
+           const auto part = cubic.restricted_to(p, q);
            double worst = 0;
            for (std::size_t i = 0; i < 4; ++i) {
              const Exact truth = s.blossom(Exact(i > 0 ? q : p), Exact(i > 1 ? q : p), Exact(i > 2 ? q : p));
-             worst = std::max(worst, over(Exact(3) * Exact(part[i]) - truth, 3 * cubic.part_error()));
+             worst = std::max(worst, over(Exact(3) * Exact(part[i]) - truth, 3 * cubic.restriction_error()));
            }
            return worst;
          }));

@@ -215,7 +215,7 @@ TEST_CASE("a direction keeps the largest distance that it is clear of", "[separa
 
 TEST_CASE("the middle coefficient of a direction that turns is within its bound", "[separation][slow]") {
   const auto closest_place = [](const filters::Step& step, double t) {
-    filters::StepAt place = filters::bare_place(step, t);
+    filters::StepAt place = filters::bare_iterate(step, t);
     const auto [p, q] = filters::closest(step.domain, place.r, place.u, place.w);
     place.n = filters::combined(place.r, place.u, place.w, p, q);
     return place;

@@ -1,13 +1,13 @@
-# kValueBound of step_cubic.hpp and kPartBound of bernstein_cubic.cpp: the value of the cubic, and its coefficients over
+# kValueBound of step_cubic.hpp and kRestrictionBound of bernstein_cubic.cpp: the value of the cubic, and its coefficients over
 # a part. The coefficients c are off by what ends_bound.g and middle_bound.g prove without their reserve.
 # SPDX-License-Identifier: MIT
 # constant kUnit src/core/filters/coplanarity_form.hpp
 # constant kValueBound src/core/filters/step_cubic.hpp
-# constant kPartBound src/core/filters/bernstein_cubic.cpp
+# constant kRestrictionBound src/core/filters/bernstein_cubic.cpp
 # constant kMargin src/core/filters/step_cubic.hpp
 # constant kLeastMagnitude src/core/filters/root_sides.hpp
 # not with kValueBound: 59 * kUnit
-# not with kPartBound: 68 * kUnit
+# not with kRestrictionBound: 68 * kUnit
 # not with kMargin: 0x1p-6
 # not with kLeastMagnitude: 0x1p-350
 
@@ -61,7 +61,7 @@ E_3 = E_2 * span + 8.01;
      |value - V| - @kValueBound@ * size <= 0 /\
      # The operands' errors, and 8.01 e more.
      |g - true_g - e * (80 * mix_o * span)| - 8.01 * e <= 0 /\
-     E_3 * e - @kPartBound@ * size <= 0
+     E_3 * e - @kRestrictionBound@ * size <= 0
 }
 rounds -> e * (round_4 + d_5 + e * (round_4 * d_5));
 value - V -> e * weighted + f * (4.001 * mix_k * (span * span * span)) + tiny * (64 * h_value);

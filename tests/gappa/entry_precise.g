@@ -4,7 +4,7 @@
 # constant kUnit src/core/filters/coplanarity_form.hpp
 # between kEuclidean src/core/filters/separation/entry.cpp |constexpr double kPreciseError = |;|
 # between kLargestAxis src/core/filters/separation/max_entry.cpp |constexpr double kPreciseError = |;|
-# constant kLeastShare src/core/filters/separation/entry_step.hpp
+# constant kLeastFraction src/core/filters/separation/entry_step.hpp
 # constant kLeastSize src/core/filters/separation/entry_step.hpp
 # not with kEuclidean: 700 * 0x1p-106
 # not with kLargestAxis: 650 * 0x1p-106
@@ -12,7 +12,7 @@
 
 e = @kUnit@;
 # The smallest product is one of |c| and S, or of the distance and S.
-tiny = 0x1p-1071 / (@kLeastShare@ * @kLeastSize@ * @kLeastSize@ * e * e);
+tiny = 0x1p-1071 / (@kLeastFraction@ * @kLeastSize@ * @kLeastSize@ * e * e);
 
 # A difference u at t in [0, 1]: from + t (to - from), in units of its bound U. Differences of corners are exact.
 change_low = (2 * y_1 + (to_low - from_low) * (1 + e * d_1)) * (1 + e * d_2);

@@ -2,7 +2,7 @@
 # Claims about one vector are in units of N and of the vector's bound; claims about c = r - s u - q w in units of N S.
 # SPDX-License-Identifier: MIT
 # constant kUnit src/core/filters/coplanarity_form.hpp
-# constant kLeastShare src/core/filters/separation/entry_step.hpp
+# constant kLeastFraction src/core/filters/separation/entry_step.hpp
 # constant kLeastSize src/core/filters/separation/entry_step.hpp
 # constant kWalkError src/core/filters/separation/entry_walk.hpp
 # constant kTurnError src/core/filters/separation/entry_walk.hpp
@@ -13,9 +13,9 @@
 # not with kLeastSize: 0x1p-480
 
 e = @kUnit@;
-# The direction's largest coordinate is at least kLeastShare S / 2 in the Euclidean metric; in the other, directions
+# The direction's largest coordinate is at least kLeastFraction S / 2 in the Euclidean metric; in the other, directions
 # that are shorter than a difference of a query are scaled to 1, and nothing smaller than a difference counts.
-tiny = 0x1p-1073 / (@kLeastShare@ * @kLeastSize@ * @kLeastSize@ / 2);
+tiny = 0x1p-1073 / (@kLeastFraction@ * @kLeastSize@ * @kLeastSize@ / 2);
 # A product of the direction n, whose own coordinates may be off by e, with a computed difference x; and, for a turn,
 # with a position at a time, which is off by f.
 f = 4.002 * e;
@@ -65,7 +65,7 @@ norm = @kNormIncrease@ * sqrt((1 - e) * (1 - e) * (1 - e)) * (1 - e) * (1 - e) *
      turn - @kTurnError@ * rounds <= 0 /\
      norm >= 1 /\
      # No square underflows.
-     0x1p-1000 - @kLeastShare@ * @kLeastSize@ * @kLeastShare@ * @kLeastSize@ / 4 <= 0
+     0x1p-1000 - @kLeastFraction@ * @kLeastSize@ * @kLeastFraction@ * @kLeastSize@ / 4 <= 0
 }
 p - true_p -> (z_x + z_y + z_z) + p_off;
 p - turn_p -> (y_x + y_y + y_z) + p_off;

@@ -47,8 +47,8 @@ TEST_CASE("scenes along the axes have the size that was asked for, their planes,
   for (const auto& face : mesh.faces) CHECK(*std::max_element(face.begin(), face.end()) < mesh.corner_count);
   std::vector<Vec3> corners, elsewhere;
   for (const double time : {0.0, 1.0, 50.5, 1e6}) {
-    scene->place_corners(time, corners);
-    turned->place_corners(time, elsewhere);
+    scene->set_corners(time, corners);
+    turned->set_corners(time, elsewhere);
     REQUIRE(corners.size() == mesh.corner_count);
     REQUIRE(elsewhere.size() == mesh.corner_count);
     std::set<double> heights;

@@ -30,9 +30,9 @@ FirstContact contact_of(const Step& step) {
 
 /// The vertices of the cloth come first.
 Index cloth_vertices(const Step& step) {
-  REQUIRE(step.mesh().parts.size() == 2);
+  REQUIRE(step.mesh().objects.size() == 2);
   const auto& faces = step.mesh().faces;
-  const std::size_t sphere = step.mesh().parts[1].first_face;
+  const std::size_t sphere = step.mesh().objects[1].first_face;
   Index least = faces[sphere][0];
   for (std::size_t f = sphere; f < faces.size(); ++f) least = std::min({least, faces[f][0], faces[f][1], faces[f][2]});
   return least;
@@ -95,7 +95,7 @@ TEST_CASE("a planted crossing is found in its two steps, by the vertex that was 
       REQUIRE(found.first.size() == 1);
       REQUIRE(found.first[0].pair.kind == Kind::vertex_face);
       REQUIRE(found.first[0].pair.first == *planted);
-      REQUIRE(found.first[0].pair.second >= step.mesh().parts[1].first_face);
+      REQUIRE(found.first[0].pair.second >= step.mesh().objects[1].first_face);
     }
   }
 }

@@ -79,7 +79,7 @@ TEST_CASE("scenes are of the size that was asked for and stay near the origin") 
   CHECK(moving->mesh().faces.empty() == !has_faces(name));
   std::vector<Vec3> corners;
   for (const double time : {0.0, 1.0, 50.5, 1e6}) {
-    moving->place_corners(time, corners);
+    moving->set_corners(time, corners);
     REQUIRE(corners.size() == moving->mesh().corner_count);
     double furthest = 0;
     for (const Vec3& corner : corners) furthest = std::max(furthest, length(corner));

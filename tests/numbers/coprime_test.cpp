@@ -49,7 +49,7 @@ Polynomial product(const Polynomial& a, const Polynomial& b) {
 TEST_CASE("polynomials with a common root are never told to be coprime, and others nearly always are") {
   std::size_t coprime = 0, told = 0;
   for (std::uint64_t index = 0; index < 3000; ++index) {
-    seeded::Rng rng(seeded::seed_of_part(kSeed, index));
+    seeded::Rng rng(seeded::seed_of_stream(kSeed, index));
     INFO("seed " << kSeed << ", index " << index);
     const Polynomial p = polynomial(rng, rng.between(1, 9)), q = polynomial(rng, rng.between(0, 9));
     const Polynomial common = polynomial(rng, rng.between(1, 5));

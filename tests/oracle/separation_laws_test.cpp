@@ -51,7 +51,7 @@ void check_law(Law&& law) {
   const auto wanted = [](const FamilyInfo& family, Kind) { return family.group != Group::scale; };
   for_each_case(kSeed, 2, wanted, [&](const CaseId& id) {
     const Query query = make(id);
-    Rng rng(seeded::seed_of_part(kSeed + id.index, static_cast<std::uint64_t>(id.family)));
+    Rng rng(seeded::seed_of_stream(kSeed + id.index, static_cast<std::uint64_t>(id.family)));
     for (const Metric metric : {Metric::euclidean, Metric::max}) {
       const Separation separation = {separation_for(query, metric, rng), metric};
       const Answer answer = oracle::decide_by_oracle(query, 1, separation);

@@ -256,7 +256,7 @@ double separation_between(const Query& query, Metric metric, seeded::Rng& rng) {
 void check_kind(Kind kind, Metric metric) {
   static constexpr std::array<double, 8> distances = {0.25, 0.5, 1, 1, 1.5, 2, 3, 0.625};
   seeded::Rng rng(
-      seeded::seed_of_part(kSeed, static_cast<std::uint64_t>(kind) * 2 + static_cast<std::uint64_t>(metric)));
+      seeded::seed_of_stream(kSeed, static_cast<std::uint64_t>(kind) * 2 + static_cast<std::uint64_t>(metric)));
   Tally tally;
   for (int i = 0; i < kQueries; ++i) {
     const Query query = small_query(rng, kind);
@@ -301,7 +301,7 @@ TEST_CASE("no time of hard queries of every magnitude is within a separation bef
       kSeed, 1, [](const FamilyInfo&, Kind) { return true; },
       [&](const CaseId& id) {
         const Query query = make(id);
-        seeded::Rng rng(seeded::seed_of_part(kSeed, id.index + 64 * static_cast<std::uint64_t>(id.family)));
+        seeded::Rng rng(seeded::seed_of_stream(kSeed, id.index + 64 * static_cast<std::uint64_t>(id.family)));
         for (const Metric metric : {Metric::euclidean, Metric::max}) {
           const Separation separation = {separation_between(query, metric, rng), metric};
           INFO(case_name(id) << ", separation " << hexfloat(separation.distance) << " " << name_of(metric));

@@ -47,7 +47,7 @@ void attack(Metric metric, std::size_t effort_per_kind) {
     for (const Kind kind : kKinds) {
       const bool has_face_or_edges = kind == Kind::edge_edge || kind == Kind::vertex_face;
       for (std::size_t i = 0; i < effort(has_face_or_edges ? effort_per_kind : effort_per_kind / 4); ++i) {
-        Rng rng(seeded::seed_of_part(12 + d, 4 * i + static_cast<std::size_t>(kind)));
+        Rng rng(seeded::seed_of_stream(12 + d, 4 * i + static_cast<std::size_t>(kind)));
         judge(make_entry(kind, kDifficulties[d], metric, rng),
               std::string(kDifficultyNames[d]) + " " + std::string(name_of(kind)) + " " + std::to_string(i), judged);
       }

@@ -23,7 +23,7 @@ namespace {
 /// One triangle and one edge.
 AnimationShape small_shape() {
   AnimationShape shape;
-  shape.parts = {{"", 3, 0, 1}, {"<b>\"body\"</b>", 2, 1, 0}};
+  shape.groups = {{"", 3, 0, 1}, {"<b>\"body\"</b>", 2, 1, 0}};
   shape.faces = {{0, 1, 2}};
   shape.edges = {{3, 4}};
   shape.vertex_name = "particle";

@@ -139,9 +139,9 @@ bool CornerArray::has_columns() const noexcept {
 
 const double* CornerArray::column(std::size_t first, std::size_t c, std::size_t k, const double* zeros) const noexcept {
   if (k >= coordinates_) return zeros;
-  const char* const place =
+  const char* const address =
       data_ + static_cast<std::ptrdiff_t>(c) * corner_stride_ + static_cast<std::ptrdiff_t>(k) * coordinate_stride_;
-  return reinterpret_cast<const double*>(place) + first;
+  return reinterpret_cast<const double*>(address) + first;
 }
 
 template <class Number>
@@ -153,9 +153,9 @@ void CornerArray::copy(std::size_t first, std::size_t size, double* to) const no
         std::fill_n(to, size, 0.0);
         continue;
       }
-      const char* place =
+      const char* address =
           start + static_cast<std::ptrdiff_t>(c) * corner_stride_ + static_cast<std::ptrdiff_t>(k) * coordinate_stride_;
-      for (std::size_t q = 0; q < size; ++q, place += query_stride_) to[q] = load<Number>(place);
+      for (std::size_t q = 0; q < size; ++q, address += query_stride_) to[q] = load<Number>(address);
     }
   }
 }

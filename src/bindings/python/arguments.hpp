@@ -58,10 +58,10 @@ class CornerArray {
   /// Coordinate k of corner c of query q; 0 for z in the plane.
   double at(std::size_t q, std::size_t c, std::size_t k) const noexcept {
     if (k >= coordinates_) return 0;
-    const char* const place = data_ + static_cast<std::ptrdiff_t>(q) * query_stride_ +
-                              static_cast<std::ptrdiff_t>(c) * corner_stride_ +
-                              static_cast<std::ptrdiff_t>(k) * coordinate_stride_;
-    return is_float_ ? load<float>(place) : load<double>(place);
+    const char* const address = data_ + static_cast<std::ptrdiff_t>(q) * query_stride_ +
+                                static_cast<std::ptrdiff_t>(c) * corner_stride_ +
+                                static_cast<std::ptrdiff_t>(k) * coordinate_stride_;
+    return is_float_ ? load<float>(address) : load<double>(address);
   }
 
   /// Corners of query q in the order of the kind.
@@ -79,9 +79,9 @@ class CornerArray {
 
  private:
   template <class Number>
-  static double load(const char* place) noexcept {
+  static double load(const char* address) noexcept {
     Number number;
-    std::memcpy(&number, place, sizeof number);  // it may have any alignment
+    std::memcpy(&number, address, sizeof number);  // it may have any alignment
     return static_cast<double>(number);
   }
   template <class Number>

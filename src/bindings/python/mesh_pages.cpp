@@ -49,7 +49,7 @@ std::vector<double> coordinates(const Positions& x) {
 view::AnimationShape shape_of(const Mesh& mesh) {
   const auto count = [](const auto& all) { return static_cast<std::uint32_t>(all.size()); };
   view::AnimationShape shape;
-  shape.parts.push_back(
+  shape.groups.push_back(
       {std::string(), static_cast<std::uint32_t>(mesh.vertex_count()), count(mesh.edges()), count(mesh.faces())});
   shape.edges = mesh.edges();
   shape.faces = mesh.faces();

@@ -115,8 +115,8 @@ Query parallel(Kind kind, Rng& rng) {
 Query sliding(Kind kind, Rng& rng) {
   const Moving a = lattice_motion(rng, 3);
   const Vec3 u = nonzero_point(rng, 3);
-  const Linear place{0.25 * small(rng, 8), 0.25 * small(rng, 8)};
-  const Moving slider = a + place * u;
+  const Linear along{0.25 * small(rng, 8), 0.25 * small(rng, 8)};
+  const Moving slider = a + along * u;
   switch (kind) {
     case Kind::edge_edge: {
       const Moving other = rng.one_in(3) ? slider + small(rng, 2) * fixed(u) : lattice_motion(rng, 3);
@@ -160,9 +160,9 @@ Query flat(Kind kind, Rng& rng) {
         collapse(1, 3);
         break;
       default: {  // three corners in one line
-        const double place = 0.5 * small(rng, 4);
-        query.start[3] = query.start[1] + place * (query.start[2] - query.start[1]);
-        query.end[3] = query.end[1] + place * (query.end[2] - query.end[1]);
+        const double fraction = 0.5 * small(rng, 4);
+        query.start[3] = query.start[1] + fraction * (query.start[2] - query.start[1]);
+        query.end[3] = query.end[1] + fraction * (query.end[2] - query.end[1]);
       }
     }
   }

@@ -289,10 +289,10 @@ CurvedSample turning_bodies(Kind kind, Rng& rng) {
   for (std::size_t i = 0; i < corner_count(kind); ++i) {
     const std::size_t element = element_of(kind, i);
     const RigidMotion& motion = query.motions[element];
-    Vec3 place = vector(kElement);
-    if (element == 1) place = place + apart;
+    Vec3 position = vector(kElement);
+    if (element == 1) position = position + apart;
     const Quaternion back = {motion.q0[0], -motion.q0[1], -motion.q0[2], -motion.q0[3]};
-    query.corners[i].points[0] = turned(back, place - motion.p0);
+    query.corners[i].points[0] = turned(back, position - motion.p0);
   }
   return {query, 1, {}};
 }

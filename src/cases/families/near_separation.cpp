@@ -55,7 +55,7 @@ Vec3 across(const Vec3& n, Rng& rng) {
   }
 }
 
-/// The place of the closest point in its element.
+/// Where the closest point is in its element.
 enum class Foot { inside, border, anywhere };
 
 /// An element's corners relative to its closest point, and the weights of that point.
@@ -131,7 +131,7 @@ enum class Course { any, approaching, leaving, tangent, level, sliding, common }
 
 Query moving(const Placed& p, double time, Course course, Rng& rng) {
   const std::size_t first_of_b = element_sizes(p.kind).a;
-  const Vec3 place = lattice_point(rng, 2);
+  const Vec3 position = lattice_point(rng, 2);
   const Vec3 common = lattice_point(rng, 2);
   const Vec3 turn = lattice_point(rng, 2);
   const double speed = rng.between(1, 4);
@@ -152,7 +152,7 @@ Query moving(const Placed& p, double time, Course course, Rng& rng) {
       case Course::sliding: velocity = velocity + (in_b ? speed : 0) * p.line; break;
       case Course::common: break;
     }
-    const Vec3 at = place + (in_b ? p.n : Vec3{}) + p.offset[i];
+    const Vec3 at = position + (in_b ? p.n : Vec3{}) + p.offset[i];
     const Vec3 start = at - time * velocity;
     corners[i] = {start, start + velocity};
   }

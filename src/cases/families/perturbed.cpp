@@ -59,12 +59,12 @@ Query near_rigid(Kind kind, Rng& rng) {
 
 // A lattice around a point that is far from the origin. Its spacing is one ulp there.
 Query ulp_lattice(Kind kind, Rng& rng) {
-  static constexpr std::array<double, 6> places{1.0, 1.5, 0.1, -3.7, 1e8, 1.9999999};
+  static constexpr std::array<double, 6> coordinates{1.0, 1.5, 0.1, -3.7, 1e8, 1.9999999};
   Query query = lattice(kind, rng, rng.between(1, 3));
-  const Vec3 place{rng.pick(places), rng.pick(places), rng.pick(places)};
+  const Vec3 centre{rng.pick(coordinates), rng.pick(coordinates), rng.pick(coordinates)};
   return mapped_corners(query, [&](Vec3 corner) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double at = coordinate(place, axis);
+      const double at = coordinate(centre, axis);
       const double ulp = std::nextafter(std::abs(at), std::numeric_limits<double>::infinity()) - std::abs(at);
       coordinate(corner, axis) = at + ulp * coordinate(corner, axis);
     }
@@ -106,10 +106,10 @@ Query random_doubles(Kind kind, Rng& rng) {
 Query simulation(Kind kind, Rng& rng) {
   std::array<Moving, 4> corners{};
   const std::size_t first_of_b = element_sizes(kind).a;
-  const Vec3 place = random_point(rng, 10);
+  const Vec3 centre = random_point(rng, 10);
   const Vec3 apart = random_point(rng, 0.5);
   for (std::size_t i = 0; i < corner_count(kind); ++i) {
-    Vec3 start = place + random_point(rng, 0.7);
+    Vec3 start = centre + random_point(rng, 0.7);
     if (i >= first_of_b) start = start + apart;
     corners[i] = {start, start + random_point(rng, 0.2)};
   }

@@ -20,9 +20,9 @@ double power_of_two_below(double x) noexcept { return std::ldexp(1.0, std::ilogb
 double snapped(double x, double unit) noexcept { return unit * std::floor(x / unit + 0.5); }
 
 /// About the distance that something has slid along its line: there and back by up to 1/8, at about one unit of length
-/// a unit of time. Phases differ from part to part.
-double slid(std::size_t part, double time) noexcept {
-  return 0.125 * sine(1.25 * time + 0.375 * static_cast<double>(part));
+/// a unit of time. Phases differ from item to item.
+double slid(std::size_t item, double time) noexcept {
+  return 0.125 * sine(1.25 * time + 0.375 * static_cast<double>(item));
 }
 
 /// Boxes in layers, each resting on the one below it.
@@ -44,7 +44,7 @@ class Boxes final : public MovingMesh {
     }
   }
 
-  void place_corners(double time, std::vector<Vec3>& corners) const override {
+  void set_corners(double time, std::vector<Vec3>& corners) const override {
     corners.clear();
     const double side = edge_length_, length = bricks_ ? 2 * side : side;
     for (std::size_t layer = 0; layer < layers_; ++layer) {
@@ -78,13 +78,13 @@ class Plane final : public MovingMesh {
     for (std::size_t i = 0; i < cables_; ++i) mesh_.append(chain_mesh(per_cable_), "cable-" + std::to_string(i + 1));
   }
 
-  void place_corners(double time, std::vector<Vec3>& corners) const override {
+  void set_corners(double time, std::vector<Vec3>& corners) const override {
     corners.clear();
     for (std::size_t c = 0; c < cables_; ++c) {
-      const double place = (static_cast<double>(c / 2) + 0.5) / (0.5 * static_cast<double>(cables_)) - 0.5;
+      const double across = (static_cast<double>(c / 2) + 0.5) / (0.5 * static_cast<double>(cables_)) - 0.5;
       for (std::size_t i = 0; i <= per_cable_; ++i) {
         const double along = edge_length_ * static_cast<double>(i) - 0.5;
-        const Vec3 rest = c % 2 == 0 ? Vec3{along, place, 0} : Vec3{place, along, 0};
+        const Vec3 rest = c % 2 == 0 ? Vec3{along, across, 0} : Vec3{across, along, 0};
         const double aside = 0.2 * bend_(rest + Vec3{0, 0, static_cast<double>(c)}, 2 * time);
         corners.push_back(c % 2 == 0 ? Vec3{rest.x, rest.y + aside, 0} : Vec3{rest.x + aside, rest.y, 0});
       }
@@ -106,7 +106,7 @@ class Grid final : public MovingMesh {
     mesh_.append(sheet_mesh(n_), "sliding");
   }
 
-  void place_corners(double time, std::vector<Vec3>& corners) const override {
+  void set_corners(double time, std::vector<Vec3>& corners) const override {
     corners.clear();
     for (std::size_t plate = 0; plate < 2; ++plate) {
       const double unit = edge_length_ / kSteps;
@@ -145,7 +145,7 @@ class Lying final : public MovingMesh {
     }
   }
 
-  void place_corners(double /*time*/, std::vector<Vec3>& corners) const override { corners = rest_; }
+  void set_corners(double /*time*/, std::vector<Vec3>& corners) const override { corners = rest_; }
 
  private:
   std::size_t n_ = 0;
@@ -161,13 +161,13 @@ class Placed final : public MovingMesh {
     edge_length_ = scene_->edge_length();
   }
 
-  void place_corners(double time, std::vector<Vec3>& corners) const override {
-    scene_->place_corners(time, corners);
-    for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = place(i, corners[i]);
+  void set_corners(double time, std::vector<Vec3>& corners) const override {
+    scene_->set_corners(time, corners);
+    for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = positioned(i, corners[i]);
   }
 
  private:
-  Vec3 place(std::size_t corner, const Vec3& x) const {
+  Vec3 positioned(std::size_t corner, const Vec3& x) const {
     constexpr Vec3 kOffset{101.3, -77.7, 150.1};
     switch (placement_) {
       case Placement::as_built: return x;

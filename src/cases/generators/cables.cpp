@@ -24,15 +24,16 @@ class Cables final : public MovingMesh {
     per_cable_ = edges / (2 * in_bundle);
     edge_length_ = 1 / static_cast<double>(per_cable_);
     for (std::size_t i = 0; i < 2 * in_bundle; ++i) {
-      const double place = (static_cast<double>(i / 2) + random.unit()) / static_cast<double>(in_bundle) - 0.5;
+      const double position = (static_cast<double>(i / 2) + random.unit()) / static_cast<double>(in_bundle) - 0.5;
       const bool across = i % 2 == 1;
-      cables_.push_back({across ? Vec3{place, -0.5, 0} : Vec3{-0.5, place, 0}, across ? Vec3{0, 1, 0} : Vec3{1, 0, 0},
-                         Waves({3, 0.3, 0.9}, random), Waves({3, 0.2, 0.6}, random)});
+      cables_.push_back({across ? Vec3{position, -0.5, 0} : Vec3{-0.5, position, 0},
+                         across ? Vec3{0, 1, 0} : Vec3{1, 0, 0}, Waves({3, 0.3, 0.9}, random),
+                         Waves({3, 0.2, 0.6}, random)});
       mesh_.append(chain_mesh(per_cable_), "cable-" + std::to_string(i + 1));
     }
   }
 
-  void place_corners(double time, std::vector<Vec3>& corners) const override {
+  void set_corners(double time, std::vector<Vec3>& corners) const override {
     corners.clear();
     for (const Cable& cable : cables_) {
       const Vec3 side{cable.along.y, cable.along.x, 0};

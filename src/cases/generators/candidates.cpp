@@ -46,18 +46,18 @@ class Batches {
   Batch batch_;
 };
 
-/// Passes on `wanted` of the step's candidates, each with the same probability, or all if there are no more. It is
-/// reservoir sampling: the n-th candidate replaces an earlier one with probability wanted / n. @returns how many
-std::uint64_t hand_out(const Step& step, Batches& batches, Kind kind, bool shared_corners, std::uint64_t wanted,
+/// Passes on `count` of the step's candidates, each with the same probability, or all if there are no more. It is
+/// reservoir sampling: the n-th candidate replaces an earlier one with probability count / n. @returns how many
+std::uint64_t hand_out(const Step& step, Batches& batches, Kind kind, bool shared_corners, std::uint64_t count,
                        seeded::Rng random) {
   std::vector<std::array<Index, 2>> drawn;
   std::uint64_t seen = 0;
   step.for_each_candidate(kind, shared_corners, [&](Index i, Index j) {
     ++seen;
-    if (drawn.size() < wanted) {
+    if (drawn.size() < count) {
       drawn.push_back({i, j});
-    } else if (const std::uint64_t place = random.below(seen); place < wanted) {
-      drawn[place] = {i, j};
+    } else if (const std::uint64_t slot = random.below(seen); slot < count) {
+      drawn[slot] = {i, j};
     }
   });
   for (const auto& [i, j] : drawn) batches.add(step.query(kind, i, j));
@@ -80,9 +80,10 @@ CandidateCounts for_each_batch(const CandidateOptions& options, const std::funct
     } else {
       // Later steps may fill the count that earlier ones could not.
       const std::uint64_t steps_left = options.steps - number;
-      const std::uint64_t wanted = (options.count - handed_out + steps_left - 1) / steps_left;
-      const seeded::Rng random(seeded::seed_of_part(options.seed, 2 + 2 * number + (kind == Kind::edge_edge ? 0 : 1)));
-      handed_out += hand_out(step, batches, kind, options.shared_corners, wanted, random);
+      const std::uint64_t count = (options.count - handed_out + steps_left - 1) / steps_left;
+      const seeded::Rng random(
+          seeded::seed_of_stream(options.seed, 2 + 2 * number + (kind == Kind::edge_edge ? 0 : 1)));
+      handed_out += hand_out(step, batches, kind, options.shared_corners, count, random);
     }
     batches.flush();
   };

@@ -40,7 +40,7 @@ class Cloth final : public MovingMesh {
     mesh_.append(sphere.mesh, "sphere");
   }
 
-  void place_corners(double time, std::vector<Vec3>& corners) const override {
+  void set_corners(double time, std::vector<Vec3>& corners) const override {
     corners.clear();
     const double c = cosine(0.1 * time), s = sine(0.1 * time);
     for (const Vec3& at : rest_) corners.push_back(rotation_(cloth_corner(at, time)));

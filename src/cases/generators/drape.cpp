@@ -42,7 +42,7 @@ constexpr double kDepth = 0.01;       // of an edge: a planted vertex is so far 
 ///
 /// Between two frames each radius is interpolated linearly in time. Then r changes by at most L a radian still, and the
 /// gap of a vertex is at least the lesser one of its two gaps. So the argument holds for each time of each step, for
-/// steps of any length. Rounding is far less than what place_corners adds to the gap.
+/// steps of any length. Rounding is far less than what set_corners adds to the gap.
 ///
 /// @param cloth, sphere  the angles c and s in radians; c < 1.4
 double least_gap(double cloth, double sphere) {
@@ -87,7 +87,7 @@ class Drape final : public MovingMesh {
     mesh_.append(sphere.mesh, "sphere");
   }
 
-  void place_corners(double time, std::vector<Vec3>& corners) const override {
+  void set_corners(double time, std::vector<Vec3>& corners) const override {
     corners.clear();
     const Vec3 centre = centre_at(time);
     for (const Ray& ray : rays_) {

@@ -53,9 +53,9 @@ class MovingMesh {
   double edge_length() const noexcept { return edge_length_; }  ///< about that of most edges
 
   /// The positions of the corners: `corners` gets mesh().corner_count of them, the same bits on every machine.
-  virtual void place_corners(double time, std::vector<Vec3>& corners) const = 0;
+  virtual void set_corners(double time, std::vector<Vec3>& corners) const = 0;
 
-  /// Moves one of the `corners` that place_corners gave for this time through a face of another part. Only the scene
+  /// Moves one of the `corners` that set_corners gave for this time through a face of another object. Only the scene
   /// `drape` does so. The corner is the same at every time.
   /// @returns its number; nothing for another scene
   virtual std::optional<Index> plant_crossing(double /*time*/, std::vector<Vec3>& /*corners*/) const { return {}; }

@@ -49,7 +49,7 @@ class OctahedronCorners {
 }  // namespace
 
 void Mesh::append(const Mesh& other, const std::string& name) {
-  parts.push_back({name, faces.size()});
+  objects.push_back({name, faces.size()});
   const auto shift = static_cast<Index>(corner_count);
   for (const auto& e : other.edges) edges.push_back({e[0] + shift, e[1] + shift});
   for (const auto& f : other.faces) faces.push_back({f[0] + shift, f[1] + shift, f[2] + shift});

@@ -25,9 +25,9 @@ struct Mesh {
     std::string name;
     std::size_t first_face = 0;
   };
-  std::vector<Object> parts;
+  std::vector<Object> objects;
 
-  /// Adds another mesh as a part of this name. Its corners come after those that are there.
+  /// Adds another mesh as an object of this name. Its corners come after those that are there.
   void append(const Mesh& other, const std::string& name);
 };
 

@@ -31,7 +31,7 @@ class Sheets final : public MovingMesh {
     }
   }
 
-  void place_corners(double time, std::vector<Vec3>& corners) const override {
+  void set_corners(double time, std::vector<Vec3>& corners) const override {
     corners.clear();
     const double slid = 0.3 * slide_({}, time);
     for (std::size_t i = 0; i < rest_.size(); ++i) {

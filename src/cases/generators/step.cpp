@@ -11,18 +11,18 @@
 namespace touchstone::generators {
 
 Step::Step(SceneName scene, std::uint64_t seed, std::size_t edges, double speed, double separation, Placement placement)
-    : moving_(make_moving_mesh(scene, seeded::seed_of_part(seed, 0), edges, placement)),
-      first_time_(seeded::Rng(seeded::seed_of_part(seed, 1)).uniform(0, 100)),
+    : moving_(make_moving_mesh(scene, seeded::seed_of_stream(seed, 0), edges, placement)),
+      first_time_(seeded::Rng(seeded::seed_of_stream(seed, 1)).uniform(0, 100)),
       duration_(0.1 * speed * moving_->edge_length()),
       margin_(separation == 0 ? 0 : std::max(separation / 2, std::numeric_limits<double>::min())) {
-  moving_->place_corners(first_time_, end_);
+  moving_->set_corners(first_time_, end_);
   start_ = end_;
 }
 
 void Step::advance() {
   ++number_;
   std::swap(start_, end_);
-  moving_->place_corners(time(), end_);
+  moving_->set_corners(time(), end_);
 }
 
 std::optional<Index> Step::plant_crossing() { return moving_->plant_crossing(time(), end_); }

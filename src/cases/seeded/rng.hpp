@@ -16,8 +16,8 @@ constexpr std::uint64_t splitmix64(std::uint64_t& state) noexcept {
   return z ^ (z >> 31);
 }
 
-/// A seed for part `index` of the sequence of `seed`, so that no part depends on how many numbers another one drew.
-constexpr std::uint64_t seed_of_part(std::uint64_t seed, std::uint64_t index) noexcept {
+/// A seed for stream `index` of the sequence of `seed`. So no stream depends on how many numbers another one drew.
+constexpr std::uint64_t seed_of_stream(std::uint64_t seed, std::uint64_t index) noexcept {
   std::uint64_t state = splitmix64(seed) ^ (index * 0xD1342543DE82EF95u);
   return splitmix64(state);
 }

@@ -62,9 +62,9 @@ Entry entry_of(const BenchSet& set, BenchMethod method) {
 bool may_choose(const std::string& source, const std::string& filter) {
   const std::regex pattern(filter);
   for (const Kind kind : kKinds) {
-    for (const char* part : {"all", "hits", "misses"}) {
+    for (const char* subset : {"all", "hits", "misses"}) {
       for (const BenchMethod method : kBenchMethods) {
-        const std::string name = fmt::format("{}/{}/{}/{}", source, name_of(kind), part, bench_method_name(method));
+        const std::string name = fmt::format("{}/{}/{}/{}", source, name_of(kind), subset, bench_method_name(method));
         if (std::regex_search(name, pattern)) return true;
       }
     }

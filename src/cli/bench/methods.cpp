@@ -28,7 +28,7 @@ Method method_of(BenchMethod method) {
   }
 }
 
-Wanted wanted_by(BenchMethod method) {
+Wanted answers_of(BenchMethod method) {
   if (method == BenchMethod::contact) return Wanted::contact;
   return method == BenchMethod::time ? Wanted::time : Wanted::all;
 }
@@ -36,7 +36,7 @@ Wanted wanted_by(BenchMethod method) {
 /// Of the solver itself, which takes a method or what is wanted.
 template <class AnyQuery>
 Answer answer_by(BenchMethod method, const AnyQuery& query, const Separation& separation) {
-  const Wanted wanted = wanted_by(method);
+  const Wanted wanted = answers_of(method);
   return wanted == Wanted::all ? solve(query, {.separation = separation, .method = method_of(method)})
                                : solve(query, {.separation = separation, .wanted = wanted});
 }
@@ -119,7 +119,7 @@ std::string_view bench_method_name(BenchMethod method) noexcept {
 bool takes(BenchMethod method, bool curved, const Separation& separation) noexcept {
   const bool by_cgal = method == BenchMethod::cgal || method == BenchMethod::oracle;
   if (by_cgal && !has_method(Method::oracle)) return false;
-  if (curved) return !is_baseline(method) && method != BenchMethod::columns && wanted_by(method) == Wanted::all;
+  if (curved) return !is_baseline(method) && method != BenchMethod::columns && answers_of(method) == Wanted::all;
   if (method == BenchMethod::straight) return false;
   return !is_baseline(method) || (separation.distance > 0 && separation.metric == Metric::euclidean);
 }

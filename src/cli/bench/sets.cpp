@@ -103,9 +103,9 @@ void append_sets(const std::string& source, const ByKind& queries, const Separat
         misses{name + "misses", {}, {}, {}};
     all.answers = solve_batch(all.queries, options);
     for (std::size_t i = 0; i < all.queries.size(); ++i) {
-      BenchSet& part = all.answers[i].contact ? hits : misses;
-      part.queries.push_back(all.queries[i]);
-      part.answers.push_back(all.answers[i]);
+      BenchSet& subset = all.answers[i].contact ? hits : misses;
+      subset.queries.push_back(all.queries[i]);
+      subset.answers.push_back(all.answers[i]);
     }
     for (BenchSet* set : {&all, &hits, &misses}) {
       if (!set->queries.empty()) sets.push_back(std::move(*set));
@@ -116,13 +116,13 @@ void append_sets(const std::string& source, const ByKind& queries, const Separat
 /// The scenes along the axes as they are built and turned, as "boxes" and "boxes-turned"; in the other placements only
 /// where a filter chooses them.
 void append_aligned_sets(std::size_t count, const Separation& separation, bool filtered,
-                         const std::function<bool(const std::string&)>& wanted, std::vector<BenchSet>& sets) {
+                         const std::function<bool(const std::string&)>& is_selected, std::vector<BenchSet>& sets) {
   for (const auto scene : generators::kAlignedScenes) {
     for (const auto placement : generators::kAllPlacements) {
       std::string source(generators::scene_name(scene));
       if (placement != generators::Placement::as_built) source += "-" + std::string(placement_name(placement));
       const bool usual = placement <= generators::Placement::turned;
-      if (!wanted(source) || !(usual || filtered)) continue;
+      if (!is_selected(source) || !(usual || filtered)) continue;
       generators::CandidateOptions options;
       options.scene = scene;
       options.placement = placement;
@@ -155,12 +155,12 @@ void append_curved_sets(const std::string& source, const CurvedByKind& queries, 
 }
 
 void append_body_pairs(std::size_t count, const Separation& separation,
-                       const std::function<bool(const std::string&)>& wanted, std::vector<BenchSet>& sets) {
+                       const std::function<bool(const std::string&)>& is_selected, std::vector<BenchSet>& sets) {
   report::BodyPairOptions pairs;
   pairs.count = count;
   pairs.separation = separation.distance;
   for (const std::string_view scene : report::kBodyScenes) {
-    if (!wanted(std::string(scene))) continue;
+    if (!is_selected(std::string(scene))) continue;
     CurvedByKind queries;
     for (report::QuerySet& set : report::body_pair_sets(scene, pairs, throw_if_interrupted)) {
       of_kind(queries, set.kind) = std::move(set.curved);
@@ -171,7 +171,8 @@ void append_body_pairs(std::size_t count, const Separation& separation,
 
 }  // namespace
 
-std::vector<BenchSet> bench_sets(const BenchOptions& options, const std::function<bool(const std::string&)>& wanted) {
+std::vector<BenchSet> bench_sets(const BenchOptions& options,
+                                 const std::function<bool(const std::string&)>& is_selected) {
   const std::vector<Input> given = find_inputs(options.files, options.kind);
   std::vector<BenchSet> sets;
   const Separation& separation = options.separation.separation;
@@ -179,8 +180,8 @@ std::vector<BenchSet> bench_sets(const BenchOptions& options, const std::functio
   append_sets("random", random_queries(options.count), separation, sets);
   append_sets("bundled", queries_of<Query>(bundled_touching_inputs()), separation, sets);
   append_sets("files", queries_of<Query>(given), separation, sets);
-  append_aligned_sets(options.count, separation, !options.filter.empty(), wanted, sets);
-  append_body_pairs(options.count, separation, wanted, sets);
+  append_aligned_sets(options.count, separation, !options.filter.empty(), is_selected, sets);
+  append_body_pairs(options.count, separation, is_selected, sets);
   append_curved_sets("bundled-curved", queries_of<CurvedQuery>(bundled_touching_inputs(io::Motions::any)), separation,
                      sets);
   append_curved_sets("files-curved", queries_of<CurvedQuery>(given), separation, sets);

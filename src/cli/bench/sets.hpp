@@ -29,7 +29,8 @@ struct BenchSet {
 /// this order; the scenes along the axes, as they are and turned; then those of curved motion: pairs of the scenes
 /// link-chain and nut-and-bolt, the bundled ones, and those of the given files. Empty sets are left out, and so are
 /// queries whose coordinates are not all doubles, or those of their twins.
-/// @param wanted  whether the sets of a source are; scenes along the axes and of bodies are only then made
-std::vector<BenchSet> bench_sets(const BenchOptions& options, const std::function<bool(const std::string&)>& wanted);
+/// @param is_selected  whether the sets of a source are; scenes along the axes and of bodies are only then made
+std::vector<BenchSet> bench_sets(const BenchOptions& options,
+                                 const std::function<bool(const std::string&)>& is_selected);
 
 }  // namespace touchstone::cli

@@ -10,7 +10,7 @@
 
 #include "cli/doctor/arithmetic.hpp"
 #include "cli/doctor/checks.hpp"
-#include "cli/doctor/found_parts.hpp"
+#include "cli/doctor/found_components.hpp"
 #include "cli/shared/build_facts.hpp"
 #include "cli/shared/progress/interrupt.hpp"
 #include "cli/shared/words.hpp"
@@ -65,7 +65,7 @@ std::vector<Check> all_checks() {
 
 int run_doctor() {
   const std::vector<Check> checks = all_checks();
-  std::string text = build_facts() + "\nOptional parts\n" + text_of(build_parts()) + text_of(found_parts()) +
+  std::string text = build_facts() + "\nOptional parts\n" + text_of(build_components()) + text_of(found_components()) +
                      "\nNumerical environment\n";
   std::size_t failed = 0;
   for (const Check& each : checks) {

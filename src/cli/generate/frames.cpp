@@ -29,9 +29,9 @@ frames::Topology topology_of(const generators::Mesh& mesh) {
   topology.vertex_count = mesh.corner_count;
   topology.faces = mesh.faces;
   if (mesh.faces.empty()) topology.edges = mesh.edges;  // else they are the edges of the faces
-  for (const auto& part : mesh.parts) {
-    topology.face_parts.resize(part.first_face, static_cast<std::uint32_t>(topology.parts.size() - 1));
-    topology.parts.push_back(part.name);
+  for (const auto& object : mesh.objects) {
+    topology.face_parts.resize(object.first_face, static_cast<std::uint32_t>(topology.parts.size() - 1));
+    topology.parts.push_back(object.name);
   }
   topology.face_parts.resize(mesh.faces.size(), static_cast<std::uint32_t>(topology.parts.size() - 1));
   return topology;
@@ -60,26 +60,26 @@ using Progress = std::function<void(std::string_view task, double fraction)>;
 /// Writes one scene's frames, uncommitted. @returns the summary for a person
 std::string write_scene(SceneName scene, const GenerateOptions& options, WholeFolder& folder,
                         const Progress& progress) {
-  const auto& wanted = options.candidates;
-  Step step(scene, wanted.seed, wanted.edges, wanted.speed, 0, wanted.placement);
+  const auto& candidates = options.candidates;
+  Step step(scene, candidates.seed, candidates.edges, candidates.speed, 0, candidates.placement);
   const frames::Topology topology = topology_of(step.mesh());
   const std::size_t faces = topology.faces.size(), edges = topology.edges.size();
   std::string summary =
-      fmt::format("{}: {} of {} vertices and {} {}\n", folder.name(), counted(wanted.steps + 1, "frame"),
+      fmt::format("{}: {} of {} vertices and {} {}\n", folder.name(), counted(candidates.steps + 1, "frame"),
                   grouped(topology.vertex_count), grouped(faces == 0 ? edges : faces), faces == 0 ? "edges" : "faces");
   std::string text;
-  for (std::size_t number = 0; number <= wanted.steps; ++number) {
+  for (std::size_t number = 0; number <= candidates.steps; ++number) {
     progress(fmt::format("writing {}", generators::scene_name(scene)),
-             static_cast<double>(number) / static_cast<double>(wanted.steps + 1));
+             static_cast<double>(number) / static_cast<double>(candidates.steps + 1));
     if (number > 0) step.advance();
     if (options.crossing == number) {
       const std::uint64_t vertex = std::uint64_t{step.plant_crossing().value()} + 1;
       summary += fmt::format("vertex {} goes through the sphere in step {}, which ends at {}, and back in step {}\n",
-                             vertex, number, frame_name(number, wanted.steps), number + 1);
+                             vertex, number, frame_name(number, candidates.steps), number + 1);
     }
     text.clear();
     frames::append_obj(text, topology, &step.end()[0].x);
-    io::OutputFile file(folder.path(frame_name(number, wanted.steps)));
+    io::OutputFile file(folder.path(frame_name(number, candidates.steps)));
     file.write(text);
     file.commit();
   }

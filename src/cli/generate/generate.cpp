@@ -94,33 +94,33 @@ void write_family(families::Family family, const GenerateOptions& options, NewFo
 /// Writes one scene's files, uncommitted.
 void write_scene(SceneName scene, const GenerateOptions& options, NewFolders& folders, std::list<Target>& targets,
                  Counts& counts, QueryProgress& progress) {
-  CandidateOptions wanted = options.candidates;
+  CandidateOptions candidates = options.candidates;
   const Separation& separation = options.separation.separation;
-  wanted.scene = scene;
-  wanted.separation = separation.distance;
-  wanted.edge_edge = wanted.vertex_face = false;
+  candidates.scene = scene;
+  candidates.separation = separation.distance;
+  candidates.edge_edge = candidates.vertex_face = false;
   std::array<Target*, 2> target_of{};  // by Kind
   for (const Kind kind : kinds_of(scene, options.kind)) {
-    (kind == Kind::edge_edge ? wanted.edge_edge : wanted.vertex_face) = true;
+    (kind == Kind::edge_edge ? candidates.edge_edge : candidates.vertex_face) = true;
     target_of[static_cast<std::size_t>(kind)] =
         &open_target(options, generators::scene_name(scene), kind, folders, targets);
   }
-  generators::for_each_batch(wanted, [&](const Batch& batch) {
+  generators::for_each_batch(candidates, [&](const Batch& batch) {
     write_queries(batch.queries, separation, *target_of[static_cast<std::size_t>(batch.kind)], counts);
     progress.add(0, batch.queries.size());
   });
   for (const Target* target : target_of) {
     if (target != nullptr && target->queries == 0) {
       throw InvalidQuery(fmt::format("scene {} of {} edges has no {} candidates in {}; ask for more edges or steps",
-                                     generators::scene_name(scene), wanted.edges, name_of(target->kind),
-                                     counted(wanted.steps, "step")));
+                                     generators::scene_name(scene), candidates.edges, name_of(target->kind),
+                                     counted(candidates.steps, "step")));
     }
   }
 }
 
 bool of_families(const GenerateOptions& options) { return options.curved || !options.families.empty(); }
 
-std::vector<SceneName> wanted_scenes(const GenerateOptions& options) {
+std::vector<SceneName> selected_scenes(const GenerateOptions& options) {
   if (of_families(options)) return {};
   if (options.kind == Kind::point_edge || options.kind == Kind::point_point) {
     throw InvalidQuery(
@@ -132,7 +132,7 @@ std::vector<SceneName> wanted_scenes(const GenerateOptions& options) {
   return {generators::kScenes.begin(), generators::kScenes.end()};
 }
 
-std::vector<families::Family> wanted_families(const GenerateOptions& options) {
+std::vector<families::Family> selected_families(const GenerateOptions& options) {
   if (of_families(options) && options.candidates.count == 0) {
     throw InvalidQuery("--count 0: a family has queries without end; a number from 1 would be right");
   }
@@ -150,9 +150,9 @@ int run_generate(const GenerateOptions& options) {
   std::list<Target> targets;
   Counts counts;
   QueryProgress progress({});
-  const std::vector<SceneName> scenes = wanted_scenes(options);
+  const std::vector<SceneName> scenes = selected_scenes(options);
   for (const SceneName scene : scenes) write_scene(scene, options, folders, targets, counts, progress);
-  for (const families::Family family : wanted_families(options)) {
+  for (const families::Family family : selected_families(options)) {
     write_family(family, options, folders, targets, counts, progress);
   }
   if (targets.empty()) {

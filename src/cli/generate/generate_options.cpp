@@ -106,10 +106,10 @@ void add_family_options(CLI::App& subcommand, GenerateOptions& options) {
                                       "--family",
                                       [&options, of_families](const std::vector<std::string>& names) {
                                         for (const auto& name : names) {
-                                          const families::Family wanted = families::find_family(name)->family;
+                                          const families::Family named = families::find_family(name)->family;
                                           auto& chosen = options.families;
-                                          if (std::find(chosen.begin(), chosen.end(), wanted) == chosen.end()) {
-                                            chosen.push_back(wanted);
+                                          if (std::find(chosen.begin(), chosen.end(), named) == chosen.end()) {
+                                            chosen.push_back(named);
                                           }
                                         }
                                         of_families();

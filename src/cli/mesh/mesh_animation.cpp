@@ -30,7 +30,7 @@ using view::Triple;
 view::AnimationShape shape_of(const Mesh& mesh, const frames::Topology& topology) {
   view::AnimationShape shape;
   const auto count = [](const auto& all) { return static_cast<std::uint32_t>(all.size()); };
-  shape.parts.push_back(
+  shape.groups.push_back(
       {std::string(), static_cast<std::uint32_t>(topology.vertex_count), count(mesh.edges()), count(topology.faces)});
   shape.edges = mesh.edges();
   shape.faces = topology.faces;
@@ -136,10 +136,10 @@ void MeshAnimation::add_intersections(const std::vector<sequence::RestContact>& 
   for (const sequence::RestContact& contact : found) {
     std::array<Triple, 3> first{}, second{};
     std::string corners;
-    for (const auto& [named, places] : {std::pair{&contact.first, &first}, std::pair{&contact.second, &second}}) {
+    for (const auto& [named, points] : {std::pair{&contact.first, &first}, std::pair{&contact.second, &second}}) {
       for (std::size_t i = 0; i < named->corner_count(); ++i) {
         const Triple x = at(frame, named->vertices[i] - topology_->first_number);
-        (*places)[i] = x;
+        (*points)[i] = x;
         corners += exact_corner(fmt::format("vertex {}", named->vertices[i]), {x[0], x[1], x[2]});
       }
     }

@@ -35,7 +35,7 @@ std::string libraries() {
 
 }  // namespace
 
-std::vector<BuildPart> build_parts() {
+std::vector<BuildComponent> build_components() {
   const auto details = [](bool there, const std::string& with, const char* without) {
     return there ? with : std::string(without);
   };
@@ -67,13 +67,13 @@ std::string vectors_in_use() {
   return "128 bits";
 }
 
-std::string text_of(const std::vector<BuildPart>& parts) {
+std::string text_of(const std::vector<BuildComponent>& components) {
   std::string text;
-  for (const BuildPart& part : parts) {
-    text += line(part.name, fmt::format("{:<4} {}", part.there ? "yes" : "no", part.details));
-    if (part.there || part.package.empty()) continue;
+  for (const BuildComponent& component : components) {
+    text += line(component.name, fmt::format("{:<4} {}", component.there ? "yes" : "no", component.details));
+    if (component.there || component.package.empty()) continue;
     text.pop_back();
-    text += "; Debian: " + part.package + "\n";
+    text += "; Debian: " + component.package + "\n";
   }
   return text;
 }

@@ -9,8 +9,8 @@ namespace touchstone::cli {
 
 void NewFolders::make(const std::filesystem::path& folder) {
   std::filesystem::path path;
-  for (const auto& part : folder) {
-    path /= part;
+  for (const auto& name : folder) {
+    path /= name;
     std::error_code error;
     if (std::filesystem::create_directory(path, error)) made_.push_back(path);
     if (!error) continue;

@@ -17,10 +17,10 @@ void print_error(const std::string& text) noexcept {
   std::fflush(stderr);
 }
 
-std::string percentage(std::uint64_t part, std::uint64_t whole) {
-  const double percent = whole == 0 ? 0.0 : 100 * static_cast<double>(part) / static_cast<double>(whole);
-  if (part > 0 && percent < 0.1) return "< 0.1 %";
-  if (part < whole && percent > 99.9) return "> 99.9 %";
+std::string percentage(std::uint64_t count, std::uint64_t whole) {
+  const double percent = whole == 0 ? 0.0 : 100 * static_cast<double>(count) / static_cast<double>(whole);
+  if (count > 0 && percent < 0.1) return "< 0.1 %";
+  if (count < whole && percent > 99.9) return "> 99.9 %";
   return fmt::format("{:.1f} %", percent);
 }
 

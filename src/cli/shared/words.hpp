@@ -20,8 +20,8 @@ namespace touchstone::cli {
 using io::counted;
 using io::grouped;
 
-/// "12.5 %" of a whole that may be zero. A part that is not zero but rounds to zero is "< 0.1 %".
-std::string percentage(std::uint64_t part, std::uint64_t whole);
+/// "12.5 %" of a whole that may be zero. A count that is not zero but rounds to zero is "< 0.1 %".
+std::string percentage(std::uint64_t count, std::uint64_t whole);
 
 /// "0x1.8p-1 (0.75)".
 std::string time_for_person(double time);

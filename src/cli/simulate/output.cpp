@@ -158,7 +158,7 @@ SimulateOutput::SimulateOutput(const SimulateOptions& options, sim::Simulation& 
   }
   if (!options.prove.empty()) {
     motion_.emplace(options.prove, motion_elements(simulation), Separation{}, options.threads);
-    const sim::BodyPart* const bodies = simulation.bodies();
+    const sim::SimulatedBodies* const bodies = simulation.bodies();
     motion_->add(
         motion_frame(simulation, simulation.state().q, bodies == nullptr ? sim::BodyStates() : bodies->state().bodies));
   }

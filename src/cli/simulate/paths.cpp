@@ -21,20 +21,20 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The absolute path with links resolved, as far as the path exists.
-fs::path place_of(const fs::path& path) {
+fs::path resolved_path(const fs::path& path) {
   std::error_code error;
   const fs::path absolute = fs::absolute(path, error);
-  fs::path place = fs::weakly_canonical(absolute, error);
-  return error || place.empty() ? absolute.lexically_normal() : place;
+  fs::path resolved = fs::weakly_canonical(absolute, error);
+  return error || resolved.empty() ? absolute.lexically_normal() : resolved;
 }
 
 struct NamedFile {
   std::string option;  // the option that names the file
-  fs::path path, place;
+  fs::path path, resolved;
   bool input = false;
 
   NamedFile(std::string name, const fs::path& at, bool is_input)
-      : option(std::move(name)), path(at), place(place_of(at)), input(is_input) {}
+      : option(std::move(name)), path(at), resolved(resolved_path(at)), input(is_input) {}
 };
 
 class Files {
@@ -45,8 +45,8 @@ class Files {
   void add_in(const char* option, const fs::path& folder, std::string_view name) {
     files_.emplace_back(option, folder / name, false);
   }
-  void frames_in(const fs::path& folder) { frames_ = place_of(folder); }
-  void candidates_in(const fs::path& folder) { candidates_.push_back(place_of(folder)); }
+  void frames_in(const fs::path& folder) { frames_ = resolved_path(folder); }
+  void candidates_in(const fs::path& folder) { candidates_.push_back(resolved_path(folder)); }
 
   void check() const {
     for (const NamedFile& file : files_) {
@@ -67,7 +67,7 @@ class Files {
   static std::string shown(const NamedFile& file) { return io::printable(file.path.string()); }
 
   static void check_same(const NamedFile& a, const NamedFile& b) {
-    if (a.place != b.place || (a.input && b.input)) return;
+    if (a.resolved != b.resolved || (a.input && b.input)) return;
     const NamedFile& out = a.input ? b : a;
     if (a.input || b.input) {
       // A run reads its old checkpoint whole before it replaces that by the new one.
@@ -75,28 +75,28 @@ class Files {
       throw Error(fmt::format("{} would write over {}, which is read", out.option, shown(out)));
     }
     std::error_code ignored;
-    if (fs::is_character_file(a.place, ignored)) return;  // such as /dev/null
+    if (fs::is_character_file(a.resolved, ignored)) return;  // such as /dev/null
     throw Error(fmt::format("{} and {} name the same file, {}", a.option, b.option, shown(b)));
   }
 
   /// Whether `inner` could be written only if `outer` were a folder.
   static void check_inside(const NamedFile& outer, const NamedFile& inner) {
-    if (outer.input || inner.input || outer.place == inner.place) return;
+    if (outer.input || inner.input || outer.resolved == inner.resolved) return;
     const auto [end, rest] =
-        std::mismatch(outer.place.begin(), outer.place.end(), inner.place.begin(), inner.place.end());
-    if (end != outer.place.end()) return;
+        std::mismatch(outer.resolved.begin(), outer.resolved.end(), inner.resolved.begin(), inner.resolved.end());
+    if (end != outer.resolved.end()) return;
     throw Error(fmt::format("{} names {}, which {} needs as a folder", outer.option, shown(outer), inner.option));
   }
 
   bool is_frame(const NamedFile& file) const {
-    const std::string name = file.place.filename().string();
-    return !frames_.empty() && file.place.parent_path() == frames_ && name.starts_with("frame-") &&
+    const std::string name = file.resolved.filename().string();
+    return !frames_.empty() && file.resolved.parent_path() == frames_ && name.starts_with("frame-") &&
            name.ends_with(".vtk");
   }
 
   bool is_candidates(const NamedFile& file) const {
-    const std::string name = file.place.filename().string();
-    return std::count(candidates_.begin(), candidates_.end(), file.place.parent_path()) > 0 &&
+    const std::string name = file.resolved.filename().string();
+    return std::count(candidates_.begin(), candidates_.end(), file.resolved.parent_path()) > 0 &&
            name.starts_with("candidates-") && name.ends_with(".csv");
   }
 

@@ -26,22 +26,22 @@ view::AnimationShape shape_of(const sim::Simulation& simulation) {
   shape.vertex_name = std::string(simulation.scene().particles.empty() ? "vertex" : "particle");
   const sim::Colliders& colliders = simulation.colliders();
   const auto count = [](const auto& all) { return static_cast<std::uint32_t>(all.size()); };
-  shape.parts.push_back({"", count(simulation.scene().particles), count(colliders.edges()), count(colliders.faces())});
+  shape.groups.push_back({"", count(simulation.scene().particles), count(colliders.edges()), count(colliders.faces())});
   shape.edges = colliders.edges();
   shape.faces = colliders.faces();
   shape.points = colliders.points();
   if (simulation.bodies() == nullptr) return shape;
   const auto& bodies = simulation.bodies()->system().bodies();
-  std::uint32_t first = shape.parts.front().vertices;
+  std::uint32_t first = shape.groups.front().vertices;
   for (sim::Index b = 0; b < bodies.size(); ++b) {
     const sim::ElementSet& surface = simulation.bodies()->colliders().surface(b);
-    shape.parts.push_back(
+    shape.groups.push_back(
         {fmt::format("body {}", b), count(bodies[b].points), count(surface.edges), count(surface.faces)});
     for (const sim::Edge& edge : surface.edges) shape.edges.push_back({first + edge[0], first + edge[1]});
     for (const sim::Face& face : surface.faces) {
       shape.faces.push_back({first + face[0], first + face[1], first + face[2]});
     }
-    first += shape.parts.back().vertices;
+    first += shape.groups.back().vertices;
   }
   return shape;
 }
@@ -51,14 +51,14 @@ std::vector<view::Plot> plots() {
           {"pairs since the frame before", {{"close", true}, {"contacts", true}, {"crossings", true}}}};
 }
 
-std::vector<view::AnimationPart> offsets_of(const view::AnimationShape& shape) {
-  std::vector<view::AnimationPart> offsets;
-  view::AnimationPart sum;
-  for (const view::AnimationPart& part : shape.parts) {
+std::vector<view::AnimationGroup> offsets_of(const view::AnimationShape& shape) {
+  std::vector<view::AnimationGroup> offsets;
+  view::AnimationGroup sum;
+  for (const view::AnimationGroup& group : shape.groups) {
     offsets.push_back(sum);
-    sum.vertices += part.vertices;
-    sum.edges += part.edges;
-    sum.faces += part.faces;
+    sum.vertices += group.vertices;
+    sum.edges += group.edges;
+    sum.faces += group.faces;
   }
   return offsets;
 }
@@ -123,7 +123,7 @@ view::AnimationPair SimulationAnimation::elements(const sim::Pair& pair) const {
 
 view::AnimationPair SimulationAnimation::elements(const sim::BodyPair& pair) const {
   const auto element = [&](Sort sort, const sim::OfBody& of) {
-    const view::AnimationPart& first = offsets_[of.body == sim::kParticles ? 0 : of.body + 1];
+    const view::AnimationGroup& first = offsets_[of.body == sim::kParticles ? 0 : of.body + 1];
     const std::uint32_t offset = sort == Sort::edge ? first.edges : sort == Sort::face ? first.faces : first.vertices;
     return AnimationElement{sort, offset + of.number};
   };

@@ -40,7 +40,7 @@ class SimulationAnimation {
   Words words_of(const sim::BodyPair& pair) const;
 
   const sim::Simulation* simulation_;
-  std::vector<view::AnimationPart> offsets_;  ///< the sums of the parts before: of the particles, and of each body
+  std::vector<view::AnimationGroup> offsets_;  ///< the sums of the groups before: of the particles, and of each body
   view::Animation animation_;
   std::vector<char> told_;  ///< by pair: the list has it
   std::size_t crossings_ = 0;

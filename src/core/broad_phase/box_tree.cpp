@@ -89,7 +89,7 @@ Number split(Items& items, Number first, Number last) {
   return half;
 }
 
-/// What the parts of a tree are built from, by several threads at the same time: each has its own places.
+/// What the subtrees of a tree are built from, by several threads at the same time: each has its own positions.
 struct Material {
   Items& items;
   LargeVector<Number>& numbers;
@@ -97,7 +97,7 @@ struct Material {
   const std::function<MovingBox(Number)>& box_of;
 };
 
-/// Appends the tree over the places [first, last), whose children are numbered from the beginning of `nodes`.
+/// Appends the tree over the positions [first, last), whose children are numbered from the beginning of `nodes`.
 void build(const Material& from, Number first, Number last, LargeVector<Node>& nodes) {
   const std::size_t at = nodes.size();
   nodes.push_back({empty_moving_box(), first, last, 0});
@@ -119,7 +119,7 @@ void build(const Material& from, Number first, Number last, LargeVector<Node>& n
   join(nodes[at].box, nodes[nodes[at].second].box);
 }
 
-/// A node near the root. Its children are both 0, or numbers of other parts; without children, it has a tree of its
+/// A node near the root. Its children are both 0, or numbers of other subtrees; without children, it has a tree of its
 /// own.
 struct Subtree {
   Number first, last;
@@ -127,61 +127,61 @@ struct Subtree {
   LargeVector<Node> tree;
 };
 
-constexpr Number kPartBoxes = 2048;     // a part of so many boxes, or fewer, is not divided among threads
-constexpr std::size_t kPartLevels = 6;  // 64 parts: enough for most machines, and few enough to put together fast
+constexpr Number kSubtreeBoxes = 2048;     // a subtree of so many boxes, or fewer, is not divided among threads
+constexpr std::size_t kSubtreeLevels = 6;  // 64 subtrees: enough for most machines, and few enough to put together fast
 
 /// The tree's upper levels, level by level, each level's nodes on several threads; then the trees below them.
-std::vector<Subtree> build_parts(const Material& from, int threads) {
-  std::vector<Subtree> parts(1);
-  parts[0].first = 0;
-  parts[0].last = static_cast<Number>(from.items.size());
+std::vector<Subtree> build_subtrees(const Material& from, int threads) {
+  std::vector<Subtree> subtrees(1);
+  subtrees[0].first = 0;
+  subtrees[0].last = static_cast<Number>(from.items.size());
   std::size_t level_begin = 0;
-  for (std::size_t level = 0; level < kPartLevels; ++level) {
-    const std::size_t level_end = parts.size();
+  for (std::size_t level = 0; level < kSubtreeLevels; ++level) {
+    const std::size_t level_end = subtrees.size();
     std::vector<Number> middles(level_end - level_begin, 0);
     threads::for_each_range(middles.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        const Subtree& part = parts[level_begin + i];
-        if (part.last - part.first > kPartBoxes) middles[i] = split(from.items, part.first, part.last);
+        const Subtree& subtree = subtrees[level_begin + i];
+        if (subtree.last - subtree.first > kSubtreeBoxes) middles[i] = split(from.items, subtree.first, subtree.last);
       }
     });
     for (std::size_t i = 0; i < middles.size(); ++i) {
       if (middles[i] == 0) continue;
       const std::size_t at = level_begin + i;
-      const Number bounds[3] = {parts[at].first, middles[i], parts[at].last};
+      const Number bounds[3] = {subtrees[at].first, middles[i], subtrees[at].last};
       for (std::size_t child = 0; child < 2; ++child) {
-        parts[at].children[child] = parts.size();
-        Subtree part;
-        part.first = bounds[child];
-        part.last = bounds[child + 1];
-        parts.push_back(std::move(part));
+        subtrees[at].children[child] = subtrees.size();
+        Subtree subtree;
+        subtree.first = bounds[child];
+        subtree.last = bounds[child + 1];
+        subtrees.push_back(std::move(subtree));
       }
     }
     level_begin = level_end;
   }
-  threads::for_each_range(parts.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+  threads::for_each_range(subtrees.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (parts[i].children[0] == 0) build(from, parts[i].first, parts[i].last, parts[i].tree);
+      if (subtrees[i].children[0] == 0) build(from, subtrees[i].first, subtrees[i].last, subtrees[i].tree);
     }
   });
-  return parts;
+  return subtrees;
 }
 
-/// Appends the part and all that is below it.
-void put_together(std::vector<Subtree>& parts, std::size_t part, LargeVector<Node>& nodes) {
+/// Appends the subtree and all that is below it.
+void put_together(std::vector<Subtree>& subtrees, std::size_t subtree, LargeVector<Node>& nodes) {
   const auto at = static_cast<Number>(nodes.size());
-  if (parts[part].children[0] == 0) {
-    for (Node& node : parts[part].tree) {
+  if (subtrees[subtree].children[0] == 0) {
+    for (Node& node : subtrees[subtree].tree) {
       if (!node.is_leaf()) node.second += at;
     }
-    nodes.insert(nodes.end(), parts[part].tree.begin(), parts[part].tree.end());
-    LargeVector<Node>().swap(parts[part].tree);
+    nodes.insert(nodes.end(), subtrees[subtree].tree.begin(), subtrees[subtree].tree.end());
+    LargeVector<Node>().swap(subtrees[subtree].tree);
     return;
   }
-  nodes.push_back({empty_moving_box(), parts[part].first, parts[part].last, 0});
-  put_together(parts, parts[part].children[0], nodes);
+  nodes.push_back({empty_moving_box(), subtrees[subtree].first, subtrees[subtree].last, 0});
+  put_together(subtrees, subtrees[subtree].children[0], nodes);
   nodes[at].second = static_cast<Number>(nodes.size());
-  put_together(parts, parts[part].children[1], nodes);
+  put_together(subtrees, subtrees[subtree].children[1], nodes);
   join(nodes[at].box, nodes[at + 1].box);
   join(nodes[at].box, nodes[nodes[at].second].box);
 }
@@ -197,8 +197,8 @@ bool divides_first(const Node& x, const Node& y) noexcept {
   return y.is_leaf() || (!x.is_leaf() && x.size() >= y.size());
 }
 
-/// Compares the boxes of trees. `until()` is the time after which a meeting does not count; found(place in a, place in
-/// b) is called for boxes that meet.
+/// Compares the boxes of trees. `until()` is the time after which a meeting does not count. `found(position in a,
+/// position in b)` is called for boxes that meet.
 template <class Until, class Found>
 class Comparison {
  public:
@@ -323,12 +323,12 @@ BoxTree::BoxTree(std::size_t count, const std::function<MovingBox(Number)>& box_
       std::copy_n(box.end.low.begin(), 3, items[i].at.begin() + 3);
     }
   });
-  std::vector<Subtree> parts = build_parts({items, numbers_, boxes_, box_of}, threads);
+  std::vector<Subtree> subtrees = build_subtrees({items, numbers_, boxes_, box_of}, threads);
   Items().swap(items);
-  std::size_t node_count = parts.size();
-  for (const Subtree& part : parts) node_count += part.tree.size();
+  std::size_t node_count = subtrees.size();
+  for (const Subtree& subtree : subtrees) node_count += subtree.tree.size();
   nodes_.reserve(node_count);
-  put_together(parts, 0, nodes_);
+  put_together(subtrees, 0, nodes_);
 }
 
 MovingBox empty_moving_box() noexcept { return {empty_box(), empty_box()}; }
@@ -364,18 +364,18 @@ void for_each_pair_block(const BoxTree& a, const BoxTree& b, const PairSearch& s
 void for_each_pair(const std::vector<MovingBox>& boxes, const PairConsumer& found) {
   const BoxTree tree(boxes.size(), [&](Number i) { return boxes[i]; });
   if (tree.empty()) return;
-  const auto found_places = [&](Number i, Number j) {
+  const auto found_positions = [&](Number i, Number j) {
     const Number a = tree.number(i), b = tree.number(j);
     found(std::min(a, b), std::max(a, b));
   };
-  Comparison(tree, tree, whole_step, found_places).within(0);
+  Comparison(tree, tree, whole_step, found_positions).within(0);
 }
 
 void for_each_pair(const std::vector<MovingBox>& a, const std::vector<MovingBox>& b, const PairConsumer& found) {
   const BoxTree in_a(a.size(), [&](Number i) { return a[i]; }), in_b(b.size(), [&](Number i) { return b[i]; });
   if (in_a.empty() || in_b.empty()) return;
-  const auto found_places = [&](Number i, Number j) { found(in_a.number(i), in_b.number(j)); };
-  Comparison(in_a, in_b, whole_step, found_places).across(0, 0);
+  const auto found_positions = [&](Number i, Number j) { found(in_a.number(i), in_b.number(j)); };
+  Comparison(in_a, in_b, whole_step, found_positions).across(0, 0);
 }
 
 }  // namespace touchstone::broad_phase

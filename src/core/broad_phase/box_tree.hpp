@@ -42,7 +42,7 @@ class BoxTree {
 
   struct Node {
     MovingBox box;
-    Number first, last;  ///< the places of its boxes
+    Number first, last;  ///< the range of its boxes' positions: from `first` up to, but without, `last`
     Number second;       ///< the second child; the first one comes next. 0: a leaf
     bool is_leaf() const noexcept { return second == 0; }
     Number size() const noexcept { return last - first; }
@@ -50,12 +50,12 @@ class BoxTree {
 
   bool empty() const noexcept { return nodes_.empty(); }
   const Node& node(Number n) const noexcept { return nodes_[n]; }
-  Number number(Number place) const noexcept { return numbers_[place]; }
-  const MovingBox& box(Number place) const noexcept { return boxes_[place]; }
+  Number number(Number position) const noexcept { return numbers_[position]; }
+  const MovingBox& box(Number position) const noexcept { return boxes_[position]; }
 
  private:
-  LargeVector<Number> numbers_;   // by place
-  LargeVector<MovingBox> boxes_;  // by place
+  LargeVector<Number> numbers_;   // by position
+  LargeVector<MovingBox> boxes_;  // by position
   LargeVector<Node> nodes_;
 };
 

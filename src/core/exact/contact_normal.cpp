@@ -37,7 +37,7 @@ struct FeatureCorners {
   std::size_t count;
 };
 
-FeatureCorners place_of(Feature feature, bool first) {
+FeatureCorners corners_of(Feature feature, bool first) {
   switch (feature) {
     case Feature::a0:
     case Feature::v:
@@ -58,7 +58,7 @@ FeatureCorners place_of(Feature feature, bool first) {
     case Feature::f12: return {{2, 3}, 2};
     case Feature::f20: return {{3, 1}, 2};
     case Feature::f: return {{1, 2, 3}, 3};
-    case Feature::overlap: return place_of(first ? Feature::a : Feature::b, first);
+    case Feature::overlap: return corners_of(first ? Feature::a : Feature::b, first);
     case Feature::none: break;
   }
   return {{}, 0};
@@ -84,8 +84,8 @@ Direction across(const Direction& e, const Direction& r) { return geometry::dot(
 /// What leads from the closest point of the first element to that of the second, times a positive number or zero. `at`
 /// is the time of a contact with these features.
 Direction between_closest_points(const Corners& x, const Answer& answer, Kind kind, const Moment& at) {
-  const FeatureCorners a = place_of(answer.feature_a, true);
-  const FeatureCorners b = place_of(answer.feature_b, false);
+  const FeatureCorners a = corners_of(answer.feature_a, true);
+  const FeatureCorners b = corners_of(answer.feature_b, false);
   const Direction r = x[b.corners[0]] - x[a.corners[0]];
   const bool parallel = answer.feature_a == Feature::overlap;
   if (a.count == 1 && b.count == 1) return r;

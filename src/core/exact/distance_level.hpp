@@ -33,10 +33,10 @@ inline int compare(const Ratio& a, const Ratio& b) {
 
 class DistanceLevel {
  public:
-  /// A polynomial among whose roots are times at which the distance may reach the level. `place` is the level's own.
+  /// A polynomial among whose roots are times at which the distance may reach the level. `index` is the level's own.
   struct Event {
     Form polynomial;
-    std::size_t place;
+    std::size_t index;
   };
 
   virtual ~DistanceLevel() = default;

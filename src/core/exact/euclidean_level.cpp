@@ -199,16 +199,16 @@ class EuclideanLevel final : public DistanceLevel {
   }
 
   bool holds(const Event& event, const Moment& moment) const override {
-    return feet_inside(patches_[event.place], moment);
+    return feet_inside(patches_[event.index], moment);
   }
 
   std::string event_name(const Event& event) const override {
-    const Patch& patch = patches_[event.place];
+    const Patch& patch = patches_[event.index];
     return std::string(name_of(patch.feature_a)).append(" against ").append(name_of(patch.feature_b));
   }
 
   std::vector<CandidateStory::Condition> conditions_of(const Event& event, const Moment& moment) const override {
-    const Patch& patch = patches_[event.place];
+    const Patch& patch = patches_[event.index];
     std::vector<CandidateStory::Condition> conditions;
     if (patch.free_count > 0) {
       const bool interior = patch.free_count > 2;

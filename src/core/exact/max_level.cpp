@@ -104,7 +104,7 @@ class MaxLevel final : public DistanceLevel {
   bool holds(const Event&, const Moment& moment) const override { return compare(moment) <= 0; }
 
   std::string event_name(const Event& event) const override {
-    const std::size_t i = event.place % kMost, j = event.place / kMost % kMost, k = event.place / (kMost * kMost);
+    const std::size_t i = event.index % kMost, j = event.index / kMost % kMost, k = event.index / (kMost * kMost);
     return border_name(i) + ", " + border_name(j) + " and " + border_name(k);
   }
 
@@ -119,7 +119,7 @@ class MaxLevel final : public DistanceLevel {
       vertices.push_back(vertex);
       return true;
     });
-    for (const Mask forced : parts_in_order(moment)) {
+    for (const Mask forced : borders_in_order(moment)) {
       const Vertex* least = nullptr;
       for (const Vertex& vertex : vertices) {
         if ((vertex.tight & forced) == forced && (least == nullptr || precedes(vertex, *least, moment)))
@@ -180,19 +180,19 @@ class MaxLevel final : public DistanceLevel {
 
   void add(HalfPlane half_plane) { half_planes_[count_++] = std::move(half_plane); }
 
-  /// The place of a pair i < j among all pairs: those with a smaller j come before it.
-  static constexpr std::size_t place(std::size_t i, std::size_t j) { return i + j * (j - 1) / 2; }
+  /// The index of a pair i < j among all pairs: those with a smaller j come before it.
+  static constexpr std::size_t index_of(std::size_t i, std::size_t j) { return i + j * (j - 1) / 2; }
 
   /// The determinant of the rows (s, t) of two half-planes, or (s, t, constant) of three, i < j < k. Both are kept: the
   /// same ones are asked for at many times.
   const Form& determinant(std::size_t i, std::size_t j) const {
-    return pairs_[place(i, j)].value_or_make([&] {
+    return pairs_[index_of(i, j)].value_or_make([&] {
       const HalfPlane &a = half_planes_[i], &b = half_planes_[j];
       return a.s * b.t - b.s * a.t;
     });
   }
   const Form& determinant(std::size_t i, std::size_t j, std::size_t k) const {
-    return triples_[place(i, j) + k * (k - 1) * (k - 2) / 6].value_or_make([&] {
+    return triples_[index_of(i, j) + k * (k - 1) * (k - 2) / 6].value_or_make([&] {
       const HalfPlane &a = half_planes_[i], &b = half_planes_[j], &c = half_planes_[k];
       return a.constant * determinant(j, k) - b.constant * determinant(i, k) + c.constant * determinant(i, j);
     });
@@ -275,7 +275,7 @@ class MaxLevel final : public DistanceLevel {
 
   /// Parts of the elements on whose borders the closest points are looked for, in this order. A zero-length edge is its
   /// first corner, and a flat triangle the first of its corners and edges that holds closest points.
-  std::vector<Mask> parts_in_order(const Moment& moment) const {
+  std::vector<Mask> borders_in_order(const Moment& moment) const {
     const auto vanishes = [&](const Point& v) {
       return moment.sign(v[0]) == 0 && moment.sign(v[1]) == 0 && moment.sign(v[2]) == 0;
     };

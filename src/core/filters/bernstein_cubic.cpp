@@ -13,13 +13,13 @@ namespace {
 
 // Coefficients over a part of [0, 1], by interpolating b0, b1, b2, b3 three times. 3 b1 / 3: 122 / 3 + 4 < 45 e P. An
 // interpolation (1 - x) a + x b passes each operand through 2 roundings, of values of at most 4 P: 8 e P a time.
-constexpr double kPartBound = 70 * kUnit;
+constexpr double kRestrictionBound = 70 * kUnit;
 
 double between(double a, double b, double x) noexcept { return (1 - x) * a + x * b; }
 
 }  // namespace
 
-double BernsteinCubic::part_error() const noexcept { return kPartBound * size_; }
+double BernsteinCubic::restriction_error() const noexcept { return kRestrictionBound * size_; }
 
 int BernsteinCubic::split_points(double low, double high, double (&split)[4]) const noexcept {
   split[0] = low;
@@ -42,7 +42,7 @@ int BernsteinCubic::split_points(double low, double high, double (&split)[4]) co
   return count;
 }
 
-std::array<double, 4> BernsteinCubic::part(double p, double q) const noexcept {
+std::array<double, 4> BernsteinCubic::restricted_to(double p, double q) const noexcept {
   const double b1 = c_[1] / 3;
   const double b2 = c_[2] / 3;
   const double at_p[3] = {between(c_[0], b1, p), between(b1, b2, p), between(b2, c_[3], p)};
@@ -55,7 +55,8 @@ std::array<double, 4> BernsteinCubic::part(double p, double q) const noexcept {
 
 BernsteinCubic::Variations BernsteinCubic::variations(double p, double q) const noexcept {
   const SignVariations<double> found =
-      p == 0 && q == 1 ? step_variations() : variations_of(part(p, q), part_error(), part_error());
+      p == 0 && q == 1 ? step_variations()
+                       : variations_of(restricted_to(p, q), restriction_error(), restriction_error());
   return found.none ? Variations::none : found.one ? Variations::one : Variations::uncertain;
 }
 

@@ -31,9 +31,9 @@ class BernsteinCubic : public StepCubic<double> {
   /// certifies it.
   int split_points(double low, double high, double (&split)[4]) const noexcept;
 
-  /// Its Bernstein coefficients over [p, q], off by at most part_error().
-  std::array<double, 4> part(double p, double q) const noexcept;
-  double part_error() const noexcept;
+  /// Its Bernstein coefficients over [p, q], off by at most restriction_error().
+  std::array<double, 4> restricted_to(double p, double q) const noexcept;
+  double restriction_error() const noexcept;
 };
 
 }  // namespace touchstone::filters

@@ -10,7 +10,7 @@
 
 namespace touchstone::mesh {
 
-inline bool same_place(const Vec3& a, const Vec3& b) noexcept { return a.x == b.x && a.y == b.y && a.z == b.z; }
+inline bool same_position(const Vec3& a, const Vec3& b) noexcept { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
 /// True proves that the segment from `shared` to `end` has no point in the convex hull of `shared` and the points
 /// others[0 .. count), but `shared`. 1 <= count <= 2. False says nothing.

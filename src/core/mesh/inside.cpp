@@ -155,10 +155,10 @@ void find_winding_numbers(const InsideSearch& search, const Pieces& pieces, std:
           if (around == end || around->outer != outer) continue;
           const auto corners = corners_of(pairs[n][1]);
           const int winding = passes(start.ray, corners);
-          // A piece that is all at one place is on the surfaces with which it shares a vertex.
-          const bool touches = same_place(start.ray.a, start.ray.b) &&
+          // A piece that is all at one position is on the surfaces with which it shares a vertex.
+          const bool touches = same_position(start.ray.a, start.ray.b) &&
                                std::any_of(corners.begin(), corners.end(),
-                                           [&](const Vec3& corner) { return same_place(start.ray.a, corner); });
+                                           [&](const Vec3& corner) { return same_position(start.ray.a, corner); });
           if (winding == 0 && !touches) continue;
           const std::lock_guard<std::mutex> guard(lock);
           around->winding += winding;
@@ -269,8 +269,8 @@ TOUCHSTONE_BEHIND_GUARD std::vector<EnclosedPart> find_enclosed_parts(const Mesh
                                                                       const MeshOptions& options,
                                                                       const std::vector<Intersection>& found,
                                                                       ClosedParts closed) {
-  std::vector<EnclosedPart> parts;
-  if (mesh.faces.size() < kLeastFaces) return parts;
+  std::vector<EnclosedPart> enclosed;
+  if (mesh.faces.size() < kLeastFaces) return enclosed;
   const Motion motion = motion_of(mesh, x, x, options.threads);
   const InsideSearch search{mesh, motion, options.threads, options.stop, Asked::all};
   const Pieces pieces(mesh, motion);
@@ -292,14 +292,14 @@ TOUCHSTONE_BEHIND_GUARD std::vector<EnclosedPart> find_enclosed_parts(const Mesh
   for (const AroundOne& one : groups) {
     const auto room = signs.find(one.outermost);
     if (one.sum == 0 && (room == signs.end() || room->second >= 0)) continue;
-    EnclosedPart& part = parts.emplace_back();
-    part.element = element_of(pieces[one.inner].sort);
-    part.vertex = pieces[one.inner].vertex;
-    std::for_each(one.first, one.last, [&](const Around& o) { part.faces.push_back(pieces[o.outer].first); });
+    EnclosedPart& piece = enclosed.emplace_back();
+    piece.element = element_of(pieces[one.inner].sort);
+    piece.vertex = pieces[one.inner].vertex;
+    std::for_each(one.first, one.last, [&](const Around& o) { piece.faces.push_back(pieces[o.outer].first); });
   }
-  std::stable_sort(parts.begin(), parts.end(),
+  std::stable_sort(enclosed.begin(), enclosed.end(),
                    [](const EnclosedPart& a, const EnclosedPart& b) { return a.vertex < b.vertex; });
-  return parts;
+  return enclosed;
 }
 
 }  // namespace

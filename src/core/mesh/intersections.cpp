@@ -107,7 +107,7 @@ std::optional<Intersection> from_answer(const Mesh::Impl& mesh, const Motion& mo
   found.weights_first[forwards ? 0 : 1] = 1 - answer.toi;
   found.weights_first[forwards ? 1 : 0] = answer.toi;
   if (asked.shared) {
-    if (!(answer.toi < 1) || same_place(motion[asked.from].start, motion[asked.to].start)) return std::nullopt;
+    if (!(answer.toi < 1) || same_position(motion[asked.from].start, motion[asked.to].start)) return std::nullopt;
     found.sort = IntersectionSort::folds;
     return found;
   }

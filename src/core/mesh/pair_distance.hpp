@@ -15,10 +15,10 @@ namespace touchstone::mesh {
 
 /// The separation of a pair that is listed, or null.
 inline const PairSeparation* listed_separation(const Mesh::Impl& mesh, const MeshPair& pair) noexcept {
-  const MeshPair wanted = in_order(pair);
-  const auto found = std::lower_bound(mesh.pair_separations.begin(), mesh.pair_separations.end(), wanted,
+  const MeshPair ordered = in_order(pair);
+  const auto found = std::lower_bound(mesh.pair_separations.begin(), mesh.pair_separations.end(), ordered,
                                       [](const PairSeparation& one, const MeshPair& two) { return one.pair < two; });
-  return found != mesh.pair_separations.end() && found->pair == wanted ? &*found : nullptr;
+  return found != mesh.pair_separations.end() && found->pair == ordered ? &*found : nullptr;
 }
 
 /// The separation of the pair, which has these corners.

@@ -46,13 +46,13 @@ std::array<Index, 2> ends_of(std::uint64_t edge) noexcept {
   return {static_cast<Index>(edge >> 32), static_cast<Index>(edge)};
 }
 
-/// Makes the piece's middle that of an edge, unless it has one that is at two places.
+/// Makes the piece's middle that of an edge, unless it has one that is at two positions.
 void take_as_middle(Piece& piece, const std::array<Index, 2>& edge, const Motion& motion) noexcept {
   const auto& [a, b] = piece.middle;
-  if (same_place(motion[a].start, motion[b].start)) piece.middle = edge;
+  if (same_position(motion[a].start, motion[b].start)) piece.middle = edge;
 }
 
-Index place_in(const std::vector<Index>& sorted, Index number) noexcept {
+Index index_in(const std::vector<Index>& sorted, Index number) noexcept {
   return static_cast<Index>(std::lower_bound(sorted.begin(), sorted.end(), number) - sorted.begin());
 }
 
@@ -197,14 +197,14 @@ void Pieces::find_vertices() {
 std::vector<Index> Pieces::of(MeshElement element, Index number) const {
   const auto faces = static_cast<Index>(mesh_.faces.size()), wires = static_cast<Index>(mesh_.wires.size());
   if (element == MeshElement::face) return {of_[number]};
-  if (element == MeshElement::vertex) return {of_[faces + wires + place_in(mesh_.points, number)]};
+  if (element == MeshElement::vertex) return {of_[faces + wires + index_in(mesh_.points, number)]};
   const Side edge{unordered(mesh_.edges[number][0], mesh_.edges[number][1]), 0, 0};
   std::vector<Index> pieces;
   const auto [first, last] = std::equal_range(sides_.begin(), sides_.end(), edge);
   for (auto side = first; side != last; ++side) {
     if (pieces.empty() || pieces.back() != of_[side->face]) pieces.push_back(of_[side->face]);
   }
-  if (pieces.empty()) pieces.push_back(of_[faces + place_in(mesh_.wires, number)]);
+  if (pieces.empty()) pieces.push_back(of_[faces + index_in(mesh_.wires, number)]);
   return pieces;
 }
 

@@ -91,11 +91,11 @@ std::optional<WrittenFraction> hexadecimal_value(const Scientific& number) {
 }  // namespace
 
 std::optional<WrittenFraction> exact_value(std::string_view number) {
-  const auto parts = scientific(number);
-  if (!parts) return std::nullopt;
-  if (parts->significand.empty()) return WrittenFraction{"0", "1"};
-  auto value = parts->hexadecimal ? hexadecimal_value(*parts) : decimal_value(*parts);
-  if (value && parts->negative) value->numerator.insert(0, 1, '-');
+  const auto written = scientific(number);
+  if (!written) return std::nullopt;
+  if (written->significand.empty()) return WrittenFraction{"0", "1"};
+  auto value = written->hexadecimal ? hexadecimal_value(*written) : decimal_value(*written);
+  if (value && written->negative) value->numerator.insert(0, 1, '-');
   return value;
 }
 

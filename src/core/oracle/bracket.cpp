@@ -1,5 +1,5 @@
-// Quadratic interval refinement (J. Abbott, 2006): guess by the secant which of N equal parts holds the root. When the
-// guess is right, the next step dares N^2 parts, otherwise sqrt(N); near a simple root the number of correct bits
+// Quadratic interval refinement (J. Abbott, 2006): guess by the secant which of N equal cells holds the root. When the
+// guess is right, the next step dares N^2 cells, otherwise sqrt(N); near a simple root the number of correct bits
 // doubles with every step, and a halving is the least that a step can do.
 // SPDX-License-Identifier: MIT
 #include "oracle/bracket.hpp"
@@ -57,7 +57,7 @@ void Bracket::narrow(unsigned bits) {
 }
 
 void Bracket::step() {
-  const Integer part = high_ - low_;  // in the new unit, the length of one of the parts
+  const Integer cell = high_ - low_;  // in the new unit, the length of one cell
   unit_ <<= cells_log2_;
   low_ <<= cells_log2_;
   high_ <<= cells_log2_;
@@ -70,23 +70,23 @@ void Bracket::step() {
   const Integer rise = CGAL::abs(low_value_) + CGAL::abs(high_value_);
   const Integer guess = floor_quotient(CGAL::abs(low_value_) * cells, rise);  // less than cells: high_value_ is not 0
 
-  const Integer from = low_ + guess * part;
-  const Integer to = from + part;
+  const Integer from = low_ + guess * cell;
+  const Integer to = from + cell;
   cut_at(from);
   cut_at(to);
-  cells_log2_ = high_ - low_ == part ? 2 * cells_log2_ : std::max(1U, cells_log2_ / 2);
+  cells_log2_ = high_ - low_ == cell ? 2 * cells_log2_ : std::max(1U, cells_log2_ / 2);
 }
 
-void Bracket::cut_at(const Integer& place) {
-  if (place <= low_ || high_ <= place) return;
-  const Integer value = scaled_value(polynomial_, place, unit_);
+void Bracket::cut_at(const Integer& position) {
+  if (position <= low_ || high_ <= position) return;
+  const Integer value = scaled_value(polynomial_, position, unit_);
   const CGAL::Sign side = CGAL::sign(value) * CGAL::sign(low_value_);
   if (side >= 0) {
-    low_ = place;
+    low_ = position;
     low_value_ = value;
   }
   if (side <= 0) {
-    high_ = place;
+    high_ = position;
     high_value_ = value;
   }
 }

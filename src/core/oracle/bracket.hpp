@@ -44,12 +44,12 @@ class Bracket {
 
  private:
   void step();
-  void cut_at(const Integer& place);
+  void cut_at(const Integer& position);
 
   Polynomial polynomial_;
   Integer low_, high_, unit_;       // the interval is [low_ / unit_, high_ / unit_], unit_ > 0
   Integer low_value_, high_value_;  // scaled values of the polynomial at its ends
-  unsigned cells_log2_ = 1;         // the next step tries for one of 2^cells_log2_ equal parts
+  unsigned cells_log2_ = 1;         // the next step tries for one of 2^cells_log2_ equal cells
 };
 
 }  // namespace touchstone::oracle

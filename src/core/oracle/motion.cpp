@@ -36,16 +36,16 @@ double coordinate(const Vec3& position, std::size_t axis) {
 }
 
 std::vector<Integer> to_common_unit(const std::vector<double>& values) {
-  std::vector<Dyadic> parts;
+  std::vector<Dyadic> dyadics;
   int unit = std::numeric_limits<int>::max();
   for (const double value : values) {
-    parts.push_back(dyadic(value));
-    unit = std::min(unit, parts.back().exponent);
+    dyadics.push_back(dyadic(value));
+    unit = std::min(unit, dyadics.back().exponent);
   }
   std::vector<Integer> integers;
-  for (const auto& part : parts) {
-    Integer integer(part.significand);
-    if (part.significand != 0) integer <<= static_cast<unsigned long>(part.exponent - unit);
+  for (const auto& number : dyadics) {
+    Integer integer(number.significand);
+    if (number.significand != 0) integer <<= static_cast<unsigned long>(number.exponent - unit);
     integers.push_back(integer);
   }
   return integers;

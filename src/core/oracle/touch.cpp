@@ -38,10 +38,10 @@ std::optional<Touch> touch_parallel_edges(const Corner& A, const Corner& B, cons
   return where;
 }
 
-/// The part of an edge that meets the line of another edge, not parallel to it, given the orientations of the edge's
+/// The feature of an edge that meets the line of another edge, not parallel to it, given the orientations of the edge's
 /// ends with respect to that line; nothing when both ends are strictly on the same side.
-std::optional<Feature> part_on_line(const Moment& at, const Polynomial& start, const Polynomial& end,
-                                    const EdgeNames& names) {
+std::optional<Feature> feature_on_line(const Moment& at, const Polynomial& start, const Polynomial& end,
+                                       const EdgeNames& names) {
   const CGAL::Sign start_side = at.sign(start);
   if (start_side == CGAL::ZERO) return names.start;
   const CGAL::Sign end_side = at.sign(end);
@@ -50,12 +50,12 @@ std::optional<Feature> part_on_line(const Moment& at, const Polynomial& start, c
   return names.interior;
 }
 
-FeaturePoint point_on_line(const Moment& at, Feature part, const Polynomial& start, const Polynomial& end,
+FeaturePoint point_on_line(const Moment& at, Feature feature, const Polynomial& start, const Polynomial& end,
                            const EdgeNames& names) {
-  if (part == names.start) return {part, {1, 0, 0}};
-  if (part == names.end) return {part, {0, 1, 0}};
+  if (feature == names.start) return {feature, {1, 0, 0}};
+  if (feature == names.end) return {feature, {0, 1, 0}};
   const double along = at.ratio(start, start - end);
-  return {part, {1 - along, along, 0}};
+  return {feature, {1 - along, along, 0}};
 }
 
 std::optional<Touch> touch_edges(const Corners& c, const Moment& at) {
@@ -66,13 +66,13 @@ std::optional<Touch> touch_edges(const Corners& c, const Moment& at) {
     // abd - abc is the cross product of the two edges seen along the axis. Where it is not zero the edges span their
     // plane and the projection is one to one on it.
     if (at.sign(abd - abc) == CGAL::ZERO) continue;
-    const auto part_b = part_on_line(at, abc, abd, kEdgeB);
-    if (!part_b) return std::nullopt;
+    const auto feature_b = feature_on_line(at, abc, abd, kEdgeB);
+    if (!feature_b) return std::nullopt;
     const Polynomial cda = orientation(axis, C, D, A);
     const Polynomial cdb = orientation(axis, C, D, B);
-    const auto part_a = part_on_line(at, cda, cdb, kEdgeA);
-    if (!part_a) return std::nullopt;
-    return Touch{point_on_line(at, *part_a, cda, cdb, kEdgeA), point_on_line(at, *part_b, abc, abd, kEdgeB)};
+    const auto feature_a = feature_on_line(at, cda, cdb, kEdgeA);
+    if (!feature_a) return std::nullopt;
+    return Touch{point_on_line(at, *feature_a, cda, cdb, kEdgeA), point_on_line(at, *feature_b, abc, abd, kEdgeB)};
   }
   return touch_parallel_edges(A, B, C, D, at);
 }
@@ -82,12 +82,12 @@ std::optional<Touch> touch_edges(const Corners& c, const Moment& at) {
 std::optional<FeaturePoint> point_on_face(const Corners& c, std::size_t axis, const Polynomial& area,
                                           const Moment& at) {
   const auto& [P, F0, F1, F2] = c;
-  const std::array<Polynomial, 3> parts = {orientation(axis, P, F1, F2), orientation(axis, F0, P, F2),
-                                           orientation(axis, F0, F1, P)};
+  const std::array<Polynomial, 3> weights = {orientation(axis, P, F1, F2), orientation(axis, F0, P, F2),
+                                             orientation(axis, F0, F1, P)};
   const CGAL::Sign whole = at.sign(area);
   unsigned pattern = 0;  // bit i is set when the weight of corner i is positive
   for (unsigned i = 0; i < 3; ++i) {
-    const CGAL::Sign side = at.sign(parts[i]) * whole;
+    const CGAL::Sign side = at.sign(weights[i]) * whole;
     if (side < 0) return std::nullopt;
     if (side > 0) pattern |= 1U << i;
   }
@@ -98,7 +98,7 @@ std::optional<FeaturePoint> point_on_face(const Corners& c, std::size_t axis, co
     if (pattern == 1U << i)
       touched.weights[i] = 1;
     else if (pattern & 1U << i)
-      touched.weights[i] = at.ratio(parts[i], area);
+      touched.weights[i] = at.ratio(weights[i], area);
   }
   return touched;
 }

@@ -10,9 +10,9 @@
 
 namespace touchstone::threads {
 
-int startable_threads(int wanted) {
+int startable_threads(int requested) {
   static std::atomic<int> most = 1;
-  if (wanted <= most) return wanted;
+  if (requested <= most) return requested;
   std::atomic<bool> all_there = false;
   std::vector<std::thread> threads;
   const auto wait = [&] {
@@ -21,16 +21,16 @@ int startable_threads(int wanted) {
     std::free(memory);
   };
   try {
-    for (int i = 1; i < wanted; ++i) threads.emplace_back(wait);
+    for (int i = 1; i < requested; ++i) threads.emplace_back(wait);
   } catch (const std::system_error&) {
   } catch (const std::bad_alloc&) {
   }
   all_there = true;
   all_there.notify_all();
   for (std::thread& thread : threads) thread.join();
-  if (static_cast<int>(threads.size()) + 1 < wanted) return 1;  // which may be different later
-  for (int before = most; before < wanted && !most.compare_exchange_weak(before, wanted);) continue;
-  return wanted;
+  if (static_cast<int>(threads.size()) + 1 < requested) return 1;  // which may be different later
+  for (int before = most; before < requested && !most.compare_exchange_weak(before, requested);) continue;
+  return requested;
 }
 
 }  // namespace touchstone::threads

@@ -21,11 +21,11 @@ namespace touchstone::threads {
 class ThreadHandover {
  public:
 #ifdef TOUCHSTONE_THREAD_SANITIZER
-  void give() noexcept { __tsan_release(&place_); }
-  void take() noexcept { __tsan_acquire(&place_); }
+  void give() noexcept { __tsan_release(&token_); }
+  void take() noexcept { __tsan_acquire(&token_); }
 
  private:
-  char place_ = 0;
+  char token_ = 0;
 #else
   void give() noexcept {}
   void take() noexcept {}

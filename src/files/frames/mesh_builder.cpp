@@ -14,16 +14,16 @@ void FilePosition::fail(std::string_view reason) const {
 }
 
 void MeshBuilder::add_unusual_polygon(std::span<const MeshIndex> corners, std::uint64_t number,
-                                      const FilePosition& place) {
+                                      const FilePosition& position) {
   const std::string count = "face " + std::to_string(number) + " has " + std::to_string(corners.size()) +
                             (corners.size() == 1 ? " corner" : " corners");
-  if (corners.size() < 3) place.fail(count + "; a face has three");
-  if (!triangulate_) place.fail(count + "; a face has three, and --triangulate cuts larger ones into triangles");
+  if (corners.size() < 3) position.fail(count + "; a face has three");
+  if (!triangulate_) position.fail(count + "; a face has three, and --triangulate cuts larger ones into triangles");
   for (std::size_t i = 2; i < corners.size(); ++i) add_face({corners[0], corners[i - 1], corners[i]}, number);
 }
 
-void MeshBuilder::add_polyline(std::span<const MeshIndex> vertices, const FilePosition& place) {
-  if (vertices.size() < 2) place.fail("a line has two vertices or more");
+void MeshBuilder::add_polyline(std::span<const MeshIndex> vertices, const FilePosition& position) {
+  if (vertices.size() < 2) position.fail("a line has two vertices or more");
   for (std::size_t i = 1; i < vertices.size(); ++i) add_edge(vertices[i - 1], vertices[i]);
 }
 
@@ -58,13 +58,13 @@ std::uint32_t MeshBuilder::index_of_part(const std::string& name) {
   return found->second;
 }
 
-MeshFile MeshBuilder::finish(const FilePosition& place) {
+MeshFile MeshBuilder::finish(const FilePosition& position) {
   Topology& topology = mesh_.topology;
   topology.vertex_count = vertex_count();
-  if (topology.vertex_count == 0) place.fail("has no vertex");
+  if (topology.vertex_count == 0) position.fail("has no vertex");
   constexpr std::uint64_t kMost = std::numeric_limits<MeshIndex>::max();
   if (topology.vertex_count > kMost || topology.faces.size() > kMost || greatest_number_ > kMost) {
-    place.fail("has 2^32 vertices or faces, or more");
+    position.fail("has 2^32 vertices or faces, or more");
   }
   if (topology.faces.empty() && topology.edges.empty() && topology.points.empty()) {
     topology.points.resize(topology.vertex_count);

@@ -42,15 +42,15 @@ class MeshBuilder {
   /// Adds a polygon. The caller has checked that its corners exist.
   /// @param number  its number in the file
   /// @throws FileError  for fewer than three corners, and for more than three unless they are triangulated
-  void add_polygon(std::span<const MeshIndex> corners, std::uint64_t number, const FilePosition& place) {
+  void add_polygon(std::span<const MeshIndex> corners, std::uint64_t number, const FilePosition& position) {
     if (corners.size() != 3) {
-      add_unusual_polygon(corners, number, place);
+      add_unusual_polygon(corners, number, position);
     } else {
       add_face({corners[0], corners[1], corners[2]}, number);
     }
   }
   void add_edge(MeshIndex a, MeshIndex b) { mesh_.topology.edges.push_back({a, b}); }
-  void add_polyline(std::span<const MeshIndex> vertices, const FilePosition& place);
+  void add_polyline(std::span<const MeshIndex> vertices, const FilePosition& position);
   void add_point(MeshIndex vertex) { mesh_.topology.points.push_back(vertex); }
   void reserve_faces(std::size_t count) { mesh_.topology.faces.reserve(count); }
 
@@ -61,7 +61,7 @@ class MeshBuilder {
   }
 
   /// @throws FileError  without a vertex, and for 2^32 vertices or polygons and more
-  MeshFile finish(const FilePosition& place);
+  MeshFile finish(const FilePosition& position);
 
  private:
   void add_face(const std::array<MeshIndex, 3>& corners, std::uint64_t number) {
@@ -71,7 +71,7 @@ class MeshBuilder {
     topology.faces.push_back(corners);
     if (!topology.parts.empty()) topology.face_parts.push_back(part_);
   }
-  void add_unusual_polygon(std::span<const MeshIndex> corners, std::uint64_t number, const FilePosition& place);
+  void add_unusual_polygon(std::span<const MeshIndex> corners, std::uint64_t number, const FilePosition& position);
   void add_number(std::uint64_t number);
   void find_part();
   std::uint32_t index_of_part(const std::string& name);
@@ -90,9 +90,9 @@ class MeshBuilder {
 std::string fault_of_index(std::int64_t index, std::size_t vertex_count, std::int64_t first_number);
 
 /// The vertex of this number, counted from 0. @throws FileError  if there is none
-inline MeshIndex checked_vertex(std::int64_t index, std::size_t vertex_count, const FilePosition& place) {
+inline MeshIndex checked_vertex(std::int64_t index, std::size_t vertex_count, const FilePosition& position) {
   if (index < 0 || static_cast<std::uint64_t>(index) >= vertex_count) {
-    place.fail(fault_of_index(index, vertex_count, 0));
+    position.fail(fault_of_index(index, vertex_count, 0));
   }
   return static_cast<MeshIndex>(index);
 }

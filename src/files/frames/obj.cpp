@@ -46,12 +46,12 @@ class ObjReader {
       read_vertex();
     } else if (keyword == "f") {
       read_indices();
-      builder_.add_polygon(indices_, ++polygons_, place());
+      builder_.add_polygon(indices_, ++polygons_, position());
     } else if (keyword.front() == '#') {
       scanner_.skip_line();
     } else if (keyword == "l") {
       read_indices();
-      builder_.add_polyline(indices_, place());
+      builder_.add_polyline(indices_, position());
     } else if (keyword == "p") {
       read_indices();
       if (indices_.empty()) scanner_.fail("a point has a vertex");
@@ -141,7 +141,7 @@ class ObjReader {
   }
 
   std::string name() {
-    const FilePosition here = place();
+    const FilePosition here = position();
     const std::string_view found = scanner_.rest_of_line();
     if (found.ends_with('\\')) here.fail("a name ends with a backslash, which could join the next line to this one");
     return std::string(found);
@@ -149,7 +149,7 @@ class ObjReader {
 
   void set_part() { builder_.set_part(object_.empty() || group_.empty() ? object_ + group_ : object_ + "/" + group_); }
 
-  FilePosition place() const { return {file_, scanner_.line()}; }
+  FilePosition position() const { return {file_, scanner_.line()}; }
 
   std::string_view file_;
   TextScanner scanner_;

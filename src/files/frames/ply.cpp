@@ -324,10 +324,10 @@ class PlyReader {
         case Meaning::vertex2: ends[property.meaning == Meaning::vertex2] = vertex(property, values); break;
       }
     }
-    const FilePosition place{file_, values.line()};
+    const FilePosition here{file_, values.line()};
     values.end_row();
     if (element.name == "vertex") builder_.add_vertex(position[0], position[1], position[2]);
-    if (element.name == "face") builder_.add_polygon(corners_, number, place);
+    if (element.name == "face") builder_.add_polygon(corners_, number, here);
     if (element.name == "edge") builder_.add_edge(ends[0], ends[1]);
   }
 

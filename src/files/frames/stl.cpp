@@ -149,10 +149,10 @@ class TextReader {
 
   void expect(std::string_view keyword) { check(scanner_.next_word(), keyword, io::in_quotes(keyword)); }
 
-  void check(std::string_view found, std::string_view keyword, std::string_view wanted) {
+  void check(std::string_view found, std::string_view keyword, std::string_view expected) {
     if (equal_but_for_case(found, keyword)) return;
     scanner_.fail(
-        (found.empty() ? std::string("the file ends") : io::in_quotes(found)).append(" where ").append(wanted) +
+        (found.empty() ? std::string("the file ends") : io::in_quotes(found)).append(" where ").append(expected) +
         " should be");
   }
 

@@ -190,15 +190,15 @@ class VtkReader {
     for (std::uint64_t cell = 0; cell < first; ++cell) {
       const std::int64_t corners = read_index(4);
       if (corners < 0 || static_cast<std::uint64_t>(corners) >= remaining) {
-        place().fail("cell " + std::to_string(cell) + " has " + std::to_string(corners) +
-                     " corners, which are more integers than the section announces");
+        position().fail("cell " + std::to_string(cell) + " has " + std::to_string(corners) +
+                        " corners, which are more integers than the section announces");
       }
       remaining -= static_cast<std::uint64_t>(corners) + 1;
       for (std::int64_t i = 0; i < corners; ++i) cells.corners.push_back(read_corner(4));
       cells.starts.push_back(cells.corners.size());
     }
     if (remaining != 0) {
-      place().fail("the cells have " + std::to_string(remaining) + " integers fewer than the section announces");
+      position().fail("the cells have " + std::to_string(remaining) + " integers fewer than the section announces");
     }
     return cells;
   }
@@ -212,14 +212,14 @@ class VtkReader {
       const std::int64_t offset = read_index(offset_size);
       const std::int64_t least = i == 0 ? 0 : static_cast<std::int64_t>(cells.starts.back());
       if (offset < least || static_cast<std::uint64_t>(offset) > corners || (i == 0 && offset != 0)) {
-        place().fail("offset " + std::to_string(i) + " is " + std::to_string(offset) +
-                     "; offsets start with 0, never fall, and end with the number of corners");
+        position().fail("offset " + std::to_string(i) + " is " + std::to_string(offset) +
+                        "; offsets start with 0, never fall, and end with the number of corners");
       }
       cells.starts.push_back(static_cast<std::uint64_t>(offset));
     }
     if (cells.starts.back() != corners) {
-      place().fail("the last offset is " + std::to_string(cells.starts.back()) + " and not the number of corners, " +
-                   std::to_string(corners));
+      position().fail("the last offset is " + std::to_string(cells.starts.back()) + " and not the number of corners, " +
+                      std::to_string(corners));
     }
     const std::size_t corner_size = read_integer_type("CONNECTIVITY");
     check_size(corners, is_binary_ ? corner_size : 1);
@@ -290,7 +290,7 @@ class VtkReader {
       if (std::none_of(kSections.begin(), kSections.end(), [&](auto section) { return is(keyword, section); }))
         continue;
       if (!is_number(scanner_.word()) || !is_number(scanner_.word()) || !scanner_.at_line_end()) continue;
-      place().fail(io::in_quotes(keyword) + " after the data of points or cells; all elements come before them");
+      position().fail(io::in_quotes(keyword) + " after the data of points or cells; all elements come before them");
     }
   }
 
@@ -340,7 +340,7 @@ class VtkReader {
   /// A file of few bytes does not announce much.
   void check_size(std::uint64_t count, std::uint64_t size) {
     if (count > scanner_.remaining() / size) {
-      place().fail("announces " + std::to_string(count) + " items, and is too short for them");
+      position().fail("announces " + std::to_string(count) + " items, and is too short for them");
     }
   }
 
@@ -354,10 +354,10 @@ class VtkReader {
 
   MeshIndex read_corner(std::size_t size) {
     const std::int64_t index = read_index(size);
-    return checked_vertex(index, builder_.vertex_count(), place());
+    return checked_vertex(index, builder_.vertex_count(), position());
   }
 
-  FilePosition place() const { return {file_, is_binary_ ? 0 : scanner_.line()}; }
+  FilePosition position() const { return {file_, is_binary_ ? 0 : scanner_.line()}; }
 
   std::string_view file_;
   TextScanner scanner_;

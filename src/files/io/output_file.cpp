@@ -218,8 +218,8 @@ SpoolFile::SpoolFile(const std::string& path) : name_("the temporary file of " +
   const bool beside = ::stat(path.c_str(), &status) != 0 || S_ISREG(status.st_mode);
   std::error_code error;
   const auto folder = std::filesystem::temp_directory_path(error);
-  const std::string place = beside ? path : ((error ? "/tmp" : folder.string()) + "/touchstone-spool");
-  Created created = create_beside(place, name_);
+  const std::string pattern = beside ? path : ((error ? "/tmp" : folder.string()) + "/touchstone-spool");
+  Created created = create_beside(pattern, name_);
   ::unlink(created.path.c_str());
   descriptor_ = created.descriptor;
 }

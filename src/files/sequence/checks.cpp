@@ -154,15 +154,15 @@ std::vector<RestContact> named(const std::vector<Intersection>& found, ElementNa
   return contacts;
 }
 
-EnclosedCounts counts_of(const std::vector<EnclosedPart>& parts, ElementNames& names) {
+EnclosedCounts counts_of(const std::vector<EnclosedPart>& enclosed, ElementNames& names) {
   EnclosedCounts counts;
-  if (parts.empty()) return counts;
-  counts.vertex = names.element(MeshElement::vertex, parts.front().vertex);
-  counts.face = names.element(MeshElement::face, parts.front().faces.front());
-  for (const EnclosedPart& part : parts) {
-    ++(part.element == MeshElement::face   ? counts.surfaces
-       : part.element == MeshElement::edge ? counts.wires
-                                           : counts.points);
+  if (enclosed.empty()) return counts;
+  counts.vertex = names.element(MeshElement::vertex, enclosed.front().vertex);
+  counts.face = names.element(MeshElement::face, enclosed.front().faces.front());
+  for (const EnclosedPart& piece : enclosed) {
+    ++(piece.element == MeshElement::face   ? counts.surfaces
+       : piece.element == MeshElement::edge ? counts.wires
+                                            : counts.points);
   }
   return counts;
 }

@@ -27,26 +27,26 @@ constexpr std::size_t kMostDigits = 18;  // of a number; more digits are text
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// A name cut into texts and the numbers between them: text[0] number[0] text[1] ...
-struct NameParts {
+struct SplitName {
   std::vector<std::string> texts{1};
   std::vector<std::uint64_t> numbers;
 };
 
-NameParts parts_of(std::string_view name) {
-  NameParts parts;
+SplitName split(std::string_view name) {
+  SplitName split_name;
   while (!name.empty()) {
     const auto digits = static_cast<std::size_t>(std::find_if_not(name.begin(), name.end(), is_digit) - name.begin());
     if (digits == 0 || digits > kMostDigits) {
       const std::size_t length = std::max<std::size_t>(digits, 1);
-      parts.texts.back() += name.substr(0, length);
+      split_name.texts.back() += name.substr(0, length);
       name.remove_prefix(length);
       continue;
     }
-    parts.numbers.push_back(std::stoull(std::string(name.substr(0, digits))));
-    parts.texts.emplace_back();
+    split_name.numbers.push_back(std::stoull(std::string(name.substr(0, digits))));
+    split_name.texts.emplace_back();
     name.remove_prefix(digits);
   }
-  return parts;
+  return split_name;
 }
 
 struct Numbered {
@@ -54,41 +54,41 @@ struct Numbered {
   std::string file;
 };
 
-/// The places of the numbers in which names differ; nothing when they differ in anything else.
-std::optional<std::vector<std::size_t>> differing_places(const std::vector<NameParts>& all) {
-  const NameParts& first = all.front();
-  std::set<std::size_t> places;
-  for (const NameParts& parts : all) {
-    if (parts.texts != first.texts) return std::nullopt;
-    for (std::size_t i = 0; i < parts.numbers.size(); ++i) {
-      if (parts.numbers[i] != first.numbers[i]) places.insert(i);
+/// The indices of the numbers in which names differ; nothing when they differ in anything else.
+std::optional<std::vector<std::size_t>> differing_numbers(const std::vector<SplitName>& all) {
+  const SplitName& first = all.front();
+  std::set<std::size_t> indices;
+  for (const SplitName& split_name : all) {
+    if (split_name.texts != first.texts) return std::nullopt;
+    for (std::size_t i = 0; i < split_name.numbers.size(); ++i) {
+      if (split_name.numbers[i] != first.numbers[i]) indices.insert(i);
     }
   }
-  return std::vector(places.begin(), places.end());
+  return std::vector(indices.begin(), indices.end());
 }
 
-/// The names in the order of the numbers at a place.
-std::vector<std::size_t> order_by(const std::vector<NameParts>& all, std::size_t place) {
+/// The names in the order of the numbers at an index.
+std::vector<std::size_t> order_by(const std::vector<SplitName>& all, std::size_t index) {
   std::vector<std::size_t> order(all.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return all[a].numbers[place] < all[b].numbers[place]; });
+                   [&](std::size_t a, std::size_t b) { return all[a].numbers[index] < all[b].numbers[index]; });
   return order;
 }
 
 /// Of several numbers in which names differ, as in f-2-t0.2 and f-10-t0.10, one that is a frame's own: no two names
 /// have it. Those with a constant stride count first. Nothing when there is none, or when two of them give different
 /// orders.
-std::optional<std::size_t> frame_number_of(const std::vector<NameParts>& all, const std::vector<std::size_t>& places) {
+std::optional<std::size_t> frame_number_of(const std::vector<SplitName>& all, const std::vector<std::size_t>& indices) {
   struct Found {
     std::vector<std::size_t> order;
-    std::size_t place = 0;
+    std::size_t index = 0;
     bool agreed = true;
   };
   std::array<std::optional<Found>, 2> found;  // without and with a constant stride
-  for (const std::size_t place : places) {
-    auto order = order_by(all, place);
-    const auto number = [&](std::size_t i) { return all[order[i]].numbers[place]; };
+  for (const std::size_t index : indices) {
+    auto order = order_by(all, index);
+    const auto number = [&](std::size_t i) { return all[order[i]].numbers[index]; };
     bool is_own = true, is_constant = true;
     for (std::size_t i = 1; i < order.size(); ++i) {
       is_own = is_own && number(i) != number(i - 1);
@@ -97,26 +97,26 @@ std::optional<std::size_t> frame_number_of(const std::vector<NameParts>& all, co
     if (!is_own) continue;
     auto& same_sort = found[is_constant ? 1 : 0];
     if (!same_sort) {
-      same_sort = Found{std::move(order), place};
+      same_sort = Found{std::move(order), index};
     } else if (same_sort->order != order) {
       same_sort->agreed = false;
     }
   }
   const auto& best = found[1] ? found[1] : found[0];
   if (!best || !best->agreed) return std::nullopt;
-  return best->place;
+  return best->index;
 }
 
 /// The files with the number that orders them; nothing when there is no such number.
 std::optional<std::vector<Numbered>> numbered(const std::vector<std::string>& files) {
-  std::vector<NameParts> all;
+  std::vector<SplitName> all;
   all.reserve(files.size());
-  for (const auto& file : files) all.push_back(parts_of(file));
-  const auto places = differing_places(all);
-  if (!places || all.front().numbers.empty()) return std::nullopt;
+  for (const auto& file : files) all.push_back(split(file));
+  const auto indices = differing_numbers(all);
+  if (!indices || all.front().numbers.empty()) return std::nullopt;
   // Names without a difference are those of one number: its digits differ, as in 1 and 01, or nothing does.
-  std::optional<std::size_t> at = places->empty() ? all.front().numbers.size() - 1 : places->front();
-  if (places->size() > 1) at = frame_number_of(all, *places);
+  std::optional<std::size_t> at = indices->empty() ? all.front().numbers.size() - 1 : indices->front();
+  if (indices->size() > 1) at = frame_number_of(all, *indices);
   if (!at) return std::nullopt;
   std::vector<Numbered> result;
   for (std::size_t i = 0; i < files.size(); ++i) result.push_back({all[i].numbers[*at], files[i]});
@@ -129,12 +129,12 @@ std::string base_name(const std::string& file) {
 
 /// Names that are no numbered sequence may be frames, or the parts of one scene, about which nothing would be asked.
 [[noreturn]] void ask_which(const std::vector<std::string>& files) {
-  const NameParts first = parts_of(files.front());
+  const SplitName first = split(files.front());
   std::string fault = fmt::format("differs from {} in several numbers, which do not say the order of the frames",
                                   base_name(files.front()));
   std::size_t at = 1;
   for (std::size_t i = 1; i < files.size(); ++i) {
-    if (parts_of(files[i]).texts == first.texts) continue;
+    if (split(files[i]).texts == first.texts) continue;
     at = i;
     fault = fmt::format("differs from {} in more than numbers", base_name(files.front()));
     break;
@@ -165,7 +165,7 @@ void check_stride(const std::vector<Numbered>& files) {
 }
 
 /// A path whose folder has one spelling.
-std::filesystem::path place_of(const std::string& file) {
+std::filesystem::path with_one_spelling(const std::string& file) {
   std::error_code ignored;
   const std::filesystem::path path(file), folder = path.parent_path();
   return std::filesystem::weakly_canonical(folder.empty() ? "." : folder, ignored) / path.filename();
@@ -206,12 +206,12 @@ std::vector<std::string> expand_patterns(const std::vector<std::string>& argumen
   return files;
 }
 
-bool same_file(const std::string& a, const std::string& b) { return place_of(a) == place_of(b); }
+bool same_file(const std::string& a, const std::string& b) { return with_one_spelling(a) == with_one_spelling(b); }
 
 void refuse_repeats(const std::vector<std::string>& files) {
   std::map<std::filesystem::path, std::string> known;
   for (const auto& file : files) {
-    const auto [earlier, is_new] = known.emplace(place_of(file), file);
+    const auto [earlier, is_new] = known.emplace(with_one_spelling(file), file);
     if (is_new) continue;
     const std::string& other = earlier->second;
     io::fail(file, (other == file ? "is given twice" : "is the same file as " + io::printable(other)) +

@@ -75,13 +75,13 @@ Report merged(std::vector<ShardReport> shards) {
   whole.heading = heading;
   whole.heading.shard.reset();
   for (std::size_t i = 0; i < shards.size(); ++i) {
-    Report& part = shards[i].report;
-    const bool shares_frame = i > 0 && heading.question == Question::steps;
-    if (shares_frame) check_shared_frame(shards[i - 1], shards[i]);
-    const auto frames = part.frames.begin() + (shares_frame ? 1 : 0);
-    whole.frames.insert(whole.frames.end(), frames, part.frames.end());
-    whole.results.insert(whole.results.end(), std::make_move_iterator(part.results.begin()),
-                         std::make_move_iterator(part.results.end()));
+    Report& shard = shards[i].report;
+    const bool continues = i > 0 && heading.question == Question::steps;
+    if (continues) check_shared_frame(shards[i - 1], shards[i]);
+    const auto frames = shard.frames.begin() + (continues ? 1 : 0);
+    whole.frames.insert(whole.frames.end(), frames, shard.frames.end());
+    whole.results.insert(whole.results.end(), std::make_move_iterator(shard.results.begin()),
+                         std::make_move_iterator(shard.results.end()));
   }
   std::vector<std::string> labels;
   for (const FrameEntry& frame : whole.frames) labels.push_back(frame.label);

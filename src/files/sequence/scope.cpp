@@ -44,12 +44,12 @@ struct Meshes {
 /// "1 surface, 2 wires and 3 loose points in 2 of 3 frames are wholly inside a closed surface, ..."
 std::string enclosed_text(const Heading& heading, const ResultCounts& counts) {
   const EnclosedCounts& enclosed = counts.enclosed;
-  std::vector<std::string> parts;
-  if (enclosed.surfaces > 0) parts.push_back(counted(enclosed.surfaces, "surface"));
-  if (enclosed.wires > 0) parts.push_back(counted(enclosed.wires, "wire"));
-  if (enclosed.points > 0) parts.push_back(counted(enclosed.points, "loose point"));
-  std::string text = parts.front();
-  for (std::size_t i = 1; i < parts.size(); ++i) text += (i + 1 < parts.size() ? ", " : " and ") + parts[i];
+  std::vector<std::string> items;
+  if (enclosed.surfaces > 0) items.push_back(counted(enclosed.surfaces, "surface"));
+  if (enclosed.wires > 0) items.push_back(counted(enclosed.wires, "wire"));
+  if (enclosed.points > 0) items.push_back(counted(enclosed.points, "loose point"));
+  std::string text = items.front();
+  for (std::size_t i = 1; i < items.size(); ++i) text += (i + 1 < items.size() ? ", " : " and ") + items[i];
   if (heading.question == Question::rest && counts.results > 1) {
     text += fmt::format(" in {} of {} frames", io::grouped(counts.frames_enclosing), io::grouped(counts.results));
   }

@@ -40,11 +40,11 @@ void arrange_descriptors(const ChildProcess::Setup& setup, int errors) {
   const int null = ::open("/dev/null", O_RDWR);
   if (null < 0) give_up();
   // First out of the way of 0 to 3, then into place.
-  const std::array<int, 4> wanted{setup.input < 0 ? null : setup.input, setup.output < 0 ? null : setup.output, errors,
-                                  setup.spare < 0 ? null : setup.spare};
+  const std::array<int, 4> streams{setup.input < 0 ? null : setup.input, setup.output < 0 ? null : setup.output, errors,
+                                   setup.spare < 0 ? null : setup.spare};
   std::array<int, 4> high{};
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    high[i] = ::fcntl(wanted[i], F_DUPFD, 10);
+  for (std::size_t i = 0; i < streams.size(); ++i) {
+    high[i] = ::fcntl(streams[i], F_DUPFD, 10);
     if (high[i] < 0) give_up();
   }
   for (int i = 0; i < 4; ++i) {

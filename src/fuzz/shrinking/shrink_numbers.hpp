@@ -15,8 +15,8 @@ void simplify_number(Number&& number, Offer&& offer) {
   for (const double value : kSmall) offer(value);
   const double x = number();
   for (const double value : {std::nearbyint(x), std::floor(x), std::ceil(x), -x}) offer(value);
-  for (const int places : {512, 256, 128, 64, 32, 16, 8, 4, 2, 1}) {
-    offer(std::ldexp(number(), std::fabs(number()) < 1 ? places : -places));
+  for (const int shift : {512, 256, 128, 64, 32, 16, 8, 4, 2, 1}) {
+    offer(std::ldexp(number(), std::fabs(number()) < 1 ? shift : -shift));
   }
   while (offer(number() - std::copysign(1.0, number()))) {
   }

@@ -27,10 +27,10 @@ std::int64_t difficulty(double x) noexcept {
   auto digits = static_cast<std::uint64_t>(std::ldexp(significand, 53));  // |x| = digits 2^(exponent - 53)
   const int zeros = std::countr_zero(digits);
   digits >>= zeros;
-  const int last_place = exponent - 53 + zeros;
+  const int last_bit = exponent - 53 + zeros;
   const std::int64_t length = std::bit_width(digits) - 1;
-  if (last_place < 0) return sign + 1 + kDigit * length - kFractionDigit * last_place;
-  return sign + 1 + kDigit * (length + last_place);
+  if (last_bit < 0) return sign + 1 + kDigit * length - kFractionDigit * last_bit;
+  return sign + 1 + kDigit * (length + last_bit);
 }
 
 bool same_bits(const Vec3& a, const Vec3& b) noexcept {

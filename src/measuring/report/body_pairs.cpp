@@ -13,7 +13,7 @@
 #include "body_contact/body_colliders.hpp"
 #include "families/curved_parts.hpp"
 #include "scene/shipped_scenes.hpp"
-#include "sim/body_part.hpp"
+#include "sim/simulated_bodies.hpp"
 #include "sim/simulation.hpp"
 
 namespace touchstone::report {
@@ -21,8 +21,8 @@ namespace {
 
 using sim::BodyMotions;
 using sim::BodyPair;
-using sim::BodyPart;
 using sim::BodyStates;
+using sim::SimulatedBodies;
 
 /// A scene without particles, after how many steps its bodies are near each other, and how many steps lie between two
 /// whose pairs are taken.
@@ -68,12 +68,12 @@ class Collected {
   }
 
   /// Those of a step that was taken.
-  void add_taken(const BodyPart& part, const BodyMotions& motions) {
-    const std::vector<BodyPair> pairs = part.colliders().candidates(motions, options_.separation);
+  void add_taken(const SimulatedBodies& bodies, const BodyMotions& motions) {
+    const std::vector<BodyPair> pairs = bodies.colliders().candidates(motions, options_.separation);
     for (const Kind kind : {Kind::edge_edge, Kind::vertex_face}) {
       std::vector<CurvedQuery> queries;
       for (const BodyPair& pair : pairs) {
-        if (pair.kind == kind) queries.push_back(part.colliders().query(pair, motions));
+        if (pair.kind == kind) queries.push_back(bodies.colliders().query(pair, motions));
       }
       taken_[static_cast<std::size_t>(kind)] += add(kind, queries, (options_.count + samples() - 1) / samples());
     }
@@ -82,12 +82,12 @@ class Collected {
   std::size_t samples() const { return std::clamp<std::size_t>(options_.count / kPairsPerSample, 1, kMostSamples); }
 
   /// Pairs that touch when the bodies move on freely from these states.
-  void add_touching(const BodyPart& part, const BodyStates& states, double step, const sim::VectorX& x) {
+  void add_touching(const SimulatedBodies& bodies, const BodyStates& states, double step, const sim::VectorX& x) {
     for (int doublings = 0; doublings <= kMostDoublings; ++doublings) {
       BodyStates end = states;
-      if (!move_freely(part.system(), std::ldexp(step, doublings), end)) return;
+      if (!move_freely(bodies.system(), std::ldexp(step, doublings), end)) return;
       const BodyMotions motions{&states, &end, &x, &x};
-      if (add_those_that_touch(part, motions)) return;
+      if (add_those_that_touch(bodies, motions)) return;
     }
   }
 
@@ -100,10 +100,10 @@ class Collected {
   }
 
  private:
-  bool add_those_that_touch(const BodyPart& part, const BodyMotions& motions) {
+  bool add_those_that_touch(const SimulatedBodies& bodies, const BodyMotions& motions) {
     std::array<std::vector<CurvedQuery>, 2> touching;
-    for (const BodyPair& pair : part.colliders().candidates(motions, options_.separation)) {
-      const CurvedQuery query = part.colliders().query(pair, motions);
+    for (const BodyPair& pair : bodies.colliders().candidates(motions, options_.separation)) {
+      const CurvedQuery query = bodies.colliders().query(pair, motions);
       if (solve(query, {.separation = Separation{options_.separation}, .wanted = Wanted::contact}).contact)
         touching[static_cast<std::size_t>(pair.kind)].push_back(query);
     }
@@ -111,8 +111,8 @@ class Collected {
     for (const Kind kind : {Kind::edge_edge, Kind::vertex_face}) {
       const auto k = static_cast<std::size_t>(kind);
       any = any || !touching[k].empty();
-      const std::size_t wanted = (taken_[k] + kMissesPerHit - 1) / kMissesPerHit;
-      if (wanted > touching_[k]) touching_[k] += add(kind, touching[k], wanted - touching_[k]);
+      const std::size_t target = (taken_[k] + kMissesPerHit - 1) / kMissesPerHit;
+      if (target > touching_[k]) touching_[k] += add(kind, touching[k], target - touching_[k]);
     }
     return any;
   }
@@ -137,7 +137,7 @@ std::vector<QuerySet> body_pair_sets(std::string_view scene, const BodyPairOptio
   const auto number = std::find(kBodyScenes.begin(), kBodyScenes.end(), scene) - kBodyScenes.begin();
   const BodyPlan& plan = kPlans.at(static_cast<std::size_t>(number));
   sim::Simulation simulation(sim::make_shipped_scene(scene, plan.size), {});
-  const BodyPart& part = *simulation.bodies();
+  const SimulatedBodies& bodies = *simulation.bodies();
   const sim::VectorX none;  // the scene has no particles
   Collected pairs(scene, options);
   for (std::size_t i = 0; i < plan.before; ++i) {
@@ -149,10 +149,10 @@ std::vector<QuerySet> body_pair_sets(std::string_view scene, const BodyPairOptio
       pulse();
       simulation.step();
     }
-    const BodyStates start = part.state().bodies;
+    const BodyStates start = bodies.state().bodies;
     simulation.step();
-    pairs.add_taken(part, {&start, &part.state().bodies, &none, &none});
-    pairs.add_touching(part, start, simulation.scene().settings.time_step, none);
+    pairs.add_taken(bodies, {&start, &bodies.state().bodies, &none, &none});
+    pairs.add_touching(bodies, start, simulation.scene().settings.time_step, none);
   }
   return pairs.take();
 }

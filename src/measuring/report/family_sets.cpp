@@ -158,7 +158,7 @@ std::vector<QuerySet> aligned_sets(std::uint64_t seed, const SceneSize& size, do
 std::vector<QuerySet> random_sets(std::uint64_t seed, std::size_t count) {
   std::vector<QuerySet> sets;
   for (const Kind kind : kAskedKinds) {
-    Rng random(seeded::seed_of_part(seed, 1 + static_cast<std::uint64_t>(kind)));
+    Rng random(seeded::seed_of_stream(seed, 1 + static_cast<std::uint64_t>(kind)));
     sets.push_back(empty_set("random", kind, "Corners anywhere in a cube of side 2, at both ends of the step"));
     for (std::size_t i = 0; i < count; ++i) sets.back().queries.push_back(random_query(kind, random));
   }
@@ -168,7 +168,7 @@ std::vector<QuerySet> random_sets(std::uint64_t seed, std::size_t count) {
 std::vector<QuerySet> near_sets(std::uint64_t seed, std::size_t count) {
   std::vector<QuerySet> sets;
   for (const Kind kind : kAskedKinds) {
-    Rng random(seeded::seed_of_part(seed, 11 + static_cast<std::uint64_t>(kind)));
+    Rng random(seeded::seed_of_stream(seed, 11 + static_cast<std::uint64_t>(kind)));
     sets.push_back(empty_set("near", kind,
                              "Near hits and near misses: the meeting lies within 2^-50 to 2^-6 of the border of an "
                              "element or of the step, inside or outside"));

@@ -31,11 +31,11 @@ double median(std::vector<double> values) {
 
 std::array<double, 5> percentiles(std::vector<double> values) {
   std::sort(values.begin(), values.end());
-  constexpr std::array<double, 5> kShares{0.5, 0.9, 0.99, 0.999, 1};
+  constexpr std::array<double, 5> kQuantiles{0.5, 0.9, 0.99, 0.999, 1};
   std::array<double, 5> result{};
-  for (std::size_t i = 0; i < kShares.size(); ++i) {
+  for (std::size_t i = 0; i < kQuantiles.size(); ++i) {
     // The least value that so many are no greater than.
-    const double rank = std::ceil(kShares[i] * static_cast<double>(values.size()));
+    const double rank = std::ceil(kQuantiles[i] * static_cast<double>(values.size()));
     result[i] = values[std::max<std::size_t>(1, static_cast<std::size_t>(rank)) - 1];
   }
   return result;

@@ -41,8 +41,8 @@ struct Result {
   double late_fraction() const noexcept { return fraction_of(late, contacts); }
 
   /// 0 when no query was asked.
-  static double fraction_of(std::size_t part, std::size_t whole) noexcept {
-    return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+  static double fraction_of(std::size_t count, std::size_t whole) noexcept {
+    return whole == 0 ? 0 : static_cast<double>(count) / static_cast<double>(whole);
   }
 };
 

@@ -158,7 +158,7 @@ report::QuerySet make_set(const Dial& dial, Kind kind, int setting, std::uint64_
   // Every setting gets the same configurations, as far as possible, so that differences come from the dial.
   const auto stream =
       4 * static_cast<std::uint64_t>(find_dial(dial.name) - dials().data()) + static_cast<std::uint64_t>(kind);
-  Rng rng(seeded::seed_of_part(seed, 100 + stream));
+  Rng rng(seeded::seed_of_stream(seed, 100 + stream));
   for (std::size_t i = 0; i < count; ++i) set.queries.push_back(dial.make(kind, setting, rng));
   return set;
 }

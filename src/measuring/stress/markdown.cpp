@@ -48,8 +48,8 @@ std::string level_table(const Table& table) {
   std::string text = "| level |", rule = "|---|", filter = "| filter |", bracket = "| bracket |", exact = "| exact |";
   for (const SetResults& setting : table.settings) {
     const Result& own = own_result(setting);
-    const auto cell = [&](std::size_t part) {
-      return fmt::format(" {} |", report::percent(Result::fraction_of(part, own.asked)));
+    const auto cell = [&](std::size_t count) {
+      return fmt::format(" {} |", report::percent(Result::fraction_of(count, own.asked)));
     };
     text += fmt::format(" 2^{} |", setting.exponent);
     rule += "---:|";

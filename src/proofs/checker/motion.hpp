@@ -13,7 +13,7 @@ namespace checker {
 constexpr std::uint32_t kNoBody = kMostVertices;
 
 /// A point, an edge or a face, and its box during a step. Along each axis, the ends of the boxes of all vertices are
-/// sorted. `low` is the place of the box's least coordinate, and `reach` the number of the ends that are at most D
+/// sorted. `low` is the rank of the box's least coordinate, and `reach` the number of the ends that are at most D
 /// above its greatest one. Boxes a and b are at most D apart if a.low < b.reach and b.low < a.reach.
 struct Element {
   std::array<std::uint32_t, 3> vertices{}, low{}, reach{};
@@ -146,7 +146,7 @@ class MotionFile {
       corner.motion = on_body ? first : Corner::kOnCurve;
       for (std::size_t end = 0; end < 2; ++end) {
         const auto at = [&](std::size_t n) { return fraction_of(frames_[end][n]); };
-        for (std::size_t k = 0; k < 3; ++k) corner.points[end][k] = at(place_of(vertex) + k);
+        for (std::size_t k = 0; k < 3; ++k) corner.points[end][k] = at(index_of(vertex) + k);
         for (std::size_t c = 0; on_body && c < 4; ++c) motion.q[end][c] = at(kPose * bodies[i] + c);
         for (std::size_t k = 0; on_body && k < 3; ++k) motion.p[end][k] = at(kPose * bodies[i] + 4 + k);
       }
@@ -238,7 +238,7 @@ class MotionFile {
   }
   bool is_fixed(std::uint32_t vertex) const { return single_[3].count(vertex) > 0; }
   /// Of its coordinates in a frame.
-  std::size_t place_of(std::size_t vertex) const { return kPose * body_count_ + 3 * vertex; }
+  std::size_t index_of(std::size_t vertex) const { return kPose * body_count_ + 3 * vertex; }
 
   /// Sets the ends of the boxes of vertices, which are those of their motion. That of a body's vertex is a mean of the
   /// quotients of the Bernstein coefficients of x and w, if those of w are positive. These are rounded outwards.
@@ -251,7 +251,7 @@ class MotionFile {
       corners_.set(query_, Number());
       corners_.w[0].extend(4);  // as many as x has
       set_bernstein(w_, corners_.w[0], whole);
-      for (std::size_t k = 0, place = place_of(vertex.vertices[0]); k < 3; ++k, ++place) {
+      for (std::size_t k = 0, index = index_of(vertex.vertices[0]); k < 3; ++k, ++index) {
         set_bernstein(x_, corners_.x[0][k], whole);
         std::size_t least = 0, greatest = 0;
         for (std::size_t c = 0; c < 4; ++c) {
@@ -259,8 +259,8 @@ class MotionFile {
           if (x_[c] * w_[least] < x_[least] * w_[c]) least = c;
           if (x_[c] * w_[greatest] > x_[greatest] * w_[c]) greatest = c;
         }
-        ends_[0][place] = rounded_down(x_[least], w_[least] * corners_.scale, rest);
-        Number& end = ends_[1][place] = rounded_down(-x_[greatest], w_[greatest] * corners_.scale, rest);
+        ends_[0][index] = rounded_down(x_[least], w_[least] * corners_.scale, rest);
+        Number& end = ends_[1][index] = rounded_down(-x_[greatest], w_[greatest] * corners_.scale, rest);
         end.m = -end.m;
       }
     }
@@ -269,14 +269,14 @@ class MotionFile {
   /// Sets the boxes along one axis.
   void set_boxes(std::size_t k, const Number& distance) {
     const auto& ends = body_count_ > 0 ? ends_ : frames_;
-    const auto at = [&](std::size_t i) -> const Number& { return ends[i / count_][place_of(i % count_) + k]; };
-    std::vector<std::uint32_t> order(2 * std::size_t{count_}), place(order.size()), reach(order.size());
+    const auto at = [&](std::size_t i) -> const Number& { return ends[i / count_][index_of(i % count_) + k]; };
+    std::vector<std::uint32_t> order(2 * std::size_t{count_}), rank(order.size()), reach(order.size());
     std::iota(order.begin(), order.end(), 0U);
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return compare(at(a), at(b)) < 0; });
     for (std::uint32_t i = 0, end = 0; i < order.size(); ++i) {
       const Number farthest = at(order[i]) + distance;
       while (end < order.size() && compare(at(order[end]), farthest) <= 0) ++end;
-      place[order[i]] = i;
+      rank[order[i]] = i;
       reach[order[i]] = end;
     }
     for (std::vector<Element>& elements : elements_) {
@@ -285,7 +285,7 @@ class MotionFile {
         element.reach[k] = 0;
         for (std::size_t i = 0; i < 2 * element.size; ++i) {
           const std::size_t v = element.vertices[i / 2] + (i % 2) * std::size_t{count_};
-          element.low[k] = std::min(element.low[k], place[v]);
+          element.low[k] = std::min(element.low[k], rank[v]);
           element.reach[k] = std::max(element.reach[k], reach[v]);
         }
       }

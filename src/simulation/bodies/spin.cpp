@@ -63,10 +63,10 @@ double most_turn(const Inertia& inertia, const Vector3& momentum, double h) {
 Quaternion free_spin(const Inertia& inertia, const Quaternion& q, const Vector3& momentum, double h) {
   const double turn = most_turn(inertia, momentum, h);
   if (turn == 0) return q;
-  const double parts = std::max(1.0, std::ceil(turn / kInnerTurn));
-  const double step = h / parts, root = std::cbrt(2.0), outer = 1 / (2 - root);
+  const double substeps = std::max(1.0, std::ceil(turn / kInnerTurn));
+  const double step = h / substeps, root = std::cbrt(2.0), outer = 1 / (2 - root);
   Quaternion end = q;
-  for (double i = 0; i < parts; ++i) {
+  for (double i = 0; i < substeps; ++i) {
     end = midpoint_step(inertia, end, momentum, outer * step);
     end = midpoint_step(inertia, end, momentum, (1 - 2 * outer) * step);
     end = midpoint_step(inertia, end, momentum, outer * step);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMostTurn = 1;  // rad, in a substep: the motion that is stored is one arc
 
-// Elements keep this part of the thickness between them; where they are nearer, this part of what is missing is
+// Elements keep this fraction of the thickness between them; where they are nearer, this fraction of what is missing is
 // restored in a whole step of the scene, and less in a shorter one.
 constexpr double kGapKept = 0.5, kRecovery = 0.2;
 
@@ -29,8 +29,9 @@ constexpr double kTolerance = 1e-7;  // of the thickness, in a substep: what swe
 // It doubles with each pass. More than is needed throws a body at rest upwards.
 constexpr double kLeastExtra = 0.005;
 
-// Contacts of one pair of bodies nearer to each other than this part of the thickness, with normals as near, are one.
-constexpr double kSamePlace = 0.02, kSameNormal = 1e-3;
+// Contacts of one pair of bodies are one if they are nearer to each other than this fraction of the thickness and their
+// normals are as near.
+constexpr double kSamePosition = 0.02, kSameNormal = 1e-3;
 
 Vector3 turn_of(const Pose& from, const Pose& to) { return turn_between(from.q, to.q); }
 
@@ -87,24 +88,24 @@ void BodyResponse::Attempt::find_contacts() {
     fastest = std::max(fastest, free_movers_.particles.segment<3>(p).norm());
   }
   const double reach = thickness + 2 * fastest * h;
-  using Place = std::array<long long, 8>;
-  std::set<Place> known;
+  using ContactKey = std::array<long long, 8>;
+  std::set<ContactKey> known;
   const auto rounded = [](double x, double unit) { return std::llround(std::clamp(x / unit, -1e15, 1e15)); };
   for (const BodyPair& pair : pairs) {
     const auto near = closest(*r_->colliders_, pair, motions(), reach);
     if (!near) continue;
     const double along = near->normal.dot(free_movers_.approach(*near));
     if (!(near->gap + h * std::min(along, 0.0) < thickness)) continue;
-    const Place place{static_cast<long long>(near->a.body),
-                      static_cast<long long>(near->b.body),
-                      rounded(near->point.x(), kSamePlace * thickness),
-                      rounded(near->point.y(), kSamePlace * thickness),
-                      rounded(near->point.z(), kSamePlace * thickness),
-                      rounded(near->normal.x(), kSameNormal),
-                      rounded(near->normal.y(), kSameNormal),
-                      rounded(near->normal.z(), kSameNormal)};
+    const ContactKey key{static_cast<long long>(near->a.body),
+                         static_cast<long long>(near->b.body),
+                         rounded(near->point.x(), kSamePosition * thickness),
+                         rounded(near->point.y(), kSamePosition * thickness),
+                         rounded(near->point.z(), kSamePosition * thickness),
+                         rounded(near->normal.x(), kSameNormal),
+                         rounded(near->normal.y(), kSameNormal),
+                         rounded(near->normal.z(), kSameNormal)};
     const bool of_particles = near->a.body == kParticles || near->b.body == kParticles;
-    if (!of_particles && !known.insert(place).second) continue;
+    if (!of_particles && !known.insert(key).second) continue;
     SolverContact contact;
     contact.contact = *near;
     const auto old = std::lower_bound(start_->forces.begin(), start_->forces.end(), pair,
@@ -171,8 +172,8 @@ void BodyResponse::Attempt::move() {
     to.pose.q = dot(q, from.pose.q) < 0 ? negated(q) : q;
     unpushed_[i] = to;
     to.pose.p += h * pushes_.bodies[i].velocity;
-    const Vector3 pushed = h * pushes_.bodies[i].spin;
-    if (!pushed.isZero(0)) q = normalised(product(rotation_by(pushed), q));
+    const Vector3 correction = h * pushes_.bodies[i].spin;
+    if (!correction.isZero(0)) q = normalised(product(rotation_by(correction), q));
     to.pose.q = dot(q, from.pose.q) < 0 ? negated(q) : q;
   }
   if (step_->x1.size() == 0) return;

@@ -25,7 +25,7 @@ constexpr double kBulge = geometry::kArcBulge + 0.01;
 // The rounded matrix of a quaternion has entries of up to 1 and errors below 14 e, e = 2^-53; 3 products and 2 sums of
 // them with a point X, below 51 e |X| together; the quaternion's length is off by 4 e, its square by 8 e, which is as
 // much of |X|; the position adds e (|X| + |p|). All of it is below 2^-46 (|X| + |p|) = 128 e (|X| + |p|).
-constexpr double kPlacing = 0x1p-46;
+constexpr double kPositioning = 0x1p-46;
 
 // Of a radius: its sums with margins, and with another radius, are rounded.
 constexpr double kWidened = 1 + 0x1p-40;
@@ -50,11 +50,11 @@ class Sweep {
   Sweep(const RigidBody& body, const Pose& start, const Pose& end, double margin)
       : points_(&body.points),
         turns_{matrix_of(start.q), matrix_of(end.q)},
-        places_{start.p, end.p},
+        positions_{start.p, end.p},
         start_(body.points.size()),
         end_(body.points.size()),
         placed_(body.points.size(), 0),
-        rounding_(kPlacing * (body.reach + std::max(largest(start.p), largest(end.p)))),
+        rounding_(kPositioning * (body.reach + std::max(largest(start.p), largest(end.p)))),
         margin_(margin + bulge(start.q, end.q, body.reach) + rounding_) {}
   Sweep(std::vector<Vector3> start, std::vector<Vector3> end)
       : start_(std::move(start)), end_(std::move(end)), placed_(start_.size(), 1) {}
@@ -64,8 +64,8 @@ class Sweep {
     for (const Index corner : element) {
       if (placed_[corner]) continue;
       placed_[corner] = 1;
-      start_[corner] = turns_[0] * (*points_)[corner] + places_[0];
-      end_[corner] = turns_[1] * (*points_)[corner] + places_[1];
+      start_[corner] = turns_[0] * (*points_)[corner] + positions_[0];
+      end_[corner] = turns_[1] * (*points_)[corner] + positions_[1];
     }
     const double margin = margin_ + kWidened * radius;
     return {around(start_, element.data(), element.size(), margin),
@@ -76,7 +76,7 @@ class Sweep {
   MovingBox box_of(const Cluster& cluster) const {
     const double margin = cluster.radius + margin_ + 2 * rounding_;
     const auto at = [&](std::size_t end) {
-      const Vector3 centre = turns_[end] * cluster.centre + places_[end];
+      const Vector3 centre = turns_[end] * cluster.centre + positions_[end];
       broad_phase::Box box = broad_phase::empty_box();
       broad_phase::extend(box, {centre.x(), centre.y(), centre.z()});
       broad_phase::grow(box, margin);
@@ -88,7 +88,7 @@ class Sweep {
  private:
   const std::vector<Vector3>* points_ = nullptr;
   std::array<Matrix3, 2> turns_;
-  std::array<Vector3, 2> places_;
+  std::array<Vector3, 2> positions_;
   std::vector<Vector3> start_, end_;
   std::vector<char> placed_;
   double rounding_ = 0, margin_ = 0;
@@ -108,13 +108,13 @@ constexpr auto kThin = [](Index) { return 0.0; };
 
 /// Of those elements that meet the other's box. @param radius  by which they are wider, beside the sweep's margin
 /// @param clusters  of a body: of all these elements; of the particles: none
-template <class Element, class Wanted, class Radius>
+template <class Element, class Selects, class Radius>
 Boxes boxes_near(Sweep& sweep, const std::vector<Element>& elements, const std::vector<Cluster>& clusters,
-                 const MovingBox& other, Wanted wanted, Radius radius) {
+                 const MovingBox& other, Selects selects, Radius radius) {
   Boxes near;
   const auto look_at = [&](Index first, Index last) {
     for (Index i = first; i < last; ++i) {
-      if (!wanted(i)) continue;
+      if (!selects(i)) continue;
       const MovingBox box = sweep.box_of(elements[i], radius(i));
       if (!broad_phase::meet(box, other)) continue;
       near.numbers.push_back(i);

@@ -39,7 +39,7 @@ void BodyResponse::Attempt::restore_angular_momentum() {
   geometry::UnionFind joined(nodes());
   std::vector<char> pushes(nodes(), 0);
   for (const SolverContact& c : contacts_) {
-    if (c.pushed == 0 && c.impulse().isZero(0)) continue;
+    if (c.correction == 0 && c.impulse().isZero(0)) continue;
     Index first = 0;
     bool any = false;
     const auto join = [&](Index n) {
@@ -68,7 +68,9 @@ void BodyResponse::Attempt::restore_angular_momentum() {
   const auto velocity_after = [&](Index n) {
     return n < bodies_ ? end[n].velocity : Vector3(velocity_before(n) + result_.velocity_change.segment<3>(at(n)));
   };
-  const auto place_after = [&](Index n) { return n < bodies_ ? end[n].pose.p : Vector3(result_.x1.segment<3>(at(n))); };
+  const auto position_after = [&](Index n) {
+    return n < bodies_ ? end[n].pose.p : Vector3(result_.x1.segment<3>(at(n)));
+  };
   for (const auto& group : groups) {
     const auto held = [&](Index n) { return node_is_held(n); };
     if (group.size() < 2 || std::any_of(group.begin(), group.end(), held)) continue;
@@ -78,7 +80,7 @@ void BodyResponse::Attempt::restore_angular_momentum() {
       const double m = mass_of(n);
       mass += m;
       centre_before += m * start_of(n);
-      centre += m * place_after(n);
+      centre += m * position_after(n);
       momentum += m * velocity_after(n);
     }
     centre_before /= mass;
@@ -88,7 +90,7 @@ void BodyResponse::Attempt::restore_angular_momentum() {
     Matrix3 inertia = Matrix3::Zero();
     for (const Index n : group) {
       const double m = mass_of(n);
-      const Vector3 arm = place_after(n) - centre;
+      const Vector3 arm = position_after(n) - centre;
       missing += m * (start_of(n) - centre_before).cross(velocity_before(n) - together);
       missing -= m * arm.cross(velocity_after(n) - together);
       inertia += m * (arm.squaredNorm() * Matrix3::Identity() - arm * arm.transpose());
@@ -102,7 +104,7 @@ void BodyResponse::Attempt::restore_angular_momentum() {
     const auto particles = [&] { return kinetic({}, free_movers_.particles + result_.velocity_change); };
     const double of_bodies = kinetic(end, {}), of_particles = particles();
     for (const Index n : group) {
-      const Vector3 by = spin.cross(place_after(n) - centre);
+      const Vector3 by = spin.cross(position_after(n) - centre);
       if (n < bodies_) {
         BodyState& to = result_.end.bodies[n];
         to.velocity += by;

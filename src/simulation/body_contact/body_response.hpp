@@ -73,7 +73,7 @@ struct BodyResult {
   VectorX velocity_change;          ///< of particles, m/s
   std::optional<BodyPair> left;     ///< when not resolved
   Vector3 point = Vector3::Zero();  ///< where it touches, m
-  bool strains_gain = false;        ///< pushes store more in springs, cables and cloth than bodies lose: see BodyPart
+  bool strains_gain = false;  ///< pushes store more in springs, cables and cloth than bodies lose: see SimulatedBodies
   BodyCounts counts;
   BodyFlows flows;
   std::vector<BodyContact> contacts;  ///< with keep_contacts: those that push

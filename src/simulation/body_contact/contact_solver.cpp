@@ -164,7 +164,7 @@ void solve_pushes(Movers& movers, std::vector<SolverContact>& contacts, int swee
   std::vector<double> response(contacts.size(), 0);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     response[i] = response_of(movers, contacts[i].contact).normal;
-    contacts[i].pushed = 0;
+    contacts[i].correction = 0;
   }
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -172,9 +172,9 @@ void solve_pushes(Movers& movers, std::vector<SolverContact>& contacts, int swee
       SolverContact& c = contacts[i];
       if (!(response[i] > 0)) continue;
       const Vector3& n = c.contact.normal;
-      const double next = std::max(0.0, c.pushed + (c.push - n.dot(movers.approach(c.contact))) / response[i]);
-      if (next != c.pushed) apply(movers, c.contact, (next - c.pushed) * n);
-      c.pushed = next;
+      const double next = std::max(0.0, c.correction + (c.push - n.dot(movers.approach(c.contact))) / response[i]);
+      if (next != c.correction) apply(movers, c.contact, (next - c.correction) * n);
+      c.correction = next;
     }
   }
 }

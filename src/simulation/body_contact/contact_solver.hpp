@@ -16,7 +16,7 @@ struct SolverContact {
   double room = 0;                     ///< m: what the gap has beyond the distance that is kept
   double extra = 0;                    ///< m/s, added to `least` where that was not enough
   double push = 0;                     ///< m/s: so fast the elements are to be moved apart, which adds no velocity
-  double pushed = 0;                   ///< N s: the impulse of that
+  double correction = 0;               ///< N s: the impulse of that
   double normal_impulse = 0;           ///< N s, >= 0
   Vector3 friction = Vector3::Zero();  ///< N s, across the normal
   Vector3 bounce = Vector3::Zero();    ///< N s: of impacts with restitution, in all directions

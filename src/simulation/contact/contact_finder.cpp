@@ -43,26 +43,26 @@ void ContactFinder::find(const VectorX& x1, std::vector<Contact>& found, Respons
   // Block by block: there are many pairs, and the open ones need not be copied all at once.
   constexpr std::size_t kBlock = 4096;
   std::vector<Pair> open;
-  std::vector<std::size_t> places;
+  std::vector<std::size_t> indices;
   const auto ask = [&] {
     const LevelCounts levels = solver_.contacts(open, *x0_, x1, [&](std::size_t i, const Answer& answer) {
       const bool planar = open[i].kind == Kind::point_edge || open[i].kind == Kind::point_point;
       found.push_back(contact_of(*colliders_, open[i], *x0_, x1, answer, planar || solver_.exact()));
       ++counts.natures[static_cast<std::size_t>(answer.nature)];
-      asked_[places[i]] = 0;  // until it is known to be gone
+      asked_[indices[i]] = 0;  // until it is known to be gone
     });
     counts.queries += open.size();
     counts.levels.filter += levels.filter;
     counts.levels.bracket += levels.bracket;
     counts.levels.exact += levels.exact;
     open.clear();
-    places.clear();
+    indices.clear();
   };
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     if (asked_[i]) continue;
     asked_[i] = 1;
     open.push_back(pairs_[i]);
-    places.push_back(i);
+    indices.push_back(i);
     if (open.size() == kBlock) ask();
   }
   ask();

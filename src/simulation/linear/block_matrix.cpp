@@ -148,18 +148,18 @@ void BlockMatrix::take_pattern(int size, const Blocks& all, const std::vector<in
     int unknown = 0, entry = 0, lane = kNone;
     bool sheet = false;
   };
-  std::vector<Slot> places(count);
+  std::vector<Slot> slots(count);
   std::vector<std::shared_ptr<const SparsePattern>> by_four, by_one, in_sheets;
   Slot four{0, 0, 0, false}, one, sheet{0, 0, kNone, true};
-  const auto next = [](Slot& place, const SparsePattern& pattern) {
-    place.unknown += pattern.size;
-    place.entry += static_cast<int>(pattern.row.size());
+  const auto next = [](Slot& slot, const SparsePattern& pattern) {
+    slot.unknown += pattern.size;
+    slot.entry += static_cast<int>(pattern.row.size());
   };
   for (const auto& group : groups) {
     const auto& pattern = patterns_[group[0]];
     if (pattern->fills_up && pattern->size >= kLeastSheet && of_points[group[0]]) {
       for (const std::size_t c : group) {
-        places[c] = sheet;
+        slots[c] = sheet;
         in_sheets.push_back(pattern);
         next(sheet, *pattern);
       }
@@ -168,13 +168,13 @@ void BlockMatrix::take_pattern(int size, const Blocks& all, const std::vector<in
     const std::size_t in_fours = pattern->fills_up ? 0 : group.size() - group.size() % FourDoubles::kCount;
     for (std::size_t i = 0; i < in_fours; ++i) {
       four.lane = static_cast<int>(i % FourDoubles::kCount);
-      places[group[i]] = four;
+      slots[group[i]] = four;
       if (four.lane != FourDoubles::kCount - 1) continue;
       by_four.push_back(pattern);
       next(four, *pattern);
     }
     for (std::size_t i = in_fours; i < group.size(); ++i) {
-      places[group[i]] = one;
+      slots[group[i]] = one;
       by_one.push_back(pattern);
       next(one, *pattern);
     }
@@ -188,22 +188,22 @@ void BlockMatrix::take_pattern(int size, const Blocks& all, const std::vector<in
   where_.resize(at(size));
   for (std::size_t i = 0; i < where_.size(); ++i) {
     const std::size_t c = at(components.of[i]);
-    const int number = places[c].unknown + patterns_[c]->numbers[at(components.local[i])];
-    where_[i] = places[c].sheet           ? first_of_sheets + number
-                : places[c].lane == kNone ? first_alone + number
-                                          : FourDoubles::kCount * number + places[c].lane;
+    const int number = slots[c].unknown + patterns_[c]->numbers[at(components.local[i])];
+    where_[i] = slots[c].sheet           ? first_of_sheets + number
+                : slots[c].lane == kNone ? first_alone + number
+                                         : FourDoubles::kCount * number + slots[c].lane;
   }
   blocks_.assign(all.size(), {});
   for (std::size_t b = 0; b < all.size(); ++b) {
     if (component_of_block[b] == kNone) continue;
     const std::size_t c = at(component_of_block[b]);
-    const Slot& place = places[c];
-    BlockPlace& own = blocks_[b];
-    own.places = patterns_[c]->places.data() + patterns_[c]->place_first[at(block_number[b])];
-    own.stride = place.lane == kNone ? 1 : FourDoubles::kCount;
-    own.values = place.sheet           ? sheets_.matrix.valuePtr() + place.entry
-                 : place.lane == kNone ? alone_.matrix.valuePtr() + place.entry
-                                       : fours_.matrix.valuePtr()[place.entry].each.data() + place.lane;
+    const Slot& slot = slots[c];
+    BlockEntries& own = blocks_[b];
+    own.entries = patterns_[c]->block_entries.data() + patterns_[c]->first_block_entry[at(block_number[b])];
+    own.stride = slot.lane == kNone ? 1 : FourDoubles::kCount;
+    own.values = slot.sheet           ? sheets_.matrix.valuePtr() + slot.entry
+                 : slot.lane == kNone ? alone_.matrix.valuePtr() + slot.entry
+                                      : fours_.matrix.valuePtr()[slot.entry].each.data() + slot.lane;
   }
   grid_ = nullptr;
   if (in_sheets.empty()) return;
@@ -213,7 +213,7 @@ void BlockMatrix::take_pattern(int size, const Blocks& all, const std::vector<in
   }
   Blocks blocks_there;
   for (std::size_t b = 0; b < all.size(); ++b) {
-    if (component_of_block[b] == kNone || !places[at(component_of_block[b])].sheet) continue;
+    if (component_of_block[b] == kNone || !slots[at(component_of_block[b])].sheet) continue;
     blocks_there.push_back(all[b]);
     for (int& i : blocks_there.back()) {
       if (i >= 0) i = where_[at(i)] - first_of_sheets;
@@ -226,7 +226,7 @@ void BlockMatrix::take_pattern(int size, const Blocks& all, const std::vector<in
 double* BlockMatrix::entry(int unknown, int other) {
   const int first_alone = FourDoubles::kCount * static_cast<int>(fours_.matrix.rows());
   const int first_of_sheets = first_alone + static_cast<int>(alone_.matrix.rows());
-  const auto [low, high] = std::minmax({place(unknown), place(other)});
+  const auto [low, high] = std::minmax({index_of(unknown), index_of(other)});
   if (low >= first_of_sheets) return sheets_.entry(low - first_of_sheets, high - first_of_sheets);
   if (low >= first_alone && high < first_of_sheets) return alone_.entry(low - first_alone, high - first_alone);
   if (high >= first_alone || low % FourDoubles::kCount != high % FourDoubles::kCount) return nullptr;
@@ -241,14 +241,14 @@ void BlockMatrix::clear() {
 }
 
 void BlockMatrix::add(std::size_t block, const std::vector<int>& unknowns, const double* column_major) {
-  const auto [places, values, stride] = blocks_[block];
-  if (places == nullptr) return;
-  const int* place = places;
+  const auto [entries, values, stride] = blocks_[block];
+  if (entries == nullptr) return;
+  const int* index = entries;
   const std::size_t n = unknowns.size();
   for (std::size_t c = 0; c < n; ++c) {
     if (unknowns[c] < 0) continue;
     for (std::size_t r = c; r < n; ++r) {
-      if (unknowns[r] >= 0) values[*place++ * stride] += column_major[c * n + r];
+      if (unknowns[r] >= 0) values[*index++ * stride] += column_major[c * n + r];
     }
   }
 }

@@ -60,7 +60,7 @@ class BlockMatrix {
   static Eigen::Map<const Eigen::VectorXd> numbers(const Vector& v) {
     return {v.data()->each.data(), FourDoubles::kCount * v.size()};
   }
-  int place(int unknown) const { return where_[static_cast<std::size_t>(unknown)]; }  ///< among a vector's numbers
+  int index_of(int unknown) const { return where_[static_cast<std::size_t>(unknown)]; }  ///< among a vector's numbers
 
   /// x becomes the solution for the right-hand side x; of large sheets an approximate one, while is_approximate().
   void apply_inverse(Vector& x) const;
@@ -73,17 +73,17 @@ class BlockMatrix {
   bool factorise_sheets();
 
  private:
-  struct BlockPlace {
-    const int* places = nullptr;  // in the pattern of its component; null when the whole block is left out
-    double* values = nullptr;     // of its component
-    int stride = 1;               // between them
+  struct BlockEntries {
+    const int* entries = nullptr;  // in the pattern of its component; null when the whole block is left out
+    double* values = nullptr;      // of its component
+    int stride = 1;                // between them
   };
   Diagonal<FourDoubles> fours_;
   Diagonal<double> alone_, sheets_;
   std::unique_ptr<Multigrid> grid_;  // of sheets_; null when there are none
   bool approximate_ = false;         // whether grid_ stands for the factor of sheets_
   std::vector<int> where_;
-  std::vector<BlockPlace> blocks_;
+  std::vector<BlockEntries> blocks_;
   std::vector<std::shared_ptr<const SparsePattern>> patterns_;  // of each component
 };
 

@@ -38,7 +38,7 @@ Multigrid::Multigrid(const std::vector<int>& coordinates, const Blocks& blocks, 
   for (const int c : coordinates) {
     const auto point = std::lower_bound(numbers.begin(), numbers.end(), c / 3) - numbers.begin();
     point_of.push_back(static_cast<int>(point));
-    place_.push_back(3 * point_of.back() + c % 3);
+    index_.push_back(3 * point_of.back() + c % 3);
   }
 
   std::vector<std::uint64_t> pairs;  // 2^32 * point + other
@@ -65,13 +65,13 @@ Multigrid::Multigrid(const std::vector<int>& coordinates, const Blocks& blocks, 
   };
   for (int j = 0; j < size; ++j) {
     for (int k = first[j]; k < first[j + 1]; ++k) {
-      const int a = place_[at(row[k])], b = place_[at(j)];
+      const int a = index_[at(row[k])], b = index_[at(j)];
       entries_.push_back(number(a / 3, a % 3, b / 3, b % 3));
       mirrors_.push_back(number(b / 3, b % 3, a / 3, a % 3));
     }
   }
   std::vector<bool> there(3 * at(points), false);
-  for (const int p : place_) there[at(p)] = true;
+  for (const int p : index_) there[at(p)] = true;
   for (int i = 0; i < 3 * points; ++i) {
     if (!there[at(i)]) missing_.push_back(number(i / 3, i % 3, i / 3, i % 3));
   }
@@ -252,10 +252,10 @@ Multigrid::Graph Multigrid::product_entries(const Level& level) {
 
 void Multigrid::take_product(const Level& fine, Level& coarse) {
   std::fill(coarse.values.begin(), coarse.values.end(), Block::Zero());
-  std::vector<int> place(at(coarse.entries.size()));
+  std::vector<int> entry_of(at(coarse.entries.size()));
   for (int a = 0; a < coarse.entries.size(); ++a) {
     const int begin = coarse.entries.first[at(a)], end = coarse.entries.first[at(a) + 1];
-    for (int k = begin; k < end; ++k) place[at(coarse.entries.to[at(k)])] = k;
+    for (int k = begin; k < end; ++k) entry_of[at(coarse.entries.to[at(k)])] = k;
     for (int d = fine.down.first[at(a)]; d < fine.down.first[at(a) + 1]; ++d) {
       const int i = fine.down.to[at(d)];
       const double weight = fine.down_weights[at(d)];
@@ -263,7 +263,7 @@ void Multigrid::take_product(const Level& fine, Level& coarse) {
         const int j = fine.entries.to[at(k)];
         for (int u = fine.up.first[at(j)]; u < fine.up.first[at(j) + 1]; ++u) {
           const int b = fine.up.to[at(u)];
-          if (b >= a) coarse.values[at(place[at(b)])] += weight * fine.weights[at(u)] * fine.values[at(k)];
+          if (b >= a) coarse.values[at(entry_of[at(b)])] += weight * fine.weights[at(u)] * fine.values[at(k)];
         }
       }
     }
@@ -310,7 +310,7 @@ bool Multigrid::set(const double* values) {
 void Multigrid::multiply(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> out) {
   Level& level = levels_.front();
   level.x.setZero();
-  for (std::size_t i = 0; i < place_.size(); ++i) level.x[place_[i]] = x[static_cast<Eigen::Index>(i)];
+  for (std::size_t i = 0; i < index_.size(); ++i) level.x[index_[i]] = x[static_cast<Eigen::Index>(i)];
   for (int i = 0; i < level.entries.size(); ++i) {
     Vector3 sum = Vector3::Zero();
     for (int k = level.entries.first[at(i)]; k < level.entries.first[at(i) + 1]; ++k) {
@@ -318,15 +318,15 @@ void Multigrid::multiply(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<
     }
     segment(level.r, i) = sum;
   }
-  for (std::size_t i = 0; i < place_.size(); ++i) out[static_cast<Eigen::Index>(i)] = level.r[place_[i]];
+  for (std::size_t i = 0; i < index_.size(); ++i) out[static_cast<Eigen::Index>(i)] = level.r[index_[i]];
 }
 
 void Multigrid::apply_inverse(Eigen::Ref<Eigen::VectorXd> x) {
   Level& level = levels_.front();
   level.r.setZero();
-  for (std::size_t i = 0; i < place_.size(); ++i) level.r[place_[i]] = x[static_cast<Eigen::Index>(i)];
+  for (std::size_t i = 0; i < index_.size(); ++i) level.r[index_[i]] = x[static_cast<Eigen::Index>(i)];
   cycle(0);
-  for (std::size_t i = 0; i < place_.size(); ++i) x[static_cast<Eigen::Index>(i)] = level.x[place_[i]];
+  for (std::size_t i = 0; i < index_.size(); ++i) x[static_cast<Eigen::Index>(i)] = level.x[index_[i]];
 }
 
 /// Solves A x = r on this level, approximately.

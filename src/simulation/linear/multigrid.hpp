@@ -45,8 +45,8 @@ class Multigrid {
   };
   struct Level {
     Graph entries;              // the blocks of the matrix, row by row, columns ascending
-    std::vector<int> diagonal;  // of each row, its place in `entries`
-    std::vector<int> mirror;    // of each block, the place of the transposed one
+    std::vector<int> diagonal;  // of each row, its index in `entries`
+    std::vector<int> mirror;    // of each block, the index of the transposed one
     std::vector<Block> values, inverse_diagonal;
     // Of the next level; empty on the last one.
     Graph up;  // the coarse points that each point is interpolated from
@@ -65,7 +65,7 @@ class Multigrid {
   static void take_product(const Level& fine, Level& coarse);
   void cycle(std::size_t number);
 
-  std::vector<int> place_;            // of each unknown, in vectors of the first level
+  std::vector<int> index_;            // of each unknown, in vectors of the first level
   std::vector<std::size_t> entries_;  // for each entry of the matrix, its number in the first level's blocks
   std::vector<std::size_t> mirrors_;  // and that of the entry across the diagonal
   std::vector<std::size_t> missing_;  // diagonal numbers of axes that points lack

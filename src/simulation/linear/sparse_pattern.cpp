@@ -27,19 +27,19 @@ SparsePattern::SparsePattern(int unknowns, const Blocks& blocks) : size(unknowns
     const FactorSize factor = factor_size(size, first.data(), row.data());
     fills_up = factor.work > SupernodalFactor::kWorkPerEntry * factor.entries;
   }
-  const auto place = [&](int unknown, int other) {
+  const auto entry = [&](int unknown, int other) {
     const auto [low, high] = std::minmax(numbers[at(unknown)], numbers[at(other)]);
     return std::lower_bound(row.begin() + first[at(high)], row.begin() + first[at(high) + 1], low) - row.begin();
   };
   for (const auto& block : blocks) {
-    place_first.push_back(static_cast<int>(places.size()));
+    first_block_entry.push_back(static_cast<int>(block_entries.size()));
     for (std::size_t c = 0; c < block.size(); ++c) {
       for (std::size_t r = c; r < block.size(); ++r) {
-        if (block[c] >= 0 && block[r] >= 0) places.push_back(static_cast<int>(place(block[r], block[c])));
+        if (block[c] >= 0 && block[r] >= 0) block_entries.push_back(static_cast<int>(entry(block[r], block[c])));
       }
     }
   }
-  place_first.push_back(static_cast<int>(places.size()));
+  first_block_entry.push_back(static_cast<int>(block_entries.size()));
 }
 
 void SparsePattern::order(const Blocks& blocks) {

@@ -29,7 +29,7 @@ struct SparsePattern {
   bool fills_up = false;
 
   /// Where the entries of each block are: its lower triangle, column by column, without rows and columns left out.
-  std::vector<int> places, place_first;
+  std::vector<int> block_entries, first_block_entry;
 
  private:
   void order(const std::vector<std::vector<int>>& blocks);

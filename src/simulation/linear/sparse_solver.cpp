@@ -41,8 +41,8 @@ struct Tie {
 };
 
 Vector3 gathered(const Tie& tie, std::size_t corner, const double* x) {
-  const int* const place = tie.at.data() + 3 * corner;
-  return {x[place[0]], x[place[1]], x[place[2]]};
+  const int* const index = tie.at.data() + 3 * corner;
+  return {x[index[0]], x[index[1]], x[index[2]]};
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ struct SparseSolver::Impl {
   BlockMatrix matrix;
 
   std::vector<Tie> ties;
-  std::vector<double*> contact_places;  // each contact's entries, pair of corners by pair; null where there is none
+  std::vector<double*> contact_entries;  // each contact's entries, pair of corners by pair; null where there is none
   std::vector<std::size_t> contact_first;
   bool beside = false;  // whether any contact has entries beside the pattern
 
@@ -68,8 +68,8 @@ struct SparseSolver::Impl {
   void iterate(Vector& right);
 
   bool absent(const Tie& tie, std::size_t corner) const {
-    const int* const place = tie.at.data() + 3 * corner;
-    return place[0] == size && place[1] == size && place[2] == size;
+    const int* const index = tie.at.data() + 3 * corner;
+    return index[0] == size && index[1] == size && index[2] == size;
   }
 };
 
@@ -85,14 +85,14 @@ bool SparseSolver::Impl::fits(const Corners& unknowns, std::size_t a, std::size_
 
 void SparseSolver::Impl::take_contacts(const std::vector<Corners>& contacts) {
   ties.assign(contacts.size(), {});
-  contact_places.clear();
+  contact_entries.clear();
   contact_first.clear();
   beside = false;
   for (std::size_t n = 0; n < contacts.size(); ++n) {
     Tie& tie = ties[n];
     const Corners& unknowns = contacts[n];
-    for (std::size_t k = 0; k < 12; ++k) tie.at[k] = unknowns[k] < 0 ? size : matrix.place(unknowns[k]);
-    contact_first.push_back(contact_places.size());
+    for (std::size_t k = 0; k < 12; ++k) tie.at[k] = unknowns[k] < 0 ? size : matrix.index_of(unknowns[k]);
+    contact_first.push_back(contact_entries.size());
     // The matrix takes groups of corners whose blocks all fit its pattern, so that its part of a contact is positive
     // semidefinite. With a single block of three corners left out it might not be, and the matrix would have no factor.
     std::array<std::uint8_t, 4> together{};  // for each corner, those that go into the matrix with it
@@ -125,13 +125,13 @@ void SparseSolver::Impl::take_contacts(const std::vector<Corners>& contacts) {
         for (std::size_t i = 3 * a; i < 3 * a + 3; ++i) {
           for (std::size_t j = a == b ? i : 3 * b; j < 3 * b + 3; ++j) {
             const bool is_there = in && unknowns[i] >= 0 && unknowns[j] >= 0;
-            contact_places.push_back(is_there ? matrix.entry(unknowns[i], unknowns[j]) : nullptr);
+            contact_entries.push_back(is_there ? matrix.entry(unknowns[i], unknowns[j]) : nullptr);
           }
         }
       }
     }
   }
-  contact_first.push_back(contact_places.size());
+  contact_first.push_back(contact_entries.size());
 }
 
 /// y += the contacts' blocks that are beside the pattern, times x.
@@ -249,7 +249,7 @@ void SparseSolver::add_contact(std::size_t contact, const std::array<double, 4>&
   Tie& tie = own.ties[contact];
   tie.omega = omega;
   tie.block = block;
-  double* const* place = own.contact_places.data() + own.contact_first[contact];
+  double* const* to = own.contact_entries.data() + own.contact_first[contact];
   for (std::size_t a = 0; a < 4; ++a) {
     if (own.absent(tie, a)) continue;
     for (std::size_t b = a; b < 4; ++b) {
@@ -257,8 +257,8 @@ void SparseSolver::add_contact(std::size_t contact, const std::array<double, 4>&
       const double weight = omega[a] * omega[b];
       for (Eigen::Index i = 0; i < 3; ++i) {
         for (Eigen::Index j = a == b ? i : 0; j < 3; ++j) {
-          if (*place != nullptr) **place += weight * block(i, j);
-          ++place;
+          if (*to != nullptr) **to += weight * block(i, j);
+          ++to;
         }
       }
     }
@@ -271,7 +271,7 @@ Eigen::VectorXd SparseSolver::solve(const Eigen::VectorXd& right) {
   Impl& own = *impl_;
   Vector vector = own.matrix.zero();
   auto x = BlockMatrix::numbers(vector);
-  for (int i = 0; i < own.size; ++i) x[own.matrix.place(i)] = right[i];
+  for (int i = 0; i < own.size; ++i) x[own.matrix.index_of(i)] = right[i];
   if (own.beside || own.matrix.is_approximate()) {
     own.iterate(vector);
   } else {
@@ -279,7 +279,7 @@ Eigen::VectorXd SparseSolver::solve(const Eigen::VectorXd& right) {
   }
   Eigen::VectorXd solution(right.size());
   const auto found = BlockMatrix::numbers(vector);
-  for (int i = 0; i < own.size; ++i) solution[i] = found[own.matrix.place(i)];
+  for (int i = 0; i < own.size; ++i) solution[i] = found[own.matrix.index_of(i)];
   return solution;
 }
 

@@ -46,10 +46,10 @@ std::vector<int> column_counts(int size, const int* first, const int* row, const
   return count;
 }
 
-/// The place of each column in a postorder: children before their parents, and each subtree in one range.
+/// The position of each column in a postorder: children before their parents, and each subtree in one range.
 std::vector<int> postorder(const std::vector<int>& parent) {
   const int size = static_cast<int>(parent.size());
-  std::vector<int> head(at(size), -1), next(at(size), -1), place(at(size)), open;
+  std::vector<int> head(at(size), -1), next(at(size), -1), position(at(size)), open;
   for (int j = size; j-- > 0;) {
     if (parent[at(j)] == -1) continue;
     next[at(j)] = head[at(parent[at(j)])];
@@ -62,7 +62,7 @@ std::vector<int> postorder(const std::vector<int>& parent) {
     while (!open.empty()) {
       const int j = open.back(), child = head[at(j)];
       if (child == -1) {
-        place[at(j)] = count++;
+        position[at(j)] = count++;
         open.pop_back();
       } else {
         head[at(j)] = next[at(child)];
@@ -70,18 +70,18 @@ std::vector<int> postorder(const std::vector<int>& parent) {
       }
     }
   }
-  return place;
+  return position;
 }
 
 // Columns of a supernode. Eigen cuts longer products at lengths that it takes from the processor's caches, and then
 // each kind of processor would have rounding errors of its own.
 constexpr int kMostColumns = 256;
 
-/// Whether a supernode of so many columns may have this part of zeros in its panel. Wide panels with few zeros are
+/// Whether a supernode of so many columns may have this fraction of zeros in its panel. Wide panels with few zeros are
 /// quicker than narrow ones without any.
-bool may_have_zeros(int columns, double part) {
+bool may_have_zeros(int columns, double zeros) {
   if (columns > kMostColumns) return false;
-  return columns <= 4 || part < 0.05 || (columns <= 16 && part < 0.8) || (columns <= 48 && part < 0.1);
+  return columns <= 4 || zeros < 0.05 || (columns <= 16 && zeros < 0.8) || (columns <= 48 && zeros < 0.1);
 }
 
 }  // namespace
@@ -117,19 +117,19 @@ SupernodalFactor::SupernodalFactor(int size, const int* first, const int* row) :
   for (std::size_t s = 0; s < supernodes_.size(); ++s) {
     for (int j = supernodes_[s].begin; j < supernodes_[s].end; ++j) supernode_of[at(j)] = s;
   }
-  entry_places_.resize(at(first[size]));
+  entry_positions_.resize(at(first[size]));
   for (int j = 0; j < size; ++j) {
     for (int k = first[j]; k < first[j + 1]; ++k) {
       const int low = numbers_[at(row[k])], high = numbers_[at(j)];
       const Supernode& own = supernodes_[supernode_of[at(low)]];
-      std::size_t place = at(high - own.begin);
+      std::size_t position = at(high - own.begin);
       if (high >= own.end) {
         const auto begin = rows_.begin() + static_cast<std::ptrdiff_t>(own.first_row);
-        place = static_cast<std::size_t>(own.columns()) +
-                static_cast<std::size_t>(std::lower_bound(begin, begin + own.below(), high) - begin);
+        position = static_cast<std::size_t>(own.columns()) +
+                   static_cast<std::size_t>(std::lower_bound(begin, begin + own.below(), high) - begin);
       }
       const auto height = static_cast<std::size_t>(own.columns() + own.below());
-      entry_places_[at(k)] = own.panel + at(low - own.begin) * height + place;
+      entry_positions_[at(k)] = own.panel + at(low - own.begin) * height + position;
     }
   }
 }
@@ -218,14 +218,14 @@ void SupernodalFactor::find_rows(const std::vector<std::vector<int>>& columns) {
   }
   panels_.resize(panel);
   stack_.resize(highest);
-  places_in_parent_.resize(rows_.size());
+  positions_in_parent_.resize(rows_.size());
   for (const Supernode& own : supernodes_) {
     if (own.parent < 0) continue;
     const Supernode& above = supernodes_[at(own.parent)];
     const int* const begin = rows_.data() + above.first_row;
     for (std::size_t k = own.first_row; k < own.first_row + own.row_count; ++k) {
       const int r = rows_[k];
-      places_in_parent_[k] =
+      positions_in_parent_[k] =
           r < above.end
               ? r - above.begin
               : static_cast<int>(above.columns() + (std::lower_bound(begin, begin + above.below(), r) - begin));
@@ -236,23 +236,23 @@ void SupernodalFactor::find_rows(const std::vector<std::vector<int>>& columns) {
 void SupernodalFactor::add_update(const Supernode& child, const double* update, const Supernode& parent,
                                   double* parent_update) {
   const auto count = child.row_count;
-  const int* const places = places_in_parent_.data() + child.first_row;
+  const int* const positions = positions_in_parent_.data() + child.first_row;
   const auto columns = static_cast<int>(parent.columns());
   const auto height = static_cast<std::size_t>(parent.columns() + parent.below());
   for (std::size_t c = 0; c < count; ++c) {
-    const int place = places[c];
-    double* const to = place < columns ? panels_.data() + parent.panel + at(place) * height
-                                       : parent_update + at(place - columns) * parent.row_count - columns;
+    const int position = positions[c];
+    double* const to = position < columns ? panels_.data() + parent.panel + at(position) * height
+                                          : parent_update + at(position - columns) * parent.row_count - columns;
     const double* const from = update + c * count;
-    for (std::size_t r = c; r < count; ++r) to[places[r]] += from[r];
+    for (std::size_t r = c; r < count; ++r) to[positions[r]] += from[r];
   }
 }
 
 bool SupernodalFactor::factorise(const double* values) {
   std::fill(panels_.begin(), panels_.end(), 0.0);
-  for (std::size_t k = 0; k < entry_places_.size(); ++k) panels_[entry_places_[k]] += values[k];
+  for (std::size_t k = 0; k < entry_positions_.size(); ++k) panels_[entry_positions_[k]] += values[k];
   struct Waiting {
-    std::size_t supernode, place;
+    std::size_t supernode, position;
   };
   std::vector<Waiting> waiting;
   std::size_t top = 0;
@@ -263,7 +263,7 @@ bool SupernodalFactor::factorise(const double* values) {
     std::fill(update, update + below * below, 0.0);
     std::size_t base = top;
     while (!waiting.empty() && supernodes_[waiting.back().supernode].parent == static_cast<int>(s)) {
-      base = waiting.back().place;
+      base = waiting.back().position;
       add_update(supernodes_[waiting.back().supernode], stack_.data() + base, own, update);
       waiting.pop_back();
     }

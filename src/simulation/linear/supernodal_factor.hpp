@@ -44,11 +44,11 @@ class SupernodalFactor {
   void add_update(const Supernode& child, const double* update, const Supernode& parent, double* parent_update);
 
   int size_;
-  std::vector<int> numbers_;               // of the unknowns, in a postorder of the elimination tree
-  std::vector<Supernode> supernodes_;      // children before their parents
-  std::vector<int> rows_;                  // below the columns of each supernode, ascending
-  std::vector<int> places_in_parent_;      // of these rows, among the parent's columns and rows
-  std::vector<std::size_t> entry_places_;  // of the matrix's entries, in the panels
+  std::vector<int> numbers_;                  // of the unknowns, in a postorder of the elimination tree
+  std::vector<Supernode> supernodes_;         // children before their parents
+  std::vector<int> rows_;                     // below the columns of each supernode, ascending
+  std::vector<int> positions_in_parent_;      // of these rows, among the parent's columns and rows
+  std::vector<std::size_t> entry_positions_;  // of the matrix's entries, in the panels
   std::vector<double> panels_;
   std::vector<double> stack_;  // of the updates that wait for their parents
 };

@@ -25,14 +25,14 @@ Scene make_cable_drop(Index segments) {
   const auto columns = static_cast<Index>(std::ceil(std::sqrt(static_cast<double>(bundles))));
   const double length = kPerCable * kSegment, pitch = 1.5 * length;
   for (Index i = 0; i < cables; ++i) {
-    const Index bundle = i / (kInLayer * kLayers), layer = i / kInLayer % kLayers, place = i % kInLayer;
+    const Index bundle = i / (kInLayer * kLayers), layer = i / kInLayer % kLayers, in_row = i % kInLayer;
     const Vector3 corner((bundle % columns) * pitch, static_cast<double>(bundle / columns) * pitch,
                          0.05 + kLayer * layer);
     const Vector3 along = layer % 2 == 0 ? Vector3::UnitX() : Vector3::UnitY();
     const Vector3 across = layer % 2 == 0 ? Vector3::UnitY() : Vector3::UnitX();
     // Not two of them exactly alike.
     const double shift = 0.01 * std::sin(12.9898 * i), tilt = 0.01 * std::sin(78.233 * i);
-    const Vector3 from = corner + across * (kBetween * (place + 0.25) + shift) + along * tilt;
+    const Vector3 from = corner + across * (kBetween * (in_row + 0.25) + shift) + along * tilt;
     Cable cable = straight_cable(scene, from, from + along * length + Vector3(0, 0, 0.2 * tilt), kPerCable);
     set_material(cable, 1e7, 0.4, 0.003, 1200);
     cable.solid = true;

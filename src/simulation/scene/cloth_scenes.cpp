@@ -39,14 +39,14 @@ void add_ball(Scene& scene, const Vector3& centre, double ball_radius, double si
 
 /// A way on a circle about the x axis through `start`, while the x coordinate moves by `shift`.
 std::vector<Waypoint> circling(const Vector3& start, double turns, double shift, double seconds) {
-  constexpr int kParts = 64;  // of a turn: the way is 0.1 % inside the circle at most
+  constexpr int kSegments = 64;  // of a turn: the way is 0.1 % inside the circle at most
   std::vector<Waypoint> path;
-  const auto count = static_cast<int>(std::ceil(std::abs(turns) * kParts));
+  const auto count = static_cast<int>(std::ceil(std::abs(turns) * kSegments));
   for (int i = 0; i <= count; ++i) {
-    const double part = static_cast<double>(i) / count, angle = 2 * std::numbers::pi * turns * part;
+    const double fraction = static_cast<double>(i) / count, angle = 2 * std::numbers::pi * turns * fraction;
     const double c = std::cos(angle), s = std::sin(angle);
-    path.push_back(
-        {seconds * part, {start.x() + shift * part, c * start.y() - s * start.z(), s * start.y() + c * start.z()}});
+    path.push_back({seconds * fraction,
+                    {start.x() + shift * fraction, c * start.y() - s * start.z(), s * start.y() + c * start.z()}});
   }
   return path;
 }
@@ -73,8 +73,8 @@ Scene make_flag(Index triangles) {
   for (const auto& [p, side] : {std::pair(mesh.rows.front().front(), 1), std::pair(mesh.rows.back().front(), -1)}) {
     Particle& corner = scene.particles[p];
     for (int i = 0; i <= kSwings; ++i) {
-      const double part = static_cast<double>(i) / kSwings;
-      const Vector3 moved(i % 2 == 1 ? kSwing : 0, kNearer * side * part, (kEnd - kTop) * part);
+      const double fraction = static_cast<double>(i) / kSwings;
+      const Vector3 moved(i % 2 == 1 ? kSwing : 0, kNearer * side * fraction, (kEnd - kTop) * fraction);
       corner.path.push_back({kSwingTime * i, corner.position + moved});
     }
   }

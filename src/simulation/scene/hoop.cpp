@@ -22,7 +22,7 @@ constexpr double kStringsPerKnot = 0.1;
 // rad/s. The spin is too slow to be seen. But with it the ends of an edge do not move exactly alike, and the leading
 // coefficient of a cubic is tiny instead of zero. The paper's closed form divides by that coefficient, and loses edges.
 constexpr double kSpin = 1e-12;
-constexpr Index kStringParts = 2;                   // segments of a string between two knots
+constexpr Index kStringSegments = 2;                // segments of a string between two knots
 constexpr double kNetDepth = 0.4, kNetEnd = 0.128;  // radius of the net's opening, which a cord holds
 
 void add_ball(Scene& scene, Index n, const Vector3& centre, const Vector3& velocity, const Vector3& spin) {
@@ -53,8 +53,8 @@ void make_string(Cable& cord, double radius) {
   cord.damping = 5e-3;
 }
 
-/// Knots in rows, each tied to two of the next row by strings of `parts` segments. @returns the knots of the first row
-std::vector<Index> add_net(Scene& scene, Index around, Index rows, Index parts) {
+/// Knots in rows, each tied to two of the next row by strings of so many segments. @returns the knots of the first row
+std::vector<Index> add_net(Scene& scene, Index around, Index rows, Index segments) {
   std::vector<std::vector<Index>> knots(rows + 1);
   for (Index r = 0; r <= rows; ++r) {
     const double down = static_cast<double>(r) / rows;
@@ -75,8 +75,8 @@ std::vector<Index> add_net(Scene& scene, Index around, Index rows, Index parts) 
         Cable cord;
         cord.particles.push_back(from);
         const Vector3 a = scene.particles[from].position, b = scene.particles[to].position;
-        for (Index s = 1; s < parts; ++s) {
-          cord.particles.push_back(add_particle(scene, a + (b - a) * (static_cast<double>(s) / parts), 0));
+        for (Index s = 1; s < segments; ++s) {
+          cord.particles.push_back(add_particle(scene, a + (b - a) * (static_cast<double>(s) / segments), 0));
         }
         cord.particles.push_back(to);
         make_string(cord, string_radius);
@@ -97,12 +97,13 @@ struct HoopSize {
   Index ball = 0, around = 0, rows = 0;
 };
 
-/// Half of the edges for the ball, 12 ball^2, and half for the net, 2 * around * rows * kStringParts.
+/// Half of the edges for the ball, 12 ball^2, and half for the net, 2 * around * rows * kStringSegments.
 HoopSize hoop_size(Index edges) {
   const double half = 0.5 * edges;
   const double rows = std::max(3.0, std::round(std::cbrt(half / 2) * 0.95));
   return {static_cast<Index>(std::max(2.0, std::round(std::sqrt(half / 12)))),
-          static_cast<Index>(std::max(8.0, std::round(half / (2.0 * kStringParts * rows)))), static_cast<Index>(rows)};
+          static_cast<Index>(std::max(8.0, std::round(half / (2.0 * kStringSegments * rows)))),
+          static_cast<Index>(rows)};
 }
 
 void set_hoop_settings(Settings& settings) {
@@ -136,7 +137,7 @@ Scene make_hoop(Index edges) {
   set_hoop_settings(scene.settings);
   scene.settings.duration = 10;
   const HoopSize size = hoop_size(edges);
-  const std::vector<Index> top = add_net(scene, size.around, size.rows, kStringParts);
+  const std::vector<Index> top = add_net(scene, size.around, size.rows, kStringSegments);
   for (Index i = 0; i < size.around; ++i) {
     scene.wires.push_back({{top[i], top[(i + 1) % size.around]}, kRodRadius});
   }
@@ -153,7 +154,7 @@ Scene make_hoop_rim(Index edges) {
   const HoopSize size = hoop_size(edges);
   // The net hangs on hooks, just below the rim and inside of it.
   constexpr double kHook = 0.02;
-  add_net(scene, size.around, size.rows, kStringParts);
+  add_net(scene, size.around, size.rows, kStringSegments);
   // It is thrown at the board, bounces off it onto the rim, and goes in.
   add_ball(scene, size.ball, {-1.2, 0.06, kRimHeight - 0.2}, {2.35, -0.08, 4.35}, {0, -6, 0});
   add_floor(scene, 3);

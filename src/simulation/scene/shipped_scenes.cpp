@@ -48,12 +48,12 @@ const ShippedScene* find_shipped_scene(std::string_view name) {
 Scene make_shipped_scene(std::string_view name, std::optional<Index> size) {
   const ShippedScene* const shipped = find_shipped_scene(name);
   if (shipped == nullptr) throw Error(fmt::format("{} is no shipped scene", name));
-  const Index wanted = size.value_or(shipped->usual);
-  if (wanted < shipped->least || wanted > shipped->most) {
-    throw Error(fmt::format("--size {}: {} takes {} to {} {}", wanted, name, shipped->least, shipped->most,
+  const Index chosen = size.value_or(shipped->usual);
+  if (chosen < shipped->least || chosen > shipped->most) {
+    throw Error(fmt::format("--size {}: {} takes {} to {} {}", chosen, name, shipped->least, shipped->most,
                             shipped->size_means));
   }
-  Scene scene = shipped->make(wanted);
+  Scene scene = shipped->make(chosen);
   scene.name = name;
   return scene;
 }

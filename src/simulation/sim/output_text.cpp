@@ -24,7 +24,7 @@ struct Frame {
   std::vector<Face> faces;
 };
 
-void add_bodies(const BodyPart& bodies, Frame& frame) {
+void add_bodies(const SimulatedBodies& bodies, Frame& frame) {
   for (Index b = 0; b < bodies.system().bodies().size(); ++b) {
     const RigidBody& body = bodies.system().bodies()[b];
     const BodyState& state = bodies.state().bodies[b];
@@ -255,7 +255,7 @@ std::string explain(const Simulation& simulation) {
                passes.joints ? "edges share particles that can move" : "no edges share a particle and can move");
   text += line(passes.points, "single-particle pass", why_points(colliders));
   text += line(simulation.has_separations(), "separations", why_separations(simulation));
-  if (const BodyPart* const bodies = simulation.bodies()) {
+  if (const SimulatedBodies* const bodies = simulation.bodies()) {
     const auto& all = bodies->system().bodies();
     const auto free = std::count_if(all.begin(), all.end(), [](const RigidBody& body) { return body.is_free(); });
     std::size_t vertices = 0, edges = 0, faces = 0;

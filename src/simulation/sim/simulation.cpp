@@ -93,7 +93,7 @@ Simulation::Simulation(Scene scene, const SimulationOptions& options)
     if (narrow_phase_ == NarrowPhase::paper) {
       throw Error("bodies: the narrow phase of the paper knows no motion that turns; the exact one would be right");
     }
-    bodies_ = std::make_unique<BodyPart>(scene_, system_, colliders_, cancel_);
+    bodies_ = std::make_unique<SimulatedBodies>(scene_, system_, colliders_, cancel_);
     bodies_->check_start(bodies_->state(), state_.q, "the scene");
     if (keeps_contacts_) bodies_->keep_contacts();
   }

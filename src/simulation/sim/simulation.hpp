@@ -14,10 +14,10 @@
 #include "dynamics/energy_budget.hpp"
 #include "dynamics/stepper.hpp"
 #include "linear/cancellation.hpp"
-#include "sim/body_part.hpp"
 #include "sim/contact_mark.hpp"
 #include "sim/refusal.hpp"
 #include "sim/response.hpp"
+#include "sim/simulated_bodies.hpp"
 #include "sim/start_check.hpp"
 
 namespace touchstone::sim {
@@ -113,7 +113,7 @@ class Simulation {
     return colliders_.has_separations() || (bodies_ && bodies_->colliders().has_separations());
   }
   /// Null when the scene has no bodies.
-  const BodyPart* bodies() const noexcept { return bodies_.get(); }
+  const SimulatedBodies* bodies() const noexcept { return bodies_.get(); }
 
   /// Goes on from a state of the same scene.
   /// @throws Error as check_state does, or when elements touch or intersect or are nearer than their separation. The
@@ -149,7 +149,7 @@ class Simulation {
   int threads_;
   bool keep_ends_, measures_flows_, keeps_contacts_;
   bool ignores_radii_;
-  std::unique_ptr<BodyPart> bodies_;
+  std::unique_ptr<SimulatedBodies> bodies_;
   State state_;
   StartFindings start_;
   std::uint64_t steps_ = 0;

@@ -37,17 +37,17 @@ void add_once_each(std::vector<Face> faces, Index first, std::vector<Face>& all)
 /// The vertices of bodies come after the particles.
 class StartMesh {
  public:
-  explicit StartMesh(const StartPlaces& places) {
-    const Colliders& colliders = *places.colliders;
+  explicit StartMesh(const StartElements& start) {
+    const Colliders& colliders = *start.colliders;
     MeshElements elements;
     elements.edges = colliders.edges();
     add_once_each(colliders.faces(), 0, elements.faces);
     elements.points = colliders.points();
-    for (Index p = 0; p < places.particles; ++p) {
+    for (Index p = 0; p < start.particles; ++p) {
       vertices_.push_back({{kParticles, p}, colliders.can_move(p)});
-      x_.push_back(corner_of(*places.q, p));
+      x_.push_back(corner_of(*start.q, p));
     }
-    if (places.bodies != nullptr) add_bodies(places, elements);
+    if (start.bodies != nullptr) add_bodies(start, elements);
     elements.vertex_count = vertices_.size();
     mesh_ = Mesh(std::move(elements));
   }
@@ -76,12 +76,12 @@ class StartMesh {
   void find_enclosed(const std::vector<Intersection>& found, int threads, StartFindings& findings) const {
     MeshOptions options;
     options.threads = threads;
-    for (const EnclosedPart& part : enclosed_parts(mesh_, x_, options, found, ClosedParts::all)) {
-      const OfBody inner = vertices_[part.vertex].of;
-      const auto outer = std::find_if(part.faces.begin(), part.faces.end(), [&](MeshIndex face) {
+    for (const EnclosedPart& piece : enclosed_parts(mesh_, x_, options, found, ClosedParts::all)) {
+      const OfBody inner = vertices_[piece.vertex].of;
+      const auto outer = std::find_if(piece.faces.begin(), piece.faces.end(), [&](MeshIndex face) {
         return inner.body == kParticles || body_of(MeshElement::face, face) != inner.body;
       });
-      if (outer == part.faces.end()) continue;  // a cavity, or a body of several shells
+      if (outer == piece.faces.end()) continue;  // a cavity, or a body of several shells
       const Index body = body_of(MeshElement::face, *outer);
       findings.enclosed_in_bodies += body != kParticles ? 1 : 0;
       if (findings.enclosed++ > 0) continue;
@@ -106,13 +106,13 @@ class StartMesh {
   }
 
  private:
-  void add_bodies(const StartPlaces& places, MeshElements& elements) {
-    for (Index b = 0; b < places.bodies->surfaces().size(); ++b) {
-      const ElementSet& surface = places.bodies->surface(b);
+  void add_bodies(const StartElements& start, MeshElements& elements) {
+    for (Index b = 0; b < start.bodies->surfaces().size(); ++b) {
+      const ElementSet& surface = start.bodies->surface(b);
       const auto first = static_cast<Index>(vertices_.size());
       for (Index v = 0; v < surface.around.size(); ++v) {
-        vertices_.push_back({{b, v}, places.bodies->can_move(b)});
-        const Vector3 x = places.bodies->at({b, v}, *places.states, *places.q);
+        vertices_.push_back({{b, v}, start.bodies->can_move(b)});
+        const Vector3 x = start.bodies->at({b, v}, *start.states, *start.q);
         x_.push_back({x.x(), x.y(), x.z()});
       }
       for (const Edge& edge : surface.edges) elements.edges.push_back({first + edge[0], first + edge[1]});
@@ -157,8 +157,8 @@ class StartMesh {
 
 }  // namespace
 
-StartFindings check_no_intersection(const StartPlaces& places, std::string_view what, int threads) {
-  const StartMesh mesh(places);
+StartFindings check_no_intersection(const StartElements& start, std::string_view what, int threads) {
+  const StartMesh mesh(start);
   StartFindings findings;
   std::size_t moving = 0;
   std::string first;

@@ -12,7 +12,7 @@
 namespace touchstone::sim {
 
 /// The elements of particles and bodies at the start of a run, or at its checkpoint.
-struct StartPlaces {
+struct StartElements {
   const Colliders* colliders = nullptr;
   const VectorX* q = nullptr;
   std::size_t particles = 0;
@@ -31,6 +31,6 @@ struct StartFindings {
 
 /// Asks `intersections` of all elements at once. Corners of bodies are rounded to doubles, and then decided exactly.
 /// @throws Error "WHAT begins with elements that pierce each other: edge 0-1 and face 2-3-4 at (x, y, z)", or that touch
-StartFindings check_no_intersection(const StartPlaces& places, std::string_view what, int threads);
+StartFindings check_no_intersection(const StartElements& start, std::string_view what, int threads);
 
 }  // namespace touchstone::sim

@@ -75,9 +75,9 @@ nlohmann::json data_of(const Animation& animation, const AnimationWords& words, 
   data["exact"] = animation.has_exact();
   data["vertices"] = animation.shape().vertex_count();
   data["parts"] = nlohmann::json::array();
-  for (const AnimationPart& part : animation.shape().parts) {
+  for (const AnimationGroup& group : animation.shape().groups) {
     data["parts"].push_back(
-        {{"name", part.name}, {"vertices", part.vertices}, {"edges", part.edges}, {"faces", part.faces}});
+        {{"name", group.name}, {"vertices", group.vertices}, {"edges", group.edges}, {"faces", group.faces}});
   }
   for (const char* key : {"times", "numbers", "labels", "exponents", "origins", "plots", "stories"}) {
     data[key] = nlohmann::json::array();

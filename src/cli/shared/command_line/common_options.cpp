@@ -24,11 +24,11 @@ namespace touchstone::cli {
 namespace {
 
 /// The file that a name leads to, whether it is there or not.
-std::filesystem::path place_of(const std::string& name) {
+std::filesystem::path resolved(const std::string& name) {
   if (name == "-") return name;
   std::error_code error;
-  const auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(name, error), error);
-  return error || place.empty() ? std::filesystem::path(name) : place;
+  const auto path = std::filesystem::weakly_canonical(std::filesystem::absolute(name, error), error);
+  return error || path.empty() ? std::filesystem::path(name) : path;
 }
 
 }  // namespace
@@ -99,10 +99,10 @@ void refuse_to_overwrite(const std::string& output, const std::vector<std::strin
 }
 
 void refuse_one_file_twice(const std::vector<std::pair<std::string, std::string>>& outputs) {
-  std::set<std::filesystem::path> places;
+  std::set<std::filesystem::path> paths;
   for (const auto& [option, output] : outputs) {
     std::error_code ignored;
-    if (output.empty() || places.insert(place_of(output)).second) continue;
+    if (output.empty() || paths.insert(resolved(output)).second) continue;
     if (std::filesystem::is_character_file(output, ignored)) continue;
     throw Error(fmt::format("{} names {}, which another option names too", option,
                             output == "-" ? "standard output" : io::printable(output)));

@@ -107,24 +107,24 @@ class CurvedBracketSearch {
   bool contact_is_likely() const noexcept { return contact_is_likely_; }
 
  private:
-  /// A part of [0, 1] with p's coefficients in the Bernstein basis over it.
+  /// A subinterval of [0, 1] with p's coefficients in the Bernstein basis over it.
   struct Subinterval {
     double low, high;
     double error;
-    Index cuts;  ///< how often it was cut out of a larger part
+    Index cuts;  ///< how often it was cut out of a larger one
     std::array<double, kMostCurvedDegree + 1> b;
   };
   enum class Variations : std::uint8_t { none, one, uncertain };
 
-  Variations variations(const ScalarForm& p, const Subinterval& part) const noexcept;
-  Outcome decide_at_root(const ScalarForm& p, const Subinterval& part) noexcept;
+  Variations variations(const ScalarForm& p, const Subinterval& interval) const noexcept;
+  Outcome decide_at_root(const ScalarForm& p, const Subinterval& interval) noexcept;
   struct Time {
     bool known = false;
     BoundedPair root;
     double lower = 0;  ///< the greatest double below the root, which is no double itself
   };
-  Time time_of(const ScalarForm& slope, const Subinterval& part, double t, double radius) const noexcept;
-  Outcome refine(const ScalarForm& slope, const Subinterval& part, double t, double radius) noexcept;
+  Time time_of(const ScalarForm& slope, const Subinterval& interval, double t, double radius) const noexcept;
+  Outcome refine(const ScalarForm& slope, const Subinterval& interval, double t, double radius) noexcept;
   BoundedPair value(const FrameAt& frame) const noexcept;
   template <class Frame>
   Side side_of_point(const Frame& frame) const noexcept;
@@ -175,10 +175,10 @@ Side CurvedBracketSearch::side_over(double t, double radius) const noexcept {
 }
 
 CurvedBracketSearch::Variations CurvedBracketSearch::variations(const ScalarForm& p,
-                                                                const Subinterval& part) const noexcept {
+                                                                const Subinterval& interval) const noexcept {
   const Index size = static_cast<Index>(p.degree) + 1;
-  const double bound = numbers::kBoundSlack * part.error;
-  const auto sign = [&](Index k) { return part.b[k] > bound ? 1 : part.b[k] < -bound ? -1 : 0; };
+  const double bound = numbers::kBoundSlack * interval.error;
+  const auto sign = [&](Index k) { return interval.b[k] > bound ? 1 : interval.b[k] < -bound ? -1 : 0; };
   int previous = sign(0), changes = 0;
   if (previous == 0) return Variations::uncertain;
   Index doubts = 0;
@@ -201,57 +201,57 @@ CurvedBracketSearch::Variations CurvedBracketSearch::variations(const ScalarForm
 Outcome CurvedBracketSearch::decide(const ScalarForm& p, Index component) noexcept {
   component_ = component;
   const Index size = static_cast<Index>(p.degree) + 1;
-  // A part is cut at most so many times in a row, and so many parts are looked at. Each cut adds at most 5 binary
-  // digits to the ends of a part, so 10 cuts keep them, and their middle, exact.
+  // An interval is cut at most so many times in a row, and so many intervals are looked at. Each cut adds at most 5
+  // binary digits to the ends of an interval. So 10 cuts keep them, and their middle, exact.
   constexpr Index kMostCuts = 10;
-  constexpr int kMostParts = 32;
-  std::array<Subinterval, kMostCuts + 1> parts;  // still to come, the first one last
-  parts[0].low = 0;
-  parts[0].high = 1;
-  parts[0].cuts = 0;
+  constexpr int kMostIntervals = 32;
+  std::array<Subinterval, kMostCuts + 1> intervals;  // still to come, the first one last
+  intervals[0].low = 0;
+  intervals[0].high = 1;
+  intervals[0].cuts = 0;
   const auto& binomial = kBinomial[static_cast<Index>(p.degree)];
-  for (Index k = 0; k < size; ++k) parts[0].b[k] = p.c[0][k] / binomial[k];
-  parts[0].error = p.error + kRounding * p.size + numbers::kUnderflow;
+  for (Index k = 0; k < size; ++k) intervals[0].b[k] = p.c[0][k] / binomial[k];
+  intervals[0].error = p.error + kRounding * p.size + numbers::kUnderflow;
   // What vanishes at all times, or seems to, has no roots to look for.
-  const auto vanishes = [&](double b) { return std::fabs(b) <= numbers::kBoundSlack * parts[0].error; };
-  if (std::all_of(parts[0].b.begin(), parts[0].b.begin() + p.degree + 1, vanishes)) return Outcome::uncertain;
-  if (vanishes(parts[0].b[0]) && side_over(0, 0) != Side::outside) {
+  const auto vanishes = [&](double b) { return std::fabs(b) <= numbers::kBoundSlack * intervals[0].error; };
+  if (std::all_of(intervals[0].b.begin(), intervals[0].b.begin() + p.degree + 1, vanishes)) return Outcome::uncertain;
+  if (vanishes(intervals[0].b[0]) && side_over(0, 0) != Side::outside) {
     contact_is_likely_ = true;
     return Outcome::uncertain;
   }
   Index count = 1;
   for (int looked_at = 0; count > 0; ++looked_at) {
-    Subinterval& part = parts[count - 1];
-    if (part.low > t_max_) return Outcome::no_contact;
-    const Variations variations = this->variations(p, part);
+    Subinterval& interval = intervals[count - 1];
+    if (interval.low > t_max_) return Outcome::no_contact;
+    const Variations variations = this->variations(p, interval);
     if (variations == Variations::none) {
       --count;
       continue;
     }
     if (variations == Variations::one) {
-      const Outcome finding = decide_at_root(p, part);
+      const Outcome finding = decide_at_root(p, interval);
       contact_is_likely_ = finding == Outcome::uncertain;
       if (finding != Outcome::no_contact) return finding;
       --count;
       continue;
     }
-    const double middle = 0.5 * (part.low + part.high);
-    if (side_over(middle, 0.5 * (part.high - part.low)) == Side::outside) {
+    const double middle = 0.5 * (interval.low + interval.high);
+    if (side_over(middle, 0.5 * (interval.high - interval.low)) == Side::outside) {
       --count;
       continue;
     }
-    if (part.cuts == kMostCuts || looked_at >= kMostParts) return Outcome::uncertain;
+    if (interval.cuts == kMostCuts || looked_at >= kMostIntervals) return Outcome::uncertain;
     // A cut in the middle is often at a root of a query that people make.
-    Subinterval& right = part;
-    Subinterval& left = parts[count];
+    Subinterval& right = interval;
+    Subinterval& left = intervals[count];
     ++count;
-    const double error = part.error + exact_cut_error(p.degree, p.size);
-    const std::array<double, kMostCurvedDegree + 1> whole = part.b;
+    const double error = interval.error + exact_cut_error(p.degree, p.size);
+    const std::array<double, kMostCurvedDegree + 1> whole = interval.b;
     double cut = 0;
-    for (const double place : {0.5, 0.4375, 0.59375}) {
+    for (const double fraction : {0.5, 0.4375, 0.59375}) {
       right.b = whole;
-      cut_at(left.b, right.b, p.degree, place);
-      cut = right.low + place * (right.high - right.low);  // exact: at most 5 more digits
+      cut_at(left.b, right.b, p.degree, fraction);
+      cut = right.low + fraction * (right.high - right.low);  // exact: at most 5 more digits
       if (std::fabs(right.b[0]) > numbers::kBoundSlack * error) break;
     }
     left.low = right.low;
@@ -262,13 +262,13 @@ Outcome CurvedBracketSearch::decide(const ScalarForm& p, Index component) noexce
   return Outcome::no_contact;
 }
 
-/// Decides at the one root of p in the part, a simple one; p has certain signs at its ends. `no_contact` says that the
-/// elements do not touch there within [0, t_max].
-Outcome CurvedBracketSearch::decide_at_root(const ScalarForm& p, const Subinterval& part) noexcept {
-  const double sign_low = part.b[0] > 0 ? 1 : -1;
+/// Decides at the one root of p in the interval, a simple one; p has certain signs at its ends. `no_contact` says that
+/// the elements do not touch there within [0, t_max].
+Outcome CurvedBracketSearch::decide_at_root(const ScalarForm& p, const Subinterval& interval) noexcept {
+  const double sign_low = interval.b[0] > 0 ? 1 : -1;
   const ScalarForm slope = derivative_of(p);
   // A double near the root, by Newton's method with bisection; only a hint.
-  double low = part.low, high = part.high, t = 0.5 * (low + high), f = 0, df = 0;
+  double low = interval.low, high = interval.high, t = 0.5 * (low + high), f = 0, df = 0;
   constexpr int kIterations = 40;
   for (int i = 0; i < kIterations; ++i) {
     f = value_at(p, t).value;
@@ -290,16 +290,16 @@ Outcome CurvedBracketSearch::decide_at_root(const ScalarForm& p, const Subinterv
   bool found = false;
   for (int i = 0; i < kTries && !found; ++i, radius *= kWider) {
     if (!(radius < 1)) return Outcome::uncertain;
-    low = std::max(part.low, t - radius);
-    high = std::min(part.high, t + radius);
-    found = (low == part.low || certain_side(low) > 0) && (high == part.high || certain_side(high) < 0);
+    low = std::max(interval.low, t - radius);
+    high = std::min(interval.high, t + radius);
+    found = (low == interval.low || certain_side(low) > 0) && (high == interval.high || certain_side(high) < 0);
   }
   if (!found) return Outcome::uncertain;
   if (low > t_max_) return Outcome::no_contact;
   const double reach = (1 + 0x1p-50) * std::max(t - low, high - t);
   const Side side = side_over(t, reach);
   if (side == Side::outside) return Outcome::no_contact;
-  return side == Side::unknown ? Outcome::uncertain : refine(slope, part, t, reach);
+  return side == Side::unknown ? Outcome::uncertain : refine(slope, interval, t, reach);
 }
 
 BoundedPair CurvedBracketSearch::value(const FrameAt& frame) const noexcept {
@@ -308,8 +308,8 @@ BoundedPair CurvedBracketSearch::value(const FrameAt& frame) const noexcept {
   return geometry::dot(geometry::cross(frame.u, frame.w), frame.between);
 }
 
-/// The root in the part, which is within `radius` of t. V's slope over all of this is that of `slope`.
-CurvedBracketSearch::Time CurvedBracketSearch::time_of(const ScalarForm& slope, const Subinterval& part, double t,
+/// The root in the interval, which is within `radius` of t. V's slope over all of this is that of `slope`.
+CurvedBracketSearch::Time CurvedBracketSearch::time_of(const ScalarForm& slope, const Subinterval& interval, double t,
                                                        double radius) const noexcept {
   const double change = slope_of(slope);
   Time time;
@@ -328,7 +328,7 @@ CurvedBracketSearch::Time CurvedBracketSearch::time_of(const ScalarForm& slope, 
     off = (1 + 0x1p-20) * (value_off / least_steepness);
     time.root = {numbers::two_sum(t, offset), off};
     const double nearest = time.root.value.high;
-    if (!(nearest > part.low && nearest < part.high && nearest > 0)) return {};
+    if (!(nearest > interval.low && nearest < interval.high && nearest > 0)) return {};
     constexpr double kGood = 0x1p-75;
     if (off <= kGood * nearest) break;
     // A second step, from a time that is so near that the slope hardly varies.
@@ -336,15 +336,15 @@ CurvedBracketSearch::Time CurvedBracketSearch::time_of(const ScalarForm& slope, 
     radius = (1 + 0x1p-50) * (std::fabs(time.root.value.low) + off);
   }
   time.known = double_below(
-      time.root, [&](double at) { return value(frame_at(query_, numbers::exact_pair(at))).sign(); }, part.b[0] > 0,
+      time.root, [&](double at) { return value(frame_at(query_, numbers::exact_pair(at))).sign(); }, interval.b[0] > 0,
       time.lower);
   return time;
 }
 
-/// Decides at the one root in the part, which is within `radius` of t.
-Outcome CurvedBracketSearch::refine(const ScalarForm& slope, const Subinterval& part, double t,
+/// Decides at the one root in the interval, which is within `radius` of t.
+Outcome CurvedBracketSearch::refine(const ScalarForm& slope, const Subinterval& interval, double t,
                                     double radius) noexcept {
-  const Time time = time_of(slope, part, t, radius);
+  const Time time = time_of(slope, interval, t, radius);
   if (!time.known) return Outcome::uncertain;
   if (time.lower >= t_max_) return Outcome::no_contact;
   const FrameAt frame = frame_at(query_, time.root);
@@ -417,7 +417,7 @@ Outcome decide_in_brackets(const CurvedQuery& query, double t_max, Answer& answe
   CurvedBracketSearch search(query, t_max, frame, answer);
   const Outcome finding = decide_by_roots(search, frame, query.kind);
   if (finding != Outcome::uncertain || search.contact_is_likely()) return finding;
-  return certainly_farther_in_parts(query, frame, Separation(), t_max) ? Outcome::no_contact : Outcome::uncertain;
+  return certainly_farther_in_pieces(query, frame, Separation(), t_max) ? Outcome::no_contact : Outcome::uncertain;
 }
 
 Outcome decide_in_brackets(const CurvedQuery& query, const Separation& separation, double t_max,

@@ -39,7 +39,7 @@ constexpr double kMostStretch = 0x1p-40;
 // along an axis, and 44 e L + 3.5 e P in length. The rest is for 24 r^2, terms of second order, and the rounding of the
 // bound.
 constexpr double kTurnedError = 46 * 0x1p-53;
-constexpr double kPlaceError = 4 * 0x1p-53;
+constexpr double kPositionError = 4 * 0x1p-53;
 
 // Then nothing underflows by more than the rest above allows, and nothing overflows.
 constexpr double kLeastSquare = 0x1p-500, kGreatestSquare = 0x1p500;
@@ -91,8 +91,8 @@ bool make_turns(const RigidMotion& motion, const EndsVector& origin, Turns& turn
 struct Side {
   int motion = CurvedCorner::kOnCurve;
   Turns turns;
-  double reach = 0;  ///< no coordinate of a body point is larger
-  double place = 0;  ///< no coordinate of a position, or of a point of a curve, is larger
+  double reach = 0;     ///< no coordinate of a body point is larger
+  double position = 0;  ///< no coordinate of a position, or of a point of a curve, is larger
 };
 
 /// False where its corners are of two bodies, or a curve bends.
@@ -105,14 +105,14 @@ bool make_side(const CurvedQuery& query, Index first, Index last, const EndsVect
   }
   if (side.motion == CurvedCorner::kOnCurve) return true;
   if (!make_turns(query.motions[static_cast<Index>(side.motion)], origin, side.turns)) return false;
-  side.place = largest(side.turns.position);
+  side.position = largest(side.turns.position);
   return true;
 }
 
-EndsVector place(const CurvedCorner& corner, const EndsVector& origin, Side& side) noexcept {
+EndsVector position_of(const CurvedCorner& corner, const EndsVector& origin, Side& side) noexcept {
   if (side.motion == CurvedCorner::kOnCurve) {
     const EndsVector x = ends_of(corner.points[0], corner.points[corner.control_points > 1 ? 1 : 0]) - origin;
-    side.place = std::max(side.place, largest(x));
+    side.position = std::max(side.position, largest(x));
     return x;
   }
   const Vec3& point = corner.points[0];
@@ -139,14 +139,14 @@ Chords chords_of(const CurvedQuery& query) noexcept {
   if (!make_side(query, 0, second, origin, sides[0]) || !make_side(query, second, 4, origin, sides[1])) return chords;
   chords.query.kind = query.kind;
   for (Index i = 0; i < 4; ++i) {
-    const EndsVector x = place(query.corners[i], origin, sides[i < second ? 0 : 1]);
+    const EndsVector x = position_of(query.corners[i], origin, sides[i < second ? 0 : 1]);
     chords.query.start[i] = {x[0].v[0], x[1].v[0], x[2].v[0]};
     chords.query.end[i] = {x[0].v[1], x[1].v[1], x[2].v[1]};
   }
   double length = 0;
   for (const Side& side : sides) {
-    chords.deviation += side.turns.bulge * side.reach + kPlaceError * side.place;
-    length += side.reach + side.place;
+    chords.deviation += side.turns.bulge * side.reach + kPositionError * side.position;
+    length += side.reach + side.position;
   }
   chords.known = length >= kLeastLength && length <= kGreatestLength;
   return chords;

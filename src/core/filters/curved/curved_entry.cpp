@@ -94,7 +94,7 @@ class CurvedEntry {
   }
 
  private:
-  StepAt place_at(double t) const noexcept;
+  StepAt iterate_at(double t) const noexcept;
   Hint hint_at(double t) const noexcept;
   double about_entry(double low, double high) const noexcept;
   PointDifferences<Jet> near(double t, double radius) const noexcept;
@@ -118,44 +118,44 @@ class CurvedEntry {
 };
 
 /// In doubles, with the multipliers.
-StepAt CurvedEntry::place_at(double t) const noexcept {
+StepAt CurvedEntry::iterate_at(double t) const noexcept {
   const auto vector = [t](const VectorForm& form, double factor) {
     const auto v = value_at(form, t, 0, 0);
     return Vector{{factor * v[0].value, factor * v[1].value, factor * v[2].value}};
   };
   const double first = value_at(frame_.first_multiplier, t).value, second = value_at(frame_.second_multiplier, t).value;
-  StepAt place = {};
-  place.t = first * second;  // the scale
-  place.r = vector(frame_.between, 1);
-  if (kind_ == Kind::point_point) return place;
+  StepAt iterate = {};
+  iterate.t = first * second;  // the scale
+  iterate.r = vector(frame_.between, 1);
+  if (kind_ == Kind::point_point) return iterate;
   const Vector w = vector(frame_.w, -second);
   if (kind_ == Kind::point_edge) {
-    place.u = w;
-    return place;
+    iterate.u = w;
+    return iterate;
   }
-  place.w = w;
-  place.u = vector(frame_.u, kind_ == Kind::edge_edge ? first : -second);
-  return place;
+  iterate.w = w;
+  iterate.u = vector(frame_.u, kind_ == Kind::edge_edge ? first : -second);
+  return iterate;
 }
 
 Hint CurvedEntry::hint_at(double t) const noexcept {
-  const StepAt place = place_at(t);
+  const StepAt iterate = iterate_at(t);
   Hint hint;
   if (metric_ == Metric::euclidean) {
-    hint.p = closest(domain_, place.r, place.u, place.w);
+    hint.p = closest(domain_, iterate.r, iterate.u, iterate.w);
     hint.free = free_parameters(domain_, hint.p);
-    const Vector c = combined(place.r, place.u, place.w, hint.p.s, hint.p.q);
-    hint.distance = std::sqrt(dot(c, c)) / place.t;
+    const Vector c = combined(iterate.r, iterate.u, iterate.w, hint.p.s, hint.p.q);
+    hint.distance = std::sqrt(dot(c, c)) / iterate.t;
     return hint;
   }
-  const auto [facet, distance] = FacetSearch(domain_, place).best();
+  const auto [facet, distance] = FacetSearch(domain_, iterate).best();
   hint.facet.facet = facet;
-  hint.distance = distance / place.t;
+  hint.distance = distance / iterate.t;
   hint.free = facet.free;
   hint.p = {facet.s, facet.q};
-  const Vector n = normal_of(facet, place.u, place.w, 0.0, 1.0);
+  const Vector n = normal_of(facet, iterate.u, iterate.w, 0.0, 1.0);
   // An edge is measured along the two axes that count, and a plane's normal, without its sign, along all.
-  const Vector along = facet.sort == Sort::edge ? edge_of(facet.free, place.u, place.w) : n;
+  const Vector along = facet.sort == Sort::edge ? edge_of(facet.free, iterate.u, iterate.w) : n;
   double largest = -1;
   for (Index k = 0; k < 3; ++k) {
     const bool counts = facet.sort == Sort::plane || (facet.sort == Sort::face) == (k == facet.axis);
@@ -172,14 +172,14 @@ Hint CurvedEntry::hint_at(double t) const noexcept {
 double CurvedEntry::about_entry(double low, double high) const noexcept {
   constexpr int kMostSteps = 60;
   constexpr double kNear = 0x1p-48;
-  const double wanted = walk_.distance();
-  double at_low = hint_at(low).distance - wanted, at_high = hint_at(high).distance - wanted;
+  const double goal = walk_.distance();
+  double at_low = hint_at(low).distance - goal, at_high = hint_at(high).distance - goal;
   int side = 0;
   double t = high;
   for (int i = 0; i < kMostSteps && high - low > kNear * high; ++i) {
     t = low + (high - low) * (at_low / (at_low - at_high));
     if (!(t > low && t < high)) t = 0.5 * (low + high);
-    const double value = hint_at(t).distance - wanted;
+    const double value = hint_at(t).distance - goal;
     if (value == 0) return t;
     if (value > 0) {
       if (side > 0) at_high *= 0.5;
@@ -192,7 +192,7 @@ double CurvedEntry::about_entry(double low, double high) const noexcept {
       at_high = value;
       side = -1;
     }
-    if (std::fabs(value) <= kNear * wanted) break;
+    if (std::fabs(value) <= kNear * goal) break;
   }
   return t;
 }

@@ -152,8 +152,8 @@ void follow(const CurvedCorner& corner, const Point& from, const Point& to, Curv
   path.count = degree + 1;
   for (std::size_t i = 0; i <= degree; ++i) {
     const Point x = point_of(corner.points[std::min(i, last)]);
-    const double part = static_cast<double>(i) / static_cast<double>(degree);
-    for (std::size_t k = 0; k < 3; ++k) path.points[i][k] = x[k] - ((1 - part) * from[k] + part * to[k]);
+    const double fraction = static_cast<double>(i) / static_cast<double>(degree);
+    for (std::size_t k = 0; k < 3; ++k) path.points[i][k] = x[k] - ((1 - fraction) * from[k] + fraction * to[k]);
   }
 }
 

@@ -1,5 +1,5 @@
-// Cuts of a part of the step in two, and projections of what is in it on directions, with bounds on their errors.
-// Coefficients are those of polynomials in the Bernstein basis over the part.
+// Cuts of a piece of the step in two, and projections of what is in it on directions, with bounds on their errors.
+// Coefficients are those of polynomials in the Bernstein basis over the piece.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -11,23 +11,23 @@
 
 namespace touchstone::filters {
 
-/// The coefficients over both sides of a place in (0, 1), by de Casteljau's algorithm. `right` is all of it at first.
+/// The coefficients over both sides of a time in (0, 1), by de Casteljau's algorithm. `right` is all of it at first.
 template <std::size_t Size>
-void cut_at(std::array<double, Size>& left, std::array<double, Size>& right, int degree, double place) noexcept {
+void cut_at(std::array<double, Size>& left, std::array<double, Size>& right, int degree, double fraction) noexcept {
   const std::size_t size = static_cast<std::size_t>(degree) + 1;
   for (std::size_t round = 0; round < size; ++round) {
     left[round] = right[0];
-    for (std::size_t i = 0; i + round + 1 < size; ++i) right[i] = (1 - place) * right[i] + place * right[i + 1];
+    for (std::size_t i = 0; i + round + 1 < size; ++i) right[i] = (1 - fraction) * right[i] + fraction * right[i + 1];
   }
 }
 
 /// What a cut adds to the errors of coefficients up to a size, with e = 2^-53. In each of n rounds a coefficient has a
-/// rounding of its products, of their sum and of 1 - place: 3 e times the size. The errors before are averaged.
+/// rounding of its products, of their sum and of 1 - fraction: 3 e times the size. The errors before are averaged.
 constexpr double kCutRoundings = 3;
 inline double cut_error(int degree, double size) noexcept {
   return size * (kCutRoundings * degree * numbers::kRounding) + numbers::kUnderflow;
 }
-/// The same where 1 - place is exact.
+/// The same where 1 - fraction is exact.
 constexpr double kExactCutRoundings = 2;
 inline double exact_cut_error(int degree, double size) noexcept {
   return size * (kExactCutRoundings * degree * numbers::kRounding) + numbers::kUnderflow;

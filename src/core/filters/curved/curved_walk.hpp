@@ -1,4 +1,4 @@
-// Directions that keep two elements on curves apart, each for a part of the step.
+// Directions that keep two elements on curves apart, each for a piece of the step.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -41,9 +41,9 @@ class CurvedWalk {
   static constexpr int kMostDegree = 6;
   static constexpr std::size_t kSize = kMostDegree + 1;
 
-  /// The corners of the second element minus those of the first, and the scale that they are multiplied by, over a part
-  /// of the step, in the Bernstein basis.
-  struct PathPart {
+  /// The corners of the second element minus those of the first, and the scale that they are multiplied by, over a
+  /// piece of the step, in the Bernstein basis.
+  struct PathPiece {
     double low, high;
     std::array<std::array<std::array<double, kSize>, 3>, 4> pairs;  // B - A first
     std::array<double, kSize> scale;
@@ -56,14 +56,14 @@ class CurvedWalk {
     double distance;
   };
 
-  Pairs pairs_at(const PathPart& part, std::size_t k) const noexcept;
-  Pairs mean(const PathPart& part) const noexcept;
-  void cut(PathPart& left, PathPart& right, double place) const noexcept;
+  Pairs pairs_at(const PathPiece& piece, std::size_t k) const noexcept;
+  Pairs mean(const PathPiece& piece) const noexcept;
+  void cut(PathPiece& left, PathPiece& right, double fraction) const noexcept;
   Best best(const Pairs& pairs) const noexcept;
-  bool separates(const PathPart& part, Vector n) const noexcept;
-  bool separates_in_turning(const PathPart& part, Vector m, Vector n) const noexcept;
-  bool separates_somehow(const PathPart& part) const noexcept;
-  bool seem_near(const PathPart& part, std::size_t k) const noexcept;
+  bool separates(const PathPiece& piece, Vector n) const noexcept;
+  bool separates_in_turning(const PathPiece& piece, Vector m, Vector n) const noexcept;
+  bool separates_somehow(const PathPiece& piece) const noexcept;
+  bool seem_near(const PathPiece& piece, std::size_t k) const noexcept;
 
   Kind kind_;
   Metric metric_;
@@ -73,14 +73,14 @@ class CurvedWalk {
   double size_ = 0;        // of the pairs' coefficients
   double scale_size_ = 0;  // of the scale's
   double distance_ = 0;
-  PathPart whole_;
+  PathPiece whole_;
 };
 
-/// Whether directions, each for a part of the step, show that the elements are farther from each other than a
+/// Whether directions, each for a piece of the step, show that the elements are farther from each other than a
 /// separation >= 0 at all times in [0, t_max].
 /// @param frame  of the query, known
-inline bool certainly_farther_in_parts(const CurvedQuery& query, const CurvedFrame& frame, const Separation& separation,
-                                       double t_max) noexcept {
+inline bool certainly_farther_in_pieces(const CurvedQuery& query, const CurvedFrame& frame,
+                                        const Separation& separation, double t_max) noexcept {
   const CurvedWalk walk(query, frame, separation);
   return walk.known() && walk.walk(t_max).end == WalkEnd::clear;
 }

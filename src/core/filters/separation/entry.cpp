@@ -75,24 +75,26 @@ class EuclideanEntry {
 
   Outcome decide() noexcept {
     return decide_by_walk(
-        step_, separation_, t_max_, [this](double t) { return closest_place(t); },
+        step_, separation_, t_max_, [this](double t) { return closest_iterate(t); },
         [this](const StepAt& from) { return enter(from); },
         [this](const StepAt& start) { return starts_within(start); });
   }
 
  private:
-  Parameters closest_at(const StepAt& place) const noexcept { return closest(step_.domain, place.r, place.u, place.w); }
+  Parameters closest_at(const StepAt& iterate) const noexcept {
+    return closest(step_.domain, iterate.r, iterate.u, iterate.w);
+  }
 
-  /// The place whose direction is between the closest points.
-  StepAt closest_place(double t) const noexcept {
-    StepAt place = bare_place(step_, t);
-    const Parameters p = closest_at(place);
-    place.n = combined(place.r, place.u, place.w, p.s, p.q);
+  /// The iterate whose direction is between the closest points.
+  StepAt closest_iterate(double t) const noexcept {
+    StepAt iterate = bare_iterate(step_, t);
+    const Parameters p = closest_at(iterate);
+    iterate.n = combined(iterate.r, iterate.u, iterate.w, p.s, p.q);
     // |c|^2 falls by twice the approach a time.
-    const double approach = -dot(place.n, combined(step_.r_slope, step_.u_slope, step_.w_slope, p.s, p.q));
-    const double length = std::sqrt(dot(place.n, place.n));
-    if (approach > 0) place.until = (length - distance_) * length / approach;
-    return place;
+    const double approach = -dot(iterate.n, combined(step_.r_slope, step_.u_slope, step_.w_slope, p.s, p.q));
+    const double length = std::sqrt(dot(iterate.n, iterate.n));
+    if (approach > 0) iterate.until = (length - distance_) * length / approach;
+    return iterate;
   }
 
   /// The closest points at t near the parameters p, made exact enough.
@@ -124,13 +126,13 @@ class EuclideanEntry {
     at_t.difference = rounded(cw - cu);
     at_t.lowest = lowest_at_corners(at_t) * (1 + 0x1p-32);
     at_t.error = kPreciseError * largest_of(at_t.c) * step_.size + 8 * kUnit * std::fabs(at_t.excess);
-    at_t.ok = largest_of(at_t.c) >= kLeastShare * step_.size;
+    at_t.ok = largest_of(at_t.c) >= kLeastFraction * step_.size;
     return at_t;
   }
 
   /// At most the least of c . (corner - c), where corner (i, j) - c is (s - i) u + (q - j) w. It is a sum of products
   /// that are not positive, so nothing cancels. A weight that is not 0 or 1 is at least 2^-20 (see `allowed`) and off
-  /// by at most 2 e = 2^-52, so each product is off by less than a 2^-32nd part.
+  /// by at most 2 e = 2^-52, so each product is off by less than 2^-32 of it.
   double lowest_at_corners(const ClosestPoints& at_t) const noexcept {
     const double s = at_t.p.s + at_t.ds, q = at_t.p.q + at_t.dq;
     const auto on_edge = [](double x, double slope) { return slope > 0 ? -(1 - x) * slope : x * slope; };
@@ -183,11 +185,11 @@ class EuclideanEntry {
     return false;
   }
 
-  /// The elements are apart up to a place, and come within the separation soon after it.
+  /// The elements are apart up to an iterate, and come within the separation soon after it.
   Outcome enter(const StepAt& from) noexcept {
     const double estimate = from.t + from.until;
     if (!(estimate >= 0 && estimate <= 1)) return Outcome::uncertain;
-    const Parameters p = closest_at(bare_place(step_, estimate));
+    const Parameters p = closest_at(bare_iterate(step_, estimate));
     // Newton's steps in double-doubles find the neighbouring doubles.
     double toi = estimate;
     constexpr int kMostSteps = 4;
@@ -221,8 +223,8 @@ class EuclideanEntry {
     // D > d up to toi. For n = c, |n|^2 - d |n| = |n| / (|n| + d) (|n|^2 - d^2).
     if (toi > from.t) {
       if (!(found.excess > found.error)) return Outcome::uncertain;
-      const double share = length / (length + distance_) * (1 - 8 * kUnit);
-      if (!(share * (found.excess - found.error) + found.lowest > found.error)) return Outcome::uncertain;
+      const double fraction = length / (length + distance_) * (1 - 8 * kUnit);
+      if (!(fraction * (found.excess - found.error) + found.lowest > found.error)) return Outcome::uncertain;
       if (!stays_clear(step_, from, toi, found.c, separation_)) return Outcome::uncertain;
     }
     if (upper > t_max_) return Outcome::no_contact;

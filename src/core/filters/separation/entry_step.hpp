@@ -20,8 +20,8 @@ using numbers::DoubleDouble;
 using numbers::rounded;
 using PreciseVector = geometry::Vector<DoubleDouble>;
 
-// The separation, and |c|, are at least this part of S. Then the squares of c's errors do not count.
-constexpr double kLeastShare = 0x1p-40;
+// The separation, and |c|, are at least this fraction of S. Then the squares of c's errors do not count.
+constexpr double kLeastFraction = 0x1p-40;
 
 // Sizes for which no product of five factors overflows, or underflows by more than the bounds allow.
 constexpr double kLeastSize = 0x1p-150;
@@ -204,7 +204,7 @@ inline Vector rounded_vector(const PreciseVector& v) noexcept {
 
 /// Whether the bounds hold for the step and a separation of this distance.
 inline bool of_ordinary_size(const Step& step, double distance) noexcept {
-  return step.size >= kLeastSize && step.size <= kGreatestSize && distance >= kLeastShare * step.size &&
+  return step.size >= kLeastSize && step.size <= kGreatestSize && distance >= kLeastFraction * step.size &&
          distance <= kGreatestSize;
 }
 

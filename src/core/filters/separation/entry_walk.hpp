@@ -47,7 +47,7 @@ class Direction {
     }
     error_ = kWalkError * largest_of(n) * step.size;
     // The squares of a much shorter direction may underflow. No c that is as long as the separation is so short.
-    const bool is_long = separation.metric != Metric::euclidean || largest_of(n) >= 0.5 * kLeastShare * step.size;
+    const bool is_long = separation.metric != Metric::euclidean || largest_of(n) >= 0.5 * kLeastFraction * step.size;
     bound_ = is_long ? kNormIncrease * (separation.distance * dual_norm(n, separation.metric) + error_) : kNever;
   }
 
@@ -61,13 +61,13 @@ class Direction {
 
   /// About the last time after t up to which the direction keeps the elements apart; greater than 1 when it is none.
   double last_clear_after(double t) const noexcept {
-    const double wanted = bound_ + 4 * error_;
+    const double goal = bound_ + 4 * error_;
     double last = 2;
     const auto corner = [&](double s, double q) {
       const double start = (r_[0] - s * u_[0]) - q * w_[0];
       const double slope = (r_[1] - s * u_[1]) - q * w_[1] - start;
       const double value = start + t * slope;
-      if (slope < 0) last = std::min(last, t + (value - wanted) / -slope);
+      if (slope < 0) last = std::min(last, t + (value - goal) / -slope);
     };
     corner(0, 0);
     if (domain_ != Domain::point) corner(1, 0);
@@ -92,14 +92,14 @@ struct StepAt {
   double until;  ///< about the time until the entry; infinite when the distance does not fall
 };
 
-/// The place at t, without direction.
-inline StepAt bare_place(const Step& step, double t) noexcept {
+/// The iterate at t, without direction.
+inline StepAt bare_iterate(const Step& step, double t) noexcept {
   return {
       t,  between(step.r[0], step.r[1], t),       between(step.u[0], step.u[1], t), between(step.w[0], step.w[1], t),
       {}, std::numeric_limits<double>::infinity()};
 }
 
-/// Whether a direction that turns from one place's to the other's keeps the elements apart between them, if each does
+/// Whether a direction that turns from one iterate's to the other's keeps the elements apart between them, if each does
 /// so at its own time.
 inline bool turns_clear(const Step& step, const StepAt& a, const StepAt& b, const Separation& separation) noexcept {
   const double least = (dot(a.n, b.r) + dot(b.n, a.r)) -
@@ -109,12 +109,12 @@ inline bool turns_clear(const Step& step, const StepAt& a, const StepAt& b, cons
   return least > kNormIncrease * (separation.distance * norms + error);
 }
 
-/// Whether the elements are apart between a place, where its own direction may show it, and a later time, where n does.
-/// n may be off by a rounding in each coordinate from a direction for which that is known.
+/// Whether the elements are apart between an iterate, where its own direction may show it, and a later time, where n
+/// does. n may be off by a rounding in each coordinate from a direction for which that is known.
 inline bool stays_clear(const Step& step, const StepAt& from, double t, const Vector& n,
                         const Separation& separation) noexcept {
   if (Direction(step, n, separation).clear_at(from.t)) return true;
-  StepAt there = bare_place(step, t);
+  StepAt there = bare_iterate(step, t);
   there.n = n;
   return Direction(step, from.n, separation).clear_at(from.t) && turns_clear(step, from, there, separation);
 }
@@ -122,15 +122,15 @@ inline bool stays_clear(const Step& step, const StepAt& from, double t, const Ve
 /// The start, with the time that Newton's method finds for the entry as `until`; infinite when it finds none in [0,
 /// t_max]. Nothing is proved. Where one direction keeps the elements apart from the start to the entry, no walk is
 /// needed.
-template <class PlaceAt>
-StepAt jump(double t_max, const PlaceAt& place_at) noexcept {
+template <class IterateAt>
+StepAt jump(double t_max, const IterateAt& iterate_at) noexcept {
   constexpr int kMostSteps = 5;
   constexpr double kNear = 0x1p-24;  // another step of Newton's method is as good as doubles are
-  StepAt start = place_at(0);
+  StepAt start = iterate_at(0);
   double t = start.until;
   start.until = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kMostSteps && t >= 0 && t <= t_max; ++i) {
-    const double rest = place_at(t).until;
+    const double rest = iterate_at(t).until;
     t += rest;
     if (std::fabs(rest) < kNear) {
       start.until = t;
@@ -143,23 +143,23 @@ StepAt jump(double t_max, const PlaceAt& place_at) noexcept {
 /// How a walk ends.
 enum class WalkEnd : std::uint8_t {
   clear,  ///< the elements are apart in all of [0, t_max]
-  near,   ///< they are apart up to the place, and perhaps enter soon after it
-  start,  ///< they are perhaps within the separation at t = 0, the place's time
+  near,   ///< they are apart up to the iterate, and perhaps enter soon after it
+  start,  ///< they are perhaps within the separation at t = 0, the iterate's time
   lost    ///< nothing is known
 };
 
 struct Walk {
   WalkEnd end;
-  StepAt place;
+  StepAt iterate;
 };
 
 /// Walks from t = 0 towards the entry.
-/// @param place_at  gives the place at a time, with its direction
-template <class PlaceAt>
-Walk walk(const Step& step, const Separation& separation, double t_max, const PlaceAt& place_at) noexcept {
+/// @param iterate_at  gives the iterate at a time, with its direction
+template <class IterateAt>
+Walk walk(const Step& step, const Separation& separation, double t_max, const IterateAt& iterate_at) noexcept {
   constexpr int kMostPieces = 24;
   constexpr double kShortPiece = 0x1p-24;  // Newton's step from so near is as good as doubles are
-  StepAt here = place_at(0);               // the elements are apart up to here
+  StepAt here = iterate_at(0);             // the elements are apart up to here
   for (int piece = 0; piece < kMostPieces; ++piece) {
     const Direction direction(step, here.n, separation);
     if (!direction.clear_at(here.t)) return {piece == 0 ? WalkEnd::start : WalkEnd::near, here};
@@ -170,17 +170,17 @@ Walk walk(const Step& step, const Separation& separation, double t_max, const Pl
     if (whole && clear) return {WalkEnd::clear, here};
     if (here.until < kShortPiece) return {WalkEnd::near, here};
     if (clear && next - here.t > 0.5 * here.until) {
-      here = place_at(next);
+      here = iterate_at(next);
       continue;
     }
     // Elements that turn: so must the direction.
-    const StepAt there = place_at(std::min(here.t + 0.75 * here.until, t_max));
+    const StepAt there = iterate_at(std::min(here.t + 0.75 * here.until, t_max));
     if (there.t > here.t && Direction(step, there.n, separation).clear_at(there.t) &&
         turns_clear(step, here, there, separation)) {
       if (there.t == t_max) return {WalkEnd::clear, here};
       here = there;
     } else if (clear) {
-      here = place_at(next);
+      here = iterate_at(next);
     } else {
       return {WalkEnd::lost, here};
     }
@@ -189,21 +189,20 @@ Walk walk(const Step& step, const Separation& separation, double t_max, const Pl
 }
 
 /// Decides by Newton's jump or, where that is not enough, by the walk.
-/// @param place_at       as above
-/// @param enter          the finding about an entry soon after a place up to which the elements may be taken to be
-/// apart
-/// @param starts_within  the finding about elements that are perhaps within the separation at t = 0, this place's time
-template <class PlaceAt, class Enter, class StartsWithin>
-Outcome decide_by_walk(const Step& step, const Separation& separation, double t_max, const PlaceAt& place_at,
+/// @param iterate_at       as above
+/// @param enter          the finding about an entry soon after an iterate, up to which the elements count as apart
+/// @param starts_within  the finding about elements that are perhaps within the separation at the iterate's time, t = 0
+template <class IterateAt, class Enter, class StartsWithin>
+Outcome decide_by_walk(const Step& step, const Separation& separation, double t_max, const IterateAt& iterate_at,
                        const Enter& enter, const StartsWithin& starts_within) noexcept {
   if (!of_ordinary_size(step, separation.distance)) return Outcome::uncertain;
-  const Outcome jumped = enter(jump(t_max, place_at));
+  const Outcome jumped = enter(jump(t_max, iterate_at));
   if (jumped != Outcome::uncertain) return jumped;
-  const Walk walked = walk(step, separation, t_max, place_at);
+  const Walk walked = walk(step, separation, t_max, iterate_at);
   switch (walked.end) {
     case WalkEnd::clear: return Outcome::no_contact;
-    case WalkEnd::near: return enter(walked.place);
-    case WalkEnd::start: return starts_within(walked.place);
+    case WalkEnd::near: return enter(walked.iterate);
+    case WalkEnd::start: return starts_within(walked.iterate);
     case WalkEnd::lost: break;
   }
   return Outcome::uncertain;

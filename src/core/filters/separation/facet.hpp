@@ -61,8 +61,8 @@ struct BestFacet {
 /// so on: a few cross products give the values of all edges.
 class FacetSearch {
  public:
-  FacetSearch(Domain domain, const StepAt& place) noexcept : domain_(domain) {
-    const auto& [t, r, u, w, n, until] = place;
+  FacetSearch(Domain domain, const StepAt& step) noexcept : domain_(domain) {
+    const auto& [t, r, u, w, n, until] = step;
     for (std::size_t k = 0; k < 3; ++k) consider({Sort::face, k, Free::none, 0, 0, 1}, r[k], u[k], w[k], 1);
     if (domain_ == Domain::point) return;
     const Vector u_r = cross(u, r);

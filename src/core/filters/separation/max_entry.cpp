@@ -61,28 +61,28 @@ class MaxEntry {
 
   Outcome decide() noexcept {
     return decide_by_walk(
-        step_, separation_, t_max_, [this](double t) { return facet_place(t); },
+        step_, separation_, t_max_, [this](double t) { return facet_iterate(t); },
         [this](const StepAt& from) { return enter(from); },
         [this](const StepAt& start) { return starts_within(start); });
   }
 
  private:
-  /// The place whose direction is the best facet's normal. Without one, the direction is 0, which shows nothing.
-  StepAt facet_place(double t) const noexcept {
-    StepAt place = bare_place(step_, t);
-    const auto [facet, distance] = FacetSearch(step_.domain, place).best();
-    if (!(distance > 0)) return place;
-    const Vector n = normal_of(facet, place.u, place.w, 0.0, 1.0);
-    place.n = scaled_direction(n);
+  /// The iterate whose direction is the best facet's normal. Without one, the direction is 0, which shows nothing.
+  StepAt facet_iterate(double t) const noexcept {
+    StepAt iterate = bare_iterate(step_, t);
+    const auto [facet, distance] = FacetSearch(step_.domain, iterate).best();
+    if (!(distance > 0)) return iterate;
+    const Vector n = normal_of(facet, iterate.u, iterate.w, 0.0, 1.0);
+    iterate.n = scaled_direction(n);
     // D |n|_1 = n . p, where both n and p move.
-    const Vector rate = normal_rate(facet, place.u, place.w);
-    const Vector p = combined(place.r, place.u, place.w, facet.s, facet.q);
+    const Vector rate = normal_rate(facet, iterate.u, iterate.w);
+    const Vector p = combined(iterate.r, iterate.u, iterate.w, facet.s, facet.q);
     double norm_rate = 0;
     for (std::size_t k = 0; k < 3; ++k) norm_rate += n[k] > 0 ? rate[k] : n[k] < 0 ? -rate[k] : 0;
     const double slope = dot(rate, p) + dot(n, corner_velocity(facet)) - distance * norm_rate;
     const double norm = dual_norm(n, Metric::max);
-    if (slope < 0) place.until = (distance - distance_) * norm / -slope;
-    return place;
+    if (slope < 0) iterate.until = (distance - distance_) * norm / -slope;
+    return iterate;
   }
 
   Vector normal_rate(const Facet& facet, const Vector& u, const Vector& w) const noexcept {
@@ -156,11 +156,11 @@ class MaxEntry {
     return {rate, 256 * kUnit * first + 64 * time * second};
   }
 
-  /// The elements are apart up to a place, and come within the separation soon after it.
+  /// The elements are apart up to an iterate, and come within the separation soon after it.
   Outcome enter(const StepAt& from) noexcept {
     const double estimate = from.t + from.until;
     if (!(estimate >= 0 && estimate <= 1)) return Outcome::uncertain;
-    const auto [facet, distance] = FacetSearch(step_.domain, bare_place(step_, estimate)).best();
+    const auto [facet, distance] = FacetSearch(step_.domain, bare_iterate(step_, estimate)).best();
     if (!(distance > 0)) return Outcome::uncertain;
     // Newton's steps in double-doubles find the neighbouring doubles.
     double toi = estimate;
@@ -196,11 +196,11 @@ class MaxEntry {
     if (upper > t_max_) return Outcome::no_contact;
     const PreciseFacet next = precise_at(facet, upper, {distance_, 0});
     if (!(rounded(next.h) < -error)) return Outcome::uncertain;
-    // h falls evenly but for a small part, so the root is at this part of the time between the doubles.
+    // h falls evenly but for a small rest, so the root is at this fraction of the time between the doubles.
     constexpr double kSmall = 0x1p-20;
     if (!(fall.error <= kSmall * fall.rate)) return Outcome::uncertain;
-    const double part = rounded(found.h) / (rounded(found.h) - rounded(next.h));
-    if (!locate(facet, found, &next, part, upper - toi, distance_)) return Outcome::uncertain;
+    const double fraction = rounded(found.h) / (rounded(found.h) - rounded(next.h));
+    if (!locate(facet, found, &next, fraction, upper - toi, distance_)) return Outcome::uncertain;
     answer_.nature = Nature::entering;
     answer_.trend = Trend::approaching;
     return finish(toi, upper);
@@ -271,10 +271,10 @@ class MaxEntry {
     return {s, q, std::fabs(n), kPreciseError * step_.size * reach <= kMostError * std::fabs(n)};
   }
 
-  /// Writes the closest points at the time between `found` and `next` of which `part` of the time is gone, for a
+  /// Writes the closest points at the time between `found` and `next` of which `fraction` of the time is gone, for a
   /// distance about `level` at that time; at the time of `found` when there is no `next`. False where they are not
   /// certain. `time`: between the two.
-  bool locate(const Facet& facet, const PreciseFacet& found, const PreciseFacet* next, double part, double time,
+  bool locate(const Facet& facet, const PreciseFacet& found, const PreciseFacet* next, double fraction, double time,
               double level) noexcept {
     Solution at_root = solve(facet, found);
     if (!at_root.ok) return false;
@@ -288,8 +288,8 @@ class MaxEntry {
       const double turn = facet.sort == Sort::plane ? 8 * step_.size * step_.speed : 2 * step_.speed;
       if (!(time * turn <= kMostChange * at_root.size)) return false;
       if (!(time * time * 16 * step_.speed * step_.speed <= kMostBend * at_root.size)) return false;
-      at_root.s += part * ds;
-      at_root.q += part * dq;
+      at_root.s += fraction * ds;
+      at_root.q += fraction * dq;
     }
     if (!inside(facet, at_root)) return false;
     // Along the other axes c is certainly shorter than the level, also while the time goes on to the next double.

@@ -27,16 +27,16 @@ using DoubleDouble = DoubleDoubleOf<double>;
 template <class N>
 [[gnu::always_inline]] inline DoubleDoubleOf<N> two_sum(N a, N b) noexcept {
   const N sum = a + b;
-  const N b_part = sum - a;
-  return {sum, (a - (sum - b_part)) + (b - b_part)};
+  const N b_virtual = sum - a;
+  return {sum, (a - (sum - b_virtual)) + (b - b_virtual)};
 }
 
 /// a - b exactly.
 template <class N>
 [[gnu::always_inline]] inline DoubleDoubleOf<N> two_difference(N a, N b) noexcept {
   const N difference = a - b;
-  const N b_part = a - difference;
-  return {difference, (a - (difference + b_part)) + (b_part - b)};
+  const N b_virtual = a - difference;
+  return {difference, (a - (difference + b_virtual)) + (b_virtual - b)};
 }
 
 /// a * b exactly; |a|, |b| < 2^996 and the product either 0 or at least 2^-969.

@@ -31,8 +31,8 @@ BoundedPair bounded(const FixedInt<Limbs>& x) noexcept {
   for (int i = top - 1; i >= 0 && i >= top - 2; --i) {
     unit *= 0x1p-64;
     for (const bool high : {true, false}) {
-      const double part = half(magnitude.limb(i), high) * (high ? 0x1p32 * unit : unit);
-      sum = sum + DoubleDouble{part, 0};
+      const double term = half(magnitude.limb(i), high) * (high ? 0x1p32 * unit : unit);
+      sum = sum + DoubleDouble{term, 0};
     }
   }
   sum = normalised(sum);

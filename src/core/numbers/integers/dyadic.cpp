@@ -276,9 +276,10 @@ Dyadic Dyadic::product(const Dyadic& a, const Dyadic& b) {
       const Wide low_product = static_cast<Wide>(current) * y[0];
       const Wide high_product = static_cast<Wide>(previous) * y[1];
       Wide total = carried + static_cast<Limb>(low_product);
-      const Wide part = static_cast<Wide>(static_cast<Limb>(high_product)) + static_cast<Limb>(total);
-      column = static_cast<Limb>(part);
-      carried = (total >> kLimbBits) + (part >> kLimbBits) + (low_product >> kLimbBits) + (high_product >> kLimbBits);
+      const Wide low_sum = static_cast<Wide>(static_cast<Limb>(high_product)) + static_cast<Limb>(total);
+      column = static_cast<Limb>(low_sum);
+      carried =
+          (total >> kLimbBits) + (low_sum >> kLimbBits) + (low_product >> kLimbBits) + (high_product >> kLimbBits);
       limbs[i] = column;
       previous = current;
     }

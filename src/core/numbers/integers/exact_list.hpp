@@ -17,7 +17,7 @@ namespace touchstone::numbers {
 class ExactList {
  public:
   ExactList() noexcept : ExactList(0) {}
-  explicit ExactList(int size) : data_(place_for(size)), size_(size), capacity_(size) {
+  explicit ExactList(int size) : data_(storage_for(size)), size_(size), capacity_(size) {
     std::uninitialized_default_construct_n(data_, static_cast<std::size_t>(size));
   }
   ExactList(const Exact* first, int size) : ExactList(size) { std::copy_n(first, size, data_); }
@@ -53,7 +53,7 @@ class ExactList {
   static constexpr int kInline = 7;  // a degree of up to 6
 
   Exact* own() noexcept { return std::launder(reinterpret_cast<Exact*>(storage_)); }
-  Exact* place_for(int size) {
+  Exact* storage_for(int size) {
     return size <= kInline ? reinterpret_cast<Exact*>(storage_) : std::allocator<Exact>().allocate(capacity_of(size));
   }
   static std::size_t capacity_of(int size) noexcept { return static_cast<std::size_t>(size); }

@@ -67,9 +67,9 @@ Exact quotient(Exact numerator, const Exact& denominator, long exponent) {
   const Wide divisor(denominator);
   Exact result;
   for (;;) {
-    const Wide part = Wide(numerator) / divisor;
-    if (part.log2() < exponent) return result;
-    const Exact exact = part.exact();
+    const Wide term = Wide(numerator) / divisor;
+    if (term.log2() < exponent) return result;
+    const Exact exact = term.exact();
     result = result + exact;
     numerator = numerator - exact * denominator;
   }
@@ -244,8 +244,8 @@ int BernsteinForm::variations() const {
   return count;
 }
 
-std::pair<BernsteinForm, BernsteinForm> BernsteinForm::split(int place) const {
-  const Exact later(place / 64.0);
+std::pair<BernsteinForm, BernsteinForm> BernsteinForm::split(int position) const {
+  const Exact later(position / 64.0);
   const Exact earlier = Exact(1) - later;
   const std::size_t size = static_cast<std::size_t>(c_.size());
   BernsteinForm left(c_.size()), right = *this;

@@ -29,8 +29,8 @@ class BernsteinForm {
   /// multiplicity, and differs from it by an even number (Descartes' rule).
   int variations() const;
 
-  /// The forms over both parts of the interval, cut at low + place / 64 (high - low).
-  std::pair<BernsteinForm, BernsteinForm> split(int place) const;
+  /// The forms over both halves of the interval, cut at low + position / 64 (high - low).
+  std::pair<BernsteinForm, BernsteinForm> split(int position) const;
 
  private:
   explicit BernsteinForm(int size) : c_(size) {}

@@ -124,10 +124,10 @@ class OpenInterval {
       roots_.push(RealRoot::rational(-p_.c[1], Exact(2) * p_.c[2], 2));
       return;
     }
-    const int wanted = -sign_of(p_.c[2]);
+    const int expected = -sign_of(p_.c[2]);
     for (mp_bitcnt_t bits = kInDoubles;; bits *= 2) {
       const Exact separator = approximate_vertex(p_, bits);
-      if (!inside(separator) || sign_at_point(p_, separator) != wanted) continue;
+      if (!inside(separator) || sign_at_point(p_, separator) != expected) continue;
       push_between(Exact(0), separator);
       push_between(separator, limit_);
       return;
@@ -193,10 +193,10 @@ class OpenInterval {
       const bool before_limit =
           side < 0 ? !(side_limit <= 0 && slope_sign(limit_) >= 0) : side_limit > 0 && slope_sign(limit_) > 0;
       if (!after_zero || !before_limit) continue;
-      const int wanted = side < 0 ? orientation : -orientation;
+      const int expected = side < 0 ? orientation : -orientation;
       for (mp_bitcnt_t bits = kInDoubles;; bits *= 2) {
         const Exact separator = approximate_critical_point(p_, side, bits);
-        if (!inside(separator) || side_of_inflection(separator) != side || sign_at_point(p_, separator) != wanted)
+        if (!inside(separator) || side_of_inflection(separator) != side || sign_at_point(p_, separator) != expected)
           continue;
         push_if_inside(low, separator);
         low = separator;

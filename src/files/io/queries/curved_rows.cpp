@@ -57,7 +57,7 @@ std::string corner_names(Kind kind) {
   return names;
 }
 
-std::string wanted_corners(Kind kind) {
+std::string expected_corners(Kind kind) {
   const std::string name(name_of(kind));
   return (kind == Kind::edge_edge ? "an " : "a ") + name + " query has " + std::to_string(corner_count(kind)) + ":" +
          corner_names(kind);
@@ -104,9 +104,9 @@ struct CurvedRows::Columns {
   }
 
   std::string fault_of_count(std::string_view layout) const {
-    const auto wanted = static_cast<std::size_t>(std::count(layout.begin(), layout.end(), ',')) + 1;
-    if (count == wanted) return {};
-    return counted() + "; this row has " + std::to_string(wanted) + ": " + std::string(layout);
+    const auto expected = static_cast<std::size_t>(std::count(layout.begin(), layout.end(), ',')) + 1;
+    if (count == expected) return {};
+    return counted() + "; this row has " + std::to_string(expected) + ": " + std::string(layout);
   }
 
   std::string counted() const { return std::to_string(count) + (count == 1 ? " column" : " columns"); }
@@ -157,7 +157,7 @@ std::string CurvedRows::finish() {
   fault_line_ = last_line_;
   if (corners_ < corner_count(query_.kind)) {
     return "the query ends here with " + std::to_string(corners_) + (corners_ == 1 ? " corner" : " corners") + "; " +
-           wanted_corners(query_.kind);
+           expected_corners(query_.kind);
   }
   for (std::size_t m = 0; m < kMotions; ++m) {
     if (motion_line_[m] == 0 || used_[m]) continue;
@@ -216,7 +216,7 @@ std::string CurvedRows::add_motion(const Columns& columns, std::uint64_t line) {
 
 std::string CurvedRows::check_room() const {
   if (corners_ < corner_count(query_.kind)) return {};
-  return "one corner too many; " + wanted_corners(query_.kind) + ", and the next query starts with a row " +
+  return "one corner too many; " + expected_corners(query_.kind) + ", and the next query starts with a row " +
          std::string(kQueryRow);
 }
 

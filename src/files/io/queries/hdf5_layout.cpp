@@ -143,14 +143,14 @@ std::string hdf5_query_header(Kind kind, std::uint64_t count, bool with_claims) 
   append(superblock, kRoot, 8);
 
   std::string header = with_checksum(superblock);
-  const auto place = [&](std::uint64_t address, const std::string& bytes) {
+  const auto put = [&](std::uint64_t address, const std::string& bytes) {
     header.resize(std::max<std::size_t>(header.size(), address), '\0');
     header += bytes;
   };
-  place(kRoot, group({{kHdf5Group, kGroup}}));
-  place(kGroup, group({{"points", kPoints}, {"result", with_claims ? kResult : 0}}));
-  place(kPoints, dataset(kDoubles, {rows, 3}, kData, sizeof(double)));
-  if (with_claims) place(kResult, dataset(kBytes, {count}, results, 1));
+  put(kRoot, group({{kHdf5Group, kGroup}}));
+  put(kGroup, group({{"points", kPoints}, {"result", with_claims ? kResult : 0}}));
+  put(kPoints, dataset(kDoubles, {rows, 3}, kData, sizeof(double)));
+  if (with_claims) put(kResult, dataset(kBytes, {count}, results, 1));
   header.resize(kData, '\0');
   return header;
 }

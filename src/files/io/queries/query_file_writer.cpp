@@ -23,7 +23,7 @@ using Corners = std::array<Vec3, 4>;
 bool is_text(QueryFormat format) { return format == QueryFormat::csv || format == QueryFormat::hexfloat; }
 
 /// The pieces of a file that follow each other in it: see EncodedQueries.
-std::size_t part_count(const WrittenFile& file) {
+std::size_t piece_count(const WrittenFile& file) {
   switch (file.format) {
     case QueryFormat::binary: return 6 * corner_count(file.kind) + 1;
     case QueryFormat::hdf5: return 2;
@@ -94,7 +94,7 @@ std::uint64_t line_of_row(const QueryRecord& record, std::size_t row) {
   }
 }
 
-std::string place(const QueryRecord& record, Kind kind, std::size_t row, std::size_t axis) {
+std::string location(const QueryRecord& record, Kind kind, std::size_t row, std::size_t axis) {
   const std::size_t corners = corner_count(kind);
   return std::string(1, "xyz"[axis]) + " of " + std::string(corner_name(kind, row % corners)) +
          " at t = " + (row < corners ? "0" : "1") + " in query " + std::to_string(record.number);
@@ -111,7 +111,7 @@ std::string place(const QueryRecord& record, Kind kind, std::size_t row, std::si
       if (numbers::exact_double(fraction.numerator, fraction.denominator)) continue;
       const char name = "xyz"[axis];
       fail(source, line_of_row(record, row),
-           std::string(1, name) + "_num," + name + "_den (" + place(record, query.kind, row, axis) + ") is " +
+           std::string(1, name) + "_num," + name + "_den (" + location(record, query.kind, row, axis) + ") is " +
                shortened(fraction.numerator) + "/" + shortened(fraction.denominator) + ", which is no double; " +
                std::string(format_name(format)) + " holds doubles alone, and csv holds every fraction");
     }
@@ -123,7 +123,7 @@ std::string place(const QueryRecord& record, Kind kind, std::size_t row, std::si
   for_each_coordinate(query, [&](std::size_t row, std::size_t axis, double x) {
     if (!is_minus_zero(x)) return;
     fail(source, line_of_row(record, row),
-         place(record, query.kind, row, axis) +
+         location(record, query.kind, row, axis) +
              " is -0, and a fraction has no sign of zero; the other formats hold it, or --unsigned-zeros writes 0");
   });
   fail(source, record.first_row, "the query has a coordinate -0");
@@ -168,13 +168,13 @@ std::string fault_of_written_file(const WrittenFile& file) {
   return {};
 }
 
-EncodedQueries::EncodedQueries(const WrittenFile& file) : file_(file) { parts_.resize(part_count(file)); }
+EncodedQueries::EncodedQueries(const WrittenFile& file) : file_(file) { pieces_.resize(piece_count(file)); }
 
 void EncodedQueries::add_doubles(const Query& query) {
   std::size_t column = 0;
   const bool columns = file_.format == QueryFormat::binary;
   for_each_coordinate(query,
-                      [&](std::size_t, std::size_t, double x) { append_double(parts_[columns ? column++ : 0], x); });
+                      [&](std::size_t, std::size_t, double x) { append_double(pieces_[columns ? column++ : 0], x); });
 }
 
 void EncodedQueries::add(const std::string& source, const QueryRecord& record, std::optional<bool> truth) {
@@ -182,12 +182,12 @@ void EncodedQueries::add(const std::string& source, const QueryRecord& record, s
   ++count_;
   if (const auto* const rational = std::get_if<RationalQuery>(&record.query)) {
     if (file_.format != QueryFormat::csv) refuse_rational(source, record, file_.format);
-    append_query(parts_[0], *rational, claim);
+    append_query(pieces_[0], *rational, claim);
     return;
   }
   const auto* const curved = std::get_if<CurvedQuery>(&record.query);
   if (curved != nullptr && file_.format == QueryFormat::hexfloat) {
-    append_query(parts_[0], *curved, claim);
+    append_query(pieces_[0], *curved, claim);
     return;
   }
   const auto straight = curved != nullptr ? straight_motion_of(*curved) : std::optional(std::get<Query>(record.query));
@@ -199,13 +199,13 @@ void EncodedQueries::add(const std::string& source, const QueryRecord& record, s
   switch (file_.format) {
     case QueryFormat::csv:
       if (file_.signed_zeros && has_minus_zero(*straight)) refuse_minus_zero(source, record, *straight);
-      append_query(parts_[0], *straight, claim);
+      append_query(pieces_[0], *straight, claim);
       return;
-    case QueryFormat::hexfloat: append_query(parts_[0], on_curves(*straight), claim); return;
+    case QueryFormat::hexfloat: append_query(pieces_[0], on_curves(*straight), claim); return;
     case QueryFormat::binary:
     case QueryFormat::hdf5:
       add_doubles(*straight);
-      if (file_.with_claims) parts_.back() += claim ? '\1' : '\0';
+      if (file_.with_claims) pieces_.back() += claim ? '\1' : '\0';
       return;
     case QueryFormat::npy: add_doubles(*straight); return;
   }
@@ -218,16 +218,16 @@ QueryFileWriter::QueryFileWriter(const std::string& path, const WrittenFile& fil
     if (file.format == QueryFormat::hexfloat) out_.write(std::string(kCurvedHeader) + "\n");
     return;
   }
-  for (std::size_t i = 0; i < part_count(file); ++i) spools_.emplace_back(path);
+  for (std::size_t i = 0; i < piece_count(file); ++i) spools_.emplace_back(path);
 }
 
 void QueryFileWriter::write(const EncodedQueries& queries) {
   count_ += queries.count_;
   if (is_text(file_.format)) {
-    out_.write(queries.parts_[0]);
+    out_.write(queries.pieces_[0]);
     return;
   }
-  for (std::size_t i = 0; i < spools_.size(); ++i) spools_[i].write(queries.parts_[i]);
+  for (std::size_t i = 0; i < spools_.size(); ++i) spools_[i].write(queries.pieces_[i]);
 }
 
 void QueryFileWriter::commit() {

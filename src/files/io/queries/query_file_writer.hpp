@@ -63,7 +63,7 @@ class EncodedQueries {
   std::uint64_t count_ = 0;
   /// One for text and for .npy; of the binary format one for each column and then the claims; of HDF5 the doubles, in the
   /// order of .npy, and the claims.
-  std::vector<std::string> parts_;
+  std::vector<std::string> pieces_;
 };
 
 /// A file that appears when all of its queries are written.

@@ -137,8 +137,8 @@ bool QueryParser::next_of_array(QueryRecord& record) {
   auto& query = std::get<Query>(record.query);
   query.kind = chunk_.kind;
   record.number = query_++;
-  const std::uint64_t place = record.number - chunk_.array_start;
-  array.read(place, query);
+  const std::uint64_t index = record.number - chunk_.array_start;
+  array.read(index, query);
   const std::uint64_t rows = rows_per_query(chunk_.kind);
   record.first_row = record.number * rows + 1;
   record.last_row = record.first_row + rows - 1;
@@ -149,7 +149,7 @@ bool QueryParser::next_of_array(QueryRecord& record) {
     if ((x0.x - x0.x) + (x0.y - x0.y) + (x0.z - x0.z) + (x1.x - x1.x) + (x1.y - x1.y) + (x1.z - x1.z) == 0) continue;
     fail(*chunk_.file, "query " + std::to_string(record.number) + ": " + fault_of_numbers(query));
   }
-  record.truth = array.claim(place);
+  record.truth = array.claim(index);
   if (array.has_claims() && !record.truth) {
     fail(*chunk_.file, "query " + std::to_string(record.number) + ": the byte of its claim is neither 0 nor 1");
   }

@@ -62,7 +62,7 @@ Plot level_plot(const Report& report) {
   for (const SetResults& set : report.sets) {
     for (const Result& result : set.results) {
       if (!result.contestant.is_touchstone()) continue;
-      const auto percent = [&](std::size_t part) { return 100 * Result::fraction_of(part, result.asked); };
+      const auto percent = [&](std::size_t count) { return 100 * Result::fraction_of(count, result.asked); };
       text += fmt::format("\"{}\" {:.6g} {:.6g} {:.6g}\n", set.set.name, percent(result.levels.filter),
                           percent(result.levels.bracket), percent(result.levels.exact));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/doctor/found_parts.hpp"
+#include "cli/doctor/found_components.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -23,16 +23,18 @@ std::optional<std::string> find_checker() {
   return report::find_program("touchstone-check");
 }
 
-BuildPart part(const char* name, const std::optional<std::string>& place, const char* without, const char* package) {
-  return {name, place.has_value(), place ? io::printable(*place) : std::string(without), package};
+BuildComponent component(const char* name, const std::optional<std::string>& path, const char* without,
+                         const char* package) {
+  return {name, path.has_value(), path ? io::printable(*path) : std::string(without), package};
 }
 
 }  // namespace
 
-std::vector<BuildPart> found_parts() {
-  return {part("plots", report::find_gnuplot(), "gnuplot is not in PATH: report, stress and simulate draw no plots",
-               "gnuplot-nox"),
-          part("proof checker", find_checker(), "touchstone-check is neither beside this program nor in PATH", "")};
+std::vector<BuildComponent> found_components() {
+  return {
+      component("plots", report::find_gnuplot(), "gnuplot is not in PATH: report, stress and simulate draw no plots",
+                "gnuplot-nox"),
+      component("proof checker", find_checker(), "touchstone-check is neither beside this program nor in PATH", "")};
 }
 
 }  // namespace touchstone::cli

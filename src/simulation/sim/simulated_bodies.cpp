@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sim/body_part.hpp"
+#include "sim/simulated_bodies.hpp"
 
 #include <fmt/format.h>
 
@@ -37,14 +37,14 @@ bool sensible(const Vector3& x) { return x.allFinite() && x.lpNorm<Eigen::Infini
 
 }  // namespace
 
-BodyPart::BodyPart(const Scene& scene, const System& system, const Colliders& colliders,
-                   const linear::Cancellation& cancel)
+SimulatedBodies::SimulatedBodies(const Scene& scene, const System& system, const Colliders& colliders,
+                                 const linear::Cancellation& cancel)
     : system_(scene),
       colliders_(scene, system, colliders, system_),
       response_(colliders_, system, scene.settings, cancel),
       state_{system_.initial(), {}} {}
 
-void BodyPart::check_start(const BodiesState& bodies, const VectorX& q, std::string_view what) const {
+void SimulatedBodies::check_start(const BodiesState& bodies, const VectorX& q, std::string_view what) const {
   const auto touches = response_.touches({&bodies.bodies, &bodies.bodies, &q, &q});
   if (touches.found.empty()) return;
   const BodyPair& pair = touches.found.front().first;
@@ -57,8 +57,8 @@ void BodyPart::check_start(const BodiesState& bodies, const VectorX& q, std::str
   throw Error(fmt::format("{} begins with elements that touch: {}", what, colliders_.describe(pair)));
 }
 
-BodyResult BodyPart::step(const State& start, double h, double end_time, bool may_merge, const System& system,
-                          State& next) const {
+BodyResult SimulatedBodies::step(const State& start, double h, double end_time, bool may_merge, const System& system,
+                                 State& next) const {
   const auto count = static_cast<Eigen::Index>(3 * system.particle_count());
   const VectorX x0 = start.q.head(count);
   const VectorX v0 = start.v.head(count);
@@ -67,21 +67,22 @@ BodyResult BodyPart::step(const State& start, double h, double end_time, bool ma
   if (result.outcome == BodyResult::Outcome::too_fast || result.x1.size() == 0) return result;
   if ((result.x1.array() == next.q.head(count).array()).all()) return result;
   const VectorX before = next.q;
-  const Energies unpushed = sim::energies(system, next);
+  const Energies uncorrected = sim::energies(system, next);
   next.q.head(count) = result.x1;
   next.v.head(count) += result.velocity_change;
   next.frames = system.transported(next.frames, before, next.q);
-  const Energies pushed = sim::energies(system, next);
+  const Energies corrected = sim::energies(system, next);
   const BodyEnergies from = energies(), to = system_.energies(result.end.bodies);
   // A push moves a particle and none of its neighbours: what that stores must come from somewhere. Under a body at rest
   // the integrator relaxes the strains that carry it, and pushes restore them.
-  const double gained = (pushed.total() - unpushed.total()) + (to.kinetic - from.kinetic) + (to.load - from.load);
+  const double gained = (corrected.total() - uncorrected.total()) + (to.kinetic - from.kinetic) + (to.load - from.load);
   const double given = std::max(result.flows.driven, 0.0) + std::max(result.flows.corrections, 0.0);
-  result.strains_gain = gained > given + energy_tolerance(unpushed, pushed) + energy_of_carrying(system_, system, h);
+  result.strains_gain =
+      gained > given + energy_tolerance(uncorrected, corrected) + energy_of_carrying(system_, system, h);
   return result;
 }
 
-Refusal BodyPart::refusal_of(const BodyResult& result) const {
+Refusal SimulatedBodies::refusal_of(const BodyResult& result) const {
   Refusal refusal;
   switch (result.outcome) {
     case BodyResult::Outcome::too_fast: refusal.cause = Cause::turns_too_far; break;
@@ -97,7 +98,7 @@ Refusal BodyPart::refusal_of(const BodyResult& result) const {
   return refusal;
 }
 
-void BodyPart::check_state(const BodiesState& state, double time) const {
+void SimulatedBodies::check_state(const BodiesState& state, double time) const {
   const auto fail = [](std::size_t i, std::string_view key, std::string_view reason) {
     throw Error(fmt::format("bodies[{}].{}: {}", i, key, reason));
   };

@@ -11,9 +11,10 @@
 
 namespace touchstone::sim {
 
-class BodyPart {
+class SimulatedBodies {
  public:
-  BodyPart(const Scene& scene, const System& system, const Colliders& colliders, const linear::Cancellation& cancel);
+  SimulatedBodies(const Scene& scene, const System& system, const Colliders& colliders,
+                  const linear::Cancellation& cancel);
 
   const BodySystem& system() const noexcept { return system_; }
   const BodyColliders& colliders() const noexcept { return colliders_; }

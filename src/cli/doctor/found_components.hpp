@@ -9,6 +9,6 @@
 namespace touchstone::cli {
 
 /// Programs that commands start or that belong to their results, found now.
-std::vector<BuildPart> found_parts();
+std::vector<BuildComponent> found_components();
 
 }  // namespace touchstone::cli
