@@ -26,7 +26,7 @@ struct SolveItem : QueryItem {
   Counts counts;
 };
 
-void solve_queries(SolveItem& item, const std::vector<Input>& inputs, const SolveOptions& options) {
+void solve_queries(SolveItem& item, const std::vector<Input>& inputs, const SolveCommandOptions& options) {
   if (item.chunk.file == nullptr) return;  // reading failed
   const std::string file = io::csv_field(inputs[item.input].name);
   io::QueryParser parser(item.chunk, options.turns);
@@ -46,7 +46,7 @@ void solve_queries(SolveItem& item, const std::vector<Input>& inputs, const Solv
 
 }  // namespace
 
-int run_solve(const SolveOptions& options) {
+int run_solve(const SolveCommandOptions& options) {
   const std::vector<Input> inputs = find_inputs(options.files, options.kind);
   refuse_to_overwrite(options.out, options.files);
   const bool to_standard_output = options.out == "-";
@@ -83,7 +83,7 @@ int run_solve(const SolveOptions& options) {
 }
 
 void add_solve(CLI::App& program, Command& command) {
-  const auto options = std::make_shared<SolveOptions>();
+  const auto options = std::make_shared<SolveCommandOptions>();
   CLI::App* const subcommand = program.add_subcommand("solve", "Answer the queries of files, exactly");
   subcommand->add_option("FILE", options->files, "Query files")->required()->type_name("");
   add_query_options(*subcommand, *options);

@@ -9,11 +9,11 @@
 
 namespace touchstone::cli {
 
-struct SolveOptions : QueryOptions {
+struct SolveCommandOptions : QueryOptions {
   std::string out = "-";
 };
 
-int run_solve(const SolveOptions& options);
+int run_solve(const SolveCommandOptions& options);
 void add_solve(CLI::App& program, Command& command);
 
 }  // namespace touchstone::cli

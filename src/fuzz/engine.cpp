@@ -85,7 +85,7 @@ bool shrink_all(std::vector<Finding>& findings, const SolverFactory& make_solver
 
 }  // namespace
 
-Outcome run(const SolverFactory& make_solver, const Settings& settings, const Watch& watch) {
+SearchOutcome run(const SolverFactory& make_solver, const Settings& settings, const Watch& watch) {
   auto first_solver = make_solver();
   const std::vector<Kind> kinds = supported_kinds(*first_solver, settings.kinds);
   const GivenPlan given = given_to_ask(*first_solver, kinds, settings);
@@ -100,7 +100,7 @@ Outcome run(const SolverFactory& make_solver, const Settings& settings, const Wa
   std::vector<Searcher> searchers;
   for (std::size_t i = 0; i < thread_count(settings); ++i) searchers.emplace_back(settings, plan, given, state);
 
-  Outcome outcome;
+  SearchOutcome outcome;
   run_on_threads(
       searchers.size(), state.stop,
       [&](std::size_t i) {

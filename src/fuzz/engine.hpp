@@ -33,7 +33,7 @@ using Watch = std::function<bool(const Progress&)>;
 /// ends; the caller of `run` calls it once.
 using SolverFactory = std::function<std::unique_ptr<SolverUnderTest>()>;
 
-struct Outcome {
+struct SearchOutcome {
   std::uint64_t queries = 0;          ///< asked and judged
   double seconds = 0;                 ///< of the search
   std::uint64_t given = 0;            ///< given queries of a wanted kind
@@ -47,6 +47,6 @@ struct Outcome {
 
 /// @throws InvalidQuery  when the solver supports none of the kinds, or no given query is of one of them; exceptions of
 /// the factory pass through
-Outcome run(const SolverFactory& make_solver, const Settings& settings, const Watch& watch = {});
+SearchOutcome run(const SolverFactory& make_solver, const Settings& settings, const Watch& watch = {});
 
 }  // namespace touchstone::fuzz

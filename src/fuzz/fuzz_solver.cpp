@@ -109,7 +109,7 @@ FuzzReport fuzz_solver(const std::function<Claim(const Query&)>& solver, const F
     return reply;
   };
   const auto goes_on = [&options](const fuzz::Progress&) { return options.stop == nullptr || !*options.stop; };
-  fuzz::Outcome outcome =
+  fuzz::SearchOutcome outcome =
       fuzz::run([&ask] { return fuzz::callable_solver("the solver", ask); }, settings_of(options), goes_on);
   FuzzReport report;
   report.queries = outcome.queries;

@@ -68,17 +68,17 @@ std::uint64_t Plan::cases_of(std::uint64_t pair) const {
   return *cases_ / pairs + (pair < *cases_ % pairs ? 1 : 0);
 }
 
-std::optional<Piece> Plan::piece(std::uint64_t number) const {
+std::optional<CaseRange> Plan::piece(std::uint64_t number) const {
   const std::uint64_t pairs = families_.size() * kinds_.size();
   if (pairs == 0) return std::nullopt;
   const std::uint64_t round = number / pairs;
   const std::uint64_t pair = number % pairs;
-  Piece piece{families_[static_cast<std::size_t>(pair / kinds_.size())],
-              kinds_[static_cast<std::size_t>(pair % kinds_.size())], round * kPieceCases, kPieceCases};
+  CaseRange piece{families_[static_cast<std::size_t>(pair / kinds_.size())],
+                  kinds_[static_cast<std::size_t>(pair % kinds_.size())], round * kPieceCases, kPieceCases};
   if (!cases_) return piece;
   if (round >= rounds_) return std::nullopt;
   const std::uint64_t all = cases_of(pair);
-  piece.count = piece.first >= all ? 0 : std::min(kPieceCases, all - piece.first);
+  piece.count = piece.first_case >= all ? 0 : std::min(kPieceCases, all - piece.first_case);
   return piece;
 }
 

@@ -23,11 +23,11 @@ void check_sort(const SolverUnderTest& solver, bool curved);
 
 std::string kind_names(const std::vector<Kind>& kinds);  ///< "edge-edge, vertex-face"
 
-/// Cases `first` to `first + count - 1` of one family and kind.
-struct Piece {
+/// Cases `first_case` to `first_case + count - 1` of one family and kind.
+struct CaseRange {
   families::Family family;
   Kind kind;
-  std::uint64_t first;
+  std::uint64_t first_case;
   std::uint64_t count;
 };
 
@@ -52,7 +52,7 @@ class Plan {
   Plan(std::vector<families::Family> families, std::vector<Kind> kinds, std::optional<std::uint64_t> cases);
 
   /// Piece `number`, counted from 0; nothing after the last one.
-  std::optional<Piece> piece(std::uint64_t number) const;
+  std::optional<CaseRange> piece(std::uint64_t number) const;
 
  private:
   std::uint64_t cases_of(std::uint64_t pair) const;

@@ -33,7 +33,7 @@ void Searcher::ask_families(const JudgedSolver& solver) {
     const auto piece = plan_.piece(state_.next++);
     if (!piece) return;
     for (std::uint64_t i = 0; i < piece->count && !over(); ++i) {
-      start_from({{piece->family, piece->kind, settings_.seed, piece->first + i}}, solver);
+      start_from({{piece->family, piece->kind, settings_.seed, piece->first_case + i}}, solver);
     }
   }
 }

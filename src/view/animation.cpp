@@ -16,7 +16,7 @@ std::size_t AnimationShape::vertex_count() const noexcept {
   return count;
 }
 
-Animation::Animation(AnimationShape shape, std::vector<Plot> plots, const AnimationLimits& limits)
+Animation::Animation(AnimationShape shape, std::vector<AnimationPlot> plots, const AnimationLimits& limits)
     : shape_(std::move(shape)), plots_(std::move(plots)), limits_(limits) {
   const std::size_t vertices = shape_.vertex_count();
   const std::size_t bytes_of_frame = std::max<std::size_t>(6 * vertices, 1);
@@ -27,7 +27,7 @@ Animation::Animation(AnimationShape shape, std::vector<Plot> plots, const Animat
                 std::to_string(limits_.frame_bytes / 12) + " faces, and there are " + std::to_string(vertices) +
                 " and " + std::to_string(shape_.faces.size()));
   }
-  for (const Plot& plot : plots_) {
+  for (const AnimationPlot& plot : plots_) {
     for (const PlotSeries& series : plot.series) adds_up_.push_back(series.adds_up ? 1 : 0);
   }
 }

@@ -72,7 +72,7 @@ struct PlotSeries {
   std::string name;
   bool adds_up = false;
 };
-struct Plot {
+struct AnimationPlot {
   std::string title;  ///< text: "energy [J]"
   std::vector<PlotSeries> series;
 };
@@ -98,7 +98,7 @@ struct AnimationLimits {
 class Animation {
  public:
   /// @throws Error where not even two frames fit
-  Animation(AnimationShape shape, std::vector<Plot> plots, const AnimationLimits& limits = {});
+  Animation(AnimationShape shape, std::vector<AnimationPlot> plots, const AnimationLimits& limits = {});
 
   /// The next frame. @param positions  three finite coordinates for each vertex  @param values  of the plots' series
   void add_frame(double time, std::uint64_t number, const std::vector<double>& positions,
@@ -113,7 +113,7 @@ class Animation {
   void add_story(AnimationStory story);
 
   const AnimationShape& shape() const noexcept { return shape_; }
-  const std::vector<Plot>& plots() const noexcept { return plots_; }
+  const std::vector<AnimationPlot>& plots() const noexcept { return plots_; }
   const AnimationLimits& limits() const noexcept { return limits_; }
   const std::vector<AnimationFrame>& frames() const noexcept { return frames_; }
   const std::vector<AnimationPair>& pairs() const noexcept { return pairs_; }
@@ -131,7 +131,7 @@ class Animation {
   void leave_out_every_second();
 
   AnimationShape shape_;
-  std::vector<Plot> plots_;
+  std::vector<AnimationPlot> plots_;
   AnimationLimits limits_;
   std::size_t most_frames_;
   std::vector<char> adds_up_;  // by series of all plots

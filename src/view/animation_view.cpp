@@ -171,7 +171,7 @@ std::string plots_html(const Animation& animation) {
   std::string html = "<div class=\"plots\">\n";
   std::size_t column = 0;
   for (std::size_t p = 0; p < animation.plots().size(); ++p) {
-    const Plot& plot = animation.plots()[p];
+    const AnimationPlot& plot = animation.plots()[p];
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const AnimationFrame& frame : frames) {
       for (std::size_t s = 0; s < plot.series.size(); ++s) {

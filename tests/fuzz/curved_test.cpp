@@ -56,7 +56,7 @@ class PlantedBug final : public fuzz::AnsweringSolver {
   std::string name_ = "planted";
 };
 
-std::string text_of(const fuzz::Outcome& outcome) {
+std::string text_of(const fuzz::SearchOutcome& outcome) {
   std::string text = std::to_string(outcome.queries);
   for (const fuzz::Finding& finding : outcome.findings) {
     text.append("\n").append(name_of(finding.failure)).append(fuzz::case_text(finding.example.name));
@@ -66,7 +66,7 @@ std::string text_of(const fuzz::Outcome& outcome) {
 }
 
 TEST_CASE("fuzzing curves: our methods have no failure, and the oracle agrees") {
-  const fuzz::Outcome fast = fuzz::run(named("touchstone"), curved_settings(4000));
+  const fuzz::SearchOutcome fast = fuzz::run(named("touchstone"), curved_settings(4000));
   CHECK(fast.queries == effort(4000));
   CHECK(fast.kinds_of_failure == 0);
   fuzz::Settings by_oracle = curved_settings(300);
@@ -82,7 +82,7 @@ TEST_CASE("fuzzing curves: a planted bug is found, shrunk, and repeated by the c
   const auto planted = [] { return std::make_unique<PlantedBug>(); };
   fuzz::Settings settings = curved_settings(1000);
   settings.most_findings = 4;
-  const fuzz::Outcome outcome = fuzz::run(planted, settings);
+  const fuzz::SearchOutcome outcome = fuzz::run(planted, settings);
   REQUIRE(!outcome.findings.empty());
   for (const fuzz::Finding& finding : outcome.findings) {
     CHECK(finding.failure == fuzz::FailureClass::missed);
@@ -191,7 +191,8 @@ TEST_CASE("fuzzing curves: ours hold against each other with separations, one fo
   settings.families = families_of_one_scale();
   settings.separation = {0.75, metric};
   settings.own_separations = GENERATE(false, true);
-  const fuzz::Outcome outcome = fuzz::run([&] { return fuzz::named_solver(name, settings.separation); }, settings);
+  const fuzz::SearchOutcome outcome =
+      fuzz::run([&] { return fuzz::named_solver(name, settings.separation); }, settings);
   CAPTURE(text_of(outcome));
   CHECK(outcome.kinds_of_failure == 0);
   if (!whole_effort("that every family has cases")) return;
@@ -224,7 +225,7 @@ TEST_CASE("fuzzing curves: a solver that is wrong about separations is found out
   settings.own_separations = true;
   settings.shrink_tries = 100;
   settings.most_findings = 4;
-  const fuzz::Outcome outcome = fuzz::run([] { return std::make_unique<ForgetfulSolver>(); }, settings);
+  const fuzz::SearchOutcome outcome = fuzz::run([] { return std::make_unique<ForgetfulSolver>(); }, settings);
   CHECK(outcome.table.total().failed() > 0);
   for (const fuzz::Finding& finding : outcome.findings) {
     const fuzz::Asked asked = fuzz::asked_in_case(finding.example.name, fuzz::case_source(settings));

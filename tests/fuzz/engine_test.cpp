@@ -31,12 +31,12 @@ fuzz::Settings lattice_settings(std::uint64_t cases = 8000) {
   return settings;
 }
 
-std::uint64_t failures(const fuzz::Outcome& outcome, FailureClass failure) {
+std::uint64_t failures(const fuzz::SearchOutcome& outcome, FailureClass failure) {
   return outcome.table.total().failures[fuzz::FailureTable::index(failure)];
 }
 
 /// All results of a run except its time.
-std::string text_of(const fuzz::Outcome& outcome) {
+std::string text_of(const fuzz::SearchOutcome& outcome) {
   std::ostringstream text;
   text << outcome.queries << ' ' << outcome.kinds_of_failure << '\n';
   for (const families::FamilyInfo& family : families::all_families()) {
@@ -95,7 +95,7 @@ TEST_CASE("a planted bug of every class is found, counted and kept through shrin
   CAPTURE(name_of(planted.failure));
   fuzz::Settings settings = lattice_settings();
   settings.early.fraction = 0.01;
-  const fuzz::Outcome outcome = fuzz::run(toy(planted.spoil), settings);
+  const fuzz::SearchOutcome outcome = fuzz::run(toy(planted.spoil), settings);
   CHECK(outcome.queries == 8000);
   CHECK(failures(outcome, planted.failure) > 100);
   CHECK(failures(outcome, planted.failure) == outcome.table.total().failed());
@@ -119,7 +119,7 @@ TEST_CASE("a planted bug of every class is found, counted and kept through shrin
 }
 
 TEST_CASE("a solver that is right is found right") {
-  const fuzz::Outcome outcome = fuzz::run(toy([](const Query&, Reply&) {}), lattice_settings());
+  const fuzz::SearchOutcome outcome = fuzz::run(toy([](const Query&, Reply&) {}), lattice_settings());
   CHECK(outcome.queries == 8000);
   CHECK(outcome.table.total().failed() == 0);
   CHECK(outcome.findings.empty());
@@ -134,7 +134,7 @@ TEST_CASE("one query in a thousand that is wrong is found") {
   });
   fuzz::Settings settings = lattice_settings(40'000);
   settings.families = {families::Family::lattice2};
-  const fuzz::Outcome outcome = fuzz::run(factory, settings);
+  const fuzz::SearchOutcome outcome = fuzz::run(factory, settings);
   CHECK(outcome.table.total().failed() > 0);
   CHECK(outcome.table.total().failed() < 100);
   REQUIRE_FALSE(outcome.findings.empty());
@@ -155,7 +155,8 @@ TEST_CASE("of whole answers everything is compared") {
       default: answer.weights_b[1] -= 0x1p-48; break;
     }
   };
-  const fuzz::Outcome outcome = fuzz::run([spoil] { return std::make_unique<WholeToy>(spoil); }, lattice_settings());
+  const fuzz::SearchOutcome outcome =
+      fuzz::run([spoil] { return std::make_unique<WholeToy>(spoil); }, lattice_settings());
   CHECK(failures(outcome, FailureClass::differs) > 100);
   CHECK(failures(outcome, FailureClass::differs) == outcome.table.total().failed());
   CHECK_FALSE(outcome.findings.front().example.detail.empty());
@@ -168,7 +169,7 @@ TEST_CASE("ours hold against each other in every family, with hill climbing and 
   settings.climb = GENERATE(0u, 10u);
   const bool slow = std::string(name) == "oracle" || std::string(name) == "fast-cgal";
   settings.cases = slow ? (settings.climb > 0 ? 160 : 1600) : 32'000 / (settings.climb + 1);
-  const fuzz::Outcome outcome = fuzz::run([name] { return fuzz::named_solver(name); }, settings);
+  const fuzz::SearchOutcome outcome = fuzz::run([name] { return fuzz::named_solver(name); }, settings);
   CHECK(outcome.queries >= (slow ? 1500u : 30'000u));
   CHECK(text_of(outcome).find("differs") == std::string::npos);
   CHECK(outcome.table.total().failed() == 0);
@@ -188,7 +189,8 @@ TEST_CASE("ours hold against each other with separations of their own, with hill
   const bool slow = std::string(name) == "oracle";
   settings.cases = (slow || TOUCHSTONE_SLOW_BUILD ? 208 : metric == Metric::max ? 416 : 2080);
   if (settings.climb > 0) settings.cases = *settings.cases / settings.climb;
-  const fuzz::Outcome outcome = fuzz::run([&] { return fuzz::named_solver(name, settings.separation); }, settings);
+  const fuzz::SearchOutcome outcome =
+      fuzz::run([&] { return fuzz::named_solver(name, settings.separation); }, settings);
   CAPTURE(text_of(outcome));
   CHECK(outcome.queries >= 200);
   CHECK(outcome.table.total().failed() == 0);
@@ -219,7 +221,7 @@ TEST_CASE("a solver that keeps the first separation is found out") {
   settings.families = {families::Family::gap_crossing};
   settings.cases = 400;
   settings.shrink_tries = 200;
-  const fuzz::Outcome outcome = fuzz::run([] { return std::make_unique<Forgetful>(); }, settings);
+  const fuzz::SearchOutcome outcome = fuzz::run([] { return std::make_unique<Forgetful>(); }, settings);
   CHECK(failures(outcome, FailureClass::missed) > 10);
   CHECK(failures(outcome, FailureClass::phantom) + failures(outcome, FailureClass::late) > 10);
   for (const fuzz::Finding& finding : outcome.findings) {
@@ -274,7 +276,7 @@ TEST_CASE("a case alone shows the finding that the run kept", "[slow]") {
   settings.climb = 2;
   settings.families.clear();
   const auto factory = [] { return fuzz::named_solver("paper"); };
-  const fuzz::Outcome outcome = fuzz::run(factory, settings);
+  const fuzz::SearchOutcome outcome = fuzz::run(factory, settings);
   REQUIRE(outcome.findings.size() > 10);
   for (const fuzz::Finding& finding : outcome.findings) {
     CAPTURE(fuzz::case_text(finding.example.name));
@@ -293,12 +295,12 @@ TEST_CASE("the watch is told how far it is and can end the search") {
   fuzz::Settings settings;
   settings.threads = 2;
   std::uint64_t calls = 0, seen = 0;
-  const fuzz::Outcome outcome = fuzz::run([] { return fuzz::named_solver("paper"); }, settings,
-                                          [&](const fuzz::Progress& progress) {
-                                            CHECK(progress.queries >= seen);
-                                            seen = progress.queries;
-                                            return ++calls < 3;
-                                          });
+  const fuzz::SearchOutcome outcome = fuzz::run([] { return fuzz::named_solver("paper"); }, settings,
+                                                [&](const fuzz::Progress& progress) {
+                                                  CHECK(progress.queries >= seen);
+                                                  seen = progress.queries;
+                                                  return ++calls < 3;
+                                                });
   CHECK(outcome.stopped);
   CHECK(calls == 3);
   CHECK(outcome.queries >= seen);
@@ -309,7 +311,7 @@ TEST_CASE("the watch is told how far it is and can end the search") {
 TEST_CASE("a limit in seconds ends the search") {
   fuzz::Settings settings;
   settings.seconds = 0.2;
-  const fuzz::Outcome outcome = fuzz::run(toy([](const Query&, Reply&) {}), settings);
+  const fuzz::SearchOutcome outcome = fuzz::run(toy([](const Query&, Reply&) {}), settings);
   CHECK_FALSE(outcome.stopped);
   CHECK(outcome.queries > 100);
   CHECK(outcome.seconds >= 0.2);
@@ -337,7 +339,7 @@ TEST_CASE("of given queries the outcome says how many there are, how many were a
     const Kind kind = i % 2 == 0 ? Kind::edge_edge : Kind::point_point;
     settings.given.push_back(families::make({families::Family::lattice1, kind, 1, i}));
   }
-  const auto numbers = [](const fuzz::Outcome& outcome) {
+  const auto numbers = [](const fuzz::SearchOutcome& outcome) {
     return std::vector<std::uint64_t>{outcome.queries, outcome.given_asked, outcome.given, outcome.given_not_taken};
   };
   CHECK(numbers(fuzz::run(points_only, settings)) == std::vector<std::uint64_t>{3, 3, 6, 3});

@@ -18,7 +18,7 @@ TEST_CASE("the pieces of a plan hold as many cases as asked for, each once, shar
   std::uint64_t sum = 0, number = 0;
   while (const auto piece = plan.piece(number++)) {
     auto& first = next[{piece->family, piece->kind}];
-    if (piece->count > 0) CHECK(piece->first == first);
+    if (piece->count > 0) CHECK(piece->first_case == first);
     first += piece->count;
     sum += piece->count;
     REQUIRE(number < 1000);
@@ -35,7 +35,7 @@ TEST_CASE("a plan without an end goes round all families and kinds") {
     const auto piece = plan.piece(number);
     REQUIRE(piece.has_value());
     auto& first = next[{piece->family, piece->kind}];
-    CHECK(piece->first == first);
+    CHECK(piece->first_case == first);
     first += piece->count;
   }
   CHECK(next.size() == 4);
@@ -48,11 +48,11 @@ TEST_CASE("as many given queries are asked as wanted, those of other kinds not c
   std::get<Query>(given[7]).kind = Kind::point_edge;
   const auto all = fuzz::plan_of_given(given, {}, {Kind::edge_edge, Kind::point_point}, std::nullopt);
   CHECK(all.to_ask == std::vector<std::uint64_t>{0, 1, 2, 3, 4, 5, 6, 8});
-  CHECK(all.wanted == 9);
+  CHECK(all.selected == 9);
   CHECK(all.not_taken == 1);
   const auto some = fuzz::plan_of_given(given, {Kind::edge_edge, Kind::point_edge}, {Kind::edge_edge}, 3);
   CHECK(some.to_ask == std::vector<std::uint64_t>{1, 2, 4});
-  CHECK(some.wanted == 6);
+  CHECK(some.selected == 6);
   CHECK(some.not_taken == 1);
 }
 

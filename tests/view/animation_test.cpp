@@ -30,7 +30,7 @@ AnimationShape small_shape() {
   return shape;
 }
 
-std::vector<Plot> small_plots() { return {{"<i>energy</i>", {{"total"}, {"contacts", true}}}}; }
+std::vector<AnimationPlot> small_plots() { return {{"<i>energy</i>", {{"total"}, {"contacts", true}}}}; }
 
 std::vector<double> positions(double height) { return {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, height, 1, 1, height}; }
 

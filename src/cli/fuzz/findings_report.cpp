@@ -44,7 +44,7 @@ std::string progress_for_person(const fuzz::Progress& progress) {
   return text;
 }
 
-std::string search_for_person(const FuzzCommandOptions& options, const fuzz::Outcome& outcome, int threads) {
+std::string search_for_person(const FuzzCommandOptions& options, const fuzz::SearchOutcome& outcome, int threads) {
   const std::string solver = options.solver.command.empty() ? options.solver.solver : options.solver.command;
   const Separation& separation = options.separation.separation;
   std::string about = separation.distance > 0 ? ", " + separation_for_person(separation) : std::string();
@@ -56,7 +56,7 @@ std::string search_for_person(const FuzzCommandOptions& options, const fuzz::Out
                      grouped(rate(outcome.queries, outcome.seconds)), outcome.stopped ? "; interrupted" : "");
 }
 
-std::string given_for_person(const fuzz::Outcome& outcome) {
+std::string given_for_person(const fuzz::SearchOutcome& outcome) {
   if (outcome.given_asked == outcome.given) return "";
   std::string text =
       fmt::format("asked {} of the {}", grouped(outcome.given_asked), counted(outcome.given, "given query"));

@@ -14,10 +14,10 @@ namespace touchstone::cli {
 std::string progress_for_person(const fuzz::Progress& progress);
 
 /// The solver, the judge, the seed, and the number and rate of the queries.
-std::string search_for_person(const FuzzCommandOptions& options, const fuzz::Outcome& outcome, int threads);
+std::string search_for_person(const FuzzCommandOptions& options, const fuzz::SearchOutcome& outcome, int threads);
 
 /// The number of given queries that were asked; empty when all of them were.
-std::string given_for_person(const fuzz::Outcome& outcome);
+std::string given_for_person(const fuzz::SearchOutcome& outcome);
 
 /// Failures by family and class. Families without failures are left out. Empty without any failure.
 std::string table_for_person(const fuzz::FailureTable& table);

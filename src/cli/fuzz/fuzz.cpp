@@ -80,7 +80,7 @@ int run_fuzz(const FuzzCommandOptions& options) {
   if (!settings.cases && !settings.seconds && options.from.empty()) settings.seconds = kUsualSeconds;
   if (settings.seconds) settings.shrink_seconds = std::max(kUsualSeconds, *settings.seconds);
 
-  fuzz::Outcome outcome;
+  fuzz::SearchOutcome outcome;
   {
     ProgressLine line;
     outcome =

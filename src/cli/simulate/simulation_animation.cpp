@@ -46,7 +46,7 @@ view::AnimationShape shape_of(const sim::Simulation& simulation) {
   return shape;
 }
 
-std::vector<view::Plot> plots() {
+std::vector<view::AnimationPlot> plots() {
   return {{"energy [J]", {{"total"}, {"kinetic"}, {"stretch"}, {"bend"}, {"twist"}, {"load"}}},
           {"pairs since the frame before", {{"close", true}, {"contacts", true}, {"crossings", true}}}};
 }

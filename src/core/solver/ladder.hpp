@@ -12,14 +12,14 @@
 
 namespace touchstone::solver {
 
-struct Rung {
+struct LadderRung {
   std::string_view name;
   std::string_view applies;  ///< to which queries
   std::string_view proves;
   Level level;  ///< of its answers; a rescaled query's are of the rung that decides it then
 };
 
-inline constexpr std::array<Rung, 13> kLadder = {{
+inline constexpr std::array<LadderRung, 13> kLadder = {{
     {"same side", "two edges, a vertex and a face", "no contact", Level::filter},
     {"shared corner", "a corner in common at all times", "contact at 0", Level::filter},
     {"boxes", "all", "no contact", Level::filter},

@@ -87,12 +87,12 @@ void serve_plugin(const std::string& path, SharedCall& call) {
   double told = call.separation;
   void* state = nullptr;
   if (plugin != nullptr && plugin->init != nullptr) {
-    call.stage = Stage::initialising;
+    call.stage = CallStage::initialising;
     const int status = plugin->init(&state);
     if (status != 0) refuse(call, "its init returned " + std::to_string(status));
   }
   if (plugin != nullptr) call.kinds = plugin->kinds;
-  call.stage = Stage::ready;
+  call.stage = CallStage::ready;
   raise(call, Side::child, call.answered);
   if (call.failure[0] != '\0') return;
 
@@ -103,7 +103,7 @@ void serve_plugin(const std::string& path, SharedCall& call) {
     if (call.ends != 0) break;
     const std::array<double, 12> start = call.start, end = call.end;  // so that the plugin has no business in `call`
     double toi = std::numeric_limits<double>::quiet_NaN();
-    call.stage = Stage::solving;
+    call.stage = CallStage::solving;
     if (const double separation = call.separation; separation != told) {
       call.refused = takes_separation(tell, separation, call.metric) ? 0 : 1;
       told = separation;
@@ -111,10 +111,10 @@ void serve_plugin(const std::string& path, SharedCall& call) {
     call.status =
         call.refused != 0 ? 0 : plugin->solve(state, static_cast<int>(call.kind), start.data(), end.data(), &toi);
     call.toi = toi;
-    call.stage = Stage::ready;
+    call.stage = CallStage::ready;
     raise(call, Side::child, call.answered);
   }
-  call.stage = Stage::ending;
+  call.stage = CallStage::ending;
   if (plugin->teardown != nullptr) plugin->teardown(state);
 }
 

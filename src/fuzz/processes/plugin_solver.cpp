@@ -53,7 +53,7 @@ class Run {
 
   ~Run() {
     // A child that is ready is told to end, so that its teardown runs. A child in the middle of a query is not.
-    if (call().stage.load() != Stage::ready || child_.ended()) return;
+    if (call().stage.load() != CallStage::ready || child_.ended()) return;
     call().ends = 1;
     raise(call(), Side::parent, call().asked);
     child_.wait_until(Clock::now() + limits_.farewell);
@@ -168,7 +168,7 @@ class PluginSolver : public SolverUnderTest {
       if (reason.empty()) return reason;
       reason = io::printable(reason);
     } else {
-      const bool loading = run_->call().stage.load() == Stage::loading;
+      const bool loading = run_->call().stage.load() == CallStage::loading;
       reason = end == Run::End::died ? std::string("its process ended while it was ") +
                                            (loading ? "loaded" : "initialised") + ", by " + run_->child().story()
                                      : std::string(loading ? "loading it" : "its init") + " takes longer than " +

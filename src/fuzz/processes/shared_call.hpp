@@ -10,7 +10,7 @@
 namespace touchstone::fuzz {
 
 /// The stage of the child's work. After the child's death, this is the stage in which it died.
-enum class Stage : std::uint32_t { loading, initialising, ready, solving, ending };
+enum class CallStage : std::uint32_t { loading, initialising, ready, solving, ending };
 
 /// Lives in shared memory. The child runs hostile code that may write anything here, so the parent reads plain numbers
 /// only, once each, and checks them.
@@ -18,7 +18,7 @@ struct SharedCall {
   std::atomic<std::uint32_t> asked{0};     ///< raised by the parent when a query is ready
   std::atomic<std::uint32_t> answered{0};  ///< raised by the child when it is ready, and for each answer
   std::atomic<std::uint32_t> asleep[2]{};  ///< not 0: the parent, or the child, may sleep and must be woken
-  std::atomic<Stage> stage{Stage::loading};
+  std::atomic<CallStage> stage{CallStage::loading};
 
   // The separation, from the beginning; 0: touching. The parent may set another one together with a query.
   double separation = 0;
@@ -39,7 +39,7 @@ struct SharedCall {
   std::uint32_t kinds = 0;
   std::array<char, 512> failure{};  ///< why it cannot run, or ""
 };
-static_assert(std::atomic<std::uint32_t>::is_always_lock_free && std::atomic<Stage>::is_always_lock_free);
+static_assert(std::atomic<std::uint32_t>::is_always_lock_free && std::atomic<CallStage>::is_always_lock_free);
 
 enum class Side : std::uint8_t { parent, child };
 

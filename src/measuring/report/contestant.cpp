@@ -99,14 +99,14 @@ std::vector<Contestant> curved_contestants(const std::vector<double>& tolerances
 namespace {
 
 template <class AnyQuery>
-Reply reply_of_solver(Method method, const AnyQuery& query, const Separation& separation) {
+ContestantReply reply_of_solver(Method method, const AnyQuery& query, const Separation& separation) {
   const Answer answer = solve(query, {.separation = separation, .method = method});
   return {claim_of(answer.contact, answer.toi), answer.level};
 }
 
 }  // namespace
 
-Reply ask(const Contestant& contestant, const CurvedQuery& query, const Separation& separation) {
+ContestantReply ask(const Contestant& contestant, const CurvedQuery& query, const Separation& separation) {
   if (contestant.curved == nullptr) return reply_of_solver(contestant.method, query, separation);
   const auto result = contestant.curved->solve(query, kWholeStep, contestant.tolerance);
   return {claim_of(result.contact, result.toi), Level::exact};
@@ -123,8 +123,8 @@ void ask_all(const Contestant& contestant, const std::vector<CurvedQuery>& queri
   for (std::size_t i = 0; i < count; ++i) do_not_optimize(function(queries[i], kWholeStep, contestant.tolerance));
 }
 
-Reply ask(const Contestant& contestant, const Query& query, const Separation& separation) {
-  Reply reply;
+ContestantReply ask(const Contestant& contestant, const Query& query, const Separation& separation) {
+  ContestantReply reply;
   if (contestant.thick != nullptr) {
     const auto result = contestant.thick->solve(query, separation.distance, kWholeStep, contestant.tolerance);
     reply.claim = claim_of(result.contact, result.toi);

@@ -59,12 +59,12 @@ std::vector<Contestant> contestants(const std::vector<double>& tolerances, const
 std::vector<Contestant> curved_contestants(const std::vector<double>& tolerances, const Separation& separation = {});
 
 /// The reply of a contestant to one query, for a separation. A contestant for curved queries gets these alone.
-struct Reply {
+struct ContestantReply {
   Claim claim;
   Level level = Level::exact;  ///< the level that decided; only of the solver's own methods
 };
-Reply ask(const Contestant& contestant, const Query& query, const Separation& separation);
-Reply ask(const Contestant& contestant, const CurvedQuery& query, const Separation& separation);
+ContestantReply ask(const Contestant& contestant, const Query& query, const Separation& separation);
+ContestantReply ask(const Contestant& contestant, const CurvedQuery& query, const Separation& separation);
 
 /// Asks the first `count` queries and forgets the answers: for timing.
 void ask_all(const Contestant& contestant, const std::vector<Query>& queries, std::size_t count,

@@ -41,7 +41,7 @@ std::array<double, 5> percentiles(std::vector<double> values) {
   return result;
 }
 
-void count(const Reply& reply, const Answer& truth, Result& result, std::vector<std::int64_t>& errors) {
+void count(const ContestantReply& reply, const Answer& truth, Result& result, std::vector<std::int64_t>& errors) {
   result.contacts += truth.contact;
   switch (judge(reply.claim, truth)) {
     case Verdict::missed: ++result.missed; break;
@@ -68,7 +68,7 @@ std::vector<double> first_round(const QuerySet& set, const std::vector<AnyQuery>
   const auto begin = Clock::now();
   for (std::size_t i = 0; i < queries.size(); ++i) {
     const auto start = Clock::now();
-    const Reply reply = ask(result.contestant, queries[i], set.separation);
+    const ContestantReply reply = ask(result.contestant, queries[i], set.separation);
     microseconds.push_back(1e6 * seconds_since(start));
     count(reply, set.truth[i], result, errors);
     if (seconds_since(begin) > budget) break;

@@ -149,7 +149,7 @@ bool proximity(const Colliders& colliders, const Pair& pair, const VectorX& x0, 
   return true;
 }
 
-bool apply_impulse(const Contact& contact, const ImpulseRule& rule, const Motion& motion) {
+bool apply_impulse(const Contact& contact, const ImpulseRule& rule, const Displacements& motion) {
   const Vector3& n = contact.normal;
   Vector3 moved = Vector3::Zero(), response = Vector3::Zero();  // response: to a unit impulse along each axis
   for (std::size_t c = 0; c < contact.corners; ++c) {

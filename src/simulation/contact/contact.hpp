@@ -54,7 +54,7 @@ struct ContactImpulses {
 };
 
 /// The displacements of a substep, on which impulses act. Divided by its length they are velocities.
-struct Motion {
+struct Displacements {
   const VectorX* x0 = nullptr;
   VectorX* x1 = nullptr;
   VectorX* correction = nullptr;          ///< the position corrections in x1, which are no velocity
@@ -66,6 +66,6 @@ struct Motion {
 /// Applies the corrected impulse when the elements approach: with K = sum omega_i^2 / m_i the normal velocity v_n
 /// becomes -e v_n and the tangential one shrinks by at most mu |dv_n| (Bridson et al. 2002). Elements closer than the
 /// thickness then get a position correction, which adds no velocity. @returns whether x1 changed
-bool apply_impulse(const Contact& contact, const ImpulseRule& rule, const Motion& motion);
+bool apply_impulse(const Contact& contact, const ImpulseRule& rule, const Displacements& motion);
 
 }  // namespace touchstone::sim

@@ -158,7 +158,7 @@ bool Response::Attempt::resolve_by_impulses(std::vector<Contact> known) {
   VectorX& x1 = result_.end.q;
   double driven = 0;
   ContactImpulses* const impulses = response_->measures_flows_ ? &applied_ : nullptr;
-  const Motion motion{&start_->q, &x1, &correction_, &model_->inverse_mass(), &driven, impulses};
+  const Displacements motion{&start_->q, &x1, &correction_, &model_->inverse_mass(), &driven, impulses};
   std::vector<char> touched(model_->system().particle_count(), 0);
   const auto resolve_all = [&](const std::vector<Contact>& contacts) {
     bool any = false;

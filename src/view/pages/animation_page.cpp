@@ -90,7 +90,7 @@ nlohmann::json data_of(const Animation& animation, const AnimationWords& words, 
     data["origins"].push_back(frame.drawn.origin);
   }
   std::size_t column = 0;
-  for (const Plot& plot : animation.plots()) {
+  for (const AnimationPlot& plot : animation.plots()) {
     nlohmann::json series = nlohmann::json::array();
     for (std::size_t s = 0; s < plot.series.size(); ++s, ++column) {
       nlohmann::json values = nlohmann::json::array();
