@@ -224,8 +224,8 @@ void try_constructions(const Elements& elements, const Exact& time, Events event
   for (const CornerAndEdge& pair : corners_and_edges(elements.kind)) {
     if (try_one(on_edge(elements, pair))) return;
   }
-  for (std::size_t i = 0; i < elements.first; ++i) {
-    for (std::size_t j = elements.first; j < elements.count; ++j) {
+  for (std::size_t i = 0; i < elements.first_count; ++i) {
+    for (std::size_t j = elements.first_count; j < elements.count; ++j) {
       if (try_one(at_corners(elements, i, j))) return;
     }
   }
@@ -236,7 +236,7 @@ std::vector<Dense> conditions(const Elements& elements, const std::array<Dense, 
   std::array<Dense, 2> sums;
   std::array<DenseVector, 2> points;
   for (std::size_t i = 0; i < elements.count; ++i) {
-    const std::size_t element = i < elements.first ? 0 : 1;
+    const std::size_t element = i < elements.first_count ? 0 : 1;
     sums[element] = sums[element] + scaled_by(elements.weights[i], weights[i]);
     for (std::size_t k = 0; k < 3; ++k) {
       points[element][k] = points[element][k] + weights[i] * elements.corners[i][k];

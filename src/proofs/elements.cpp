@@ -12,7 +12,7 @@ Elements empty_elements(Kind kind, const Separation& separation, const Exact& fa
   Elements elements;
   elements.kind = kind;
   elements.count = corner_count(kind);
-  elements.first = kind == Kind::edge_edge ? 2 : 1;
+  elements.first_count = kind == Kind::edge_edge ? 2 : 1;
   elements.separation = Exact(separation.distance) * factor;
   elements.metric = separation.metric;
   return elements;

@@ -18,8 +18,8 @@ namespace touchstone::proofs {
 /// weights[i], and this weight is positive over [0, 1]: 1 for straight motion and for curves, |q|^2 for a body.
 struct Elements {
   Kind kind = Kind::edge_edge;
-  std::size_t count = 0;  ///< the number of corners
-  std::size_t first = 0;  ///< the number of corners of the first element, which come first
+  std::size_t count = 0;        ///< the number of corners
+  std::size_t first_count = 0;  ///< the number of corners of the first element, which come first
   std::array<DenseVector, 4> corners;
   std::array<Dense, 4> weights;
   std::array<int, 4> motions{};  ///< corners with the same one have the same weight
@@ -55,8 +55,8 @@ struct Elements {
   /// Calls f(i, j) for each corner i of the first element and each corner j of the second one.
   template <class F>
   void for_each_pair(F&& f) const {
-    for (std::size_t i = 0; i < first; ++i) {
-      for (std::size_t j = first; j < count; ++j) f(i, j);
+    for (std::size_t i = 0; i < first_count; ++i) {
+      for (std::size_t j = first_count; j < count; ++j) f(i, j);
     }
   }
 };

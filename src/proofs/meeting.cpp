@@ -21,7 +21,7 @@ using numbers::RealRoot;
 bool keep_positive(const Elements& elements, const std::array<int, 4>& signs, std::array<Dense, 4>& weights) {
   // The sign is that of the sum over an element, and may differ between the elements.
   for (const auto& [begin, end] :
-       {std::pair{std::size_t{0}, elements.first}, std::pair{elements.first, elements.count}}) {
+       {std::pair{std::size_t{0}, elements.first_count}, std::pair{elements.first_count, elements.count}}) {
     int side = 0;
     for (std::size_t i = begin; i < end; ++i) {
       if (signs[i] == 0) {

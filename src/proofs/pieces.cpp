@@ -114,12 +114,12 @@ std::vector<DenseVector> moving_directions(const Elements& elements) {
     const auto add = [&](const DenseVector& edge) {
       for (const DoubleVector& axis : kAxes) directions.push_back(geometry::cross(edge, constant(axis)));
     };
-    const std::size_t second = elements.count - elements.first;  // the number of its corners
-    if (elements.first == 2) add(elements.difference(1, 0));
-    if (second >= 2) add(elements.difference(elements.first + 1, elements.first));
+    const std::size_t second = elements.count - elements.first_count;  // the number of its corners
+    if (elements.first_count == 2) add(elements.difference(1, 0));
+    if (second >= 2) add(elements.difference(elements.first_count + 1, elements.first_count));
     if (second == 3) {
-      add(elements.difference(elements.first + 2, elements.first));
-      add(elements.difference(elements.first + 2, elements.first + 1));
+      add(elements.difference(elements.first_count + 2, elements.first_count));
+      add(elements.difference(elements.first_count + 2, elements.first_count + 1));
     }
   }
   return directions;
@@ -194,7 +194,7 @@ class PieceSearch {
   RelativeCorners relative_corners(const Exact& from, const Exact& to) const {
     RelativeCorners corners;
     corners.count = elements_.count;
-    corners.first_count = elements_.first;
+    corners.first_count = elements_.first_count;
     corners.largest = 0;
     for (std::size_t i = 0; i < elements_.count; ++i) {
       const DenseVector relative = elements_.difference(i, 0);

@@ -133,7 +133,7 @@ ClosestPoints closest_points(const MovingCorners& corners, const Exact& t) {
   for (const CornerSets& chosen : corner_sets_of(corners.kind)) {
     const auto weights = weights_of(chosen, points);
     if (!weights) continue;
-    Exact distance = squared_distance(points, *weights, corners.first, corners.count);
+    Exact distance = squared_distance(points, *weights, corners.first_count, corners.count);
     if (!best || distance < best->squared_distance) best = ClosestPoints{*weights, std::move(distance)};
   }
   return *best;  // two corners always give one

@@ -14,7 +14,7 @@ MovingCorners corners_of_kind(Kind kind) {
   MovingCorners result;
   result.kind = kind;
   result.count = corner_count(kind);
-  result.first = kind == Kind::edge_edge ? 2 : 1;
+  result.first_count = kind == Kind::edge_edge ? 2 : 1;
   return result;
 }
 

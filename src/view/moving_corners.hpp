@@ -20,8 +20,8 @@ using ExactVector = geometry::Vector<Exact>;
 /// Corner i is at numerators[i](t) / denominator(t). The denominator is positive on [0, 1].
 struct MovingCorners {
   Kind kind = Kind::edge_edge;
-  std::size_t count = 0;  ///< the number of corners
-  std::size_t first = 0;  ///< the number of corners of the first element, which come first
+  std::size_t count = 0;        ///< the number of corners
+  std::size_t first_count = 0;  ///< the number of corners of the first element, which come first
   std::array<DenseVector, 4> numerators;
   Dense denominator;
 

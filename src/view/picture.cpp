@@ -109,8 +109,8 @@ Motions motions_of(const MovingCorners& corners, const Origin& origin, double t_
   Motions motions;
   for (std::size_t i = 0; i < corners.count; ++i) motions.corners[i] = shifted(corners.numerators[i], origin.t);
   motions.denominator = trimmed(shifted(corners.denominator, origin.t));
-  motions.feet = {weighted(motions.corners, origin.weights, 0, corners.first),
-                  weighted(motions.corners, origin.weights, corners.first, corners.count)};
+  motions.feet = {weighted(motions.corners, origin.weights, 0, corners.first_count),
+                  weighted(motions.corners, origin.weights, corners.first_count, corners.count)};
   LargestExponent largest;
   const Exact zero(0);
   for (const Exact& s : {zero, -origin.t, Exact(t_max) - origin.t}) {
@@ -244,7 +244,7 @@ json picture_of(const io::FileQuery& query, const Answer& answer, double t_max, 
   for (std::size_t i = 0; i < corners.count; ++i) {
     names.push_back(std::string(corner_name(corners.kind, i)));
     weights.push_back(numbers::to_double(origin.weights[i]));
-    offsets.push_back(lengths(motions.corners[i] - motions.feet[i < corners.first ? 0 : 1]));
+    offsets.push_back(lengths(motions.corners[i] - motions.feet[i < corners.first_count ? 0 : 1]));
   }
   const DenseVector gap = motions.feet[1] - motions.feet[0];
   constexpr double kDeepest = 200, kNearlyZero = -190;  // the origin of a contact is within about 2^-240
@@ -252,7 +252,7 @@ json picture_of(const io::FileQuery& query, const Answer& answer, double t_max, 
   const bool apart = logarithm && *logarithm > kNearlyZero;
   json result = {{"kind", std::string(name_of(corners.kind))},
                  {"names", std::move(names)},
-                 {"first", corners.first},
+                 {"first", corners.first_count},
                  {"planar", corners.is_planar()},
                  {"contact", answer.contact},
                  {"separation", separation.distance > 0},

@@ -122,7 +122,7 @@ void build(const Material& from, Number first, Number last, LargeVector<Node>& n
 /// A node near the root. Its children are both 0, or numbers of other subtrees; without children, it has a tree of its
 /// own.
 struct Subtree {
-  Number first, last;
+  Number begin, end;
   std::size_t children[2] = {0, 0};
   LargeVector<Node> tree;
 };
@@ -133,8 +133,8 @@ constexpr std::size_t kSubtreeLevels = 6;  // 64 subtrees: enough for most machi
 /// The tree's upper levels, level by level, each level's nodes on several threads; then the trees below them.
 std::vector<Subtree> build_subtrees(const Material& from, int threads) {
   std::vector<Subtree> subtrees(1);
-  subtrees[0].first = 0;
-  subtrees[0].last = static_cast<Number>(from.items.size());
+  subtrees[0].begin = 0;
+  subtrees[0].end = static_cast<Number>(from.items.size());
   std::size_t level_begin = 0;
   for (std::size_t level = 0; level < kSubtreeLevels; ++level) {
     const std::size_t level_end = subtrees.size();
@@ -142,18 +142,18 @@ std::vector<Subtree> build_subtrees(const Material& from, int threads) {
     threads::for_each_range(middles.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const Subtree& subtree = subtrees[level_begin + i];
-        if (subtree.last - subtree.first > kSubtreeBoxes) middles[i] = split(from.items, subtree.first, subtree.last);
+        if (subtree.end - subtree.begin > kSubtreeBoxes) middles[i] = split(from.items, subtree.begin, subtree.end);
       }
     });
     for (std::size_t i = 0; i < middles.size(); ++i) {
       if (middles[i] == 0) continue;
       const std::size_t at = level_begin + i;
-      const Number bounds[3] = {subtrees[at].first, middles[i], subtrees[at].last};
+      const Number bounds[3] = {subtrees[at].begin, middles[i], subtrees[at].end};
       for (std::size_t child = 0; child < 2; ++child) {
         subtrees[at].children[child] = subtrees.size();
         Subtree subtree;
-        subtree.first = bounds[child];
-        subtree.last = bounds[child + 1];
+        subtree.begin = bounds[child];
+        subtree.end = bounds[child + 1];
         subtrees.push_back(std::move(subtree));
       }
     }
@@ -161,7 +161,7 @@ std::vector<Subtree> build_subtrees(const Material& from, int threads) {
   }
   threads::for_each_range(subtrees.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (subtrees[i].children[0] == 0) build(from, subtrees[i].first, subtrees[i].last, subtrees[i].tree);
+      if (subtrees[i].children[0] == 0) build(from, subtrees[i].begin, subtrees[i].end, subtrees[i].tree);
     }
   });
   return subtrees;
@@ -178,7 +178,7 @@ void put_together(std::vector<Subtree>& subtrees, std::size_t subtree, LargeVect
     LargeVector<Node>().swap(subtrees[subtree].tree);
     return;
   }
-  nodes.push_back({empty_moving_box(), subtrees[subtree].first, subtrees[subtree].last, 0});
+  nodes.push_back({empty_moving_box(), subtrees[subtree].begin, subtrees[subtree].end, 0});
   put_together(subtrees, subtrees[subtree].children[0], nodes);
   nodes[at].second = static_cast<Number>(nodes.size());
   put_together(subtrees, subtrees[subtree].children[1], nodes);
@@ -209,10 +209,10 @@ class Comparison {
     const Node &x = a_.node(in_a), &y = b_.node(in_b);
     if (!meet(x.box, y.box, until_())) return;
     if (x.is_leaf() && y.is_leaf()) {
-      for (Number i = x.first; i < x.last; ++i) {
+      for (Number i = x.begin; i < x.end; ++i) {
         const MovingBox& box = a_.box(i);
         if (!meet(box, y.box, until_())) continue;
-        for (Number j = y.first; j < y.last; ++j) {
+        for (Number j = y.begin; j < y.end; ++j) {
           if (meet(box, b_.box(j), until_())) found_(i, j);
         }
       }
@@ -229,8 +229,8 @@ class Comparison {
   void within(Number at) const {
     const Node& x = a_.node(at);
     if (x.is_leaf()) {
-      for (Number i = x.first; i < x.last; ++i) {
-        for (Number j = i + 1; j < x.last; ++j) {
+      for (Number i = x.begin; i < x.end; ++i) {
+        for (Number j = i + 1; j < x.end; ++j) {
           if (meet(a_.box(i), a_.box(j), until_())) found_(i, j);
         }
       }

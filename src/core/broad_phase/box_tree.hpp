@@ -42,10 +42,10 @@ class BoxTree {
 
   struct Node {
     MovingBox box;
-    Number first, last;  ///< the range of its boxes' positions: from `first` up to, but without, `last`
-    Number second;       ///< the second child; the first one comes next. 0: a leaf
+    Number begin, end;  ///< the positions of its boxes: begin, ..., end - 1
+    Number second;      ///< the second child; the first one comes next. 0: a leaf
     bool is_leaf() const noexcept { return second == 0; }
-    Number size() const noexcept { return last - first; }
+    Number size() const noexcept { return end - begin; }
   };
 
   bool empty() const noexcept { return nodes_.empty(); }

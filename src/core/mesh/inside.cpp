@@ -114,7 +114,7 @@ void find_winding_numbers(const InsideSearch& search, const Pieces& pieces, std:
   struct Start {
     Ray ray;
     double last;
-    std::size_t first, end;  // in `nested`
+    std::size_t begin, end;  // in `nested`
   };
   std::vector<Start> rays;
   std::vector<char> is_outer(pieces.size(), 0);
@@ -150,7 +150,7 @@ void find_winding_numbers(const InsideSearch& search, const Pieces& pieces, std:
           const Start& start = rays[pairs[n][0]];
           const Index outer = pieces.of_face(faces[pairs[n][1]]);
           const auto end = nested.begin() + static_cast<std::ptrdiff_t>(start.end);
-          const auto around = std::lower_bound(nested.begin() + static_cast<std::ptrdiff_t>(start.first), end, outer,
+          const auto around = std::lower_bound(nested.begin() + static_cast<std::ptrdiff_t>(start.begin), end, outer,
                                                [](const Around& a, Index number) { return a.outer < number; });
           if (around == end || around->outer != outer) continue;
           const auto corners = corners_of(pairs[n][1]);
@@ -178,7 +178,7 @@ std::vector<Around> surfaces_around(const InsideSearch& search, const Pieces& pi
     const Piece &inner = pieces[one.inner], &outer = pieces[one.outer];
     return met.count({one.inner, one.outer}) != 0 ||
            (search.mesh.has_rules() &&
-            !corners_may_collide(search.mesh, std::array{inner.vertex}, search.mesh.faces[outer.first]));
+            !corners_may_collide(search.mesh, std::array{inner.vertex}, search.mesh.faces[outer.least]));
   });
   find_winding_numbers(search, pieces, nested);
   for (Around& one : nested) one.winding = pieces[one.outer].sort == PieceSort::even ? one.winding & 1 : one.winding;
@@ -205,7 +205,7 @@ std::map<Index, int> signs_of_volumes(const InsideSearch& search, const Pieces& 
 /// The surfaces around one piece.
 struct AroundOne {
   Index inner;
-  const Around *first, *last;
+  const Around *begin, *end;
   Index outermost;
   int sum = 0;
 };
@@ -223,7 +223,7 @@ std::vector<AroundOne> by_inner(const Pieces& pieces, const std::vector<Around>&
   for (const Around& one : all) {
     if (groups.empty() || groups.back().inner != one.inner) groups.push_back({one.inner, &one, &one, one.outer});
     AroundOne& group = groups.back();
-    group.last = &one + 1;
+    group.end = &one + 1;
     group.sum += one.winding;
     if (order(one.outer) < order(group.outermost)) group.outermost = one.outer;
   }
@@ -246,13 +246,12 @@ void add_inside(const Mesh::Impl& mesh, const Motion& motion, int threads, const
     const int sign = signs.at(one.inner);
     const bool in_room = signs.at(one.outermost) < 0;
     if (sign == 0 || (sign > 0 ? one.sum + (in_room ? 1 : 0) <= 0 : one.sum >= 0)) continue;
-    const Around* const outer =
-        std::find_if(one.first, one.last, [&](const Around& o) { return o.winding * sign > 0; });
+    const Around* const outer = std::find_if(one.begin, one.end, [&](const Around& o) { return o.winding * sign > 0; });
     Intersection found;
     found.first_element = MeshElement::vertex;
     found.first = pieces[one.inner].vertex;
     found.second_element = MeshElement::face;
-    found.second = pieces[outer->outer].first;
+    found.second = pieces[outer->outer].least;
     found.sort = IntersectionSort::inside;
     all.push_back(found);
   }
@@ -295,7 +294,7 @@ TOUCHSTONE_BEHIND_GUARD std::vector<EnclosedPart> find_enclosed_parts(const Mesh
     EnclosedPart& piece = enclosed.emplace_back();
     piece.element = element_of(pieces[one.inner].sort);
     piece.vertex = pieces[one.inner].vertex;
-    std::for_each(one.first, one.last, [&](const Around& o) { piece.faces.push_back(pieces[o.outer].first); });
+    std::for_each(one.begin, one.end, [&](const Around& o) { piece.faces.push_back(pieces[o.outer].least); });
   }
   std::stable_sort(enclosed.begin(), enclosed.end(),
                    [](const EnclosedPart& a, const EnclosedPart& b) { return a.vertex < b.vertex; });

@@ -144,7 +144,7 @@ void Pieces::find_pieces(geometry::UnionFind& sets, const Motion& motion) {
       of_[n] = size();
       Piece& piece = all_.emplace_back();
       piece.sort = n < faces ? PieceSort::oriented : n < connected ? PieceSort::wire : PieceSort::point;
-      piece.first = n < faces ? least : n < connected ? mesh_.wires[n - faces] : corners[0];
+      piece.least = n < faces ? least : n < connected ? mesh_.wires[n - faces] : corners[0];
       piece.middle = {corners[0], corners[0]};
       piece.branches = n < faces;
     }

@@ -23,7 +23,7 @@ enum class PieceSort : std::uint8_t {
 
 struct Piece {
   PieceSort sort = PieceSort::point;
-  Index first = 0;                ///< its least element: a face, a wire's edge or a vertex
+  Index least = 0;                ///< its least element: a face, a wire's edge or a vertex
   Index vertex = 0;               ///< its least vertex that is in no other piece; without such, its least one
   std::array<Index, 2> middle{};  ///< the ends of one of its edges; in no other piece and at two places, if it has one
   bool branches = false;  ///< edges with three faces or more connect it, or all of its edges are in other pieces, too

@@ -123,7 +123,7 @@ Boxes boxes_near(Sweep& sweep, const std::vector<Element>& elements, const std::
   };
   if (clusters.empty()) look_at(0, static_cast<Index>(elements.size()));
   for (const Cluster& cluster : clusters) {
-    if (broad_phase::meet(sweep.box_of(cluster), other)) look_at(cluster.first, cluster.last);
+    if (broad_phase::meet(sweep.box_of(cluster), other)) look_at(cluster.begin, cluster.end);
   }
   return near;
 }

@@ -9,11 +9,11 @@
 
 namespace touchstone::sim {
 
-/// The elements [first, last) of a body lie within `radius` of a centre, in the body's frame.
+/// The elements [begin, end) of a body lie within `radius` of a centre, in the body's frame.
 struct Cluster {
   Vector3 centre = Vector3::Zero();
   double radius = 0;  ///< m, rounded up
-  Index first = 0, last = 0;
+  Index begin = 0, end = 0;
 };
 
 /// Clusters of elements that follow each other: those of a wire, of a strip of faces or of a row of vertices.
@@ -26,11 +26,11 @@ std::vector<Cluster> clusters_of(const std::vector<Vector3>& points, const std::
   const auto count = static_cast<Index>(elements.size());
   for (Index first = 0; first < count; first += kMost) {
     Cluster& cluster = clusters.emplace_back();
-    cluster.first = first;
-    cluster.last = std::min(first + kMost, count);
+    cluster.begin = first;
+    cluster.end = std::min(first + kMost, count);
     Vector3 low = points[elements[first][0]], high = low;
     const auto for_each_corner = [&](const auto& visit) {
-      for (Index i = cluster.first; i < cluster.last; ++i) {
+      for (Index i = cluster.begin; i < cluster.end; ++i) {
         for (const Index corner : elements[i]) visit(points[corner]);
       }
     };
