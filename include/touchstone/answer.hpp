@@ -98,10 +98,10 @@ Names names_of<Trend>() noexcept;
 template <>
 Names names_of<Wanted>() noexcept;
 
-/// The answer to one query. With a separation d > 0, `touch` below means to be within d, the touched features are those
-/// that hold the closest points, and the weights are those of the closest points. Without contact only `contact` and
-/// `level` have a meaning; both times are then +infinity. Of a contact, what was not wanted is as without contact,
-/// except that unwanted times are NaN.
+/// The answer to one query. With a separation d > 0, `touch` below means to be within d. The touched features then hold
+/// the closest points, and the weights are those of the closest points. Without contact only `contact` and `level` have
+/// a meaning, and both times are +infinity. SolveOptions::wanted may leave members of a contact out: these are as
+/// without contact, but times are NaN.
 struct Answer {
   bool contact = false;               ///< Whether the elements touch at any time in [0, t_max].
   Level level = Level::exact;         ///< Which level decided.
@@ -126,7 +126,7 @@ struct Answer {
   ///
   /// With a separation in the largest-axis metric there may be many pairs of closest points. The answer gives the one
   /// with the lexicographically smallest weights, of the first element and then of the second. A zero-length edge is
-  /// its first corner. Of a flat triangle the first of f0, f1, f2, f01, f12, f20 counts that holds closest points.
+  /// its first corner. A flat triangle is the first of f0, f1, f2, f01, f12, f20 that holds closest points.
   std::array<double, 3> weights_a{};
 
   /// The same on the second element: (b0, b1, 0) or (e0, e1, 0) for an edge, (f0, f1, f2) for a face, (1, 0, 0) for a

@@ -17,14 +17,15 @@ inline namespace TOUCHSTONE_ABI {
 ///
 /// With a separation d > 0 the normal points from the closest point of the first element to that of the second.
 ///
-/// With d = 0 the normal is along n: for two edges (a1 - a0) x (b1 - b0), for a face (f1 - f0) x (f2 - f0). It points
-/// from the first element to the second as they lie just before the time: the product with b0 - a0, or with f0 - v, is
-/// positive then. If the corners are coplanar at all times, so that there is no such side, it points as n does.
+/// With d = 0 the normal is parallel to n. Two edges have n = (a1 - a0) x (b1 - b0), and a face has n = (f1 - f0) x
+/// (f2 - f0). The normal points from the first element to the second, at their positions just before the time: its
+/// product with b0 - a0, or with f0 - v, is positive then. If the corners are coplanar at all times, there is no such
+/// side, and the normal points as n does.
 /// @param query       the two elements and their motion
 /// @param separation  the distance that they are to keep; the metric of a distance > 0 is Euclidean
 /// @param t_max       the end of the time range, 0 <= t_max <= 1
-/// @return the normal. Nothing without a contact; nothing where d = 0 and n = 0 or the kind has no n; nothing where
-///         d > 0 and the elements touch at t = 0, so that the closest points are one point
+/// @return the normal. It is empty in four cases: there is no contact; d = 0 and n = 0; d = 0 and the kind has no n;
+///         d > 0 and the elements touch at t = 0, where the closest points are one point
 /// @throws InvalidQuery  for a NaN or infinite coordinate, a t_max outside [0, 1], a distance that is negative or not
 ///                       finite, or a distance > 0 in a metric that is not Euclidean, because the closest points are
 ///                       then not unique

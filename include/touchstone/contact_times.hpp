@@ -57,13 +57,13 @@ inline bool operator<(const ExactTime& a, const ExactTime& b) { return a.compare
 
 /// A closed interval of touching times.
 struct ContactInterval {
-  ExactTime first;  ///< The first instant of the contact.
-  ExactTime last;   ///< The last instant of the contact; equal to `first` when the contact is a single instant.
+  ExactTime first;  ///< The earliest instant of the contact.
+  ExactTime last;   ///< The latest instant of the contact; equal to `first` when the contact is a single instant.
 };
 
-/// The set of all t in [0, t_max] at which the elements are within a separation of each other, with distance 0: touch,
-/// as disjoint closed intervals in ascending order. It is empty without contact. The first instant of the first
-/// interval is the exact time that `solve` encloses. Exact arithmetic computes it.
+/// The set of all t in [0, t_max] at which the elements are within a separation of each other. With distance 0 these
+/// are the times at which they touch. The set is a list of disjoint closed intervals in ascending order, and is empty
+/// without contact. The earliest instant is the exact time that `solve` encloses. Exact arithmetic computes the set.
 /// @param query       the two elements and their motion
 /// @param separation  the distance and its metric
 /// @param t_max       the end of the time range, 0 <= t_max <= 1

@@ -23,9 +23,9 @@ inline namespace TOUCHSTONE_ABI {
 /// @param query    the two elements and their motion
 /// @param options  what is asked, and how it is answered
 /// @return the answer
-/// @throws InvalidQuery  naming what and where: a NaN or infinite number, a quaternion that is zero at an end or
-///                       between (then with the change that helps), a motion or number of control points out of range,
-///                       an unknown kind, or options without meaning
+/// @throws InvalidQuery  for a NaN or infinite number, a quaternion that is zero at an end or between them, a motion or
+///                       number of control points out of range, an unknown kind, or options without meaning. The
+///                       message names the value and its place, and for a zero quaternion the change that helps
 Answer solve(const CurvedQuery& query, const SolveOptions& options);
 
 /// The same about touching in [0, 1], by Method::fast.
@@ -39,7 +39,7 @@ Answer solve(const CurvedQuery& query);
 std::vector<Answer> solve_batch(const std::vector<CurvedQuery>& queries, const BatchOptions& options = {});
 
 /// The same into the caller's memory. When it throws, no answer is valid.
-/// @param queries  the first of `count` queries
+/// @param queries  a pointer to the first of `count` queries
 /// @param count    the number of queries
 /// @param answers  room for `count` answers; answers[i] becomes the answer to queries[i]
 /// @param options  how they are answered; the vectors' width has no effect
@@ -48,7 +48,7 @@ void solve_batch(const CurvedQuery* queries, std::size_t count, Answer* answers,
 
 /// Whether a body takes the longer of the two turns between its orientations: q0 . q1 < 0, decided exactly. q1 and -q1
 /// are the same orientation, and recorded poses often have the other sign by chance. The body then turns nearly once
-/// around, and a contact on that way is one of another motion than was meant.
+/// around, and may have contacts that the intended motion does not have.
 bool takes_longer_turn(const RigidMotion& motion);
 
 /// The same poses at both ends with the shorter turn between them: q1 has the other sign where the body takes the

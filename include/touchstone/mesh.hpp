@@ -28,8 +28,8 @@ using MeshIndex = std::uint32_t;
 /// Two elements of a mesh: edge and edge, vertex and face, vertex and edge, or vertex and vertex.
 struct MeshPair {
   Kind kind = Kind::edge_edge;  ///< which elements
-  MeshIndex first = 0;          ///< the number of an edge, or of a vertex for the other three kinds
-  MeshIndex second = 0;         ///< the number of an edge, face, edge or vertex
+  MeshIndex first = 0;          ///< the number of the first element: an edge, or a vertex for the other three kinds
+  MeshIndex second = 0;         ///< the number of the second element: an edge, face, edge or vertex
 
   /// Whether both are the same pair.
   bool operator==(const MeshPair& other) const noexcept {
@@ -130,13 +130,15 @@ class Mesh {
   /// edges, a vertex and a face, a loose point and an edge that is in no face, the end of an edge that is in no face
   /// and another such edge at its other end, and two loose points. In two dimensions they are a vertex and an edge, and
   /// two loose points. Two elements that share a vertex, or that the rules exclude, never collide. Vertices that are
-  /// neither in an edge nor a loose point never collide. Where two elements that share a vertex fold onto each other, a
-  /// corner of one comes to lie in the other, or an edge meets the other's opposite edge: a pair that may collide.
+  /// neither in an edge nor a loose point never collide. Two elements that share a vertex may fold onto each other.
+  /// Then a corner of one comes to lie in the other, or an edge of one meets the opposite edge of the other: such a
+  /// pair may collide.
   /// @throws InvalidMesh  for an element that does not exist
   bool may_collide(const MeshPair& pair) const;
 
-  /// The separation of a pair. In three dimensions it is 0 for a vertex in an edge, and an edge: neighbours along a
-  /// wire only fold onto each other. @throws InvalidMesh  for an element that does not exist
+  /// The separation of a pair. In three dimensions it is 0 for a pair of a vertex and an edge, if the vertex is in
+  /// another edge: neighbours along a wire only fold onto each other. @throws InvalidMesh  for an element that does not
+  /// exist
   Separation separation(const MeshPair& pair) const;
 
   /// The vertices of a pair in the order of a query's corners; those past corner_count(kind) are 0.
@@ -166,7 +168,7 @@ struct Positions {
   /// No positions.
   Positions() = default;
 
-  /// Contiguous positions: x y z x y z ..., or x y x y ...
+  /// Contiguous positions: x y z x y z ..., or x y x y ... `first` points to the first coordinate of all.
   Positions(const double* first, std::size_t vertices, int coordinates = 3)
       : data(first), count(vertices), dimension(coordinates), vertex_stride(coordinates) {}
 
@@ -203,8 +205,8 @@ struct StepOptions : MeshOptions {
 
 /// The options of first_contact.
 struct FirstContactOptions : StepOptions {
-  /// Whether `intersections` is asked about the start, too. A step is about a start that is free: where one element
-  /// passes through another at t = 0, and no pair touches, no contact need follow.
+  /// Whether `intersections` is asked about the start, too. An answer about a step assumes a free start: elements that
+  /// pierce each other at t = 0, without a pair that touches, may move on without a contact.
   bool check_start = false;
 };
 
@@ -237,7 +239,8 @@ enum class IntersectionSort : std::uint8_t {
   /// along another edge. Two faces that lie folded onto each other have such an edge.
   folds,
   /// The vertex's closed surface lies wholly inside the face's, has the same orientation, and shares at most vertices
-  /// with it. The face is the least one there, and the vertex the least one that is in nothing else, if there is one.
+  /// with it. The face is the least one of its surface. The vertex is the least one of its surface that is in no other
+  /// surface or wire; if there is none, it is the least one of its surface.
   inside
 };
 
@@ -251,7 +254,7 @@ std::string_view intersection_verb(IntersectionSort sort) noexcept;
 
 /// Two elements of a mesh that share a point at rest, or of which one is inside the other's surface.
 struct Intersection {
-  MeshElement first_element = MeshElement::edge;   ///< an edge, or a vertex that is a loose point or inside
+  MeshElement first_element = MeshElement::edge;   ///< an edge, or a vertex: a loose point, or one that is inside
   MeshIndex first = 0;                             ///< its number
   MeshElement second_element = MeshElement::face;  ///< a face, an edge or a vertex
   MeshIndex second = 0;                            ///< its number
@@ -259,9 +262,9 @@ struct Intersection {
   IntersectionSort sort = IntersectionSort::touches;  ///< how they meet
 
   /// A common point: barycentric coordinates on the first element, (e0, e1, 0) for an edge and (1, 0, 0) for a vertex,
-  /// and on the second one. Each is within 2^-50 of its true value. Of several common points it is one that is nearest
-  /// to the edge's first corner; of elements that fold, to its corner that is not shared. Elements that are inside have
-  /// no common point, and zeros.
+  /// and on the second one. Each is within 2^-50 of its true value. Of several common points, the answer is one that is
+  /// nearest to the edge's first corner. If the elements fold, it is one that is nearest to the edge's corner that is
+  /// not shared. Elements that are inside have no common point, and zeros.
   std::array<double, 3> weights_first{};
   std::array<double, 3> weights_second{};  ///< the same on the second element
 };
@@ -276,11 +279,11 @@ struct FirstContact {
   /// The smallest double >= this time; infinity without contact.
   double toi_upper = std::numeric_limits<double>::infinity();
 
-  /// Every pair whose contact begins at exactly that time, in ascending order. Where the time is no double, the times
-  /// of the pairs are compared as algebraic numbers.
+  /// The earliest contacts: every pair whose contact begins at exactly that time, in ascending order. Where the time is
+  /// no double, the times of the pairs are compared as algebraic numbers.
   std::vector<MeshContact> first;
 
-  /// Every pair in contact at t = 0, in ascending order. Their later contacts are not told.
+  /// Every pair in contact at t = 0, in ascending order. Later contacts of these pairs are not reported.
   std::vector<MeshContact> at_start;
 
   /// Whether the start was asked about, by FirstContactOptions::check_start.
@@ -293,10 +296,10 @@ struct FirstContact {
   bool free() const noexcept { return !contact && at_start.empty() && start_intersections.empty(); }
 };
 
-/// The first contact while each vertex moves on a straight line from its position in x0 to that in x1, over all pairs
-/// for which Mesh::may_collide is true: the same as by `solve` of each of them. A pair of which one element passes
-/// through the other at the start, but no pair touches, is not in contact: `intersections` finds it, and
-/// FirstContactOptions::check_start asks for that.
+/// The earliest contact of a mesh in a step. Each vertex moves on a straight line from its position in x0 to that in
+/// x1. All pairs for which Mesh::may_collide is true are asked about, and each has the answer of `solve`. Elements that
+/// pierce each other at the start are not in contact if no pair of them touches there. `intersections` finds such
+/// elements, and FirstContactOptions::check_start asks it.
 ///
 /// The result is the same for every number of threads, byte for byte. The call needs 48 bytes for each vertex, and less
 /// than 240 bytes for each edge, or for each face and each vertex that collides, whichever is more: a closed surface of
@@ -311,8 +314,8 @@ struct FirstContact {
 FirstContact first_contact(const Mesh& mesh, const Positions& x0, const Positions& x1,
                            const FirstContactOptions& options = {});
 
-/// Every pair that comes into contact in [0, t_max], those in contact at the start too, by their toi and toi_upper,
-/// then by pair.
+/// Every pair that comes into contact in [0, t_max], or is in contact at the start. They are sorted by toi, then by
+/// toi_upper, then by pair.
 /// @throws InvalidQuery  as first_contact
 std::vector<MeshContact> all_contacts(const Mesh& mesh, const Positions& x0, const Positions& x1,
                                       const StepOptions& options = {});
@@ -327,14 +330,18 @@ std::vector<MeshPair> candidates(const Mesh& mesh, const Positions& x0, const Po
 /// @throws InvalidMesh  for an element that does not exist
 Query query_of(const Mesh& mesh, const MeshPair& pair, const Positions& x0, const Positions& x1);
 
-/// Where the mesh intersects itself at the positions x, exactly; separations do not count. In three dimensions these
-/// are edges and faces, two edges one of which is in no face, a loose point and a face, a loose point and an edge that
-/// is in no face, and two loose points. In two dimensions they are two edges, a loose point and an edge, and two loose
-/// points. Two elements that share a vertex intersect when they fold onto each other; the edges of one face are not
-/// asked about. A closed surface inside another one is found too: a set of faces that are connected by edges, and pass
-/// each of their edges as often in one direction as in the other. Elements of which no two vertices may collide by the
-/// rules are left out; vertices that the elements share do not count for that, and of two surfaces the two elements
-/// that would be reported. The list of element pairs in the rules counts for those pairs that are its kinds.
+/// Where the mesh intersects itself at the positions x, exactly. Separations do not count.
+///
+/// In three dimensions it compares an edge and a face, two edges if one of them is in no face, a loose point and a
+/// face, a loose point and an edge that is in no face, and two loose points. In two dimensions it compares two edges, a
+/// loose point and an edge, and two loose points. Two elements that share a vertex intersect when they fold onto each
+/// other. The edges of one face are not compared. A closed surface inside another one is found too. A surface is a set
+/// of faces that are connected by edges; it is closed when its faces pass each of their edges as often in one direction
+/// as in the other.
+///
+/// The rules leave out two elements if no vertex of one may collide with a vertex of the other; vertices that both
+/// share do not count for that. Of two surfaces, the rules see the two elements that would be reported. The rules' list
+/// of element pairs leaves out only elements that a MeshPair can name.
 /// @param mesh     the mesh
 /// @param x        the positions
 /// @param options  how the question is answered
@@ -376,14 +383,14 @@ struct FreeStepOptions : MeshOptions {
 struct FreeStep {
   StepOutcome outcome = StepOutcome::whole;  ///< what became of the step
 
-  /// The fraction of the step, in [0, 1]. It is 1 only for a whole step. It is 0 only for contact at the start, where
-  /// the first contact is before every positive double, and where a kept distance is rounded up to that at the start. A
-  /// step without room may have a positive length, after which the rounded positions are still x0.
+  /// The fraction of the step, in [0, 1]. It is 1 only for a whole step. It is 0 only in three cases: some pair is in
+  /// contact at the start; the first contact is before every positive double; a kept distance is rounded up to the
+  /// distance at the start. The length of a step without room may be positive: its rounded positions are still x0.
   double length = 1;
 
-  /// The end. Each coordinate is a double between x0 and x1, within one unit in its last place of x0 + length (x1 -
-  /// x0); where that is next to nothing beside x0 and x1, it is within 2^-100 of |x0| + |x1|. As many coordinates a
-  /// vertex as the mesh has dimensions: x y z x y z ...
+  /// The positions at the end. Each coordinate is a double between x0 and x1, within one unit in its last place of
+  /// e = x0 + length (x1 - x0). If e is next to nothing beside x0 and x1, the coordinate is within 2^-100 (|x0| + |x1|)
+  /// of it. A vertex has as many coordinates as the mesh has dimensions: x y z x y z ...
   std::vector<double> positions;
 
   /// The first contact of the whole step, about the distances that the step is to keep. It says whether the start was
@@ -394,10 +401,10 @@ struct FreeStep {
   int proofs = 0;
 };
 
-/// The longest step that is proved free. The straight path from x0 to the positions that are returned, rounded as they
-/// are, has no contact: that very path was asked about, all pairs of it. A length that is not 1 is below the exact
-/// first time. No more than rounding needs is given away: for the pairs in the way, the next longer length that was
-/// tried is not free.
+/// The longest step that is proved free. It ends at rounded positions. The straight path from x0 to these has no
+/// contact: all pairs were asked about this very path. A length that is not 1 is below the exact first time. The step
+/// gives away no more than rounding needs: with the next longer length that was tried, the pairs in the way are not
+/// free.
 /// @param mesh     the mesh
 /// @param x0       the positions at t = 0
 /// @param x1       the positions at t = 1

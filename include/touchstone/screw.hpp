@@ -53,14 +53,14 @@ struct ScrewAnswer {
 ///
 ///     q(t) = sin((1 - t) h) / sin(h) q0 / |q0| + sin(t h) / sin(h) q1 / |q1|,   cos(h) = q0 . q1 / (|q0| |q1|),
 ///
-/// so that the body turns about one axis at a constant rate, by the angle 2 h. The position is linear in t: with it,
-/// the motion is a screw where position and axis fit. See Shoemake, "Animating rotation with quaternion curves",
+/// so that the body turns about one axis at a constant rate, by the angle 2 h. The position is linear in t. If it moves
+/// along this axis, the motion is a screw. See Shoemake, "Animating rotation with quaternion curves",
 /// SIGGRAPH 1985. Corners on curves are as in `solve`.
 ///
-/// Contact of edges, and of a vertex and a face, is proved where the elements pass through each other. A touch that a
-/// small change of the motion undoes, as a graze and every touch of two points or of a point and an edge, is never
-/// proved, unless it is at t = 0 or t = 1. With a separation, contact is proved where the distance falls below it by
-/// more than the bound.
+/// For two edges, or a vertex and a face, a contact is proved if the elements pass through each other. A small change
+/// of the motion undoes some touches: a graze, and every touch of two points or of a point and an edge. Such a touch is
+/// proved only at t = 0 or t = 1. With a separation, a contact is proved if the distance falls below it by more than
+/// the bound.
 /// @param query    the two elements and their motion
 /// @param options  the time range, the separation and the number of arcs
 /// @return the verdict, with the times and the bound that it rests on

@@ -104,7 +104,8 @@ inline Form scaled_by(const Form& scale, const Form& p) {
   return scale.size() == 1 && scale[0] == Exact(1) ? p : scale * p;
 }
 
-/// Corner i minus corner j; within an element, up to a positive factor, of which `completed` makes up for.
+/// Corner i minus corner j. Two corners of one element have this difference divided by a positive polynomial;
+/// `completed` multiplies by it again.
 template <class Point>
 Point difference(const std::array<Point, 4>& corners, std::size_t i, std::size_t j) {
   return corners[i] - corners[j];
@@ -114,7 +115,7 @@ inline AnyCorners::Point difference(const AnyCorners& corners, std::size_t i, st
   return within ? corners.own[i] - corners.own[j] : corners[i] - corners[j];
 }
 
-/// p times the factor that differences within an element (0 or 1) lack.
+/// p times the polynomial by which `difference` divides for two corners of this element (0 or 1).
 template <class Point, class P>
 const P& completed(const std::array<Point, 4>&, std::size_t, const P& p) {
   return p;
@@ -141,7 +142,7 @@ using Long = numbers::FixedInt<3>;
   template class Template<AnyDegree>
 // NOLINTEND(bugprone-macro-parentheses)
 
-/// How many bits B integer coordinates may have, |x| < 2^B, so that nothing overflows. In bits:
+/// The most bits B of integer coordinates, |x| < 2^B, with which no number overflows. The numbers have so many bits:
 /// - differences B + 1, their changes over the step B + 2;
 /// - a quadratic's coefficients 2 B + 5, from 4 products of B + 2 and B + 1 or 2 of B + 2 and B + 2; sums of three of
 ///   them and dot products 2 B + 7; their Bernstein coefficients 2 B + 9;
@@ -156,8 +157,8 @@ static_assert(kMostBits<3> + 2 < 192 && 2 * kMostBits<3> + 9 < 384);
 static_assert(kMostBits<0> == 16 && 2 * kMostBits<0> + 9 <= numbers::NearRoot<1>::kMostSmallBits &&
               3 * kMostBits<0> + 10 < 60);
 
-/// Polynomials whose roots contain all times at which touching may begin or end: at most two for each of the four pairs
-/// of a corner and the other edge.
+/// Touching begins or ends only at roots of these polynomials. Each of the four pairs of a corner and the other edge
+/// has at most two of them.
 constexpr std::size_t kMostEvents = 8;
 template <class N>
 using Events = BoundedList<typename Forms<N>::Quadratic, kMostEvents>;

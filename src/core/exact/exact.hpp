@@ -22,9 +22,9 @@ Answer decide_exactly(const Query& query, double t_max);
 Answer decide_exactly(const RationalQuery& query, double t_max);
 Answer decide_exactly(const CurvedQuery& query, double t_max);
 
-/// The rungs of the exact level, in the order in which a query meets them. The near ones have times in double-doubles,
-/// and leave a query with a doubt to the next rung. They are for coordinates that are integers of so many bits in some
-/// unit along each axis; the others for such of one unit for all.
+/// The rungs of the exact level, in the order in which a query meets them. A near rung has times in double-doubles. If
+/// they leave a doubt, the next rung decides the query. Coordinates are integers of so many bits in some unit: a near
+/// rung has a unit for each axis, an exact one has the same unit for all axes.
 enum class Rung : std::uint8_t {
   near_word,    ///< at most 16 bits: all integers in one machine word
   near_one,     ///< at most 59 bits
@@ -37,8 +37,8 @@ enum class Rung : std::uint8_t {
 
 inline constexpr std::size_t kRungs = 7;
 
-/// The same answer, but for the last bits of its weights, in less time: by the first rung that decides. Of a contact it
-/// may leave out what is not wanted.
+/// The same answer in less time, by the first rung that decides. Only the last bits of its weights may differ. It may
+/// leave out the members of a contact that `wanted` does not ask for.
 /// @param decided  null, or becomes the rung
 Answer decide(const Query& query, double t_max, Wanted wanted, Rung* decided = nullptr);
 

@@ -17,8 +17,8 @@ namespace touchstone::filters {
 /// The most queries that the kernel takes at a time, and a multiple of every width.
 constexpr std::size_t kMostBracketed = 64;
 
-// What the tests before the last step of the bracket level say of a query: one of the first three, or none, where only
-// the tests one by one tell.
+// What the tests before the last step of the bracket level find about a query. One of the first three is set, or none.
+// If none is set, the tests for single queries decide.
 constexpr std::int64_t kBoxesDisjoint = 1;    ///< no contact, by the boxes
 constexpr std::int64_t kNoContactAtRoot = 2;  ///< no contact, by this level
 constexpr std::int64_t kOneRoot = 4;          ///< the last step decides: decide_refined
@@ -44,14 +44,14 @@ struct BracketedRoots {
   }
 };
 
-/// Tests the queries which[0 .. count - 1] of the columns, at most kMostBracketed. What a fact says is what the tests
-/// one by one would find, and the roots are the same bit for bit: every lane takes the same steps. A fact also proves
+/// Tests the queries which[0 .. count - 1] of the columns, at most kMostBracketed. The tests for single queries would
+/// find the same facts, and the same roots bit for bit, because every lane takes the same steps. A fact also proves
 /// that the query's coordinates are finite, and that the elements share no corner throughout the step.
 using BracketKernel = void (*)(const Columns& columns, const std::size_t* which, std::size_t count, double t_max,
                                BracketedRoots& result);
 
-/// The kernel for queries of a kind that has a cubic, with vectors of that width; null where one query at a time is
-/// meant or no kernel is there.
+/// The kernel for queries of a kind that has a cubic, with vectors of this width. It is null for
+/// VectorWidth::none, and where there is no such kernel.
 BracketKernel bracket_kernel(Kind kind, VectorWidth width) noexcept;
 
 BracketKernel bracket_kernel_256(Kind kind) noexcept;
