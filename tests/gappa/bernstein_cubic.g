@@ -1,5 +1,6 @@
-# kValueBound of step_cubic.hpp and kRestrictionBound of bernstein_cubic.cpp: the value of the cubic, and its coefficients over
-# a part. The coefficients c are off by what ends_bound.g and middle_bound.g prove without their reserve.
+# kValueBound of step_cubic.hpp and kRestrictionBound of bernstein_cubic.cpp: the value of the cubic, and its
+# coefficients over a part. The coefficients c are off by what ends_bound.g and middle_bound.g prove without their
+# reserve.
 # SPDX-License-Identifier: MIT
 # constant kUnit src/core/filters/coplanarity_form.hpp
 # constant kValueBound src/core/filters/step_cubic.hpp
