@@ -223,7 +223,7 @@ MESH_FAULTS = [
      "with_room(reach.same)"),
     ("used part of the margin", "mesh/candidate_search.cpp", "kUsedMargin = 0.75", "kUsedMargin = 1.5"),
     ("margin of a kept fraction", "mesh/candidate_search.cpp", "(1 + 4 * kept_fraction_ / (1 - kept_fraction_))", "1"),
-    ("reach of a kept fraction", "mesh/candidates.cpp", "+ part * displacement(motion[v])", ""),
+    ("reach of a kept fraction", "mesh/candidates.cpp", "+ ratio * displacement(motion[v])", ""),
     ("pieces that meet", "mesh/inside.cpp", "if (a != b) pairs.insert({{a, b}, {b, a}});", ""),
 ]
 

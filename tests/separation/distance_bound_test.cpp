@@ -12,6 +12,7 @@
 #include "support/slow_build.hpp"
 
 using namespace touchstone;
+using touchstone::tests::effort;
 
 namespace {
 

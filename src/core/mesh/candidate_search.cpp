@@ -16,19 +16,19 @@ using broad_phase::Pair;
 
 constexpr double Vec3::*kAxes[3] = {&Vec3::x, &Vec3::y, &Vec3::z};
 
-/// The margin as a part of the mean length of an edge: steps of a simulation are a small part of it, and the candidates
+/// The margin as a fraction of the mean length of an edge: steps of a simulation are a small part of it, and the candidates
 /// are hardly more.
 constexpr double kMarginOfEdge = 0x1p-4;
 
-/// The margin as a part of the largest coordinate, at least. A coordinate y(s) of the reference is computed with two
+/// The margin as a fraction of the largest coordinate, at least. A coordinate y(s) of the reference is computed with two
 /// products and sums of relative error 2^-53 each, so it is off by less than 2^-50 of that coordinate.
 constexpr double kLeastMargin = 0x1p-40;
 
-/// Motions are compared with this part of the margin: the rest covers the errors of y(s) and of the comparison.
+/// Motions are compared with this fraction of the margin: the rest covers the errors of y(s) and of the comparison.
 constexpr double kUsedMargin = 0.75;
 
-/// Lists of a path that is shorter than this part of the reference are not made: its own are shorter too.
-constexpr double kShortestPart = 0.5;
+/// Lists of a path that is a smaller fraction of the reference are not made: its own are shorter too.
+constexpr double kLeastFraction = 0.5;
 
 /// Candidates for each vertex and edge, at most: where there are more, keeping them costs more than it saves.
 constexpr std::size_t kMostForEach = 64;
@@ -136,7 +136,7 @@ void CandidateSearch::collect(int threads, const std::atomic<bool>* stop) {
 void CandidateSearch::for_each_block(const Motion& motion, double kept_fraction, const broad_phase::PairSearch& search,
                                      const std::atomic<bool>* stop, const CandidateConsumer& take) {
   const bool alike = covers(motion, kept_fraction);
-  if (alike && state_ == State::without_lists && fraction_ >= kShortestPart) collect(search.threads, stop);
+  if (alike && state_ == State::without_lists && fraction_ >= kLeastFraction) collect(search.threads, stop);
   if (alike && state_ == State::with_lists) {
     for (const Kind kind : kKinds) {
       const auto& pairs = pairs_[static_cast<std::size_t>(kind)];

@@ -161,9 +161,9 @@ Reach reach_of_separations(const Mesh::Impl& mesh) {
 Reach reach_of_fraction(const Mesh::Impl& mesh, const Motion& motion, double fraction) {
   Reach reach = reach_of_separations(mesh);
   if (reach.of_vertices.empty()) reach.of_vertices.assign(motion.size(), reach.same);
-  const double part = fraction / (1 - fraction);
+  const double ratio = fraction / (1 - fraction);
   for (std::size_t v = 0; v < motion.size(); ++v) {
-    reach.of_vertices[v] = with_room((reach.of_vertices[v] + part * displacement(motion[v])) * (1 + kRoomOfBounds));
+    reach.of_vertices[v] = with_room((reach.of_vertices[v] + ratio * displacement(motion[v])) * (1 + kRoomOfBounds));
   }
   return reach;
 }
